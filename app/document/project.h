@@ -1,0 +1,88 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/energy/material.h"
+#include "core/integration/deformer.h"
+#include "core/mesh/region.h"
+#include "core/motion/handle.h"
+#include "warp/outline.h"
+
+namespace wend {
+
+/// The project as the file describes it (shared contract): values only, no meshes or pictures.
+enum class DomainKind { Image, Mesh, Surface };
+enum class OutlineKind { Frame, Alpha, Polygons };
+
+struct Domain {
+    DomainKind kind = DomainKind::Image;
+    std::string path;                  // of the image, mesh or surface, relative to the project file
+    std::string texture;               // Mesh: an optional image
+    OutlineKind outline = OutlineKind::Frame;
+    AlphaOutlineOptions alpha;
+    Outline polygons;
+    int vertices = 5000;
+    double edge = 0;                   // > 0: wins over vertices
+    double quality = 1.414;            // Surface
+    double maxVolume = 0;              // Surface
+};
+
+template <int Dim>
+struct Stiffness {
+    Vec<Dim> axis;
+    double ratio = 1;  // s ≥ 1: B₀ = I + (s − 1) a aᵀ
+};
+
+template <int Dim>
+struct MaterialRegion {
+    std::string name;
+    Region<Dim> shape;
+    double feather = 0;
+    std::optional<double> phi;
+    std::optional<Stiffness<Dim>> stiffness;
+};
+
+template <int Dim>
+struct MaterialSpec {
+    double phi = phi::kMetr;
+    Smoothing smoothing;
+    std::vector<MaterialRegion<Dim>> regions;  // later ones win
+    std::vector<double> cellPhi;               // material.cells, if given
+    std::vector<Mat<Dim>> cellB;
+    std::string cellsFile;                     // where material.cells names a file
+};
+
+template <int Dim>
+struct Design {
+    MaterialSpec<Dim> material;
+    std::vector<Handle<Dim>> handles;
+};
+
+struct Project {
+    Domain domain;
+    std::variant<Design<2>, Design<3>> design;
+    double end = 1;
+    IntegrationOptions integration;
+    nlohmann::ordered_json unknown;  // keys that this version does not know, kept on save
+
+    int dimension() const { return design.index() == 0 ? 2 : 3; }
+};
+
+/// A loaded project and what the user should hear about it.
+struct LoadedProject {
+    Project project;
+    std::vector<std::string> warnings;  // unknown keys …
+};
+
+/// Throws InputError(path, reason with line or key such as `handles[2].motion[0].points`).
+LoadedProject readProject(const std::string& path);
+LoadedProject parseProject(const std::string& text, const std::string& path);
+/// UTF-8 JSON, written whole or not at all; domain paths are written relative to `path`.
+void writeProject(const std::string& path, const Project& project);
+std::string toJson(const Project& project);
+
+}  // namespace wend

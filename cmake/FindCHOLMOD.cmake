@@ -1,0 +1,20 @@
+# Debian ships neither a CMake config nor a .pc file for CHOLMOD 3.0. Defines CHOLMOD::CHOLMOD.
+find_path(CHOLMOD_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse)
+find_library(CHOLMOD_LIBRARY cholmod)
+find_library(SUITESPARSECONFIG_LIBRARY suitesparseconfig)
+if(CHOLMOD_INCLUDE_DIR)
+    file(READ ${CHOLMOD_INCLUDE_DIR}/cholmod_core.h _core)
+    string(REGEX MATCH "CHOLMOD_MAIN_VERSION ([0-9]+)" _ "${_core}")
+    set(CHOLMOD_VERSION ${CMAKE_MATCH_1})
+    string(REGEX MATCH "CHOLMOD_SUB_VERSION ([0-9]+)" _ "${_core}")
+    string(APPEND CHOLMOD_VERSION ".${CMAKE_MATCH_1}")
+endif()
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(CHOLMOD REQUIRED_VARS CHOLMOD_LIBRARY SUITESPARSECONFIG_LIBRARY CHOLMOD_INCLUDE_DIR
+    VERSION_VAR CHOLMOD_VERSION)
+if(CHOLMOD_FOUND AND NOT TARGET CHOLMOD::CHOLMOD)
+    add_library(CHOLMOD::CHOLMOD UNKNOWN IMPORTED)
+    set_target_properties(CHOLMOD::CHOLMOD PROPERTIES IMPORTED_LOCATION ${CHOLMOD_LIBRARY}
+        INTERFACE_INCLUDE_DIRECTORIES ${CHOLMOD_INCLUDE_DIR}
+        INTERFACE_LINK_LIBRARIES "${SUITESPARSECONFIG_LIBRARY}")
+endif()

@@ -1,0 +1,1 @@
+#include "core/assembly/back_end.h"

@@ -1,0 +1,1 @@
+#include "core/energy/material.h"

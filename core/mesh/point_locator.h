@@ -1,0 +1,37 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "core/mesh/simplicial_mesh.h"
+
+namespace wend {
+
+/// Where a point lies in a partition: a cell and the barycentric coordinates in it.
+template <int Dim>
+struct Location {
+    int cell = -1;
+    Eigen::Matrix<double, Dim + 1, 1> weights;
+};
+
+/// Finds cells that contain points, over a uniform grid of the cells' bounding boxes. Keeps its own copy of nothing but
+/// the grid: mesh connectivity and points must outlive it.
+template <int Dim>
+class PointLocator {
+  public:
+    PointLocator(const Points<Dim>& points, const std::vector<Cell<Dim>>& cells);
+    ~PointLocator();
+    PointLocator(PointLocator&&) noexcept;
+
+    /// The cell that contains p (with all weights ≥ −tolerance; of several, as at a shared facet or where the shape
+    /// overlaps itself, the one of highest index), or nothing.
+    std::optional<Location<Dim>> find(const Vec<Dim>& p, double tolerance = 1e-12) const;
+    /// The index of the nearest vertex.
+    int nearestVertex(const Vec<Dim>& p) const;
+
+  private:
+    struct Grid;
+    std::unique_ptr<Grid> m_grid;
+};
+
+}  // namespace wend

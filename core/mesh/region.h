@@ -1,0 +1,56 @@
+#pragma once
+
+#include <limits>
+#include <variant>
+#include <vector>
+
+#include "core/mesh/types.h"
+
+namespace wend {
+
+/// Shapes that name a part of the plane or of space; used by handles and by the material.
+struct Polygon {
+    std::vector<Vec<2>> points;
+};
+template <int Dim>
+struct Ball {  // "circle" in 2D, "sphere" in 3D
+    Vec<Dim> centre;
+    double radius = 0;
+};
+template <int Dim>
+struct Box {
+    Vec<Dim> min, max;
+};
+template <int Dim>
+struct HalfSpace {  // the side that the normal points away from is outside
+    Vec<Dim> point, normal;
+};
+/// The whole domain; the material's amount goes linearly from 0 at `from` to 1 at `to` along the segment.
+template <int Dim>
+struct Blend {
+    Vec<Dim> from, to;
+};
+
+template <int Dim>
+struct RegionOf;
+template <>
+struct RegionOf<2> {
+    using Type = std::variant<Polygon, Ball<2>, Box<2>, HalfSpace<2>, Blend<2>>;
+};
+template <>
+struct RegionOf<3> {
+    using Type = std::variant<Ball<3>, Box<3>, HalfSpace<3>, Blend<3>>;
+};
+template <int Dim>
+using Region = typename RegionOf<Dim>::Type;
+
+/// Signed distance to the border of the region, negative inside (a Blend has none and returns −infinity).
+template <int Dim>
+double signedDistance(const Region<Dim>& region, const Vec<Dim>& p);
+
+/// How much p belongs to the region, in [0, 1]: 1 inside, 0 outside, smooth (C¹) over the width `feather` centred on the
+/// border; for a Blend the linear parameter along its segment, clamped to [0, 1].
+template <int Dim>
+double membership(const Region<Dim>& region, const Vec<Dim>& p, double feather);
+
+}  // namespace wend

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <vector>
+
+#include "core/mesh/types.h"
+
+namespace wend {
+
+/// A partition: triangles in the plane (Dim 2) or tetrahedra in space (Dim 3). Vertex and cell order are the input's.
+template <int Dim>
+struct SimplicialMesh {
+    Points<Dim> points;
+    std::vector<Cell<Dim>> cells;
+
+    int vertexCount() const { return static_cast<int>(points.cols()); }
+    int cellCount() const { return static_cast<int>(cells.size()); }
+};
+
+/// Signed area or volume: det[x1 − x0, …] / Dim!.
+template <int Dim>
+double cellMeasure(const Points<Dim>& points, const Cell<Dim>& cell);
+
+/// Length of the diagonal of the axis-aligned bounding box: the unit of every dimensionless setting.
+template <int Dim>
+double boundingBoxDiagonal(const Points<Dim>& points);
+
+/// An edge (2D) or triangle (3D) of the partition; cells[1] is −1 on the boundary. On a boundary facet the vertices run
+/// as in its cell, so that its outer side is consistent.
+template <int Dim>
+struct Facet {
+    std::array<int, Dim> vertices;
+    std::array<int, 2> cells;
+
+    bool interior() const { return cells[1] >= 0; }
+};
+
+/// All facets, in the order of the cells that bring them. Throws InputError naming the cells if more than two share one.
+template <int Dim>
+std::vector<Facet<Dim>> facetsOf(const SimplicialMesh<Dim>& mesh);
+
+/// Throws InputError that names vertex or cell for: no cell; NaN or infinite coordinates; an index out of range; a
+/// repeated vertex in a cell; a zero measure (relative to the diagonal); a duplicate cell; cells of both orientations
+/// (an inverted one); a facet of more than two cells. All cells of negative orientation are accepted.
+template <int Dim>
+void requireValid(const SimplicialMesh<Dim>& mesh);
+
+}  // namespace wend

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <vector>
+
+#include "core/mesh/types.h"
+
+namespace wend {
+
+/// A part of the plane: closed polygons; a point is inside if an odd number of them encloses it (holes, islands in holes).
+struct Outline {
+    std::vector<std::vector<Vec<2>>> loops;
+};
+
+}  // namespace wend

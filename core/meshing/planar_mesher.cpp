@@ -1,0 +1,1 @@
+#include "core/meshing/planar_mesher.h"

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <limits>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/mesh/region.h"
+
+namespace wend {
+
+enum class Ease { Linear, In, Out, InOut };
+
+template <int Dim>
+struct Translate {
+    Vec<Dim> by;
+};
+/// Counter-clockwise in the coordinates' own axes (x towards y); the axis is used in 3D only.
+template <int Dim>
+struct Rotate {
+    Vec<Dim> centre = Vec<Dim>::Zero();
+    Vec<Dim> axis = Vec<Dim>::Zero();
+    double angle = 0;
+};
+enum class Interpolation { Bezier, Spline, Polyline };
+enum class FrameKind { None, Frenet, Minimal };
+/// Motion along a curve, relative to its first point. A Bezier curve is a chain of cubics (3k + 1 points).
+template <int Dim>
+struct CurveMotion {
+    Interpolation interpolation = Interpolation::Bezier;
+    std::vector<Vec<Dim>> points;
+    FrameKind frame = FrameKind::None;
+    double twist = 0;  // radians over the whole curve, 3D only
+    double scale = 1;  // factor reached at the end
+};
+/// A recorded stroke: times (increasing) and points, relative to the first; linear in between.
+template <int Dim>
+struct Recorded {
+    std::vector<double> times;
+    std::vector<Vec<Dim>> points;
+};
+
+template <int Dim>
+struct Motion {
+    std::variant<Translate<Dim>, Rotate<Dim>, CurveMotion<Dim>, Recorded<Dim>> kind;
+    double start = 0, end = 1;  // the time window
+    Ease ease = Ease::Linear;
+};
+
+/// Vertex ids, points anywhere in the rest shape, or all vertices inside a region.
+template <int Dim>
+using Placement = std::variant<std::vector<int>, std::vector<Vec<Dim>>, Region<Dim>>;
+
+/// Prescribes the motion of some points of the shape. Without motion it holds them still; motions act one after another.
+template <int Dim>
+struct Handle {
+    std::string name;
+    Placement<Dim> at;
+    std::vector<Motion<Dim>> motions;
+    double activeFrom = -std::numeric_limits<double>::infinity();
+    double activeTo = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace wend

@@ -1,0 +1,1 @@
+#include "core/solver/constrained_system.h"

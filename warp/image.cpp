@@ -1,0 +1,1 @@
+#include "warp/image.h"

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace wend {
+
+enum class PixelType { UInt8, UInt16, Half, Float };
+
+/// A picture in memory in its own depth, interleaved, rows top to bottom. Alpha, if any, is the last channel and the
+/// colours are associated (premultiplied) in memory unless `unassociated`: then they are as in the file.
+struct Image {
+    int width = 0, height = 0, channels = 0;
+    PixelType type = PixelType::UInt8;
+    bool alpha = false;         // the last channel is alpha
+    bool unassociated = false;  // colours are not multiplied with alpha (PNG, TIFF with that flag)
+    std::vector<std::byte> data;
+    struct Metadata;
+    std::shared_ptr<const Metadata> metadata;  // ICC profile, resolution, text: all that the format carried
+
+    std::size_t pixelBytes() const;
+    const std::byte* row(int y) const;
+    std::byte* row(int y);
+};
+
+/// Reads any format of OpenImageIO. Throws InputError(path, why) for missing, empty, truncated, corrupt files and for more than
+/// `maxMegapixels`.
+Image readImage(const std::string& path, double maxMegapixels = 400);
+
+/// Writes by extension (png, tif, exr, jpg, webp …), whole or not at all; depth is converted to the nearest that the format
+/// holds; without alpha in the format the picture is laid over `background` white. Throws InputError.
+void writeImage(const std::string& path, const Image& image);
+
+/// Size, type and channels without the pixels.
+Image readImageHeader(const std::string& path);
+
+}  // namespace wend

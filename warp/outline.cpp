@@ -1,0 +1,1 @@
+#include "warp/outline.h"
