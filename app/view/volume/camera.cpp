@@ -29,13 +29,27 @@ void Camera::fit(const Vec<3>& low, const Vec<3>& high) {
 void Camera::look(Axis axis) {
     const Vec<3> x = Vec<3>::UnitX(), y = Vec<3>::UnitY(), z = Vec<3>::UnitZ();
     switch (axis) {
-        case Axis::Front: m_turn = turn(y, z); break;
-        case Axis::Back: m_turn = turn(-y, z); break;
-        case Axis::Right: m_turn = turn(-x, z); break;
-        case Axis::Left: m_turn = turn(x, z); break;
-        case Axis::Top: m_turn = turn(-z, y); break;
-        case Axis::Bottom: m_turn = turn(z, y); break;
-        case Axis::Isometric: m_turn = turn(Vec<3>(-1, 1.4, -0.8), z); break;
+        case Axis::Front:
+            m_turn = turn(y, z);
+            break;
+        case Axis::Back:
+            m_turn = turn(-y, z);
+            break;
+        case Axis::Right:
+            m_turn = turn(-x, z);
+            break;
+        case Axis::Left:
+            m_turn = turn(x, z);
+            break;
+        case Axis::Top:
+            m_turn = turn(-z, y);
+            break;
+        case Axis::Bottom:
+            m_turn = turn(z, y);
+            break;
+        case Axis::Isometric:
+            m_turn = turn(Vec<3>(-1, 1.4, -0.8), z);
+            break;
     }
 }
 
@@ -47,10 +61,13 @@ void Camera::setPivot(const Vec<3>& pivot) {
 }
 
 void Camera::orbit(double dx, double dy) {
-    m_turn = (Eigen::AngleAxisd(dy, Vec<3>::UnitX()) * m_turn * Eigen::AngleAxisd(dx, Vec<3>::UnitZ())).normalized();
+    m_turn = (Eigen::AngleAxisd(dy, Vec<3>::UnitX()) * m_turn * Eigen::AngleAxisd(dx, Vec<3>::UnitZ()))
+                 .normalized();
 }
 
-double Camera::pixelSize(const QSize& viewport) const { return 2 * m_distance * kTanHalf / std::max(1, viewport.height()); }
+double Camera::pixelSize(const QSize& viewport) const {
+    return 2 * m_distance * kTanHalf / std::max(1, viewport.height());
+}
 
 void Camera::pan(double dxPixels, double dyPixels, const QSize& viewport) {
     m_pivot += pixelSize(viewport) * (dyPixels * up() - dxPixels * right());
@@ -73,7 +90,8 @@ Eigen::Matrix4d Camera::view() const {
 
 Eigen::Matrix4d Camera::projection(const QSize& viewport) const {
     const double aspect = viewport.width() / static_cast<double>(std::max(1, viewport.height()));
-    const double far = m_distance + 4 * m_radius, near = std::max(m_distance - 4 * m_radius, 1e-3 * m_distance);
+    const double far = m_distance + 4 * m_radius,
+                 near = std::max(m_distance - 4 * m_radius, 1e-3 * m_distance);
     Eigen::Matrix4d matrix = Eigen::Matrix4d::Zero();
     if (m_orthographic) {
         const double half = m_distance * kTanHalf, front = m_distance - 4 * m_radius;

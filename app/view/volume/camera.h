@@ -11,7 +11,8 @@ struct Ray {
     Vec<3> origin, direction;  // direction has length 1
 };
 
-/// Looks at a pivot from a distance; y of the screen is up. All angles in radians, all pixels from the top left corner.
+/// Looks at a pivot from a distance; y of the screen is up. All angles in radians, all pixels from the top
+/// left corner.
 class Camera {
   public:
     enum class Axis { Front, Back, Left, Right, Top, Bottom, Isometric };
@@ -24,7 +25,8 @@ class Camera {
     bool orthographic() const { return m_orthographic; }
     const Vec<3>& pivot() const { return m_pivot; }
 
-    /// Turns around the pivot as a turntable: dx around the world's vertical axis, dy around the screen's horizontal one.
+    /// Turns around the pivot as a turntable: dx around the world's vertical axis, dy around the screen's
+    /// horizontal one.
     void orbit(double dx, double dy);
     /// Moves with the pointer: what lay under it at the pivot's depth stays under it.
     void pan(double dxPixels, double dyPixels, const QSize& viewport);

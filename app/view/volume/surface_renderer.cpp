@@ -20,8 +20,8 @@ std::array<float, 3> floats(const Vec<3>& v) {
 }
 
 std::array<unsigned char, 4> bytes(QRgb c) {
-    return {static_cast<unsigned char>(qRed(c)), static_cast<unsigned char>(qGreen(c)), static_cast<unsigned char>(qBlue(c)),
-            static_cast<unsigned char>(qAlpha(c))};
+    return {static_cast<unsigned char>(qRed(c)), static_cast<unsigned char>(qGreen(c)),
+            static_cast<unsigned char>(qBlue(c)), static_cast<unsigned char>(qAlpha(c))};
 }
 
 QMatrix4x4 toQt(const Eigen::Matrix4d& matrix) {
@@ -50,10 +50,12 @@ Points<3> vertexNormals(const CutSurface& surface, const Points<3>& pose) {
 
 QRgb mixed(QRgb a, QRgb b, double t) {
     const auto mix = [t](int x, int y) { return static_cast<int>(x + t * (y - x) + 0.5); };
-    return qRgba(mix(qRed(a), qRed(b)), mix(qGreen(a), qGreen(b)), mix(qBlue(a), qBlue(b)), mix(qAlpha(a), qAlpha(b)));
+    return qRgba(mix(qRed(a), qRed(b)), mix(qGreen(a), qGreen(b)), mix(qBlue(a), qBlue(b)),
+                 mix(qAlpha(a), qAlpha(b)));
 }
 
-std::vector<GpuVertex> assemble(const CutSurface& surface, const Points<3>& pose, const std::vector<QRgb>& vertexColours,
+std::vector<GpuVertex> assemble(const CutSurface& surface, const Points<3>& pose,
+                                const std::vector<QRgb>& vertexColours,
                                 const std::vector<QRgb>& cellColours) {
     const Points<3> normals = vertexNormals(surface, pose);
     std::vector<GpuVertex> vertices;
@@ -64,16 +66,20 @@ std::vector<GpuVertex> assemble(const CutSurface& surface, const Points<3>& pose
         const Vec<3> flat = (b - a).cross(c - a).normalized();
         for (const auto& corner : corners) {
             Vec<3> normal = flat;
-            if (!surface.onCut[t]) normal = normals.col(corner.weight < 0.5 ? corner.from : corner.to).normalized();
+            if (!surface.onCut[t])
+                normal = normals.col(corner.weight < 0.5 ? corner.from : corner.to).normalized();
             const QRgb colour = !cellColours.empty() ? cellColours[surface.cells[t]]
-                                                     : mixed(vertexColours[corner.from], vertexColours[corner.to], corner.weight);
+                                                     : mixed(vertexColours[corner.from],
+                                                             vertexColours[corner.to], corner.weight);
             vertices.push_back({floats(place(corner, pose)), floats(normal), bytes(colour)});
         }
     }
     return vertices;
 }
 
-QVector3D toVector(const QColor& c) { return {c.redF(), c.greenF(), c.blueF()}; }
+QVector3D toVector(const QColor& c) {
+    return {c.redF(), c.greenF(), c.blueF()};
+}
 
 }  // namespace
 
@@ -83,9 +89,11 @@ bool SurfaceRenderer::initialize() {
         m_error = QStringLiteral("OpenGL 3.3 is not available");
         return false;
     }
-    const bool linked = m_program.addShaderFromSourceFile(QOpenGLShader::Vertex, QStringLiteral(":/shaders/surface.vert")) &&
-                        m_program.addShaderFromSourceFile(QOpenGLShader::Fragment, QStringLiteral(":/shaders/surface.frag")) &&
-                        m_program.link();
+    const bool linked =
+        m_program.addShaderFromSourceFile(QOpenGLShader::Vertex, QStringLiteral(":/shaders/surface.vert")) &&
+        m_program.addShaderFromSourceFile(QOpenGLShader::Fragment,
+                                          QStringLiteral(":/shaders/surface.frag")) &&
+        m_program.link();
     if (!linked) {
         m_error = m_program.log();
         return false;
@@ -99,7 +107,8 @@ bool SurfaceRenderer::initialize() {
     constexpr int kStride = sizeof(GpuVertex);
     m_program.setAttributeBuffer(0, GL_FLOAT, offsetof(GpuVertex, position), 3, kStride);
     m_program.setAttributeBuffer(1, GL_FLOAT, offsetof(GpuVertex, normal), 3, kStride);
-    m_gl->glVertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, kStride, reinterpret_cast<void*>(offsetof(GpuVertex, colour)));
+    m_gl->glVertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, kStride,
+                                reinterpret_cast<void*>(offsetof(GpuVertex, colour)));
     return true;
 }
 
@@ -109,8 +118,8 @@ void SurfaceRenderer::release() {
     m_program.removeAllShaders();
 }
 
-void SurfaceRenderer::upload(const CutSurface& surface, const Points<3>& pose, const std::vector<QRgb>& vertexColours,
-                             const std::vector<QRgb>& cellColours) {
+void SurfaceRenderer::upload(const CutSurface& surface, const Points<3>& pose,
+                             const std::vector<QRgb>& vertexColours, const std::vector<QRgb>& cellColours) {
     const auto vertices = assemble(surface, pose, vertexColours, cellColours);
     m_vertices = static_cast<int>(vertices.size());
     m_buffer.bind();

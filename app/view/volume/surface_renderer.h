@@ -31,7 +31,8 @@ class SurfaceRenderer {
     /// The triangles at a pose; colours are one per vertex of the mesh, or one per cell.
     void upload(const CutSurface& surface, const Points<3>& pose, const std::vector<QRgb>& vertexColours,
                 const std::vector<QRgb>& cellColours);
-    void draw(const Eigen::Matrix4d& view, const Eigen::Matrix4d& projection, bool orthographic, const SurfaceStyle& style);
+    void draw(const Eigen::Matrix4d& view, const Eigen::Matrix4d& projection, bool orthographic,
+              const SurfaceStyle& style);
 
   private:
     QOpenGLFunctions_3_3_Core* m_gl = nullptr;
