@@ -107,27 +107,32 @@ SimplicialMesh<2> PlanarMesher::byCount() {
     return searched(radius);
 }
 
-/// Counts follow n(r) = n(∞) + c / r², c from the last try.
+/// Counts follow n(r) = n(∞) + c / r², c from the last try. A try that has too many vertices is repeated with
+/// a radius from n(∞), once that is known, and then with a larger least edge: borders that run side by side
+/// closely are what defies the rule.
 SimplicialMesh<2> PlanarMesher::searched(double radius) {
     const int aim = m_options.vertices, enough = 2 * aim + 100;
     std::optional<SimplicialMesh<2>> best, atInfinity;
     double base = std::min(m_domain.vertexCount(), aim / 2);
     for (int tries = 1; tries <= 8; ++tries) {
         auto mesh = attempt(radius, enough);
-        double count = mesh ? mesh->vertexCount() : 1.5 * enough;
-        if (mesh && accepts(mesh->vertexCount(), tries)) return *std::move(mesh);
+        const int count = mesh ? mesh->vertexCount() : enough;
+        if (mesh && accepts(count, tries)) return *std::move(mesh);
         if (count > 1.2 * aim && !atInfinity) {
             atInfinity = least();
             base = atInfinity->vertexCount();
             if (base >= 0.95 * aim) return *std::move(atInfinity);
-            if (!mesh) continue;  // the least edge may have grown
+            if (!mesh) radius = std::max(radius, std::sqrt(verticesPerArea * m_area / (aim - base)));
+        } else if (!mesh) {
+            m_shortest = std::min(30 * m_shortest, radius);
+            radius *= 1.2;
         }
-        if (mesh && (!best || std::abs(count - aim) < std::abs(best->vertexCount() - aim)))
-            best = std::move(mesh);
+        if (!mesh) continue;
+        if (!best || std::abs(count - aim) < std::abs(best->vertexCount() - aim)) best = std::move(mesh);
         const double growth = (aim - base) / std::max(count - base, 0.1 * (aim - base));
         radius /= std::sqrt(std::clamp(growth, 0.1, 10.0));
     }
-    return best ? *std::move(best) : least();
+    return best ? *std::move(best) : *std::move(atInfinity);
 }
 
 }  // namespace

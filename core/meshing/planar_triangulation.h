@@ -120,9 +120,11 @@ class SizeAndAngle {
         if (b > c) std::swap(b, c);
         if (a > b) std::swap(a, b);
         if (c <= m_shortestSquared) return {0, 1};
-        // R² = a² b² c² / 16 A²; sin² of the angle between the two longest edges = 4 A² / (b² c²)
-        return {a * b * c / (4 * areaSquared) / m_radiusSquared,
-                a <= m_shortestSquared ? 1 : areaSquared / (b * c)};
+        // R² = a² b² c² / 16 A²; sin² of the angle between the two longest edges = 4 A² / (b² c²). A flat
+        // triangle's circumcircle says nothing about its size: its longest edge counts there (R > 0.65 c from
+        // angles of 130° on).
+        const double size = std::min(a * b * c / (4 * areaSquared), 0.65 * 0.65 * c);
+        return {size / m_radiusSquared, a <= m_shortestSquared ? 1 : areaSquared / (b * c)};
     }
 
     double m_radiusSquared = 1;
