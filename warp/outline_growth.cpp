@@ -87,12 +87,15 @@ bool GrownShape::isFarAlong(const Segment& a, const Segment& b) const {
     return std::min(way, m_lengths[a.loop] - way) > 2 * chord + 2;
 }
 
+/// For an inside node, what faces its nearest point of the contour.
 void GrownShape::findFacing(const Segment& s) {
-    visitNear(s, 2 * m_margin + m_gap, [&](Node& n, const Vec<2>& p) {
-        if (n.inside || n.distance > m_margin + beyond) return;
-        const Vec<2> q = closestOn(s.a, s.b, p);
-        const auto d = static_cast<float>((p - q).norm());
-        if (d >= n.facing || (q - p).dot(n.nearest - p) > 0 || !isFarAlong(s, m_segments[n.segment])) return;
+    visitNear(s, 2 * m_margin + m_gap + beyond, [&](Node& n, const Vec<2>& p) {
+        if (n.distance > (n.inside ? 0 : m_margin) + beyond) return;
+        const Vec<2> from = n.inside ? n.nearest : p;
+        const Vec<2> outwards = n.inside ? Vec<2>(n.nearest - p) : Vec<2>(p - n.nearest);
+        const Vec<2> q = closestOn(s.a, s.b, from);
+        const auto d = static_cast<float>((from - q).norm());
+        if (d >= n.facing || (q - from).dot(outwards) < 0 || !isFarAlong(s, m_segments[n.segment])) return;
         n.facing = d;
     });
 }
@@ -139,12 +142,11 @@ void GrownShape::computeStrip(int strip) {
 }
 
 float GrownShape::value(const Node& n) const {
-    // Inside only the sign counts, except at a gap that is not grown into (μ = 0), where the zero is between
-    // inside and outside.
-    if (n.inside) return n.distance + static_cast<float>(std::min(m_margin, 0.25));
-    if (n.distance >= far) return static_cast<float>(-m_margin - beyond);
-    const double width = static_cast<double>(n.distance) + n.facing;
-    return static_cast<float>(std::clamp((width - m_gap) / 2, 0.0, m_margin) - n.distance);
+    const auto beyondAll = static_cast<float>(m_margin + beyond);
+    if (n.distance >= far) return n.inside ? beyondAll : -beyondAll;
+    const float signedDistance = n.inside ? -n.distance : n.distance;
+    const double width = static_cast<double>(n.facing) + std::max(signedDistance, 0.0F);
+    return static_cast<float>(std::clamp((width - m_gap) / 2, 0.0, m_margin) - signedDistance);
 }
 
 void GrownShape::fillRow(int row, std::vector<float>& values) {

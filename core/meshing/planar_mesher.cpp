@@ -1,6 +1,7 @@
 #include "core/meshing/planar_mesher.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -18,6 +19,10 @@ constexpr double pointTolerance = 1e-9;  // of the diagonal: a point that near t
 // area / r² inner vertices and a mean edge of edgePerRadius · r.
 constexpr double verticesPerArea = 0.7;
 constexpr double edgePerRadius = 1.3;
+
+// Edges that are not split for the angle's sake, relative to the aimed spacing: the first that does it is
+// taken.
+constexpr std::array leastEdges{1e-5, 1e-3, 0.03, 1.0};
 
 double diagonalOf(const Outline& outline) {
     Vec<2> low = outline.loops[0][0], high = low;
@@ -69,8 +74,8 @@ std::optional<SimplicialMesh<2>> PlanarMesher::attempt(double radius, int maxVer
 
 SimplicialMesh<2> PlanarMesher::least() {
     const int enough = std::max(m_options.vertices, 8 * m_domain.vertexCount() + 2000);
-    const double spacing = m_shortest * 1e4;
-    for (const double part : {1e-4, 3e-3, 0.1, 1.0}) {
+    const double spacing = m_shortest / leastEdges[0];
+    for (const double part : leastEdges) {
         m_shortest = part * spacing;
         if (auto mesh = attempt(std::numeric_limits<double>::infinity(), enough)) return *std::move(mesh);
     }
@@ -85,7 +90,7 @@ SimplicialMesh<2> PlanarMesher::byEdge() {
         throw InputError("an edge length of " + std::to_string(m_options.edge) + " would take more than " +
                          std::to_string(mostVertices) + " vertices");
     const int enough = static_cast<int>(2 * expected) + 20 * m_domain.vertexCount() + 5000;
-    for (const double part : {1e-4, 3e-3, 0.1, 1.0}) {
+    for (const double part : leastEdges) {
         m_shortest = part * radius;
         if (auto mesh = attempt(radius, enough)) return *std::move(mesh);
     }
@@ -103,7 +108,7 @@ SimplicialMesh<2> PlanarMesher::byCount() {
     const double inner = std::max(aim - m_domain.vertexCount(), 0.3 * aim);
     const double border = m_domain.perimeter() / 4;
     const double radius = (border + std::sqrt(border * border + inner * verticesPerArea * m_area)) / inner;
-    m_shortest = 1e-4 * radius;
+    m_shortest = leastEdges[0] * radius;
     return searched(radius);
 }
 

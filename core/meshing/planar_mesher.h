@@ -23,7 +23,7 @@ struct PlanarMeshOptions {
 /// diagonal) of the outline becomes a point of the outline.
 ///
 /// An aim below what the outline needs at the minimum angle gives that least mesh, a larger one; it does not
-/// fail. Where borders or points nearly touch, edges are not split for the angle's sake below 1e-4 of the
+/// fail. Where borders or points nearly touch, edges are not split for the angle's sake below 1e-5 of the
 /// aimed spacing, or below more if the mesh would become many times larger than the aim, so that meshing
 /// always ends.
 ///
