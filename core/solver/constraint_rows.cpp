@@ -120,6 +120,17 @@ class Reducer {
 
 }  // namespace
 
+std::vector<ConstraintRow> simplified(const std::vector<ConstraintRow>& rows) {
+    std::vector<ConstraintRow> result;
+    for (const auto& row : rows) {
+        std::map<int, double> weights;
+        for (const auto& [vertex, weight] : row.terms) weights[vertex] += weight;
+        std::erase_if(weights, [](const auto& term) { return term.second == 0; });
+        result.push_back({{weights.begin(), weights.end()}});
+    }
+    return result;
+}
+
 Elimination eliminate(const std::vector<ConstraintRow>& rows) {
     Reducer reducer;
     for (int row : singleVertexRowsFirst(rows)) reducer.add(rows[row], row);

@@ -11,6 +11,9 @@ struct ConstraintRow {
     std::vector<std::pair<int, double>> terms;
 };
 
+/// The same rows with one term per vertex, none of weight 0, by vertex.
+std::vector<ConstraintRow> simplified(const std::vector<ConstraintRow>& rows);
+
 /// A row that says nothing new: row = Σ coefficient · row_other. Its prescribed value must be the same
 /// combination of the others' values, else the constraints contradict each other.
 struct DependentRow {
@@ -32,11 +35,11 @@ struct Elimination {
     std::vector<DependentRow> dependent;
 };
 
-/// Rows of one vertex first, then the others in their order, each with the vertex of its largest remaining
-/// weight as pivot.
+/// Simplified rows: those of one vertex first, then the others in their order, each with the vertex of its
+/// largest remaining weight as pivot.
 Elimination eliminate(const std::vector<ConstraintRow>& rows);
 
-/// The rows that depend linearly on others.
+/// The rows (any) that depend linearly on others.
 std::vector<DependentRow> dependentRows(const std::vector<ConstraintRow>& rows);
 
 }  // namespace wend

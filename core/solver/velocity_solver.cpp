@@ -107,9 +107,10 @@ VelocitySolver<Dim>::Engine::Engine(std::shared_ptr<const SimplicialMesh<Dim>> m
 
 template <int Dim>
 void VelocitySolver<Dim>::Engine::setConstraints(std::vector<ConstraintRow> newRows) {
+    newRows = simplified(newRows);
     if (analyzed && std::equal(rows.begin(), rows.end(), newRows.begin(), newRows.end(), sameTerms)) return;
-    for (const auto& row : newRows) requireRow(row, rest->vertexCount());
     const Stopwatch watch(statistics.analyze);
+    for (const auto& row : newRows) requireRow(row, rest->vertexCount());
     rows = std::move(newRows);
     elimination = eliminate(rows);
     projection = Projection<Dim>(rows, elimination.dependent, rest->vertexCount());
