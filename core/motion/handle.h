@@ -51,7 +51,8 @@ struct Motion {
 template <int Dim>
 using Placement = std::variant<std::vector<int>, std::vector<Vec<Dim>>, Region<Dim>>;
 
-/// Prescribes the motion of some points of the shape. Without motion it holds them still; motions act one after another.
+/// Prescribes the motion of some points of the shape. Without motion it holds them still; motions act one
+/// after another.
 template <int Dim>
 struct Handle {
     std::string name;
