@@ -20,15 +20,15 @@ enum class OutlineKind { Frame, Alpha, Polygons };
 
 struct Domain {
     DomainKind kind = DomainKind::Image;
-    std::string path;                  // of the image, mesh or surface, relative to the project file
-    std::string texture;               // Mesh: an optional image
+    std::string path;     // of the image, mesh or surface, relative to the project file
+    std::string texture;  // Mesh: an optional image
     OutlineKind outline = OutlineKind::Frame;
     AlphaOutlineOptions alpha;
     Outline polygons;
     int vertices = 5000;
-    double edge = 0;                   // > 0: wins over vertices
-    double quality = 1.414;            // Surface
-    double maxVolume = 0;              // Surface
+    double edge = 0;         // > 0: wins over vertices
+    double quality = 1.414;  // Surface
+    double maxVolume = 0;    // Surface
 };
 
 template <int Dim>
@@ -53,7 +53,7 @@ struct MaterialSpec {
     std::vector<MaterialRegion<Dim>> regions;  // later ones win
     std::vector<double> cellPhi;               // material.cells, if given
     std::vector<Mat<Dim>> cellB;
-    std::string cellsFile;                     // where material.cells names a file
+    std::string cellsFile;  // where material.cells names a file
 };
 
 template <int Dim>

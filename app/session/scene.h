@@ -20,15 +20,17 @@ struct Scene {
 };
 using AnyScene = std::variant<Scene<2>, Scene<3>>;
 
-/// Reads the domain's files (paths relative to `folder`), meshes it (points of handles that are there from the start become
-/// vertices) and rasterizes the material onto the cells. Throws InputError.
+/// Reads the domain's files (paths relative to `folder`), meshes it (points of handles that are there from
+/// the start become vertices) and rasterizes the material onto the cells. Throws InputError.
 AnyScene loadScene(const Project& project, const std::string& folder);
 
 /// The same steps one by one, for the window: what changes decides what is made again.
 std::shared_ptr<const Image> loadPicture(const Project& project, const std::string& folder);
 Outline domainOutline(const Domain& domain, const Image& picture);
-std::shared_ptr<const SimplicialMesh<2>> meshPicture(const Project& project, const Outline& outline, std::stop_token stop = {});
+std::shared_ptr<const SimplicialMesh<2>> meshPicture(const Project& project, const Outline& outline,
+                                                     std::stop_token stop = {});
 template <int Dim>
-std::shared_ptr<const Material<Dim>> rasterizeMaterial(const MaterialSpec<Dim>& spec, const SimplicialMesh<Dim>& rest);
+std::shared_ptr<const Material<Dim>> rasterizeMaterial(const MaterialSpec<Dim>& spec,
+                                                       const SimplicialMesh<Dim>& rest);
 
 }  // namespace wend

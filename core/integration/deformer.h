@@ -17,11 +17,11 @@ enum class BackEndKind { Automatic, OpenCl, Cpu };
 
 struct IntegrationOptions {
     Method method = Method::DormandPrince;
-    double tolerance = 1e-4;   // error per step allowed, relative to the rest diagonal
-    int steps = 0;             // > 0: this many equal steps over the whole time [0, end]; 0: adaptive
-    double end = 1;            // with steps: the time that they are spread over
+    double tolerance = 1e-4;     // error per step allowed, relative to the rest diagonal
+    int steps = 0;               // > 0: this many equal steps over the whole time [0, end]; 0: adaptive
+    double end = 1;              // with steps: the time that they are spread over
     double smallestStep = 1e-6;  // of the time span: below it the run stops
-    int threads = 0;           // 0: all cores
+    int threads = 0;             // 0: all cores
 
     /// Empty if all is in range, else the reason.
     std::string problem() const;
@@ -31,47 +31,53 @@ struct IntegrationOptions {
 enum class Outcome { Done, Cancelled, CellInverted, SolverFailed };
 struct AdvanceResult {
     Outcome outcome = Outcome::Done;
-    double time = 0;  // the last good time
-    int cell = -1;    // CellInverted: the cell that would fold over
+    double time = 0;      // the last good time
+    int cell = -1;        // CellInverted: the cell that would fold over
     std::string message;  // one line that says what, when and where; empty when done
 };
 
 struct Statistics {
     int steps = 0, rejected = 0, evaluations = 0, factorizations = 0, solverIterations = 0;
     double analyze = 0, assemble = 0, factor = 0, solve = 0, integrate = 0;  // seconds
-    double constraintError = 0;  // greatest distance of a constrained point from its trajectory, relative to the diagonal
-    double energy = 0;           // E(v̂) at the last evaluation, in normalized units
+    double constraintError =
+        0;  // greatest distance of a constrained point from its trajectory, relative to the diagonal
+    double energy = 0;  // E(v̂) at the last evaluation, in normalized units
 };
 
 /// The shape at a time, and all that is needed to go on from there to the same bits.
 template <int Dim>
 struct State {
     double time = 0;
-    Points<Dim> points;               // in the domain's own coordinates
-    double step = 0;                  // the step that the control would try next; 0: its own start
-    std::vector<Vec<Dim>> anchors;    // per constrained point: where it was when its current motion began
+    Points<Dim> points;             // in the domain's own coordinates
+    double step = 0;                // the step that the control would try next; 0: its own start
+    std::vector<Vec<Dim>> anchors;  // per constrained point: where it was when its current motion began
 };
 
-/// Integrates dx/dt = v̂(x, t): at each time the velocity field of least energy that takes the handles' velocities.
-/// Rest mesh, material and handles are in the domain's own coordinates; normalization is internal.
-/// One thread uses it at a time.
+/// Integrates dx/dt = v̂(x, t): at each time the velocity field of least energy that takes the handles'
+/// velocities. Rest mesh, material and handles are in the domain's own coordinates; normalization is
+/// internal. One thread uses it at a time.
 template <int Dim>
 class Deformer {
   public:
-    /// Throws InputError: invalid mesh or material, a handle outside the shape, contradictory handles (both named) …
+    /// Throws InputError: invalid mesh or material, a handle outside the shape, contradictory handles (both
+    /// named) …
     Deformer(std::shared_ptr<const SimplicialMesh<Dim>> rest, std::shared_ptr<const Material<Dim>> material,
-             std::vector<Handle<Dim>> handles, IntegrationOptions options = {}, BackEndKind backEnd = BackEndKind::Automatic);
+             std::vector<Handle<Dim>> handles, IntegrationOptions options = {},
+             BackEndKind backEnd = BackEndKind::Automatic);
     ~Deformer();
     Deformer(Deformer&&) noexcept;
 
     const State<Dim>& state() const;
-    /// Goes on from a state that this or a deformer with the same rest, material and same handles before that time had.
+    /// Goes on from a state that this or a deformer with the same rest, material and same handles before that
+    /// time had.
     void restore(const State<Dim>& state);
-    /// Other motions from state().time on (what lies before is kept as it is): the same checks as the constructor.
+    /// Other motions from state().time on (what lies before is kept as it is): the same checks as the
+    /// constructor.
     void setHandles(std::vector<Handle<Dim>> handles);
 
-    /// Integrates to `time`; `frames` (increasing, in [state().time, time]) are times at which `onFrame` gets the pose by dense
-    /// output, without changing the steps. `progress` gets the time after every accepted step.
+    /// Integrates to `time`; `frames` (increasing, in [state().time, time]) are times at which `onFrame` gets
+    /// the pose by dense output, without changing the steps. `progress` gets the time after every accepted
+    /// step.
     struct Watch {
         std::vector<double> frames;
         std::function<void(const State<Dim>&)> onFrame;

@@ -5,8 +5,8 @@
 
 namespace wend {
 
-/// An input that cannot be read or makes no sense. what() is "FILE: what is wrong (and where)", one line; the file may be
-/// empty where the caller knows it better (see named()).
+/// An input that cannot be read or makes no sense. what() is "FILE: what is wrong (and where)", one line; the
+/// file may be empty where the caller knows it better (see named()).
 class InputError : public std::runtime_error {
   public:
     explicit InputError(const std::string& what) : std::runtime_error(what), m_what(what) {}
@@ -16,7 +16,9 @@ class InputError : public std::runtime_error {
     const std::string& file() const { return m_file; }
     const std::string& reason() const { return m_what; }
     /// The same error with the file's name, if it has none yet.
-    InputError named(const std::string& file) const { return m_file.empty() ? InputError(file, m_what) : *this; }
+    InputError named(const std::string& file) const {
+        return m_file.empty() ? InputError(file, m_what) : *this;
+    }
 
   private:
     std::string m_file;
