@@ -48,7 +48,7 @@ class MovingFrame {
         double from, to;
         Eigen::Quaterniond rotation =
             Eigen::Quaterniond::Identity();  // Q at its start, without the spreading of corners
-        std::vector<Node> table = {};  // Minimal on a spatial piece
+        std::vector<Node> table = {};        // Minimal on a spatial piece
         // The corner at its start.
         double turn = 0, halfWidth = 0;
         Vec<3> axis = Vec<3>::UnitZ();
