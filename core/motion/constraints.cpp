@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <sstream>
 
 #include "core/mesh/error.h"
@@ -151,11 +152,16 @@ std::vector<MovingMap<Dim>> Constraints<Dim>::maps(double t, Side side) const {
 }
 
 template <int Dim>
-auto Constraints<Dim>::anchors(const Points<Dim>& shape, double t) const -> Anchors {
-    const std::vector<MovingMap<Dim>> after = maps(t, Side::After);
+Vec<Dim> Constraints<Dim>::anchor(int id, const Vec<Dim>& p, double t, Side side) const {
+    return preimage<Dim>(m_timelines[m_points[id].handle].at(t, side).position, p);
+}
+
+template <int Dim>
+auto Constraints<Dim>::anchors(const Points<Dim>& shape, double t, Side side) const -> Anchors {
+    const std::vector<MovingMap<Dim>> map = maps(t, side);
     Anchors result;
     for (const ConstrainedPoint& point : m_points) {
-        result.push_back(preimage<Dim>(after[point.handle].position, point.in<Dim>(shape)));
+        result.push_back(preimage<Dim>(map[point.handle].position, point.in<Dim>(shape)));
     }
     return result;
 }
@@ -178,15 +184,23 @@ void Constraints<Dim>::crossBorder(double t, const Points<Dim>& shape, Anchors& 
 }
 
 template <int Dim>
-bool Constraints<Dim>::matches(const Anchors& anchors, const Points<Dim>& shape, double t,
-                               double tolerance) const {
-    if (anchors.size() != m_points.size()) return false;
+auto Constraints<Dim>::adopt(const std::vector<ConstrainedPoint>& others, const Anchors& theirs,
+                             const Points<Dim>& shape, double t) const -> Anchors {
+    constexpr double kSameTrajectory =
+        1e-9;  // relative to the diagonal, which is 1 in the frame of the computation
+    std::multimap<std::vector<std::pair<int, double>>, size_t> known;
+    for (size_t i = 0; i < std::min(others.size(), theirs.size()); ++i) known.emplace(others[i].terms, i);
     const std::vector<MovingMap<Dim>> after = maps(t, Side::After);
-    for (const int k : activePoints(t, Side::After)) {
-        const Vec<Dim> expected = after[m_points[k].handle].position(anchors[k]);
-        if (!((expected - m_points[k].in<Dim>(shape)).norm() <= tolerance)) return false;
+    Anchors result = anchors(shape, t);
+    for (size_t k = 0; k < m_points.size(); ++k) {
+        const auto [first, last] = known.equal_range(m_points[k].terms);
+        for (auto it = first; it != last; ++it) {
+            const Vec<Dim> p = after[m_points[k].handle].position(theirs[it->second]);
+            if ((p - m_points[k].in<Dim>(shape)).norm() <= kSameTrajectory) result[k] = theirs[it->second];
+            if (others[it->second].handle == m_points[k].handle) break;
+        }
     }
-    return true;
+    return result;
 }
 
 template <int Dim>

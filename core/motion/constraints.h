@@ -78,12 +78,16 @@ class Constraints {
     /// Whether any active handle is inside a window.
     bool moving(double t, Side side) const;
 
+    /// The anchor of a point that is at p at time t.
+    Vec<Dim> anchor(int id, const Vec<Dim>& p, double t, Side side = Side::After) const;
     /// Anchors for going on from a shape at time t.
-    Anchors anchors(const Points<Dim>& shape, double t) const;
+    Anchors anchors(const Points<Dim>& shape, double t, Side side = Side::After) const;
     /// Anchors for going on over the border t, from those that led to it.
     void crossBorder(double t, const Points<Dim>& shape, Anchors& anchors) const;
-    /// Whether the anchors put the active points where the shape has them, to `tolerance`.
-    bool matches(const Anchors& anchors, const Points<Dim>& shape, double t, double tolerance) const;
+    /// Anchors for going on from a shape at time t, given those that other constraints had there: kept to the
+    /// bit where a point was constrained before and its trajectory leads on, else as anchors().
+    Anchors adopt(const std::vector<ConstrainedPoint>& others, const Anchors& theirs,
+                  const Points<Dim>& shape, double t) const;
 
     /// Positions and velocities of some points at time t, one column each.
     void evaluate(const std::vector<int>& ids, const Anchors& anchors, double t, Side side,
