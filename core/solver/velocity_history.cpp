@@ -2,6 +2,7 @@
 
 #include <Eigen/QR>
 #include <algorithm>
+#include <cmath>
 
 namespace wend {
 namespace {
@@ -9,12 +10,18 @@ namespace {
 constexpr std::size_t kFields = 3;  // a cubic guess saves nothing more
 // Directions of the prescribed velocities that are weaker than this, relatively, are rounding.
 constexpr double kRankTolerance = 1e-6;
+// Times closer than this, relative to the span of the history, are one time with rounding.
+constexpr double kSameTime = 1e-6;
 
 }  // namespace
 
 template <int Dim>
 void VelocityHistory<Dim>::record(double time, const Points<Dim>& prescribed, const Points<Dim>& velocity) {
-    std::erase_if(m_fields, [&](const Field& field) { return field.time == time; });
+    double span = 0;
+    for (const auto& field : m_fields) span = std::max(span, std::abs(time - field.time));
+    std::erase_if(m_fields, [&](const Field& field) {
+        return std::abs(time - field.time) <= kSameTime * std::max(span, std::abs(time));
+    });
     if (m_fields.size() == kFields) m_fields.erase(m_fields.begin());
     m_fields.push_back({time, prescribed, velocity});
 }
