@@ -10,8 +10,9 @@ namespace wend {
 
 enum class PixelType { UInt8, UInt16, Half, Float };
 
-/// A picture in memory in its own depth, interleaved, rows top to bottom. Alpha, if any, is the last channel and the
-/// colours are associated (premultiplied) in memory unless `unassociated`: then they are as in the file.
+/// A picture in memory in its own depth, interleaved, rows top to bottom. Alpha, if any, is the last channel
+/// and the colours are associated (premultiplied) in memory unless `unassociated`: then they are as in the
+/// file.
 struct Image {
     int width = 0, height = 0, channels = 0;
     PixelType type = PixelType::UInt8;
@@ -26,12 +27,13 @@ struct Image {
     std::byte* row(int y);
 };
 
-/// Reads any format of OpenImageIO. Throws InputError(path, why) for missing, empty, truncated, corrupt files and for more than
-/// `maxMegapixels`.
+/// Reads any format of OpenImageIO. Throws InputError(path, why) for missing, empty, truncated, corrupt files
+/// and for more than `maxMegapixels`.
 Image readImage(const std::string& path, double maxMegapixels = 400);
 
-/// Writes by extension (png, tif, exr, jpg, webp …), whole or not at all; depth is converted to the nearest that the format
-/// holds; without alpha in the format the picture is laid over `background` white. Throws InputError.
+/// Writes by extension (png, tif, exr, jpg, webp …), whole or not at all; depth is converted to the nearest
+/// that the format holds; without alpha in the format the picture is laid over `background` white. Throws
+/// InputError.
 void writeImage(const std::string& path, const Image& image);
 
 /// Size, type and channels without the pixels.

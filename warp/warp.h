@@ -7,6 +7,7 @@
 
 #include "core/mesh/simplicial_mesh.h"
 #include "warp/image.h"
+#include "warp/pyramid.h"
 
 namespace wend {
 
@@ -26,21 +27,26 @@ struct WarpOptions {
     Outside outside = Outside::Transparent;
     std::array<float, 4> colour = {0, 0, 0, 0};  // of Outside::Colour, associated, in [0, 1]
     bool antialias = true;                       // coverage along the outline
-    std::vector<float> depth;                    // per cell, greater is nearer; empty: later cells lie over earlier ones
+    std::vector<float> depth;  // per cell, greater is nearer; empty: later cells lie over earlier ones
     int threads = 0;
     std::stop_token stop;
-    std::function<void(double)> progress;        // fraction done; called from any thread
+    std::function<void(double)> progress;  // fraction done; called from any thread
 };
 
-/// The picture carried by the map rest → pose: every output pixel looks up the source through the inverse affine map of the cell
-/// that covers it. Output has the type, channels (plus alpha if needed) and metadata of `source`.
-/// `rest` is in pixels of `source` (centres at +0.5); the same rest may be given scaled for another size of the picture.
+/// The picture carried by the map rest → pose: every output pixel looks up the source through the inverse
+/// affine map of the cell that covers it. Output has the type, channels (plus alpha if needed) and metadata
+/// of `source`. `rest` is in pixels of `source` (centres at +0.5); the same rest may be given scaled for
+/// another size of the picture.
 Image warpImage(const Image& source, const SimplicialMesh<2>& rest, const Points<2>& pose, const View& view,
                 const WarpOptions& options = {});
 
-/// ST map, float RGBA: R = source x / width, G = source y / height from the bottom (the compositing convention), B = 0,
-/// A = coverage. `inverse` swaps the roles of rest and pose.
-Image stMap(const SimplicialMesh<2>& rest, const Points<2>& pose, const View& view, int sourceWidth, int sourceHeight,
-            bool inverse = false);
+/// The same with the picture's pyramid made before: for a window that draws it again and again.
+Image warpImage(const Pyramid& source, const SimplicialMesh<2>& rest, const Points<2>& pose, const View& view,
+                const WarpOptions& options = {});
+
+/// ST map, float RGBA: R = source x / width, G = source y / height from the bottom (the compositing
+/// convention), B = 0, A = coverage. `inverse` swaps the roles of rest and pose.
+Image stMap(const SimplicialMesh<2>& rest, const Points<2>& pose, const View& view, int sourceWidth,
+            int sourceHeight, bool inverse = false);
 
 }  // namespace wend

@@ -16,29 +16,34 @@ inline const double kMetr = std::atan(0.5);                   // keeps length (A
 inline constexpr double kAkvf = std::numbers::pi / 2;         // Killing: as rigid as possible
 /// φ_CONF(d) = π − arctan(d/4), the end of the range: keeps angles (ACAP).
 double conformal(int dim);
+/// Empty if φ is in ]0, φ_CONF(dim)] (φ_CONF included, with an allowance for rounding), else the reason with
+/// the range.
+std::string problem(double phi, int dim);
 }  // namespace phi
 
 enum class SmoothingKind { Invariant, Paper, None };
 
-/// The weight of the jump of stress over a facet, in the frame where the rest diagonal is 1 (method.md, Smoothness).
+/// The weight of the jump of stress over a facet, in the frame where the rest diagonal is 1 (method.md,
+/// Smoothness).
 struct Smoothing {
     SmoothingKind kind = SmoothingKind::Invariant;
     double length = 0.02;  // s, Invariant: weight = (s²/16) B/h
     double lambda = 0.1;   // λ, Paper: weight = λ B
 };
 
-/// What every cell keeps: the energy parameter φ and the anisotropy B₀ at rest, which turns with the material.
+/// What every cell keeps: the energy parameter φ and the anisotropy B₀ at rest, which turns with the
+/// material.
 template <int Dim>
 struct Material {
-    std::vector<double> phi;            // one per cell, in ]0, φ_CONF(Dim)]
-    std::vector<Mat<Dim>> anisotropy;   // one symmetric positive definite B₀ per cell, or empty: all identity
+    std::vector<double> phi;           // one per cell, in ]0, φ_CONF(Dim)]
+    std::vector<Mat<Dim>> anisotropy;  // one symmetric positive definite B₀ per cell, or empty: all identity
     Smoothing smoothing;
 
     static Material uniform(int cellCount, double phi, Smoothing smoothing = {});
 };
 
-/// Throws InputError naming the cell and the range for φ outside ]0, φ_CONF], B not symmetric positive definite, or a
-/// wrong count.
+/// Throws InputError naming the cell and the range for φ outside ]0, φ_CONF], B not symmetric positive
+/// definite, or a wrong count.
 template <int Dim>
 void requireValid(const Material<Dim>& material, int cellCount);
 

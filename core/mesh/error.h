@@ -1,12 +1,13 @@
 #pragma once
 
+#include <exception>
 #include <stdexcept>
 #include <string>
 
 namespace wend {
 
-/// An input that cannot be read or makes no sense. what() is "FILE: what is wrong (and where)", one line; the file may be
-/// empty where the caller knows it better (see named()).
+/// An input that cannot be read or makes no sense. what() is "FILE: what is wrong (and where)", one line; the
+/// file may be empty where the caller knows it better (see named()).
 class InputError : public std::runtime_error {
   public:
     explicit InputError(const std::string& what) : std::runtime_error(what), m_what(what) {}
@@ -16,11 +17,19 @@ class InputError : public std::runtime_error {
     const std::string& file() const { return m_file; }
     const std::string& reason() const { return m_what; }
     /// The same error with the file's name, if it has none yet.
-    InputError named(const std::string& file) const { return m_file.empty() ? InputError(file, m_what) : *this; }
+    InputError named(const std::string& file) const {
+        return m_file.empty() ? InputError(file, m_what) : *this;
+    }
 
   private:
     std::string m_file;
     std::string m_what;
+};
+
+/// Thrown by long work when its stop_token asks it to stop.
+class Cancelled : public std::exception {
+  public:
+    const char* what() const noexcept override { return "cancelled"; }
 };
 
 }  // namespace wend

@@ -29,11 +29,12 @@ struct MeshFile {
 MeshFile readMeshFile(const std::string& path);
 
 /// Writes to a temporary file beside `path` and renames it: never half-written. Throws InputError on failure.
-/// The format is by extension; what a format cannot carry (fields in OBJ, tetrahedra in STL …) is an error for cells
-/// and left out for fields and uv. 17 significant digits.
+/// The format is by extension; what a format cannot carry (fields in OBJ, tetrahedra in STL …) is an error
+/// for cells and left out for fields and uv. 17 significant digits.
 void writeMeshFile(const std::string& path, const MeshFile& mesh);
 
-/// The partition in a file: triangles in the plane z = constant, or tetrahedra (3D). Validated with requireValid.
+/// The partition in a file: triangles in the plane z = constant, or tetrahedra (3D). Validated with
+/// requireValid.
 template <int Dim>
 SimplicialMesh<Dim> meshFrom(const MeshFile& file);
 template <int Dim>

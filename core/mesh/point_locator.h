@@ -14,8 +14,8 @@ struct Location {
     Eigen::Matrix<double, Dim + 1, 1> weights;
 };
 
-/// Finds cells that contain points, over a uniform grid of the cells' bounding boxes. Keeps its own copy of nothing but
-/// the grid: mesh connectivity and points must outlive it.
+/// Finds cells that contain points, over a uniform grid of the cells' bounding boxes. Keeps its own copy of
+/// nothing but the grid: mesh connectivity and points must outlive it.
 template <int Dim>
 class PointLocator {
   public:
@@ -23,10 +23,10 @@ class PointLocator {
     ~PointLocator();
     PointLocator(PointLocator&&) noexcept;
 
-    /// The cell that contains p (with all weights ≥ −tolerance; of several, as at a shared facet or where the shape
-    /// overlaps itself, the one of highest index), or nothing.
+    /// The cell that contains p (with all weights ≥ −tolerance; of several, as at a shared facet or where the
+    /// shape overlaps itself, the one of highest index), or nothing.
     std::optional<Location<Dim>> find(const Vec<Dim>& p, double tolerance = 1e-12) const;
-    /// The index of the nearest vertex.
+    /// The index of the nearest vertex, the lowest of several; −1 if there is none or p is not finite.
     int nearestVertex(const Vec<Dim>& p) const;
 
   private:

@@ -48,8 +48,8 @@ using Region = typename RegionOf<Dim>::Type;
 template <int Dim>
 double signedDistance(const Region<Dim>& region, const Vec<Dim>& p);
 
-/// How much p belongs to the region, in [0, 1]: 1 inside, 0 outside, smooth (C¹) over the width `feather` centred on the
-/// border; for a Blend the linear parameter along its segment, clamped to [0, 1].
+/// How much p belongs to the region, in [0, 1]: 1 inside, 0 outside, smooth (C¹) over the width `feather`
+/// centred on the border; for a Blend the linear parameter along its segment, clamped to [0, 1].
 template <int Dim>
 double membership(const Region<Dim>& region, const Vec<Dim>& p, double feather);
 

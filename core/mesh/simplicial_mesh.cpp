@@ -10,7 +10,9 @@
 namespace wend {
 namespace {
 
-constexpr double factorial(int n) { return n <= 1 ? 1 : n * factorial(n - 1); }
+constexpr double factorial(int n) {
+    return n <= 1 ? 1 : n * factorial(n - 1);
+}
 
 /// The facet opposite to local vertex k, ordered so that it runs along the border of a positive cell.
 template <int Dim>
@@ -54,7 +56,8 @@ void requireNoDuplicates(const SimplicialMesh<Dim>& mesh) {
     std::vector<int> order(mesh.cells.size());
     std::iota(order.begin(), order.end(), 0);
     std::vector<Cell<Dim>> keys(mesh.cells.size());
-    std::transform(mesh.cells.begin(), mesh.cells.end(), keys.begin(), [](const auto& c) { return sorted(c); });
+    std::transform(mesh.cells.begin(), mesh.cells.end(), keys.begin(),
+                   [](const auto& c) { return sorted(c); });
     std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return keys[a] < keys[b]; });
     for (std::size_t i = 1; i < order.size(); ++i)
         if (keys[order[i]] == keys[order[i - 1]])
@@ -62,8 +65,8 @@ void requireNoDuplicates(const SimplicialMesh<Dim>& mesh) {
                              std::to_string(order[i - 1]));
 }
 
-/// A cell is flat when its measure is under 1e-14 of that of a regular cell on its longest edge: below that the
-/// orientation is rounding.
+/// A cell is flat when its measure is under 1e-14 of that of a regular cell on its longest edge: below that
+/// the orientation is rounding.
 template <int Dim>
 double flatMeasure(const Points<Dim>& points, const Cell<Dim>& cell) {
     double longest = 0;
@@ -124,8 +127,9 @@ std::vector<Facet<Dim>> facetsOf(const SimplicialMesh<Dim>& mesh) {
             }
             auto& facet = facets[entry->second];
             if (facet.interior())
-                throw InputError("cells " + std::to_string(facet.cells[0]) + ", " + std::to_string(facet.cells[1]) +
-                                 " and " + std::to_string(c) + " share one " + (Dim == 2 ? "edge" : "face"));
+                throw InputError("cells " + std::to_string(facet.cells[0]) + ", " +
+                                 std::to_string(facet.cells[1]) + " and " + std::to_string(c) +
+                                 " share one " + (Dim == 2 ? "edge" : "face"));
             facet.cells[1] = c;
         }
     }
@@ -134,7 +138,8 @@ std::vector<Facet<Dim>> facetsOf(const SimplicialMesh<Dim>& mesh) {
 
 template <int Dim>
 void requireValid(const SimplicialMesh<Dim>& mesh) {
-    if (mesh.cells.empty()) throw InputError(Dim == 2 ? "the mesh has no triangle" : "the mesh has no tetrahedron");
+    if (mesh.cells.empty())
+        throw InputError(Dim == 2 ? "the mesh has no triangle" : "the mesh has no tetrahedron");
     requireFinite(mesh);
     requireIndices(mesh);
     requireNoDuplicates(mesh);
@@ -142,10 +147,10 @@ void requireValid(const SimplicialMesh<Dim>& mesh) {
     facetsOf(mesh);
 }
 
-#define WEND_INSTANTIATE(Dim)                                                  \
-    template double cellMeasure<Dim>(const Points<Dim>&, const Cell<Dim>&);    \
-    template double boundingBoxDiagonal<Dim>(const Points<Dim>&);              \
-    template std::vector<Facet<Dim>> facetsOf(const SimplicialMesh<Dim>&);     \
+#define WEND_INSTANTIATE(Dim)                                               \
+    template double cellMeasure<Dim>(const Points<Dim>&, const Cell<Dim>&); \
+    template double boundingBoxDiagonal<Dim>(const Points<Dim>&);           \
+    template std::vector<Facet<Dim>> facetsOf(const SimplicialMesh<Dim>&);  \
     template void requireValid(const SimplicialMesh<Dim>&);
 WEND_INSTANTIATE(2)
 WEND_INSTANTIATE(3)

@@ -6,7 +6,8 @@
 
 namespace wend {
 
-/// A partition: triangles in the plane (Dim 2) or tetrahedra in space (Dim 3). Vertex and cell order are the input's.
+/// A partition: triangles in the plane (Dim 2) or tetrahedra in space (Dim 3). Vertex and cell order are the
+/// input's.
 template <int Dim>
 struct SimplicialMesh {
     Points<Dim> points;
@@ -24,8 +25,8 @@ double cellMeasure(const Points<Dim>& points, const Cell<Dim>& cell);
 template <int Dim>
 double boundingBoxDiagonal(const Points<Dim>& points);
 
-/// An edge (2D) or triangle (3D) of the partition; cells[1] is −1 on the boundary. On a boundary facet the vertices run
-/// as in its cell, so that its outer side is consistent.
+/// An edge (2D) or triangle (3D) of the partition; cells[1] is −1 on the boundary. On a boundary facet the
+/// vertices run as in its cell, so that its outer side is consistent.
 template <int Dim>
 struct Facet {
     std::array<int, Dim> vertices;
@@ -34,13 +35,15 @@ struct Facet {
     bool interior() const { return cells[1] >= 0; }
 };
 
-/// All facets, in the order of the cells that bring them. Throws InputError naming the cells if more than two share one.
+/// All facets, in the order of the cells that bring them. Throws InputError naming the cells if more than two
+/// share one.
 template <int Dim>
 std::vector<Facet<Dim>> facetsOf(const SimplicialMesh<Dim>& mesh);
 
-/// Throws InputError that names vertex or cell for: no cell; NaN or infinite coordinates; an index out of range; a
-/// repeated vertex in a cell; a zero measure (relative to the diagonal); a duplicate cell; cells of both orientations
-/// (an inverted one); a facet of more than two cells. All cells of negative orientation are accepted.
+/// Throws InputError that names vertex or cell for: no cell; NaN or infinite coordinates; an index out of
+/// range; a repeated vertex in a cell; a zero measure (relative to the diagonal); a duplicate cell; cells of
+/// both orientations (an inverted one); a facet of more than two cells. All cells of negative orientation are
+/// accepted.
 template <int Dim>
 void requireValid(const SimplicialMesh<Dim>& mesh);
 

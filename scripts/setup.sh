@@ -1,0 +1,49 @@
+# Sourced by ./wend, ./test and .ci/run: installs what is missing and builds. Quick when nothing changed.
+# setup PURPOSE… : installs the packages of these purposes.   build TARGET… : configures if needed and builds.
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+build_dir=$root/build/release
+
+packages_for() { # PURPOSE…
+    local purposes=" $* "
+    while read -r purpose package; do
+        case "$purposes" in *" $purpose "*) echo "$package" ;; esac
+    done < <(grep -v '^#' "$root/scripts/packages.txt")
+}
+
+missing_of() { # PACKAGE…
+    local installed
+    installed=" $(dpkg-query -W -f '${Package}=${db:Status-Status} ' "$@" 2>/dev/null) "
+    for package in "$@"; do
+        case "$installed" in *" $package=installed "*) ;; *) echo "$package" ;; esac
+    done
+}
+
+setup() { # PURPOSE…
+    local wanted missing sudo=
+    mapfile -t wanted < <(packages_for "$@")
+    if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
+        [ -e "$build_dir/build.ninja" ] && return
+        echo "This is not a Debian system. Please install what these Debian 12 packages hold, then run" >&2
+        echo "  cmake --preset release && cmake --build --preset release" >&2
+        printf '  %s\n' "${wanted[@]}" >&2
+        return 1
+    fi
+    mapfile -t missing < <(missing_of "${wanted[@]}")
+    [ "${#missing[@]}" -eq 0 ] && return
+    if [ "$(id -u)" -ne 0 ]; then
+        command -v sudo >/dev/null || { echo "Please install as root: apt-get install ${missing[*]}" >&2; return 1; }
+        sudo=sudo
+    fi
+    echo "Installing: ${missing[*]}" >&2
+    $sudo env DEBIAN_FRONTEND=noninteractive apt-get update -q >&2 &&
+        $sudo env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "${missing[@]}" >&2
+}
+
+build() { # TARGET…
+    local werror=${WEND_WERROR:-OFF}
+    if [ ! -e "$build_dir/build.ninja" ] || ! grep -q "^WEND_WERROR:BOOL=$werror\$" "$build_dir/CMakeCache.txt"; then
+        (cd "$root" && cmake --preset release -DWEND_WERROR="$werror" >&2) || return 1
+    fi
+    ninja -C "$build_dir" --quiet "$@" >&2
+}

@@ -1,0 +1,108 @@
+#include <QDirIterator>
+#include <QFile>
+#include <QRegularExpression>
+#include <QTest>
+
+/// Reads the #include lines of the source tree and fails on any arrow that ARCHITECTURE.md does not allow.
+class TestArchitecture : public QObject {
+    Q_OBJECT
+  private slots:
+    void includesGoOneWay();
+    void coreKnowsNoQtAndNoOpenCl();
+    void everyFolderIsKnown();
+};
+
+namespace {
+
+const QString kRoot = QStringLiteral(WEND_SOURCE_DIR);
+
+/// Folder → the other folders that it may include from.
+const QMap<QString, QStringList> kAllowed = {
+    {"core/mesh", {}},
+    {"core/meshing", {"core/mesh"}},
+    {"core/motion", {"core/mesh"}},
+    {"core/energy", {"core/mesh"}},
+    {"core/assembly", {"core/mesh", "core/energy"}},
+    {"core/solver", {"core/mesh", "core/energy", "core/assembly"}},
+    {"core/integration", {"core/mesh", "core/energy", "core/assembly", "core/solver", "core/motion"}},
+    {"kernels", {"core/mesh", "core/energy", "core/assembly"}},
+    {"warp", {"core/mesh", "core/meshing"}},
+    {"app/document", {"core/*", "warp"}},
+    {"app/session", {"core/*", "kernels", "warp", "app/document"}},
+    {"app/cli", {"core/*", "kernels", "warp", "app/document", "app/session"}},
+    {"app/tools", {"core/*", "warp", "app/document", "app/session"}},
+    {"app/panels", {"core/*", "warp", "app/document", "app/session"}},
+    {"app/view", {"core/*", "warp", "app/document", "app/session", "app/tools", "app/panels"}},
+    {"app", {"app/cli", "app/view", "kernels"}},
+};
+
+struct Include {
+    QString file, target;
+};
+
+QString folderOf(const QString& file) {
+    const QStringList parts = file.split('/');
+    if (parts[0] == "core") return parts[0] + '/' + parts[1];
+    if (parts[0] == "app") return parts.size() > 2 ? parts[0] + '/' + parts[1] : parts[0];
+    return parts[0];
+}
+
+QList<Include> includesBelow(const QString& folder) {
+    static const QRegularExpression line(QStringLiteral("^\\s*#\\s*include\\s*[<\"]([^>\"]+)[>\"]"),
+                                         QRegularExpression::MultilineOption);
+    QList<Include> found;
+    QDirIterator it(kRoot + '/' + folder, {"*.h", "*.cpp", "*.cl"}, QDir::Files, QDirIterator::Subdirectories);
+    while (it.hasNext()) {
+        QFile file(it.next());
+        if (!file.open(QIODevice::ReadOnly)) continue;
+        const QString text = QString::fromUtf8(file.readAll());
+        const QString name = it.filePath().mid(kRoot.size() + 1);
+        for (auto match = line.globalMatch(text); match.hasNext();) found.append({name, match.next().captured(1)});
+    }
+    return found;
+}
+
+bool isOurs(const QString& target) {
+    static const QRegularExpression ours(QStringLiteral("^(core|kernels|warp|app)/"));
+    return ours.match(target).hasMatch();
+}
+
+bool allowed(const QString& from, const QString& to) {
+    if (from == to) return true;
+    const QStringList list = kAllowed.value(from);
+    return list.contains(to) || (to.startsWith("core/") && list.contains("core/*"));
+}
+
+}  // namespace
+
+void TestArchitecture::includesGoOneWay() {
+    QStringList wrong;
+    int seen = 0;
+    for (const QString top : {"core", "kernels", "warp", "app"}) {
+        for (const Include& include : includesBelow(top)) {
+            if (!isOurs(include.target)) continue;
+            ++seen;
+            if (!allowed(folderOf(include.file), folderOf(include.target)))
+                wrong << include.file + " includes " + include.target;
+        }
+    }
+    QVERIFY(seen > 50);
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join('\n')));
+}
+
+void TestArchitecture::coreKnowsNoQtAndNoOpenCl() {
+    static const QRegularExpression foreign(QStringLiteral("^(Q[A-Z]|Qt|CL/|OpenImageIO/)"));
+    QStringList wrong;
+    for (const Include& include : includesBelow("core"))
+        if (foreign.match(include.target).hasMatch()) wrong << include.file + " includes " + include.target;
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join('\n')));
+}
+
+void TestArchitecture::everyFolderIsKnown() {
+    for (const QString top : {"core", "kernels", "warp", "app"})
+        for (const Include& include : includesBelow(top))
+            QVERIFY2(kAllowed.contains(folderOf(include.file)), qPrintable(include.file));
+}
+
+QTEST_APPLESS_MAIN(TestArchitecture)
+#include "test_architecture.moc"
