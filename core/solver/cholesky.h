@@ -21,10 +21,8 @@ class Cholesky {
     Cholesky& operator=(const Cholesky&) = delete;
 
     /// Pattern of the lower triangle by columns, rows ascending (entries above the diagonal are ignored).
-    /// `blockSize` consecutive unknowns have one pattern. Throws std::bad_alloc if there is not enough
-    /// memory.
-    void analyze(const std::vector<int>& columnStart, const std::vector<int>& row, int blockSize,
-                 Ordering ordering);
+    /// Throws std::bad_alloc if there is not enough memory, as the other functions do.
+    void analyze(const std::vector<int>& columnStart, const std::vector<int>& row, Ordering ordering);
     /// Where the caller writes the values of the pattern.
     std::span<double> values();
     Status factorize();

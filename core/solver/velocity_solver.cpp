@@ -124,7 +124,7 @@ void VelocitySolver<Dim>::Engine::setConstraints(std::vector<ConstraintRow> newR
 
     const bool small = Dim == 2 && system.unknowns().size() < kNestedDissectionVertices;
     if (!system.unknowns().empty())
-        cholesky.analyze(system.columnStart(), system.row(), Dim,
+        cholesky.analyze(system.columnStart(), system.row(),
                          small ? Ordering::MinimumDegree : Ordering::NestedDissection);
     analyzed = true;
     ++statistics.analyses;
