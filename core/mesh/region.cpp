@@ -1,1 +1,97 @@
 #include "core/mesh/region.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace wend {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+double distanceToSegment(const Vec<2>& a, const Vec<2>& b, const Vec<2>& p) {
+    const Vec<2> along = b - a;
+    const double lengthSquared = along.squaredNorm();
+    const double t = lengthSquared > 0 ? std::clamp(along.dot(p - a) / lengthSquared, 0.0, 1.0) : 0.0;
+    return (p - a - t * along).norm();
+}
+
+/// True if the edge a → b crosses the horizontal ray from p to the right. Half-open in y, so that a ray
+/// through a vertex counts once.
+bool crossesRay(const Vec<2>& a, const Vec<2>& b, const Vec<2>& p) {
+    if ((a.y() > p.y()) == (b.y() > p.y())) return false;
+    const double side = (b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x());
+    return (side > 0) == (b.y() > a.y());
+}
+
+/// Even–odd rule: inside where a ray crosses the border an odd number of times.
+double distanceOf(const Polygon& polygon, const Vec<2>& p) {
+    const auto& points = polygon.points;
+    double nearest = infinity;
+    bool inside = false;
+    for (std::size_t i = 0, previous = points.size() - 1; i < points.size(); previous = i++) {
+        nearest = std::min(nearest, distanceToSegment(points[previous], points[i], p));
+        if (crossesRay(points[previous], points[i], p)) inside = !inside;
+    }
+    return inside ? -nearest : nearest;
+}
+
+template <int Dim>
+double distanceOf(const Ball<Dim>& ball, const Vec<Dim>& p) {
+    return (p - ball.centre).norm() - ball.radius;
+}
+
+template <int Dim>
+double distanceOf(const Box<Dim>& box, const Vec<Dim>& p) {
+    const Vec<Dim> low = box.min.cwiseMin(box.max), high = box.min.cwiseMax(box.max);
+    const Vec<Dim> beyond = (low - p).cwiseMax(p - high);
+    return beyond.maxCoeff() > 0 ? beyond.cwiseMax(0.0).norm() : beyond.maxCoeff();
+}
+
+/// The normal points inwards; a zero normal bounds nothing: everything is outside.
+template <int Dim>
+double distanceOf(const HalfSpace<Dim>& half, const Vec<Dim>& p) {
+    const double length = half.normal.stableNorm();
+    return length > 0 ? (half.point - p).dot(half.normal / length) : infinity;
+}
+
+template <int Dim>
+double distanceOf(const Blend<Dim>&, const Vec<Dim>&) {
+    return -infinity;
+}
+
+template <int Dim>
+double alongBlend(const Blend<Dim>& blend, const Vec<Dim>& p) {
+    const Vec<Dim> along = blend.to - blend.from;
+    const double lengthSquared = along.squaredNorm();
+    return lengthSquared > 0 ? std::clamp(along.dot(p - blend.from) / lengthSquared, 0.0, 1.0) : 0.0;
+}
+
+/// 3t² − 2t³ over the width, ½ on the border.
+double smoothEdge(double distance, double feather) {
+    const double t = std::clamp(0.5 - distance / feather, 0.0, 1.0);
+    return t * t * (3 - 2 * t);
+}
+
+}  // namespace
+
+template <int Dim>
+double signedDistance(const Region<Dim>& region, const Vec<Dim>& p) {
+    return std::visit([&](const auto& shape) { return distanceOf(shape, p); }, region);
+}
+
+template <int Dim>
+double membership(const Region<Dim>& region, const Vec<Dim>& p, double feather) {
+    if (const auto* blend = std::get_if<Blend<Dim>>(&region)) return alongBlend<Dim>(*blend, p);
+    const double distance = signedDistance<Dim>(region, p);
+    if (feather > 0) return smoothEdge(distance, feather);
+    return distance <= 0 ? 1 : 0;
+}
+
+#define WEND_INSTANTIATE(Dim)                                                 \
+    template double signedDistance<Dim>(const Region<Dim>&, const Vec<Dim>&); \
+    template double membership<Dim>(const Region<Dim>&, const Vec<Dim>&, double);
+WEND_INSTANTIATE(2)
+WEND_INSTANTIATE(3)
+
+}  // namespace wend

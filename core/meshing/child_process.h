@@ -1,0 +1,23 @@
+#pragma once
+
+#include <stop_token>
+#include <string>
+
+namespace wend {
+
+struct ChildResult {
+    enum class End { Exited, Signalled, TimedOut, Stopped, NotStarted };
+    End end = End::Exited;
+    int code = 0;        // exit code or signal
+    std::string output;  // what it wrote to standard output
+};
+
+/// Runs the program at `path` with `input` on its standard input until it ends, `seconds` have passed or a
+/// stop is asked for (then it is killed), with its memory limited to `megabytes`.
+ChildResult runChild(const std::string& path, const std::string& input, double seconds, int megabytes,
+                     const std::stop_token& stop);
+
+/// A program that is installed beside this one.
+std::string siblingProgram(const std::string& name);
+
+}  // namespace wend

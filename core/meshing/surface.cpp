@@ -1,0 +1,224 @@
+#include "core/meshing/surface.h"
+
+#include <Eigen/SVD>
+#include <algorithm>
+#include <numeric>
+#include <queue>
+
+#include "core/meshing/surface_edges.h"
+
+namespace wend {
+namespace {
+
+std::string counted(std::size_t count, const std::string& what, const std::string& first) {
+    if (count == 0) return {};
+    return std::to_string(count) + " " + what + " (first: " + first + ")";
+}
+
+std::string pair(const std::array<int, 2>& ids) {
+    return std::to_string(ids[0]) + "–" + std::to_string(ids[1]);
+}
+
+void append(std::string& list, const std::string& item) {
+    if (item.empty()) return;
+    if (!list.empty()) list += ", ";
+    list += item;
+}
+
+bool touchesEdge(const std::array<int, 3>& triangle, const std::array<int, 2>& edge) {
+    const auto has = [&](int id) {
+        return std::find(triangle.begin(), triangle.end(), id) != triangle.end();
+    };
+    return has(edge[0]) && has(edge[1]);
+}
+
+/// Merges vertices at one place; returns for each old vertex its new id.
+std::vector<int> mergeVertices(Surface& surface, RepairReport& report) {
+    const std::vector<int> canonical = canonicalVertices(surface.points);
+    std::vector<int> newId(canonical.size(), -1);
+    int kept = 0;
+    for (std::size_t i = 0; i < canonical.size(); ++i) {
+        if (canonical[i] != static_cast<int>(i)) continue;
+        surface.points.col(kept) = surface.points.col(static_cast<int>(i)).eval();
+        newId[i] = kept++;
+    }
+    for (std::size_t i = 0; i < canonical.size(); ++i) newId[i] = newId[canonical[i]];
+    report.mergedVertices = surface.vertexCount() - kept;
+    surface.points.conservativeResize(Eigen::NoChange, kept);
+    return newId;
+}
+
+void dropTriangles(Surface& surface, const SurfaceProblems& problems, RepairReport& report) {
+    std::vector<bool> drop(surface.triangles.size(), false);
+    for (int t : problems.degenerate) drop[t] = true;
+    for (int t : problems.duplicate) drop[t] = true;
+    report.droppedDegenerate = static_cast<int>(problems.degenerate.size());
+    report.droppedDuplicate = static_cast<int>(problems.duplicate.size());
+    Surface kept{surface.points, {}, {}};
+    for (int t = 0; t < surface.triangleCount(); ++t) {
+        if (drop[t]) continue;
+        kept.triangles.push_back(surface.triangles[t]);
+        if (!surface.labels.empty()) kept.labels.push_back(surface.labels[t]);
+    }
+    surface = std::move(kept);
+}
+
+bool runsAlong(const std::array<int, 3>& triangle, int from, int to) {
+    for (int k = 0; k < 3; ++k)
+        if (triangle[k] == from && triangle[(k + 1) % 3] == to) return true;
+    return false;
+}
+
+/// Turns triangles so that neighbours over manifold edges agree, part by part, after the first triangle of
+/// each part.
+void orient(Surface& surface, RepairReport& report) {
+    const auto edges = edgesOf(surface);
+    std::vector<std::vector<int>> edgesOfTriangle(surface.triangles.size());
+    for (std::size_t e = 0; e < edges.size(); ++e)
+        if (edges[e].triangles.size() == 2)
+            for (int t : edges[e].triangles) edgesOfTriangle[t].push_back(static_cast<int>(e));
+    std::vector<bool> seen(surface.triangles.size(), false);
+    for (int start = 0; start < surface.triangleCount(); ++start) {
+        if (seen[start]) continue;
+        std::queue<int> front({start});
+        seen[start] = true;
+        while (!front.empty()) {
+            const int t = front.front();
+            front.pop();
+            for (int e : edgesOfTriangle[t]) {
+                const auto& edge = edges[e];
+                const int other = edge.triangles[edge.triangles[0] == t ? 1 : 0];
+                if (seen[other]) continue;
+                seen[other] = true;
+                front.push(other);
+                const bool mine = runsAlong(surface.triangles[t], edge.vertices[0], edge.vertices[1]);
+                const bool theirs = runsAlong(surface.triangles[other], edge.vertices[0], edge.vertices[1]);
+                if (mine != theirs) continue;
+                std::swap(surface.triangles[other][1], surface.triangles[other][2]);
+                ++report.flipped;
+            }
+        }
+    }
+}
+
+/// Closed loops of open edges that no vertex passes twice.
+std::vector<std::vector<int>> holeLoops(const Surface& surface) {
+    std::vector<int> next(static_cast<std::size_t>(surface.vertexCount()), -1);
+    std::vector<bool> ambiguous(next.size(), false);
+    for (const auto& edge : edgesOf(surface)) {
+        if (edge.triangles.size() != 1) continue;
+        const auto& triangle = surface.triangles[edge.triangles[0]];
+        const bool along = runsAlong(triangle, edge.vertices[0], edge.vertices[1]);
+        const int from = edge.vertices[along ? 1 : 0], to = edge.vertices[along ? 0 : 1];
+        if (next[from] >= 0) ambiguous[from] = true;
+        next[from] = to;
+    }
+    std::vector<std::vector<int>> loops;
+    std::vector<bool> used(next.size(), false);
+    for (std::size_t start = 0; start < next.size(); ++start) {
+        std::vector<int> loop;
+        int at = static_cast<int>(start);
+        while (at >= 0 && next[at] >= 0 && !used[at] && !ambiguous[at]) {
+            used[at] = true;
+            loop.push_back(at);
+            at = next[at];
+        }
+        if (loop.size() >= 3 && at == static_cast<int>(start)) loops.push_back(std::move(loop));
+    }
+    return loops;
+}
+
+void fillHoles(Surface& surface, int largestHole, RepairReport& report) {
+    for (const auto& loop : holeLoops(surface)) {
+        if (static_cast<int>(loop.size()) > largestHole) continue;
+        ++report.filledHoles;
+        int apex = loop[0];
+        if (loop.size() > 3) {
+            Vec<3> centre = Vec<3>::Zero();
+            for (int id : loop) centre += surface.points.col(id) / static_cast<double>(loop.size());
+            apex = surface.vertexCount();
+            surface.points.conservativeResize(Eigen::NoChange, apex + 1);
+            surface.points.col(apex) = centre;
+        }
+        for (std::size_t k = 0; k < loop.size(); ++k) {
+            const int a = loop[k], b = loop[(k + 1) % loop.size()];
+            if (a == apex || b == apex) continue;
+            surface.triangles.push_back({apex, a, b});
+            if (!surface.labels.empty()) surface.labels.push_back(0);
+        }
+    }
+}
+
+}  // namespace
+
+bool SurfaceProblems::boundsVolume() const {
+    return notFinite.empty() && badIndex.empty() && degenerate.empty() && duplicate.empty() &&
+           openEdges.empty() && intersecting.empty() && !flat;
+}
+
+std::string SurfaceProblems::summary() const {
+    std::string list;
+    const auto first = [](const std::vector<int>& ids) {
+        return ids.empty() ? std::string() : std::to_string(ids[0]);
+    };
+    const auto firstPair = [](const auto& pairs) { return pairs.empty() ? std::string() : pair(pairs[0]); };
+    append(list, counted(notFinite.size(), "vertices that are not finite", first(notFinite)));
+    append(list, counted(badIndex.size(), "triangles that name a missing vertex", first(badIndex)));
+    if (flat) append(list, "all points lie in one plane");
+    append(list, counted(openEdges.size(), "open edges", firstPair(openEdges)));
+    append(list,
+           counted(nonManifoldEdges.size(), "edges of more than two triangles", firstPair(nonManifoldEdges)));
+    append(list, counted(intersecting.size(), "pairs of triangles that intersect", firstPair(intersecting)));
+    append(list, counted(degenerate.size(), "triangles without area", first(degenerate)));
+    append(list, counted(duplicate.size(), "duplicate triangles", first(duplicate)));
+    append(list, counted(misoriented.size(), "edges where the orientation changes", firstPair(misoriented)));
+    return list;
+}
+
+std::vector<int> SurfaceProblems::triangles(const Surface& surface) const {
+    std::vector<int> list = badIndex;
+    list.insert(list.end(), degenerate.begin(), degenerate.end());
+    list.insert(list.end(), duplicate.begin(), duplicate.end());
+    for (const auto& crossing : intersecting) list.insert(list.end(), crossing.begin(), crossing.end());
+    std::vector<std::array<int, 2>> edges = openEdges;
+    edges.insert(edges.end(), nonManifoldEdges.begin(), nonManifoldEdges.end());
+    edges.insert(edges.end(), misoriented.begin(), misoriented.end());
+    std::sort(edges.begin(), edges.end());
+    for (const auto& edge : edgesOf(surface)) {
+        const auto [low, high] = std::minmax(edge.vertices[0], edge.vertices[1]);
+        if (std::binary_search(edges.begin(), edges.end(), std::array{low, high}))
+            for (int t : edge.triangles)
+                if (touchesEdge(surface.triangles[t], {low, high})) list.push_back(t);
+    }
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+    return list;
+}
+
+std::string RepairReport::summary() const {
+    std::string list;
+    const auto add = [&](int count, const std::string& what) {
+        if (count > 0) append(list, std::to_string(count) + " " + what);
+    };
+    add(mergedVertices, "coincident vertices merged");
+    add(droppedDegenerate, "triangles without area dropped");
+    add(droppedDuplicate, "duplicate triangles dropped");
+    add(flipped, "triangles turned over");
+    add(filledHoles, "holes filled");
+    return list;
+}
+
+Surface repairSurface(const Surface& input, int largestHole, RepairReport& report) {
+    report = {};
+    Surface surface = input;
+    const std::vector<int> newId = mergeVertices(surface, report);
+    for (auto& triangle : surface.triangles)
+        for (int& id : triangle)
+            if (id >= 0 && id < static_cast<int>(newId.size())) id = newId[id];
+    dropTriangles(surface, checkSurface(surface, 0), report);
+    orient(surface, report);
+    fillHoles(surface, largestHole, report);
+    return surface;
+}
+
+}  // namespace wend

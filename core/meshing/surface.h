@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "core/mesh/types.h"
+
+namespace wend {
+
+/// A triangle surface in space, as a soup with shared vertices. Order is the input's.
+struct Surface {
+    Points<3> points;
+    std::vector<std::array<int, 3>> triangles;
+    std::vector<int> labels;  // one per triangle, or empty
+
+    int vertexCount() const { return static_cast<int>(points.cols()); }
+    int triangleCount() const { return static_cast<int>(triangles.size()); }
+};
+
+/// Why a surface bounds no volume: everything that is wrong, listed, so that it can be counted, shown and
+/// saved.
+struct SurfaceProblems {
+    std::vector<int> notFinite;                        // vertices with NaN or infinite coordinates
+    std::vector<int> badIndex;                         // triangles that name a missing vertex
+    std::vector<int> degenerate;                       // triangles without area, or that name a vertex twice
+    std::vector<int> duplicate;                        // triangles that repeat an earlier one
+    std::vector<std::array<int, 2>> openEdges;         // edges (vertices) of one triangle only
+    std::vector<std::array<int, 2>> nonManifoldEdges;  // edges of more than two triangles
+    std::vector<std::array<int, 2>>
+        misoriented;  // edges that both neighbours run through in the same direction
+    std::vector<std::array<int, 2>>
+        intersecting;            // pairs of triangles that cross; at most `limit` are listed
+    int coincidentVertices = 0;  // vertices at the place of an earlier one
+    bool flat = false;           // all points in one plane
+
+    /// TetGen's input must be closed and free of crossings; orientation does not matter to it.
+    bool boundsVolume() const;
+    /// One line: "12 open edges (first: 3–17), 4 pairs of triangles intersect (first: 20, 81)". Empty if
+    /// there is nothing.
+    std::string summary() const;
+    /// All triangles that take part in a problem, each once, increasing: to be shown and saved.
+    std::vector<int> triangles(const Surface& surface) const;
+};
+
+/// Finds all of them. Crossings are exact (CGAL predicates); triangles that share a vertex or an edge count
+/// as crossing where they meet elsewhere too. At most `limit` crossings are listed.
+SurfaceProblems checkSurface(const Surface& surface, int limit = 10000);
+
+struct RepairReport {
+    int mergedVertices = 0, droppedDegenerate = 0, droppedDuplicate = 0, flipped = 0, filledHoles = 0;
+    std::string summary() const;  // one line; empty if nothing was done
+};
+
+/// The simple repairs: merges coincident vertices, drops degenerate and duplicate triangles, orients
+/// neighbours consistently, and closes holes of at most `largestHole` edges with a fan around their centre.
+/// What stays wrong is for checkSurface to say.
+Surface repairSurface(const Surface& surface, int largestHole, RepairReport& report);
+
+}  // namespace wend

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "core/meshing/surface.h"
+
+namespace wend {
+
+/// An edge of a surface (vertices increasing) with the triangles that have it.
+struct SurfaceEdge {
+    std::array<int, 2> vertices;
+    std::vector<int> triangles;
+};
+
+/// All edges, in increasing order of their vertices. Triangles with bad indices are passed over.
+std::vector<SurfaceEdge> edgesOf(const Surface& surface);
+
+/// For each vertex the first vertex at the same place (bit for bit; itself if there is none).
+std::vector<int> canonicalVertices(const Points<3>& points);
+
+}  // namespace wend

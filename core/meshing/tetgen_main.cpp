@@ -1,0 +1,119 @@
+// wend-tetgen: reads a TetgenRequest from standard input, meshes it, writes a TetgenReply to standard output.
+// A program of its own because TetGen may abort, exit, crash or never end: then only this process does.
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <tetgen.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <new>
+
+#include "core/meshing/tetgen_protocol.h"
+
+namespace {
+
+std::string readAll(int fd) {
+    std::string bytes;
+    std::array<char, 65536> buffer;
+    for (ssize_t got; (got = read(fd, buffer.data(), buffer.size())) > 0;) bytes.append(buffer.data(), got);
+    return bytes;
+}
+
+bool writeAll(int fd, const std::string& bytes) {
+    for (std::size_t at = 0; at < bytes.size();) {
+        const ssize_t wrote = write(fd, bytes.data() + at, bytes.size() - at);
+        if (wrote <= 0) return false;
+        at += static_cast<std::size_t>(wrote);
+    }
+    return true;
+}
+
+/// TetGen prints to standard output: the reply takes the pipe, the chatter goes nowhere.
+int takeStandardOutput() {
+    const int pipe = dup(STDOUT_FILENO);
+    const int nowhere = open("/dev/null", O_WRONLY);
+    dup2(nowhere, STDOUT_FILENO);
+    dup2(nowhere, STDERR_FILENO);
+    return pipe;
+}
+
+void limitMemory(const char* megabytes) {
+    const rlim_t bytes = static_cast<rlim_t>(std::max(64, std::atoi(megabytes))) << 20;
+    const rlimit limit{bytes, bytes};
+    setrlimit(RLIMIT_AS, &limit);
+    const rlimit noCore{0, 0};
+    setrlimit(RLIMIT_CORE, &noCore);
+}
+
+/// tetgenio frees these arrays itself, with delete[].
+template <typename T>
+T* copyOf(const std::vector<T>& values) {
+    T* copy = new T[values.size()];
+    std::copy(values.begin(), values.end(), copy);
+    return copy;
+}
+
+void fill(tetgenio& in, const wend::TetgenRequest& request) {
+    in.firstnumber = 0;
+    in.numberofpoints = static_cast<int>(request.points.size() / 3);
+    in.pointlist = copyOf(request.points);
+    in.numberoffacets = static_cast<int>(request.triangles.size() / 3);
+    in.facetlist = new tetgenio::facet[static_cast<std::size_t>(in.numberoffacets)];
+    in.facetmarkerlist = copyOf(request.labels);
+    for (int f = 0; f < in.numberoffacets; ++f) {
+        tetgenio::facet& facet = in.facetlist[f];
+        tetgenio::init(&facet);
+        facet.numberofpolygons = 1;
+        facet.polygonlist = new tetgenio::polygon[1];
+        tetgenio::init(facet.polygonlist);
+        facet.polygonlist[0].numberofvertices = 3;
+        facet.polygonlist[0].vertexlist = new int[3];
+        std::copy_n(request.triangles.begin() + 3 * f, 3, facet.polygonlist[0].vertexlist);
+    }
+}
+
+wend::TetgenReply read(const tetgenio& out) {
+    wend::TetgenReply reply;
+    reply.points.assign(out.pointlist, out.pointlist + 3 * out.numberofpoints);
+    reply.cells.assign(out.tetrahedronlist, out.tetrahedronlist + 4 * out.numberoftetrahedra);
+    reply.regions.assign(static_cast<std::size_t>(out.numberoftetrahedra), 0);
+    if (out.numberoftetrahedronattributes > 0)
+        for (int c = 0; c < out.numberoftetrahedra; ++c)
+            reply.regions[c] =
+                static_cast<int>(out.tetrahedronattributelist[c * out.numberoftetrahedronattributes]);
+    reply.boundary.assign(out.trifacelist, out.trifacelist + 3 * out.numberoftrifaces);
+    if (out.trifacemarkerlist != nullptr)
+        reply.labels.assign(out.trifacemarkerlist, out.trifacemarkerlist + out.numberoftrifaces);
+    return reply;
+}
+
+wend::TetgenReply mesh(const wend::TetgenRequest& request) {
+    wend::TetgenReply reply;
+    tetgenio in, out;
+    fill(in, request);
+    std::string switches = request.switches;
+    try {
+        tetrahedralize(switches.data(), &in, &out);
+        reply = read(out);
+    } catch (int code) {
+        reply.error = code == 0 ? -1 : code;
+    } catch (const std::bad_alloc&) {
+        reply.error = 1;
+    }
+    return reply;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    limitMemory(argc > 1 ? argv[1] : "4096");
+    const int pipe = takeStandardOutput();
+    wend::TetgenRequest request;
+    if (!unpack(readAll(STDIN_FILENO), request)) return 2;
+    const bool written = writeAll(pipe, pack(mesh(request)));
+    // Not exit(): after an error of TetGen its destructors free what it has freed already.
+    _exit(written ? 0 : 1);
+}

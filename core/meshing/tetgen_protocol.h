@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace wend {
+
+/// What goes through the pipes between the program and wend-tetgen: plain arrays, in the machine's own byte
+/// order.
+struct TetgenRequest {
+    std::string switches;
+    std::vector<double> points;  // 3 per vertex
+    std::vector<int> triangles;  // 3 per facet
+    std::vector<int> labels;     // 1 per facet
+};
+struct TetgenReply {
+    std::int32_t error = 0;      // 0, or TetGen's own code
+    std::vector<double> points;  // 3 per vertex, the input's first
+    std::vector<int> cells;      // 4 per tetrahedron
+    std::vector<int> regions;    // 1 per tetrahedron
+    std::vector<int> boundary;   // 3 per facet
+    std::vector<int> labels;     // 1 per facet
+};
+
+/// Bytes of all members one after another, arrays with their length in front.
+std::string pack(const TetgenRequest& request);
+std::string pack(const TetgenReply& reply);
+/// False if the bytes are too few or too many.
+bool unpack(const std::string& bytes, TetgenRequest& request);
+bool unpack(const std::string& bytes, TetgenReply& reply);
+
+}  // namespace wend

@@ -1,0 +1,274 @@
+#include "core/meshing/volume_mesher.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <numbers>
+#include <numeric>
+
+#include "core/mesh/error.h"
+#include "core/meshing/child_process.h"
+#include "core/meshing/surface_edges.h"
+#include "core/meshing/tetgen_protocol.h"
+
+namespace wend {
+namespace {
+
+constexpr int kMegabytes = 8192;       // address space of the mesher
+constexpr double kAimTolerance = 0.1;  // inner than the 15 % promised
+
+std::string number(double value) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.9g", value);
+    std::replace(text.begin(), text.end(), ',', '.');
+    return text.data();
+}
+
+/// Shells: triangles connected over vertices, one number per triangle.
+std::vector<int> shellsOf(const Surface& surface) {
+    std::vector<int> parent(static_cast<std::size_t>(surface.vertexCount()));
+    std::iota(parent.begin(), parent.end(), 0);
+    const auto root = [&](int v) {
+        while (parent[v] != v) v = parent[v] = parent[parent[v]];
+        return v;
+    };
+    for (const auto& t : surface.triangles)
+        for (int k = 1; k < 3; ++k) parent[root(t[k])] = root(t[0]);
+    std::map<int, int> names;
+    std::vector<int> shells;
+    for (const auto& t : surface.triangles)
+        shells.push_back(names.try_emplace(root(t[0]), static_cast<int>(names.size())).first->second);
+    return shells;
+}
+
+/// Signed solid angle of a triangle seen from p (van Oosterom and Strackee 1983).
+double solidAngle(const Vec<3>& p, const Vec<3>& x, const Vec<3>& y, const Vec<3>& z) {
+    const Vec<3> a = x - p, b = y - p, c = z - p;
+    const double la = a.norm(), lb = b.norm(), lc = c.norm();
+    const double det = a.dot(b.cross(c));
+    const double den = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
+    return 2 * std::atan2(det, den);
+}
+
+/// Is p inside an odd number of shells? Their orientation does not matter.
+bool inside(const Surface& surface, const std::vector<int>& shells, const Vec<3>& p) {
+    std::vector<double> winding(*std::max_element(shells.begin(), shells.end()) + 1, 0.0);
+    for (int t = 0; t < surface.triangleCount(); ++t) {
+        const auto& ids = surface.triangles[t];
+        winding[shells[t]] +=
+            solidAngle(p, surface.points.col(ids[0]), surface.points.col(ids[1]), surface.points.col(ids[2]));
+    }
+    const auto around = [](double angle) {
+        return std::lround(std::abs(angle) / (4 * std::numbers::pi)) % 2;
+    };
+    long enclosing = 0;
+    for (double angle : winding) enclosing += around(angle);
+    return enclosing % 2 == 1;
+}
+
+/// All neighbours must agree for the winding number of a shell to mean anything.
+Surface oriented(const Surface& surface) {
+    RepairReport report;
+    Surface copy{surface.points, surface.triangles, surface.labels};
+    return checkSurface(copy, 0).misoriented.empty() ? copy : repairSurface(copy, 0, report);
+}
+
+std::string reasonOf(const ChildResult& result, const VolumeMeshOptions& options) {
+    using End = ChildResult::End;
+    switch (result.end) {
+        case End::NotStarted:
+            return "the volume mesher wend-tetgen is missing beside the program";
+        case End::TimedOut:
+            return "the volume mesher did not finish within " + number(options.timeLimit) +
+                   " s; a coarser quality or a larger maxVolume may help";
+        case End::Stopped:
+            return "cancelled";
+        case End::Signalled:
+            return "the volume mesher failed inside (signal " + std::to_string(result.code) + ")";
+        case End::Exited:
+            return result.code == 0
+                       ? ""
+                       : "the volume mesher failed (exit code " + std::to_string(result.code) + ")";
+    }
+    return {};
+}
+
+std::string reasonOf(int tetgenError) {
+    switch (tetgenError) {
+        case 1:
+            return "the volume mesher ran out of memory";
+        case 3:
+            return "the surface intersects itself";
+        case 4:
+            return "the surface has features too small for its size";
+        case 5:
+            return "two facets of the surface lie almost on each other";
+        default:
+            return "the volume mesher failed inside (code " + std::to_string(tetgenError) + ")";
+    }
+}
+
+class VolumeMesher {
+  public:
+    VolumeMesher(const Surface& surface, const VolumeMeshOptions& options)
+        : m_surface(surface),
+          m_options(options),
+          m_oriented(oriented(surface)),
+          m_shells(shellsOf(m_oriented)) {}
+
+    VolumeMesh mesh(double maxVolume) const {
+        const ChildResult result = runChild(siblingProgram("wend-tetgen"), pack(request(maxVolume)),
+                                            m_options.timeLimit, kMegabytes, m_options.stop);
+        const std::string reason = reasonOf(result, m_options);
+        if (!reason.empty()) throw InputError(reason);
+        TetgenReply reply;
+        if (!unpack(result.output, reply)) throw InputError("the volume mesher gave an incomplete answer");
+        if (reply.error != 0) throw InputError(reasonOf(reply.error));
+        return read(reply);
+    }
+
+    double volume() const {
+        double sum = 0;
+        for (const auto& t : m_oriented.triangles) {
+            const Vec<3> a = m_oriented.points.col(t[0]), b = m_oriented.points.col(t[1]),
+                         c = m_oriented.points.col(t[2]);
+            sum += a.dot(b.cross(c)) / 6;
+        }
+        return std::abs(sum);
+    }
+
+  private:
+    TetgenRequest request(double maxVolume) const {
+        TetgenRequest request;
+        request.switches =
+            std::string("pAQ") + (m_options.keepSurface ? "Y" : "") + "q" + number(m_options.quality);
+        if (maxVolume > 0) request.switches += "a" + number(maxVolume);
+        request.points.assign(m_surface.points.data(), m_surface.points.data() + m_surface.points.size());
+        for (int t = 0; t < m_surface.triangleCount(); ++t) {
+            request.triangles.insert(request.triangles.end(), m_surface.triangles[t].begin(),
+                                     m_surface.triangles[t].end());
+            request.labels.push_back(t + 1);  // 0 is TetGen's own "no marker"
+        }
+        return request;
+    }
+
+    /// Keeps the regions that lie inside, one test per region, and drops vertices that only other cells had.
+    VolumeMesh read(const TetgenReply& reply) const {
+        const Eigen::Map<const Points<3>> points(reply.points.data(), 3,
+                                                 static_cast<Eigen::Index>(reply.points.size() / 3));
+        std::map<int, bool> keep;
+        VolumeMesh result;
+        for (std::size_t c = 0; c < reply.regions.size(); ++c) {
+            Cell<3> cell;
+            std::copy_n(reply.cells.begin() + static_cast<std::ptrdiff_t>(4 * c), 4, cell.begin());
+            const auto known = keep.find(reply.regions[c]);
+            if (known == keep.end()) {
+                const Vec<3> centre =
+                    (points.col(cell[0]) + points.col(cell[1]) + points.col(cell[2]) + points.col(cell[3])) /
+                    4;
+                keep[reply.regions[c]] = inside(m_oriented, m_shells, centre);
+            }
+            if (keep[reply.regions[c]]) result.mesh.cells.push_back(cell);
+        }
+        if (result.mesh.cells.empty()) throw InputError("the surface encloses no volume");
+        result.mesh.points = points;
+        const std::vector<int> newId = dropUnused(result.mesh);
+        orientPositive(result.mesh);
+        readBoundary(reply, newId, result);
+        requireValid(result.mesh);
+        return result;
+    }
+
+    /// Drops vertices beyond the surface's own that no cell uses (they were in a hole); returns the new ids,
+    /// −1 for those.
+    std::vector<int> dropUnused(SimplicialMesh<3>& mesh) const {
+        std::vector<int> newId(static_cast<std::size_t>(mesh.vertexCount()), -1);
+        for (int v = 0; m_options.keepSurface && v < m_surface.vertexCount(); ++v) newId[v] = 0;
+        for (const auto& cell : mesh.cells)
+            for (int v : cell) newId[v] = 0;
+        int kept = 0;
+        for (int v = 0; v < mesh.vertexCount(); ++v) {
+            if (newId[v] < 0) continue;
+            mesh.points.col(kept) = mesh.points.col(v).eval();
+            newId[v] = kept++;
+        }
+        mesh.points.conservativeResize(Eigen::NoChange, kept);
+        for (auto& cell : mesh.cells)
+            for (int& v : cell) v = newId[v];
+        return newId;
+    }
+
+    static void orientPositive(SimplicialMesh<3>& mesh) {
+        for (auto& cell : mesh.cells)
+            if (cellMeasure<3>(mesh.points, cell) < 0) std::swap(cell[2], cell[3]);
+    }
+
+    void readBoundary(const TetgenReply& reply, const std::vector<int>& newId, VolumeMesh& result) const {
+        for (std::size_t f = 0; f < reply.labels.size(); ++f) {
+            if (reply.labels[f] <= 0 || reply.labels[f] > m_surface.triangleCount()) continue;
+            std::array<int, 3> facet;
+            for (int k = 0; k < 3; ++k) facet[k] = newId[reply.boundary[3 * f + k]];
+            if (*std::min_element(facet.begin(), facet.end()) < 0) continue;
+            result.boundary.push_back(facet);
+            const int triangle = reply.labels[f] - 1;
+            result.boundaryLabels.push_back(m_surface.labels.empty() ? 0 : m_surface.labels[triangle]);
+        }
+    }
+
+    const Surface& m_surface;
+    const VolumeMeshOptions& m_options;
+    Surface m_oriented;
+    std::vector<int> m_shells;
+};
+
+/// Inner vertices go with 1/maxVolume: a secant search in the logarithm, at most eight runs.
+VolumeMesh meshForAim(const VolumeMesher& mesher, const VolumeMeshOptions& options) {
+    double maxVolume = mesher.volume() / (5.0 * options.vertices);
+    VolumeMesh best;
+    double bestError = std::numeric_limits<double>::infinity();
+    double lastVolume = 0, lastCount = 0;
+    for (int run = 0; run < 8; ++run) {
+        VolumeMesh mesh = mesher.mesh(maxVolume);
+        const double count = mesh.mesh.vertexCount();
+        const double error = std::abs(count / options.vertices - 1);
+        if (error < bestError) {
+            bestError = error;
+            best = std::move(mesh);
+        }
+        if (bestError <= kAimTolerance) break;
+        double slope = -1;
+        if (lastCount > 0 && lastCount != count && lastVolume != maxVolume)
+            slope = std::clamp(std::log(count / lastCount) / std::log(maxVolume / lastVolume), -1.5, -0.2);
+        lastVolume = maxVolume;
+        lastCount = count;
+        maxVolume *= std::clamp(std::pow(options.vertices / count, 1 / slope), 1.0 / 16, 16.0);
+        if (maxVolume > mesher.volume()) maxVolume = mesher.volume();
+        if (maxVolume == lastVolume) break;
+    }
+    best.aimMet = bestError <= 0.15;
+    return best;
+}
+
+void requireSense(const VolumeMeshOptions& options) {
+    if (!(options.quality >= 1.2))
+        throw InputError("quality " + number(options.quality) + " is below 1.2, where meshing need not end");
+    if (!(options.maxVolume >= 0) || !std::isfinite(options.maxVolume))
+        throw InputError("maxVolume must be a positive number");
+    if (options.vertices < 0) throw InputError("vertices must be positive");
+}
+
+}  // namespace
+
+VolumeMesh meshVolume(const Surface& surface, const VolumeMeshOptions& options) {
+    requireSense(options);
+    if (surface.triangles.empty()) throw InputError("the surface has no triangle");
+    const SurfaceProblems problems = checkSurface(surface);
+    if (!problems.boundsVolume()) throw InputError("the surface bounds no volume: " + problems.summary());
+    const VolumeMesher mesher(surface, options);
+    return options.vertices > 0 ? meshForAim(mesher, options) : mesher.mesh(options.maxVolume);
+}
+
+}  // namespace wend

@@ -1,0 +1,207 @@
+#include <QTest>
+#include <functional>
+#include <thread>
+
+#include "core/mesh/error.h"
+#include "core/meshing/volume_mesher.h"
+#include "tests/support/surfaces.h"
+
+using namespace wend;
+using namespace wend::test;
+
+class TestVolumeMesher : public QObject {
+    Q_OBJECT
+  private slots:
+    void boxIsFilled();
+    void surfaceIsKept();
+    void shellInShellIsAHole_data();
+    void shellInShellIsAHole();
+    void aimIsMet();
+    void labelsComeThrough();
+    void sizesDoNotMatter_data();
+    void sizesDoNotMatter();
+    void badSurfaces_data();
+    void badSurfaces();
+    void repairs();
+    void timeLimitEnds();
+    void cancelEnds();
+};
+
+namespace {
+
+double volumeOf(const SimplicialMesh<3>& mesh) {
+    double sum = 0;
+    for (const auto& cell : mesh.cells) sum += cellMeasure<3>(mesh.points, cell);
+    return sum;
+}
+
+const Surface kBox = box({0, 0, 0}, {4, 1, 1}, 4);
+
+Surface changed(const std::function<void(Surface&)>& change) {
+    Surface surface = kBox;
+    change(surface);
+    return surface;
+}
+
+}  // namespace
+
+void TestVolumeMesher::boxIsFilled() {
+    VolumeMeshOptions options;
+    options.maxVolume = 0.01;
+    options.keepSurface = false;
+    const VolumeMesh result = meshVolume(kBox, options);
+    QVERIFY(std::abs(volumeOf(result.mesh) - 4) < 1e-12);
+    for (const auto& cell : result.mesh.cells) {
+        const double volume = cellMeasure<3>(result.mesh.points, cell);
+        QVERIFY(volume > 0 && volume <= 0.01 * (1 + 1e-9));
+    }
+}
+
+void TestVolumeMesher::surfaceIsKept() {
+    VolumeMeshOptions options;
+    options.maxVolume = 0.005;
+    const VolumeMesh result = meshVolume(kBox, options);
+    QVERIFY(result.mesh.vertexCount() > kBox.vertexCount());
+    QVERIFY(result.mesh.points.leftCols(kBox.vertexCount()) == kBox.points);
+    QCOMPARE(result.boundary.size(), kBox.triangles.size());
+}
+
+void TestVolumeMesher::shellInShellIsAHole_data() {
+    QTest::addColumn<bool>("turned");
+    QTest::newRow("orientations agree") << false;
+    QTest::newRow("inner one turned over") << true;
+}
+
+void TestVolumeMesher::shellInShellIsAHole() {
+    QFETCH(bool, turned);
+    Surface inner = box({1, 0.25, 0.25}, {3, 0.75, 0.75}, 2);
+    if (turned)
+        for (auto& t : inner.triangles) std::swap(t[0], t[1]);
+    const Surface island = box({1.5, 0.4, 0.4}, {2, 0.6, 0.6});
+    const VolumeMesh result = meshVolume(joined(joined(kBox, inner), island), {});
+    QVERIFY(std::abs(volumeOf(result.mesh) - (4 - 0.5 + 0.02)) < 1e-12);
+}
+
+void TestVolumeMesher::aimIsMet() {
+    for (int aim : {500, 2000, 5000}) {
+        VolumeMeshOptions options;
+        options.vertices = aim;
+        const VolumeMesh result = meshVolume(box({0, 0, 0}, {4, 1, 1}, 6), options);
+        QVERIFY2(std::abs(result.mesh.vertexCount() - aim) <= 0.15 * aim,
+                 qPrintable(QString::number(result.mesh.vertexCount())));
+        QVERIFY(result.aimMet);
+    }
+}
+
+void TestVolumeMesher::labelsComeThrough() {
+    Surface surface = kBox;
+    for (int t = 0; t < surface.triangleCount(); ++t) surface.labels.push_back(t / 32 + 7);  // one per side
+    const VolumeMesh result = meshVolume(surface, {});
+    QCOMPARE(result.boundaryLabels.size(), result.boundary.size());
+    for (std::size_t f = 0; f < result.boundary.size(); ++f) {
+        auto ids = result.boundary[f];
+        std::sort(ids.begin(), ids.end());
+        for (int t = 0; t < surface.triangleCount(); ++t) {
+            auto input = surface.triangles[t];
+            std::sort(input.begin(), input.end());
+            if (input == ids) QCOMPARE(result.boundaryLabels[f], surface.labels[t]);
+        }
+    }
+}
+
+void TestVolumeMesher::sizesDoNotMatter_data() {
+    QTest::addColumn<double>("size");
+    QTest::newRow("huge") << 1e7;
+    QTest::newRow("tiny") << 1e-7;
+}
+
+void TestVolumeMesher::sizesDoNotMatter() {
+    QFETCH(double, size);
+    Surface surface = kBox;
+    surface.points *= size;
+    VolumeMeshOptions options;
+    options.vertices = 600;
+    const VolumeMesh result = meshVolume(surface, options);
+    QVERIFY(std::abs(volumeOf(result.mesh) / (4 * size * size * size) - 1) < 1e-12);
+    QVERIFY(result.aimMet);
+}
+
+void TestVolumeMesher::badSurfaces_data() {
+    QTest::addColumn<Surface>("surface");
+    QTest::addColumn<QString>("reason");
+    QTest::newRow("empty") << Surface{} << "no triangle";
+    QTest::newRow("open") << changed([](Surface& s) { s.triangles.pop_back(); }) << "3 open edges";
+    QTest::newRow("one triangle") << Surface{kBox.points, {kBox.triangles[0]}, {}} << "open edges";
+    QTest::newRow("NaN") << changed([](Surface& s) { s.points(1, 3) = std::nan(""); })
+                         << "not finite (first: 3)";
+    QTest::newRow("infinite") << changed([](Surface& s) { s.points(0, 0) = 1 / 0.0; }) << "not finite";
+    QTest::newRow("missing vertex") << changed([](Surface& s) { s.triangles[5][1] = 9999; })
+                                    << "missing vertex (first: 5)";
+    QTest::newRow("degenerate") << changed([](Surface& s) {
+        s.triangles.push_back({0, 1, 0});
+    }) << "without area";
+    QTest::newRow("duplicate") << changed([](Surface& s) { s.triangles.push_back(s.triangles[0]); })
+                               << "duplicate";
+    QTest::newRow("shells that cross") << joined(kBox, box({3, 0.2, 0.2}, {5, 0.8, 0.8})) << "intersect";
+    QTest::newRow("flat") << changed([](Surface& s) { s.points.row(2).setZero(); }) << "one plane";
+    QTest::newRow("moebius") << moebius(24) << "open edges";
+    QTest::newRow("pushed through itself")
+        << changed([](Surface& s) { s.points.col(0) = Vec<3>(3, 3, 3); }) << "intersect";
+}
+
+void TestVolumeMesher::badSurfaces() {
+    QFETCH(Surface, surface);
+    QFETCH(QString, reason);
+    try {
+        meshVolume(surface, {});
+        QFAIL("accepted");
+    } catch (const InputError& error) {
+        QVERIFY2(QString(error.what()).contains(reason), error.what());
+    }
+}
+
+void TestVolumeMesher::repairs() {
+    // A soup: every triangle with vertices of its own, some turned over, one missing, one twice, one without
+    // area.
+    Surface soup;
+    soup.points.resize(3, 3 * kBox.triangleCount());
+    for (int t = 0; t < kBox.triangleCount(); ++t) {
+        for (int k = 0; k < 3; ++k) soup.points.col(3 * t + k) = kBox.points.col(kBox.triangles[t][k]);
+        soup.triangles.push_back(t % 5 == 1 ? std::array{3 * t, 3 * t + 2, 3 * t + 1}
+                                            : std::array{3 * t, 3 * t + 1, 3 * t + 2});
+    }
+    soup.triangles.pop_back();
+    soup.triangles.push_back(soup.triangles[0]);
+    soup.triangles.push_back({0, 0, 1});
+    RepairReport report;
+    const Surface mended = repairSurface(soup, 10, report);
+    QVERIFY2(checkSurface(mended).boundsVolume(),
+             qPrintable(QString::fromStdString(checkSurface(mended).summary())));
+    QVERIFY(checkSurface(mended).misoriented.empty());
+    QCOMPARE(report.filledHoles, 1);
+    QCOMPARE(report.droppedDuplicate, 1);
+    QCOMPARE(report.droppedDegenerate, 1);
+    QVERIFY(std::abs(volumeOf(meshVolume(mended, {}).mesh) - 4) < 1e-12);
+}
+
+void TestVolumeMesher::timeLimitEnds() {
+    VolumeMeshOptions options;
+    options.maxVolume = 1e-8;  // 400 million cells
+    options.timeLimit = 0.5;
+    QVERIFY_EXCEPTION_THROWN(meshVolume(kBox, options), InputError);
+}
+
+void TestVolumeMesher::cancelEnds() {
+    std::stop_source source;
+    VolumeMeshOptions options;
+    options.maxVolume = 1e-8;
+    options.stop = source.get_token();
+    std::jthread canceller([&] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(200));
+        source.request_stop();
+    });
+    QVERIFY_EXCEPTION_THROWN(meshVolume(kBox, options), InputError);
+}
+
+QTEST_APPLESS_MAIN(TestVolumeMesher)
+#include "test_volume_mesher.moc"
