@@ -1,6 +1,7 @@
 #include "app/view/canvas.h"
 
 #include <QWheelEvent>
+#include <QtConcurrent>
 #include <cmath>
 
 #include "app/view/overlay_painter.h"
@@ -54,15 +55,21 @@ void Canvas::takeOpened() {
     m_drawn.reset();
     m_hovered = -1;
     const auto& picture = m_session.document().picture();
-    if (picture) m_picture = std::make_shared<const DisplayPicture>(*picture);
     m_view.setPointsUp(!picture);
     m_fitted = true;
-    if (picture) fit();
+    fit();
     update();
+    if (!picture) return;
+    QtConcurrent::run([picture] { return std::make_shared<const DisplayPicture>(*picture); })
+        .then(this, [this, picture](const std::shared_ptr<const DisplayPicture>& display) {
+            if (m_session.document().picture() != picture) return;
+            m_picture = display;
+            render();
+        });
 }
 
 QRectF Canvas::frameRect() const {
-    if (m_picture) return {0, 0, double(m_picture->width()), double(m_picture->height())};
+    if (const auto& picture = m_session.document().picture()) return {0, 0, double(picture->width), double(picture->height)};
     if (!m_session.frame()) return {};
     const auto& points = m_session.frame()->rest->points;
     const Vec<2> low = points.rowwise().minCoeff(), high = points.rowwise().maxCoeff();
@@ -70,7 +77,7 @@ QRectF Canvas::frameRect() const {
 }
 
 void Canvas::takeFrame() {
-    const bool first = !m_drawn && !m_picture && m_session.frame();
+    const bool first = !m_drawn && !m_session.document().picture() && m_session.frame();
     if (m_session.isStale() && !m_dimmed) {
         if (!m_dim.isActive()) m_dim.start();
     } else if (!m_session.isStale()) {
@@ -99,7 +106,7 @@ RenderRequest Canvas::request(Filter filter) const {
 }
 
 void Canvas::render() {
-    if (m_session.frame()) {
+    if (m_session.frame() && (m_picture || !m_session.document().picture())) {
         m_renderer.post(request(Filter::Bilinear));
         m_refine.start();
     }
@@ -120,7 +127,7 @@ void Canvas::viewChanged() {
 void Canvas::fit() {
     const QRectF frame = frameRect();
     if (frame.isEmpty()) return;
-    const double natural = m_picture ? 1 : 1000 / std::hypot(frame.width(), frame.height());
+    const double natural = m_session.document().picture() ? 1 : 1000 / std::hypot(frame.width(), frame.height());
     m_view.setZoomLimits(0.005 * natural, 64 * natural);
     m_view.fit(frame, size(), kMargin);
     m_fitted = true;
@@ -176,9 +183,7 @@ void Canvas::paintShape(QPainter& painter) {
     const QRectF target(origin, QSizeF(m_drawn->image.size()) / request.ratio * scale);
     painter.setRenderHint(QPainter::SmoothPixmapTransform, request.view != m_view);
     if (request.view == m_view) {
-        QImage image = m_drawn->image;
-        image.setDevicePixelRatio(request.ratio);
-        painter.drawImage(QPointF(0, 0), image);
+        painter.drawImage(QPointF(0, 0), m_drawn->image);
     } else {
         painter.drawImage(target, m_drawn->image);
     }
@@ -190,7 +195,7 @@ void Canvas::paintEvent(QPaintEvent*) {
     const Theme theme = Theme::of(palette());
     painter.fillRect(rect(), theme.workspace);
     OverlayPainter overlay(painter, m_view, theme);
-    if (m_picture) overlay.paper(frameRect());
+    if (m_session.document().picture()) overlay.paper(frameRect());
     paintShape(painter);
     painter.setRenderHint(QPainter::Antialiasing);
     if (!m_hidden && m_session.frame()) {

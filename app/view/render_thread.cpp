@@ -118,6 +118,8 @@ QImage RenderThread::render(const RenderRequest& request, std::stop_token stop) 
     painter.setOpacity(1);
     painter.setRenderHint(QPainter::Antialiasing);
     if (request.mesh) drawEdges(painter, request);
+    painter.end();
+    image.setDevicePixelRatio(request.ratio);
     return image;
 }
 

@@ -2,12 +2,17 @@
 
 #include <limits>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include "core/mesh/region.h"
 
 namespace wend {
+
+/// What a file says about an object and nothing here knows, kept for the next save: JSON pointers relative to
+/// the object, and the values as JSON text.
+using Extras = std::vector<std::pair<std::string, std::string>>;
 
 enum class Ease { Linear, In, Out, InOut };
 
@@ -45,6 +50,7 @@ struct Motion {
     std::variant<Translate<Dim>, Rotate<Dim>, CurveMotion<Dim>, Recorded<Dim>> kind;
     double start = 0, end = 1;  // the time window
     Ease ease = Ease::Linear;
+    Extras extras = {};
 };
 
 /// Vertex ids, points anywhere in the rest shape, or all vertices inside a region.
@@ -60,6 +66,7 @@ struct Handle {
     std::vector<Motion<Dim>> motions;
     double activeFrom = -std::numeric_limits<double>::infinity();
     double activeTo = std::numeric_limits<double>::infinity();
+    Extras extras = {};
 };
 
 }  // namespace wend
