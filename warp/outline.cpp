@@ -6,9 +6,9 @@
 #include <limits>
 
 #include "core/mesh/error.h"
+#include "core/meshing/outline_simplify.h"
 #include "warp/outline_contour.h"
 #include "warp/outline_growth.h"
-#include "warp/outline_simplify.h"
 
 namespace wend {
 namespace {

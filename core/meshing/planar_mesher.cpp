@@ -7,6 +7,7 @@
 
 #include "core/mesh/error.h"
 #include "core/meshing/outline_check.h"
+#include "core/meshing/outline_simplify.h"
 #include "core/meshing/planar_refinement.h"
 
 namespace wend {
@@ -41,6 +42,8 @@ void requireOptions(const PlanarMeshOptions& options) {
         throw InputError("the number of vertices must be 3 … " + std::to_string(mostVertices));
     if (!(options.minAngle >= 0 && options.minAngle <= 30))
         throw InputError("the minimum angle must be 0 … 30 degrees");
+    if (!(options.simplify >= 0) || std::isinf(options.simplify))
+        throw InputError("the simplification must not be negative");
     for (std::size_t i = 0; i < options.points.size(); ++i)
         if (!options.points[i].allFinite()) throw InputError("point " + std::to_string(i) + " is not finite");
 }
@@ -140,16 +143,37 @@ SimplicialMesh<2> PlanarMesher::searched(double radius) {
     return best ? *std::move(best) : *std::move(atInfinity);
 }
 
+SimplicialMesh<2> meshExactly(Outline outline, const PlanarMeshOptions& options) {
+    outline = outlineThrough(std::move(outline), options.points, pointTolerance * diagonalOf(outline));
+    requireNoCrossing(outline);
+    const PlanarDomain domain(outline, options.points);
+    PlanarMesher mesher(domain, options);
+    return options.edge > 0 ? mesher.byEdge() : mesher.byCount();
+}
+
+/// Nothing if simplification takes away what the options need: a part with a point in it.
+std::optional<SimplicialMesh<2>> meshSimplified(const Outline& outline, double tolerance,
+                                                const PlanarMeshOptions& options) {
+    try {
+        return meshExactly(cleanedOutline(simplified(outline, tolerance)), options);
+    } catch (const InputError&) {
+        return {};
+    }
+}
+
 }  // namespace
 
 SimplicialMesh<2> meshOutline(const Outline& outline, const PlanarMeshOptions& options) {
     requireOptions(options);
-    Outline clean = cleanedOutline(outline);
-    clean = outlineThrough(std::move(clean), options.points, pointTolerance * diagonalOf(clean));
-    requireNoCrossing(clean);
-    const PlanarDomain domain(clean, options.points);
-    PlanarMesher mesher(domain, options);
-    return options.edge > 0 ? mesher.byEdge() : mesher.byCount();
+    const Outline clean = cleanedOutline(outline);
+    auto mesh = meshExactly(clean, options);
+    if (options.edge > 0) return mesh;
+    for (double part = 0.125;
+         options.simplify > 0 && part <= 1 && mesh.vertexCount() > 1.1 * options.vertices; part *= 2) {
+        auto coarser = meshSimplified(clean, part * options.simplify, options);
+        if (coarser && coarser->vertexCount() < mesh.vertexCount()) mesh = *std::move(coarser);
+    }
+    return mesh;
 }
 
 }  // namespace wend

@@ -9,9 +9,12 @@
 namespace wend {
 
 struct PlanarMeshOptions {
-    int vertices = 5000;         // aim, met within 10 % (see meshOutline); ignored when edge > 0
-    double edge = 0;             // aim for the mean edge length
-    double minAngle = 25;        // degrees, 0 … 30, away from corners of the input that are sharper
+    int vertices = 5000;   // aim, met within 10 % (see meshOutline); ignored when edge > 0
+    double edge = 0;       // aim for the mean edge length
+    double minAngle = 25;  // degrees, 0 … 30, away from corners of the input that are sharper
+    /// Most that the outline may be simplified by, and is only, when it has more detail than the aimed number
+    /// of vertices allows. 0: the mesh's border is the outline exactly.
+    double simplify = 0;
     std::vector<Vec<2>> points;  // become vertices of the mesh: where handles sit
     std::stop_token stop;
 };
@@ -22,10 +25,10 @@ struct PlanarMeshOptions {
 /// 2; the borders are subdivided outline segments. A point within 1e-9 (relative to the bounding box's
 /// diagonal) of the outline becomes a point of the outline.
 ///
-/// An aim below what the outline needs at the minimum angle gives that least mesh, a larger one; it does not
-/// fail. Where borders or points nearly touch, edges are not split for the angle's sake below 1e-5 of the
-/// aimed spacing, or below more if the mesh would become many times larger than the aim, so that meshing
-/// always ends.
+/// An aim below what the outline needs at the minimum angle gives that least mesh, a larger one (after
+/// simplification within options.simplify); it does not fail. Where borders or points nearly touch, edges are
+/// not split for the angle's sake below 1e-5 of the aimed spacing, or below more if the mesh would become
+/// many times larger than the aim, so that meshing always ends.
 ///
 /// The outline may touch itself in points; edges that cross or run over each other are refused. Polygons nest
 /// by even and odd. Throws InputError: outline empty, not finite, without area or crossing itself (with the

@@ -270,6 +270,25 @@ class TestPlanarMesher : public QObject {
         QVERIFY(mesh.vertexCount() >= 300 && mesh.vertexCount() < 1500);
     }
 
+    /// The same circle may be simplified by one unit: now the aim is met, and the border keeps to that
+    /// tolerance.
+    void detailYieldsToTheAimWhereAllowed() {
+        PlanarMeshOptions options;
+        options.vertices = 100;
+        options.simplify = 1;
+        const Outline outline{{ngon({0, 0}, 100, 300)}};
+        const auto mesh = meshOutline(outline, options);
+        requireSound(mesh);
+        QVERIFY2(std::abs(mesh.vertexCount() - 100) <= 10, qPrintable(QString::number(mesh.vertexCount())));
+        for (const auto& facet : facetsOf(mesh))
+            if (!facet.interior())
+                QVERIFY(distanceToLoops(outline, (mesh.points.col(facet.vertices[0]) +
+                                                  mesh.points.col(facet.vertices[1])) /
+                                                     2) <= 1);
+        options.vertices = 2000;  // detail that the aim allows is kept
+        QVERIFY(std::abs(areaOf(meshOutline(outline, options)) - shoelace(outline.loops[0])) < 1e-6);
+    }
+
     void sameInputSameBits() {
         PlanarMeshOptions options;
         options.points = {{1, 2}, {3, 4.5}};

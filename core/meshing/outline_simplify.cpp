@@ -1,4 +1,4 @@
-#include "warp/outline_simplify.h"
+#include "core/meshing/outline_simplify.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Constrained_triangulation_plus_2.h>
