@@ -11,8 +11,8 @@ namespace {
 
 using Stops = std::array<std::array<int, 3>, 6>;
 
-// Lightness rises evenly (CIE L* 8, 25, 42, 60, 78, 95).
-constexpr Stops kMagnitude = {{{20, 10, 50}, {84, 22, 110}, {158, 42, 99}, {222, 86, 61}, {249, 157, 26}, {252, 246, 165}}};
+// Lightness falls evenly (CIE L* 95, 78, 60, 42, 25, 8): what is kept stays light.
+constexpr Stops kMagnitude = {{{253, 248, 208}, {250, 176, 72}, {226, 94, 66}, {160, 44, 100}, {86, 22, 112}, {22, 10, 52}}};
 // Blue and orange of equal lightness on both sides of a light middle.
 constexpr Stops kDiverging = {{{20, 68, 140}, {84, 144, 205}, {205, 223, 238}, {245, 224, 200}, {230, 140, 60}, {150, 66, 8}}};
 

@@ -48,9 +48,8 @@ EnergySlider::EnergySlider(QWidget* parent) : QWidget(parent), m_slider(new QSli
     }
     connect(m_slider, &QSlider::sliderPressed, this, [this] { ++m_gesture; });
     connect(m_slider, &QSlider::valueChanged, this, &EnergySlider::choose);
-    setMinimumHeight(kHandle + 8 + m_labels[0]->sizeHint().height());
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    setPhi(phi::kMetr);
+    setPhi(m_scale.stops()[1].phi);
 }
 
 QString EnergySlider::helpText() const {
@@ -91,6 +90,11 @@ void EnergySlider::placeLabels() {
         const int x = std::clamp(stopX(i) - size.width() / 2, 0, std::max(0, width() - size.width()));
         m_labels[i]->setGeometry(x, kHandle + 8, size.width(), size.height());
     }
+}
+
+QSize EnergySlider::sizeHint() const {
+    m_labels[0]->ensurePolished();
+    return {220, kHandle + 8 + m_labels[0]->sizeHint().height()};
 }
 
 void EnergySlider::resizeEvent(QResizeEvent*) { placeLabels(); }

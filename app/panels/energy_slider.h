@@ -20,6 +20,7 @@ class EnergySlider : public QWidget {
     void setPhi(double phi);
     const EnergyScale& scale() const { return m_scale; }
     QSlider* slider() const { return m_slider; }
+    QSize sizeHint() const override;
 
   signals:
     /// The user chose another φ; the number is the same for all values of one gesture.

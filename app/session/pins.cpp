@@ -10,7 +10,7 @@ namespace wend {
 
 namespace {
 
-constexpr int kPathSamples = 48;  // per motion
+constexpr int kPathSamples = 60;  // per motion
 
 /// Every vertex as a location: the corner of the first cell that has it.
 std::vector<Location<2>> vertexLocations(const SimplicialMesh<2>& rest) {

@@ -204,9 +204,9 @@ void MainWindow::connectView() {
         m_actions->showMap->setChecked(true);
         m_canvas->showWorst();
     });
-    auto* fields = new StatusFields(*statusBar(), m_session);
-    connect(m_canvas, &Canvas::hintChanged, fields, &StatusFields::setHint);
-    connect(m_canvas, &Canvas::pointed, fields, &StatusFields::setPointer);
+    m_fields = new StatusFields(*statusBar(), m_session);
+    connect(m_canvas, &Canvas::hintChanged, m_fields, &StatusFields::setHint);
+    connect(m_canvas, &Canvas::pointed, m_fields, &StatusFields::setPointer);
     m_canvas->setTool(m_pinTool.get());
 }
 
@@ -239,6 +239,7 @@ void MainWindow::showDocument() {
     for (QWidget* widget : {static_cast<QWidget*>(m_side), static_cast<QWidget*>(m_time), static_cast<QWidget*>(m_toolBar), static_cast<QWidget*>(m_topBar)})
         widget->setVisible(has);
     if (has) m_canvas->setFocus();
+    m_fields->setVisible(has);
     showSelection();
     showTitle();
 }

@@ -20,6 +20,7 @@ class InfoBanner;
 class MaterialPanel;
 class MeshPanel;
 class StartPage;
+class StatusFields;
 class TimeStrip;
 
 /// The window: start page or workshop, with tools on the left, properties on the right and time below.
@@ -75,6 +76,7 @@ class MainWindow : public QMainWindow {
     MaterialPanel* m_material;
     MeshPanel* m_mesh;
     DistortionPanel* m_distortion;
+    StatusFields* m_fields = nullptr;
     QStackedWidget* m_pages;
     QWidget* m_side = nullptr;
     QToolBar* m_topBar = nullptr;

@@ -52,15 +52,15 @@ void OverlayPainter::path(const PinPath& path, bool selected, double now) {
     QColor colour = selected ? QColor(0x4a5bd4) : kInk;
     if (!selected) colour.setAlpha(150);
     haloLine(line, colour, selected ? 2 : 1.25, Qt::CustomDashLine);
-    m_painter.setPen(Qt::NoPen);
+    // Equal steps of time: filled where the shape has been already.
+    m_painter.setPen(QPen(colour, 1));
+    const double r = selected ? 2.8 : 2.2;
     double nextTick = std::ceil(path.times.front() * 10) / 10;
     for (int i = 0; i < line.size(); ++i) {
         if (path.times[i] < nextTick - 1e-9) continue;
         nextTick += 0.1;
-        QColor dot = colour;
-        if (path.times[i] > now + 1e-9) dot.setAlpha(dot.alpha() / 2);
-        m_painter.setBrush(dot);
-        m_painter.drawEllipse(line[i], selected ? 2.6 : 2, selected ? 2.6 : 2);
+        m_painter.setBrush(path.times[i] > now + 1e-9 ? QColor(Qt::white) : colour);
+        m_painter.drawEllipse(line[i], r, r);
     }
 }
 

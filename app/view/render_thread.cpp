@@ -113,7 +113,7 @@ QImage RenderThread::render(const RenderRequest& request, std::stop_token stop) 
     }
     QPainter painter(&image);
     painter.setTransform(request.view.matrix() * QTransform::fromScale(request.ratio, request.ratio));
-    if (request.map && request.picture) painter.setOpacity(0.85);
+    if (request.map && request.picture) painter.setOpacity(0.82);
     if (request.map || !request.picture) fillCells(painter, request);
     painter.setOpacity(1);
     painter.setRenderHint(QPainter::Antialiasing);

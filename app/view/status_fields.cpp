@@ -20,6 +20,7 @@ StatusFields::StatusFields(QStatusBar& bar, ShapeSession& session) : QObject(&ba
     bar.setSizeGripEnabled(false);
     m_hint->setContentsMargins(8, 0, 0, 0);
     bar.addWidget(m_hint, 1);
+    bar.setContentsMargins(0, 0, 12, 0);
     m_pointer = add(tr("Position"), tr("Where the pointer is, in the picture's pixels"), QStringLiteral("00000.0, 00000.0"));
     m_pinError = add(tr("Pin error"), tr("How far the worst pin is from where it should be"), tr("pin error %1 px").arg(QStringLiteral("0.00")));
     m_worst = add(tr("Worst distortion"), tr("The greatest length error of a triangle; 0 is none"), tr("worst %1").arg(QStringLiteral("0.000")));
@@ -37,6 +38,10 @@ QLabel* StatusFields::add(const QString& name, const QString& help, const QStrin
     label->setProperty("role", "second");
     m_bar.addPermanentWidget(label);
     return label;
+}
+
+void StatusFields::setVisible(bool visible) {
+    for (QLabel* label : {m_hint, m_pointer, m_pinError, m_worst, m_area, m_time}) label->setVisible(visible);
 }
 
 void StatusFields::setHint(const QString& hint) { m_hint->setText(hint); }

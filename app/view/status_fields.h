@@ -16,6 +16,8 @@ class StatusFields : public QObject {
   public:
     StatusFields(QStatusBar& bar, ShapeSession& session);
 
+    void setVisible(bool visible);
+
   public slots:
     void setHint(const QString& hint);
     void setPointer(double x, double y, bool inside);
