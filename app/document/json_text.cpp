@@ -1,5 +1,6 @@
 #include "app/document/json_text.h"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <vector>
@@ -32,13 +33,21 @@ class ParseGuard {
     std::vector<std::set<std::string>> m_keys;
 };
 
-/// The library's message without its prefix: "line 3, column 7: syntax error while …".
-std::string syntaxReason(const std::string& what) {
-    const std::string mark = "parse error at ";
-    const auto at = what.find(mark);
-    if (at != std::string::npos) return what.substr(at + mark.size());
-    const auto bracket = what.find("] ");
-    return bracket == std::string::npos ? what : what.substr(bracket + 2);
+/// "line 3, column 7": where the parser had come to when it had read that many bytes.
+std::string placeOf(const std::string& text, std::size_t bytes) {
+    const std::string_view before = std::string_view(text).substr(0, bytes == 0 ? 0 : bytes - 1);
+    const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+    const auto start = before.rfind('\n');
+    const std::size_t column = start == std::string_view::npos ? before.size() + 1 : before.size() - start;
+    return "line " + std::to_string(line) + ", column " + std::to_string(column);
+}
+
+/// The library's message without its prefix "[json.exception.parse_error.101] parse error at line 3, column
+/// 7: ".
+std::string bareReason(std::string what) {
+    if (what.starts_with('[')) what.erase(0, what.find("] ") + 2);
+    if (what.starts_with("parse error")) what.erase(0, what.find(": ") + 2);
+    return what;
 }
 
 class Printer {
@@ -124,14 +133,17 @@ Json parseJson(const std::string& text, const std::string& path) try {
         text, [&](int depth, Json::parse_event_t event, Json& value) { return guard(depth, event, value); });
 } catch (const InputError& error) {
     throw error.named(path);
+} catch (const Json::parse_error& error) {
+    throw InputError(path,
+                     "is not valid JSON: " + placeOf(text, error.byte) + ": " + bareReason(error.what()));
 } catch (const Json::exception& error) {
-    throw InputError(path, "is not valid JSON: " + syntaxReason(error.what()));
+    throw InputError(path, "is not valid JSON: " + bareReason(error.what()));
 }
 
 std::string prettyJson(const Json& json) try {
     return Printer().print(json);
 } catch (const Json::exception& error) {
-    throw InputError("has text that is not UTF-8: " + syntaxReason(error.what()));
+    throw InputError("has text that is not UTF-8: " + bareReason(error.what()));
 }
 
 }  // namespace wend

@@ -6,6 +6,7 @@
 #include <stop_token>
 #include <string>
 
+#include "core/assembly/back_end.h"
 #include "core/energy/distortion.h"
 #include "core/energy/material.h"
 #include "core/motion/handle.h"
@@ -13,7 +14,6 @@
 namespace wend {
 
 enum class Method { DormandPrince, RungeKutta4, Midpoint };
-enum class BackEndKind { Automatic, OpenCl, Cpu };
 
 struct IntegrationOptions {
     Method method = Method::DormandPrince;

@@ -18,7 +18,7 @@ enum class Ease { Linear, In, Out, InOut };
 
 template <int Dim>
 struct Translate {
-    Vec<Dim> by;
+    Vec<Dim> by = Vec<Dim>::Zero();
 };
 /// Counter-clockwise in the coordinates' own axes (x towards y); the axis is used in 3D only.
 template <int Dim>
