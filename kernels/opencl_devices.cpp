@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "core/meshing/child_process.h"
+#include "core/mesh/child_process.h"
 
 namespace wend {
 namespace {

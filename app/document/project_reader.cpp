@@ -43,6 +43,7 @@ void readPolygons(const JsonValue& value, Domain& domain) {
 void readAlpha(JsonObject& object, AlphaOutlineOptions& alpha) {
     if (auto value = object.find("threshold")) alpha.threshold = value->number("domain.outline.threshold");
     if (auto value = object.find("margin")) alpha.margin = value->number("domain.outline.margin");
+    if (auto value = object.find("gap")) alpha.gap = value->number("domain.outline.gap");
     if (auto value = object.find("smallest")) alpha.smallest = value->number("domain.outline.smallest");
     if (auto value = object.find("simplify")) alpha.simplify = value->number("domain.outline.simplify");
 }

@@ -68,6 +68,7 @@ Json outlineJson(const Domain& domain) {
     Json json{{"from", "alpha"},
               {"threshold", number(domain.alpha.threshold)},
               {"margin", number(domain.alpha.margin)}};
+    if (domain.alpha.gap != defaults.gap) json["gap"] = number(domain.alpha.gap);
     if (domain.alpha.smallest != defaults.smallest) json["smallest"] = number(domain.alpha.smallest);
     if (domain.alpha.simplify != defaults.simplify) json["simplify"] = number(domain.alpha.simplify);
     return json;

@@ -107,6 +107,7 @@ class TestProject : public QObject {
         QCOMPARE(defaultOf("domain.vertices"), domain.vertices);
         QCOMPARE(defaultOf("domain.outline.threshold"), domain.alpha.threshold);
         QCOMPARE(defaultOf("domain.outline.margin"), domain.alpha.margin);
+        QCOMPARE(defaultOf("domain.outline.gap"), domain.alpha.gap);
         QCOMPARE(defaultOf("domain.outline.smallest"), domain.alpha.smallest);
         QCOMPARE(defaultOf("domain.outline.simplify"), domain.alpha.simplify);
         QCOMPARE(defaultOf("domain.quality"), domain.quality);

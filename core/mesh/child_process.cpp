@@ -1,4 +1,4 @@
-#include "core/meshing/child_process.h"
+#include "core/mesh/child_process.h"
 
 #include <fcntl.h>
 #include <poll.h>
