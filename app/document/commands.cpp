@@ -12,11 +12,17 @@ ProjectCommand::ProjectCommand(Document& document, const QString& name, std::sha
       m_after(std::move(after)),
       m_mergeKey(mergeKey) {}
 
-void ProjectCommand::undo() { m_document.setProject(m_before); }
+void ProjectCommand::undo() {
+    m_document.setProject(m_before);
+}
 
-void ProjectCommand::redo() { m_document.setProject(m_after); }
+void ProjectCommand::redo() {
+    m_document.setProject(m_after);
+}
 
-int ProjectCommand::id() const { return m_mergeKey.isEmpty() ? -1 : 1; }
+int ProjectCommand::id() const {
+    return m_mergeKey.isEmpty() ? -1 : 1;
+}
 
 bool ProjectCommand::mergeWith(const QUndoCommand* next) {
     const auto* other = static_cast<const ProjectCommand*>(next);

@@ -9,8 +9,8 @@ namespace wend {
 
 class Document;
 
-/// One gesture: the project before and after it. Redo and undo set the value, so doing either twice changes nothing.
-/// Commands of the same merge key that follow each other become one.
+/// One gesture: the project before and after it. Redo and undo set the value, so doing either twice changes
+/// nothing. Commands of the same merge key that follow each other become one.
 class ProjectCommand : public QUndoCommand {
   public:
     ProjectCommand(Document& document, const QString& name, std::shared_ptr<const Project> before,

@@ -10,7 +10,9 @@ Document::Document(QObject* parent) : QObject(parent) {
     connect(&m_undo, &QUndoStack::cleanChanged, this, &Document::titleChanged);
 }
 
-QString Document::folder() const { return QFileInfo(m_path.isEmpty() ? m_source : m_path).absolutePath(); }
+QString Document::folder() const {
+    return QFileInfo(m_path.isEmpty() ? m_source : m_path).absolutePath();
+}
 
 QString Document::displayName() const {
     if (!m_path.isEmpty()) return QFileInfo(m_path).fileName();
@@ -29,7 +31,9 @@ void Document::open(OpenedFile file) {
     emit titleChanged();
 }
 
-void Document::close() { open({}); }
+void Document::close() {
+    open({});
+}
 
 void Document::save(const QString& path) {
     const QString absolute = QFileInfo(path).absoluteFilePath();

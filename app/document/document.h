@@ -14,12 +14,13 @@ namespace wend {
 struct OpenedFile {
     std::shared_ptr<const Project> project;
     std::shared_ptr<const Image> picture;
-    QString path;             // of the project file; empty if a picture or mesh was opened
-    QString source;           // the file that was opened
+    QString path;    // of the project file; empty if a picture or mesh was opened
+    QString source;  // the file that was opened
     QStringList warnings;
 };
 
-/// The project that is being worked on, as an immutable value that undo commands exchange. Two-dimensional only.
+/// The project that is being worked on, as an immutable value that undo commands exchange. Two-dimensional
+/// only.
 class Document : public QObject {
     Q_OBJECT
 

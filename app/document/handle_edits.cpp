@@ -10,8 +10,12 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-Design<2>& design(Project& project) { return std::get<Design<2>>(project.design); }
-const Design<2>& design(const Project& project) { return std::get<Design<2>>(project.design); }
+Design<2>& design(Project& project) {
+    return std::get<Design<2>>(project.design);
+}
+const Design<2>& design(const Project& project) {
+    return std::get<Design<2>>(project.design);
+}
 
 /// Times in [start, start + 1] in proportion to the length of the path.
 std::vector<double> timesByLength(const std::vector<Vec<2>>& path, double start) {
@@ -66,25 +70,46 @@ bool samePoints(const std::vector<Vec<2>>& a, const std::vector<Vec<2>>& b) {
     return sameList(a, b, [](const Vec<2>& p, const Vec<2>& q) { return p == q; });
 }
 
-bool same(const Polygon& a, const Polygon& b) { return samePoints(a.points, b.points); }
-bool same(const Ball<2>& a, const Ball<2>& b) { return a.centre == b.centre && a.radius == b.radius; }
-bool same(const Box<2>& a, const Box<2>& b) { return a.min == b.min && a.max == b.max; }
-bool same(const HalfSpace<2>& a, const HalfSpace<2>& b) { return a.point == b.point && a.normal == b.normal; }
-bool same(const Blend<2>& a, const Blend<2>& b) { return a.from == b.from && a.to == b.to; }
-bool same(const Translate<2>& a, const Translate<2>& b) { return a.by == b.by; }
-bool same(const Rotate<2>& a, const Rotate<2>& b) { return a.centre == b.centre && a.angle == b.angle; }
+bool same(const Polygon& a, const Polygon& b) {
+    return samePoints(a.points, b.points);
+}
+bool same(const Ball<2>& a, const Ball<2>& b) {
+    return a.centre == b.centre && a.radius == b.radius;
+}
+bool same(const Box<2>& a, const Box<2>& b) {
+    return a.min == b.min && a.max == b.max;
+}
+bool same(const HalfSpace<2>& a, const HalfSpace<2>& b) {
+    return a.point == b.point && a.normal == b.normal;
+}
+bool same(const Blend<2>& a, const Blend<2>& b) {
+    return a.from == b.from && a.to == b.to;
+}
+bool same(const Translate<2>& a, const Translate<2>& b) {
+    return a.by == b.by;
+}
+bool same(const Rotate<2>& a, const Rotate<2>& b) {
+    return a.centre == b.centre && a.angle == b.angle;
+}
 bool same(const CurveMotion<2>& a, const CurveMotion<2>& b) {
     return a.interpolation == b.interpolation && samePoints(a.points, b.points) && a.frame == b.frame &&
            a.twist == b.twist && a.scale == b.scale;
 }
-bool same(const Recorded<2>& a, const Recorded<2>& b) { return a.times == b.times && samePoints(a.points, b.points); }
-bool same(const std::vector<int>& a, const std::vector<int>& b) { return a == b; }
-bool same(const std::vector<Vec<2>>& a, const std::vector<Vec<2>>& b) { return samePoints(a, b); }
+bool same(const Recorded<2>& a, const Recorded<2>& b) {
+    return a.times == b.times && samePoints(a.points, b.points);
+}
+bool same(const std::vector<int>& a, const std::vector<int>& b) {
+    return a == b;
+}
+bool same(const std::vector<Vec<2>>& a, const std::vector<Vec<2>>& b) {
+    return samePoints(a, b);
+}
 
 template <class... T>
 bool same(const std::variant<T...>& a, const std::variant<T...>& b) {
     if (a.index() != b.index()) return false;
-    return std::visit([&b](const auto& value) { return same(value, std::get<std::decay_t<decltype(value)>>(b)); }, a);
+    return std::visit(
+        [&b](const auto& value) { return same(value, std::get<std::decay_t<decltype(value)>>(b)); }, a);
 }
 
 bool sameMotion(const Motion<2>& a, const Motion<2>& b) {
@@ -105,12 +130,17 @@ double firstDifference(const Handle<2>& a, const Handle<2>& b) {
 }  // namespace
 
 bool hasMotion(const Design<2>& design) {
-    return std::any_of(design.handles.begin(), design.handles.end(), [](const auto& h) { return !h.motions.empty(); });
+    return std::any_of(design.handles.begin(), design.handles.end(),
+                       [](const auto& h) { return !h.motions.empty(); });
 }
 
-double motionEnd(const Project& project) { return hasMotion(design(project)) ? project.end : 0; }
+double motionEnd(const Project& project) {
+    return hasMotion(design(project)) ? project.end : 0;
+}
 
-bool isActive(const Handle<2>& handle, double t) { return handle.activeFrom <= t && t < handle.activeTo; }
+bool isActive(const Handle<2>& handle, double t) {
+    return handle.activeFrom <= t && t < handle.activeTo;
+}
 
 std::string freePinName(const Design<2>& design) {
     std::set<std::string> taken;

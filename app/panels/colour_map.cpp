@@ -12,14 +12,18 @@ namespace {
 using Stops = std::array<std::array<int, 3>, 6>;
 
 // Lightness falls evenly (CIE L* 95, 78, 60, 42, 25, 8): what is kept stays light.
-constexpr Stops kMagnitude = {{{253, 248, 208}, {250, 176, 72}, {226, 94, 66}, {160, 44, 100}, {86, 22, 112}, {22, 10, 52}}};
+constexpr Stops kMagnitude = {
+    {{253, 248, 208}, {250, 176, 72}, {226, 94, 66}, {160, 44, 100}, {86, 22, 112}, {22, 10, 52}}};
 // Blue and orange of equal lightness on both sides of a light middle.
-constexpr Stops kDiverging = {{{20, 68, 140}, {84, 144, 205}, {205, 223, 238}, {245, 224, 200}, {230, 140, 60}, {150, 66, 8}}};
+constexpr Stops kDiverging = {
+    {{20, 68, 140}, {84, 144, 205}, {205, 223, 238}, {245, 224, 200}, {230, 140, 60}, {150, 66, 8}}};
 
 QRgb between(const Stops& stops, double position) {
     const double x = std::clamp(position, 0.0, 1.0) * (stops.size() - 1);
     const int i = std::min(static_cast<int>(x), static_cast<int>(stops.size()) - 2);
-    const auto mix = [&](int k) { return static_cast<int>(std::lround(stops[i][k] + (x - i) * (stops[i + 1][k] - stops[i][k]))); };
+    const auto mix = [&](int k) {
+        return static_cast<int>(std::lround(stops[i][k] + (x - i) * (stops[i + 1][k] - stops[i][k])));
+    };
     return qRgb(mix(0), mix(1), mix(2));
 }
 
@@ -27,9 +31,12 @@ QRgb between(const Stops& stops, double position) {
 
 const std::vector<double>& valuesOf(const Distortion& distortion, Measure measure) {
     switch (measure) {
-        case Measure::Angle: return distortion.angle;
-        case Measure::Area: return distortion.ratio;
-        case Measure::Length: break;
+        case Measure::Angle:
+            return distortion.angle;
+        case Measure::Area:
+            return distortion.ratio;
+        case Measure::Length:
+            break;
     }
     return distortion.metric;
 }
@@ -37,8 +44,10 @@ const std::vector<double>& valuesOf(const Distortion& distortion, Measure measur
 MeasureRange rangeOf(const std::vector<double>& values, Measure measure) {
     if (values.empty()) return measure == Measure::Area ? MeasureRange{0.9, 1 / 0.9} : MeasureRange{0, 0.01};
     std::vector<double> sizes;
-    for (const double v : values) sizes.push_back(measure == Measure::Area ? std::abs(std::log(std::max(v, 1e-6))) : v);
-    const auto nth = sizes.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(sizes.size() - 1));
+    for (const double v : values)
+        sizes.push_back(measure == Measure::Area ? std::abs(std::log(std::max(v, 1e-6))) : v);
+    const auto nth =
+        sizes.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(sizes.size() - 1));
     std::nth_element(sizes.begin(), nth, sizes.end());
     if (measure != Measure::Area) return {0, std::max(*nth, 0.01)};
     const double span = std::max(*nth, 0.02);
@@ -62,9 +71,12 @@ QRgb colourAt(Measure measure, double position) {
 
 QString measureName(Measure measure) {
     switch (measure) {
-        case Measure::Angle: return QCoreApplication::translate("Measure", "Angle");
-        case Measure::Area: return QCoreApplication::translate("Measure", "Area");
-        case Measure::Length: break;
+        case Measure::Angle:
+            return QCoreApplication::translate("Measure", "Angle");
+        case Measure::Area:
+            return QCoreApplication::translate("Measure", "Area");
+        case Measure::Length:
+            break;
     }
     return QCoreApplication::translate("Measure", "Length");
 }

@@ -24,8 +24,9 @@ MeasureRange rangeOf(const std::vector<double>& values, Measure measure);
 double positionIn(const MeasureRange& range, Measure measure, double value);
 double valueAt(const MeasureRange& range, Measure measure, double position);
 
-/// A colour for a position in [0, 1]: for errors a scale of even perceived steps from light yellow over red to dark
-/// violet; for the ratio blue (shrunk), near white (kept) and orange (grown). Both are safe for colour-blind eyes.
+/// A colour for a position in [0, 1]: for errors a scale of even perceived steps from light yellow over red
+/// to dark violet; for the ratio blue (shrunk), near white (kept) and orange (grown). Both are safe for
+/// colour-blind eyes.
 QRgb colourAt(Measure measure, double position);
 
 QString measureName(Measure measure);

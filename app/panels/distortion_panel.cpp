@@ -37,12 +37,16 @@ void DistortionPanel::makeControls() {
     for (const Measure measure : {Measure::Length, Measure::Area, Measure::Angle})
         m_measure->addItem(measureName(measure), static_cast<int>(measure));
     m_measure->setFixedWidth(116);
-    describe(m_measure, tr("Distortion map"), tr("Which error is coloured over the shape: of lengths, of areas or of angles."));
+    describe(m_measure, tr("Distortion map"),
+             tr("Which error is coloured over the shape: of lengths, of areas or of angles."));
     m_lock->setCheckable(true);
     m_lock->setText(tr("Lock range"));
-    describe(m_lock, tr("Lock range"), tr("Keep the colours' range, to compare different shapes and energies."));
+    describe(m_lock, tr("Lock range"),
+             tr("Keep the colours' range, to compare different shapes and energies."));
     m_find->setText(tr("Show"));
-    describe(m_find, tr("Show the worst place"), tr("Brings the most distorted triangle into view; it is ringed in the map."));
+    for (QToolButton* button : {m_lock, m_find}) button->setProperty("role", "chip");
+    describe(m_find, tr("Show the worst place"),
+             tr("Brings the most distorted triangle into view; it is ringed in the map."));
 }
 
 void DistortionPanel::arrange() {
@@ -64,8 +68,10 @@ void DistortionPanel::arrange() {
         totals->addWidget(label, row, 0);
         totals->addWidget(value, row++, 1, Qt::AlignRight);
     };
-    add(tr("Angle error"), m_angle, tr("Sum over the shape of σ₁/σ₂ + σ₂/σ₁ − 2: zero if all angles are kept."));
-    add(tr("Area error"), m_area, tr("Sum over the shape of σ₁σ₂ + 1/(σ₁σ₂) − 2: zero if all areas are kept."));
+    add(tr("Angle error"), m_angle,
+        tr("Sum over the shape of σ₁/σ₂ + σ₂/σ₁ − 2: zero if all angles are kept."));
+    add(tr("Area error"), m_area,
+        tr("Sum over the shape of σ₁σ₂ + 1/(σ₁σ₂) − 2: zero if all areas are kept."));
     add(tr("Length error"), m_length, tr("How far lengths are from those at rest: zero for a rigid motion."));
     add(tr("Worst place"), m_worst, tr("Area of the most distorted triangle against rest."));
     layout->addLayout(totals);
@@ -76,7 +82,9 @@ void DistortionPanel::arrange() {
     layout->addLayout(buttons);
 }
 
-Measure DistortionPanel::measure() const { return static_cast<Measure>(m_measure->currentData().toInt()); }
+Measure DistortionPanel::measure() const {
+    return static_cast<Measure>(m_measure->currentData().toInt());
+}
 
 void DistortionPanel::takeFrame() {
     const FramePtr& frame = m_session.frame();

@@ -10,19 +10,28 @@ namespace wend {
 
 namespace {
 
-QString said(const char* text) { return QCoreApplication::translate("EnergyScale", text); }
+QString said(const char* text) {
+    return QCoreApplication::translate("EnergyScale", text);
+}
 
 }  // namespace
 
 EnergyScale::EnergyScale() {
-    m_stops[0] = {phi::kEquia, said(QT_TRANSLATE_NOOP("EnergyScale", "Area")),
-                  said(QT_TRANSLATE_NOOP("EnergyScale", "Keeps area: parts neither grow nor shrink. Angles and lengths give way."))};
+    m_stops[0] = {
+        phi::kEquia, said(QT_TRANSLATE_NOOP("EnergyScale", "Area")),
+        said(QT_TRANSLATE_NOOP("EnergyScale",
+                               "Keeps area: parts neither grow nor shrink. Angles and lengths give way."))};
     m_stops[1] = {phi::kMetr, said(QT_TRANSLATE_NOOP("EnergyScale", "Length")),
-                  said(QT_TRANSLATE_NOOP("EnergyScale", "Keeps lengths best: a balance of area and angle. A good start for most pictures."))};
+                  said(QT_TRANSLATE_NOOP(
+                      "EnergyScale",
+                      "Keeps lengths best: a balance of area and angle. A good start for most pictures."))};
     m_stops[2] = {phi::kAkvf, said(QT_TRANSLATE_NOOP("EnergyScale", "Rigid")),
-                  said(QT_TRANSLATE_NOOP("EnergyScale", "Turns parts as if they were stiff. Area gives way where parts bend."))};
-    m_stops[3] = {phi::conformal(2), said(QT_TRANSLATE_NOOP("EnergyScale", "Angle")),
-                  said(QT_TRANSLATE_NOOP("EnergyScale", "Keeps angles: small details keep their form. Parts may grow or shrink a lot."))};
+                  said(QT_TRANSLATE_NOOP(
+                      "EnergyScale", "Turns parts as if they were stiff. Area gives way where parts bend."))};
+    m_stops[3] = {
+        phi::conformal(2), said(QT_TRANSLATE_NOOP("EnergyScale", "Angle")),
+        said(QT_TRANSLATE_NOOP(
+            "EnergyScale", "Keeps angles: small details keep their form. Parts may grow or shrink a lot."))};
 }
 
 double EnergyScale::phiAt(double position) const {

@@ -5,8 +5,9 @@
 
 namespace wend {
 
-/// The scale of the energy slider: four named energies at 0, 1, 2 and 3, φ linear between neighbours. What an energy keeps changes
-/// fast in φ near Area and slowly near Angle; equal parts between the named ones make it even to the eye.
+/// The scale of the energy slider: four named energies at 0, 1, 2 and 3, φ linear between neighbours. What an
+/// energy keeps changes fast in φ near Area and slowly near Angle; equal parts between the named ones make it
+/// even to the eye.
 struct EnergyStop {
     double phi;
     QString name;       // what is kept

@@ -17,7 +17,9 @@ constexpr int kStepsPerStop = 1000;
 constexpr int kSnap = 45;
 constexpr int kHandle = 16;
 
-int nearestStop(int value) { return static_cast<int>(std::lround(static_cast<double>(value) / kStepsPerStop)); }
+int nearestStop(int value) {
+    return static_cast<int>(std::lround(static_cast<double>(value) / kStepsPerStop));
+}
 
 int snapped(int value) {
     const int stop = nearestStop(value) * kStepsPerStop;
@@ -26,7 +28,8 @@ int snapped(int value) {
 
 }  // namespace
 
-EnergySlider::EnergySlider(QWidget* parent) : QWidget(parent), m_slider(new QSlider(Qt::Horizontal, this)), m_phi(0) {
+EnergySlider::EnergySlider(QWidget* parent)
+    : QWidget(parent), m_slider(new QSlider(Qt::Horizontal, this)), m_phi(0) {
     m_slider->setObjectName(QStringLiteral("energySlider"));
     m_slider->setRange(0, (EnergyScale::kStops - 1) * kStepsPerStop);
     m_slider->setSingleStep(50);
@@ -53,8 +56,10 @@ EnergySlider::EnergySlider(QWidget* parent) : QWidget(parent), m_slider(new QSli
 }
 
 QString EnergySlider::helpText() const {
-    return tr("What the shape keeps when it has to give way. From Area over Length and Rigid to Angle the error moves from angles "
-              "to areas. Between two names the energy changes evenly.");
+    return tr(
+        "What the shape keeps when it has to give way. From Area over Length and Rigid to Angle the error "
+        "moves from angles "
+        "to areas. Between two names the energy changes evenly.");
 }
 
 void EnergySlider::choose(int value) {
@@ -63,7 +68,8 @@ void EnergySlider::choose(int value) {
         const QSignalBlocker quiet(m_slider);
         m_slider->setValue(at);
     }
-    const double chosen = m_scale.phiAt(static_cast<double>(m_slider->isSliderDown() ? at : value) / kStepsPerStop);
+    const double chosen =
+        m_scale.phiAt(static_cast<double>(m_slider->isSliderDown() ? at : value) / kStepsPerStop);
     if (chosen == m_phi) return;
     setPhi(chosen);
     emit phiChosen(chosen, m_gesture);
@@ -97,7 +103,9 @@ QSize EnergySlider::sizeHint() const {
     return {220, kHandle + 8 + m_labels[0]->sizeHint().height()};
 }
 
-void EnergySlider::resizeEvent(QResizeEvent*) { placeLabels(); }
+void EnergySlider::resizeEvent(QResizeEvent*) {
+    placeLabels();
+}
 
 void EnergySlider::paintEvent(QPaintEvent*) {
     QPainter painter(this);

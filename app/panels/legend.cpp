@@ -19,13 +19,16 @@ Legend::Legend(QWidget* parent) : QWidget(parent) {
     setAccessibleName(tr("Legend"));
 }
 
-QSize Legend::sizeHint() const { return {160, kBar + 4 + fontMetrics().height()}; }
+QSize Legend::sizeHint() const {
+    return {160, kBar + 4 + fontMetrics().height()};
+}
 
 void Legend::set(Measure measure, const MeasureRange& range) {
     m_measure = measure;
     m_range = range;
-    setAccessibleDescription(tr("%1: from %2 to %3")
-                                 .arg(measureName(measure), measureText(measure, range.low), measureText(measure, range.high)));
+    setAccessibleDescription(
+        tr("%1: from %2 to %3")
+            .arg(measureName(measure), measureText(measure, range.low), measureText(measure, range.high)));
     update();
 }
 

@@ -34,7 +34,8 @@ void MaterialPanel::makeControls() {
     m_phi->setSuffix(tr(" rad"));
     m_phi->setFixedWidth(116);
     describe(m_phi, tr("Energy φ"),
-             tr("The same choice as a number, as it stands in the project file: 0.002 keeps area, 0.464 length, 1.571 is rigid, "
+             tr("The same choice as a number, as it stands in the project file: 0.002 keeps area, 0.464 "
+                "length, 1.571 is rigid, "
                 "2.678 keeps angles."));
     m_smoothing->setRange(0, 0.5);
     m_smoothing->setDecimals(3);
@@ -42,7 +43,8 @@ void MaterialPanel::makeControls() {
     m_smoothing->setFixedWidth(116);
     m_smoothing->setSpecialValueText(tr("none"));
     describe(m_smoothing, tr("Smoothing length"),
-             tr("How far a pin's pull is spread, as a part of the shape's diagonal. Small: close to the pin, sharp. Large: soft and "
+             tr("How far a pin's pull is spread, as a part of the shape's diagonal. Small: close to the pin, "
+                "sharp. Large: soft and "
                 "wide."));
     m_help->setMinimumHeight(3 * m_help->fontMetrics().lineSpacing());
     m_help->setAlignment(Qt::AlignTop);
@@ -58,12 +60,14 @@ void MaterialPanel::showProject() {
     m_smoothing->setValue(material.smoothing.kind == SmoothingKind::None ? 0 : material.smoothing.length);
     const bool paper = material.smoothing.kind == SmoothingKind::Paper;
     m_smoothing->setEnabled(!paper);
-    if (paper) m_smoothing->setToolTip(tr("This project smooths as in the paper, with λ; its file says how much."));
+    if (paper)
+        m_smoothing->setToolTip(tr("This project smooths as in the paper, with λ; its file says how much."));
     const EnergyScale& scale = m_slider->scale();
     const int stop = scale.stopAt(material.phi);
     const int below = static_cast<int>(scale.positionOf(material.phi));
-    m_help->setText(stop >= 0 ? scale.stops()[stop].shortHelp
-                              : tr("Between %1 and %2.").arg(scale.stops()[below].name, scale.stops()[below + 1].name));
+    m_help->setText(
+        stop >= 0 ? scale.stops()[stop].shortHelp
+                  : tr("Between %1 and %2.").arg(scale.stops()[below].name, scale.stops()[below + 1].name));
 }
 
 void MaterialPanel::choosePhi(double phi, int gesture) {

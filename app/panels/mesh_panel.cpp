@@ -15,7 +15,10 @@ namespace {
 constexpr int kFewest = 200, kMost = 100000;
 
 // The density slider is logarithmic: equal ways double the mesh equally.
-int sliderOf(int vertices) { return static_cast<int>(std::lround(1000 * std::log(vertices / double(kFewest)) / std::log(kMost / double(kFewest)))); }
+int sliderOf(int vertices) {
+    return static_cast<int>(
+        std::lround(1000 * std::log(vertices / double(kFewest)) / std::log(kMost / double(kFewest))));
+}
 int verticesOf(int slider) {
     const double exact = kFewest * std::pow(kMost / double(kFewest), slider / 1000.0);
     const double unit = std::pow(10, std::floor(std::log10(exact)) - 1);
@@ -45,7 +48,8 @@ void MeshPanel::makeControls() {
     m_outline->addItem(tr("Opaque part"), static_cast<int>(OutlineKind::Alpha));
     m_outline->addItem(tr("Whole picture"), static_cast<int>(OutlineKind::Frame));
     m_outline->setFixedWidth(150);
-    describe(m_outline, tr("Outline"), tr("What bends: only what is opaque in the picture, or the picture as a whole."));
+    describe(m_outline, tr("Outline"),
+             tr("What bends: only what is opaque in the picture, or the picture as a whole."));
     m_threshold->setRange(1, 99);
     m_threshold->setDecimals(0);
     m_threshold->setSuffix(tr(" %"));
@@ -55,14 +59,16 @@ void MeshPanel::makeControls() {
     m_margin->setDecimals(1);
     m_margin->setSuffix(tr(" px"));
     m_margin->setFixedWidth(116);
-    describe(m_margin, tr("Margin"), tr("The outline is grown by this much, so that soft edges come along whole."));
+    describe(m_margin, tr("Margin"),
+             tr("The outline is grown by this much, so that soft edges come along whole."));
     m_vertices->setRange(kFewest, kMost);
     m_vertices->setSingleStep(500);
     m_vertices->setGroupSeparatorShown(true);
     m_vertices->setAccelerated(true);
     m_vertices->setKeyboardTracking(false);
     m_vertices->setFixedWidth(116);
-    describe(m_vertices, tr("Vertices"), tr("How fine the mesh is. More vertices bend more smoothly and take longer."));
+    describe(m_vertices, tr("Vertices"),
+             tr("How fine the mesh is. More vertices bend more smoothly and take longer."));
     m_density->setRange(0, 1000);
     describe(m_density, tr("Mesh density"), m_vertices->statusTip());
 }
@@ -87,20 +93,23 @@ void MeshPanel::connectControls() {
         edit(tr("Change outline"), {}, [kind](Domain& domain) { domain.outline = kind; });
     });
     connect(m_threshold, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-        edit(tr("Change threshold"), QStringLiteral("threshold"), [value](Domain& d) { d.alpha.threshold = value / 100; });
+        edit(tr("Change threshold"), QStringLiteral("threshold"),
+             [value](Domain& d) { d.alpha.threshold = value / 100; });
     });
     connect(m_margin, &QDoubleSpinBox::valueChanged, this, [this](double value) {
         edit(tr("Change margin"), QStringLiteral("margin"), [value](Domain& d) { d.alpha.margin = value; });
     });
     const auto setVertices = [this](int count) {
-        edit(tr("Change mesh density"), QStringLiteral("vertices %1").arg(m_gesture), [count](Domain& domain) {
-            domain.vertices = count;
-            domain.edge = 0;
-        });
+        edit(tr("Change mesh density"), QStringLiteral("vertices %1").arg(m_gesture),
+             [count](Domain& domain) {
+                 domain.vertices = count;
+                 domain.edge = 0;
+             });
     };
     connect(m_vertices, &QSpinBox::valueChanged, this, setVertices);
     connect(m_density, &QSlider::sliderPressed, this, [this] { ++m_gesture; });
-    connect(m_density, &QSlider::valueChanged, this, [setVertices](int value) { setVertices(verticesOf(value)); });
+    connect(m_density, &QSlider::valueChanged, this,
+            [setVertices](int value) { setVertices(verticesOf(value)); });
 }
 
 template <class Edit>
@@ -144,8 +153,9 @@ void MeshPanel::showCounts() {
         return;
     }
     const QLocale locale;
-    m_counts->setText(tr("%1 vertices, %2 triangles")
-                          .arg(locale.toString(frame->rest->vertexCount()), locale.toString(frame->rest->cellCount())));
+    m_counts->setText(
+        tr("%1 vertices, %2 triangles")
+            .arg(locale.toString(frame->rest->vertexCount()), locale.toString(frame->rest->cellCount())));
 }
 
 }  // namespace wend

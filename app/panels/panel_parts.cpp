@@ -38,7 +38,8 @@ QHBoxLayout* panelRow(const QString& label, QWidget* control, QWidget* parent) {
 void describe(QWidget* widget, const QString& name, const QString& help) {
     widget->setAccessibleName(name);
     widget->setAccessibleDescription(help);
-    widget->setToolTip(QStringLiteral("<p><b>%1</b></p><p>%2</p>").arg(name.toHtmlEscaped(), help.toHtmlEscaped()));
+    widget->setToolTip(
+        QStringLiteral("<p><b>%1</b></p><p>%2</p>").arg(name.toHtmlEscaped(), help.toHtmlEscaped()));
     widget->setStatusTip(help);
 }
 

@@ -7,7 +7,8 @@
 
 namespace wend {
 
-/// The recurring parts of the properties on the right: a titled section, a labelled row, a quiet line of text.
+/// The recurring parts of the properties on the right: a titled section, a labelled row, a quiet line of
+/// text.
 QLabel* panelTitle(const QString& text, QWidget* parent);
 QLabel* secondLabel(const QString& text, QWidget* parent);
 QFrame* panelLine(QWidget* parent);

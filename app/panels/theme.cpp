@@ -68,7 +68,8 @@ QByteArray recoloured(const QByteArray& svg, const QColor& colour) {
     return result;
 }
 
-void addPixmaps(QIcon& icon, const QByteArray& svg, const QColor& colour, QIcon::Mode mode, QIcon::State state) {
+void addPixmaps(QIcon& icon, const QByteArray& svg, const QColor& colour, QIcon::Mode mode,
+                QIcon::State state) {
     QSvgRenderer renderer(recoloured(svg, colour));
     for (const int size : {16, 20, 24, 32, 40, 48, 64, 72, 96}) {
         QPixmap pixmap(size, size);
@@ -120,6 +121,7 @@ QString wendStyleSheet(const QPalette& palette) {
     set("@line", theme.line);
     set("@second", theme.secondText);
     set("@window", palette.color(QPalette::Window));
+    set("@handle", theme.dark ? QColor(0xd5d7e0) : QColor(0xffffff));
     set("@base", palette.color(QPalette::Base));
     set("@button", palette.color(QPalette::Button));
     set("@text", palette.color(QPalette::WindowText));
@@ -137,7 +139,8 @@ QIcon wendIcon(const QString& name, const QPalette& palette) {
     addPixmaps(icon, svg, palette.color(QPalette::WindowText), QIcon::Normal, QIcon::Off);
     addPixmaps(icon, svg, on, QIcon::Normal, QIcon::On);
     for (const auto state : {QIcon::Off, QIcon::On})
-        addPixmaps(icon, svg, palette.color(QPalette::Disabled, QPalette::WindowText), QIcon::Disabled, state);
+        addPixmaps(icon, svg, palette.color(QPalette::Disabled, QPalette::WindowText), QIcon::Disabled,
+                   state);
     return icon;
 }
 

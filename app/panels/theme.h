@@ -10,11 +10,11 @@ namespace wend {
 /// Colours of the window beyond what a palette holds; light and dark follow the desktop's palette.
 struct Theme {
     bool dark = false;
-    QColor workspace;   // around the picture
+    QColor workspace;  // around the picture
     QColor checkerA, checkerB;
     QColor accent;
     QColor secondText;
-    QColor line;        // hairlines between areas
+    QColor line;  // hairlines between areas
     QColor warning;
 
     static Theme of(const QPalette& palette);
@@ -27,7 +27,8 @@ QPalette wendPalette(Appearance appearance, const QPalette& system);
 /// Shapes of controls, in the colours of the palette.
 QString wendStyleSheet(const QPalette& palette);
 
-/// An icon of resources/icons, drawn in the palette's colours for normal, disabled and checked state, sharp at every scale.
+/// An icon of resources/icons, drawn in the palette's colours for normal, disabled and checked state, sharp
+/// at every scale.
 QIcon wendIcon(const QString& name, const QPalette& palette);
 
 }  // namespace wend

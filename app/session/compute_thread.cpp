@@ -19,8 +19,10 @@ void ComputeThread::loop(std::stop_token stop) {
     while (!stop.stop_requested()) {
         const bool idle = !m_pass.isSet() || m_pass.isFinished() || m_live;
         try {
-            if (const auto request = m_mailbox.take(idle, stop)) handle(*request, stop);
-            else if (!idle) runPass(m_mailbox.interruption());
+            if (const auto request = m_mailbox.take(idle, stop))
+                handle(*request, stop);
+            else if (!idle)
+                runPass(m_mailbox.interruption());
         } catch (const std::exception& error) {
             m_pass.clear();
             m_live.reset();
@@ -107,7 +109,8 @@ void ComputeThread::emitFinished() {
     emit finished(m_pass.state().time, QString::fromStdString(m_pass.result().message));
 }
 
-std::shared_ptr<ShapeFrame> ComputeThread::makeFrame(double time, const Points<2>& pose, double pinError) const {
+std::shared_ptr<ShapeFrame> ComputeThread::makeFrame(double time, const Points<2>& pose,
+                                                     double pinError) const {
     auto frame = std::make_shared<ShapeFrame>();
     frame->time = time;
     frame->rest = m_shape.rest;

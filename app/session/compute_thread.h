@@ -12,8 +12,8 @@
 
 namespace wend {
 
-/// The one thread that meshes and solves for the window. Requests go in through a mailbox; frames come out as signals, which
-/// Qt queues to the receiver's thread.
+/// The one thread that meshes and solves for the window. Requests go in through a mailbox; frames come out as
+/// signals, which Qt queues to the receiver's thread.
 class ComputeThread : public QObject {
     Q_OBJECT
 
@@ -56,7 +56,7 @@ class ComputeThread : public QObject {
         double end = 0;  // of the project that the drag makes
     };
     std::optional<Preview> m_preview;  // where the last drag ended, until its exact motion is there
-    std::jthread m_thread;  // the last member: it stops before the others go
+    std::jthread m_thread;             // the last member: it stops before the others go
 };
 
 }  // namespace wend

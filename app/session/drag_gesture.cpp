@@ -23,7 +23,9 @@ void DragGesture::follow(const ShapeFrame& live) {
     m_stopped = live.stopped;
 }
 
-Vec<2> DragGesture::offset() const { return m_stopped ? m_samples[m_followed].offset : m_samples.back().offset; }
+Vec<2> DragGesture::offset() const {
+    return m_stopped ? m_samples[m_followed].offset : m_samples.back().offset;
+}
 
 std::vector<Vec<2>> DragGesture::path(double tolerance) const {
     std::vector<Vec<2>> points;

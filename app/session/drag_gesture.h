@@ -6,7 +6,8 @@
 
 namespace wend {
 
-/// The samples of the pointer while pins are dragged. Where the shape could not follow, the path ends at what was reached.
+/// The samples of the pointer while pins are dragged. Where the shape could not follow, the path ends at what
+/// was reached.
 class DragGesture {
   public:
     DragGesture(std::vector<int> handles, std::vector<Vec<2>> starts);

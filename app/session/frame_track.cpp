@@ -8,7 +8,9 @@ namespace {
 
 constexpr double kSameTime = 1e-9;
 
-bool before(const FramePtr& frame, double time) { return frame->time < time; }
+bool before(const FramePtr& frame, double time) {
+    return frame->time < time;
+}
 
 }  // namespace
 

@@ -30,7 +30,8 @@ std::vector<Handle<2>> still(std::vector<Handle<2>> handles) {
 
 }  // namespace
 
-LiveDrag::LiveDrag(const BuiltShape& shape, std::vector<Handle<2>> handles, std::vector<int> dragged, const Points<2>& pose)
+LiveDrag::LiveDrag(const BuiltShape& shape, std::vector<Handle<2>> handles, std::vector<int> dragged,
+                   const Points<2>& pose)
     : m_diagonal(boundingBoxDiagonal<2>(shape.rest->points)),
       m_handles(still(std::move(handles))),
       m_dragged(std::move(dragged)),

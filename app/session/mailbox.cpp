@@ -23,7 +23,8 @@ bool mergeInto(Request& last, const Request& next) {
 void Mailbox::post(Request request) {
     {
         const std::lock_guard lock(m_mutex);
-        if (m_requests.empty() || !mergeInto(m_requests.back(), request)) m_requests.push_back(std::move(request));
+        if (m_requests.empty() || !mergeInto(m_requests.back(), request))
+            m_requests.push_back(std::move(request));
         m_interruption.request_stop();
     }
     m_arrived.notify_one();

@@ -27,7 +27,8 @@ struct EndDrag {
 };
 using Request = std::variant<SetShape, BeginDrag, DragTo, EndDrag>;
 
-/// Holds the newest request of each kind: a shape replaces the one before it, targets of a drag are put together.
+/// Holds the newest request of each kind: a shape replaces the one before it, targets of a drag are put
+/// together.
 class Mailbox {
   public:
     void post(Request request);

@@ -14,7 +14,9 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kFramesPerUnit = 24;
 constexpr int kMostFrames = 480;
 
-const Design<2>& designOf(const Project& project) { return std::get<Design<2>>(project.design); }
+const Design<2>& designOf(const Project& project) {
+    return std::get<Design<2>>(project.design);
+}
 
 bool sameIntegration(const IntegrationOptions& a, const IntegrationOptions& b) {
     return a.method == b.method && a.tolerance == b.tolerance && a.steps == b.steps &&
@@ -62,8 +64,10 @@ void MotionPass::begin(const Sink& sink) {
     IntegrationOptions options = m_project->integration;
     options.end = m_project->end;
     m_deformer.emplace(m_shape.rest, m_shape.material, handles, options);
-    if (m_cache.last()) m_deformer->restore(*m_cache.last());
-    else m_cache.add(m_deformer->state());
+    if (m_cache.last())
+        m_deformer->restore(*m_cache.last());
+    else
+        m_cache.add(m_deformer->state());
 }
 
 double MotionPass::nextBorder(double time) const {

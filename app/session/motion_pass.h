@@ -7,9 +7,9 @@
 
 namespace wend {
 
-/// The whole motion of a project at final quality, computed once and continued where it changes. Stops at the borders of the
-/// motions' windows, which the integrator never crosses anyway, and keeps the states there: the result is the same bits as one
-/// run from the start.
+/// The whole motion of a project at final quality, computed once and continued where it changes. Stops at the
+/// borders of the motions' windows, which the integrator never crosses anyway, and keeps the states there:
+/// the result is the same bits as one run from the start.
 class MotionPass {
   public:
     struct Sink {

@@ -12,16 +12,22 @@ namespace wend {
 
 namespace {
 
-QString said(const char* text) { return QCoreApplication::translate("Opening", text); }
+QString said(const char* text) {
+    return QCoreApplication::translate("Opening", text);
+}
 
-[[noreturn]] void refuse(const QString& path, const QString& why) { throw InputError(path.toStdString(), why.toStdString()); }
+[[noreturn]] void refuse(const QString& path, const QString& why) {
+    throw InputError(path.toStdString(), why.toStdString());
+}
 
 bool hasExtension(const QString& path, const QString& patterns) {
     return patterns.split(' ').contains(QStringLiteral("*.") + QFileInfo(path).suffix().toLower());
 }
 
-const char* const kVolumeLater = QT_TRANSLATE_NOOP(
-    "Opening", "this is a solid; the window shows pictures and flat meshes so far. `wend run` and `wend mesh` work with solids.");
+const char* const kVolumeLater =
+    QT_TRANSLATE_NOOP("Opening",
+                      "this is a solid; the window shows pictures and flat meshes so far. `wend run` and "
+                      "`wend mesh` work with solids.");
 
 std::string absolute(const QString& folder, const std::string& file) {
     return file.empty() ? file : QDir(folder).absoluteFilePath(QString::fromStdString(file)).toStdString();
@@ -77,7 +83,9 @@ OpenedFile openMesh(const QString& path) {
     const MeshFile mesh = readMeshFile(path.toStdString());
     if (isVolume(mesh)) refuse(path, said(kVolumeLater));
     const auto z = mesh.points.row(2);
-    const bool flat = mesh.points.cols() > 0 && z.maxCoeff() - z.minCoeff() <= 1e-9 * (mesh.points.rowwise().maxCoeff() - mesh.points.rowwise().minCoeff()).norm();
+    const bool flat = mesh.points.cols() > 0 &&
+                      z.maxCoeff() - z.minCoeff() <=
+                          1e-9 * (mesh.points.rowwise().maxCoeff() - mesh.points.rowwise().minCoeff()).norm();
     if (!flat) refuse(path, said(kVolumeLater));
     OpenedFile file;
     Project project;
@@ -89,7 +97,8 @@ OpenedFile openMesh(const QString& path) {
 
 QString sampleFolder() {
     const QString program = QCoreApplication::applicationDirPath();
-    for (const QString& folder : {program + QStringLiteral("/../share/wend/samples"), QStringLiteral(WEND_SAMPLES)})
+    for (const QString& folder :
+         {program + QStringLiteral("/../share/wend/samples"), QStringLiteral(WEND_SAMPLES)})
         if (QFileInfo::exists(folder)) return QDir(folder).canonicalPath();
     return {};
 }
@@ -97,10 +106,13 @@ QString sampleFolder() {
 }  // namespace
 
 QString pictureExtensions() {
-    return QStringLiteral("*.png *.tif *.tiff *.exr *.jpg *.jpeg *.webp *.bmp *.tga *.psd *.hdr *.gif *.ppm *.pgm");
+    return QStringLiteral(
+        "*.png *.tif *.tiff *.exr *.jpg *.jpeg *.webp *.bmp *.tga *.psd *.hdr *.gif *.ppm *.pgm");
 }
 
-QString meshExtensions() { return QStringLiteral("*.obj *.ply *.off *.stl *.mesh *.msh *.node *.ele *.vtk *.vtu"); }
+QString meshExtensions() {
+    return QStringLiteral("*.obj *.ply *.off *.stl *.mesh *.msh *.node *.ele *.vtk *.vtu");
+}
 
 bool looksOpenable(const QString& path) {
     return hasExtension(path, QStringLiteral("*.wend")) || hasExtension(path, pictureExtensions()) ||
@@ -110,9 +122,12 @@ bool looksOpenable(const QString& path) {
 OpenedFile openFile(const QString& path) {
     const QString absolutePath = QFileInfo(path).absoluteFilePath();
     OpenedFile file;
-    if (hasExtension(path, QStringLiteral("*.wend"))) file = openProject(absolutePath);
-    else if (hasExtension(path, meshExtensions())) file = openMesh(absolutePath);
-    else file = openPicture(absolutePath);
+    if (hasExtension(path, QStringLiteral("*.wend")))
+        file = openProject(absolutePath);
+    else if (hasExtension(path, meshExtensions()))
+        file = openMesh(absolutePath);
+    else
+        file = openPicture(absolutePath);
     file.source = absolutePath;
     return file;
 }

@@ -28,12 +28,16 @@ void Playback::setPlaying(bool playing) {
     if (playing == isPlaying() || (playing && m_end <= 0)) return;
     if (playing && isAtEnd()) setTime(0);
     m_clock.start();
-    if (playing) m_timer.start();
-    else m_timer.stop();
+    if (playing)
+        m_timer.start();
+    else
+        m_timer.stop();
     emit playingChanged(playing);
 }
 
-void Playback::setLoops(bool loops) { m_loops = loops; }
+void Playback::setLoops(bool loops) {
+    m_loops = loops;
+}
 
 void Playback::tick() {
     const double passed = static_cast<double>(m_clock.restart()) * 1e-3 / kSecondsPerUnit;
@@ -41,8 +45,10 @@ void Playback::tick() {
         setTime(std::min(m_time + passed, std::max(m_ready, m_time)));
         return;
     }
-    if (m_loops) setTime(0);
-    else setPlaying(false);
+    if (m_loops)
+        setTime(0);
+    else
+        setPlaying(false);
 }
 
 }  // namespace wend

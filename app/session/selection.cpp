@@ -4,7 +4,9 @@
 
 namespace wend {
 
-bool Selection::contains(int handle) const { return std::binary_search(m_handles.begin(), m_handles.end(), handle); }
+bool Selection::contains(int handle) const {
+    return std::binary_search(m_handles.begin(), m_handles.end(), handle);
+}
 
 void Selection::set(std::vector<int> handles) {
     std::sort(handles.begin(), handles.end());
@@ -16,8 +18,10 @@ void Selection::set(std::vector<int> handles) {
 
 void Selection::toggle(int handle) {
     std::vector<int> next = m_handles;
-    if (const auto it = std::find(next.begin(), next.end(), handle); it != next.end()) next.erase(it);
-    else next.push_back(handle);
+    if (const auto it = std::find(next.begin(), next.end(), handle); it != next.end())
+        next.erase(it);
+    else
+        next.push_back(handle);
     set(std::move(next));
 }
 

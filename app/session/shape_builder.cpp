@@ -2,14 +2,19 @@
 
 #include <algorithm>
 
+#include "core/mesh/error.h"
+
 namespace wend {
 
 namespace {
 
-const Design<2>& designOf(const ShapeInputs& inputs) { return std::get<Design<2>>(inputs.project->design); }
+const Design<2>& designOf(const ShapeInputs& inputs) {
+    return std::get<Design<2>>(inputs.project->design);
+}
 
 bool sameAlpha(const AlphaOutlineOptions& a, const AlphaOutlineOptions& b) {
-    return a.threshold == b.threshold && a.margin == b.margin && a.smallest == b.smallest && a.simplify == b.simplify;
+    return a.threshold == b.threshold && a.margin == b.margin && a.smallest == b.smallest &&
+           a.simplify == b.simplify;
 }
 
 bool sameOutline(const Domain& a, const Domain& b) {
@@ -43,8 +48,9 @@ bool ShapeBuilder::materialIsCurrent(const ShapeInputs& inputs) const {
     if (!m_shape.material || m_last.generation != inputs.generation) return false;
     const MaterialSpec<2>&a = designOf(m_last).material, &b = designOf(inputs).material;
     // Regions and cells come from the file and cannot be edited, so only their presence could differ.
-    return a.phi == b.phi && sameSmoothing(a.smoothing, b.smoothing) && a.regions.size() == b.regions.size() &&
-           a.cellPhi.size() == b.cellPhi.size() && a.cellB.size() == b.cellB.size();
+    return a.phi == b.phi && sameSmoothing(a.smoothing, b.smoothing) &&
+           a.regions.size() == b.regions.size() && a.cellPhi.size() == b.cellPhi.size() &&
+           a.cellB.size() == b.cellB.size();
 }
 
 void ShapeBuilder::makeMesh(const ShapeInputs& inputs, std::stop_token stop) {
@@ -72,13 +78,15 @@ void ShapeBuilder::makeShape(const ShapeInputs& inputs, std::stop_token stop) {
         return;
     }
     if (!materialIsCurrent(inputs))
-        m_shape.material = rasterizeMaterial<2>(designOf(inputs).material, *m_shape.rest);
+        m_shape.material = rasterizeMaterial<2>(designOf(inputs).material, *m_shape.rest, inputs.folder);
     m_last = inputs;
 }
 
 BuiltShape ShapeBuilder::build(const ShapeInputs& inputs, std::stop_token stop) {
     try {
         makeShape(inputs, stop);
+    } catch (const Cancelled&) {
+        m_shape = {};
     } catch (...) {
         m_shape = {};
         throw;

@@ -20,8 +20,8 @@ struct BuiltShape {
     std::shared_ptr<const Material<2>> material;
 };
 
-/// Outline, mesh and material of a project, made again only where the inputs changed since the last time. The steps are
-/// those of loadScene(), so that window and command line have the same mesh.
+/// Outline, mesh and material of a project, made again only where the inputs changed since the last time. The
+/// steps are those of loadScene(), so that window and command line have the same mesh.
 class ShapeBuilder {
   public:
     /// Throws InputError. Null rest if stopped.

@@ -42,14 +42,15 @@ void ShapeSession::postShape() {
     m_selection.set(std::move(kept));
     m_trackIsCurrent = false;
     setBusy(true);
-    m_compute.post(SetShape{{m_document.generation(), ++m_revision, m_document.project(), m_document.picture(),
-                             m_document.folder().toStdString()}});
+    m_compute.post(SetShape{{m_document.generation(), ++m_revision, m_document.project(),
+                             m_document.picture(), m_document.folder().toStdString()}});
     m_playback.setEnd(end);
     showTime();
     emit pinsChanged();
 }
 
-void ShapeSession::takeShape(int revision, const std::shared_ptr<const SimplicialMesh<2>>& rest, double keptUpTo) {
+void ShapeSession::takeShape(int revision, const std::shared_ptr<const SimplicialMesh<2>>& rest,
+                             double keptUpTo) {
     if (revision != m_revision) return;
     if (m_failed) emit problem({});
     m_failed = false;
@@ -106,9 +107,12 @@ void ShapeSession::showTime() {
     FramePtr frame = m_track.at(m_playback.time());
     const bool endedEarly = !frame && !m_busy && !m_track.isEmpty();
     if (endedEarly) frame = m_track.last();
-    if (m_preview && (!frame || !m_trackIsCurrent)) show(m_preview, false);
-    else if (frame) show(frame, !m_trackIsCurrent);
-    else show(m_frame, m_frame != nullptr);
+    if (m_preview && (!frame || !m_trackIsCurrent))
+        show(m_preview, false);
+    else if (frame)
+        show(frame, !m_trackIsCurrent);
+    else
+        show(m_frame, m_frame != nullptr);
 }
 
 void ShapeSession::show(const FramePtr& frame, bool stale) {
@@ -126,7 +130,8 @@ void ShapeSession::setBusy(bool busy) {
 const std::vector<PinPlace>& ShapeSession::places() const {
     if (m_placed.rest != m_frame->rest || m_placed.project != m_document.project()) {
         const PointLocator<2> locator(m_frame->rest->points, m_frame->rest->cells);
-        m_placed = {m_frame->rest, m_document.project(), placePins(m_document.design().handles, *m_frame->rest, locator)};
+        m_placed = {m_frame->rest, m_document.project(),
+                    placePins(m_document.design().handles, *m_frame->rest, locator)};
     }
     return m_placed.places;
 }
@@ -197,8 +202,10 @@ void ShapeSession::nudgeSelected(const Vec<2>& by) {
     QString key = QStringLiteral("nudge");
     for (const int h : handles) key += QStringLiteral(" %1").arg(h);
     if (m_document.merges(key))
-        m_document.change(tr("Move %1").arg(nameOf(handles)), withLongerStroke(*m_document.project(), handles, by), key);
-    else pushStroke(handles, centresOf(handles), {Vec<2>::Zero(), by}, key);
+        m_document.change(tr("Move %1").arg(nameOf(handles)),
+                          withLongerStroke(*m_document.project(), handles, by), key);
+    else
+        pushStroke(handles, centresOf(handles), {Vec<2>::Zero(), by}, key);
 }
 
 void ShapeSession::beginDrag() {
@@ -244,13 +251,16 @@ void ShapeSession::cancelDrag() {
     emit pinsChanged();
 }
 
-void ShapeSession::goToEnd() { m_playback.setTime(m_playback.end()); }
+void ShapeSession::goToEnd() {
+    m_playback.setTime(m_playback.end());
+}
 
 std::vector<Vec<2>> ShapeSession::centresOf(const std::vector<int>& handles) const {
     std::vector<Vec<2>> centres;
     const auto views = pins();
     for (const int h : handles) {
-        const auto it = std::find_if(views.begin(), views.end(), [h](const PinView& v) { return v.handle == h; });
+        const auto it =
+            std::find_if(views.begin(), views.end(), [h](const PinView& v) { return v.handle == h; });
         centres.push_back(it == views.end() ? Vec<2>::Zero() : it->centre);
     }
     return centres;

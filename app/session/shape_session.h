@@ -13,8 +13,8 @@
 
 namespace wend {
 
-/// A document with its shape in motion: what the window shows and what its gestures do. Lives in the thread of the window;
-/// all computing is done by the compute thread.
+/// A document with its shape in motion: what the window shows and what its gestures do. Lives in the thread
+/// of the window; all computing is done by the compute thread.
 class ShapeSession : public QObject {
     Q_OBJECT
 
@@ -85,7 +85,7 @@ class ShapeSession : public QObject {
     FramePtr m_frame;    // shown
     FramePtr m_preview;  // the last frame of a drag, until the exact motion is there
     bool m_stale = false, m_busy = false, m_failed = false;
-    int m_revision = 0;      // of the newest request for a shape
+    int m_revision = 0;  // of the newest request for a shape
     bool m_trackIsCurrent = false;
     std::shared_ptr<const SimplicialMesh<2>> m_rest;  // the newest
     struct Placed {  // the handles in the rest mesh of the frame that is shown

@@ -12,17 +12,27 @@ constexpr double kReach = 8;           // pixels of the screen
 constexpr double kStrokeDetail = 0.5;  // pixels of the screen that a recorded path may deviate
 constexpr double kLeastDetail = 0.2;   // but no less than this, in pixels of the picture
 
-QString said(const char* text) { return QCoreApplication::translate("PinTool", text); }
+QString said(const char* text) {
+    return QCoreApplication::translate("PinTool", text);
+}
 
-double distance(const QPointF& a, const QPointF& b) { return QLineF(a, b).length(); }
+double distance(const QPointF& a, const QPointF& b) {
+    return QLineF(a, b).length();
+}
 
 }  // namespace
 
 QString PinTool::hint() const {
-    if (m_gesture == Gesture::Drag) return said(QT_TRANSLATE_NOOP("PinTool", "Drag the pin; Esc puts the shape back"));
-    if (m_hovered >= 0) return said(QT_TRANSLATE_NOOP("PinTool", "Drag to move the pin, Shift-click to select more, Delete to remove"));
-    if (m_adds) return said(QT_TRANSLATE_NOOP("PinTool", "Click on the shape to set a pin, then drag pins to bend it"));
-    return said(QT_TRANSLATE_NOOP("PinTool", "Click or draw a rectangle to select pins, drag to move them, arrow keys nudge"));
+    if (m_gesture == Gesture::Drag)
+        return said(QT_TRANSLATE_NOOP("PinTool", "Drag the pin; Esc puts the shape back"));
+    if (m_hovered >= 0)
+        return said(QT_TRANSLATE_NOOP("PinTool",
+                                      "Drag to move the pin, Shift-click to select more, Delete to remove"));
+    if (m_adds)
+        return said(
+            QT_TRANSLATE_NOOP("PinTool", "Click on the shape to set a pin, then drag pins to bend it"));
+    return said(QT_TRANSLATE_NOOP(
+        "PinTool", "Click or draw a rectangle to select pins, drag to move them, arrow keys nudge"));
 }
 
 QCursor PinTool::cursor() const {
@@ -55,8 +65,10 @@ void PinTool::press(const QMouseEvent& event) {
 
 void PinTool::pressHandle(int handle, bool extend) {
     Selection& selection = session().selection();
-    if (extend) selection.toggle(handle);
-    else if (!selection.contains(handle)) selection.set({handle});
+    if (extend)
+        selection.toggle(handle);
+    else if (!selection.contains(handle))
+        selection.set({handle});
 }
 
 void PinTool::move(const QMouseEvent& event) {
@@ -109,11 +121,20 @@ void PinTool::hover(const QPointF& at) {
 bool PinTool::nudge(const QKeyEvent& event) {
     Vec<2> by = Vec<2>::Zero();
     switch (event.key()) {
-        case Qt::Key_Left: by = {-1, 0}; break;
-        case Qt::Key_Right: by = {1, 0}; break;
-        case Qt::Key_Up: by = {0, -1}; break;
-        case Qt::Key_Down: by = {0, 1}; break;
-        default: return false;
+        case Qt::Key_Left:
+            by = {-1, 0};
+            break;
+        case Qt::Key_Right:
+            by = {1, 0};
+            break;
+        case Qt::Key_Up:
+            by = {0, -1};
+            break;
+        case Qt::Key_Down:
+            by = {0, 1};
+            break;
+        default:
+            return false;
     }
     const double size = session().pixel() * (event.modifiers() & Qt::ShiftModifier ? 10 : 1);
     session().nudgeSelected(size * by);
@@ -122,8 +143,10 @@ bool PinTool::nudge(const QKeyEvent& event) {
 
 bool PinTool::key(const QKeyEvent& event) {
     if (event.key() == Qt::Key_Escape) {
-        if (m_gesture == Gesture::None) session().selection().clear();
-        else cancel();
+        if (m_gesture == Gesture::None)
+            session().selection().clear();
+        else
+            cancel();
         return true;
     }
     if (m_gesture != Gesture::None) return false;

@@ -23,7 +23,8 @@ class ToolSurface {
     virtual void setHovered(int handle) = 0;
 };
 
-/// One way to work on the shape with pointer and keys. The canvas passes on what it does not need for navigation.
+/// One way to work on the shape with pointer and keys. The canvas passes on what it does not need for
+/// navigation.
 class Tool {
   public:
     explicit Tool(ToolSurface& surface) : m_surface(surface) {}

@@ -10,8 +10,8 @@ class QUndoStack;
 
 namespace wend {
 
-/// Everything that can be done in the window, with name, shortcut and explanation. What a disabled action waits for stands in its
-/// tooltip.
+/// Everything that can be done in the window, with name, shortcut and explanation. What a disabled action
+/// waits for stands in its tooltip.
 class Actions : public QObject {
     Q_OBJECT
 

@@ -60,16 +60,18 @@ void Canvas::takeOpened() {
     fit();
     update();
     if (!picture) return;
-    QtConcurrent::run([picture] { return std::make_shared<const DisplayPicture>(*picture); })
-        .then(this, [this, picture](const std::shared_ptr<const DisplayPicture>& display) {
-            if (m_session.document().picture() != picture) return;
-            m_picture = display;
-            render();
-        });
+    QtConcurrent::run([picture] {
+        return std::make_shared<const DisplayPicture>(*picture);
+    }).then(this, [this, picture](const std::shared_ptr<const DisplayPicture>& display) {
+        if (m_session.document().picture() != picture) return;
+        m_picture = display;
+        render();
+    });
 }
 
 QRectF Canvas::frameRect() const {
-    if (const auto& picture = m_session.document().picture()) return {0, 0, double(picture->width), double(picture->height)};
+    if (const auto& picture = m_session.document().picture())
+        return {0, 0, double(picture->width), double(picture->height)};
     if (!m_session.frame()) return {};
     const auto& points = m_session.frame()->rest->points;
     const Vec<2> low = points.rowwise().minCoeff(), high = points.rowwise().maxCoeff();
@@ -127,7 +129,8 @@ void Canvas::viewChanged() {
 void Canvas::fit() {
     const QRectF frame = frameRect();
     if (frame.isEmpty()) return;
-    const double natural = m_session.document().picture() ? 1 : 1000 / std::hypot(frame.width(), frame.height());
+    const double natural =
+        m_session.document().picture() ? 1 : 1000 / std::hypot(frame.width(), frame.height());
     m_view.setZoomLimits(0.005 * natural, 64 * natural);
     m_view.fit(frame, size(), kMargin);
     m_fitted = true;
@@ -140,7 +143,9 @@ void Canvas::zoomTo(double zoom) {
     viewChanged();
 }
 
-void Canvas::zoomBy(double factor) { zoomTo(m_view.zoom() * factor); }
+void Canvas::zoomBy(double factor) {
+    zoomTo(m_view.zoom() * factor);
+}
 
 void Canvas::showWorst() {
     const FramePtr& frame = m_session.frame();
@@ -152,9 +157,15 @@ void Canvas::showWorst() {
     viewChanged();
 }
 
-void Canvas::setMeshShown(bool shown) { m_mesh = shown, render(); }
-void Canvas::setMapShown(bool shown) { m_map = shown, render(); }
-void Canvas::setOverlaysHidden(bool hidden) { m_hidden = hidden, render(); }
+void Canvas::setMeshShown(bool shown) {
+    m_mesh = shown, render();
+}
+void Canvas::setMapShown(bool shown) {
+    m_map = shown, render();
+}
+void Canvas::setOverlaysHidden(bool hidden) {
+    m_hidden = hidden, render();
+}
 
 void Canvas::setMap(Measure measure, const MeasureRange& range) {
     m_measure = measure;
@@ -207,8 +218,10 @@ void Canvas::paintEvent(QPaintEvent*) {
 }
 
 void Canvas::resizeEvent(QResizeEvent*) {
-    if (m_fitted) fit();
-    else render();
+    if (m_fitted)
+        fit();
+    else
+        render();
 }
 
 void Canvas::mousePressEvent(QMouseEvent* event) {
@@ -239,7 +252,8 @@ void Canvas::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void Canvas::mouseReleaseEvent(QMouseEvent* event) {
-    if (m_panning) endPan();
+    if (m_panning)
+        endPan();
     else if (m_tool) {
         m_tool->release(*event);
         emit hintChanged(m_tool->hint());
@@ -308,9 +322,12 @@ bool Canvas::event(QEvent* event) {
 }
 
 void Canvas::updateCursor() {
-    if (m_panning) setCursor(Qt::ClosedHandCursor);
-    else if (m_spaceDown) setCursor(Qt::OpenHandCursor);
-    else setCursor(m_tool ? m_tool->cursor() : QCursor(Qt::ArrowCursor));
+    if (m_panning)
+        setCursor(Qt::ClosedHandCursor);
+    else if (m_spaceDown)
+        setCursor(Qt::OpenHandCursor);
+    else
+        setCursor(m_tool ? m_tool->cursor() : QCursor(Qt::ArrowCursor));
 }
 
 }  // namespace wend

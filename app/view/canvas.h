@@ -8,7 +8,8 @@
 
 namespace wend {
 
-/// The shape on the screen: navigation, drawing and the events of the current tool. A plain widget: no OpenGL is needed.
+/// The shape on the screen: navigation, drawing and the events of the current tool. A plain widget: no OpenGL
+/// is needed.
 class Canvas : public QWidget, public ToolSurface {
     Q_OBJECT
 
@@ -80,8 +81,8 @@ class Canvas : public QWidget, public ToolSurface {
     std::shared_ptr<const DisplayPicture> m_picture;
     ViewTransform m_view;
     std::shared_ptr<const RenderResult> m_drawn;
-    QTimer m_refine;      // draws at full quality once nothing has moved for a while
-    QTimer m_dim;         // a stale frame is dimmed after a while
+    QTimer m_refine;  // draws at full quality once nothing has moved for a while
+    QTimer m_dim;     // a stale frame is dimmed after a while
     bool m_mesh = false, m_map = false, m_hidden = false, m_dimmed = false;
     bool m_fitted = false;  // the view follows the window's size until the user changes it
     bool m_spaceDown = false, m_panning = false;

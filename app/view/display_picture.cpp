@@ -36,7 +36,8 @@ float toScreen(float linear) {
 
 float component(const std::byte* p, PixelType type, int channel) {
     switch (type) {
-        case PixelType::UInt8: return static_cast<float>(std::to_integer<int>(p[channel])) / 255.0F;
+        case PixelType::UInt8:
+            return static_cast<float>(std::to_integer<int>(p[channel])) / 255.0F;
         case PixelType::UInt16: {
             std::uint16_t v = 0;
             std::memcpy(&v, p + 2 * channel, 2);
@@ -47,7 +48,8 @@ float component(const std::byte* p, PixelType type, int channel) {
             std::memcpy(&v, p + 2 * channel, 2);
             return static_cast<float>(v);
         }
-        case PixelType::Float: break;
+        case PixelType::Float:
+            break;
     }
     float v = 0;
     std::memcpy(&v, p + 4 * channel, 4);
@@ -57,7 +59,8 @@ float component(const std::byte* p, PixelType type, int channel) {
 void convertPixel(const Image& from, const std::byte* p, std::uint8_t* to) {
     const bool linear = from.type == PixelType::Half || from.type == PixelType::Float;
     const int colours = from.channels - (from.alpha ? 1 : 0);
-    const float alpha = from.alpha ? std::clamp(component(p, from.type, from.channels - 1), 0.0F, 1.0F) : 1.0F;
+    const float alpha =
+        from.alpha ? std::clamp(component(p, from.type, from.channels - 1), 0.0F, 1.0F) : 1.0F;
     for (int c = 0; c < 3; ++c) {
         float value = component(p, from.type, colours >= 3 ? c : 0);
         if (linear) {
@@ -73,7 +76,8 @@ void convertPixel(const Image& from, const std::byte* p, std::uint8_t* to) {
 
 Image converted(const Image& from) {
     Image to = blank(from.width, from.height);
-    const bool isBytes = from.type == PixelType::UInt8 && from.channels == 4 && from.alpha && !from.unassociated;
+    const bool isBytes =
+        from.type == PixelType::UInt8 && from.channels == 4 && from.alpha && !from.unassociated;
     if (isBytes) {
         to.data = from.data;
         return to;
@@ -91,9 +95,11 @@ Image halved(const Image& from) {
         for (int x = 0; x < to.width; ++x) {
             const int x0 = 2 * x, y0 = 2 * y;
             const int x1 = std::min(x0 + 1, from.width - 1), y1 = std::min(y0 + 1, from.height - 1);
-            const std::uint8_t *a = bytes(from, x0, y0), *b = bytes(from, x1, y0), *c = bytes(from, x0, y1), *d = bytes(from, x1, y1);
+            const std::uint8_t *a = bytes(from, x0, y0), *b = bytes(from, x1, y0), *c = bytes(from, x0, y1),
+                               *d = bytes(from, x1, y1);
             std::uint8_t* out = bytes(to, x, y);
-            for (int k = 0; k < 4; ++k) out[k] = static_cast<std::uint8_t>((a[k] + b[k] + c[k] + d[k] + 2) / 4);
+            for (int k = 0; k < 4; ++k)
+                out[k] = static_cast<std::uint8_t>((a[k] + b[k] + c[k] + d[k] + 2) / 4);
         }
     return to;
 }
@@ -102,7 +108,8 @@ Image halved(const Image& from) {
 
 DisplayPicture::DisplayPicture(const Image& picture) {
     m_levels.push_back(converted(picture));
-    while (std::max(m_levels.back().width, m_levels.back().height) >= 2 * kSmallest) m_levels.push_back(halved(m_levels.back()));
+    while (std::max(m_levels.back().width, m_levels.back().height) >= 2 * kSmallest)
+        m_levels.push_back(halved(m_levels.back()));
 }
 
 int DisplayPicture::levelFor(double scale) const {
@@ -112,7 +119,8 @@ int DisplayPicture::levelFor(double scale) const {
 
 QImage toQImage(const Image& image) {
     const auto* data = reinterpret_cast<const uchar*>(image.data.data());
-    return QImage(data, image.width, image.height, 4 * image.width, QImage::Format_RGBA8888_Premultiplied).copy();
+    return QImage(data, image.width, image.height, 4 * image.width, QImage::Format_RGBA8888_Premultiplied)
+        .copy();
 }
 
 }  // namespace wend

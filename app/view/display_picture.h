@@ -8,8 +8,8 @@
 
 namespace wend {
 
-/// A picture as the screen needs it: 8 bits, colours associated with alpha, and halved again and again, so that a large picture
-/// that is shown small is read at about the size in which it is shown.
+/// A picture as the screen needs it: 8 bits, colours associated with alpha, and halved again and again, so
+/// that a large picture that is shown small is read at about the size in which it is shown.
 class DisplayPicture {
   public:
     explicit DisplayPicture(const Image& picture);

@@ -16,8 +16,8 @@ namespace {
 
 const char* const kPictureFilter = "PNG (*.png);;TIFF (*.tif);;OpenEXR (*.exr);;JPEG (*.jpg);;WebP (*.webp)";
 
-void writePicture(const std::string& path, const Image& source, const ShapeFrame& frame, const std::function<void(double)>& progress,
-                  std::stop_token stop) {
+void writePicture(const std::string& path, const Image& source, const ShapeFrame& frame,
+                  const std::function<void(double)>& progress, std::stop_token stop) {
     View view;
     view.width = source.width;
     view.height = source.height;
@@ -32,12 +32,15 @@ void writePicture(const std::string& path, const Image& source, const ShapeFrame
 std::string numbered(const QString& path, int number) {
     const QFileInfo info(path);
     const QString digits = QStringLiteral("%1").arg(number, 4, 10, QLatin1Char('0'));
-    return QDir(info.path()).filePath(info.completeBaseName() + '_' + digits + '.' + info.suffix()).toStdString();
+    return QDir(info.path())
+        .filePath(info.completeBaseName() + '_' + digits + '.' + info.suffix())
+        .toStdString();
 }
 
 }  // namespace
 
-Exporter::Exporter(ShapeSession& session, QWidget& window) : QObject(&window), m_session(session), m_window(window) {}
+Exporter::Exporter(ShapeSession& session, QWidget& window)
+    : QObject(&window), m_session(session), m_window(window) {}
 
 QString Exporter::askName(const QString& title, const QString& suffix, const QString& filters) {
     const Document& document = m_session.document();
@@ -73,10 +76,12 @@ void Exporter::run(const QString& what, const QString& path, Job job) {
         if (dialog) dialog->deleteLater();
     };
     QtConcurrent::run([job = std::move(job), progress, source] { job(progress, source->get_token()); })
-        .then(this, [this, finish, source, path] {
-            finish();
-            if (!source->stop_requested()) emit done(tr("Written: %1").arg(QDir::toNativeSeparators(path)));
-        })
+        .then(this,
+              [this, finish, source, path] {
+                  finish();
+                  if (!source->stop_requested())
+                      emit done(tr("Written: %1").arg(QDir::toNativeSeparators(path)));
+              })
         .onFailed(this, [this, finish](const std::exception& error) {
             finish();
             emit failed(tr("Nothing was written. %1").arg(QString::fromUtf8(error.what())));
@@ -87,7 +92,8 @@ void Exporter::exportPicture() {
     const FramePtr frame = shownFrame();
     const auto picture = m_session.document().picture();
     if (!frame || !picture) return;
-    const QString path = askName(tr("Export Picture"), QStringLiteral("-bent.png"), QString::fromLatin1(kPictureFilter));
+    const QString path =
+        askName(tr("Export Picture"), QStringLiteral("-bent.png"), QString::fromLatin1(kPictureFilter));
     if (path.isEmpty()) return;
     run(tr("Writing the picture …"), path, [=](const Progress& progress, std::stop_token stop) {
         writePicture(path.toStdString(), *picture, *frame, progress, stop);
@@ -97,8 +103,9 @@ void Exporter::exportPicture() {
 void Exporter::exportMesh() {
     const FramePtr frame = shownFrame();
     if (!frame) return;
-    const QString path = askName(tr("Export Mesh"), QStringLiteral("-bent.obj"),
-                                 QStringLiteral("Wavefront OBJ (*.obj);;PLY (*.ply);;OFF (*.off);;VTU (*.vtu);;VTK (*.vtk)"));
+    const QString path =
+        askName(tr("Export Mesh"), QStringLiteral("-bent.obj"),
+                QStringLiteral("Wavefront OBJ (*.obj);;PLY (*.ply);;OFF (*.off);;VTU (*.vtu);;VTK (*.vtk)"));
     if (path.isEmpty()) return;
     const auto picture = m_session.document().picture();
     run(tr("Writing the mesh …"), path, [=](const Progress&, std::stop_token) {
@@ -117,7 +124,8 @@ void Exporter::exportMesh() {
 void Exporter::exportFrames() {
     const auto picture = m_session.document().picture();
     if (!shownFrame() || !picture) return;
-    const QString path = askName(tr("Export Frames"), QStringLiteral(".png"), QString::fromLatin1(kPictureFilter));
+    const QString path =
+        askName(tr("Export Frames"), QStringLiteral(".png"), QString::fromLatin1(kPictureFilter));
     if (path.isEmpty()) return;
     const std::vector<FramePtr> frames = m_session.track().frames();
     run(tr("Writing %n pictures …", nullptr, static_cast<int>(frames.size())), path,
@@ -133,13 +141,15 @@ void Exporter::exportStMap() {
     const FramePtr frame = shownFrame();
     const auto picture = m_session.document().picture();
     if (!frame || !picture) return;
-    const QString path = askName(tr("Export ST Map"), QStringLiteral("-stmap.exr"), QStringLiteral("OpenEXR (*.exr);;TIFF (*.tif)"));
+    const QString path = askName(tr("Export ST Map"), QStringLiteral("-stmap.exr"),
+                                 QStringLiteral("OpenEXR (*.exr);;TIFF (*.tif)"));
     if (path.isEmpty()) return;
     run(tr("Writing the map …"), path, [=](const Progress&, std::stop_token) {
         View view;
         view.width = picture->width;
         view.height = picture->height;
-        writeImage(path.toStdString(), stMap(*frame->rest, frame->pose, view, picture->width, picture->height));
+        writeImage(path.toStdString(),
+                   stMap(*frame->rest, frame->pose, view, picture->width, picture->height));
     });
 }
 

@@ -18,18 +18,24 @@ namespace {
 
 constexpr int kMostRecent = 10;
 
-QString said(const std::exception& error) { return QString::fromUtf8(error.what()); }
+QString said(const std::exception& error) {
+    return QString::fromUtf8(error.what());
+}
 
 }  // namespace
 
-FileWorkflow::FileWorkflow(Document& document, QWidget& window) : QObject(&window), m_document(document), m_window(window) {}
+FileWorkflow::FileWorkflow(Document& document, QWidget& window)
+    : QObject(&window), m_document(document), m_window(window) {}
 
 void FileWorkflow::askOpen() {
     const QString all = QStringLiteral("*.wend ") + pictureExtensions() + ' ' + meshExtensions();
-    const QString filters = tr("All that Wend opens (%1)").arg(all) + QStringLiteral(";;") + tr("Pictures (%1)").arg(pictureExtensions()) +
-                            QStringLiteral(";;") + tr("Projects (*.wend)") + QStringLiteral(";;") + tr("Meshes (%1)").arg(meshExtensions());
+    const QString filters = tr("All that Wend opens (%1)").arg(all) + QStringLiteral(";;") +
+                            tr("Pictures (%1)").arg(pictureExtensions()) + QStringLiteral(";;") +
+                            tr("Projects (*.wend)") + QStringLiteral(";;") +
+                            tr("Meshes (%1)").arg(meshExtensions());
     QSettings settings;
-    const QString path = QFileDialog::getOpenFileName(&m_window, tr("Open"), settings.value("folder").toString(), filters);
+    const QString path =
+        QFileDialog::getOpenFileName(&m_window, tr("Open"), settings.value("folder").toString(), filters);
     if (!path.isEmpty()) open(path);
 }
 
@@ -38,13 +44,15 @@ void FileWorkflow::open(const QString& path) {
     const int ticket = ++m_ticket;
     ++m_opening;
     emit openingChanged(QFileInfo(path).fileName());
-    QtConcurrent::run([path] { return openFile(path); })
-        .then(this, [this, ticket](OpenedFile file) { take(ticket, std::move(file)); })
-        .onFailed(this, [this](const std::exception& error) {
-            --m_opening;
-            emit openingChanged({});
-            emit failed(tr("This file cannot be opened. %1").arg(said(error)));
-        });
+    QtConcurrent::run([path] {
+        return openFile(path);
+    }).then(this, [this, ticket](OpenedFile file) {
+          take(ticket, std::move(file));
+      }).onFailed(this, [this](const std::exception& error) {
+        --m_opening;
+        emit openingChanged({});
+        emit failed(tr("This file cannot be opened. %1").arg(said(error)));
+    });
 }
 
 void FileWorkflow::take(int ticket, OpenedFile file) {
@@ -64,8 +72,11 @@ bool FileWorkflow::save() {
 }
 
 bool FileWorkflow::saveAs() {
-    const QString proposal = m_document.path().isEmpty() ? QDir(m_document.folder()).filePath(m_document.displayName()) : m_document.path();
-    QString path = QFileDialog::getSaveFileName(&m_window, tr("Save Project"), proposal, tr("Projects (*.wend)"));
+    const QString proposal = m_document.path().isEmpty()
+                                 ? QDir(m_document.folder()).filePath(m_document.displayName())
+                                 : m_document.path();
+    QString path =
+        QFileDialog::getSaveFileName(&m_window, tr("Save Project"), proposal, tr("Projects (*.wend)"));
     if (path.isEmpty()) return false;
     if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".wend");
     return saveTo(path);
@@ -90,7 +101,8 @@ void FileWorkflow::close() {
 
 bool FileWorkflow::mayLeave() {
     if (m_document.isEmpty() || !m_document.isModified()) return true;
-    QMessageBox box(QMessageBox::NoIcon, tr("Wend"), tr("Save the changes to “%1”?").arg(m_document.displayName()),
+    QMessageBox box(QMessageBox::NoIcon, tr("Wend"),
+                    tr("Save the changes to “%1”?").arg(m_document.displayName()),
                     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &m_window);
     box.setInformativeText(tr("If you do not save, they are lost."));
     box.setDefaultButton(QMessageBox::Save);
@@ -128,7 +140,8 @@ void FileWorkflow::fillRecent(QMenu& menu) {
 
 void FileWorkflow::fillSamples(QMenu& menu) {
     menu.clear();
-    for (const QString& path : samplePaths()) menu.addAction(QFileInfo(path).completeBaseName(), this, [this, path] { open(path); });
+    for (const QString& path : samplePaths())
+        menu.addAction(QFileInfo(path).completeBaseName(), this, [this, path] { open(path); });
     menu.setEnabled(!menu.isEmpty());
 }
 

@@ -9,7 +9,8 @@ class QWidget;
 
 namespace wend {
 
-/// Opening, saving and closing with all their questions: files are read in the background, changes are never lost unasked.
+/// Opening, saving and closing with all their questions: files are read in the background, changes are never
+/// lost unasked.
 class FileWorkflow : public QObject {
     Q_OBJECT
 

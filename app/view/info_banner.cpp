@@ -29,6 +29,8 @@ void InfoBanner::showText(const QString& text) {
     setVisible(!text.isEmpty());
 }
 
-QString InfoBanner::text() const { return isHidden() ? QString() : m_text->text(); }
+QString InfoBanner::text() const {
+    return isHidden() ? QString() : m_text->text();
+}
 
 }  // namespace wend

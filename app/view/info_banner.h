@@ -6,7 +6,8 @@ class QLabel;
 
 namespace wend {
 
-/// A line above the canvas that says what went wrong and what to do; it goes away by itself when that is done, or on a click.
+/// A line above the canvas that says what went wrong and what to do; it goes away by itself when that is
+/// done, or on a click.
 class InfoBanner : public QWidget {
     Q_OBJECT
 

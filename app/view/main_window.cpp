@@ -65,7 +65,9 @@ MainWindow::MainWindow(QWidget* parent)
     showDocument();
 }
 
-MainWindow::~MainWindow() { m_canvas->setTool(nullptr); }
+MainWindow::~MainWindow() {
+    m_canvas->setTool(nullptr);
+}
 
 void MainWindow::makeToolBars() {
     Actions& a = *m_actions;
@@ -151,14 +153,17 @@ void MainWindow::connectFiles() {
     connect(a.exportFrames, &QAction::triggered, m_exporter, &Exporter::exportFrames);
     connect(a.exportStMap, &QAction::triggered, m_exporter, &Exporter::exportStMap);
     connect(m_exporter, &Exporter::failed, m_banner, &InfoBanner::showText);
-    connect(m_exporter, &Exporter::done, this, [this](const QString& text) { statusBar()->showMessage(text, 6000); });
+    connect(m_exporter, &Exporter::done, this,
+            [this](const QString& text) { statusBar()->showMessage(text, 6000); });
     connect(m_start, &StartPage::openRequested, m_files, &FileWorkflow::askOpen);
     connect(m_start, &StartPage::fileChosen, m_files, &FileWorkflow::open);
     connect(m_files, &FileWorkflow::failed, m_banner, &InfoBanner::showText);
     connect(m_files, &FileWorkflow::opened, m_banner, &QWidget::hide);
     connect(m_files, &FileWorkflow::openingChanged, this, [this](const QString& name) {
-        if (name.isEmpty()) statusBar()->clearMessage();
-        else statusBar()->showMessage(tr("Opening %1 …").arg(name));
+        if (name.isEmpty())
+            statusBar()->clearMessage();
+        else
+            statusBar()->showMessage(tr("Opening %1 …").arg(name));
     });
     const auto showRecent = [this] {
         m_files->fillRecent(*m_actions->recent);
@@ -170,12 +175,14 @@ void MainWindow::connectFiles() {
     connect(&m_session.document(), &Document::opened, this, &MainWindow::showDocument);
     connect(&m_session.document(), &Document::titleChanged, this, &MainWindow::showTitle);
     connect(&m_session, &ShapeSession::problem, m_banner, &InfoBanner::showText);
-    connect(&m_session, &ShapeSession::notice, this, [this](const QString& text) { statusBar()->showMessage(text, 8000); });
+    connect(&m_session, &ShapeSession::notice, this,
+            [this](const QString& text) { statusBar()->showMessage(text, 8000); });
 }
 
 void MainWindow::connectEdit() {
     Actions& a = *m_actions;
-    connect(a.pinTool, &QAction::toggled, this, [this](bool on) { m_canvas->setTool(on ? m_pinTool.get() : m_selectTool.get()); });
+    connect(a.pinTool, &QAction::toggled, this,
+            [this](bool on) { m_canvas->setTool(on ? m_pinTool.get() : m_selectTool.get()); });
     connect(a.remove, &QAction::triggered, &m_session, &ShapeSession::removeSelected);
     connect(a.selectNone, &QAction::triggered, &m_session.selection(), &Selection::clear);
     connect(a.selectAll, &QAction::triggered, this, [this] {
@@ -192,14 +199,16 @@ void MainWindow::connectView() {
     connect(a.showMap, &QAction::toggled, m_canvas, &Canvas::setMapShown);
     connect(a.hideOverlays, &QAction::toggled, m_canvas, &Canvas::setOverlaysHidden);
     connect(a.fit, &QAction::triggered, m_canvas, &Canvas::fit);
-    connect(a.actualSize, &QAction::triggered, this, [this] { m_canvas->zoomTo(1 / m_canvas->devicePixelRatioF()); });
+    connect(a.actualSize, &QAction::triggered, this,
+            [this] { m_canvas->zoomTo(1 / m_canvas->devicePixelRatioF()); });
     connect(a.zoomIn, &QAction::triggered, this, [this] { m_canvas->zoomBy(1.25); });
     connect(a.zoomOut, &QAction::triggered, this, [this] { m_canvas->zoomBy(0.8); });
     connect(a.fullScreen, &QAction::toggled, this, [this](bool on) { on ? showFullScreen() : showNormal(); });
     connect(a.systemLook, &QAction::triggered, this, [this] { setAppearance(Appearance::System); });
     connect(a.lightLook, &QAction::triggered, this, [this] { setAppearance(Appearance::Light); });
     connect(a.darkLook, &QAction::triggered, this, [this] { setAppearance(Appearance::Dark); });
-    connect(m_distortion, &DistortionPanel::mapChanged, this, [this] { m_canvas->setMap(m_distortion->measure(), m_distortion->range()); });
+    connect(m_distortion, &DistortionPanel::mapChanged, this,
+            [this] { m_canvas->setMap(m_distortion->measure(), m_distortion->range()); });
     connect(m_distortion, &DistortionPanel::showWorst, this, [this] {
         m_actions->showMap->setChecked(true);
         m_canvas->showWorst();
@@ -215,12 +224,14 @@ void MainWindow::connectMotion() {
     Playback& playback = m_session.playback();
     m_time->playButton()->setDefaultAction(a.play);
     m_time->loopButton()->setDefaultAction(a.loop);
-    connect(a.play, &QAction::triggered, &playback, [&playback] { playback.setPlaying(!playback.isPlaying()); });
+    connect(a.play, &QAction::triggered, &playback,
+            [&playback] { playback.setPlaying(!playback.isPlaying()); });
     connect(a.loop, &QAction::toggled, &playback, &Playback::setLoops);
     connect(a.toStart, &QAction::triggered, &playback, [&playback] { playback.setTime(0); });
     connect(a.toEnd, &QAction::triggered, &playback, [&playback] { playback.setTime(playback.end()); });
     connect(&playback, &Playback::playingChanged, this, [this](bool playing) {
-        m_actions->play->setIcon(wendIcon(playing ? QStringLiteral("pause") : QStringLiteral("play"), palette()));
+        m_actions->play->setIcon(
+            wendIcon(playing ? QStringLiteral("pause") : QStringLiteral("play"), palette()));
         m_actions->play->setText(playing ? tr("&Pause") : tr("&Play"));
     });
     connect(&playback, &Playback::endChanged, this, &MainWindow::showSelection);
@@ -231,12 +242,15 @@ void MainWindow::connectHelp() {
     connect(m_actions->about, &QAction::triggered, this, &MainWindow::showAbout);
 }
 
-void MainWindow::openPath(const QString& path) { m_files->open(path); }
+void MainWindow::openPath(const QString& path) {
+    m_files->open(path);
+}
 
 void MainWindow::showDocument() {
     const bool has = !m_session.document().isEmpty();
     m_pages->setCurrentWidget(has ? static_cast<QWidget*>(m_canvas) : m_start);
-    for (QWidget* widget : {static_cast<QWidget*>(m_side), static_cast<QWidget*>(m_time), static_cast<QWidget*>(m_toolBar), static_cast<QWidget*>(m_topBar)})
+    for (QWidget* widget : {static_cast<QWidget*>(m_side), static_cast<QWidget*>(m_time),
+                            static_cast<QWidget*>(m_toolBar), static_cast<QWidget*>(m_topBar)})
         widget->setVisible(has);
     if (has) m_canvas->setFocus();
     m_fields->setVisible(has);
@@ -247,7 +261,8 @@ void MainWindow::showDocument() {
 void MainWindow::showTitle() {
     const Document& document = m_session.document();
     setWindowModified(document.isModified());
-    setWindowTitle(document.isEmpty() ? QStringLiteral("Wend") : tr("%1[*] – Wend").arg(document.displayName()));
+    setWindowTitle(document.isEmpty() ? QStringLiteral("Wend")
+                                      : tr("%1[*] – Wend").arg(document.displayName()));
 }
 
 void MainWindow::showSelection() {
@@ -263,7 +278,9 @@ void MainWindow::setAppearance(Appearance appearance) {
     QApplication::setPalette(look);
     qApp->setStyleSheet(wendStyleSheet(look));
     setPalette(look);
-    (appearance == Appearance::System ? m_actions->systemLook : appearance == Appearance::Light ? m_actions->lightLook : m_actions->darkLook)
+    (appearance == Appearance::System  ? m_actions->systemLook
+     : appearance == Appearance::Light ? m_actions->lightLook
+                                       : m_actions->darkLook)
         ->setChecked(true);
     updateIcons();
 }
@@ -278,7 +295,9 @@ void MainWindow::changeEvent(QEvent* event) {
     QMainWindow::changeEvent(event);
 }
 
-void MainWindow::closeEvent(QCloseEvent* event) { event->setAccepted(m_files->mayLeave()); }
+void MainWindow::closeEvent(QCloseEvent* event) {
+    event->setAccepted(m_files->mayLeave());
+}
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
     if (!event->mimeData()->hasUrls() || !event->mimeData()->urls().first().isLocalFile()) return;
@@ -286,7 +305,9 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
     m_start->setDropHighlighted(true);
 }
 
-void MainWindow::dragLeaveEvent(QDragLeaveEvent*) { m_start->setDropHighlighted(false); }
+void MainWindow::dragLeaveEvent(QDragLeaveEvent*) {
+    m_start->setDropHighlighted(false);
+}
 
 void MainWindow::dropEvent(QDropEvent* event) {
     m_start->setDropHighlighted(false);
@@ -297,25 +318,28 @@ void MainWindow::dropEvent(QDropEvent* event) {
 void MainWindow::showKeys() {
     QMessageBox box(QMessageBox::NoIcon, tr("Keys and Mouse"), {}, QMessageBox::Close, this);
     box.setTextFormat(Qt::RichText);
-    box.setText(tr("<table cellspacing='6'>"
-                   "<tr><td><b>Click</b></td><td>sets a pin</td></tr>"
-                   "<tr><td><b>Drag a pin</b></td><td>moves it; Esc puts it back</td></tr>"
-                   "<tr><td><b>Shift-click</b></td><td>selects several pins</td></tr>"
-                   "<tr><td><b>Drag beside pins</b></td><td>selects by rectangle</td></tr>"
-                   "<tr><td><b>Arrow keys</b></td><td>nudge by a pixel, with Shift by ten</td></tr>"
-                   "<tr><td><b>Delete</b></td><td>removes the selected pins</td></tr>"
-                   "<tr><td><b>Wheel</b></td><td>zooms to the pointer</td></tr>"
-                   "<tr><td><b>Space or middle button</b></td><td>pans</td></tr>"
-                   "<tr><td><b>Hold H</b></td><td>shows the bare picture</td></tr>"
-                   "</table>"));
+    box.setText(
+        tr("<table cellspacing='6'>"
+           "<tr><td><b>Click</b></td><td>sets a pin</td></tr>"
+           "<tr><td><b>Drag a pin</b></td><td>moves it; Esc puts it back</td></tr>"
+           "<tr><td><b>Shift-click</b></td><td>selects several pins</td></tr>"
+           "<tr><td><b>Drag beside pins</b></td><td>selects by rectangle</td></tr>"
+           "<tr><td><b>Arrow keys</b></td><td>nudge by a pixel, with Shift by ten</td></tr>"
+           "<tr><td><b>Delete</b></td><td>removes the selected pins</td></tr>"
+           "<tr><td><b>Wheel</b></td><td>zooms to the pointer</td></tr>"
+           "<tr><td><b>Space or middle button</b></td><td>pans</td></tr>"
+           "<tr><td><b>Hold H</b></td><td>shows the bare picture</td></tr>"
+           "</table>"));
     box.exec();
 }
 
 void MainWindow::showAbout() {
     QMessageBox::about(this, tr("About Wend"),
                        tr("<h3>Wend %1</h3><p>Bends pictures and solids by letting them flow.</p>"
-                          "<p>After J. Martinez Esturo, C. Rössl, H. Theisel: Generalized Metric Energies for Continuous Shape "
-                          "Deformation, 2013.</p><p>Free software under the GNU Affero General Public License, version 3 or later.</p>")
+                          "<p>After J. Martinez Esturo, C. Rössl, H. Theisel: Generalized Metric Energies "
+                          "for Continuous Shape "
+                          "Deformation, 2013.</p><p>Free software under the GNU Affero General Public "
+                          "License, version 3 or later.</p>")
                            .arg(QCoreApplication::applicationVersion()));
 }
 

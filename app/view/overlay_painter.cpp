@@ -76,7 +76,8 @@ void OverlayPainter::paths(ShapeSession& session) {
                 for (const Vec<2>& p : starts) sum += p;
                 starts = {sum / static_cast<double>(starts.size())};
             }
-            for (const PinPath& one : pinPaths(handles[h], starts)) path(one, selected, session.playback().time());
+            for (const PinPath& one : pinPaths(handles[h], starts))
+                path(one, selected, session.playback().time());
         }
 }
 
@@ -91,13 +92,16 @@ void OverlayPainter::pin(const QPointF& at, bool selected, bool hovered, bool re
     m_painter.drawEllipse(at, r, r);
     m_painter.setBrush(selected ? QColor(0x4a5bd4) : QColor(0x3a3d47));
     const double inner = selected ? r - 2.2 : r - 3.6;
-    if (region) m_painter.drawRoundedRect(QRectF(at.x() - inner, at.y() - inner, 2 * inner, 2 * inner), 1, 1);
-    else m_painter.drawEllipse(at, inner, inner);
+    if (region)
+        m_painter.drawRoundedRect(QRectF(at.x() - inner, at.y() - inner, 2 * inner, 2 * inner), 1, 1);
+    else
+        m_painter.drawEllipse(at, inner, inner);
 }
 
 void OverlayPainter::name(const QPointF& at, const QString& text) {
     const QFontMetricsF metrics(m_painter.font());
-    const QRectF box(at.x() + 14, at.y() - metrics.height() / 2 - 3, metrics.horizontalAdvance(text) + 14, metrics.height() + 6);
+    const QRectF box(at.x() + 14, at.y() - metrics.height() / 2 - 3, metrics.horizontalAdvance(text) + 14,
+                     metrics.height() + 6);
     m_painter.setPen(Qt::NoPen);
     m_painter.setBrush(QColor(28, 30, 38, 225));
     m_painter.drawRoundedRect(box, 5, 5);
@@ -115,7 +119,8 @@ void OverlayPainter::pins(ShapeSession& session, int hovered) {
         for (const Vec<2>& p : view.points) m_painter.drawEllipse(m_view.toWidget(p), r, r);
     }
     for (const PinView& view : pins)
-        pin(m_view.toWidget(view.centre), session.selection().contains(view.handle), view.handle == hovered, view.region);
+        pin(m_view.toWidget(view.centre), session.selection().contains(view.handle), view.handle == hovered,
+            view.region);
     for (const PinView& view : pins)
         if (view.handle == hovered) name(m_view.toWidget(view.centre), view.name);
 }
@@ -126,14 +131,12 @@ void OverlayPainter::worst(const ShapeFrame& frame) {
     for (const int v : frame.rest->cells[frame.distortion.worstCell]) centre += frame.pose.col(v) / 3;
     const QPointF at = m_view.toWidget(centre);
     m_painter.setBrush(Qt::NoBrush);
-    m_painter.setPen(QPen(Qt::white, 4));
-    m_painter.drawEllipse(at, 11, 11);
-    m_painter.setPen(QPen(kInk, 2));
-    m_painter.drawEllipse(at, 11, 11);
-    m_painter.drawLine(at - QPointF(16, 0), at - QPointF(8, 0));
-    m_painter.drawLine(at + QPointF(8, 0), at + QPointF(16, 0));
-    m_painter.drawLine(at - QPointF(0, 16), at - QPointF(0, 8));
-    m_painter.drawLine(at + QPointF(0, 8), at + QPointF(0, 16));
+    for (const QPen& pen : {QPen(Qt::white, 4.5), QPen(kInk, 2)}) {
+        m_painter.setPen(pen);
+        m_painter.drawEllipse(at, 11, 11);
+        for (const QPointF& way : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)})
+            m_painter.drawLine(at + 8 * way, at + 17 * way);
+    }
 }
 
 void OverlayPainter::marquee(const QRectF& rectangle) {

@@ -8,7 +8,8 @@
 
 namespace wend {
 
-/// Draws what lies under and over the shape, crisp at any zoom: the picture's frame, pins, their paths, the worst place.
+/// Draws what lies under and over the shape, crisp at any zoom: the picture's frame, pins, their paths, the
+/// worst place.
 class OverlayPainter {
   public:
     OverlayPainter(QPainter& painter, const ViewTransform& view, const Theme& theme)

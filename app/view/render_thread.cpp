@@ -46,7 +46,8 @@ void fillCells(QPainter& painter, const RenderRequest& request) {
 void drawEdges(QPainter& painter, const RenderRequest& request) {
     const ShapeFrame& frame = *request.frame;
     const double diagonal = boundingBoxDiagonal<2>(frame.rest->points);
-    const double edge = diagonal / std::sqrt(2.0 * frame.rest->vertexCount()) * request.view.zoom();  // about, on the screen
+    const double edge =
+        diagonal / std::sqrt(2.0 * frame.rest->vertexCount()) * request.view.zoom();  // about, on the screen
     QColor colour = request.line;
     colour.setAlphaF(std::clamp(edge / 14, 0.12, 0.55));
     QPen pen(colour, 1);
@@ -62,7 +63,8 @@ void drawEdges(QPainter& painter, const RenderRequest& request) {
 
 }  // namespace
 
-RenderThread::RenderThread(QObject* parent) : QObject(parent), m_thread([this](std::stop_token stop) { loop(std::move(stop)); }) {}
+RenderThread::RenderThread(QObject* parent)
+    : QObject(parent), m_thread([this](std::stop_token stop) { loop(std::move(stop)); }) {}
 
 RenderThread::~RenderThread() {
     m_thread.request_stop();

@@ -20,14 +20,14 @@ struct RenderRequest {
     std::shared_ptr<const DisplayPicture> picture;  // may be null
     FramePtr frame;
     ViewTransform view;
-    QSize size;          // of the widget
-    double ratio = 1;    // device pixels per widget pixel
+    QSize size;        // of the widget
+    double ratio = 1;  // device pixels per widget pixel
     Filter filter = Filter::Bilinear;
     bool mesh = false;
     bool map = false;
     Measure measure = Measure::Length;
     MeasureRange range;
-    QColor fill, line;   // of the mesh and, without a picture, of the shape
+    QColor fill, line;  // of the mesh and, without a picture, of the shape
 };
 
 struct RenderResult {

@@ -18,8 +18,10 @@ int runWindow(int argc, char** argv) {
     QApplication::setDesktopFileName(QStringLiteral("wend"));
     QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
     QTranslator ours, qts;
-    if (ours.load(QLocale(), QStringLiteral("wend"), QStringLiteral("_"), QStringLiteral(":/i18n"))) QApplication::installTranslator(&ours);
-    if (qts.load(QLocale(), QStringLiteral("qtbase"), QStringLiteral("_"), QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
+    if (ours.load(QLocale(), QStringLiteral("wend"), QStringLiteral("_"), QStringLiteral(":/i18n")))
+        QApplication::installTranslator(&ours);
+    if (qts.load(QLocale(), QStringLiteral("qtbase"), QStringLiteral("_"),
+                 QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
         QApplication::installTranslator(&qts);
     MainWindow window;
     window.show();

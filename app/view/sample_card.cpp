@@ -20,7 +20,8 @@ QImage thumbnail(const QString& project) {
     const QSize full = reader.size();
     if (!full.isValid()) return {};
     const QImage image = reader.read();
-    return image.scaled(full.scaled(360, 260, Qt::KeepAspectRatio), Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+    return image.scaled(full.scaled(360, 260, Qt::KeepAspectRatio), Qt::IgnoreAspectRatio,
+                        Qt::SmoothTransformation);
 }
 
 QString titleOf(const QString& path) {
@@ -31,7 +32,8 @@ QString titleOf(const QString& path) {
 
 }  // namespace
 
-SampleCard::SampleCard(const QString& projectPath, QWidget* parent) : QAbstractButton(parent), m_path(projectPath) {
+SampleCard::SampleCard(const QString& projectPath, QWidget* parent)
+    : QAbstractButton(parent), m_path(projectPath) {
     setText(titleOf(projectPath));
     setCursor(Qt::PointingHandCursor);
     setFocusPolicy(Qt::TabFocus);
@@ -49,8 +51,12 @@ void SampleCard::load() {
     });
 }
 
-void SampleCard::enterEvent(QEnterEvent*) { update(); }
-void SampleCard::leaveEvent(QEvent*) { update(); }
+void SampleCard::enterEvent(QEnterEvent*) {
+    update();
+}
+void SampleCard::leaveEvent(QEvent*) {
+    update();
+}
 
 void SampleCard::paintEvent(QPaintEvent*) {
     QPainter painter(this);
@@ -67,7 +73,8 @@ void SampleCard::paintEvent(QPaintEvent*) {
         painter.drawImage(QRectF(space.center() - QPointF(size.width(), size.height()) / 2, size), m_picture);
     }
     painter.setPen(palette().color(QPalette::WindowText));
-    painter.drawText(QRectF(0, kPictureHeight, width(), height() - kPictureHeight - 6), Qt::AlignCenter, text());
+    painter.drawText(QRectF(0, kPictureHeight, width(), height() - kPictureHeight - 6), Qt::AlignCenter,
+                     text());
 }
 
 }  // namespace wend

@@ -111,7 +111,9 @@ QWidget* StartPage::makeDropArea() {
     open->setProperty("role", "primary");
     open->setDefault(true);
     describe(open, tr("Open…"), tr("Choose a picture, a flat mesh or a project."));
-    auto* kinds = secondLabel(tr("PNG, TIFF, EXR, JPEG, WebP — cut-outs with transparency work best. Projects and flat meshes too."), m_drop);
+    auto* kinds = secondLabel(tr("PNG, TIFF, EXR, JPEG, WebP — cut-outs with transparency work best. "
+                                 "Projects and flat meshes too."),
+                              m_drop);
     kinds->setAlignment(Qt::AlignCenter);
     column->addStretch(1);
     column->addWidget(text, 0, Qt::AlignHCenter);
@@ -153,8 +155,10 @@ void StartPage::setRecent(const QStringList& paths) {
     for (const QString& path : paths.mid(0, kMostRecent)) {
         auto* link = new QLabel(m_recentBox);
         const QFileInfo info(path);
-        link->setText(QStringLiteral("<a style='text-decoration:none' href='%1'>%2</a>&nbsp;&nbsp;<span style='color:%4'>%3</span>")
-                          .arg(path.toHtmlEscaped(), info.fileName().toHtmlEscaped(), QDir::toNativeSeparators(info.path()).toHtmlEscaped(),
+        link->setText(QStringLiteral("<a style='text-decoration:none' href='%1'>%2</a>&nbsp;&nbsp;<span "
+                                     "style='color:%4'>%3</span>")
+                          .arg(path.toHtmlEscaped(), info.fileName().toHtmlEscaped(),
+                               QDir::toNativeSeparators(info.path()).toHtmlEscaped(),
                                Theme::of(palette()).secondText.name()));
         link->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
         link->setAccessibleName(tr("Open %1").arg(info.fileName()));

@@ -46,9 +46,8 @@ TimeStrip::TimeStrip(ShapeSession& session, QWidget* parent)
     row->addWidget(m_label);
 
     Playback& playback = m_session.playback();
-    connect(m_slider, &QSlider::valueChanged, this, [this, &playback](int value) {
-        playback.setTime(playback.end() * value / kSteps);
-    });
+    connect(m_slider, &QSlider::valueChanged, this,
+            [this, &playback](int value) { playback.setTime(playback.end() * value / kSteps); });
     connect(m_slider, &QSlider::sliderPressed, &playback, [&playback] { playback.setPlaying(false); });
     connect(&playback, &Playback::endChanged, this, &TimeStrip::showEnd);
     connect(&playback, &Playback::timeChanged, this, &TimeStrip::showTime);
@@ -70,7 +69,8 @@ void TimeStrip::setIcons(const QIcon& play, const QIcon& pause, const QIcon& loo
 
 void TimeStrip::showEnd(double end) {
     m_slider->setEnabled(end > 0);
-    m_slider->setToolTip(end > 0 ? tr("Which moment of the motion is shown.") : tr("Nothing moves yet: drag a pin."));
+    m_slider->setToolTip(end > 0 ? tr("Which moment of the motion is shown.")
+                                 : tr("Nothing moves yet: drag a pin."));
     m_computed = 0;
     showTime();
 }
@@ -78,13 +78,17 @@ void TimeStrip::showEnd(double end) {
 void TimeStrip::showTime() {
     const Playback& playback = m_session.playback();
     const QSignalBlocker quiet(m_slider);
-    m_slider->setValue(playback.end() > 0 ? static_cast<int>(std::lround(kSteps * playback.time() / playback.end())) : 0);
+    m_slider->setValue(
+        playback.end() > 0 ? static_cast<int>(std::lround(kSteps * playback.time() / playback.end())) : 0);
     const QLocale locale;
-    m_label->setText(playback.end() > 0 ? tr("%1 / %2").arg(locale.toString(playback.time(), 'f', 2), locale.toString(playback.end(), 'f', 2))
+    m_label->setText(playback.end() > 0 ? tr("%1 / %2").arg(locale.toString(playback.time(), 'f', 2),
+                                                            locale.toString(playback.end(), 'f', 2))
                                         : tr("No motion yet"));
 }
 
-void TimeStrip::showPlaying(bool playing) { m_play->setIcon(playing ? m_pauseIcon : m_playIcon); }
+void TimeStrip::showPlaying(bool playing) {
+    m_play->setIcon(playing ? m_pauseIcon : m_playIcon);
+}
 
 void TimeStrip::paintEvent(QPaintEvent*) {
     const double end = m_session.playback().end();

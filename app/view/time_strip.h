@@ -10,7 +10,8 @@ class QToolButton;
 
 namespace wend {
 
-/// The time below the canvas: play, loop, a slider from 0 to the end, and how far the motion has been computed.
+/// The time below the canvas: play, loop, a slider from 0 to the end, and how far the motion has been
+/// computed.
 class TimeStrip : public QWidget {
     Q_OBJECT
 

@@ -25,7 +25,8 @@ void ViewTransform::setZoom(double zoom, const QPointF& fixed) {
 
 void ViewTransform::fit(const QRectF& shape, const QSizeF& widget, double margin) {
     if (shape.isEmpty() || widget.width() <= 2 * margin || widget.height() <= 2 * margin) return;
-    const double zoom = std::min((widget.width() - 2 * margin) / shape.width(), (widget.height() - 2 * margin) / shape.height());
+    const double zoom = std::min((widget.width() - 2 * margin) / shape.width(),
+                                 (widget.height() - 2 * margin) / shape.height());
     m_zoom = std::clamp(zoom, m_least, m_greatest);
     const QPointF centre(widget.width() / 2, widget.height() / 2);
     m_origin = {};

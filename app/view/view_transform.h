@@ -9,7 +9,8 @@
 
 namespace wend {
 
-/// Between the domain's coordinates and the widget's: zoom is widget pixels per unit; y may point up (meshes without a picture).
+/// Between the domain's coordinates and the widget's: zoom is widget pixels per unit; y may point up (meshes
+/// without a picture).
 class ViewTransform {
   public:
     double zoom() const { return m_zoom; }

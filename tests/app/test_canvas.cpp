@@ -65,7 +65,8 @@ void TestCanvas::wheelZoomsToThePointer() {
     const QPointF at(200, 150);
     const Vec<2> before = m_canvas->toShape(at);
     const double zoom = m_canvas->view().zoom();
-    QWheelEvent wheel(at, m_canvas->mapToGlobal(at), {}, {0, 120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+    QWheelEvent wheel(at, m_canvas->mapToGlobal(at), {}, {0, 120}, Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
     QCoreApplication::sendEvent(m_canvas.get(), &wheel);
     QVERIFY(m_canvas->view().zoom() > 1.1 * zoom);
     QVERIFY((m_canvas->toShape(at) - before).norm() < 1e-9);
@@ -97,7 +98,8 @@ void TestCanvas::pictureIsWhatAnExportWrites() {
     view.height = 480;
     view.origin = m_canvas->view().toShape({0, 0});
     view.scale = 1 / m_canvas->view().zoom();
-    const Image exported = warpImage(*m_session->document().picture(), *m_session->frame()->rest, m_session->frame()->pose, view);
+    const Image exported = warpImage(*m_session->document().picture(), *m_session->frame()->rest,
+                                     m_session->frame()->pose, view);
     const DisplayPicture asShown(exported);
     const QImage expected = toQImage(asShown.level(0));
     QCOMPARE(m_canvas->drawn()->image.size(), expected.size());
@@ -106,10 +108,11 @@ void TestCanvas::pictureIsWhatAnExportWrites() {
         for (int x = 0; x < expected.width(); ++x) {
             const QRgb a = m_canvas->drawn()->image.pixel(x, y), b = expected.pixel(x, y);
             if (qAlpha(a) < 128) continue;  // where alpha is small, 8 bits of associated colour say little
-            worst = std::max({worst, std::abs(qRed(a) - qRed(b)), std::abs(qGreen(a) - qGreen(b)), std::abs(qBlue(a) - qBlue(b)),
-                              std::abs(qAlpha(a) - qAlpha(b))});
+            worst = std::max({worst, std::abs(qRed(a) - qRed(b)), std::abs(qGreen(a) - qGreen(b)),
+                              std::abs(qBlue(a) - qBlue(b)), std::abs(qAlpha(a) - qAlpha(b))});
         }
-    QVERIFY2(worst <= 3, qPrintable(QString::number(worst)));  // two roundings to 8 bits, divided by alpha of a half
+    QVERIFY2(worst <= 3,
+             qPrintable(QString::number(worst)));  // two roundings to 8 bits, divided by alpha of a half
 }
 
 void TestCanvas::levelsHalve() {
@@ -138,7 +141,9 @@ void TestCanvas::mapColoursAreOrdered() {
     QFETCH(int, measure);
     const auto lightness = [&](double position) {
         const QColor c(colourAt(static_cast<Measure>(measure), position));
-        const auto linear = [](double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); };
+        const auto linear = [](double v) {
+            return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+        };
         const double y = 0.2126 * linear(c.redF()) + 0.7152 * linear(c.greenF()) + 0.0722 * linear(c.blueF());
         return 116 * std::cbrt(y) - 16;
     };

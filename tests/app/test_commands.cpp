@@ -27,11 +27,14 @@ namespace {
 
 Project withPins(int count) {
     Project project;
-    for (int i = 0; i < count; ++i) project = withPin(project, {10.0 * i, 5.0}, "Pin " + std::to_string(i + 1));
+    for (int i = 0; i < count; ++i)
+        project = withPin(project, {10.0 * i, 5.0}, "Pin " + std::to_string(i + 1));
     return project;
 }
 
-const std::vector<Handle<2>>& handlesOf(const Project& project) { return std::get<Design<2>>(project.design).handles; }
+const std::vector<Handle<2>>& handlesOf(const Project& project) {
+    return std::get<Design<2>>(project.design).handles;
+}
 
 void open(Document& document, Project project) {
     OpenedFile file;
@@ -52,7 +55,8 @@ void TestCommands::undoAndRedoSkipNothing() {
     open(document, {});
     std::vector<std::shared_ptr<const Project>> states = {document.project()};
     for (int i = 0; i < 5; ++i) {
-        document.change(QStringLiteral("Add"), withPin(*document.project(), {1.0 * i, 0}, freePinName(document.design())));
+        document.change(QStringLiteral("Add"),
+                        withPin(*document.project(), {1.0 * i, 0}, freePinName(document.design())));
         states.push_back(document.project());
     }
     QVERIFY(document.isModified());

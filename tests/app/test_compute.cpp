@@ -178,7 +178,8 @@ void TestCompute::problemsAreTold() {
     open();
     const Points<2> before = m_session->frame()->pose;
     QSignalSpy problems(m_session.get(), &ShapeSession::problem);
-    m_session->document().change(QStringLiteral("Bad pin"), withPin(*m_session->document().project(), {5, 5}, "stray"));
+    m_session->document().change(QStringLiteral("Bad pin"),
+                                 withPin(*m_session->document().project(), {5, 5}, "stray"));
     QVERIFY(QTest::qWaitFor([&] { return !problems.isEmpty(); }, 20000));
     QVERIFY(!problems.first().first().toString().isEmpty());
     QVERIFY(m_session->frame()->pose == before);  // the last good shape stays

@@ -81,7 +81,9 @@ void TestWindow::open() {
     m_window->canvas().setFocus();
 }
 
-QPoint TestWindow::at(double x, double y) const { return m_window->canvas().toWidget({x, y}).toPoint(); }
+QPoint TestWindow::at(double x, double y) const {
+    return m_window->canvas().toWidget({x, y}).toPoint();
+}
 
 void TestWindow::click(double x, double y, Qt::KeyboardModifiers modifiers) {
     QTest::mouseClick(&m_window->canvas(), Qt::LeftButton, modifiers, at(x, y));
@@ -123,8 +125,8 @@ void TestWindow::everyActionSaysWhatItDoes() {
     }
     QVERIFY(seen > 25);
     for (const QToolButton* button : m_window->findChildren<QToolButton*>())
-        QVERIFY2(!button->toolTip().isEmpty() || button->parent()->inherits("QAbstractSpinBox") || !button->defaultAction() ||
-                     !button->isVisible(),
+        QVERIFY2(!button->toolTip().isEmpty() || button->parent()->inherits("QAbstractSpinBox") ||
+                     !button->defaultAction() || !button->isVisible(),
                  qPrintable(button->text()));
 }
 
@@ -150,7 +152,8 @@ void TestWindow::clickPinsAndDragMoves() {
     QVERIFY(m_window->session().selection().isEmpty());
     QVERIFY(settle(m_window->session()));
     dragPin(200, 80, -10, 25);
-    QVERIFY(QTest::qWaitFor([&] { return m_window->session().frame()->live; }, 20000));  // it follows before the release
+    QVERIFY(QTest::qWaitFor([&] { return m_window->session().frame()->live; },
+                            20000));  // it follows before the release
     QTest::mouseRelease(&m_window->canvas(), Qt::LeftButton, {}, at(190, 105));
     QVERIFY(settle(m_window->session()));
     const double pixel = 1 / m_window->canvas().view().zoom();
@@ -309,7 +312,8 @@ void TestWindow::closingAsks() {
     QVERIFY(!m_window->close());
     QVERIFY(asked);
     QTimer::singleShot(100, [] {
-        if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) box->button(QMessageBox::Discard)->click();
+        if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget()))
+            box->button(QMessageBox::Discard)->click();
     });
     QVERIFY(m_window->close());
 }
@@ -350,7 +354,8 @@ void TestWindow::playRuns() {
     QVERIFY(m_window->actions().play->isEnabled());
     Playback& playback = m_window->session().playback();
     std::vector<double> heights;
-    connect(&playback, &Playback::timeChanged, this, [&] { heights.push_back(m_window->session().pins()[1].centre.y()); });
+    connect(&playback, &Playback::timeChanged, this,
+            [&] { heights.push_back(m_window->session().pins()[1].centre.y()); });
     m_window->actions().play->trigger();
     QVERIFY(playback.isPlaying());
     QVERIFY(QTest::qWaitFor([&] { return !playback.isPlaying(); }, 20000));
