@@ -73,7 +73,7 @@ void Actions::makeEdit(QUndoStack& stack) {
     undo = stack.createUndoAction(this, tr("&Undo"));
     redo = stack.createRedoAction(this, tr("&Redo"));
     undo->setShortcut(QKeySequence::Undo);
-    redo->setShortcut(QKeySequence::Redo);
+    redo->setShortcuts({QKeySequence(tr("Ctrl+Shift+Z")), QKeySequence(tr("Ctrl+Y"))});
     undo->setProperty("iconName", "undo");
     redo->setProperty("iconName", "redo");
     undo->setStatusTip(tr("Take back the last step"));
