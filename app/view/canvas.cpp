@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/view/overlay_painter.h"
+#include "app/view/screen_picture.h"
 
 namespace wend {
 
@@ -60,11 +61,12 @@ void Canvas::takeOpened() {
     fit();
     update();
     if (!picture) return;
-    QtConcurrent::run([picture] {
-        return std::make_shared<const DisplayPicture>(*picture);
-    }).then(this, [this, picture](const std::shared_ptr<const DisplayPicture>& display) {
+    const auto prepare = [picture] {
+        return std::make_shared<const Pyramid>(std::make_shared<const Image>(toScreen(*picture)));
+    };
+    QtConcurrent::run(prepare).then(this, [this, picture](const std::shared_ptr<const Pyramid>& prepared) {
         if (m_session.document().picture() != picture) return;
-        m_picture = display;
+        m_picture = prepared;
         render();
     });
 }

@@ -78,7 +78,7 @@ class Canvas : public QWidget, public ToolSurface {
 
     ShapeSession& m_session;
     Tool* m_tool = nullptr;
-    std::shared_ptr<const DisplayPicture> m_picture;
+    std::shared_ptr<const Pyramid> m_picture;
     ViewTransform m_view;
     std::shared_ptr<const RenderResult> m_drawn;
     QTimer m_refine;  // draws at full quality once nothing has moved for a while

@@ -37,6 +37,19 @@ std::string numbered(const QString& path, int number) {
         .toStdString();
 }
 
+/// What went wrong, or nothing. (Futures would slice the exception.)
+template <class Job, class Progress>
+QString errorOf(const Job& job, const Progress& progress, std::stop_token stop) {
+    try {
+        job(progress, stop);
+        return {};
+    } catch (const Cancelled&) {
+        return {};
+    } catch (const std::exception& error) {
+        return QString::fromUtf8(error.what());
+    }
+}
+
 }  // namespace
 
 Exporter::Exporter(ShapeSession& session, QWidget& window)
@@ -75,17 +88,15 @@ void Exporter::run(const QString& what, const QString& path, Job job) {
     const auto finish = [dialog = QPointer<QProgressDialog>(dialog)] {
         if (dialog) dialog->deleteLater();
     };
-    QtConcurrent::run([job = std::move(job), progress, source] { job(progress, source->get_token()); })
-        .then(this,
-              [this, finish, source, path] {
-                  finish();
-                  if (!source->stop_requested())
-                      emit done(tr("Written: %1").arg(QDir::toNativeSeparators(path)));
-              })
-        .onFailed(this, [this, finish](const std::exception& error) {
-            finish();
-            emit failed(tr("Nothing was written. %1").arg(QString::fromUtf8(error.what())));
-        });
+    QtConcurrent::run([job = std::move(job), progress, source] {
+        return errorOf(job, progress, source->get_token());
+    }).then(this, [this, finish, source, path](const QString& error) {
+        finish();
+        if (!error.isEmpty())
+            emit failed(tr("Nothing was written. %1").arg(error));
+        else if (!source->stop_requested())
+            emit done(tr("Written: %1").arg(QDir::toNativeSeparators(path)));
+    });
 }
 
 void Exporter::exportPicture() {

@@ -22,6 +22,20 @@ QString said(const std::exception& error) {
     return QString::fromUtf8(error.what());
 }
 
+/// What came of reading a file in the background. (Futures would slice the exception.)
+struct Reading {
+    OpenedFile file;
+    QString error;
+};
+
+Reading read(const QString& path) {
+    try {
+        return {openFile(path), {}};
+    } catch (const std::exception& error) {
+        return {{}, said(error)};
+    }
+}
+
 }  // namespace
 
 FileWorkflow::FileWorkflow(Document& document, QWidget& window)
@@ -44,21 +58,17 @@ void FileWorkflow::open(const QString& path) {
     const int ticket = ++m_ticket;
     ++m_opening;
     emit openingChanged(QFileInfo(path).fileName());
-    QtConcurrent::run([path] {
-        return openFile(path);
-    }).then(this, [this, ticket](OpenedFile file) {
-          take(ticket, std::move(file));
-      }).onFailed(this, [this](const std::exception& error) {
+    QtConcurrent::run([path] { return read(path); }).then(this, [this, ticket](const Reading& reading) {
         --m_opening;
         emit openingChanged({});
-        emit failed(tr("This file cannot be opened. %1").arg(said(error)));
+        if (!reading.error.isEmpty())
+            emit failed(tr("This file cannot be opened. %1").arg(reading.error));
+        else if (ticket == m_ticket)
+            take(reading.file);
     });
 }
 
-void FileWorkflow::take(int ticket, OpenedFile file) {
-    --m_opening;
-    emit openingChanged({});
-    if (ticket != m_ticket) return;
+void FileWorkflow::take(OpenedFile file) {
     const QStringList warnings = file.warnings;
     const QString source = file.source;
     m_document.open(std::move(file));

@@ -40,7 +40,7 @@ class FileWorkflow : public QObject {
   private:
     bool saveTo(const QString& path);
     void addRecent(const QString& path);
-    void take(int ticket, OpenedFile file);
+    void take(OpenedFile file);
 
     Document& m_document;
     QWidget& m_window;

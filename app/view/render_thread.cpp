@@ -3,26 +3,23 @@
 #include <QPainter>
 #include <cmath>
 
+#include "app/view/screen_picture.h"
+
 namespace wend {
 
 namespace {
 
-/// The picture at a level of its pyramid, warped onto the screen by the same code as an export.
+/// The picture on the screen, by the same code as an export.
 QImage warped(const RenderRequest& request, std::stop_token stop) {
-    const double scale = 1 / (request.view.zoom() * request.ratio);  // picture pixels per device pixel
-    const int level = request.picture->levelFor(scale);
-    const double shrink = std::ldexp(1.0, -level);
-    SimplicialMesh<2> rest = *request.frame->rest;
-    if (level > 0) rest.points *= shrink;
     View view;
     view.width = static_cast<int>(std::lround(request.size.width() * request.ratio));
     view.height = static_cast<int>(std::lround(request.size.height() * request.ratio));
     view.origin = request.view.toShape({0, 0});
-    view.scale = scale;
+    view.scale = 1 / (request.view.zoom() * request.ratio);
     WarpOptions options;
     options.filter = request.filter;
     options.stop = stop;
-    const Image image = warpImage(request.picture->level(level), rest, request.frame->pose, view, options);
+    const Image image = warpImage(*request.picture, *request.frame->rest, request.frame->pose, view, options);
     return stop.stop_requested() ? QImage() : toQImage(image);
 }
 

@@ -9,15 +9,15 @@
 
 #include "app/panels/colour_map.h"
 #include "app/session/frame.h"
-#include "app/view/display_picture.h"
 #include "app/view/view_transform.h"
+#include "warp/pyramid.h"
 #include "warp/warp.h"
 
 namespace wend {
 
 /// What the canvas wants drawn: the picture carried by a frame, and what lies over it.
 struct RenderRequest {
-    std::shared_ptr<const DisplayPicture> picture;  // may be null
+    std::shared_ptr<const Pyramid> picture;  // as the screen needs it; may be null
     FramePtr frame;
     ViewTransform view;
     QSize size;        // of the widget

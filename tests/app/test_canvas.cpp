@@ -3,6 +3,7 @@
 
 #include "app/session/opening.h"
 #include "app/view/canvas.h"
+#include "app/view/screen_picture.h"
 #include "tests/support/window_fixture.h"
 
 using namespace wend;
@@ -18,7 +19,8 @@ class TestCanvas : public QObject {
     void wheelZoomsToThePointer();
     void middleDragPans();
     void pictureIsWhatAnExportWrites();
-    void levelsHalve();
+    void everyDepthComesOutTheSame_data();
+    void everyDepthComesOutTheSame();
     void mapColoursAreOrdered_data();
     void mapColoursAreOrdered();
     void areaIsCentredOnOne();
@@ -91,8 +93,6 @@ void TestCanvas::pictureIsWhatAnExportWrites() {
     m_session->endDrag(0.2);
     QVERIFY(settle(*m_session));
     QVERIFY(QTest::qWaitFor([&] { return m_canvas->isSettled(); }, 20000));
-    const RenderRequest& request = m_canvas->drawn()->request;
-    QCOMPARE(request.picture->levelFor(1 / request.view.zoom()), 0);  // seen enlarged: the picture itself
     View view;
     view.width = 640;
     view.height = 480;
@@ -100,8 +100,7 @@ void TestCanvas::pictureIsWhatAnExportWrites() {
     view.scale = 1 / m_canvas->view().zoom();
     const Image exported = warpImage(*m_session->document().picture(), *m_session->frame()->rest,
                                      m_session->frame()->pose, view);
-    const DisplayPicture asShown(exported);
-    const QImage expected = toQImage(asShown.level(0));
+    const QImage expected = toQImage(toScreen(exported));
     QCOMPARE(m_canvas->drawn()->image.size(), expected.size());
     int worst = 0;
     for (int y = 0; y < expected.height(); ++y)
@@ -115,19 +114,30 @@ void TestCanvas::pictureIsWhatAnExportWrites() {
              qPrintable(QString::number(worst)));  // two roundings to 8 bits, divided by alpha of a half
 }
 
-void TestCanvas::levelsHalve() {
+void TestCanvas::everyDepthComesOutTheSame_data() {
+    QTest::addColumn<int>("type");
+    QTest::addColumn<bool>("unassociated");
+    QTest::newRow("8 bits") << int(PixelType::UInt8) << false;
+    QTest::newRow("8 bits, unassociated") << int(PixelType::UInt8) << true;
+    QTest::newRow("16 bits, unassociated") << int(PixelType::UInt16) << true;
+}
+
+void TestCanvas::everyDepthComesOutTheSame() {
+    QFETCH(int, type);
+    QFETCH(bool, unassociated);
     Image image;
-    image.width = 2049;
-    image.height = 1500;
-    image.channels = 3;
-    image.data.assign(std::size_t(3) * image.width * image.height, std::byte(200));
-    const DisplayPicture picture(image);
-    QCOMPARE(picture.level(1).width, 1025);
-    QCOMPARE(picture.levelFor(0.5), 0);
-    QCOMPARE(picture.levelFor(1.9), 0);
-    QCOMPARE(picture.levelFor(2), 1);
-    QCOMPARE(std::to_integer<int>(picture.level(1).data[0]), 200);
-    QCOMPARE(std::to_integer<int>(picture.level(1).data[3]), 255);
+    image.width = image.height = 1;
+    image.channels = 4;
+    image.alpha = true;
+    image.type = static_cast<PixelType>(type);
+    image.unassociated = unassociated;
+    const std::array<int, 4> associated = {102, 51, 0, 127}, own = {205, 102, 0, 127};
+    for (const int value : unassociated ? own : associated) {
+        image.data.push_back(std::byte(value));
+        if (image.type == PixelType::UInt16) image.data.push_back(std::byte(value));  // 257 times the value
+    }
+    const Image screen = toScreen(image);
+    for (int c = 0; c < 4; ++c) QVERIFY(std::abs(std::to_integer<int>(screen.data[c]) - associated[c]) <= 1);
 }
 
 void TestCanvas::mapColoursAreOrdered_data() {

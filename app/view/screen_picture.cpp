@@ -1,4 +1,4 @@
-#include "app/view/display_picture.h"
+#include "app/view/screen_picture.h"
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -8,8 +8,6 @@
 namespace wend {
 
 namespace {
-
-constexpr int kSmallest = 512;  // no level below this size
 
 Image blank(int width, int height) {
     Image image;
@@ -21,15 +19,12 @@ Image blank(int width, int height) {
     return image;
 }
 
-const std::uint8_t* bytes(const Image& image, int x, int y) {
-    return reinterpret_cast<const std::uint8_t*>(image.data.data()) + 4 * (std::size_t(y) * image.width + x);
-}
 std::uint8_t* bytes(Image& image, int x, int y) {
     return reinterpret_cast<std::uint8_t*>(image.data.data()) + 4 * (std::size_t(y) * image.width + x);
 }
 
 /// Scene-linear light (half and float files) as the screen wants it.
-float toScreen(float linear) {
+float encoded(float linear) {
     const float x = std::clamp(linear, 0.0F, 1.0F);
     return x <= 0.0031308F ? 12.92F * x : 1.055F * std::pow(x, 1 / 2.4F) - 0.055F;
 }
@@ -65,7 +60,7 @@ void convertPixel(const Image& from, const std::byte* p, std::uint8_t* to) {
         float value = component(p, from.type, colours >= 3 ? c : 0);
         if (linear) {
             const float own = from.unassociated || alpha <= 0 ? value : value / alpha;
-            value = toScreen(own) * alpha;
+            value = encoded(own) * alpha;
         } else if (from.unassociated) {
             value *= alpha;
         }
@@ -74,7 +69,9 @@ void convertPixel(const Image& from, const std::byte* p, std::uint8_t* to) {
     to[3] = static_cast<std::uint8_t>(std::lround(255 * alpha));
 }
 
-Image converted(const Image& from) {
+}  // namespace
+
+Image toScreen(const Image& from) {
     Image to = blank(from.width, from.height);
     const bool isBytes =
         from.type == PixelType::UInt8 && from.channels == 4 && from.alpha && !from.unassociated;
@@ -87,34 +84,6 @@ Image converted(const Image& from) {
         for (int x = 0; x < from.width; ++x, p += from.pixelBytes()) convertPixel(from, p, bytes(to, x, y));
     }
     return to;
-}
-
-Image halved(const Image& from) {
-    Image to = blank((from.width + 1) / 2, (from.height + 1) / 2);
-    for (int y = 0; y < to.height; ++y)
-        for (int x = 0; x < to.width; ++x) {
-            const int x0 = 2 * x, y0 = 2 * y;
-            const int x1 = std::min(x0 + 1, from.width - 1), y1 = std::min(y0 + 1, from.height - 1);
-            const std::uint8_t *a = bytes(from, x0, y0), *b = bytes(from, x1, y0), *c = bytes(from, x0, y1),
-                               *d = bytes(from, x1, y1);
-            std::uint8_t* out = bytes(to, x, y);
-            for (int k = 0; k < 4; ++k)
-                out[k] = static_cast<std::uint8_t>((a[k] + b[k] + c[k] + d[k] + 2) / 4);
-        }
-    return to;
-}
-
-}  // namespace
-
-DisplayPicture::DisplayPicture(const Image& picture) {
-    m_levels.push_back(converted(picture));
-    while (std::max(m_levels.back().width, m_levels.back().height) >= 2 * kSmallest)
-        m_levels.push_back(halved(m_levels.back()));
-}
-
-int DisplayPicture::levelFor(double scale) const {
-    const int wanted = scale <= 1 ? 0 : static_cast<int>(std::floor(std::log2(scale) + 0.01));
-    return std::clamp(wanted, 0, static_cast<int>(m_levels.size()) - 1);
 }
 
 QImage toQImage(const Image& image) {
