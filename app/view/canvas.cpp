@@ -61,9 +61,7 @@ void Canvas::takeOpened() {
     fit();
     update();
     if (!picture) return;
-    const auto prepare = [picture] {
-        return std::make_shared<const Pyramid>(std::make_shared<const Image>(toScreen(*picture)));
-    };
+    const auto prepare = [picture] { return std::make_shared<const Pyramid>(screenPicture(picture)); };
     QtConcurrent::run(prepare).then(this, [this, picture](const std::shared_ptr<const Pyramid>& prepared) {
         if (m_session.document().picture() != picture) return;
         m_picture = prepared;

@@ -107,7 +107,7 @@ QImage RenderThread::render(const RenderRequest& request, std::stop_token stop) 
     if (request.picture) image = warped(request, stop);
     if (stop.stop_requested()) return {};
     if (image.isNull()) {
-        image = QImage(request.size * request.ratio, QImage::Format_RGBA8888_Premultiplied);
+        image = QImage(request.size * request.ratio, QImage::Format_ARGB32_Premultiplied);
         image.fill(Qt::transparent);
     }
     QPainter painter(&image);

@@ -9,20 +9,6 @@ namespace wend {
 
 namespace {
 
-Image blank(int width, int height) {
-    Image image;
-    image.width = width;
-    image.height = height;
-    image.channels = 4;
-    image.alpha = true;
-    image.data.resize(std::size_t(4) * width * height);
-    return image;
-}
-
-std::uint8_t* bytes(Image& image, int x, int y) {
-    return reinterpret_cast<std::uint8_t*>(image.data.data()) + 4 * (std::size_t(y) * image.width + x);
-}
-
 /// Scene-linear light (half and float files) as the screen wants it.
 float encoded(float linear) {
     const float x = std::clamp(linear, 0.0F, 1.0F);
@@ -51,45 +37,50 @@ float component(const std::byte* p, PixelType type, int channel) {
     return v;
 }
 
+/// Red, green, blue and alpha in 8 bits, as associated as they were.
 void convertPixel(const Image& from, const std::byte* p, std::uint8_t* to) {
     const bool linear = from.type == PixelType::Half || from.type == PixelType::Float;
     const int colours = from.channels - (from.alpha ? 1 : 0);
     const float alpha =
         from.alpha ? std::clamp(component(p, from.type, from.channels - 1), 0.0F, 1.0F) : 1.0F;
+    const float weight = from.unassociated || alpha <= 0 ? 1.0F : alpha;  // that the colours carry
     for (int c = 0; c < 3; ++c) {
-        float value = component(p, from.type, colours >= 3 ? c : 0);
-        if (linear) {
-            const float own = from.unassociated || alpha <= 0 ? value : value / alpha;
-            value = encoded(own) * alpha;
-        } else if (from.unassociated) {
-            value *= alpha;
-        }
-        to[c] = static_cast<std::uint8_t>(std::lround(255 * std::clamp(value, 0.0F, alpha)));
+        const float value = component(p, from.type, colours >= 3 ? c : 0) / weight;
+        const float shown = weight * std::clamp(linear ? encoded(value) : value, 0.0F, 1.0F);
+        to[c] = static_cast<std::uint8_t>(std::lround(255 * shown));
     }
     to[3] = static_cast<std::uint8_t>(std::lround(255 * alpha));
 }
 
-}  // namespace
-
-Image toScreen(const Image& from) {
-    Image to = blank(from.width, from.height);
-    const bool isBytes =
-        from.type == PixelType::UInt8 && from.channels == 4 && from.alpha && !from.unassociated;
-    if (isBytes) {
-        to.data = from.data;
-        return to;
-    }
+Image converted(const Image& from) {
+    Image to;
+    to.width = from.width;
+    to.height = from.height;
+    to.channels = 4;
+    to.alpha = true;
+    to.unassociated = from.unassociated || !from.alpha;
+    to.data.resize(std::size_t(4) * to.width * to.height);
+    auto* out = reinterpret_cast<std::uint8_t*>(to.data.data());
     for (int y = 0; y < from.height; ++y) {
         const std::byte* p = from.row(y);
-        for (int x = 0; x < from.width; ++x, p += from.pixelBytes()) convertPixel(from, p, bytes(to, x, y));
+        for (int x = 0; x < from.width; ++x, p += from.pixelBytes(), out += 4) convertPixel(from, p, out);
     }
     return to;
 }
 
-QImage toQImage(const Image& image) {
-    const auto* data = reinterpret_cast<const uchar*>(image.data.data());
-    return QImage(data, image.width, image.height, 4 * image.width, QImage::Format_RGBA8888_Premultiplied)
-        .copy();
+}  // namespace
+
+std::shared_ptr<const Image> screenPicture(const std::shared_ptr<const Image>& picture) {
+    const bool colour = picture->channels == (picture->alpha ? 4 : 3);
+    if (picture->type == PixelType::UInt8 && colour) return picture;
+    return std::make_shared<const Image>(converted(*picture));
+}
+
+QImage toQImage(const Image& warped) {
+    const auto* data = reinterpret_cast<const uchar*>(warped.data.data());
+    const auto format = warped.unassociated ? QImage::Format_RGBA8888 : QImage::Format_RGBA8888_Premultiplied;
+    const QImage borrowed(data, warped.width, warped.height, 4 * warped.width, format);
+    return borrowed.convertToFormat(QImage::Format_ARGB32_Premultiplied);
 }
 
 }  // namespace wend
