@@ -63,8 +63,7 @@ bool isDark(const QPalette& palette) {
 
 QByteArray recoloured(const QByteArray& svg, const QColor& colour) {
     QByteArray result = svg;
-    result.replace("currentColor", colour.name().toLatin1());
-    result.replace("#808080", colour.name().toLatin1());
+    result.replace("#000000", colour.name().toLatin1());  // the icons' only tone
     return result;
 }
 

@@ -8,8 +8,8 @@ namespace wend {
 
 namespace {
 
-constexpr double kLongestPiece = 0.02;  // of the diagonal, per step of the midpoint rule
-constexpr double kMostPieces = 6;
+constexpr double kLongestPiece = 0.03;  // of the diagonal, per step of the midpoint rule
+constexpr double kMostPieces = 2;       // per sample: the pointer is more urgent than the path
 
 IntegrationOptions liveOptions() {
     IntegrationOptions options;

@@ -59,7 +59,7 @@ void Actions::makeFile() {
                         QKeySequence(tr("Ctrl+E")), "export");
     exportMesh = add({tr("Export &Mesh…"), tr("Write the bent mesh as OBJ, PLY, VTU …")}, {});
     exportFrames = add({tr("Export &Frames…"), tr("Write the motion as a sequence of pictures")},
-                       QKeySequence(tr("Ctrl+Shift+E")));
+                       QKeySequence(tr("Ctrl+Shift+E")), "frames");
     exportStMap =
         add({tr("Export S&T Map…"), tr("Write where each pixel comes from, for compositing programs")}, {});
     closeFile = add({tr("&Close"), tr("Close the file and go back to the start page")}, QKeySequence::Close);
@@ -116,13 +116,15 @@ void Actions::makeView() {
 void Actions::makeMotion() {
     play = add({tr("&Play"), tr("Play the motion, or pause it")}, QKeySequence(tr("K")), "play");
     loop = addToggle({tr("&Loop"), tr("Begin again at the end")}, QKeySequence(tr("L")), "loop");
-    toStart = add({tr("To the &Start"), tr("Show the shape at rest")}, QKeySequence(Qt::Key_Home));
+    toStart =
+        add({tr("To the &Start"), tr("Show the shape at rest")}, QKeySequence(Qt::Key_Home), "first-frame");
     toEnd = add({tr("To the &End"), tr("Show the end of the motion, where dragging goes on")},
-                QKeySequence(Qt::Key_End));
+                QKeySequence(Qt::Key_End), "last-frame");
 }
 
 void Actions::makeHelp() {
-    shortcuts = add({tr("&Keys and Mouse"), tr("What pointer and keys do")}, QKeySequence::HelpContents);
+    shortcuts =
+        add({tr("&Keys and Mouse"), tr("What pointer and keys do")}, QKeySequence::HelpContents, "help");
     about = add({tr("&About Wend"), tr("Version and licence")}, {});
     about->setMenuRole(QAction::AboutRole);
 }

@@ -23,6 +23,7 @@ int runWindow(int argc, char** argv) {
     if (qts.load(QLocale(), QStringLiteral("qtbase"), QStringLiteral("_"),
                  QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
         QApplication::installTranslator(&qts);
+    QApplication::setWindowIcon(QIcon(QStringLiteral(":/wend/icons/wend.svg")));
     MainWindow window;
     window.show();
     const QStringList arguments = QApplication::arguments();

@@ -2,6 +2,7 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <QIcon>
 #include <QLabel>
 #include <QPainter>
 #include <QPushButton>
@@ -55,6 +56,7 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
     auto* content = new QWidget(this);
     content->setMaximumWidth(kWidth);
     auto* column = new QVBoxLayout(content);
+    column->setContentsMargins(24, 24, 24, 24);
     column->setSpacing(14);
     column->addWidget(makeHeader());
     column->addSpacing(8);
@@ -70,21 +72,18 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
     row->addStretch(1);
     row->addWidget(content, 20);
     row->addStretch(1);
-    auto* centred = new QVBoxLayout;
-    column->setContentsMargins(24, 24, 24, 24);
     row->setAlignment(content, Qt::AlignVCenter);
-    delete centred;
     m_recentBox->hide();
 }
 
 QWidget* StartPage::makeHeader() {
     auto* header = new QWidget(this);
-    auto* column = new QVBoxLayout(header);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(2);
+    auto* logo = new QLabel(header);
+    logo->setPixmap(
+        QIcon(QStringLiteral(":/wend/icons/wend.svg")).pixmap(QSize(64, 64), devicePixelRatioF()));
     auto* name = new QLabel(QStringLiteral("Wend"), header);
     QFont font = name->font();
-    font.setPointSizeF(font.pointSizeF() * 3);
+    font.setPointSizeF(font.pointSizeF() * 2.6);
     font.setWeight(QFont::DemiBold);
     font.setLetterSpacing(QFont::AbsoluteSpacing, -1);
     name->setFont(font);
@@ -92,8 +91,15 @@ QWidget* StartPage::makeHeader() {
     QFont lineFont = line->font();
     lineFont.setPointSizeF(lineFont.pointSizeF() * 1.15);
     line->setFont(lineFont);
+    auto* column = new QVBoxLayout;
+    column->setSpacing(0);
     column->addWidget(name);
     column->addWidget(line);
+    auto* row = new QHBoxLayout(header);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(16);
+    row->addWidget(logo);
+    row->addLayout(column, 1);
     return header;
 }
 
