@@ -1,3 +1,5 @@
-int main() {
-    return 0;
+#include "app/view/run_window.h"
+
+int main(int argc, char** argv) {
+    return wend::runWindow(argc, argv);
 }
