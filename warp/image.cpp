@@ -261,6 +261,12 @@ Image readImage(const std::string& path, double maxMegapixels) {
     return oriented(image, spec.get_int_attribute("Orientation", 1));
 }
 
+bool canWriteImage(const std::string& path) {
+    const bool known = OIIO::ImageOutput::create(path) != nullptr;
+    OIIO::geterror();  // or it would be found by the next who asks
+    return known;
+}
+
 void writeImage(const std::string& path, const Image& image) {
     const std::string extension = extensionOf(path);
     const FormatLimits limits = limitsOf(extension);

@@ -36,6 +36,9 @@ Image readImage(const std::string& path, double maxMegapixels = 400);
 /// InputError.
 void writeImage(const std::string& path, const Image& image);
 
+/// Whether writeImage() knows the extension.
+bool canWriteImage(const std::string& path);
+
 /// Size, type and channels without the pixels.
 Image readImageHeader(const std::string& path);
 

@@ -9,16 +9,16 @@ namespace wend {
 namespace {
 
 double readPhi(const JsonValue& value, int dim) {
-    double phi = 0;
+    double number = 0;
     if (value.json().is_string()) {
-        phi = phiOfName(value.text(), dim);
-        if (std::isnan(phi))
+        number = phiOfName(value.text(), dim);
+        if (std::isnan(number))
             value.fail("unknown name \"" + value.text() + "\"; known are equia, metr, akvf, conf");
     } else {
-        phi = value.number();
+        number = value.number();
     }
-    if (const std::string problem = phiProblem(phi, dim); !problem.empty()) value.fail(problem);
-    return phi;
+    if (const std::string problem = phi::problem(number, dim); !problem.empty()) value.fail(problem);
+    return number;
 }
 
 template <int Dim>

@@ -45,10 +45,6 @@ double defaultOf(std::string_view keyOrFlag);
 std::string rangeProblem(const Option& option, double value);
 bool isChoice(const Option& option, std::string_view value);
 
-/// ]0, φ_CONF(dim)]
-Range phiRange(int dim);
-/// Empty, or what is wrong with φ; the text states the range.
-std::string phiProblem(double phi, int dim);
 /// φ of `equia`, `metr`, `akvf`, `conf`, or NaN for another word.
 double phiOfName(std::string_view name, int dim);
 /// The name of exactly that φ, or empty.
