@@ -79,12 +79,10 @@ class BandPainter {
         if constexpr (F == Filter::Bilinear) return sampler.bilinear(x, y);
         if constexpr (F == Filter::Bicubic) return sampler.bicubic(x, y);
         if (filter.ellipse == 0) return sampler.bicubic(x, y);
-        Colour colour = sampler.elliptical(x, y, filter.inverse, filter.reach);
+        const Colour colour = sampler.elliptical(x, y, filter.inverse, filter.reach, m_kernel);
         if (filter.ellipse == 1) return colour;
-        const Colour sharp = sampler.bicubic(x, y);
         const float t = static_cast<float>(filter.ellipse);
-        for (int c = 0; c < N; ++c) colour[c] = t * colour[c] + (1 - t) * sharp[c];
-        return colour;
+        return t * colour + (1 - t) * sampler.bicubic(x, y);
     }
 
     void paintCell(int cell) {
@@ -127,7 +125,7 @@ class BandPainter {
         if (kind == Outside::Clamp || (kind == Outside::Original && inPicture(p))) {
             const Colour sampled =
                 sample(CellFilter(m_job.view.scale * Mat<2>::Identity(), F, m_job.source.levels()), p);
-            std::copy_n(sampled.begin(), N, colour.begin());
+            std::copy_n(sampled.data(), N, colour.begin());
             colour[N] = kFull<T>;
         } else if (kind == Outside::Colour) {
             const auto& given = m_job.options.colour;
@@ -207,7 +205,7 @@ class BandPainter {
                                     m_job.source.levels());
             const Colour sampled = sample(filter, map.source(m_job.plane(x + 0.5, y + 0.5)));
             std::array<float, kMost + 1> colour{};
-            std::copy_n(sampled.begin(), N, colour.begin());
+            std::copy_n(sampled.data(), N, colour.begin());
             if (m_job.addsAlpha) colour[N] = kFull<T>;
             mix(colour, std::popcount(shown));
             left &= ~shown;
@@ -227,6 +225,7 @@ class BandPainter {
 
     Job& m_job;
     int m_band, m_begin, m_end;
+    RadialKernel m_kernel;
     std::vector<Sampler<T, N>> m_samplers;
 };
 

@@ -76,21 +76,53 @@ struct Cholesky::Handles {
         cholmod_free_dense(&work1, &common);
         cholmod_free_dense(&work2, &common);
     }
-    void order(Ordering ordering) {
-        common.nmethods = 1;
-        common.method[0].ordering = ordering == Ordering::MinimumDegree ? CHOLMOD_AMD : CHOLMOD_METIS;
-        common.postorder = 1;
-        const std::lock_guard lock(analysisMutex());
-        factor = cholmod_analyze(matrix, &common);
-    }
+    std::vector<int> orderBlocks(int blockSize, Ordering ordering);
+    void analyze(int blockSize, Ordering ordering);
 };
+
+/// The fill-reducing order of the graph of blocks: for METIS a third of the work of the scalar graph.
+std::vector<int> Cholesky::Handles::orderBlocks(int blockSize, Ordering ordering) {
+    const auto* start = static_cast<const int*>(matrix->p);
+    const auto* row = static_cast<const int*>(matrix->i);
+    const std::size_t blocks = matrix->ncol / blockSize;
+    cholmod_sparse* graph = cholmod_allocate_sparse(blocks, blocks, matrix->nzmax / blockSize, 1, 1, -1,
+                                                    CHOLMOD_PATTERN, &common);
+    if (graph == nullptr) throw std::bad_alloc();
+    auto* graphStart = static_cast<int*>(graph->p);
+    auto* graphRow = static_cast<int*>(graph->i);
+    int count = 0;
+    for (std::size_t q = 0; q < blocks; ++q) {
+        graphStart[q] = count;
+        for (int i = start[q * blockSize]; i < start[q * blockSize + 1]; i += blockSize)
+            graphRow[count++] = row[i] / blockSize;
+    }
+    graphStart[blocks] = count;
+    std::vector<int> order(blocks);
+    if (ordering == Ordering::MinimumDegree)
+        cholmod_amd(graph, nullptr, 0, order.data(), &common);
+    else
+        cholmod_metis(graph, nullptr, 0, 1, order.data(), &common);
+    cholmod_free_sparse(&graph, &common);
+    return order;
+}
+
+void Cholesky::Handles::analyze(int blockSize, Ordering ordering) {
+    const std::lock_guard lock(analysisMutex());
+    std::vector<int> order;
+    for (int block : orderBlocks(blockSize, ordering))
+        for (int k = 0; k < blockSize; ++k) order.push_back(block * blockSize + k);
+    common.nmethods = 1;
+    common.method[0].ordering = CHOLMOD_GIVEN;
+    common.postorder = 1;
+    factor = cholmod_analyze_p(matrix, order.data(), nullptr, 0, &common);
+}
 
 Cholesky::Cholesky() : m_handles(std::make_unique<Handles>()) {
     useOneBlasThread();
 }
 Cholesky::~Cholesky() = default;
 
-void Cholesky::analyze(const std::vector<int>& columnStart, const std::vector<int>& row, int /*blockSize*/,
+void Cholesky::analyze(const std::vector<int>& columnStart, const std::vector<int>& row, int blockSize,
                        Ordering ordering) {
     const SerialOpenMp serial;
     auto& h = *m_handles;
@@ -101,8 +133,16 @@ void Cholesky::analyze(const std::vector<int>& columnStart, const std::vector<in
     std::copy(columnStart.begin(), columnStart.end(), static_cast<int*>(h.matrix->p));
     std::copy(row.begin(), row.end(), static_cast<int*>(h.matrix->i));
     std::fill_n(static_cast<double*>(h.matrix->x), row.size(), 0.0);
-    h.order(ordering);
+    h.analyze(blockSize, ordering);
     if (h.factor == nullptr) throw std::bad_alloc();
+}
+
+double Cholesky::factorFlops() const {
+    return m_handles->common.fl;
+}
+
+double Cholesky::factorEntries() const {
+    return m_handles->common.lnz;
 }
 
 std::span<double> Cholesky::values() {

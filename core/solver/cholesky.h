@@ -21,13 +21,16 @@ class Cholesky {
     Cholesky& operator=(const Cholesky&) = delete;
 
     /// Pattern of the lower triangle by columns, rows ascending (entries above the diagonal are ignored).
-    /// `blockSize` consecutive unknowns have one pattern. Throws std::bad_alloc if there is not enough
-    /// memory.
+    /// `blockSize` consecutive unknowns have one pattern: they are ordered as one. Throws std::bad_alloc if
+    /// there is not enough memory.
     void analyze(const std::vector<int>& columnStart, const std::vector<int>& row, int blockSize,
                  Ordering ordering);
     /// Where the caller writes the values of the pattern.
     std::span<double> values();
     Status factorize();
+    /// Counted by the analysis: floating-point operations of a factorization and entries of the factor.
+    double factorFlops() const;
+    double factorEntries() const;
     /// x = K⁻¹ b; b and x may be the same.
     Status solve(std::span<const double> b, std::span<double> x);
 

@@ -115,6 +115,14 @@ void ReducedSystem<Dim>::particular(const Points<Dim>& prescribed, Points<Dim>& 
 }
 
 template <int Dim>
+void ReducedSystem<Dim>::adopt(const Points<Dim>& field, Points<Dim>& v) const {
+    Points<Dim> y(Dim, static_cast<Eigen::Index>(m_unknowns.size()));
+    for (std::size_t P = 0; P < m_unknowns.size(); ++P)
+        y.col(static_cast<Eigen::Index>(P)) = field.col(m_unknowns[P]);
+    expand(y, v);
+}
+
+template <int Dim>
 void ReducedSystem<Dim>::expand(const Points<Dim>& y, Points<Dim>& v) const {
     for (std::size_t P = 0; P < m_unknowns.size(); ++P)
         v.col(m_unknowns[P]) += y.col(static_cast<Eigen::Index>(P));

@@ -25,6 +25,8 @@ class ReducedSystem {
     void gather(std::span<const double> blocksOfA, std::span<double> values) const;
     /// v_p: the constrained vertices with all free ones at rest; prescribed has a column per row.
     void particular(const Points<Dim>& prescribed, Points<Dim>& v) const;
+    /// v = Z y + v_p with y from another field: v is v_p on entry.
+    void adopt(const Points<Dim>& field, Points<Dim>& v) const;
     /// v += Z y.
     void expand(const Points<Dim>& y, Points<Dim>& v) const;
     /// Zᵀ f, one column per unknown vertex.

@@ -8,8 +8,10 @@
 #include "core/mesh/error.h"
 #include "core/solver/cholesky.h"
 #include "core/solver/components.h"
+#include "core/solver/conjugate_gradients.h"
 #include "core/solver/projection.h"
 #include "core/solver/reduced_system.h"
+#include "core/solver/refactor_policy.h"
 
 namespace wend {
 namespace {
@@ -21,6 +23,12 @@ constexpr double kInertia = 1e-4;
 // it.
 constexpr double kResidual = 1e-10;
 constexpr int kRefinements = 3;
+// Below this iterations with a stale factor save nothing.
+constexpr double kLeastTolerance = 1e-8;
+// A factor in double of this very shape leaves nothing to a second iteration.
+constexpr double kFreshContraction = 1e-6;
+// Above this ratio w_r / w_q (EQUIA is 512) a factor does not last: hundreds of iterations.
+constexpr double kStiffestReuse = 20;
 // Minimum degree is quicker below and makes no more fill.
 constexpr int kNestedDissectionVertices = 8000;
 
@@ -60,6 +68,13 @@ bool sameTerms(const ConstraintRow& a, const ConstraintRow& b) {
     return a.terms == b.terms;
 }
 
+/// Whether factors of this material last.
+template <int Dim>
+bool mayReuse(const Material<Dim>& material) {
+    return std::all_of(material.phi.begin(), material.phi.end(),
+                       [](double phi) { return std::cos(phi) <= kStiffestReuse * std::sin(phi); });
+}
+
 template <int Dim>
 BackEndFactory<Dim> factoryOf(BackEndKind) {  // other kinds come from above, through the second constructor
     return makeCpuBackEnd<Dim>;
@@ -82,14 +97,26 @@ struct VelocitySolver<Dim>::Engine {
     Cholesky cholesky;
 
     std::vector<double> blocks;  // of A
-    double energy = 0;
     SolverStatistics statistics;
+
+    bool reusable = false;  // by the material
+    double tolerance = 0;
+    bool factored = false;  // the factor serves, of factorShape
+    Points<Dim> factorShape;
+    double contraction = 1, contractionLag = 0;  // of a first iteration, and at which lag it was measured
+    RefactorPolicy policy;
+    ConjugateGradients<Dim> iteration;
+    Points<Dim> last;  // v̂ of the last solve
 
     Engine(std::shared_ptr<const SimplicialMesh<Dim>> mesh, const Material<Dim>& material,
            const BackEndFactory<Dim>& makeBackEnd, int threads);
     void setConstraints(std::vector<ConstraintRow> newRows);
-    SolveOutcome solve(const Points<Dim>& shape, const Points<Dim>& prescribed, Points<Dim>& v);
-    SolveOutcome factorize();
+    void countCosts();
+    SolveOutcome solve(const Points<Dim>& shape, const Points<Dim>& prescribed, Points<Dim>& v,
+                       const std::optional<Points<Dim>>& guess);
+    bool reuses() const { return reusable && tolerance >= kLeastTolerance; }
+    SolveOutcome factorize(const Points<Dim>& shape);
+    bool iterate(const Points<Dim>& shape, Points<Dim>& v);
     SolveOutcome solveReduced(Points<Dim>& v);
 };
 
@@ -97,7 +124,7 @@ template <int Dim>
 VelocitySolver<Dim>::Engine::Engine(std::shared_ptr<const SimplicialMesh<Dim>> mesh,
                                     const Material<Dim>& material, const BackEndFactory<Dim>& makeBackEnd,
                                     int threads)
-    : rest(std::move(mesh)), components(cellComponents(*rest)) {
+    : rest(std::move(mesh)), components(cellComponents(*rest)), reusable(mayReuse(material)) {
     const Stopwatch watch(statistics.analyze);
     const bool smoothing = material.smoothing.kind != SmoothingKind::None;
     plan = std::make_shared<const AssemblyPlan<Dim>>(makeAssemblyPlan(*rest, smoothing));
@@ -126,12 +153,26 @@ void VelocitySolver<Dim>::Engine::setConstraints(std::vector<ConstraintRow> newR
     if (!system.unknowns().empty())
         cholesky.analyze(system.columnStart(), system.row(), Dim,
                          small ? Ordering::MinimumDegree : Ordering::NestedDissection);
+    countCosts();
+    factored = false;
     analyzed = true;
     ++statistics.analyses;
 }
 
 template <int Dim>
-SolveOutcome VelocitySolver<Dim>::Engine::factorize() {
+void VelocitySolver<Dim>::Engine::countCosts() {
+    SolverCost cost;
+    cost.factorFlops = cholesky.factorFlops();
+    cost.factorEntries = cholesky.factorEntries();
+    cost.contributions = static_cast<double>(plan->own.size() + plan->cross.size());
+    cost.cells = plan->cellCount();
+    cost.dimension = Dim;
+    policy.setCosts(cost.factor(), cost.iteration());
+}
+
+template <int Dim>
+SolveOutcome VelocitySolver<Dim>::Engine::factorize(const Points<Dim>& shape) {
+    factored = false;
     {
         const Stopwatch watch(statistics.assemble);
         backEnd->assemble(blocks);
@@ -141,6 +182,10 @@ SolveOutcome VelocitySolver<Dim>::Engine::factorize() {
     ++statistics.factorizations;
     switch (cholesky.factorize()) {
         case Cholesky::Status::Done:
+            factored = true;
+            factorShape = shape;
+            contraction = 1;
+            policy.factorized();
             return {};
         case Cholesky::Status::NotFinite:
             return {SolveOutcome::Kind::NotFinite, -1};
@@ -171,11 +216,34 @@ SolveOutcome VelocitySolver<Dim>::Engine::solveReduced(Points<Dim>& v) {
     return v.allFinite() ? SolveOutcome{} : SolveOutcome{SolveOutcome::Kind::NotFinite, -1};
 }
 
+/// Conjugate gradients with the factor at hand; false if a new one is the better way. The contraction of the
+/// first iteration cannot be measured within it: it is taken to grow with the distance from the factor's
+/// shape.
+template <int Dim>
+bool VelocitySolver<Dim>::Engine::iterate(const Points<Dim>& shape, Points<Dim>& v) {
+    const Stopwatch watch(statistics.solve);
+    const double lag = (shape - factorShape).cwiseAbs().maxCoeff();
+    typename ConjugateGradients<Dim>::Goal goal;
+    goal.tolerance = tolerance;
+    goal.contraction = lag == 0          ? kFreshContraction
+                       : contraction < 1 ? std::min(1.0, contraction * lag / contractionLag)
+                                         : 1.0;
+    goal.hopeless = [&](double iterations) { return lag > 0 && policy.hopeless(iterations); };
+    const auto result = iteration.run(*backEnd, system, cholesky, goal, v);
+    statistics.iterations += result.iterations;
+    policy.evaluated(result.iterations);
+    if (result.iterations > 1 && lag > 0) {
+        contraction = result.firstContraction;
+        contractionLag = lag;
+    }
+    return result.end == ConjugateGradients<Dim>::Result::End::Converged && v.allFinite();
+}
+
 template <int Dim>
 SolveOutcome VelocitySolver<Dim>::Engine::solve(const Points<Dim>& shape, const Points<Dim>& prescribed,
-                                                Points<Dim>& v) {
+                                                Points<Dim>& v, const std::optional<Points<Dim>>& guess) {
     if (!analyzed) setConstraints({});
-    energy = 0;
+    last.resize(Dim, 0);
     if (!prescribed.allFinite()) return {SolveOutcome::Kind::NotFinite, -1};
     {
         const Stopwatch watch(statistics.assemble);
@@ -185,10 +253,17 @@ SolveOutcome VelocitySolver<Dim>::Engine::solve(const Points<Dim>& shape, const 
     system.particular(prescribed, v);
     if (v.isZero(0)) return {};  // nothing moves
     if (!system.unknowns().empty()) {
-        if (const auto outcome = factorize(); !outcome.done()) return outcome;
-        if (const auto outcome = solveReduced(v); !outcome.done()) return outcome;
+        const bool iterates = reuses();
+        if (iterates && guess && guess->allFinite()) system.adopt(*guess, v);
+        const bool stale = iterates && factored && !policy.due();
+        if (!stale || !iterate(shape, v)) {
+            if (const auto outcome = factorize(shape); !outcome.done()) return outcome;
+            if (!v.allFinite()) system.particular(prescribed, v);
+            if (!iterates || !iterate(shape, v))
+                if (const auto outcome = solveReduced(v); !outcome.done()) return outcome;
+        }
     }
-    energy = backEnd->energy(v);
+    last = v;
     return {};
 }
 
@@ -218,13 +293,23 @@ void VelocitySolver<Dim>::setConstraints(std::vector<ConstraintRow> rows) {
 
 template <int Dim>
 SolveOutcome VelocitySolver<Dim>::solve(const Points<Dim>& shape, const Points<Dim>& prescribed,
-                                        Points<Dim>& velocity) {
-    return m_engine->solve(shape, prescribed, velocity);
+                                        Points<Dim>& velocity, const std::optional<Points<Dim>>& guess) {
+    return m_engine->solve(shape, prescribed, velocity, guess);
+}
+
+template <int Dim>
+void VelocitySolver<Dim>::setVelocityTolerance(double tolerance) {
+    m_engine->tolerance = tolerance;
+}
+
+template <int Dim>
+void VelocitySolver<Dim>::forget() {
+    m_engine->factored = false;
 }
 
 template <int Dim>
 double VelocitySolver<Dim>::energy() const {
-    return m_engine->energy;
+    return m_engine->last.cols() > 0 ? m_engine->backEnd->energy(m_engine->last) : 0.0;
 }
 
 template <int Dim>
@@ -266,6 +351,10 @@ const std::vector<int>& VelocitySolver<Dim>::unknownVertices() const {
 
 template class VelocitySolver<2>;
 template class VelocitySolver<3>;
+
+double velocityToleranceFor(double integrationTolerance) {
+    return 0.3 * integrationTolerance;
+}
 
 std::string describe(const SolveOutcome& outcome) {
     switch (outcome.kind) {

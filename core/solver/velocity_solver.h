@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,10 @@ struct SolverStatistics {
     double analyze = 0, assemble = 0, factor = 0, solve = 0;  // seconds
     int analyses = 0, factorizations = 0, iterations = 0;     // iterations: pairs of triangular solves
 };
+
+/// The velocity tolerance that keeps the solver's part of the error of an integration well below the
+/// integration's own tolerance (both relative: to the greatest velocity, to the diagonal).
+double velocityToleranceFor(double integrationTolerance);
 
 /// The velocity field v̂ of least energy that takes the prescribed velocities of the constrained points
 /// (method.md, Field and energy, Smoothness, Constraints): min vᵀ A v subject to the rows. Constraints are
@@ -53,9 +58,21 @@ class VelocitySolver {
     /// without cells that no row names stay put. Parts with too few constrained points (2D: fewer than two
     /// distinct ones, 3D: than three that are not on a line) take the velocity of least ∫|v|² among those of
     /// least energy; without any constraint that is 0.
-    SolveOutcome solve(const Points<Dim>& shape, const Points<Dim>& prescribed, Points<Dim>& velocity);
+    ///
+    /// With a velocity tolerance the factor of an earlier shape serves again while that is the least work,
+    /// and a `guess` (of any kind: only its unconstrained part counts, see VelocityHistory) saves iterations;
+    /// then the result depends, within the tolerance, on the solves since the last factorization.
+    SolveOutcome solve(const Points<Dim>& shape, const Points<Dim>& prescribed, Points<Dim>& velocity,
+                       const std::optional<Points<Dim>>& guess = std::nullopt);
 
-    /// E(v̂) of the last solve, in normalized units.
+    /// The error of v̂ that is allowed, relative to its greatest nodal velocity. 0 (the default) or less than
+    /// 1e-8: every solve factorizes. So do materials on the way to EQUIA, whose factors do not last.
+    void setVelocityTolerance(double tolerance);
+    /// The next solve factorizes, as the first one did: so that what follows has the same bits whatever was
+    /// solved before.
+    void forget();
+
+    /// E(v̂) of the last solve, in normalized units; computed when asked for.
     double energy() const;
     const SolverStatistics& statistics() const;
     /// "cpu" or "opencl", and the device's name.

@@ -3,6 +3,8 @@
 
 #include "core/assembly/cpu_back_end.h"
 #include "core/mesh/child_process.h"
+#include "core/mesh/error.h"
+#include "kernels/back_end_choice.h"
 #include "kernels/opencl_back_end.h"
 #include "tests/core/test_energy_samples.h"
 
@@ -19,6 +21,8 @@ class TestOpenCl : public QObject {
     void backEndsAgree();
     void firstInvertedCellIsFound();
     void runsRepeat();
+    void failingDeviceIsReplaced();
+    void missingDeviceIsAnErrorOnlyByName();
 };
 
 namespace {
@@ -144,6 +148,70 @@ void TestOpenCl::runsRepeat() {
     pair.opencl->setShape(pair.shape);
     pair.opencl->assemble(b);
     QVERIFY(a == b);
+}
+
+/// A real device that is lost after some calls, as when its driver is reset.
+template <int Dim>
+class LostDevice final : public BackEnd<Dim> {
+  public:
+    LostDevice(std::unique_ptr<BackEnd<Dim>> device, int calls)
+        : m_device(std::move(device)), m_calls(calls) {}
+    std::string name() const override { return m_device->name(); }
+    std::string device() const override { return m_device->device(); }
+    void setInertia(std::vector<double> epsilon) override { use().setInertia(std::move(epsilon)); }
+    int setShape(const Points<Dim>& shape) override { return use().setShape(shape); }
+    void assemble(std::span<double> values) override { use().assemble(values); }
+    void apply(const Points<Dim>& v, Points<Dim>& Av) override { use().apply(v, Av); }
+    double energy(const Points<Dim>& v) override { return use().energy(v); }
+
+  private:
+    BackEnd<Dim>& use() {
+        if (m_calls-- <= 0) throw DeviceFailure("device lost");
+        return *m_device;
+    }
+    std::unique_ptr<BackEnd<Dim>> m_device;
+    int m_calls;
+};
+
+void TestOpenCl::failingDeviceIsReplaced() {
+    for (int calls = 0; calls <= 4; ++calls) {
+        Pair<2> pair(false, SmoothingKind::Invariant, 9);
+        std::vector<std::string> notices;
+        const Material<2> material = Material<2>::uniform(pair.rest.cellCount(), phi::kMetr);
+        const auto makeCpu = [&] { return makeCpuBackEnd<2>(pair.plan, pair.rest, material, 1); };
+        auto lost = std::make_unique<LostDevice<2>>(
+            makeOpenClBackEnd<2>(device(), pair.plan, pair.rest, material), calls);
+        const auto failsafe = makeFailsafe<2>(std::move(lost), makeCpu,
+                                              [&](const std::string& text) { notices.push_back(text); });
+        const auto reference = makeCpu();
+        const std::vector<double> inertia(static_cast<std::size_t>(pair.rest.cellCount()), 1e-3);
+        for (auto* backEnd : {failsafe.get(), reference.get()}) {
+            backEnd->setInertia(inertia);
+            QCOMPARE(backEnd->setShape(pair.shape), -1);
+        }
+        std::vector<double> a(static_cast<std::size_t>(pair.plan->blockCount()) * 4), b(a.size());
+        failsafe->assemble(a);
+        reference->assemble(b);
+        Points<2> x, y;
+        failsafe->apply(pair.shape, x);
+        reference->apply(pair.shape, y);
+        const double scale = *std::max_element(b.begin(), b.end());
+        for (std::size_t k = 0; k < a.size(); ++k) QVERIFY(std::abs(a[k] - b[k]) <= kTolerance * scale);
+        QVERIFY((x - y).cwiseAbs().maxCoeff() <= kTolerance * y.cwiseAbs().maxCoeff());
+        QCOMPARE(notices.size(), std::size_t(calls < 4 ? 1 : 0));
+        QCOMPARE(failsafe->name(), std::string(calls < 4 ? "cpu" : "opencl"));
+    }
+}
+
+void TestOpenCl::missingDeviceIsAnErrorOnlyByName() {
+    const Pair<2> pair(false, SmoothingKind::Invariant, 5);
+    const Material<2> material = Material<2>::uniform(pair.rest.cellCount(), phi::kMetr);
+    const auto make = [&](BackEndKind kind) {
+        return backEndFactory<2>(kind, "no such thing")(pair.plan, pair.rest, material, 1);
+    };
+    QVERIFY_EXCEPTION_THROWN(make(BackEndKind::OpenCl), InputError);
+    QCOMPARE(make(BackEndKind::Automatic)->name(), std::string("cpu"));
+    QCOMPARE(make(BackEndKind::Cpu)->name(), std::string("cpu"));
 }
 
 QTEST_GUILESS_MAIN(TestOpenCl)

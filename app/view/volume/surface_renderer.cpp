@@ -5,7 +5,10 @@
 #include <QOpenGLContext>
 #include <QOpenGLVersionFunctionsFactory>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <numbers>
+#include <numeric>
 
 namespace wend {
 namespace {
@@ -35,18 +38,55 @@ Vec<3> place(const CutSurface::Corner& c, const Points<3>& pose) {
     return (1 - c.weight) * pose.col(c.from) + c.weight * pose.col(c.to);
 }
 
-/// Sum of the triangles' area vectors per vertex: smooth normals of the outer surface.
-Points<3> vertexNormals(const CutSurface& surface, const Points<3>& pose) {
-    Points<3> normals = Points<3>::Zero(3, pose.cols());
-    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-        if (surface.onCut[t]) continue;
-        const auto& corners = surface.triangles[t];
-        const Vec<3> a = place(corners[0], pose);
-        const Vec<3> area = (place(corners[1], pose) - a).cross(place(corners[2], pose) - a);
-        for (const auto& c : corners) normals.col(c.weight < 0.5 ? c.from : c.to) += area;
-    }
-    return normals;
+/// Faces that meet at a sharper angle than this keep their edge.
+const double kCrease = std::cos(40 * std::numbers::pi / 180);
+
+Vec<3> areaVector(const std::array<CutSurface::Corner, 3>& corners, const Points<3>& pose) {
+    const Vec<3> a = place(corners[0], pose);
+    return (place(corners[1], pose) - a).cross(place(corners[2], pose) - a) / 2;
 }
+
+int nearerVertex(const CutSurface::Corner& corner) {
+    return corner.weight < 0.5 ? corner.from : corner.to;
+}
+
+/// Normals of the outer surface: per corner the mean of the faces at its vertex that its own face meets
+/// smoothly, by area.
+class CornerNormals {
+  public:
+    CornerNormals(const CutSurface& surface, const Points<3>& pose)
+        : m_start(static_cast<std::size_t>(pose.cols()) + 1, 0) {
+        for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+            m_areas.push_back(areaVector(surface.triangles[t], pose));
+            if (surface.onCut[t]) continue;
+            for (const auto& corner : surface.triangles[t]) ++m_start[nearerVertex(corner) + 1];
+        }
+        std::partial_sum(m_start.begin(), m_start.end(), m_start.begin());
+        std::vector<int> at(m_start.begin(), m_start.end() - 1);
+        m_faces.resize(static_cast<std::size_t>(m_start.back()));
+        for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+            if (!surface.onCut[t])
+                for (const auto& corner : surface.triangles[t])
+                    m_faces[at[nearerVertex(corner)]++] = static_cast<int>(t);
+    }
+
+    Vec<3> face(std::size_t t) const { return m_areas[t].normalized(); }
+
+    Vec<3> corner(std::size_t t, const CutSurface::Corner& corner) const {
+        const Vec<3> own = face(t);
+        Vec<3> sum = Vec<3>::Zero();
+        const int vertex = nearerVertex(corner);
+        for (int k = m_start[vertex]; k < m_start[vertex + 1]; ++k) {
+            const Vec<3>& other = m_areas[m_faces[k]];
+            if (own.dot(other) >= kCrease * other.norm()) sum += other;
+        }
+        return sum.isZero() ? own : sum.normalized();
+    }
+
+  private:
+    std::vector<Vec<3>> m_areas;
+    std::vector<int> m_start, m_faces;
+};
 
 QRgb mixed(QRgb a, QRgb b, double t) {
     const auto mix = [t](int x, int y) { return static_cast<int>(x + t * (y - x) + 0.5); };
@@ -57,17 +97,13 @@ QRgb mixed(QRgb a, QRgb b, double t) {
 std::vector<GpuVertex> assemble(const CutSurface& surface, const Points<3>& pose,
                                 const std::vector<QRgb>& vertexColours,
                                 const std::vector<QRgb>& cellColours) {
-    const Points<3> normals = vertexNormals(surface, pose);
+    const CornerNormals normals(surface, pose);
     std::vector<GpuVertex> vertices;
     vertices.reserve(3 * surface.triangles.size());
     for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
         const auto& corners = surface.triangles[t];
-        const Vec<3> a = place(corners[0], pose), b = place(corners[1], pose), c = place(corners[2], pose);
-        const Vec<3> flat = (b - a).cross(c - a).normalized();
         for (const auto& corner : corners) {
-            Vec<3> normal = flat;
-            if (!surface.onCut[t])
-                normal = normals.col(corner.weight < 0.5 ? corner.from : corner.to).normalized();
+            const Vec<3> normal = surface.onCut[t] ? normals.face(t) : normals.corner(t, corner);
             const QRgb colour = !cellColours.empty() ? cellColours[surface.cells[t]]
                                                      : mixed(vertexColours[corner.from],
                                                              vertexColours[corner.to], corner.weight);
