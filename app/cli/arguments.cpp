@@ -37,7 +37,8 @@ void checkNumber(const Option& option, const std::string& value) {
     if (!number) throw UsageError(flag + ": \"" + value + "\" is not a number");
     if (option.kind == OptionKind::Integer && *number != std::floor(*number))
         throw UsageError(flag + ": " + value + " is not a whole number");
-    if (const std::string problem = rangeProblem(option, *number); !problem.empty()) throw UsageError(flag + ": " + problem);
+    if (const std::string problem = rangeProblem(option, *number); !problem.empty())
+        throw UsageError(flag + ": " + problem);
 }
 
 void check(const Option& option, const std::string& value) {
@@ -45,7 +46,8 @@ void check(const Option& option, const std::string& value) {
     if (option.kind == OptionKind::Choice && !isChoice(option, value))
         throw UsageError(flag + ": unknown value \"" + value + "\"; known are " + spaced(option.choices));
     if (option.kind == OptionKind::Phi && !isChoice(option, value) && !parseNumber(value))
-        throw UsageError(flag + ": \"" + value + "\" is neither a number nor one of " + spaced(option.choices));
+        throw UsageError(flag + ": \"" + value + "\" is neither a number nor one of " +
+                         spaced(option.choices));
     if (option.kind == OptionKind::Number || option.kind == OptionKind::Integer) checkNumber(option, value);
     if (option.kind == OptionKind::File && value.empty()) throw UsageError(flag + ": names no file");
 }
@@ -112,9 +114,13 @@ std::string Arguments::text(const std::string& flag) const {
     return it != m_values.end() ? it->second : std::string(option(flag).fallback);
 }
 
-double Arguments::number(const std::string& flag) const { return has(flag) ? *given(flag) : defaultOf(flag); }
+double Arguments::number(const std::string& flag) const {
+    return has(flag) ? *given(flag) : defaultOf(flag);
+}
 
-int Arguments::integer(const std::string& flag) const { return static_cast<int>(number(flag)); }
+int Arguments::integer(const std::string& flag) const {
+    return static_cast<int>(number(flag));
+}
 
 std::optional<double> Arguments::given(const std::string& flag) const {
     if (!has(flag)) return std::nullopt;
@@ -124,7 +130,8 @@ std::optional<double> Arguments::given(const std::string& flag) const {
 double Arguments::phi(const std::string& flag, int dim) const {
     const std::string value = text(flag);
     const double number = isChoice(option(flag), value) ? phiOfName(value, dim) : *parseNumber(value);
-    if (const std::string problem = phi::problem(number, dim); !problem.empty()) throw UsageError(flag + ": " + problem);
+    if (const std::string problem = phi::problem(number, dim); !problem.empty())
+        throw UsageError(flag + ": " + problem);
     return number;
 }
 

@@ -19,8 +19,8 @@ class UsageError : public std::runtime_error {
 /// What stands on a subcommand's line, checked against the table of options.
 class Arguments {
   public:
-    /// `words` follow the subcommand's name. Throws UsageError: an unknown option, one that the subcommand does not take, one
-    /// given twice or without its value, a value of the wrong kind or out of range.
+    /// `words` follow the subcommand's name. Throws UsageError: an unknown option, one that the subcommand
+    /// does not take, one given twice or without its value, a value of the wrong kind or out of range.
     Arguments(const std::string& command, const std::vector<std::string>& words);
 
     const std::vector<std::string>& files() const { return m_files; }
@@ -34,8 +34,8 @@ class Arguments {
     double phi(const std::string& flag, int dim) const;
 
   private:
-    void take(const std::string& flag, const std::optional<std::string>& attached, const std::vector<std::string>& words,
-              std::size_t& at);
+    void take(const std::string& flag, const std::optional<std::string>& attached,
+              const std::vector<std::string>& words, std::size_t& at);
 
     std::string m_command;
     std::vector<std::string> m_files;

@@ -23,8 +23,10 @@ struct Command {
 };
 
 constexpr std::array kCommands{
-    Command{"run", "PROJECT [outputs] [options]", "deform as the project says and write what is asked for", runRun},
-    Command{"mesh", "INPUT -o OUT [options]", "mesh a picture, an outline, a project's domain or a closed surface", runMesh},
+    Command{"run", "PROJECT [outputs] [options]", "deform as the project says and write what is asked for",
+            runRun},
+    Command{"mesh", "INPUT -o OUT [options]",
+            "mesh a picture, an outline, a project's domain or a closed surface", runMesh},
     Command{"info", "FILE [--json]", "tell what Wend sees in a picture, mesh or project", runInfo},
     Command{"devices", "", "list the devices that can compute, and which is used", runDevices},
     Command{"bench", "[CASE]", "measure the speed on this machine", runBench},
@@ -50,17 +52,21 @@ std::string overview() {
     return text +
            "\nOptions:\n  --help                      this; `wend COMMAND --help` for one of them\n"
            "  --version                   the version\n\n"
-           "Exit codes: 0 done, 1 internal error, 2 wrong usage, 3 an input cannot be read or makes no sense\n"
+           "Exit codes: 0 done, 1 internal error, 2 wrong usage, 3 an input cannot be read or makes no "
+           "sense\n"
            "(or an output cannot be written), 4 the deformation could not be completed.\n";
 }
 
 std::string helpFor(const Command& command) {
-    std::string text = "Usage: wend " + std::string(command.name) + " " + command.usage + "\n\n" + command.meaning + "\n";
+    std::string text =
+        "Usage: wend " + std::string(command.name) + " " + command.usage + "\n\n" + command.meaning + "\n";
     const std::string options = optionHelp(command.name);
     if (!options.empty()) text += "\nOptions:\n" + options;
     if (std::string(command.name) == "run")
-        text += "\nA file named - is standard output (one of them). Either all outputs are written, or none; if the\n"
-                "deformation stops early, only the report is, with the last good time (see --partial).\n";
+        text +=
+            "\nA file named - is standard output (one of them). Either all outputs are written, or none; if "
+            "the\n"
+            "deformation stops early, only the report is, with the last good time (see --partial).\n";
     return text;
 }
 
@@ -82,9 +88,7 @@ ExitCode dispatch(const std::vector<std::string>& words) {
 }
 
 /// Runs, and turns whatever is thrown into its one line and exit code.
-ExitCode guarded(const std::function<ExitCode()>& run) try {
-    return run();
-} catch (const UsageError& error) {
+ExitCode guarded(const std::function<ExitCode()>& run) try { return run(); } catch (const UsageError& error) {
     Terminal::error(error.what());
     return ExitCode::Usage;
 } catch (const InputError& error) {
@@ -105,7 +109,8 @@ ExitCode guarded(const std::function<ExitCode()>& run) try {
 
 std::string onlyFile(const Arguments& arguments, const std::string& what) {
     if (arguments.files().empty()) throw UsageError("no " + what + " is named");
-    if (arguments.files().size() > 1) throw UsageError("only one " + what + " can be named, but there is also " + arguments.files()[1]);
+    if (arguments.files().size() > 1)
+        throw UsageError("only one " + what + " can be named, but there is also " + arguments.files()[1]);
     return arguments.files()[0];
 }
 

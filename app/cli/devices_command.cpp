@@ -8,9 +8,10 @@ namespace wend {
 namespace {
 
 std::string line(const OpenClDeviceInfo& device) {
-    std::string text = "opencl  " + std::to_string(device.platform) + ":" + std::to_string(device.device) + "  " + device.name;
-    text += ", " + device.platformName + ", " + device.version + ", " + std::to_string(device.computeUnits) + " units, " +
-            std::to_string(device.memoryMegabytes) + " MB";
+    std::string text = "opencl  " + std::to_string(device.platform) + ":" + std::to_string(device.device) +
+                       "  " + device.name;
+    text += ", " + device.platformName + ", " + device.version + ", " + std::to_string(device.computeUnits) +
+            " units, " + std::to_string(device.memoryMegabytes) + " MB";
     return text + (device.works ? "" : " (not used: " + device.problem + ")");
 }
 
@@ -29,7 +30,9 @@ ExitCode runDevices(const Arguments& arguments) {
     return ExitCode::Done;
 }
 
-ExitCode runBench(const Arguments&) { throw UsageError("`wend bench` is not in this version yet"); }
+ExitCode runBench(const Arguments&) {
+    throw UsageError("`wend bench` is not in this version yet");
+}
 
 ExitCode runReference(const Arguments&) {
     std::fputs(referencePage().c_str(), stdout);

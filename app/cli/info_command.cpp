@@ -40,9 +40,12 @@ Json outlineInfo(const Image& image) try {
 Json pictureInfo(const std::string& path) {
     static const char* const types[] = {"8 bit", "16 bit", "half float", "float"};
     const Image image = readImage(path);
-    Json json{{"kind", "picture"},           {"width", image.width},
-              {"height", image.height},      {"channels", image.channels},
-              {"depth", types[static_cast<int>(image.type)]}, {"alpha", image.alpha}};
+    Json json{{"kind", "picture"},
+              {"width", image.width},
+              {"height", image.height},
+              {"channels", image.channels},
+              {"depth", types[static_cast<int>(image.type)]},
+              {"alpha", image.alpha}};
     if (image.alpha) json["outline"] = outlineInfo(image);
     return json;
 }
@@ -50,7 +53,10 @@ Json pictureInfo(const std::string& path) {
 Json problemsInfo(const MeshInspection& inspection) {
     Json problems = Json::array();
     for (const MeshProblem& problem : inspection.problems)
-        problems.push_back({{"what", problem.what}, {"count", problem.where.size()}, {"fatal", problem.fatal}, {"where", problem.where}});
+        problems.push_back({{"what", problem.what},
+                            {"count", problem.where.size()},
+                            {"fatal", problem.fatal},
+                            {"where", problem.where}});
     if (!inspection.surface.empty()) problems.push_back({{"what", inspection.surface}, {"fatal", true}});
     return problems;
 }
@@ -58,7 +64,9 @@ Json problemsInfo(const MeshInspection& inspection) {
 Json fieldsInfo(const MeshFile& file) {
     Json fields = Json::array();
     for (const MeshField& field : file.fields)
-        fields.push_back({{"name", field.name}, {"per", field.perCell ? "cell" : "vertex"}, {"components", field.components}});
+        fields.push_back({{"name", field.name},
+                          {"per", field.perCell ? "cell" : "vertex"},
+                          {"components", field.components}});
     return fields;
 }
 
@@ -66,7 +74,9 @@ Json meshInfo(const std::string& path) {
     const MeshFile file = readMeshFile(path);
     const MeshInspection inspection = inspect(file);
     const int dimension = inspection.dimension;
-    Json json{{"kind", dimension == 3 ? "volume mesh" : dimension == 2 ? "planar mesh" : "surface"},
+    Json json{{"kind", dimension == 3   ? "volume mesh"
+                       : dimension == 2 ? "planar mesh"
+                                        : "surface"},
               {"vertices", inspection.vertices}};
     if (dimension > 0) json["cells"] = inspection.cells;
     if (dimension != 2) json["triangles"] = inspection.triangles;
@@ -111,15 +121,17 @@ Json projectInfo(const std::string& path) {
     const LoadedProject loaded = readProject(path);
     const Project& project = loaded.project;
     const std::string file = pathIn(folderOf(path), project.domain.path);
-    Json json{{"kind", "project"},
-              {"dimension", project.dimension()},
-              {"domain", {{"kind", kinds[static_cast<int>(project.domain.kind)]}, {"file", project.domain.path}}},
-              {"end", project.end}};
+    Json json{
+        {"kind", "project"},
+        {"dimension", project.dimension()},
+        {"domain", {{"kind", kinds[static_cast<int>(project.domain.kind)]}, {"file", project.domain.path}}},
+        {"end", project.end}};
     std::visit([&](const auto& design) { addDesign(json, design); }, project.design);
     json["warnings"] = loaded.warnings;
     std::error_code error;
     if (!std::filesystem::exists(file, error))
-        json["problems"].push_back({{"what", "the domain's file " + file + " does not exist"}, {"fatal", true}});
+        json["problems"].push_back(
+            {{"what", "the domain's file " + file + " does not exist"}, {"fatal", true}});
     return json;
 }
 
@@ -142,13 +154,15 @@ std::string text(const Json& value) {
 /// "medianOfLeastAngles" → "median of least angles"
 std::string words(const std::string& key) {
     std::string text;
-    for (char c : key) text += c >= 'A' && c <= 'Z' ? " " + std::string(1, static_cast<char>(c + 32)) : std::string(1, c);
+    for (char c : key)
+        text += c >= 'A' && c <= 'Z' ? " " + std::string(1, static_cast<char>(c + 32)) : std::string(1, c);
     return text;
 }
 
 std::string numbers(const Json& list) {
     std::string text;
-    for (std::size_t i = 0; i < std::min(list.size(), kListed); ++i) text += (i > 0 ? ", " : "") + list[i].dump();
+    for (std::size_t i = 0; i < std::min(list.size(), kListed); ++i)
+        text += (i > 0 ? ", " : "") + list[i].dump();
     return text + (list.size() > kListed ? ", … (all with --json)" : "");
 }
 
@@ -174,7 +188,8 @@ std::string entryText(const Json& value, const std::string& indent) {
 
 std::string asText(const Json& json, const std::string& indent) {
     std::string lines;
-    for (const auto& [key, value] : json.items()) lines += indent + words(key) + ":" + entryText(value, indent);
+    for (const auto& [key, value] : json.items())
+        lines += indent + words(key) + ":" + entryText(value, indent);
     return lines;
 }
 

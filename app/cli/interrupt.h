@@ -5,8 +5,8 @@
 
 namespace wend {
 
-/// Turns Ctrl-C (SIGINT) and SIGTERM into a stop request while it lives: work ends at the next good place and leaves nothing
-/// half-written. The third one ends the process at once. One at a time.
+/// Turns Ctrl-C (SIGINT) and SIGTERM into a stop request while it lives: work ends at the next good place and
+/// leaves nothing half-written. The third one ends the process at once. One at a time.
 class Interrupt {
   public:
     Interrupt();

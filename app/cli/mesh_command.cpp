@@ -10,7 +10,9 @@
 namespace wend {
 namespace {
 
-bool isMeshName(const std::string& path) { return std::ranges::count(meshFileExtensions(), lowerExtension(path)) > 0; }
+bool isMeshName(const std::string& path) {
+    return std::ranges::count(meshFileExtensions(), lowerExtension(path)) > 0;
+}
 
 void readSizes(const Arguments& arguments, Domain& domain) {
     if (arguments.has("--vertices") && arguments.has("--edge"))
@@ -74,7 +76,8 @@ MeshFile meshOf(const Input& input, const std::string& path, std::stop_token sto
         return toMeshFile<2>(*rest);
     }
     const AnyScene any = loadScene(project, input.folder, stop);
-    return std::visit([]<int Dim>(const Scene<Dim>& scene) { return poseFile<Dim>(scene, scene.rest->points); }, any);
+    return std::visit(
+        []<int Dim>(const Scene<Dim>& scene) { return poseFile<Dim>(scene, scene.rest->points); }, any);
 }
 
 }  // namespace

@@ -19,7 +19,8 @@ RunOutputs outputsFrom(const Arguments& arguments) {
     outputs.report = arguments.text("--report");
     outputs.count = arguments.integer("--count");
     int standardOutputs = 0;
-    for (const auto* name : {&outputs.image, &outputs.mesh, &outputs.velocity, &outputs.stMap, &outputs.report})
+    for (const auto* name :
+         {&outputs.image, &outputs.mesh, &outputs.velocity, &outputs.stMap, &outputs.report})
         standardOutputs += *name == "-";
     if (standardOutputs > 1) throw UsageError("only one output can go to standard output (-)");
     if (outputs.frames == "-") throw UsageError("--frames cannot go to standard output (-)");
@@ -30,8 +31,10 @@ RunOutputs outputsFrom(const Arguments& arguments) {
 RunOptions optionsFrom(const Arguments& arguments) {
     static const std::map<std::string, BackEndKind> backEnds{
         {"auto", BackEndKind::Automatic}, {"opencl", BackEndKind::OpenCl}, {"cpu", BackEndKind::Cpu}};
-    static const std::map<std::string, Filter> filters{
-        {"nearest", Filter::Nearest}, {"bilinear", Filter::Bilinear}, {"bicubic", Filter::Bicubic}, {"ewa", Filter::Ewa}};
+    static const std::map<std::string, Filter> filters{{"nearest", Filter::Nearest},
+                                                       {"bilinear", Filter::Bilinear},
+                                                       {"bicubic", Filter::Bicubic},
+                                                       {"ewa", Filter::Ewa}};
     RunOptions options;
     options.outputs = outputsFrom(arguments);
     options.at = arguments.given("--at");
@@ -62,7 +65,8 @@ void override(Project& project, const Arguments& arguments) {
 ExitCode runRun(const Arguments& arguments) {
     const std::string path = onlyFile(arguments, "project");
     const RunOptions options = optionsFrom(arguments);
-    const auto shown = arguments.has("--progress") ? Terminal::Progress::Shown : Terminal::Progress::Automatic;
+    const auto shown =
+        arguments.has("--progress") ? Terminal::Progress::Shown : Terminal::Progress::Automatic;
     Terminal terminal(shown, arguments.has("--quiet"));
     LoadedProject loaded = readProject(path);
     for (const std::string& warning : loaded.warnings) terminal.warn(path + ": " + warning);

@@ -9,7 +9,8 @@ namespace wend {
 namespace {
 
 std::string oneLine(std::string text) {
-    std::ranges::replace_if(text, [](char c) { return c == '\n' || c == '\r'; }, ' ');
+    std::ranges::replace_if(
+        text, [](char c) { return c == '\n' || c == '\r'; }, ' ');
     return text;
 }
 
@@ -22,10 +23,13 @@ void say(const std::string& text) {
 
 Terminal::Terminal(Progress progress, bool quiet)
     : m_quiet(quiet),
-      m_shown(!quiet && (progress == Progress::Shown || (progress == Progress::Automatic && isatty(STDERR_FILENO)))),
+      m_shown(!quiet &&
+              (progress == Progress::Shown || (progress == Progress::Automatic && isatty(STDERR_FILENO)))),
       m_interactive(isatty(STDERR_FILENO)) {}
 
-Terminal::~Terminal() { clearLine(); }
+Terminal::~Terminal() {
+    clearLine();
+}
 
 void Terminal::progress(const std::string& work, double fraction) {
     const std::scoped_lock lock(m_mutex);
@@ -46,7 +50,9 @@ void Terminal::warn(const std::string& text) {
     say("wend: " + oneLine(text) + "\n");
 }
 
-void Terminal::error(const std::string& text) { say("wend: " + oneLine(text) + "\n"); }
+void Terminal::error(const std::string& text) {
+    say("wend: " + oneLine(text) + "\n");
+}
 
 void Terminal::clearLine() {
     if (m_interactive && m_width > 0) say("\r" + std::string(m_width, ' ') + "\r");

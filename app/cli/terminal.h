@@ -6,7 +6,8 @@
 
 namespace wend {
 
-/// What the user sees on standard error: one line for each error and warning, and a line of progress that is drawn over.
+/// What the user sees on standard error: one line for each error and warning, and a line of progress that is
+/// drawn over.
 class Terminal {
   public:
     enum class Progress { Automatic, Shown, Hidden };  // Automatic: on a terminal

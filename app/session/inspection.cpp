@@ -33,7 +33,8 @@ template <int Dim>
 bool isFlat(const Points<Dim>& points, const Cell<Dim>& cell) {
     double longest = 0;
     for (int i = 0; i <= Dim; ++i)
-        for (int j = 0; j < i; ++j) longest = std::max(longest, (points.col(cell[i]) - points.col(cell[j])).norm());
+        for (int j = 0; j < i; ++j)
+            longest = std::max(longest, (points.col(cell[i]) - points.col(cell[j])).norm());
     return std::abs(cellMeasure<Dim>(points, cell)) <= 1e-14 * std::pow(longest, Dim);
 }
 
@@ -140,13 +141,16 @@ void findProblems(const SimplicialMesh<Dim>& mesh, const std::map<Key<Dim>, std:
     const auto add = [&](const char* what, std::vector<int> where, bool fatal = true) {
         if (!where.empty()) inspection.problems.push_back({what, std::move(where), fatal});
     };
-    const auto flat = [&](const Cell<Dim>& cell) { return !repeatsVertex<Dim>(cell) && isFlat<Dim>(mesh.points, cell); };
-    add("cells that name a vertex twice", cellsWhere(mesh, repeatsVertex<Dim>));
-    add(Dim == 2 ? "cells without area" : "cells without volume", cellsWhere(mesh, flat));
+    const auto flat = [&](const Cell<Dim>& cell) {
+        return !repeatsVertex<Dim>(cell) && isFlat<Dim>(mesh.points, cell);
+    };
+    add("cells that name a vertex twice", cellsWhere<Dim>(mesh, repeatsVertex<Dim>));
+    add(Dim == 2 ? "cells without area" : "cells without volume", cellsWhere<Dim>(mesh, flat));
     add("cells that repeat an earlier one", duplicates<Dim>(mesh.cells));
-    add("cells oriented against the others", invertedCells(mesh));
-    add(Dim == 2 ? "cells at edges of more than two" : "cells at faces of more than two", crowdedCells<Dim>(facets));
-    add("vertices that no cell uses", unusedVertices(mesh), false);
+    add("cells oriented against the others", invertedCells<Dim>(mesh));
+    add(Dim == 2 ? "cells at edges of more than two" : "cells at faces of more than two",
+        crowdedCells<Dim>(facets));
+    add("vertices that no cell uses", unusedVertices<Dim>(mesh), false);
 }
 
 template <int Dim>
@@ -173,7 +177,7 @@ void inspectPartition(const SimplicialMesh<Dim>& mesh, MeshInspection& inspectio
     inspection.diagonal = boundingBoxDiagonal<Dim>(mesh.points);
     inspection.parts = countParts<Dim>(facets, mesh.cellCount());
     measureCells(mesh, inspection);
-    findProblems(mesh, facets, inspection);
+    findProblems<Dim>(mesh, facets, inspection);
 }
 
 bool isPlanar(const MeshFile& file) {

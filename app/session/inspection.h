@@ -17,7 +17,7 @@ struct MeshProblem {
 struct MeshInspection {
     int dimension = 0;  // 2 or 3; 0: a surface in space
     int vertices = 0, cells = 0, triangles = 0, parts = 0;
-    double measure = 0, diagonal = 0;            // area or volume
+    double measure = 0, diagonal = 0;  // area or volume
     double leastMeasure = 0, greatestMeasure = 0;
     /// Least angle of a cell, in degrees: between edges (2D) or faces (3D).
     double leastAngle = 0, medianAngle = 0;
@@ -25,7 +25,8 @@ struct MeshInspection {
     std::string surface;  // of a surface: what is wrong with it (SurfaceProblems::summary)
 };
 
-/// Looks at everything, where requireValid stops at the first. The file's indices are valid and its coordinates finite.
+/// Looks at everything, where requireValid stops at the first. The file's indices are valid and its
+/// coordinates finite.
 MeshInspection inspect(const MeshFile& file);
 
 }  // namespace wend
