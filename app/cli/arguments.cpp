@@ -33,7 +33,7 @@ std::string spaced(std::string_view choices) {
 
 void checkNumber(const Option& option, const std::string& value) {
     const std::string flag(option.flag);
-    const auto number = parseNumber(value);
+    const auto number = finiteNumber(value);
     if (!number) throw UsageError(flag + ": \"" + value + "\" is not a number");
     if (option.kind == OptionKind::Integer && *number != std::floor(*number))
         throw UsageError(flag + ": " + value + " is not a whole number");
@@ -45,7 +45,7 @@ void check(const Option& option, const std::string& value) {
     const std::string flag(option.flag);
     if (option.kind == OptionKind::Choice && !isChoice(option, value))
         throw UsageError(flag + ": unknown value \"" + value + "\"; known are " + spaced(option.choices));
-    if (option.kind == OptionKind::Phi && !isChoice(option, value) && !parseNumber(value))
+    if (option.kind == OptionKind::Phi && !isChoice(option, value) && !finiteNumber(value))
         throw UsageError(flag + ": \"" + value + "\" is neither a number nor one of " +
                          spaced(option.choices));
     if (option.kind == OptionKind::Number || option.kind == OptionKind::Integer) checkNumber(option, value);
@@ -70,7 +70,7 @@ std::string remark(const Option& option) {
 
 }  // namespace
 
-std::optional<double> parseNumber(const std::string& text) {
+std::optional<double> finiteNumber(const std::string& text) {
     double value = 0;
     const char* end = text.data() + text.size();
     const auto done = std::from_chars(text.data(), end, value);
@@ -124,12 +124,12 @@ int Arguments::integer(const std::string& flag) const {
 
 std::optional<double> Arguments::given(const std::string& flag) const {
     if (!has(flag)) return std::nullopt;
-    return parseNumber(m_values.at(flag));
+    return finiteNumber(m_values.at(flag));
 }
 
 double Arguments::phi(const std::string& flag, int dim) const {
     const std::string value = text(flag);
-    const double number = isChoice(option(flag), value) ? phiOfName(value, dim) : *parseNumber(value);
+    const double number = isChoice(option(flag), value) ? phiOfName(value, dim) : *finiteNumber(value);
     if (const std::string problem = phi::problem(number, dim); !problem.empty())
         throw UsageError(flag + ": " + problem);
     return number;

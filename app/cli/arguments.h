@@ -43,7 +43,7 @@ class Arguments {
 };
 
 /// A number as it must stand on the command line: all of it, in the C locale.
-std::optional<double> parseNumber(const std::string& text);
+std::optional<double> finiteNumber(const std::string& text);
 
 /// `--tolerance X  …` for each option that the subcommand takes.
 std::string optionHelp(const std::string& command);

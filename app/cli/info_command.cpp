@@ -148,7 +148,7 @@ Json infoOf(const std::string& path) {
 std::string text(const Json& value) {
     if (value.is_string()) return value.get<std::string>();
     if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
-    return value.is_number_float() ? numberText(value.get<double>()) : value.dump();
+    return value.is_number_float() ? shortNumber(value.get<double>()) : value.dump();
 }
 
 /// "medianOfLeastAngles" → "median of least angles"

@@ -117,7 +117,7 @@ constexpr std::array kOptions{
 
 std::string end(double value) {
     if (std::isinf(value)) return value < 0 ? "−∞" : "∞";
-    return numberText(value);
+    return shortNumber(value);
 }
 
 std::string code(std::string_view text) {
@@ -164,7 +164,7 @@ double defaultOf(std::string_view keyOrFlag) {
 
 std::string rangeProblem(const Option& option, double value) {
     if (option.range.contains(value)) return {};
-    return numberText(value) + " is out of range: it must be in " + option.range.text();
+    return shortNumber(value) + " is out of range: it must be in " + option.range.text();
 }
 
 bool isChoice(const Option& option, std::string_view value) {
@@ -191,7 +191,7 @@ std::string nameOfPhi(double phi, int dim) {
     return {};
 }
 
-std::string numberText(double value) {
+std::string shortNumber(double value) {
     std::array<char, 64> text;
     const auto done = std::to_chars(text.data(), text.data() + text.size(), value);
     std::string result(text.data(), done.ptr);

@@ -51,7 +51,7 @@ double phiOfName(std::string_view name, int dim);
 std::string nameOfPhi(double phi, int dim);
 
 /// The shortest text that reads back as the same number, in the C locale.
-std::string numberText(double value);
+std::string shortNumber(double value);
 
 /// The table as a page of Markdown (docs/reference.md).
 std::string referencePage();

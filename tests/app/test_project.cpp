@@ -413,7 +413,7 @@ class TestProject : public QObject {
     void numbers() {
         QFETCH(double, value);
         QFETCH(QString, text);
-        QCOMPARE(QString::fromStdString(numberText(value)), text);
+        QCOMPARE(QString::fromStdString(shortNumber(value)), text);
         QCOMPARE(text.toDouble(), value);
     }
 };
