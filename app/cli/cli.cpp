@@ -122,7 +122,8 @@ bool isCommand(const std::string& word) {
 }
 
 int runCommand(int argc, char** argv) {
-    std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is an error like a full disk
+    std::signal(SIGPIPE, SIG_IGN);  // a closed pipe and a file too large are errors like a full disk
+    std::signal(SIGXFSZ, SIG_IGN);
     const std::vector<std::string> words(argv + 1, argv + argc);
     return static_cast<int>(guarded([&] { return dispatch(words); }));
 }

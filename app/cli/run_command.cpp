@@ -28,6 +28,12 @@ RunOutputs outputsFrom(const Arguments& arguments) {
     return outputs;
 }
 
+bool asksForAnything(const RunOutputs& outputs) {
+    return !(outputs.image + outputs.mesh + outputs.velocity + outputs.stMap + outputs.frames +
+             outputs.report)
+                .empty();
+}
+
 RunOptions optionsFrom(const Arguments& arguments) {
     static const std::map<std::string, BackEndKind> backEnds{
         {"auto", BackEndKind::Automatic}, {"opencl", BackEndKind::OpenCl}, {"cpu", BackEndKind::Cpu}};
@@ -71,6 +77,8 @@ ExitCode runRun(const Arguments& arguments) {
     LoadedProject loaded = readProject(path);
     for (const std::string& warning : loaded.warnings) terminal.warn(path + ": " + warning);
     override(loaded.project, arguments);
+    if (!asksForAnything(options.outputs))
+        terminal.warn(path + ": no output was asked for; nothing will be written");
 
     Interrupt interrupt;
     RunWatch watch;

@@ -1,7 +1,6 @@
 // Project files: what is read, what is refused and with which words, and that writing loses nothing.
 
 #include <QtTest>
-#include <algorithm>
 #include <filesystem>
 #include <numbers>
 
@@ -9,6 +8,7 @@
 #include "app/document/project.h"
 #include "app/document/text_file.h"
 #include "core/mesh/error.h"
+#include "tests/support/quoted.h"
 
 using namespace wend;
 namespace fs = std::filesystem;
@@ -16,12 +16,6 @@ namespace fs = std::filesystem;
 namespace {
 
 const std::string kImage = "'domain': {'image': 'frog.png'}";
-
-/// JSON in which ' stands for ", for texts that can be read.
-std::string json(std::string text) {
-    std::ranges::replace(text, '\'', '"');
-    return text;
-}
 
 std::string projectText(const std::string& rest) {
     return json("{'format': 'wend', 'version': 1, " + rest + "}");
