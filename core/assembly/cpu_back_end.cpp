@@ -6,6 +6,7 @@
 #include <numeric>
 #include <thread>
 
+#include "core/assembly/isotropic_back_end.h"
 #include "core/assembly/worker_pool.h"
 #include "core/energy/cell_energy.h"
 #include "core/energy/smoothness.h"
@@ -269,11 +270,22 @@ template <int Dim>
 std::unique_ptr<BackEnd<Dim>> makeCpuBackEnd(std::shared_ptr<const AssemblyPlan<Dim>> plan,
                                              const SimplicialMesh<Dim>& rest, const Material<Dim>& material,
                                              int threads) {
+    if (material.anisotropy.empty())
+        return makeIsotropicBackEnd<Dim>(std::move(plan), rest, material, threads);
+    return makeGeneralBackEnd<Dim>(std::move(plan), rest, material, threads);
+}
+
+template <int Dim>
+std::unique_ptr<BackEnd<Dim>> makeGeneralBackEnd(std::shared_ptr<const AssemblyPlan<Dim>> plan,
+                                                 const SimplicialMesh<Dim>& rest,
+                                                 const Material<Dim>& material, int threads) {
     return std::make_unique<CpuBackEnd<Dim>>(std::move(plan), rest, material, threads);
 }
 
-#define WEND_INSTANTIATE(Dim)                                   \
-    template std::unique_ptr<BackEnd<Dim>> makeCpuBackEnd<Dim>( \
+#define WEND_INSTANTIATE(Dim)                                                                             \
+    template std::unique_ptr<BackEnd<Dim>> makeCpuBackEnd<Dim>(                                           \
+        std::shared_ptr<const AssemblyPlan<Dim>>, const SimplicialMesh<Dim>&, const Material<Dim>&, int); \
+    template std::unique_ptr<BackEnd<Dim>> makeGeneralBackEnd<Dim>(                                       \
         std::shared_ptr<const AssemblyPlan<Dim>>, const SimplicialMesh<Dim>&, const Material<Dim>&, int);
 WEND_INSTANTIATE(2)
 WEND_INSTANTIATE(3)
