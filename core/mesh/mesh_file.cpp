@@ -1,1 +1,129 @@
 #include "core/mesh/mesh_file.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "core/mesh/error.h"
+#include "core/mesh/formats/mesh_format.h"
+#include "core/mesh/formats/scanner.h"
+#include "core/mesh/safe_file.h"
+
+namespace wend {
+namespace fs = std::filesystem;
+using formats::MeshFormat;
+using formats::MeshSource;
+
+namespace {
+
+std::string bytesOf(const std::string& path) {
+    std::error_code error;
+    const auto status = fs::status(path, error);
+    if (!fs::exists(status)) throw InputError(path, "does not exist");
+    if (!fs::is_regular_file(status))
+        throw InputError(path, fs::is_directory(status) ? "is a folder" : "is no file");
+    std::ifstream file(path, std::ios::binary);
+    std::string bytes(fs::file_size(path), '\0');
+    if (!file || !file.read(bytes.data(), static_cast<std::streamsize>(bytes.size())))
+        throw InputError(path, "cannot be read");
+    if (bytes.empty()) throw InputError(path, "is empty");
+    return bytes;
+}
+
+/// The files of one mesh: this one, or its pair.
+std::vector<std::string> pathsOf(const MeshFormat& format, const std::string& path) {
+    if (!format.together) return {path};
+    std::vector<std::string> paths;
+    for (const auto extension : format.extensions) {
+        const bool given = formats::sameWord(fs::path(path).extension().string(), extension);
+        paths.push_back(given ? path : fs::path(path).replace_extension(extension).string());
+    }
+    return paths;
+}
+
+void put(const std::string& path, const std::string& bytes) {
+    std::ofstream file(path, std::ios::binary);
+    file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    file.close();
+    if (!file) throw InputError("cannot be written (is the disk full?)");
+}
+
+/// Each file is renamed only when all that follow it have been.
+void putAll(const std::vector<std::string>& paths, const std::vector<std::string>& texts, std::size_t first) {
+    if (first == paths.size()) return;
+    writeWhole(paths[first], [&](const std::string& temporary) {
+        put(temporary, texts[first]);
+        putAll(paths, texts, first + 1);
+    });
+}
+
+}  // namespace
+
+MeshFile readMeshFile(const std::string& path) {
+    const auto& format = formats::formatOf(path);
+    std::vector<MeshSource> sources;
+    for (const auto& part : pathsOf(format, path)) sources.push_back({part, bytesOf(part)});
+    return formats::readSources(format, sources);
+}
+
+void writeMeshFile(const std::string& path, const MeshFile& mesh, const MeshWriteOptions& options) {
+    const auto& format = formats::formatOf(path);
+    try {
+        putAll(pathsOf(format, path), formats::printed(format, mesh, options), 0);
+    } catch (const InputError& error) {
+        throw error.named(path);
+    }
+}
+
+std::vector<std::string> meshFileExtensions() {
+    std::vector<std::string> extensions;
+    for (const auto& format : formats::meshFormats())
+        extensions.insert(extensions.end(), format.extensions.begin(), format.extensions.end());
+    return extensions;
+}
+
+bool isVolume(const MeshFile& file) {
+    return !file.tetrahedra.empty();
+}
+
+template <>
+SimplicialMesh<2> meshFrom<2>(const MeshFile& file) {
+    if (isVolume(file)) throw InputError("holds tetrahedra where a flat triangle mesh is needed");
+    const auto z = file.points.row(2);
+    // constant to rounding: a file may come from a program that turned the plane
+    const double slack = 1e-12 * boundingBoxDiagonal<3>(file.points);
+    for (Eigen::Index v = 0; v < z.size(); ++v)
+        if (std::abs(z[v] - z[0]) > slack)
+            throw InputError("the triangles do not lie in a plane z = constant: vertex " + std::to_string(v) +
+                             " is at another height than vertex 0");
+    SimplicialMesh<2> mesh{file.points.topRows<2>(), file.triangles};
+    requireValid(mesh);
+    return mesh;
+}
+
+template <>
+SimplicialMesh<3> meshFrom<3>(const MeshFile& file) {
+    if (!isVolume(file)) throw InputError("holds only triangles where a mesh of tetrahedra is needed");
+    SimplicialMesh<3> mesh{file.points, file.tetrahedra};
+    requireValid(mesh);
+    return mesh;
+}
+
+template <>
+MeshFile toMeshFile<2>(const SimplicialMesh<2>& mesh) {
+    MeshFile file;
+    file.points = Eigen::Matrix3Xd::Zero(3, mesh.vertexCount());
+    file.points.topRows<2>() = mesh.points;
+    file.triangles = mesh.cells;
+    return file;
+}
+
+template <>
+MeshFile toMeshFile<3>(const SimplicialMesh<3>& mesh) {
+    MeshFile file;
+    file.points = mesh.points;
+    file.tetrahedra = mesh.cells;
+    return file;
+}
+
+}  // namespace wend

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -7,7 +8,15 @@
 
 namespace wend {
 
-/// A field of a mesh file: `components` numbers per vertex or per cell.
+// The readers and writers are Wend's own (formats/, one file per family), not those of a mesh library, for
+// three reasons. Vertex and cell order and count must come out as they went in, since materials, handles and
+// other programs refer to them by number: libraries merge, renumber or sort. An error must say the line, byte
+// or cell: libraries answer "false" or print. And VTK or Gmsh as a library would bring over 1 GB of packages
+// for the few record types that are needed. XML and compression are another matter: .vtu goes through pugixml
+// and zlib.
+
+/// A field of a mesh file: `components` numbers per vertex or per cell. The cells are the tetrahedra if there
+/// are any, else the triangles. Values may be NaN or infinite where the file says so.
 struct MeshField {
     std::string name;
     bool perCell = false;
@@ -18,22 +27,45 @@ struct MeshField {
 /// What a mesh file holds, before a dimension is chosen. Order and count are the file's.
 struct MeshFile {
     Eigen::Matrix3Xd points;
-    std::vector<std::array<int, 3>> triangles;   // polygons of more corners are split into fans
-    std::vector<std::array<int, 4>> tetrahedra;  // if there are any, the mesh is a volume
-    Eigen::Matrix2Xd uv;                         // per vertex; empty if there is none
+    std::vector<std::array<int, 3>> triangles;  // polygons of more corners are split into fans
+    std::vector<std::array<int, 4>>
+        tetrahedra;       // if there are any, the mesh is a volume and the triangles its border
+    Eigen::Matrix2Xd uv;  // per vertex; empty if there is none
     std::vector<MeshField> fields;
 };
 
-/// Formats by extension: .obj .ply .off .stl .mesh .msh (2.2 and 4.1, text and binary) .node/.ele .vtk .vtu.
-/// Throws InputError(path, what and line).
+/// Reads the formats of meshFileExtensions(). Every index is valid and every coordinate finite in what comes
+/// back, but the mesh may still be no partition (see requireValid). Throws InputError(path, place and
+/// reason).
+///
+/// What is not obvious: STL has no vertices; equal points of its facets become one, in the order of their
+/// first use. OBJ texture coordinates become one per vertex; where corners of a vertex differ (a seam), the
+/// first counts. Tags of cells are the fields "ref" (Medit), "physical" and "entity" (Gmsh), "attribute"
+/// (TetGen). Points, lines and data of other kinds are passed over; hexahedra, prisms, pyramids and curved
+/// cells are errors.
 MeshFile readMeshFile(const std::string& path);
+
+struct MeshWriteOptions {
+    enum class Encoding { Text, Binary, Compressed };
+    /// Binary where the format has it (PLY, STL, .msh, .vtk, .vtu). Compressed: .vtu, elsewhere binary. Text
+    /// has 17 significant digits; binary STL has single precision.
+    Encoding encoding = Encoding::Text;
+    bool bigEndian = false;  // PLY; the others have their own order
+    bool appended = false;   // .vtu, not as text: data as raw bytes behind the XML instead of base64 in it
+    int gmshVersion = 4;     // 4 writes 4.1, 2 writes 2.2
+
+    bool binary() const { return encoding != Encoding::Text; }
+};
 
 /// Writes to a temporary file beside `path` and renames it: never half-written. Throws InputError on failure.
 /// The format is by extension; what a format cannot carry (fields in OBJ, tetrahedra in STL …) is an error
 /// for cells and left out for fields and uv. 17 significant digits.
-void writeMeshFile(const std::string& path, const MeshFile& mesh);
+void writeMeshFile(const std::string& path, const MeshFile& mesh, const MeshWriteOptions& options = {});
 
-/// The partition in a file: triangles in the plane z = constant, or tetrahedra (3D). Validated with
+/// The extensions that are read and written, lower case, with the dot.
+std::vector<std::string> meshFileExtensions();
+
+/// The partition in a file: triangles in a plane z = constant, or tetrahedra (3D). Validated with
 /// requireValid.
 template <int Dim>
 SimplicialMesh<Dim> meshFrom(const MeshFile& file);

@@ -154,7 +154,8 @@ void copesWithBadProportions() {
         const PointLocator<Dim> locator(sheared.points, sheared.cells);
         const auto found = locator.find(p);
         QVERIFY(found.has_value());
-        QVERIFY((interpolate(sheared, *found) - p).norm() < 1e-7);  // condition 1e8, coordinates 1e4, 1e-16 each
+        QVERIFY((interpolate(sheared, *found) - p).norm() <
+                1e-7);  // condition 1e8, coordinates 1e4, 1e-16 each
     }
 }
 

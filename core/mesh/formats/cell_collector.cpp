@@ -1,0 +1,52 @@
+#include "core/mesh/formats/cell_collector.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wend::formats {
+
+void CellCollector::polygon(std::span<const int> corners, int element) {
+    for (std::size_t k = 2; k < corners.size(); ++k) {
+        m_triangles.push_back({corners[0], corners[k - 1], corners[k]});
+        m_triangleElements.push_back(element);
+    }
+}
+
+void CellCollector::tetrahedron(const std::array<int, 4>& corners, int element) {
+    m_tetrahedra.push_back(corners);
+    m_tetrahedronElements.push_back(element);
+}
+
+std::vector<double> CellCollector::perCell(const std::vector<double>& perElement, int components) const {
+    const auto& elements = m_tetrahedronElements.empty() ? m_triangleElements : m_tetrahedronElements;
+    std::vector<double> values;
+    values.reserve(elements.size() * components);
+    for (int element : elements) {
+        const auto first = perElement.begin() + static_cast<std::ptrdiff_t>(element) * components;
+        values.insert(values.end(), first, first + components);
+    }
+    return values;
+}
+
+void CellCollector::moveInto(MeshFile& file) {
+    file.triangles = std::move(m_triangles);
+    file.tetrahedra = std::move(m_tetrahedra);
+}
+
+int cellCount(const MeshFile& file) {
+    return static_cast<int>(file.tetrahedra.empty() ? file.triangles.size() : file.tetrahedra.size());
+}
+
+const MeshField* cellField(const MeshFile& file, std::initializer_list<const char*> names) {
+    for (const char* name : names)
+        for (const auto& field : file.fields)
+            if (field.perCell && field.components == 1 && field.name == name) return &field;
+    return nullptr;
+}
+
+long tagOf(const MeshField* field, int cell, long otherwise) {
+    if (!field || !(std::abs(field->values[cell]) < 2147483647)) return otherwise;
+    return std::lround(field->values[cell]);
+}
+
+}  // namespace wend::formats

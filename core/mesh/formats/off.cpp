@@ -1,0 +1,68 @@
+// Object File Format: "OFF", the numbers of vertices, faces and edges, then the vertices and the faces.
+// Colours, normals and texture coordinates (COFF, NOFF, STOFF) are passed over.
+
+#include "core/mesh/formats/cell_collector.h"
+#include "core/mesh/formats/mesh_format.h"
+#include "core/mesh/formats/scanner.h"
+#include "core/mesh/formats/text_writer.h"
+
+namespace wend::formats {
+namespace {
+
+/// True if vertices carry more than their position, on the same line.
+bool readHeader(Scanner& scanner) {
+    auto word = scanner.word("the word OFF");
+    const auto whole = word;
+    for (const std::string_view prefix : {"ST", "C", "N"})
+        if (word.starts_with(prefix)) word.remove_prefix(prefix.size());
+    if (word == "4OFF" || word == "nOFF") scanner.fail(inQuotes(whole) + ": only points in space are read");
+    if (word != "OFF") scanner.fail("begins with " + inQuotes(whole) + " instead of OFF: no OFF file");
+    if (scanner.nextIs("BINARY")) scanner.fail("a binary OFF file is not read");
+    return whole != "OFF";
+}
+
+int readCorner(Scanner& scanner, int vertexCount) {
+    const auto index = scanner.integer("a vertex number");
+    if (index < 0 || index >= vertexCount)
+        scanner.fail("vertex " + std::to_string(index) + " is named, but there are only " +
+                     std::to_string(vertexCount) + " (counted from 0)");
+    return static_cast<int>(index);
+}
+
+}  // namespace
+
+MeshFile readOff(std::span<const MeshSource> files) {
+    Scanner scanner(files[0].bytes, '#');
+    const bool decorated = readHeader(scanner);
+    const int vertexCount = scanner.count("vertices", 6);
+    const int faceCount = scanner.count("faces", 2);
+    if (!scanner.atLineEnd()) scanner.integer("the number of edges");
+
+    MeshFile file;
+    file.points.resize(3, vertexCount);
+    for (auto p : file.points.colwise()) {
+        for (double& coordinate : p) coordinate = scanner.finite("a coordinate");
+        if (decorated) scanner.line();
+    }
+    CellCollector cells;
+    std::vector<int> polygon;
+    for (int f = 0; f < faceCount; ++f) {
+        polygon.resize(scanner.count("corners", 2));
+        for (int& corner : polygon) corner = readCorner(scanner, vertexCount);
+        cells.polygon(polygon, f);
+        scanner.line();  // a colour may follow
+    }
+    scanner.requireEnd("its header");
+    cells.moveInto(file);
+    return file;
+}
+
+std::vector<std::string> printOff(const MeshFile& mesh, const MeshWriteOptions&) {
+    TextWriter out;
+    out << "OFF\n" << mesh.points.cols() << ' ' << mesh.triangles.size() << " 0\n";
+    for (const auto& p : mesh.points.colwise()) out << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
+    for (const auto& [a, b, c] : mesh.triangles) out << "3 " << a << ' ' << b << ' ' << c << '\n';
+    return {std::move(out.text())};
+}
+
+}  // namespace wend::formats

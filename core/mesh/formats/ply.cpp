@@ -1,0 +1,295 @@
+// Stanford PLY: a header that declares elements and their properties, then their values as text or bytes of
+// either order. Single properties of vertices and faces beyond position and texture coordinates are fields.
+
+#include <algorithm>
+#include <optional>
+
+#include "core/mesh/error.h"
+#include "core/mesh/formats/cell_collector.h"
+#include "core/mesh/formats/mesh_format.h"
+#include "core/mesh/formats/scanner.h"
+#include "core/mesh/formats/text_writer.h"
+
+namespace wend::formats {
+namespace {
+
+struct Property {
+    std::string name;
+    Scalar type = Scalar::Float32;
+    std::optional<Scalar> countType;  // a list if there is one
+    std::vector<double> values;       // of single properties: one per item
+
+    bool isCorners() const { return countType && (name == "vertex_indices" || name == "vertex_index"); }
+};
+
+struct Element {
+    std::string name;
+    std::int64_t count = 0;
+    std::vector<Property> properties;
+
+    const Property* find(std::string_view wanted) const {
+        for (const auto& property : properties)
+            if (!property.countType && property.name == wanted) return &property;
+        return nullptr;
+    }
+};
+
+struct Polygons {
+    std::vector<std::int64_t> corners;  // of all faces, one behind the other
+    std::vector<int> sizes;
+};
+
+std::optional<Scalar> scalarNamed(std::string_view name) {
+    constexpr std::pair<std::string_view, Scalar> names[] = {
+        {"char", Scalar::Int8},      {"int8", Scalar::Int8},       {"uchar", Scalar::UInt8},
+        {"uint8", Scalar::UInt8},    {"short", Scalar::Int16},     {"int16", Scalar::Int16},
+        {"ushort", Scalar::UInt16},  {"uint16", Scalar::UInt16},   {"int", Scalar::Int32},
+        {"int32", Scalar::Int32},    {"uint", Scalar::UInt32},     {"uint32", Scalar::UInt32},
+        {"float", Scalar::Float32},  {"float32", Scalar::Float32}, {"double", Scalar::Float64},
+        {"float64", Scalar::Float64}};
+    for (const auto& [known, type] : names)
+        if (known == name) return type;
+    return std::nullopt;
+}
+
+class PlyReader {
+  public:
+    explicit PlyReader(std::string_view bytes) : m_scanner(bytes) {}
+
+    MeshFile read() {
+        readHeader();
+        NumberReader numbers(m_scanner, m_binary, m_order);
+        if (m_binary) m_scanner.placesAreOffsets();
+        for (auto& element : m_elements) readElement(element, numbers);
+        m_scanner.requireEnd("the header");
+        MeshFile file;
+        takeVertices(file);
+        takeFaces(file);
+        return file;
+    }
+
+  private:
+    void readHeader() {
+        if (m_scanner.word("the word ply") != "ply") m_scanner.fail("does not begin with 'ply': no PLY file");
+        m_scanner.line();
+        bool hasFormat = false;
+        for (;;) {
+            const auto keyword = m_scanner.word("a line of the header");
+            if (keyword == "end_header") break;
+            if (keyword == "format") {
+                readFormat();
+                hasFormat = true;
+            } else if (keyword == "element") {
+                readElementLine();
+            } else if (keyword == "property") {
+                readPropertyLine();
+            } else if (keyword != "comment" && keyword != "obj_info") {
+                m_scanner.fail(inQuotes(keyword) + " is no keyword of a PLY header");
+            }
+            m_scanner.line();
+        }
+        if (!hasFormat) m_scanner.fail("the header says no format");
+        m_scanner.line();
+    }
+    void readFormat() {
+        const auto name = m_scanner.wordOnLine("a format");
+        m_binary = name != "ascii";
+        m_order = name == "binary_big_endian" ? std::endian::big : std::endian::little;
+        if (m_binary && name != "binary_big_endian" && name != "binary_little_endian")
+            m_scanner.fail(inQuotes(name) + " is no PLY format");
+    }
+    void readElementLine() {
+        Element element;
+        element.name = m_scanner.wordOnLine("the name of an element");
+        element.count = m_scanner.integerFrom(m_scanner.wordOnLine("a number of items"), "a number of items");
+        m_elements.push_back(std::move(element));
+    }
+    Scalar readType() {
+        const auto name = m_scanner.wordOnLine("a type");
+        const auto type = scalarNamed(name);
+        if (!type) m_scanner.fail(inQuotes(name) + " is no type of a PLY file");
+        return *type;
+    }
+    void readPropertyLine() {
+        if (m_elements.empty()) m_scanner.fail("a property stands before any element");
+        Property property;
+        if (m_scanner.nextIs("list")) {
+            m_scanner.word("list");
+            property.countType = readType();
+        }
+        property.type = readType();
+        property.name = m_scanner.wordOnLine("the name of a property");
+        m_elements.back().properties.push_back(std::move(property));
+    }
+
+    std::size_t smallestItem(const Element& element) const {
+        std::size_t bytes = 0;
+        for (const auto& p : element.properties) bytes += m_binary ? sizeOf(p.countType.value_or(p.type)) : 2;
+        return std::max<std::size_t>(bytes, 1);  // an item of nothing is a damaged header
+    }
+    void readElement(Element& element, NumberReader& numbers) {
+        const std::string items = "items '" + element.name + "'";
+        const int count = m_scanner.checkedCount(element.count, items.c_str(), smallestItem(element));
+        for (auto& property : element.properties)
+            if (!property.countType) property.values.reserve(count);
+        for (int i = 0; i < count; ++i)
+            for (auto& property : element.properties)
+                if (property.countType)
+                    readList(property, element.name == "face", numbers);
+                else
+                    property.values.push_back(numbers.real(property.type, property.name.c_str()));
+    }
+    void readList(const Property& property, bool ofFace, NumberReader& numbers) {
+        const int size = numbers.count(*property.countType, "list entries", 1, property.type);
+        const bool wanted = ofFace && property.isCorners();
+        if (wanted) m_polygons.sizes.push_back(size);
+        for (int k = 0; k < size; ++k) {
+            if (!wanted)
+                numbers.real(property.type, "a list entry");
+            else
+                m_polygons.corners.push_back(numbers.integer(property.type, "a vertex number"));
+        }
+    }
+
+    const Element& element(std::string_view name) const {
+        for (const auto& candidate : m_elements)
+            if (candidate.name == name) return candidate;
+        m_scanner.fail("the header declares no element " + inQuotes(name));
+    }
+    void takeVertices(MeshFile& file) {
+        const auto& vertices = element("vertex");
+        const auto *x = vertices.find("x"), *y = vertices.find("y"), *z = vertices.find("z");
+        if (!x || !y) m_scanner.fail("the vertices have no x and y");
+        file.points = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(x->values.size()));
+        std::vector<const Property*> taken = {x, y, z};
+        for (int k = 0; k < 3; ++k)
+            for (std::size_t v = 0; taken[k] && v < x->values.size(); ++v)
+                file.points(k, v) = taken[k]->values[v];
+        for (const auto& [u, v] : {std::pair{"s", "t"}, {"u", "v"}, {"texture_u", "texture_v"}}) {
+            const auto *first = vertices.find(u), *second = vertices.find(v);
+            if (!first || !second || file.uv.cols()) continue;
+            file.uv.resize(2, file.points.cols());
+            for (Eigen::Index i = 0; i < file.uv.cols(); ++i)
+                file.uv.col(i) << first->values[i], second->values[i];
+            taken.insert(taken.end(), {first, second});
+        }
+        for (const auto& property : vertices.properties)
+            if (!property.countType && std::find(taken.begin(), taken.end(), &property) == taken.end())
+                file.fields.push_back({property.name, false, 1, property.values});
+    }
+    void takeFaces(MeshFile& file) {
+        const auto& faces = element("face");
+        CellCollector cells;
+        std::vector<int> polygon;
+        std::size_t at = 0;
+        for (std::size_t f = 0; f < m_polygons.sizes.size(); ++f) {
+            polygon.clear();
+            for (int k = 0; k < m_polygons.sizes[f]; ++k)
+                polygon.push_back(corner(m_polygons.corners[at++], f, file));
+            cells.polygon(polygon, static_cast<int>(f));
+        }
+        if (static_cast<std::int64_t>(m_polygons.sizes.size()) != faces.count)
+            m_scanner.fail("the faces have no list of vertex_indices, or several");
+        for (const auto& property : faces.properties)
+            if (!property.countType)
+                file.fields.push_back({property.name, true, 1, cells.perCell(property.values, 1)});
+        cells.moveInto(file);
+    }
+    int corner(std::int64_t index, std::size_t face, const MeshFile& file) const {
+        if (index < 0 || index >= file.points.cols())
+            throw InputError("face " + std::to_string(face) + " names vertex " + std::to_string(index) +
+                             ", but there are only " + std::to_string(file.points.cols()) +
+                             " (counted from 0)");
+        return static_cast<int>(index);
+    }
+
+    Scanner m_scanner;
+    bool m_binary = false;
+    std::endian m_order = std::endian::little;
+    std::vector<Element> m_elements;
+    Polygons m_polygons;
+};
+
+/// A property per component; blanks would end the name.
+std::string propertyName(const MeshField& field, int component) {
+    std::string name = field.name.empty() ? "field" : field.name;
+    for (char& c : name)
+        if (c <= ' ') c = '_';
+    return field.components == 1 ? name : name + "_" + std::to_string(component);
+}
+
+class PlyPrinter {
+  public:
+    PlyPrinter(const MeshFile& mesh, const MeshWriteOptions& options)
+        : m_mesh(mesh),
+          m_binary(options.binary()),
+          m_order(options.bigEndian ? std::endian::big : std::endian::little) {}
+
+    std::string print() {
+        header();
+        for (Eigen::Index v = 0; v < m_mesh.points.cols(); ++v) {
+            for (double x : m_mesh.points.col(v)) number(x);
+            for (Eigen::Index k = 0; m_mesh.uv.cols() && k < 2; ++k) number(m_mesh.uv(k, v));
+            endItem(false, static_cast<std::size_t>(v));
+        }
+        for (std::size_t t = 0; t < m_mesh.triangles.size(); ++t) {
+            whole(3, Scalar::UInt8);
+            for (int v : m_mesh.triangles[t]) whole(v, Scalar::Int32);
+            endItem(true, t);
+        }
+        return std::move(m_out.text());
+    }
+
+  private:
+    void header() {
+        const char* binary = m_order == std::endian::big ? "binary_big_endian" : "binary_little_endian";
+        m_out << "ply\nformat " << (m_binary ? binary : "ascii") << " 1.0\nelement vertex "
+              << m_mesh.points.cols() << '\n';
+        for (const char* name : {"x", "y", "z"}) m_out << "property double " << name << '\n';
+        if (m_mesh.uv.cols()) m_out << "property double s\nproperty double t\n";
+        fieldNames(false);
+        m_out << "element face " << m_mesh.triangles.size() << "\nproperty list uchar int vertex_indices\n";
+        fieldNames(true);
+        m_out << "end_header\n";
+    }
+    void fieldNames(bool perCell) {
+        for (const auto& field : m_mesh.fields)
+            for (int k = 0; field.perCell == perCell && k < field.components; ++k)
+                m_out << "property double " << propertyName(field, k) << '\n';
+    }
+    void endItem(bool perCell, std::size_t item) {
+        for (const auto& field : m_mesh.fields)
+            for (int k = 0; field.perCell == perCell && k < field.components; ++k)
+                number(field.values[item * field.components + k]);
+        if (!m_binary) m_out.text().back() = '\n';
+    }
+    void number(double value) {
+        if (m_binary)
+            appendReal(m_out.text(), value, Scalar::Float64, m_order);
+        else
+            m_out << value << ' ';
+    }
+    void whole(int value, Scalar type) {
+        if (m_binary)
+            appendInteger(m_out.text(), value, type, m_order);
+        else
+            m_out << value << ' ';
+    }
+
+    const MeshFile& m_mesh;
+    bool m_binary;
+    std::endian m_order;
+    TextWriter m_out;
+};
+
+}  // namespace
+
+MeshFile readPly(std::span<const MeshSource> files) {
+    return PlyReader(files[0].bytes).read();
+}
+
+std::vector<std::string> printPly(const MeshFile& mesh, const MeshWriteOptions& options) {
+    return {PlyPrinter(mesh, options).print()};
+}
+
+}  // namespace wend::formats

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <concepts>
+#include <string>
+#include <string_view>
+
+#include "core/mesh/number_text.h"
+
+namespace wend::formats {
+
+/// Builds a file's text; numbers in the C locale with 17 significant digits.
+class TextWriter {
+  public:
+    TextWriter& operator<<(std::string_view text) {
+        m_text += text;
+        return *this;
+    }
+    TextWriter& operator<<(const char* text) { return *this << std::string_view(text); }
+    TextWriter& operator<<(char c) {
+        m_text += c;
+        return *this;
+    }
+    TextWriter& operator<<(double value) {
+        appendNumber(m_text, value);
+        return *this;
+    }
+    TextWriter& operator<<(std::integral auto value) {
+        m_text += std::to_string(value);
+        return *this;
+    }
+    std::string& text() { return m_text; }
+
+  private:
+    std::string m_text;
+};
+
+}  // namespace wend::formats

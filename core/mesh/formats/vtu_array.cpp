@@ -1,0 +1,148 @@
+#include "core/mesh/formats/vtu_array.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "core/mesh/error.h"
+#include "core/mesh/formats/base64.h"
+
+namespace wend::formats {
+namespace {
+
+constexpr std::size_t blockSize = 1 << 15;   // VTK's
+constexpr std::size_t greatestRatio = 1100;  // zlib cannot compress by more than about 1030
+
+/// Takes pieces off the front of the data, each of which is base64 for itself or raw.
+class Pieces {
+  public:
+    Pieces(std::string_view text, bool base64) : m_text(text), m_base64(base64) {}
+
+    std::string take(std::size_t size) {
+        auto bytes = peek(size);
+        m_text.remove_prefix(lengthOf(size));
+        return bytes;
+    }
+    std::string peek(std::size_t size) const {
+        if (size > m_text.size()) throw InputError("the data ends too early");
+        auto bytes =
+            m_base64 ? decodeBase64(m_text.substr(0, lengthOf(size))) : std::string(m_text.substr(0, size));
+        if (bytes.size() < size) throw InputError("the data ends too early");
+        bytes.resize(size);
+        return bytes;
+    }
+
+    /// True if the first piece is encoded for itself although more follows: its padding tells.
+    bool closedAfter(std::size_t size) const {
+        const auto length = lengthOf(size);
+        return m_base64 && m_text.size() > length && length > 0 && m_text[length - 1] == '=';
+    }
+
+  private:
+    std::size_t lengthOf(std::size_t size) const {
+        return m_base64 ? std::min((size + 2) / 3 * 4, m_text.size()) : size;
+    }
+
+    std::string_view m_text;
+    bool m_base64;
+};
+
+std::size_t headerNumber(std::string_view header, std::size_t at, const VtuEncoding& encoding) {
+    const auto size = sizeOf(encoding.header);
+    const auto value = decodeInteger(header.substr(at * size, size), encoding.header, encoding.order);
+    if (value < 0 || value > (std::int64_t(1) << 48)) throw InputError("the data's header makes no sense");
+    return static_cast<std::size_t>(value);
+}
+
+std::string inflated(std::string_view compressed, std::size_t size) {
+    std::string bytes(size, '\0');
+    uLongf written = size;
+    const auto* source = reinterpret_cast<const Bytef*>(compressed.data());
+    const int status =
+        uncompress(reinterpret_cast<Bytef*>(bytes.data()), &written, source, compressed.size());
+    if (status != Z_OK || written != size) throw InputError("the compressed data is damaged");
+    return bytes;
+}
+
+std::string decodeCompressed(Pieces pieces, std::size_t textSize, const VtuEncoding& encoding) {
+    const auto word = sizeOf(encoding.header);
+    const auto blocks = headerNumber(pieces.peek(word), 0, encoding);
+    if (blocks == 0) return {};
+    if (blocks > textSize) throw InputError("the data's header makes no sense");
+    const auto header = pieces.take((3 + blocks) * word);
+    const auto full = headerNumber(header, 1, encoding), partial = headerNumber(header, 2, encoding);
+    std::size_t total = 0;
+    for (std::size_t b = 0; b < blocks; ++b) total += headerNumber(header, 3 + b, encoding);
+    const std::string data = pieces.take(std::min(total, textSize + 1));
+    std::string bytes;
+    for (std::size_t b = 0, at = 0; b < blocks; ++b) {
+        const auto packed = headerNumber(header, 3 + b, encoding);
+        const auto size = b + 1 == blocks && partial ? partial : full;
+        if (size > greatestRatio * (packed + 1)) throw InputError("the data's header makes no sense");
+        bytes += inflated(std::string_view(data).substr(at, packed), size);
+        at += packed;
+    }
+    return bytes;
+}
+
+std::string number(std::size_t value, const VtuEncoding& encoding) {
+    std::string bytes;
+    appendInteger(bytes, static_cast<std::int64_t>(value), encoding.header, encoding.order);
+    return bytes;
+}
+
+std::string deflated(std::string_view bytes) {
+    uLongf size = compressBound(bytes.size());
+    std::string packed(size, '\0');
+    const auto* source = reinterpret_cast<const Bytef*>(bytes.data());
+    if (compress(reinterpret_cast<Bytef*>(packed.data()), &size, source, bytes.size()) != Z_OK)
+        throw InputError("the data cannot be compressed");
+    packed.resize(size);
+    return packed;
+}
+
+}  // namespace
+
+std::optional<Scalar> vtuScalarNamed(std::string_view name) {
+    constexpr std::pair<std::string_view, Scalar> names[] = {
+        {"Int8", Scalar::Int8},      {"UInt8", Scalar::UInt8},   {"Int16", Scalar::Int16},
+        {"UInt16", Scalar::UInt16},  {"Int32", Scalar::Int32},   {"UInt32", Scalar::UInt32},
+        {"Int64", Scalar::Int64},    {"UInt64", Scalar::UInt64}, {"Float32", Scalar::Float32},
+        {"Float64", Scalar::Float64}};
+    for (const auto& [known, type] : names)
+        if (known == name) return type;
+    return std::nullopt;
+}
+
+std::string decodeVtuArray(std::string_view text, const VtuEncoding& encoding) {
+    Pieces pieces(text, encoding.base64);
+    if (encoding.compressed) return decodeCompressed(pieces, text.size(), encoding);
+    const auto word = sizeOf(encoding.header);
+    const auto size = headerNumber(pieces.peek(word), 0, encoding);
+    if (pieces.closedAfter(word)) {  // not VTK's way, but some programs'
+        pieces.take(word);
+        return pieces.take(size);
+    }
+    return pieces.peek(word + std::min(size, text.size() + 1)).substr(word);
+}
+
+std::string encodeVtuArray(std::string_view bytes, const VtuEncoding& encoding) {
+    const auto wrapped = [&](std::string part) {
+        return encoding.base64 ? encodeBase64(part) : std::move(part);
+    };
+    if (!encoding.compressed) return wrapped(number(bytes.size(), encoding) + std::string(bytes));
+    std::vector<std::string> blocks;
+    for (std::size_t at = 0; at < bytes.size(); at += blockSize)
+        blocks.push_back(deflated(bytes.substr(at, blockSize)));
+    std::string header = number(blocks.size(), encoding) + number(blockSize, encoding) +
+                         number(bytes.size() % blockSize, encoding);
+    std::string data;
+    for (const auto& block : blocks) {
+        header += number(block.size(), encoding);
+        data += block;
+    }
+    return wrapped(std::move(header)) + wrapped(std::move(data));
+}
+
+}  // namespace wend::formats

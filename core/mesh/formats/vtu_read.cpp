@@ -1,0 +1,224 @@
+// VTK's XML unstructured grid: data arrays as text, base64 in place, or appended (base64 or raw), plain or
+// zlib.
+
+#include <algorithm>
+#include <optional>
+#include <pugixml.hpp>
+
+#include "core/mesh/error.h"
+#include "core/mesh/formats/cell_collector.h"
+#include "core/mesh/formats/mesh_format.h"
+#include "core/mesh/formats/scanner.h"
+#include "core/mesh/formats/vtk_cells.h"
+#include "core/mesh/formats/vtu_array.h"
+
+namespace wend::formats {
+namespace {
+
+/// Raw appended data is no XML: the text between <AppendedData …> and </AppendedData> is cut out before
+/// parsing.
+struct Split {
+    std::string xml;
+    std::optional<std::string_view> appended;  // what follows the underscore
+};
+
+Split split(std::string_view bytes) {
+    const auto tag = bytes.find("<AppendedData");
+    const auto start = tag == std::string_view::npos ? tag : bytes.find('>', tag);
+    const auto end = bytes.rfind("</AppendedData>");
+    if (start == std::string_view::npos || end == std::string_view::npos || end < start)
+        return {std::string(bytes), std::nullopt};
+    auto data = bytes.substr(start + 1, end - start - 1);
+    const auto underscore = data.find('_');
+    if (underscore == std::string_view::npos)
+        throw InputError("the appended data does not begin with an underscore");
+    std::string xml(bytes.substr(0, start + 1));
+    xml += bytes.substr(end);
+    return {std::move(xml), data.substr(underscore + 1)};
+}
+
+class VtuReader {
+  public:
+    explicit VtuReader(std::string_view bytes) : m_parts(split(bytes)) {}
+
+    MeshFile read() {
+        parse();
+        const auto root = m_document.child("VTKFile");
+        if (!root) throw InputError("there is no element VTKFile: no .vtu file");
+        readEncoding(root);
+        const auto piece = onlyPiece(root);
+        const auto pointCount = attribute(piece, "NumberOfPoints"),
+                   cellCount = attribute(piece, "NumberOfCells");
+        readPoints(piece, pointCount);
+        CellCollector collector;
+        collect(readCells(piece, cellCount), m_file.points.cols(), 0, collector);
+        readFields(piece.child("PointData"), false, pointCount, collector);
+        readFields(piece.child("CellData"), true, cellCount, collector);
+        collector.moveInto(m_file);
+        return std::move(m_file);
+    }
+
+  private:
+    void parse() {
+        const auto result = m_document.load_buffer(m_parts.xml.data(), m_parts.xml.size());
+        if (!result) throw InputError(lineOf(result.offset) + ": not valid XML: " + result.description());
+    }
+    std::string lineOf(std::ptrdiff_t offset) const {
+        const auto before =
+            m_parts.xml.substr(0, static_cast<std::size_t>(std::max<std::ptrdiff_t>(offset, 0)));
+        return "line " + std::to_string(1 + std::count(before.begin(), before.end(), '\n'));
+    }
+    [[noreturn]] void fail(pugi::xml_node node, const std::string& what) const {
+        const std::string name = node.attribute("Name").value();
+        throw InputError(lineOf(node.offset_debug()) + ": <" + node.name() +
+                         (name.empty() ? "" : " " + inQuotes(name)) + ">: " + what);
+    }
+    pugi::xml_node child(pugi::xml_node parent, const char* name) const {
+        const auto node = parent.child(name);
+        if (!node) fail(parent, std::string("there is no <") + name + "> in it");
+        return node;
+    }
+    std::int64_t attribute(pugi::xml_node node, const char* name) const {
+        if (!node.attribute(name)) fail(node, std::string("the attribute ") + name + " is missing");
+        try {
+            return Scanner(node.attribute(name).value()).integer(name);
+        } catch (const InputError&) {
+            fail(node, std::string(name) + " is no whole number");
+        }
+    }
+
+    void readEncoding(pugi::xml_node root) {
+        const std::string_view kind = root.attribute("type").value();
+        if (kind != "UnstructuredGrid")
+            fail(root, "it holds " + inQuotes(kind) + " instead of an UnstructuredGrid");
+        const std::string_view order = root.attribute("byte_order").as_string("LittleEndian");
+        m_encoding.order = order == "BigEndian" ? std::endian::big : std::endian::little;
+        const std::string_view header = root.attribute("header_type").as_string("UInt32");
+        if (header != "UInt32" && header != "UInt64") fail(root, inQuotes(header) + " is no header_type");
+        m_encoding.header = header == "UInt64" ? Scalar::UInt64 : Scalar::UInt32;
+        const std::string_view compressor = root.attribute("compressor").value();
+        m_encoding.compressed = !compressor.empty();
+        if (!compressor.empty() && compressor != "vtkZLibDataCompressor")
+            fail(root,
+                 "it is compressed by " + inQuotes(compressor) + "; only vtkZLibDataCompressor is read");
+        const std::string_view appended =
+            root.child("AppendedData").attribute("encoding").as_string("base64");
+        m_appendedRaw = appended == "raw";
+    }
+    pugi::xml_node onlyPiece(pugi::xml_node root) const {
+        const auto piece = child(child(root, "UnstructuredGrid"), "Piece");
+        if (piece.next_sibling("Piece")) fail(piece, "there are several pieces; save the mesh as one");
+        return piece;
+    }
+
+    Scalar scalarOf(pugi::xml_node array) const {
+        const std::string_view name = array.attribute("type").value();
+        const auto type = vtuScalarNamed(name);
+        if (!type) fail(array, inQuotes(name) + " is no type of numbers");
+        return *type;
+    }
+    std::string bytesOf(pugi::xml_node array, bool appended) const {
+        auto encoding = m_encoding;
+        if (!appended) return decodeVtuArray(trimmed(array.text().get()), encoding);
+        const auto offset = attribute(array, "offset");
+        if (!m_parts.appended) fail(array, "there is no <AppendedData> in the file");
+        if (offset < 0 || static_cast<std::size_t>(offset) >= m_parts.appended->size())
+            fail(array, "its offset is beyond the appended data");
+        encoding.base64 = !m_appendedRaw;
+        return decodeVtuArray(m_parts.appended->substr(static_cast<std::size_t>(offset)), encoding);
+    }
+    static std::string_view trimmed(std::string_view text) {
+        const auto first = text.find_first_not_of(" \t\r\n");
+        return first == std::string_view::npos ? std::string_view() : text.substr(first);
+    }
+    /// All numbers of an array, each made by take(reader, type).
+    template <class T, class Take>
+    std::vector<T> numbersOf(pugi::xml_node array, const Take& take) const {
+        const auto type = scalarOf(array);
+        const std::string_view format = array.attribute("format").as_string("ascii");
+        std::vector<T> numbers;
+        try {
+            const bool binary = format != "ascii";
+            const std::string bytes = binary ? bytesOf(array, format == "appended") : array.text().get();
+            Scanner scanner(bytes);
+            NumberReader reader(scanner, binary, m_encoding.order);
+            if (binary && bytes.size() % sizeOf(type)) throw InputError("a part of a number is left over");
+            while (binary ? scanner.remaining() > 0 : !scanner.atEnd()) numbers.push_back(take(reader, type));
+        } catch (const InputError& error) {
+            fail(array, error.reason());
+        }
+        return numbers;
+    }
+    std::vector<double> reals(pugi::xml_node array) const {
+        return numbersOf<double>(array,
+                                 [](auto& reader, Scalar type) { return reader.real(type, "a number"); });
+    }
+    std::vector<std::int64_t> integers(pugi::xml_node array) const {
+        return numbersOf<std::int64_t>(
+            array, [](auto& reader, Scalar type) { return reader.integer(type, "a whole number"); });
+    }
+    void requireCount(pugi::xml_node array, std::size_t found, std::int64_t tuples, int components) const {
+        if (tuples < 0 || found % components || found / components != static_cast<std::size_t>(tuples))
+            fail(array, "has " + std::to_string(found) + " numbers where " + std::to_string(tuples) +
+                            " times " + std::to_string(components) + " are needed");
+    }
+    pugi::xml_node namedArray(pugi::xml_node parent, const char* name) const {
+        const auto array = parent.find_child_by_attribute("DataArray", "Name", name);
+        if (!array) fail(parent, std::string("there is no DataArray '") + name + "' in it");
+        return array;
+    }
+
+    void readPoints(pugi::xml_node piece, std::int64_t count) {
+        const auto array = child(child(piece, "Points"), "DataArray");
+        const auto coordinates = reals(array);
+        requireCount(array, coordinates.size(), count, 3);
+        m_file.points =
+            Eigen::Map<const Eigen::Matrix3Xd>(coordinates.data(), 3, static_cast<Eigen::Index>(count));
+    }
+    VtkCells readCells(pugi::xml_node piece, std::int64_t count) const {
+        const auto node = child(piece, "Cells");
+        VtkCells cells;
+        cells.connectivity = integers(namedArray(node, "connectivity"));
+        cells.offsets = integers(namedArray(node, "offsets"));
+        cells.types = integers(namedArray(node, "types"));
+        requireCount(namedArray(node, "offsets"), cells.offsets.size(), count, 1);
+        requireCount(namedArray(node, "types"), cells.types.size(), count, 1);
+        cells.offsets.insert(cells.offsets.begin(), 0);
+        return cells;
+    }
+    void readFields(pugi::xml_node data, bool perCell, std::int64_t tuples, const CellCollector& collector) {
+        const std::string_view texture = data.attribute("TCoords").value();
+        for (const auto array : data.children("DataArray")) {
+            if (std::string_view(array.attribute("type").value()) == "String") continue;
+            MeshField field{array.attribute("Name").value(), perCell, componentsOf(array), reals(array)};
+            requireCount(array, field.values.size(), tuples, field.components);
+            if (perCell)
+                field.values = collector.perCell(field.values, field.components);
+            else if (!texture.empty() && field.name == texture && field.components == 2) {
+                m_file.uv = Eigen::Map<const Eigen::Matrix2Xd>(field.values.data(), 2, m_file.points.cols());
+                continue;
+            }
+            m_file.fields.push_back(std::move(field));
+        }
+    }
+    int componentsOf(pugi::xml_node array) const {
+        if (!array.attribute("NumberOfComponents")) return 1;
+        const auto components = attribute(array, "NumberOfComponents");
+        if (components < 1 || components > 1000000) fail(array, "the number of components makes no sense");
+        return static_cast<int>(components);
+    }
+
+    Split m_parts;
+    pugi::xml_document m_document;
+    VtuEncoding m_encoding;
+    bool m_appendedRaw = false;
+    MeshFile m_file;
+};
+
+}  // namespace
+
+MeshFile readVtu(std::span<const MeshSource> files) {
+    return VtuReader(files[0].bytes).read();
+}
+
+}  // namespace wend::formats

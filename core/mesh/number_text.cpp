@@ -1,0 +1,43 @@
+#include "core/mesh/number_text.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+namespace wend {
+namespace {
+
+/// from_chars does not tell too small from too great. A number without a non-zero digit before an exponent
+/// e−… is small.
+bool tooSmall(std::string_view text) {
+    const auto exponent = text.find_first_of("eE");
+    return exponent != std::string_view::npos && exponent + 1 < text.size() && text[exponent + 1] == '-';
+}
+
+}  // namespace
+
+void appendNumber(std::string& text, double value) {
+    std::array<char, 40> digits;
+    const auto end =
+        std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::general, 17)
+            .ptr;
+    text.append(digits.data(), end);
+}
+
+std::string numberText(double value) {
+    std::string text;
+    appendNumber(text, value);
+    return text;
+}
+
+std::optional<double> parseNumber(std::string_view text) {
+    if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (end != text.data() + text.size() || text.empty()) return std::nullopt;
+    if (error == std::errc::result_out_of_range && tooSmall(text)) return 0.0;
+    if (error != std::errc()) return std::nullopt;
+    return value;
+}
+
+}  // namespace wend

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/mesh/simplicial_mesh.h"
+
+namespace wend {
+
+/// The shape of one cell.
+struct CellQuality {
+    double measure = 0;   // signed area or volume
+    double minAngle = 0;  // radians; 2D: the smallest interior angle, 3D: the smallest dihedral angle
+    double radiusEdgeRatio =
+        0;  // circumradius / shortest edge: 0.577 (2D) or 0.612 (3D) at best, ∞ for a flat cell
+};
+
+template <int Dim>
+CellQuality cellQuality(const Points<Dim>& points, const Cell<Dim>& cell);
+
+/// The shapes of all cells together.
+struct QualitySummary {
+    static constexpr int binCount = 15;
+    static constexpr double binDegrees =
+        5;  // bin i counts minimal angles in [5 i, 5 (i + 1)) degrees; 75 is never passed
+
+    double minMeasure = 0, maxMeasure = 0, totalMeasure = 0;  // of absolute values
+    double minAngle = 0, meanMinAngle = 0;                    // radians
+    double maxRadiusEdgeRatio = 0;
+    int worstCell = -1;  // the one of the smallest angle, the first of several; −1 if there is no cell
+    std::array<int, binCount> angleHistogram{};
+};
+
+template <int Dim>
+QualitySummary qualityOf(const SimplicialMesh<Dim>& mesh);
+
+}  // namespace wend
