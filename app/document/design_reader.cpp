@@ -9,16 +9,16 @@ namespace wend {
 namespace {
 
 double readPhi(const JsonValue& value, int dim) {
-    double phi = 0;
+    double number = 0;
     if (value.json().is_string()) {
-        phi = phiOfName(value.text(), dim);
-        if (std::isnan(phi))
+        number = phiOfName(value.text(), dim);
+        if (std::isnan(number))
             value.fail("unknown name \"" + value.text() + "\"; known are equia, metr, akvf, conf");
     } else {
-        phi = value.number();
+        number = value.number();
     }
-    if (const std::string problem = phiProblem(phi, dim); !problem.empty()) value.fail(problem);
-    return phi;
+    if (const std::string problem = phi::problem(number, dim); !problem.empty()) value.fail(problem);
+    return number;
 }
 
 template <int Dim>
@@ -30,7 +30,7 @@ Vec<Dim> readDirection(const JsonValue& value) {
 
 double readPositive(const JsonValue& value) {
     const double number = value.number();
-    if (number <= 0) value.fail(numberText(number) + " is out of range: it must be in ]0, ∞[");
+    if (number <= 0) value.fail(shortNumber(number) + " is out of range: it must be in ]0, ∞[");
     return number;
 }
 
@@ -38,8 +38,8 @@ std::pair<double, double> readWindow(const JsonValue& value) {
     const std::vector<double> times = value.numbers();
     if (times.size() != 2) value.fail("must be two times, [from, to]");
     if (times[0] >= times[1])
-        value.fail("the window is reversed or empty: it goes from " + numberText(times[0]) + " to " +
-                   numberText(times[1]));
+        value.fail("the window is reversed or empty: it goes from " + shortNumber(times[0]) + " to " +
+                   shortNumber(times[1]));
     return {times[0], times[1]};
 }
 
@@ -51,8 +51,8 @@ void readActive(const JsonValue& value, Handle<Dim>& handle) {
     if (!ends[0].json().is_null()) handle.activeFrom = ends[0].number();
     if (!ends[1].json().is_null()) handle.activeTo = ends[1].number();
     if (handle.activeFrom >= handle.activeTo)
-        value.fail("the window is reversed or empty: it goes from " + numberText(handle.activeFrom) + " to " +
-                   numberText(handle.activeTo));
+        value.fail("the window is reversed or empty: it goes from " + shortNumber(handle.activeFrom) + " to " +
+                   shortNumber(handle.activeTo));
 }
 
 // --- Regions ---
@@ -164,7 +164,7 @@ Mat<Dim> readAnisotropy(const JsonValue& value) {
     const Eigen::SelfAdjointEigenSolver<Mat<Dim>> solver(B, Eigen::EigenvaluesOnly);
     if (!(solver.eigenvalues().minCoeff() > 0))
         value.fail("B is not positive definite: its least eigenvalue is " +
-                   numberText(solver.eigenvalues().minCoeff()));
+                   shortNumber(solver.eigenvalues().minCoeff()));
     return B;
 }
 
@@ -257,8 +257,8 @@ Recorded<Dim> readRecorded(JsonObject& object) {
                     std::to_string(stroke.times.size()) + " times");
     for (std::size_t i = 1; i < stroke.times.size(); ++i)
         if (stroke.times[i] <= stroke.times[i - 1])
-            times.fail("must increase, but " + numberText(stroke.times[i]) + " follows " +
-                       numberText(stroke.times[i - 1]));
+            times.fail("must increase, but " + shortNumber(stroke.times[i]) + " follows " +
+                       shortNumber(stroke.times[i - 1]));
     return stroke;
 }
 
@@ -287,8 +287,8 @@ std::vector<Motion<Dim>> readMotions(const JsonValue& value, double end) {
         motions.push_back(readMotion<Dim>(element, end));
         const std::size_t i = motions.size() - 1;
         if (i > 0 && motions[i].start < motions[i - 1].end)
-            element.fail("begins at " + numberText(motions[i].start) +
-                         ", before the one in front of it ends at " + numberText(motions[i - 1].end));
+            element.fail("begins at " + shortNumber(motions[i].start) +
+                         ", before the one in front of it ends at " + shortNumber(motions[i - 1].end));
     }
     return motions;
 }

@@ -60,7 +60,7 @@ class Printer {
   private:
     static std::string number(double value) {
         if (value == 0 && std::signbit(value)) return "-0.0";
-        return numberText(value);
+        return shortNumber(value);
     }
 
     static std::string compact(const Json& json) {

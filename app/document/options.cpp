@@ -102,6 +102,10 @@ constexpr std::array kOptions{
            "stop at this time instead of the project's end"},
     Option{"", "--filter", Choice, "ewa", kAny, "", "nearest|bilinear|bicubic|ewa", "run",
            "how the picture is sampled"},
+    Option{"", "--canvas", Choice, "picture", kAny, "", "picture|fit", "run",
+           "pixels that pictures show: those of the source, or as many as the shape needs"},
+    Option{"", "--partial", Flag, "", kAny, "", "", "run",
+           "if the deformation stops early, write the last good shape all the same"},
     Option{"", "--backend", Choice, "auto", kAny, "", "auto|opencl|cpu", "run",
            "what assembles the matrices"},
     Option{"", "--threads", Integer, "0", kThreads, "", "", "run", "number of threads; 0: one per core"},
@@ -113,15 +117,7 @@ constexpr std::array kOptions{
 
 std::string end(double value) {
     if (std::isinf(value)) return value < 0 ? "−∞" : "∞";
-    return numberText(value);
-}
-
-/// Four significant digits, as in "]0, 2.678]".
-std::string rounded(double value) {
-    std::array<char, 32> text;
-    const auto done =
-        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 4);
-    return {text.data(), done.ptr};
+    return shortNumber(value);
 }
 
 std::string code(std::string_view text) {
@@ -168,7 +164,7 @@ double defaultOf(std::string_view keyOrFlag) {
 
 std::string rangeProblem(const Option& option, double value) {
     if (option.range.contains(value)) return {};
-    return numberText(value) + " is out of range: it must be in " + option.range.text();
+    return shortNumber(value) + " is out of range: it must be in " + option.range.text();
 }
 
 bool isChoice(const Option& option, std::string_view value) {
@@ -179,17 +175,6 @@ bool isChoice(const Option& option, std::string_view value) {
         rest = bar == std::string_view::npos ? std::string_view{} : rest.substr(bar + 1);
     }
     return false;
-}
-
-Range phiRange(int dim) {
-    return {0, phi::conformal(dim), true, false};
-}
-
-std::string phiProblem(double phi, int dim) {
-    if (phiRange(dim).contains(phi)) return {};
-    return "φ = " + numberText(phi) + " is out of range: it must be in ]0, " + rounded(phi::conformal(dim)) +
-           "], where the end is π − arctan(" + (dim == 2 ? "1/2" : "3/4") +
-           ") = " + numberText(phi::conformal(dim)) + " in " + std::to_string(dim) + "D";
 }
 
 double phiOfName(std::string_view name, int dim) {
@@ -206,7 +191,7 @@ std::string nameOfPhi(double phi, int dim) {
     return {};
 }
 
-std::string numberText(double value) {
+std::string shortNumber(double value) {
     std::array<char, 64> text;
     const auto done = std::to_chars(text.data(), text.data() + text.size(), value);
     std::string result(text.data(), done.ptr);

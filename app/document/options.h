@@ -45,17 +45,13 @@ double defaultOf(std::string_view keyOrFlag);
 std::string rangeProblem(const Option& option, double value);
 bool isChoice(const Option& option, std::string_view value);
 
-/// ]0, φ_CONF(dim)]
-Range phiRange(int dim);
-/// Empty, or what is wrong with φ; the text states the range.
-std::string phiProblem(double phi, int dim);
 /// φ of `equia`, `metr`, `akvf`, `conf`, or NaN for another word.
 double phiOfName(std::string_view name, int dim);
 /// The name of exactly that φ, or empty.
 std::string nameOfPhi(double phi, int dim);
 
 /// The shortest text that reads back as the same number, in the C locale.
-std::string numberText(double value);
+std::string shortNumber(double value);
 
 /// The table as a page of Markdown (docs/reference.md).
 std::string referencePage();

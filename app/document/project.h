@@ -95,6 +95,11 @@ std::string toJson(const Project& project);
 template <int Dim>
 void readCells(const std::string& path, MaterialSpec<Dim>& spec);
 
+/// An outline in a file of its own: {"polygons": [outer, hole, …]}. Throws InputError(path, key and reason).
+Outline readOutlineFile(const std::string& path);
+
+/// The folder that the paths in this file are relative to.
+std::string folderOf(const std::string& path);
 /// `file` as the project means it: relative to the folder, unless absolute.
 std::string pathIn(const std::string& folder, const std::string& file);
 

@@ -193,11 +193,11 @@ LoadedProject readRoot(const Json& json, const std::string& folder) {
     return loaded;
 }
 
+}  // namespace
+
 std::string folderOf(const std::string& path) {
     return std::filesystem::path(path).parent_path().string();
 }
-
-}  // namespace
 
 std::string pathIn(const std::string& folder, const std::string& file) {
     return (std::filesystem::path(folder) / file).string();
@@ -220,6 +220,18 @@ void readCells(const std::string& path, MaterialSpec<Dim>& spec) try {
     std::vector<std::string> warnings;
     JsonObject object(JsonValue(json, "", extras, warnings));
     readCellValues<Dim>(object, spec);
+} catch (const InputError& error) {
+    throw error.named(path);
+}
+
+Outline readOutlineFile(const std::string& path) try {
+    const Json json = parseJson(readTextFile(path), path);
+    Domain domain;
+    std::vector<std::string> warnings;
+    Extras extras;
+    JsonObject object(JsonValue(json, "", extras, warnings));
+    readPolygons(object.require("polygons"), domain);
+    return domain.polygons;
 } catch (const InputError& error) {
     throw error.named(path);
 }

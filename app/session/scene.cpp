@@ -118,6 +118,9 @@ Scene<3> surfaceScene(const Project& project, const std::string& folder, std::st
     try {
         const VolumeMesh volume = meshVolume(Surface{file.points, file.triangles, {}}, options);
         scene.rest = std::make_shared<const SimplicialMesh<3>>(volume.mesh);
+        auto source = std::make_shared<MeshFile>(toMeshFile<3>(volume.mesh));
+        source->triangles = volume.boundary;
+        scene.source = source;
     } catch (const InputError& error) {
         throw error.named(path);
     }

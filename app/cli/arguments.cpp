@@ -1,0 +1,153 @@
+#include "app/cli/arguments.h"
+
+#include <charconv>
+#include <cmath>
+
+#include "core/energy/material.h"
+
+namespace wend {
+namespace {
+
+bool takes(const Option& option, const std::string& command) {
+    return (" " + std::string(option.commands) + " ").find(" " + command + " ") != std::string::npos;
+}
+
+const Option* findFlag(const std::string& flag, const std::string& command) {
+    for (const Option& one : options())
+        if (one.flag == flag && takes(one, command)) return &one;
+    return nullptr;
+}
+
+std::string fullName(const std::string& word) {
+    if (word == "-o") return "--output";
+    if (word == "-q") return "--quiet";
+    if (word == "-h") return "--help";
+    return word;
+}
+
+std::string spaced(std::string_view choices) {
+    std::string text;
+    for (char c : choices) text += c == '|' ? std::string(", ") : std::string(1, c);
+    return text;
+}
+
+void checkNumber(const Option& option, const std::string& value) {
+    const std::string flag(option.flag);
+    const auto number = finiteNumber(value);
+    if (!number) throw UsageError(flag + ": \"" + value + "\" is not a number");
+    if (option.kind == OptionKind::Integer && *number != std::floor(*number))
+        throw UsageError(flag + ": " + value + " is not a whole number");
+    if (const std::string problem = rangeProblem(option, *number); !problem.empty())
+        throw UsageError(flag + ": " + problem);
+}
+
+void check(const Option& option, const std::string& value) {
+    const std::string flag(option.flag);
+    if (option.kind == OptionKind::Choice && !isChoice(option, value))
+        throw UsageError(flag + ": unknown value \"" + value + "\"; known are " + spaced(option.choices));
+    if (option.kind == OptionKind::Phi && !isChoice(option, value) && !finiteNumber(value))
+        throw UsageError(flag + ": \"" + value + "\" is neither a number nor one of " +
+                         spaced(option.choices));
+    if (option.kind == OptionKind::Number || option.kind == OptionKind::Integer) checkNumber(option, value);
+    if (option.kind == OptionKind::File && value.empty()) throw UsageError(flag + ": names no file");
+}
+
+std::string valueName(const Option& option) {
+    if (option.kind == OptionKind::Flag) return "";
+    if (option.kind == OptionKind::Choice) return " " + std::string(option.choices);
+    if (option.kind == OptionKind::Integer) return " N";
+    return option.kind == OptionKind::File ? " FILE" : " X";
+}
+
+std::string remark(const Option& option) {
+    std::string text;
+    if (!option.fallback.empty()) text += "default " + std::string(option.fallback);
+    const bool numeric = option.kind == OptionKind::Number || option.kind == OptionKind::Integer;
+    if (numeric) text += (text.empty() ? "" : "; ") + ("in " + option.range.text());
+    if (!option.unit.empty()) text += (text.empty() ? "" : "; ") + std::string(option.unit);
+    return text.empty() ? "" : " (" + text + ")";
+}
+
+}  // namespace
+
+std::optional<double> finiteNumber(const std::string& text) {
+    double value = 0;
+    const char* end = text.data() + text.size();
+    const auto done = std::from_chars(text.data(), end, value);
+    if (done.ec != std::errc() || done.ptr != end || !std::isfinite(value)) return std::nullopt;
+    return value;
+}
+
+Arguments::Arguments(const std::string& command, const std::vector<std::string>& words) : m_command(command) {
+    bool onlyFiles = false;
+    for (std::size_t at = 0; at < words.size(); ++at) {
+        const std::string& word = words[at];
+        if (onlyFiles || word == "-" || !word.starts_with('-')) {
+            m_files.push_back(word);
+        } else if (word == "--") {
+            onlyFiles = true;
+        } else if (const auto equals = word.find('='); equals != std::string::npos) {
+            take(fullName(word.substr(0, equals)), word.substr(equals + 1), words, at);
+        } else {
+            take(fullName(word), std::nullopt, words, at);
+        }
+    }
+}
+
+void Arguments::take(const std::string& flag, const std::optional<std::string>& attached,
+                     const std::vector<std::string>& words, std::size_t& at) {
+    const Option* option = findFlag(flag, m_command);
+    if (!option) throw UsageError("`wend " + m_command + "` has no option " + flag);
+    if (has(flag)) throw UsageError(flag + " is given twice");
+    if (option->kind == OptionKind::Flag) {
+        if (attached) throw UsageError(flag + " takes no value");
+        m_values[flag] = "";
+        return;
+    }
+    if (!attached && at + 1 == words.size()) throw UsageError(flag + " needs a value");
+    m_values[flag] = attached ? *attached : words[++at];
+    check(*option, m_values[flag]);
+}
+
+std::string Arguments::text(const std::string& flag) const {
+    const auto it = m_values.find(flag);
+    return it != m_values.end() ? it->second : std::string(option(flag).fallback);
+}
+
+double Arguments::number(const std::string& flag) const {
+    return has(flag) ? *given(flag) : defaultOf(flag);
+}
+
+int Arguments::integer(const std::string& flag) const {
+    return static_cast<int>(number(flag));
+}
+
+std::optional<double> Arguments::given(const std::string& flag) const {
+    if (!has(flag)) return std::nullopt;
+    return finiteNumber(m_values.at(flag));
+}
+
+double Arguments::phi(const std::string& flag, int dim) const {
+    const std::string value = text(flag);
+    const double number = isChoice(option(flag), value) ? phiOfName(value, dim) : *finiteNumber(value);
+    if (const std::string problem = phi::problem(number, dim); !problem.empty())
+        throw UsageError(flag + ": " + problem);
+    return number;
+}
+
+std::string optionHelp(const std::string& command) {
+    constexpr std::size_t kColumn = 38;
+    std::string text;
+    for (const Option& one : options()) {
+        if (one.flag.empty() || !takes(one, command)) continue;
+        std::string left = "  " + std::string(one.flag) + valueName(one);
+        if (left.size() + 2 > kColumn)
+            left += "\n" + std::string(kColumn, ' ');
+        else
+            left.resize(kColumn, ' ');
+        text += left + std::string(one.meaning) + remark(one) + "\n";
+    }
+    return text;
+}
+
+}  // namespace wend

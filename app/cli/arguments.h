@@ -1,0 +1,51 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "app/document/options.h"
+
+namespace wend {
+
+/// The command line itself is wrong (exit code 2).
+class UsageError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+/// What stands on a subcommand's line, checked against the table of options.
+class Arguments {
+  public:
+    /// `words` follow the subcommand's name. Throws UsageError: an unknown option, one that the subcommand
+    /// does not take, one given twice or without its value, a value of the wrong kind or out of range.
+    Arguments(const std::string& command, const std::vector<std::string>& words);
+
+    const std::vector<std::string>& files() const { return m_files; }
+    bool has(const std::string& flag) const { return m_values.contains(flag); }
+    /// As written, or the table's default.
+    std::string text(const std::string& flag) const;
+    double number(const std::string& flag) const;
+    int integer(const std::string& flag) const;
+    std::optional<double> given(const std::string& flag) const;
+    /// φ of a name or number, in the range of that dimension.
+    double phi(const std::string& flag, int dim) const;
+
+  private:
+    void take(const std::string& flag, const std::optional<std::string>& attached,
+              const std::vector<std::string>& words, std::size_t& at);
+
+    std::string m_command;
+    std::vector<std::string> m_files;
+    std::map<std::string, std::string> m_values;
+};
+
+/// A number as it must stand on the command line: all of it, in the C locale.
+std::optional<double> finiteNumber(const std::string& text);
+
+/// `--tolerance X  …` for each option that the subcommand takes.
+std::string optionHelp(const std::string& command);
+
+}  // namespace wend

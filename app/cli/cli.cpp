@@ -1,0 +1,131 @@
+#include "app/cli/cli.h"
+
+#include <array>
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <functional>
+#include <new>
+
+#include "app/cli/commands.h"
+#include "app/cli/terminal.h"
+#include "core/mesh/error.h"
+
+namespace wend {
+namespace {
+
+struct Command {
+    const char* name;
+    const char* usage;
+    const char* meaning;
+    ExitCode (*run)(const Arguments&);
+    bool hidden = false;
+};
+
+constexpr std::array kCommands{
+    Command{"run", "PROJECT [outputs] [options]", "deform as the project says and write what is asked for",
+            runRun},
+    Command{"mesh", "INPUT -o OUT [options]",
+            "mesh a picture, an outline, a project's domain or a closed surface", runMesh},
+    Command{"info", "FILE [--json]", "tell what Wend sees in a picture, mesh or project", runInfo},
+    Command{"devices", "", "list the devices that can compute, and which is used", runDevices},
+    Command{"bench", "[CASE]", "measure the speed on this machine", runBench},
+    Command{"reference", "", "print the reference of all settings", runReference, true},
+};
+
+const Command* findCommand(const std::string& name) {
+    for (const Command& one : kCommands)
+        if (name == one.name) return &one;
+    return nullptr;
+}
+
+std::string overview() {
+    std::string text =
+        "Wend warps pictures and bends solid shapes by letting them flow.\n\n"
+        "Usage:\n  wend [FILE]                 open the window, with a picture, mesh or project\n"
+        "  wend COMMAND …              work without a window:\n\n";
+    for (const Command& one : kCommands) {
+        std::string name = "    " + std::string(one.name);
+        name.resize(16, ' ');
+        if (!one.hidden) text += name + one.meaning + "\n";
+    }
+    return text +
+           "\nOptions:\n  --help                      this; `wend COMMAND --help` for one of them\n"
+           "  --version                   the version\n\n"
+           "Exit codes: 0 done, 1 internal error, 2 wrong usage, 3 an input cannot be read or makes no "
+           "sense\n"
+           "(or an output cannot be written), 4 the deformation could not be completed.\n";
+}
+
+std::string helpFor(const Command& command) {
+    std::string text =
+        "Usage: wend " + std::string(command.name) + " " + command.usage + "\n\n" + command.meaning + "\n";
+    const std::string options = optionHelp(command.name);
+    if (!options.empty()) text += "\nOptions:\n" + options;
+    if (std::string(command.name) == "run")
+        text +=
+            "\nA file named - is standard output (one of them). Either all outputs are written, or none; if "
+            "the\n"
+            "deformation stops early, only the report is, with the last good time (see --partial).\n";
+    return text;
+}
+
+ExitCode print(const std::string& text) {
+    const bool written = std::fputs(text.c_str(), stdout) >= 0 && std::fflush(stdout) == 0;
+    if (!written) throw InputError("-", "standard output cannot be written");
+    return ExitCode::Done;
+}
+
+ExitCode dispatch(const std::vector<std::string>& words) {
+    if (words.empty() || words[0] == "--help" || words[0] == "-h") return print(overview());
+    if (words[0] == "--version") return print("wend " WEND_VERSION "\n");
+    const Command* command = findCommand(words[0]);
+    if (!command) throw UsageError("there is no command or file " + words[0] + " (see wend --help)");
+    const std::vector<std::string> rest(words.begin() + 1, words.end());
+    for (const std::string& word : rest)
+        if (word == "--help" || word == "-h") return print(helpFor(*command));
+    return command->run(Arguments(command->name, rest));
+}
+
+/// Runs, and turns whatever is thrown into its one line and exit code.
+ExitCode guarded(const std::function<ExitCode()>& run) try { return run(); } catch (const UsageError& error) {
+    Terminal::error(error.what());
+    return ExitCode::Usage;
+} catch (const InputError& error) {
+    Terminal::error(error.what());
+    return ExitCode::Input;
+} catch (const Cancelled&) {
+    Terminal::error("cancelled; nothing was written");
+    return ExitCode::Incomplete;
+} catch (const std::bad_alloc&) {
+    Terminal::error("internal error: there is not enough memory");
+    return ExitCode::Internal;
+} catch (const std::exception& error) {
+    Terminal::error("internal error: " + std::string(error.what()));
+    return ExitCode::Internal;
+}
+
+}  // namespace
+
+std::string onlyFile(const Arguments& arguments, const std::string& what) {
+    if (arguments.files().empty()) throw UsageError("no " + what + " is named");
+    if (arguments.files().size() > 1)
+        throw UsageError("only one " + what + " can be named, but there is also " + arguments.files()[1]);
+    return arguments.files()[0];
+}
+
+bool isCommand(const std::string& word) {
+    if (word.starts_with("--") || word == "-h" || findCommand(word)) return true;
+    if (word.starts_with("-")) return false;  // -platform, -style …: the window's
+    std::error_code error;
+    return word.find_first_of("./") == std::string::npos && !std::filesystem::exists(word, error);
+}
+
+int runCommand(int argc, char** argv) {
+    std::signal(SIGPIPE, SIG_IGN);  // a closed pipe and a file too large are errors like a full disk
+    std::signal(SIGXFSZ, SIG_IGN);
+    const std::vector<std::string> words(argv + 1, argv + argc);
+    return static_cast<int>(guarded([&] { return dispatch(words); }));
+}
+
+}  // namespace wend

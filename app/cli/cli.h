@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+namespace wend {
+
+/// Exit codes of the command line.
+enum class ExitCode { Done = 0, Internal = 1, Usage = 2, Input = 3, Incomplete = 4 };
+
+/// Whether the word after the program's name asks for a subcommand, help or version, and not for the window.
+bool isCommand(const std::string& word);
+
+/// Runs a subcommand; needs no display. Returns the exit code.
+int runCommand(int argc, char** argv);
+
+}  // namespace wend

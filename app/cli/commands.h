@@ -1,0 +1,19 @@
+#pragma once
+
+#include "app/cli/arguments.h"
+#include "app/cli/cli.h"
+
+namespace wend {
+
+ExitCode runRun(const Arguments& arguments);
+ExitCode runMesh(const Arguments& arguments);
+ExitCode runInfo(const Arguments& arguments);
+ExitCode runDevices(const Arguments& arguments);
+ExitCode runBench(const Arguments& arguments);
+/// Prints the reference page of the options (docs/reference.md).
+ExitCode runReference(const Arguments& arguments);
+
+/// The only file on the line; throws UsageError if there is none or there are several.
+std::string onlyFile(const Arguments& arguments, const std::string& what);
+
+}  // namespace wend

@@ -1,0 +1,206 @@
+#include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/commands.h"
+#include "app/document/json_text.h"
+#include "app/document/project.h"
+#include "app/session/inspection.h"
+#include "app/session/output_set.h"
+#include "core/mesh/error.h"
+#include "warp/outline.h"
+
+namespace wend {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kListed = 20;  // numbers shown of a problem's cells in text; JSON has them all
+
+// --- What there is to tell, as JSON ---
+
+double area(const std::vector<Vec<2>>& loop) {
+    double twice = 0;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        const Vec<2>&a = loop[i], &b = loop[(i + 1) % loop.size()];
+        twice += a.x() * b.y() - a.y() * b.x();
+    }
+    return std::abs(twice) / 2;
+}
+
+Json outlineInfo(const Image& image) try {
+    const Outline outline = outlineFromAlpha(image);
+    Json parts = Json::array();
+    for (const auto& loop : outline.loops) parts.push_back({{"corners", loop.size()}, {"area", area(loop)}});
+    return {{"loops", outline.loops.size()}, {"each", parts}};
+} catch (const InputError& error) {
+    return {{"problem", error.reason()}};
+}
+
+Json pictureInfo(const std::string& path) {
+    static const char* const types[] = {"8 bit", "16 bit", "half float", "float"};
+    const Image image = readImage(path);
+    Json json{{"kind", "picture"},
+              {"width", image.width},
+              {"height", image.height},
+              {"channels", image.channels},
+              {"depth", types[static_cast<int>(image.type)]},
+              {"alpha", image.alpha}};
+    if (image.alpha) json["outline"] = outlineInfo(image);
+    return json;
+}
+
+Json problemsInfo(const MeshInspection& inspection) {
+    Json problems = Json::array();
+    for (const MeshProblem& problem : inspection.problems)
+        problems.push_back({{"what", problem.what},
+                            {"count", problem.where.size()},
+                            {"fatal", problem.fatal},
+                            {"where", problem.where}});
+    if (!inspection.surface.empty()) problems.push_back({{"what", inspection.surface}, {"fatal", true}});
+    return problems;
+}
+
+Json fieldsInfo(const MeshFile& file) {
+    Json fields = Json::array();
+    for (const MeshField& field : file.fields)
+        fields.push_back({{"name", field.name},
+                          {"per", field.perCell ? "cell" : "vertex"},
+                          {"components", field.components}});
+    return fields;
+}
+
+Json meshInfo(const std::string& path) {
+    const MeshFile file = readMeshFile(path);
+    const MeshInspection inspection = inspect(file);
+    const int dimension = inspection.dimension;
+    Json json{{"kind", dimension == 3   ? "volume mesh"
+                       : dimension == 2 ? "planar mesh"
+                                        : "surface"},
+              {"vertices", inspection.vertices}};
+    if (dimension > 0) json["cells"] = inspection.cells;
+    if (dimension != 2) json["triangles"] = inspection.triangles;
+    json["parts"] = inspection.parts;
+    json["diagonal"] = inspection.diagonal;
+    if (dimension > 0) {
+        json[dimension == 2 ? "area" : "volume"] = inspection.measure;
+        json["quality"] = {{"leastAngle", inspection.leastAngle},
+                           {"medianOfLeastAngles", inspection.medianAngle},
+                           {"smallestCell", inspection.leastMeasure},
+                           {"largestCell", inspection.greatestMeasure}};
+    }
+    json["uv"] = file.uv.cols() > 0;
+    if (!file.fields.empty()) json["fields"] = fieldsInfo(file);
+    json["problems"] = problemsInfo(inspection);
+    return json;
+}
+
+template <int Dim>
+Json handlesInfo(const Design<Dim>& design) {
+    static const char* const places[] = {"vertices", "points", "region"};
+    static const char* const kinds[] = {"translate", "rotate", "curve", "recorded"};
+    Json handles = Json::array();
+    for (const Handle<Dim>& handle : design.handles) {
+        Json motions = Json::array();
+        for (const Motion<Dim>& motion : handle.motions) motions.push_back(kinds[motion.kind.index()]);
+        handles.push_back({{"name", handle.name}, {"at", places[handle.at.index()]}, {"motion", motions}});
+    }
+    return handles;
+}
+
+template <int Dim>
+void addDesign(Json& json, const Design<Dim>& design) {
+    const std::string name = nameOfPhi(design.material.phi, Dim);
+    json["phi"] = name.empty() ? Json(design.material.phi) : Json(name);
+    json["regions"] = design.material.regions.size();
+    json["handles"] = handlesInfo(design);
+}
+
+Json projectInfo(const std::string& path) {
+    static const char* const kinds[] = {"image", "mesh", "surface"};
+    const LoadedProject loaded = readProject(path);
+    const Project& project = loaded.project;
+    const std::string file = pathIn(folderOf(path), project.domain.path);
+    Json json{
+        {"kind", "project"},
+        {"dimension", project.dimension()},
+        {"domain", {{"kind", kinds[static_cast<int>(project.domain.kind)]}, {"file", project.domain.path}}},
+        {"end", project.end}};
+    std::visit([&](const auto& design) { addDesign(json, design); }, project.design);
+    json["warnings"] = loaded.warnings;
+    std::error_code error;
+    if (!std::filesystem::exists(file, error))
+        json["problems"].push_back(
+            {{"what", "the domain's file " + file + " does not exist"}, {"fatal", true}});
+    return json;
+}
+
+Json infoOf(const std::string& path) {
+    const std::string extension = lowerExtension(path);
+    if (extension == ".wend") return projectInfo(path);
+    for (const std::string& known : meshFileExtensions())
+        if (extension == known) return meshInfo(path);
+    return pictureInfo(path);
+}
+
+// --- As text ---
+
+std::string text(const Json& value) {
+    if (value.is_string()) return value.get<std::string>();
+    if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
+    return value.is_number_float() ? shortNumber(value.get<double>()) : value.dump();
+}
+
+/// "medianOfLeastAngles" → "median of least angles"
+std::string words(const std::string& key) {
+    std::string text;
+    for (char c : key)
+        text += c >= 'A' && c <= 'Z' ? " " + std::string(1, static_cast<char>(c + 32)) : std::string(1, c);
+    return text;
+}
+
+std::string numbers(const Json& list) {
+    std::string text;
+    for (std::size_t i = 0; i < std::min(list.size(), kListed); ++i)
+        text += (i > 0 ? ", " : "") + list[i].dump();
+    return text + (list.size() > kListed ? ", … (all with --json)" : "");
+}
+
+std::string asText(const Json& json, const std::string& indent);
+
+std::string entryText(const Json& value, const std::string& indent) {
+    if (value.is_object()) return "\n" + asText(value, indent + "  ");
+    if (!value.is_array()) return " " + text(value) + "\n";
+    if (value.empty()) return " none\n";
+    if (value.front().is_number()) return " " + numbers(value) + "\n";
+    std::string lines = "\n";
+    for (const Json& element : value) {
+        if (!element.is_object()) {
+            lines += indent + "  - " + text(element) + "\n";
+            continue;
+        }
+        std::string entry = asText(element, indent + "    ");
+        entry.replace(indent.size() + 2, 1, "-");
+        lines += entry;
+    }
+    return lines;
+}
+
+std::string asText(const Json& json, const std::string& indent) {
+    std::string lines;
+    for (const auto& [key, value] : json.items())
+        lines += indent + words(key) + ":" + entryText(value, indent);
+    return lines;
+}
+
+}  // namespace
+
+ExitCode runInfo(const Arguments& arguments) {
+    const Json json = infoOf(onlyFile(arguments, "file"));
+    const std::string answer = arguments.has("--json") ? prettyJson(json) : asText(json, "");
+    std::fputs(answer.c_str(), stdout);
+    if (std::fflush(stdout) != 0) throw InputError("-", "standard output cannot be written");
+    return ExitCode::Done;
+}
+
+}  // namespace wend

@@ -1,0 +1,109 @@
+#include <algorithm>
+
+#include "app/cli/commands.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/terminal.h"
+#include "app/session/output_set.h"
+#include "app/session/run.h"
+#include "core/mesh/error.h"
+
+namespace wend {
+namespace {
+
+bool isMeshName(const std::string& path) {
+    return std::ranges::count(meshFileExtensions(), lowerExtension(path)) > 0;
+}
+
+void readSizes(const Arguments& arguments, Domain& domain) {
+    if (arguments.has("--vertices") && arguments.has("--edge"))
+        throw UsageError("--vertices and --edge cannot both be given");
+    if (arguments.has("--vertices")) {
+        domain.vertices = arguments.integer("--vertices");
+        domain.edge = 0;
+    }
+    if (const auto edge = arguments.given("--edge")) domain.edge = *edge;
+    if (const auto quality = arguments.given("--quality")) domain.quality = *quality;
+    if (const auto volume = arguments.given("--max-volume")) domain.maxVolume = *volume;
+}
+
+void readOutline(const Arguments& arguments, Domain& domain) {
+    AlphaOutlineOptions& alpha = domain.alpha;
+    if (arguments.has("--outline"))
+        domain.outline = arguments.text("--outline") == "alpha" ? OutlineKind::Alpha : OutlineKind::Frame;
+    if (const auto value = arguments.given("--threshold")) alpha.threshold = *value;
+    if (const auto value = arguments.given("--margin")) alpha.margin = *value;
+    if (const auto value = arguments.given("--gap")) alpha.gap = *value;
+    if (const auto value = arguments.given("--smallest")) alpha.smallest = *value;
+    if (const auto value = arguments.given("--simplify")) alpha.simplify = *value;
+}
+
+/// A project that is nothing but this domain.
+Project domainOnly(DomainKind kind, const std::string& path) {
+    Project project;
+    project.domain.kind = kind;
+    project.domain.path = path;
+    if (kind == DomainKind::Surface) project.design = Design<3>{};
+    return project;
+}
+
+struct Input {
+    Project project;
+    std::string folder;  // that its paths are relative to
+};
+
+/// A project's domain, a surface, or a picture, which counts from its alpha if it has one.
+Input inputFrom(const std::string& path, Terminal& terminal) {
+    if (lowerExtension(path) == ".wend") {
+        LoadedProject loaded = readProject(path);
+        for (const std::string& warning : loaded.warnings) terminal.warn(path + ": " + warning);
+        return {std::move(loaded.project), folderOf(path)};
+    }
+    if (isMeshName(path)) return {domainOnly(DomainKind::Surface, path), ""};
+    Input input{domainOnly(DomainKind::Image, path), ""};
+    if (lowerExtension(path) == ".json") {
+        input.project.domain.outline = OutlineKind::Polygons;
+        input.project.domain.polygons = readOutlineFile(path);
+    } else if (readImageHeader(path).alpha) {
+        input.project.domain.outline = OutlineKind::Alpha;
+    }
+    return input;
+}
+
+MeshFile meshOf(const Input& input, const std::string& path, std::stop_token stop) {
+    const Project& project = input.project;
+    if (lowerExtension(path) == ".json") {
+        const auto rest = meshPicture(project, project.domain.polygons, stop);
+        return toMeshFile<2>(*rest);
+    }
+    const AnyScene any = loadScene(project, input.folder, stop);
+    return std::visit(
+        []<int Dim>(const Scene<Dim>& scene) { return poseFile<Dim>(scene, scene.rest->points); }, any);
+}
+
+}  // namespace
+
+ExitCode runMesh(const Arguments& arguments) try {
+    const std::string path = onlyFile(arguments, "picture, outline, project or surface");
+    if (!arguments.has("--output")) throw UsageError("no output is named (-o FILE)");
+    const std::string output = arguments.text("--output");
+    Terminal terminal(arguments.has("--progress") ? Terminal::Progress::Shown : Terminal::Progress::Automatic,
+                      arguments.has("--quiet"));
+    Input input = inputFrom(path, terminal);
+    readSizes(arguments, input.project.domain);
+    readOutline(arguments, input.project.domain);
+    RunOutputs outputs;
+    outputs.mesh = output;
+    requirePossible(input.project, outputs);
+
+    Interrupt interrupt;
+    terminal.progress("meshing", 0);
+    const MeshFile mesh = meshOf(input, path, interrupt.token());
+    OutputSet files;
+    files.add(output, ".vtu", [&](const std::string& file) { writeMeshFile(file, mesh); });
+    files.commit();
+    return ExitCode::Done;
+} catch (const InputError& error) {
+    throw error.named(arguments.files().front());
+}
+
+}  // namespace wend

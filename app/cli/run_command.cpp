@@ -1,0 +1,93 @@
+#include <map>
+
+#include "app/cli/commands.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/terminal.h"
+#include "app/session/run.h"
+#include "core/mesh/error.h"
+
+namespace wend {
+namespace {
+
+RunOutputs outputsFrom(const Arguments& arguments) {
+    RunOutputs outputs;
+    outputs.image = arguments.text("--image");
+    outputs.mesh = arguments.text("--mesh");
+    outputs.velocity = arguments.text("--velocity");
+    outputs.stMap = arguments.text("--stmap");
+    outputs.frames = arguments.text("--frames");
+    outputs.report = arguments.text("--report");
+    outputs.count = arguments.integer("--count");
+    int standardOutputs = 0;
+    for (const auto* name :
+         {&outputs.image, &outputs.mesh, &outputs.velocity, &outputs.stMap, &outputs.report})
+        standardOutputs += *name == "-";
+    if (standardOutputs > 1) throw UsageError("only one output can go to standard output (-)");
+    if (outputs.frames == "-") throw UsageError("--frames cannot go to standard output (-)");
+    if (arguments.has("--count") && outputs.frames.empty()) throw UsageError("--count is for --frames");
+    return outputs;
+}
+
+bool asksForAnything(const RunOutputs& outputs) {
+    return !(outputs.image + outputs.mesh + outputs.velocity + outputs.stMap + outputs.frames +
+             outputs.report)
+                .empty();
+}
+
+RunOptions optionsFrom(const Arguments& arguments) {
+    static const std::map<std::string, BackEndKind> backEnds{
+        {"auto", BackEndKind::Automatic}, {"opencl", BackEndKind::OpenCl}, {"cpu", BackEndKind::Cpu}};
+    static const std::map<std::string, Filter> filters{{"nearest", Filter::Nearest},
+                                                       {"bilinear", Filter::Bilinear},
+                                                       {"bicubic", Filter::Bicubic},
+                                                       {"ewa", Filter::Ewa}};
+    RunOptions options;
+    options.outputs = outputsFrom(arguments);
+    options.at = arguments.given("--at");
+    options.backEnd = backEnds.at(arguments.text("--backend"));
+    options.filter = filters.at(arguments.text("--filter"));
+    options.canvas = arguments.text("--canvas") == "fit" ? Canvas::Fit : Canvas::Picture;
+    options.partial = arguments.has("--partial");
+    return options;
+}
+
+/// What the line says wins over the project.
+void override(Project& project, const Arguments& arguments) {
+    static const std::map<std::string, Method> methods{
+        {"dopri5", Method::DormandPrince}, {"rk4", Method::RungeKutta4}, {"midpoint", Method::Midpoint}};
+    IntegrationOptions& integration = project.integration;
+    if (arguments.has("--method")) integration.method = methods.at(arguments.text("--method"));
+    if (arguments.has("--tolerance")) integration.tolerance = arguments.number("--tolerance");
+    if (arguments.has("--steps")) integration.steps = arguments.integer("--steps");
+    integration.threads = arguments.integer("--threads");
+    if (arguments.has("--phi")) {
+        const double phi = arguments.phi("--phi", project.dimension());
+        std::visit([phi](auto& design) { design.material.phi = phi; }, project.design);
+    }
+}
+
+}  // namespace
+
+ExitCode runRun(const Arguments& arguments) {
+    const std::string path = onlyFile(arguments, "project");
+    const RunOptions options = optionsFrom(arguments);
+    const auto shown =
+        arguments.has("--progress") ? Terminal::Progress::Shown : Terminal::Progress::Automatic;
+    Terminal terminal(shown, arguments.has("--quiet"));
+    LoadedProject loaded = readProject(path);
+    for (const std::string& warning : loaded.warnings) terminal.warn(path + ": " + warning);
+    override(loaded.project, arguments);
+    if (!asksForAnything(options.outputs))
+        terminal.warn(path + ": no output was asked for; nothing will be written");
+
+    Interrupt interrupt;
+    RunWatch watch;
+    watch.stop = interrupt.token();
+    watch.progress = [&](const std::string& work, double fraction) { terminal.progress(work, fraction); };
+    const AdvanceResult result = runProject(loaded.project, path, options, watch);
+    if (result.outcome == Outcome::Done) return ExitCode::Done;
+    Terminal::error(path + ": " + result.message);
+    return ExitCode::Incomplete;
+}
+
+}  // namespace wend

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <chrono>
+#include <mutex>
+#include <string>
+
+namespace wend {
+
+/// What the user sees on standard error: one line for each error and warning, and a line of progress that is
+/// drawn over.
+class Terminal {
+  public:
+    enum class Progress { Automatic, Shown, Hidden };  // Automatic: on a terminal
+    Terminal(Progress progress, bool quiet);
+    ~Terminal();
+
+    /// Called from any thread, as often as one likes.
+    void progress(const std::string& work, double fraction);
+    void warn(const std::string& text);
+
+    /// "wend: text" as one line, whatever the text holds.
+    static void error(const std::string& text);
+
+  private:
+    void clearLine();
+
+    bool m_quiet, m_shown, m_interactive;
+    std::mutex m_mutex;
+    std::string m_lastWork;
+    int m_lastPercent = -1;
+    std::size_t m_width = 0;
+};
+
+}  // namespace wend

@@ -1,0 +1,201 @@
+#include "app/session/run.h"
+
+#include <chrono>
+
+#include "app/document/text_file.h"
+#include "app/session/output_set.h"
+#include "core/mesh/error.h"
+
+namespace wend {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// "dir/f_####.png" and 7 → "dir/f_0007.png": the last run of # is the number.
+std::string frameName(const std::string& pattern, int number) {
+    const auto last = pattern.find_last_of('#');
+    auto first = last;
+    while (first > 0 && pattern[first - 1] == '#') --first;
+    std::string digits = std::to_string(number);
+    if (const std::size_t width = last - first + 1; digits.size() < width)
+        digits.insert(0, width - digits.size(), '0');
+    return pattern.substr(0, first) + digits + pattern.substr(last + 1);
+}
+
+/// One run: the scene, its deformer, the frames that were passed, and the files that are being made.
+template <int Dim>
+class Run {
+  public:
+    Run(const Project& project, Scene<Dim> scene, const RunOptions& options, const RunWatch& watch,
+        Clock::time_point start)
+        : m_project(project),
+          m_scene(std::move(scene)),
+          m_options(options),
+          m_watch(watch),
+          m_start(start),
+          m_deformer(m_scene.rest, m_scene.material, m_scene.handles, project.integration, options.backEnd) {}
+
+    AdvanceResult run() {
+        const AdvanceResult result = integrate();
+        if (result.outcome == Outcome::Cancelled) throw Cancelled();
+        if (result.outcome == Outcome::Done || m_options.partial) writeShapes();
+        writeReport();
+        m_files.commit();
+        return result;
+    }
+
+  private:
+    double end() const { return m_options.at.value_or(m_project.end); }
+
+    void tell(const std::string& work, double fraction) const {
+        if (m_watch.stop.stop_requested()) throw Cancelled();
+        if (m_watch.progress) m_watch.progress(work, fraction);
+    }
+
+    AdvanceResult integrate() {
+        typename Deformer<Dim>::Watch watch;
+        watch.stop = m_watch.stop;
+        watch.progress = [this](double time) {
+            if (m_watch.progress) m_watch.progress("deforming", end() > 0 ? time / end() : 1);
+        };
+        if (!m_options.outputs.frames.empty()) {
+            const int count = m_options.outputs.count;
+            for (int k = 0; k < count; ++k)
+                watch.frames.push_back(k + 1 < count ? end() * k / (count - 1) : end());
+            watch.onFrame = [this](const State<Dim>& state) { m_frames.push_back(state.points); };
+        }
+        return m_deformer.advance(end(), watch);
+    }
+
+    void writeShapes() {
+        const RunOutputs& outputs = m_options.outputs;
+        const Points<Dim> pose = m_deformer.state().points;
+        if (!outputs.velocity.empty()) writeVelocity(pose);
+        if (!outputs.mesh.empty())
+            m_files.add(outputs.mesh, ".vtu",
+                        [&](const std::string& file) { writeMeshFile(file, poseFile(m_scene, pose)); });
+        if constexpr (Dim == 2) writePictures(pose);
+        writeFrames();
+    }
+
+    void writeVelocity(const Points<Dim>& pose) {
+        const std::string& path = m_options.outputs.velocity;
+        const Points<Dim> velocity = m_deformer.velocity();
+        const bool table = path == "-" || lowerExtension(path) == ".csv";
+        m_files.add(path, ".csv", [&](const std::string& file) {
+            if (table) return writeTextFile(file, velocityTable<Dim>(pose, velocity));
+            MeshFile mesh = poseFile(m_scene, pose);
+            mesh.fields.push_back({"velocity", false, 3, inSpace(velocity)});
+            writeMeshFile(file, mesh);
+        });
+    }
+
+    static std::vector<double> inSpace(const Points<Dim>& vectors) {
+        std::vector<double> values;
+        for (Eigen::Index i = 0; i < vectors.cols(); ++i)
+            for (int a = 0; a < 3; ++a) values.push_back(a < Dim ? vectors(a, i) : 0);
+        return values;
+    }
+
+    /// The picture in the pixels of `view`, with progress between the fractions `from` and `to` of the
+    /// writing.
+    Image picture(const Points<2>& pixels, const View& view, double from, double to) const {
+        WarpOptions options;
+        options.filter = m_options.filter;
+        options.threads = m_project.integration.threads;
+        options.stop = m_watch.stop;
+        if (m_watch.progress)
+            options.progress = [this, from, to](double done) {
+                m_watch.progress("warping", from + (to - from) * done);
+            };
+        return warpImage(*m_scene.picture, *m_scene.texture.rest, pixels, view, options);
+    }
+
+    void writePictures(const Points<2>& pose) {
+        const RunOutputs& outputs = m_options.outputs;
+        if (outputs.image.empty() && outputs.stMap.empty()) return;
+        const Points<2> pixels = m_scene.texture.toPixels(pose);
+        const View view = canvasView(*m_scene.picture, {pixels}, m_options.canvas);
+        if (!outputs.image.empty())
+            m_files.add(outputs.image, ".png",
+                        [&](const std::string& file) { writeImage(file, picture(pixels, view, 0, 1)); });
+        if (!outputs.stMap.empty())
+            m_files.add(outputs.stMap, ".exr", [&](const std::string& file) {
+                writeImage(file, stMap(*m_scene.texture.rest, pixels, view, m_scene.picture->width,
+                                       m_scene.picture->height));
+            });
+    }
+
+    void writeFrames() {
+        const std::string& pattern = m_options.outputs.frames;
+        if (pattern.empty()) return;
+        if constexpr (Dim == 2)
+            if (canWriteImage(pattern)) return writePictureFrames(pattern);
+        for (std::size_t k = 0; k < m_frames.size(); ++k) {
+            tell("writing frames", static_cast<double>(k) / m_frames.size());
+            m_files.add(frameName(pattern, static_cast<int>(k)), "", [&](const std::string& file) {
+                writeMeshFile(file, poseFile(m_scene, m_frames[k]));
+            });
+        }
+    }
+
+    void writePictureFrames(const std::string& pattern) {
+        std::vector<Points<2>> poses;
+        for (const Points<2>& frame : m_frames) poses.push_back(m_scene.texture.toPixels(frame));
+        const View view = canvasView(*m_scene.picture, poses, m_options.canvas);
+        for (std::size_t k = 0; k < poses.size(); ++k) {
+            const double from = static_cast<double>(k) / poses.size(),
+                         to = static_cast<double>(k + 1) / poses.size();
+            tell("warping", from);
+            m_files.add(frameName(pattern, static_cast<int>(k)), "", [&](const std::string& file) {
+                writeImage(file, picture(poses[k], view, from, to));
+            });
+        }
+    }
+
+    void writeReport() {
+        const std::string& path = m_options.outputs.report;
+        if (path.empty()) return;
+        const Points<Dim>& pose = m_deformer.state().points;
+        const std::chrono::duration<double> total = Clock::now() - m_start;
+        const RunFigures figures{m_scene.rest->vertexCount(),
+                                 m_scene.rest->cellCount(),
+                                 Dim,
+                                 m_deformer.state().time,
+                                 total.count(),
+                                 m_deformer.backEndName(),
+                                 m_deformer.deviceName(),
+                                 distortion(*m_scene.rest, pose),
+                                 m_deformer.statistics()};
+        m_files.add(path, ".json",
+                    [&](const std::string& file) { writeTextFile(file, reportJson(figures)); });
+    }
+
+    const Project& m_project;
+    const Scene<Dim> m_scene;
+    const RunOptions& m_options;
+    const RunWatch& m_watch;
+    Clock::time_point m_start;
+    Deformer<Dim> m_deformer;
+    std::vector<Points<Dim>> m_frames;
+    OutputSet m_files;
+};
+
+}  // namespace
+
+AdvanceResult runProject(const Project& project, const std::string& path, const RunOptions& options,
+                         const RunWatch& watch) try {
+    const Clock::time_point start = Clock::now();
+    requirePossible(project, options.outputs);
+    if (watch.progress) watch.progress("reading", 0);
+    AnyScene scene = loadScene(project, folderOf(path), watch.stop);
+    return std::visit(
+        [&]<int Dim>(Scene<Dim>& one) {
+            return Run<Dim>(project, std::move(one), options, watch, start).run();
+        },
+        scene);
+} catch (const InputError& error) {
+    throw error.named(path);
+}
+
+}  // namespace wend

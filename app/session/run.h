@@ -1,0 +1,71 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <stop_token>
+#include <string>
+
+#include "app/document/project.h"
+#include "app/session/scene.h"
+#include "warp/warp.h"
+
+namespace wend {
+
+/// What a run writes; an empty name is not asked for, "-" is standard output.
+struct RunOutputs {
+    std::string image, mesh, velocity, stMap, report;
+    std::string frames;  // with #### for the number, counted from 0
+    int count = 25;      // of frames, at equal times from 0 to the end, both included
+};
+
+/// What part of the plane a picture shows.
+enum class Canvas { Picture, Fit };  // as large as the picture; or as the shape needs
+
+struct RunOptions {
+    RunOutputs outputs;
+    std::optional<double> at;  // instead of the project's end
+    BackEndKind backEnd = BackEndKind::Automatic;
+    Filter filter = Filter::Ewa;
+    Canvas canvas = Canvas::Picture;
+    bool partial = false;  // if the deformation stops early, write the last good shape all the same
+};
+
+struct RunWatch {
+    /// What is being done, and how much of it is, in [0, 1].
+    std::function<void(const std::string& work, double fraction)> progress;
+    std::stop_token stop;
+};
+
+/// Throws InputError for an output that cannot be made: an unknown extension, a missing folder, a picture
+/// asked of a project that has none. Looks at nothing but names, so it can come first.
+void requirePossible(const Project& project, const RunOutputs& outputs);
+
+/// Integrates the project in file `path` and writes the outputs: all of them, whole, or none. If the
+/// deformation stops early, only the report is written, with the last good time (see RunOptions::partial).
+/// Throws InputError and Cancelled.
+AdvanceResult runProject(const Project& project, const std::string& path, const RunOptions& options,
+                         const RunWatch& watch = {});
+
+/// The mesh of a pose with what the domain's file said beside it: uv, fields, order and count. Of a picture,
+/// uv come from the rest mesh.
+template <int Dim>
+MeshFile poseFile(const Scene<Dim>& scene, const Points<Dim>& pose);
+
+/// The pixels that a picture of these poses shows.
+View canvasView(const Image& picture, const std::vector<Points<2>>& posesInPixels, Canvas canvas);
+
+/// The nodal velocities as rows "x,y[,z],vx,vy[,vz]" with 17 significant digits.
+template <int Dim>
+std::string velocityTable(const Points<Dim>& pose, const Points<Dim>& velocity);
+
+/// What a report tells (contract of the command line).
+struct RunFigures {
+    int vertices = 0, cells = 0, dimension = 0;
+    double time = 0, total = 0;  // reached; seconds
+    std::string backEnd, device;
+    Distortion distortion;
+    Statistics statistics;
+};
+std::string reportJson(const RunFigures& figures);
+
+}  // namespace wend

@@ -1,0 +1,125 @@
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "app/session/output_set.h"
+#include "app/session/run.h"
+#include "core/mesh/error.h"
+
+namespace wend {
+namespace {
+
+void appendDigits(std::string& text, double value) {
+    std::array<char, 40> digits;
+    const auto done =
+        std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::general, 17);
+    text.append(digits.data(), done.ptr);
+}
+
+void requireMeshName(const std::string& path, const std::string& extension) {
+    const std::vector<std::string> known = meshFileExtensions();
+    if (std::ranges::find(known, extension) != known.end()) return;
+    std::string list;
+    for (const std::string& one : known) list += " " + one;
+    throw InputError(path, "is in no known mesh format; known are" + list);
+}
+
+void requirePicture(const Project& project, const std::string& path) {
+    const Domain& domain = project.domain;
+    if (project.dimension() == 3) throw InputError(path, "a picture of a volume cannot be written here");
+    if (domain.kind == DomainKind::Mesh && domain.texture.empty())
+        throw InputError(path, "there is no picture to warp: the project's domain has none");
+}
+
+bool isOneOf(const std::string& word, std::initializer_list<const char*> words) {
+    return std::ranges::any_of(words, [&](const char* one) { return word == one; });
+}
+
+void requireFrames(const Project& project, const std::string& path) {
+    if (path.find('#') == std::string::npos)
+        throw InputError(path, "the name of a sequence needs #### in the place of the number");
+    if (canWriteImage(path)) return requirePicture(project, path);
+    requireMeshName(path, lowerExtension(path));
+}
+
+}  // namespace
+
+void requirePossible(const Project& project, const RunOutputs& outputs) {
+    const auto extensionOf = [](const std::string& path, const char* standard) {
+        return path == "-" ? std::string(standard) : lowerExtension(path);
+    };
+    if (!outputs.image.empty()) {
+        requirePicture(project, outputs.image);
+        if (outputs.image != "-" && !canWriteImage(outputs.image))
+            throw InputError(outputs.image, "is in no picture format that can be written");
+    }
+    if (!outputs.mesh.empty()) requireMeshName(outputs.mesh, extensionOf(outputs.mesh, ".vtu"));
+    if (!outputs.velocity.empty() && !isOneOf(extensionOf(outputs.velocity, ".csv"), {".csv", ".vtu"}))
+        throw InputError(outputs.velocity, "a velocity field is written as .csv or .vtu");
+    if (!outputs.stMap.empty()) {
+        requirePicture(project, outputs.stMap);
+        if (!isOneOf(extensionOf(outputs.stMap, ".exr"), {".exr", ".tif", ".tiff"}))
+            throw InputError(outputs.stMap,
+                             "an ST map needs a format with floating-point pixels: .exr or .tif");
+    }
+    if (!outputs.frames.empty()) requireFrames(project, outputs.frames);
+    for (const std::string& path :
+         {outputs.image, outputs.mesh, outputs.velocity, outputs.stMap, outputs.report, outputs.frames})
+        if (!path.empty()) requirePlace(path);
+}
+
+template <int Dim>
+MeshFile poseFile(const Scene<Dim>& scene, const Points<Dim>& pose) {
+    MeshFile file = scene.source ? *scene.source : toMeshFile<Dim>(*scene.rest);
+    file.points.template topRows<Dim>() = pose;
+    if constexpr (Dim == 2) {
+        if (!scene.source && scene.picture) {
+            const auto& pixels = scene.texture.rest->points;
+            file.uv.resize(2, pixels.cols());
+            file.uv.row(0) = pixels.row(0) / scene.picture->width;
+            file.uv.row(1) = 1 - pixels.row(1).array() / scene.picture->height;
+        }
+    }
+    return file;
+}
+
+View canvasView(const Image& picture, const std::vector<Points<2>>& poses, Canvas canvas) {
+    View view{picture.width, picture.height, Vec<2>::Zero(), 1};
+    if (canvas == Canvas::Picture || poses.empty()) return view;
+    Vec<2> low = poses.front().rowwise().minCoeff(), high = poses.front().rowwise().maxCoeff();
+    for (const Points<2>& pose : poses) {
+        low = low.cwiseMin(pose.rowwise().minCoeff());
+        high = high.cwiseMax(pose.rowwise().maxCoeff());
+    }
+    view.origin = low.array().floor();
+    const Vec<2> size = high.array().ceil().matrix() - view.origin;
+    const double largest = 1e5;
+    if (!(size.maxCoeff() <= largest)) throw InputError("the shape spans more than 100000 pixels");
+    view.width = std::max(1, static_cast<int>(size.x()));
+    view.height = std::max(1, static_cast<int>(size.y()));
+    return view;
+}
+
+template <int Dim>
+std::string velocityTable(const Points<Dim>& pose, const Points<Dim>& velocity) {
+    std::string text = Dim == 2 ? "x,y,vx,vy\n" : "x,y,z,vx,vy,vz\n";
+    for (Eigen::Index i = 0; i < pose.cols(); ++i) {
+        for (int a = 0; a < Dim; ++a) {
+            appendDigits(text, pose(a, i));
+            text += ',';
+        }
+        for (int a = 0; a < Dim; ++a) {
+            appendDigits(text, velocity(a, i));
+            text += a + 1 < Dim ? ',' : '\n';
+        }
+    }
+    return text;
+}
+
+template MeshFile poseFile<2>(const Scene<2>&, const Points<2>&);
+template MeshFile poseFile<3>(const Scene<3>&, const Points<3>&);
+template std::string velocityTable<2>(const Points<2>&, const Points<2>&);
+template std::string velocityTable<3>(const Points<3>&, const Points<3>&);
+
+}  // namespace wend

@@ -1,0 +1,388 @@
+// The command line when all is well: every output of every kind of domain, as other programs will read it.
+
+#include <QtTest>
+#include <cmath>
+
+#include "app/document/options.h"
+#include "tests/app/cli_harness.h"
+
+using namespace wend;
+
+class TestCli : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void initTestCase();
+    void helps();
+    void referencePageIsCurrent();
+    void translatedStrip();
+    void velocityTable();
+    void velocityOnTheMesh();
+    void reportKeys();
+    void standardOutput();
+    void stopsEarlier();
+    void frames();
+    void meshFrames();
+    void picture();
+    void pictureFits();
+    void texturedMesh();
+    void twistedBar();
+    void volumeFormats_data();
+    void volumeFormats();
+    void germanLocale();
+    void sameBits();
+    void warnsOfUnknownKeys();
+    void meshCommand();
+    void surfaceCommand();
+    void infoOfPicture();
+    void infoOfBadMesh();
+    void infoOfProject();
+    void devices();
+    void linksAndPermissions();
+
+  private:
+    QString path() const { return m_folder.path(); }
+    std::string file(const char* name) const { return (path() + "/" + name).toStdString(); }
+    CliResult run(const QStringList& arguments) const { return runCli(path(), arguments); }
+    QJsonDocument jsonFile(const char* name) const {
+        return QJsonDocument::fromJson(QByteArray::fromStdString(readTextFile(file(name))));
+    }
+    void succeed(const QStringList& arguments) const {
+        const CliResult result = run(arguments);
+        QVERIFY2(result.code == 0 && result.error.isEmpty(),
+                 qPrintable(QString::number(result.code) + result.error));
+    }
+
+    QTemporaryDir m_folder;
+};
+
+void TestCli::initTestCase() {
+    writeMeshFile(file("strip.obj"), toMeshFile<2>(stripMesh(10, 2)));
+    writeMeshFile(file("bar.mesh"), toMeshFile<3>(barMesh(6)));
+    writeImage(file("disc.png"), discPicture(200, 80));
+    putProject(path(), "strip.wend",
+               "'domain': {'mesh': 'strip.obj'}, 'handles': [{'at': {'region': {'box': {'min': [-1, -1], "
+               "'max': [11, 3]}}},"
+               "'motion': [{'kind': 'translate', 'by': [3, 0.5], 'time': [0, 1]}]}]");
+    putProject(
+        path(), "bend.wend",
+        "'domain': {'mesh': 'strip.obj'}, 'handles': [{'at': {'points': [[0, 0], [0, 1], [0, 2]]}},"
+        "{'at': {'points': [[10, 0], [10, 1], [10, 2]]}, 'motion': [{'kind': 'rotate', 'centre': [5, 1],"
+        "'angle': 1, 'time': [0, 1]}]}]");
+    putProject(path(), "bar.wend",
+               "'domain': {'mesh': 'bar.mesh'}, 'handles': [{'at': {'region': {'box': {'min': [-1, -1, "
+               "-0.5], 'max': [3, 3, 0.5]}}}},"
+               "{'at': {'region': {'box': {'min': [-1, -1, 5.5], 'max': [3, 3, 6.5]}}}, 'motion': [{'kind': "
+               "'rotate',"
+               "'centre': [1, 1, 6], 'axis': [0, 0, 1], 'angle': 1.5707963267948966, 'time': [0, 1]}]}]");
+    putProject(
+        path(), "disc.wend",
+        "'domain': {'image': 'disc.png', 'outline': {'from': 'alpha'}, 'vertices': 400}, 'handles': ["
+        "{'at': {'points': [[60, 100]]}}, {'at': {'points': [[140, 100]]}, 'motion': [{'kind': 'translate',"
+        "'by': [20, 10], 'time': [0, 1]}]}]");
+}
+
+void TestCli::helps() {
+    QVERIFY(run({"--help"}).out.contains("Exit codes"));
+    QVERIFY(run({"--version"}).out.startsWith("wend "));
+    for (const char* command : {"run", "mesh", "info", "devices"}) {
+        const CliResult result = run({command, "--help"});
+        QCOMPARE(result.code, 0);
+        QVERIFY(result.out.startsWith(QString("Usage: wend ") + command));
+    }
+    QVERIFY(run({"run", "--help"}).out.contains("--tolerance X"));
+}
+
+/// docs/reference.md is what `wend reference` prints: write it anew with that when the table of options
+/// changes.
+void TestCli::referencePageIsCurrent() {
+    QCOMPARE(run({"reference"}).out,
+             QString::fromStdString(readTextFile(WEND_SOURCE_DIR "/docs/reference.md")));
+}
+
+/// All vertices in one handle: the shape is where the handle went, to rounding, and order and count are the
+/// input's.
+void TestCli::translatedStrip() {
+    succeed({"run", "strip.wend", "--mesh", "moved.obj"});
+    const MeshFile moved = readMeshFile(file("moved.obj"));
+    const SimplicialMesh<2> rest = stripMesh(10, 2);
+    QVERIFY(moved.triangles == rest.cells);
+    for (int i = 0; i < rest.vertexCount(); ++i)
+        QVERIFY((moved.points.col(i).head<2>() - rest.points.col(i) - Vec<2>(3, 0.5)).norm() < 1e-13);
+}
+
+void TestCli::velocityTable() {
+    succeed({"run", "bend.wend", "--velocity", "v.csv", "--at", "0.5"});
+    const QStringList lines =
+        QString::fromStdString(readTextFile(file("v.csv"))).split('\n', Qt::SkipEmptyParts);
+    QCOMPARE(lines[0], QString("x,y,vx,vy"));
+    QCOMPARE(lines.size(), 34);
+    const QStringList fixed = lines[1].split(','), end = lines[11].split(',');  // vertices 0 and 10
+    QCOMPARE(fixed[2].toDouble(), 0.0);
+    // vertex 10 turns about (5, 1) with unit angular velocity: v = (−(y − 1), x − 5)
+    QVERIFY(std::abs(end[2].toDouble() + end[1].toDouble() - 1) < 1e-9);
+    QVERIFY(std::abs(end[3].toDouble() - end[0].toDouble() + 5) < 1e-9);
+    const double radius = std::hypot(5, 1), angle = std::atan2(-1, 5) + 0.5;
+    QVERIFY(std::abs(end[0].toDouble() - 5 - radius * std::cos(angle)) < 1e-12);
+    QVERIFY(std::abs(end[1].toDouble() - 1 - radius * std::sin(angle)) < 1e-12);
+}
+
+void TestCli::velocityOnTheMesh() {
+    succeed({"run", "bar.wend", "--velocity", "v.vtu"});
+    const MeshFile mesh = readMeshFile(file("v.vtu"));
+    QCOMPARE(mesh.tetrahedra.size(), barMesh(6).cells.size());
+    QCOMPARE(mesh.fields.size(), std::size_t(1));
+    QCOMPARE(mesh.fields[0].name, std::string("velocity"));
+    QCOMPARE(mesh.fields[0].values.size(), std::size_t(3 * mesh.points.cols()));
+}
+
+void TestCli::reportKeys() {
+    succeed({"run", "bend.wend", "--report", "r.json"});
+    const QJsonObject report = jsonFile("r.json").object();
+    QStringList expected{"vertices", "cells",    "dimension",   "time",           "backend",
+                         "device",   "errors",   "flips",       "minDet",         "constraintError",
+                         "steps",    "rejected", "evaluations", "factorizations", "solverIterations",
+                         "seconds",  "energy"};
+    QStringList keys = report.keys();
+    expected.sort();
+    keys.sort();
+    QCOMPARE(keys, expected);
+    QCOMPARE(report["errors"].toObject().keys(), (QStringList{"angle", "metric", "volume"}));
+    QCOMPARE(report["seconds"].toObject().keys(),
+             (QStringList{"analyze", "assemble", "factor", "integrate", "solve", "total"}));
+    QCOMPARE(report["vertices"].toInt(), 33);
+    QCOMPARE(report["cells"].toInt(), 40);
+    QCOMPARE(report["dimension"].toInt(), 2);
+    QCOMPARE(report["time"].toDouble(), 1.0);
+    QCOMPARE(report["flips"].toInt(), 0);
+    QVERIFY(report["minDet"].toDouble() > 0.3);
+    QVERIFY(report["constraintError"].toDouble() <= 1e-12);
+    QVERIFY(report["energy"].toDouble() > 0);
+    QVERIFY(report["steps"].toInt() > 0);
+}
+
+void TestCli::standardOutput() {
+    const CliResult report = run({"run", "bend.wend", "--report", "-"});
+    QCOMPARE(QJsonDocument::fromJson(report.out.toUtf8())["vertices"].toInt(), 33);
+    QVERIFY(run({"run", "bend.wend", "--velocity", "-"}).out.startsWith("x,y,vx,vy\n"));
+    QProcess process;
+    process.setWorkingDirectory(path());
+    process.start(WEND_BINARY, {"run", "disc.wend", "--image", "-"});
+    QVERIFY(process.waitForFinished(60000));
+    QVERIFY(process.readAllStandardOutput().startsWith("\x89PNG"));
+}
+
+void TestCli::stopsEarlier() {
+    succeed({"run", "strip.wend", "--at", "0.5", "--mesh", "half.obj"});
+    const MeshFile half = readMeshFile(file("half.obj"));
+    QVERIFY((half.points.col(0) - Vec<3>(1.5, 0.25, 0)).norm() < 1e-13);
+    succeed({"run", "strip.wend", "--at", "0", "--mesh", "rest.obj"});
+    QCOMPARE(readMeshFile(file("rest.obj")).points, readMeshFile(file("strip.obj")).points);
+}
+
+void TestCli::frames() {
+    QDir(path()).mkdir("frames");
+    succeed({"run", "disc.wend", "--frames", "frames/f_###.png", "--count", "4", "--image", "last.png"});
+    QCOMPARE(QDir(path() + "/frames").entryList(QDir::Files | QDir::Hidden),
+             (QStringList{"f_000.png", "f_001.png", "f_002.png", "f_003.png"}));
+    QCOMPARE(readImage(file("frames/f_003.png")).data, readImage(file("last.png")).data);
+    QVERIFY(readImage(file("frames/f_001.png")).data != readImage(file("last.png")).data);
+    // nothing has moved in the first frame, so it has the picture's pixels
+    QCOMPARE(readImage(file("frames/f_000.png")).data, readImage(file("disc.png")).data);
+}
+
+void TestCli::meshFrames() {
+    succeed({"run", "strip.wend", "--frames", "m_#.vtu", "--count", "3"});
+    for (int k = 0; k < 3; ++k) {
+        const MeshFile mesh = readMeshFile(file(qPrintable(QString("m_%1.vtu").arg(k))));
+        QVERIFY((mesh.points.col(0) - Vec<3>(1.5 * k, 0.25 * k, 0)).norm() < 1e-12);
+    }
+}
+
+void TestCli::picture() {
+    succeed({"run", "disc.wend", "--image", "warped.png", "--stmap", "st.exr", "--mesh", "warped.obj"});
+    const Image warped = readImage(file("warped.png"));
+    QCOMPARE(warped.width, 200);
+    const auto alphaAt = [&](int x, int y) { return std::to_integer<int>(warped.row(y)[4 * x + 3]); };
+    QCOMPARE(alphaAt(190, 110), 255);  // the dragged side has come here
+    QCOMPARE(alphaAt(2, 2), 0);
+    const Image map = readImage(file("st.exr"));
+    QCOMPARE(map.channels, 4);
+    QCOMPARE(map.type, PixelType::Float);
+    const MeshFile mesh = readMeshFile(file("warped.obj"));
+    QCOMPARE(mesh.uv.cols(), mesh.points.cols());
+    QCOMPARE(mesh.points.col(1).head<2>(), Vec<2>(160, 110));  // the handle, to the last bit
+    QVERIFY((mesh.uv.col(1) - Vec<2>(140.0 / 200, 1 - 100.0 / 200)).norm() < 1e-15);
+}
+
+void TestCli::pictureFits() {
+    putProject(
+        path(), "away.wend",
+        "'domain': {'image': 'disc.png', 'outline': {'from': 'alpha'}, 'vertices': 200}, 'handles': ["
+        "{'at': {'region': {'box': {'min': [0, 0], 'max': [200, 200]}}}, 'motion': [{'kind': 'translate',"
+        "'by': [500, 0], 'time': [0, 1]}]}]");
+    succeed({"run", "away.wend", "--image", "away.png", "--canvas", "fit"});
+    const Image fitted = readImage(file("away.png"));
+    QVERIFY(fitted.width > 150 && fitted.width < 170);
+    succeed({"run", "away.wend", "--image", "away.png"});
+    QCOMPARE(readImage(file("away.png")).width, 200);
+}
+
+void TestCli::texturedMesh() {
+    SimplicialMesh<2> mesh = stripMesh(4, 4);
+    mesh.points *= 50;  // as large as the picture
+    MeshFile source = toMeshFile<2>(mesh);
+    source.uv = mesh.points / 200;
+    source.uv.row(1) = 1 - source.uv.row(1).array();
+    writeMeshFile(file("card.obj"), source);
+    putProject(path(), "card.wend", "'domain': {'mesh': 'card.obj', 'image': 'disc.png'}");
+    succeed({"run", "card.wend", "--image", "card.png", "--mesh", "card2.obj", "--filter", "bilinear"});
+    QCOMPARE(readMeshFile(file("card2.obj")).uv, source.uv);
+    // y of mesh and picture both run down, so the card is the picture again, to the rounding of the fit
+    const Image card = readImage(file("card.png")), disc = readImage(file("disc.png"));
+    for (std::size_t i = 3; i < card.data.size(); i += 4)
+        QVERIFY(std::abs(std::to_integer<int>(card.data[i]) - std::to_integer<int>(disc.data[i])) <= 1);
+}
+
+/// A quarter turn of one end of a bar: the other stays, and no tetrahedron turns over.
+void TestCli::twistedBar() {
+    succeed({"run", "bar.wend", "--mesh", "twisted.mesh", "--report", "bar.json"});
+    const MeshFile twisted = readMeshFile(file("twisted.mesh"));
+    const SimplicialMesh<3> rest = barMesh(6);
+    QVERIFY(twisted.tetrahedra == rest.cells);
+    QVERIFY((twisted.points.col(0) - Vec<3>(0, 0, 0)).norm() < 1e-13);
+    QVERIFY((twisted.points.col(6 * 9) - Vec<3>(2, 0, 6)).norm() <
+            1e-12);  // (0, 0, 6) about (1, 1): x towards y
+    const QJsonObject report = jsonFile("bar.json").object();
+    QCOMPARE(report["dimension"].toInt(), 3);
+    QCOMPARE(report["flips"].toInt(), 0);
+    QVERIFY(report["minDet"].toDouble() > 0.5);
+}
+
+void TestCli::volumeFormats_data() {
+    QTest::addColumn<QString>("name");
+    for (const char* name : {"b.mesh", "b.msh", "b.vtk", "b.vtu", "b.node"}) QTest::newRow(name) << name;
+}
+void TestCli::volumeFormats() {
+    QFETCH(QString, name);
+    succeed({"run", "bar.wend", "--mesh", name});
+    succeed({"run", "bar.wend", "--mesh", "same.mesh"});
+    const MeshFile mesh = readMeshFile(file(qPrintable(name)));
+    QVERIFY(mesh.tetrahedra == barMesh(6).cells);
+    QCOMPARE(mesh.points, readMeshFile(file("same.mesh")).points);
+}
+
+void TestCli::germanLocale() {
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    for (const char* name : {"LC_ALL", "LC_NUMERIC", "LANG"}) environment.insert(name, "de_DE.UTF-8");
+    // where the locale is not installed it is made here, if it can be
+    QProcess::execute("localedef", {"-i", "de_DE", "-f", "UTF-8", path() + "/de_DE.UTF-8"});
+    if (QFileInfo::exists(path() + "/de_DE.UTF-8")) environment.insert("LOCPATH", path());
+    const CliResult german =
+        runCli(path(), {"run", "bend.wend", "--at", "0.5", "--velocity", "-"}, environment);
+    QCOMPARE(german.code, 0);
+    QCOMPARE(german.out, run({"run", "bend.wend", "--at", "0.5", "--velocity", "-"}).out);
+    for (const char* name : {"de.obj", "de.vtu"})
+        QCOMPARE(runCli(path(), {"run", "bend.wend", "--at", "0.5", "--mesh", name}, environment).code, 0);
+    QCOMPARE(readMeshFile(file("de.obj")).points, readMeshFile(file("de.vtu")).points);
+}
+
+/// The same project gives the same bits with any number of threads.
+void TestCli::sameBits() {
+    succeed({"run", "disc.wend", "--mesh", "one.obj", "--threads", "1", "--backend", "cpu"});
+    succeed({"run", "disc.wend", "--mesh", "two.obj", "--threads", "2", "--backend", "cpu"});
+    QCOMPARE(readTextFile(file("one.obj")), readTextFile(file("two.obj")));
+}
+
+void TestCli::warnsOfUnknownKeys() {
+    putProject(path(), "strange.wend", "'domain': {'mesh': 'strip.obj'}, 'mood': 1");
+    const CliResult result = run({"run", "strange.wend", "--mesh", "s.obj"});
+    QCOMPARE(result.code, 0);
+    QVERIFY2(result.error.contains("strange.wend: mood: is not known"), qPrintable(result.error));
+    QVERIFY(run({"run", "strange.wend", "--mesh", "s.obj", "--quiet"}).error.isEmpty());
+}
+
+void TestCli::meshCommand() {
+    succeed({"mesh", "disc.png", "-o", "disc.obj", "--vertices", "600"});
+    QVERIFY(std::abs(readMeshFile(file("disc.obj")).points.cols() - 600) <= 60);
+    succeed({"mesh", "disc.png", "-o", "all.obj", "--vertices", "600", "--outline", "frame"});
+    const MeshFile all = readMeshFile(file("all.obj"));
+    QCOMPARE(all.points.row(0).maxCoeff(), 200.0);
+    put(path(), "square.json",
+        json("{'polygons': [[[0, 0], [10, 0], [10, 10], [0, 10]], [[4, 4], [6, 4], [6, 6], [4, 6]]]}"));
+    succeed({"mesh", "square.json", "-o", "square.obj", "--edge", "1"});
+    const auto mesh = meshFrom<2>(readMeshFile(file("square.obj")));
+    double area = 0;
+    for (const auto& cell : mesh.cells) area += cellMeasure<2>(mesh.points, cell);
+    QVERIFY(std::abs(area - 96) < 1e-10);
+    succeed({"mesh", "disc.wend", "-o", "again.vtu"});
+    QCOMPARE(readMeshFile(file("again.vtu")).points.col(1).head<2>(),
+             Vec<2>(140, 100));  // the handle's point
+}
+
+void TestCli::surfaceCommand() {
+    put(path(), "cube.off",
+        "OFF\n8 6 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n"
+        "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n");
+    succeed({"mesh", "cube.off", "-o", "cube.vtu", "--max-volume", "0.01"});
+    const auto mesh = meshFrom<3>(readMeshFile(file("cube.vtu")));
+    double volume = 0;
+    for (const auto& cell : mesh.cells) volume += std::abs(cellMeasure<3>(mesh.points, cell));
+    QVERIFY(std::abs(volume - 1) < 1e-12);
+}
+
+void TestCli::infoOfPicture() {
+    const auto info = QJsonDocument::fromJson(run({"info", "disc.png", "--json"}).out.toUtf8());
+    QCOMPARE(info["width"].toInt(), 200);
+    QCOMPARE(info["alpha"].toBool(), true);
+    QCOMPARE(info["outline"]["loops"].toInt(), 1);
+    QVERIFY(run({"info", "disc.png"}).out.contains("width: 200\n"));
+}
+
+void TestCli::infoOfBadMesh() {
+    put(path(), "bad.obj",
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 2 0 0\nf 1 2 3\nf 2 4 3\nf 2 4 5\nf 1 2 5\nf 2 5 1\n");
+    const auto info = QJsonDocument::fromJson(run({"info", "bad.obj", "--json"}).out.toUtf8());
+    QCOMPARE(info["cells"].toInt(), 5);
+    QHash<QString, QJsonArray> problems;
+    for (const QJsonValue& problem : info["problems"].toArray())
+        problems[problem["what"].toString()] = problem["where"].toArray();
+    QCOMPARE(problems.value("cells without area"), (QJsonArray{3, 4}));
+    QCOMPARE(problems.value("cells that repeat an earlier one"), (QJsonArray{4}));
+    QCOMPARE(problems.value("cells oriented against the others"), (QJsonArray{2}));
+    QVERIFY(run({"info", "bad.obj"}).out.contains("cells without area"));
+    const auto good = QJsonDocument::fromJson(run({"info", "bar.mesh", "--json"}).out.toUtf8());
+    QVERIFY(good["problems"].toArray().isEmpty());
+    QVERIFY(std::abs(good["volume"].toDouble() - 24) < 1e-12);
+    QCOMPARE(good["parts"].toInt(), 1);
+}
+
+void TestCli::infoOfProject() {
+    const auto info = QJsonDocument::fromJson(run({"info", "bend.wend", "--json"}).out.toUtf8());
+    QCOMPARE(info["dimension"].toInt(), 2);
+    QCOMPARE(info["handles"].toArray().size(), 2);
+    QCOMPARE(info["phi"].toString(), QString("metr"));
+}
+
+void TestCli::devices() {
+    const CliResult result = run({"devices"});
+    QCOMPARE(result.code, 0);
+    QVERIFY(result.out.startsWith("cpu "));
+}
+
+/// Writing over a link changes the file that it names, and keeps the file's permissions; what is no file
+/// stays what it is.
+void TestCli::linksAndPermissions() {
+    put(path(), "real.json", "old");
+    QFile::setPermissions(path() + "/real.json", QFile::ReadOwner | QFile::WriteOwner);
+    QFile::link("real.json", path() + "/link.json");
+    succeed({"run", "bend.wend", "--report", "link.json"});
+    QVERIFY(QFileInfo(path() + "/link.json").isSymLink());
+    QCOMPARE(jsonFile("real.json")["vertices"].toInt(), 33);
+    QVERIFY(!(QFileInfo(path() + "/real.json").permissions() & QFile::ReadOther));
+    succeed({"run", "bend.wend", "--report", "/dev/null"});
+    QVERIFY(!QFileInfo("/dev/null").isFile());
+}
+
+QTEST_GUILESS_MAIN(TestCli)
+#include "test_cli.moc"

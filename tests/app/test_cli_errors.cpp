@@ -1,0 +1,289 @@
+// The command line when something is wrong: one line, the right exit code, and no file touched.
+
+#include <QtTest>
+
+#include "tests/app/cli_harness.h"
+
+using namespace wend;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string kDisc = "'domain': {'image': 'disc.png', 'outline': {'from': 'alpha'}, 'vertices': 300}";
+const std::string kStrip = "'domain': {'mesh': 'strip.obj'}";
+
+}  // namespace
+
+class TestCliErrors : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void initTestCase();
+    void usage_data();
+    void usage();
+    void badInput_data();
+    void badInput();
+    void outputsStayWhole_data();
+    void outputsStayWhole();
+    void fullDisk();
+    void foldedOver();
+    void interrupted();
+
+  private:
+    QString path() const { return m_folder.path(); }
+    QStringList listing() const { return QDir(path()).entryList(QDir::Files | QDir::Hidden); }
+    void putMeshes();
+    void putPictures();
+
+    QTemporaryDir m_folder;
+};
+
+void TestCliErrors::putMeshes() {
+    const std::string base = path().toStdString();
+    writeMeshFile(base + "/strip.obj", toMeshFile<2>(stripMesh(10, 2)));
+    const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n";
+    put(path(), "nan.obj", "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n");
+    put(path(), "flat.obj", points + "v 2 0 0\nf 1 2 3\nf 1 2 5\n");
+    put(path(), "inverted.obj", points + "v 2 0 0\nf 1 2 3\nf 2 4 3\nf 2 4 5\n");
+    put(path(), "twice.obj", points + "f 1 2 3\nf 2 3 1\n");
+    put(path(), "index.obj", points + "f 1 2 3\nf 2 4 9\n");
+    put(path(), "empty.obj", "");
+    put(path(), "truncated.mesh", "MeshVersionFormatted 2\nDimension 3\nVertices\n4\n0 0 0 0\n1 0 0 0\n");
+    put(path(), "other.msh", "solid nothing\n");
+}
+
+void TestCliErrors::putPictures() {
+    const std::string base = path().toStdString();
+    writeImage(base + "/disc.png", discPicture(200, 80));
+    writeImage(base + "/clear.png", discPicture(64, 0));
+    const std::string bytes = readTextFile(base + "/disc.png");
+    put(path(), "cut.png", bytes.substr(0, bytes.size() / 2));
+    put(path(), "empty.png", "");
+    put(path(), "noise.png", "this is no picture");
+}
+
+void TestCliErrors::initTestCase() {
+    putMeshes();
+    putPictures();
+    putProject(path(), "disc.wend", kDisc);
+    putProject(path(), "strip.wend", kStrip + ", 'handles': [{'at': {'vertices': [0]}}]");
+}
+
+void TestCliErrors::usage_data() {
+    QTest::addColumn<QStringList>("arguments");
+    QTest::addColumn<QString>("message");
+    QTest::newRow("command") << QStringList{"jump"} << "there is no command or file jump";
+    QTest::newRow("option") << QStringList{"--jump"} << "--jump";
+    QTest::newRow("no project") << QStringList{"run"} << "no project is named";
+    QTest::newRow("two projects") << QStringList{"run", "a.wend", "b.wend"} << "there is also b.wend";
+    QTest::newRow("unknown") << QStringList{"run", "disc.wend", "--speed", "3"} << "has no option --speed";
+    QTest::newRow("foreign") << QStringList{"run", "disc.wend", "--vertices", "3"}
+                             << "has no option --vertices";
+    QTest::newRow("no value") << QStringList{"run", "disc.wend", "--image"} << "--image needs a value";
+    QTest::newRow("empty value") << QStringList{"run", "disc.wend", "--image="} << "--image: names no file";
+    QTest::newRow("twice") << QStringList{"run", "d", "--at", "1", "--at", "2"} << "--at is given twice";
+    QTest::newRow("number") << QStringList{"run", "d", "--tolerance", "x"}
+                            << "--tolerance: \"x\" is not a number";
+    QTest::newRow("comma") << QStringList{"run", "d", "--at", "0,5"} << "is not a number";
+    QTest::newRow("range") << QStringList{"run", "d", "--tolerance=2"}
+                           << "--tolerance: 2 is out of range: it must be in [1e-12, 0.1]";
+    QTest::newRow("whole") << QStringList{"run", "d", "--steps", "2.5"} << "not a whole number";
+    QTest::newRow("negative") << QStringList{"run", "d", "--at", "-1"} << "--at: -1 is out of range";
+    QTest::newRow("choice") << QStringList{"run", "d", "--method", "euler"} << "known are dopri5";
+    QTest::newRow("flag") << QStringList{"run", "d", "--quiet=1"} << "--quiet takes no value";
+    QTest::newRow("phi") << QStringList{"run", "disc.wend", "--phi", "3"} << "]0, 2.677945045]";
+    QTest::newRow("phi word") << QStringList{"run", "disc.wend", "--phi", "soft"}
+                              << "equia, metr, akvf, conf";
+    QTest::newRow("two dashes") << QStringList{"run", "disc.wend", "--report", "-", "--velocity", "-"}
+                                << "only one output";
+    QTest::newRow("frames") << QStringList{"run", "disc.wend", "--frames", "-"} << "--frames";
+    QTest::newRow("mesh output") << QStringList{"mesh", "disc.png"} << "no output is named";
+    QTest::newRow("mesh sizes") << QStringList{"mesh",   "disc.png", "-o",         "a.obj",
+                                               "--edge", "3",        "--vertices", "9"}
+                                << "cannot both";
+    QTest::newRow("devices") << QStringList{"devices", "all"} << "takes no file";
+}
+
+void TestCliErrors::usage() {
+    QFETCH(QStringList, arguments);
+    QFETCH(QString, message);
+    const CliResult result = runCli(path(), arguments);
+    QCOMPARE(result.code, 2);
+    QVERIFY2(result.error.startsWith("wend: ") && result.error.count('\n') == 1, qPrintable(result.error));
+    QVERIFY2(result.error.contains(message), qPrintable(result.error));
+    QVERIFY(result.out.isEmpty());
+}
+
+void TestCliErrors::badInput_data() {
+    QTest::addColumn<QString>("project");  // what stands in p.wend; empty: the arguments name something else
+    QTest::addColumn<QStringList>("arguments");
+    QTest::addColumn<QString>("message");
+    const auto row = [](const char* name, const std::string& project, const char* message,
+                        QStringList more = {}) {
+        const std::string text = json("{'format': 'wend', 'version': 1, " + project + "}");
+        QTest::newRow(name) << QString::fromStdString(text) << (QStringList{"run", "p.wend"} + more)
+                            << message;
+    };
+    const auto meshRow = [&](const char* name, const std::string& file, const char* message) {
+        row(name, "'domain': {'mesh': '" + file + "'}", message);
+    };
+    const auto pictureRow = [&](const char* name, const std::string& file, const char* message) {
+        row(name, "'domain': {'image': '" + file + "', 'outline': {'from': 'alpha'}}", message);
+    };
+    QTest::newRow("no project") << "" << QStringList{"run", "none.wend"} << "none.wend: cannot be read";
+    QTest::newRow("folder") << "" << QStringList{"run", "."} << ".: is a folder";
+    QTest::newRow("empty") << " " << QStringList{"run", "p.wend"} << "p.wend: is empty";
+    QTest::newRow("broken") << "{\n \"format\": \"wend\",\n}" << QStringList{"run", "p.wend"}
+                            << "p.wend: is not valid JSON: line 3";
+    row("unknown kind", kDisc + ", 'handles': [{'at': {'points': [[1, 2]]}, 'motion': [{'kind': 'jump'}]}]",
+        "p.wend: handles[0].motion[0].kind: unknown value");
+    row("phi", kDisc + ", 'material': {'phi': 3}",
+        "p.wend: material.phi: phi = 3 is outside ]0, 2.677945045]");
+    row("B", kStrip + ", 'material': {'cells': {'B': [[1, 2, 2, 1]]}}",
+        "p.wend: material.cells.B[0]: B is not positive definite");
+    row("cell count", kStrip + ", 'material': {'cells': {'phi': [1, 1]}}",
+        "p.wend: material.cells.phi: has 2 entries, but the mesh has 40 cells");
+    row("cells file", kStrip + ", 'material': {'cells': 'none.json'}", "none.json: cannot be read");
+    row("outside", kDisc + ", 'handles': [{'name': 'far', 'at': {'points': [[-50, 10]]}}]", "far");
+    row("contradiction",
+        kStrip +
+            ", 'handles': [{'name': 'still', 'at': {'points': [[5, 1]]}}, {'name': 'moving', 'at': "
+            "{'points': [[5, 1]]},"
+            "'motion': [{'kind': 'translate', 'by': [1, 0], 'time': [0, 1]}]}]",
+        "moving");
+    row("vertex", kStrip + ", 'handles': [{'name': 'tip', 'at': {'vertices': [9999]}}]", "9999");
+    row("crossing",
+        "'domain': {'image': 'disc.png', 'outline': {'polygons': [[[0, 0], [90, 90], [90, 0], [0, 90]]]}}",
+        "disc.png: ");
+    meshRow("no mesh", "none.obj", "none.obj: does not exist");
+    meshRow("empty mesh", "empty.obj", "empty.obj: ");
+    meshRow("NaN", "nan.obj", "nan.obj: ");
+    meshRow("no area", "flat.obj", "flat.obj: cell 1 has no area");
+    meshRow("inverted", "inverted.obj", "inverted.obj: cell 2 is inverted");
+    meshRow("duplicate", "twice.obj", "twice.obj: cell 1 is a duplicate of cell 0");
+    meshRow("index", "index.obj", "index.obj: ");
+    meshRow("truncated mesh", "truncated.mesh", "truncated.mesh: ");
+    meshRow("other mesh", "other.msh", "other.msh: ");
+    meshRow("mesh format", "disc.png", "disc.png: ");
+    pictureRow("no picture", "none.png", "none.png: ");
+    pictureRow("empty picture", "empty.png", "empty.png: ");
+    pictureRow("truncated picture", "cut.png", "cut.png: ");
+    pictureRow("no picture at all", "noise.png", "noise.png: ");
+    pictureRow("transparent", "clear.png", "clear.png: ");
+    row("picture of a mesh", kStrip, "there is no picture to warp", {"--image", "out.png"});
+    row("image format", kDisc, "out.xyz: is in no picture format", {"--image", "out.xyz"});
+    row("mesh format out", kDisc, "out.xyz: is in no known mesh format", {"--mesh", "out.xyz"});
+    row("velocity format", kDisc, "a velocity field is written as", {"--velocity", "v.txt"});
+    row("ST map format", kDisc, "floating-point pixels", {"--stmap", "st.png"});
+    row("frames without #", kDisc, "needs ####", {"--frames", "f.png"});
+    row("output folder", kDisc, "no/out.png: the folder no does not exist", {"--image", "no/out.png"});
+    row("output is a folder", kDisc, "out.d: is a folder", {"--report", "out.d"});
+    QTest::newRow("mesh of a flat mesh")
+        << "" << QStringList{"mesh", "strip.obj", "-o", "out.mesh"} << "strip.obj: ";
+    QTest::newRow("mesh of nothing") << "" << QStringList{"mesh", "none.png", "-o", "out.obj"}
+                                     << "none.png: ";
+    QTest::newRow("info of nothing") << "" << QStringList{"info", "none.png"} << "none.png: ";
+    QTest::newRow("info of noise") << "" << QStringList{"info", "noise.png"} << "noise.png: ";
+}
+
+void TestCliErrors::badInput() {
+    QFETCH(QString, project);
+    QFETCH(QStringList, arguments);
+    QFETCH(QString, message);
+    QDir(path()).mkdir("out.d");
+    if (!project.isEmpty()) put(path(), "p.wend", project.toStdString());
+    const QStringList before = listing();
+    const CliResult result =
+        runCli(path(), arguments + (arguments[0] == "info" ? QStringList{} : QStringList{"--quiet"}));
+    QVERIFY(!result.crashed);
+    QVERIFY2(result.code == 3, qPrintable(QString::number(result.code) + result.error));
+    QVERIFY2(result.error.startsWith("wend: ") && result.error.count('\n') == 1, qPrintable(result.error));
+    QVERIFY2(result.error.contains(message), qPrintable(result.error));
+    QCOMPARE(listing(), before);
+}
+
+void TestCliErrors::outputsStayWhole_data() {
+    QTest::addColumn<QStringList>("arguments");
+    const QStringList common{"run", "disc.wend", "--image", "kept.png"};
+    QTest::newRow("another folder is missing") << common + QStringList{"--report", "no/r.json"};
+    QTest::newRow("another format is unknown") << common + QStringList{"--mesh", "m.xyz"};
+    QTest::newRow("the input is broken") << QStringList{"run", "none.wend", "--image", "kept.png"};
+    // found only when it is written, after the picture: the format cannot carry what is asked for
+    QTest::newRow("a later output fails") << common + QStringList{"--report", "/dev/full"};
+}
+
+void TestCliErrors::outputsStayWhole() {
+    QFETCH(QStringList, arguments);
+    put(path(), "kept.png", "old");
+    const QStringList before = listing();
+    QCOMPARE(runCli(path(), arguments).code, 3);
+    QCOMPARE(listing(), before);
+    if (!arguments.contains("/dev/full"))
+        QCOMPARE(readTextFile((path() + "/kept.png").toStdString()), std::string("old"));
+}
+
+/// A limit on the size of files stands for the full disk: writing fails in the middle.
+void TestCliErrors::fullDisk() {
+    put(path(), "kept.png", "old");
+    put(path(), "kept.obj", "old");
+    const QStringList before = listing();
+    for (const char* output : {"--image kept.png", "--mesh kept.obj", "--frames f_##.png --count 2"}) {
+        const QString command = QString("ulimit -f 8; exec \"%1\" run disc.wend %2").arg(WEND_BINARY, output);
+        const CliResult result =
+            runCli(path(), {"-c", command}, QProcessEnvironment::systemEnvironment(), "/bin/bash");
+        QVERIFY2(result.code == 3, qPrintable(output + result.error));
+        QVERIFY2(result.error.startsWith("wend: ") && result.error.count('\n') == 1,
+                 qPrintable(result.error));
+        QCOMPARE(listing(), before);
+    }
+    QCOMPARE(readTextFile((path() + "/kept.png").toStdString()), std::string("old"));
+    QCOMPARE(readTextFile((path() + "/kept.obj").toStdString()), std::string("old"));
+}
+
+/// A handle that is pulled through a fixed one cannot arrive: exit code 4, the report with the last good
+/// time, nothing else.
+void TestCliErrors::foldedOver() {
+    putProject(path(), "fold.wend",
+               kStrip +
+                   ", 'handles': [{'name': 'wall', 'at': {'points': [[10, 0], [10, 1], [10, 2]]}},"
+                   "{'name': 'ram', 'at': {'points': [[0, 0], [0, 1], [0, 2]]},"
+                   "'motion': [{'kind': 'translate', 'by': [12, 0], 'time': [0, 1]}]}]");
+    put(path(), "kept.obj", "old");
+    const CliResult result =
+        runCli(path(), {"run", "fold.wend", "--mesh", "kept.obj", "--report", "fold.json"});
+    QCOMPARE(result.code, 4);
+    QVERIFY2(result.error.startsWith("wend: fold.wend: ") && result.error.count('\n') == 1,
+             qPrintable(result.error));
+    QVERIFY2(result.error.contains("cell") && result.error.contains("0.8"), qPrintable(result.error));
+    QCOMPARE(readTextFile((path() + "/kept.obj").toStdString()), std::string("old"));
+    const auto report = QJsonDocument::fromJson(
+        QByteArray::fromStdString(readTextFile((path() + "/fold.json").toStdString())));
+    QVERIFY(report["time"].toDouble() > 0.7 && report["time"].toDouble() < 10.0 / 12);
+    QCOMPARE(report["flips"].toInt(), 0);
+
+    QCOMPARE(runCli(path(), {"run", "fold.wend", "--mesh", "kept.obj", "--partial"}).code, 4);
+    QCOMPARE(readMeshFile((path() + "/kept.obj").toStdString()).points.cols(), Eigen::Index(33));
+}
+
+void TestCliErrors::interrupted() {
+    putProject(path(), "long.wend",
+               "'domain': {'image': 'disc.png', 'vertices': 20000}, 'integration': {'tolerance': 1e-10},"
+               "'handles': [{'at': {'points': [[20, 20]]}}, {'at': {'points': [[150, 150]]}, 'motion': ["
+               "{'kind': 'rotate', 'centre': [100, 100], 'angle': 3}]}]");
+    const QStringList before = listing();
+    QProcess process;
+    process.setWorkingDirectory(path());
+    process.start(WEND_BINARY,
+                  {"run", "long.wend", "--image", "long.png", "--report", "long.json", "--progress"});
+    QTRY_VERIFY_WITH_TIMEOUT(
+        process.peek(100000).isEmpty() && process.readAllStandardError().contains("deforming"), 60000);
+    QProcess::execute("kill", {"-INT", QString::number(process.processId())});
+    QVERIFY(process.waitForFinished(60000));
+    QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+    QCOMPARE(process.exitCode(), 4);
+    QVERIFY(process.readAllStandardError().trimmed().endsWith("cancelled; nothing was written"));
+    QCOMPARE(listing(), before);
+}
+
+QTEST_GUILESS_MAIN(TestCliErrors)
+#include "test_cli_errors.moc"

@@ -1,0 +1,241 @@
+// From a project to what the deformer takes: meshes with the handles' points, materials per cell, textures.
+
+#include <QtTest>
+#include <filesystem>
+
+#include "app/session/run.h"
+#include "app/session/scene.h"
+#include "core/mesh/error.h"
+#include "tests/support/quoted.h"
+
+using namespace wend;
+
+namespace {
+
+/// n × n squares of side 1, each of two triangles.
+SimplicialMesh<2> grid(int n) {
+    SimplicialMesh<2> mesh;
+    mesh.points.resize(2, (n + 1) * (n + 1));
+    const auto id = [n](int i, int j) { return j * (n + 1) + i; };
+    for (int j = 0; j <= n; ++j)
+        for (int i = 0; i <= n; ++i) mesh.points.col(id(i, j)) << i, j;
+    for (int j = 0; j < n; ++j)
+        for (int i = 0; i < n; ++i) {
+            mesh.cells.push_back({id(i, j), id(i + 1, j), id(i + 1, j + 1)});
+            mesh.cells.push_back({id(i, j), id(i + 1, j + 1), id(i, j + 1)});
+        }
+    return mesh;
+}
+
+/// An opaque disc of the given radius in the middle of a transparent picture.
+Image disc(int size, double radius) {
+    Image image;
+    image.width = image.height = size;
+    image.channels = 4;
+    image.alpha = image.unassociated = true;
+    image.data.resize(static_cast<std::size_t>(size) * size * 4);
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x) {
+            const bool inside = std::hypot(x + 0.5 - size / 2.0, y + 0.5 - size / 2.0) < radius;
+            std::byte* pixel = image.row(y) + 4 * x;
+            pixel[0] = std::byte(x % 256);
+            pixel[1] = std::byte(y % 256);
+            pixel[3] = std::byte(inside ? 255 : 0);
+        }
+    return image;
+}
+
+Project parsed(const std::string& rest, const std::string& folder) {
+    return parseProject(json("{'format': 'wend', 'version': 1, " + rest + "}"), folder + "/p.wend").project;
+}
+
+Vec<2> centroid(const SimplicialMesh<2>& mesh, int cell) {
+    Vec<2> sum = Vec<2>::Zero();
+    for (int v : mesh.cells[cell]) sum += mesh.points.col(v);
+    return sum / 3;
+}
+
+}  // namespace
+
+class TestScene : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void initTestCase() {
+        m_base = m_folder.path().toStdString();
+        writeImage(m_base + "/disc.png", disc(200, 80));
+        writeMeshFile(m_base + "/grid.obj", toMeshFile<2>(grid(4)));
+    }
+
+    void frame() {
+        const Project project = parsed("'domain': {'image': 'disc.png', 'vertices': 500}", m_base);
+        const auto scene = std::get<Scene<2>>(loadScene(project, m_base));
+        QVERIFY(std::abs(scene.rest->vertexCount() - 500) <= 50);
+        QCOMPARE(scene.picture->width, 200);
+        double area = 0;
+        for (const auto& cell : scene.rest->cells) area += cellMeasure<2>(scene.rest->points, cell);
+        QVERIFY(std::abs(area - 200 * 200) < 1e-6);
+    }
+
+    /// Points of handles that are there from the start are the first vertices, each place once; later ones
+    /// are not.
+    void handlePointsAreVertices() {
+        const Project project = parsed(
+            "'domain': {'image': 'disc.png', 'outline': {'from': 'alpha'}, 'vertices': 400}, 'handles': ["
+            "{'at': {'points': [[100.25, 90.5], [60, 100]]}}, {'at': {'points': [[60, 100], [120, 130]]}},"
+            "{'at': {'points': [[111, 111]]}, 'active': [0.5, 1]}, {'at': {'points': [[1, 1]]}}]",
+            m_base);
+        const auto scene = std::get<Scene<2>>(loadScene(project, m_base));
+        QCOMPARE(scene.rest->points.col(0), Vec<2>(100.25, 90.5));
+        QCOMPARE(scene.rest->points.col(1), Vec<2>(60, 100));
+        QCOMPARE(scene.rest->points.col(2), Vec<2>(120, 130));
+        for (int i = 0; i < scene.rest->vertexCount(); ++i)
+            QVERIFY((scene.rest->points.col(i) - Vec<2>(111, 111)).norm() > 1e-6);
+        QCOMPARE(scene.handles.size(), std::size_t(4));
+    }
+
+    void edgeLength() {
+        const Project project = parsed("'domain': {'image': 'disc.png', 'edge': 20}", m_base);
+        const auto scene = std::get<Scene<2>>(loadScene(project, m_base));
+        double sum = 0;
+        for (const auto& cell : scene.rest->cells)
+            for (int k = 0; k < 3; ++k)
+                sum += (scene.rest->points.col(cell[k]) - scene.rest->points.col(cell[(k + 1) % 3])).norm();
+        const double mean = sum / (3 * scene.rest->cellCount());
+        QVERIFY2(std::abs(mean - 20) < 4, qPrintable(QString::number(mean)));
+    }
+
+    void meshDomainKeepsOrder() {
+        const Project project = parsed("'domain': {'mesh': 'grid.obj'}", m_base);
+        const auto scene = std::get<Scene<2>>(loadScene(project, m_base));
+        QCOMPARE(scene.rest->points, grid(4).points);
+        QVERIFY(scene.rest->cells == grid(4).cells);
+        QVERIFY(!scene.picture);
+    }
+
+    /// φ goes linearly with the membership, from what the regions before have left.
+    void regionsBlendPhi() {
+        MaterialSpec<2> spec;
+        spec.phi = 1;
+        spec.regions.push_back({"", Blend<2>{{0, 0}, {4, 0}}, 0, 2.0, {}});
+        spec.regions.push_back({"", Box<2>{{-1, 3}, {9, 9}}, 0, 0.5, {}});
+        const SimplicialMesh<2> mesh = grid(4);
+        const auto material = rasterizeMaterial<2>(spec, mesh);
+        for (int c = 0; c < mesh.cellCount(); ++c) {
+            const Vec<2> p = centroid(mesh, c);
+            const double expected = p.y() > 3 ? 0.5 : 1 + p.x() / 4;
+            QVERIFY(std::abs(material->phi[c] - expected) < 1e-14);
+        }
+        QVERIFY(material->anisotropy.empty());
+    }
+
+    /// A half-space is the side that its normal points to.
+    void featherIsSmooth() {
+        MaterialSpec<2> spec;
+        spec.phi = 1;
+        spec.regions.push_back({"", HalfSpace<2>{{20, 0}, {1, 0}}, 10, 2.0, {}});
+        const SimplicialMesh<2> mesh = grid(40);
+        const auto material = rasterizeMaterial<2>(spec, mesh);
+        int between = 0;
+        for (int c = 0; c < mesh.cellCount(); ++c) {
+            const double x = centroid(mesh, c).x();
+            if (x < 15) QCOMPARE(material->phi[c], 1.0);
+            if (x > 25) QCOMPARE(material->phi[c], 2.0);
+            between += material->phi[c] > 1.01 && material->phi[c] < 1.99;
+        }
+        QVERIFY(between > 100);
+    }
+
+    /// B = (1 − m) B_prev + m (I + (s − 1) a aᵀ): in the middle of a blend the mean of both.
+    void stiffnessBlends() {
+        MaterialSpec<2> spec;
+        spec.regions.push_back({"", Blend<2>{{0, 0}, {4, 0}}, 0, {}, Stiffness<2>{{0, 3}, 9}});
+        const SimplicialMesh<2> mesh = grid(4);
+        const auto material = rasterizeMaterial<2>(spec, mesh);
+        for (int c = 0; c < mesh.cellCount(); ++c) {
+            const Mat<2> expected = Vec<2>(1, 1 + 8 * centroid(mesh, c).x() / 4).asDiagonal();
+            QVERIFY((material->anisotropy[c] - expected).norm() < 1e-14);
+        }
+        requireValid(*material, mesh.cellCount());
+    }
+
+    void cellValues() {
+        MaterialSpec<2> spec;
+        const SimplicialMesh<2> mesh = grid(1);
+        spec.cellPhi = {0.5, 0.7};
+        spec.regions.push_back({"", Box<2>{{-1, -1}, {3, 3}}, 0, {}, Stiffness<2>{{1, 0}, 2}});
+        QCOMPARE(rasterizeMaterial<2>(spec, mesh)->phi[1], 0.7);
+        spec.cellPhi.push_back(1);
+        QVERIFY_EXCEPTION_THROWN(rasterizeMaterial<2>(spec, mesh), InputError);
+        spec.cellPhi.clear();
+        spec.cellB = {Mat<2>::Identity()};
+        QVERIFY_EXCEPTION_THROWN(rasterizeMaterial<2>(spec, mesh), InputError);
+    }
+
+    /// uv place the mesh in the picture, and a pose goes along by the affine map that fits.
+    void textureCoordinates() {
+        auto picture = std::make_shared<Image>(disc(200, 50));
+        auto rest = std::make_shared<SimplicialMesh<2>>(grid(4));
+        Eigen::Matrix2Xd uv = rest->points / 4;  // y up, as v
+        const Texture texture = textureOf(picture, rest, uv);
+        for (int i = 0; i < rest->vertexCount(); ++i) {
+            const Vec<2> expected(50 * rest->points(0, i), 200 - 50 * rest->points(1, i));
+            QVERIFY((texture.rest->points.col(i) - expected).norm() < 1e-11);
+        }
+        QVERIFY((texture.toPixels(rest->points) - texture.rest->points).norm() < 1e-9);
+        const Texture plain = textureOf(picture, rest, {});
+        QVERIFY(plain.toPixels(rest->points) ==
+                rest->points);  // to the last bit: an identity warp must be one
+    }
+
+    void canvas() {
+        const Image picture = disc(200, 50);
+        Points<2> pose(2, 3);
+        pose << -10.5, 220.25, 5, 3, 4, 90;
+        QCOMPARE(canvasView(picture, {pose}, Canvas::Picture).width, 200);
+        const View fit = canvasView(picture, {pose}, Canvas::Fit);
+        QCOMPARE(fit.origin, Vec<2>(-11, 3));
+        QCOMPARE(fit.width, 232);
+        QCOMPARE(fit.height, 87);
+    }
+
+    void missingFiles_data() {
+        QTest::addColumn<QString>("domain");
+        QTest::addColumn<QString>("file");
+        QTest::newRow("picture") << "{'image': 'no.png'}"
+                                 << "/no.png: ";
+        QTest::newRow("mesh") << "{'mesh': 'no.obj'}"
+                              << "/no.obj: ";
+        QTest::newRow("texture") << "{'mesh': 'grid.obj', 'image': 'no.png'}"
+                                 << "/no.png: ";
+        QTest::newRow("surface") << "{'surface': 'no.stl'}"
+                                 << "/no.stl: ";
+        QTest::newRow("open surface") << "{'surface': 'grid.obj'}"
+                                      << "/grid.obj: ";
+    }
+    void missingFiles() {
+        QFETCH(QString, domain);
+        QFETCH(QString, file);
+        const Project project = parsed("'domain': " + domain.toStdString(), m_base);
+        try {
+            loadScene(project, m_base);
+            QFAIL("nothing was thrown");
+        } catch (const InputError& error) {
+            QVERIFY2(QString(error.what()).contains(file), error.what());
+        }
+    }
+
+    void stops() {
+        std::stop_source source;
+        source.request_stop();
+        const Project project = parsed("'domain': {'image': 'disc.png', 'vertices': 20000}", m_base);
+        QVERIFY_EXCEPTION_THROWN(loadScene(project, m_base, source.get_token()), Cancelled);
+    }
+
+  private:
+    QTemporaryDir m_folder;
+    std::string m_base;
+};
+
+QTEST_APPLESS_MAIN(TestScene)
+#include "test_scene.moc"
