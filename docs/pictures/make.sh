@@ -20,7 +20,7 @@ run() {
 
 # label PICTURE TEXT: the text under the picture
 label() {
-    convert "$1" -background "$paper" -flatten -gravity south -splice 0x46 -fill "$ink" -font DejaVu-Sans -pointsize 26 -annotate +0+10 "$2" "$1"
+    convert "$1" -background "$paper" -flatten -gravity south -splice 0x46 -fill "$ink" -font DejaVu-Sans -pointsize 26 -annotate +0+10 "$2" +repage "$1"
 }
 
 # finish OUT WIDTH: size and weight for the manual
@@ -31,19 +31,20 @@ finish() {
 
 four_energies() {
     sample=$1 crop=$2 size=$3
+    sed 's/"vertices": 5000/"vertices": 20000/; s#"'"$sample"'.png"#"'"$samples/$sample"'.png"#' "$samples/$sample.wend" >"$work/fine.wend"
     for phi in equia metr akvf conf; do
         case $phi in equia) name=Area ;; metr) name=Length ;; akvf) name=Rigid ;; *) name=Angle ;; esac
-        run "$samples/$sample.wend" "$work/$phi.png" --phi $phi
-        convert "$work/$phi.png" -crop "$crop" +repage -resize "$size" "$work/$phi.png"
+        run "$work/fine.wend" "$work/$phi.png" --phi $phi
+        convert "$work/$phi.png" -crop "$crop" +repage -resize "$size" +repage "$work/$phi.png"
         label "$work/$phi.png" "$name"
     done
-    convert "$work/equia.png" "$work/metr.png" "$work/akvf.png" "$work/conf.png" +append "$work/all.png"
+    convert "$work/equia.png" "$work/metr.png" "$work/akvf.png" "$work/conf.png" +append +repage "$work/all.png"
     finish "$work/all.png" 1800 "energies-$sample.png"
 }
 
 giraffe_steps() {
     "$wend" run "$samples/giraffe.wend" --frames "$work/step_#.png" --count 5 --quiet
-    convert "$work"/step_*.png -crop 2060x2360+220+0 +repage -resize 360x +append "$work/all.png"
+    convert "$work"/step_*.png -crop 2060x2360+220+0 +repage -resize 360x +append +repage "$work/all.png"
     finish "$work/all.png" 1800 giraffe-steps.png
 }
 
@@ -55,7 +56,7 @@ frames() {
         convert "$work/$frame.png" -crop 2060x1700+220+700 +repage -resize 640x "$work/$frame.png"
         label "$work/$frame.png" "frame: $frame"
     done
-    convert "$work/none.png" "$work/minimal.png" +append "$work/all.png"
+    convert "$work/none.png" "$work/minimal.png" +append +repage "$work/all.png"
     finish "$work/all.png" 1280 frames.png
 }
 
@@ -74,14 +75,14 @@ PY
 }
 
 material() {
-    strip_with "$work/blend.png" '{"phi": "equia", "regions": [{"shape": {"blend": {"from": [500, 1250], "to": [1500, 1250]}}, "phi": "conf"}]}'
-    label "$work/blend.png" "Area at the teal end, Angle at the orange one"
+    strip_with "$work/blend.png" '{"phi": "metr", "regions": [{"shape": {"blend": {"from": [800, 1250], "to": [1200, 1250]}}, "phi": "conf"}]}'
+    label "$work/blend.png" "from Length to Angle"
     finish "$work/blend.png" 560 material-phi.png
     strip_with "$work/plain.png" '{"phi": "metr"}'
     label "$work/plain.png" "the same all along"
     strip_with "$work/stiff.png" '{"phi": "metr", "regions": [{"shape": {"polygon": [[750, 1100], [1250, 1100], [1250, 1400], [750, 1400]]}, "feather": 60, "stiffness": {"axis": [1, 0], "ratio": 20}}]}'
     label "$work/stiff.png" "the middle 20 times stiffer lengthwise"
-    convert "$work/plain.png" "$work/stiff.png" +append "$work/all.png"
+    convert "$work/plain.png" "$work/stiff.png" +append +repage "$work/all.png"
     finish "$work/all.png" 1120 material-stiffness.png
 }
 
@@ -105,6 +106,8 @@ PY
     convert "$samples/frog.png" -background "$paper" -flatten -fill "$paper" -colorize 45 "$work/lines.png" -composite \
         -crop 1150x1000+300+750 +repage "$work/all.png"
     finish "$work/all.png" 900 mesh-frog.png
+    convert "$here/mesh-frog.png" +dither -colors 128 "$here/mesh-frog.png"
+    optipng -quiet -o2 "$here/mesh-frog.png"
 }
 
 four_energies strip 960x1300+40+120 450x
