@@ -7,6 +7,7 @@
 
 #include "core/mesh/simplicial_mesh.h"
 #include "warp/image.h"
+#include "warp/pyramid.h"
 
 namespace wend {
 
@@ -37,6 +38,10 @@ struct WarpOptions {
 /// of `source`. `rest` is in pixels of `source` (centres at +0.5); the same rest may be given scaled for
 /// another size of the picture.
 Image warpImage(const Image& source, const SimplicialMesh<2>& rest, const Points<2>& pose, const View& view,
+                const WarpOptions& options = {});
+
+/// The same with the picture's pyramid made before: for a window that draws it again and again.
+Image warpImage(const Pyramid& source, const SimplicialMesh<2>& rest, const Points<2>& pose, const View& view,
                 const WarpOptions& options = {});
 
 /// ST map, float RGBA: R = source x / width, G = source y / height from the bottom (the compositing

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <variant>
@@ -44,6 +43,7 @@ struct MaterialRegion {
     double feather = 0;
     std::optional<double> phi;
     std::optional<Stiffness<Dim>> stiffness;
+    Extras extras = {};
 };
 
 template <int Dim>
@@ -67,7 +67,7 @@ struct Project {
     std::variant<Design<2>, Design<3>> design;
     double end = 1;
     IntegrationOptions integration;
-    nlohmann::ordered_json unknown;  // keys that this version does not know, kept on save
+    Extras extras = {};  // of everything but regions, handles and motions, which keep their own
 
     int dimension() const { return design.index() == 0 ? 2 : 3; }
 };
@@ -78,11 +78,24 @@ struct LoadedProject {
     std::vector<std::string> warnings;  // unknown keys …
 };
 
-/// Throws InputError(path, reason with line or key such as `handles[2].motion[0].points`).
+/// Throws InputError(path, reason with line or key such as `handles[2].motion[0].points`). The dimension is
+/// that of the domain; a mesh domain's file is opened for it, and if that fails the coordinates tell (the
+/// scene reports the file).
 LoadedProject readProject(const std::string& path);
 LoadedProject parseProject(const std::string& text, const std::string& path);
-/// UTF-8 JSON, written whole or not at all; domain paths are written relative to `path`.
-void writeProject(const std::string& path, const Project& project);
+
+/// UTF-8 JSON, written whole or not at all. The domain's relative paths refer to `folder` (empty: the folder
+/// of `path`) and are written relative to `path`. readProject of the result is the same project. Throws
+/// InputError.
+void writeProject(const std::string& path, const Project& project, const std::string& folder = {});
 std::string toJson(const Project& project);
+
+/// The file of material.cells, a JSON object {"phi": [one per cell], "B": [[row-major] per cell]}; `path` as
+/// it is. Throws InputError(path, key and reason).
+template <int Dim>
+void readCells(const std::string& path, MaterialSpec<Dim>& spec);
+
+/// `file` as the project means it: relative to the folder, unless absolute.
+std::string pathIn(const std::string& folder, const std::string& file);
 
 }  // namespace wend

@@ -1,1 +1,185 @@
 #include "app/session/scene.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/QR>
+#include <algorithm>
+
+#include "core/mesh/error.h"
+#include "core/meshing/planar_mesher.h"
+#include "core/meshing/volume_mesher.h"
+#include "warp/outline.h"
+
+namespace wend {
+namespace {
+
+constexpr double kCoincident = 1e-9;  // of the diagonal: the mesher's own measure
+
+// --- Pictures ---
+
+double outlineDiagonal(const Outline& outline) {
+    Eigen::AlignedBox2d box;
+    for (const auto& loop : outline.loops)
+        for (const Vec<2>& point : loop) box.extend(point);
+    return box.isEmpty() ? 0 : box.diagonal().norm();
+}
+
+double distanceToSegment(const Vec<2>& p, const Vec<2>& a, const Vec<2>& b) {
+    const Vec<2> along = b - a;
+    const double squared = along.squaredNorm();
+    const double t = squared > 0 ? std::clamp(along.dot(p - a) / squared, 0.0, 1.0) : 0.0;
+    return (p - a - t * along).norm();
+}
+
+/// Whether the mesher takes the point: inside by even and odd, or on the border within the tolerance.
+bool belongs(const Outline& outline, const Vec<2>& p, double tolerance) {
+    bool inside = false;
+    for (const auto& loop : outline.loops)
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            const Vec<2>&a = loop[i], &b = loop[(i + 1) % loop.size()];
+            if (distanceToSegment(p, a, b) <= tolerance) return true;
+            if ((a.y() > p.y()) != (b.y() > p.y()) &&
+                p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))
+                inside = !inside;
+        }
+    return inside;
+}
+
+/// Where handles sit that are there from the start, each place once. Points outside are left to the deformer,
+/// which names their handle.
+std::vector<Vec<2>> handlePoints(const Project& project, const Outline& outline) {
+    const double tolerance = kCoincident * outlineDiagonal(outline);
+    std::vector<Vec<2>> points;
+    for (const Handle<2>& handle : std::get<Design<2>>(project.design).handles) {
+        const auto* places = std::get_if<std::vector<Vec<2>>>(&handle.at);
+        if (!places || handle.activeFrom > 0) continue;
+        for (const Vec<2>& place : *places) {
+            const bool known = std::ranges::any_of(
+                points, [&](const Vec<2>& p) { return (p - place).norm() <= 2 * tolerance; });
+            if (!known && belongs(outline, place, tolerance)) points.push_back(place);
+        }
+    }
+    return points;
+}
+
+/// With an alpha outline the mesh may be as coarse as asked for at the cost of some of the margin.
+double outlineSlack(const Domain& domain) {
+    return domain.outline == OutlineKind::Alpha ? std::max(0.0, domain.alpha.margin - domain.alpha.simplify)
+                                                : 0;
+}
+
+Scene<2> imageScene(const Project& project, const std::string& folder, std::stop_token stop) {
+    const std::string path = pathIn(folder, project.domain.path);
+    Scene<2> scene;
+    scene.picture = loadPicture(project, folder);
+    try {
+        scene.rest = meshPicture(project, domainOutline(project.domain, *scene.picture), stop);
+    } catch (const InputError& error) {
+        throw error.named(path);
+    }
+    scene.texture = textureOf(scene.picture, scene.rest, {});
+    return scene;
+}
+
+// --- Meshes and volumes ---
+
+template <int Dim>
+Scene<Dim> meshScene(const Project& project, const std::string& folder) {
+    const std::string path = pathIn(folder, project.domain.path);
+    Scene<Dim> scene;
+    auto file = std::make_shared<MeshFile>(readMeshFile(path));
+    if (isVolume(*file) != (Dim == 3))
+        throw InputError(path, Dim == 3 ? "holds no tetrahedra, but the project is in space"
+                                        : "holds tetrahedra, but the project is in the plane");
+    try {
+        scene.rest = std::make_shared<const SimplicialMesh<Dim>>(meshFrom<Dim>(*file));
+    } catch (const InputError& error) {
+        throw error.named(path);
+    }
+    scene.source = file;
+    return scene;
+}
+
+Scene<2> planarMeshScene(const Project& project, const std::string& folder) {
+    Scene<2> scene = meshScene<2>(project, folder);
+    scene.picture = loadPicture(project, folder);
+    if (scene.picture) scene.texture = textureOf(scene.picture, scene.rest, scene.source->uv);
+    return scene;
+}
+
+Scene<3> surfaceScene(const Project& project, const std::string& folder, std::stop_token stop) {
+    const std::string path = pathIn(folder, project.domain.path);
+    const MeshFile file = readMeshFile(path);
+    VolumeMeshOptions options;
+    options.quality = project.domain.quality;
+    options.maxVolume = project.domain.maxVolume;
+    options.vertices = project.domain.maxVolume > 0 ? 0 : project.domain.vertices;
+    options.stop = stop;
+    Scene<3> scene;
+    try {
+        const VolumeMesh volume = meshVolume(Surface{file.points, file.triangles, {}}, options);
+        scene.rest = std::make_shared<const SimplicialMesh<3>>(volume.mesh);
+    } catch (const InputError& error) {
+        throw error.named(path);
+    }
+    return scene;
+}
+
+template <int Dim>
+AnyScene furnished(Scene<Dim> scene, const Project& project, const std::string& folder) {
+    const auto& design = std::get<Design<Dim>>(project.design);
+    scene.material = rasterizeMaterial<Dim>(design.material, *scene.rest, folder);
+    scene.handles = design.handles;
+    return scene;
+}
+
+}  // namespace
+
+std::shared_ptr<const Image> loadPicture(const Project& project, const std::string& folder) {
+    const Domain& domain = project.domain;
+    const std::string& file = domain.kind == DomainKind::Image ? domain.path : domain.texture;
+    if (file.empty() || domain.kind == DomainKind::Surface || project.dimension() == 3) return nullptr;
+    return std::make_shared<const Image>(readImage(pathIn(folder, file)));
+}
+
+Outline domainOutline(const Domain& domain, const Image& picture) {
+    if (domain.outline == OutlineKind::Polygons) return domain.polygons;
+    if (domain.outline == OutlineKind::Alpha) return outlineFromAlpha(picture, domain.alpha);
+    return frameOutline(picture.width, picture.height);
+}
+
+std::shared_ptr<const SimplicialMesh<2>> meshPicture(const Project& project, const Outline& outline,
+                                                     std::stop_token stop) {
+    PlanarMeshOptions options;
+    options.vertices = project.domain.vertices;
+    options.edge = project.domain.edge;
+    options.simplify = outlineSlack(project.domain);
+    options.points = handlePoints(project, outline);
+    options.stop = stop;
+    return std::make_shared<const SimplicialMesh<2>>(meshOutline(outline, options));
+}
+
+Texture textureOf(std::shared_ptr<const Image> picture, std::shared_ptr<const SimplicialMesh<2>> rest,
+                  const Eigen::Matrix2Xd& uv) {
+    Texture texture{picture, rest, {}};
+    if (uv.cols() != rest->points.cols() || uv.cols() == 0) return texture;
+    SimplicialMesh<2> pixels = *rest;
+    pixels.points.row(0) = picture->width * uv.row(0);
+    pixels.points.row(1) = picture->height * (1 - uv.row(1).array());
+    // Least squares for pixels = [A b] [p; 1].
+    const Eigen::MatrixX3d ones = rest->points.transpose().rowwise().homogeneous();
+    const Eigen::Matrix<double, 3, 2> fit = ones.colPivHouseholderQr().solve(pixels.points.transpose());
+    texture.toPixels = {fit.topRows<2>().transpose(), fit.row(2).transpose()};
+    texture.rest = std::make_shared<const SimplicialMesh<2>>(std::move(pixels));
+    return texture;
+}
+
+AnyScene loadScene(const Project& project, const std::string& folder, std::stop_token stop) {
+    if (project.domain.kind == DomainKind::Surface)
+        return furnished(surfaceScene(project, folder, stop), project, folder);
+    if (project.domain.kind == DomainKind::Image)
+        return furnished(imageScene(project, folder, stop), project, folder);
+    if (project.dimension() == 2) return furnished(planarMeshScene(project, folder), project, folder);
+    return furnished(meshScene<3>(project, folder), project, folder);
+}
+
+}  // namespace wend

@@ -1,1 +1,53 @@
 #pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/assembly/assembly_plan.h"
+#include "core/energy/material.h"
+
+namespace wend {
+
+/// Where the matrix is computed. Automatic takes an OpenCL device where there is one, else the CPU.
+enum class BackEndKind { Automatic, OpenCl, Cpu };
+
+/// The part of the method that a device does: everything between a shape and the values of a fixed sparse
+/// pattern. A is the matrix of the energy, E(v) = vᵀ A v with E = E_φ + E_S (method.md), plus εM where an
+/// inertia is set; M is the consistent mass matrix, vᵀ M v = ∫|v|². All lengths are in the frame where the
+/// rest diagonal is 1. The results have the same bits for any number of threads. One thread uses a back end
+/// at a time.
+template <int Dim>
+class BackEnd {
+  public:
+    virtual ~BackEnd() = default;
+
+    /// "cpu" or "opencl", and the device's name.
+    virtual std::string name() const = 0;
+    virtual std::string device() const = 0;
+
+    /// ε of every cell (one each, or empty: none). Takes effect at the next setShape().
+    virtual void setInertia(std::vector<double> epsilon) = 0;
+    /// Gradients, measures, stress matrices and facet weights at a shape. Returns −1, or the first cell that
+    /// is not oriented as it is at rest (inverted, flat or not finite); the other functions may then not be
+    /// called.
+    virtual int setShape(const Points<Dim>& shape) = 0;
+    /// The values of A: Dim × Dim blocks (column-major) in the order of the plan's pattern, its lower
+    /// triangle.
+    virtual void assemble(std::span<double> values) = 0;
+    /// A v without the matrix; `Av` may not be `v`.
+    virtual void apply(const Points<Dim>& v, Points<Dim>& Av) = 0;
+    /// E(v) = E_φ + E_S, without the inertia.
+    virtual double energy(const Points<Dim>& v) = 0;
+};
+
+/// Makes a back end for a plan, the rest mesh that it was made of (normalized) and a valid material; threads
+/// = 0: as many as the machine has, where that pays.
+template <int Dim>
+using BackEndFactory = std::function<std::unique_ptr<BackEnd<Dim>>(std::shared_ptr<const AssemblyPlan<Dim>>,
+                                                                   const SimplicialMesh<Dim>& rest,
+                                                                   const Material<Dim>&, int threads)>;
+
+}  // namespace wend

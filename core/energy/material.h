@@ -16,6 +16,9 @@ inline const double kMetr = std::atan(0.5);                   // keeps length (A
 inline constexpr double kAkvf = std::numbers::pi / 2;         // Killing: as rigid as possible
 /// φ_CONF(d) = π − arctan(d/4), the end of the range: keeps angles (ACAP).
 double conformal(int dim);
+/// Empty if φ is in ]0, φ_CONF(dim)] (φ_CONF included, with an allowance for rounding), else the reason with
+/// the range.
+std::string problem(double phi, int dim);
 }  // namespace phi
 
 enum class SmoothingKind { Invariant, Paper, None };

@@ -1,1 +1,88 @@
 #include "core/integration/deformer.h"
+
+#include <cmath>
+
+#include "core/integration/engine.h"
+#include "core/mesh/error.h"
+
+namespace wend {
+
+std::string IntegrationOptions::problem() const {
+    if (!(tolerance >= 1e-12 && tolerance <= 0.1)) return "the tolerance must be in [1e-12, 0.1]";
+    if (steps < 0) return "the number of steps must not be negative";
+    if (steps == 0 && method != Method::DormandPrince) return "this method needs a number of steps";
+    if (!(end > 0 && std::isfinite(end))) return "the end of time must be greater than 0";
+    if (!(smallestStep > 0 && smallestStep <= 0.1)) return "the smallest step must be in ]0, 0.1]";
+    if (threads < 0) return "the number of threads must not be negative";
+    return {};
+}
+
+template <int Dim>
+Deformer<Dim>::Deformer(std::shared_ptr<const SimplicialMesh<Dim>> rest,
+                        std::shared_ptr<const Material<Dim>> material, std::vector<Handle<Dim>> handles,
+                        IntegrationOptions options, BackEndKind backEnd)
+    : m_engine(std::make_unique<Engine>(
+          rest, material, handles, options, [&](std::shared_ptr<const SimplicialMesh<Dim>> normalizedRest) {
+              return VelocitySolver<Dim>(normalizedRest, material, backEnd, options.threads);
+          })) {}
+
+template <int Dim>
+Deformer<Dim>::Deformer(std::shared_ptr<const SimplicialMesh<Dim>> rest,
+                        std::shared_ptr<const Material<Dim>> material, std::vector<Handle<Dim>> handles,
+                        IntegrationOptions options, const BackEndFactory<Dim>& backEnd)
+    : m_engine(std::make_unique<Engine>(
+          rest, material, handles, options, [&](std::shared_ptr<const SimplicialMesh<Dim>> normalizedRest) {
+              return VelocitySolver<Dim>(normalizedRest, material, backEnd, options.threads);
+          })) {}
+
+template <int Dim>
+Deformer<Dim>::~Deformer() = default;
+template <int Dim>
+Deformer<Dim>::Deformer(Deformer&&) noexcept = default;
+template <int Dim>
+Deformer<Dim>& Deformer<Dim>::operator=(Deformer&&) noexcept = default;
+
+template <int Dim>
+const State<Dim>& Deformer<Dim>::state() const {
+    return m_engine->state;
+}
+
+template <int Dim>
+void Deformer<Dim>::restore(const State<Dim>& state) {
+    m_engine->restore(state);
+}
+
+template <int Dim>
+void Deformer<Dim>::setHandles(std::vector<Handle<Dim>> handles) {
+    m_engine->setHandles(handles);
+}
+
+template <int Dim>
+AdvanceResult Deformer<Dim>::advance(double time, const Watch& watch) {
+    return m_engine->advance(time, watch);
+}
+
+template <int Dim>
+Points<Dim> Deformer<Dim>::velocity() {
+    return m_engine->velocity();
+}
+
+template <int Dim>
+const Statistics& Deformer<Dim>::statistics() const {
+    return m_engine->statistics;
+}
+
+template <int Dim>
+std::string Deformer<Dim>::backEndName() const {
+    return m_engine->velocitySolver().backEndName();
+}
+
+template <int Dim>
+std::string Deformer<Dim>::deviceName() const {
+    return m_engine->velocitySolver().deviceName();
+}
+
+template class Deformer<2>;
+template class Deformer<3>;
+
+}  // namespace wend

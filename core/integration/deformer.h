@@ -6,21 +6,21 @@
 #include <stop_token>
 #include <string>
 
+#include "core/assembly/back_end.h"
 #include "core/energy/distortion.h"
 #include "core/energy/material.h"
-#include "core/motion/handle.h"
+#include "core/integration/method.h"
+#include "core/motion/constraints.h"
 
 namespace wend {
 
-enum class Method { DormandPrince, RungeKutta4, Midpoint };
-enum class BackEndKind { Automatic, OpenCl, Cpu };
-
 struct IntegrationOptions {
     Method method = Method::DormandPrince;
-    double tolerance = 1e-4;     // error per step allowed, relative to the rest diagonal
-    int steps = 0;               // > 0: this many equal steps over the whole time [0, end]; 0: adaptive
-    double end = 1;              // with steps: the time that they are spread over
-    double smallestStep = 1e-6;  // of the time span: below it the run stops
+    double tolerance = 1e-4;  // error per step allowed, relative to the rest diagonal
+    int steps = 0;   // > 0: this many equal steps over the whole time [0, end], cut at borders of motions;
+                     // 0: adaptive (Dormand–Prince only)
+    double end = 1;  // with steps: the time that they are spread over
+    double smallestStep = 1e-6;  // of the stretch between two borders of motions: below it the run stops
     int threads = 0;             // 0: all cores
 
     /// Empty if all is in range, else the reason.
@@ -48,9 +48,17 @@ struct Statistics {
 template <int Dim>
 struct State {
     double time = 0;
-    Points<Dim> points;             // in the domain's own coordinates
+    Points<Dim> points;  // in the domain's own coordinates
+
+    // What follows stands in states between steps only, not in frames from dense output; without it a run
+    // goes on as well, but not to the same bits.
+    Points<Dim> normalized;         // the same shape in the frame of the computation
     double step = 0;                // the step that the control would try next; 0: its own start
-    std::vector<Vec<Dim>> anchors;  // per constrained point: where it was when its current motion began
+    double error = 0;               // of the last step, over the tolerance; 0: there was none
+    Points<Dim> slope;              // the velocity field that the next step begins with, if it is known
+    std::vector<Vec<Dim>> anchors;  // per constrained point: see Constraints; normalized
+    std::shared_ptr<const std::vector<ConstrainedPoint>>
+        constrained;  // the points that the anchors belong to
 };
 
 /// Integrates dx/dt = v̂(x, t): at each time the velocity field of least energy that takes the handles'
@@ -64,20 +72,26 @@ class Deformer {
     Deformer(std::shared_ptr<const SimplicialMesh<Dim>> rest, std::shared_ptr<const Material<Dim>> material,
              std::vector<Handle<Dim>> handles, IntegrationOptions options = {},
              BackEndKind backEnd = BackEndKind::Automatic);
+    /// The same with a back end of the caller's, as OpenCL's.
+    Deformer(std::shared_ptr<const SimplicialMesh<Dim>> rest, std::shared_ptr<const Material<Dim>> material,
+             std::vector<Handle<Dim>> handles, IntegrationOptions options,
+             const BackEndFactory<Dim>& backEnd);
     ~Deformer();
     Deformer(Deformer&&) noexcept;
+    Deformer& operator=(Deformer&&) noexcept;
 
     const State<Dim>& state() const;
     /// Goes on from a state that this or a deformer with the same rest, material and same handles before that
-    /// time had.
+    /// time had. Throws InputError if the number of vertices is another.
     void restore(const State<Dim>& state);
     /// Other motions from state().time on (what lies before is kept as it is): the same checks as the
     /// constructor.
     void setHandles(std::vector<Handle<Dim>> handles);
 
-    /// Integrates to `time`; `frames` (increasing, in [state().time, time]) are times at which `onFrame` gets
-    /// the pose by dense output, without changing the steps. `progress` gets the time after every accepted
-    /// step.
+    /// Integrates to `time`, where the last step is cut; without moving handle the shape stands still.
+    /// `frames` (increasing, in [state().time, time]) are times at which `onFrame` gets the pose by dense
+    /// output, without changing the steps. `progress` gets the time after every accepted step. Where it ends
+    /// early, state() is the last good one.
     struct Watch {
         std::vector<double> frames;
         std::function<void(const State<Dim>&)> onFrame;
@@ -86,7 +100,9 @@ class Deformer {
     };
     AdvanceResult advance(double time, const Watch& watch = {});
 
-    /// v̂ at the current state, one column per vertex, in the domain's units per unit of time.
+    /// v̂ at the current state, one column per vertex, in the domain's units per unit of time. Between two
+    /// motions the one that begins counts; if nothing moves from here on, the one that ends. No columns if
+    /// the solver fails.
     Points<Dim> velocity();
     const Statistics& statistics() const;
     /// "cpu" or "opencl", and the device's name.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <exception>
 #include <stdexcept>
 #include <string>
 
@@ -23,6 +24,12 @@ class InputError : public std::runtime_error {
   private:
     std::string m_file;
     std::string m_what;
+};
+
+/// Thrown by long work when its stop_token asks it to stop.
+class Cancelled : public std::exception {
+  public:
+    const char* what() const noexcept override { return "cancelled"; }
 };
 
 }  // namespace wend

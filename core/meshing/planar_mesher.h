@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <stop_token>
 #include <vector>
 
@@ -10,17 +9,31 @@
 namespace wend {
 
 struct PlanarMeshOptions {
-    int vertices = 5000;         // aim, met within 10 %; ignored when edge > 0
-    double edge = 0;             // aim for the edge length
-    double minAngle = 25;        // degrees, away from corners of the input that are sharper
+    int vertices = 5000;   // aim, met within 10 % (see meshOutline); ignored when edge > 0
+    double edge = 0;       // aim for the mean edge length
+    double minAngle = 25;  // degrees, 0 … 30, away from corners of the input that are sharper
+    /// Most that the outline may be simplified by, and is only, when it has more detail than the aimed number
+    /// of vertices allows. 0: the mesh's border is the outline exactly.
+    double simplify = 0;
     std::vector<Vec<2>> points;  // become vertices of the mesh: where handles sit
     std::stop_token stop;
 };
 
-/// Conforming constrained Delaunay refinement (CGAL Delaunay_mesher_2) of the inside. Vertices
-/// options.points[i] is vertex i of the result, bit for bit. All cells have positive measure det[x1 − x0, x2
-/// − x0] / 2. Throws InputError: outline empty, degenerate, not finite or crossing itself (with the place); a
-/// point outside; two points that coincide; an aim that cannot be met.
+/// Conforming constrained Delaunay refinement (CGAL Delaunay_mesher_2) of the inside: triangles of even size
+/// (a bound on the circumradius), finer only where the outline or the points ask for it. Vertex i is
+/// options.points[i], bit for bit, for every point; all cells have positive measure det[x1 − x0, x2 − x0] /
+/// 2; the borders are subdivided outline segments. A point within 1e-9 (relative to the bounding box's
+/// diagonal) of the outline becomes a point of the outline.
+///
+/// An aim below what the outline needs at the minimum angle gives that least mesh, a larger one (after
+/// simplification within options.simplify); it does not fail. Where borders or points nearly touch, edges are
+/// not split for the angle's sake below 1e-5 of the aimed spacing, or below more if the mesh would become
+/// many times larger than the aim, so that meshing always ends.
+///
+/// The outline may touch itself in points; edges that cross or run over each other are refused. Polygons nest
+/// by even and odd. Throws InputError: outline empty, not finite, without area or crossing itself (with the
+/// place); a point that is outside or coincides with another (with index and coordinates); options out of
+/// range. Throws Cancelled when stopped.
 SimplicialMesh<2> meshOutline(const Outline& outline, const PlanarMeshOptions& options);
 
 }  // namespace wend

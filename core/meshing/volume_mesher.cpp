@@ -10,7 +10,7 @@
 #include <numeric>
 
 #include "core/mesh/error.h"
-#include "core/meshing/child_process.h"
+#include "core/mesh/child_process.h"
 #include "core/meshing/surface_edges.h"
 #include "core/meshing/tetgen_protocol.h"
 

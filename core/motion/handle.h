@@ -2,6 +2,7 @@
 
 #include <limits>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -9,11 +10,15 @@
 
 namespace wend {
 
+/// What a file says about an object and nothing here knows, kept for the next save: JSON pointers relative to
+/// the object, and the values as JSON text.
+using Extras = std::vector<std::pair<std::string, std::string>>;
+
 enum class Ease { Linear, In, Out, InOut };
 
 template <int Dim>
 struct Translate {
-    Vec<Dim> by;
+    Vec<Dim> by = Vec<Dim>::Zero();
 };
 /// Counter-clockwise in the coordinates' own axes (x towards y); the axis is used in 3D only.
 template <int Dim>
@@ -45,6 +50,7 @@ struct Motion {
     std::variant<Translate<Dim>, Rotate<Dim>, CurveMotion<Dim>, Recorded<Dim>> kind;
     double start = 0, end = 1;  // the time window
     Ease ease = Ease::Linear;
+    Extras extras = {};
 };
 
 /// Vertex ids, points anywhere in the rest shape, or all vertices inside a region.
@@ -60,6 +66,7 @@ struct Handle {
     std::vector<Motion<Dim>> motions;
     double activeFrom = -std::numeric_limits<double>::infinity();
     double activeTo = std::numeric_limits<double>::infinity();
+    Extras extras = {};
 };
 
 }  // namespace wend

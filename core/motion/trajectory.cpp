@@ -1,1 +1,297 @@
 #include "core/motion/trajectory.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/mesh/error.h"
+#include "core/motion/easing.h"
+#include "core/motion/moving_frame.h"
+
+namespace wend {
+
+namespace {
+
+void require(bool condition, const std::string& reason) {
+    if (!condition) throw InputError(reason);
+}
+
+template <int Dim>
+void requireFinite(const std::vector<Vec<Dim>>& points) {
+    for (size_t i = 0; i < points.size(); ++i) {
+        require(points[i].allFinite(), "\"points\": point " + std::to_string(i) + " is not finite");
+    }
+}
+
+template <int Dim>
+void check(const Translate<Dim>& motion) {
+    require(motion.by.allFinite(), "\"by\" is not finite");
+}
+
+template <int Dim>
+void check(const Rotate<Dim>& motion) {
+    require(motion.centre.allFinite(), "\"centre\" is not finite");
+    require(std::isfinite(motion.angle), "\"angle\" is not finite");
+    if (Dim == 3) {
+        require(motion.axis.allFinite() && motion.axis.norm() > 0, "\"axis\" has no direction");
+    }
+}
+
+template <int Dim>
+void check(const CurveMotion<Dim>& motion) {
+    const size_t count = motion.points.size();
+    if (motion.interpolation == Interpolation::Bezier) {
+        require(count >= 4 && count % 3 == 1,
+                "\"points\": a bezier takes 4, 7, 10 … points (3k + 1), not " + std::to_string(count));
+    } else {
+        require(count >= 2, "\"points\": a curve takes at least 2 points");
+    }
+    requireFinite(motion.points);
+    require(motion.scale > 0 && std::isfinite(motion.scale), "\"scale\" must be greater than 0");
+    require(std::isfinite(motion.twist), "\"twist\" is not finite");
+    if (motion.twist == 0) return;
+    require(Dim == 3, "\"twist\" needs three dimensions");
+    require(motion.frame != FrameKind::None, "\"twist\" needs a frame: \"frenet\" or \"minimal\"");
+}
+
+template <int Dim>
+void check(const Recorded<Dim>& motion) {
+    const std::vector<double>& times = motion.times;
+    require(times.size() == motion.points.size(),
+            "\"times\" and \"points\": " + std::to_string(times.size()) + " times for " +
+                std::to_string(motion.points.size()) + " points");
+    require(times.size() >= 2, "\"points\": a stroke takes at least 2 points");
+    requireFinite(motion.points);
+    for (size_t i = 0; i < times.size(); ++i) {
+        require(std::isfinite(times[i]) && (i == 0 || times[i] > times[i - 1]),
+                "\"times\" do not increase at entry " + std::to_string(i));
+    }
+}
+
+template <int Dim>
+Curve<Dim> curveOf(const CurveMotion<Dim>& motion) {
+    switch (motion.interpolation) {
+        case Interpolation::Bezier:
+            break;
+        case Interpolation::Spline:
+            return splineCurve(motion.points);
+        case Interpolation::Polyline:
+            return polylineCurve(motion.points);
+    }
+    return bezierCurve(motion.points);
+}
+
+template <int Dim>
+Curve<Dim> curveOf(const Recorded<Dim>& motion) {
+    return timedCurve(motion.times, motion.points);
+}
+
+Mat<3> crossMatrix(const Vec<3>& w) {
+    Mat<3> result;
+    result << 0, -w[2], w[1], w[2], 0, -w[0], -w[1], w[0], 0;
+    return result;
+}
+
+template <int Dim>
+Mat<Dim> rotationBy(double angle, const Vec<Dim>& axis) {
+    if constexpr (Dim == 2) {
+        return Eigen::Rotation2Dd(angle).toRotationMatrix();
+    } else {
+        return Eigen::AngleAxisd(angle, axis).toRotationMatrix();
+    }
+}
+
+/// [axis]×: the rate of a rotation by one radian per unit of time.
+template <int Dim>
+Mat<Dim> spin(const Vec<Dim>& axis) {
+    if constexpr (Dim == 2) {
+        return (Mat<2>() << 0, -1, 1, 0).finished();
+    } else {
+        return crossMatrix(axis);
+    }
+}
+
+/// What a motion does as a function of its parameter u ∈ [0, 1]; velocity per unit of u.
+template <int Dim>
+MovingMap<Dim> mapOf(const Translate<Dim>& motion, double u) {
+    return {{Mat<Dim>::Identity(), u * motion.by}, {Mat<Dim>::Zero(), motion.by}};
+}
+
+template <int Dim>
+MovingMap<Dim> mapOf(const Rotate<Dim>& motion, double u) {
+    const Vec<Dim> axis = Dim == 3 ? Vec<Dim>(motion.axis.normalized()) : motion.axis;
+    const Mat<Dim> R = rotationBy<Dim>(u * motion.angle, axis), rate = motion.angle * spin<Dim>(axis) * R;
+    return {{R, motion.centre - R * motion.centre}, {rate, -rate * motion.centre}};
+}
+
+}  // namespace
+
+template <int Dim>
+struct Trajectory<Dim>::Path {
+    /// A curve and what its points carry along.
+    struct Carried {
+        Curve<Dim> curve;
+        std::optional<MovingFrame> frame;
+        double twist = 0, scale = 1;
+        std::vector<int> stretches;  // first pieces between the breaks
+
+        explicit Carried(const CurveMotion<Dim>& motion)
+            : curve(curveOf(motion)), twist(motion.twist), scale(motion.scale) {
+            if (motion.frame != FrameKind::None) frame.emplace(inSpace(curve), motion.frame);
+            stretches = curve.smoothStretches();
+        }
+        explicit Carried(const Recorded<Dim>& motion)
+            : curve(curveOf(motion)), stretches(curve.smoothStretches()) {}
+
+        /// The piece that holds u within a stretch.
+        int pieceAt(double u, size_t stretch) const {
+            const bool last = stretch + 1 == stretches.size();
+            return curve.locate(u, stretches[stretch],
+                                last ? static_cast<int>(curve.pieces.size()) : stretches[stretch + 1]);
+        }
+        MovingFrame::Sample turned(double u, int piece) const;
+        MovingMap<Dim> map(double u, int piece) const;
+    };
+
+    double start, end;
+    Ease easing;
+    std::variant<Translate<Dim>, Rotate<Dim>, Carried> kind;
+    std::vector<double> breaks;
+
+    explicit Path(const Motion<Dim>& motion)
+        : start(motion.start), end(motion.end), easing(motion.ease), kind(Translate<Dim>{}) {
+        require(std::isfinite(start) && std::isfinite(end) && start < end,
+                "\"time\" must be two increasing numbers");
+        std::visit([this](const auto& given) { set(given); }, motion.kind);
+    }
+    template <class Kind>
+    void set(const Kind& given) {
+        check(given);
+        if constexpr (std::is_same_v<Kind, CurveMotion<Dim>> || std::is_same_v<Kind, Recorded<Dim>>) {
+            kind = Carried(given);
+            setBreaks(std::get<Carried>(kind));
+        } else {
+            kind = given;
+        }
+    }
+    void setBreaks(const Carried& carried);
+    double parameter(double t) const {
+        return ease(easing, std::clamp((t - start) / (end - start), 0.0, 1.0));
+    }
+    /// Which stretch t belongs to; decided in time, on the same doubles that breakTimes() gives out.
+    size_t stretchAt(double t, Side side) const {
+        const auto at = side == Side::After ? std::upper_bound(breaks.begin(), breaks.end(), t)
+                                            : std::lower_bound(breaks.begin(), breaks.end(), t);
+        return static_cast<size_t>(at - breaks.begin());
+    }
+    MovingMap<Dim> perParameter(double t, Side side) const {
+        const double u = parameter(t);
+        if (const Carried* carried = std::get_if<Carried>(&kind)) {
+            return carried->map(u, carried->pieceAt(u, stretchAt(t, side)));
+        }
+        if (const auto* translate = std::get_if<Translate<Dim>>(&kind)) return mapOf(*translate, u);
+        return mapOf(std::get<Rotate<Dim>>(kind), u);
+    }
+};
+
+template <int Dim>
+void Trajectory<Dim>::Path::setBreaks(const Carried& carried) {
+    for (size_t i = 1; i < carried.stretches.size(); ++i) {
+        const double u = carried.curve.pieces[carried.stretches[i]].from;
+        breaks.push_back(start + (end - start) * easeInverse(easing, u));
+    }
+}
+
+/// Q(u) and its ω with the twist: Q Rot(T(0), ψ), which turns about Q T(0).
+template <int Dim>
+MovingFrame::Sample Trajectory<Dim>::Path::Carried::turned(double u, int piece) const {
+    if (!frame || u == 0) {
+        MovingFrame::Sample sample = frame ? frame->at(u, piece) : MovingFrame::Sample{};
+        sample.rotation.setIdentity();  // exactly
+        if (frame) sample.omega += twist * frame->start().col(0);
+        return sample;
+    }
+    MovingFrame::Sample sample = frame->at(u, piece);
+    if (twist == 0) return sample;
+    const Vec<3> tangent = frame->start().col(0);
+    sample.omega += twist * (sample.rotation * tangent);
+    sample.rotation *= Eigen::AngleAxisd(twist * u, tangent).toRotationMatrix();
+    return sample;
+}
+
+template <int Dim>
+MovingMap<Dim> Trajectory<Dim>::Path::Carried::map(double u, int piece) const {
+    const CurvePiece<Dim>& p = curve.pieces[piece];
+    const Vec<Dim> first = curve.pieces.front().value(0), rate = p.rate(p.local(u));
+    const double grown = 1 + u * (scale - 1);
+    const Vec<Dim> moved = p.value(p.local(u)) - first;
+    if (!frame && scale == 1) return {{Mat<Dim>::Identity(), moved}, {Mat<Dim>::Zero(), rate}};
+    const MovingFrame::Sample sample = turned(u, piece);
+    const Mat<3> turning = crossMatrix(sample.omega) * sample.rotation;
+    const Mat<Dim> Q = sample.rotation.template topLeftCorner<Dim, Dim>();
+    const Mat<Dim> A = grown * Q,
+                   rateA = (scale - 1) * Q + grown * turning.template topLeftCorner<Dim, Dim>();
+    return {{A, moved + (first - A * first)}, {rateA, rate - rateA * first}};
+}
+
+template <int Dim>
+Trajectory<Dim>::Trajectory(const Motion<Dim>& motion) : m_path(std::make_unique<Path>(motion)) {}
+template <int Dim>
+Trajectory<Dim>::~Trajectory() = default;
+template <int Dim>
+Trajectory<Dim>::Trajectory(Trajectory&&) noexcept = default;
+template <int Dim>
+Trajectory<Dim>& Trajectory<Dim>::operator=(Trajectory&&) noexcept = default;
+
+template <int Dim>
+double Trajectory<Dim>::start() const {
+    return m_path->start;
+}
+template <int Dim>
+double Trajectory<Dim>::end() const {
+    return m_path->end;
+}
+template <int Dim>
+const std::vector<double>& Trajectory<Dim>::breakTimes() const {
+    return m_path->breaks;
+}
+
+/// d/dt = e′(s) / (end − start) · d/du.
+template <int Dim>
+MovingMap<Dim> Trajectory<Dim>::at(double t, Side side) const {
+    const Path& path = *m_path;
+    MovingMap<Dim> map = path.perParameter(t, side);
+    const double span = path.end - path.start;
+    const double rate =
+        t < path.start || t > path.end ? 0 : easeRate(path.easing, (t - path.start) / span) / span;
+    map.velocity.A *= rate;
+    map.velocity.b *= rate;
+    return map;
+}
+
+template <int Dim>
+Vec<Dim> Trajectory<Dim>::curvePoint(double t) const {
+    const double u = m_path->parameter(t);
+    if (const auto* translate = std::get_if<Translate<Dim>>(&m_path->kind)) return u * translate->by;
+    if (const auto* rotate = std::get_if<Rotate<Dim>>(&m_path->kind)) return rotate->centre;
+    const auto& carried = std::get<typename Path::Carried>(m_path->kind);
+    const CurvePiece<Dim>& piece =
+        carried.curve.pieces[carried.pieceAt(u, m_path->stretchAt(t, Side::After))];
+    return piece.value(piece.local(u));
+}
+
+template <int Dim>
+Mat<Dim> Trajectory<Dim>::frame(double t) const {
+    const auto* carried = std::get_if<typename Path::Carried>(&m_path->kind);
+    if (!carried) return at(t).position.A;
+    if (!carried->frame) return Mat<Dim>::Identity();
+    const double u = m_path->parameter(t);
+    const Mat<3> F = carried->turned(u, carried->pieceAt(u, m_path->stretchAt(t, Side::After))).rotation *
+                     carried->frame->start();
+    return F.template topLeftCorner<Dim, Dim>();
+}
+
+template class Trajectory<2>;
+template class Trajectory<3>;
+
+}  // namespace wend

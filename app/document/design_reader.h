@@ -1,0 +1,21 @@
+#pragma once
+
+#include "app/document/json_reader.h"
+#include "app/document/project.h"
+
+namespace wend {
+
+/// The parts of a project that have coordinates.
+template <int Dim>
+MaterialSpec<Dim> readMaterial(const JsonValue& value);
+/// A handle; a motion without a time window takes [0, end].
+template <int Dim>
+Handle<Dim> readHandle(const JsonValue& value, double end);
+/// {"polygon": …}, {"circle": …} …
+template <int Dim>
+Region<Dim> readRegion(const JsonValue& value);
+/// The keys of material.cells.
+template <int Dim>
+void readCellValues(JsonObject& object, MaterialSpec<Dim>& spec);
+
+}  // namespace wend

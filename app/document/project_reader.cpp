@@ -1,0 +1,230 @@
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <map>
+
+#include "app/document/design_reader.h"
+#include "app/document/json_text.h"
+#include "app/document/project.h"
+#include "app/document/text_file.h"
+#include "core/mesh/error.h"
+#include "core/mesh/mesh_file.h"
+
+namespace wend {
+namespace {
+
+using Json = nlohmann::ordered_json;
+constexpr int kVersion = 1;
+
+void checkFormat(JsonObject& root) {
+    if (!root.has("format")) root.value().fail("is not a Wend project: the key `format` is missing");
+    const std::string format = root.require("format").text();
+    if (format != "wend") root.value().fail("is not a Wend project: its format is \"" + format + "\"");
+    const JsonValue version = root.require("version");
+    const int number = version.integer();
+    if (number < 1) version.fail("there is no version " + std::to_string(number));
+    if (number > kVersion)
+        version.fail("the project is of version " + std::to_string(number) +
+                     ", but this program reads versions up to " + std::to_string(kVersion) +
+                     ": a newer Wend is needed");
+}
+
+// --- Domain ---
+
+void readPolygons(const JsonValue& value, Domain& domain) {
+    domain.outline = OutlineKind::Polygons;
+    for (const JsonValue& loop : value.elements()) {
+        domain.polygons.loops.push_back(loop.points<2>());
+        if (domain.polygons.loops.back().size() < 3) loop.fail("needs at least 3 points");
+    }
+    if (domain.polygons.loops.empty()) value.fail("has no polygon");
+}
+
+void readAlpha(JsonObject& object, AlphaOutlineOptions& alpha) {
+    if (auto value = object.find("threshold")) alpha.threshold = value->number("domain.outline.threshold");
+    if (auto value = object.find("margin")) alpha.margin = value->number("domain.outline.margin");
+    if (auto value = object.find("gap")) alpha.gap = value->number("domain.outline.gap");
+    if (auto value = object.find("smallest")) alpha.smallest = value->number("domain.outline.smallest");
+    if (auto value = object.find("simplify")) alpha.simplify = value->number("domain.outline.simplify");
+}
+
+void readOutline(const JsonValue& value, Domain& domain) {
+    JsonObject object(value);
+    if (object.oneOf({"from", "polygons"}) == "polygons") {
+        readPolygons(object.require("polygons"), domain);
+    } else if (object.require("from").choice("domain.outline.from") == "alpha") {
+        domain.outline = OutlineKind::Alpha;
+        readAlpha(object, domain.alpha);
+    }
+    object.finish();
+}
+
+std::string readFileName(const JsonValue& value) {
+    const std::string name = value.text();
+    if (name.empty()) value.fail("names no file");
+    return name;
+}
+
+void readImageDomain(JsonObject& object, Domain& domain) {
+    domain.kind = DomainKind::Image;
+    domain.path = readFileName(object.require("image"));
+    if (auto outline = object.find("outline")) readOutline(*outline, domain);
+    if (object.has("vertices") && object.has("edge")) object.value().fail("has both `vertices` and `edge`");
+    if (auto vertices = object.find("vertices")) domain.vertices = vertices->integer("domain.vertices");
+    if (auto edge = object.find("edge")) domain.edge = edge->number("domain.edge");
+}
+
+void readSurfaceDomain(JsonObject& object, Domain& domain) {
+    domain.kind = DomainKind::Surface;
+    domain.path = readFileName(object.require("surface"));
+    if (auto quality = object.find("quality")) domain.quality = quality->number("domain.quality");
+    if (auto volume = object.find("maxVolume")) domain.maxVolume = volume->number("domain.maxVolume");
+    if (auto vertices = object.find("vertices")) domain.vertices = vertices->integer("domain.vertices");
+}
+
+Domain readDomain(const JsonValue& value) {
+    Domain domain;
+    JsonObject object(value);
+    const bool textured = object.has("mesh") && object.has("image");
+    const std::string kind = textured ? "mesh" : object.oneOf({"image", "mesh", "surface"});
+    if (textured && object.has("surface")) object.oneOf({"mesh", "surface"});
+    if (kind == "image") readImageDomain(object, domain);
+    if (kind == "surface") readSurfaceDomain(object, domain);
+    if (kind == "mesh") {
+        domain.kind = DomainKind::Mesh;
+        domain.path = readFileName(object.require("mesh"));
+        if (auto texture = object.find("image")) domain.texture = readFileName(*texture);
+    }
+    object.finish();
+    return domain;
+}
+
+// --- Dimension ---
+
+/// The length of the first coordinates that stand in the design, or 0.
+int coordinateCount(const Json& json) {
+    static const std::vector<std::string> notCoordinates{"time", "times", "active", "vertices", "phi", "B"};
+    if (json.is_array() && !json.empty() && json.front().is_number())
+        return json.size() == 2 || json.size() == 3 ? static_cast<int>(json.size()) : 0;
+    if (!json.is_structured()) return 0;
+    for (auto it = json.begin(); it != json.end(); ++it) {
+        if (json.is_object() && std::ranges::count(notCoordinates, it.key()) > 0) continue;
+        if (const int count = coordinateCount(*it)) return count;
+    }
+    return 0;
+}
+
+int guessDimension(const Json& root) {
+    for (const char* key : {"handles", "material"})
+        if (root.contains(key))
+            if (const int count = coordinateCount(root[key])) return count;
+    return 2;
+}
+
+std::string lowerExtension(const std::string& file) {
+    std::string extension = std::filesystem::path(file).extension().string();
+    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
+    return extension;
+}
+
+int meshDimension(const std::string& file, const Json& root) {
+    const std::string extension = lowerExtension(file);
+    for (const char* planar : {".obj", ".off", ".stl"})  // can hold no tetrahedra: not worth reading twice
+        if (extension == planar) return 2;
+    try {
+        return isVolume(readMeshFile(file)) ? 3 : 2;
+    } catch (const InputError&) {
+        return guessDimension(root);
+    }
+}
+
+int dimensionOf(const Domain& domain, const std::string& folder, const Json& root) {
+    if (domain.kind == DomainKind::Image) return 2;
+    if (domain.kind == DomainKind::Surface) return 3;
+    return meshDimension(pathIn(folder, domain.path), root);
+}
+
+// --- The rest ---
+
+void readIntegration(const JsonValue& value, IntegrationOptions& options) {
+    static const std::map<std::string, Method> methods{
+        {"dopri5", Method::DormandPrince}, {"rk4", Method::RungeKutta4}, {"midpoint", Method::Midpoint}};
+    JsonObject object(value);
+    if (auto method = object.find("method"))
+        options.method = methods.at(method->choice("integration.method"));
+    if (auto tolerance = object.find("tolerance"))
+        options.tolerance = tolerance->number("integration.tolerance");
+    if (auto steps = object.find("steps")) options.steps = steps->integer("integration.steps");
+    if (auto least = object.find("smallestStep"))
+        options.smallestStep = least->number("integration.smallestStep");
+    object.finish();
+}
+
+template <int Dim>
+Design<Dim> readDesign(JsonObject& root, double end) {
+    Design<Dim> design;
+    if (auto material = root.find("material")) design.material = readMaterial<Dim>(*material);
+    if (auto handles = root.find("handles"))
+        for (const JsonValue& element : handles->elements())
+            design.handles.push_back(readHandle<Dim>(element, end));
+    return design;
+}
+
+void readTime(const JsonValue& value, Project& project) {
+    JsonObject time(value);
+    if (auto end = time.find("end")) project.end = end->number("time.end");
+    time.finish();
+}
+
+LoadedProject readRoot(const Json& json, const std::string& folder) {
+    LoadedProject loaded;
+    Project& project = loaded.project;
+    JsonObject root(JsonValue(json, "", project.extras, loaded.warnings));
+    checkFormat(root);
+    project.domain = readDomain(root.require("domain"));
+    if (auto time = root.find("time")) readTime(*time, project);
+    if (auto integration = root.find("integration")) readIntegration(*integration, project.integration);
+    project.integration.end = project.end;
+    if (dimensionOf(project.domain, folder, json) == 2)
+        project.design = readDesign<2>(root, project.end);
+    else
+        project.design = readDesign<3>(root, project.end);
+    root.finish();
+    return loaded;
+}
+
+std::string folderOf(const std::string& path) {
+    return std::filesystem::path(path).parent_path().string();
+}
+
+}  // namespace
+
+std::string pathIn(const std::string& folder, const std::string& file) {
+    return (std::filesystem::path(folder) / file).string();
+}
+
+LoadedProject parseProject(const std::string& text, const std::string& path) try {
+    return readRoot(parseJson(text, path), folderOf(path));
+} catch (const InputError& error) {
+    throw error.named(path);
+}
+
+LoadedProject readProject(const std::string& path) {
+    return parseProject(readTextFile(path), path);
+}
+
+template <int Dim>
+void readCells(const std::string& path, MaterialSpec<Dim>& spec) try {
+    const Json json = parseJson(readTextFile(path), path);
+    Extras extras;
+    std::vector<std::string> warnings;
+    JsonObject object(JsonValue(json, "", extras, warnings));
+    readCellValues<Dim>(object, spec);
+} catch (const InputError& error) {
+    throw error.named(path);
+}
+
+template void readCells<2>(const std::string&, MaterialSpec<2>&);
+template void readCells<3>(const std::string&, MaterialSpec<3>&);
+
+}  // namespace wend

@@ -1,0 +1,124 @@
+#include "app/view/volume/camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace wend {
+namespace {
+
+constexpr double kFieldOfView = 35 * std::numbers::pi / 180;
+const double kTanHalf = std::tan(kFieldOfView / 2);
+
+Eigen::Quaterniond turn(const Vec<3>& direction, const Vec<3>& up) {
+    Mat<3> rows;
+    rows.row(2) = -direction.normalized();
+    rows.row(0) = up.cross(rows.row(2).transpose()).normalized();
+    rows.row(1) = rows.row(2).cross(rows.row(0));
+    return Eigen::Quaterniond(rows);
+}
+
+}  // namespace
+
+void Camera::fit(const Vec<3>& low, const Vec<3>& high) {
+    m_pivot = (low + high) / 2;
+    m_radius = std::max((high - low).norm() / 2, 1e-12);
+    m_distance = 1.1 * m_radius / std::sin(kFieldOfView / 2);
+}
+
+void Camera::look(Axis axis) {
+    const Vec<3> x = Vec<3>::UnitX(), y = Vec<3>::UnitY(), z = Vec<3>::UnitZ();
+    switch (axis) {
+        case Axis::Front:
+            m_turn = turn(y, z);
+            break;
+        case Axis::Back:
+            m_turn = turn(-y, z);
+            break;
+        case Axis::Right:
+            m_turn = turn(-x, z);
+            break;
+        case Axis::Left:
+            m_turn = turn(x, z);
+            break;
+        case Axis::Top:
+            m_turn = turn(-z, y);
+            break;
+        case Axis::Bottom:
+            m_turn = turn(z, y);
+            break;
+        case Axis::Isometric:
+            m_turn = turn(Vec<3>(-1, 1.4, -0.8), z);
+            break;
+    }
+}
+
+void Camera::setPivot(const Vec<3>& pivot) {
+    // The eye stays where it is relative to the screen's depth: only what it turns around changes.
+    m_distance += direction().dot(pivot - m_pivot);
+    m_distance = std::max(m_distance, 1e-6 * m_radius);
+    m_pivot = pivot;
+}
+
+void Camera::orbit(double dx, double dy) {
+    m_turn = (Eigen::AngleAxisd(dy, Vec<3>::UnitX()) * m_turn * Eigen::AngleAxisd(dx, Vec<3>::UnitZ()))
+                 .normalized();
+}
+
+double Camera::pixelSize(const QSize& viewport) const {
+    return 2 * m_distance * kTanHalf / std::max(1, viewport.height());
+}
+
+void Camera::pan(double dxPixels, double dyPixels, const QSize& viewport) {
+    m_pivot += pixelSize(viewport) * (dyPixels * up() - dxPixels * right());
+}
+
+void Camera::zoom(double factor, const Eigen::Vector2d& pixel, const QSize& viewport) {
+    const Eigen::Vector2d offset = pixel - Eigen::Vector2d(viewport.width(), viewport.height()) / 2;
+    const double before = pixelSize(viewport);
+    m_distance = std::clamp(m_distance / factor, 1e-4 * m_radius, 1e3 * m_radius);
+    const double shift = before - pixelSize(viewport);
+    m_pivot += shift * (offset.x() * right() - offset.y() * up());
+}
+
+Eigen::Matrix4d Camera::view() const {
+    Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
+    matrix.topLeftCorner<3, 3>() = m_turn.toRotationMatrix();
+    matrix.topRightCorner<3, 1>() = m_turn * -m_pivot - Vec<3>(0, 0, m_distance);
+    return matrix;
+}
+
+Eigen::Matrix4d Camera::projection(const QSize& viewport) const {
+    const double aspect = viewport.width() / static_cast<double>(std::max(1, viewport.height()));
+    const double far = m_distance + 4 * m_radius,
+                 near = std::max(m_distance - 4 * m_radius, 1e-3 * m_distance);
+    Eigen::Matrix4d matrix = Eigen::Matrix4d::Zero();
+    if (m_orthographic) {
+        const double half = m_distance * kTanHalf, front = m_distance - 4 * m_radius;
+        matrix.diagonal() << 1 / (half * aspect), 1 / half, -2 / (far - front), 1;
+        matrix(2, 3) = -(far + front) / (far - front);
+        return matrix;
+    }
+    matrix(0, 0) = 1 / (kTanHalf * aspect);
+    matrix(1, 1) = 1 / kTanHalf;
+    matrix(2, 2) = -(far + near) / (far - near);
+    matrix(2, 3) = -2 * far * near / (far - near);
+    matrix(3, 2) = -1;
+    return matrix;
+}
+
+Ray Camera::ray(const Eigen::Vector2d& pixel, const QSize& viewport) const {
+    const Eigen::Vector2d offset = pixel - Eigen::Vector2d(viewport.width(), viewport.height()) / 2;
+    const Vec<3> onPivotPlane = m_pivot + pixelSize(viewport) * (offset.x() * right() - offset.y() * up());
+    const Vec<3> eye = m_pivot - m_distance * direction();
+    if (m_orthographic) return {onPivotPlane - (m_distance + 4 * m_radius) * direction(), direction()};
+    return {eye, (onPivotPlane - eye).normalized()};
+}
+
+Vec<3> Camera::project(const Vec<3>& p, const QSize& viewport) const {
+    const Eigen::Vector4d clip = projection(viewport) * view() * p.homogeneous();
+    const Vec<3> device = clip.head<3>() / clip.w();
+    return {(device.x() + 1) / 2 * viewport.width(), (1 - device.y()) / 2 * viewport.height(), device.z()};
+}
+
+}  // namespace wend

@@ -1,0 +1,117 @@
+#include "core/assembly/assembly_plan.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace wend {
+namespace {
+
+/// A contribution on its way to its block; facet −1: both corners lie in one cell.
+struct Contribution {
+    int row, facet, left, right;
+};
+
+template <int Dim>
+void addInteriorFacets(const SimplicialMesh<Dim>& mesh, AssemblyPlan<Dim>& plan) {
+    for (const auto& facet : facetsOf(mesh)) {
+        if (!facet.interior()) continue;
+        for (int cell : facet.cells)
+            for (int k = 0; k <= Dim; ++k) {
+                const auto& on = facet.vertices;
+                if (std::find(on.begin(), on.end(), mesh.cells[cell][k]) == on.end())
+                    plan.facetOfCorner[cell][k] = static_cast<int>(plan.facets.size());
+            }
+        plan.facets.push_back(facet);
+    }
+}
+
+template <int Dim>
+void listCorners(AssemblyPlan<Dim>& plan) {
+    plan.cornerStart.assign(plan.vertexCount + 1, 0);
+    for (const auto& cell : plan.cells)
+        for (int v : cell) ++plan.cornerStart[v + 1];
+    std::partial_sum(plan.cornerStart.begin(), plan.cornerStart.end(), plan.cornerStart.begin());
+    plan.corners.resize(plan.cornerStart.back());
+    auto next = plan.cornerStart;
+    for (int c = 0; c < plan.cellCount(); ++c)
+        for (int k = 0; k <= Dim; ++k) plan.corners[next[plan.cells[c][k]]++] = c * (Dim + 1) + k;
+}
+
+/// Calls visit(row vertex, column vertex, left corner, right corner, facet) for every contribution of the
+/// lower triangle.
+template <int Dim, typename Visit>
+void forContributions(const AssemblyPlan<Dim>& plan, Visit&& visit) {
+    const auto pairs = [&](int left, int right, int facet) {
+        for (int a = 0; a <= Dim; ++a)
+            for (int b = 0; b <= Dim; ++b) {
+                const int p = plan.cells[left][a], q = plan.cells[right][b];
+                if (p >= q) visit(p, q, left * (Dim + 1) + a, right * (Dim + 1) + b, facet);
+            }
+    };
+    for (int c = 0; c < plan.cellCount(); ++c) pairs(c, c, -1);
+    for (std::size_t f = 0; f < plan.facets.size(); ++f) {
+        const auto [i, j] = plan.facets[f].cells;
+        pairs(i, j, static_cast<int>(f));
+        pairs(j, i, static_cast<int>(f));
+    }
+}
+
+template <int Dim>
+void appendColumn(std::vector<Contribution>& column, AssemblyPlan<Dim>& plan) {
+    std::stable_sort(column.begin(), column.end(),
+                     [](const auto& a, const auto& b) { return a.row < b.row; });
+    for (std::size_t i = 0; i < column.size(); ++i) {
+        const auto& c = column[i];
+        if (i == 0 || c.row != column[i - 1].row) {
+            plan.row.push_back(c.row);
+            plan.ownStart.push_back(static_cast<int>(plan.own.size()));
+            plan.crossStart.push_back(static_cast<int>(plan.cross.size()));
+        }
+        if (c.facet < 0)
+            plan.own.push_back({c.left, c.right});
+        else
+            plan.cross.push_back({c.left, c.right, c.facet});
+    }
+    plan.columnStart.push_back(plan.blockCount());
+}
+
+template <int Dim>
+void buildPattern(AssemblyPlan<Dim>& plan) {
+    std::vector<std::size_t> start(plan.vertexCount + 1, 0);
+    forContributions(plan, [&](int, int q, int, int, int) { ++start[q + 1]; });
+    std::partial_sum(start.begin(), start.end(), start.begin());
+    std::vector<Contribution> all(start.back());
+    auto next = start;
+    forContributions(plan, [&](int p, int q, int left, int right, int facet) {
+        all[next[q]++] = {p, facet, left, right};
+    });
+    plan.columnStart.assign(1, 0);
+    std::vector<Contribution> column;
+    for (int q = 0; q < plan.vertexCount; ++q) {
+        column.assign(all.begin() + static_cast<std::ptrdiff_t>(start[q]),
+                      all.begin() + static_cast<std::ptrdiff_t>(start[q + 1]));
+        appendColumn(column, plan);
+    }
+    plan.ownStart.push_back(static_cast<int>(plan.own.size()));
+    plan.crossStart.push_back(static_cast<int>(plan.cross.size()));
+}
+
+}  // namespace
+
+template <int Dim>
+AssemblyPlan<Dim> makeAssemblyPlan(const SimplicialMesh<Dim>& mesh, bool smoothing) {
+    AssemblyPlan<Dim> plan;
+    plan.vertexCount = mesh.vertexCount();
+    plan.cells = mesh.cells;
+    plan.facetOfCorner.resize(mesh.cells.size());
+    for (auto& facets : plan.facetOfCorner) facets.fill(-1);
+    if (smoothing) addInteriorFacets(mesh, plan);
+    listCorners(plan);
+    buildPattern(plan);
+    return plan;
+}
+
+template AssemblyPlan<2> makeAssemblyPlan(const SimplicialMesh<2>&, bool);
+template AssemblyPlan<3> makeAssemblyPlan(const SimplicialMesh<3>&, bool);
+
+}  // namespace wend

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <vector>
+
+#include "core/mesh/simplicial_mesh.h"
+
+namespace wend {
+
+/// What the assembly does, decided once per topology: the sparse pattern of A as blocks of vertex pairs, and
+/// for each nonzero block the list of its contributions in a fixed order. So every block is gathered by one
+/// thread, without atomics, and sums have the same bits whatever the threads. Flat arrays: a device takes
+/// them as they are.
+///
+/// With G_a the strain operator of corner a (strainColumns) and T_a = D G_a its stress, in Mandel
+/// coordinates:
+///   A_pq = Σ_own G_leftᵀ (¼ V D + β D²) G_right − Σ_cross weight · T_leftᵀ T_right,   β = Σ of the cell's
+///   facet weights.
+template <int Dim>
+struct AssemblyPlan {
+    static constexpr int kCorners = Dim + 1;
+
+    /// A corner is cell · kCorners + local index. The two corners lie in one cell …
+    struct Own {
+        int left, right;
+    };
+    /// … or in the two cells of an interior facet.
+    struct Cross {
+        int left, right, facet;
+    };
+
+    int vertexCount = 0;
+    std::vector<Cell<Dim>> cells;
+    std::vector<Facet<Dim>> facets;                       // interior ones only; none without smoothing
+    std::vector<std::array<int, Dim + 1>> facetOfCorner;  // the interior facet opposite to a corner, or −1
+    std::vector<int> cornerStart, corners;                // per vertex: its corners, ascending
+
+    std::vector<int> columnStart, row;      // block pattern by columns, rows ≥ column, ascending
+    std::vector<int> ownStart, crossStart;  // per block: where its contributions begin
+    std::vector<Own> own;
+    std::vector<Cross> cross;
+
+    int cellCount() const { return static_cast<int>(cells.size()); }
+    int blockCount() const { return static_cast<int>(row.size()); }
+    /// The cell on the other side of an interior facet.
+    int across(int facet, int cell) const {
+        const auto& sides = facets[facet].cells;
+        return sides[0] == cell ? sides[1] : sides[0];
+    }
+};
+
+/// `smoothing` false leaves out the facets: the one-ring pattern of E_φ alone.
+template <int Dim>
+AssemblyPlan<Dim> makeAssemblyPlan(const SimplicialMesh<Dim>& mesh, bool smoothing);
+
+}  // namespace wend

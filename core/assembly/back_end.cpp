@@ -1,1 +1,0 @@
-#include "core/assembly/back_end.h"

@@ -1,0 +1,281 @@
+#include "core/assembly/cpu_back_end.h"
+
+#include <Eigen/LU>
+#include <atomic>
+#include <limits>
+#include <numeric>
+#include <thread>
+
+#include "core/assembly/worker_pool.h"
+#include "core/energy/cell_energy.h"
+#include "core/energy/smoothness.h"
+
+namespace wend {
+namespace {
+
+// Items per piece: large enough to hide the hand-over, and fixed, so that partial sums do not depend on the
+// threads.
+constexpr int kGrain = 1024;
+
+template <int Dim>
+bool isIsotropic(const Mat<Dim>& B) {
+    return (B - B(0, 0) * Mat<Dim>::Identity()).norm() <= 1e-15 * B.norm();
+}
+
+template <int Dim>
+class CpuBackEnd final : public BackEnd<Dim> {
+    static constexpr int kCorners = Dim + 1;
+    using Plan = AssemblyPlan<Dim>;
+    using Columns = StrainColumns<Dim>;
+
+  public:
+    CpuBackEnd(std::shared_ptr<const Plan> plan, const SimplicialMesh<Dim>& rest,
+               const Material<Dim>& material, int threads)
+        : m_plan(std::move(plan)),
+          m_material(material),
+          m_pool(usefulThreads(threads, Dim * rest.vertexCount())) {
+        const auto cells = static_cast<std::size_t>(m_plan->cellCount());
+        m_geometry.resize(cells);
+        m_D.resize(cells);
+        m_orientation.resize(cells);
+        m_stress.resize(cells);
+        m_load.resize(cells);
+        m_facetWeight.resize(m_plan->facets.size());
+        for (int c = 0; c < m_plan->cellCount(); ++c) prepareCell(rest, c);
+    }
+
+    std::string name() const override { return "cpu"; }
+    std::string device() const override {
+        return m_pool.threads() == 1 ? "1 thread" : std::to_string(m_pool.threads()) + " threads";
+    }
+    void setInertia(std::vector<double> epsilon) override { m_inertia = std::move(epsilon); }
+
+    int setShape(const Points<Dim>& shape) override;
+    void assemble(std::span<double> values) override;
+    void apply(const Points<Dim>& v, Points<Dim>& Av) override;
+    double energy(const Points<Dim>& v) override;
+
+  private:
+    void prepareCell(const SimplicialMesh<Dim>& rest, int c);
+    void updateStressMatrix(const Points<Dim>& shape, int c);
+    void computeCornerTerms(int c);
+    Mat<Dim> block(int index) const;
+    Mat<Dim> massBlock(const typename Plan::Own& pair) const;
+    Strain<Dim> strain(const Points<Dim>& v, int c) const;
+    Strain<Dim> load(int c) const;
+    Vec<Dim> massTimes(const Points<Dim>& v, int c, int vertex) const;
+    double inertia(int c) const { return m_inertia.empty() ? 0.0 : m_inertia[c]; }
+    Vec<Dim> gradient(int corner) const {
+        return m_geometry[corner / kCorners].gradients.col(corner % kCorners);
+    }
+    /// Σ item(i) for i in [0, count): in fixed pieces, each summed by one thread, the pieces in their order.
+    template <typename Item>
+    double sum(int count, Item&& item);
+
+    std::shared_ptr<const Plan> m_plan;
+    Material<Dim> m_material;
+    WorkerPool m_pool;
+    // Per cell.
+    std::vector<double> m_orientation;          // sign of the measure at rest
+    std::vector<Mat<Dim>> m_restInverse;        // inverse edge matrix at rest; only with anisotropy
+    std::vector<CellGeometry<Dim>> m_geometry;  // of the current shape; measure is positive here
+    std::vector<StressMatrix<Dim>> m_D;
+    std::vector<double> m_inertia;
+    std::vector<Strain<Dim>> m_stress, m_load;  // of the field in apply() and energy()
+    std::vector<double> m_facetWeight;          // per facet
+    std::vector<Columns> m_T, m_U;              // per corner: D G_a and (¼ V D + β D²) G_a
+};
+
+template <int Dim>
+void CpuBackEnd<Dim>::prepareCell(const SimplicialMesh<Dim>& rest, int c) {
+    const auto weights = EnergyWeights::of(m_material.phi[c]);
+    const bool uniform = m_material.anisotropy.empty();
+    m_orientation[c] = cellMeasure<Dim>(rest.points, rest.cells[c]) < 0 ? -1.0 : 1.0;
+    m_D[c] = stressMatrix<Dim>(weights, uniform ? Mat<Dim>(Mat<Dim>::Identity()) : m_material.anisotropy[c]);
+    if (!uniform) m_restInverse.push_back(edgeMatrix<Dim>(rest.points, rest.cells[c]).inverse());
+}
+
+/// B(t) = R B₀ Rᵀ with R the rotation of the cell's map from rest (method.md, Field and energy).
+template <int Dim>
+void CpuBackEnd<Dim>::updateStressMatrix(const Points<Dim>& shape, int c) {
+    const Mat<Dim>& B0 = m_material.anisotropy[c];
+    if (isIsotropic<Dim>(B0)) return;
+    const Mat<Dim> F = edgeMatrix<Dim>(shape, m_plan->cells[c]) * m_restInverse[c];
+    const Mat<Dim> R = polarRotation<Dim>(F);
+    m_D[c] = stressMatrix<Dim>(EnergyWeights::of(m_material.phi[c]), R * B0 * R.transpose());
+}
+
+template <int Dim>
+int CpuBackEnd<Dim>::setShape(const Points<Dim>& shape) {
+    constexpr int kNone = std::numeric_limits<int>::max();
+    std::atomic<int> firstBad = kNone;
+    m_pool.forPieces(m_plan->cellCount(), kGrain, [&](int begin, int end) {
+        for (int c = begin; c < end; ++c) {
+            m_geometry[c] = cellGeometry<Dim>(shape, m_plan->cells[c]);
+            m_geometry[c].measure *= m_orientation[c];
+            if (m_geometry[c].measure > 0 && m_geometry[c].gradients.allFinite()) {
+                if (!m_restInverse.empty()) updateStressMatrix(shape, c);
+                continue;
+            }
+            for (int least = firstBad; c < least && !firstBad.compare_exchange_weak(least, c);) {
+            }
+        }
+    });
+    if (firstBad != kNone) return firstBad;
+    m_pool.forPieces(static_cast<int>(m_plan->facets.size()), kGrain, [&](int begin, int end) {
+        for (int f = begin; f < end; ++f) {
+            const auto& facet = m_plan->facets[f];
+            m_facetWeight[f] =
+                smoothnessWeight<Dim>(m_material.smoothing, shape, facet.vertices,
+                                      m_plan->cells[facet.cells[0]], m_plan->cells[facet.cells[1]]);
+        }
+    });
+    return -1;
+}
+
+/// T_a = D G_a and U_a = (¼ V D + β D²) G_a, β the sum of the weights of the cell's facets.
+template <int Dim>
+void CpuBackEnd<Dim>::computeCornerTerms(int c) {
+    double beta = 0;
+    for (int f : m_plan->facetOfCorner[c])
+        if (f >= 0) beta += m_facetWeight[f];
+    for (int k = 0; k < kCorners; ++k) {
+        const int corner = c * kCorners + k;
+        m_T[corner].noalias() = m_D[c] * strainColumns<Dim>(gradient(corner));
+        m_U[corner].noalias() = beta * (m_D[c] * m_T[corner]);
+        m_U[corner] += 0.25 * m_geometry[c].measure * m_T[corner];
+    }
+}
+
+/// ε V (1 + δ_ab) / ((d + 1)(d + 2)) I: the consistent mass of linear hat functions.
+template <int Dim>
+Mat<Dim> CpuBackEnd<Dim>::massBlock(const typename Plan::Own& pair) const {
+    const int c = pair.left / kCorners;
+    const double mass = inertia(c) * m_geometry[c].measure / (kCorners * (kCorners + 1));
+    return (pair.left == pair.right ? 2 * mass : mass) * Mat<Dim>::Identity();
+}
+
+template <int Dim>
+Mat<Dim> CpuBackEnd<Dim>::block(int index) const {
+    Mat<Dim> A = Mat<Dim>::Zero();
+    for (int i = m_plan->ownStart[index]; i < m_plan->ownStart[index + 1]; ++i) {
+        const auto& pair = m_plan->own[i];
+        A += strainColumns<Dim>(gradient(pair.left)).transpose().lazyProduct(m_U[pair.right]);
+        if (!m_inertia.empty()) A += massBlock(pair);
+    }
+    for (int i = m_plan->crossStart[index]; i < m_plan->crossStart[index + 1]; ++i) {
+        const auto& pair = m_plan->cross[i];
+        A -= m_facetWeight[pair.facet] * m_T[pair.left].transpose().lazyProduct(m_T[pair.right]);
+    }
+    return A;
+}
+
+template <int Dim>
+void CpuBackEnd<Dim>::assemble(std::span<double> values) {
+    m_T.resize(m_plan->cells.size() * kCorners);
+    m_U.resize(m_T.size());
+    m_pool.forPieces(m_plan->cellCount(), kGrain, [&](int begin, int end) {
+        for (int c = begin; c < end; ++c) computeCornerTerms(c);
+    });
+    m_pool.forPieces(m_plan->blockCount(), kGrain, [&](int begin, int end) {
+        for (int i = begin; i < end; ++i) Eigen::Map<Mat<Dim>>(values.data() + i * Dim * Dim) = block(i);
+    });
+}
+
+/// S = J + Jᵀ of a field on a cell.
+template <int Dim>
+Strain<Dim> CpuBackEnd<Dim>::strain(const Points<Dim>& v, int c) const {
+    Mat<Dim> J = Mat<Dim>::Zero();
+    for (int k = 0; k < kCorners; ++k)
+        J += v.col(m_plan->cells[c][k]) * m_geometry[c].gradients.col(k).transpose();
+    Strain<Dim> S;
+    for (int a = 0; a < Dim; ++a) S[a] = 2 * J(a, a);
+    forOffDiagonal<Dim>([&](int i, int a, int b) { S[i] = std::numbers::sqrt2 * (J(a, b) + J(b, a)); });
+    return S;
+}
+
+/// ½ ∂E/∂S of a cell times 2: ¼ V P + D Σ_facets weight (P − P_neighbour), so that A v = Σ_cells Gᵀ load.
+template <int Dim>
+Strain<Dim> CpuBackEnd<Dim>::load(int c) const {
+    Strain<Dim> jumps = Strain<Dim>::Zero();
+    for (int f : m_plan->facetOfCorner[c])
+        if (f >= 0) jumps += m_facetWeight[f] * (m_stress[c] - m_stress[m_plan->across(f, c)]);
+    return 0.25 * m_geometry[c].measure * m_stress[c] + m_D[c] * jumps;
+}
+
+template <int Dim>
+Vec<Dim> CpuBackEnd<Dim>::massTimes(const Points<Dim>& v, int c, int vertex) const {
+    Vec<Dim> sum = v.col(vertex);
+    for (int other : m_plan->cells[c]) sum += v.col(other);
+    return inertia(c) * m_geometry[c].measure / (kCorners * (kCorners + 1)) * sum;
+}
+
+template <int Dim>
+void CpuBackEnd<Dim>::apply(const Points<Dim>& v, Points<Dim>& Av) {
+    Av.resize(Dim, m_plan->vertexCount);
+    m_pool.forPieces(m_plan->cellCount(), kGrain, [&](int begin, int end) {
+        for (int c = begin; c < end; ++c) m_stress[c] = m_D[c] * strain(v, c);
+    });
+    m_pool.forPieces(m_plan->cellCount(), kGrain, [&](int begin, int end) {
+        for (int c = begin; c < end; ++c) m_load[c] = load(c);
+    });
+    m_pool.forPieces(m_plan->vertexCount, kGrain, [&](int begin, int end) {
+        for (int p = begin; p < end; ++p) {
+            Vec<Dim> total = Vec<Dim>::Zero();
+            for (int i = m_plan->cornerStart[p]; i < m_plan->cornerStart[p + 1]; ++i) {
+                const int corner = m_plan->corners[i], c = corner / kCorners;
+                total += 2 * fromMandel<Dim>(m_load[c]) * gradient(corner);
+                if (!m_inertia.empty()) total += massTimes(v, c, p);
+            }
+            Av.col(p) = total;
+        }
+    });
+}
+
+template <int Dim>
+template <typename Item>
+double CpuBackEnd<Dim>::sum(int count, Item&& item) {
+    std::vector<double> partial((count + kGrain - 1) / kGrain, 0.0);
+    m_pool.forPieces(count, kGrain, [&](int begin, int end) {
+        double total = 0;
+        for (int i = begin; i < end; ++i) total += item(i);
+        partial[begin / kGrain] = total;
+    });
+    return std::accumulate(partial.begin(), partial.end(), 0.0);
+}
+
+template <int Dim>
+double CpuBackEnd<Dim>::energy(const Points<Dim>& v) {
+    const double inside = sum(m_plan->cellCount(), [&](int c) {
+        const Strain<Dim> S = strain(v, c);
+        m_stress[c] = m_D[c] * S;
+        return 0.25 * m_geometry[c].measure * S.dot(m_stress[c]);
+    });
+    const double across = sum(static_cast<int>(m_plan->facets.size()), [&](int f) {
+        const auto [i, j] = m_plan->facets[f].cells;
+        return m_facetWeight[f] * (m_stress[j] - m_stress[i]).squaredNorm();
+    });
+    return inside + across;
+}
+
+}  // namespace
+
+int usefulThreads(int wanted, int unknowns) {
+    if (unknowns < 10000) return 1;
+    return wanted > 0 ? wanted : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+template <int Dim>
+std::unique_ptr<BackEnd<Dim>> makeCpuBackEnd(std::shared_ptr<const AssemblyPlan<Dim>> plan,
+                                             const SimplicialMesh<Dim>& rest, const Material<Dim>& material,
+                                             int threads) {
+    return std::make_unique<CpuBackEnd<Dim>>(std::move(plan), rest, material, threads);
+}
+
+#define WEND_INSTANTIATE(Dim)                                   \
+    template std::unique_ptr<BackEnd<Dim>> makeCpuBackEnd<Dim>( \
+        std::shared_ptr<const AssemblyPlan<Dim>>, const SimplicialMesh<Dim>&, const Material<Dim>&, int);
+WEND_INSTANTIATE(2)
+WEND_INSTANTIATE(3)
+
+}  // namespace wend

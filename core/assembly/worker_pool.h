@@ -1,0 +1,54 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <thread>
+#include <type_traits>
+#include <vector>
+
+namespace wend {
+
+/// A few threads that share loops over independent items. The caller works too and never waits for a thread
+/// that the system has not woken: chunks are claimed one by one, so a busy machine slows nothing down. Which
+/// thread does which chunk must not matter to the result. Idle threads spin for some microseconds, then
+/// sleep.
+class WorkerPool {
+  public:
+    /// threads counts the caller; 0: as many as the machine has.
+    explicit WorkerPool(int threads);
+    ~WorkerPool();
+    WorkerPool(const WorkerPool&) = delete;
+    WorkerPool& operator=(const WorkerPool&) = delete;
+
+    int threads() const { return static_cast<int>(m_threads.size()) + 1; }
+
+    /// work(begin, end) on consecutive pieces of [0, count) of at most `grain` items; the pieces do not
+    /// depend on the number of threads. work may not throw.
+    template <typename Work>
+    void forPieces(int count, int grain, Work&& work) {
+        using Plain = std::remove_reference_t<Work>;
+        run(
+            count, grain,
+            [](void* context, int begin, int end) { (*static_cast<Plain*>(context))(begin, end); },
+            const_cast<void*>(static_cast<const void*>(&work)));
+    }
+
+  private:
+    using Function = void (*)(void*, int, int);
+    void run(int count, int grain, Function function, void* context);
+    void serve(const std::stop_token& stop);
+    bool claimAndDo();
+    std::uint64_t waitForWork(std::uint64_t seen);
+    void publish(std::uint32_t next);
+
+    // High word: number of the job; low word: the next piece of it. kClosed while a job is being set up.
+    std::atomic<std::uint64_t> m_ticket;
+    std::atomic<int> m_pieces{0};
+    std::atomic<int> m_finished{0};
+    int m_count = 0, m_grain = 1;
+    Function m_function = nullptr;
+    void* m_context = nullptr;
+    std::vector<std::jthread> m_threads;
+};
+
+}  // namespace wend

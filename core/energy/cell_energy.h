@@ -1,0 +1,48 @@
+#pragma once
+
+#include "core/energy/mandel.h"
+#include "core/mesh/simplicial_mesh.h"
+
+namespace wend {
+
+/// The gradient operator of one cell: the (constant) gradients g_k of its hat functions, one column per
+/// corner, and its signed measure. The Jacobian of a nodal field is J = Σ_k v_k g_kᵀ. Gradients are in 1 /
+/// length; those of a cell without measure are not finite.
+template <int Dim>
+struct CellGeometry {
+    Eigen::Matrix<double, Dim, Dim + 1> gradients;
+    double measure = 0;
+};
+template <int Dim>
+CellGeometry<Dim> cellGeometry(const Points<Dim>& points, const Cell<Dim>& cell);
+
+/// w_q = sin φ and w_r = cos φ (method.md, Field and energy).
+struct EnergyWeights {
+    double q = 0, r = 0;
+    static EnergyWeights of(double phi);
+};
+
+/// Energy density e(J) = w_q ‖S‖²_B + w_r (d / Tr B) (Tr BJ)², S = J + Jᵀ, ‖A‖²_B = Tr(Aᵀ B A) (method.md;
+/// paper, Eqs. 7, 10 and 15 for B = I and in the conformal case). Multiply with the cell's measure for its
+/// energy.
+template <int Dim>
+double energyDensity(EnergyWeights w, const Mat<Dim>& B, const Mat<Dim>& J);
+
+/// Stress P = ∂e/∂J = 2 w_q (SB + BS) + 2 w_r (d / Tr B) Tr(BJ) B: symmetric, e = ½ J : P.
+template <int Dim>
+Mat<Dim> stress(EnergyWeights w, const Mat<Dim>& B, const Mat<Dim>& J);
+
+/// The same as a matrix in Mandel coordinates, P = D S: symmetric, positive semidefinite for φ in ]0, φ_CONF]
+/// (definite below φ_CONF, with B in its null space at φ_CONF if B = I), e = ¼ Sᵀ D S.
+template <int Dim>
+StressMatrix<Dim> stressMatrix(EnergyWeights w, const Mat<Dim>& B);
+
+/// The rotation of the polar decomposition F = R U of a map with det F > 0, to rounding.
+template <int Dim>
+Mat<Dim> polarRotation(const Mat<Dim>& F);
+
+/// [x_1 − x_0, …, x_d − x_0]; the map of a cell from rest is edgeMatrix(pose) · edgeMatrix(rest)⁻¹.
+template <int Dim>
+Mat<Dim> edgeMatrix(const Points<Dim>& points, const Cell<Dim>& cell);
+
+}  // namespace wend

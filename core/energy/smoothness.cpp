@@ -1,0 +1,48 @@
+#include "core/energy/smoothness.h"
+
+#include <Eigen/Geometry>
+
+namespace wend {
+namespace {
+
+double measureOf(const Points<2>& x, const std::array<int, 2>& f) {
+    return (x.col(f[1]) - x.col(f[0])).norm();
+}
+
+double measureOf(const Points<3>& x, const std::array<int, 3>& f) {
+    const Vec<3> a = x.col(f[1]) - x.col(f[0]), b = x.col(f[2]) - x.col(f[0]);
+    return 0.5 * a.cross(b).norm();
+}
+
+template <int Dim>
+Vec<Dim> centroid(const Points<Dim>& points, const Cell<Dim>& cell) {
+    Vec<Dim> sum = Vec<Dim>::Zero();
+    for (int vertex : cell) sum += points.col(vertex);
+    return sum / (Dim + 1);
+}
+
+}  // namespace
+
+template <int Dim>
+double facetMeasure(const Points<Dim>& points, const std::array<int, Dim>& facet) {
+    return measureOf(points, facet);
+}
+
+template <int Dim>
+double smoothnessWeight(const Smoothing& smoothing, const Points<Dim>& points,
+                        const std::array<int, Dim>& facet, const Cell<Dim>& i, const Cell<Dim>& j) {
+    if (smoothing.kind == SmoothingKind::None) return 0;
+    const double B = facetMeasure<Dim>(points, facet);
+    if (smoothing.kind == SmoothingKind::Paper) return smoothing.lambda * B;
+    const double h = (centroid<Dim>(points, j) - centroid<Dim>(points, i)).norm();
+    return smoothing.length * smoothing.length / 16 * B / h;
+}
+
+#define WEND_INSTANTIATE(Dim)                                                                                \
+    template double facetMeasure<Dim>(const Points<Dim>&, const std::array<int, Dim>&);                      \
+    template double smoothnessWeight<Dim>(const Smoothing&, const Points<Dim>&, const std::array<int, Dim>&, \
+                                          const Cell<Dim>&, const Cell<Dim>&);
+WEND_INSTANTIATE(2)
+WEND_INSTANTIATE(3)
+
+}  // namespace wend

@@ -1,0 +1,140 @@
+#include "core/integration/contradictions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <utility>
+
+#include "core/mesh/error.h"
+
+namespace wend {
+
+template <int Dim>
+std::vector<ConstraintRow> rowsOf(const Constraints<Dim>& constraints, const std::vector<int>& ids) {
+    std::vector<ConstraintRow> rows;
+    for (const int id : ids) rows.push_back({constraints.points()[id].terms});
+    return rows;
+}
+
+namespace {
+
+// Of the greatest velocity: frames are tabulated to about 1e-10.
+constexpr double kAgree = 1e-7;
+
+/// Follows the constrained points alone from border to border.
+template <int Dim>
+class Rehearsal {
+  public:
+    Rehearsal(const Constraints<Dim>& constraints, const Points<Dim>& rest, const Normalization<Dim>& units)
+        : m_constraints(constraints), m_units(units) {
+        for (const ConstrainedPoint& point : constraints.points()) m_positions.push_back(point.in<Dim>(rest));
+        m_anchors.resize(m_positions.size());
+    }
+
+    void run() {
+        double from = 0;
+        for (double to = m_constraints.nextBorder(from); std::isfinite(to);
+             to = m_constraints.nextBorder(from)) {
+            stretch(from, to);
+            from = to;
+        }  // behind the last border all hold still
+    }
+
+  private:
+    void stretch(double from, double to) {
+        activate(from);
+        for (const double part : {0.0, 0.13, 0.5, 0.87}) check(from + part * (to - from));
+        Points<Dim> positions, velocities;
+        m_constraints.evaluate(m_ids, m_anchors, to, Side::Before, positions, velocities);
+        for (size_t i = 0; i < m_ids.size(); ++i)
+            m_positions[m_ids[i]] = positions.col(static_cast<Eigen::Index>(i));
+    }
+
+    /// Points that become active stand where those stand that they depend on.
+    void activate(double t) {
+        const std::vector<int> before = std::exchange(m_ids, m_constraints.activePoints(t, Side::After));
+        if (before != m_ids) {
+            m_dependent = dependentRows(rowsOf(m_constraints, m_ids));
+            for (const DependentRow& row : m_dependent) join(row, before);
+        }
+        for (const int id : m_ids) {
+            const auto& timeline = m_constraints.timeline(m_constraints.points()[id].handle);
+            const bool restarts = !std::binary_search(before.begin(), before.end(), id) ||
+                                  timeline.motionAt(t, Side::Before) != timeline.motionAt(t, Side::After);
+            if (restarts) m_anchors[id] = m_constraints.anchor(id, m_positions[id], t);
+        }
+    }
+
+    void join(const DependentRow& row, const std::vector<int>& before) {
+        const auto old = [&](int id) { return std::binary_search(before.begin(), before.end(), id); };
+        const int id = m_ids[row.row];
+        if (row.combination.size() == 1) {
+            const int other = m_ids[row.combination.front().first];
+            if (old(id) && !old(other)) m_positions[other] = m_positions[id];
+            if (old(id)) return;
+        } else if (old(id)) {
+            return;
+        }
+        Vec<Dim> p = Vec<Dim>::Zero();
+        for (const auto& [other, weight] : row.combination) p += weight * m_positions[m_ids[other]];
+        m_positions[id] = p;
+    }
+
+    void check(double t) const {
+        if (m_dependent.empty()) return;
+        Points<Dim> positions, velocities;
+        m_constraints.evaluate(m_ids, m_anchors, t, Side::After, positions, velocities);
+        for (const DependentRow& row : m_dependent) {
+            Vec<Dim> difference = velocities.col(row.row);
+            double size = difference.norm();
+            for (const auto& [other, weight] : row.combination) {
+                difference -= weight * velocities.col(other);
+                size = std::max(size, velocities.col(other).norm());
+            }
+            if (difference.norm() > kAgree * size) contradict(row, t, positions.col(row.row));
+        }
+    }
+
+    /// The other handle is the one that weighs most in the combination.
+    [[noreturn]] void contradict(const DependentRow& row, double t, const Vec<Dim>& p) const {
+        const auto handleOf = [&](int index) { return m_constraints.points()[m_ids[index]].handle; };
+        int other = -1;
+        double most = 0;
+        for (const auto& [index, weight] : row.combination) {
+            if (handleOf(index) == handleOf(row.row) || std::abs(weight) <= most) continue;
+            most = std::abs(weight);
+            other = handleOf(index);
+        }
+        if (other < 0) other = handleOf(row.combination.front().first);
+        std::ostringstream out;
+        out.imbue(std::locale::classic());
+        out << m_constraints.handleName(std::min(other, handleOf(row.row))) << " and "
+            << m_constraints.handleName(std::max(other, handleOf(row.row))) << " move the point "
+            << describe<Dim>(m_units.domain(p)) << " in different ways at time " << t;
+        throw InputError(out.str());
+    }
+
+    const Constraints<Dim>& m_constraints;
+    const Normalization<Dim>& m_units;
+    std::vector<Vec<Dim>> m_positions, m_anchors;
+    std::vector<int> m_ids;  // active ones, ascending
+    std::vector<DependentRow> m_dependent;
+};
+
+}  // namespace
+
+template <int Dim>
+void requireConsistent(const Constraints<Dim>& constraints, const Points<Dim>& rest,
+                       const Normalization<Dim>& units) {
+    Rehearsal<Dim>(constraints, rest, units).run();
+}
+
+#define WEND_INSTANTIATE(Dim)                                                                          \
+    template std::vector<ConstraintRow> rowsOf<Dim>(const Constraints<Dim>&, const std::vector<int>&); \
+    template void requireConsistent<Dim>(const Constraints<Dim>&, const Points<Dim>&,                  \
+                                         const Normalization<Dim>&);
+WEND_INSTANTIATE(2)
+WEND_INSTANTIATE(3)
+#undef WEND_INSTANTIATE
+
+}  // namespace wend

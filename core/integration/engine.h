@@ -1,0 +1,85 @@
+#pragma once
+
+#include <optional>
+
+#include "core/integration/deformer.h"
+#include "core/integration/orientation.h"
+#include "core/integration/runge_kutta.h"
+#include "core/solver/velocity_solver.h"
+
+namespace wend {
+
+/// The integration of one deformation in the frame where the rest shape has diagonal 1 (method.md,
+/// Integration).
+///
+/// Time is cut at the borders of the constraints: windows, jumps of a trajectory's velocity, active ranges. A
+/// step never crosses one, and at each the step control starts anew, so that a run that begins there takes
+/// the same steps.
+template <int Dim>
+struct Deformer<Dim>::Engine {
+    Engine(std::shared_ptr<const SimplicialMesh<Dim>> rest, std::shared_ptr<const Material<Dim>> material,
+           const std::vector<Handle<Dim>>& handles, const IntegrationOptions& options,
+           const std::function<VelocitySolver<Dim>(std::shared_ptr<const SimplicialMesh<Dim>>)>& makeSolver);
+
+    void setHandles(const std::vector<Handle<Dim>>& handles);
+    void restore(const State<Dim>& state);
+    AdvanceResult advance(double time, const Watch& watch);
+    Points<Dim> velocity();
+
+    State<Dim> state;
+    Statistics statistics;
+    VelocitySolver<Dim>& velocitySolver() { return *m_solver; }
+
+  private:
+    /// What went wrong with an attempt at a step.
+    struct Failure {
+        SolveOutcome outcome;
+        double time = 0;
+        bool cancelled = false;
+    };
+    using Slope = Points<Dim>;
+
+    // The shape and its constraints
+    void adopt(std::shared_ptr<const Constraints<Dim>> constraints);
+    void activate(Side side);
+    void publish();
+    void resetControl();
+    bool evaluate(double t, Side side, const Points<Dim>& shape, Slope& velocity);
+    void project(double t, Points<Dim>& shape);
+
+    // Steps
+    double border(double t) const;
+    double nextStop(double time) const;
+    double startStep(double to) const;
+    double proposedStep(double to) const;
+    double smallestStep() const;
+    bool step(double stop);
+    std::optional<double> attempt(double to);
+    void accept(double to, bool cut, double error);
+    void standStill(double to);
+    void arrive(double to);
+
+    // Around them
+    void emitFrames(double from, double to);
+    Points<Dim> interpolated(double from, double to, double t);
+    void measureError(double t);
+    AdvanceResult stopped() const;
+    void collectStatistics();
+
+    IntegrationOptions m_options;
+    Normalization<Dim> m_units;
+    std::shared_ptr<const SimplicialMesh<Dim>> m_domainRest, m_rest;
+    Orientation<Dim> m_orientation;
+    std::unique_ptr<VelocitySolver<Dim>> m_solver;
+    std::shared_ptr<const Constraints<Dim>> m_constraints;
+    RungeKuttaStep<Points<Dim>> m_step;
+
+    std::vector<int> m_ids;  // the active constrained points, as the solver has them
+    Points<Dim> m_targets, m_prescribed;
+    Points<Dim> m_next;  // the result of an attempt, projected
+    Failure m_failure;
+    const Watch* m_watch = nullptr;
+    size_t m_frame = 0;
+};
+
+}  // namespace wend

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <memory>
+
+#include "core/mesh/simplicial_mesh.h"
+
+namespace wend {
+
+/// Which cells of a shape are turned over against the rest mesh (whose cells are all of one orientation).
+template <int Dim>
+class Orientation {
+  public:
+    explicit Orientation(std::shared_ptr<const SimplicialMesh<Dim>> rest);
+
+    /// The first cell whose measure is zero, of the other sign than at rest, or not a number; −1 if there is
+    /// none.
+    int firstInverted(const Points<Dim>& shape) const;
+    /// The cell whose measure is the least part of that at rest.
+    int mostShrunk(const Points<Dim>& shape) const;
+
+  private:
+    std::shared_ptr<const SimplicialMesh<Dim>> m_rest;
+    double m_sign;
+};
+
+}  // namespace wend

@@ -1,0 +1,41 @@
+#include "core/integration/runge_kutta.h"
+
+namespace wend {
+
+namespace {
+
+/// Dormand, Prince 1980: order 5 with an embedded one of order 4.
+constexpr Tableau kDormandPrince = {
+    7,
+    {0, 1.0 / 5, 3.0 / 10, 4.0 / 5, 8.0 / 9, 1, 1},
+    {{{},
+      {1.0 / 5},
+      {3.0 / 40, 9.0 / 40},
+      {44.0 / 45, -56.0 / 15, 32.0 / 9},
+      {19372.0 / 6561, -25360.0 / 2187, 64448.0 / 6561, -212.0 / 729},
+      {9017.0 / 3168, -355.0 / 33, 46732.0 / 5247, 49.0 / 176, -5103.0 / 18656},
+      {35.0 / 384, 0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84}}},
+    {35.0 / 384, 0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84, 0},
+    {71.0 / 57600, 0, -71.0 / 16695, 71.0 / 1920, -17253.0 / 339200, 22.0 / 525, -1.0 / 40},
+    true};
+
+constexpr Tableau kRungeKutta4 = {
+    4, {0, 0.5, 0.5, 1}, {{{}, {0.5}, {0, 0.5}, {0, 0, 1}}}, {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6}, {}, false};
+
+constexpr Tableau kMidpoint = {2, {0, 0.5}, {{{}, {0.5}}}, {0, 1}, {}, false};
+
+}  // namespace
+
+const Tableau& Tableau::of(Method method) {
+    switch (method) {
+        case Method::DormandPrince:
+            break;
+        case Method::RungeKutta4:
+            return kRungeKutta4;
+        case Method::Midpoint:
+            return kMidpoint;
+    }
+    return kDormandPrince;
+}
+
+}  // namespace wend

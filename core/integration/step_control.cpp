@@ -1,0 +1,25 @@
+#include "core/integration/step_control.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wend {
+
+namespace {
+
+constexpr double kSafety = 0.9, kLeast = 0.2, kMost = 5;
+constexpr double kExactly = 1e-4;  // an error that counts as none: one lucky step must not weigh on the next
+
+}  // namespace
+
+double growthAfterStep(double e, double last) {
+    e = std::max(e, kExactly);
+    last = last > 0 ? std::max(last, kExactly) : e;
+    return std::clamp(kSafety * std::pow(e, -0.7 / 5) * std::pow(last, 0.4 / 5), kLeast, kMost);
+}
+
+double shrinkAfterError(double e) {
+    return std::isfinite(e) ? std::clamp(kSafety * std::pow(e, -1.0 / 5), kLeast, kSafety) : kLeast;
+}
+
+}  // namespace wend

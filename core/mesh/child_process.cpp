@@ -1,0 +1,149 @@
+#include "core/mesh/child_process.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <pthread.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <filesystem>
+
+extern char** environ;
+
+namespace wend {
+namespace {
+
+/// A file descriptor that closes itself.
+class Descriptor {
+  public:
+    explicit Descriptor(int fd = -1) : m_fd(fd) {}
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    ~Descriptor() { reset(); }
+    void reset(int fd = -1) {
+        if (m_fd >= 0) close(m_fd);
+        m_fd = fd;
+    }
+    int get() const { return m_fd; }
+
+  private:
+    int m_fd;
+};
+
+bool makePipe(Descriptor& readEnd, Descriptor& writeEnd) {
+    std::array<int, 2> ends{};
+    if (pipe2(ends.data(), O_CLOEXEC) != 0) return false;
+    readEnd.reset(ends[0]);
+    writeEnd.reset(ends[1]);
+    return true;
+}
+
+/// Writing to a child that has died must be an error, not the end of this program.
+class IgnoreBrokenPipe {
+  public:
+    IgnoreBrokenPipe() {
+        sigemptyset(&m_set);
+        sigaddset(&m_set, SIGPIPE);
+        pthread_sigmask(SIG_BLOCK, &m_set, &m_old);
+    }
+    IgnoreBrokenPipe(const IgnoreBrokenPipe&) = delete;
+    IgnoreBrokenPipe& operator=(const IgnoreBrokenPipe&) = delete;
+    ~IgnoreBrokenPipe() {
+        const timespec now{0, 0};
+        while (sigtimedwait(&m_set, nullptr, &now) > 0) continue;
+        pthread_sigmask(SIG_SETMASK, &m_old, nullptr);
+    }
+
+  private:
+    sigset_t m_set{}, m_old{};
+};
+
+class Child {
+  public:
+    bool start(const std::string& path, int megabytes) {
+        Descriptor childIn, childOut;
+        if (!makePipe(childIn, m_in) || !makePipe(m_out, childOut)) return false;
+        posix_spawn_file_actions_t actions;
+        posix_spawn_file_actions_init(&actions);
+        posix_spawn_file_actions_adddup2(&actions, childIn.get(), STDIN_FILENO);
+        posix_spawn_file_actions_adddup2(&actions, childOut.get(), STDOUT_FILENO);
+        std::string limit = std::to_string(megabytes);
+        std::array<char*, 3> arguments{const_cast<char*>(path.c_str()), limit.data(), nullptr};
+        const int error = posix_spawn(&m_pid, path.c_str(), &actions, nullptr, arguments.data(), environ);
+        posix_spawn_file_actions_destroy(&actions);
+        fcntl(m_in.get(), F_SETFL, O_NONBLOCK);
+        return error == 0;
+    }
+
+    /// Feeds and reads for up to 50 ms; false when the child has closed its output.
+    bool exchange(const std::string& input, std::size_t& sent, std::string& output) {
+        std::array<pollfd, 2> waits{pollfd{m_out.get(), POLLIN, 0}, pollfd{m_in.get(), POLLOUT, 0}};
+        poll(waits.data(), m_in.get() >= 0 ? 2 : 1, 50);
+        if (m_in.get() >= 0 && waits[1].revents != 0) feed(input, sent);
+        if ((waits[0].revents & (POLLIN | POLLHUP)) == 0) return true;
+        std::array<char, 65536> buffer;
+        const ssize_t got = read(m_out.get(), buffer.data(), buffer.size());
+        if (got > 0) output.append(buffer.data(), static_cast<std::size_t>(got));
+        return got > 0 || (got < 0 && errno == EINTR);
+    }
+
+    void kill() const { ::kill(m_pid, SIGKILL); }
+
+    int wait() const {
+        int status = 0;
+        while (waitpid(m_pid, &status, 0) < 0 && errno == EINTR) continue;
+        return status;
+    }
+
+  private:
+    void feed(const std::string& input, std::size_t& sent) {
+        const ssize_t wrote = write(m_in.get(), input.data() + sent, input.size() - sent);
+        if (wrote > 0) sent += static_cast<std::size_t>(wrote);
+        if (sent == input.size() || (wrote < 0 && errno != EAGAIN && errno != EINTR)) m_in.reset();
+    }
+
+    pid_t m_pid = 0;
+    Descriptor m_in, m_out;
+};
+
+}  // namespace
+
+ChildResult runChild(const std::string& path, const std::string& input, double seconds, int megabytes,
+                     const std::stop_token& stop) {
+    using Clock = std::chrono::steady_clock;
+    const IgnoreBrokenPipe guard;
+    ChildResult result;
+    Child child;
+    if (!child.start(path, megabytes)) return {ChildResult::End::NotStarted, errno, {}};
+    const auto end = Clock::now() + std::chrono::duration<double>(seconds);
+    std::size_t sent = 0;
+    auto reason = ChildResult::End::Exited;
+    while (child.exchange(input, sent, result.output)) {
+        if (stop.stop_requested())
+            reason = ChildResult::End::Stopped;
+        else if (Clock::now() > end)
+            reason = ChildResult::End::TimedOut;
+        if (reason == ChildResult::End::Exited) continue;
+        child.kill();
+        break;
+    }
+    const int status = child.wait();
+    result.end = reason;
+    if (reason == ChildResult::End::Exited && WIFSIGNALED(status)) result.end = ChildResult::End::Signalled;
+    result.code = WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status);
+    return result;
+}
+
+std::string siblingProgram(const std::string& name) {
+    std::error_code error;
+    const auto self = std::filesystem::read_symlink("/proc/self/exe", error);
+    return (self.parent_path() / name).string();
+}
+
+}  // namespace wend

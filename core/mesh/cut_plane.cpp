@@ -1,0 +1,116 @@
+#include "core/mesh/cut_plane.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+namespace wend {
+namespace {
+
+using Corner = CutSurface::Corner;
+
+Corner vertex(int id) {
+    return {id, id, 0};
+}
+
+void add(CutSurface& surface, const Corner& a, const Corner& b, const Corner& c, int cell, bool onCut) {
+    surface.triangles.push_back({a, b, c});
+    surface.cells.push_back(cell);
+    surface.onCut.push_back(onCut);
+}
+
+/// A convex polygon as a fan.
+void addFan(CutSurface& surface, const std::vector<Corner>& polygon, int cell, bool onCut) {
+    for (std::size_t k = 2; k < polygon.size(); ++k)
+        add(surface, polygon[0], polygon[k - 1], polygon[k], cell, onCut);
+}
+
+/// A facet seen from cells[side]: the other one looks at its back.
+void addFacet(CutSurface& surface, const Facet<3>& facet, int side, bool onCut) {
+    const auto& v = facet.vertices;
+    if (side == 0)
+        add(surface, vertex(v[0]), vertex(v[1]), vertex(v[2]), facet.cells[0], onCut);
+    else
+        add(surface, vertex(v[0]), vertex(v[2]), vertex(v[1]), facet.cells[1], onCut);
+}
+
+/// The corner where the plane crosses the edge between heights of different sign.
+Corner crossing(int from, int to, const std::vector<double>& height) {
+    return {from, to, height[from] / (height[from] - height[to])};
+}
+
+std::vector<double> heights(const Points<3>& pose, const CutPlane& plane) {
+    std::vector<double> height(static_cast<std::size_t>(pose.cols()));
+    for (Eigen::Index i = 0; i < pose.cols(); ++i) height[i] = plane.height(pose.col(i));
+    return height;
+}
+
+/// The part of a boundary facet that stays (Sutherland and Hodgman's clipping of one polygon at one plane).
+void addClipped(CutSurface& surface, const Facet<3>& facet, const std::vector<double>& height) {
+    std::vector<Corner> polygon;
+    for (int k = 0; k < 3; ++k) {
+        const int a = facet.vertices[k], b = facet.vertices[(k + 1) % 3];
+        if (height[a] <= 0) polygon.push_back(vertex(a));
+        if ((height[a] <= 0) != (height[b] <= 0)) polygon.push_back(crossing(a, b, height));
+    }
+    addFan(surface, polygon, facet.cells[0], false);
+}
+
+/// The section of a cell: a triangle or a quadrilateral, its corners in order, facing along the normal.
+void addSection(CutSurface& surface, const Cell<3>& cell, int index, const Points<3>& pose,
+                const CutPlane& plane, const std::vector<double>& height) {
+    std::vector<int> behind, before;
+    for (int v : cell) (height[v] <= 0 ? behind : before).push_back(v);
+    if (behind.empty() || before.empty()) return;
+    std::vector<Corner> polygon;
+    for (std::size_t i = 0; i < behind.size(); ++i)
+        for (std::size_t j = 0; j < before.size(); ++j) {
+            // Every second row backwards, so that the corners of a quadrilateral run around it.
+            const std::size_t column = i % 2 == 0 ? j : before.size() - 1 - j;
+            polygon.push_back(crossing(behind[i], before[column], height));
+        }
+    const auto place = [&](const Corner& c) -> Vec<3> {
+        return (1 - c.weight) * pose.col(c.from) + c.weight * pose.col(c.to);
+    };
+    const Vec<3> first = place(polygon[0]);
+    const Vec<3> normal = (place(polygon[1]) - first).cross(place(polygon.back()) - first);
+    if (normal.dot(plane.normal) < 0) std::reverse(polygon.begin(), polygon.end());
+    addFan(surface, polygon, index, true);
+}
+
+}  // namespace
+
+CutSurface wholeSurface(const std::vector<Facet<3>>& facets) {
+    CutSurface surface;
+    for (const auto& facet : facets)
+        if (!facet.interior()) addFacet(surface, facet, 0, false);
+    return surface;
+}
+
+CutSurface wholeCellCut(const SimplicialMesh<3>& mesh, const std::vector<Facet<3>>& facets,
+                        const Points<3>& pose, const CutPlane& plane) {
+    std::vector<bool> stays(mesh.cells.size());
+    for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
+        Vec<3> centroid = Vec<3>::Zero();
+        for (int v : mesh.cells[c]) centroid += pose.col(v) / 4;
+        stays[c] = plane.height(centroid) <= 0;
+    }
+    CutSurface surface;
+    for (const auto& facet : facets) {
+        const bool first = stays[facet.cells[0]], second = facet.interior() && stays[facet.cells[1]];
+        if (first != second) addFacet(surface, facet, first ? 0 : 1, facet.interior());
+    }
+    return surface;
+}
+
+CutSurface exactCut(const SimplicialMesh<3>& mesh, const std::vector<Facet<3>>& facets, const Points<3>& pose,
+                    const CutPlane& plane) {
+    const std::vector<double> height = heights(pose, plane);
+    CutSurface surface;
+    for (const auto& facet : facets)
+        if (!facet.interior()) addClipped(surface, facet, height);
+    for (std::size_t c = 0; c < mesh.cells.size(); ++c)
+        addSection(surface, mesh.cells[c], static_cast<int>(c), pose, plane, height);
+    return surface;
+}
+
+}  // namespace wend

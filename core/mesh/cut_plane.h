@@ -1,0 +1,41 @@
+#pragma once
+
+#include <vector>
+
+#include "core/mesh/simplicial_mesh.h"
+
+namespace wend {
+
+/// Where a solid is cut open: what lies on the side that the normal points to is taken away.
+struct CutPlane {
+    Vec<3> point = Vec<3>::Zero();
+    Vec<3> normal = Vec<3>::UnitX();
+
+    double height(const Vec<3>& p) const { return normal.dot(p - point); }
+};
+
+/// Triangles to draw: three corners each (as weights of the mesh's vertices, so that any pose can be drawn
+/// with them), the cell behind each, and whether it lies on the cut.
+struct CutSurface {
+    struct Corner {
+        int from, to;   // vertices
+        double weight;  // of `to`: the corner is (1 − weight) x_from + weight x_to
+    };
+    std::vector<std::array<Corner, 3>> triangles;
+    std::vector<int> cells;
+    std::vector<bool> onCut;
+};
+
+/// The whole surface of the solid: its boundary facets.
+CutSurface wholeSurface(const std::vector<Facet<3>>& facets);
+
+/// Whole cells ("crinkle"): the surface of the union of all cells whose centroid is not taken away.
+CutSurface wholeCellCut(const SimplicialMesh<3>& mesh, const std::vector<Facet<3>>& facets,
+                        const Points<3>& pose, const CutPlane& plane);
+
+/// The exact cut: boundary facets clipped at the plane, and the plane's sections of all cells that it
+/// crosses.
+CutSurface exactCut(const SimplicialMesh<3>& mesh, const std::vector<Facet<3>>& facets, const Points<3>& pose,
+                    const CutPlane& plane);
+
+}  // namespace wend

@@ -1,0 +1,186 @@
+#include "core/mesh/gltf.h"
+
+#include <array>
+#include <cstdint>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "core/mesh/error.h"
+#include "core/mesh/safe_file.h"
+
+namespace wend {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kFloat = 5126, kUnsigned = 5125;
+constexpr int kArrayBuffer = 34962, kElementBuffer = 34963;
+
+/// The binary chunk with its views and accessors (glTF 2.0, 3.6).
+class Buffer {
+  public:
+    explicit Buffer(Json& gltf) : m_gltf(gltf) {}
+
+    int view(const void* data, std::size_t bytes, int target) {
+        m_bytes.resize((m_bytes.size() + 3) / 4 * 4);
+        Json view = {{"buffer", 0}, {"byteOffset", m_bytes.size()}, {"byteLength", bytes}};
+        if (target != 0) view["target"] = target;
+        m_gltf["bufferViews"].push_back(view);
+        m_bytes.append(static_cast<const char*>(data), bytes);
+        return static_cast<int>(m_gltf["bufferViews"].size()) - 1;
+    }
+
+    int floats(const std::vector<float>& values, int components, int target, bool range) {
+        static constexpr std::array<const char*, 4> kTypes = {"", "SCALAR", "VEC2", "VEC3"};
+        Json accessor = {{"bufferView", view(values.data(), values.size() * sizeof(float), target)},
+                         {"componentType", kFloat},
+                         {"count", values.size() / components},
+                         {"type", kTypes[components]}};
+        if (range) addRange(accessor, values, components);
+        m_gltf["accessors"].push_back(accessor);
+        return static_cast<int>(m_gltf["accessors"].size()) - 1;
+    }
+
+    int indices(const std::vector<std::array<int, 3>>& triangles) {
+        std::vector<std::uint32_t> flat;
+        for (const auto& t : triangles) flat.insert(flat.end(), t.begin(), t.end());
+        m_gltf["accessors"].push_back({{"bufferView", view(flat.data(), flat.size() * 4, kElementBuffer)},
+                                       {"componentType", kUnsigned},
+                                       {"count", flat.size()},
+                                       {"type", "SCALAR"}});
+        return static_cast<int>(m_gltf["accessors"].size()) - 1;
+    }
+
+    const std::string& bytes() const { return m_bytes; }
+
+  private:
+    /// Least and greatest value per component: required for positions and animation times.
+    static void addRange(Json& accessor, const std::vector<float>& values, int components) {
+        std::vector<float> low(values.begin(), values.begin() + components), high = low;
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            low[i % components] = std::min(low[i % components], values[i]);
+            high[i % components] = std::max(high[i % components], values[i]);
+        }
+        accessor["min"] = low;
+        accessor["max"] = high;
+    }
+
+    Json& m_gltf;
+    std::string m_bytes;
+};
+
+std::vector<float> flatten(const Points<3>& points, bool zUp) {
+    std::vector<float> values;
+    values.reserve(static_cast<std::size_t>(points.size()));
+    for (Eigen::Index i = 0; i < points.cols(); ++i) {
+        const Vec<3> p = points.col(i);
+        const Vec<3> turned = zUp ? Vec<3>(p.x(), p.z(), -p.y()) : p;
+        for (double x : turned) values.push_back(static_cast<float>(x));
+    }
+    return values;
+}
+
+/// glTF's v runs down from the top left corner.
+std::vector<float> flattenUv(const Eigen::Matrix2Xd& uv) {
+    std::vector<float> values;
+    for (Eigen::Index i = 0; i < uv.cols(); ++i) {
+        values.push_back(static_cast<float>(uv(0, i)));
+        values.push_back(static_cast<float>(1 - uv(1, i)));
+    }
+    return values;
+}
+
+std::string readBytes(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    if (!file) throw InputError(path, "cannot be read");
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+void addMaterial(Json& gltf, Buffer& buffer, const std::string& texture) {
+    Json surface = {{"metallicFactor", 0.0}, {"roughnessFactor", 0.8}};
+    if (!texture.empty()) {
+        const std::string bytes = readBytes(texture);
+        const bool png = bytes.rfind("\x89PNG", 0) == 0;
+        gltf["images"] = Json::array({{{"bufferView", buffer.view(bytes.data(), bytes.size(), 0)},
+                                       {"mimeType", png ? "image/png" : "image/jpeg"}}});
+        gltf["textures"] = Json::array({{{"source", 0}}});
+        surface["baseColorTexture"] = {{"index", 0}};
+    }
+    gltf["materials"] =
+        Json::array({{{"name", "surface"}, {"pbrMetallicRoughness", surface}, {"doubleSided", true}}});
+}
+
+/// One morph target per pose, and weights that go from one to the next linearly.
+void addAnimation(Json& gltf, Buffer& buffer, Json& mesh, const GltfScene& scene, bool zUp) {
+    if (scene.poses.empty()) return;
+    const std::size_t count = scene.poses.size();
+    Json targets = Json::array();
+    for (const auto& pose : scene.poses)
+        targets.push_back(
+            {{"POSITION", buffer.floats(flatten(pose - scene.points, zUp), 3, kArrayBuffer, true)}});
+    mesh["primitives"][0]["targets"] = targets;
+    mesh["weights"] = std::vector<float>(count, 0.0F);
+    std::vector<float> weights(count * count, 0.0F);
+    for (std::size_t i = 0; i < count; ++i) weights[i * count + i] = 1;
+    const std::vector<float> times(scene.times.begin(), scene.times.end());
+    const Json sampler = {{"input", buffer.floats(times, 1, 0, true)},
+                          {"output", buffer.floats(weights, 1, 0, false)},
+                          {"interpolation", "LINEAR"}};
+    const Json channel = {{"sampler", 0}, {"target", {{"node", 0}, {"path", "weights"}}}};
+    gltf["animations"] = Json::array({{{"name", "deformation"},
+                                       {"samplers", Json::array({sampler})},
+                                       {"channels", Json::array({channel})}}});
+}
+
+void appendWord(std::string& out, std::uint32_t word) {
+    for (int k = 0; k < 4; ++k) out += static_cast<char>((word >> (8 * k)) & 0xFF);
+}
+
+/// Header, JSON chunk (padded with spaces), binary chunk (padded with zeros): glTF 2.0, section 4.4.
+std::string container(const Json& gltf, const std::string& bytes) {
+    std::string text = gltf.dump();
+    text.resize((text.size() + 3) / 4 * 4, ' ');
+    std::string binary = bytes;
+    binary.resize((binary.size() + 3) / 4 * 4, '\0');
+    std::string out = "glTF";
+    appendWord(out, 2);
+    appendWord(out, static_cast<std::uint32_t>(12 + 8 + text.size() + 8 + binary.size()));
+    appendWord(out, static_cast<std::uint32_t>(text.size()));
+    out += "JSON" + text;
+    appendWord(out, static_cast<std::uint32_t>(binary.size()));
+    out += std::string("BIN\0", 4) + binary;
+    return out;
+}
+
+}  // namespace
+
+void writeGltf(const std::string& path, const GltfScene& scene, bool zUp) {
+    if (scene.times.size() != scene.poses.size()) throw InputError(path, "one time per pose is needed");
+    Json gltf = {{"asset", {{"version", "2.0"}, {"generator", "Wend"}}},
+                 {"scene", 0},
+                 {"scenes", Json::array({{{"nodes", {0}}}})},
+                 {"nodes", Json::array({{{"mesh", 0}, {"name", scene.name}}})}};
+    Buffer buffer(gltf);
+    Json attributes = {{"POSITION", buffer.floats(flatten(scene.points, zUp), 3, kArrayBuffer, true)}};
+    if (scene.uv.cols() > 0)
+        attributes["TEXCOORD_0"] = buffer.floats(flattenUv(scene.uv), 2, kArrayBuffer, false);
+    Json mesh = {
+        {"name", scene.name},
+        {"primitives",
+         Json::array(
+             {{{"attributes", attributes}, {"indices", buffer.indices(scene.triangles)}, {"material", 0}}})}};
+    addMaterial(gltf, buffer, scene.texture);
+    addAnimation(gltf, buffer, mesh, scene, zUp);
+    gltf["meshes"] = Json::array({mesh});
+    gltf["buffers"] = Json::array({{{"byteLength", buffer.bytes().size()}}});
+    const std::string bytes = container(gltf, buffer.bytes());
+    writeWhole(path, [&](const std::string& temporary) {
+        std::ofstream file(temporary, std::ios::binary);
+        file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+        file.close();
+        if (!file) throw InputError(path, "cannot be written: the disk may be full");
+    });
+}
+
+}  // namespace wend

@@ -1,0 +1,180 @@
+#include "core/meshing/outline_check.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/box_intersection_d.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <sstream>
+
+#include "core/mesh/error.h"
+
+namespace wend {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Loop = std::vector<Vec<2>>;
+
+struct Segment {
+    Vec<2> a, b;
+};
+
+int side(const Vec<2>& a, const Vec<2>& b, const Vec<2>& p) {
+    const auto exact = [](const Vec<2>& v) { return Kernel::Point_2(v.x(), v.y()); };
+    return CGAL::orientation(exact(a), exact(b), exact(p));
+}
+
+std::string polygonName(std::size_t i) {
+    return "polygon " + std::to_string(i) + " of the outline";
+}
+
+void requireFinite(const Loop& loop, std::size_t index) {
+    for (std::size_t k = 0; k < loop.size(); ++k)
+        if (!loop[k].allFinite())
+            throw InputError("point " + std::to_string(k) + " of " + polygonName(index) + " is not finite");
+}
+
+Loop withoutRepeats(const Loop& loop) {
+    Loop out;
+    for (const auto& p : loop)
+        if (out.empty() || out.back() != p) out.push_back(p);
+    while (out.size() > 1 && out.back() == out.front()) out.pop_back();
+    return out;
+}
+
+void requireArea(const Loop& loop, std::size_t index) {
+    if (loop.size() < 3) throw InputError(polygonName(index) + " has fewer than 3 distinct points");
+    for (const auto& p : loop)
+        if (side(loop[0], loop[1], p) != 0) return;
+    throw InputError(polygonName(index) + " has no area: all its points are on one line");
+}
+
+std::vector<Segment> segmentsOf(const Outline& outline) {
+    std::vector<Segment> segments;
+    for (const auto& loop : outline.loops)
+        for (std::size_t k = 0; k < loop.size(); ++k)
+            segments.push_back({loop[k], loop[(k + 1) % loop.size()]});
+    return segments;
+}
+
+/// Where two collinear segments share more than a point: the middle of the common part.
+std::optional<Vec<2>> overlap(const Segment& s, const Segment& t) {
+    const auto less = [](const Vec<2>& p, const Vec<2>& q) {
+        return p.x() < q.x() || (p.x() == q.x() && p.y() < q.y());
+    };
+    const Vec<2> from = std::max(std::min(s.a, s.b, less), std::min(t.a, t.b, less), less);
+    const Vec<2> to = std::min(std::max(s.a, s.b, less), std::max(t.a, t.b, less), less);
+    if (!less(from, to)) return {};
+    return Vec<2>((from + to) / 2);
+}
+
+Vec<2> crossing(const Segment& s, const Segment& t) {
+    const Vec<2> u = s.b - s.a, v = t.b - t.a, w = t.a - s.a;
+    const double det = u.x() * v.y() - u.y() * v.x();
+    if (det == 0) return s.a;
+    return s.a + u * ((w.x() * v.y() - w.y() * v.x()) / det);
+}
+
+/// The place where segments share more than one touching point, if they do.
+std::optional<Vec<2>> conflict(const Segment& s, const Segment& t) {
+    const int a = side(s.a, s.b, t.a), b = side(s.a, s.b, t.b);
+    if (a == 0 && b == 0) return overlap(s, t);
+    if (a * b >= 0) return {};
+    if (side(t.a, t.b, s.a) * side(t.a, t.b, s.b) >= 0) return {};
+    return crossing(s, t);
+}
+
+/// Distance from p to the segment.
+double distance(const Segment& s, const Vec<2>& p) {
+    const Vec<2> u = s.b - s.a;
+    const double t = std::clamp((p - s.a).dot(u) / u.squaredNorm(), 0.0, 1.0);
+    return (p - s.a - t * u).norm();
+}
+
+bool isOneOf(const Vec<2>& p, const std::vector<Vec<2>>& points) {
+    return std::find(points.begin(), points.end(), p) != points.end();
+}
+
+bool moveCornersOnto(Outline& outline, const Vec<2>& p, const std::vector<Vec<2>>& points, double tolerance) {
+    bool moved = false;
+    for (auto& loop : outline.loops)
+        for (auto& corner : loop) {
+            if (corner != p && ((corner - p).norm() > tolerance || isOneOf(corner, points))) continue;
+            corner = p;
+            moved = true;
+        }
+    return moved;
+}
+
+void splitNearestEdge(Outline& outline, const Vec<2>& p, double tolerance) {
+    double nearest = tolerance;
+    Loop* where = nullptr;
+    std::size_t after = 0;
+    for (auto& loop : outline.loops)
+        for (std::size_t k = 0; k < loop.size(); ++k) {
+            const double d = distance({loop[k], loop[(k + 1) % loop.size()]}, p);
+            if (d > nearest || (where && d == nearest)) continue;
+            nearest = d;
+            where = &loop;
+            after = k;
+        }
+    if (where) where->insert(where->begin() + static_cast<std::ptrdiff_t>(after) + 1, p);
+}
+
+}  // namespace
+
+std::string placeName(const Vec<2>& p) {
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text.precision(9);
+    text << '(' << p.x() << ", " << p.y() << ')';
+    return text.str();
+}
+
+Outline cleanedOutline(const Outline& outline) {
+    if (outline.loops.empty()) throw InputError("the outline is empty");
+    Outline clean;
+    for (std::size_t i = 0; i < outline.loops.size(); ++i) {
+        requireFinite(outline.loops[i], i);
+        clean.loops.push_back(withoutRepeats(outline.loops[i]));
+        requireArea(clean.loops.back(), i);
+    }
+    return clean;
+}
+
+void requireNoCrossing(const Outline& outline) {
+    using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 2, int>;
+    const auto segments = segmentsOf(outline);
+    std::vector<Box> boxes;
+    boxes.reserve(segments.size());
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+        const auto& [a, b] = segments[i];
+        const CGAL::Bbox_2 bounds(std::min(a.x(), b.x()), std::min(a.y(), b.y()), std::max(a.x(), b.x()),
+                                  std::max(a.y(), b.y()));
+        boxes.emplace_back(bounds, static_cast<int>(i));
+    }
+    // The first pair in the outline's order is reported, whatever the order in which the boxes are visited.
+    std::pair<int, int> first{std::numeric_limits<int>::max(), 0};
+    Vec<2> place;
+    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& s, const Box& t) {
+        const auto pair = std::minmax({s.info(), t.info()});
+        if (first < pair) return;
+        if (const auto found = conflict(segments[pair.first], segments[pair.second])) {
+            first = pair;
+            place = *found;
+        }
+    });
+    if (first.first != std::numeric_limits<int>::max())
+        throw InputError("the outline crosses or overlaps itself near " + placeName(place));
+}
+
+Outline outlineThrough(Outline outline, const std::vector<Vec<2>>& points, double tolerance) {
+    for (const auto& p : points)
+        if (!moveCornersOnto(outline, p, points, tolerance)) splitNearestEdge(outline, p, tolerance);
+    for (auto& loop : outline.loops) loop = withoutRepeats(loop);
+    return outline;
+}
+
+}  // namespace wend

@@ -1,0 +1,49 @@
+#include "core/meshing/outline_simplify.h"
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Constrained_triangulation_plus_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polyline_simplification_2/Squared_distance_cost.h>
+#include <CGAL/Polyline_simplification_2/simplify.h>
+
+namespace wend {
+namespace {
+
+namespace simplification = CGAL::Polyline_simplification_2;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Structure = CGAL::Triangulation_data_structure_2<simplification::Vertex_base_2<Kernel>,
+                                                       CGAL::Constrained_triangulation_face_base_2<Kernel>>;
+using Triangulation = CGAL::Constrained_triangulation_plus_2<
+    CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::Exact_predicates_tag>>;
+
+std::vector<Kernel::Point_2> closedLine(const std::vector<Vec<2>>& loop) {
+    std::vector<Kernel::Point_2> points;
+    for (const auto& p : loop) points.emplace_back(p.x(), p.y());
+    points.push_back(points.front());
+    return points;
+}
+
+}  // namespace
+
+Outline simplified(const Outline& outline, double tolerance) {
+    if (!(tolerance > 0)) return outline;
+    Triangulation triangulation;
+    std::vector<Triangulation::Constraint_id> ids;
+    for (const auto& loop : outline.loops) {
+        const auto line = closedLine(loop);
+        ids.push_back(triangulation.insert_constraint(line.begin(), line.end()));
+    }
+    simplification::simplify(triangulation, simplification::Squared_distance_cost(),
+                             simplification::Stop_above_cost_threshold(tolerance * tolerance));
+    Outline result;
+    for (const auto& id : ids) {
+        auto& loop = result.loops.emplace_back();
+        for (auto v = triangulation.vertices_in_constraint_begin(id);
+             v != triangulation.vertices_in_constraint_end(id); ++v)
+            loop.emplace_back((*v)->point().x(), (*v)->point().y());
+        loop.pop_back();  // the first point again
+    }
+    return result;
+}
+
+}  // namespace wend

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <stop_token>
+
+#include "core/mesh/simplicial_mesh.h"
+#include "core/meshing/outline.h"
+
+namespace wend {
+
+/// What a refinement must reach and where it gives up.
+struct RefinementBounds {
+    double circumradius = 0;  // of every triangle at most
+    double minAngle = 25;     // degrees
+    double shortest = 0;  // edges at or below this length are not split for the angle's or the border's sake
+    int maxVertices = 0;  // beyond that there is no result
+};
+
+/// The constrained Delaunay triangulation of an outline and points, from which refined meshes are made. Hides
+/// CGAL.
+class PlanarDomain {
+  public:
+    /// The outline must be clean and without crossings. Throws InputError for points that are outside or
+    /// coincide.
+    PlanarDomain(const Outline& outline, const std::vector<Vec<2>>& points);
+    ~PlanarDomain();
+
+    double area() const;
+    double perimeter() const;
+    int vertexCount() const;
+
+    /// The mesh, or nothing when it would need more than maxVertices. Throws Cancelled.
+    std::optional<SimplicialMesh<2>> refined(const RefinementBounds& bounds,
+                                             const std::stop_token& stop) const;
+    /// The triangulation itself: no vertex added.
+    SimplicialMesh<2> unrefined() const;
+
+  private:
+    struct Triangulation;
+    std::unique_ptr<const Triangulation> m_triangulation;
+    int m_pointCount;
+};
+
+}  // namespace wend

@@ -1,0 +1,170 @@
+#pragma once
+
+// Only for planar_refinement.cpp: the CGAL types of the refinement.
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Delaunay_mesh_face_base_2.h>
+#include <CGAL/Delaunay_mesh_vertex_base_2.h>
+#include <CGAL/Delaunay_mesher_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace wend::planar {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_2;
+
+/// A face that knows whether it is inside the outline. CGAL's own mark (is_in_domain) is undefined in the
+/// middle of an insertion, which is when borders are tested for encroachment.
+template <typename Base = CGAL::Delaunay_mesh_face_base_2<Kernel>>
+class MarkedFace : public Base {
+  public:
+    template <typename Tds>
+    struct Rebind_TDS {
+        using Other = MarkedFace<typename Base::template Rebind_TDS<Tds>::Other>;
+    };
+    using Base::Base;
+
+    bool inside = false;
+};
+
+using VertexBase =
+    CGAL::Triangulation_vertex_base_with_info_2<int, Kernel, CGAL::Delaunay_mesh_vertex_base_2<Kernel>>;
+using Structure = CGAL::Triangulation_data_structure_2<VertexBase, MarkedFace<>>;
+using Cdt =
+    CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure,
+                                               CGAL::No_constraint_intersection_requiring_constructions_tag>;
+
+/// What a vertex's info holds that is no number in the mesh.
+constexpr int newVertex = -1;
+constexpr int frameVertex = -2;
+
+/// The triangulation as the mesher sees it: keeps the faces' marks up to date through its one way to add a
+/// point, and holds the length below which borders count as conforming.
+class MarkedTriangulation : public Cdt {
+  public:
+    using Cdt::Cdt;
+
+    double shortestSquared = 0;
+
+    /// A new face is on the same side of the outline as the face beyond its edge of the hole, unless that
+    /// edge is constrained. (The edges are given from the faces outside of the hole.)
+    template <typename EdgeIterator, typename FaceIterator>
+    Vertex_handle star_hole(const Point& p, EdgeIterator firstEdge, EdgeIterator endEdge,
+                            FaceIterator firstFace, FaceIterator endFace) {
+        const std::vector<Edge> edges(firstEdge, endEdge);
+        const auto vertex = Cdt::star_hole(p, firstEdge, endEdge, firstFace, endFace);
+        vertex->info() = newVertex;
+        for (const auto& [face, i] : edges)
+            face->neighbor(i)->inside = face->inside != face->is_constrained(i);
+        return vertex;
+    }
+};
+
+/// Bounds on circumradius and smallest angle. The circumradius (not the longest edge) as size gives evenly
+/// spread vertices: no two are nearer than the bound, no place farther from one. See RefinementBounds for
+/// `shortest`.
+class SizeAndAngle {
+  public:
+    using Face_handle = MarkedTriangulation::Face_handle;
+
+    struct Quality {
+        double size = 0;   // squared circumradius over its bound
+        double angle = 0;  // squared sine of the smallest angle
+        /// Worst first: the largest, then the sharpest.
+        bool operator<(const Quality& other) const {
+            if (size > 1 || other.size > 1) return size > other.size;
+            return angle < other.angle;
+        }
+    };
+
+    class Is_bad {
+      public:
+        explicit Is_bad(const SizeAndAngle& bounds) : m_bounds(&bounds) {}
+
+        CGAL::Mesh_2::Face_badness operator()(const Quality& q) const {
+            return q.size > 1 || q.angle < m_bounds->m_sineSquared ? CGAL::Mesh_2::BAD
+                                                                   : CGAL::Mesh_2::NOT_BAD;
+        }
+        CGAL::Mesh_2::Face_badness operator()(const Face_handle& face, Quality& q) const {
+            q = m_bounds->quality(face);
+            return (*this)(q);
+        }
+
+      private:
+        const SizeAndAngle* m_bounds;
+    };
+
+    SizeAndAngle() = default;
+    SizeAndAngle(double circumradius, double sineSquared, double shortest)
+        : m_radiusSquared(circumradius * circumradius),
+          m_sineSquared(sineSquared),
+          m_shortestSquared(shortest * shortest) {}
+
+    Is_bad is_bad_object() const { return Is_bad(*this); }
+
+  private:
+    /// Triangles whose edges are all at or below `shortest` are never bad: their circumcentres may lie beyond
+    /// a border that counts as conforming. Triangles with one such edge are not refined for their angle.
+    Quality quality(const Face_handle& face) const {
+        const Point &p = face->vertex(0)->point(), &q = face->vertex(1)->point(),
+                    &r = face->vertex(2)->point();
+        double a = CGAL::squared_distance(q, r), b = CGAL::squared_distance(r, p),
+               c = CGAL::squared_distance(p, q);
+        const double twiceArea = (q.x() - p.x()) * (r.y() - p.y()) - (q.y() - p.y()) * (r.x() - p.x());
+        const double areaSquared = twiceArea * twiceArea;  // 4 A²
+        if (a > b) std::swap(a, b);
+        if (b > c) std::swap(b, c);
+        if (a > b) std::swap(a, b);
+        if (c <= m_shortestSquared) return {0, 1};
+        // R² = a² b² c² / 16 A²; sin² of the angle between the two longest edges = 4 A² / (b² c²). A flat
+        // triangle's circumcircle says nothing about its size: its longest edge counts there (R > 0.65 c from
+        // angles of 130° on).
+        const double size = std::min(a * b * c / (4 * areaSquared), 0.65 * 0.65 * c);
+        return {size / m_radiusSquared, a <= m_shortestSquared ? 1 : areaSquared / (b * c)};
+    }
+
+    double m_radiusSquared = 1;
+    double m_sineSquared = 0;
+    double m_shortestSquared = 0;
+};
+
+}  // namespace wend::planar
+
+namespace CGAL::Mesh_2 {
+
+/// A border segment needs its diametral circle empty on its inner side only (CGAL's own rule looks at both):
+/// what lies across a gap outside of the shape has no part in the mesh, and narrow gaps would be filled with
+/// tiny edges for nothing.
+template <>
+struct Is_locally_conforming_Gabriel<wend::planar::MarkedTriangulation> {
+    using Triangulation = wend::planar::MarkedTriangulation;
+    using Vertex = Triangulation::Vertex_handle;
+    using Face = Triangulation::Face_handle;
+
+    bool operator()(const Triangulation& t, const Face& face, int i) const {
+        const Vertex a = face->vertex(Triangulation::cw(i)), b = face->vertex(Triangulation::ccw(i));
+        if (squared_distance(a->point(), b->point()) <= t.shortestSquared) return true;
+        const Face other = face->neighbor(i);
+        return (!face->inside || (*this)(t, a, b, face->vertex(i)->point())) &&
+               (!other->inside || (*this)(t, a, b, t.tds().mirror_vertex(face, i)->point()));
+    }
+    bool operator()(const Triangulation& t, const Vertex& a, const Vertex& b) const {
+        Face face;
+        int i = 0;
+        t.is_edge(a, b, face, i);
+        return (*this)(t, face, i);
+    }
+    bool operator()(const Triangulation& t, const Face& face, int i, const wend::planar::Point& p) const {
+        return (*this)(t, face->vertex(Triangulation::cw(i)), face->vertex(Triangulation::ccw(i)), p);
+    }
+    bool operator()(const Triangulation&, const Vertex& a, const Vertex& b,
+                    const wend::planar::Point& p) const {
+        return angle(a->point(), p, b->point()) == ACUTE;
+    }
+};
+
+}  // namespace CGAL::Mesh_2

@@ -1,0 +1,227 @@
+#include "core/motion/constraints.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <sstream>
+
+#include "core/mesh/error.h"
+#include "core/motion/handle_points.h"
+
+namespace wend {
+
+template <int Dim>
+std::string describe(const Vec<Dim>& p) {
+    std::ostringstream out;
+    out.imbue(std::locale::classic());
+    out << '(' << p[0];
+    for (int a = 1; a < Dim; ++a) out << ", " << p[a];
+    out << ')';
+    return out.str();
+}
+
+namespace {
+
+/// Whether t lies in a range, seen from one side of its ends.
+bool within(double t, double from, double to, Side side) {
+    return side == Side::After ? from <= t && t < to : from < t && t <= to;
+}
+
+template <int Dim>
+Trajectory<Dim> trajectoryOf(const Motion<Dim>& motion, size_t number) {
+    try {
+        return Trajectory<Dim>(motion);
+    } catch (const InputError& error) {
+        throw InputError("motion " + std::to_string(number + 1) + ": " + error.reason());
+    }
+}
+
+/// x with map(x) = p.
+template <int Dim>
+Vec<Dim> preimage(const AffineMap<Dim>& map, const Vec<Dim>& p) {
+    if (map.A == Mat<Dim>::Identity()) return p - map.b;
+    return map.A.inverse() * (p - map.b);
+}
+
+}  // namespace
+
+template <int Dim>
+HandleTimeline<Dim>::HandleTimeline(const Handle<Dim>& handle)
+    : m_activeFrom(handle.activeFrom), m_activeTo(handle.activeTo) {
+    if (!(m_activeFrom < m_activeTo)) throw InputError("\"active\" must be two increasing numbers");
+    for (const Motion<Dim>& motion : handle.motions) {
+        m_motions.push_back(trajectoryOf(motion, m_motions.size()));
+        const size_t last = m_motions.size() - 1;
+        if (last > 0 && m_motions[last].start() < m_motions[last - 1].end()) {
+            throw InputError("motion " + std::to_string(last + 1) + " begins before motion " +
+                             std::to_string(last) + " has ended");
+        }
+    }
+}
+
+template <int Dim>
+bool HandleTimeline<Dim>::active(double t, Side side) const {
+    return within(t, m_activeFrom, m_activeTo, side);
+}
+
+template <int Dim>
+int HandleTimeline<Dim>::motionAt(double t, Side side) const {
+    if (!active(t, side)) return -1;
+    for (size_t i = 0; i < m_motions.size(); ++i) {
+        if (within(t, m_motions[i].start(), m_motions[i].end(), side)) return static_cast<int>(i);
+    }
+    return -1;
+}
+
+template <int Dim>
+MovingMap<Dim> HandleTimeline<Dim>::at(double t, Side side) const {
+    const int motion = motionAt(t, side);
+    if (motion < 0) return {{}, {Mat<Dim>::Zero(), Vec<Dim>::Zero()}};
+    return m_motions[motion].at(t, side);
+}
+
+template <int Dim>
+std::vector<double> HandleTimeline<Dim>::borders() const {
+    std::vector<double> times;
+    for (const Trajectory<Dim>& motion : m_motions) {
+        times.push_back(motion.start());
+        times.insert(times.end(), motion.breakTimes().begin(), motion.breakTimes().end());
+        times.push_back(motion.end());
+    }
+    for (const double t : {m_activeFrom, m_activeTo}) {
+        if (std::isfinite(t)) times.push_back(t);
+    }
+    return times;
+}
+
+template <int Dim>
+Constraints<Dim>::Constraints(const SimplicialMesh<Dim>& rest, const std::vector<Handle<Dim>>& handles,
+                              const Normalization<Dim>& units) {
+    const HandlePlacer<Dim> placer(rest, units);
+    for (size_t i = 0; i < handles.size(); ++i) {
+        const int index = static_cast<int>(i);
+        m_names.push_back(handles[i].name.empty() ? "handle " + std::to_string(i)
+                                                  : "handle \"" + handles[i].name + '"');
+        try {
+            m_timelines.emplace_back(handles[i]);
+            for (auto& point : placer.place(handles[i].at, index)) m_points.push_back(std::move(point));
+        } catch (const InputError& error) {
+            throw InputError(m_names.back() + ": " + error.reason());
+        }
+        const std::vector<double> times = m_timelines.back().borders();
+        m_borders.insert(m_borders.end(), times.begin(), times.end());
+    }
+    std::sort(m_borders.begin(), m_borders.end());
+    m_borders.erase(std::unique(m_borders.begin(), m_borders.end()), m_borders.end());
+}
+
+template <int Dim>
+double Constraints<Dim>::nextBorder(double t) const {
+    const auto next = std::upper_bound(m_borders.begin(), m_borders.end(), t);
+    return next == m_borders.end() ? std::numeric_limits<double>::infinity() : *next;
+}
+
+template <int Dim>
+double Constraints<Dim>::lastBorder(double t) const {
+    const auto next = std::upper_bound(m_borders.begin(), m_borders.end(), t);
+    return next == m_borders.begin() ? -std::numeric_limits<double>::infinity() : *(next - 1);
+}
+
+template <int Dim>
+std::vector<int> Constraints<Dim>::activePoints(double t, Side side) const {
+    std::vector<int> ids;
+    for (size_t k = 0; k < m_points.size(); ++k) {
+        if (m_timelines[m_points[k].handle].active(t, side)) ids.push_back(static_cast<int>(k));
+    }
+    return ids;
+}
+
+template <int Dim>
+bool Constraints<Dim>::moving(double t, Side side) const {
+    return std::any_of(m_timelines.begin(), m_timelines.end(),
+                       [&](const HandleTimeline<Dim>& timeline) { return timeline.motionAt(t, side) >= 0; });
+}
+
+template <int Dim>
+std::vector<MovingMap<Dim>> Constraints<Dim>::maps(double t, Side side) const {
+    std::vector<MovingMap<Dim>> result;
+    for (const HandleTimeline<Dim>& timeline : m_timelines) result.push_back(timeline.at(t, side));
+    return result;
+}
+
+template <int Dim>
+Vec<Dim> Constraints<Dim>::anchor(int id, const Vec<Dim>& p, double t, Side side) const {
+    return preimage<Dim>(m_timelines[m_points[id].handle].at(t, side).position, p);
+}
+
+template <int Dim>
+auto Constraints<Dim>::anchors(const Points<Dim>& shape, double t, Side side) const -> Anchors {
+    const std::vector<MovingMap<Dim>> map = maps(t, side);
+    Anchors result;
+    for (const ConstrainedPoint& point : m_points) {
+        result.push_back(preimage<Dim>(map[point.handle].position, point.in<Dim>(shape)));
+    }
+    return result;
+}
+
+template <int Dim>
+void Constraints<Dim>::crossBorder(double t, const Points<Dim>& shape, Anchors& anchors) const {
+    const std::vector<MovingMap<Dim>> before = maps(t, Side::Before), after = maps(t, Side::After);
+    for (size_t k = 0; k < m_points.size(); ++k) {
+        const int handle = m_points[k].handle;
+        const HandleTimeline<Dim>& timeline = m_timelines[handle];
+        const bool wasActive = timeline.active(t, Side::Before),
+                   staysActive = timeline.active(t, Side::After);
+        if (wasActive && staysActive) {
+            if (timeline.motionAt(t, Side::Before) == timeline.motionAt(t, Side::After)) continue;
+            anchors[k] = before[handle].position(anchors[k]);  // a motion begins with the identity
+        } else {
+            anchors[k] = preimage<Dim>(after[handle].position, m_points[k].in<Dim>(shape));
+        }
+    }
+}
+
+template <int Dim>
+auto Constraints<Dim>::adopt(const std::vector<ConstrainedPoint>& others, const Anchors& theirs,
+                             const Points<Dim>& shape, double t) const -> Anchors {
+    constexpr double kSameTrajectory =
+        1e-9;  // relative to the diagonal, which is 1 in the frame of the computation
+    std::multimap<std::vector<std::pair<int, double>>, size_t> known;
+    for (size_t i = 0; i < std::min(others.size(), theirs.size()); ++i) known.emplace(others[i].terms, i);
+    const std::vector<MovingMap<Dim>> after = maps(t, Side::After);
+    Anchors result = anchors(shape, t);
+    for (size_t k = 0; k < m_points.size(); ++k) {
+        const auto [first, last] = known.equal_range(m_points[k].terms);
+        for (auto it = first; it != last; ++it) {
+            const Vec<Dim> p = after[m_points[k].handle].position(theirs[it->second]);
+            if ((p - m_points[k].in<Dim>(shape)).norm() <= kSameTrajectory) result[k] = theirs[it->second];
+            if (others[it->second].handle == m_points[k].handle) break;
+        }
+    }
+    return result;
+}
+
+template <int Dim>
+void Constraints<Dim>::evaluate(const std::vector<int>& ids, const Anchors& anchors, double t, Side side,
+                                Points<Dim>& positions, Points<Dim>& velocities) const {
+    const std::vector<MovingMap<Dim>> now = maps(t, side);
+    positions.resize(Dim, static_cast<Eigen::Index>(ids.size()));
+    velocities.resize(Dim, static_cast<Eigen::Index>(ids.size()));
+    for (size_t i = 0; i < ids.size(); ++i) {
+        const MovingMap<Dim>& map = now[m_points[ids[i]].handle];
+        positions.col(static_cast<Eigen::Index>(i)) = map.position(anchors[ids[i]]);
+        velocities.col(static_cast<Eigen::Index>(i)) = map.velocity(anchors[ids[i]]);
+    }
+}
+
+#define WEND_INSTANTIATE(Dim)                            \
+    template std::string describe<Dim>(const Vec<Dim>&); \
+    template class HandleTimeline<Dim>;                  \
+    template class Constraints<Dim>;
+WEND_INSTANTIATE(2)
+WEND_INSTANTIATE(3)
+#undef WEND_INSTANTIATE
+
+}  // namespace wend

@@ -1,0 +1,109 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/motion/normalization.h"
+#include "core/motion/trajectory.h"
+
+namespace wend {
+
+/// A point of the shape that a handle moves: Σ weight · x_vertex (one vertex, or the barycentric coordinates
+/// in a cell).
+struct ConstrainedPoint {
+    int handle = 0;
+    std::vector<std::pair<int, double>> terms;
+
+    template <int Dim>
+    Vec<Dim> in(const Points<Dim>& shape) const {
+        if (terms.size() == 1) return shape.col(terms.front().first);
+        Vec<Dim> p = Vec<Dim>::Zero();
+        for (const auto& [vertex, weight] : terms) p += weight * shape.col(vertex);
+        return p;
+    }
+};
+
+/// One handle in time: its motions one after another, and when it acts at all.
+template <int Dim>
+class HandleTimeline {
+  public:
+    /// Throws InputError for a motion that makes no sense, motions out of order or overlapping, an empty
+    /// active range.
+    explicit HandleTimeline(const Handle<Dim>& handle);
+
+    bool active(double t, Side side) const;
+    /// Which motion acts, or −1: the handle holds still (or is not active).
+    int motionAt(double t, Side side) const;
+    /// From where a point was when the current motion began to where it is; identity where the handle holds
+    /// still.
+    MovingMap<Dim> at(double t, Side side) const;
+    /// All times at which the constraints or their velocities are not smooth.
+    std::vector<double> borders() const;
+
+  private:
+    std::vector<Trajectory<Dim>> m_motions;
+    double m_activeFrom, m_activeTo;
+};
+
+/// The points that handles prescribe, and where these want them to be.
+///
+/// A constrained point's *anchor* at time t is where it was when the motion that acts from t on began (or
+/// where it stands, if the handle holds still): its trajectory is M(t′) anchor. A handle that becomes active
+/// later, be it in the middle of a motion, takes its points from where they are then.
+template <int Dim>
+class Constraints {
+  public:
+    using Anchors = std::vector<Vec<Dim>>;
+
+    /// Rest and handles in one frame; `units` says how to print its points. Throws InputError naming the
+    /// handle: a point outside the shape, a vertex id out of range, a region without a vertex, no point at
+    /// all, motions as in HandleTimeline.
+    Constraints(const SimplicialMesh<Dim>& rest, const std::vector<Handle<Dim>>& handles,
+                const Normalization<Dim>& units = {});
+
+    const std::vector<ConstrainedPoint>& points() const { return m_points; }
+    const HandleTimeline<Dim>& timeline(int handle) const { return m_timelines[handle]; }
+    /// `handle "name"`, or by number if it has none.
+    const std::string& handleName(int handle) const { return m_names[handle]; }
+
+    /// Sorted times that no step may cross: windows, breaks of velocity, active ranges.
+    const std::vector<double>& borders() const { return m_borders; }
+    /// The first border after t, or +infinity.
+    double nextBorder(double t) const;
+    /// The last border up to t, or −infinity.
+    double lastBorder(double t) const;
+
+    std::vector<int> activePoints(double t, Side side) const;
+    /// Whether any active handle is inside a window.
+    bool moving(double t, Side side) const;
+
+    /// The anchor of a point that is at p at time t.
+    Vec<Dim> anchor(int id, const Vec<Dim>& p, double t, Side side = Side::After) const;
+    /// Anchors for going on from a shape at time t.
+    Anchors anchors(const Points<Dim>& shape, double t, Side side = Side::After) const;
+    /// Anchors for going on over the border t, from those that led to it.
+    void crossBorder(double t, const Points<Dim>& shape, Anchors& anchors) const;
+    /// Anchors for going on from a shape at time t, given those that other constraints had there: kept to the
+    /// bit where a point was constrained before and its trajectory leads on, else as anchors().
+    Anchors adopt(const std::vector<ConstrainedPoint>& others, const Anchors& theirs,
+                  const Points<Dim>& shape, double t) const;
+
+    /// Positions and velocities of some points at time t, one column each.
+    void evaluate(const std::vector<int>& ids, const Anchors& anchors, double t, Side side,
+                  Points<Dim>& positions, Points<Dim>& velocities) const;
+
+  private:
+    std::vector<MovingMap<Dim>> maps(double t, Side side) const;
+
+    std::vector<ConstrainedPoint> m_points;
+    std::vector<HandleTimeline<Dim>> m_timelines;
+    std::vector<std::string> m_names;
+    std::vector<double> m_borders;
+};
+
+/// (x, y) or (x, y, z) with six digits, for messages.
+template <int Dim>
+std::string describe(const Vec<Dim>& p);
+
+}  // namespace wend

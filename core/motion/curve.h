@@ -1,0 +1,52 @@
+#pragma once
+
+#include <vector>
+
+#include "core/mesh/types.h"
+
+namespace wend {
+
+/// A cubic in the local parameter v ∈ [0, 1] over [from, to] of the curve's parameter u: Σ
+/// coefficients.col(k) v^k.
+template <int Dim>
+struct CurvePiece {
+    double from = 0, to = 1;
+    Eigen::Matrix<double, Dim, 4> coefficients = Eigen::Matrix<double, Dim, 4>::Zero();
+
+    double local(double u) const { return (u - from) / (to - from); }
+    Vec<Dim> value(double v) const;
+    /// d/du, not d/dv.
+    Vec<Dim> rate(double v) const;
+};
+
+/// A continuous curve γ(u), u ∈ [0, 1], of cubic pieces.
+template <int Dim>
+struct Curve {
+    std::vector<CurvePiece<Dim>> pieces;
+
+    /// The piece among [first, last[ that u lies in (at a joint the later one).
+    int locate(double u, int first, int last) const;
+    /// First pieces of the stretches between jumps of γ′: 0 and every piece at whose start γ′ jumps.
+    std::vector<int> smoothStretches() const;
+};
+
+/// A chain of cubics over 3k + 1 control points, each taking the same share of u.
+template <int Dim>
+Curve<Dim> bezierCurve(const std::vector<Vec<Dim>>& points);
+/// The C² interpolating cubic spline with natural ends (γ″ = 0) over chord lengths.
+template <int Dim>
+Curve<Dim> splineCurve(const std::vector<Vec<Dim>>& points);
+/// Straight pieces over chord lengths, hence with even speed.
+template <int Dim>
+Curve<Dim> polylineCurve(const std::vector<Vec<Dim>>& points);
+/// Straight pieces over the given increasing times, mapped linearly to [0, 1].
+template <int Dim>
+Curve<Dim> timedCurve(const std::vector<double>& times, const std::vector<Vec<Dim>>& points);
+
+/// The curve in space: itself, or with z = 0.
+Curve<3> inSpace(const Curve<2>& curve);
+inline const Curve<3>& inSpace(const Curve<3>& curve) {
+    return curve;
+}
+
+}  // namespace wend

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "core/motion/curve.h"
+
+namespace wend {
+
+/// The tangent of one cubic piece and what can be said of its bending. The hodograph h(v) = dγ/dv is a
+/// quadratic; a common root of its components (a handle drawn onto its own end, a cusp) is divided out, so
+/// that the direction g(v) stays smooth there: at a cusp the tangent is continued with its sign and the curve
+/// runs backwards from it.
+class TangentPiece {
+  public:
+    enum class Shape {
+        Still,     // does not move: no tangent
+        Straight,  // constant tangent
+        Planar,    // constant binormal; inflections only occur here
+        Spatial    // torsion nowhere zero, no inflection, no cusp
+    };
+    /// `size`: the extent of the whole curve, below 1e-13 of which a piece counts as still.
+    TangentPiece(const CurvePiece<3>& piece, double size);
+
+    Shape shape() const { return m_shape; }
+    /// Direction at v = 0 as travelled; unit.
+    Vec<3> tangent(double v) const;
+    /// ±1: the direction of travel at v = 1, relative to tangent(1).
+    double endSign() const { return m_endSign; }
+    /// A unit normal of the piece's plane (Planar) or the binormal at v (Spatial).
+    Vec<3> binormal(double v) const;
+    /// dT/dv.
+    Vec<3> tangentRate(double v) const;
+    /// Torsion times dσ/dv (σ arc length): how fast Frenet's frame turns about the tangent. Spatial only.
+    double torsionRate(double v) const;
+    /// (γ(w) − γ(v)) / (w − v), without cancellation.
+    Vec<3> chord(double v, double w) const;
+
+  private:
+    Vec<3> direction(double v) const { return m_g[0] + v * (m_g[1] + v * m_g[2]); }
+    Vec<3> directionRate(double v) const { return m_g[1] + 2 * v * m_g[2]; }
+    void makeStraight(const Vec<3>& line);
+    void dividePlanarCusp();
+
+    Shape m_shape = Shape::Still;
+    double m_endSign = 1;
+    std::array<Vec<3>, 3> m_g;  // coefficients of the direction
+    std::array<Vec<3>, 3> m_c;  // of γ: first to third power
+    Vec<3> m_normal = Vec<3>::UnitZ();
+};
+
+}  // namespace wend

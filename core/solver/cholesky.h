@@ -1,0 +1,42 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace wend {
+
+enum class Ordering { MinimumDegree, NestedDissection };
+
+/// Sparse Cholesky factorization by CHOLMOD, supernodal: the symbolic analysis once per pattern, then
+/// numbers. One thread uses it at a time; the analysis is serialized over all instances, because METIS orders
+/// by a global random sequence.
+class Cholesky {
+  public:
+    enum class Status { Done, NotPositiveDefinite, NotFinite };
+
+    Cholesky();
+    ~Cholesky();
+    Cholesky(const Cholesky&) = delete;
+    Cholesky& operator=(const Cholesky&) = delete;
+
+    /// Pattern of the lower triangle by columns, rows ascending (entries above the diagonal are ignored).
+    /// `blockSize` consecutive unknowns have one pattern: they are ordered as one. Throws std::bad_alloc if
+    /// there is not enough memory.
+    void analyze(const std::vector<int>& columnStart, const std::vector<int>& row, int blockSize,
+                 Ordering ordering);
+    /// Where the caller writes the values of the pattern.
+    std::span<double> values();
+    Status factorize();
+    /// Counted by the analysis: floating-point operations of a factorization and entries of the factor.
+    double factorFlops() const;
+    double factorEntries() const;
+    /// x = K⁻¹ b; b and x may be the same.
+    Status solve(std::span<const double> b, std::span<double> x);
+
+  private:
+    struct Handles;
+    std::unique_ptr<Handles> m_handles;
+};
+
+}  // namespace wend

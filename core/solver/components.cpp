@@ -1,0 +1,103 @@
+#include "core/solver/components.h"
+
+#include <Eigen/SVD>
+#include <algorithm>
+#include <numeric>
+
+namespace wend {
+namespace {
+
+// Points nearer than this, relative to the diagonal, count as one; angles likewise.
+constexpr double kDistinct = 1e-6;
+
+template <int Dim>
+Vec<Dim> pointOf(const ConstraintRow& row, const Points<Dim>& points) {
+    Vec<Dim> x = Vec<Dim>::Zero();
+    for (const auto& [vertex, weight] : row.terms) x += weight * points.col(vertex);
+    return x;
+}
+
+/// The points span Dim − 1 dimensions: two distinct ones in 2D, three that are not on a line in 3D.
+template <int Dim>
+bool spanEnough(const std::vector<Vec<Dim>>& points, double diagonal) {
+    if (points.size() < static_cast<std::size_t>(Dim)) return false;
+    Mat<Dim> scatter = Mat<Dim>::Zero();
+    Vec<Dim> mean = Vec<Dim>::Zero();
+    for (const auto& p : points) mean += p / static_cast<double>(points.size());
+    for (const auto& p : points) scatter += (p - mean) * (p - mean).transpose();
+    const Vec<Dim> squares = Eigen::JacobiSVD<Mat<Dim>>(scatter).singularValues();
+    return squares[Dim - 2] > kDistinct * kDistinct * diagonal * diagonal;
+}
+
+/// The components of every vertex, ascending, each once.
+template <int Dim>
+std::vector<std::vector<int>> componentsOfVertices(const SimplicialMesh<Dim>& mesh,
+                                                   const std::vector<int>& components) {
+    std::vector<std::vector<int>> result(mesh.vertexCount());
+    for (int c = 0; c < mesh.cellCount(); ++c)
+        for (int v : mesh.cells[c]) {
+            auto& list = result[v];
+            const auto at = std::lower_bound(list.begin(), list.end(), components[c]);
+            if (at == list.end() || *at != components[c]) list.insert(at, components[c]);
+        }
+    return result;
+}
+
+/// The components that have all vertices of a row.
+std::vector<int> componentsOfRow(const ConstraintRow& row, const std::vector<std::vector<int>>& ofVertex) {
+    std::vector<int> common = ofVertex[row.terms.front().first];
+    for (const auto& [vertex, weight] : row.terms)
+        std::erase_if(common, [&, v = vertex](int c) {
+            return !std::binary_search(ofVertex[v].begin(), ofVertex[v].end(), c);
+        });
+    return common;
+}
+
+}  // namespace
+
+template <int Dim>
+std::vector<int> cellComponents(const SimplicialMesh<Dim>& mesh) {
+    std::vector<int> parent(mesh.cells.size());
+    std::iota(parent.begin(), parent.end(), 0);
+    const auto root = [&](int i) {
+        while (parent[i] != i) i = parent[i] = parent[parent[i]];
+        return i;
+    };
+    for (const auto& facet : facetsOf(mesh))
+        if (facet.interior()) {
+            const int a = root(facet.cells[0]), b = root(facet.cells[1]);
+            parent[std::max(a, b)] = std::min(a, b);
+        }
+    std::vector<int> number(mesh.cells.size(), -1), result(mesh.cells.size());
+    int count = 0;
+    for (int c = 0; c < mesh.cellCount(); ++c) {
+        int& component = number[root(c)];
+        if (component < 0) component = count++;
+        result[c] = component;
+    }
+    return result;
+}
+
+template <int Dim>
+std::vector<bool> wellConstrained(const SimplicialMesh<Dim>& mesh, const std::vector<int>& components,
+                                  const std::vector<ConstraintRow>& rows) {
+    const int count = components.empty() ? 0 : *std::max_element(components.begin(), components.end()) + 1;
+    const auto ofVertex = componentsOfVertices(mesh, components);
+    std::vector<std::vector<Vec<Dim>>> points(count);
+    for (const auto& row : rows)
+        for (int component : componentsOfRow(row, ofVertex))
+            points[component].push_back(pointOf<Dim>(row, mesh.points));
+    const double diagonal = boundingBoxDiagonal<Dim>(mesh.points);
+    std::vector<bool> result(count);
+    for (int i = 0; i < count; ++i) result[i] = spanEnough<Dim>(points[i], diagonal);
+    return result;
+}
+
+#define WEND_INSTANTIATE(Dim)                                                                       \
+    template std::vector<int> cellComponents(const SimplicialMesh<Dim>&);                           \
+    template std::vector<bool> wellConstrained(const SimplicialMesh<Dim>&, const std::vector<int>&, \
+                                               const std::vector<ConstraintRow>&);
+WEND_INSTANTIATE(2)
+WEND_INSTANTIATE(3)
+
+}  // namespace wend

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "core/mesh/simplicial_mesh.h"
+#include "core/solver/constraint_rows.h"
+
+namespace wend {
+
+/// Per cell: the number of its facet-connected component. (Parts that only touch at a vertex can turn about
+/// it.)
+template <int Dim>
+std::vector<int> cellComponents(const SimplicialMesh<Dim>& mesh);
+
+/// Per component: whether its constrained points leave no rigid motion free, and at φ_CONF no similarity: two
+/// distinct points in 2D, three that are not on a line in 3D. A point counts for the component that has all
+/// its vertices.
+template <int Dim>
+std::vector<bool> wellConstrained(const SimplicialMesh<Dim>& mesh, const std::vector<int>& components,
+                                  const std::vector<ConstraintRow>& rows);
+
+}  // namespace wend

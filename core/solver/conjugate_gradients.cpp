@@ -1,0 +1,80 @@
+#include "core/solver/conjugate_gradients.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wend {
+namespace {
+
+constexpr int kMost = 200;  // far beyond what ever pays; ends a run that rounding keeps from converging
+// A single lucky step is not believed: the next one is expected to gain a factor of 20 at most.
+constexpr double kBestContraction = 0.05;
+
+template <int Dim>
+double dot(const Points<Dim>& a, const Points<Dim>& b) {
+    return a.cwiseProduct(b).sum();
+}
+
+template <int Dim>
+std::span<double> flat(Points<Dim>& points) {
+    return {points.data(), static_cast<std::size_t>(points.size())};
+}
+
+/// How many iterations at a contraction bring a size under a goal.
+double iterationsTo(double goal, double size, double contraction) {
+    if (contraction >= 1) return kMost;
+    return std::max(0.0, std::log(goal / size) / std::log(contraction));
+}
+
+}  // namespace
+
+template <int Dim>
+typename ConjugateGradients<Dim>::Result ConjugateGradients<Dim>::run(BackEnd<Dim>& backEnd,
+                                                                      const ReducedSystem<Dim>& system,
+                                                                      Cholesky& factor, const Goal& goal,
+                                                                      Points<Dim>& v) {
+    Result result;
+    backEnd.apply(v, m_Alifted);
+    system.restrict(m_Alifted, m_r);
+    m_r = -m_r;
+    m_z.resizeLike(m_r);
+    double before = 0, rzBefore = 0;
+    while (result.iterations < kMost) {
+        if (factor.solve(flat<Dim>(m_r), flat<Dim>(m_z)) != Cholesky::Status::Done) break;
+        ++result.iterations;
+        const double size = m_z.cwiseAbs().maxCoeff(), rz = dot<Dim>(m_r, m_z);
+        if (size == 0) {
+            result.end = Result::End::Converged;
+            break;
+        }
+        const bool first = result.iterations == 1;
+        const double contraction = first ? goal.contraction : std::max(kBestContraction, size / before);
+        if (result.iterations == 2) result.firstContraction = std::min(1.0, contraction);
+        if (first)
+            m_p = m_z;
+        else
+            m_p = m_z + rz / rzBefore * m_p;
+        m_lifted.setZero(Dim, v.cols());
+        system.expand(m_p, m_lifted);
+        backEnd.apply(m_lifted, m_Alifted);
+        system.restrict(m_Alifted, m_q);
+        const double pKp = dot<Dim>(m_p, m_q);
+        if (!(pKp > 0 && rz > 0)) break;
+        v += rz / pKp * m_lifted;
+        const double allowed = goal.tolerance * v.cwiseAbs().maxCoeff();
+        if (size * contraction <= allowed) {
+            result.end = Result::End::Converged;
+            break;
+        }
+        if (!first && goal.hopeless(iterationsTo(allowed, size, contraction))) break;
+        m_r -= rz / pKp * m_q;
+        before = size;
+        rzBefore = rz;
+    }
+    return result;
+}
+
+template class ConjugateGradients<2>;
+template class ConjugateGradients<3>;
+
+}  // namespace wend

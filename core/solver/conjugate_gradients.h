@@ -1,0 +1,40 @@
+#pragma once
+
+#include <functional>
+
+#include "core/assembly/back_end.h"
+#include "core/solver/cholesky.h"
+#include "core/solver/reduced_system.h"
+
+namespace wend {
+
+/// Conjugate gradients for K y = −Zᵀ A v, K = Zᵀ A Z applied without the matrix, with a Cholesky factor of an
+/// earlier K as preconditioner: the factor of a nearby shape is spectrally
+/// close, so a few iterations do. Keeps its vectors between runs.
+template <int Dim>
+class ConjugateGradients {
+  public:
+    struct Goal {
+        double tolerance = 0;    // error allowed, relative to the greatest nodal velocity
+        double contraction = 1;  // by how much the first step is expected to reduce the error
+        /// Whether to give up, if about so many iterations are still to do.
+        std::function<bool(double iterations)> hopeless;
+    };
+    struct Result {
+        enum class End { Converged, GaveUp } end = End::GaveUp;
+        int iterations = 0;
+        double firstContraction = 1;  // measured; 1 if there was only one iteration
+    };
+
+    /// v += Z y, from a v that meets the constraints. The error after a step is estimated as |z|·ρ: z the
+    /// preconditioned residual before it, ρ the last contraction of |z|, both in the maximum norm: the step
+    /// that would bring it under the tolerance is the last.
+    Result run(BackEnd<Dim>& backEnd, const ReducedSystem<Dim>& system, Cholesky& factor, const Goal& goal,
+               Points<Dim>& v);
+
+  private:
+    Points<Dim> m_r, m_z, m_p, m_q;   // per unknown vertex
+    Points<Dim> m_lifted, m_Alifted;  // per vertex
+};
+
+}  // namespace wend

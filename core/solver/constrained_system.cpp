@@ -1,1 +1,0 @@
-#include "core/solver/constrained_system.h"

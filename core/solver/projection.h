@@ -1,0 +1,39 @@
+#pragma once
+
+#include <Eigen/Cholesky>
+#include <vector>
+
+#include "core/mesh/types.h"
+#include "core/solver/constraint_rows.h"
+
+namespace wend {
+
+/// The least-norm correction of nodal values that makes independent rows hold: x += Wᵀ (W Wᵀ)⁻¹ (target − W
+/// x). Rows of one vertex set it; the others are factored in clusters of rows that share movable vertices.
+template <int Dim>
+class Projection {
+  public:
+    Projection() = default;
+    Projection(const std::vector<ConstraintRow>& rows, const std::vector<DependentRow>& dependent,
+               int vertexCount);
+    void apply(Points<Dim>& values, const Points<Dim>& targets) const;
+
+  private:
+    struct Fixed {
+        int vertex, row;
+        double weight;
+    };
+    struct Cluster {
+        std::vector<int> rows, vertices;  // vertices: the movable ones
+        Eigen::MatrixXd W;
+        Eigen::LDLT<Eigen::MatrixXd> WWt;
+    };
+    void addCluster(std::vector<int> rows, const std::vector<bool>& isFixed);
+    void correct(const Cluster& cluster, Points<Dim>& values, const Points<Dim>& targets) const;
+
+    std::vector<ConstraintRow> m_rows;
+    std::vector<Fixed> m_fixed;
+    std::vector<Cluster> m_clusters;
+};
+
+}  // namespace wend

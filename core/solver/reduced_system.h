@@ -1,0 +1,53 @@
+#pragma once
+
+#include <span>
+
+#include "core/assembly/assembly_plan.h"
+#include "core/solver/constraint_rows.h"
+
+namespace wend {
+
+/// K = Zᵀ A Z for constraints that are eliminated, v = Z y + v_p: which block of A goes, with which
+/// coefficient, into which block of K, decided once. Without barycentric rows K is a part of A.
+template <int Dim>
+class ReducedSystem {
+  public:
+    ReducedSystem() = default;
+    ReducedSystem(const AssemblyPlan<Dim>& plan, const Elimination& elimination);
+
+    /// The vertex of every block of unknowns.
+    const std::vector<int>& unknowns() const { return m_unknowns; }
+    /// Scalar pattern of the lower triangle of K by columns (its diagonal blocks are full).
+    const std::vector<int>& columnStart() const { return m_columnStart; }
+    const std::vector<int>& row() const { return m_row; }
+
+    /// The values of K in that pattern, from the blocks of A in the plan's order.
+    void gather(std::span<const double> blocksOfA, std::span<double> values) const;
+    /// v_p: the constrained vertices with all free ones at rest; prescribed has a column per row.
+    void particular(const Points<Dim>& prescribed, Points<Dim>& v) const;
+    /// v = Z y + v_p with y from another field: v is v_p on entry.
+    void adopt(const Points<Dim>& field, Points<Dim>& v) const;
+    /// v += Z y.
+    void expand(const Points<Dim>& y, Points<Dim>& v) const;
+    /// Zᵀ f, one column per unknown vertex.
+    void restrict(const Points<Dim>& f, Points<Dim>& reduced) const;
+
+  private:
+    struct Term {  // K_PQ += coefficient · A_block, or its transpose
+        int block;
+        bool transposed;
+        double coefficient;
+    };
+    void numberUnknowns(const AssemblyPlan<Dim>& plan);
+    void buildPattern(const AssemblyPlan<Dim>& plan);
+    /// The row of Z of a vertex: its unknowns and their coefficients.
+    std::vector<std::pair<int, double>> rowOfZ(int vertex) const;
+
+    Elimination m_elimination;
+    std::vector<int> m_unknowns, m_unknownOf, m_pivotOf;  // the last two per vertex, −1: none
+    std::vector<int> m_columnStart, m_row;                // scalar
+    std::vector<int> m_blockStart, m_termStart;           // block columns; terms per block
+    std::vector<Term> m_terms;
+};
+
+}  // namespace wend

@@ -1,0 +1,373 @@
+#include "core/solver/velocity_solver.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "core/assembly/cpu_back_end.h"
+#include "core/mesh/error.h"
+#include "core/solver/cholesky.h"
+#include "core/solver/components.h"
+#include "core/solver/conjugate_gradients.h"
+#include "core/solver/projection.h"
+#include "core/solver/reduced_system.h"
+#include "core/solver/refactor_policy.h"
+
+namespace wend {
+namespace {
+
+// Weight of the mass matrix in parts with too few constraints: 1e-8 is off by 1 %, 1 by 2 % (method.md,
+// Constraints).
+constexpr double kInertia = 1e-4;
+// Refine while the residual, relative to the right-hand side, is above this: only the stiffest materials need
+// it.
+constexpr double kResidual = 1e-10;
+constexpr int kRefinements = 3;
+// Below this iterations with a stale factor save nothing.
+constexpr double kLeastTolerance = 1e-8;
+// A factor in double of this very shape leaves nothing to a second iteration.
+constexpr double kFreshContraction = 1e-6;
+// Above this ratio w_r / w_q (EQUIA is 512) a factor does not last: hundreds of iterations.
+constexpr double kStiffestReuse = 20;
+// Minimum degree is quicker below and makes no more fill.
+constexpr int kNestedDissectionVertices = 8000;
+
+/// Adds the seconds of its life to a counter.
+class Stopwatch {
+  public:
+    explicit Stopwatch(double& seconds) : m_seconds(seconds), m_start(std::chrono::steady_clock::now()) {}
+    ~Stopwatch() {
+        m_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count();
+    }
+    Stopwatch(const Stopwatch&) = delete;
+    Stopwatch& operator=(const Stopwatch&) = delete;
+
+  private:
+    double& m_seconds;
+    std::chrono::steady_clock::time_point m_start;
+};
+
+template <int Dim>
+std::span<double> flat(Points<Dim>& points) {
+    return {points.data(), static_cast<std::size_t>(points.size())};
+}
+
+void requireRow(const ConstraintRow& row, int vertexCount) {
+    double largest = 0;
+    for (const auto& [vertex, weight] : row.terms) {
+        if (vertex < 0 || vertex >= vertexCount)
+            throw InputError("a constraint names vertex " + std::to_string(vertex) + ", but there are only " +
+                             std::to_string(vertexCount));
+        if (!std::isfinite(weight)) throw InputError("a constraint has a weight that is not a finite number");
+        largest = std::max(largest, std::abs(weight));
+    }
+    if (largest == 0) throw InputError("a constraint has no weight");
+}
+
+bool sameTerms(const ConstraintRow& a, const ConstraintRow& b) {
+    return a.terms == b.terms;
+}
+
+/// Whether factors of this material last.
+template <int Dim>
+bool mayReuse(const Material<Dim>& material) {
+    return std::all_of(material.phi.begin(), material.phi.end(),
+                       [](double phi) { return std::cos(phi) <= kStiffestReuse * std::sin(phi); });
+}
+
+template <int Dim>
+BackEndFactory<Dim> factoryOf(BackEndKind) {  // other kinds come from above, through the second constructor
+    return makeCpuBackEnd<Dim>;
+}
+
+}  // namespace
+
+template <int Dim>
+struct VelocitySolver<Dim>::Engine {
+    std::shared_ptr<const SimplicialMesh<Dim>> rest;
+    std::shared_ptr<const AssemblyPlan<Dim>> plan;
+    std::unique_ptr<BackEnd<Dim>> backEnd;
+    std::vector<int> components;
+
+    std::vector<ConstraintRow> rows;
+    bool analyzed = false;
+    Elimination elimination;
+    Projection<Dim> projection;
+    ReducedSystem<Dim> system;
+    Cholesky cholesky;
+
+    std::vector<double> blocks;  // of A
+    SolverStatistics statistics;
+
+    bool reusable = false;  // by the material
+    double tolerance = 0;
+    bool factored = false;  // the factor serves, of factorShape
+    Points<Dim> factorShape;
+    double contraction = 1, contractionLag = 0;  // of a first iteration, and at which lag it was measured
+    RefactorPolicy policy;
+    ConjugateGradients<Dim> iteration;
+    Points<Dim> last;  // v̂ of the last solve
+
+    Engine(std::shared_ptr<const SimplicialMesh<Dim>> mesh, const Material<Dim>& material,
+           const BackEndFactory<Dim>& makeBackEnd, int threads);
+    void setConstraints(std::vector<ConstraintRow> newRows);
+    void countCosts();
+    SolveOutcome solve(const Points<Dim>& shape, const Points<Dim>& prescribed, Points<Dim>& v,
+                       const std::optional<Points<Dim>>& guess);
+    bool reuses() const { return reusable && tolerance >= kLeastTolerance; }
+    SolveOutcome factorize(const Points<Dim>& shape);
+    bool iterate(const Points<Dim>& shape, Points<Dim>& v);
+    SolveOutcome solveReduced(Points<Dim>& v);
+};
+
+template <int Dim>
+VelocitySolver<Dim>::Engine::Engine(std::shared_ptr<const SimplicialMesh<Dim>> mesh,
+                                    const Material<Dim>& material, const BackEndFactory<Dim>& makeBackEnd,
+                                    int threads)
+    : rest(std::move(mesh)), components(cellComponents(*rest)), reusable(mayReuse(material)) {
+    const Stopwatch watch(statistics.analyze);
+    const bool smoothing = material.smoothing.kind != SmoothingKind::None;
+    plan = std::make_shared<const AssemblyPlan<Dim>>(makeAssemblyPlan(*rest, smoothing));
+    backEnd = makeBackEnd(plan, *rest, material, threads);
+    blocks.resize(static_cast<std::size_t>(plan->blockCount()) * Dim * Dim);
+}
+
+template <int Dim>
+void VelocitySolver<Dim>::Engine::setConstraints(std::vector<ConstraintRow> newRows) {
+    newRows = simplified(newRows);
+    if (analyzed && std::equal(rows.begin(), rows.end(), newRows.begin(), newRows.end(), sameTerms)) return;
+    const Stopwatch watch(statistics.analyze);
+    for (const auto& row : newRows) requireRow(row, rest->vertexCount());
+    rows = std::move(newRows);
+    elimination = eliminate(rows);
+    projection = Projection<Dim>(rows, elimination.dependent, rest->vertexCount());
+    system = ReducedSystem<Dim>(*plan, elimination);
+
+    const auto constrained = wellConstrained(*rest, components, rows);
+    std::vector<double> inertia;
+    if (std::find(constrained.begin(), constrained.end(), false) != constrained.end())
+        for (int component : components) inertia.push_back(constrained[component] ? 0.0 : kInertia);
+    backEnd->setInertia(std::move(inertia));
+
+    const bool small = Dim == 2 && system.unknowns().size() < kNestedDissectionVertices;
+    if (!system.unknowns().empty())
+        cholesky.analyze(system.columnStart(), system.row(), Dim,
+                         small ? Ordering::MinimumDegree : Ordering::NestedDissection);
+    countCosts();
+    factored = false;
+    analyzed = true;
+    ++statistics.analyses;
+}
+
+template <int Dim>
+void VelocitySolver<Dim>::Engine::countCosts() {
+    SolverCost cost;
+    cost.factorFlops = cholesky.factorFlops();
+    cost.factorEntries = cholesky.factorEntries();
+    cost.contributions = static_cast<double>(plan->own.size() + plan->cross.size());
+    cost.cells = plan->cellCount();
+    cost.dimension = Dim;
+    policy.setCosts(cost.factor(), cost.iteration());
+}
+
+template <int Dim>
+SolveOutcome VelocitySolver<Dim>::Engine::factorize(const Points<Dim>& shape) {
+    factored = false;
+    {
+        const Stopwatch watch(statistics.assemble);
+        backEnd->assemble(blocks);
+        system.gather(blocks, cholesky.values());
+    }
+    const Stopwatch watch(statistics.factor);
+    ++statistics.factorizations;
+    switch (cholesky.factorize()) {
+        case Cholesky::Status::Done:
+            factored = true;
+            factorShape = shape;
+            contraction = 1;
+            policy.factorized();
+            return {};
+        case Cholesky::Status::NotFinite:
+            return {SolveOutcome::Kind::NotFinite, -1};
+        default:
+            return {SolveOutcome::Kind::NotPositiveDefinite, -1};
+    }
+}
+
+/// v = v_p on entry. Solves K y = −Zᵀ A v and adds Z y; again with the new residual while that is large.
+template <int Dim>
+SolveOutcome VelocitySolver<Dim>::Engine::solveReduced(Points<Dim>& v) {
+    const Stopwatch watch(statistics.solve);
+    Points<Dim> Av, right, y;
+    double first = 0;
+    for (int i = 0; i <= kRefinements; ++i) {
+        backEnd->apply(v, Av);
+        system.restrict(Av, right);
+        right = -right;
+        const double size = right.cwiseAbs().maxCoeff();
+        if (i == 0) first = size;
+        if (i > 0 && size <= kResidual * first) break;
+        y.resize(Dim, right.cols());
+        ++statistics.iterations;
+        if (cholesky.solve(flat<Dim>(right), flat<Dim>(y)) != Cholesky::Status::Done)
+            return {SolveOutcome::Kind::NotFinite, -1};
+        system.expand(y, v);
+    }
+    return v.allFinite() ? SolveOutcome{} : SolveOutcome{SolveOutcome::Kind::NotFinite, -1};
+}
+
+/// Conjugate gradients with the factor at hand; false if a new one is the better way. The contraction of the
+/// first iteration cannot be measured within it: it is taken to grow with the distance from the factor's
+/// shape.
+template <int Dim>
+bool VelocitySolver<Dim>::Engine::iterate(const Points<Dim>& shape, Points<Dim>& v) {
+    const Stopwatch watch(statistics.solve);
+    const double lag = (shape - factorShape).cwiseAbs().maxCoeff();
+    typename ConjugateGradients<Dim>::Goal goal;
+    goal.tolerance = tolerance;
+    goal.contraction = lag == 0          ? kFreshContraction
+                       : contraction < 1 ? std::min(1.0, contraction * lag / contractionLag)
+                                         : 1.0;
+    goal.hopeless = [&](double iterations) { return lag > 0 && policy.hopeless(iterations); };
+    const auto result = iteration.run(*backEnd, system, cholesky, goal, v);
+    statistics.iterations += result.iterations;
+    policy.evaluated(result.iterations);
+    if (result.iterations > 1 && lag > 0) {
+        contraction = result.firstContraction;
+        contractionLag = lag;
+    }
+    return result.end == ConjugateGradients<Dim>::Result::End::Converged && v.allFinite();
+}
+
+template <int Dim>
+SolveOutcome VelocitySolver<Dim>::Engine::solve(const Points<Dim>& shape, const Points<Dim>& prescribed,
+                                                Points<Dim>& v, const std::optional<Points<Dim>>& guess) {
+    if (!analyzed) setConstraints({});
+    last.resize(Dim, 0);
+    if (!prescribed.allFinite()) return {SolveOutcome::Kind::NotFinite, -1};
+    {
+        const Stopwatch watch(statistics.assemble);
+        if (const int cell = backEnd->setShape(shape); cell >= 0)
+            return {SolveOutcome::Kind::CellInverted, cell};
+    }
+    system.particular(prescribed, v);
+    if (v.isZero(0)) return {};  // nothing moves
+    if (!system.unknowns().empty()) {
+        const bool iterates = reuses();
+        if (iterates && guess && guess->allFinite()) system.adopt(*guess, v);
+        const bool stale = iterates && factored && !policy.due();
+        if (!stale || !iterate(shape, v)) {
+            if (const auto outcome = factorize(shape); !outcome.done()) return outcome;
+            if (!v.allFinite()) system.particular(prescribed, v);
+            if (!iterates || !iterate(shape, v))
+                if (const auto outcome = solveReduced(v); !outcome.done()) return outcome;
+        }
+    }
+    last = v;
+    return {};
+}
+
+template <int Dim>
+VelocitySolver<Dim>::VelocitySolver(std::shared_ptr<const SimplicialMesh<Dim>> normalizedRest,
+                                    std::shared_ptr<const Material<Dim>> material, BackEndKind kind,
+                                    int threads)
+    : VelocitySolver(std::move(normalizedRest), std::move(material), factoryOf<Dim>(kind), threads) {}
+
+template <int Dim>
+VelocitySolver<Dim>::VelocitySolver(std::shared_ptr<const SimplicialMesh<Dim>> normalizedRest,
+                                    std::shared_ptr<const Material<Dim>> material,
+                                    const BackEndFactory<Dim>& backEnd, int threads)
+    : m_engine(std::make_unique<Engine>(std::move(normalizedRest), *material, backEnd, threads)) {}
+
+template <int Dim>
+VelocitySolver<Dim>::~VelocitySolver() = default;
+template <int Dim>
+VelocitySolver<Dim>::VelocitySolver(VelocitySolver&&) noexcept = default;
+template <int Dim>
+VelocitySolver<Dim>& VelocitySolver<Dim>::operator=(VelocitySolver&&) noexcept = default;
+
+template <int Dim>
+void VelocitySolver<Dim>::setConstraints(std::vector<ConstraintRow> rows) {
+    m_engine->setConstraints(std::move(rows));
+}
+
+template <int Dim>
+SolveOutcome VelocitySolver<Dim>::solve(const Points<Dim>& shape, const Points<Dim>& prescribed,
+                                        Points<Dim>& velocity, const std::optional<Points<Dim>>& guess) {
+    return m_engine->solve(shape, prescribed, velocity, guess);
+}
+
+template <int Dim>
+void VelocitySolver<Dim>::setVelocityTolerance(double tolerance) {
+    m_engine->tolerance = tolerance;
+}
+
+template <int Dim>
+void VelocitySolver<Dim>::forget() {
+    m_engine->factored = false;
+}
+
+template <int Dim>
+double VelocitySolver<Dim>::energy() const {
+    return m_engine->last.cols() > 0 ? m_engine->backEnd->energy(m_engine->last) : 0.0;
+}
+
+template <int Dim>
+const SolverStatistics& VelocitySolver<Dim>::statistics() const {
+    return m_engine->statistics;
+}
+
+template <int Dim>
+std::string VelocitySolver<Dim>::backEndName() const {
+    return m_engine->backEnd->name();
+}
+
+template <int Dim>
+std::string VelocitySolver<Dim>::deviceName() const {
+    return m_engine->backEnd->device();
+}
+
+template <int Dim>
+void VelocitySolver<Dim>::project(Points<Dim>& shape, const Points<Dim>& targets) const {
+    m_engine->projection.apply(shape, targets);
+}
+
+template <int Dim>
+Eigen::MatrixXd VelocitySolver<Dim>::reducedMatrix() const {
+    const auto& start = m_engine->system.columnStart();
+    const auto& row = m_engine->system.row();
+    const auto values = m_engine->cholesky.values();
+    const auto n = static_cast<Eigen::Index>(start.size()) - 1;
+    Eigen::MatrixXd K = Eigen::MatrixXd::Zero(n, n);
+    for (int j = 0; j < n; ++j)
+        for (int i = start[j]; i < start[j + 1]; ++i) K(row[i], j) = K(j, row[i]) = values[i];
+    return K;
+}
+
+template <int Dim>
+const std::vector<int>& VelocitySolver<Dim>::unknownVertices() const {
+    return m_engine->system.unknowns();
+}
+
+template class VelocitySolver<2>;
+template class VelocitySolver<3>;
+
+double velocityToleranceFor(double integrationTolerance) {
+    return 0.3 * integrationTolerance;
+}
+
+std::string describe(const SolveOutcome& outcome) {
+    switch (outcome.kind) {
+        case SolveOutcome::Kind::Done:
+            return {};
+        case SolveOutcome::Kind::CellInverted:
+            return "cell " + std::to_string(outcome.cell) + " would fold over";
+        case SolveOutcome::Kind::NotPositiveDefinite:
+            return "the system of equations is singular to rounding";
+        case SolveOutcome::Kind::NotFinite:
+            return "the computation left the range of numbers";
+    }
+    return {};
+}
+
+}  // namespace wend

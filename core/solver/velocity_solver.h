@@ -1,0 +1,98 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/assembly/back_end.h"
+#include "core/solver/constraint_rows.h"
+
+namespace wend {
+
+/// How a solve ended. A numerical outcome is a value, never an exception.
+struct SolveOutcome {
+    enum class Kind { Done, CellInverted, NotPositiveDefinite, NotFinite };
+    Kind kind = Kind::Done;
+    int cell = -1;  // CellInverted: the first cell that is flat or turned over
+
+    bool done() const { return kind == Kind::Done; }
+};
+
+struct SolverStatistics {
+    double analyze = 0, assemble = 0, factor = 0, solve = 0;  // seconds
+    int analyses = 0, factorizations = 0, iterations = 0;     // iterations: pairs of triangular solves
+};
+
+/// The velocity tolerance that keeps the solver's part of the error of an integration well below the
+/// integration's own tolerance (both relative: to the greatest velocity, to the diagonal).
+double velocityToleranceFor(double integrationTolerance);
+
+/// The velocity field v̂ of least energy that takes the prescribed velocities of the constrained points
+/// (method.md, Field and energy, Smoothness, Constraints): min vᵀ A v subject to the rows. Constraints are
+/// eliminated exactly: v = Z y + v_p, and K y = −Zᵀ A v_p with K = Zᵀ A Z sparse, symmetric, positive
+/// definite. All lengths are in the frame where the rest diagonal is 1: the caller passes normalized
+/// coordinates. Deterministic: the same input gives the same bits for any number of threads. One thread uses
+/// it at a time.
+template <int Dim>
+class VelocitySolver {
+  public:
+    /// Mesh and material are valid (requireValid). threads = 0: all cores, where that pays.
+    VelocitySolver(std::shared_ptr<const SimplicialMesh<Dim>> normalizedRest,
+                   std::shared_ptr<const Material<Dim>> material, BackEndKind kind = BackEndKind::Automatic,
+                   int threads = 0);
+    /// The same with a back end of the caller's.
+    VelocitySolver(std::shared_ptr<const SimplicialMesh<Dim>> normalizedRest,
+                   std::shared_ptr<const Material<Dim>> material, const BackEndFactory<Dim>& backEnd,
+                   int threads);
+    ~VelocitySolver();
+    VelocitySolver(VelocitySolver&&) noexcept;
+    VelocitySolver& operator=(VelocitySolver&&) noexcept;
+
+    /// The symbolic analysis, once per set (none if the rows are those set already). Dependent rows are left
+    /// out: see dependentRows(). Throws InputError for a vertex out of range, a weight that is not finite, a
+    /// row of no weight.
+    void setConstraints(std::vector<ConstraintRow> rows);
+
+    /// v̂ at a shape; `prescribed` has one column per row. `velocity` is defined only if done. Vertices
+    /// without cells that no row names stay put. Parts with too few constrained points (2D: fewer than two
+    /// distinct ones, 3D: than three that are not on a line) take the velocity of least ∫|v|² among those of
+    /// least energy; without any constraint that is 0.
+    ///
+    /// With a velocity tolerance the factor of an earlier shape serves again while that is the least work,
+    /// and a `guess` (of any kind: only its unconstrained part counts, see VelocityHistory) saves iterations;
+    /// then the result depends, within the tolerance, on the solves since the last factorization.
+    SolveOutcome solve(const Points<Dim>& shape, const Points<Dim>& prescribed, Points<Dim>& velocity,
+                       const std::optional<Points<Dim>>& guess = std::nullopt);
+
+    /// The error of v̂ that is allowed, relative to its greatest nodal velocity. 0 (the default) or less than
+    /// 1e-8: every solve factorizes. So do materials on the way to EQUIA, whose factors do not last.
+    void setVelocityTolerance(double tolerance);
+    /// The next solve factorizes, as the first one did: so that what follows has the same bits whatever was
+    /// solved before.
+    void forget();
+
+    /// E(v̂) of the last solve, in normalized units; computed when asked for.
+    double energy() const;
+    const SolverStatistics& statistics() const;
+    /// "cpu" or "opencl", and the device's name.
+    std::string backEndName() const;
+    std::string deviceName() const;
+
+    /// Moves the shape by the least-norm correction that puts the constrained points on `targets` (one column
+    /// per row), to rounding: rows of one vertex set it exactly.
+    void project(Points<Dim>& shape, const Points<Dim>& targets) const;
+
+    /// For tests: K of the last factorization, dense, and the unknown vertices in the order of its blocks.
+    Eigen::MatrixXd reducedMatrix() const;
+    const std::vector<int>& unknownVertices() const;
+
+  private:
+    struct Engine;
+    std::unique_ptr<Engine> m_engine;
+};
+
+/// "cell 12 would fold over", "the system is singular …": one line for a message; empty when done.
+std::string describe(const SolveOutcome& outcome);
+
+}  // namespace wend

@@ -1,0 +1,341 @@
+// From a shape to the values of the matrix of the generalized metric energy (ARCHITECTURE.md; method.md). Built with
+//   -DDIM=2|3, and -DANISOTROPIC if any cell has B ≠ I.
+// A vector is a double2 or a double4 with w = 0; a matrix is its rows. Corner = cell · (DIM + 1) + local index.
+// Every sum runs in the plan's fixed order: no atomics, no local memory, the same bits whatever the device's parallelism.
+
+#pragma OPENCL EXTENSION cl_khr_fp64 : enable
+#pragma OPENCL FP_CONTRACT OFF
+
+#define CORNERS (DIM + 1)
+
+#if DIM == 2
+typedef double2 vec;
+typedef struct { vec r0, r1; } mat;
+#define ZERO ((vec)(0.0, 0.0))
+#define UNIT(j) ((vec)((j) == 0, (j) == 1))
+#define GET(v, j) ((j) == 0 ? (v).x : (v).y)
+vec load(global const double* x, int i) { return (vec)(x[2 * i], x[2 * i + 1]); }
+void store(global double* x, int i, vec v) { x[2 * i] = v.x; x[2 * i + 1] = v.y; }
+#else
+typedef double4 vec;
+typedef struct { vec r0, r1, r2; } mat;
+#define ZERO ((vec)(0.0, 0.0, 0.0, 0.0))
+#define UNIT(j) ((vec)((j) == 0, (j) == 1, (j) == 2, 0.0))
+#define GET(v, j) ((j) == 0 ? (v).x : (j) == 1 ? (v).y : (v).z)
+vec load(global const double* x, int i) { return (vec)(x[3 * i], x[3 * i + 1], x[3 * i + 2], 0.0); }
+void store(global double* x, int i, vec v) { x[3 * i] = v.x; x[3 * i + 1] = v.y; x[3 * i + 2] = v.z; }
+#endif
+
+// --- small matrices -------------------------------------------------------------------------------------------------
+
+#if DIM == 2
+mat rows(vec a, vec b, vec c) { mat m = {a, b}; return m; }
+vec times(mat m, vec x) { return (vec)(dot(m.r0, x), dot(m.r1, x)); }
+mat transposed(mat m) { mat t = {(vec)(m.r0.x, m.r1.x), (vec)(m.r0.y, m.r1.y)}; return t; }
+mat add(mat a, double s, mat b) { mat m = {a.r0 + s * b.r0, a.r1 + s * b.r1}; return m; }
+mat scaled(double s, mat a) { mat m = {s * a.r0, s * a.r1}; return m; }
+double frobenius(mat a, mat b) { return dot(a.r0, b.r0) + dot(a.r1, b.r1); }
+double trace(mat m) { return m.r0.x + m.r1.y; }
+mat outer(vec a, vec b) { mat m = {a.x * b, a.y * b}; return m; }
+mat identity(double s) { mat m = {s * UNIT(0), s * UNIT(1)}; return m; }
+double determinant(mat m) { return m.r0.x * m.r1.y - m.r0.y * m.r1.x; }
+// The transposed cofactor matrix: inverse = adjugate / determinant.
+mat adjugate(mat m) { mat a = {(vec)(m.r1.y, -m.r0.y), (vec)(-m.r1.x, m.r0.x)}; return a; }
+mat loadMat(global const double* x, int i) {
+    mat m = {(vec)(x[4 * i], x[4 * i + 1]), (vec)(x[4 * i + 2], x[4 * i + 3])};
+    return m;
+}
+void storeMat(global double* x, int i, mat m) {
+    x[4 * i] = m.r0.x; x[4 * i + 1] = m.r0.y; x[4 * i + 2] = m.r1.x; x[4 * i + 3] = m.r1.y;
+}
+#else
+mat rows(vec a, vec b, vec c) { mat m = {a, b, c}; return m; }
+vec times(mat m, vec x) { return (vec)(dot(m.r0, x), dot(m.r1, x), dot(m.r2, x), 0.0); }
+mat transposed(mat m) {
+    mat t = {(vec)(m.r0.x, m.r1.x, m.r2.x, 0.0), (vec)(m.r0.y, m.r1.y, m.r2.y, 0.0), (vec)(m.r0.z, m.r1.z, m.r2.z, 0.0)};
+    return t;
+}
+mat add(mat a, double s, mat b) { mat m = {a.r0 + s * b.r0, a.r1 + s * b.r1, a.r2 + s * b.r2}; return m; }
+mat scaled(double s, mat a) { mat m = {s * a.r0, s * a.r1, s * a.r2}; return m; }
+double frobenius(mat a, mat b) { return dot(a.r0, b.r0) + dot(a.r1, b.r1) + dot(a.r2, b.r2); }
+double trace(mat m) { return m.r0.x + m.r1.y + m.r2.z; }
+mat outer(vec a, vec b) { mat m = {a.x * b, a.y * b, a.z * b}; return m; }
+mat identity(double s) { mat m = {s * UNIT(0), s * UNIT(1), s * UNIT(2)}; return m; }
+double determinant(mat m) { return dot(m.r0, cross(m.r1, m.r2)); }
+mat adjugate(mat m) { return transposed(rows(cross(m.r1, m.r2), cross(m.r2, m.r0), cross(m.r0, m.r1))); }
+mat loadMat(global const double* x, int i) {
+    global const double* p = x + 9 * i;
+    mat m = {(vec)(p[0], p[1], p[2], 0.0), (vec)(p[3], p[4], p[5], 0.0), (vec)(p[6], p[7], p[8], 0.0)};
+    return m;
+}
+void storeMat(global double* x, int i, mat m) {
+    global double* p = x + 9 * i;
+    p[0] = m.r0.x; p[1] = m.r0.y; p[2] = m.r0.z; p[3] = m.r1.x; p[4] = m.r1.y; p[5] = m.r1.z;
+    p[6] = m.r2.x; p[7] = m.r2.y; p[8] = m.r2.z;
+}
+#endif
+
+mat product(mat a, mat b) {
+    mat t = transposed(b);
+    mat m;
+    m.r0 = times(t, a.r0);
+    m.r1 = times(t, a.r1);
+#if DIM == 3
+    m.r2 = times(t, a.r2);
+#endif
+    return m;
+}
+
+// --- energy ---------------------------------------------------------------------------------------------------------
+
+// Stress of a strain S = J + Jᵀ: P = 2 w_q (SB + BS) + w_r (d / Tr B) Tr(BS) B; for B = I 4 w_q S + w_r Tr(S) I.
+mat stressOf(mat S, double2 weights, int cell, global const double* B) {
+#ifdef ANISOTROPIC
+    const mat b = loadMat(B, cell);
+    const mat SB = product(S, b);
+    return add(scaled(2 * weights.x, add(SB, 1.0, transposed(SB))), weights.y * (DIM / trace(b)) * frobenius(b, S), b);
+#else
+    return add(scaled(4 * weights.x, S), weights.y * trace(S), identity(1.0));
+#endif
+}
+
+// The edges x_k − x_0 of a cell as rows.
+mat edgesOf(global const int* cells, global const double* shape, int cell) {
+    const vec origin = load(shape, cells[CORNERS * cell]);
+    const vec a = load(shape, cells[CORNERS * cell + 1]) - origin;
+    const vec b = load(shape, cells[CORNERS * cell + 2]) - origin;
+#if DIM == 3
+    const vec c = load(shape, cells[CORNERS * cell + 3]) - origin;
+    return rows(a, b, c);
+#else
+    return rows(a, b, ZERO);
+#endif
+}
+
+// The rotation of the polar decomposition, by Newton's iteration X ← (X + X⁻ᵀ) / 2 with scaling by the determinant.
+mat polarRotation(mat F) {
+    mat X = F;
+    for (int k = 0; k < 24; ++k) {
+        const double det = determinant(X);
+        const double scale = k < 4 ? pow(fabs(det), -1.0 / DIM) : 1.0;
+        const mat inverse = scaled(1.0 / (det * scale), transposed(adjugate(X)));
+        const mat next = scaled(0.5, add(scaled(scale, X), 1.0, inverse));
+        const mat change = add(next, -1.0, X);
+        X = next;
+        if (frobenius(change, change) < 1e-31) break;
+    }
+    return X;
+}
+
+// --- a shape --------------------------------------------------------------------------------------------------------
+
+// Hat gradients of all corners, measures, B(t) = R B₀ Rᵀ. bad[cell] = 1 for a cell that is not oriented as at rest.
+kernel void setCells(int count, global const int* cells, global const double* shape, global const double* restMeasure,
+                     global const double* restInverse, global const double* restB, global double* gradients,
+                     global double* measure, global double* B, global int* bad) {
+    const int cell = get_global_id(0);
+    if (cell >= count) return;
+    const mat E = edgesOf(cells, shape, cell);
+    const double det = determinant(E);
+    const double signedMeasure = det / (DIM == 2 ? 2.0 : 6.0);
+    measure[cell] = fabs(signedMeasure);
+    bad[cell] = !(signedMeasure * restMeasure[cell] > 0.0) || isinf(signedMeasure);
+    // Columns of E⁻¹ are the gradients of the corners 1 … DIM; that of corner 0 makes their sum zero.
+    const mat G = scaled(1.0 / det, transposed(adjugate(E)));
+    vec sum = G.r0 + G.r1;
+    store(gradients, CORNERS * cell + 1, G.r0);
+    store(gradients, CORNERS * cell + 2, G.r1);
+#if DIM == 3
+    sum += G.r2;
+    store(gradients, CORNERS * cell + 3, G.r2);
+#endif
+    store(gradients, CORNERS * cell, -sum);
+#ifdef ANISOTROPIC
+    // Rows of E are edges: F = Eᵀ E₀⁻ᵀ.
+    const mat F = product(transposed(E), transposed(loadMat(restInverse, cell)));
+    const mat R = polarRotation(F);
+    storeMat(B, cell, product(product(R, loadMat(restB, cell)), transposed(R)));
+#endif
+}
+
+// The first bad cell of each chunk, or count.
+kernel void firstBad(int count, int chunk, global const int* bad, global int* first) {
+    const int item = get_global_id(0);
+    const int begin = item * chunk, end = min(count, begin + chunk);
+    int found = count;
+    for (int cell = end - 1; cell >= begin; --cell)
+        if (bad[cell]) found = cell;
+    first[item] = found;
+}
+
+vec centroid(global const int* cells, global const double* shape, int cell) {
+    vec sum = ZERO;
+    for (int k = 0; k < CORNERS; ++k) sum += load(shape, cells[CORNERS * cell + k]);
+    return sum / (double)CORNERS;
+}
+
+// Weight of ‖P_j − P_i‖² per interior facet: factor · B_ij / h_ij (invariant) or factor · B_ij (paper).
+kernel void setFacets(int count, global const int* cells, global const int* facets, global const double* shape,
+                      double factor, int invariant, global double* weight) {
+    const int facet = get_global_id(0);
+    if (facet >= count) return;
+    global const int* f = facets + (DIM + 2) * facet;  // vertices, then the two cells
+    const vec a = load(shape, f[1]) - load(shape, f[0]);
+#if DIM == 2
+    const double size = length(a);
+#else
+    const double size = 0.5 * length(cross(a, load(shape, f[2]) - load(shape, f[0])));
+#endif
+    const double distance = length(centroid(cells, shape, f[DIM + 1]) - centroid(cells, shape, f[DIM]));
+    weight[facet] = invariant ? factor * size / distance : factor * size;
+}
+
+// β, the sum of a cell's facet weights.
+kernel void setBeta(int count, global const int* facetOfCorner, global const double* weight, global double* beta) {
+    const int cell = get_global_id(0);
+    if (cell >= count) return;
+    double sum = 0;
+    for (int k = 0; k < CORNERS; ++k) {
+        const int facet = facetOfCorner[CORNERS * cell + k];
+        if (facet >= 0) sum += weight[facet];
+    }
+    beta[cell] = sum;
+}
+
+// --- the matrix -----------------------------------------------------------------------------------------------------
+
+// Column j of 2 R g for R = the stress that e_j at the right corner brings to the left corner's cell.
+#ifdef ANISOTROPIC
+mat strainOf(int j, vec h) { const mat m = outer(UNIT(j), h); return add(m, 1.0, transposed(m)); }
+vec ownColumn(int j, vec g, vec h, double quarter, double beta, double2 w, int cell, global const double* B) {
+    const mat P = stressOf(strainOf(j, h), w, cell, B);
+    return 2 * times(add(scaled(quarter, P), beta, stressOf(P, w, cell, B)), g);
+}
+vec crossColumn(int j, vec g, vec h, double weight, double2 wl, int left, double2 wr, int right, global const double* B) {
+    return -2 * weight * times(stressOf(stressOf(strainOf(j, h), wr, right, B), wl, left, B), g);
+}
+#else
+// 2 a ((g·h) e_j + h g_j) + 4 b g h_j, the same in closed form: D = α I + ρ 1 1ᵀ with α = 4 w_q, ρ = w_r.
+vec closedColumn(int j, vec g, vec h, double a, double b) {
+    return 2 * a * (dot(g, h) * UNIT(j) + GET(g, j) * h) + 4 * b * GET(h, j) * g;
+}
+#endif
+
+// Blocks (column-major) of the lower triangle, each gathered from its contributions.
+kernel void assemble(int count, global const int* ownStart, global const int2* own, global const int* crossStart,
+                     global const int* crossContributions, global const double* gradients, global const double* measure,
+                     global const double2* weights, global const double* beta, global const double* facetWeight,
+                     global const double* inertia, global const double* B, global double* values) {
+    const int block = get_global_id(0);
+    if (block >= count) return;
+    vec c0 = ZERO, c1 = ZERO, c2 = ZERO;
+    for (int k = ownStart[block]; k < ownStart[block + 1]; ++k) {
+        const int2 corners = own[k];
+        const int cell = corners.x / CORNERS;
+        const vec g = load(gradients, corners.x), h = load(gradients, corners.y);
+        const double quarter = 0.25 * measure[cell], b = beta[cell];
+        const double2 w = weights[cell];
+        const double mass = inertia[cell] * measure[cell] * (corners.x == corners.y ? 2.0 : 1.0) / ((DIM + 1) * (DIM + 2));
+#ifdef ANISOTROPIC
+        c0 += ownColumn(0, g, h, quarter, b, w, cell, B) + mass * UNIT(0);
+        c1 += ownColumn(1, g, h, quarter, b, w, cell, B) + mass * UNIT(1);
+#if DIM == 3
+        c2 += ownColumn(2, g, h, quarter, b, w, cell, B) + mass * UNIT(2);
+#endif
+#else
+        const double alpha = 4 * w.x, rho = w.y;
+        const double p = quarter * alpha + b * alpha * alpha;
+        const double q = quarter * rho + b * (2 * alpha * rho + DIM * rho * rho);
+        c0 += closedColumn(0, g, h, p, q) + mass * UNIT(0);
+        c1 += closedColumn(1, g, h, p, q) + mass * UNIT(1);
+#if DIM == 3
+        c2 += closedColumn(2, g, h, p, q) + mass * UNIT(2);
+#endif
+#endif
+    }
+    for (int k = crossStart[block]; k < crossStart[block + 1]; ++k) {
+        const int left = crossContributions[3 * k], right = crossContributions[3 * k + 1];
+        const double weight = facetWeight[crossContributions[3 * k + 2]];
+        const vec g = load(gradients, left), h = load(gradients, right);
+        const double2 wl = weights[left / CORNERS], wr = weights[right / CORNERS];
+#ifdef ANISOTROPIC
+        c0 += crossColumn(0, g, h, weight, wl, left / CORNERS, wr, right / CORNERS, B);
+        c1 += crossColumn(1, g, h, weight, wl, left / CORNERS, wr, right / CORNERS, B);
+#if DIM == 3
+        c2 += crossColumn(2, g, h, weight, wl, left / CORNERS, wr, right / CORNERS, B);
+#endif
+#else
+        const double al = 4 * wl.x, ar = 4 * wr.x, rl = wl.y, rr = wr.y;
+        const double p = -weight * al * ar, q = -weight * (al * rr + rl * ar + DIM * rl * rr);
+        c0 += closedColumn(0, g, h, p, q);
+        c1 += closedColumn(1, g, h, p, q);
+#if DIM == 3
+        c2 += closedColumn(2, g, h, p, q);
+#endif
+#endif
+    }
+    store(values, DIM * block, c0);
+    store(values, DIM * block + 1, c1);
+#if DIM == 3
+    store(values, DIM * block + 2, c2);
+#endif
+}
+
+// --- products without the matrix ------------------------------------------------------------------------------------
+
+// P = D S of a nodal field, per cell.
+kernel void cellStress(int count, global const int* cells, global const double* gradients, global const double2* weights,
+                       global const double* B, global const double* v, global double* strain, global double* stress) {
+    const int cell = get_global_id(0);
+    if (cell >= count) return;
+    mat J = identity(0.0);
+    for (int k = 0; k < CORNERS; ++k)
+        J = add(J, 1.0, outer(load(v, cells[CORNERS * cell + k]), load(gradients, CORNERS * cell + k)));
+    const mat S = add(J, 1.0, transposed(J));
+    storeMat(strain, cell, S);
+    storeMat(stress, cell, stressOf(S, weights[cell], cell, B));
+}
+
+int across(global const int* facets, int facet, int cell) {
+    global const int* sides = facets + (DIM + 2) * facet + DIM;
+    return sides[0] == cell ? sides[1] : sides[0];
+}
+
+// R = ¼ V P + D Σ weight (P − P_neighbour), and the cell's energy ¼ V S : P + ½ Σ weight ‖P − P_neighbour‖².
+kernel void cellForce(int count, global const int* facetOfCorner, global const int* facets, global const double* facetWeight,
+                      global const double* measure, global const double2* weights, global const double* B,
+                      global const double* strain, global const double* stress, global double* force,
+                      global double* cellEnergy) {
+    const int cell = get_global_id(0);
+    if (cell >= count) return;
+    const mat P = loadMat(stress, cell);
+    mat jump = identity(0.0);
+    double energy = 0.25 * measure[cell] * frobenius(loadMat(strain, cell), P);
+    for (int k = 0; k < CORNERS; ++k) {
+        const int facet = facetOfCorner[CORNERS * cell + k];
+        if (facet < 0) continue;
+        const mat difference = add(P, -1.0, loadMat(stress, across(facets, facet, cell)));
+        jump = add(jump, facetWeight[facet], difference);
+        energy += 0.5 * facetWeight[facet] * frobenius(difference, difference);
+    }
+    storeMat(force, cell, add(stressOf(jump, weights[cell], cell, B), 0.25 * measure[cell], P));
+    cellEnergy[cell] = energy;
+}
+
+// A v per vertex: Σ over its corners 2 R g + ε V Σ_b m_ab v_b.
+kernel void vertexForce(int count, global const int* cornerStart, global const int* corners, global const int* cells,
+                        global const double* gradients, global const double* measure, global const double* inertia,
+                        global const double* force, global const double* v, global double* Av) {
+    const int vertex = get_global_id(0);
+    if (vertex >= count) return;
+    vec sum = ZERO;
+    for (int k = cornerStart[vertex]; k < cornerStart[vertex + 1]; ++k) {
+        const int corner = corners[k], cell = corner / CORNERS;
+        sum += 2 * times(loadMat(force, cell), load(gradients, corner));
+        if (inertia[cell] == 0.0) continue;
+        vec total = load(v, vertex);
+        for (int j = 0; j < CORNERS; ++j) total += load(v, cells[CORNERS * cell + j]);
+        sum += inertia[cell] * measure[cell] / ((DIM + 1) * (DIM + 2)) * total;
+    }
+    store(Av, vertex, sum);
+}

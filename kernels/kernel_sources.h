@@ -1,0 +1,10 @@
+#pragma once
+
+#include <string_view>
+
+namespace wend {
+
+/// The text of an embedded kernel file such as "assembly.cl"; empty if there is none of that name.
+std::string_view kernelSource(std::string_view name);
+
+}  // namespace wend

@@ -1,0 +1,94 @@
+#include "kernels/opencl_context.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iterator>
+
+#include "core/mesh/error.h"
+#include "core/mesh/safe_file.h"
+#include "kernels/kernel_sources.h"
+
+namespace wend {
+namespace fs = std::filesystem;
+namespace {
+
+/// $XDG_CACHE_HOME/wend/kernels; empty if there is no place for it.
+fs::path cacheFolder() {
+    const char* base = std::getenv("XDG_CACHE_HOME");
+    const char* home = std::getenv("HOME");
+    fs::path folder;
+    if (base != nullptr && *base != '\0')
+        folder = fs::path(base);
+    else if (home != nullptr && *home != '\0')
+        folder = fs::path(home) / ".cache";
+    else
+        return {};
+    std::error_code error;
+    fs::create_directories(folder / "wend/kernels", error);
+    return error ? fs::path() : folder / "wend/kernels";
+}
+
+std::vector<unsigned char> readBinary(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+void keepBinary(const fs::path& path, const cl::Program& program) {
+    const auto binaries = program.getInfo<CL_PROGRAM_BINARIES>();
+    if (path.empty() || binaries.size() != 1 || binaries[0].empty()) return;
+    try {
+        writeWhole(path.string(), [&](const std::string& temporary) {
+            std::ofstream(temporary, std::ios::binary)
+                .write(reinterpret_cast<const char*>(binaries[0].data()),
+                       static_cast<std::streamsize>(binaries[0].size()));
+        });
+    } catch (const InputError&) {
+        // Without a cache the next start compiles again.
+    }
+}
+
+}  // namespace
+
+OpenClContext::OpenClContext(const OpenClDeviceInfo& info) : m_info(info) {
+    std::vector<cl::Platform> platforms;
+    cl::Platform::get(&platforms);
+    std::vector<cl::Device> devices;
+    platforms.at(info.platform).getDevices(CL_DEVICE_TYPE_ALL, &devices);
+    m_device = devices.at(info.device);
+    m_context = cl::Context(m_device);
+    m_queue = cl::CommandQueue(m_context, m_device);
+}
+
+cl::Program OpenClContext::build(const std::string& file, const std::string& options) {
+    const std::string source(kernelSource(file));
+    const std::string key =
+        m_info.platformName + '\n' + m_info.name + '\n' + m_info.version + '\n' + options + '\n' + source;
+    const fs::path folder = cacheFolder();
+    const fs::path cached =
+        folder.empty() ? folder : folder / (std::to_string(std::hash<std::string>{}(key)) + ".bin");
+    if (!cached.empty() && fs::exists(cached)) {
+        try {
+            cl::Program program(m_context, {m_device}, cl::Program::Binaries{readBinary(cached)});
+            program.build(m_device, options.c_str());
+            return program;
+        } catch (const cl::Error&) {
+            // A stale binary, as after a driver's update: build from the text.
+        }
+    }
+    cl::Program program(m_context, source);
+    program.build(m_device, options.c_str());
+    keepBinary(cached, program);
+    return program;
+}
+
+std::string describe(const cl::Error& error) {
+    std::string text =
+        std::string("OpenCL: ") + error.what() + " failed (" + std::to_string(error.err()) + ")";
+    if (const auto* build = dynamic_cast<const cl::BuildError*>(&error))
+        for (const auto& [device, log] : build->getBuildLog()) text += ": " + log.substr(0, log.find('\n'));
+    return text;
+}
+
+}  // namespace wend

@@ -1,0 +1,112 @@
+#include "kernels/opencl_devices.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <sstream>
+
+#include "core/mesh/child_process.h"
+
+namespace wend {
+namespace {
+
+constexpr double kProbeSeconds = 60;  // a cold PoCL compiles for seconds
+constexpr int kProbeMegabytes = 0;    // GPU drivers reserve hundreds of gigabytes of addresses: no limit
+
+std::vector<std::string> split(const std::string& line, char separator) {
+    std::vector<std::string> fields;
+    std::stringstream stream(line);
+    for (std::string field; std::getline(stream, field, separator);) fields.push_back(field);
+    return fields;
+}
+
+std::string lower(std::string text) {
+    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+    return text;
+}
+
+/// A line of the probe: "device" and ten fields, tabs between; a second line "works P D" follows if the
+/// kernel ran.
+OpenClDeviceInfo parseDevice(const std::vector<std::string>& fields) {
+    OpenClDeviceInfo info;
+    info.platform = std::atoi(fields[1].c_str());
+    info.device = std::atoi(fields[2].c_str());
+    info.platformName = fields[3];
+    info.name = fields[4];
+    info.version = fields[5];
+    info.type = fields[6];
+    info.computeUnits = std::atoi(fields[7].c_str());
+    info.memoryMegabytes = std::atol(fields[8].c_str());
+    info.doublePrecision = fields[9] == "1";
+    info.problem = "the device failed at a first small kernel";
+    return info;
+}
+
+void parseOutcome(const std::vector<std::string>& fields, std::vector<OpenClDeviceInfo>& devices) {
+    for (auto& info : devices) {
+        if (std::to_string(info.platform) != fields[1] || std::to_string(info.device) != fields[2]) continue;
+        info.works = fields[0] == "works";
+        info.problem = info.works ? "" : fields.size() > 3 ? fields[3] : "";
+    }
+}
+
+OpenClDevices probe() {
+    OpenClDevices result;
+    const ChildResult child =
+        runChild(siblingProgram("wend-clprobe"), {}, kProbeSeconds, kProbeMegabytes, {});
+    for (const std::string& line : split(child.output, '\n')) {
+        const auto fields = split(line, '\t');
+        if (fields.size() >= 10 && fields[0] == "device")
+            result.devices.push_back(parseDevice(fields));
+        else if (fields.size() >= 3 && (fields[0] == "works" || fields[0] == "fails"))
+            parseOutcome(fields, result.devices);
+        else if (fields.size() >= 2 && fields[0] == "none")
+            result.problem = fields[1];
+    }
+    if (child.end == ChildResult::End::NotStarted)
+        result.problem = "wend-clprobe is missing beside the program";
+    else if (result.devices.empty() && result.problem.empty())
+        result.problem = "the OpenCL driver failed";
+    return result;
+}
+
+bool matches(const OpenClDeviceInfo& info, const std::string& wanted) {
+    return wanted == std::to_string(info.platform) + ":" + std::to_string(info.device) ||
+           lower(info.name).find(lower(wanted)) != std::string::npos ||
+           lower(info.platformName).find(lower(wanted)) != std::string::npos;
+}
+
+}  // namespace
+
+void prepareOpenClEnvironment() {
+    // PoCL's handler for SIGFPE is process-wide and makes integer divisions by zero in our own code silent.
+    setenv("POCL_SIGFPE_HANDLER", "0", 1);
+    setenv("POCL_SIGUSR2_HANDLER", "0", 1);
+}
+
+const OpenClDevices& openClDevices() {
+    static const OpenClDevices devices = probe();
+    return devices;
+}
+
+std::optional<OpenClDeviceInfo> chooseOpenClDevice(const std::string& name, std::string& why) {
+    const char* variable = std::getenv("WEND_DEVICE");
+    const std::string wanted = !name.empty() ? name : variable != nullptr ? variable : "";
+    const OpenClDevices& all = openClDevices();
+    std::vector<OpenClDeviceInfo> candidates;
+    for (const auto& info : all.devices)
+        if (wanted.empty() || matches(info, wanted)) candidates.push_back(info);
+    std::stable_sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
+        return std::pair(a.works, a.type == "GPU") > std::pair(b.works, b.type == "GPU");
+    });
+    if (candidates.empty())
+        why = all.devices.empty() ? "no OpenCL device: " + all.problem
+                                  : "no OpenCL device is called \"" + wanted + "\"";
+    else if (!candidates[0].works)
+        why = candidates[0].name + ": " + candidates[0].problem;
+    else
+        return candidates[0];
+    return std::nullopt;
+}
+
+}  // namespace wend

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace wend {
+
+/// An OpenCL device as the probe saw it.
+struct OpenClDeviceInfo {
+    int platform = 0, device = 0;  // indices in the order of the OpenCL runtime
+    std::string platformName, name, version, type;
+    int computeUnits = 0;
+    long memoryMegabytes = 0;
+    bool doublePrecision = false;
+    bool works = false;   // a kernel in double precision was built, run and gave the right numbers
+    std::string problem;  // why it does not work
+};
+
+struct OpenClDevices {
+    std::vector<OpenClDeviceInfo> devices;
+    std::string problem;  // why there is none, if there is none
+};
+
+/// All devices, each tried with a small kernel in a process of its own (wend-clprobe): a driver that aborts
+/// takes only that process with it. Runs once per process; the answer is kept.
+const OpenClDevices& openClDevices();
+
+/// The device that `wanted` (part of a name, any case; or "P:D" indices) names, the environment variable
+/// WEND_DEVICE if it is empty, else the first working GPU, else the first working device. Nothing if none
+/// works or matches; `why` then says it.
+std::optional<OpenClDeviceInfo> chooseOpenClDevice(const std::string& wanted, std::string& why);
+
+/// Settings that drivers read at their first call; to be called before any other OpenCL call, by the program
+/// and by the probe.
+void prepareOpenClEnvironment();
+
+}  // namespace wend

@@ -1,0 +1,122 @@
+// Distortion measures: zero where nothing is lost, the closed forms on stretched shapes, totals and the worst
+// cell.
+#include <Eigen/Geometry>
+#include <QTest>
+
+#include "core/energy/distortion.h"
+#include "tests/core/test_energy_samples.h"
+
+using namespace wend;
+using namespace wend::test;
+
+namespace {
+
+template <int Dim>
+Mat<Dim> rotation();
+template <>
+Mat<2> rotation<2>() {
+    return Eigen::Rotation2Dd(0.7).toRotationMatrix();
+}
+template <>
+Mat<3> rotation<3>() {
+    return Eigen::AngleAxisd(0.7, Vec<3>(1, 2, 3).normalized()).toRotationMatrix();
+}
+
+template <int Dim>
+void rigidIsNothing(bool negative) {
+    std::mt19937 random(1);
+    auto mesh = unitGrid<Dim>(3, 0.2, random);
+    if (negative)
+        for (auto& cell : mesh.cells) std::swap(cell[0], cell[1]);
+    const auto d = distortion<Dim>(mesh, affineField<Dim>(mesh.points, rotation<Dim>(), Vec<Dim>::Ones()));
+    for (double total : {d.totalAngle, d.totalVolume, d.totalMetric}) QVERIFY(std::abs(total) < 1e-24);
+    QCOMPARE(d.flips, 0);
+    QVERIFY(std::abs(d.minDet - 1) < 1e-12);
+}
+
+/// method.md's forms, written out for one stretch σ.
+template <int Dim>
+void stretched(const Vec<Dim>& s) {
+    std::mt19937 random(2);
+    const auto mesh = unitGrid<Dim>(3, 0.2, random);
+    const Mat<Dim> F = rotation<Dim>() * s.asDiagonal() * rotation<Dim>();
+    const auto d = distortion<Dim>(mesh, affineField<Dim>(mesh.points, F, Vec<Dim>::Zero()));
+    double angle, volume = s.prod() + 1 / s.prod() - 2, metric;
+    if constexpr (Dim == 2) {
+        angle = s[0] / s[1] + s[1] / s[0] - 2;
+        metric = std::pow(s[0] - 1, 2) + std::pow(s[1] - 1, 2) - std::pow(s[0] - s[1], 2) / 4;
+    } else {
+        angle = s[0] / s[1] + s[1] / s[0] + s[0] / s[2] + s[2] / s[0] + s[1] / s[2] + s[2] / s[1] - 6;
+        metric = std::pow(s[0] - 1, 2) + std::pow(s[1] - 1, 2) + std::pow(s[2] - 1, 2) -
+                 (std::pow(s[0] - s[1], 2) + std::pow(s[0] - s[2], 2) + std::pow(s[1] - s[2], 2)) / 5;
+    }
+    for (int c = 0; c < mesh.cellCount(); ++c) {
+        QVERIFY(std::abs(d.angle[c] - angle) < 1e-11);
+        QVERIFY(std::abs(d.volume[c] - volume) < 1e-11);
+        QVERIFY(std::abs(d.metric[c] - metric) < 1e-11);
+        QVERIFY(std::abs(d.ratio[c] - s.prod()) < 1e-11);
+    }
+    QVERIFY(std::abs(d.totalAngle - angle) < 1e-11);
+    QVERIFY(std::abs(d.totalVolume - volume) < 1e-11);
+    QVERIFY(std::abs(d.totalMetric - metric) < 1e-11);
+}
+
+template <int Dim>
+void weightedTotals() {
+    std::mt19937 random(3);
+    auto mesh = unitGrid<Dim>(2, 0.2, random);
+    const Points<Dim> pose = mesh.points + 0.03 * randomField<Dim>(random, mesh.vertexCount());
+    const auto d = distortion<Dim>(mesh, pose);
+    double metric = 0, measure = 0, worst = 0;
+    for (int c = 0; c < mesh.cellCount(); ++c) {
+        const double V = cellMeasure<Dim>(mesh.points, mesh.cells[c]);
+        metric += V * d.metric[c];
+        measure += V;
+        worst = std::max(worst, d.metric[c]);
+    }
+    QVERIFY(std::abs(d.totalMetric - metric / measure) < 1e-14);
+    QCOMPARE(d.metric[d.worstCell], worst);
+    QVERIFY(d.minDet < 1);
+}
+
+template <int Dim>
+void flipsAreCounted() {
+    std::mt19937 random(4);
+    const auto mesh = unitGrid<Dim>(3, 0, random);
+    Points<Dim> pose = mesh.points;
+    pose.row(0) *= -1;
+    const auto d = distortion<Dim>(mesh, pose);
+    QCOMPARE(d.flips, mesh.cellCount());
+    QVERIFY(std::abs(d.minDet + 1) < 1e-12);
+}
+
+}  // namespace
+
+class TestDistortion : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void rigid() {
+        for (bool negative : {false, true}) {
+            rigidIsNothing<2>(negative);
+            rigidIsNothing<3>(negative);
+        }
+    }
+    void closedForms() {
+        stretched<2>({1.5, 0.8});
+        stretched<2>({0.3, 0.3});
+        stretched<3>({1.5, 0.8, 1.1});
+        stretched<3>({2, 2, 0.25});
+    }
+    void totals() {
+        weightedTotals<2>();
+        weightedTotals<3>();
+    }
+    void flips() {
+        flipsAreCounted<2>();
+        flipsAreCounted<3>();
+    }
+};
+
+QTEST_APPLESS_MAIN(TestDistortion)
+#include "test_distortion.moc"

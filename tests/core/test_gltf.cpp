@@ -1,0 +1,135 @@
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QtEndian>
+#include <cstring>
+
+#include "core/mesh/embedding.h"
+#include "core/mesh/error.h"
+#include "core/mesh/gltf.h"
+#include "tests/support/surfaces.h"
+
+using namespace wend;
+
+class TestGltf : public QObject {
+    Q_OBJECT
+  private slots:
+    void containerIsWellFormed();
+    void posesComeBackAsMorphTargets();
+    void missingFolderIsAnError();
+    void embeddedPointsFollowAffineMaps();
+
+  private:
+    QTemporaryDir m_folder;
+};
+
+namespace {
+
+struct Glb {
+    QJsonObject json;
+    QByteArray binary;
+};
+
+Glb readGlb(const QString& path) {
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly)) return {};
+    const QByteArray bytes = file.readAll();
+    const auto word = [&](int at) { return qFromLittleEndian<quint32>(bytes.constData() + at); };
+    if (bytes.left(4) != "glTF" || word(4) != 2 || word(8) != static_cast<quint32>(bytes.size())) return {};
+    const int textLength = static_cast<int>(word(12));
+    const int binaryAt = 20 + textLength;
+    if (bytes.mid(16, 4) != "JSON" || bytes.mid(binaryAt + 4, 3) != "BIN") return {};
+    return {QJsonDocument::fromJson(bytes.mid(20, textLength)).object(),
+            bytes.mid(binaryAt + 8, static_cast<int>(word(binaryAt)))};
+}
+
+std::vector<float> floats(const Glb& glb, int accessorIndex, int components) {
+    const QJsonObject accessor = glb.json["accessors"].toArray()[accessorIndex].toObject();
+    const QJsonObject view = glb.json["bufferViews"].toArray()[accessor["bufferView"].toInt()].toObject();
+    std::vector<float> values(static_cast<std::size_t>(accessor["count"].toInt() * components));
+    std::memcpy(values.data(), glb.binary.constData() + view["byteOffset"].toInt(),
+                values.size() * sizeof(float));
+    return values;
+}
+
+GltfScene bendingBox() {
+    const Surface box = test::box({0, 0, 0}, {2, 1, 1}, 2);
+    GltfScene scene;
+    scene.triangles = box.triangles;
+    scene.points = box.points;
+    scene.times = {0, 0.5, 1};
+    for (double t : scene.times) {
+        Points<3> pose = box.points;
+        pose.row(2).array() += t * pose.row(0).array().square();
+        scene.poses.push_back(pose);
+    }
+    return scene;
+}
+
+}  // namespace
+
+void TestGltf::containerIsWellFormed() {
+    const GltfScene scene = bendingBox();
+    const QString path = m_folder.filePath("box.glb");
+    writeGltf(path.toStdString(), scene);
+    const Glb glb = readGlb(path);
+    QCOMPARE(glb.json["asset"].toObject()["version"].toString(), QString("2.0"));
+    QCOMPARE(glb.json["buffers"].toArray()[0].toObject()["byteLength"].toInt(),
+             static_cast<int>(glb.binary.size()));
+    const QJsonObject primitive =
+        glb.json["meshes"].toArray()[0].toObject()["primitives"].toArray()[0].toObject();
+    const auto positions = floats(glb, primitive["attributes"].toObject()["POSITION"].toInt(), 3);
+    QCOMPARE(positions.size(), static_cast<std::size_t>(scene.points.size()));
+    for (Eigen::Index i = 0; i < scene.points.cols(); ++i) {
+        QCOMPARE(positions[3 * i], static_cast<float>(scene.points(0, i)));
+        QCOMPARE(positions[3 * i + 1], static_cast<float>(scene.points(2, i)));  // y is up
+        QCOMPARE(positions[3 * i + 2], static_cast<float>(-scene.points(1, i)));
+    }
+}
+
+void TestGltf::posesComeBackAsMorphTargets() {
+    const GltfScene scene = bendingBox();
+    const QString path = m_folder.filePath("bend.glb");
+    writeGltf(path.toStdString(), scene, false);
+    const Glb glb = readGlb(path);
+    const QJsonObject mesh = glb.json["meshes"].toArray()[0].toObject();
+    const QJsonArray targets = mesh["primitives"].toArray()[0].toObject()["targets"].toArray();
+    QCOMPARE(targets.size(), qsizetype(3));
+    for (int k = 0; k < 3; ++k) {
+        const auto delta = floats(glb, targets[k].toObject()["POSITION"].toInt(), 3);
+        for (Eigen::Index i = 0; i < scene.points.size(); ++i)
+            QCOMPARE(delta[i], static_cast<float>(scene.poses[k].data()[i] - scene.points.data()[i]));
+    }
+    const QJsonObject sampler =
+        glb.json["animations"].toArray()[0].toObject()["samplers"].toArray()[0].toObject();
+    QCOMPARE(floats(glb, sampler["input"].toInt(), 1), (std::vector<float>{0, 0.5F, 1}));
+    QCOMPARE(floats(glb, sampler["output"].toInt(), 1), (std::vector<float>{1, 0, 0, 0, 1, 0, 0, 0, 1}));
+}
+
+void TestGltf::missingFolderIsAnError() {
+    QVERIFY_EXCEPTION_THROWN(writeGltf("/nowhere/at/all/x.glb", bendingBox()), InputError);
+}
+
+void TestGltf::embeddedPointsFollowAffineMaps() {
+    // Any affine map of a single tetrahedron carries points inside and outside exactly.
+    SimplicialMesh<3> mesh;
+    mesh.points.resize(3, 4);
+    mesh.points << 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1;
+    mesh.cells = {{0, 1, 2, 3}};
+    Points<3> points(3, 3);
+    points << 0.2, 1.5, -0.3, 0.1, 0.2, -0.4, 0.3, 0.1, 2.0;
+    Mat<3> A;
+    A << 1, 0.3, 0.1, -0.2, 1.4, 0, 0.5, 0, 0.8;
+    const Points<3> pose = (A * mesh.points).colwise() + Vec<3>(1, 2, 3);
+    const Embedding<3> embedding(mesh, points);
+    QCOMPARE(embedding.outside(), 2);
+    QVERIFY((embedding.carry(mesh, pose) - ((A * points).colwise() + Vec<3>(1, 2, 3)).matrix())
+                .cwiseAbs()
+                .maxCoeff() < 1e-14);
+}
+
+QTEST_APPLESS_MAIN(TestGltf)
+#include "test_gltf.moc"

@@ -1,0 +1,326 @@
+#include <QTest>
+#include <numbers>
+
+#include "core/mesh/error.h"
+#include "tests/support/pictures.h"
+#include "warp/warp.h"
+
+using namespace wend;
+using namespace wend::test;
+
+class TestWarp : public QObject {
+    Q_OBJECT
+  private slots:
+    void identityKeepsEveryBit_data();
+    void identityKeepsEveryBit();
+    void quarterTurnIsAnArrayRotation_data();
+    void quarterTurnIsAnArrayRotation();
+    void noSeamBetweenCells();
+    void coverageIsTheArea();
+    void slantedEdgeIsAntialiased();
+    void halfPixelShiftIsTheMean();
+    void nearerCellsHideOthers();
+    void outsideModes();
+    void pictureWithoutAlphaGetsOneWhereNeeded();
+    void threadsDoNotMatter();
+    void viewIsACropOfTheExport();
+    void minifiedFinePatternTurnsGrey();
+    void stMapOfIdentity();
+    void stMapForwardAndInverse();
+    void badShapeIsAnError();
+};
+
+namespace {
+
+const View kView{64, 48, Vec<2>::Zero(), 1};
+
+SimplicialMesh<2> wholePicture(int n = 7) {
+    return rectangle({0, 0}, {64, 48}, n);
+}
+
+/// A smooth map without folds that moves the border too.
+Points<2> wave(const Points<2>& rest, double amount = 3) {
+    Points<2> pose = rest;
+    for (Eigen::Index i = 0; i < rest.cols(); ++i)
+        pose.col(i) += amount * Vec<2>(std::sin(rest(1, i) / 9.0), std::cos(rest(0, i) / 7.0));
+    return pose;
+}
+
+double area(const SimplicialMesh<2>& mesh, const Points<2>& pose) {
+    double sum = 0;
+    for (const auto& cell : mesh.cells) sum += std::abs(cellMeasure<2>(pose, cell));
+    return sum;
+}
+
+double alphaSum(const Image& image) {
+    double sum = 0;
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x)
+            sum += valueAt<std::uint8_t>(image, x, y, image.channels - 1) / 255.0;
+    return sum;
+}
+
+}  // namespace
+
+void TestWarp::identityKeepsEveryBit_data() {
+    QTest::addColumn<int>("type");
+    QTest::addColumn<int>("channels");
+    QTest::addColumn<bool>("alpha");
+    QTest::addColumn<int>("filter");
+    for (int type = 0; type < 4; ++type)
+        for (int filter = 0; filter < 4; ++filter)
+            for (int channels = 1; channels <= 4; ++channels)
+                QTest::addRow("type %d filter %d channels %d", type, filter, channels)
+                    << type << channels << (channels % 2 == 0) << filter;
+}
+
+void TestWarp::identityKeepsEveryBit() {
+    QFETCH(int, type);
+    QFETCH(int, channels);
+    QFETCH(bool, alpha);
+    QFETCH(int, filter);
+    const Image source = randomPicture(64, 48, channels, static_cast<PixelType>(type), alpha);
+    const auto mesh = wholePicture();
+    WarpOptions options;
+    options.filter = static_cast<Filter>(filter);
+    const Image warped = warpImage(source, mesh, mesh.points, kView, options);
+    QCOMPARE(warped.channels, source.channels);
+    QVERIFY(warped.data == source.data);
+}
+
+void TestWarp::quarterTurnIsAnArrayRotation_data() {
+    QTest::addColumn<int>("type");
+    for (int type = 0; type < 4; ++type) QTest::addRow("type %d", type) << type;
+}
+
+void TestWarp::quarterTurnIsAnArrayRotation() {
+    QFETCH(int, type);
+    const Image source = randomPicture(48, 48, 3, static_cast<PixelType>(type), false);
+    const auto mesh = rectangle({0, 0}, {48, 48}, 5);
+    Points<2> pose = mesh.points;  // x towards y: (x, y) → (48 − y, x)
+    pose.row(0) = 48 - mesh.points.row(1).array();
+    pose.row(1) = mesh.points.row(0);
+    for (Filter filter : {Filter::Nearest, Filter::Bilinear, Filter::Bicubic, Filter::Ewa}) {
+        WarpOptions options;
+        options.filter = filter;
+        const Image turned = warpImage(source, mesh, pose, {48, 48, Vec<2>::Zero(), 1}, options);
+        QCOMPARE(turned.channels, 3);
+        withPixelType(source.type, [&](auto t) {
+            using T = decltype(t);
+            for (int y = 0; y < 48; ++y)
+                for (int x = 0; x < 48; ++x)
+                    for (int c = 0; c < 3; ++c) {
+                        const float expected = static_cast<float>(valueAt<T>(source, y, 47 - x, c));
+                        const float found = static_cast<float>(valueAt<T>(turned, x, y, c));
+                        // Integers are exact; the others to the rounding of the type, since positions are
+                        // rounded too.
+                        const float tolerance = std::is_integral_v<T> ? 0 : sizeof(T) == 2 ? 1e-3F : 1e-6F;
+                        QVERIFY(std::abs(found - expected) <= tolerance);
+                    }
+        });
+    }
+}
+
+void TestWarp::noSeamBetweenCells() {
+    const Image source = plainPicture(64, 48, {200, 100, 50, 255});
+    const auto mesh = wholePicture(12);
+    const Points<2> pose = wave(mesh.points);
+    for (Filter filter : {Filter::Nearest, Filter::Bilinear, Filter::Bicubic, Filter::Ewa}) {
+        WarpOptions options;
+        options.filter = filter;
+        const Image warped = warpImage(source, mesh, pose, kView, options);
+        for (int y = 6; y < 42; ++y)
+            for (int x = 6; x < 58; ++x)
+                for (int c = 0; c < 4; ++c)
+                    QCOMPARE(valueAt<std::uint8_t>(warped, x, y, c), valueAt<std::uint8_t>(source, x, y, c));
+    }
+}
+
+void TestWarp::coverageIsTheArea() {
+    const Image source = plainPicture(64, 48, {255, 255, 255, 255});
+    const auto mesh = rectangle({12, 12}, {50, 36}, 9);
+    const Points<2> pose = wave(mesh.points);
+    const Image warped = warpImage(source, mesh, pose, kView);
+    QVERIFY(std::abs(alphaSum(warped) / area(mesh, pose) - 1) < 1e-3);
+}
+
+void TestWarp::slantedEdgeIsAntialiased() {
+    const Image source = plainPicture(64, 48, {255, 255, 255, 255});
+    SimplicialMesh<2> mesh;  // below the line y = x / 4 + 10
+    mesh.points.resize(2, 4);
+    mesh.points << 0, 64, 64, 0, 10, 26, 48, 48;
+    mesh.cells = {{0, 1, 2}, {0, 2, 3}};
+    const Image warped = warpImage(source, mesh, mesh.points, kView);
+    for (int x = 0; x < 64; ++x)
+        for (int y = 0; y < 48; ++y) {
+            // Exact: the mean over the pixel's width of the part below the line, by a fine sum.
+            double exact = 0;
+            for (int k = 0; k < 1000; ++k)
+                exact += std::clamp(y + 1 - ((x + (k + 0.5) / 1000) / 4 + 10), 0.0, 1.0) / 1000;
+            const double found = valueAt<std::uint8_t>(warped, x, y, 3) / 255.0;
+            // 8 × 8 places: an edge can misjudge one place in each of the 8 columns by half.
+            QVERIFY(std::abs(found - exact) <= 0.5 / 8 + 1.0 / 255);
+        }
+}
+
+void TestWarp::halfPixelShiftIsTheMean() {
+    const Image source = randomPicture(64, 48, 1, PixelType::UInt16, false);
+    const auto mesh = wholePicture();
+    const Points<2> pose = mesh.points.colwise() + Vec<2>(0.5, 0);
+    WarpOptions options;
+    options.filter = Filter::Bilinear;
+    const Image warped = warpImage(source, mesh, pose, kView, options);
+    for (int y = 0; y < 48; ++y)
+        for (int x = 1; x < 63; ++x) {
+            const double mean =
+                (valueAt<std::uint16_t>(source, x - 1, y, 0) + valueAt<std::uint16_t>(source, x, y, 0)) / 2.0;
+            QVERIFY(std::abs(valueAt<std::uint16_t>(warped, x, y, 0) - mean) <= 0.5);
+        }
+}
+
+void TestWarp::nearerCellsHideOthers() {
+    // Two squares of different colour, moved onto each other.
+    Image source = plainPicture(40, 20, {10, 20, 30, 255});
+    for (int y = 0; y < 20; ++y)
+        for (int x = 20; x < 40; ++x) source.row(y)[4 * x] = static_cast<std::byte>(250);
+    SimplicialMesh<2> mesh = rectangle({0, 0}, {20, 20}, 2);
+    const SimplicialMesh<2> right = rectangle({20, 0}, {40, 20}, 2);
+    const int count = mesh.vertexCount(), cells = mesh.cellCount();
+    Points<2> all(2, 2 * count);
+    all << mesh.points, right.points;
+    mesh.points = all;
+    for (auto cell : right.cells) mesh.cells.push_back({cell[0] + count, cell[1] + count, cell[2] + count});
+    Points<2> pose = mesh.points;
+    pose.rightCols(count).row(0).array() -= 20;
+    WarpOptions options;
+    const View view{20, 20, Vec<2>::Zero(), 1};
+    QCOMPARE(valueAt<std::uint8_t>(warpImage(source, mesh, pose, view, options), 10, 10, 0),
+             std::uint8_t(250));
+    options.depth.assign(static_cast<std::size_t>(2 * cells), 0.0F);
+    std::fill_n(options.depth.begin(), cells, 1.0F);
+    const Image first = warpImage(source, mesh, pose, view, options);
+    QCOMPARE(valueAt<std::uint8_t>(first, 10, 10, 0), std::uint8_t(10));
+    QCOMPARE(valueAt<std::uint8_t>(first, 0, 10, 3), std::uint8_t(255));
+}
+
+void TestWarp::outsideModes() {
+    const Image source = randomPicture(64, 48, 4, PixelType::UInt8, true);
+    const auto mesh = rectangle({20, 20}, {30, 30}, 2);
+    WarpOptions options;
+    options.outside = Outside::Transparent;
+    QCOMPARE(valueAt<std::uint8_t>(warpImage(source, mesh, mesh.points, kView, options), 5, 5, 3),
+             std::uint8_t(0));
+    options.outside = Outside::Colour;
+    options.colour = {1, 0.5F, 0, 1};
+    const Image coloured = warpImage(source, mesh, mesh.points, kView, options);
+    QCOMPARE(valueAt<std::uint8_t>(coloured, 5, 5, 0), std::uint8_t(255));
+    QCOMPARE(valueAt<std::uint8_t>(coloured, 5, 5, 1), std::uint8_t(128));
+    options.outside = Outside::Original;
+    QVERIFY(warpImage(source, mesh, mesh.points, kView, options).data == source.data);
+    options.outside = Outside::Clamp;
+    const Image clamped = warpImage(source, mesh, mesh.points, {8, 8, Vec<2>(-20, -20), 1}, options);
+    for (int c = 0; c < 4; ++c)
+        QCOMPARE(valueAt<std::uint8_t>(clamped, 3, 3, c), valueAt<std::uint8_t>(source, 0, 0, c));
+}
+
+void TestWarp::pictureWithoutAlphaGetsOneWhereNeeded() {
+    const Image source = randomPicture(64, 48, 3, PixelType::UInt8, false);
+    const auto mesh = wholePicture();
+    const Image warped = warpImage(source, mesh, mesh.points.colwise() + Vec<2>(10, 0), kView);
+    QCOMPARE(warped.channels, 4);
+    QVERIFY(warped.alpha);
+    QCOMPARE(valueAt<std::uint8_t>(warped, 3, 20, 3), std::uint8_t(0));
+    QCOMPARE(valueAt<std::uint8_t>(warped, 30, 20, 3), std::uint8_t(255));
+    QCOMPARE(valueAt<std::uint8_t>(warped, 30, 20, 0), valueAt<std::uint8_t>(source, 20, 20, 0));
+}
+
+void TestWarp::threadsDoNotMatter() {
+    const Image source = randomPicture(300, 200, 4, PixelType::UInt8, true);
+    const auto mesh = rectangle({10, 10}, {290, 190}, 20);
+    const Points<2> pose = wave(mesh.points, 6);
+    WarpOptions one, four;
+    one.threads = 1;
+    four.threads = 4;
+    const View view{300, 200, Vec<2>::Zero(), 1};
+    QVERIFY(warpImage(source, mesh, pose, view, one).data == warpImage(source, mesh, pose, view, four).data);
+}
+
+void TestWarp::viewIsACropOfTheExport() {
+    const Image source = randomPicture(64, 48, 4, PixelType::UInt8, true);
+    const auto mesh = rectangle({5, 5}, {60, 44}, 9);
+    const Points<2> pose = wave(mesh.points);
+    const Image whole = warpImage(source, mesh, pose, kView);
+    const Image crop = warpImage(source, mesh, pose, {30, 20, Vec<2>(16, 8), 1});
+    for (int y = 0; y < 20; ++y)
+        for (int x = 0; x < 30; ++x)
+            for (int c = 0; c < 4; ++c)
+                QCOMPARE(valueAt<std::uint8_t>(crop, x, y, c),
+                         valueAt<std::uint8_t>(whole, x + 16, y + 8, c));
+}
+
+void TestWarp::minifiedFinePatternTurnsGrey() {
+    Image source = plainPicture(512, 512, {0});
+    for (int y = 0; y < 512; ++y)
+        for (int x = 0; x < 512; ++x) source.row(y)[x] = static_cast<std::byte>((x + y) % 2 == 0 ? 255 : 0);
+    const auto mesh = rectangle({0, 0}, {512, 512}, 4);
+    for (double scale : {2.0, 3.3, 5.0, 8.0}) {
+        const int size = static_cast<int>(512 / scale);
+        const Image small = warpImage(source, mesh, mesh.points, {size, size, Vec<2>::Zero(), scale});
+        for (int y = 4; y < size - 4; ++y)
+            for (int x = 4; x < size - 4; ++x)
+                QVERIFY(std::abs(valueAt<std::uint8_t>(small, x, y, 0) - 127.5) <= 4);
+    }
+}
+
+void TestWarp::stMapOfIdentity() {
+    const auto mesh = wholePicture();
+    const Image map = stMap(mesh, mesh.points, kView, 64, 48);
+    for (int y = 0; y < 48; ++y)
+        for (int x = 0; x < 64; ++x) {
+            QCOMPARE(valueAt<float>(map, x, y, 0), static_cast<float>((x + 0.5) / 64));
+            QCOMPARE(valueAt<float>(map, x, y, 1), static_cast<float>(1 - (y + 0.5) / 48));
+            QCOMPARE(valueAt<float>(map, x, y, 3), 1.0F);
+        }
+}
+
+void TestWarp::stMapForwardAndInverse() {
+    const auto mesh = rectangle({4, 4}, {60, 44}, 40);
+    const Points<2> pose = wave(mesh.points, 1.5);
+    const Image forward = stMap(mesh, pose, kView, 64, 48), inverse = stMap(mesh, pose, kView, 64, 48, true);
+    int seen = 0;
+    for (int y = 8; y < 40; ++y)
+        for (int x = 8; x < 56; ++x) {
+            if (valueAt<float>(forward, x, y, 3) < 1) continue;
+            // Where pixel (x, y) comes from; the inverse map there, read bilinearly, leads back.
+            const double sx = valueAt<float>(forward, x, y, 0) * 64.0 - 0.5,
+                         sy = (1 - valueAt<float>(forward, x, y, 1)) * 48.0 - 0.5;
+            const int ix = static_cast<int>(std::floor(sx)), iy = static_cast<int>(std::floor(sy));
+            const double tx = sx - ix, ty = sy - iy;
+            const auto mean = [&](int c) {
+                return (1 - ty) * ((1 - tx) * valueAt<float>(inverse, ix, iy, c) +
+                                   tx * valueAt<float>(inverse, ix + 1, iy, c)) +
+                       ty * ((1 - tx) * valueAt<float>(inverse, ix, iy + 1, c) +
+                             tx * valueAt<float>(inverse, ix + 1, iy + 1, c));
+            };
+            // The maps bend by less than 0.02 pixels within one.
+            QVERIFY(std::abs(mean(0) * 64 - (x + 0.5)) < 0.05);
+            QVERIFY(std::abs((1 - mean(1)) * 48 - (y + 0.5)) < 0.05);
+            ++seen;
+        }
+    QVERIFY(seen > 500);
+}
+
+void TestWarp::badShapeIsAnError() {
+    const auto mesh = wholePicture();
+    Points<2> pose = mesh.points;
+    pose(0, 3) = std::nan("");
+    QVERIFY_EXCEPTION_THROWN(warpImage(randomPicture(64, 48, 3, PixelType::UInt8, false), mesh, pose, kView),
+                             InputError);
+    // Far away, folded and without area are fine.
+    pose = mesh.points * 1e9;
+    pose.col(5).setZero();
+    QVERIFY(warpImage(randomPicture(64, 48, 3, PixelType::UInt8, false), mesh, pose, kView).data.size() > 0);
+}
+
+QTEST_APPLESS_MAIN(TestWarp)
+#include "test_warp.moc"

@@ -1,0 +1,67 @@
+#include "warp/pyramid.h"
+
+#include <array>
+
+#include "warp/pixels.h"
+
+namespace wend {
+namespace {
+
+/// The mean of up to four pixels; colours weighted with alpha where they are not associated.
+template <typename T>
+void average(const std::array<const T*, 4>& pixels, int count, const Image& image, T* target) {
+    const int channels = image.channels;
+    float weight = 0;
+    std::array<float, 4> sum{}, plain{};
+    for (int k = 0; k < count; ++k) {
+        const float w = image.unassociated ? static_cast<float>(pixels[k][channels - 1]) : 1.0F;
+        weight += w;
+        for (int c = 0; c < channels; ++c) {
+            sum[c] += w * static_cast<float>(pixels[k][c]);
+            plain[c] += static_cast<float>(pixels[k][c]) / static_cast<float>(count);
+        }
+    }
+    const bool weighted = weight > 0;
+    for (int c = 0; c < channels; ++c) target[c] = toPixel<T>(weighted ? sum[c] / weight : plain[c]);
+    if (image.alpha) target[channels - 1] = toPixel<T>(plain[channels - 1]);
+}
+
+template <typename T>
+void halve(const Image& image, Image& half) {
+    for (int y = 0; y < half.height; ++y) {
+        T* target = reinterpret_cast<T*>(half.row(y));
+        const int y0 = 2 * y, y1 = std::min(2 * y + 1, image.height - 1);
+        const T* rows[2] = {reinterpret_cast<const T*>(image.row(y0)),
+                            reinterpret_cast<const T*>(image.row(y1))};
+        for (int x = 0; x < half.width; ++x) {
+            const int x0 = 2 * x * image.channels, x1 = std::min(2 * x + 1, image.width - 1) * image.channels;
+            average<T>({rows[0] + x0, rows[0] + x1, rows[1] + x0, rows[1] + x1}, 4, image,
+                       target + x * image.channels);
+        }
+    }
+}
+
+std::shared_ptr<const Image> halved(const Image& image) {
+    auto half = std::make_shared<Image>(Image{(image.width + 1) / 2,
+                                              (image.height + 1) / 2,
+                                              image.channels,
+                                              image.type,
+                                              image.alpha,
+                                              image.unassociated,
+                                              {},
+                                              image.metadata});
+    half->data.resize(static_cast<std::size_t>(half->width) * half->height * half->pixelBytes());
+    withPixelType(image.type, [&](auto t) { halve<decltype(t)>(image, *half); });
+    return half;
+}
+
+}  // namespace
+
+Pyramid::Pyramid(std::shared_ptr<const Image> image, int levels) {
+    m_levels.push_back(std::move(image));
+    while ((levels < 0 || this->levels() <= levels) &&
+           (m_levels.back()->width > 1 || m_levels.back()->height > 1))
+        m_levels.push_back(halved(*m_levels.back()));
+}
+
+}  // namespace wend
