@@ -12,7 +12,7 @@ enum class PixelType { UInt8, UInt16, Half, Float };
 
 /// A picture in memory in its own depth, interleaved, rows top to bottom. Alpha, if any, is the last channel
 /// and the colours are associated (premultiplied) in memory unless `unassociated`: then they are as in the
-/// file.
+/// file. One to four channels: gray, gray and alpha, RGB, RGBA.
 struct Image {
     int width = 0, height = 0, channels = 0;
     PixelType type = PixelType::UInt8;
@@ -23,18 +23,24 @@ struct Image {
     std::shared_ptr<const Metadata> metadata;  // ICC profile, resolution, text: all that the format carried
 
     std::size_t pixelBytes() const;
-    const std::byte* row(int y) const;
-    std::byte* row(int y);
+    std::size_t rowBytes() const { return pixelBytes() * static_cast<std::size_t>(width); }
+    int colours() const { return alpha ? channels - 1 : channels; }
+    const std::byte* row(int y) const { return data.data() + rowBytes() * static_cast<std::size_t>(y); }
+    std::byte* row(int y) { return data.data() + rowBytes() * static_cast<std::size_t>(y); }
+    /// The ICC profile's bytes; empty without one.
+    std::vector<std::byte> iccProfile() const;
 };
 
-/// Reads any format of OpenImageIO. Throws InputError(path, why) for missing, empty, truncated, corrupt files
-/// and for more than `maxMegapixels`.
+/// Reads any format of OpenImageIO, first picture of several, upright as its orientation tag says. Throws
+/// InputError(path, why) for missing, empty, truncated, corrupt files and for more than `maxMegapixels`.
 Image readImage(const std::string& path, double maxMegapixels = 400);
 
 /// Writes by extension (png, tif, exr, jpg, webp …), whole or not at all; depth is converted to the nearest
-/// that the format holds; without alpha in the format the picture is laid over `background` white. Throws
-/// InputError.
+/// that the format holds; without alpha in the format the picture is laid over white. Throws InputError.
 void writeImage(const std::string& path, const Image& image);
+
+/// Whether writeImage() knows the extension.
+bool canWriteImage(const std::string& path);
 
 /// Size, type and channels without the pixels.
 Image readImageHeader(const std::string& path);

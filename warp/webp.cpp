@@ -2,6 +2,7 @@
 
 #include <webp/decode.h>
 #include <webp/encode.h>
+#include <webp/mux.h>
 
 #include <fstream>
 #include <iterator>
@@ -10,74 +11,103 @@
 namespace wend {
 namespace {
 
-/// RGB or RGBA bytes, colours not multiplied with alpha, as WebP wants them.
-std::vector<std::uint8_t> toRgba(const Image& image) {
-    const int colours = image.channels - (image.alpha ? 1 : 0);
-    std::vector<std::uint8_t> bytes;
-    bytes.reserve(static_cast<std::size_t>(image.width) * image.height * (image.alpha ? 4 : 3));
-    const auto* p = reinterpret_cast<const std::uint8_t*>(image.data.data());
-    for (std::size_t k = 0; k < static_cast<std::size_t>(image.width) * image.height;
-         ++k, p += image.channels) {
-        const unsigned alpha = image.alpha ? p[colours] : 255;
-        for (int c = 0; c < 3; ++c) {
-            const unsigned value = p[colours >= 3 ? c : 0];
-            const bool divide = image.alpha && !image.unassociated && alpha > 0;
-            bytes.push_back(static_cast<std::uint8_t>(
-                divide ? std::min(255U, (value * 255 + alpha / 2) / alpha) : value));
-        }
-        if (image.alpha) bytes.push_back(static_cast<std::uint8_t>(alpha));
-    }
-    return bytes;
+using Bytes = std::vector<std::uint8_t>;
+using Mux = std::unique_ptr<WebPMux, void (*)(WebPMux*)>;
+
+Bytes contents(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
 }
 
-using Picture = std::unique_ptr<WebPPicture, void (*)(WebPPicture*)>;
-using Writer = std::unique_ptr<WebPMemoryWriter, void (*)(WebPMemoryWriter*)>;
+WebPData asData(const Bytes& bytes) {
+    return {bytes.data(), bytes.size()};
+}
 
-}  // namespace
-
-bool writeWebp(const std::string& path, const Image& image, std::string& why) {
-    if (image.width > WEBP_MAX_DIMENSION || image.height > WEBP_MAX_DIMENSION) {
-        why = "WebP holds at most " + std::to_string(WEBP_MAX_DIMENSION) + " pixels a side";
-        return false;
-    }
+/// The lossless stream of the pixels, colours under transparent ones included; empty with the reason in
+/// `error`.
+Bytes encoded(const Image& image, std::string& error) {
     WebPConfig config;
     WebPPicture picture;
     WebPMemoryWriter writer;
-    if (WebPConfigInit(&config) == 0 || WebPConfigLosslessPreset(&config, 3) == 0 ||
-        WebPPictureInit(&picture) == 0)
-        return false;
-    config.exact = 1;  // colours under transparent pixels stay too
-    WebPMemoryWriterInit(&writer);
-    const Picture pictureGuard(&picture, WebPPictureFree);
-    const Writer writerGuard(&writer, WebPMemoryWriterClear);
-    picture.use_argb = 1;
-    picture.width = image.width;
-    picture.height = image.height;
-    picture.writer = WebPMemoryWrite;
-    picture.custom_ptr = &writer;
-    const std::vector<std::uint8_t> bytes = toRgba(image);
-    const int good = image.alpha ? WebPPictureImportRGBA(&picture, bytes.data(), 4 * image.width)
-                                 : WebPPictureImportRGB(&picture, bytes.data(), 3 * image.width);
-    if (good == 0 || WebPEncode(&config, &picture) == 0) {
-        why = "the WebP encoder failed (" + std::to_string(picture.error_code) + ")";
-        return false;
+    if (!WebPConfigInit(&config) || !WebPConfigLosslessPreset(&config, 3) || !WebPPictureInit(&picture)) {
+        error = "the WebP library is of another version";
+        return {};
     }
+    config.exact = 1;
+    WebPMemoryWriterInit(&writer);
+    const std::unique_ptr<WebPPicture, void (*)(WebPPicture*)> pictureGuard(&picture, WebPPictureFree);
+    const std::unique_ptr<WebPMemoryWriter, void (*)(WebPMemoryWriter*)> writerGuard(&writer,
+                                                                                     WebPMemoryWriterClear);
+    picture.use_argb = 1;
+    picture.width = image.width, picture.height = image.height;
+    picture.writer = WebPMemoryWrite, picture.custom_ptr = &writer;
+    const auto* pixels = reinterpret_cast<const std::uint8_t*>(image.data.data());
+    const auto import = image.channels == 4 ? WebPPictureImportRGBA : WebPPictureImportRGB;
+    if (!import(&picture, pixels, image.channels * image.width) || !WebPEncode(&config, &picture)) {
+        error = "the WebP encoder failed (error " + std::to_string(picture.error_code) + ")";
+        return {};
+    }
+    return {writer.mem, writer.mem + writer.size};
+}
+
+Bytes profileOf(const OIIO::ImageSpec& spec) {
+    const OIIO::ParamValue* profile = spec.find_attribute("ICCProfile");
+    if (!profile) return {};
+    const auto* bytes = static_cast<const std::uint8_t*>(profile->data());
+    return {bytes, bytes + profile->datasize()};
+}
+
+/// The file: the stream and its profile.
+Bytes assembled(const Bytes& stream, const OIIO::ImageSpec& spec) {
+    const Bytes profile = profileOf(spec);
+    if (profile.empty()) return stream;
+    const Mux mux(WebPMuxNew(), WebPMuxDelete);
+    const WebPData image = asData(stream), icc = asData(profile);
+    WebPData file{};
+    const bool good = WebPMuxSetImage(mux.get(), &image, 0) == WEBP_MUX_OK &&
+                      WebPMuxSetChunk(mux.get(), "ICCP", &icc, 0) == WEBP_MUX_OK &&
+                      WebPMuxAssemble(mux.get(), &file) == WEBP_MUX_OK;
+    if (!good) return stream;
+    const Bytes bytes(file.bytes, file.bytes + file.size);
+    WebPDataClear(&file);
+    return bytes;
+}
+
+}  // namespace
+
+std::string writeWebp(const std::string& path, const Image& image, const OIIO::ImageSpec& spec) {
+    if (image.width > WEBP_MAX_DIMENSION || image.height > WEBP_MAX_DIMENSION)
+        return "WebP holds at most " + std::to_string(WEBP_MAX_DIMENSION) + " pixels a side";
+    std::string error;
+    const Bytes stream = encoded(image, error);
+    if (stream.empty()) return error;
+    const Bytes bytes = assembled(stream, spec);
     std::ofstream file(path, std::ios::binary);
-    file.write(reinterpret_cast<const char*>(writer.mem), static_cast<std::streamsize>(writer.size));
+    file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
     file.close();
-    if (!file) why = "the disk may be full";
-    return static_cast<bool>(file);
+    return file ? "" : "the disk may be full";
 }
 
 bool readWebp(const std::string& path, Image& image) {
-    std::ifstream file(path, std::ios::binary);
-    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-    const auto* data = reinterpret_cast<const std::uint8_t*>(bytes.data());
-    auto* target = reinterpret_cast<std::uint8_t*>(image.data.data());
-    const int stride = image.width * image.channels;
-    if (image.channels == 4)
-        return WebPDecodeRGBAInto(data, bytes.size(), target, image.data.size(), stride) != nullptr;
-    return WebPDecodeRGBInto(data, bytes.size(), target, image.data.size(), stride) != nullptr;
+    const Bytes bytes = contents(path);
+    const auto decode = image.channels == 4 ? WebPDecodeRGBAInto : WebPDecodeRGBInto;
+    std::vector<std::byte> pixels(image.rowBytes() * static_cast<std::size_t>(image.height));
+    auto* target = reinterpret_cast<std::uint8_t*>(pixels.data());
+    if (!decode(bytes.data(), bytes.size(), target, pixels.size(), image.channels * image.width))
+        return false;
+    image.data = std::move(pixels);
+    image.unassociated = image.alpha;
+    return true;
+}
+
+void readWebpProfile(const std::string& path, OIIO::ImageSpec& spec) {
+    const Bytes bytes = contents(path);
+    const WebPData data = asData(bytes);
+    const Mux mux(WebPMuxCreate(&data, 0), WebPMuxDelete);
+    WebPData profile{};
+    if (!mux || WebPMuxGetChunk(mux.get(), "ICCP", &profile) != WEBP_MUX_OK) return;
+    spec.attribute("ICCProfile", OIIO::TypeDesc(OIIO::TypeDesc::UINT8, static_cast<int>(profile.size)),
+                   profile.bytes);
 }
 
 }  // namespace wend

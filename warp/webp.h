@@ -1,17 +1,22 @@
 #pragma once
 
+#include <OpenImageIO/imageio.h>
+
 #include <string>
 
 #include "warp/image.h"
 
 namespace wend {
 
-/// Writes a WebP file without loss (OpenImageIO's is always lossy). 8 bits; grey becomes RGB. False, with the
-/// reason, on failure.
-bool writeWebp(const std::string& path, const Image& image, std::string& why);
+/// Writes 8-bit RGB or RGBA (colours not associated) without loss, with the profile and the EXIF data of
+/// `spec`. Returns what went wrong, empty on success.
+std::string writeWebp(const std::string& path, const Image& image, const OIIO::ImageSpec& spec);
 
-/// Fills the pixels of a picture whose size and channels are known, colours not multiplied with alpha
-/// (OpenImageIO multiplies and rounds them). False if the file is damaged or an animation.
+/// Reads into an image whose size and channels are set; the colours are then unassociated. False for what is
+/// no single picture (an animation) or damaged: nothing is changed then.
 bool readWebp(const std::string& path, Image& image);
+
+/// Adds the file's colour profile to `spec`.
+void readWebpProfile(const std::string& path, OIIO::ImageSpec& spec);
 
 }  // namespace wend

@@ -272,10 +272,9 @@ std::unique_ptr<BackEnd<Dim>> makeCpuBackEnd(std::shared_ptr<const AssemblyPlan<
     return std::make_unique<CpuBackEnd<Dim>>(std::move(plan), rest, material, threads);
 }
 
-#define WEND_INSTANTIATE(Dim)                                   \
-    template std::unique_ptr<BackEnd<Dim>> makeCpuBackEnd<Dim>( \
-        std::shared_ptr<const AssemblyPlan<Dim>>, const SimplicialMesh<Dim>&, const Material<Dim>&, int);
-WEND_INSTANTIATE(2)
-WEND_INSTANTIATE(3)
+template std::unique_ptr<BackEnd<2>> makeCpuBackEnd<2>(std::shared_ptr<const AssemblyPlan<2>>,
+                                                       const SimplicialMesh<2>&, const Material<2>&, int);
+template std::unique_ptr<BackEnd<3>> makeCpuBackEnd<3>(std::shared_ptr<const AssemblyPlan<3>>,
+                                                       const SimplicialMesh<3>&, const Material<3>&, int);
 
 }  // namespace wend

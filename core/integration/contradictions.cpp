@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <sstream>
 #include <utility>
 
@@ -12,6 +13,7 @@ namespace wend {
 template <int Dim>
 std::vector<ConstraintRow> rowsOf(const Constraints<Dim>& constraints, const std::vector<int>& ids) {
     std::vector<ConstraintRow> rows;
+    rows.reserve(ids.size());
     for (const int id : ids) rows.push_back({constraints.points()[id].terms});
     return rows;
 }
@@ -126,15 +128,15 @@ class Rehearsal {
 template <int Dim>
 void requireConsistent(const Constraints<Dim>& constraints, const Points<Dim>& rest,
                        const Normalization<Dim>& units) {
+    std::vector<int> all(constraints.points().size());
+    std::iota(all.begin(), all.end(), 0);
+    if (dependentRows(rowsOf(constraints, all)).empty()) return;  // nor are those of any part of them
     Rehearsal<Dim>(constraints, rest, units).run();
 }
 
-#define WEND_INSTANTIATE(Dim)                                                                          \
-    template std::vector<ConstraintRow> rowsOf<Dim>(const Constraints<Dim>&, const std::vector<int>&); \
-    template void requireConsistent<Dim>(const Constraints<Dim>&, const Points<Dim>&,                  \
-                                         const Normalization<Dim>&);
-WEND_INSTANTIATE(2)
-WEND_INSTANTIATE(3)
-#undef WEND_INSTANTIATE
+template std::vector<ConstraintRow> rowsOf<2>(const Constraints<2>&, const std::vector<int>&);
+template void requireConsistent<2>(const Constraints<2>&, const Points<2>&, const Normalization<2>&);
+template std::vector<ConstraintRow> rowsOf<3>(const Constraints<3>&, const std::vector<int>&);
+template void requireConsistent<3>(const Constraints<3>&, const Points<3>&, const Normalization<3>&);
 
 }  // namespace wend

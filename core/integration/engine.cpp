@@ -54,6 +54,7 @@ Deformer<Dim>::Engine::Engine(
 template <int Dim>
 void Deformer<Dim>::Engine::setHandles(const std::vector<Handle<Dim>>& handles) {
     std::vector<Handle<Dim>> moved;
+    moved.reserve(handles.size());
     for (const Handle<Dim>& handle : handles) moved.push_back(m_units.normal(handle));
     const auto constraints = std::make_shared<const Constraints<Dim>>(*m_rest, moved, m_units);
     requireConsistent(*constraints, m_rest->points, m_units);
@@ -190,12 +191,14 @@ template <int Dim>
 bool Deformer<Dim>::Engine::step(double stop) {
     const double wanted = state.step;
     if (state.step == 0) state.step = startStep(m_constraints->nextBorder(state.time));
+    double to = proposedStep(stop);
     bool shortened = false;
-    for (double to = proposedStep(stop);;) {
+    const bool cut = to < state.time + state.step;
+    for (;;) {
         m_failure = {};
         const std::optional<double> error = attempt(to);
         if (error && *error <= 1) {
-            accept(to, shortened, *error);
+            accept(to, *error, shortened, cut && !shortened);
             return true;
         }
         if (m_failure.cancelled) {
@@ -219,20 +222,20 @@ bool Deformer<Dim>::Engine::step(double stop) {
 
 /// The last stage was evaluated before the projection, which moves the shape by less than the error of the
 /// step: as the first stage of the next step it is wrong by that times the rate of v̂, and the step's result
-/// by h times as much, which is of higher order than the error allowed. It saves one evaluation in seven;
-/// measured on a strip bent by 180° at a tolerance of 1e-4 the result changes by less than a hundredth of its
-/// error.
+/// by h times as much, which is of higher order than the error. It saves one evaluation in seven. Measured on
+/// a strip bent by 180° in 5, 8 and 12 steps: errors of 1e-4, 5e-6 and 3e-7 change by a three-thousandth and
+/// less.
 template <int Dim>
-void Deformer<Dim>::Engine::accept(double to, bool shortened, double error) {
+void Deformer<Dim>::Engine::accept(double to, double error, bool shortened, bool cut) {
     const double from = state.time, h = to - from;
     ++statistics.steps;
     emitFrames(from, to);
     state.normalized = m_next;
     if (m_options.steps == 0) {
         const double growth = growthAfterStep(error, state.error);
-        // A step that was cut says nothing against the longer one that was wanted, a rejection does.
+        // A rejection speaks against a longer step, being cut short before a border does not.
         const double wanted = h * (shortened ? std::min(growth, 1.0) : growth);
-        state.step = shortened || state.step <= h ? wanted : std::max(wanted, state.step);
+        state.step = cut ? std::max(wanted, state.step) : wanted;
         state.error = error;
     }
     if (m_step.firstSameAsLast()) state.slope = m_step.lastSlope();

@@ -55,7 +55,7 @@ struct Deformer<Dim>::Engine {
     double smallestStep() const;
     bool step(double stop);
     std::optional<double> attempt(double to);
-    void accept(double to, bool cut, double error);
+    void accept(double to, double error, bool shortened, bool cut);
     void standStill(double to);
     void arrive(double to);
 

@@ -147,6 +147,7 @@ bool Constraints<Dim>::moving(double t, Side side) const {
 template <int Dim>
 std::vector<MovingMap<Dim>> Constraints<Dim>::maps(double t, Side side) const {
     std::vector<MovingMap<Dim>> result;
+    result.reserve(m_timelines.size());
     for (const HandleTimeline<Dim>& timeline : m_timelines) result.push_back(timeline.at(t, side));
     return result;
 }
@@ -216,12 +217,11 @@ void Constraints<Dim>::evaluate(const std::vector<int>& ids, const Anchors& anch
     }
 }
 
-#define WEND_INSTANTIATE(Dim)                            \
-    template std::string describe<Dim>(const Vec<Dim>&); \
-    template class HandleTimeline<Dim>;                  \
-    template class Constraints<Dim>;
-WEND_INSTANTIATE(2)
-WEND_INSTANTIATE(3)
-#undef WEND_INSTANTIATE
+template std::string describe<2>(const Vec<2>&);
+template class HandleTimeline<2>;
+template class Constraints<2>;
+template std::string describe<3>(const Vec<3>&);
+template class HandleTimeline<3>;
+template class Constraints<3>;
 
 }  // namespace wend

@@ -153,15 +153,17 @@ Curve<3> inSpace(const Curve<2>& curve) {
     return result;
 }
 
-#define WEND_INSTANTIATE(Dim)                                             \
-    template struct CurvePiece<Dim>;                                      \
-    template struct Curve<Dim>;                                           \
-    template Curve<Dim> bezierCurve<Dim>(const std::vector<Vec<Dim>>&);   \
-    template Curve<Dim> splineCurve<Dim>(const std::vector<Vec<Dim>>&);   \
-    template Curve<Dim> polylineCurve<Dim>(const std::vector<Vec<Dim>>&); \
-    template Curve<Dim> timedCurve<Dim>(const std::vector<double>&, const std::vector<Vec<Dim>>&);
-WEND_INSTANTIATE(2)
-WEND_INSTANTIATE(3)
-#undef WEND_INSTANTIATE
+template struct CurvePiece<2>;
+template struct Curve<2>;
+template Curve<2> bezierCurve<2>(const std::vector<Vec<2>>&);
+template Curve<2> splineCurve<2>(const std::vector<Vec<2>>&);
+template Curve<2> polylineCurve<2>(const std::vector<Vec<2>>&);
+template Curve<2> timedCurve<2>(const std::vector<double>&, const std::vector<Vec<2>>&);
+template struct CurvePiece<3>;
+template struct Curve<3>;
+template Curve<3> bezierCurve<3>(const std::vector<Vec<3>>&);
+template Curve<3> splineCurve<3>(const std::vector<Vec<3>>&);
+template Curve<3> polylineCurve<3>(const std::vector<Vec<3>>&);
+template Curve<3> timedCurve<3>(const std::vector<double>&, const std::vector<Vec<3>>&);
 
 }  // namespace wend

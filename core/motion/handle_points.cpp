@@ -29,7 +29,7 @@ HandlePlacer<Dim>::HandlePlacer(const SimplicialMesh<Dim>& rest, const Normaliza
 
 template <int Dim>
 std::vector<ConstrainedPoint> HandlePlacer<Dim>::place(const Placement<Dim>& at, int handle) const {
-    std::vector<Terms> all = std::visit([this](const auto& given) { return termsOf(given); }, at);
+    std::vector<Terms> all = std::visit([this](const auto& given) { return this->termsOf(given); }, at);
     if (all.empty()) throw InputError("it has no points");
     std::vector<ConstrainedPoint> points;
     std::vector<Terms> seen;  // sorted
@@ -59,6 +59,7 @@ auto HandlePlacer<Dim>::termsOf(const std::vector<int>& vertices) const -> std::
 template <int Dim>
 auto HandlePlacer<Dim>::termsOf(const std::vector<Vec<Dim>>& points) const -> std::vector<Terms> {
     std::vector<Terms> result;
+    result.reserve(points.size());
     for (const Vec<Dim>& p : points) result.push_back(termsOf(p));
     return result;
 }

@@ -29,7 +29,7 @@ TangentPiece::TangentPiece(const CurvePiece<3>& piece, double size) {
     Mat<3> columns;
     columns << m_g[0], m_g[1], m_g[2];
     const Eigen::JacobiSVD<Mat<3>> svd(columns, Eigen::ComputeFullU);
-    const Vec<3> sigma = svd.singularValues();
+    const Vec<3>& sigma = svd.singularValues();
     if (!(sigma[0] > 1e-13 * size)) return;
     if (sigma[1] <= kFlat * sigma[0]) {
         makeStraight(svd.matrixU().col(0));

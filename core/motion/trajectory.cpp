@@ -162,7 +162,7 @@ struct Trajectory<Dim>::Path {
         : start(motion.start), end(motion.end), easing(motion.ease), kind(Translate<Dim>{}) {
         require(std::isfinite(start) && std::isfinite(end) && start < end,
                 "\"time\" must be two increasing numbers");
-        std::visit([this](const auto& given) { set(given); }, motion.kind);
+        std::visit([this](const auto& given) { this->set(given); }, motion.kind);
     }
     template <class Kind>
     void set(const Kind& given) {

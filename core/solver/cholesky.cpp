@@ -2,7 +2,9 @@
 
 #include <cholmod.h>
 #include <dlfcn.h>
+#if __has_include(<omp.h>)
 #include <omp.h>
+#endif
 
 #include <algorithm>
 #include <cmath>
@@ -16,15 +18,23 @@ void ignoreError(int, const char*, int, const char*) {}  // statuses are looked 
 
 /// CHOLMOD opens parallel regions of a fixed four threads in small loops, which costs more than it gains; the
 /// setting belongs to the calling thread and is given back.
-class SerialOpenMp {
+class [[maybe_unused]] SerialOpenMp {
   public:
-    SerialOpenMp() : m_levels(omp_get_max_active_levels()) { omp_set_max_active_levels(0); }
-    ~SerialOpenMp() { omp_set_max_active_levels(m_levels); }
+#if __has_include(<omp.h>)
+    SerialOpenMp() : m_levels(omp_get_max_active_levels()) {
+        omp_set_max_active_levels(0);
+    }
+    ~SerialOpenMp() {
+        omp_set_max_active_levels(m_levels);
+    }
+#else
+    SerialOpenMp() = default;
+#endif
     SerialOpenMp(const SerialOpenMp&) = delete;
     SerialOpenMp& operator=(const SerialOpenMp&) = delete;
 
   private:
-    int m_levels;
+    [[maybe_unused]] int m_levels = 1;
 };
 
 /// One BLAS thread: repeatable, and no slower on blocks of this size. Absent with the reference BLAS.

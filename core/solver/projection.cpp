@@ -26,6 +26,7 @@ std::vector<std::vector<int>> clustersOf(const std::vector<ConstraintRow>& rows,
     std::map<int, std::vector<int>> groups;
     for (std::size_t i = 0; i < members.size(); ++i) groups[root(static_cast<int>(i))].push_back(members[i]);
     std::vector<std::vector<int>> clusters;
+    clusters.reserve(groups.size());
     for (auto& [key, group] : groups) clusters.push_back(std::move(group));
     return clusters;
 }

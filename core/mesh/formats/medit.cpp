@@ -148,8 +148,7 @@ std::vector<std::string> printMedit(const MeshFile& mesh, const MeshWriteOptions
     const auto* ofVertices = vertexRefs(mesh);
     TextWriter out;
     // in three dimensions always: Gmsh does not read flat ones
-    out << "MeshVersionFormatted 2\nDimension 3\nVertices\n"
-        << mesh.points.cols() << '\n';
+    out << "MeshVersionFormatted 2\nDimension 3\nVertices\n" << mesh.points.cols() << '\n';
     for (Eigen::Index v = 0; v < mesh.points.cols(); ++v) {
         for (int k = 0; k < 3; ++k) out << mesh.points(k, v) << ' ';
         out << tagOf(ofVertices, static_cast<int>(v), 0) << '\n';

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "warp/image.h"
+
+namespace wend {
+
+/// How pixels are stored.
+struct PixelLayout {
+    PixelType type = PixelType::UInt8;
+    int channels = 4;
+    bool alpha = true;
+    bool unassociated = false;
+
+    bool operator==(const PixelLayout&) const = default;
+};
+
+PixelLayout layoutOf(const Image& image);
+
+/// Row y as floats, integers scaled to [0, 1]: width · channels values. storeRow gives back the same bits.
+void loadRow(const Image& image, int y, float* out);
+
+/// The opposite of loadRow: integers are clamped and rounded to the nearest.
+void storeRow(Image& image, int y, const float* in);
+
+/// The picture in another layout; the same pixels if it is its own. Gray becomes equal colours; colours that
+/// the layout has no room for are dropped; without room for alpha the picture is laid over white; a new alpha
+/// is opaque.
+Image converted(const Image& image, const PixelLayout& layout);
+
+}  // namespace wend
