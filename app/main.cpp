@@ -1,12 +1,10 @@
-#include <cstdio>
-
 #include "app/cli/cli.h"
+#include "app/view/run_window.h"
 #include "kernels/opencl_devices.h"
 
 /// One program: subcommands work without a display, everything else is for the window.
 int main(int argc, char** argv) {
     wend::prepareOpenClEnvironment();
     if (argc > 1 && wend::isCommand(argv[1])) return wend::runCommand(argc, argv);
-    std::fputs("wend: the window is not in this version yet (see wend --help)\n", stderr);
-    return 2;
+    return wend::runWindow(argc, argv);
 }

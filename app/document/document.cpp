@@ -1,0 +1,63 @@
+#include "app/document/document.h"
+
+#include <QFileInfo>
+
+#include "app/document/commands.h"
+
+namespace wend {
+
+Document::Document(QObject* parent) : QObject(parent) {
+    connect(&m_undo, &QUndoStack::cleanChanged, this, &Document::titleChanged);
+}
+
+QString Document::folder() const {
+    return QFileInfo(m_path.isEmpty() ? m_source : m_path).absolutePath();
+}
+
+QString Document::displayName() const {
+    if (!m_path.isEmpty()) return QFileInfo(m_path).fileName();
+    return m_source.isEmpty() ? QString() : QFileInfo(m_source).completeBaseName() + QStringLiteral(".wend");
+}
+
+void Document::open(OpenedFile file) {
+    m_undo.clear();
+    m_project = std::move(file.project);
+    m_picture = std::move(file.picture);
+    m_path = file.path;
+    m_source = file.source;
+    ++m_generation;
+    emit opened();
+    emit projectChanged();
+    emit titleChanged();
+}
+
+void Document::close() {
+    open({});
+}
+
+void Document::save(const QString& path) {
+    const QString absolute = QFileInfo(path).absoluteFilePath();
+    writeProject(absolute.toStdString(), *m_project);
+    m_path = absolute;
+    m_undo.setClean();
+    emit titleChanged();
+}
+
+void Document::change(const QString& name, Project after, const QString& mergeKey) {
+    auto value = std::make_shared<const Project>(std::move(after));
+    m_undo.push(new ProjectCommand(*this, name, m_project, std::move(value), mergeKey));
+}
+
+bool Document::merges(const QString& mergeKey) const {
+    const int last = m_undo.index() - 1;
+    if (last < 0 || m_undo.index() == m_undo.cleanIndex()) return false;
+    return static_cast<const ProjectCommand*>(m_undo.command(last))->mergeKey() == mergeKey;
+}
+
+void Document::setProject(const std::shared_ptr<const Project>& project) {
+    if (m_project == project) return;
+    m_project = project;
+    emit projectChanged();
+}
+
+}  // namespace wend

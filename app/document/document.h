@@ -1,0 +1,71 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QUndoStack>
+#include <memory>
+
+#include "app/document/project.h"
+#include "warp/image.h"
+
+namespace wend {
+
+/// What a file brings: a project, and the picture that it warps (null for a mesh without one).
+struct OpenedFile {
+    std::shared_ptr<const Project> project;
+    std::shared_ptr<const Image> picture;
+    QString path;    // of the project file; empty if a picture or mesh was opened
+    QString source;  // the file that was opened
+    QStringList warnings;
+};
+
+/// The project that is being worked on, as an immutable value that undo commands exchange. Two-dimensional
+/// only.
+class Document : public QObject {
+    Q_OBJECT
+
+  public:
+    explicit Document(QObject* parent = nullptr);
+
+    bool isEmpty() const { return !m_project; }
+    const std::shared_ptr<const Project>& project() const { return m_project; }
+    const Design<2>& design() const { return std::get<Design<2>>(m_project->design); }
+    const std::shared_ptr<const Image>& picture() const { return m_picture; }
+    /// Counts the files that were opened: values of different generations have nothing in common.
+    int generation() const { return m_generation; }
+    /// The project file; empty if there is none yet.
+    const QString& path() const { return m_path; }
+    /// Where relative paths of the project start.
+    QString folder() const;
+    QString displayName() const;
+    QUndoStack* undoStack() { return &m_undo; }
+    bool isModified() const { return !m_undo.isClean(); }
+
+    /// Begins anew with what was read.
+    void open(OpenedFile file);
+    void close();
+    /// Writes the project file; throws InputError, and the document stays modified.
+    void save(const QString& path);
+
+    /// One undo step. Steps with the same key that follow each other merge.
+    void change(const QString& name, Project after, const QString& mergeKey = {});
+    /// True if a step with this key would merge with the last one.
+    bool merges(const QString& mergeKey) const;
+
+  signals:
+    void opened();
+    void projectChanged();
+    void titleChanged();
+
+  private:
+    friend class ProjectCommand;
+    void setProject(const std::shared_ptr<const Project>& project);
+
+    std::shared_ptr<const Project> m_project;
+    std::shared_ptr<const Image> m_picture;
+    QString m_path, m_source;
+    int m_generation = 0;
+    QUndoStack m_undo;
+};
+
+}  // namespace wend

@@ -1,0 +1,84 @@
+#include "app/panels/colour_map.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace wend {
+
+namespace {
+
+using Stops = std::array<std::array<int, 3>, 6>;
+
+// Lightness falls evenly (CIE L* 95, 78, 60, 42, 25, 8): what is kept stays light.
+constexpr Stops kMagnitude = {
+    {{253, 248, 208}, {250, 176, 72}, {226, 94, 66}, {160, 44, 100}, {86, 22, 112}, {22, 10, 52}}};
+// Blue and orange of equal lightness on both sides of a light middle.
+constexpr Stops kDiverging = {
+    {{20, 68, 140}, {84, 144, 205}, {205, 223, 238}, {245, 224, 200}, {230, 140, 60}, {150, 66, 8}}};
+
+QRgb between(const Stops& stops, double position) {
+    const double x = std::clamp(position, 0.0, 1.0) * (stops.size() - 1);
+    const int i = std::min(static_cast<int>(x), static_cast<int>(stops.size()) - 2);
+    const auto mix = [&](int k) {
+        return static_cast<int>(std::lround(stops[i][k] + (x - i) * (stops[i + 1][k] - stops[i][k])));
+    };
+    return qRgb(mix(0), mix(1), mix(2));
+}
+
+}  // namespace
+
+const std::vector<double>& valuesOf(const Distortion& distortion, Measure measure) {
+    switch (measure) {
+        case Measure::Angle:
+            return distortion.angle;
+        case Measure::Area:
+            return distortion.ratio;
+        case Measure::Length:
+            break;
+    }
+    return distortion.metric;
+}
+
+MeasureRange rangeOf(const std::vector<double>& values, Measure measure) {
+    if (values.empty()) return measure == Measure::Area ? MeasureRange{0.9, 1 / 0.9} : MeasureRange{0, 0.01};
+    std::vector<double> sizes;
+    for (const double v : values)
+        sizes.push_back(measure == Measure::Area ? std::abs(std::log(std::max(v, 1e-6))) : v);
+    const auto nth =
+        sizes.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(sizes.size() - 1));
+    std::nth_element(sizes.begin(), nth, sizes.end());
+    if (measure != Measure::Area) return {0, std::max(*nth, 0.01)};
+    const double span = std::max(*nth, 0.02);
+    return {std::exp(-span), std::exp(span)};
+}
+
+double positionIn(const MeasureRange& range, Measure measure, double value) {
+    if (measure != Measure::Area) return (value - range.low) / (range.high - range.low);
+    const double low = std::log(range.low), high = std::log(range.high);
+    return (std::log(std::max(value, 1e-9)) - low) / (high - low);
+}
+
+double valueAt(const MeasureRange& range, Measure measure, double position) {
+    if (measure != Measure::Area) return range.low + position * (range.high - range.low);
+    return range.low * std::pow(range.high / range.low, position);
+}
+
+QRgb colourAt(Measure measure, double position) {
+    return between(measure == Measure::Area ? kDiverging : kMagnitude, position);
+}
+
+QString measureName(Measure measure) {
+    switch (measure) {
+        case Measure::Angle:
+            return QCoreApplication::translate("Measure", "Angle");
+        case Measure::Area:
+            return QCoreApplication::translate("Measure", "Area");
+        case Measure::Length:
+            break;
+    }
+    return QCoreApplication::translate("Measure", "Length");
+}
+
+}  // namespace wend

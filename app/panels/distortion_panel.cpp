@@ -1,0 +1,112 @@
+#include "app/panels/distortion_panel.h"
+
+#include <QComboBox>
+#include <QGridLayout>
+#include <QLocale>
+#include <QToolButton>
+
+#include "app/panels/panel_parts.h"
+
+namespace wend {
+
+DistortionPanel::DistortionPanel(ShapeSession& session, QWidget* parent)
+    : QWidget(parent),
+      m_session(session),
+      m_measure(new QComboBox(this)),
+      m_legend(new Legend(this)),
+      m_lock(new QToolButton(this)),
+      m_angle(new QLabel(this)),
+      m_area(new QLabel(this)),
+      m_length(new QLabel(this)),
+      m_worst(new QLabel(this)),
+      m_find(new QToolButton(this)) {
+    makeControls();
+    arrange();
+    connect(&m_session, &ShapeSession::frameChanged, this, &DistortionPanel::takeFrame);
+    connect(m_measure, &QComboBox::currentIndexChanged, this, [this] {
+        m_lock->setChecked(false);
+        takeFrame();
+        emit mapChanged();
+    });
+    connect(m_lock, &QToolButton::toggled, this, &DistortionPanel::takeFrame);
+    connect(m_find, &QToolButton::clicked, this, &DistortionPanel::showWorst);
+    takeFrame();
+}
+
+void DistortionPanel::makeControls() {
+    for (const Measure measure : {Measure::Length, Measure::Area, Measure::Angle})
+        m_measure->addItem(measureName(measure), static_cast<int>(measure));
+    m_measure->setFixedWidth(116);
+    describe(m_measure, tr("Distortion map"),
+             tr("Which error is coloured over the shape: of lengths, of areas or of angles."));
+    m_lock->setCheckable(true);
+    m_lock->setText(tr("Lock range"));
+    describe(m_lock, tr("Lock range"),
+             tr("Keep the colours' range, to compare different shapes and energies."));
+    m_find->setText(tr("Show"));
+    for (QToolButton* button : {m_lock, m_find}) button->setProperty("role", "chip");
+    describe(m_find, tr("Show the worst place"),
+             tr("Brings the most distorted triangle into view; it is ringed in the map."));
+}
+
+void DistortionPanel::arrange() {
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(16, 14, 16, 14);
+    layout->setSpacing(10);
+    layout->addWidget(panelTitle(tr("Distortion"), this));
+    layout->addLayout(panelRow(tr("Ma&p of"), m_measure, this));
+    layout->addWidget(m_legend);
+    auto* totals = new QGridLayout;
+    totals->setVerticalSpacing(6);
+    int row = 0;
+    const auto add = [&](const QString& name, QLabel* value, const QString& help) {
+        auto* label = new QLabel(name, this);
+        label->setProperty("role", "second");
+        value->setToolTip(help);
+        label->setToolTip(help);
+        value->setAccessibleName(name);
+        totals->addWidget(label, row, 0);
+        totals->addWidget(value, row++, 1, Qt::AlignRight);
+    };
+    add(tr("Angle error"), m_angle,
+        tr("Sum over the shape of σ₁/σ₂ + σ₂/σ₁ − 2: zero if all angles are kept."));
+    add(tr("Area error"), m_area,
+        tr("Sum over the shape of σ₁σ₂ + 1/(σ₁σ₂) − 2: zero if all areas are kept."));
+    add(tr("Length error"), m_length, tr("How far lengths are from those at rest: zero for a rigid motion."));
+    add(tr("Worst place"), m_worst, tr("Area of the most distorted triangle against rest."));
+    layout->addLayout(totals);
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(m_lock);
+    buttons->addStretch(1);
+    buttons->addWidget(m_find);
+    layout->addLayout(buttons);
+}
+
+Measure DistortionPanel::measure() const {
+    return static_cast<Measure>(m_measure->currentData().toInt());
+}
+
+void DistortionPanel::takeFrame() {
+    const FramePtr& frame = m_session.frame();
+    setEnabled(frame != nullptr);
+    if (!frame) return;
+    showTotals(frame->distortion);
+    if (!m_lock->isChecked()) {
+        m_range = rangeOf(valuesOf(frame->distortion, measure()), measure());
+        emit mapChanged();
+    }
+    m_legend->set(measure(), m_range);
+}
+
+void DistortionPanel::showTotals(const Distortion& distortion) {
+    const QLocale locale;
+    const auto text = [&locale](double value) { return locale.toString(value, 'f', 4); };
+    m_angle->setText(text(distortion.totalAngle));
+    m_area->setText(text(distortion.totalVolume));
+    m_length->setText(text(distortion.totalMetric));
+    const int worst = distortion.worstCell;
+    m_find->setEnabled(worst >= 0);
+    m_worst->setText(worst < 0 ? QStringLiteral("–") : measureText(Measure::Area, distortion.ratio[worst]));
+}
+
+}  // namespace wend

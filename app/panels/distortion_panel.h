@@ -1,0 +1,47 @@
+#pragma once
+
+#include <QWidget>
+
+#include "app/panels/legend.h"
+#include "app/session/shape_session.h"
+
+class QComboBox;
+class QLabel;
+class QToolButton;
+
+namespace wend {
+
+/// What the deformation costs: the map that is shown, its legend, the three totals and the worst place.
+class DistortionPanel : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit DistortionPanel(ShapeSession& session, QWidget* parent = nullptr);
+
+    Measure measure() const;
+    const MeasureRange& range() const { return m_range; }
+
+  signals:
+    /// The measure or its range changed.
+    void mapChanged();
+    void showWorst();
+
+  private:
+    void makeControls();
+    void arrange();
+    void takeFrame();
+    void showTotals(const Distortion& distortion);
+
+    ShapeSession& m_session;
+    QComboBox* m_measure;
+    Legend* m_legend;
+    QToolButton* m_lock;
+    QLabel* m_angle;
+    QLabel* m_area;
+    QLabel* m_length;
+    QLabel* m_worst;
+    QToolButton* m_find;
+    MeasureRange m_range;
+};
+
+}  // namespace wend

@@ -1,0 +1,58 @@
+#include "app/panels/energy_scale.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
+
+#include "core/energy/material.h"
+
+namespace wend {
+
+namespace {
+
+QString said(const char* text) {
+    return QCoreApplication::translate("EnergyScale", text);
+}
+
+}  // namespace
+
+EnergyScale::EnergyScale() {
+    m_stops[0] = {
+        phi::kEquia, said(QT_TRANSLATE_NOOP("EnergyScale", "Area")),
+        said(QT_TRANSLATE_NOOP("EnergyScale",
+                               "Keeps area: parts neither grow nor shrink. Angles and lengths give way."))};
+    m_stops[1] = {phi::kMetr, said(QT_TRANSLATE_NOOP("EnergyScale", "Length")),
+                  said(QT_TRANSLATE_NOOP(
+                      "EnergyScale",
+                      "Keeps lengths best: a balance of area and angle. A good start for most pictures."))};
+    m_stops[2] = {phi::kAkvf, said(QT_TRANSLATE_NOOP("EnergyScale", "Rigid")),
+                  said(QT_TRANSLATE_NOOP(
+                      "EnergyScale", "Turns parts as if they were stiff. Area gives way where parts bend."))};
+    m_stops[3] = {
+        phi::conformal(2), said(QT_TRANSLATE_NOOP("EnergyScale", "Angle")),
+        said(QT_TRANSLATE_NOOP(
+            "EnergyScale", "Keeps angles: small details keep their form. Parts may grow or shrink a lot."))};
+}
+
+double EnergyScale::phiAt(double position) const {
+    const double x = std::clamp(position, 0.0, kStops - 1.0);
+    const int i = std::min(static_cast<int>(x), kStops - 2);
+    if (x == i) return m_stops[i].phi;
+    if (x == i + 1) return m_stops[i + 1].phi;
+    return m_stops[i].phi + (x - i) * (m_stops[i + 1].phi - m_stops[i].phi);
+}
+
+double EnergyScale::positionOf(double phi) const {
+    for (int i = 0; i + 1 < kStops; ++i)
+        if (phi <= m_stops[i + 1].phi)
+            return i + std::max(0.0, (phi - m_stops[i].phi) / (m_stops[i + 1].phi - m_stops[i].phi));
+    return kStops - 1;
+}
+
+int EnergyScale::stopAt(double phi) const {
+    for (int i = 0; i < kStops; ++i)
+        if (std::abs(phi - m_stops[i].phi) < 5e-4) return i;
+    return -1;
+}
+
+}  // namespace wend

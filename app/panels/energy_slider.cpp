@@ -1,0 +1,119 @@
+#include "app/panels/energy_slider.h"
+
+#include <QPainter>
+#include <QStyle>
+#include <QStyleOptionSlider>
+#include <QToolButton>
+#include <cmath>
+
+#include "app/panels/panel_parts.h"
+#include "app/panels/theme.h"
+
+namespace wend {
+
+namespace {
+
+constexpr int kStepsPerStop = 1000;
+constexpr int kSnap = 45;
+constexpr int kHandle = 16;
+
+int nearestStop(int value) {
+    return static_cast<int>(std::lround(static_cast<double>(value) / kStepsPerStop));
+}
+
+int snapped(int value) {
+    const int stop = nearestStop(value) * kStepsPerStop;
+    return std::abs(value - stop) <= kSnap ? stop : value;
+}
+
+}  // namespace
+
+EnergySlider::EnergySlider(QWidget* parent)
+    : QWidget(parent), m_slider(new QSlider(Qt::Horizontal, this)), m_phi(0) {
+    m_slider->setObjectName(QStringLiteral("energySlider"));
+    m_slider->setRange(0, (EnergyScale::kStops - 1) * kStepsPerStop);
+    m_slider->setSingleStep(50);
+    m_slider->setPageStep(kStepsPerStop);
+    describe(m_slider, tr("Energy"), helpText());
+    setFocusProxy(m_slider);
+    for (int i = 0; i < EnergyScale::kStops; ++i) {
+        auto* label = new QToolButton(this);
+        label->setText(m_scale.stops()[i].name);
+        label->setCheckable(true);
+        label->setFocusPolicy(Qt::TabFocus);
+        describe(label, m_scale.stops()[i].name, m_scale.stops()[i].shortHelp);
+        connect(label, &QToolButton::clicked, this, [this, i] {
+            ++m_gesture;
+            m_slider->setValue(i * kStepsPerStop);
+            setPhi(m_phi);
+        });
+        m_labels[i] = label;
+    }
+    connect(m_slider, &QSlider::sliderPressed, this, [this] { ++m_gesture; });
+    connect(m_slider, &QSlider::valueChanged, this, &EnergySlider::choose);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    setPhi(m_scale.stops()[1].phi);
+}
+
+QString EnergySlider::helpText() const {
+    return tr(
+        "What the shape keeps when it has to give way. From Area over Length and Rigid to Angle the error "
+        "moves from angles "
+        "to areas. Between two names the energy changes evenly.");
+}
+
+void EnergySlider::choose(int value) {
+    const int at = snapped(value);
+    if (at != value && m_slider->isSliderDown()) {
+        const QSignalBlocker quiet(m_slider);
+        m_slider->setValue(at);
+    }
+    const double chosen =
+        m_scale.phiAt(static_cast<double>(m_slider->isSliderDown() ? at : value) / kStepsPerStop);
+    if (chosen == m_phi) return;
+    setPhi(chosen);
+    emit phiChosen(chosen, m_gesture);
+}
+
+void EnergySlider::setPhi(double phi) {
+    m_phi = phi;
+    const QSignalBlocker quiet(m_slider);
+    if (!m_slider->isSliderDown())
+        m_slider->setValue(static_cast<int>(std::lround(m_scale.positionOf(phi) * kStepsPerStop)));
+    for (int i = 0; i < EnergyScale::kStops; ++i) m_labels[i]->setChecked(m_scale.stopAt(phi) == i);
+    update();
+}
+
+int EnergySlider::stopX(int stop) const {
+    const double span = width() - kHandle;
+    return static_cast<int>(std::lround(kHandle / 2.0 + span * stop / (EnergyScale::kStops - 1)));
+}
+
+void EnergySlider::placeLabels() {
+    m_slider->setGeometry(0, 0, width(), kHandle + 4);
+    for (int i = 0; i < EnergyScale::kStops; ++i) {
+        const QSize size = m_labels[i]->sizeHint();
+        const int x = std::clamp(stopX(i) - size.width() / 2, 0, std::max(0, width() - size.width()));
+        m_labels[i]->setGeometry(x, kHandle + 8, size.width(), size.height());
+    }
+}
+
+QSize EnergySlider::sizeHint() const {
+    m_labels[0]->ensurePolished();
+    return {220, kHandle + 8 + m_labels[0]->sizeHint().height()};
+}
+
+void EnergySlider::resizeEvent(QResizeEvent*) {
+    placeLabels();
+}
+
+void EnergySlider::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(palette().color(QPalette::Mid));
+    for (int i = 0; i < EnergyScale::kStops; ++i)
+        painter.drawRoundedRect(QRectF(stopX(i) - 1, kHandle / 2.0 - 5, 2, 14), 1, 1);
+}
+
+}  // namespace wend

@@ -1,0 +1,56 @@
+#include "app/panels/legend.h"
+
+#include <QLocale>
+#include <QPainter>
+#include <QPainterPath>
+
+#include "app/panels/theme.h"
+
+namespace wend {
+
+namespace {
+
+constexpr int kBar = 12;
+
+}  // namespace
+
+Legend::Legend(QWidget* parent) : QWidget(parent) {
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    setAccessibleName(tr("Legend"));
+}
+
+QSize Legend::sizeHint() const {
+    return {160, kBar + 4 + fontMetrics().height()};
+}
+
+void Legend::set(Measure measure, const MeasureRange& range) {
+    m_measure = measure;
+    m_range = range;
+    setAccessibleDescription(
+        tr("%1: from %2 to %3")
+            .arg(measureName(measure), measureText(measure, range.low), measureText(measure, range.high)));
+    update();
+}
+
+void Legend::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    QLinearGradient gradient(0, 0, width(), 0);
+    for (int i = 0; i <= 20; ++i) gradient.setColorAt(i / 20.0, QColor(colourAt(m_measure, i / 20.0)));
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(gradient);
+    painter.drawRoundedRect(QRectF(0, 0, width(), kBar), 3, 3);
+    painter.setPen(Theme::of(palette()).secondText);
+    const QRect text(0, kBar + 3, width(), fontMetrics().height());
+    painter.drawText(text, Qt::AlignLeft, measureText(m_measure, m_range.low));
+    painter.drawText(text, Qt::AlignHCenter, measureText(m_measure, valueAt(m_range, m_measure, 0.5)));
+    painter.drawText(text, Qt::AlignRight, measureText(m_measure, m_range.high));
+}
+
+QString measureText(Measure measure, double value) {
+    const QLocale locale;
+    if (measure == Measure::Area) return QStringLiteral("×") + locale.toString(value, 'f', 2);
+    return value == 0 ? QStringLiteral("0") : locale.toString(value, 'g', 2);
+}
+
+}  // namespace wend

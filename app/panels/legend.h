@@ -1,0 +1,29 @@
+#pragma once
+
+#include <QWidget>
+
+#include "app/panels/colour_map.h"
+
+namespace wend {
+
+/// A bar with the colours of a measure and the values at its ends and middle.
+class Legend : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit Legend(QWidget* parent = nullptr);
+    void set(Measure measure, const MeasureRange& range);
+    QSize sizeHint() const override;
+
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+
+  private:
+    Measure m_measure = Measure::Length;
+    MeasureRange m_range;
+};
+
+/// A value of a measure as the legend writes it: "×1.25" for area, "0.031" for errors.
+QString measureText(Measure measure, double value);
+
+}  // namespace wend

@@ -1,0 +1,91 @@
+#include "app/panels/material_panel.h"
+
+#include "app/panels/panel_parts.h"
+
+namespace wend {
+
+MaterialPanel::MaterialPanel(ShapeSession& session, QWidget* parent)
+    : QWidget(parent),
+      m_session(session),
+      m_slider(new EnergySlider(this)),
+      m_help(secondLabel({}, this)),
+      m_phi(new QDoubleSpinBox(this)),
+      m_smoothing(new QDoubleSpinBox(this)) {
+    makeControls();
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(16, 14, 16, 14);
+    layout->setSpacing(10);
+    layout->addWidget(panelTitle(tr("Keep"), this));
+    layout->addWidget(m_slider);
+    layout->addWidget(m_help);
+    layout->addLayout(panelRow(tr("&Energy φ"), m_phi, this));
+    layout->addLayout(panelRow(tr("S&moothing"), m_smoothing, this));
+    connect(m_slider, &EnergySlider::phiChosen, this, &MaterialPanel::choosePhi);
+    connect(m_phi, &QDoubleSpinBox::valueChanged, this, [this](double value) { choosePhi(value, -1); });
+    connect(m_smoothing, &QDoubleSpinBox::valueChanged, this, &MaterialPanel::chooseSmoothing);
+    connect(&m_session.document(), &Document::projectChanged, this, &MaterialPanel::showProject);
+    showProject();
+}
+
+void MaterialPanel::makeControls() {
+    m_phi->setRange(0.001, phi::conformal(2));
+    m_phi->setDecimals(3);
+    m_phi->setSingleStep(0.05);
+    m_phi->setSuffix(tr(" rad"));
+    m_phi->setFixedWidth(116);
+    describe(m_phi, tr("Energy φ"),
+             tr("The same choice as a number, as it stands in the project file: 0.002 keeps area, 0.464 "
+                "length, 1.571 is rigid, "
+                "2.678 keeps angles."));
+    m_smoothing->setRange(0, 0.5);
+    m_smoothing->setDecimals(3);
+    m_smoothing->setSingleStep(0.005);
+    m_smoothing->setFixedWidth(116);
+    m_smoothing->setSpecialValueText(tr("none"));
+    describe(m_smoothing, tr("Smoothing length"),
+             tr("How far a pin's pull is spread, as a part of the shape's diagonal. Small: close to the pin, "
+                "sharp. Large: soft and "
+                "wide."));
+    m_help->setMinimumHeight(3 * m_help->fontMetrics().lineSpacing());
+    m_help->setAlignment(Qt::AlignTop);
+}
+
+void MaterialPanel::showProject() {
+    setEnabled(!m_session.document().isEmpty());
+    if (m_session.document().isEmpty()) return;
+    const MaterialSpec<2>& material = m_session.document().design().material;
+    const QSignalBlocker a(m_phi), b(m_smoothing);
+    m_slider->setPhi(material.phi);
+    m_phi->setValue(material.phi);
+    m_smoothing->setValue(material.smoothing.kind == SmoothingKind::None ? 0 : material.smoothing.length);
+    const bool paper = material.smoothing.kind == SmoothingKind::Paper;
+    m_smoothing->setEnabled(!paper);
+    if (paper)
+        m_smoothing->setToolTip(tr("This project smooths as in the paper, with λ; its file says how much."));
+    const EnergyScale& scale = m_slider->scale();
+    const int stop = scale.stopAt(material.phi);
+    const int below = static_cast<int>(scale.positionOf(material.phi));
+    m_help->setText(
+        stop >= 0 ? scale.stops()[stop].shortHelp
+                  : tr("Between %1 and %2.").arg(scale.stops()[below].name, scale.stops()[below + 1].name));
+}
+
+void MaterialPanel::choosePhi(double phi, int gesture) {
+    Document& document = m_session.document();
+    if (document.isEmpty() || phi == document.design().material.phi) return;
+    Project next = *document.project();
+    std::get<Design<2>>(next.design).material.phi = std::min(phi, phi::conformal(2));
+    document.change(tr("Change energy"), std::move(next), QStringLiteral("phi %1").arg(gesture));
+}
+
+void MaterialPanel::chooseSmoothing(double length) {
+    Document& document = m_session.document();
+    if (document.isEmpty()) return;
+    Project next = *document.project();
+    Smoothing& smoothing = std::get<Design<2>>(next.design).material.smoothing;
+    smoothing.kind = length > 0 ? SmoothingKind::Invariant : SmoothingKind::None;
+    if (length > 0) smoothing.length = length;
+    document.change(tr("Change smoothing"), std::move(next), QStringLiteral("smoothing"));
+}
+
+}  // namespace wend

@@ -1,0 +1,46 @@
+#include "app/panels/panel_parts.h"
+
+#include <QFrame>
+
+namespace wend {
+
+QLabel* panelTitle(const QString& text, QWidget* parent) {
+    auto* label = new QLabel(text, parent);
+    label->setProperty("role", "title");
+    return label;
+}
+
+QLabel* secondLabel(const QString& text, QWidget* parent) {
+    auto* label = new QLabel(text, parent);
+    label->setProperty("role", "second");
+    label->setWordWrap(true);
+    return label;
+}
+
+QFrame* panelLine(QWidget* parent) {
+    auto* line = new QFrame(parent);
+    line->setProperty("role", "line");
+    line->setFixedHeight(1);
+    return line;
+}
+
+QHBoxLayout* panelRow(const QString& label, QWidget* control, QWidget* parent) {
+    auto* row = new QHBoxLayout;
+    row->setSpacing(8);
+    auto* text = new QLabel(label, parent);
+    text->setBuddy(control);
+    row->addWidget(text);
+    row->addStretch(1);
+    row->addWidget(control);
+    return row;
+}
+
+void describe(QWidget* widget, const QString& name, const QString& help) {
+    widget->setAccessibleName(name);
+    widget->setAccessibleDescription(help);
+    widget->setToolTip(
+        QStringLiteral("<p><b>%1</b></p><p>%2</p>").arg(name.toHtmlEscaped(), help.toHtmlEscaped()));
+    widget->setStatusTip(help);
+}
+
+}  // namespace wend

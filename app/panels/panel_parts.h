@@ -1,0 +1,20 @@
+#pragma once
+
+#include <QBoxLayout>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QSpinBox>
+
+namespace wend {
+
+/// The recurring parts of the properties on the right: a titled section, a labelled row, a quiet line of
+/// text.
+QLabel* panelTitle(const QString& text, QWidget* parent);
+QLabel* secondLabel(const QString& text, QWidget* parent);
+QFrame* panelLine(QWidget* parent);
+/// Label on the left, control on the right; the label's mnemonic goes to the control.
+QHBoxLayout* panelRow(const QString& label, QWidget* control, QWidget* parent);
+/// Tooltip, status tip and accessible description at once.
+void describe(QWidget* widget, const QString& name, const QString& help);
+
+}  // namespace wend

@@ -1,0 +1,34 @@
+#include "app/session/frame_track.h"
+
+#include <algorithm>
+
+namespace wend {
+
+namespace {
+
+constexpr double kSameTime = 1e-9;
+
+bool before(const FramePtr& frame, double time) {
+    return frame->time < time;
+}
+
+}  // namespace
+
+void FrameTrack::cut(double time) {
+    while (!m_frames.empty() && m_frames.back()->time > time) m_frames.pop_back();
+}
+
+void FrameTrack::add(FramePtr frame) {
+    while (!m_frames.empty() && m_frames.back()->time >= frame->time) m_frames.pop_back();
+    m_frames.push_back(std::move(frame));
+}
+
+FramePtr FrameTrack::at(double time) const {
+    if (m_frames.empty() || time > m_frames.back()->time + kSameTime) return {};
+    const auto next = std::lower_bound(m_frames.begin(), m_frames.end(), time, before);
+    if (next == m_frames.begin()) return m_frames.front();
+    if (next == m_frames.end()) return m_frames.back();
+    return (*next)->time - time < time - (*std::prev(next))->time ? *next : *std::prev(next);
+}
+
+}  // namespace wend

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <vector>
+
+#include "app/session/shape_builder.h"
+
+namespace wend {
+
+/// The flow while a drag goes on: the dragged handles go straight from where they are to the newest target,
+/// all others hold still. A few steps of the midpoint rule per target: a preview, replaced by the exact
+/// motion after the release.
+class LiveDrag {
+  public:
+    struct Step {
+        Vec<2> offset;  // how far the handles are from where the drag began
+        bool stopped = false;
+        std::string message;
+        double pinError = 0;
+    };
+
+    /// `handles` hold the shape now; `dragged` are indices into them; `pose` is the shape now.
+    LiveDrag(const BuiltShape& shape, std::vector<Handle<2>> handles, std::vector<int> dragged,
+             const Points<2>& pose);
+
+    Step follow(const Vec<2>& offset);
+    const Points<2>& pose() const { return m_deformer.state().points; }
+
+  private:
+    void aim(const Vec<2>& by);
+
+    double m_diagonal;
+    std::vector<Handle<2>> m_handles;
+    std::vector<int> m_dragged;
+    Deformer<2> m_deformer;
+    Vec<2> m_offset = Vec<2>::Zero();
+};
+
+}  // namespace wend

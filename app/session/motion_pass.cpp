@@ -1,0 +1,119 @@
+#include "app/session/motion_pass.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "app/document/handle_edits.h"
+
+namespace wend {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr int kFramesPerUnit = 24;
+constexpr int kMostFrames = 480;
+
+const Design<2>& designOf(const Project& project) {
+    return std::get<Design<2>>(project.design);
+}
+
+bool sameIntegration(const IntegrationOptions& a, const IntegrationOptions& b) {
+    return a.method == b.method && a.tolerance == b.tolerance && a.steps == b.steps &&
+           (a.steps == 0 || a.end == b.end) && a.smallestStep == b.smallestStep && a.threads == b.threads;
+}
+
+}  // namespace
+
+void MotionPass::clear() {
+    m_project.reset();
+    m_deformer.reset();
+    m_cache.clear();
+    m_result.reset();
+    m_restSent = false;
+}
+
+double MotionPass::set(const BuiltShape& shape, std::shared_ptr<const Project> project) {
+    double kept = -kInfinity;
+    if (m_project && shape.rest == m_shape.rest && shape.material == m_shape.material &&
+        sameIntegration(m_project->integration, project->integration))
+        kept = firstDifference(designOf(*m_project).handles, designOf(*project).handles);
+    const double end = motionEnd(*project);
+    const bool same = kept == kInfinity && end == m_end;
+    m_shape = shape;
+    m_project = std::move(project);
+    if (same) return kInfinity;
+    m_end = end;
+    kept = std::min(kept, end);
+    m_deformer.reset();
+    m_result.reset();
+    m_cache.keepUpTo(kept);
+    if (!m_cache.last()) m_restSent = false;
+    m_lastFrame = m_cache.last() ? m_cache.last()->time : 0;
+    return m_cache.last() ? m_lastFrame : -kInfinity;
+}
+
+void MotionPass::begin(const Sink& sink) {
+    if (!m_restSent) {
+        State<2> rest;
+        rest.points = m_shape.rest->points;
+        sink.onFrame(rest, 0);
+        m_restSent = true;
+    }
+    const auto& handles = designOf(*m_project).handles;
+    IntegrationOptions options = m_project->integration;
+    options.end = m_project->end;
+    m_deformer.emplace(m_shape.rest, m_shape.material, handles, options);
+    if (m_cache.last())
+        m_deformer->restore(*m_cache.last());
+    else
+        m_cache.add(m_deformer->state());
+}
+
+double MotionPass::nextBorder(double time) const {
+    double next = m_end;
+    const auto consider = [&](double t) {
+        if (t > time) next = std::min(next, t);
+    };
+    for (const Handle<2>& handle : designOf(*m_project).handles) {
+        consider(handle.activeFrom);
+        consider(handle.activeTo);
+        for (const Motion<2>& motion : handle.motions) consider(motion.start), consider(motion.end);
+    }
+    return next;
+}
+
+std::vector<double> MotionPass::frameTimes(double from, double to) const {
+    const double spacing = std::max(1.0 / kFramesPerUnit, m_end / kMostFrames);
+    std::vector<double> times;
+    for (double k = std::floor(from / spacing) + 1; k * spacing < to - 0.25 * spacing; ++k)
+        if (k * spacing > from) times.push_back(k * spacing);
+    return times;
+}
+
+void MotionPass::run(const Sink& sink, std::stop_token stop) {
+    if (!m_deformer) begin(sink);
+    const double diagonal = boundingBoxDiagonal<2>(m_shape.rest->points);
+    const auto send = [&](const State<2>& state) {
+        m_lastFrame = state.time;
+        sink.onFrame(state, m_deformer->statistics().constraintError * diagonal);
+    };
+    while (m_deformer->state().time < m_end) {
+        Deformer<2>::Watch watch;
+        const double border = nextBorder(m_deformer->state().time);
+        watch.frames = frameTimes(std::max(m_lastFrame, m_deformer->state().time), border);
+        watch.onFrame = send;
+        watch.progress = [&](double time) { sink.progress(time, m_end); };
+        watch.stop = stop;
+        const AdvanceResult result = m_deformer->advance(border, watch);
+        if (result.outcome == Outcome::Cancelled) return;
+        m_cache.add(m_deformer->state());
+        send(m_deformer->state());
+        if (result.outcome == Outcome::Done) continue;
+        m_result = result;
+        return;
+    }
+    m_result = AdvanceResult{};
+}
+
+}  // namespace wend

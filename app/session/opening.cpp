@@ -1,0 +1,154 @@
+#include "app/session/opening.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
+
+#include "app/session/scene.h"
+#include "core/mesh/error.h"
+#include "core/mesh/mesh_file.h"
+
+namespace wend {
+
+namespace {
+
+QString said(const char* text) {
+    return QCoreApplication::translate("Opening", text);
+}
+
+[[noreturn]] void refuse(const QString& path, const QString& why) {
+    throw InputError(path.toStdString(), why.toStdString());
+}
+
+bool hasExtension(const QString& path, const QString& patterns) {
+    return patterns.split(' ').contains(QStringLiteral("*.") + QFileInfo(path).suffix().toLower());
+}
+
+const char* const kVolumeLater =
+    QT_TRANSLATE_NOOP("Opening",
+                      "this is a solid; the window shows pictures and flat meshes so far. `wend run` and "
+                      "`wend mesh` work with solids.");
+
+std::string absolute(const QString& folder, const std::string& file) {
+    return file.empty() ? file : QDir(folder).absoluteFilePath(QString::fromStdString(file)).toStdString();
+}
+
+OpenedFile openProject(const QString& path) {
+    OpenedFile file;
+    LoadedProject loaded = readProject(path.toStdString());
+    Project& project = loaded.project;
+    if (project.dimension() != 2) refuse(path, said(kVolumeLater));
+    const QString folder = QFileInfo(path).absolutePath();
+    project.domain.path = absolute(folder, project.domain.path);
+    project.domain.texture = absolute(folder, project.domain.texture);
+    MaterialSpec<2>& material = std::get<Design<2>>(project.design).material;
+    material.cellsFile = absolute(folder, material.cellsFile);
+    for (const std::string& warning : loaded.warnings) file.warnings << QString::fromStdString(warning);
+    if (project.domain.kind == DomainKind::Image) file.picture = loadPicture(project, folder.toStdString());
+    file.project = std::make_shared<const Project>(std::move(project));
+    file.path = path;
+    return file;
+}
+
+/// The pictures that are cut out are taken by their outline, others whole.
+bool hasTransparency(const Image& image) {
+    if (!image.alpha) return false;
+    try {
+        const Outline outline = outlineFromAlpha(image, {});
+        double area = 0;
+        for (const auto& loop : outline.loops)
+            for (std::size_t i = 0; i < loop.size(); ++i) {
+                const Vec<2>&a = loop[i], &b = loop[(i + 1) % loop.size()];
+                area += 0.5 * (a.x() * b.y() - b.x() * a.y());
+            }
+        return std::abs(area) < 0.995 * image.width * image.height;
+    } catch (const InputError&) {
+        return false;
+    }
+}
+
+OpenedFile openPicture(const QString& path) {
+    OpenedFile file;
+    auto picture = std::make_shared<const Image>(readImage(path.toStdString()));
+    Project project;
+    project.domain.kind = DomainKind::Image;
+    project.domain.path = path.toStdString();
+    project.domain.outline = hasTransparency(*picture) ? OutlineKind::Alpha : OutlineKind::Frame;
+    file.picture = std::move(picture);
+    file.project = std::make_shared<const Project>(std::move(project));
+    return file;
+}
+
+OpenedFile openMesh(const QString& path) {
+    const MeshFile mesh = readMeshFile(path.toStdString());
+    if (isVolume(mesh)) refuse(path, said(kVolumeLater));
+    const auto z = mesh.points.row(2);
+    const bool flat = mesh.points.cols() > 0 &&
+                      z.maxCoeff() - z.minCoeff() <=
+                          1e-9 * (mesh.points.rowwise().maxCoeff() - mesh.points.rowwise().minCoeff()).norm();
+    if (!flat) refuse(path, said(kVolumeLater));
+    OpenedFile file;
+    Project project;
+    project.domain.kind = DomainKind::Mesh;
+    project.domain.path = path.toStdString();
+    file.project = std::make_shared<const Project>(std::move(project));
+    return file;
+}
+
+QString sampleFolder() {
+    const QString program = QCoreApplication::applicationDirPath();
+    for (const QString& folder :
+         {program + QStringLiteral("/../share/wend/samples"), QStringLiteral(WEND_SAMPLES)})
+        if (QFileInfo::exists(folder)) return QDir(folder).canonicalPath();
+    return {};
+}
+
+}  // namespace
+
+QString pictureExtensions() {
+    return QStringLiteral(
+        "*.png *.tif *.tiff *.exr *.jpg *.jpeg *.webp *.bmp *.tga *.psd *.hdr *.gif *.ppm *.pgm");
+}
+
+QString meshExtensions() {
+    return QStringLiteral("*.obj *.ply *.off *.stl *.mesh *.msh *.node *.ele *.vtk *.vtu");
+}
+
+bool looksOpenable(const QString& path) {
+    return hasExtension(path, QStringLiteral("*.wend")) || hasExtension(path, pictureExtensions()) ||
+           hasExtension(path, meshExtensions());
+}
+
+OpenedFile openFile(const QString& path) {
+    const QString absolutePath = QFileInfo(path).absoluteFilePath();
+    OpenedFile file;
+    if (hasExtension(path, QStringLiteral("*.wend")))
+        file = openProject(absolutePath);
+    else if (hasExtension(path, meshExtensions()))
+        file = openMesh(absolutePath);
+    else
+        file = openPicture(absolutePath);
+    file.source = absolutePath;
+    return file;
+}
+
+QStringList samplePaths() {
+    QStringList paths;
+    const QDir folder(sampleFolder());
+    if (sampleFolder().isEmpty()) return paths;
+    for (const QFileInfo& info : folder.entryInfoList({QStringLiteral("*.wend")}, QDir::Files, QDir::Name))
+        paths << info.absoluteFilePath();
+    return paths;
+}
+
+QString picturePathOf(const QString& project) {
+    try {
+        const Project read = readProject(project.toStdString()).project;
+        if (read.domain.kind != DomainKind::Image) return {};
+        return QFileInfo(project).absoluteDir().absoluteFilePath(QString::fromStdString(read.domain.path));
+    } catch (const std::exception&) {
+        return {};
+    }
+}
+
+}  // namespace wend

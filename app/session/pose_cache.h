@@ -1,0 +1,23 @@
+#pragma once
+
+#include <map>
+
+#include "core/integration/deformer.h"
+
+namespace wend {
+
+/// States by time, from which an integration can go on. Changing a handle at time t keeps what lies up to t.
+class PoseCache {
+  public:
+    void clear() { m_states.clear(); }
+    void add(const State<2>& state) { m_states.insert_or_assign(state.time, state); }
+    void keepUpTo(double time) { m_states.erase(m_states.upper_bound(time), m_states.end()); }
+    /// The newest state, or null.
+    const State<2>* last() const { return m_states.empty() ? nullptr : &m_states.rbegin()->second; }
+    std::size_t size() const { return m_states.size(); }
+
+  private:
+    std::map<double, State<2>> m_states;
+};
+
+}  // namespace wend

@@ -1,0 +1,28 @@
+#include "app/session/selection.h"
+
+#include <algorithm>
+
+namespace wend {
+
+bool Selection::contains(int handle) const {
+    return std::binary_search(m_handles.begin(), m_handles.end(), handle);
+}
+
+void Selection::set(std::vector<int> handles) {
+    std::sort(handles.begin(), handles.end());
+    handles.erase(std::unique(handles.begin(), handles.end()), handles.end());
+    if (handles == m_handles) return;
+    m_handles = std::move(handles);
+    emit changed();
+}
+
+void Selection::toggle(int handle) {
+    std::vector<int> next = m_handles;
+    if (const auto it = std::find(next.begin(), next.end(), handle); it != next.end())
+        next.erase(it);
+    else
+        next.push_back(handle);
+    set(std::move(next));
+}
+
+}  // namespace wend

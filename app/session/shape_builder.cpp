@@ -1,0 +1,97 @@
+#include "app/session/shape_builder.h"
+
+#include <algorithm>
+
+#include "core/mesh/error.h"
+
+namespace wend {
+
+namespace {
+
+const Design<2>& designOf(const ShapeInputs& inputs) {
+    return std::get<Design<2>>(inputs.project->design);
+}
+
+bool sameAlpha(const AlphaOutlineOptions& a, const AlphaOutlineOptions& b) {
+    return a.threshold == b.threshold && a.margin == b.margin && a.smallest == b.smallest &&
+           a.simplify == b.simplify;
+}
+
+bool sameOutline(const Domain& a, const Domain& b) {
+    return a.kind == b.kind && a.path == b.path && a.outline == b.outline && sameAlpha(a.alpha, b.alpha) &&
+           a.polygons.loops == b.polygons.loops;
+}
+
+/// The points that become vertices of the mesh: those of handles that are there from the start.
+std::vector<Vec<2>> startPoints(const ShapeInputs& inputs) {
+    std::vector<Vec<2>> points;
+    for (const Handle<2>& handle : designOf(inputs).handles)
+        if (const auto* own = std::get_if<std::vector<Vec<2>>>(&handle.at); own && handle.activeFrom <= 0)
+            points.insert(points.end(), own->begin(), own->end());
+    return points;
+}
+
+bool sameSmoothing(const Smoothing& a, const Smoothing& b) {
+    return a.kind == b.kind && a.length == b.length && a.lambda == b.lambda;
+}
+
+}  // namespace
+
+bool ShapeBuilder::meshIsCurrent(const ShapeInputs& inputs) const {
+    if (!m_shape.rest || m_last.generation != inputs.generation) return false;
+    const Domain &a = m_last.project->domain, &b = inputs.project->domain;
+    return sameOutline(a, b) && a.vertices == b.vertices && a.edge == b.edge &&
+           (b.kind != DomainKind::Image || startPoints(m_last) == startPoints(inputs));
+}
+
+bool ShapeBuilder::materialIsCurrent(const ShapeInputs& inputs) const {
+    if (!m_shape.material || m_last.generation != inputs.generation) return false;
+    const MaterialSpec<2>&a = designOf(m_last).material, &b = designOf(inputs).material;
+    // Regions and cells come from the file and cannot be edited, so only their presence could differ.
+    return a.phi == b.phi && sameSmoothing(a.smoothing, b.smoothing) &&
+           a.regions.size() == b.regions.size() && a.cellPhi.size() == b.cellPhi.size() &&
+           a.cellB.size() == b.cellB.size();
+}
+
+void ShapeBuilder::makeMesh(const ShapeInputs& inputs, std::stop_token stop) {
+    const Project& project = *inputs.project;
+    if (project.domain.kind != DomainKind::Image) {
+        m_shape.rest = std::get<Scene<2>>(loadScene(project, inputs.folder)).rest;
+        return;
+    }
+    if (!m_outline || m_outlineFrom.generation != inputs.generation ||
+        !sameOutline(m_outlineFrom.project->domain, project.domain)) {
+        m_outline.reset();
+        m_outline = std::make_shared<const Outline>(domainOutline(project.domain, *inputs.picture));
+        m_outlineFrom = inputs;
+    }
+    m_shape.rest = meshPicture(project, *m_outline, stop);
+}
+
+void ShapeBuilder::makeShape(const ShapeInputs& inputs, std::stop_token stop) {
+    if (!meshIsCurrent(inputs)) {
+        m_shape = {};
+        makeMesh(inputs, stop);
+    }
+    if (stop.stop_requested() || !m_shape.rest) {
+        m_shape = {};
+        return;
+    }
+    if (!materialIsCurrent(inputs))
+        m_shape.material = rasterizeMaterial<2>(designOf(inputs).material, *m_shape.rest, inputs.folder);
+    m_last = inputs;
+}
+
+BuiltShape ShapeBuilder::build(const ShapeInputs& inputs, std::stop_token stop) {
+    try {
+        makeShape(inputs, stop);
+    } catch (const Cancelled&) {
+        m_shape = {};
+    } catch (...) {
+        m_shape = {};
+        throw;
+    }
+    return m_shape;
+}
+
+}  // namespace wend

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <stop_token>
+
+#include "app/session/scene.h"
+
+namespace wend {
+
+/// What the shape in the window depends on: immutable values of the document.
+struct ShapeInputs {
+    int generation = 0;  // of the opened file
+    int revision = 0;    // of the request
+    std::shared_ptr<const Project> project;
+    std::shared_ptr<const Image> picture;
+    std::string folder;
+};
+
+struct BuiltShape {
+    std::shared_ptr<const SimplicialMesh<2>> rest;
+    std::shared_ptr<const Material<2>> material;
+};
+
+/// Outline, mesh and material of a project, made again only where the inputs changed since the last time. The
+/// steps are those of loadScene(), so that window and command line have the same mesh.
+class ShapeBuilder {
+  public:
+    /// Throws InputError. Null rest if stopped.
+    BuiltShape build(const ShapeInputs& inputs, std::stop_token stop);
+
+  private:
+    void makeShape(const ShapeInputs& inputs, std::stop_token stop);
+    void makeMesh(const ShapeInputs& inputs, std::stop_token stop);
+    bool meshIsCurrent(const ShapeInputs& inputs) const;
+    bool materialIsCurrent(const ShapeInputs& inputs) const;
+
+    ShapeInputs m_last;  // of the mesh and material below
+    ShapeInputs m_outlineFrom;
+    std::shared_ptr<const Outline> m_outline;
+    BuiltShape m_shape;
+};
+
+}  // namespace wend

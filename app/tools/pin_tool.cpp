@@ -1,0 +1,162 @@
+#include "app/tools/pin_tool.h"
+
+#include <QApplication>
+#include <QCoreApplication>
+#include <algorithm>
+
+namespace wend {
+
+namespace {
+
+constexpr double kReach = 8;           // pixels of the screen
+constexpr double kStrokeDetail = 0.5;  // pixels of the screen that a recorded path may deviate
+constexpr double kLeastDetail = 0.2;   // but no less than this, in pixels of the picture
+
+QString said(const char* text) {
+    return QCoreApplication::translate("PinTool", text);
+}
+
+double distance(const QPointF& a, const QPointF& b) {
+    return QLineF(a, b).length();
+}
+
+}  // namespace
+
+QString PinTool::hint() const {
+    if (m_gesture == Gesture::Drag)
+        return said(QT_TRANSLATE_NOOP("PinTool", "Drag the pin; Esc puts the shape back"));
+    if (m_hovered >= 0)
+        return said(QT_TRANSLATE_NOOP("PinTool",
+                                      "Drag to move the pin, Shift-click to select more, Delete to remove"));
+    if (m_adds)
+        return said(
+            QT_TRANSLATE_NOOP("PinTool", "Click on the shape to set a pin, then drag pins to bend it"));
+    return said(QT_TRANSLATE_NOOP(
+        "PinTool", "Click or draw a rectangle to select pins, drag to move them, arrow keys nudge"));
+}
+
+QCursor PinTool::cursor() const {
+    if (m_gesture == Gesture::Drag) return Qt::ClosedHandCursor;
+    if (m_hovered >= 0) return Qt::OpenHandCursor;
+    return m_adds ? Qt::CrossCursor : Qt::ArrowCursor;
+}
+
+int PinTool::handleAt(const QPointF& widget) const {
+    int best = -1;
+    double nearest = kReach;
+    for (const PinView& pin : session().pins()) {
+        std::vector<Vec<2>> spots = {pin.centre};
+        if (!pin.region) spots.insert(spots.end(), pin.points.begin(), pin.points.end());
+        for (const Vec<2>& spot : spots) {
+            const double d = distance(surface().toWidget(spot), widget);
+            if (d <= nearest) nearest = d, best = pin.handle;
+        }
+    }
+    return best;
+}
+
+void PinTool::press(const QMouseEvent& event) {
+    if (event.button() != Qt::LeftButton || m_gesture != Gesture::None) return;
+    m_gesture = Gesture::Pressed;
+    m_from = event.position();
+    m_pressed = handleAt(m_from);
+    if (m_pressed >= 0) pressHandle(m_pressed, event.modifiers() & Qt::ShiftModifier);
+}
+
+void PinTool::pressHandle(int handle, bool extend) {
+    Selection& selection = session().selection();
+    if (extend)
+        selection.toggle(handle);
+    else if (!selection.contains(handle))
+        selection.set({handle});
+}
+
+void PinTool::move(const QMouseEvent& event) {
+    const QPointF at = event.position();
+    if (m_gesture == Gesture::None) hover(at);
+    if (m_gesture == Gesture::Pressed && distance(at, m_from) >= 3) begin(event);
+    if (m_gesture == Gesture::Drag) session().dragTo(surface().toShape(at) - surface().toShape(m_from));
+    if (m_gesture == Gesture::Marquee) surface().setMarquee(QRectF(m_from, at).normalized());
+}
+
+void PinTool::begin(const QMouseEvent&) {
+    const bool onPin = m_pressed >= 0 && session().selection().contains(m_pressed);
+    m_gesture = onPin ? Gesture::Drag : Gesture::Marquee;
+    if (onPin) session().beginDrag();
+    if (onPin && !session().isDragging()) m_gesture = Gesture::None;
+}
+
+void PinTool::release(const QMouseEvent& event) {
+    if (event.button() != Qt::LeftButton) return;
+    const Gesture gesture = std::exchange(m_gesture, Gesture::None);
+    const bool extend = event.modifiers() & Qt::ShiftModifier;
+    if (gesture == Gesture::Drag) {
+        const double pixel = (surface().toShape({1, 0}) - surface().toShape({0, 0})).norm();
+        session().endDrag(std::max(kStrokeDetail * pixel, kLeastDetail * session().pixel()));
+    }
+    if (gesture == Gesture::Marquee) {
+        surface().setMarquee({});
+        selectInside(QRectF(m_from, event.position()).normalized(), extend);
+    }
+    if (gesture == Gesture::Pressed && m_pressed < 0) {
+        const int added = m_adds ? session().addPin(surface().toShape(event.position())) : -1;
+        if (added < 0 && !extend) session().selection().clear();
+    }
+    hover(event.position());
+}
+
+void PinTool::selectInside(const QRectF& rectangle, bool extend) {
+    std::vector<int> handles;
+    if (extend) handles = session().selection().handles();
+    for (const PinView& pin : session().pins())
+        if (rectangle.contains(surface().toWidget(pin.centre))) handles.push_back(pin.handle);
+    session().selection().set(std::move(handles));
+}
+
+void PinTool::hover(const QPointF& at) {
+    m_hovered = handleAt(at);
+    surface().setHovered(m_hovered);
+}
+
+bool PinTool::nudge(const QKeyEvent& event) {
+    Vec<2> by = Vec<2>::Zero();
+    switch (event.key()) {
+        case Qt::Key_Left:
+            by = {-1, 0};
+            break;
+        case Qt::Key_Right:
+            by = {1, 0};
+            break;
+        case Qt::Key_Up:
+            by = {0, -1};
+            break;
+        case Qt::Key_Down:
+            by = {0, 1};
+            break;
+        default:
+            return false;
+    }
+    const double size = session().pixel() * (event.modifiers() & Qt::ShiftModifier ? 10 : 1);
+    session().nudgeSelected(size * by);
+    return true;
+}
+
+bool PinTool::key(const QKeyEvent& event) {
+    if (event.key() == Qt::Key_Escape) {
+        if (m_gesture == Gesture::None)
+            session().selection().clear();
+        else
+            cancel();
+        return true;
+    }
+    if (m_gesture != Gesture::None) return false;
+    return nudge(event);
+}
+
+void PinTool::cancel() {
+    const Gesture gesture = std::exchange(m_gesture, Gesture::None);
+    if (gesture == Gesture::Drag) session().cancelDrag();
+    if (gesture == Gesture::Marquee) surface().setMarquee({});
+}
+
+}  // namespace wend

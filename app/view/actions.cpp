@@ -1,0 +1,192 @@
+#include "app/view/actions.h"
+
+#include <QMainWindow>
+#include <QMenuBar>
+#include <QUndoStack>
+
+#include "app/panels/theme.h"
+
+namespace wend {
+
+Actions::Actions(QUndoStack& undoStack, QObject* parent)
+    : QObject(parent), recent(new QMenu), samples(new QMenu) {
+    makeFile();
+    makeEdit(undoStack);
+    makeView();
+    makeMotion();
+    makeHelp();
+    setHasFile(false, false);
+    setHasSelection(false);
+    setHasMotion(false);
+}
+
+QAction* Actions::add(const Words& words, const QKeySequence& keys, const QString& icon) {
+    auto* action = new QAction(words.name, this);
+    action->setShortcut(keys);
+    action->setProperty("help", words.help);
+    action->setProperty("iconName", icon);
+    describe(action);
+    return action;
+}
+
+QAction* Actions::addToggle(const Words& words, const QKeySequence& keys, const QString& icon) {
+    QAction* action = add(words, keys, icon);
+    action->setCheckable(true);
+    return action;
+}
+
+void Actions::describe(QAction* action, const QString& extra) {
+    const QString help = action->property("help").toString();
+    QString name = action->text();
+    name.remove('&');
+    const QString keys = action->shortcut().toString(QKeySequence::NativeText);
+    const QString keyText =
+        keys.isEmpty()
+            ? QString()
+            : QStringLiteral(" &nbsp;<span style='opacity:0.7'>%1</span>").arg(keys.toHtmlEscaped());
+    const QString why =
+        extra.isEmpty() ? QString() : QStringLiteral("<p><i>%1</i></p>").arg(extra.toHtmlEscaped());
+    action->setToolTip(QStringLiteral("<p><b>%1</b>%2</p><p>%3</p>%4")
+                           .arg(name.toHtmlEscaped(), keyText, help.toHtmlEscaped(), why));
+    action->setStatusTip(extra.isEmpty() ? help : extra);
+}
+
+void Actions::makeFile() {
+    open = add({tr("&Open…"), tr("Open a picture, a flat mesh or a project")}, QKeySequence::Open, "open");
+    save = add({tr("&Save"), tr("Save the project")}, QKeySequence::Save, "save");
+    saveAs = add({tr("Save &As…"), tr("Save the project under another name")}, QKeySequence::SaveAs);
+    exportPicture = add({tr("Export &Picture…"), tr("Write the picture as it is bent now, at its full size")},
+                        QKeySequence(tr("Ctrl+E")), "export");
+    exportMesh = add({tr("Export &Mesh…"), tr("Write the bent mesh as OBJ, PLY, VTU …")}, {});
+    exportFrames = add({tr("Export &Frames…"), tr("Write the motion as a sequence of pictures")},
+                       QKeySequence(tr("Ctrl+Shift+E")), "frames");
+    exportStMap =
+        add({tr("Export S&T Map…"), tr("Write where each pixel comes from, for compositing programs")}, {});
+    closeFile = add({tr("&Close"), tr("Close the file and go back to the start page")}, QKeySequence::Close);
+    quit = add({tr("&Quit"), tr("Leave Wend")}, QKeySequence::Quit);
+    quit->setMenuRole(QAction::QuitRole);
+    recent->setTitle(tr("Open &Recent"));
+    samples->setTitle(tr("Open Sa&mple"));
+}
+
+void Actions::makeEdit(QUndoStack& stack) {
+    undo = stack.createUndoAction(this, tr("&Undo"));
+    redo = stack.createRedoAction(this, tr("&Redo"));
+    undo->setShortcut(QKeySequence::Undo);
+    redo->setShortcuts({QKeySequence(tr("Ctrl+Shift+Z")), QKeySequence(tr("Ctrl+Y"))});
+    undo->setProperty("iconName", "undo");
+    redo->setProperty("iconName", "redo");
+    undo->setStatusTip(tr("Take back the last step"));
+    redo->setStatusTip(tr("Do again what was taken back"));
+    selectAll = add({tr("Select &All Pins"), tr("Select all pins")}, QKeySequence::SelectAll);
+    selectNone = add({tr("Select &None"), tr("Select no pin")}, QKeySequence(tr("Ctrl+Shift+A")));
+    remove = add({tr("&Remove Pins"), tr("Remove the selected pins; what has already moved stays")},
+                 QKeySequence::Delete, "remove");
+    pinTool = addToggle({tr("&Pin"), tr("Set pins and drag them")}, QKeySequence(tr("P")), "pin");
+    selectTool = addToggle({tr("Se&lect"), tr("Select and drag pins without setting new ones")},
+                           QKeySequence(tr("V")), "select");
+    auto* tools = new QActionGroup(this);
+    tools->addAction(pinTool);
+    tools->addAction(selectTool);
+    pinTool->setChecked(true);
+}
+
+void Actions::makeView() {
+    showMesh = addToggle({tr("&Mesh"), tr("Show the triangles that carry the picture")},
+                         QKeySequence(tr("M")), "mesh");
+    showMap = addToggle({tr("&Distortion Map"), tr("Colour the shape by its distortion")},
+                        QKeySequence(tr("D")), "distortion");
+    hideOverlays =
+        addToggle({tr("&Hide Pins and Maps"), tr("Show the bare picture; hold H to do so for a moment")},
+                  QKeySequence(tr("Shift+H")), "hide");
+    fit = add({tr("&Fit"), tr("Show the whole picture")}, QKeySequence(tr("F")), "fit");
+    actualSize = add({tr("&Actual Size"), tr("One pixel of the picture on one of the screen")},
+                     QKeySequence(tr("1")), "zoom-100");
+    zoomIn = add({tr("Zoom &In"), tr("Look closer")}, QKeySequence::ZoomIn);
+    zoomOut = add({tr("Zoom &Out"), tr("See more")}, QKeySequence::ZoomOut);
+    fullScreen = addToggle({tr("Full &Screen"), tr("Use the whole screen")}, QKeySequence(Qt::Key_F11));
+    auto* looks = new QActionGroup(this);
+    systemLook = addToggle({tr("As the &Desktop"), tr("Light or dark as the desktop is")}, {});
+    lightLook = addToggle({tr("&Light"), tr("Dark on light")}, {});
+    darkLook = addToggle({tr("&Dark"), tr("Light on dark")}, {});
+    for (QAction* look : {systemLook, lightLook, darkLook}) looks->addAction(look);
+    systemLook->setChecked(true);
+}
+
+void Actions::makeMotion() {
+    play = add({tr("&Play"), tr("Play the motion, or pause it")}, QKeySequence(tr("K")), "play");
+    loop = addToggle({tr("&Loop"), tr("Begin again at the end")}, QKeySequence(tr("L")), "loop");
+    toStart =
+        add({tr("To the &Start"), tr("Show the shape at rest")}, QKeySequence(Qt::Key_Home), "first-frame");
+    toEnd = add({tr("To the &End"), tr("Show the end of the motion, where dragging goes on")},
+                QKeySequence(Qt::Key_End), "last-frame");
+}
+
+void Actions::makeHelp() {
+    shortcuts =
+        add({tr("&Keys and Mouse"), tr("What pointer and keys do")}, QKeySequence::HelpContents, "help");
+    about = add({tr("&About Wend"), tr("Version and licence")}, {});
+    about->setMenuRole(QAction::AboutRole);
+}
+
+void Actions::fillMenuBar(QMainWindow& window) {
+    QMenu* file = window.menuBar()->addMenu(tr("&File"));
+    file->addAction(open);
+    file->addMenu(recent);
+    file->addMenu(samples);
+    file->addSeparator();
+    file->addActions({save, saveAs});
+    file->addSeparator();
+    file->addActions({exportPicture, exportMesh, exportFrames, exportStMap});
+    file->addSeparator();
+    file->addActions({closeFile, quit});
+    QMenu* edit = window.menuBar()->addMenu(tr("&Edit"));
+    edit->addActions({undo, redo});
+    edit->addSeparator();
+    edit->addActions({selectAll, selectNone, remove});
+    edit->addSeparator();
+    edit->addActions({pinTool, selectTool});
+    QMenu* view = window.menuBar()->addMenu(tr("&View"));
+    view->addActions({showMesh, showMap, hideOverlays});
+    view->addSeparator();
+    view->addActions({fit, actualSize, zoomIn, zoomOut});
+    view->addSeparator();
+    view->addMenu(tr("A&ppearance"))->addActions({systemLook, lightLook, darkLook});
+    view->addAction(fullScreen);
+    window.menuBar()->addMenu(tr("&Motion"))->addActions({play, loop, toStart, toEnd});
+    window.menuBar()->addMenu(tr("&Help"))->addActions({shortcuts, about});
+}
+
+void Actions::setIcons(const QPalette& palette) {
+    for (QAction* action : findChildren<QAction*>())
+        if (const QString name = action->property("iconName").toString(); !name.isEmpty()) {
+            action->setIcon(wendIcon(name, palette));
+            action->setIconVisibleInMenu(false);
+        }
+}
+
+void Actions::enable(QAction* action, bool enabled, const QString& whyNot) {
+    action->setEnabled(enabled);
+    describe(action, enabled ? QString() : whyNot);
+}
+
+void Actions::setHasFile(bool has, bool hasPicture) {
+    const QString why = tr("Open a picture first.");
+    for (QAction* action : {save, saveAs, closeFile, exportMesh, selectAll, selectNone, pinTool, selectTool,
+                            showMesh, showMap, hideOverlays, fit, actualSize, zoomIn, zoomOut})
+        enable(action, has, why);
+    for (QAction* action : {exportPicture, exportFrames, exportStMap})
+        enable(action, has && hasPicture, has ? tr("This project has no picture.") : why);
+}
+
+void Actions::setHasSelection(bool has) {
+    enable(remove, has, tr("Select a pin first."));
+}
+
+void Actions::setHasMotion(bool has) {
+    for (QAction* action : {play, loop, toStart, toEnd})
+        enable(action, has, tr("Nothing moves yet: drag a pin."));
+    if (!has) enable(exportFrames, false, tr("Nothing moves yet: drag a pin."));
+}
+
+}  // namespace wend

@@ -1,0 +1,333 @@
+#include "app/view/canvas.h"
+
+#include <QWheelEvent>
+#include <QtConcurrent>
+#include <cmath>
+
+#include "app/view/overlay_painter.h"
+#include "app/view/screen_picture.h"
+
+namespace wend {
+
+namespace {
+
+constexpr double kMargin = 36;
+constexpr int kRefineAfter = 140;  // milliseconds
+constexpr int kDimAfter = 250;
+
+}  // namespace
+
+Canvas::Canvas(ShapeSession& session, QWidget* parent) : QWidget(parent), m_session(session) {
+    setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
+    setMinimumSize(320, 240);
+    setAttribute(Qt::WA_OpaquePaintEvent);
+    setAccessibleName(tr("Canvas"));
+    setAccessibleDescription(tr("The picture with its pins"));
+    m_refine.setSingleShot(true);
+    m_refine.setInterval(kRefineAfter);
+    m_dim.setSingleShot(true);
+    m_dim.setInterval(kDimAfter);
+    connect(&m_refine, &QTimer::timeout, this, [this] { m_renderer.post(request(Filter::Ewa)); });
+    connect(&m_dim, &QTimer::timeout, this, [this] {
+        m_dimmed = m_session.isStale();
+        update();
+    });
+    connect(&m_renderer, &RenderThread::rendered, this, &Canvas::takeRendered);
+    connect(&m_session.document(), &Document::opened, this, &Canvas::takeOpened);
+    connect(&m_session, &ShapeSession::frameChanged, this, &Canvas::takeFrame);
+    connect(&m_session, &ShapeSession::pinsChanged, this, qOverload<>(&QWidget::update));
+}
+
+void Canvas::setTool(Tool* tool) {
+    if (m_tool) m_tool->cancel();
+    m_tool = tool;
+    updateCursor();
+    emit hintChanged(m_tool ? m_tool->hint() : QString());
+}
+
+bool Canvas::isSettled() const {
+    return m_drawn && !m_refine.isActive() && m_drawn->request.filter == Filter::Ewa &&
+           m_drawn->request.frame == m_session.frame() && m_drawn->request.view == m_view;
+}
+
+void Canvas::takeOpened() {
+    m_picture.reset();
+    m_drawn.reset();
+    m_hovered = -1;
+    const auto& picture = m_session.document().picture();
+    m_view.setPointsUp(!picture);
+    m_fitted = true;
+    fit();
+    update();
+    if (!picture) return;
+    const auto prepare = [picture] { return std::make_shared<const Pyramid>(screenPicture(picture)); };
+    QtConcurrent::run(prepare).then(this, [this, picture](const std::shared_ptr<const Pyramid>& prepared) {
+        if (m_session.document().picture() != picture) return;
+        m_picture = prepared;
+        render();
+    });
+}
+
+QRectF Canvas::frameRect() const {
+    if (const auto& picture = m_session.document().picture())
+        return {0, 0, double(picture->width), double(picture->height)};
+    if (!m_session.frame()) return {};
+    const auto& points = m_session.frame()->rest->points;
+    const Vec<2> low = points.rowwise().minCoeff(), high = points.rowwise().maxCoeff();
+    return {low.x(), low.y(), high.x() - low.x(), high.y() - low.y()};
+}
+
+void Canvas::takeFrame() {
+    const bool first = !m_drawn && !m_session.document().picture() && m_session.frame();
+    if (m_session.isStale() && !m_dimmed) {
+        if (!m_dim.isActive()) m_dim.start();
+    } else if (!m_session.isStale()) {
+        m_dim.stop();
+        m_dimmed = false;
+    }
+    if (first) fit();
+    render();
+}
+
+RenderRequest Canvas::request(Filter filter) const {
+    RenderRequest request;
+    request.picture = m_picture;
+    request.frame = m_session.frame();
+    request.view = m_view;
+    request.size = size();
+    request.ratio = devicePixelRatioF();
+    request.filter = filter;
+    request.mesh = (m_mesh || !m_picture) && !m_hidden;
+    request.map = m_map && !m_hidden;
+    request.measure = m_measure;
+    request.range = m_range;
+    request.fill = Theme::of(palette()).dark ? QColor(0x5b6070) : QColor(0xbfc6dd);
+    request.line = QColor(24, 28, 44);
+    return request;
+}
+
+void Canvas::render() {
+    if (m_session.frame() && (m_picture || !m_session.document().picture())) {
+        m_renderer.post(request(Filter::Bilinear));
+        m_refine.start();
+    }
+    update();
+}
+
+void Canvas::takeRendered(const std::shared_ptr<const RenderResult>& result) {
+    if (!m_session.frame() || result->request.picture != m_picture) return;
+    m_drawn = result;
+    update();
+}
+
+void Canvas::viewChanged() {
+    emit zoomChanged(m_view.zoom());
+    render();
+}
+
+void Canvas::fit() {
+    const QRectF frame = frameRect();
+    if (frame.isEmpty()) return;
+    const double natural =
+        m_session.document().picture() ? 1 : 1000 / std::hypot(frame.width(), frame.height());
+    m_view.setZoomLimits(0.005 * natural, 64 * natural);
+    m_view.fit(frame, size(), kMargin);
+    m_fitted = true;
+    viewChanged();
+}
+
+void Canvas::zoomTo(double zoom) {
+    m_fitted = false;
+    m_view.setZoom(zoom, rect().center());
+    viewChanged();
+}
+
+void Canvas::zoomBy(double factor) {
+    zoomTo(m_view.zoom() * factor);
+}
+
+void Canvas::showWorst() {
+    const FramePtr& frame = m_session.frame();
+    if (!frame || frame->distortion.worstCell < 0) return;
+    Vec<2> centre = Vec<2>::Zero();
+    for (const int v : frame->rest->cells[frame->distortion.worstCell]) centre += frame->pose.col(v) / 3;
+    m_fitted = false;
+    m_view.pan(QPointF(rect().center()) - m_view.toWidget(centre));
+    viewChanged();
+}
+
+void Canvas::setMeshShown(bool shown) {
+    m_mesh = shown, render();
+}
+void Canvas::setMapShown(bool shown) {
+    m_map = shown, render();
+}
+void Canvas::setOverlaysHidden(bool hidden) {
+    m_hidden = hidden, render();
+}
+
+void Canvas::setMap(Measure measure, const MeasureRange& range) {
+    m_measure = measure;
+    m_range = range;
+    if (m_map) render();
+}
+
+void Canvas::setMarquee(const QRectF& rectangle) {
+    m_marquee = rectangle;
+    update();
+}
+
+void Canvas::setHovered(int handle) {
+    if (handle != m_hovered) update();
+    m_hovered = handle;
+}
+
+void Canvas::paintShape(QPainter& painter) {
+    if (!m_drawn) return;
+    // While another view is being drawn, the last one stands in for it, moved and scaled.
+    const RenderRequest& request = m_drawn->request;
+    const double scale = m_view.zoom() / request.view.zoom();
+    const QPointF origin = m_view.toWidget(request.view.toShape({0, 0}));
+    painter.save();
+    painter.setOpacity(m_dimmed ? 0.55 : 1);
+    const QRectF target(origin, QSizeF(m_drawn->image.size()) / request.ratio * scale);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, request.view != m_view);
+    if (request.view == m_view) {
+        painter.drawImage(QPointF(0, 0), m_drawn->image);
+    } else {
+        painter.drawImage(target, m_drawn->image);
+    }
+    painter.restore();
+}
+
+void Canvas::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    const Theme theme = Theme::of(palette());
+    painter.fillRect(rect(), theme.workspace);
+    OverlayPainter overlay(painter, m_view, theme);
+    if (m_session.document().picture()) overlay.paper(frameRect());
+    paintShape(painter);
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (!m_hidden && m_session.frame()) {
+        if (m_map) overlay.worst(*m_session.frame());
+        overlay.paths(m_session);
+        overlay.pins(m_session, m_hovered);
+    }
+    overlay.marquee(m_marquee);
+}
+
+void Canvas::resizeEvent(QResizeEvent*) {
+    if (m_fitted)
+        fit();
+    else
+        render();
+}
+
+void Canvas::mousePressEvent(QMouseEvent* event) {
+    setFocus(Qt::MouseFocusReason);
+    if (event->button() == Qt::MiddleButton || (event->button() == Qt::LeftButton && m_spaceDown)) {
+        m_panning = true;
+        m_lastPan = event->position();
+    } else if (m_tool && !m_panning) {
+        m_tool->press(*event);
+        emit hintChanged(m_tool->hint());
+    }
+    updateCursor();
+}
+
+void Canvas::mouseMoveEvent(QMouseEvent* event) {
+    const Vec<2> p = toShape(event->position());
+    emit pointed(p.x(), p.y(), true);
+    if (m_panning) {
+        m_fitted = false;
+        m_view.pan(event->position() - m_lastPan);
+        m_lastPan = event->position();
+        viewChanged();
+    } else if (m_tool) {
+        m_tool->move(*event);
+        emit hintChanged(m_tool->hint());
+    }
+    updateCursor();
+}
+
+void Canvas::mouseReleaseEvent(QMouseEvent* event) {
+    if (m_panning)
+        endPan();
+    else if (m_tool) {
+        m_tool->release(*event);
+        emit hintChanged(m_tool->hint());
+    }
+    updateCursor();
+}
+
+void Canvas::endPan() {
+    m_panning = false;
+    updateCursor();
+}
+
+void Canvas::wheelEvent(QWheelEvent* event) {
+    const double steps = event->angleDelta().y() / 120.0;
+    if (steps == 0) return;
+    m_fitted = false;
+    m_view.setZoom(m_view.zoom() * std::pow(1.2, steps), event->position());
+    viewChanged();
+    event->accept();
+}
+
+void Canvas::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Space) {
+        m_spaceDown = m_spaceDown || !event->isAutoRepeat();
+        updateCursor();
+    } else if (event->key() == Qt::Key_H && !event->modifiers()) {
+        if (!event->isAutoRepeat()) setOverlaysHidden(true);
+    } else if (!m_tool || !m_tool->key(*event)) {
+        QWidget::keyPressEvent(event);
+    }
+}
+
+void Canvas::keyReleaseEvent(QKeyEvent* event) {
+    if (event->isAutoRepeat()) return;
+    if (event->key() == Qt::Key_Space) m_spaceDown = false;
+    if (event->key() == Qt::Key_H) setOverlaysHidden(false);
+    updateCursor();
+}
+
+void Canvas::focusOutEvent(QFocusEvent*) {
+    m_spaceDown = false;
+    if (m_hidden) setOverlaysHidden(false);
+    updateCursor();
+}
+
+void Canvas::leaveEvent(QEvent*) {
+    emit pointed(0, 0, false);
+    setHovered(-1);
+}
+
+void Canvas::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::PaletteChange) render();
+    QWidget::changeEvent(event);
+}
+
+/// Arrow keys, Escape and Space belong to the canvas while it has the focus, also where a shortcut has them.
+bool Canvas::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride) {
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        if (key == Qt::Key_Space || (key >= Qt::Key_Left && key <= Qt::Key_Down) || (key == Qt::Key_Escape)) {
+            event->accept();
+            return true;
+        }
+    }
+    return QWidget::event(event);
+}
+
+void Canvas::updateCursor() {
+    if (m_panning)
+        setCursor(Qt::ClosedHandCursor);
+    else if (m_spaceDown)
+        setCursor(Qt::OpenHandCursor);
+    else
+        setCursor(m_tool ? m_tool->cursor() : QCursor(Qt::ArrowCursor));
+}
+
+}  // namespace wend

@@ -1,0 +1,97 @@
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+
+#include "app/tools/tool.h"
+#include "app/view/render_thread.h"
+
+namespace wend {
+
+/// The shape on the screen: navigation, drawing and the events of the current tool. A plain widget: no OpenGL
+/// is needed.
+class Canvas : public QWidget, public ToolSurface {
+    Q_OBJECT
+
+  public:
+    explicit Canvas(ShapeSession& session, QWidget* parent = nullptr);
+
+    void setTool(Tool* tool);
+    Tool* tool() const { return m_tool; }
+
+    bool showsMesh() const { return m_mesh; }
+    bool showsMap() const { return m_map; }
+    const ViewTransform& view() const { return m_view; }
+    /// What was drawn last; null before.
+    const std::shared_ptr<const RenderResult>& drawn() const { return m_drawn; }
+    /// True if what was drawn last is what there is to show, at full quality.
+    bool isSettled() const;
+
+    // ToolSurface
+    ShapeSession& session() override { return m_session; }
+    Vec<2> toShape(const QPointF& widget) const override { return m_view.toShape(widget); }
+    QPointF toWidget(const Vec<2>& shape) const override { return m_view.toWidget(shape); }
+    void setMarquee(const QRectF& rectangle) override;
+    void setHovered(int handle) override;
+
+  public slots:
+    void setMeshShown(bool shown);
+    void setMapShown(bool shown);
+    void setMap(Measure measure, const MeasureRange& range);
+    void setOverlaysHidden(bool hidden);
+    void fit();
+    void zoomTo(double zoom);
+    void zoomBy(double factor);
+    void showWorst();
+
+  signals:
+    void hintChanged(QString hint);
+    /// Where the pointer is in the domain; `inside` is false when it has left.
+    void pointed(double x, double y, bool inside);
+    void zoomChanged(double zoom);
+
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    bool event(QEvent* event) override;
+
+  private:
+    void takeOpened();
+    void takeFrame();
+    void takeRendered(const std::shared_ptr<const RenderResult>& result);
+    RenderRequest request(Filter filter) const;
+    void render();
+    void viewChanged();
+    QRectF frameRect() const;
+    void paintShape(QPainter& painter);
+    void updateCursor();
+    void endPan();
+
+    ShapeSession& m_session;
+    Tool* m_tool = nullptr;
+    std::shared_ptr<const Pyramid> m_picture;
+    ViewTransform m_view;
+    std::shared_ptr<const RenderResult> m_drawn;
+    QTimer m_refine;  // draws at full quality once nothing has moved for a while
+    QTimer m_dim;     // a stale frame is dimmed after a while
+    bool m_mesh = false, m_map = false, m_hidden = false, m_dimmed = false;
+    bool m_fitted = false;  // the view follows the window's size until the user changes it
+    bool m_spaceDown = false, m_panning = false;
+    QPointF m_lastPan;
+    Measure m_measure = Measure::Length;
+    MeasureRange m_range;
+    QRectF m_marquee;
+    int m_hovered = -1;
+    RenderThread m_renderer;  // the last member: it stops before the others go
+};
+
+}  // namespace wend

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <QObject>
+#include <functional>
+#include <stop_token>
+
+#include "app/session/shape_session.h"
+
+class QWidget;
+
+namespace wend {
+
+/// Asks for a file name and writes what is shown, in the background, with progress and a way to cancel.
+class Exporter : public QObject {
+    Q_OBJECT
+
+  public:
+    Exporter(ShapeSession& session, QWidget& window);
+
+  public slots:
+    void exportPicture();
+    void exportMesh();
+    void exportFrames();
+    void exportStMap();
+
+  signals:
+    void failed(QString text);
+    void done(QString text);
+
+  private:
+    using Progress = std::function<void(double)>;
+    /// Writes the file; throws InputError.
+    using Job = std::function<void(const Progress&, std::stop_token)>;
+    QString askName(const QString& title, const QString& suffix, const QString& filters);
+    void run(const QString& what, const QString& path, Job job);
+    FramePtr shownFrame();
+
+    ShapeSession& m_session;
+    QWidget& m_window;
+};
+
+}  // namespace wend

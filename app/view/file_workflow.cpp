@@ -1,0 +1,158 @@
+#include "app/view/file_workflow.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenu>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSettings>
+#include <QtConcurrent>
+
+#include "app/session/opening.h"
+#include "core/mesh/error.h"
+
+namespace wend {
+
+namespace {
+
+constexpr int kMostRecent = 10;
+
+QString said(const std::exception& error) {
+    return QString::fromUtf8(error.what());
+}
+
+/// What came of reading a file in the background. (Futures would slice the exception.)
+struct Reading {
+    OpenedFile file;
+    QString error;
+};
+
+Reading read(const QString& path) {
+    try {
+        return {openFile(path), {}};
+    } catch (const std::exception& error) {
+        return {{}, said(error)};
+    }
+}
+
+}  // namespace
+
+FileWorkflow::FileWorkflow(Document& document, QWidget& window)
+    : QObject(&window), m_document(document), m_window(window) {}
+
+void FileWorkflow::askOpen() {
+    const QString all = QStringLiteral("*.wend ") + pictureExtensions() + ' ' + meshExtensions();
+    const QString filters = tr("All that Wend opens (%1)").arg(all) + QStringLiteral(";;") +
+                            tr("Pictures (%1)").arg(pictureExtensions()) + QStringLiteral(";;") +
+                            tr("Projects (*.wend)") + QStringLiteral(";;") +
+                            tr("Meshes (%1)").arg(meshExtensions());
+    QSettings settings;
+    const QString path =
+        QFileDialog::getOpenFileName(&m_window, tr("Open"), settings.value("folder").toString(), filters);
+    if (!path.isEmpty()) open(path);
+}
+
+void FileWorkflow::open(const QString& path) {
+    if (!mayLeave()) return;
+    const int ticket = ++m_ticket;
+    ++m_opening;
+    emit openingChanged(QFileInfo(path).fileName());
+    QtConcurrent::run([path] { return read(path); }).then(this, [this, ticket](const Reading& reading) {
+        --m_opening;
+        emit openingChanged({});
+        if (!reading.error.isEmpty())
+            emit failed(tr("This file cannot be opened. %1").arg(reading.error));
+        else if (ticket == m_ticket)
+            take(reading.file);
+    });
+}
+
+void FileWorkflow::take(OpenedFile file) {
+    const QStringList warnings = file.warnings;
+    const QString source = file.source;
+    m_document.open(std::move(file));
+    addRecent(source);
+    emit opened();
+    if (!warnings.isEmpty()) emit failed(warnings.join('\n'));
+}
+
+bool FileWorkflow::save() {
+    return m_document.path().isEmpty() ? saveAs() : saveTo(m_document.path());
+}
+
+bool FileWorkflow::saveAs() {
+    const QString proposal = m_document.path().isEmpty()
+                                 ? QDir(m_document.folder()).filePath(m_document.displayName())
+                                 : m_document.path();
+    QString path =
+        QFileDialog::getSaveFileName(&m_window, tr("Save Project"), proposal, tr("Projects (*.wend)"));
+    if (path.isEmpty()) return false;
+    if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".wend");
+    return saveTo(path);
+}
+
+bool FileWorkflow::saveTo(const QString& path) {
+    try {
+        m_document.save(path);
+    } catch (const InputError& error) {
+        emit failed(tr("The project was not saved. %1").arg(said(error)));
+        return false;
+    }
+    addRecent(path);
+    return true;
+}
+
+void FileWorkflow::close() {
+    if (!mayLeave()) return;
+    ++m_ticket;
+    m_document.close();
+}
+
+bool FileWorkflow::mayLeave() {
+    if (m_document.isEmpty() || !m_document.isModified()) return true;
+    QMessageBox box(QMessageBox::NoIcon, tr("Wend"),
+                    tr("Save the changes to “%1”?").arg(m_document.displayName()),
+                    QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &m_window);
+    box.setInformativeText(tr("If you do not save, they are lost."));
+    box.setDefaultButton(QMessageBox::Save);
+    const int answer = box.exec();
+    if (answer == QMessageBox::Save) return save();
+    return answer == QMessageBox::Discard;
+}
+
+QStringList FileWorkflow::recent() const {
+    QStringList existing;
+    for (const QString& path : QSettings().value("recent").toStringList())
+        if (QFileInfo::exists(path)) existing << path;
+    return existing;
+}
+
+void FileWorkflow::addRecent(const QString& path) {
+    QSettings settings;
+    settings.setValue("folder", QFileInfo(path).absolutePath());
+    if (samplePaths().contains(path)) return;
+    QStringList paths = recent();
+    paths.removeAll(path);
+    paths.prepend(path);
+    settings.setValue("recent", paths.mid(0, kMostRecent));
+    emit recentChanged();
+}
+
+void FileWorkflow::fillRecent(QMenu& menu) {
+    menu.clear();
+    for (const QString& path : recent()) {
+        QAction* action = menu.addAction(QFileInfo(path).fileName(), this, [this, path] { open(path); });
+        action->setStatusTip(QDir::toNativeSeparators(path));
+    }
+    menu.setEnabled(!menu.isEmpty());
+}
+
+void FileWorkflow::fillSamples(QMenu& menu) {
+    menu.clear();
+    for (const QString& path : samplePaths())
+        menu.addAction(QFileInfo(path).completeBaseName(), this, [this, path] { open(path); });
+    menu.setEnabled(!menu.isEmpty());
+}
+
+}  // namespace wend

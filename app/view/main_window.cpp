@@ -1,0 +1,346 @@
+#include "app/view/main_window.h"
+
+#include <QApplication>
+#include <QCloseEvent>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QScrollArea>
+#include <QSettings>
+#include <QStackedWidget>
+#include <QStatusBar>
+#include <QToolBar>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "app/panels/distortion_panel.h"
+#include "app/panels/material_panel.h"
+#include "app/panels/mesh_panel.h"
+#include "app/panels/panel_parts.h"
+#include "app/view/actions.h"
+#include "app/view/canvas.h"
+#include "app/view/exporter.h"
+#include "app/view/file_workflow.h"
+#include "app/view/info_banner.h"
+#include "app/view/start_page.h"
+#include "app/view/status_fields.h"
+#include "app/view/time_strip.h"
+
+namespace wend {
+
+namespace {
+
+constexpr int kSideWidth = 296;
+
+}  // namespace
+
+MainWindow::MainWindow(QWidget* parent)
+    : QMainWindow(parent),
+      m_actions(new Actions(*m_session.document().undoStack(), this)),
+      m_files(new FileWorkflow(m_session.document(), *this)),
+      m_exporter(new Exporter(m_session, *this)),
+      m_canvas(new Canvas(m_session)),
+      m_start(new StartPage),
+      m_banner(new InfoBanner),
+      m_time(new TimeStrip(m_session)),
+      m_material(new MaterialPanel(m_session)),
+      m_mesh(new MeshPanel(m_session)),
+      m_distortion(new DistortionPanel(m_session)),
+      m_pages(new QStackedWidget),
+      m_pinTool(std::make_unique<PinTool>(*m_canvas, true)),
+      m_selectTool(std::make_unique<PinTool>(*m_canvas, false)),
+      m_systemPalette(QApplication::palette()) {
+    setAcceptDrops(true);
+    setWindowTitle(QStringLiteral("Wend[*]"));
+    resize(1280, 860);
+    m_actions->fillMenuBar(*this);
+    makeToolBars();
+    makeCentre();
+    connectFiles();
+    connectEdit();
+    connectView();
+    connectMotion();
+    connectHelp();
+    setAppearance(static_cast<Appearance>(QSettings().value("appearance", 0).toInt()));
+    showDocument();
+}
+
+MainWindow::~MainWindow() {
+    m_canvas->setTool(nullptr);
+}
+
+void MainWindow::makeToolBars() {
+    Actions& a = *m_actions;
+    const auto make = [this](Qt::ToolBarArea area, const QString& title, const char* name) {
+        auto* bar = new QToolBar(title, this);
+        bar->setObjectName(QString::fromLatin1(name));
+        bar->setMovable(false);
+        bar->setIconSize({22, 22});
+        bar->setContextMenuPolicy(Qt::PreventContextMenu);
+        addToolBar(area, bar);
+        return bar;
+    };
+    m_topBar = make(Qt::TopToolBarArea, tr("Main"), "topBar");
+    m_topBar->addActions({a.open, a.save});
+    m_topBar->addSeparator();
+    m_topBar->addActions({a.undo, a.redo});
+    m_topBar->addSeparator();
+    m_topBar->addActions({a.showMesh, a.showMap, a.hideOverlays});
+    m_topBar->addSeparator();
+    m_topBar->addActions({a.fit, a.actualSize});
+    auto* space = new QWidget(m_topBar);
+    space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    m_topBar->addWidget(space);
+    m_topBar->addAction(a.exportPicture);
+    if (auto* button = qobject_cast<QToolButton*>(m_topBar->widgetForAction(a.exportPicture)))
+        button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    a.exportPicture->setIconText(tr("Export"));
+    m_toolBar = make(Qt::LeftToolBarArea, tr("Tools"), "toolBar");
+    m_toolBar->addActions({a.pinTool, a.selectTool});
+    m_toolBar->addSeparator();
+    m_toolBar->addAction(a.remove);
+    setContextMenuPolicy(Qt::NoContextMenu);
+}
+
+QWidget* MainWindow::makeSidePanel() {
+    auto* content = new QWidget;
+    auto* column = new QVBoxLayout(content);
+    column->setContentsMargins(0, 4, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(m_material);
+    column->addWidget(panelLine(content));
+    column->addWidget(m_mesh);
+    column->addWidget(panelLine(content));
+    column->addWidget(m_distortion);
+    column->addStretch(1);
+    auto* scroll = new QScrollArea;
+    scroll->setObjectName(QStringLiteral("sideScroll"));
+    scroll->setWidget(content);
+    scroll->setWidgetResizable(true);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setFixedWidth(kSideWidth);
+    scroll->setFrameShape(QFrame::NoFrame);
+    return scroll;
+}
+
+void MainWindow::makeCentre() {
+    m_side = makeSidePanel();
+    auto* centre = new QWidget(this);
+    auto* row = new QHBoxLayout(centre);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(0);
+    auto* column = new QVBoxLayout;
+    column->setSpacing(0);
+    column->addWidget(m_banner);
+    m_pages->addWidget(m_start);
+    m_pages->addWidget(m_canvas);
+    column->addWidget(m_pages, 1);
+    column->addWidget(m_time);
+    row->addLayout(column, 1);
+    row->addWidget(m_side);
+    setCentralWidget(centre);
+}
+
+void MainWindow::connectFiles() {
+    Actions& a = *m_actions;
+    connect(a.open, &QAction::triggered, m_files, &FileWorkflow::askOpen);
+    connect(a.save, &QAction::triggered, m_files, &FileWorkflow::save);
+    connect(a.saveAs, &QAction::triggered, m_files, &FileWorkflow::saveAs);
+    connect(a.closeFile, &QAction::triggered, m_files, &FileWorkflow::close);
+    connect(a.quit, &QAction::triggered, this, &QWidget::close);
+    connect(a.exportPicture, &QAction::triggered, m_exporter, &Exporter::exportPicture);
+    connect(a.exportMesh, &QAction::triggered, m_exporter, &Exporter::exportMesh);
+    connect(a.exportFrames, &QAction::triggered, m_exporter, &Exporter::exportFrames);
+    connect(a.exportStMap, &QAction::triggered, m_exporter, &Exporter::exportStMap);
+    connect(m_exporter, &Exporter::failed, m_banner, &InfoBanner::showText);
+    connect(m_exporter, &Exporter::done, this,
+            [this](const QString& text) { statusBar()->showMessage(text, 6000); });
+    connect(m_start, &StartPage::openRequested, m_files, &FileWorkflow::askOpen);
+    connect(m_start, &StartPage::fileChosen, m_files, &FileWorkflow::open);
+    connect(m_files, &FileWorkflow::failed, m_banner, &InfoBanner::showText);
+    connect(m_files, &FileWorkflow::opened, m_banner, &QWidget::hide);
+    connect(m_files, &FileWorkflow::openingChanged, this, [this](const QString& name) {
+        if (name.isEmpty())
+            statusBar()->clearMessage();
+        else
+            statusBar()->showMessage(tr("Opening %1 …").arg(name));
+    });
+    const auto showRecent = [this] {
+        m_files->fillRecent(*m_actions->recent);
+        m_start->setRecent(m_files->recent());
+    };
+    connect(m_files, &FileWorkflow::recentChanged, this, showRecent);
+    showRecent();
+    m_files->fillSamples(*a.samples);
+    connect(&m_session.document(), &Document::opened, this, &MainWindow::showDocument);
+    connect(&m_session.document(), &Document::titleChanged, this, &MainWindow::showTitle);
+    connect(&m_session, &ShapeSession::problem, m_banner, &InfoBanner::showText);
+    connect(&m_session, &ShapeSession::notice, this,
+            [this](const QString& text) { statusBar()->showMessage(text, 8000); });
+}
+
+void MainWindow::connectEdit() {
+    Actions& a = *m_actions;
+    connect(a.pinTool, &QAction::toggled, this,
+            [this](bool on) { m_canvas->setTool(on ? m_pinTool.get() : m_selectTool.get()); });
+    connect(a.remove, &QAction::triggered, &m_session, &ShapeSession::removeSelected);
+    connect(a.selectNone, &QAction::triggered, &m_session.selection(), &Selection::clear);
+    connect(a.selectAll, &QAction::triggered, this, [this] {
+        std::vector<int> all;
+        for (const PinView& pin : m_session.pins()) all.push_back(pin.handle);
+        m_session.selection().set(std::move(all));
+    });
+    connect(&m_session.selection(), &Selection::changed, this, &MainWindow::showSelection);
+}
+
+void MainWindow::connectView() {
+    Actions& a = *m_actions;
+    connect(a.showMesh, &QAction::toggled, m_canvas, &Canvas::setMeshShown);
+    connect(a.showMap, &QAction::toggled, m_canvas, &Canvas::setMapShown);
+    connect(a.hideOverlays, &QAction::toggled, m_canvas, &Canvas::setOverlaysHidden);
+    connect(a.fit, &QAction::triggered, m_canvas, &Canvas::fit);
+    connect(a.actualSize, &QAction::triggered, this,
+            [this] { m_canvas->zoomTo(1 / m_canvas->devicePixelRatioF()); });
+    connect(a.zoomIn, &QAction::triggered, this, [this] { m_canvas->zoomBy(1.25); });
+    connect(a.zoomOut, &QAction::triggered, this, [this] { m_canvas->zoomBy(0.8); });
+    connect(a.fullScreen, &QAction::toggled, this, [this](bool on) { on ? showFullScreen() : showNormal(); });
+    connect(a.systemLook, &QAction::triggered, this, [this] { setAppearance(Appearance::System); });
+    connect(a.lightLook, &QAction::triggered, this, [this] { setAppearance(Appearance::Light); });
+    connect(a.darkLook, &QAction::triggered, this, [this] { setAppearance(Appearance::Dark); });
+    connect(m_distortion, &DistortionPanel::mapChanged, this,
+            [this] { m_canvas->setMap(m_distortion->measure(), m_distortion->range()); });
+    connect(m_distortion, &DistortionPanel::showWorst, this, [this] {
+        m_actions->showMap->setChecked(true);
+        m_canvas->showWorst();
+    });
+    m_fields = new StatusFields(*statusBar(), m_session);
+    connect(m_canvas, &Canvas::hintChanged, m_fields, &StatusFields::setHint);
+    connect(m_canvas, &Canvas::pointed, m_fields, &StatusFields::setPointer);
+    m_canvas->setTool(m_pinTool.get());
+}
+
+void MainWindow::connectMotion() {
+    Actions& a = *m_actions;
+    Playback& playback = m_session.playback();
+    m_time->playButton()->setDefaultAction(a.play);
+    m_time->loopButton()->setDefaultAction(a.loop);
+    connect(a.play, &QAction::triggered, &playback,
+            [&playback] { playback.setPlaying(!playback.isPlaying()); });
+    connect(a.loop, &QAction::toggled, &playback, &Playback::setLoops);
+    connect(a.toStart, &QAction::triggered, &playback, [&playback] { playback.setTime(0); });
+    connect(a.toEnd, &QAction::triggered, &playback, [&playback] { playback.setTime(playback.end()); });
+    connect(&playback, &Playback::playingChanged, this, [this](bool playing) {
+        m_actions->play->setIcon(
+            wendIcon(playing ? QStringLiteral("pause") : QStringLiteral("play"), palette()));
+        m_actions->play->setText(playing ? tr("&Pause") : tr("&Play"));
+    });
+    connect(&playback, &Playback::endChanged, this, &MainWindow::showSelection);
+}
+
+void MainWindow::connectHelp() {
+    connect(m_actions->shortcuts, &QAction::triggered, this, &MainWindow::showKeys);
+    connect(m_actions->about, &QAction::triggered, this, &MainWindow::showAbout);
+}
+
+void MainWindow::openPath(const QString& path) {
+    m_files->open(path);
+}
+
+void MainWindow::showDocument() {
+    const bool has = !m_session.document().isEmpty();
+    m_pages->setCurrentWidget(has ? static_cast<QWidget*>(m_canvas) : m_start);
+    for (QWidget* widget : {static_cast<QWidget*>(m_side), static_cast<QWidget*>(m_time),
+                            static_cast<QWidget*>(m_toolBar), static_cast<QWidget*>(m_topBar)})
+        widget->setVisible(has);
+    if (has) m_canvas->setFocus();
+    m_fields->setVisible(has);
+    showSelection();
+    showTitle();
+}
+
+void MainWindow::showTitle() {
+    const Document& document = m_session.document();
+    setWindowModified(document.isModified());
+    setWindowTitle(document.isEmpty() ? QStringLiteral("Wend")
+                                      : tr("%1[*] – Wend").arg(document.displayName()));
+}
+
+void MainWindow::showSelection() {
+    const Document& document = m_session.document();
+    m_actions->setHasFile(!document.isEmpty(), document.picture() != nullptr);
+    m_actions->setHasSelection(!m_session.selection().isEmpty());
+    m_actions->setHasMotion(m_session.playback().end() > 0);
+}
+
+void MainWindow::setAppearance(Appearance appearance) {
+    QSettings().setValue("appearance", static_cast<int>(appearance));
+    const QPalette look = wendPalette(appearance, m_systemPalette);
+    QApplication::setPalette(look);
+    qApp->setStyleSheet(wendStyleSheet(look));
+    setPalette(look);
+    (appearance == Appearance::System  ? m_actions->systemLook
+     : appearance == Appearance::Light ? m_actions->lightLook
+                                       : m_actions->darkLook)
+        ->setChecked(true);
+    updateIcons();
+}
+
+void MainWindow::updateIcons() {
+    m_actions->setIcons(palette());
+    m_start->setRecent(m_files->recent());
+}
+
+void MainWindow::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::WindowStateChange) m_actions->fullScreen->setChecked(isFullScreen());
+    QMainWindow::changeEvent(event);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    event->setAccepted(m_files->mayLeave());
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    if (!event->mimeData()->hasUrls() || !event->mimeData()->urls().first().isLocalFile()) return;
+    event->acceptProposedAction();
+    m_start->setDropHighlighted(true);
+}
+
+void MainWindow::dragLeaveEvent(QDragLeaveEvent*) {
+    m_start->setDropHighlighted(false);
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    m_start->setDropHighlighted(false);
+    openPath(event->mimeData()->urls().first().toLocalFile());
+    event->acceptProposedAction();
+}
+
+void MainWindow::showKeys() {
+    QMessageBox box(QMessageBox::NoIcon, tr("Keys and Mouse"), {}, QMessageBox::Close, this);
+    box.setTextFormat(Qt::RichText);
+    box.setText(
+        tr("<table cellspacing='6'>"
+           "<tr><td><b>Click</b></td><td>sets a pin</td></tr>"
+           "<tr><td><b>Drag a pin</b></td><td>moves it; Esc puts it back</td></tr>"
+           "<tr><td><b>Shift-click</b></td><td>selects several pins</td></tr>"
+           "<tr><td><b>Drag beside pins</b></td><td>selects by rectangle</td></tr>"
+           "<tr><td><b>Arrow keys</b></td><td>nudge by a pixel, with Shift by ten</td></tr>"
+           "<tr><td><b>Delete</b></td><td>removes the selected pins</td></tr>"
+           "<tr><td><b>Wheel</b></td><td>zooms to the pointer</td></tr>"
+           "<tr><td><b>Space or middle button</b></td><td>pans</td></tr>"
+           "<tr><td><b>Hold H</b></td><td>shows the bare picture</td></tr>"
+           "</table>"));
+    box.exec();
+}
+
+void MainWindow::showAbout() {
+    QMessageBox::about(this, tr("About Wend"),
+                       tr("<h3>Wend %1</h3><p>Bends pictures and solids by letting them flow.</p>"
+                          "<p>After J. Martinez Esturo, C. Rössl, H. Theisel: Generalized Metric Energies "
+                          "for Continuous Shape "
+                          "Deformation, 2013.</p><p>Free software under the GNU Affero General Public "
+                          "License, version 3 or later.</p>")
+                           .arg(QCoreApplication::applicationVersion()));
+}
+
+}  // namespace wend

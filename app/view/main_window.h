@@ -1,0 +1,88 @@
+#pragma once
+
+#include <QMainWindow>
+#include <memory>
+
+#include "app/panels/theme.h"
+#include "app/session/shape_session.h"
+#include "app/tools/pin_tool.h"
+
+class QStackedWidget;
+
+namespace wend {
+
+class Actions;
+class Canvas;
+class DistortionPanel;
+class Exporter;
+class FileWorkflow;
+class InfoBanner;
+class MaterialPanel;
+class MeshPanel;
+class StartPage;
+class StatusFields;
+class TimeStrip;
+
+/// The window: start page or workshop, with tools on the left, properties on the right and time below.
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+
+  public:
+    explicit MainWindow(QWidget* parent = nullptr);
+    ~MainWindow() override;
+
+    void openPath(const QString& path);
+
+    ShapeSession& session() { return m_session; }
+    Canvas& canvas() { return *m_canvas; }
+    Actions& actions() { return *m_actions; }
+    FileWorkflow& files() { return *m_files; }
+    MaterialPanel& materialPanel() { return *m_material; }
+    DistortionPanel& distortionPanel() { return *m_distortion; }
+    InfoBanner& banner() { return *m_banner; }
+
+  protected:
+    void closeEvent(QCloseEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dragLeaveEvent(QDragLeaveEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+  private:
+    void makeToolBars();
+    QWidget* makeSidePanel();
+    void makeCentre();
+    void connectFiles();
+    void connectEdit();
+    void connectView();
+    void connectMotion();
+    void connectHelp();
+    void showDocument();
+    void showTitle();
+    void showSelection();
+    void setAppearance(Appearance appearance);
+    void updateIcons();
+    void showKeys();
+    void showAbout();
+
+    ShapeSession m_session;
+    Actions* m_actions;
+    FileWorkflow* m_files;
+    Exporter* m_exporter;
+    Canvas* m_canvas;
+    StartPage* m_start;
+    InfoBanner* m_banner;
+    TimeStrip* m_time;
+    MaterialPanel* m_material;
+    MeshPanel* m_mesh;
+    DistortionPanel* m_distortion;
+    StatusFields* m_fields = nullptr;
+    QStackedWidget* m_pages;
+    QWidget* m_side = nullptr;
+    QToolBar* m_topBar = nullptr;
+    QToolBar* m_toolBar = nullptr;
+    std::unique_ptr<PinTool> m_pinTool, m_selectTool;
+    QPalette m_systemPalette;
+};
+
+}  // namespace wend

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <QPainter>
+
+#include "app/panels/theme.h"
+#include "app/session/shape_session.h"
+#include "app/view/view_transform.h"
+
+namespace wend {
+
+/// Draws what lies under and over the shape, crisp at any zoom: the picture's frame, pins, their paths, the
+/// worst place.
+class OverlayPainter {
+  public:
+    OverlayPainter(QPainter& painter, const ViewTransform& view, const Theme& theme)
+        : m_painter(painter), m_view(view), m_theme(theme) {}
+
+    void paper(const QRectF& frame);
+    void paths(ShapeSession& session);
+    void pins(ShapeSession& session, int hovered);
+    void worst(const ShapeFrame& frame);
+    void marquee(const QRectF& rectangle);
+
+  private:
+    void path(const PinPath& path, bool selected, double now);
+    void pin(const QPointF& at, bool selected, bool hovered, bool region);
+    void name(const QPointF& at, const QString& text);
+    void haloLine(const QPolygonF& line, const QColor& colour, double width, Qt::PenStyle style);
+
+    QPainter& m_painter;
+    const ViewTransform& m_view;
+    const Theme& m_theme;
+};
+
+}  // namespace wend

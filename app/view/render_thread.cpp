@@ -1,0 +1,125 @@
+#include "app/view/render_thread.h"
+
+#include <QPainter>
+#include <cmath>
+
+#include "app/view/screen_picture.h"
+
+namespace wend {
+
+namespace {
+
+/// The picture on the screen, by the same code as an export.
+QImage warped(const RenderRequest& request, std::stop_token stop) {
+    View view;
+    view.width = static_cast<int>(std::lround(request.size.width() * request.ratio));
+    view.height = static_cast<int>(std::lround(request.size.height() * request.ratio));
+    view.origin = request.view.toShape({0, 0});
+    view.scale = 1 / (request.view.zoom() * request.ratio);
+    WarpOptions options;
+    options.filter = request.filter;
+    options.stop = stop;
+    const Image image = warpImage(*request.picture, *request.frame->rest, request.frame->pose, view, options);
+    return stop.stop_requested() ? QImage() : toQImage(image);
+}
+
+QPolygonF triangleOf(const SimplicialMesh<2>& rest, const Points<2>& pose, int cell) {
+    QPolygonF triangle;
+    for (const int v : rest.cells[cell]) triangle << QPointF(pose(0, v), pose(1, v));
+    return triangle;
+}
+
+void fillCells(QPainter& painter, const RenderRequest& request) {
+    const ShapeFrame& frame = *request.frame;
+    painter.setPen(Qt::NoPen);
+    const auto& values = valuesOf(frame.distortion, request.measure);
+    for (int c = 0; c < frame.rest->cellCount(); ++c) {
+        const double position = request.map ? positionIn(request.range, request.measure, values[c]) : 0;
+        painter.setBrush(request.map ? QColor(colourAt(request.measure, position)) : request.fill);
+        painter.drawPolygon(triangleOf(*frame.rest, frame.pose, c));
+    }
+}
+
+void drawEdges(QPainter& painter, const RenderRequest& request) {
+    const ShapeFrame& frame = *request.frame;
+    const double diagonal = boundingBoxDiagonal<2>(frame.rest->points);
+    const double edge =
+        diagonal / std::sqrt(2.0 * frame.rest->vertexCount()) * request.view.zoom();  // about, on the screen
+    QColor colour = request.line;
+    colour.setAlphaF(std::clamp(edge / 14, 0.12, 0.55));
+    QPen pen(colour, 1);
+    pen.setCosmetic(true);
+    painter.setPen(pen);
+    QList<QLineF> lines;
+    for (const auto& facet : facetsOf(*frame.rest)) {
+        const int a = facet.vertices[0], b = facet.vertices[1];
+        lines << QLineF(frame.pose(0, a), frame.pose(1, a), frame.pose(0, b), frame.pose(1, b));
+    }
+    painter.drawLines(lines);
+}
+
+}  // namespace
+
+RenderThread::RenderThread(QObject* parent)
+    : QObject(parent), m_thread([this](std::stop_token stop) { loop(std::move(stop)); }) {}
+
+RenderThread::~RenderThread() {
+    m_thread.request_stop();
+    {
+        const std::lock_guard lock(m_mutex);
+        m_current.request_stop();
+    }
+    m_thread.join();
+}
+
+void RenderThread::post(RenderRequest request) {
+    {
+        const std::lock_guard lock(m_mutex);
+        // A better picture of the same thing gives way; a moving one is finished, or it would never be seen.
+        if (!m_next && request.filter == Filter::Bilinear) m_current.request_stop();
+        m_next = std::move(request);
+    }
+    m_arrived.notify_one();
+}
+
+void RenderThread::loop(std::stop_token stop) {
+    while (!stop.stop_requested()) {
+        std::stop_token token;
+        auto result = std::make_shared<RenderResult>();
+        {
+            std::unique_lock lock(m_mutex);
+            m_arrived.wait(lock, stop, [this] { return m_next.has_value(); });
+            if (!m_next) return;
+            result->request = std::move(*m_next);
+            m_next.reset();
+            m_current = std::stop_source();
+            // Only fine pictures can be interrupted.
+            if (result->request.filter != Filter::Bilinear) token = m_current.get_token();
+        }
+        result->image = render(result->request, token);
+        if (!result->image.isNull()) emit rendered(result);
+    }
+}
+
+QImage RenderThread::render(const RenderRequest& request, std::stop_token stop) {
+    if (!request.frame || request.size.isEmpty()) return {};
+    QImage image;
+    if (request.picture) image = warped(request, stop);
+    if (stop.stop_requested()) return {};
+    if (image.isNull()) {
+        image = QImage(request.size * request.ratio, QImage::Format_ARGB32_Premultiplied);
+        image.fill(Qt::transparent);
+    }
+    QPainter painter(&image);
+    painter.setTransform(request.view.matrix() * QTransform::fromScale(request.ratio, request.ratio));
+    if (request.map && request.picture) painter.setOpacity(0.82);
+    if (request.map || !request.picture) fillCells(painter, request);
+    painter.setOpacity(1);
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (request.mesh) drawEdges(painter, request);
+    painter.end();
+    image.setDevicePixelRatio(request.ratio);
+    return image;
+}
+
+}  // namespace wend

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <QImage>
+#include <QObject>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "app/panels/colour_map.h"
+#include "app/session/frame.h"
+#include "app/view/view_transform.h"
+#include "warp/pyramid.h"
+#include "warp/warp.h"
+
+namespace wend {
+
+/// What the canvas wants drawn: the picture carried by a frame, and what lies over it.
+struct RenderRequest {
+    std::shared_ptr<const Pyramid> picture;  // as the screen needs it; may be null
+    FramePtr frame;
+    ViewTransform view;
+    QSize size;        // of the widget
+    double ratio = 1;  // device pixels per widget pixel
+    Filter filter = Filter::Bilinear;
+    bool mesh = false;
+    bool map = false;
+    Measure measure = Measure::Length;
+    MeasureRange range;
+    QColor fill, line;  // of the mesh and, without a picture, of the shape
+};
+
+struct RenderResult {
+    RenderRequest request;
+    QImage image;  // transparent where the shape is not
+};
+
+/// Draws in a thread of its own, so that the pointer never waits. The newest request wins.
+class RenderThread : public QObject {
+    Q_OBJECT
+
+  public:
+    explicit RenderThread(QObject* parent = nullptr);
+    ~RenderThread() override;
+
+    void post(RenderRequest request);
+
+    /// The drawing itself, in the caller's thread; empty if stopped.
+    static QImage render(const RenderRequest& request, std::stop_token stop = {});
+
+  signals:
+    void rendered(std::shared_ptr<const wend::RenderResult> result);
+
+  private:
+    void loop(std::stop_token stop);
+
+    std::mutex m_mutex;
+    std::condition_variable_any m_arrived;
+    std::optional<RenderRequest> m_next;
+    std::stop_source m_current;
+    std::jthread m_thread;  // the last member: it stops before the others go
+};
+
+}  // namespace wend

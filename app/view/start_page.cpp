@@ -1,0 +1,181 @@
+#include "app/view/start_page.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QIcon>
+#include <QLabel>
+#include <QPainter>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "app/panels/panel_parts.h"
+#include "app/panels/theme.h"
+#include "app/session/opening.h"
+#include "app/view/sample_card.h"
+
+namespace wend {
+
+namespace {
+
+constexpr int kWidth = 860;
+constexpr int kMostSamples = 4;
+constexpr int kMostRecent = 5;
+
+/// The large dashed target.
+class DropArea : public QWidget {
+  public:
+    using QWidget::QWidget;
+
+  protected:
+    void paintEvent(QPaintEvent*) override {
+        QPainter painter(this);
+        painter.setRenderHint(QPainter::Antialiasing);
+        const Theme theme = Theme::of(palette());
+        const bool hot = property("hot").toBool();
+        QColor fill = hot ? theme.accent : palette().color(QPalette::Base);
+        if (hot) fill.setAlpha(40);
+        QPen pen(hot ? theme.accent : palette().color(QPalette::Mid), 1.6);
+        pen.setDashPattern({5, 4});
+        painter.setPen(pen);
+        painter.setBrush(fill);
+        painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 14, 14);
+    }
+};
+
+QLabel* sectionTitle(const QString& text, QWidget* parent) {
+    QLabel* label = panelTitle(text, parent);
+    QFont font = label->font();
+    font.setPointSizeF(font.pointSizeF() * 1.1);
+    label->setFont(font);
+    return label;
+}
+
+}  // namespace
+
+StartPage::StartPage(QWidget* parent) : QWidget(parent) {
+    auto* content = new QWidget(this);
+    content->setMaximumWidth(kWidth);
+    auto* column = new QVBoxLayout(content);
+    column->setContentsMargins(24, 24, 24, 24);
+    column->setSpacing(14);
+    column->addWidget(makeHeader());
+    column->addSpacing(8);
+    column->addWidget(makeDropArea());
+    column->addSpacing(14);
+    if (QWidget* samples = makeSamples()) column->addWidget(samples);
+    m_recentBox = new QWidget(content);
+    m_recent = new QVBoxLayout(m_recentBox);
+    m_recent->setContentsMargins(0, 8, 0, 0);
+    m_recent->setSpacing(2);
+    column->addWidget(m_recentBox);
+    auto* row = new QHBoxLayout(this);
+    row->addStretch(1);
+    row->addWidget(content, 20);
+    row->addStretch(1);
+    row->setAlignment(content, Qt::AlignVCenter);
+    m_recentBox->hide();
+}
+
+QWidget* StartPage::makeHeader() {
+    auto* header = new QWidget(this);
+    auto* logo = new QLabel(header);
+    logo->setPixmap(
+        QIcon(QStringLiteral(":/wend/icons/wend.svg")).pixmap(QSize(64, 64), devicePixelRatioF()));
+    auto* name = new QLabel(QStringLiteral("Wend"), header);
+    QFont font = name->font();
+    font.setPointSizeF(font.pointSizeF() * 2.6);
+    font.setWeight(QFont::DemiBold);
+    font.setLetterSpacing(QFont::AbsoluteSpacing, -1);
+    name->setFont(font);
+    auto* line = secondLabel(tr("Pin a picture, pull it into shape, and let it flow."), header);
+    QFont lineFont = line->font();
+    lineFont.setPointSizeF(lineFont.pointSizeF() * 1.15);
+    line->setFont(lineFont);
+    auto* column = new QVBoxLayout;
+    column->setSpacing(0);
+    column->addWidget(name);
+    column->addWidget(line);
+    auto* row = new QHBoxLayout(header);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(16);
+    row->addWidget(logo);
+    row->addLayout(column, 1);
+    return header;
+}
+
+QWidget* StartPage::makeDropArea() {
+    m_drop = new DropArea(this);
+    m_drop->setMinimumHeight(190);
+    auto* column = new QVBoxLayout(m_drop);
+    column->setSpacing(10);
+    auto* text = new QLabel(tr("Drop a picture here"), m_drop);
+    QFont font = text->font();
+    font.setPointSizeF(font.pointSizeF() * 1.5);
+    text->setFont(font);
+    auto* open = new QPushButton(tr("Open…"), m_drop);
+    open->setObjectName(QStringLiteral("startOpen"));
+    open->setProperty("role", "primary");
+    open->setDefault(true);
+    describe(open, tr("Open…"), tr("Choose a picture, a flat mesh or a project."));
+    auto* kinds = secondLabel(tr("PNG, TIFF, EXR, JPEG, WebP — cut-outs with transparency work best. "
+                                 "Projects and flat meshes too."),
+                              m_drop);
+    kinds->setAlignment(Qt::AlignCenter);
+    column->addStretch(1);
+    column->addWidget(text, 0, Qt::AlignHCenter);
+    column->addWidget(open, 0, Qt::AlignHCenter);
+    column->addWidget(kinds);
+    column->addStretch(1);
+    connect(open, &QPushButton::clicked, this, &StartPage::openRequested);
+    return m_drop;
+}
+
+QWidget* StartPage::makeSamples() {
+    const QStringList paths = samplePaths().mid(0, kMostSamples);
+    if (paths.isEmpty()) return nullptr;
+    auto* box = new QWidget(this);
+    auto* column = new QVBoxLayout(box);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(10);
+    column->addWidget(sectionTitle(tr("Try a sample"), box));
+    auto* row = new QHBoxLayout;
+    row->setSpacing(14);
+    for (const QString& path : paths) {
+        auto* card = new SampleCard(path, box);
+        connect(card, &SampleCard::clicked, this, [this, path] { emit fileChosen(path); });
+        row->addWidget(card);
+    }
+    row->addStretch(1);
+    column->addLayout(row);
+    return box;
+}
+
+void StartPage::setRecent(const QStringList& paths) {
+    while (QLayoutItem* item = m_recent->takeAt(0)) {
+        delete item->widget();
+        delete item;
+    }
+    m_recentBox->setVisible(!paths.isEmpty());
+    if (paths.isEmpty()) return;
+    m_recent->addWidget(sectionTitle(tr("Recent"), m_recentBox));
+    for (const QString& path : paths.mid(0, kMostRecent)) {
+        auto* link = new QLabel(m_recentBox);
+        const QFileInfo info(path);
+        link->setText(QStringLiteral("<a style='text-decoration:none' href='%1'>%2</a>&nbsp;&nbsp;<span "
+                                     "style='color:%4'>%3</span>")
+                          .arg(path.toHtmlEscaped(), info.fileName().toHtmlEscaped(),
+                               QDir::toNativeSeparators(info.path()).toHtmlEscaped(),
+                               Theme::of(palette()).secondText.name()));
+        link->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
+        link->setAccessibleName(tr("Open %1").arg(info.fileName()));
+        connect(link, &QLabel::linkActivated, this, [this, path] { emit fileChosen(path); });
+        m_recent->addWidget(link);
+    }
+}
+
+void StartPage::setDropHighlighted(bool highlighted) {
+    m_drop->setProperty("hot", highlighted);
+    m_drop->update();
+}
+
+}  // namespace wend

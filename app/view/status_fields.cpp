@@ -1,0 +1,86 @@
+#include "app/view/status_fields.h"
+
+#include <QLabel>
+#include <QLocale>
+#include <QStatusBar>
+
+namespace wend {
+
+namespace {
+
+double areaOf(const SimplicialMesh<2>& rest, const Points<2>& pose) {
+    double area = 0;
+    for (const auto& cell : rest.cells) area += cellMeasure<2>(pose, cell);
+    return area;
+}
+
+}  // namespace
+
+StatusFields::StatusFields(QStatusBar& bar, ShapeSession& session)
+    : QObject(&bar), m_bar(bar), m_session(session), m_hint(new QLabel(&bar)) {
+    bar.setSizeGripEnabled(false);
+    m_hint->setContentsMargins(8, 0, 0, 0);
+    bar.addWidget(m_hint, 1);
+    bar.setContentsMargins(0, 0, 12, 0);
+    m_pointer = add(tr("Position"), tr("Where the pointer is, in the picture's pixels"),
+                    QStringLiteral("00000.0, 00000.0"));
+    m_pinError = add(tr("Pin error"), tr("How far the worst pin is from where it should be"),
+                     tr("pin error %1 px").arg(QStringLiteral("0.00")));
+    m_worst = add(tr("Worst distortion"), tr("The greatest length error of a triangle; 0 is none"),
+                  tr("worst %1").arg(QStringLiteral("0.000")));
+    m_area = add(tr("Area change"), tr("How much larger or smaller the shape is than at rest"),
+                 tr("area %1 %").arg(QStringLiteral("+00.0")));
+    m_time = add(tr("Time per frame"), tr("What computing the last frame took"),
+                 tr("%1 ms").arg(QStringLiteral("0000")));
+    connect(&session, &ShapeSession::frameChanged, this, &StatusFields::showFrame);
+}
+
+QLabel* StatusFields::add(const QString& name, const QString& help, const QString& widest) {
+    auto* label = new QLabel(&m_bar);
+    label->setAccessibleName(name);
+    label->setToolTip(help);
+    label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    label->setMinimumWidth(label->fontMetrics().horizontalAdvance(widest) + 12);
+    label->setProperty("role", "second");
+    m_bar.addPermanentWidget(label);
+    return label;
+}
+
+void StatusFields::setVisible(bool visible) {
+    for (QLabel* label : {m_hint, m_pointer, m_pinError, m_worst, m_area, m_time}) label->setVisible(visible);
+}
+
+void StatusFields::setHint(const QString& hint) {
+    m_hint->setText(hint);
+}
+
+void StatusFields::setPointer(double x, double y, bool inside) {
+    const QLocale locale;
+    m_pointer->setText(inside && m_session.frame() ? QStringLiteral("%1, %2").arg(locale.toString(x, 'f', 1),
+                                                                                  locale.toString(y, 'f', 1))
+                                                   : QString());
+}
+
+void StatusFields::showFrame() {
+    const FramePtr& frame = m_session.frame();
+    if (!frame) {
+        for (QLabel* label : {m_pointer, m_pinError, m_worst, m_area, m_time}) label->clear();
+        return;
+    }
+    const QLocale locale;
+    const bool picture = m_session.document().picture() != nullptr;
+    const QString error = locale.toString(frame->pinError, 'f', 2);
+    m_pinError->setText(picture ? tr("pin error %1 px").arg(error) : tr("pin error %1").arg(error));
+    const int worst = frame->distortion.worstCell;
+    m_worst->setText(
+        tr("worst %1").arg(locale.toString(worst < 0 ? 0.0 : frame->distortion.metric[worst], 'f', 3)));
+    const double change =
+        100 * (areaOf(*frame->rest, frame->pose) / areaOf(*frame->rest, frame->rest->points) - 1);
+    m_area->setText(tr("area %1 %")
+                        .arg((change >= 0.05 ? QStringLiteral("+") : QString()) +
+                             locale.toString(std::abs(change) < 0.05 ? 0.0 : change, 'f', 1)));
+    m_time->setText(frame->milliseconds > 0 ? tr("%1 ms").arg(locale.toString(frame->milliseconds, 'f', 0))
+                                            : QString());
+}
+
+}  // namespace wend

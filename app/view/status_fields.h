@@ -1,0 +1,34 @@
+#pragma once
+
+#include <QObject>
+
+#include "app/session/shape_session.h"
+
+class QLabel;
+class QStatusBar;
+
+namespace wend {
+
+/// The status bar: what the tool does, where the pointer is, and how well the shape keeps what it should.
+class StatusFields : public QObject {
+    Q_OBJECT
+
+  public:
+    StatusFields(QStatusBar& bar, ShapeSession& session);
+
+    void setVisible(bool visible);
+
+  public slots:
+    void setHint(const QString& hint);
+    void setPointer(double x, double y, bool inside);
+
+  private:
+    QLabel* add(const QString& name, const QString& help, const QString& widest);
+    void showFrame();
+
+    QStatusBar& m_bar;
+    ShapeSession& m_session;
+    QLabel *m_hint, *m_pointer, *m_pinError, *m_worst, *m_area, *m_time;
+};
+
+}  // namespace wend

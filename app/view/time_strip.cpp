@@ -1,0 +1,101 @@
+#include "app/view/time_strip.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QPainter>
+#include <QSlider>
+#include <QToolButton>
+#include <cmath>
+
+#include "app/panels/panel_parts.h"
+#include "app/panels/theme.h"
+
+namespace wend {
+
+namespace {
+
+constexpr int kSteps = 10000;
+
+}  // namespace
+
+TimeStrip::TimeStrip(ShapeSession& session, QWidget* parent)
+    : QWidget(parent),
+      m_session(session),
+      m_play(new QToolButton(this)),
+      m_loop(new QToolButton(this)),
+      m_slider(new QSlider(Qt::Horizontal, this)),
+      m_label(new QLabel(this)) {
+    setObjectName(QStringLiteral("timeStrip"));
+    setAttribute(Qt::WA_StyledBackground);
+    m_slider->setRange(0, kSteps);
+    m_slider->setPageStep(kSteps / 10);
+    describe(m_slider, tr("Time"), tr("Which moment of the motion is shown."));
+    m_loop->setCheckable(true);
+    m_label->setProperty("role", "second");
+    m_label->setMinimumWidth(m_label->fontMetrics().horizontalAdvance(QStringLiteral("00.00 / 00.00 ")));
+    m_label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(10, 5, 16, 5);
+    row->setSpacing(6);
+    for (QToolButton* button : {m_play, m_loop}) {
+        button->setIconSize({20, 20});
+        row->addWidget(button);
+    }
+    row->addWidget(m_slider, 1);
+    row->addWidget(m_label);
+
+    Playback& playback = m_session.playback();
+    connect(m_slider, &QSlider::valueChanged, this,
+            [this, &playback](int value) { playback.setTime(playback.end() * value / kSteps); });
+    connect(m_slider, &QSlider::sliderPressed, &playback, [&playback] { playback.setPlaying(false); });
+    connect(&playback, &Playback::endChanged, this, &TimeStrip::showEnd);
+    connect(&playback, &Playback::timeChanged, this, &TimeStrip::showTime);
+    connect(&playback, &Playback::playingChanged, this, &TimeStrip::showPlaying);
+    connect(&m_session, &ShapeSession::progress, this, [this](double time) {
+        m_computed = time;
+        update();
+    });
+    connect(&m_session, &ShapeSession::busyChanged, this, qOverload<>(&QWidget::update));
+    showEnd(playback.end());
+}
+
+void TimeStrip::setIcons(const QIcon& play, const QIcon& pause, const QIcon& loop) {
+    m_playIcon = play;
+    m_pauseIcon = pause;
+    m_loop->setIcon(loop);
+    showPlaying(m_session.playback().isPlaying());
+}
+
+void TimeStrip::showEnd(double end) {
+    m_slider->setEnabled(end > 0);
+    m_slider->setToolTip(end > 0 ? tr("Which moment of the motion is shown.")
+                                 : tr("Nothing moves yet: drag a pin."));
+    m_computed = 0;
+    showTime();
+}
+
+void TimeStrip::showTime() {
+    const Playback& playback = m_session.playback();
+    const QSignalBlocker quiet(m_slider);
+    m_slider->setValue(
+        playback.end() > 0 ? static_cast<int>(std::lround(kSteps * playback.time() / playback.end())) : 0);
+    const QLocale locale;
+    m_label->setText(playback.end() > 0 ? tr("%1 / %2").arg(locale.toString(playback.time(), 'f', 2),
+                                                            locale.toString(playback.end(), 'f', 2))
+                                        : tr("No motion yet"));
+}
+
+void TimeStrip::showPlaying(bool playing) {
+    m_play->setIcon(playing ? m_pauseIcon : m_playIcon);
+}
+
+void TimeStrip::paintEvent(QPaintEvent*) {
+    const double end = m_session.playback().end();
+    if (!m_session.isBusy() || end <= 0) return;
+    QPainter painter(this);
+    const double part = std::clamp(m_computed / end, 0.0, 1.0);
+    painter.fillRect(QRectF(0, 0, width() * part, 2), Theme::of(palette()).accent);
+}
+
+}  // namespace wend

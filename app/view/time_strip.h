@@ -1,0 +1,42 @@
+#pragma once
+
+#include <QWidget>
+
+#include "app/session/shape_session.h"
+
+class QLabel;
+class QSlider;
+class QToolButton;
+
+namespace wend {
+
+/// The time below the canvas: play, loop, a slider from 0 to the end, and how far the motion has been
+/// computed.
+class TimeStrip : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit TimeStrip(ShapeSession& session, QWidget* parent = nullptr);
+    QToolButton* playButton() const { return m_play; }
+    QToolButton* loopButton() const { return m_loop; }
+    QSlider* slider() const { return m_slider; }
+    void setIcons(const QIcon& play, const QIcon& pause, const QIcon& loop);
+
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+
+  private:
+    void showEnd(double end);
+    void showTime();
+    void showPlaying(bool playing);
+
+    ShapeSession& m_session;
+    QToolButton* m_play;
+    QToolButton* m_loop;
+    QSlider* m_slider;
+    QLabel* m_label;
+    QIcon m_playIcon, m_pauseIcon;
+    double m_computed = 0;
+};
+
+}  // namespace wend

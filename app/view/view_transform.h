@@ -1,0 +1,40 @@
+#pragma once
+
+#include <QPointF>
+#include <QRectF>
+#include <QSizeF>
+#include <QTransform>
+
+#include "core/mesh/types.h"
+
+namespace wend {
+
+/// Between the domain's coordinates and the widget's: zoom is widget pixels per unit; y may point up (meshes
+/// without a picture).
+class ViewTransform {
+  public:
+    double zoom() const { return m_zoom; }
+    bool pointsUp() const { return m_up; }
+    void setPointsUp(bool up) { m_up = up; }
+
+    QPointF toWidget(const Vec<2>& p) const;
+    Vec<2> toShape(const QPointF& widget) const;
+    QTransform matrix() const;
+
+    void pan(const QPointF& by) { m_origin += by; }
+    /// Changes the zoom; what lies under `fixed` stays there.
+    void setZoom(double zoom, const QPointF& fixed);
+    /// Shows a rectangle of the domain as large as it fits, with a margin in widget pixels.
+    void fit(const QRectF& shape, const QSizeF& widget, double margin);
+    void setZoomLimits(double least, double greatest);
+
+    bool operator==(const ViewTransform&) const = default;
+
+  private:
+    QPointF m_origin;  // of the domain, in the widget
+    double m_zoom = 1;
+    double m_least = 0.01, m_greatest = 64;
+    bool m_up = false;
+};
+
+}  // namespace wend

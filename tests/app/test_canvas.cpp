@@ -1,0 +1,167 @@
+#include <QPainter>
+#include <QWheelEvent>
+
+#include "app/session/opening.h"
+#include "app/view/canvas.h"
+#include "app/view/screen_picture.h"
+#include "tests/support/window_fixture.h"
+
+using namespace wend;
+using namespace wend::test;
+
+/// What the canvas shows, against the code that exports.
+class TestCanvas : public QObject {
+    Q_OBJECT
+  private slots:
+    void init();
+    void viewMapsBothWays();
+    void zoomKeepsThePointUnderThePointer();
+    void wheelZoomsToThePointer();
+    void middleDragPans();
+    void pictureIsWhatAnExportWrites();
+    void everyDepthComesOutTheSame_data();
+    void everyDepthComesOutTheSame();
+    void mapColoursAreOrdered_data();
+    void mapColoursAreOrdered();
+    void areaIsCentredOnOne();
+
+  private:
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<ShapeSession> m_session;
+    std::unique_ptr<Canvas> m_canvas;
+};
+
+void TestCanvas::init() {
+    m_canvas.reset();
+    m_folder = std::make_unique<QTemporaryDir>();
+    m_session = std::make_unique<ShapeSession>();
+    m_canvas = std::make_unique<Canvas>(*m_session);
+    m_canvas->resize(640, 480);
+    m_canvas->show();
+    m_session->document().open(openFile(writeCutOut(*m_folder)));
+    QVERIFY(settle(*m_session));
+}
+
+void TestCanvas::viewMapsBothWays() {
+    ViewTransform view;
+    for (const bool up : {false, true}) {
+        view.setPointsUp(up);
+        view.fit({-3, 5, 20, 10}, {400, 300}, 20);
+        const Vec<2> p(2.5, 7.25);
+        QVERIFY((view.toShape(view.toWidget(p)) - p).norm() < 1e-12);
+        QVERIFY(QLineF(view.matrix().map(QPointF(p.x(), p.y())), view.toWidget(p)).length() < 1e-9);
+        QVERIFY((view.toShape({200, 150}) - Vec<2>(7, 10)).norm() < 1e-9);  // the middle is in the middle
+    }
+}
+
+void TestCanvas::zoomKeepsThePointUnderThePointer() {
+    ViewTransform view;
+    view.fit({0, 0, 100, 100}, {400, 300}, 20);
+    const Vec<2> before = view.toShape({37, 251});
+    view.setZoom(9.5, {37, 251});
+    QVERIFY((view.toShape({37, 251}) - before).norm() < 1e-9);
+    QCOMPARE(view.zoom(), 9.5);
+}
+
+void TestCanvas::wheelZoomsToThePointer() {
+    const QPointF at(200, 150);
+    const Vec<2> before = m_canvas->toShape(at);
+    const double zoom = m_canvas->view().zoom();
+    QWheelEvent wheel(at, m_canvas->mapToGlobal(at), {}, {0, 120}, Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(m_canvas.get(), &wheel);
+    QVERIFY(m_canvas->view().zoom() > 1.1 * zoom);
+    QVERIFY((m_canvas->toShape(at) - before).norm() < 1e-9);
+    m_canvas->fit();
+    QCOMPARE(m_canvas->view().zoom(), zoom);
+}
+
+void TestCanvas::middleDragPans() {
+    const Vec<2> before = m_canvas->toShape({100, 100});
+    QTest::mousePress(m_canvas.get(), Qt::MiddleButton, {}, {100, 100});
+    QTest::mouseMove(m_canvas.get(), {130, 80});
+    QTest::mouseRelease(m_canvas.get(), Qt::MiddleButton, {}, {130, 80});
+    QVERIFY((m_canvas->toShape({130, 80}) - before).norm() < 1e-9);
+}
+
+void TestCanvas::pictureIsWhatAnExportWrites() {
+    const int pin = m_session->addPin({40, 80});
+    m_session->addPin({200, 80});
+    m_session->selection().set({pin});
+    m_session->beginDrag();
+    m_session->dragTo({0, 20});
+    m_session->endDrag(0.2);
+    QVERIFY(settle(*m_session));
+    QVERIFY(QTest::qWaitFor([&] { return m_canvas->isSettled(); }, 20000));
+    View view;
+    view.width = 640;
+    view.height = 480;
+    view.origin = m_canvas->view().toShape({0, 0});
+    view.scale = 1 / m_canvas->view().zoom();
+    const Image exported = warpImage(*m_session->document().picture(), *m_session->frame()->rest,
+                                     m_session->frame()->pose, view);
+    QVERIFY(m_canvas->drawn()->image == toQImage(exported));
+}
+
+void TestCanvas::everyDepthComesOutTheSame_data() {
+    QTest::addColumn<int>("type");
+    QTest::addColumn<bool>("unassociated");
+    QTest::newRow("8 bits") << int(PixelType::UInt8) << false;
+    QTest::newRow("8 bits, unassociated") << int(PixelType::UInt8) << true;
+    QTest::newRow("16 bits, unassociated") << int(PixelType::UInt16) << true;
+}
+
+void TestCanvas::everyDepthComesOutTheSame() {
+    QFETCH(int, type);
+    QFETCH(bool, unassociated);
+    Image image;
+    image.width = image.height = 1;
+    image.channels = 4;
+    image.alpha = true;
+    image.type = static_cast<PixelType>(type);
+    image.unassociated = unassociated;
+    const std::array<int, 4> associated = {102, 51, 0, 127}, own = {205, 102, 0, 127};
+    for (const int value : unassociated ? own : associated) {
+        image.data.push_back(std::byte(value));
+        if (image.type == PixelType::UInt16) image.data.push_back(std::byte(value));  // 257 times the value
+    }
+    const auto screen = screenPicture(std::make_shared<const Image>(image));
+    QCOMPARE(screen->unassociated, unassociated);
+    for (int c = 0; c < 4; ++c) {
+        const int expected = unassociated ? own[c] : associated[c];
+        QVERIFY(std::abs(std::to_integer<int>(screen->data[c]) - expected) <= 1);
+    }
+}
+
+void TestCanvas::mapColoursAreOrdered_data() {
+    QTest::addColumn<int>("measure");
+    QTest::newRow("angle") << static_cast<int>(Measure::Angle);
+    QTest::newRow("length") << static_cast<int>(Measure::Length);
+}
+
+/// Every step is darker than the one before, and by about as much (lightness L* of CIE).
+void TestCanvas::mapColoursAreOrdered() {
+    QFETCH(int, measure);
+    const auto lightness = [&](double position) {
+        const QColor c(colourAt(static_cast<Measure>(measure), position));
+        const auto linear = [](double v) {
+            return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+        };
+        const double y = 0.2126 * linear(c.redF()) + 0.7152 * linear(c.greenF()) + 0.0722 * linear(c.blueF());
+        return 116 * std::cbrt(y) - 16;
+    };
+    for (int i = 0; i < 5; ++i) {
+        const double step = lightness(i / 5.0) - lightness((i + 1) / 5.0);
+        QVERIFY2(step > 10 && step < 24, qPrintable(QString::number(step)));
+    }
+}
+
+void TestCanvas::areaIsCentredOnOne() {
+    const MeasureRange range = rangeOf({0.5, 0.8, 1.0, 1.1, 1.2}, Measure::Area);
+    QVERIFY(std::abs(range.low * range.high - 1) < 1e-12);
+    QVERIFY(std::abs(positionIn(range, Measure::Area, 1) - 0.5) < 1e-12);
+    QVERIFY(std::abs(valueAt(range, Measure::Area, 0.5) - 1) < 1e-12);
+}
+
+QTEST_MAIN(TestCanvas)
+#include "test_canvas.moc"

@@ -1,0 +1,194 @@
+#include <QTest>
+#include <limits>
+
+#include "app/document/document.h"
+#include "app/document/handle_edits.h"
+
+using namespace wend;
+
+/// What gestures make of a project, and undo.
+class TestCommands : public QObject {
+    Q_OBJECT
+  private slots:
+    void undoAndRedoSkipNothing();
+    void stepsOfOneKeyMerge();
+    void noMergeAcrossASave();
+    void firstPinsAreThereFromTheStart();
+    void laterPinsBeginAtTheEnd();
+    void removedPinsThatActedAreLetGo();
+    void strokesAppendAWindow();
+    void longerStrokesKeepOneMotion();
+    void simplifiedStaysWithinTolerance();
+    void firstDifference_data();
+    void firstDifference();
+};
+
+namespace {
+
+Project withPins(int count) {
+    Project project;
+    for (int i = 0; i < count; ++i)
+        project = withPin(project, {10.0 * i, 5.0}, "Pin " + std::to_string(i + 1));
+    return project;
+}
+
+const std::vector<Handle<2>>& handlesOf(const Project& project) {
+    return std::get<Design<2>>(project.design).handles;
+}
+
+void open(Document& document, Project project) {
+    OpenedFile file;
+    file.project = std::make_shared<const Project>(std::move(project));
+    document.open(std::move(file));
+}
+
+void setPhi(Document& document, double phi, const QString& key) {
+    Project next = *document.project();
+    std::get<Design<2>>(next.design).material.phi = phi;
+    document.change(QStringLiteral("Change energy"), std::move(next), key);
+}
+
+}  // namespace
+
+void TestCommands::undoAndRedoSkipNothing() {
+    Document document;
+    open(document, {});
+    std::vector<std::shared_ptr<const Project>> states = {document.project()};
+    for (int i = 0; i < 5; ++i) {
+        document.change(QStringLiteral("Add"),
+                        withPin(*document.project(), {1.0 * i, 0}, freePinName(document.design())));
+        states.push_back(document.project());
+    }
+    QVERIFY(document.isModified());
+    for (int i = 4; i >= 0; --i) {
+        document.undoStack()->undo();
+        QCOMPARE(document.project(), states[i]);
+    }
+    QVERIFY(!document.isModified());
+    for (int i = 1; i <= 5; ++i) {
+        document.undoStack()->redo();
+        QCOMPARE(document.project(), states[i]);
+    }
+}
+
+void TestCommands::stepsOfOneKeyMerge() {
+    Document document;
+    open(document, {});
+    const double before = document.design().material.phi;
+    for (const double phi : {0.5, 0.6, 0.7}) setPhi(document, phi, QStringLiteral("phi 1"));
+    QCOMPARE(document.undoStack()->count(), 1);
+    QCOMPARE(document.design().material.phi, 0.7);
+    setPhi(document, 0.9, QStringLiteral("phi 2"));
+    QCOMPARE(document.undoStack()->count(), 2);
+    document.undoStack()->undo();
+    QCOMPARE(document.design().material.phi, 0.7);
+    document.undoStack()->undo();
+    QCOMPARE(document.design().material.phi, before);
+}
+
+void TestCommands::noMergeAcrossASave() {
+    Document document;
+    open(document, {});
+    setPhi(document, 0.5, QStringLiteral("phi 1"));
+    QVERIFY(document.merges(QStringLiteral("phi 1")));
+    document.undoStack()->setClean();
+    QVERIFY(!document.merges(QStringLiteral("phi 1")));
+    setPhi(document, 0.6, QStringLiteral("phi 1"));
+    QCOMPARE(document.undoStack()->count(), 2);
+    QVERIFY(document.isModified());
+}
+
+void TestCommands::firstPinsAreThereFromTheStart() {
+    const Project project = withPins(2);
+    QCOMPARE(handlesOf(project).size(), std::size_t(2));
+    QVERIFY(handlesOf(project)[1].activeFrom < 0);
+    QCOMPARE(freePinName(std::get<Design<2>>(project.design)), std::string("Pin 3"));
+    QCOMPARE(handlesOf(withoutHandles(project, {0})).size(), std::size_t(1));
+}
+
+void TestCommands::laterPinsBeginAtTheEnd() {
+    const Project moved = withStroke(withPins(2), {1}, {{10, 5}}, {{0, 0}, {4, 0}});
+    const Project later = withPin(moved, {3, 5}, "Pin 3");
+    QCOMPARE(handlesOf(later)[2].activeFrom, 1.0);
+    QVERIFY(isActive(handlesOf(later)[2], 1.0));
+    QVERIFY(!isActive(handlesOf(later)[2], 0.5));
+    // It never acted: gone without a trace.
+    QCOMPARE(handlesOf(withoutHandles(later, {2})).size(), std::size_t(2));
+}
+
+void TestCommands::removedPinsThatActedAreLetGo() {
+    const Project moved = withStroke(withPins(2), {1}, {{10, 5}}, {{0, 0}, {4, 0}});
+    const Project removed = withoutHandles(moved, {0});
+    QCOMPARE(handlesOf(removed).size(), std::size_t(2));
+    QCOMPARE(handlesOf(removed)[0].activeTo, 1.0);
+    QVERIFY(isActive(handlesOf(removed)[0], 0.99));
+    QVERIFY(!isActive(handlesOf(removed)[0], 1.0));
+}
+
+void TestCommands::strokesAppendAWindow() {
+    const Project once = withStroke(withPins(2), {0, 1}, {{0, 5}, {10, 5}}, {{0, 0}, {3, 0}, {3, 4}});
+    QCOMPARE(once.end, 1.0);
+    const auto& stroke = std::get<Recorded<2>>(handlesOf(once)[1].motions.at(0).kind);
+    QCOMPARE(stroke.points.back(), Vec<2>(13, 9));
+    QCOMPARE(stroke.times.at(1), 3.0 / 7);  // at constant speed
+    QCOMPARE(stroke.times.back(), 1.0);
+    const Project twice = withStroke(once, {0}, {{3, 9}}, {{0, 0}, {1, 0}});
+    QCOMPARE(twice.end, 2.0);
+    QCOMPARE(handlesOf(twice)[0].motions.at(1).start, 1.0);
+    QCOMPARE(handlesOf(twice)[1].motions.size(), std::size_t(1));
+}
+
+void TestCommands::longerStrokesKeepOneMotion() {
+    Project project = withStroke(withPins(1), {0}, {{0, 5}}, {{0, 0}, {1, 0}});
+    for (int i = 0; i < 3; ++i) project = withLongerStroke(project, {0}, {1, 0});
+    QCOMPARE(handlesOf(project)[0].motions.size(), std::size_t(1));
+    const auto& stroke = std::get<Recorded<2>>(handlesOf(project)[0].motions[0].kind);
+    QCOMPARE(stroke.points.size(), std::size_t(2));  // a straight way needs no more
+    QCOMPARE(stroke.points.back(), Vec<2>(4, 5));
+    QCOMPARE(project.end, 1.0);
+}
+
+void TestCommands::simplifiedStaysWithinTolerance() {
+    std::vector<Vec<2>> arc;
+    for (int i = 0; i <= 200; ++i) arc.emplace_back(100 * std::cos(i * 0.01), 100 * std::sin(i * 0.01));
+    const auto few = simplified(arc, 0.2);
+    QVERIFY(few.size() < arc.size() / 5);
+    QCOMPARE(few.front(), arc.front());
+    QCOMPARE(few.back(), arc.back());
+    for (const Vec<2>& p : arc) {
+        double nearest = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i + 1 < few.size(); ++i) {
+            const Vec<2> way = few[i + 1] - few[i];
+            const double s = std::clamp((p - few[i]).dot(way) / way.squaredNorm(), 0.0, 1.0);
+            nearest = std::min(nearest, (p - few[i] - s * way).norm());
+        }
+        QVERIFY(nearest <= 0.2 + 1e-12);
+    }
+}
+
+void TestCommands::firstDifference_data() {
+    QTest::addColumn<int>("change");
+    QTest::addColumn<double>("expected");
+    const double infinity = std::numeric_limits<double>::infinity();
+    QTest::newRow("nothing") << 0 << infinity;
+    QTest::newRow("another pin from the start") << 1 << -infinity;
+    QTest::newRow("a later motion") << 2 << 1.0;
+    QTest::newRow("let go of") << 3 << 1.0;
+    QTest::newRow("the first motion") << 4 << 0.0;
+}
+
+void TestCommands::firstDifference() {
+    QFETCH(int, change);
+    QFETCH(double, expected);
+    const Project before = withStroke(withPins(2), {0}, {{0, 5}}, {{0, 0}, {1, 0}});
+    Project after = before;
+    if (change == 1) std::get<Design<2>>(after.design).handles.push_back(handlesOf(withPins(3)).back());
+    if (change == 2) after = withStroke(before, {1}, {{10, 5}}, {{0, 0}, {0, 1}});
+    if (change == 3) after = withoutHandles(before, {1});
+    if (change == 4) after = withLongerStroke(before, {0}, {0, 2});
+    QCOMPARE(wend::firstDifference(handlesOf(before), handlesOf(after)), expected);
+    QCOMPARE(wend::firstDifference(handlesOf(after), handlesOf(before)), expected);
+}
+
+QTEST_GUILESS_MAIN(TestCommands)
+#include "test_commands.moc"

@@ -1,0 +1,207 @@
+#include <QSignalSpy>
+
+#include "app/document/handle_edits.h"
+#include "app/session/opening.h"
+#include "app/session/scene.h"
+#include "tests/support/window_fixture.h"
+
+using namespace wend;
+using namespace wend::test;
+
+/// The session with its compute thread: what the gestures lead to, without a window.
+class TestCompute : public QObject {
+    Q_OBJECT
+  private slots:
+    void init();
+    void opensAtRest();
+    void pinsBecomeVertices();
+    void dragEndsAsTheCommandLineHasIt();
+    void laterDragsContinueToTheSameBits();
+    void escapeRestores();
+    void undoShowsTheEarlierShapeAtOnce();
+    void laterPinMovesNothing();
+    void nudgesMerge();
+    void problemsAreTold();
+    void targetsArePutTogether();
+
+  private:
+    void open();
+    void drag(int handle, const std::vector<Vec<2>>& way);
+    Points<2> commandLinePose() const;
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<ShapeSession> m_session;
+};
+
+void TestCompute::init() {
+    m_folder = std::make_unique<QTemporaryDir>();
+    m_session = std::make_unique<ShapeSession>();
+}
+
+void TestCompute::open() {
+    OpenedFile file = openFile(writeCutOut(*m_folder));
+    auto project = std::make_shared<Project>(*file.project);
+    project->domain.vertices = 400;
+    file.project = project;
+    m_session->document().open(std::move(file));
+    QVERIFY(settle(*m_session));
+}
+
+void TestCompute::drag(int handle, const std::vector<Vec<2>>& way) {
+    m_session->selection().set({handle});
+    m_session->beginDrag();
+    for (const Vec<2>& offset : way) m_session->dragTo(offset);
+    m_session->endDrag(0.2);
+    QVERIFY(settle(*m_session));
+}
+
+/// The shape at the end as a fresh deformer makes it of the scene, in one run.
+Points<2> TestCompute::commandLinePose() const {
+    const Project& project = *m_session->document().project();
+    const auto scene = std::get<Scene<2>>(loadScene(project, m_folder->path().toStdString()));
+    IntegrationOptions options = project.integration;
+    options.end = project.end;
+    Deformer<2> deformer(scene.rest, scene.material, scene.handles, options);
+    deformer.advance(project.end);
+    return deformer.state().points;
+}
+
+void TestCompute::opensAtRest() {
+    open();
+    const FramePtr frame = m_session->frame();
+    QVERIFY(frame->pose == frame->rest->points);
+    QCOMPARE(frame->distortion.flips, 0);
+    QVERIFY(std::abs(frame->rest->vertexCount() - 400) <= 40);
+    QCOMPARE(m_session->playback().end(), 0.0);
+}
+
+void TestCompute::pinsBecomeVertices() {
+    open();
+    const Vec<2> at(61.25, 79.5);
+    QCOMPARE(m_session->addPin(at), 0);
+    QVERIFY(settle(*m_session));
+    const auto& points = m_session->frame()->rest->points;
+    QCOMPARE((points.colwise() - at).colwise().norm().minCoeff(), 0.0);
+    QCOMPARE(m_session->pins().size(), std::size_t(1));
+    QCOMPARE(m_session->addPin({5, 5}), -1);  // beside the shape
+    m_session->removeSelected();
+    QVERIFY(m_session->document().design().handles.empty());
+}
+
+void TestCompute::dragEndsAsTheCommandLineHasIt() {
+    open();
+    m_session->addPin({40, 80});
+    m_session->addPin({200, 80});
+    drag(1, {{0, 5}, {-4, 14}, {-10, 25}});
+    QCOMPARE(m_session->playback().time(), 1.0);
+    QVERIFY(!m_session->frame()->live);
+    const Points<2> expected = commandLinePose();
+    QVERIFY(m_session->frame()->pose == expected);
+    const auto pins = m_session->pins();
+    QVERIFY((pins[1].centre - Vec<2>(190, 105)).norm() < 1e-9);
+    QVERIFY(m_session->frame()->pinError < 1e-9);
+}
+
+void TestCompute::laterDragsContinueToTheSameBits() {
+    open();
+    m_session->addPin({40, 80});
+    m_session->addPin({200, 80});
+    drag(1, {{0, 6}, {0, 20}});
+    drag(0, {{3, -8}, {5, -16}});
+    QCOMPARE(m_session->document().project()->end, 2.0);
+    QVERIFY(m_session->frame()->pose == commandLinePose());
+}
+
+void TestCompute::escapeRestores() {
+    open();
+    m_session->addPin({40, 80});
+    m_session->addPin({200, 80});
+    QVERIFY(settle(*m_session));
+    const Points<2> before = m_session->frame()->pose;
+    const int steps = m_session->document().undoStack()->count();
+    m_session->beginDrag();
+    m_session->dragTo({0, 20});
+    QVERIFY(QTest::qWaitFor([&] { return m_session->frame()->live; }, 20000));
+    QVERIFY(m_session->frame()->pose != before);
+    m_session->cancelDrag();
+    QVERIFY(m_session->frame()->pose == before);
+    QTest::qWait(50);
+    QVERIFY(m_session->frame()->pose == before);
+    QCOMPARE(m_session->document().undoStack()->count(), steps);
+}
+
+void TestCompute::undoShowsTheEarlierShapeAtOnce() {
+    open();
+    m_session->addPin({40, 80});
+    m_session->addPin({200, 80});
+    drag(1, {{0, 20}});
+    const Points<2> first = m_session->frame()->pose;
+    drag(1, {{0, -30}});
+    m_session->document().undoStack()->undo();
+    QVERIFY(settle(*m_session));
+    QCOMPARE(m_session->playback().time(), 1.0);
+    QVERIFY(m_session->frame()->pose == first);
+}
+
+void TestCompute::laterPinMovesNothing() {
+    open();
+    m_session->addPin({40, 80});
+    m_session->addPin({200, 80});
+    drag(1, {{0, 20}});
+    const Points<2> before = m_session->frame()->pose;
+    const auto rest = m_session->frame()->rest;
+    const Vec<2> at = before.col(7) * 0.5 + before.col(8) * 0.5;
+    const int added = m_session->addPin(m_session->pins()[1].centre + Vec<2>(-60, -2));
+    Q_UNUSED(at);
+    QCOMPARE(added, 2);
+    QVERIFY(settle(*m_session));
+    QCOMPARE(m_session->frame()->rest, rest);
+    QVERIFY(m_session->frame()->pose == before);
+    drag(2, {{0, 6}});
+    QVERIFY(m_session->frame()->pose == commandLinePose());
+    const auto pins = m_session->pins();
+    QVERIFY((pins[1].centre - Vec<2>(200, 100)).norm() < 1e-9);  // the others held still
+}
+
+void TestCompute::nudgesMerge() {
+    open();
+    m_session->addPin({40, 80});
+    m_session->addPin({200, 80});
+    const int steps = m_session->document().undoStack()->count();
+    for (int i = 0; i < 4; ++i) m_session->nudgeSelected({1, 0});
+    QVERIFY(settle(*m_session));
+    QCOMPARE(m_session->document().undoStack()->count(), steps + 1);
+    QVERIFY((m_session->pins()[1].centre - Vec<2>(204, 80)).norm() < 1e-9);
+}
+
+void TestCompute::problemsAreTold() {
+    open();
+    const Points<2> before = m_session->frame()->pose;
+    QSignalSpy problems(m_session.get(), &ShapeSession::problem);
+    m_session->document().change(QStringLiteral("Bad pin"),
+                                 withPin(*m_session->document().project(), {5, 5}, "stray"));
+    QVERIFY(QTest::qWaitFor([&] { return !problems.isEmpty(); }, 20000));
+    QVERIFY(!problems.first().first().toString().isEmpty());
+    QVERIFY(m_session->frame()->pose == before);  // the last good shape stays
+    m_session->document().undoStack()->undo();
+    QVERIFY(settle(*m_session));
+    QVERIFY(problems.last().first().toString().isEmpty());
+}
+
+void TestCompute::targetsArePutTogether() {
+    Mailbox mailbox;
+    mailbox.post(BeginDrag{{0}});
+    for (int i = 0; i < 5; ++i) mailbox.post(DragTo{{Vec<2>(i, 0)}, i});
+    mailbox.post(EndDrag{true});
+    QVERIFY(mailbox.interruption().stop_requested());
+    QVERIFY(std::holds_alternative<BeginDrag>(*mailbox.take(false, {})));
+    const auto path = std::get<DragTo>(*mailbox.take(false, {}));
+    QCOMPARE(path.offsets.size(), std::size_t(5));
+    QCOMPARE(path.lastSample, 4);
+    QVERIFY(std::holds_alternative<EndDrag>(*mailbox.take(false, {})));
+    QVERIFY(!mailbox.take(false, {}));
+    QVERIFY(!mailbox.interruption().stop_requested());
+}
+
+QTEST_GUILESS_MAIN(TestCompute)
+#include "test_compute.moc"

@@ -1,0 +1,368 @@
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QLineEdit>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QPushButton>
+#include <QSlider>
+#include <QTimer>
+#include <QToolButton>
+
+#include "app/panels/distortion_panel.h"
+#include "app/panels/material_panel.h"
+#include "app/session/opening.h"
+#include "app/view/actions.h"
+#include "app/view/canvas.h"
+#include "app/view/file_workflow.h"
+#include "app/view/info_banner.h"
+#include "app/view/main_window.h"
+#include "tests/support/window_fixture.h"
+
+using namespace wend;
+using namespace wend::test;
+
+/// The whole window, with real mouse and key events.
+class TestWindow : public QObject {
+    Q_OBJECT
+  private slots:
+    void init();
+    void cleanup();
+    void startsWithAStartPage();
+    void everyActionSaysWhatItDoes();
+    void dropOpens();
+    void clickPinsAndDragMoves();
+    void dragIsOneStepThatUndoes();
+    void escapeEndsADrag();
+    void marqueeAndShiftSelect();
+    void arrowsNudge();
+    void deleteRemoves();
+    void energySliderIsOneStep();
+    void stopLabelsChooseTheNamedEnergies();
+    void saveAndLoadGiveTheSameShape();
+    void closingAsks();
+    void unreadableFilesLeaveALine();
+    void holdingHHidesPins();
+    void playRuns();
+
+  private:
+    void open();
+    QPoint at(double x, double y) const;
+    void click(double x, double y, Qt::KeyboardModifiers modifiers = {});
+    void dragPin(double x, double y, double dx, double dy);
+    std::size_t pinCount() { return m_window->session().document().design().handles.size(); }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<MainWindow> m_window;
+};
+
+void TestWindow::init() {
+    m_folder = std::make_unique<QTemporaryDir>();
+    isolateSettings(*m_folder);
+    m_window = std::make_unique<MainWindow>();
+    m_window->resize(1100, 760);
+    m_window->show();
+    m_window->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+}
+
+void TestWindow::cleanup() {
+    if (!m_window->session().document().isEmpty()) m_window->session().document().undoStack()->setClean();
+    m_window.reset();
+}
+
+void TestWindow::open() {
+    m_window->openPath(writeCutOut(*m_folder));
+    QVERIFY(QTest::qWaitFor([&] { return !m_window->session().document().isEmpty(); }, 20000));
+    Project coarse = *m_window->session().document().project();
+    coarse.domain.vertices = 400;
+    m_window->session().document().change(QStringLiteral("Coarse"), coarse);
+    QVERIFY(settle(m_window->session()));
+    m_window->canvas().setFocus();
+}
+
+QPoint TestWindow::at(double x, double y) const {
+    return m_window->canvas().toWidget({x, y}).toPoint();
+}
+
+void TestWindow::click(double x, double y, Qt::KeyboardModifiers modifiers) {
+    QTest::mouseClick(&m_window->canvas(), Qt::LeftButton, modifiers, at(x, y));
+}
+
+void TestWindow::dragPin(double x, double y, double dx, double dy) {
+    Canvas& canvas = m_window->canvas();
+    QTest::mousePress(&canvas, Qt::LeftButton, {}, at(x, y));
+    for (int i = 1; i <= 5; ++i) QTest::mouseMove(&canvas, at(x + dx * i / 5, y + dy * i / 5));
+}
+
+void TestWindow::startsWithAStartPage() {
+    auto* button = m_window->findChild<QPushButton*>(QStringLiteral("startOpen"));
+    QVERIFY(button && button->isVisible());
+    QVERIFY(!m_window->canvas().isVisible());
+    QVERIFY(!m_window->actions().save->isEnabled());
+    QVERIFY(m_window->actions().save->toolTip().contains(QStringLiteral("first")));
+    const QString path = writeCutOut(*m_folder);
+    QTimer::singleShot(200, [path] {
+        auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+        if (!dialog) return;
+        dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->setText(path);
+        QTest::keyClick(dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit")), Qt::Key_Return);
+    });
+    QTest::mouseClick(button, Qt::LeftButton);
+    QVERIFY(QTest::qWaitFor([&] { return m_window->canvas().isVisible(); }, 20000));
+    QVERIFY(settle(m_window->session()));
+    QVERIFY(m_window->windowTitle().startsWith(QStringLiteral("bar.wend")));
+    QVERIFY(!m_window->isWindowModified());
+}
+
+void TestWindow::everyActionSaysWhatItDoes() {
+    int seen = 0;
+    for (const QAction* action : m_window->actions().findChildren<QAction*>()) {
+        if (action->menu() || action->isSeparator()) continue;
+        ++seen;
+        QVERIFY2(!action->statusTip().isEmpty(), qPrintable(action->text()));
+        QVERIFY2(!action->toolTip().isEmpty(), qPrintable(action->text()));
+    }
+    QVERIFY(seen > 25);
+    for (const QToolButton* button : m_window->findChildren<QToolButton*>())
+        QVERIFY2(!button->toolTip().isEmpty() || button->parent()->inherits("QAbstractSpinBox") ||
+                     !button->defaultAction() || !button->isVisible(),
+                 qPrintable(button->text()));
+}
+
+void TestWindow::dropOpens() {
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(writeCutOut(*m_folder))});
+    QDragEnterEvent enter({400, 300}, Qt::CopyAction, &data, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(m_window.get(), &enter);
+    QVERIFY(enter.isAccepted());
+    QDropEvent drop({400, 300}, Qt::CopyAction, &data, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(m_window.get(), &drop);
+    QVERIFY(QTest::qWaitFor([&] { return m_window->canvas().isVisible(); }, 20000));
+    QVERIFY(settle(m_window->session()));
+}
+
+void TestWindow::clickPinsAndDragMoves() {
+    open();
+    click(40, 80);
+    click(200, 80);
+    QCOMPARE(pinCount(), std::size_t(2));
+    click(10, 10);  // beside the shape
+    QCOMPARE(pinCount(), std::size_t(2));
+    QVERIFY(m_window->session().selection().isEmpty());
+    QVERIFY(settle(m_window->session()));
+    dragPin(200, 80, -10, 25);
+    QVERIFY(QTest::qWaitFor([&] { return m_window->session().frame()->live; },
+                            20000));  // it follows before the release
+    QTest::mouseRelease(&m_window->canvas(), Qt::LeftButton, {}, at(190, 105));
+    QVERIFY(settle(m_window->session()));
+    const double pixel = 1 / m_window->canvas().view().zoom();
+    QVERIFY((m_window->session().pins()[1].centre - Vec<2>(190, 105)).norm() < 2 * pixel);
+    QVERIFY(m_window->isWindowModified());
+}
+
+void TestWindow::dragIsOneStepThatUndoes() {
+    open();
+    click(40, 80);
+    click(200, 80);
+    QVERIFY(settle(m_window->session()));
+    const Points<2> before = m_window->session().frame()->pose;
+    QUndoStack& undo = *m_window->session().document().undoStack();
+    const int steps = undo.count();
+    dragPin(200, 80, 0, 20);
+    QTest::mouseRelease(&m_window->canvas(), Qt::LeftButton, {}, at(200, 100));
+    QVERIFY(settle(m_window->session()));
+    const Points<2> after = m_window->session().frame()->pose;
+    QCOMPARE(undo.count(), steps + 1);
+    QTest::keyClick(m_window.get(), Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(settle(m_window->session()));
+    QVERIFY(m_window->session().frame()->pose == before);
+    QTest::keyClick(m_window.get(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    QVERIFY(settle(m_window->session()));
+    QVERIFY(m_window->session().frame()->pose == after);
+}
+
+void TestWindow::escapeEndsADrag() {
+    open();
+    click(40, 80);
+    click(200, 80);
+    QVERIFY(settle(m_window->session()));
+    const Points<2> before = m_window->session().frame()->pose;
+    const int steps = m_window->session().document().undoStack()->count();
+    dragPin(200, 80, 0, 25);
+    QTest::keyClick(&m_window->canvas(), Qt::Key_Escape);
+    QTest::mouseRelease(&m_window->canvas(), Qt::LeftButton, {}, at(200, 105));
+    QVERIFY(settle(m_window->session()));
+    QVERIFY(m_window->session().frame()->pose == before);
+    QCOMPARE(m_window->session().document().undoStack()->count(), steps);
+}
+
+void TestWindow::marqueeAndShiftSelect() {
+    open();
+    click(40, 80);
+    click(120, 80);
+    click(200, 80);
+    Selection& selection = m_window->session().selection();
+    QCOMPARE(selection.handles(), std::vector<int>({2}));
+    click(40, 80, Qt::ShiftModifier);
+    QCOMPARE(selection.handles(), std::vector<int>({0, 2}));
+    Canvas& canvas = m_window->canvas();
+    QTest::mousePress(&canvas, Qt::LeftButton, {}, at(100, 40));
+    QTest::mouseMove(&canvas, at(150, 100));
+    QTest::mouseMove(&canvas, at(220, 120));
+    QTest::mouseRelease(&canvas, Qt::LeftButton, {}, at(220, 120));
+    QCOMPARE(selection.handles(), std::vector<int>({1, 2}));
+    QCOMPARE(pinCount(), std::size_t(3));
+}
+
+void TestWindow::arrowsNudge() {
+    open();
+    click(40, 80);
+    click(200, 80);
+    const int steps = m_window->session().document().undoStack()->count();
+    const Vec<2> before = m_window->session().pins()[1].centre;
+    QTest::keyClick(&m_window->canvas(), Qt::Key_Right);
+    QTest::keyClick(&m_window->canvas(), Qt::Key_Down, Qt::ShiftModifier);
+    QVERIFY(settle(m_window->session()));
+    QVERIFY((m_window->session().pins()[1].centre - before - Vec<2>(1, 10)).norm() < 1e-6);
+    QCOMPARE(m_window->session().document().undoStack()->count(), steps + 1);
+}
+
+void TestWindow::deleteRemoves() {
+    open();
+    click(40, 80);
+    click(200, 80);
+    QTest::keyClick(m_window.get(), Qt::Key_Delete);
+    QCOMPARE(pinCount(), std::size_t(1));
+    QVERIFY(!m_window->actions().remove->isEnabled());
+    m_window->actions().undo->trigger();
+    QCOMPARE(pinCount(), std::size_t(2));
+}
+
+void TestWindow::energySliderIsOneStep() {
+    open();
+    QUndoStack& undo = *m_window->session().document().undoStack();
+    const int steps = undo.count();
+    QSlider* slider = m_window->materialPanel().energySlider()->slider();
+    slider->setSliderDown(true);
+    for (int value = 1200; value <= 2600; value += 100) slider->setSliderPosition(value);
+    slider->setSliderDown(false);
+    QCOMPARE(undo.count(), steps + 1);
+    const double phi = m_window->session().document().design().material.phi;
+    QVERIFY(phi > phi::kAkvf && phi < phi::conformal(2));
+    undo.undo();
+    QCOMPARE(m_window->session().document().design().material.phi, phi::kMetr);
+    QCOMPARE(slider->value(), 1000);
+    slider->setSliderDown(true);
+    slider->setSliderPosition(2020);  // near a stop
+    slider->setSliderDown(false);
+    QCOMPARE(m_window->session().document().design().material.phi, phi::kAkvf);
+}
+
+void TestWindow::stopLabelsChooseTheNamedEnergies() {
+    open();
+    const EnergyScale scale;
+    int found = 0;
+    for (QToolButton* label : m_window->materialPanel().energySlider()->findChildren<QToolButton*>()) {
+        for (const auto& stop : scale.stops()) {
+            if (label->text() != stop.name) continue;
+            ++found;
+            QTest::mouseClick(label, Qt::LeftButton);
+            QCOMPARE(m_window->session().document().design().material.phi, stop.phi);
+            QVERIFY(label->isChecked());
+        }
+    }
+    QCOMPARE(found, 4);
+    for (double x = 0; x <= 3; x += 0.125) QVERIFY(std::abs(scale.positionOf(scale.phiAt(x)) - x) < 1e-12);
+}
+
+void TestWindow::saveAndLoadGiveTheSameShape() {
+    open();
+    click(40, 80);
+    click(200, 80);
+    QVERIFY(settle(m_window->session()));
+    dragPin(200, 80, -5, 20);
+    QTest::mouseRelease(&m_window->canvas(), Qt::LeftButton, {}, at(195, 100));
+    QVERIFY(settle(m_window->session()));
+    const Points<2> shape = m_window->session().frame()->pose;
+    const QString path = m_folder->filePath(QStringLiteral("bar.wend"));
+    m_window->session().document().save(path);
+    QVERIFY(!m_window->isWindowModified());
+    MainWindow other;
+    other.openPath(path);
+    QVERIFY(QTest::qWaitFor([&] { return !other.session().document().isEmpty(); }, 20000));
+    QVERIFY(settle(other.session()));
+    other.session().playback().setTime(other.session().playback().end());
+    QVERIFY(settle(other.session()));
+    QVERIFY(other.session().frame()->pose == shape);
+    QVERIFY(m_window->files().recent().isEmpty() || m_window->files().recent().first() == path);
+}
+
+void TestWindow::closingAsks() {
+    open();
+    click(40, 80);
+    QVERIFY(m_window->isWindowModified());
+    bool asked = false;
+    QTimer::singleShot(100, [&asked] {
+        auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+        if (!box) return;
+        asked = true;
+        box->button(QMessageBox::Cancel)->click();
+    });
+    QVERIFY(!m_window->close());
+    QVERIFY(asked);
+    QTimer::singleShot(100, [] {
+        if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget()))
+            box->button(QMessageBox::Discard)->click();
+    });
+    QVERIFY(m_window->close());
+}
+
+void TestWindow::unreadableFilesLeaveALine() {
+    QFile file(m_folder->filePath(QStringLiteral("broken.png")));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("not a picture");
+    file.close();
+    m_window->openPath(file.fileName());
+    QVERIFY(QTest::qWaitFor([&] { return !m_window->banner().text().isEmpty(); }, 20000));
+    QVERIFY(m_window->banner().text().contains(QStringLiteral("broken.png")));
+    QVERIFY(m_window->session().document().isEmpty());
+}
+
+void TestWindow::holdingHHidesPins() {
+    open();
+    click(120, 80);
+    QVERIFY(settle(m_window->session()));
+    QVERIFY(QTest::qWaitFor([&] { return m_window->canvas().isSettled(); }, 20000));
+    const QPoint pin = at(120, 80) + QPoint(7, 0);  // the pin's dark ring
+    const QRgb shown = m_window->canvas().grab().toImage().pixel(pin);
+    QTest::keyPress(&m_window->canvas(), Qt::Key_H);
+    QVERIFY(m_window->canvas().grab().toImage().pixel(pin) != shown);
+    QTest::keyRelease(&m_window->canvas(), Qt::Key_H);
+    QCOMPARE(m_window->canvas().grab().toImage().pixel(pin), shown);
+}
+
+void TestWindow::playRuns() {
+    open();
+    QVERIFY(!m_window->actions().play->isEnabled());
+    click(40, 80);
+    click(200, 80);
+    QVERIFY(settle(m_window->session()));
+    dragPin(200, 80, 0, 20);
+    QTest::mouseRelease(&m_window->canvas(), Qt::LeftButton, {}, at(200, 100));
+    QVERIFY(settle(m_window->session()));
+    QVERIFY(m_window->actions().play->isEnabled());
+    Playback& playback = m_window->session().playback();
+    std::vector<double> heights;
+    connect(&playback, &Playback::timeChanged, this,
+            [&] { heights.push_back(m_window->session().pins()[1].centre.y()); });
+    m_window->actions().play->trigger();
+    QVERIFY(playback.isPlaying());
+    QVERIFY(QTest::qWaitFor([&] { return !playback.isPlaying(); }, 20000));
+    QVERIFY(playback.isAtEnd());
+    QVERIFY(heights.size() > 3);
+    QVERIFY(std::is_sorted(heights.begin() + 1, heights.end()));
+}
+
+QTEST_MAIN(TestWindow)
+#include "test_window.moc"

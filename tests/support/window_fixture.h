@@ -1,0 +1,55 @@
+#pragma once
+
+#include <QColor>
+#include <QImage>
+#include <QPainter>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "app/session/shape_session.h"
+
+namespace wend::test {
+
+/// A cut-out: a leaning bar with rounded ends on a transparent ground.
+inline QString writeCutOut(const QTemporaryDir& folder, const QString& name = QStringLiteral("bar.png")) {
+    QImage image(240, 160, QImage::Format_RGBA8888);
+    image.fill(Qt::transparent);
+    QPainter painter(&image);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    QLinearGradient fill(20, 0, 220, 0);
+    fill.setColorAt(0, QColor(220, 120, 40));
+    fill.setColorAt(1, QColor(40, 110, 200));
+    painter.setBrush(fill);
+    painter.drawRoundedRect(QRectF(20, 60, 200, 40), 20, 20);
+    painter.end();
+    const QString path = folder.filePath(name);
+    image.save(path);
+    return path;
+}
+
+/// A project of that picture with a coarse mesh, for speed.
+inline Project barProject(const QString& picture) {
+    Project project;
+    project.domain.kind = DomainKind::Image;
+    project.domain.path = picture.toStdString();
+    project.domain.outline = OutlineKind::Alpha;
+    project.domain.vertices = 400;
+    return project;
+}
+
+/// Waits until nothing is being computed and the frame shows what the document says.
+inline bool settle(ShapeSession& session) {
+    return QTest::qWaitFor([&] { return session.frame() && !session.isBusy() && !session.isStale(); }, 60000);
+}
+
+/// Settings of tests stay in a folder of their own.
+inline void isolateSettings(const QTemporaryDir& folder) {
+    QCoreApplication::setOrganizationName(QStringLiteral("WendTest"));
+    QCoreApplication::setApplicationName(QStringLiteral("WendTest"));
+    QSettings::setDefaultFormat(QSettings::IniFormat);
+    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder.path());
+}
+
+}  // namespace wend::test

@@ -1,0 +1,1045 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de_DE">
+<context>
+    <name>EnergyScale</name>
+    <message>
+        <source>Area</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>Keeps area: parts neither grow nor shrink. Angles and lengths give way.</source>
+        <translation>Hält Flächen: Teile wachsen und schrumpfen nicht. Winkel und Längen geben nach.</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Keeps lengths best: a balance of area and angle. A good start for most pictures.</source>
+        <translation>Hält Längen am besten: ein Ausgleich von Fläche und Winkel. Ein guter Anfang für die meisten Bilder.</translation>
+    </message>
+    <message>
+        <source>Rigid</source>
+        <translation>Starr</translation>
+    </message>
+    <message>
+        <source>Turns parts as if they were stiff. Area gives way where parts bend.</source>
+        <translation>Dreht Teile, als wären sie steif. Wo sie sich biegen, gibt die Fläche nach.</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Keeps angles: small details keep their form. Parts may grow or shrink a lot.</source>
+        <translation>Hält Winkel: kleine Einzelheiten behalten ihre Form. Teile können stark wachsen oder schrumpfen.</translation>
+    </message>
+</context>
+<context>
+    <name>Measure</name>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+</context>
+<context>
+    <name>Opening</name>
+    <message>
+        <source>this is a solid; the window shows pictures and flat meshes so far. `wend run` and `wend mesh` work with solids.</source>
+        <translation>das ist ein Körper; das Fenster zeigt bisher Bilder und ebene Netze. `wend run` und `wend mesh` arbeiten mit Körpern.</translation>
+    </message>
+</context>
+<context>
+    <name>PinTool</name>
+    <message>
+        <source>Drag the pin; Esc puts the shape back</source>
+        <translation>Pin ziehen; Esc setzt die Form zurück</translation>
+    </message>
+    <message>
+        <source>Drag to move the pin, Shift-click to select more, Delete to remove</source>
+        <translation>Ziehen bewegt den Pin, Umschalt-Klick wählt weitere, Entf entfernt ihn</translation>
+    </message>
+    <message>
+        <source>Click on the shape to set a pin, then drag pins to bend it</source>
+        <translation>Auf die Form klicken, um einen Pin zu setzen, dann Pins ziehen, um sie zu biegen</translation>
+    </message>
+    <message>
+        <source>Click or draw a rectangle to select pins, drag to move them, arrow keys nudge</source>
+        <translation>Klicken oder Rechteck aufziehen wählt Pins, Ziehen bewegt sie, Pfeiltasten rücken sie</translation>
+    </message>
+</context>
+<context>
+    <name>wend::Actions</name>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>Ö&amp;ffnen …</translation>
+    </message>
+    <message>
+        <source>Open a picture, a flat mesh or a project</source>
+        <translation>Ein Bild, ein ebenes Netz oder ein Projekt öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>Save the project</source>
+        <translation>Das Projekt speichern</translation>
+    </message>
+    <message>
+        <source>Save &amp;As…</source>
+        <translation>Speichern &amp;unter …</translation>
+    </message>
+    <message>
+        <source>Save the project under another name</source>
+        <translation>Das Projekt unter anderem Namen speichern</translation>
+    </message>
+    <message>
+        <source>Export &amp;Picture…</source>
+        <translation>&amp;Bild exportieren …</translation>
+    </message>
+    <message>
+        <source>Write the picture as it is bent now, at its full size</source>
+        <translation>Das Bild, wie es jetzt gebogen ist, in voller Größe schreiben</translation>
+    </message>
+    <message>
+        <source>Ctrl+E</source>
+        <translation>Ctrl+E</translation>
+    </message>
+    <message>
+        <source>Export &amp;Mesh…</source>
+        <translation>&amp;Netz exportieren …</translation>
+    </message>
+    <message>
+        <source>Write the bent mesh as OBJ, PLY, VTU …</source>
+        <translation>Das gebogene Netz als OBJ, PLY, VTU … schreiben</translation>
+    </message>
+    <message>
+        <source>Export &amp;Frames…</source>
+        <translation>Bild&amp;folge exportieren …</translation>
+    </message>
+    <message>
+        <source>Write the motion as a sequence of pictures</source>
+        <translation>Die Bewegung als Folge von Bildern schreiben</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+E</source>
+        <translation>Ctrl+Shift+E</translation>
+    </message>
+    <message>
+        <source>Export S&amp;T Map…</source>
+        <translation>S&amp;T-Karte exportieren …</translation>
+    </message>
+    <message>
+        <source>Write where each pixel comes from, for compositing programs</source>
+        <translation>Schreiben, woher jedes Pixel kommt, für Compositing-Programme</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>S&amp;chließen</translation>
+    </message>
+    <message>
+        <source>Close the file and go back to the start page</source>
+        <translation>Die Datei schließen und zur Startseite zurückkehren</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>Leave Wend</source>
+        <translation>Wend verlassen</translation>
+    </message>
+    <message>
+        <source>Open &amp;Recent</source>
+        <translation>&amp;Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>Open Sa&amp;mple</source>
+        <translation>Beispi&amp;el öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>Take back the last step</source>
+        <translation>Den letzten Schritt zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Do again what was taken back</source>
+        <translation>Zurückgenommenes wiederholen</translation>
+    </message>
+    <message>
+        <source>Select &amp;All Pins</source>
+        <translation>&amp;Alle Pins auswählen</translation>
+    </message>
+    <message>
+        <source>Select all pins</source>
+        <translation>Alle Pins auswählen</translation>
+    </message>
+    <message>
+        <source>Select &amp;None</source>
+        <translation>&amp;Keinen auswählen</translation>
+    </message>
+    <message>
+        <source>Select no pin</source>
+        <translation>Keinen Pin auswählen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+A</source>
+        <translation>Ctrl+Shift+A</translation>
+    </message>
+    <message>
+        <source>&amp;Remove Pins</source>
+        <translation>Pins &amp;entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the selected pins; what has already moved stays</source>
+        <translation>Die ausgewählten Pins entfernen; was sich schon bewegt hat, bleibt</translation>
+    </message>
+    <message>
+        <source>&amp;Pin</source>
+        <translation>&amp;Pin</translation>
+    </message>
+    <message>
+        <source>Set pins and drag them</source>
+        <translation>Pins setzen und ziehen</translation>
+    </message>
+    <message>
+        <source>P</source>
+        <translation>P</translation>
+    </message>
+    <message>
+        <source>Se&amp;lect</source>
+        <translation>Aus&amp;wählen</translation>
+    </message>
+    <message>
+        <source>Select and drag pins without setting new ones</source>
+        <translation>Pins auswählen und ziehen, ohne neue zu setzen</translation>
+    </message>
+    <message>
+        <source>V</source>
+        <translation>V</translation>
+    </message>
+    <message>
+        <source>&amp;Mesh</source>
+        <translation>&amp;Netz</translation>
+    </message>
+    <message>
+        <source>Show the triangles that carry the picture</source>
+        <translation>Die Dreiecke zeigen, die das Bild tragen</translation>
+    </message>
+    <message>
+        <source>M</source>
+        <translation>M</translation>
+    </message>
+    <message>
+        <source>&amp;Distortion Map</source>
+        <translation>&amp;Verzerrungskarte</translation>
+    </message>
+    <message>
+        <source>Colour the shape by its distortion</source>
+        <translation>Die Form nach ihrer Verzerrung färben</translation>
+    </message>
+    <message>
+        <source>D</source>
+        <translation>D</translation>
+    </message>
+    <message>
+        <source>&amp;Hide Pins and Maps</source>
+        <translation>Pins und Karten &amp;verbergen</translation>
+    </message>
+    <message>
+        <source>Show the bare picture; hold H to do so for a moment</source>
+        <translation>Das bloße Bild zeigen; H gedrückt halten zeigt es für einen Moment</translation>
+    </message>
+    <message>
+        <source>Shift+H</source>
+        <translation>Shift+H</translation>
+    </message>
+    <message>
+        <source>&amp;Fit</source>
+        <translation>&amp;Einpassen</translation>
+    </message>
+    <message>
+        <source>Show the whole picture</source>
+        <translation>Das ganze Bild zeigen</translation>
+    </message>
+    <message>
+        <source>F</source>
+        <translation>F</translation>
+    </message>
+    <message>
+        <source>&amp;Actual Size</source>
+        <translation>&amp;Originalgröße</translation>
+    </message>
+    <message>
+        <source>One pixel of the picture on one of the screen</source>
+        <translation>Ein Pixel des Bildes auf einem des Bildschirms</translation>
+    </message>
+    <message>
+        <source>1</source>
+        <translation>1</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;In</source>
+        <translation>Ver&amp;größern</translation>
+    </message>
+    <message>
+        <source>Look closer</source>
+        <translation>Näher heran</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;Out</source>
+        <translation>Ver&amp;kleinern</translation>
+    </message>
+    <message>
+        <source>See more</source>
+        <translation>Mehr sehen</translation>
+    </message>
+    <message>
+        <source>Full &amp;Screen</source>
+        <translation>V&amp;ollbild</translation>
+    </message>
+    <message>
+        <source>Use the whole screen</source>
+        <translation>Den ganzen Bildschirm nutzen</translation>
+    </message>
+    <message>
+        <source>As the &amp;Desktop</source>
+        <translation>Wie der &amp;Schreibtisch</translation>
+    </message>
+    <message>
+        <source>Light or dark as the desktop is</source>
+        <translation>Hell oder dunkel, wie der Schreibtisch ist</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Hell</translation>
+    </message>
+    <message>
+        <source>Dark on light</source>
+        <translation>Dunkel auf Hell</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>&amp;Dunkel</translation>
+    </message>
+    <message>
+        <source>Light on dark</source>
+        <translation>Hell auf Dunkel</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>&amp;Abspielen</translation>
+    </message>
+    <message>
+        <source>Play the motion, or pause it</source>
+        <translation>Die Bewegung abspielen oder anhalten</translation>
+    </message>
+    <message>
+        <source>K</source>
+        <translation>K</translation>
+    </message>
+    <message>
+        <source>&amp;Loop</source>
+        <translation>&amp;Schleife</translation>
+    </message>
+    <message>
+        <source>Begin again at the end</source>
+        <translation>Am Ende von vorn beginnen</translation>
+    </message>
+    <message>
+        <source>L</source>
+        <translation>L</translation>
+    </message>
+    <message>
+        <source>To the &amp;Start</source>
+        <translation>Zum &amp;Anfang</translation>
+    </message>
+    <message>
+        <source>Show the shape at rest</source>
+        <translation>Die Form in Ruhe zeigen</translation>
+    </message>
+    <message>
+        <source>To the &amp;End</source>
+        <translation>Zum &amp;Ende</translation>
+    </message>
+    <message>
+        <source>Show the end of the motion, where dragging goes on</source>
+        <translation>Das Ende der Bewegung zeigen, wo das Ziehen weitergeht</translation>
+    </message>
+    <message>
+        <source>&amp;Keys and Mouse</source>
+        <translation>&amp;Tasten und Maus</translation>
+    </message>
+    <message>
+        <source>What pointer and keys do</source>
+        <translation>Was Zeiger und Tasten tun</translation>
+    </message>
+    <message>
+        <source>&amp;About Wend</source>
+        <translation>Ü&amp;ber Wend</translation>
+    </message>
+    <message>
+        <source>Version and licence</source>
+        <translation>Version und Lizenz</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>A&amp;ppearance</source>
+        <translation>&amp;Erscheinungsbild</translation>
+    </message>
+    <message>
+        <source>&amp;Motion</source>
+        <translation>Be&amp;wegung</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>Open a picture first.</source>
+        <translation>Zuerst ein Bild öffnen.</translation>
+    </message>
+    <message>
+        <source>This project has no picture.</source>
+        <translation>Dieses Projekt hat kein Bild.</translation>
+    </message>
+    <message>
+        <source>Select a pin first.</source>
+        <translation>Zuerst einen Pin auswählen.</translation>
+    </message>
+    <message>
+        <source>Nothing moves yet: drag a pin.</source>
+        <translation>Noch bewegt sich nichts: einen Pin ziehen.</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+Z</source>
+        <translation>Ctrl+Shift+Z</translation>
+    </message>
+    <message>
+        <source>Ctrl+Y</source>
+        <translation>Ctrl+Y</translation>
+    </message>
+</context>
+<context>
+    <name>wend::Canvas</name>
+    <message>
+        <source>Canvas</source>
+        <translation>Leinwand</translation>
+    </message>
+    <message>
+        <source>The picture with its pins</source>
+        <translation>Das Bild mit seinen Pins</translation>
+    </message>
+</context>
+<context>
+    <name>wend::DistortionPanel</name>
+    <message>
+        <source>Distortion map</source>
+        <translation>Verzerrungskarte</translation>
+    </message>
+    <message>
+        <source>Which error is coloured over the shape: of lengths, of areas or of angles.</source>
+        <translation>Welcher Fehler über der Form gefärbt wird: der Längen, der Flächen oder der Winkel.</translation>
+    </message>
+    <message>
+        <source>Lock range</source>
+        <translation>Bereich fest</translation>
+    </message>
+    <message>
+        <source>Keep the colours&apos; range, to compare different shapes and energies.</source>
+        <translation>Den Bereich der Farben festhalten, um Formen und Energien zu vergleichen.</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Show the worst place</source>
+        <translation>Die schlimmste Stelle zeigen</translation>
+    </message>
+    <message>
+        <source>Brings the most distorted triangle into view; it is ringed in the map.</source>
+        <translation>Rückt das am stärksten verzerrte Dreieck ins Bild; in der Karte ist es eingekreist.</translation>
+    </message>
+    <message>
+        <source>Distortion</source>
+        <translation>Verzerrung</translation>
+    </message>
+    <message>
+        <source>Ma&amp;p of</source>
+        <translation>&amp;Karte der</translation>
+    </message>
+    <message>
+        <source>Angle error</source>
+        <translation>Winkelfehler</translation>
+    </message>
+    <message>
+        <source>Sum over the shape of σ₁/σ₂ + σ₂/σ₁ − 2: zero if all angles are kept.</source>
+        <translation>Summe über die Form von σ₁/σ₂ + σ₂/σ₁ − 2: null, wenn alle Winkel gehalten sind.</translation>
+    </message>
+    <message>
+        <source>Area error</source>
+        <translation>Flächenfehler</translation>
+    </message>
+    <message>
+        <source>Sum over the shape of σ₁σ₂ + 1/(σ₁σ₂) − 2: zero if all areas are kept.</source>
+        <translation>Summe über die Form von σ₁σ₂ + 1/(σ₁σ₂) − 2: null, wenn alle Flächen gehalten sind.</translation>
+    </message>
+    <message>
+        <source>Length error</source>
+        <translation>Längenfehler</translation>
+    </message>
+    <message>
+        <source>How far lengths are from those at rest: zero for a rigid motion.</source>
+        <translation>Wie weit die Längen von denen in Ruhe abweichen: null bei starrer Bewegung.</translation>
+    </message>
+    <message>
+        <source>Worst place</source>
+        <translation>Schlimmste Stelle</translation>
+    </message>
+    <message>
+        <source>Area of the most distorted triangle against rest.</source>
+        <translation>Fläche des am stärksten verzerrten Dreiecks gegenüber der Ruhe.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::EnergySlider</name>
+    <message>
+        <source>Energy</source>
+        <translation>Energie</translation>
+    </message>
+    <message>
+        <source>What the shape keeps when it has to give way. From Area over Length and Rigid to Angle the error moves from angles to areas. Between two names the energy changes evenly.</source>
+        <translation>Was die Form hält, wenn sie nachgeben muss. Von Fläche über Länge und Starr zu Winkel wandert der Fehler von den Winkeln zu den Flächen. Zwischen zwei Namen ändert sich die Energie gleichmäßig.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::Exporter</name>
+    <message>
+        <source>The shape is still being computed. Try again in a moment.</source>
+        <translation>Die Form wird noch berechnet. Gleich noch einmal versuchen.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>Nothing was written. %1</source>
+        <translation>Nichts wurde geschrieben. %1</translation>
+    </message>
+    <message>
+        <source>Export Picture</source>
+        <translation>Bild exportieren</translation>
+    </message>
+    <message>
+        <source>Writing the picture …</source>
+        <translation>Das Bild wird geschrieben …</translation>
+    </message>
+    <message>
+        <source>Export Mesh</source>
+        <translation>Netz exportieren</translation>
+    </message>
+    <message>
+        <source>Writing the mesh …</source>
+        <translation>Das Netz wird geschrieben …</translation>
+    </message>
+    <message>
+        <source>Export Frames</source>
+        <translation>Bildfolge exportieren</translation>
+    </message>
+    <message numerus="yes">
+        <source>Writing %n pictures …</source>
+        <translation>
+            <numerusform>%n Bild wird geschrieben …</numerusform>
+            <numerusform>%n Bilder werden geschrieben …</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Export ST Map</source>
+        <translation>ST-Karte exportieren</translation>
+    </message>
+    <message>
+        <source>Writing the map …</source>
+        <translation>Die Karte wird geschrieben …</translation>
+    </message>
+</context>
+<context>
+    <name>wend::FileWorkflow</name>
+    <message>
+        <source>All that Wend opens (%1)</source>
+        <translation>Alles, was Wend öffnet (%1)</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>Bilder (%1)</translation>
+    </message>
+    <message>
+        <source>Projects (*.wend)</source>
+        <translation>Projekte (*.wend)</translation>
+    </message>
+    <message>
+        <source>Meshes (%1)</source>
+        <translation>Netze (%1)</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>This file cannot be opened. %1</source>
+        <translation>Diese Datei lässt sich nicht öffnen. %1</translation>
+    </message>
+    <message>
+        <source>Save Project</source>
+        <translation>Projekt speichern</translation>
+    </message>
+    <message>
+        <source>The project was not saved. %1</source>
+        <translation>Das Projekt wurde nicht gespeichert. %1</translation>
+    </message>
+    <message>
+        <source>Wend</source>
+        <translation>Wend</translation>
+    </message>
+    <message>
+        <source>Save the changes to “%1”?</source>
+        <translation>Änderungen an „%1“ speichern?</translation>
+    </message>
+    <message>
+        <source>If you do not save, they are lost.</source>
+        <translation>Ohne Speichern gehen sie verloren.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::InfoBanner</name>
+    <message>
+        <source>Close this message</source>
+        <translation>Diese Meldung schließen</translation>
+    </message>
+</context>
+<context>
+    <name>wend::Legend</name>
+    <message>
+        <source>Legend</source>
+        <translation>Legende</translation>
+    </message>
+    <message>
+        <source>%1: from %2 to %3</source>
+        <translation>%1: von %2 bis %3</translation>
+    </message>
+</context>
+<context>
+    <name>wend::MainWindow</name>
+    <message>
+        <source>Main</source>
+        <translation>Haupt</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Opening %1 …</source>
+        <translation>%1 wird geöffnet …</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>An&amp;halten</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>&amp;Abspielen</translation>
+    </message>
+    <message>
+        <source>%1[*] – Wend</source>
+        <translation>%1[*] – Wend</translation>
+    </message>
+    <message>
+        <source>Keys and Mouse</source>
+        <translation>Tasten und Maus</translation>
+    </message>
+    <message>
+        <source>&lt;table cellspacing=&apos;6&apos;&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Click&lt;/b&gt;&lt;/td&gt;&lt;td&gt;sets a pin&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Drag a pin&lt;/b&gt;&lt;/td&gt;&lt;td&gt;moves it; Esc puts it back&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Shift-click&lt;/b&gt;&lt;/td&gt;&lt;td&gt;selects several pins&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Drag beside pins&lt;/b&gt;&lt;/td&gt;&lt;td&gt;selects by rectangle&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Arrow keys&lt;/b&gt;&lt;/td&gt;&lt;td&gt;nudge by a pixel, with Shift by ten&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Delete&lt;/b&gt;&lt;/td&gt;&lt;td&gt;removes the selected pins&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Wheel&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zooms to the pointer&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Space or middle button&lt;/b&gt;&lt;/td&gt;&lt;td&gt;pans&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Hold H&lt;/b&gt;&lt;/td&gt;&lt;td&gt;shows the bare picture&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</source>
+        <translation>&lt;table cellspacing=&apos;6&apos;&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Klick&lt;/b&gt;&lt;/td&gt;&lt;td&gt;setzt einen Pin&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Pin ziehen&lt;/b&gt;&lt;/td&gt;&lt;td&gt;bewegt ihn; Esc setzt ihn zurück&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Umschalt-Klick&lt;/b&gt;&lt;/td&gt;&lt;td&gt;wählt mehrere Pins&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Neben Pins ziehen&lt;/b&gt;&lt;/td&gt;&lt;td&gt;wählt mit einem Rechteck&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Pfeiltasten&lt;/b&gt;&lt;/td&gt;&lt;td&gt;rücken um ein Pixel, mit Umschalt um zehn&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Entf&lt;/b&gt;&lt;/td&gt;&lt;td&gt;entfernt die ausgewählten Pins&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Rad&lt;/b&gt;&lt;/td&gt;&lt;td&gt;vergrößert am Zeiger&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Leertaste oder mittlere Taste&lt;/b&gt;&lt;/td&gt;&lt;td&gt;verschiebt&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;H halten&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zeigt das bloße Bild&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</translation>
+    </message>
+    <message>
+        <source>About Wend</source>
+        <translation>Über Wend</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Wend %1&lt;/h3&gt;&lt;p&gt;Bends pictures and solids by letting them flow.&lt;/p&gt;&lt;p&gt;After J. Martinez Esturo, C. Rössl, H. Theisel: Generalized Metric Energies for Continuous Shape Deformation, 2013.&lt;/p&gt;&lt;p&gt;Free software under the GNU Affero General Public License, version 3 or later.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Wend %1&lt;/h3&gt;&lt;p&gt;Biegt Bilder und Körper, indem es sie fließen lässt.&lt;/p&gt;&lt;p&gt;Nach J. Martinez Esturo, C. Rössl, H. Theisel: Generalized Metric Energies for Continuous Shape Deformation, 2013.&lt;/p&gt;&lt;p&gt;Freie Software unter der GNU Affero General Public License, Version 3 oder neuer.&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>wend::MaterialPanel</name>
+    <message>
+        <source>Keep</source>
+        <translation>Halten</translation>
+    </message>
+    <message>
+        <source>&amp;Energy φ</source>
+        <translation>&amp;Energie φ</translation>
+    </message>
+    <message>
+        <source>S&amp;moothing</source>
+        <translation>&amp;Glättung</translation>
+    </message>
+    <message>
+        <source> rad</source>
+        <translation> rad</translation>
+    </message>
+    <message>
+        <source>Energy φ</source>
+        <translation>Energie φ</translation>
+    </message>
+    <message>
+        <source>The same choice as a number, as it stands in the project file: 0.002 keeps area, 0.464 length, 1.571 is rigid, 2.678 keeps angles.</source>
+        <translation>Dieselbe Wahl als Zahl, wie sie in der Projektdatei steht: 0,002 hält Flächen, 0,464 Längen, 1,571 ist starr, 2,678 hält Winkel.</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Smoothing length</source>
+        <translation>Glättungslänge</translation>
+    </message>
+    <message>
+        <source>How far a pin&apos;s pull is spread, as a part of the shape&apos;s diagonal. Small: close to the pin, sharp. Large: soft and wide.</source>
+        <translation>Wie weit der Zug eines Pins verteilt wird, als Teil der Diagonale der Form. Klein: nah am Pin, scharf. Groß: weich und weit.</translation>
+    </message>
+    <message>
+        <source>This project smooths as in the paper, with λ; its file says how much.</source>
+        <translation>Dieses Projekt glättet wie im Aufsatz mit λ; seine Datei sagt, wie viel.</translation>
+    </message>
+    <message>
+        <source>Between %1 and %2.</source>
+        <translation>Zwischen %1 und %2.</translation>
+    </message>
+    <message>
+        <source>Change energy</source>
+        <translation>Energie ändern</translation>
+    </message>
+    <message>
+        <source>Change smoothing</source>
+        <translation>Glättung ändern</translation>
+    </message>
+</context>
+<context>
+    <name>wend::MeshPanel</name>
+    <message>
+        <source>Opaque part</source>
+        <translation>Deckender Teil</translation>
+    </message>
+    <message>
+        <source>Whole picture</source>
+        <translation>Ganzes Bild</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>Umriss</translation>
+    </message>
+    <message>
+        <source>What bends: only what is opaque in the picture, or the picture as a whole.</source>
+        <translation>Was sich biegt: nur, was im Bild deckt, oder das Bild als Ganzes.</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Threshold</source>
+        <translation>Schwelle</translation>
+    </message>
+    <message>
+        <source>Pixels that are more opaque than this belong to the shape.</source>
+        <translation>Pixel, die stärker decken, gehören zur Form.</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>Rand</translation>
+    </message>
+    <message>
+        <source>The outline is grown by this much, so that soft edges come along whole.</source>
+        <translation>Um so viel wird der Umriss erweitert, damit weiche Kanten ganz mitkommen.</translation>
+    </message>
+    <message>
+        <source>Vertices</source>
+        <translation>Ecken</translation>
+    </message>
+    <message>
+        <source>How fine the mesh is. More vertices bend more smoothly and take longer.</source>
+        <translation>Wie fein das Netz ist. Mehr Ecken biegen sich glatter und brauchen länger.</translation>
+    </message>
+    <message>
+        <source>Mesh density</source>
+        <translation>Netzdichte</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>Netz</translation>
+    </message>
+    <message>
+        <source>&amp;Outline</source>
+        <translation>&amp;Umriss</translation>
+    </message>
+    <message>
+        <source>&amp;Threshold</source>
+        <translation>&amp;Schwelle</translation>
+    </message>
+    <message>
+        <source>Ma&amp;rgin</source>
+        <translation>&amp;Rand</translation>
+    </message>
+    <message>
+        <source>&amp;Vertices</source>
+        <translation>E&amp;cken</translation>
+    </message>
+    <message>
+        <source>Change outline</source>
+        <translation>Umriss ändern</translation>
+    </message>
+    <message>
+        <source>Change threshold</source>
+        <translation>Schwelle ändern</translation>
+    </message>
+    <message>
+        <source>Change margin</source>
+        <translation>Rand ändern</translation>
+    </message>
+    <message>
+        <source>Change mesh density</source>
+        <translation>Netzdichte ändern</translation>
+    </message>
+    <message>
+        <source>The mesh comes from a file and is used as it is.</source>
+        <translation>Das Netz kommt aus einer Datei und wird verwendet, wie es ist.</translation>
+    </message>
+    <message>
+        <source>This picture has no transparency.</source>
+        <translation>Dieses Bild hat keine Transparenz.</translation>
+    </message>
+    <message>
+        <source>Drawn polygons</source>
+        <translation>Gezeichnete Polygone</translation>
+    </message>
+    <message>
+        <source>%1 vertices, %2 triangles</source>
+        <translation>%1 Ecken, %2 Dreiecke</translation>
+    </message>
+</context>
+<context>
+    <name>wend::SampleCard</name>
+    <message>
+        <source>Sample: %1</source>
+        <translation>Beispiel: %1</translation>
+    </message>
+    <message>
+        <source>Open the sample “%1”</source>
+        <translation>Das Beispiel „%1“ öffnen</translation>
+    </message>
+</context>
+<context>
+    <name>wend::ShapeSession</name>
+    <message>
+        <source>%1 cannot go further: the shape would fold over. %2</source>
+        <translation>%1 kann nicht weiter: Die Form würde sich überfalten. %2</translation>
+    </message>
+    <message>
+        <source>The motion stops at %1: %2</source>
+        <translation>Die Bewegung endet bei %1: %2</translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <translation>%1 setzen</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>%1 entfernen</translation>
+    </message>
+    <message>
+        <source>Move %1</source>
+        <translation>%1 bewegen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pins</source>
+        <translation>
+            <numerusform>%n Pin</numerusform>
+            <numerusform>%n Pins</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>wend::StartPage</name>
+    <message>
+        <source>Pin a picture, pull it into shape, and let it flow.</source>
+        <translation>Ein Bild anpinnen, in Form ziehen und fließen lassen.</translation>
+    </message>
+    <message>
+        <source>Drop a picture here</source>
+        <translation>Ein Bild hier ablegen</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Öffnen …</translation>
+    </message>
+    <message>
+        <source>Choose a picture, a flat mesh or a project.</source>
+        <translation>Ein Bild, ein ebenes Netz oder ein Projekt auswählen.</translation>
+    </message>
+    <message>
+        <source>PNG, TIFF, EXR, JPEG, WebP — cut-outs with transparency work best. Projects and flat meshes too.</source>
+        <translation>PNG, TIFF, EXR, JPEG, WebP – am besten freigestellt mit Transparenz. Auch Projekte und ebene Netze.</translation>
+    </message>
+    <message>
+        <source>Try a sample</source>
+        <translation>Ein Beispiel ausprobieren</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>%1 öffnen</translation>
+    </message>
+</context>
+<context>
+    <name>wend::StatusFields</name>
+    <message>
+        <source>Position</source>
+        <translation>Ort</translation>
+    </message>
+    <message>
+        <source>Where the pointer is, in the picture&apos;s pixels</source>
+        <translation>Wo der Zeiger ist, in Pixeln des Bildes</translation>
+    </message>
+    <message>
+        <source>Pin error</source>
+        <translation>Pinfehler</translation>
+    </message>
+    <message>
+        <source>How far the worst pin is from where it should be</source>
+        <translation>Wie weit der schlechteste Pin von seinem Ort entfernt ist</translation>
+    </message>
+    <message>
+        <source>pin error %1 px</source>
+        <translation>Pinfehler %1 px</translation>
+    </message>
+    <message>
+        <source>Worst distortion</source>
+        <translation>Größte Verzerrung</translation>
+    </message>
+    <message>
+        <source>The greatest length error of a triangle; 0 is none</source>
+        <translation>Der größte Längenfehler eines Dreiecks; 0 ist keiner</translation>
+    </message>
+    <message>
+        <source>worst %1</source>
+        <translation>größte %1</translation>
+    </message>
+    <message>
+        <source>Area change</source>
+        <translation>Flächenänderung</translation>
+    </message>
+    <message>
+        <source>How much larger or smaller the shape is than at rest</source>
+        <translation>Wie viel größer oder kleiner die Form ist als in Ruhe</translation>
+    </message>
+    <message>
+        <source>area %1 %</source>
+        <translation>Fläche %1 %</translation>
+    </message>
+    <message>
+        <source>Time per frame</source>
+        <translation>Zeit je Bild</translation>
+    </message>
+    <message>
+        <source>What computing the last frame took</source>
+        <translation>Was die Berechnung des letzten Bildes gedauert hat</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>pin error %1</source>
+        <translation>Pinfehler %1</translation>
+    </message>
+</context>
+<context>
+    <name>wend::TimeStrip</name>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Which moment of the motion is shown.</source>
+        <translation>Welcher Augenblick der Bewegung gezeigt wird.</translation>
+    </message>
+    <message>
+        <source>Nothing moves yet: drag a pin.</source>
+        <translation>Noch bewegt sich nichts: einen Pin ziehen.</translation>
+    </message>
+    <message>
+        <source>%1 / %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>No motion yet</source>
+        <translation>Noch keine Bewegung</translation>
+    </message>
+</context>
+<context>
+    <name>wend::VolumeView</name>
+    <message>
+        <source>View of the solid</source>
+        <translation>Ansicht des Körpers</translation>
+    </message>
+    <message>
+        <source>The solid cannot be drawn: %1</source>
+        <translation>Der Körper lässt sich nicht zeichnen: %1</translation>
+    </message>
+</context>
+</TS>
