@@ -6,6 +6,7 @@
 #include <numeric>
 #include <thread>
 
+#include "core/assembly/isotropic_back_end.h"
 #include "core/assembly/worker_pool.h"
 #include "core/energy/cell_energy.h"
 #include "core/energy/smoothness.h"
@@ -269,6 +270,15 @@ template <int Dim>
 std::unique_ptr<BackEnd<Dim>> makeCpuBackEnd(std::shared_ptr<const AssemblyPlan<Dim>> plan,
                                              const SimplicialMesh<Dim>& rest, const Material<Dim>& material,
                                              int threads) {
+    if (material.anisotropy.empty())
+        return makeIsotropicBackEnd<Dim>(std::move(plan), rest, material, threads);
+    return makeGeneralBackEnd<Dim>(std::move(plan), rest, material, threads);
+}
+
+template <int Dim>
+std::unique_ptr<BackEnd<Dim>> makeGeneralBackEnd(std::shared_ptr<const AssemblyPlan<Dim>> plan,
+                                                 const SimplicialMesh<Dim>& rest,
+                                                 const Material<Dim>& material, int threads) {
     return std::make_unique<CpuBackEnd<Dim>>(std::move(plan), rest, material, threads);
 }
 
@@ -276,5 +286,9 @@ template std::unique_ptr<BackEnd<2>> makeCpuBackEnd<2>(std::shared_ptr<const Ass
                                                        const SimplicialMesh<2>&, const Material<2>&, int);
 template std::unique_ptr<BackEnd<3>> makeCpuBackEnd<3>(std::shared_ptr<const AssemblyPlan<3>>,
                                                        const SimplicialMesh<3>&, const Material<3>&, int);
+template std::unique_ptr<BackEnd<2>> makeGeneralBackEnd<2>(std::shared_ptr<const AssemblyPlan<2>>,
+                                                           const SimplicialMesh<2>&, const Material<2>&, int);
+template std::unique_ptr<BackEnd<3>> makeGeneralBackEnd<3>(std::shared_ptr<const AssemblyPlan<3>>,
+                                                           const SimplicialMesh<3>&, const Material<3>&, int);
 
 }  // namespace wend

@@ -4,11 +4,17 @@
 
 namespace wend {
 
-/// The reference back end: plain C++ on the processor's cores.
+/// The processor's cores: the isotropic back end where the material is, else the general one.
 template <int Dim>
 std::unique_ptr<BackEnd<Dim>> makeCpuBackEnd(std::shared_ptr<const AssemblyPlan<Dim>> plan,
                                              const SimplicialMesh<Dim>& rest, const Material<Dim>& material,
                                              int threads);
+
+/// The reference: plain C++ that reads like the formulas, for any material.
+template <int Dim>
+std::unique_ptr<BackEnd<Dim>> makeGeneralBackEnd(std::shared_ptr<const AssemblyPlan<Dim>> plan,
+                                                 const SimplicialMesh<Dim>& rest,
+                                                 const Material<Dim>& material, int threads);
 
 /// The threads that pay for a mesh: `wanted` (0: all cores), but one below about 10 000 unknowns.
 int usefulThreads(int wanted, int unknowns);

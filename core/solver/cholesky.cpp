@@ -155,6 +155,15 @@ double Cholesky::factorEntries() const {
     return m_handles->common.lnz;
 }
 
+Supernodes Cholesky::supernodes() const {
+    const cholmod_factor& f = *m_handles->factor;
+    const auto ints = [](const void* data, std::size_t count) {
+        const auto* first = static_cast<const int*>(data);
+        return std::vector<int>(first, first + count);
+    };
+    return {ints(f.Perm, f.n), ints(f.super, f.nsuper + 1), ints(f.pi, f.nsuper + 1), ints(f.s, f.ssize)};
+}
+
 std::span<double> Cholesky::values() {
     return {static_cast<double*>(m_handles->matrix->x), m_handles->matrix->nzmax};
 }

@@ -4,6 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "core/solver/supernodes.h"
+
 namespace wend {
 
 enum class Ordering { MinimumDegree, NestedDissection };
@@ -31,6 +33,8 @@ class Cholesky {
     /// Counted by the analysis: floating-point operations of a factorization and entries of the factor.
     double factorFlops() const;
     double factorEntries() const;
+    /// The factor's structure.
+    Supernodes supernodes() const;
     /// x = K⁻¹ b; b and x may be the same.
     Status solve(std::span<const double> b, std::span<double> x);
 

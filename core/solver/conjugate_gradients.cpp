@@ -31,8 +31,8 @@ double iterationsTo(double goal, double size, double contraction) {
 template <int Dim>
 typename ConjugateGradients<Dim>::Result ConjugateGradients<Dim>::run(BackEnd<Dim>& backEnd,
                                                                       const ReducedSystem<Dim>& system,
-                                                                      Cholesky& factor, const Goal& goal,
-                                                                      Points<Dim>& v) {
+                                                                      const Preconditioner& precondition,
+                                                                      const Goal& goal, Points<Dim>& v) {
     Result result;
     backEnd.apply(v, m_Alifted);
     system.restrict(m_Alifted, m_r);
@@ -40,7 +40,7 @@ typename ConjugateGradients<Dim>::Result ConjugateGradients<Dim>::run(BackEnd<Di
     m_z.resizeLike(m_r);
     double before = 0, rzBefore = 0;
     while (result.iterations < kMost) {
-        if (factor.solve(flat<Dim>(m_r), flat<Dim>(m_z)) != Cholesky::Status::Done) break;
+        if (!precondition(flat<Dim>(m_r), flat<Dim>(m_z))) break;
         ++result.iterations;
         const double size = m_z.cwiseAbs().maxCoeff(), rz = dot<Dim>(m_r, m_z);
         if (size == 0) {

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <functional>
+#include <span>
 
 #include "core/assembly/back_end.h"
-#include "core/solver/cholesky.h"
 #include "core/solver/reduced_system.h"
 
 namespace wend {
@@ -14,6 +14,8 @@ namespace wend {
 template <int Dim>
 class ConjugateGradients {
   public:
+    /// z ≈ K⁻¹ r, symmetric and positive definite; false if that is not finite.
+    using Preconditioner = std::function<bool(std::span<const double> r, std::span<double> z)>;
     struct Goal {
         double tolerance = 0;    // error allowed, relative to the greatest nodal velocity
         double contraction = 1;  // by how much the first step is expected to reduce the error
@@ -29,8 +31,8 @@ class ConjugateGradients {
     /// v += Z y, from a v that meets the constraints. The error after a step is estimated as |z|·ρ: z the
     /// preconditioned residual before it, ρ the last contraction of |z|, both in the maximum norm: the step
     /// that would bring it under the tolerance is the last.
-    Result run(BackEnd<Dim>& backEnd, const ReducedSystem<Dim>& system, Cholesky& factor, const Goal& goal,
-               Points<Dim>& v);
+    Result run(BackEnd<Dim>& backEnd, const ReducedSystem<Dim>& system, const Preconditioner& precondition,
+               const Goal& goal, Points<Dim>& v);
 
   private:
     Points<Dim> m_r, m_z, m_p, m_q;   // per unknown vertex

@@ -9,6 +9,7 @@
 #include "core/solver/cholesky.h"
 #include "core/solver/components.h"
 #include "core/solver/conjugate_gradients.h"
+#include "core/solver/float_factor.h"
 #include "core/solver/projection.h"
 #include "core/solver/reduced_system.h"
 #include "core/solver/refactor_policy.h"
@@ -25,8 +26,8 @@ constexpr double kResidual = 1e-10;
 constexpr int kRefinements = 3;
 // Below this iterations with a stale factor save nothing.
 constexpr double kLeastTolerance = 1e-8;
-// A factor in double of this very shape leaves nothing to a second iteration.
-constexpr double kFreshContraction = 1e-6;
+// Of a first iteration with a factor of this very shape, in single and in double precision.
+constexpr double kFreshContraction = 1e-2, kFreshContractionDouble = 1e-6;
 // Above this ratio w_r / w_q (EQUIA is 512) a factor does not last: hundreds of iterations.
 constexpr double kStiffestReuse = 20;
 // Minimum degree is quicker below and makes no more fill.
@@ -95,6 +96,9 @@ struct VelocitySolver<Dim>::Engine {
     Projection<Dim> projection;
     ReducedSystem<Dim> system;
     Cholesky cholesky;
+    std::optional<FloatFactor> floatFactor;  // made at the first use
+    bool inFloat = false;                    // which of the two factored last
+    bool floatFails = false;                 // too ill-conditioned for single precision
 
     std::vector<double> blocks;  // of A
     SolverStatistics statistics;
@@ -116,6 +120,9 @@ struct VelocitySolver<Dim>::Engine {
                        const std::optional<Points<Dim>>& guess);
     bool reuses() const { return reusable && tolerance >= kLeastTolerance; }
     SolveOutcome factorize(const Points<Dim>& shape);
+    bool factorizeInFloat();
+    void noteFactor(const Points<Dim>& shape);
+    bool precondition(std::span<const double> r, std::span<double> z);
     bool iterate(const Points<Dim>& shape, Points<Dim>& v);
     SolveOutcome solveReduced(Points<Dim>& v);
 };
@@ -154,7 +161,8 @@ void VelocitySolver<Dim>::Engine::setConstraints(std::vector<ConstraintRow> newR
         cholesky.analyze(system.columnStart(), system.row(), Dim,
                          small ? Ordering::MinimumDegree : Ordering::NestedDissection);
     countCosts();
-    factored = false;
+    floatFactor.reset();
+    factored = floatFails = false;
     analyzed = true;
     ++statistics.analyses;
 }
@@ -171,6 +179,26 @@ void VelocitySolver<Dim>::Engine::countCosts() {
 }
 
 template <int Dim>
+bool VelocitySolver<Dim>::Engine::factorizeInFloat() {
+    if (!floatFactor) floatFactor.emplace(cholesky.supernodes(), system.columnStart(), system.row());
+    floatFails = !floatFactor->factorize(cholesky.values());
+    return !floatFails;
+}
+
+template <int Dim>
+void VelocitySolver<Dim>::Engine::noteFactor(const Points<Dim>& shape) {
+    factored = true;
+    factorShape = shape;
+    contraction = 1;
+    policy.factorized();
+}
+
+template <int Dim>
+bool VelocitySolver<Dim>::Engine::precondition(std::span<const double> r, std::span<double> z) {
+    return inFloat ? floatFactor->solve(r, z) : cholesky.solve(r, z) == Cholesky::Status::Done;
+}
+
+template <int Dim>
 SolveOutcome VelocitySolver<Dim>::Engine::factorize(const Points<Dim>& shape) {
     factored = false;
     {
@@ -180,12 +208,14 @@ SolveOutcome VelocitySolver<Dim>::Engine::factorize(const Points<Dim>& shape) {
     }
     const Stopwatch watch(statistics.factor);
     ++statistics.factorizations;
+    inFloat = reuses() && !floatFails && factorizeInFloat();
+    if (inFloat) {
+        noteFactor(shape);
+        return {};
+    }
     switch (cholesky.factorize()) {
         case Cholesky::Status::Done:
-            factored = true;
-            factorShape = shape;
-            contraction = 1;
-            policy.factorized();
+            noteFactor(shape);
             return {};
         case Cholesky::Status::NotFinite:
             return {SolveOutcome::Kind::NotFinite, -1};
@@ -225,11 +255,13 @@ bool VelocitySolver<Dim>::Engine::iterate(const Points<Dim>& shape, Points<Dim>&
     const double lag = (shape - factorShape).cwiseAbs().maxCoeff();
     typename ConjugateGradients<Dim>::Goal goal;
     goal.tolerance = tolerance;
-    goal.contraction = lag == 0          ? kFreshContraction
+    goal.contraction = lag == 0          ? (inFloat ? kFreshContraction : kFreshContractionDouble)
                        : contraction < 1 ? std::min(1.0, contraction * lag / contractionLag)
                                          : 1.0;
     goal.hopeless = [&](double iterations) { return lag > 0 && policy.hopeless(iterations); };
-    const auto result = iteration.run(*backEnd, system, cholesky, goal, v);
+    const auto result = iteration.run(
+        *backEnd, system, [&](std::span<const double> r, std::span<double> z) { return precondition(r, z); },
+        goal, v);
     statistics.iterations += result.iterations;
     policy.evaluated(result.iterations);
     if (result.iterations > 1 && lag > 0) {

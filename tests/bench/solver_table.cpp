@@ -11,6 +11,7 @@
 
 #include "core/assembly/cpu_back_end.h"
 #include "core/solver/cholesky.h"
+#include "core/solver/float_factor.h"
 #include "core/solver/reduced_system.h"
 #include "core/solver/velocity_history.h"
 #include "core/solver/velocity_solver.h"
@@ -182,6 +183,18 @@ void parts(const Scene<Dim>& scene, double phi, Smoothing smoothing) {
     const double factor = median(5, [&] { cholesky.factorize(); });
     std::vector<double> b(system.columnStart().size() - 1, 1.0), x(b.size());
     const double solve = median(9, [&] { cholesky.solve(b, x); });
+    FloatFactor single(cholesky.supernodes(), system.columnStart(), system.row());
+    std::vector<double> y(b.size());
+    const double singleFactor = median(9, [&] { single.factorize(cholesky.values()); });
+    const double singleSolve = median(9, [&] { single.solve(b, y); });
+    double greatest = 0, difference = 0;
+    for (std::size_t i = 0; i < b.size(); ++i) {
+        greatest = std::max(greatest, std::abs(x[i]));
+        difference = std::max(difference, std::abs(x[i] - y[i]));
+    }
+    std::printf("  single precision: factor %.2f (%.0f Gflop/s)  solve %.3f ms, error %.1e\n",
+                1e3 * singleFactor, 1e-9 * cholesky.factorFlops() / singleFactor, 1e3 * singleSolve,
+                difference / greatest);
     std::printf("  gather %.3f  factor %.2f  solve %.3f ms\n", 1e3 * gather, 1e3 * factor, 1e3 * solve);
 }
 

@@ -1,0 +1,313 @@
+#include "core/assembly/isotropic_back_end.h"
+
+#include <limits>
+#include <numeric>
+
+#include "core/assembly/block_kernels.h"
+#include "core/assembly/cpu_back_end.h"
+#include "core/assembly/isotropic_kernels.h"
+#include "core/assembly/worker_pool.h"
+#include "core/energy/cell_energy.h"
+
+namespace wend {
+namespace {
+
+constexpr int kGrain = 1024;  // as in the general back end
+
+template <int Dim>
+class IsotropicBackEnd final : public BackEnd<Dim> {
+    static constexpr int kCorners = Dim + 1;
+    static constexpr int kForces = Dim * kCorners;
+    static constexpr int kTensor = Dim * (Dim + 1) / 2;
+    using Plan = AssemblyPlan<Dim>;
+
+  public:
+    IsotropicBackEnd(std::shared_ptr<const Plan> plan, const SimplicialMesh<Dim>& rest,
+                     const Material<Dim>& material, int threads);
+
+    std::string name() const override { return "cpu"; }
+    std::string device() const override {
+        return m_pool.threads() == 1 ? "1 thread" : std::to_string(m_pool.threads()) + " threads";
+    }
+    void setInertia(std::vector<double> epsilon) override { m_inertia = std::move(epsilon); }
+    int setShape(const Points<Dim>& shape) override;
+    void assemble(std::span<double> values) override;
+    void apply(const Points<Dim>& v, Points<Dim>& Av) override;
+    double energy(const Points<Dim>& v) override;
+
+  private:
+    void prepareCells(const SimplicialMesh<Dim>& rest, const Material<Dim>& material);
+    void prepareFacets();
+    void listContributions();
+    void connect();
+    void spreadWeights(int begin, int end);
+    void cellTerms(int begin, int end);
+    void facetTerms(int begin, int end);
+    void addInertia(std::span<double> values);
+    void addMassTimes(const Points<Dim>& v, int p, Points<Dim>& Av) const;
+    /// ε V / ((d + 1)(d + 2)): the consistent mass of two different corners.
+    double mass(int c) const { return m_inertia[c] * m_measure[c] / (kCorners * (kCorners + 1)); }
+    double gradient(int corner, int axis) const;
+
+    std::shared_ptr<const Plan> m_plan;
+    Smoothing m_smoothing;
+    WorkerPool m_pool;
+    int m_cellCount, m_facetCount;
+    // Structures of arrays, see isotropic_kernels.h.
+    std::vector<int> m_vertices, m_facets, m_neighbours, m_facetVertices, m_facetCells;
+    std::vector<double> m_q, m_r, m_orientation, m_measure, m_gradients, m_centroids, m_weights, m_stress,
+        m_facetWeight;
+    isotropic::Cells<Dim> m_cells;
+    isotropic::Facets<Dim> m_facetArrays;
+
+    std::vector<double> m_force, m_inertia;
+    // For the assembly: the contributions of every block in one list; coefficients of the cells, then of the
+    // facets.
+    std::vector<int> m_start;
+    std::vector<isotropic::Contribution> m_contributions;
+    std::vector<double> m_cornerGradients, m_coefficients;
+};
+
+template <int Dim>
+IsotropicBackEnd<Dim>::IsotropicBackEnd(std::shared_ptr<const Plan> plan, const SimplicialMesh<Dim>& rest,
+                                        const Material<Dim>& material, int threads)
+    : m_plan(std::move(plan)),
+      m_smoothing(material.smoothing),
+      m_pool(usefulThreads(threads, Dim * rest.vertexCount())),
+      m_cellCount(m_plan->cellCount()),
+      m_facetCount(static_cast<int>(m_plan->facets.size())) {
+    prepareCells(rest, material);
+    prepareFacets();
+    connect();
+}
+
+template <int Dim>
+void IsotropicBackEnd<Dim>::prepareCells(const SimplicialMesh<Dim>& rest, const Material<Dim>& material) {
+    const auto n = static_cast<std::size_t>(m_cellCount);
+    m_vertices.resize(n * kCorners);
+    m_facets.resize(n * kCorners);
+    m_neighbours.resize(n * kCorners);
+    for (int c = 0; c < m_cellCount; ++c) {
+        const auto weights = EnergyWeights::of(material.phi[c]);
+        m_q.push_back(weights.q);
+        m_r.push_back(weights.r);
+        m_orientation.push_back(cellMeasure<Dim>(rest.points, rest.cells[c]) < 0 ? -1.0 : 1.0);
+        for (int k = 0; k < kCorners; ++k) {
+            const int facet = m_plan->facetOfCorner[c][k];
+            m_vertices[k * n + c] = m_plan->cells[c][k];
+            m_facets[k * n + c] = facet;
+            m_neighbours[k * n + c] = facet >= 0 ? m_plan->across(facet, c) : c;
+        }
+    }
+    m_measure.resize(n);
+    m_gradients.resize(n * Dim * Dim);
+    m_centroids.resize(n * Dim);
+    m_weights.assign(n * kCorners, 0.0);
+    m_stress.resize(n * kTensor);
+    m_force.resize(n * kForces);
+}
+
+template <int Dim>
+void IsotropicBackEnd<Dim>::prepareFacets() {
+    const auto n = static_cast<std::size_t>(m_facetCount);
+    m_facetVertices.resize(n * Dim);
+    m_facetCells.resize(n * 2);
+    m_facetWeight.assign(n, 0.0);
+    for (int f = 0; f < m_facetCount; ++f) {
+        for (int k = 0; k < Dim; ++k) m_facetVertices[k * n + f] = m_plan->facets[f].vertices[k];
+        for (int k : {0, 1}) m_facetCells[k * n + f] = m_plan->facets[f].cells[k];
+    }
+}
+
+template <int Dim>
+void IsotropicBackEnd<Dim>::connect() {
+    m_cells = {m_cellCount,          m_vertices.data(),  m_q.data(),          m_r.data(),
+               m_orientation.data(), m_facets.data(),    m_neighbours.data(), m_measure.data(),
+               m_gradients.data(),   m_centroids.data(), m_weights.data(),    m_stress.data()};
+    m_facetArrays = {m_facetCount, m_facetVertices.data(), m_facetCells.data(), m_facetWeight.data()};
+}
+
+template <int Dim>
+int IsotropicBackEnd<Dim>::setShape(const Points<Dim>& shape) {
+    std::vector<int> bad((m_cellCount + kGrain - 1) / kGrain);
+    m_pool.forPieces(m_cellCount, kGrain, [&](int begin, int end) {
+        const int first = isotropic::geometry<Dim>(m_cells, begin, end, shape.data());
+        bad[begin / kGrain] = first < end ? first : m_cellCount;
+    });
+    for (int first : bad)
+        if (first < m_cellCount) return first;
+    if (m_smoothing.kind == SmoothingKind::None) return -1;
+    const bool invariant = m_smoothing.kind == SmoothingKind::Invariant;
+    const double factor = invariant ? m_smoothing.length * m_smoothing.length / 16 : m_smoothing.lambda;
+    m_pool.forPieces(m_facetCount, kGrain, [&](int begin, int end) {
+        isotropic::facetWeights<Dim>(m_facetArrays, m_cells, begin, end, shape.data(), factor, invariant);
+    });
+    m_pool.forPieces(m_cellCount, kGrain, [&](int begin, int end) { spreadWeights(begin, end); });
+    return -1;
+}
+
+template <int Dim>
+void IsotropicBackEnd<Dim>::spreadWeights(int begin, int end) {
+    const auto n = static_cast<std::size_t>(m_cellCount);
+    for (int k = 0; k < kCorners; ++k)
+        for (int c = begin; c < end; ++c) {
+            const int facet = m_facets[k * n + c];
+            m_weights[k * n + c] = facet >= 0 ? m_facetWeight[facet] : 0.0;
+        }
+}
+
+template <int Dim>
+void IsotropicBackEnd<Dim>::apply(const Points<Dim>& v, Points<Dim>& Av) {
+    Av.resize(Dim, m_plan->vertexCount);
+    m_pool.forPieces(m_cellCount, kGrain,
+                     [&](int begin, int end) { isotropic::stress<Dim>(m_cells, begin, end, v.data()); });
+    m_pool.forPieces(m_cellCount, kGrain, [&](int begin, int end) {
+        isotropic::forces<Dim>(m_cells, begin, end, m_force.data());
+    });
+    m_pool.forPieces(m_plan->vertexCount, kGrain, [&](int begin, int end) {
+        for (int p = begin; p < end; ++p) {
+            Vec<Dim> total = Vec<Dim>::Zero();
+            for (int i = m_plan->cornerStart[p]; i < m_plan->cornerStart[p + 1]; ++i)
+                total += Eigen::Map<const Vec<Dim>>(m_force.data() + m_plan->corners[i] * Dim);
+            Av.col(p) = total;
+            if (!m_inertia.empty()) addMassTimes(v, p, Av);
+        }
+    });
+}
+
+template <int Dim>
+void IsotropicBackEnd<Dim>::addMassTimes(const Points<Dim>& v, int p, Points<Dim>& Av) const {
+    for (int i = m_plan->cornerStart[p]; i < m_plan->cornerStart[p + 1]; ++i) {
+        const int c = m_plan->corners[i] / kCorners;
+        Vec<Dim> sum = v.col(p);
+        for (int other : m_plan->cells[c]) sum += v.col(other);
+        Av.col(p) += mass(c) * sum;
+    }
+}
+
+template <int Dim>
+double IsotropicBackEnd<Dim>::gradient(int corner, int axis) const {
+    const auto n = static_cast<std::size_t>(m_cellCount);
+    const int c = corner / kCorners, k = corner % kCorners;
+    if (k > 0) return m_gradients[((k - 1) * Dim + axis) * n + c];
+    double sum = 0;
+    for (int other = 0; other < Dim; ++other) sum += m_gradients[(other * Dim + axis) * n + c];
+    return -sum;
+}
+
+/// The lists of the plan in one, own contributions first.
+template <int Dim>
+void IsotropicBackEnd<Dim>::listContributions() {
+    m_start.assign(1, 0);
+    m_contributions.reserve(m_plan->own.size() + m_plan->cross.size());
+    for (int b = 0; b < m_plan->blockCount(); ++b) {
+        for (int i = m_plan->ownStart[b]; i < m_plan->ownStart[b + 1]; ++i)
+            m_contributions.push_back(
+                {m_plan->own[i].left, m_plan->own[i].right, m_plan->own[i].left / kCorners});
+        for (int i = m_plan->crossStart[b]; i < m_plan->crossStart[b + 1]; ++i)
+            m_contributions.push_back(
+                {m_plan->cross[i].left, m_plan->cross[i].right, m_cellCount + m_plan->cross[i].facet});
+        m_start.push_back(static_cast<int>(m_contributions.size()));
+    }
+    m_cornerGradients.assign(static_cast<std::size_t>(m_cellCount) * kCorners * 4, 0.0);
+    m_coefficients.resize(2 * static_cast<std::size_t>(m_cellCount + m_facetCount));
+}
+
+/// Own: ½ ∂²(¼ V D + β D²) with D² X = 16 q² X + (8 q r + d r²) Tr(X) I: a = 2 (V q + 16 β q²),
+/// b = V r + 4 β (8 q r + d r²), β the sum of the weights of the cell's facets.
+template <int Dim>
+void IsotropicBackEnd<Dim>::cellTerms(int begin, int end) {
+    const auto n = static_cast<std::size_t>(m_cellCount);
+    for (int c = begin; c < end; ++c) {
+        const double q = m_q[c], r = m_r[c], V = m_measure[c];
+        double beta = 0;
+        for (int k = 0; k < kCorners; ++k) {
+            beta += m_weights[k * n + c];
+            for (int a = 0; a < Dim; ++a)
+                m_cornerGradients[4 * (static_cast<std::size_t>(c) * kCorners + k) + a] =
+                    gradient(c * kCorners + k, a);
+        }
+        m_coefficients[2 * c] = 2 * (V * q + 16 * beta * q * q);
+        m_coefficients[2 * c + 1] = V * r + 4 * beta * (8 * q * r + Dim * r * r);
+    }
+}
+
+/// Across a facet: −weight D_i D_j.
+template <int Dim>
+void IsotropicBackEnd<Dim>::facetTerms(int begin, int end) {
+    double* const pairs = m_coefficients.data() + 2 * static_cast<std::size_t>(m_cellCount);
+    for (int f = begin; f < end; ++f) {
+        const auto [i, j] = m_plan->facets[f].cells;
+        pairs[2 * f] = -32 * m_facetWeight[f] * m_q[i] * m_q[j];
+        pairs[2 * f + 1] =
+            -4 * m_facetWeight[f] * (4 * (m_q[i] * m_r[j] + m_q[j] * m_r[i]) + Dim * m_r[i] * m_r[j]);
+    }
+}
+
+template <int Dim>
+void IsotropicBackEnd<Dim>::assemble(std::span<double> values) {
+    if (m_start.empty()) listContributions();
+    m_pool.forPieces(m_cellCount, kGrain, [&](int begin, int end) { cellTerms(begin, end); });
+    m_pool.forPieces(m_facetCount, kGrain, [&](int begin, int end) { facetTerms(begin, end); });
+    const auto blocks = Dim == 2 ? isotropic::blocks2 : isotropic::blocks3;
+    m_pool.forPieces(m_plan->blockCount(), kGrain, [&](int begin, int end) {
+        blocks(m_start.data(), m_contributions.data(), m_cornerGradients.data(), m_coefficients.data(), begin,
+               end, values.data());
+    });
+    if (!m_inertia.empty()) addInertia(values);
+}
+
+template <int Dim>
+void IsotropicBackEnd<Dim>::addInertia(std::span<double> values) {
+    for (int b = 0; b < m_plan->blockCount(); ++b)
+        for (int i = m_plan->ownStart[b]; i < m_plan->ownStart[b + 1]; ++i) {
+            const auto& pair = m_plan->own[i];
+            const double m = (pair.left == pair.right ? 2 : 1) * mass(pair.left / kCorners);
+            for (int a = 0; a < Dim; ++a)
+                values[static_cast<std::size_t>(b) * Dim * Dim + a * (Dim + 1)] += m;
+        }
+}
+
+/// Σ V ½ J : P + Σ weight ‖P_j − P_i‖²; the off-diagonal entries count twice.
+template <int Dim>
+double IsotropicBackEnd<Dim>::energy(const Points<Dim>& v) {
+    isotropic::stress<Dim>(m_cells, 0, m_cellCount, v.data());
+    const auto n = static_cast<std::size_t>(m_cellCount);
+    double total = 0;
+    for (int c = 0; c < m_cellCount; ++c) {
+        Mat<Dim> J = Mat<Dim>::Zero(), P;
+        for (int k = 0; k < kCorners; ++k)
+            for (int b = 0; b < Dim; ++b)
+                J.col(b) += gradient(c * kCorners + k, b) * v.col(m_plan->cells[c][k]);
+        for (int a = 0, at = Dim; a < Dim; ++a) {
+            P(a, a) = m_stress[a * n + c];
+            for (int b = a + 1; b < Dim; ++b) P(a, b) = P(b, a) = m_stress[at++ * n + c];
+        }
+        total += m_measure[c] * 0.5 * J.cwiseProduct(P).sum();
+    }
+    for (int f = 0; f < m_facetCount; ++f) {
+        const auto [i, j] = m_plan->facets[f].cells;
+        for (int t = 0; t < kTensor; ++t) {
+            const double jump = m_stress[t * n + j] - m_stress[t * n + i];
+            total += (t < Dim ? 1 : 2) * m_facetWeight[f] * jump * jump;
+        }
+    }
+    return total;
+}
+
+}  // namespace
+
+template <int Dim>
+std::unique_ptr<BackEnd<Dim>> makeIsotropicBackEnd(std::shared_ptr<const AssemblyPlan<Dim>> plan,
+                                                   const SimplicialMesh<Dim>& rest,
+                                                   const Material<Dim>& material, int threads) {
+    return std::make_unique<IsotropicBackEnd<Dim>>(std::move(plan), rest, material, threads);
+}
+
+#define WEND_INSTANTIATE(Dim)                                         \
+    template std::unique_ptr<BackEnd<Dim>> makeIsotropicBackEnd<Dim>( \
+        std::shared_ptr<const AssemblyPlan<Dim>>, const SimplicialMesh<Dim>&, const Material<Dim>&, int);
+WEND_INSTANTIATE(2)
+WEND_INSTANTIATE(3)
+
+}  // namespace wend

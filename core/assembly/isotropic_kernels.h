@@ -1,0 +1,53 @@
+#pragma once
+
+#include "core/mesh/types.h"
+
+namespace wend::isotropic {
+
+/// The loops of the back end for B = I over cells and facets, as structures of arrays: entry i of item c lies
+/// at [i · count + c]. With q = w_q, r = w_r of a cell and tensors S = J + Jᵀ, X:
+///   P = 4 q S + r Tr(S) I,   the same map D again: D X = 4 q X + r Tr(X) I.
+/// Symmetric tensors as their diagonal, then the entries above it by rows.
+template <int Dim>
+struct Cells {
+    int count = 0;
+    const int* vertices = nullptr;  // Dim + 1
+    const double *q = nullptr, *r = nullptr;
+    const double* orientation = nullptr;  // sign of the measure at rest
+    const int* facets = nullptr;          // Dim + 1: opposite to the corner, −1: none
+    const int* neighbours = nullptr;      // Dim + 1: the cell across, the cell itself where there is none
+    double* measure = nullptr;
+    double* gradients =
+        nullptr;  // Dim × Dim: [Dim · (k − 1) + a] of corners k ≥ 1; corner 0 has minus their sum
+    double* centroids = nullptr;  // Dim
+    double* weights = nullptr;    // Dim + 1: of the facet opposite to the corner, 0 where there is none
+    double* stress = nullptr;     // Dim (Dim + 1) / 2
+};
+
+template <int Dim>
+struct Facets {
+    int count = 0;
+    const int *vertices = nullptr, *cells = nullptr;  // Dim; 2
+    double* weight = nullptr;
+};
+
+/// Gradients, measure, centroid of cells [begin, end); returns the first whose measure is not positive, or
+/// `end`.
+template <int Dim>
+int geometry(const Cells<Dim>& cells, int begin, int end, const double* points);
+
+/// weight = factor · B / h, or factor · B (method.md, Smoothness).
+template <int Dim>
+void facetWeights(const Facets<Dim>& facets, const Cells<Dim>& cells, int begin, int end,
+                  const double* points, double factor, bool overDistance);
+
+/// P of a nodal field.
+template <int Dim>
+void stress(const Cells<Dim>& cells, int begin, int end, const double* v);
+
+/// The forces of a cell on its corners, 2 L g_k with L = ¼ V P + D Σ weight (P − P_neighbour): [corner][axis]
+/// per cell.
+template <int Dim>
+void forces(const Cells<Dim>& cells, int begin, int end, double* force);
+
+}  // namespace wend::isotropic

@@ -1,0 +1,298 @@
+// The velocity solver with the factors of earlier shapes against the direct solve; the single-precision
+// factor and the vectorized back end against their references.
+#include <QTest>
+
+#include "core/assembly/cpu_back_end.h"
+#include "core/solver/cholesky.h"
+#include "core/solver/float_factor.h"
+#include "core/solver/reduced_system.h"
+#include "core/solver/refactor_policy.h"
+#include "core/solver/velocity_history.h"
+#include "core/solver/velocity_solver.h"
+#include "tests/core/test_energy_samples.h"
+
+using namespace wend;
+using namespace wend::test;
+
+class TestSolverReuse : public QObject {
+    Q_OBJECT
+  private slots:
+    void velocityIsWithinTolerance_data();
+    void velocityIsWithinTolerance();
+    void equiaAlwaysFactorizes();
+    void runsRepeat();
+    void isotropicBackEndAgrees();
+    void floatFactorSolves();
+    void floatFactorRefuses();
+    void historyExtrapolates();
+    void historyFitsPrescribed();
+    void policyRefactorizes();
+};
+
+namespace {
+
+/// A grid whose low side is fixed and whose high side turns about the middle of the low one.
+template <int Dim>
+struct Turn {
+    std::shared_ptr<const SimplicialMesh<Dim>> mesh;
+    std::vector<ConstraintRow> rows;
+    std::vector<int> vertices;
+
+    explicit Turn(int n) {
+        std::mt19937 random(11);
+        mesh = std::make_shared<const SimplicialMesh<Dim>>(unitGrid<Dim>(n, 0.1, random));
+        const double high = mesh->points.row(0).maxCoeff();
+        for (int v = 0; v < mesh->vertexCount(); ++v)
+            if (mesh->points(0, v) < 0.3 * high / n || mesh->points(0, v) > high * (1 - 0.3 / n)) {
+                rows.push_back({{{v, 1.0}}});
+                vertices.push_back(v);
+            }
+    }
+    /// At 1 radian per unit of time.
+    Points<Dim> speeds(const Points<Dim>& shape) const {
+        Points<Dim> speeds = Points<Dim>::Zero(Dim, static_cast<Eigen::Index>(vertices.size()));
+        for (std::size_t i = 0; i < vertices.size(); ++i) {
+            const int v = vertices[i];
+            if (mesh->points(0, v) < 0.3) continue;
+            speeds(0, static_cast<Eigen::Index>(i)) = -shape(1, v);
+            speeds(1, static_cast<Eigen::Index>(i)) = shape(0, v);
+        }
+        return speeds;
+    }
+};
+
+struct Drive {
+    double worst = 0;  // error against the direct solve, relative to the greatest velocity
+    SolverStatistics statistics;
+    Eigen::MatrixXd pose;
+};
+
+/// Twenty explicit midpoint steps to 1 radian; every velocity compared with the direct solve's.
+template <int Dim>
+Drive drive(double phi, double tolerance, int threads, int n) {
+    const Turn<Dim> turn(n);
+    const auto material =
+        std::make_shared<const Material<Dim>>(Material<Dim>::uniform(turn.mesh->cellCount(), phi));
+    VelocitySolver<Dim> solver(turn.mesh, material, BackEndKind::Cpu, threads);
+    VelocitySolver<Dim> direct(turn.mesh, material, BackEndKind::Cpu, threads);
+    solver.setConstraints(turn.rows);
+    direct.setConstraints(turn.rows);
+    solver.setVelocityTolerance(tolerance);
+    VelocityHistory<Dim> history;
+    Drive result;
+    Points<Dim> x = turn.mesh->points, v, exact;
+    const auto evaluate = [&](double t, const Points<Dim>& shape) {
+        const auto speeds = turn.speeds(shape);
+        const auto guess = history.at(t);
+        if (!solver.solve(shape, speeds, v, guess).done() || !direct.solve(shape, speeds, exact).done())
+            throw std::runtime_error("not solved");
+        history.record(t, speeds, v);
+        const double error = (v - exact).cwiseAbs().maxCoeff() / exact.cwiseAbs().maxCoeff();
+        result.worst = std::max(result.worst, error);
+    };
+    const double h = 0.05;
+    for (int i = 0; i < 20; ++i) {
+        evaluate(i * h, x);
+        evaluate(i * h + h / 2, x + h / 2 * v);
+        x += h * v;
+    }
+    result.statistics = solver.statistics();
+    result.pose = x;
+    return result;
+}
+
+Drive drive(int dimension, double phi, double tolerance, int threads = 1) {
+    return dimension == 2 ? drive<2>(phi, tolerance, threads, 24) : drive<3>(phi, tolerance, threads, 7);
+}
+
+}  // namespace
+
+void TestSolverReuse::velocityIsWithinTolerance_data() {
+    QTest::addColumn<int>("dimension");
+    QTest::addColumn<double>("phi");
+    QTest::addColumn<double>("tolerance");
+    for (int dimension : {2, 3})
+        for (double tolerance : {1e-3, 1e-5}) {
+            QTest::addRow("%dD METR %g", dimension, tolerance) << dimension << phi::kMetr << tolerance;
+            QTest::addRow("%dD AKVF %g", dimension, tolerance) << dimension << phi::kAkvf << tolerance;
+            QTest::addRow("%dD CONF %g", dimension, tolerance)
+                << dimension << phi::conformal(dimension) << tolerance;
+            QTest::addRow("%dD 2.2 %g", dimension, tolerance) << dimension << 2.2 << tolerance;
+        }
+}
+
+// The error is estimated from the last two corrections: it may be off by a small factor, hence 3.
+void TestSolverReuse::velocityIsWithinTolerance() {
+    QFETCH(int, dimension);
+    QFETCH(double, phi);
+    QFETCH(double, tolerance);
+    const auto run = drive(dimension, phi, tolerance);
+    QVERIFY2(run.worst <= 3 * tolerance, qPrintable(QString::number(run.worst)));
+    QVERIFY2(run.statistics.factorizations <= 20, qPrintable(QString::number(run.statistics.factorizations)));
+}
+
+void TestSolverReuse::equiaAlwaysFactorizes() {
+    const auto run = drive<2>(phi::kEquia, 1e-3, 1, 10);
+    QCOMPARE(run.statistics.factorizations, 40);
+    QCOMPARE(run.worst, 0.0);
+}
+
+void TestSolverReuse::runsRepeat() {
+    // More than 10 000 unknowns, so that two threads are used.
+    const auto one = drive<2>(phi::kMetr, 1e-3, 1, 75), two = drive<2>(phi::kMetr, 1e-3, 2, 75);
+    QVERIFY(one.pose == two.pose);
+    QCOMPARE(one.statistics.iterations, two.statistics.iterations);
+}
+
+template <int Dim>
+void compareBackEnds() {
+    std::mt19937 random(5);
+    for (const auto kind : {SmoothingKind::Invariant, SmoothingKind::Paper, SmoothingKind::None}) {
+        const auto mesh = unitGrid<Dim>(Dim == 2 ? 13 : 5, 0.2, random);
+        auto material = randomMaterial<Dim>(random, mesh.cellCount(), {kind, 0.05, 0.1});
+        material.anisotropy.clear();
+        const auto plan =
+            std::make_shared<const AssemblyPlan<Dim>>(makeAssemblyPlan(mesh, kind != SmoothingKind::None));
+        const auto fast = makeCpuBackEnd<Dim>(plan, mesh, material, 1),
+                   reference = makeGeneralBackEnd<Dim>(plan, mesh, material, 1);
+        std::vector<double> inertia(mesh.cells.size(), 0.0);
+        inertia[3] = 0.5;
+        const Points<Dim> shape = mesh.points + 0.01 * randomField<Dim>(random, mesh.vertexCount());
+        const Points<Dim> v = randomField<Dim>(random, mesh.vertexCount());
+        std::vector<double> a(static_cast<std::size_t>(plan->blockCount()) * Dim * Dim), b(a.size());
+        Points<Dim> x, y;
+        for (const auto& backEnd : {fast.get(), reference.get()}) {
+            backEnd->setInertia(inertia);
+            QCOMPARE(backEnd->setShape(shape), -1);
+        }
+        fast->assemble(a);
+        reference->assemble(b);
+        fast->apply(v, x);
+        reference->apply(v, y);
+        const Eigen::Map<Eigen::VectorXd> A(a.data(), static_cast<Eigen::Index>(a.size())),
+            B(b.data(), A.size());
+        // Both sum some tens of terms in double.
+        QVERIFY((A - B).cwiseAbs().maxCoeff() <= 1e-13 * B.cwiseAbs().maxCoeff());
+        QVERIFY((x - y).cwiseAbs().maxCoeff() <= 1e-13 * y.cwiseAbs().maxCoeff());
+        QVERIFY(std::abs(fast->energy(v) / reference->energy(v) - 1) <= 1e-13);
+
+        Points<Dim> folded = mesh.points;
+        const auto& cell = mesh.cells[40];
+        folded.col(cell[0]) += 3 * (folded.col(cell[1]) - folded.col(cell[0]));
+        QCOMPARE(fast->setShape(folded), reference->setShape(folded));
+        folded(0, cell[0]) = std::nan("");
+        QCOMPARE(fast->setShape(folded), reference->setShape(folded));
+    }
+}
+
+void TestSolverReuse::isotropicBackEndAgrees() {
+    compareBackEnds<2>();
+    compareBackEnds<3>();
+}
+
+namespace {
+
+/// The scene's matrix in a Cholesky object, with its pattern.
+template <int Dim>
+struct Factored {
+    ReducedSystem<Dim> system;
+    Cholesky cholesky;
+
+    Factored(int n, double phi, Ordering ordering) {
+        const Turn<Dim> turn(n);
+        const auto plan = std::make_shared<const AssemblyPlan<Dim>>(makeAssemblyPlan(*turn.mesh, true));
+        const auto backEnd =
+            makeCpuBackEnd<Dim>(plan, *turn.mesh, Material<Dim>::uniform(turn.mesh->cellCount(), phi), 1);
+        system = ReducedSystem<Dim>(*plan, eliminate(turn.rows));
+        cholesky.analyze(system.columnStart(), system.row(), Dim, ordering);
+        backEnd->setShape(turn.mesh->points);
+        std::vector<double> blocks(static_cast<std::size_t>(plan->blockCount()) * Dim * Dim);
+        backEnd->assemble(blocks);
+        system.gather(blocks, cholesky.values());
+    }
+    FloatFactor single() const { return {cholesky.supernodes(), system.columnStart(), system.row()}; }
+};
+
+/// Against the solve in double, for all shapes of supernodes that the orderings make.
+template <int Dim>
+void compareFactors(int n) {
+    for (const auto ordering : {Ordering::MinimumDegree, Ordering::NestedDissection}) {
+        Factored<Dim> scene(n, phi::kAkvf, ordering);
+        auto single = scene.single();
+        QVERIFY(single.factorize(scene.cholesky.values()));
+        QVERIFY(scene.cholesky.factorize() == Cholesky::Status::Done);
+        std::mt19937 random(3);
+        const auto unknowns = scene.system.columnStart().size() - 1;
+        std::vector<double> b(unknowns), x(unknowns), y(unknowns);
+        // Tiny numbers: the residuals of late iterations.
+        for (auto& value : b) value = 1e-60 * uniform(random, -1, 1);
+        QVERIFY(single.solve(b, x));
+        QVERIFY(scene.cholesky.solve(b, y) == Cholesky::Status::Done);
+        const Eigen::Map<Eigen::VectorXd> X(x.data(), static_cast<Eigen::Index>(unknowns)),
+            Y(y.data(), X.size());
+        // The condition of these small matrices is about 1e3 to 1e4, the precision 6e-8.
+        QVERIFY2((X - Y).norm() <= 2e-3 * Y.norm(), qPrintable(QString::number((X - Y).norm() / Y.norm())));
+    }
+}
+
+}  // namespace
+
+void TestSolverReuse::floatFactorSolves() {
+    for (int n : {2, 3, 5, 24}) compareFactors<2>(n);
+    for (int n : {2, 3, 6}) compareFactors<3>(n);
+}
+
+void TestSolverReuse::floatFactorRefuses() {
+    Factored<2> scene(6, phi::kMetr, Ordering::MinimumDegree);
+    auto single = scene.single();
+    for (auto& value : scene.cholesky.values()) value = -value;
+    QVERIFY(!single.factorize(scene.cholesky.values()));
+    for (auto& value : scene.cholesky.values()) value = std::nan("");
+    QVERIFY(!single.factorize(scene.cholesky.values()));
+}
+
+void TestSolverReuse::historyExtrapolates() {
+    std::mt19937 random(2);
+    const Points<2> a = randomField<2>(random, 9), b = randomField<2>(random, 9),
+                    c = randomField<2>(random, 9);
+    const auto field = [&](double t) { return Points<2>(a + t * b + t * t * c); };
+    VelocityHistory<2> history;
+    QVERIFY(!history.at(0).has_value());
+    const Points<2> none(2, 0);
+    for (double t : {0.0, 0.3, 0.35}) history.record(t, none, field(t));
+    history.record(0.35 * (1 + 1e-16), none, field(0.35));  // the same time
+    QVERIFY((*history.at(0.5) - field(0.5)).cwiseAbs().maxCoeff() <= 1e-12);
+    history.clear();
+    history.record(1, none, a);
+    QVERIFY(*history.at(2) == a);
+}
+
+void TestSolverReuse::historyFitsPrescribed() {
+    std::mt19937 random(2);
+    const Points<3> response1 = randomField<3>(random, 9), response2 = randomField<3>(random, 9);
+    const auto velocity = [&](const Points<3>& p) { return Points<3>(p(0) * response1 + p(1) * response2); };
+    VelocityHistory<3> history;
+    QVERIFY(!history.fitting(Points<3>::Ones(3, 1)).has_value());
+    const std::vector<Vec<3>> directions = {{1, 0, 0}, {0.5, 0.5, 0}, {2, 0, 0}};
+    double t = 0;
+    for (const auto& p : directions) history.record(t += 1, p, velocity(p));
+    const Vec<3> p{-1, 3, 0};
+    QVERIFY((*history.fitting(p) - velocity(p)).cwiseAbs().maxCoeff() <= 1e-12);
+    QVERIFY(!history.fitting(Points<3>::Ones(3, 2)).has_value());
+}
+
+void TestSolverReuse::policyRefactorizes() {
+    RefactorPolicy policy;
+    policy.setCosts(10, 1);
+    QVERIFY(!policy.due());
+    for (int i = 0; i < 4; ++i) policy.evaluated(1);
+    QVERIFY(!policy.due());  // (1 + 1) · 4 < 10 + 4
+    policy.evaluated(3);
+    QVERIFY(policy.due());  // (3 + 1) · 5 > 10 + 7
+    policy.factorized();
+    QVERIFY(!policy.due());
+    QVERIFY(policy.hopeless(16) && !policy.hopeless(14));
+}
+
+QTEST_GUILESS_MAIN(TestSolverReuse)
+#include "test_solver_reuse.moc"
