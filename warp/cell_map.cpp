@@ -1,15 +1,32 @@
 #include "warp/cell_map.h"
 
 #include <Eigen/LU>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
 namespace wend {
 namespace {
 
-constexpr double kAnisotropy = 8;     // longest axis of an ellipse in pixels of its level
-constexpr double kBlendWidth = 0.35;  // stretch over which bicubic goes over into elliptical
+constexpr double kAnisotropy = 8;  // longest axis of an ellipse in pixels of its level
+constexpr double kBlendBegin =
+    1.01;  // stretch up to which bicubic is good enough: turns are 1 but for rounding
+constexpr double kBlendWidth = 0.34;  // over which it goes over into elliptical
+
+/// Left singular vectors as columns and singular values, greatest first, of a 2 × 2 matrix: the eigenvectors
+/// of J Jᵀ.
+struct LeftSingular {
+    Mat<2> vectors;
+    Vec<2> values;
+
+    explicit LeftSingular(const Mat<2>& J) {
+        const Mat<2> square = J * J.transpose();
+        const double mean = (square(0, 0) + square(1, 1)) / 2, difference = (square(0, 0) - square(1, 1)) / 2;
+        const double radius = std::hypot(difference, square(0, 1));
+        const double angle = std::atan2(square(0, 1), difference) / 2;
+        values = Vec<2>(std::sqrt(mean + radius), std::sqrt(std::max(0.0, mean - radius)));
+        vectors << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
+    }
+};
 
 }  // namespace
 
@@ -21,23 +38,28 @@ CellMap::CellMap(const Points<2>& rest, const Points<2>& pose, const Cell<2>& ce
         change.col(k) = (pose.col(cell[k + 1]) - rest.col(cell[k + 1])) - displacement;
     }
     gradient = change * edges.inverse();
+    // A triangle without area has no inverse; it covers nothing, but for positions that rounding gives it.
+    if (!gradient.allFinite()) gradient.setZero();
 }
 
 CellFilter::CellFilter(const Mat<2>& jacobian, Filter filter, int levels) {
-    const Eigen::JacobiSVD<Mat<2>> svd(jacobian, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    const Vec<2> stretch = svd.singularValues();
-    // Elliptical filters need two levels less: they average themselves, and a level above the picture softens
+    if (filter == Filter::Nearest) return;
+    const LeftSingular singular(jacobian);
+    const Vec<2>& stretch = singular.values;
+    // Elliptical filters average themselves: they need fewer levels, and a level above the picture softens
     // it.
     const double reduce =
         filter == Filter::Ewa ? std::max(stretch[1] / 2, stretch[0] / kAnisotropy) : stretch[1];
-    if (filter != Filter::Nearest && reduce > 1)
-        level = std::min(levels - 1, static_cast<int>(std::floor(std::log2(reduce) + 0.5)));
+    if (reduce > 1) level = static_cast<int>(std::min(levels - 1.0, std::floor(std::log2(reduce) + 0.5)));
+    shrink = std::ldexp(1.0, -level);
     if (filter != Filter::Ewa) return;
-    const Vec<2> axes = (stretch / std::ldexp(1.0, level)).cwiseMax(1.0);
-    ellipse = std::clamp((axes[0] - 1) / kBlendWidth, 0.0, 1.0);
-    inverse = axes.cwiseInverse().asDiagonal() * svd.matrixU().transpose();
-    const Mat<2> forward = svd.matrixU() * axes.asDiagonal();
-    reach = 2 * forward.rowwise().norm();
+    const Vec<2> axes = (stretch * shrink).cwiseMax(1.0);
+    blend = static_cast<float>(std::clamp((axes[0] - kBlendBegin) / kBlendWidth, 0.0, 1.0));
+    const Mat<2> metric =
+        singular.vectors * axes.cwiseAbs2().cwiseInverse().asDiagonal() * singular.vectors.transpose();
+    ellipse.xx = static_cast<float>(metric(0, 0)), ellipse.xy = static_cast<float>(metric(0, 1));
+    ellipse.yy = static_cast<float>(metric(1, 1));
+    ellipse.reach = 2 * (singular.vectors * axes.asDiagonal()).rowwise().norm();
 }
 
 }  // namespace wend

@@ -1,27 +1,36 @@
 #pragma once
 
 #include "core/mesh/simplicial_mesh.h"
+#include "warp/sampling.h"
 #include "warp/warp.h"
 
 namespace wend {
 
 /// The inverse affine map of one cell, pose → rest, written as source = destination −
-/// displacement(destination): where nothing is displaced it is exact.
+/// displacement(destination): where nothing is displaced it is exact. Every position is computed from its own
+/// coordinates alone, so that a window shows the bits of the whole.
 struct CellMap {
     Vec<2> anchor;        // of the pose
     Vec<2> displacement;  // there
     Mat<2> gradient;      // of the displacement
 
     CellMap(const Points<2>& rest, const Points<2>& pose, const Cell<2>& cell);
-    Vec<2> source(const Vec<2>& p) const { return p - (displacement + gradient * (p - anchor)); }
+
+    /// The displacement at height y in the anchor's column.
+    Vec<2> inRow(double y) const { return displacement + gradient.col(1) * (y - anchor.y()); }
+    Vec<2> source(double x, double y, const Vec<2>& inRowOfY) const {
+        return {x - (inRowOfY.x() + gradient(0, 0) * (x - anchor.x())),
+                y - (inRowOfY.y() + gradient(1, 0) * (x - anchor.x()))};
+    }
+    Vec<2> source(const Vec<2>& p) const { return source(p.x(), p.y(), inRow(p.y())); }
 };
 
 /// How a cell is sampled: from which level of the pyramid, and with which ellipse.
 struct CellFilter {
     int level = 0;
-    double ellipse = 0;                   // 0: bicubic only … 1: elliptical only
-    Mat<2> inverse = Mat<2>::Identity();  // source offset → unit disc of the ellipse
-    Vec<2> reach = Vec<2>::Zero();        // half of its bounding box
+    double shrink = 1;  // size of a pixel of the picture in pixels of the level
+    float blend = 0;    // 0: bicubic only … 1: elliptical only
+    Ellipse ellipse;
 
     /// `jacobian` maps steps of output pixels to steps of source pixels.
     CellFilter(const Mat<2>& jacobian, Filter filter, int levels);

@@ -55,9 +55,21 @@ std::shared_ptr<const Image> halved(const Image& image) {
     return half;
 }
 
+bool isOpaque(const Image& image) {
+    if (!image.alpha) return true;
+    const std::size_t count = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+    return withPixelType(image.type, [&](auto t) {
+        using T = decltype(t);
+        const T* alpha = reinterpret_cast<const T*>(image.data.data()) + image.channels - 1;
+        for (std::size_t p = 0; p < count; ++p, alpha += image.channels)
+            if (static_cast<float>(*alpha) < kFull<T>) return false;
+        return true;
+    });
+}
+
 }  // namespace
 
-Pyramid::Pyramid(std::shared_ptr<const Image> image, int levels) {
+Pyramid::Pyramid(std::shared_ptr<const Image> image, int levels) : m_opaque(isOpaque(*image)) {
     m_levels.push_back(std::move(image));
     while ((levels < 0 || this->levels() <= levels) &&
            (m_levels.back()->width > 1 || m_levels.back()->height > 1))

@@ -16,10 +16,13 @@ class Pyramid {
 
     const Image& base() const { return *m_levels.front(); }
     const Image& level(int k) const { return *m_levels[static_cast<std::size_t>(k)]; }
+    /// Whether no pixel is transparent, not even partly.
+    bool opaque() const { return m_opaque; }
     int levels() const { return static_cast<int>(m_levels.size()); }
 
   private:
     std::vector<std::shared_ptr<const Image>> m_levels;
+    bool m_opaque;
 };
 
 }  // namespace wend

@@ -4,31 +4,9 @@
 #include <cstddef>
 
 #include "core/mesh/types.h"
-#include "warp/pixels.h"
+#include "warp/lanes.h"
 
 namespace wend {
-
-/// A colour in the picture's own scale (0 … kFull): four lanes, those beyond the picture's channels 0.
-using Colour = Eigen::Array4f;
-
-/// The pixel at p as numbers.
-template <typename T, int N>
-inline Colour loadPixel(const T* p) {
-    if constexpr (N == 4 && std::is_same_v<T, std::uint8_t>) {
-        using Bytes = std::uint8_t __attribute__((vector_size(4)));
-        using Floats = float __attribute__((vector_size(16)));
-        Bytes bytes;
-        std::memcpy(&bytes, p, sizeof bytes);
-        const Floats floats = __builtin_convertvector(bytes, Floats);
-        Colour colour;
-        std::memcpy(colour.data(), &floats, sizeof floats);
-        return colour;
-    } else {
-        Colour colour = Colour::Zero();
-        for (int c = 0; c < N; ++c) colour[c] = static_cast<float>(p[c]);
-        return colour;
-    }
-}
 
 /// The radial cubic of Mitchell and Netravali (1988) with B = 0.3782, C = 0.3109, which keeps straight lines
 /// straight, as a table over r².
@@ -37,7 +15,7 @@ class RadialKernel {
     RadialKernel() {
         for (int k = 0; k <= kSteps; ++k) m_values[k] = exact(std::sqrt(static_cast<float>(k) * 4 / kSteps));
     }
-    /// r² < 4; the table's step changes the weight by less than 0.002.
+    /// 0 ≤ r² ≤ 4; the table's step changes the weight by less than 0.002.
     float operator()(float square) const {
         return m_values[static_cast<int>(square * (kSteps / 4.0F) + 0.5F)];
     }
@@ -55,123 +33,156 @@ class RadialKernel {
     std::array<float, kSteps + 1> m_values;
 };
 
+/// The ellipse {J u : |u| ≤ 2} of source pixels around a position, J mapping destination pixels to source
+/// pixels and stretching by at least 1 in every direction: |u|² = xx dx² + 2 xy dx dy + yy dy².
+struct Ellipse {
+    float xx = 1, xy = 0, yy = 1;
+    Vec<2> reach = Vec<2>::Constant(2);  // half of its bounding box
+};
+
 /// Reads a picture of N channels of type T between its pixels; beyond its border the border's pixels go on.
 /// Where colours are not associated they are weighted with alpha, so that nothing bleeds in from transparent
 /// pixels; a position exactly on a pixel gives that pixel, whatever its alpha. Positions are in pixels,
-/// centres at +0.5.
+/// centres at +0.5. `inner` promises that all pixels that are needed, and one more to the right, are in the
+/// picture: see inner().
 template <typename T, int N>
 class Sampler {
   public:
-    explicit Sampler(const Image& image)
+    /// `opaque`: no pixel's alpha is less than full.
+    Sampler(const Image& image, bool opaque)
         : m_data(reinterpret_cast<const T*>(image.data.data())),
           m_width(image.width),
           m_height(image.height),
-          m_unassociated(image.unassociated),
+          m_weighted(image.unassociated && !opaque),
           m_alpha(image.alpha) {}
 
-    Colour nearest(double x, double y) const { return loadPixel<T, N>(clamped(floorOf(x), floorOf(y))); }
+    /// Whether everything within `reach` of the positions of a box is in the picture.
+    bool inner(const Vec<2>& low, const Vec<2>& high, const Vec<2>& reach) const {
+        return low.x() - reach.x() >= 1 && low.y() - reach.y() >= 1 && high.x() + reach.x() < m_width - 2 &&
+               high.y() + reach.y() < m_height - 1;
+    }
 
-    Colour bilinear(double x, double y) const {
-        const Place px(x), py(y);
-        const std::array<float, 2> wx = {1 - px.t, px.t}, wy = {1 - py.t, py.t};
-        return weighted<2>(px.i, py.i, wx, wy);
+    template <bool inner>
+    Lanes nearest(double x, double y) const {
+        return pixel<inner>(floorOf<inner>(x), floorOf<inner>(y));
+    }
+
+    template <bool inner>
+    Lanes bilinear(double x, double y) const {
+        const Place px(x, inner), py(y, inner);
+        if (px.t == 0 && py.t == 0) return pixel<inner>(px.i, py.i);
+        return separable<2, inner>(px.i, py.i, {1 - px.t, px.t}, {1 - py.t, py.t});
     }
 
     /// Catmull–Rom's cubic (Keys 1981, a = −½): interpolating.
-    Colour bicubic(double x, double y) const {
-        const Place px(x), py(y);
-        return limited(weighted<4>(px.i - 1, py.i - 1, cubicWeights(px.t), cubicWeights(py.t)));
+    template <bool inner>
+    Lanes bicubic(double x, double y) const {
+        const Place px(x, inner), py(y, inner);
+        if (px.t == 0 && py.t == 0) return pixel<inner>(px.i, py.i);
+        return limited(separable<4, inner>(px.i - 1, py.i - 1, cubicWeights(px.t), cubicWeights(py.t)));
     }
 
-    /// The mean over the ellipse {centre + J u : |u| ≤ 2} with the radial kernel of |u|; J maps destination
-    /// pixels to source pixels and stretches by at least 1 in every direction. `inverse` = J⁻¹, `reach` half
-    /// of the ellipse's box.
-    Colour elliptical(double x, double y, const Mat<2>& inverse, const Vec<2>& reach,
-                      const RadialKernel& kernel) const {
-        const int x0 = floorOf(x - reach.x() + 0.5), x1 = floorOf(x + reach.x() - 0.5);
-        const int y0 = floorOf(y - reach.y() + 0.5), y1 = floorOf(y + reach.y() - 0.5);
-        const bool inner = x0 >= 0 && y0 >= 0 && x1 < m_width && y1 < m_height;
-        const float ux = static_cast<float>(inverse(0, 0)), vx = static_cast<float>(inverse(1, 0));
-        const float uy = static_cast<float>(inverse(0, 1)), vy = static_cast<float>(inverse(1, 1));
-        const float dx = static_cast<float>(x0 + 0.5 - x);
-        Sum sum;
-        for (int j = y0; j <= y1; ++j) {
-            const float dy = static_cast<float>(j + 0.5 - y);
-            float u = ux * dx + uy * dy, v = vx * dx + vy * dy;
-            const T* row = inner ? at(x0, j) : nullptr;
-            for (int i = x0; i <= x1; ++i, u += ux, v += vx) {
-                const float square = u * u + v * v;
-                if (square < 4)
-                    add(sum, loadPixel<T, N>(inner ? row + (i - x0) * N : clamped(i, j)), kernel(square));
-            }
-        }
-        if (!(sum.weight > 0)) return bicubic(x, y);
-        return limited(result(sum));
+    /// The mean over the ellipse with the radial kernel of |u|.
+    template <bool inner>
+    Lanes elliptical(double x, double y, const Ellipse& ellipse, const RadialKernel& kernel) const {
+        return limited(m_weighted ? mean<inner, true>(x, y, ellipse, kernel)
+                                  : mean<inner, false>(x, y, ellipse, kernel));
     }
 
   private:
-    struct Sum {
-        Colour colours = Colour::Zero(), plain = Colour::Zero();
-        float weight = 0;
-    };
-    /// The pixel whose centre is at or before a position, and how far beyond it that is.
-    struct Place {
-        int i;
-        float t;
-        explicit Place(double x) : i(floorOf(x - 0.5)), t(static_cast<float>(x - 0.5 - i)) {}
-    };
-
     /// std::floor is a call without SSE 4.1.
+    template <bool inner>
     static int floorOf(double x) {
+        if constexpr (inner) return static_cast<int>(x);
         const int i = static_cast<int>(std::clamp(x, -1e9, 1e9));
         return i - (x < i ? 1 : 0);
     }
 
+    /// The pixel whose centre is at or before a position, and how far beyond it that is.
+    struct Place {
+        int i;
+        float t;
+        Place(double x, bool inner)
+            : i(inner ? floorOf<true>(x - 0.5) : floorOf<false>(x - 0.5)),
+              t(static_cast<float>(x - 0.5 - i)) {}
+    };
+
     const T* at(int x, int y) const { return m_data + (static_cast<std::ptrdiff_t>(y) * m_width + x) * N; }
-    const T* clamped(int x, int y) const {
-        return at(std::clamp(x, 0, m_width - 1), std::clamp(y, 0, m_height - 1));
+    template <bool inner>
+    Lanes pixel(int x, int y) const {
+        if constexpr (inner) return loadColour<N, true>(at(x, y));
+        return loadColour<N, false>(at(std::clamp(x, 0, m_width - 1), std::clamp(y, 0, m_height - 1)));
     }
 
-    void add(Sum& sum, const Colour& pixel, float w) const {
-        sum.plain += w * pixel;
-        sum.weight += w;
-        if (m_unassociated) sum.colours += (w * pixel[N - 1]) * pixel;
-    }
-
-    /// The weighted mean; colours by alpha where it is not in them yet (and not 0).
-    Colour result(const Sum& sum) const {
-        Colour colour = sum.plain / sum.weight;
-        if (!m_unassociated || !(sum.plain[N - 1] > 0)) return colour;
+    /// A pixel as a summand: where alpha is to weigh the colours, they are multiplied with it.
+    template <bool inner, bool weighted>
+    Lanes summand(int x, int y) const {
+        Lanes colour = pixel<inner>(x, y);
+        if constexpr (!weighted) return colour;
         const float alpha = colour[N - 1];
-        colour = sum.colours / sum.plain[N - 1];
-        colour[N - 1] = alpha;
-        return colour;
+        colour[N - 1] = kFull<T>;
+        return colour * (alpha / kFull<T>);
     }
 
-    /// Separable weights of Taps × Taps pixels from (x0, y0).
-    template <int Taps>
-    Colour weighted(int x0, int y0, const std::array<float, Taps>& wx,
-                    const std::array<float, Taps>& wy) const {
-        const bool inner = x0 >= 0 && y0 >= 0 && x0 + Taps <= m_width && y0 + Taps <= m_height;
-        Sum sum;
-        for (int j = 0; j < Taps; ++j) {
-            const T* row = inner ? at(x0, y0 + j) : nullptr;
-            for (int i = 0; i < Taps; ++i) {
-                const float w = wx[i] * wy[j];
-                const Colour pixel = loadPixel<T, N>(inner ? row + i * N : clamped(x0 + i, y0 + j));
-                if (w == 1) return pixel;
-                add(sum, pixel, w);
+    /// The colours of a sum of summands.
+    template <bool weighted>
+    static Lanes unweighted(Lanes sum) {
+        if constexpr (!weighted) return sum;
+        const float alpha = sum[N - 1];
+        if (!(alpha > 0)) return Lanes::Zero();
+        sum *= kFull<T> / alpha;
+        sum[N - 1] = alpha;
+        return sum;
+    }
+
+    template <int taps, bool inner>
+    Lanes separable(int x0, int y0, const std::array<float, taps>& wx,
+                    const std::array<float, taps>& wy) const {
+        return m_weighted ? sum<taps, inner, true>(x0, y0, wx, wy) : sum<taps, inner, false>(x0, y0, wx, wy);
+    }
+
+    template <int taps, bool inner, bool weighted>
+    Lanes sum(int x0, int y0, const std::array<float, taps>& wx, const std::array<float, taps>& wy) const {
+        Lanes total = Lanes::Zero();
+        for (int j = 0; j < taps; ++j) {
+            Lanes line = wx[0] * summand<inner, weighted>(x0, y0 + j);
+            for (int i = 1; i < taps; ++i) line += wx[i] * summand<inner, weighted>(x0 + i, y0 + j);
+            total += wy[j] * line;
+        }
+        return unweighted<weighted>(total);
+    }
+
+    /// Row by row over the chord of the ellipse: |u|² = xx (dx − centre)² + rest(dy).
+    template <bool inner, bool weighted>
+    Lanes mean(double x, double y, const Ellipse& ellipse, const RadialKernel& kernel) const {
+        const int y0 = floorOf<inner>(y - ellipse.reach.y() + 0.5),
+                  y1 = floorOf<inner>(y + ellipse.reach.y() - 0.5);
+        const float slant = ellipse.xy / ellipse.xx;
+        const float depth = ellipse.yy - ellipse.xy * slant, width = 1 / ellipse.xx;
+        Lanes total = Lanes::Zero();
+        float weight = 0;
+        for (int j = y0; j <= y1; ++j) {
+            const float dy = static_cast<float>(j + 0.5 - y), rest = depth * dy * dy;
+            if (rest >= 4) continue;
+            const double centre = x - slant * dy;
+            const double half = std::sqrt((4 - rest) * width);
+            const int x0 = floorOf<inner>(centre - half + 0.5), x1 = floorOf<inner>(centre + half - 0.5);
+            float dx = static_cast<float>(x0 + 0.5 - centre);
+            for (int i = x0; i <= x1; ++i, dx += 1) {
+                const float w = kernel(std::min(4.0F, ellipse.xx * dx * dx + rest));
+                total += w * summand<inner, weighted>(i, j);
+                weight += w;
             }
         }
-        sum.weight = 1;
-        return result(sum);
+        if (!(weight > 0)) return bicubic<inner>(x, y);
+        return unweighted<weighted>(total / weight);
     }
 
     /// Negative lobes of a filter must not make light below black or colour beyond its alpha.
-    Colour limited(Colour colour) const {
+    Lanes limited(Lanes colour) const {
         if constexpr (std::is_integral_v<T>) {
             colour = colour.max(0.0F).min(kFull<T>);
-            if (m_alpha && !m_unassociated) colour = colour.min(colour[N - 1]);
+            if (m_alpha && !m_weighted) colour = colour.min(colour[N - 1]);
         } else if (m_alpha) {
             colour[N - 1] = std::clamp(colour[N - 1], 0.0F, 1.0F);
         }
@@ -186,7 +197,7 @@ class Sampler {
 
     const T* m_data;
     int m_width, m_height;
-    bool m_unassociated, m_alpha;
+    bool m_weighted, m_alpha;
 };
 
 }  // namespace wend

@@ -105,6 +105,27 @@ std::vector<PinView> viewPins(const std::vector<Handle<2>>& handles, const std::
     return views;
 }
 
+std::vector<Vec<2>> convexHull(std::vector<Vec<2>> points) {
+    std::sort(points.begin(), points.end(), [](const Vec<2>& a, const Vec<2>& b) {
+        return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
+    });
+    std::vector<Vec<2>> hull;
+    const auto turnsLeft = [&hull](const Vec<2>& p) {
+        const Vec<2> a = hull.back() - hull[hull.size() - 2], b = p - hull.back();
+        return a.x() * b.y() - a.y() * b.x() > 0;
+    };
+    for (const bool upper : {false, true}) {  // the lower half from left to right, the upper one back
+        const std::size_t first = hull.size();
+        for (const Vec<2>& p : points) {
+            while (hull.size() >= first + 2 && !turnsLeft(p)) hull.pop_back();
+            hull.push_back(p);
+        }
+        if (!hull.empty()) hull.pop_back();  // the other half begins with it
+        if (!upper) std::reverse(points.begin(), points.end());
+    }
+    return hull;
+}
+
 std::optional<Vec<2>> restPoint(const SimplicialMesh<2>& rest, const Points<2>& pose, const Vec<2>& p) {
     const PointLocator<2> locator(pose, rest.cells);
     const auto location = locator.find(p);

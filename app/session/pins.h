@@ -37,6 +37,9 @@ Vec<2> positionOf(const Location<2>& location, const SimplicialMesh<2>& rest, co
 std::vector<PinView> viewPins(const std::vector<Handle<2>>& handles, const std::vector<PinPlace>& places,
                               const SimplicialMesh<2>& rest, const Points<2>& pose, double time);
 
+/// The corners of the convex hull, in order.
+std::vector<Vec<2>> convexHull(std::vector<Vec<2>> points);
+
 /// The rest point under a point of the pose; of several where the shape lies over itself, the one on top.
 std::optional<Vec<2>> restPoint(const SimplicialMesh<2>& rest, const Points<2>& pose, const Vec<2>& p);
 

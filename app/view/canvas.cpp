@@ -17,7 +17,7 @@ constexpr int kDimAfter = 250;
 
 }  // namespace
 
-Canvas::Canvas(ShapeSession& session, QWidget* parent) : QWidget(parent), m_session(session) {
+ShapeCanvas::ShapeCanvas(ShapeSession& session, QWidget* parent) : QWidget(parent), m_session(session) {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setMinimumSize(320, 240);
@@ -33,25 +33,25 @@ Canvas::Canvas(ShapeSession& session, QWidget* parent) : QWidget(parent), m_sess
         m_dimmed = m_session.isStale();
         update();
     });
-    connect(&m_renderer, &RenderThread::rendered, this, &Canvas::takeRendered);
-    connect(&m_session.document(), &Document::opened, this, &Canvas::takeOpened);
-    connect(&m_session, &ShapeSession::frameChanged, this, &Canvas::takeFrame);
+    connect(&m_renderer, &RenderThread::rendered, this, &ShapeCanvas::takeRendered);
+    connect(&m_session.document(), &Document::opened, this, &ShapeCanvas::takeOpened);
+    connect(&m_session, &ShapeSession::frameChanged, this, &ShapeCanvas::takeFrame);
     connect(&m_session, &ShapeSession::pinsChanged, this, qOverload<>(&QWidget::update));
 }
 
-void Canvas::setTool(Tool* tool) {
+void ShapeCanvas::setTool(Tool* tool) {
     if (m_tool) m_tool->cancel();
     m_tool = tool;
     updateCursor();
     emit hintChanged(m_tool ? m_tool->hint() : QString());
 }
 
-bool Canvas::isSettled() const {
+bool ShapeCanvas::isSettled() const {
     return m_drawn && !m_refine.isActive() && m_drawn->request.filter == Filter::Ewa &&
            m_drawn->request.frame == m_session.frame() && m_drawn->request.view == m_view;
 }
 
-void Canvas::takeOpened() {
+void ShapeCanvas::takeOpened() {
     m_picture.reset();
     m_drawn.reset();
     m_hovered = -1;
@@ -69,7 +69,7 @@ void Canvas::takeOpened() {
     });
 }
 
-QRectF Canvas::frameRect() const {
+QRectF ShapeCanvas::frameRect() const {
     if (const auto& picture = m_session.document().picture())
         return {0, 0, double(picture->width), double(picture->height)};
     if (!m_session.frame()) return {};
@@ -78,7 +78,7 @@ QRectF Canvas::frameRect() const {
     return {low.x(), low.y(), high.x() - low.x(), high.y() - low.y()};
 }
 
-void Canvas::takeFrame() {
+void ShapeCanvas::takeFrame() {
     const bool first = !m_drawn && !m_session.document().picture() && m_session.frame();
     if (m_session.isStale() && !m_dimmed) {
         if (!m_dim.isActive()) m_dim.start();
@@ -90,7 +90,7 @@ void Canvas::takeFrame() {
     render();
 }
 
-RenderRequest Canvas::request(Filter filter) const {
+RenderRequest ShapeCanvas::request(Filter filter) const {
     RenderRequest request;
     request.picture = m_picture;
     request.frame = m_session.frame();
@@ -107,7 +107,7 @@ RenderRequest Canvas::request(Filter filter) const {
     return request;
 }
 
-void Canvas::render() {
+void ShapeCanvas::render() {
     if (m_session.frame() && (m_picture || !m_session.document().picture())) {
         m_renderer.post(request(Filter::Bilinear));
         m_refine.start();
@@ -115,18 +115,18 @@ void Canvas::render() {
     update();
 }
 
-void Canvas::takeRendered(const std::shared_ptr<const RenderResult>& result) {
+void ShapeCanvas::takeRendered(const std::shared_ptr<const RenderResult>& result) {
     if (!m_session.frame() || result->request.picture != m_picture) return;
     m_drawn = result;
     update();
 }
 
-void Canvas::viewChanged() {
+void ShapeCanvas::viewChanged() {
     emit zoomChanged(m_view.zoom());
     render();
 }
 
-void Canvas::fit() {
+void ShapeCanvas::fit() {
     const QRectF frame = frameRect();
     if (frame.isEmpty()) return;
     const double natural =
@@ -137,17 +137,17 @@ void Canvas::fit() {
     viewChanged();
 }
 
-void Canvas::zoomTo(double zoom) {
+void ShapeCanvas::zoomTo(double zoom) {
     m_fitted = false;
     m_view.setZoom(zoom, rect().center());
     viewChanged();
 }
 
-void Canvas::zoomBy(double factor) {
+void ShapeCanvas::zoomBy(double factor) {
     zoomTo(m_view.zoom() * factor);
 }
 
-void Canvas::showWorst() {
+void ShapeCanvas::showWorst() {
     const FramePtr& frame = m_session.frame();
     if (!frame || frame->distortion.worstCell < 0) return;
     Vec<2> centre = Vec<2>::Zero();
@@ -157,33 +157,33 @@ void Canvas::showWorst() {
     viewChanged();
 }
 
-void Canvas::setMeshShown(bool shown) {
+void ShapeCanvas::setMeshShown(bool shown) {
     m_mesh = shown, render();
 }
-void Canvas::setMapShown(bool shown) {
+void ShapeCanvas::setMapShown(bool shown) {
     m_map = shown, render();
 }
-void Canvas::setOverlaysHidden(bool hidden) {
+void ShapeCanvas::setOverlaysHidden(bool hidden) {
     m_hidden = hidden, render();
 }
 
-void Canvas::setMap(Measure measure, const MeasureRange& range) {
+void ShapeCanvas::setMap(Measure measure, const MeasureRange& range) {
     m_measure = measure;
     m_range = range;
     if (m_map) render();
 }
 
-void Canvas::setMarquee(const QRectF& rectangle) {
+void ShapeCanvas::setMarquee(const QRectF& rectangle) {
     m_marquee = rectangle;
     update();
 }
 
-void Canvas::setHovered(int handle) {
+void ShapeCanvas::setHovered(int handle) {
     if (handle != m_hovered) update();
     m_hovered = handle;
 }
 
-void Canvas::paintShape(QPainter& painter) {
+void ShapeCanvas::paintShape(QPainter& painter) {
     if (!m_drawn) return;
     // While another view is being drawn, the last one stands in for it, moved and scaled.
     const RenderRequest& request = m_drawn->request;
@@ -201,7 +201,7 @@ void Canvas::paintShape(QPainter& painter) {
     painter.restore();
 }
 
-void Canvas::paintEvent(QPaintEvent*) {
+void ShapeCanvas::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     const Theme theme = Theme::of(palette());
     painter.fillRect(rect(), theme.workspace);
@@ -217,14 +217,14 @@ void Canvas::paintEvent(QPaintEvent*) {
     overlay.marquee(m_marquee);
 }
 
-void Canvas::resizeEvent(QResizeEvent*) {
+void ShapeCanvas::resizeEvent(QResizeEvent*) {
     if (m_fitted)
         fit();
     else
         render();
 }
 
-void Canvas::mousePressEvent(QMouseEvent* event) {
+void ShapeCanvas::mousePressEvent(QMouseEvent* event) {
     setFocus(Qt::MouseFocusReason);
     if (event->button() == Qt::MiddleButton || (event->button() == Qt::LeftButton && m_spaceDown)) {
         m_panning = true;
@@ -236,7 +236,7 @@ void Canvas::mousePressEvent(QMouseEvent* event) {
     updateCursor();
 }
 
-void Canvas::mouseMoveEvent(QMouseEvent* event) {
+void ShapeCanvas::mouseMoveEvent(QMouseEvent* event) {
     const Vec<2> p = toShape(event->position());
     emit pointed(p.x(), p.y(), true);
     if (m_panning) {
@@ -251,7 +251,7 @@ void Canvas::mouseMoveEvent(QMouseEvent* event) {
     updateCursor();
 }
 
-void Canvas::mouseReleaseEvent(QMouseEvent* event) {
+void ShapeCanvas::mouseReleaseEvent(QMouseEvent* event) {
     if (m_panning)
         endPan();
     else if (m_tool) {
@@ -261,12 +261,12 @@ void Canvas::mouseReleaseEvent(QMouseEvent* event) {
     updateCursor();
 }
 
-void Canvas::endPan() {
+void ShapeCanvas::endPan() {
     m_panning = false;
     updateCursor();
 }
 
-void Canvas::wheelEvent(QWheelEvent* event) {
+void ShapeCanvas::wheelEvent(QWheelEvent* event) {
     const double steps = event->angleDelta().y() / 120.0;
     if (steps == 0) return;
     m_fitted = false;
@@ -275,7 +275,7 @@ void Canvas::wheelEvent(QWheelEvent* event) {
     event->accept();
 }
 
-void Canvas::keyPressEvent(QKeyEvent* event) {
+void ShapeCanvas::keyPressEvent(QKeyEvent* event) {
     if (event->key() == Qt::Key_Space) {
         m_spaceDown = m_spaceDown || !event->isAutoRepeat();
         updateCursor();
@@ -286,31 +286,31 @@ void Canvas::keyPressEvent(QKeyEvent* event) {
     }
 }
 
-void Canvas::keyReleaseEvent(QKeyEvent* event) {
+void ShapeCanvas::keyReleaseEvent(QKeyEvent* event) {
     if (event->isAutoRepeat()) return;
     if (event->key() == Qt::Key_Space) m_spaceDown = false;
     if (event->key() == Qt::Key_H) setOverlaysHidden(false);
     updateCursor();
 }
 
-void Canvas::focusOutEvent(QFocusEvent*) {
+void ShapeCanvas::focusOutEvent(QFocusEvent*) {
     m_spaceDown = false;
     if (m_hidden) setOverlaysHidden(false);
     updateCursor();
 }
 
-void Canvas::leaveEvent(QEvent*) {
+void ShapeCanvas::leaveEvent(QEvent*) {
     emit pointed(0, 0, false);
     setHovered(-1);
 }
 
-void Canvas::changeEvent(QEvent* event) {
+void ShapeCanvas::changeEvent(QEvent* event) {
     if (event->type() == QEvent::PaletteChange) render();
     QWidget::changeEvent(event);
 }
 
 /// Arrow keys, Escape and Space belong to the canvas while it has the focus, also where a shortcut has them.
-bool Canvas::event(QEvent* event) {
+bool ShapeCanvas::event(QEvent* event) {
     if (event->type() == QEvent::ShortcutOverride) {
         const int key = static_cast<QKeyEvent*>(event)->key();
         if (key == Qt::Key_Space || (key >= Qt::Key_Left && key <= Qt::Key_Down) || (key == Qt::Key_Escape)) {
@@ -321,7 +321,7 @@ bool Canvas::event(QEvent* event) {
     return QWidget::event(event);
 }
 
-void Canvas::updateCursor() {
+void ShapeCanvas::updateCursor() {
     if (m_panning)
         setCursor(Qt::ClosedHandCursor);
     else if (m_spaceDown)

@@ -10,11 +10,11 @@ namespace wend {
 
 /// The shape on the screen: navigation, drawing and the events of the current tool. A plain widget: no OpenGL
 /// is needed.
-class Canvas : public QWidget, public ToolSurface {
+class ShapeCanvas : public QWidget, public ToolSurface {
     Q_OBJECT
 
   public:
-    explicit Canvas(ShapeSession& session, QWidget* parent = nullptr);
+    explicit ShapeCanvas(ShapeSession& session, QWidget* parent = nullptr);
 
     void setTool(Tool* tool);
     Tool* tool() const { return m_tool; }

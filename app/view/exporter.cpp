@@ -3,9 +3,12 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QInputDialog>
 #include <QProgressDialog>
 #include <QtConcurrent>
+#include <cmath>
 
+#include "app/session/run.h"
 #include "core/mesh/error.h"
 #include "core/mesh/mesh_file.h"
 #include "warp/warp.h"
@@ -26,15 +29,6 @@ void writePicture(const std::string& path, const Image& source, const ShapeFrame
     options.progress = progress;
     const Image image = warpImage(source, *frame.rest, frame.pose, view, options);
     if (!stop.stop_requested()) writeImage(path, image);
-}
-
-/// "dir/name_####.png" with the number in place of the marks.
-std::string numbered(const QString& path, int number) {
-    const QFileInfo info(path);
-    const QString digits = QStringLiteral("%1").arg(number, 4, 10, QLatin1Char('0'));
-    return QDir(info.path())
-        .filePath(info.completeBaseName() + '_' + digits + '.' + info.suffix())
-        .toStdString();
 }
 
 /// What went wrong, or nothing. (Futures would slice the exception.)
@@ -118,33 +112,43 @@ void Exporter::exportMesh() {
         askName(tr("Export Mesh"), QStringLiteral("-bent.obj"),
                 QStringLiteral("Wavefront OBJ (*.obj);;PLY (*.ply);;OFF (*.off);;VTU (*.vtu);;VTK (*.vtk)"));
     if (path.isEmpty()) return;
-    const auto picture = m_session.document().picture();
+    const auto project = m_session.document().project();
+    Scene<2> made;  // of a picture; a mesh's file has more to pass on
+    made.rest = frame->rest;
+    made.picture = m_session.document().picture();
     run(tr("Writing the mesh …"), path, [=](const Progress&, std::stop_token) {
-        SimplicialMesh<2> posed = *frame->rest;
-        posed.points = frame->pose;
-        MeshFile file = toMeshFile<2>(posed);
-        if (picture) {  // texture coordinates: where the vertex is in the picture, from the bottom left
-            file.uv = frame->rest->points;
-            file.uv.row(0) /= picture->width;
-            file.uv.row(1) = (1 - file.uv.row(1).array() / picture->height).matrix();
-        }
-        writeMeshFile(path.toStdString(), file);
+        const bool isMade = project->domain.kind == DomainKind::Image;
+        const Scene<2> scene = isMade ? made : std::get<Scene<2>>(loadScene(*project, {}));
+        writeMeshFile(path.toStdString(), poseFile<2>(scene, frame->pose));
     });
 }
 
 void Exporter::exportFrames() {
-    const auto picture = m_session.document().picture();
-    if (!shownFrame() || !picture) return;
-    const QString path =
-        askName(tr("Export Frames"), QStringLiteral(".png"), QString::fromLatin1(kPictureFilter));
+    const Document& document = m_session.document();
+    if (!shownFrame() || !document.picture()) return;
+    const double seconds = m_session.playback().end() * Playback::kSecondsPerUnit;
+    bool ok = false;
+    const int count = QInputDialog::getInt(
+        &m_window, tr("Export Frames"), tr("How many pictures, from the start to the end?"),
+        static_cast<int>(std::lround(24 * seconds)) + 1, 2, 100000, 1, &ok);
+    if (!ok) return;
+    QString path =
+        askName(tr("Export Frames"), QStringLiteral("_####.png"), QString::fromLatin1(kPictureFilter));
     if (path.isEmpty()) return;
-    const std::vector<FramePtr> frames = m_session.track().frames();
-    run(tr("Writing %n pictures …", nullptr, static_cast<int>(frames.size())), path,
+    if (!path.contains('#'))
+        path.insert(path.size() - QFileInfo(path).suffix().size() - 1, QStringLiteral("_####"));
+    RunOptions options;
+    options.outputs.frames = path.toStdString();
+    options.outputs.count = count;
+    const auto project = document.project();
+    const std::string name = QDir(document.folder()).filePath(document.displayName()).toStdString();
+    run(tr("Writing %n pictures …", nullptr, count), path,
         [=](const Progress& progress, std::stop_token stop) {
-            for (std::size_t i = 0; i < frames.size() && !stop.stop_requested(); ++i) {
-                writePicture(numbered(path, static_cast<int>(i) + 1), *picture, *frames[i], {}, stop);
-                progress(static_cast<double>(i + 1) / static_cast<double>(frames.size()));
-            }
+            RunWatch watch;
+            watch.progress = [&progress](const std::string&, double fraction) { progress(fraction); };
+            watch.stop = stop;
+            const AdvanceResult result = runProject(*project, name, options, watch);
+            if (result.outcome != Outcome::Done) throw InputError(result.message);
         });
 }
 

@@ -39,7 +39,7 @@ MainWindow::MainWindow(QWidget* parent)
       m_actions(new Actions(*m_session.document().undoStack(), this)),
       m_files(new FileWorkflow(m_session.document(), *this)),
       m_exporter(new Exporter(m_session, *this)),
-      m_canvas(new Canvas(m_session)),
+      m_canvas(new ShapeCanvas(m_session)),
       m_start(new StartPage),
       m_banner(new InfoBanner),
       m_time(new TimeStrip(m_session)),
@@ -195,10 +195,10 @@ void MainWindow::connectEdit() {
 
 void MainWindow::connectView() {
     Actions& a = *m_actions;
-    connect(a.showMesh, &QAction::toggled, m_canvas, &Canvas::setMeshShown);
-    connect(a.showMap, &QAction::toggled, m_canvas, &Canvas::setMapShown);
-    connect(a.hideOverlays, &QAction::toggled, m_canvas, &Canvas::setOverlaysHidden);
-    connect(a.fit, &QAction::triggered, m_canvas, &Canvas::fit);
+    connect(a.showMesh, &QAction::toggled, m_canvas, &ShapeCanvas::setMeshShown);
+    connect(a.showMap, &QAction::toggled, m_canvas, &ShapeCanvas::setMapShown);
+    connect(a.hideOverlays, &QAction::toggled, m_canvas, &ShapeCanvas::setOverlaysHidden);
+    connect(a.fit, &QAction::triggered, m_canvas, &ShapeCanvas::fit);
     connect(a.actualSize, &QAction::triggered, this,
             [this] { m_canvas->zoomTo(1 / m_canvas->devicePixelRatioF()); });
     connect(a.zoomIn, &QAction::triggered, this, [this] { m_canvas->zoomBy(1.25); });
@@ -214,8 +214,8 @@ void MainWindow::connectView() {
         m_canvas->showWorst();
     });
     m_fields = new StatusFields(*statusBar(), m_session);
-    connect(m_canvas, &Canvas::hintChanged, m_fields, &StatusFields::setHint);
-    connect(m_canvas, &Canvas::pointed, m_fields, &StatusFields::setPointer);
+    connect(m_canvas, &ShapeCanvas::hintChanged, m_fields, &StatusFields::setHint);
+    connect(m_canvas, &ShapeCanvas::pointed, m_fields, &StatusFields::setPointer);
     m_canvas->setTool(m_pinTool.get());
 }
 

@@ -12,7 +12,7 @@ class QStackedWidget;
 namespace wend {
 
 class Actions;
-class Canvas;
+class ShapeCanvas;
 class DistortionPanel;
 class Exporter;
 class FileWorkflow;
@@ -34,7 +34,7 @@ class MainWindow : public QMainWindow {
     void openPath(const QString& path);
 
     ShapeSession& session() { return m_session; }
-    Canvas& canvas() { return *m_canvas; }
+    ShapeCanvas& canvas() { return *m_canvas; }
     Actions& actions() { return *m_actions; }
     FileWorkflow& files() { return *m_files; }
     MaterialPanel& materialPanel() { return *m_material; }
@@ -69,7 +69,7 @@ class MainWindow : public QMainWindow {
     Actions* m_actions;
     FileWorkflow* m_files;
     Exporter* m_exporter;
-    Canvas* m_canvas;
+    ShapeCanvas* m_canvas;
     StartPage* m_start;
     InfoBanner* m_banner;
     TimeStrip* m_time;

@@ -109,14 +109,36 @@ void OverlayPainter::name(const QPointF& at, const QString& text) {
     m_painter.drawText(box, Qt::AlignCenter, text);
 }
 
+void OverlayPainter::spots(const PinView& view, const QColor& colour) {
+    m_painter.setPen(QPen(Qt::white, 1));
+    m_painter.setBrush(colour);
+    for (const Vec<2>& p : view.points) m_painter.drawEllipse(m_view.toWidget(p), 3.2, 3.2);
+}
+
+/// A part of the shape that is held as a whole.
+void OverlayPainter::region(const PinView& view, const QColor& colour) {
+    QPolygonF hull;
+    for (const Vec<2>& p : convexHull(view.points)) hull << m_view.toWidget(p);
+    QColor fill = colour;
+    fill.setAlpha(40);
+    m_painter.setBrush(fill);
+    m_painter.setPen(QPen(QColor(255, 255, 255, 170), 3, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    m_painter.drawPolygon(hull);
+    QPen pen(colour, 1.25, Qt::CustomDashLine, Qt::FlatCap, Qt::RoundJoin);
+    pen.setDashPattern({4, 3});
+    m_painter.setPen(pen);
+    m_painter.setBrush(Qt::NoBrush);
+    m_painter.drawPolygon(hull);
+}
+
 void OverlayPainter::pins(ShapeSession& session, int hovered) {
     const auto pins = session.pins();
     for (const PinView& view : pins) {
-        if (view.points.size() < 2) continue;
-        m_painter.setPen(QPen(Qt::white, 1));
-        m_painter.setBrush(session.selection().contains(view.handle) ? QColor(0x4a5bd4) : kInk);
-        const double r = view.region ? 1.6 : 3.2;
-        for (const Vec<2>& p : view.points) m_painter.drawEllipse(m_view.toWidget(p), r, r);
+        const QColor colour = session.selection().contains(view.handle) ? m_theme.accent : kInk;
+        if (view.region)
+            region(view, colour);
+        else if (view.points.size() > 1)
+            spots(view, colour);
     }
     for (const PinView& view : pins)
         pin(m_view.toWidget(view.centre), session.selection().contains(view.handle), view.handle == hovered,

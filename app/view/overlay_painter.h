@@ -24,6 +24,8 @@ class OverlayPainter {
   private:
     void path(const PinPath& path, bool selected, double now);
     void pin(const QPointF& at, bool selected, bool hovered, bool region);
+    void spots(const PinView& view, const QColor& colour);
+    void region(const PinView& view, const QColor& colour);
     void name(const QPointF& at, const QString& text);
     void haloLine(const QPolygonF& line, const QColor& colour, double width, Qt::PenStyle style);
 

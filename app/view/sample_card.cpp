@@ -15,13 +15,21 @@ namespace {
 constexpr int kPictureHeight = 150;
 constexpr int kPadding = 14;
 
+/// The part of the picture that is not transparent.
+QRect opaquePart(const QImage& image) {
+    QRect part;
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x)
+            if (qAlpha(image.pixel(x, y)) > 8) part |= QRect(x, y, 1, 1);
+    return part;
+}
+
 QImage thumbnail(const QString& project) {
-    QImageReader reader(picturePathOf(project));
-    const QSize full = reader.size();
-    if (!full.isValid()) return {};
-    const QImage image = reader.read();
-    return image.scaled(full.scaled(360, 260, Qt::KeepAspectRatio), Qt::IgnoreAspectRatio,
-                        Qt::SmoothTransformation);
+    const QImage image = QImageReader(picturePathOf(project)).read();
+    if (image.isNull()) return {};
+    const QImage small = image.scaled(720, 720, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+    const QImage part = small.copy(opaquePart(small));
+    return part.scaled(QSize(344, 260), Qt::KeepAspectRatio, Qt::SmoothTransformation);
 }
 
 QString titleOf(const QString& path) {

@@ -28,14 +28,14 @@ class TestCanvas : public QObject {
   private:
     std::unique_ptr<QTemporaryDir> m_folder;
     std::unique_ptr<ShapeSession> m_session;
-    std::unique_ptr<Canvas> m_canvas;
+    std::unique_ptr<ShapeCanvas> m_canvas;
 };
 
 void TestCanvas::init() {
     m_canvas.reset();
     m_folder = std::make_unique<QTemporaryDir>();
     m_session = std::make_unique<ShapeSession>();
-    m_canvas = std::make_unique<Canvas>(*m_session);
+    m_canvas = std::make_unique<ShapeCanvas>(*m_session);
     m_canvas->resize(640, 480);
     m_canvas->show();
     m_session->document().open(openFile(writeCutOut(*m_folder)));

@@ -23,6 +23,8 @@ class TestCompute : public QObject {
     void nudgesMerge();
     void problemsAreTold();
     void targetsArePutTogether();
+    void samplesOpen();
+    void hullGoesRound();
 
   private:
     void open();
@@ -201,6 +203,28 @@ void TestCompute::targetsArePutTogether() {
     QVERIFY(std::holds_alternative<EndDrag>(*mailbox.take(false, {})));
     QVERIFY(!mailbox.take(false, {}));
     QVERIFY(!mailbox.interruption().stop_requested());
+}
+
+void TestCompute::samplesOpen() {
+    const QStringList samples = samplePaths();
+    QVERIFY(samples.size() >= 3);
+    for (const QString& path : samples) {
+        const OpenedFile file = openFile(path);
+        QVERIFY2(file.picture && file.picture->width >= 2000, qPrintable(path));
+        QVERIFY2(file.warnings.isEmpty(), qPrintable(file.warnings.join(' ')));
+        QVERIFY2(hasMotion(std::get<Design<2>>(file.project->design)), qPrintable(path));
+    }
+}
+
+void TestCompute::hullGoesRound() {
+    const auto hull = convexHull({{0, 0}, {1, 1}, {2, 0}, {2, 2}, {1, 0.5}, {0, 2}, {1, 2}});
+    QCOMPARE(hull.size(), std::size_t(4));
+    double area = 0;
+    for (std::size_t i = 0; i < hull.size(); ++i) {
+        const Vec<2>&a = hull[i], &b = hull[(i + 1) % hull.size()];
+        area += (a.x() * b.y() - b.x() * a.y()) / 2;
+    }
+    QCOMPARE(area, 4.0);
 }
 
 QTEST_GUILESS_MAIN(TestCompute)

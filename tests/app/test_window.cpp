@@ -44,6 +44,7 @@ class TestWindow : public QObject {
     void unreadableFilesLeaveALine();
     void holdingHHidesPins();
     void playRuns();
+    void exportedPictureIsWhatIsShown();
 
   private:
     void open();
@@ -90,7 +91,7 @@ void TestWindow::click(double x, double y, Qt::KeyboardModifiers modifiers) {
 }
 
 void TestWindow::dragPin(double x, double y, double dx, double dy) {
-    Canvas& canvas = m_window->canvas();
+    ShapeCanvas& canvas = m_window->canvas();
     QTest::mousePress(&canvas, Qt::LeftButton, {}, at(x, y));
     for (int i = 1; i <= 5; ++i) QTest::mouseMove(&canvas, at(x + dx * i / 5, y + dy * i / 5));
 }
@@ -206,7 +207,7 @@ void TestWindow::marqueeAndShiftSelect() {
     QCOMPARE(selection.handles(), std::vector<int>({2}));
     click(40, 80, Qt::ShiftModifier);
     QCOMPARE(selection.handles(), std::vector<int>({0, 2}));
-    Canvas& canvas = m_window->canvas();
+    ShapeCanvas& canvas = m_window->canvas();
     QTest::mousePress(&canvas, Qt::LeftButton, {}, at(100, 40));
     QTest::mouseMove(&canvas, at(150, 100));
     QTest::mouseMove(&canvas, at(220, 120));
@@ -362,6 +363,35 @@ void TestWindow::playRuns() {
     QVERIFY(playback.isAtEnd());
     QVERIFY(heights.size() > 3);
     QVERIFY(std::is_sorted(heights.begin() + 1, heights.end()));
+}
+
+void TestWindow::exportedPictureIsWhatIsShown() {
+    open();
+    click(40, 80);
+    click(200, 80);
+    QVERIFY(settle(m_window->session()));
+    dragPin(200, 80, 0, 20);
+    QTest::mouseRelease(&m_window->canvas(), Qt::LeftButton, {}, at(200, 100));
+    QVERIFY(settle(m_window->session()));
+    const QString path = m_folder->filePath(QStringLiteral("out.png"));
+    QTimer::singleShot(200, [path] {
+        auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+        if (!dialog) return;
+        auto* name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+        name->setText(path);
+        QTest::keyClick(name, Qt::Key_Return);
+    });
+    m_window->actions().exportPicture->trigger();
+    QVERIFY(QTest::qWaitFor([&] { return QFile::exists(path); }, 20000));
+    const ShapeFrame& frame = *m_window->session().frame();
+    View view;
+    view.width = 240;
+    view.height = 160;
+    const Image expected =
+        warpImage(*m_window->session().document().picture(), *frame.rest, frame.pose, view);
+    const Image written = readImage(path.toStdString());
+    QCOMPARE(written.width, 240);
+    QVERIFY(written.data == expected.data);
 }
 
 QTEST_MAIN(TestWindow)

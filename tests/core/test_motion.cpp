@@ -67,8 +67,7 @@ double maxNorm(const auto& m) {
     return m.cwiseAbs().maxCoeff();
 }
 
-/// A Bézier approximation of nothing: control points of a quarter-free S in the plane z = 0 with an
-/// inflection in the middle.
+/// An S in the plane z = 0 with its inflection in the middle.
 template <int Dim>
 std::vector<Vec<Dim>> sCurve() {
     return {point<Dim>(0, 0), point<Dim>(2, 0), point<Dim>(1, 2), point<Dim>(3, 2)};

@@ -144,14 +144,13 @@ MeshFile readMedit(std::span<const MeshSource> files) {
 }
 
 std::vector<std::string> printMedit(const MeshFile& mesh, const MeshWriteOptions&) {
-    const bool planar = mesh.tetrahedra.empty() && (mesh.points.row(2).array() == 0).all();
     const auto* refs = cellField(mesh, {"ref", "physical", "entity", "attribute"});
     const auto* ofVertices = vertexRefs(mesh);
     TextWriter out;
-    out << "MeshVersionFormatted 2\nDimension " << (planar ? 2 : 3) << "\nVertices\n"
-        << mesh.points.cols() << '\n';
+    // in three dimensions always: Gmsh does not read flat ones
+    out << "MeshVersionFormatted 2\nDimension 3\nVertices\n" << mesh.points.cols() << '\n';
     for (Eigen::Index v = 0; v < mesh.points.cols(); ++v) {
-        for (int k = 0; k < (planar ? 2 : 3); ++k) out << mesh.points(k, v) << ' ';
+        for (int k = 0; k < 3; ++k) out << mesh.points(k, v) << ' ';
         out << tagOf(ofVertices, static_cast<int>(v), 0) << '\n';
     }
     printCells(out, "Triangles", mesh.triangles, mesh.tetrahedra.empty() ? refs : nullptr);

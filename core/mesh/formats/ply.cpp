@@ -134,13 +134,13 @@ class PlyReader {
             if (!property.countType) property.values.reserve(count);
         for (int i = 0; i < count; ++i)
             for (auto& property : element.properties)
-                if (property.countType)
-                    readList(property, element.name == "face", numbers);
+                if (const auto countType = property.countType)
+                    readList(property, *countType, element.name == "face", numbers);
                 else
                     property.values.push_back(numbers.real(property.type, property.name.c_str()));
     }
-    void readList(const Property& property, bool ofFace, NumberReader& numbers) {
-        const int size = numbers.count(*property.countType, "list entries", 1, property.type);
+    void readList(const Property& property, Scalar countType, bool ofFace, NumberReader& numbers) {
+        const int size = numbers.count(countType, "list entries", 1, property.type);
         const bool wanted = ofFace && property.isCorners();
         if (wanted) m_polygons.sizes.push_back(size);
         for (int k = 0; k < size; ++k) {

@@ -12,6 +12,7 @@ namespace {
 template <class Use>
 auto withType(Scalar type, const Use& use) {
     switch (type) {
+        // NOLINTNEXTLINE(bugprone-branch-clone): each branch has another type
         case Scalar::Int8:
             return use(std::int8_t());
         case Scalar::UInt8:

@@ -6,16 +6,16 @@ namespace wend::formats {
 namespace {
 
 enum VtkType {
-    vertex = 1,
-    polyVertex,
-    line,
-    polyLine,
-    triangle,
-    triangleStrip,
-    polygon,
-    pixel,
-    quad,
-    tetrahedron
+    Vertex = 1,
+    PolyVertex,
+    Line,
+    PolyLine,
+    Triangle,
+    TriangleStrip,
+    PolygonCell,
+    Pixel,
+    Quad,
+    Tetrahedron
 };
 
 constexpr std::pair<int, const char*> unreadTypes[] = {{11, "voxel"},
@@ -53,27 +53,27 @@ void addStrip(std::span<const int> corners, int element, CellCollector& collecto
 void add(std::int64_t type, std::span<const int> corners, std::size_t cell, int element,
          CellCollector& collector) {
     switch (type) {
-        case vertex:
-        case polyVertex:
-        case line:
-        case polyLine:
+        case Vertex:
+        case PolyVertex:
+        case Line:
+        case PolyLine:
             return;
-        case triangle:
+        case Triangle:
             requireCorners(cell, corners.size(), 3);
             return collector.polygon(corners, element);
-        case triangleStrip:
+        case TriangleStrip:
             return addStrip(corners, element, collector);
-        case quad:
+        case Quad:
             requireCorners(cell, corners.size(), 4);
             return collector.polygon(corners, element);
-        case polygon:
+        case PolygonCell:
             return collector.polygon(corners, element);
-        case pixel: {
+        case Pixel: {
             requireCorners(cell, corners.size(), 4);
             const int around[] = {corners[0], corners[1], corners[3], corners[2]};
             return collector.polygon(around, element);
         }
-        case tetrahedron:
+        case Tetrahedron:
             requireCorners(cell, corners.size(), 4);
             return collector.tetrahedron({corners[0], corners[1], corners[2], corners[3]}, element);
         default:
