@@ -1,6 +1,8 @@
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "app/cli/commands.h"
 #include "app/document/json_text.h"
@@ -70,6 +72,19 @@ Json fieldsInfo(const MeshFile& file) {
     return fields;
 }
 
+/// Angles in degrees: between edges in the plane, between faces in space.
+Json qualityInfo(const QualitySummary& quality) {
+    const double degrees = 180 / std::numbers::pi;
+    return {{"leastAngle", quality.minAngle * degrees},
+            {"meanOfLeastAngles", quality.meanMinAngle * degrees},
+            {"greatestRadiusEdgeRatio",
+             std::isfinite(quality.maxRadiusEdgeRatio) ? Json(quality.maxRadiusEdgeRatio) : Json()},
+            {"smallestCell", quality.minMeasure},
+            {"largestCell", quality.maxMeasure},
+            {"worstCell", quality.worstCell},
+            {"leastAnglesPer5Degrees", quality.angleHistogram}};
+}
+
 Json meshInfo(const std::string& path) {
     const MeshFile file = readMeshFile(path);
     const MeshInspection inspection = inspect(file);
@@ -83,11 +98,8 @@ Json meshInfo(const std::string& path) {
     json["parts"] = inspection.parts;
     json["diagonal"] = inspection.diagonal;
     if (dimension > 0) {
-        json[dimension == 2 ? "area" : "volume"] = inspection.measure;
-        json["quality"] = {{"leastAngle", inspection.leastAngle},
-                           {"medianOfLeastAngles", inspection.medianAngle},
-                           {"smallestCell", inspection.leastMeasure},
-                           {"largestCell", inspection.greatestMeasure}};
+        json[dimension == 2 ? "area" : "volume"] = inspection.quality.totalMeasure;
+        json["quality"] = qualityInfo(inspection.quality);
     }
     json["uv"] = file.uv.cols() > 0;
     if (!file.fields.empty()) json["fields"] = fieldsInfo(file);

@@ -51,8 +51,8 @@ void readActive(const JsonValue& value, Handle<Dim>& handle) {
     if (!ends[0].json().is_null()) handle.activeFrom = ends[0].number();
     if (!ends[1].json().is_null()) handle.activeTo = ends[1].number();
     if (handle.activeFrom >= handle.activeTo)
-        value.fail("the window is reversed or empty: it goes from " + shortNumber(handle.activeFrom) + " to " +
-                   shortNumber(handle.activeTo));
+        value.fail("the window is reversed or empty: it goes from " + shortNumber(handle.activeFrom) +
+                   " to " + shortNumber(handle.activeTo));
 }
 
 // --- Regions ---

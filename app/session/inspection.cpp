@@ -1,10 +1,8 @@
 #include "app/session/inspection.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <numeric>
 
 #include "core/mesh/simplicial_mesh.h"
@@ -36,23 +34,6 @@ bool isFlat(const Points<Dim>& points, const Cell<Dim>& cell) {
         for (int j = 0; j < i; ++j)
             longest = std::max(longest, (points.col(cell[i]) - points.col(cell[j])).norm());
     return std::abs(cellMeasure<Dim>(points, cell)) <= 1e-14 * std::pow(longest, Dim);
-}
-
-/// The angle at the facets opposite to i and j: π − the angle of their outer normals; ∇λ_i points inwards.
-template <int Dim>
-double leastAngle(const Points<Dim>& points, const Cell<Dim>& cell) {
-    Mat<Dim> edges;
-    for (int k = 0; k < Dim; ++k) edges.col(k) = points.col(cell[k + 1]) - points.col(cell[0]);
-    Eigen::Matrix<double, Dim, Dim + 1> gradients;
-    gradients.template rightCols<Dim>() = edges.inverse().transpose();
-    gradients.col(0) = -gradients.template rightCols<Dim>().rowwise().sum();
-    double least = std::numbers::pi;
-    for (int i = 0; i <= Dim; ++i)
-        for (int j = 0; j < i; ++j) {
-            const double cosine = -gradients.col(i).normalized().dot(gradients.col(j).normalized());
-            least = std::min(least, std::acos(std::clamp(cosine, -1.0, 1.0)));
-        }
-    return least * 180 / std::numbers::pi;
 }
 
 /// Cells per facet, as sorted vertices.
@@ -154,29 +135,13 @@ void findProblems(const SimplicialMesh<Dim>& mesh, const std::map<Key<Dim>, std:
 }
 
 template <int Dim>
-void measureCells(const SimplicialMesh<Dim>& mesh, MeshInspection& inspection) {
-    std::vector<double> angles;
-    inspection.leastMeasure = std::numeric_limits<double>::infinity();
-    for (const auto& cell : mesh.cells) {
-        const double measure = std::abs(cellMeasure<Dim>(mesh.points, cell));
-        inspection.measure += measure;
-        inspection.leastMeasure = std::min(inspection.leastMeasure, measure);
-        inspection.greatestMeasure = std::max(inspection.greatestMeasure, measure);
-        angles.push_back(isFlat<Dim>(mesh.points, cell) ? 0 : leastAngle<Dim>(mesh.points, cell));
-    }
-    std::ranges::sort(angles);
-    inspection.leastAngle = angles.front();
-    inspection.medianAngle = angles[angles.size() / 2];
-}
-
-template <int Dim>
 void inspectPartition(const SimplicialMesh<Dim>& mesh, MeshInspection& inspection) {
     const auto facets = cellsOfFacets<Dim>(mesh.cells);
     inspection.dimension = Dim;
     inspection.cells = mesh.cellCount();
     inspection.diagonal = boundingBoxDiagonal<Dim>(mesh.points);
     inspection.parts = countParts<Dim>(facets, mesh.cellCount());
-    measureCells(mesh, inspection);
+    inspection.quality = qualityOf<Dim>(mesh);
     findProblems<Dim>(mesh, facets, inspection);
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/mesh/mesh_file.h"
+#include "core/mesh/quality.h"
 
 namespace wend {
 
@@ -17,10 +18,8 @@ struct MeshProblem {
 struct MeshInspection {
     int dimension = 0;  // 2 or 3; 0: a surface in space
     int vertices = 0, cells = 0, triangles = 0, parts = 0;
-    double measure = 0, diagonal = 0;  // area or volume
-    double leastMeasure = 0, greatestMeasure = 0;
-    /// Least angle of a cell, in degrees: between edges (2D) or faces (3D).
-    double leastAngle = 0, medianAngle = 0;
+    double diagonal = 0;     // of the bounding box
+    QualitySummary quality;  // of a partition
     std::vector<MeshProblem> problems;
     std::string surface;  // of a surface: what is wrong with it (SurfaceProblems::summary)
 };

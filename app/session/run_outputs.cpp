@@ -1,21 +1,13 @@
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 
 #include "app/session/output_set.h"
 #include "app/session/run.h"
 #include "core/mesh/error.h"
+#include "core/mesh/number_text.h"
 
 namespace wend {
 namespace {
-
-void appendDigits(std::string& text, double value) {
-    std::array<char, 40> digits;
-    const auto done =
-        std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::general, 17);
-    text.append(digits.data(), done.ptr);
-}
 
 void requireMeshName(const std::string& path, const std::string& extension) {
     const std::vector<std::string> known = meshFileExtensions();
@@ -106,11 +98,11 @@ std::string velocityTable(const Points<Dim>& pose, const Points<Dim>& velocity) 
     std::string text = Dim == 2 ? "x,y,vx,vy\n" : "x,y,z,vx,vy,vz\n";
     for (Eigen::Index i = 0; i < pose.cols(); ++i) {
         for (int a = 0; a < Dim; ++a) {
-            appendDigits(text, pose(a, i));
+            appendNumber(text, pose(a, i));
             text += ',';
         }
         for (int a = 0; a < Dim; ++a) {
-            appendDigits(text, velocity(a, i));
+            appendNumber(text, velocity(a, i));
             text += a + 1 < Dim ? ',' : '\n';
         }
     }

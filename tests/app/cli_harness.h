@@ -47,7 +47,7 @@ inline void putProject(const QString& folder, const char* name, const std::strin
     put(folder, name, json("{'format': 'wend', 'version': 1, " + rest + "}"));
 }
 
-/// nx × ny unit squares, each of two triangles.
+/// Points row by row, nx × ny unit squares, each of two triangles.
 inline wend::SimplicialMesh<2> stripMesh(int nx, int ny) {
     wend::SimplicialMesh<2> mesh;
     mesh.points.resize(2, (nx + 1) * (ny + 1));
@@ -98,10 +98,11 @@ inline wend::Image discPicture(int size, double radius) {
         for (int x = 0; x < size; ++x) {
             const bool inside = std::hypot(x + 0.5 - size / 2.0, y + 0.5 - size / 2.0) < radius;
             std::byte* pixel = image.row(y) + 4 * x;
+            if (!inside) continue;
             pixel[0] = std::byte((x * 5) % 256);
             pixel[1] = std::byte((y * 3) % 256);
             pixel[2] = std::byte((x * y) % 256);
-            pixel[3] = std::byte(inside ? 255 : 0);
+            pixel[3] = std::byte(255);
         }
     return image;
 }

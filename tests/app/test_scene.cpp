@@ -1,48 +1,18 @@
 // From a project to what the deformer takes: meshes with the handles' points, materials per cell, textures.
 
 #include <QtTest>
-#include <filesystem>
 
 #include "app/session/run.h"
 #include "app/session/scene.h"
 #include "core/mesh/error.h"
-#include "tests/support/quoted.h"
+#include "tests/app/cli_harness.h"
 
 using namespace wend;
 
 namespace {
 
-/// n × n squares of side 1, each of two triangles.
 SimplicialMesh<2> grid(int n) {
-    SimplicialMesh<2> mesh;
-    mesh.points.resize(2, (n + 1) * (n + 1));
-    const auto id = [n](int i, int j) { return j * (n + 1) + i; };
-    for (int j = 0; j <= n; ++j)
-        for (int i = 0; i <= n; ++i) mesh.points.col(id(i, j)) << i, j;
-    for (int j = 0; j < n; ++j)
-        for (int i = 0; i < n; ++i) {
-            mesh.cells.push_back({id(i, j), id(i + 1, j), id(i + 1, j + 1)});
-            mesh.cells.push_back({id(i, j), id(i + 1, j + 1), id(i, j + 1)});
-        }
-    return mesh;
-}
-
-/// An opaque disc of the given radius in the middle of a transparent picture.
-Image disc(int size, double radius) {
-    Image image;
-    image.width = image.height = size;
-    image.channels = 4;
-    image.alpha = image.unassociated = true;
-    image.data.resize(static_cast<std::size_t>(size) * size * 4);
-    for (int y = 0; y < size; ++y)
-        for (int x = 0; x < size; ++x) {
-            const bool inside = std::hypot(x + 0.5 - size / 2.0, y + 0.5 - size / 2.0) < radius;
-            std::byte* pixel = image.row(y) + 4 * x;
-            pixel[0] = std::byte(x % 256);
-            pixel[1] = std::byte(y % 256);
-            pixel[3] = std::byte(inside ? 255 : 0);
-        }
-    return image;
+    return stripMesh(n, n);
 }
 
 Project parsed(const std::string& rest, const std::string& folder) {
@@ -63,7 +33,7 @@ class TestScene : public QObject {
   private slots:
     void initTestCase() {
         m_base = m_folder.path().toStdString();
-        writeImage(m_base + "/disc.png", disc(200, 80));
+        writeImage(m_base + "/disc.png", discPicture(200, 80));
         writeMeshFile(m_base + "/grid.obj", toMeshFile<2>(grid(4)));
     }
 
@@ -174,7 +144,7 @@ class TestScene : public QObject {
 
     /// uv place the mesh in the picture, and a pose goes along by the affine map that fits.
     void textureCoordinates() {
-        auto picture = std::make_shared<Image>(disc(200, 50));
+        auto picture = std::make_shared<Image>(discPicture(200, 50));
         auto rest = std::make_shared<SimplicialMesh<2>>(grid(4));
         Eigen::Matrix2Xd uv = rest->points / 4;  // y up, as v
         const Texture texture = textureOf(picture, rest, uv);
@@ -189,7 +159,7 @@ class TestScene : public QObject {
     }
 
     void canvas() {
-        const Image picture = disc(200, 50);
+        const Image picture = discPicture(200, 50);
         Points<2> pose(2, 3);
         pose << -10.5, 220.25, 5, 3, 4, 90;
         QCOMPARE(canvasView(picture, {pose}, Canvas::Picture).width, 200);
