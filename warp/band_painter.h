@@ -52,13 +52,14 @@ class BandPainter {
     template <bool inner>
     Lanes sample(const CellFilter& filter, const Vec<2>& at) const {
         const Sampler<T, N>& sampler = m_samplers[static_cast<std::size_t>(filter.level)];
-        const double x = at.x() * filter.shrink, y = at.y() * filter.shrink;
+        double x = at.x() * filter.shrink, y = at.y() * filter.shrink;
+        if constexpr (!inner) sampler.bound(x, y);
         if constexpr (F == Filter::Nearest) return sampler.template nearest<inner>(x, y);
         if constexpr (F == Filter::Bilinear) return sampler.template bilinear<inner>(x, y);
         if (F == Filter::Bicubic || filter.blend == 0) return sampler.template bicubic<inner>(x, y);
         const Lanes colour = sampler.template elliptical<inner>(x, y, filter.ellipse, m_kernel);
         if (filter.blend == 1) return colour;
-        return filter.blend * colour + (1 - filter.blend) * sampler.template bicubic<inner>(x, y);
+        return sampler.mixed(colour, sampler.template bicubic<inner>(x, y), filter.blend);
     }
 
     static Vec<2> reach(const CellFilter& filter) {
