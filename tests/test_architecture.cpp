@@ -51,13 +51,15 @@ QList<Include> includesBelow(const QString& folder) {
     static const QRegularExpression line(QStringLiteral("^\\s*#\\s*include\\s*[<\"]([^>\"]+)[>\"]"),
                                          QRegularExpression::MultilineOption);
     QList<Include> found;
-    QDirIterator it(kRoot + '/' + folder, {"*.h", "*.cpp", "*.cl"}, QDir::Files, QDirIterator::Subdirectories);
+    QDirIterator it(kRoot + '/' + folder, {"*.h", "*.cpp", "*.cl"}, QDir::Files,
+                    QDirIterator::Subdirectories);
     while (it.hasNext()) {
         QFile file(it.next());
         if (!file.open(QIODevice::ReadOnly)) continue;
         const QString text = QString::fromUtf8(file.readAll());
         const QString name = it.filePath().mid(kRoot.size() + 1);
-        for (auto match = line.globalMatch(text); match.hasNext();) found.append({name, match.next().captured(1)});
+        for (auto match = line.globalMatch(text); match.hasNext();)
+            found.append({name, match.next().captured(1)});
     }
     return found;
 }

@@ -449,17 +449,6 @@
     </message>
 </context>
 <context>
-    <name>wend::Canvas</name>
-    <message>
-        <source>Canvas</source>
-        <translation>Leinwand</translation>
-    </message>
-    <message>
-        <source>The picture with its pins</source>
-        <translation>Das Bild mit seinen Pins</translation>
-    </message>
-</context>
-<context>
     <name>wend::DistortionPanel</name>
     <message>
         <source>Distortion map</source>
@@ -593,6 +582,10 @@
     <message>
         <source>Writing the map …</source>
         <translation>Die Karte wird geschrieben …</translation>
+    </message>
+    <message>
+        <source>How many pictures, from the start to the end?</source>
+        <translation>Wie viele Bilder, vom Anfang bis zum Ende?</translation>
     </message>
 </context>
 <context>
@@ -878,6 +871,17 @@
     <message>
         <source>Open the sample “%1”</source>
         <translation>Das Beispiel „%1“ öffnen</translation>
+    </message>
+</context>
+<context>
+    <name>wend::ShapeCanvas</name>
+    <message>
+        <source>Canvas</source>
+        <translation>Leinwand</translation>
+    </message>
+    <message>
+        <source>The picture with its pins</source>
+        <translation>Das Bild mit seinen Pins</translation>
     </message>
 </context>
 <context>

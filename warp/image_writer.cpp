@@ -1,7 +1,10 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <fstream>
 #include <string_view>
+
+#include <OpenImageIO/filesystem.h>
 
 #include "core/mesh/error.h"
 #include "core/mesh/safe_file.h"
@@ -140,15 +143,47 @@ OIIO::ImageSpec fileSpec(const Format& format, const Image& image) {
 }
 
 /// The reason of a failure, empty on success.
-std::string tryWrite(const std::string& path, const Image& image, const OIIO::ImageSpec& spec) {
-    const auto output = OIIO::ImageOutput::create(path);
-    if (!output) return OIIO::geterror();
-    if (!output->open(path, spec)) return "cannot be opened for writing: " + output->geterror();
-    const bool written = output->write_image(spec.format, image.data.data());
-    const std::string error = output->geterror();
-    const bool closed = output->close();
+std::string tryWriteTo(OIIO::ImageOutput& output, const std::string& path, const Image& image,
+                       const OIIO::ImageSpec& spec) {
+    if (!output.open(path, spec)) return "cannot be opened for writing: " + output.geterror();
+    const bool written = output.write_image(spec.format, image.data.data());
+    const std::string error = output.geterror();
+    const bool closed = output.close();
     if (written && closed) return {};
     return error.empty() ? "the disk may be full" : error;
+}
+
+/// Whether the format's library tells of a full disk. Those of PNG, BMP and Targa do not, and that of JPEG
+/// ends the process.
+bool tellsOfFullDisk(const OIIO::ImageOutput& output) {
+    const std::string format = output.format_name();
+    return format != "png" && format != "jpeg" && format != "bmp" && format != "targa";
+}
+
+std::string putBytes(const std::string& path, const std::vector<unsigned char>& bytes) {
+    std::ofstream file(path, std::ios::binary);
+    file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    file.close();
+    return file ? "" : "the disk may be full";
+}
+
+std::string tryWrite(const std::string& path, const Image& image, OIIO::ImageSpec spec) {
+    const auto output = OIIO::ImageOutput::create(path);
+    if (!output) return OIIO::geterror();
+    if (tellsOfFullDisk(*output) || !output->supports("ioproxy"))
+        return tryWriteTo(*output, path, image, spec);
+    std::vector<unsigned char> bytes;
+    OIIO::Filesystem::IOVecOutput memory(bytes);
+    OIIO::Filesystem::IOProxy* proxy = &memory;
+    spec.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
+    const std::string error = tryWriteTo(*output, path, image, spec);
+    return error.empty() ? putBytes(path, bytes) : error;
+}
+
+/// `text` with the temporary file called by its proper name.
+std::string properlyNamed(std::string text, const std::string& temporary, const std::string& path) {
+    const auto at = text.find(temporary);
+    return at == std::string::npos ? text : text.replace(at, temporary.size(), path);
 }
 
 /// A colour profile that the format's library refuses fails the whole file: better the picture without it.
@@ -159,7 +194,10 @@ void writePicture(const std::string& path, const std::string& temporary, const I
         spec.erase_attribute("ICCProfile");
         error = tryWrite(temporary, image, spec);
     }
-    if (!error.empty()) throw InputError(path, "cannot be written: " + error.substr(0, error.find('\n')));
+    if (!error.empty()) {
+        error = properlyNamed(error, temporary, path);
+        throw InputError(path, "cannot be written: " + error.substr(0, error.find('\n')));
+    }
 }
 
 /// OpenImageIO's own WebP rounds the colours of transparent pixels and drops the profile.

@@ -25,7 +25,10 @@ ExitCode runDevices(const Arguments& arguments) {
     std::string text = "cpu     " + std::to_string(std::thread::hardware_concurrency()) + " threads\n";
     for (const OpenClDeviceInfo& device : found.devices) text += line(device) + "\n";
     if (found.devices.empty()) text += "opencl  none: " + found.problem + "\n";
-    text += chosen ? "used with --backend auto or opencl: " + chosen->name + "\n" : "used: cpu\n";
+    const bool gpu = chosen && chosen->type == "GPU";
+    text += std::string("--backend auto uses ") +
+            (gpu ? chosen->name + " for large shapes, else the cpu" : "the cpu") + "\n";
+    text += "--backend opencl uses " + (chosen ? chosen->name : "nothing: " + why) + "\n";
     std::fputs(text.c_str(), stdout);
     return ExitCode::Done;
 }

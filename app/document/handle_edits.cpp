@@ -142,6 +142,10 @@ bool isActive(const Handle<2>& handle, double t) {
     return handle.activeFrom <= t && t < handle.activeTo;
 }
 
+bool samePlace(const Handle<2>& a, const Handle<2>& b) {
+    return same(a.at, b.at);
+}
+
 std::string freePinName(const Design<2>& design) {
     std::set<std::string> taken;
     for (const auto& handle : design.handles) taken.insert(handle.name);

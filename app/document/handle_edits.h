@@ -14,6 +14,8 @@ bool hasMotion(const Design<2>& design);
 double motionEnd(const Project& project);
 /// True if the handle holds the shape at time t; one that ends at t is gone.
 bool isActive(const Handle<2>& handle, double t);
+/// True if both take hold of the same points.
+bool samePlace(const Handle<2>& a, const Handle<2>& b);
 /// "Pin 1", "Pin 2" …: the first that no handle has.
 std::string freePinName(const Design<2>& design);
 

@@ -1,6 +1,7 @@
 #include "app/session/compute_thread.h"
 
 #include <QElapsedTimer>
+#include <algorithm>
 
 #include "app/document/handle_edits.h"
 
@@ -17,7 +18,7 @@ ComputeThread::~ComputeThread() {
 
 void ComputeThread::loop(std::stop_token stop) {
     while (!stop.stop_requested()) {
-        const bool idle = !m_pass.isSet() || m_pass.isFinished() || m_live;
+        const bool idle = !m_pass.isSet() || m_pass.isFinished() || m_dragging;
         try {
             if (const auto request = m_mailbox.take(idle, stop))
                 handle(*request, stop);
@@ -26,6 +27,7 @@ void ComputeThread::loop(std::stop_token stop) {
         } catch (const std::exception& error) {
             m_pass.clear();
             m_live.reset();
+            m_dragging = false;
             emit failed(QString::fromUtf8(error.what()));
         }
     }
@@ -54,22 +56,32 @@ void ComputeThread::beginDrag(const BeginDrag& request, std::stop_token stop) {
     if (!m_pass.isSet()) return;
     if (!m_preview && !m_pass.isFinished()) runPass(stop);
     if (!m_preview && !m_pass.isFinished()) return;
-    const double end = motionEnd(*m_project);
-    const auto& handles = std::get<Design<2>>(m_project->design).handles;
-    std::vector<Handle<2>> active;
+    const std::vector<int> active = activeHandles();
     std::vector<int> dragged;
-    for (int h = 0; h < static_cast<int>(handles.size()); ++h) {
-        if (!isActive(handles[h], end)) continue;
-        if (std::find(request.handles.begin(), request.handles.end(), h) != request.handles.end())
-            dragged.push_back(static_cast<int>(active.size()));
-        active.push_back(handles[h]);
-    }
-    const Points<2> pose = m_preview ? m_preview->pose : m_pass.state().points;
-    m_live.emplace(m_shape, std::move(active), std::move(dragged), pose);
+    for (std::size_t i = 0; i < active.size(); ++i)
+        if (std::count(request.handles.begin(), request.handles.end(), active[i]))
+            dragged.push_back(static_cast<int>(i));
+    prepareDrag();
+    m_live->begin(std::move(dragged), m_preview ? m_preview->pose : m_pass.state().points);
+    m_dragging = true;
+}
+
+std::vector<int> ComputeThread::activeHandles() const {
+    const auto& handles = std::get<Design<2>>(m_project->design).handles;
+    std::vector<int> active;
+    for (int h = 0; h < static_cast<int>(handles.size()); ++h)
+        if (isActive(handles[h], motionEnd(*m_project))) active.push_back(h);
+    return active;
+}
+
+void ComputeThread::prepareDrag() {
+    std::vector<Handle<2>> handles;
+    for (const int h : activeHandles()) handles.push_back(std::get<Design<2>>(m_project->design).handles[h]);
+    if (!m_live || !m_live->fits(m_shape, handles)) m_live.emplace(m_shape, std::move(handles));
 }
 
 void ComputeThread::dragTo(const DragTo& request) {
-    if (!m_live) return;
+    if (!m_dragging) return;
     QElapsedTimer clock;
     clock.start();
     const LiveDrag::Step step = m_live->follow(request.offsets.back());
@@ -84,8 +96,8 @@ void ComputeThread::dragTo(const DragTo& request) {
 }
 
 void ComputeThread::endDrag(const EndDrag& request) {
-    if (m_live && request.keep) m_preview = Preview{m_live->pose(), m_pass.end() + 1};
-    m_live.reset();
+    if (m_dragging && request.keep) m_preview = Preview{m_live->pose(), m_pass.end() + 1};
+    m_dragging = false;
 }
 
 void ComputeThread::runPass(std::stop_token stop) {
@@ -103,6 +115,7 @@ void ComputeThread::runPass(std::stop_token stop) {
     if (!m_pass.isFinished()) return;
     m_preview.reset();
     emitFinished();
+    prepareDrag();
 }
 
 void ComputeThread::emitFinished() {

@@ -38,6 +38,8 @@ class ComputeThread : public QObject {
     void handle(const Request& request, std::stop_token stop);
     void setShape(const SetShape& request);
     void beginDrag(const BeginDrag& request, std::stop_token stop);
+    void prepareDrag();
+    std::vector<int> activeHandles() const;
     void dragTo(const DragTo& request);
     void endDrag(const EndDrag& request);
     void runPass(std::stop_token stop);
@@ -50,7 +52,8 @@ class ComputeThread : public QObject {
     BuiltShape m_shape;
     std::shared_ptr<const Project> m_project;
     MotionPass m_pass;
-    std::optional<LiveDrag> m_live;
+    std::optional<LiveDrag> m_live;  // made ahead of the next drag
+    bool m_dragging = false;
     struct Preview {
         Points<2> pose;
         double end = 0;  // of the project that the drag makes

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "app/document/handle_edits.h"
+
 namespace wend {
 
 namespace {
@@ -30,13 +32,26 @@ std::vector<Handle<2>> still(std::vector<Handle<2>> handles) {
 
 }  // namespace
 
-LiveDrag::LiveDrag(const BuiltShape& shape, std::vector<Handle<2>> handles, std::vector<int> dragged,
-                   const Points<2>& pose)
-    : m_diagonal(boundingBoxDiagonal<2>(shape.rest->points)),
+LiveDrag::LiveDrag(const BuiltShape& shape, std::vector<Handle<2>> handles)
+    : m_shape(shape),
+      m_diagonal(boundingBoxDiagonal<2>(shape.rest->points)),
       m_handles(still(std::move(handles))),
-      m_dragged(std::move(dragged)),
       m_deformer(shape.rest, shape.material, m_handles, liveOptions()) {
+    m_deformer.velocity();
+}
+
+bool LiveDrag::fits(const BuiltShape& shape, const std::vector<Handle<2>>& handles) const {
+    return shape.rest == m_shape.rest && shape.material == m_shape.material &&
+           std::equal(handles.begin(), handles.end(), m_handles.begin(), m_handles.end(), samePlace);
+}
+
+void LiveDrag::begin(std::vector<int> dragged, const Points<2>& pose) {
+    m_dragged = std::move(dragged);
+    m_offset.setZero();
+    m_handles = still(std::move(m_handles));
+    m_deformer.setHandles(m_handles);
     State<2> now;
+    now.time = m_deformer.state().time;
     now.points = pose;
     m_deformer.restore(now);
 }

@@ -18,16 +18,21 @@ class LiveDrag {
         double pinError = 0;
     };
 
-    /// `handles` hold the shape now; `dragged` are indices into them; `pose` is the shape now.
-    LiveDrag(const BuiltShape& shape, std::vector<Handle<2>> handles, std::vector<int> dragged,
-             const Points<2>& pose);
+    /// `handles` hold the shape; their motions do not matter. Analyzes at once, so that a drag begins
+    /// promptly.
+    LiveDrag(const BuiltShape& shape, std::vector<Handle<2>> handles);
 
+    /// True if a drag of these handles can begin without another analysis.
+    bool fits(const BuiltShape& shape, const std::vector<Handle<2>>& handles) const;
+    /// A drag of some handles, by their index, from a pose.
+    void begin(std::vector<int> dragged, const Points<2>& pose);
     Step follow(const Vec<2>& offset);
     const Points<2>& pose() const { return m_deformer.state().points; }
 
   private:
     void aim(const Vec<2>& by);
 
+    BuiltShape m_shape;
     double m_diagonal;
     std::vector<Handle<2>> m_handles;
     std::vector<int> m_dragged;

@@ -57,7 +57,10 @@ void OutputSet::add(const std::string& path, const std::string& extension, const
     try {
         write(file.temporary());
     } catch (const InputError& error) {
-        throw InputError(path, error.reason());
+        std::string reason = error.reason();
+        if (const auto at = reason.find(file.temporary()); at != std::string::npos)
+            reason.replace(at, file.temporary().size(), path);
+        throw InputError(path, reason);
     }
     if (toStandardOutput) {
         m_standardOutput = readTextFile(file.temporary());

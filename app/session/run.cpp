@@ -5,6 +5,7 @@
 #include "app/document/text_file.h"
 #include "app/session/output_set.h"
 #include "core/mesh/error.h"
+#include "kernels/back_end_choice.h"
 
 namespace wend {
 namespace {
@@ -33,7 +34,8 @@ class Run {
           m_options(options),
           m_watch(watch),
           m_start(start),
-          m_deformer(m_scene.rest, m_scene.material, m_scene.handles, project.integration, options.backEnd) {}
+          m_deformer(m_scene.rest, m_scene.material, m_scene.handles, project.integration,
+                     backEndFactory<Dim>(options.backEnd, {}, watch.notice)) {}
 
     AdvanceResult run() {
         const AdvanceResult result = integrate();

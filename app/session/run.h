@@ -33,6 +33,8 @@ struct RunOptions {
 struct RunWatch {
     /// What is being done, and how much of it is, in [0, 1].
     std::function<void(const std::string& work, double fraction)> progress;
+    /// A sentence that the user should hear, such as that a device failed and the processor goes on.
+    std::function<void(const std::string& text)> notice;
     std::stop_token stop;
 };
 

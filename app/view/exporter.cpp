@@ -49,6 +49,12 @@ QString errorOf(const Job& job, const Progress& progress, std::stop_token stop) 
 Exporter::Exporter(ShapeSession& session, QWidget& window)
     : QObject(&window), m_session(session), m_window(window) {}
 
+/// What runs in the background reports to this object.
+Exporter::~Exporter() {
+    if (m_stop) m_stop->request_stop();
+    m_running.waitForFinished();
+}
+
 QString Exporter::askName(const QString& title, const QString& suffix, const QString& filters) {
     const Document& document = m_session.document();
     const QString base = QFileInfo(document.displayName()).completeBaseName();
@@ -73,6 +79,7 @@ void Exporter::run(const QString& what, const QString& path, Job job) {
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setValue(0);
     auto source = std::make_shared<std::stop_source>();
+    m_stop = source;
     connect(dialog, &QProgressDialog::canceled, this, [source] { source->request_stop(); });
     const Progress progress = [this, dialog = QPointer<QProgressDialog>(dialog)](double part) {
         QMetaObject::invokeMethod(this, [dialog, part] {
@@ -82,9 +89,9 @@ void Exporter::run(const QString& what, const QString& path, Job job) {
     const auto finish = [dialog = QPointer<QProgressDialog>(dialog)] {
         if (dialog) dialog->deleteLater();
     };
-    QtConcurrent::run([job = std::move(job), progress, source] {
-        return errorOf(job, progress, source->get_token());
-    }).then(this, [this, finish, source, path](const QString& error) {
+    m_running = QtConcurrent::run(
+        [job = std::move(job), progress, source] { return errorOf(job, progress, source->get_token()); });
+    m_running.then(this, [this, finish, source, path](const QString& error) {
         finish();
         if (!error.isEmpty())
             emit failed(tr("Nothing was written. %1").arg(error));

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <QFuture>
 #include <QObject>
 #include <functional>
+#include <memory>
 #include <stop_token>
 
 #include "app/session/shape_session.h"
@@ -16,6 +18,7 @@ class Exporter : public QObject {
 
   public:
     Exporter(ShapeSession& session, QWidget& window);
+    ~Exporter() override;
 
   public slots:
     void exportPicture();
@@ -37,6 +40,8 @@ class Exporter : public QObject {
 
     ShapeSession& m_session;
     QWidget& m_window;
+    std::shared_ptr<std::stop_source> m_stop;  // of what runs
+    QFuture<QString> m_running;
 };
 
 }  // namespace wend

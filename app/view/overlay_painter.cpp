@@ -70,6 +70,7 @@ void OverlayPainter::paths(ShapeSession& session) {
     for (const bool selected : {false, true})
         for (int h = 0; h < static_cast<int>(handles.size()); ++h) {
             if (handles[h].motions.empty() || session.selection().contains(h) != selected) continue;
+            if (handles[h].activeTo <= session.playback().time()) continue;  // let go of
             auto starts = session.pathStarts(h);
             if (starts.size() > kMostPathsOfOneHandle) {  // one for all
                 Vec<2> sum = Vec<2>::Zero();

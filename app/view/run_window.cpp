@@ -5,6 +5,7 @@
 #include <QLocale>
 #include <QStyleFactory>
 #include <QTranslator>
+#include <clocale>
 
 #include "app/view/main_window.h"
 
@@ -12,6 +13,7 @@ namespace wend {
 
 int runWindow(int argc, char** argv) {
     QApplication application(argc, argv);
+    std::setlocale(LC_NUMERIC, "C");  // Qt takes the user's, but files have points in every country
     QApplication::setOrganizationName(QStringLiteral("Wend"));
     QApplication::setApplicationName(QStringLiteral("Wend"));
     QApplication::setApplicationVersion(QStringLiteral(WEND_VERSION));

@@ -17,7 +17,7 @@ namespace wend {
 
 namespace {
 
-constexpr int kWidth = 860;
+constexpr int kWidth = 900;
 constexpr int kMostSamples = 4;
 constexpr int kMostRecent = 5;
 

@@ -9,8 +9,8 @@
 #include <numbers>
 #include <numeric>
 
-#include "core/mesh/error.h"
 #include "core/mesh/child_process.h"
+#include "core/mesh/error.h"
 #include "core/meshing/surface_edges.h"
 #include "core/meshing/tetgen_protocol.h"
 

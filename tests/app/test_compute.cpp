@@ -21,6 +21,7 @@ class TestCompute : public QObject {
     void undoShowsTheEarlierShapeAtOnce();
     void laterPinMovesNothing();
     void nudgesMerge();
+    void foldsStopTheHandle();
     void problemsAreTold();
     void targetsArePutTogether();
     void samplesOpen();
@@ -174,6 +175,27 @@ void TestCompute::nudgesMerge() {
     QVERIFY(settle(*m_session));
     QCOMPARE(m_session->document().undoStack()->count(), steps + 1);
     QVERIFY((m_session->pins()[1].centre - Vec<2>(204, 80)).norm() < 1e-9);
+}
+
+/// One pin dragged through the other cannot arrive without a fold.
+void TestCompute::foldsStopTheHandle() {
+    open();
+    m_session->addPin({40, 80});
+    m_session->addPin({200, 80});
+    QVERIFY(settle(*m_session));
+    QSignalSpy notices(m_session.get(), &ShapeSession::notice);
+    m_session->selection().set({1});
+    m_session->beginDrag();
+    for (int i = 1; i <= 40 && notices.isEmpty(); ++i) {
+        m_session->dragTo({-5.0 * i, 0});
+        QTest::qWait(30);
+    }
+    QVERIFY(QTest::qWaitFor([&] { return !notices.isEmpty(); }, 20000));
+    QVERIFY(notices.first().first().toString().startsWith(QStringLiteral("Pin 2")));
+    m_session->endDrag(0.2);
+    QVERIFY(settle(*m_session));
+    QCOMPARE(m_session->frame()->distortion.flips, 0);
+    QVERIFY(m_session->pins()[1].centre.x() > 40);
 }
 
 void TestCompute::problemsAreTold() {

@@ -294,9 +294,9 @@ class TestImage : public QObject {
     void damagedFilesAreRefused_data() {
         QTest::addColumn<QString>("extension");
         QTest::addColumn<double>("kept");
-        for (const char* extension : {"png", "tif", "exr", "jpg", "webp", "bmp", "tga", "ppm"})
+        for (const QString extension : {"png", "tif", "exr", "jpg", "webp", "bmp", "tga", "ppm"})
             for (double kept : {0.97, 0.5, 0.02})
-                QTest::addRow("%s %g", extension, kept) << QString(extension) << kept;
+                QTest::newRow(qPrintable(extension + ' ' + QString::number(kept))) << extension << kept;
     }
     void damagedFilesAreRefused() {
         QFETCH(QString, extension);

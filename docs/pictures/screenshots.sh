@@ -1,0 +1,30 @@
+#!/usr/bin/env bash
+# Takes the screenshots of the window that README and manual show. Needs Debian's xvfb, xdotool and imagemagick.
+set -e
+here=$(cd "$(dirname "$0")" && pwd)
+root=$(cd "$here/../.." && pwd)
+export DISPLAY=:78 HOME XDG_RUNTIME_DIR
+HOME=$(mktemp -d) XDG_RUNTIME_DIR=$(mktemp -d)
+Xvfb "$DISPLAY" -screen 0 1440x900x24 >/dev/null 2>&1 &
+server=$!
+trap 'kill $program $server 2>/dev/null; rm -rf "$HOME" "$XDG_RUNTIME_DIR"' EXIT
+sleep 1
+
+shot() { # NAME ARGUMENT…: opens the window, waits, takes a picture of it
+    local name=$1
+    shift
+    "$root/build/release/wend" "$@" >/dev/null 2>&1 &
+    program=$!
+    local window
+    window=$(xdotool search --sync --onlyvisible --pid "$program" | tail -n 1)
+    xdotool windowmove "$window" 0 0 windowsize "$window" 1440 900
+    sleep "${WAIT:-8}"
+    xdotool mousemove 700 880
+    sleep 1
+    import -window root "$here/$name"
+    kill "$program"
+    wait "$program" 2>/dev/null || true
+}
+
+shot start.png
+shot window.png "$root/resources/samples/giraffe.wend"
