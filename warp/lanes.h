@@ -132,10 +132,10 @@ Lanes loadColour(const T* p) {
     return colour;
 }
 
-/// Writes the first `channels` lanes (1 … 4), rounded and clamped.
-template <typename T>
-void storeColour(const Lanes& colour, int channels, T* p) {
-    if (channels == 4) return narrowed(colour, p);
+/// Writes the first lanes, rounded and clamped.
+template <int channels, typename T>
+void storeColour(const Lanes& colour, T* p) {
+    if constexpr (channels == 4) return narrowed(colour, p);
     T four[4];
     narrowed(colour, four);
     for (int c = 0; c < channels; ++c) p[c] = four[c];
