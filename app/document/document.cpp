@@ -26,6 +26,7 @@ void Document::open(OpenedFile file) {
     m_path = file.path;
     m_source = file.source;
     ++m_generation;
+    if (file.unsaved) m_undo.resetClean();
     emit opened();
     emit projectChanged();
     emit titleChanged();

@@ -137,6 +137,14 @@ OpenedFile openFile(const QString& path, Solids solids) {
     return file;
 }
 
+OpenedFile openLost(const LostWork& work) {
+    OpenedFile file = openProject(work.copy);
+    file.path = work.path;
+    file.source = work.source;
+    file.unsaved = true;
+    return file;
+}
+
 QStringList samplePaths() {
     QStringList paths;
     const QDir folder(sampleFolder());

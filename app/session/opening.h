@@ -2,7 +2,7 @@
 
 #include <QStringList>
 
-#include "app/document/document.h"
+#include "app/document/recovery.h"
 
 namespace wend {
 
@@ -12,6 +12,9 @@ enum class Solids { Refuse, Take };
 /// mesh in space is refused or becomes a project in space: tetrahedra its mesh, a surface its surface. Runs
 /// in any thread. Throws InputError with what to do about it.
 OpenedFile openFile(const QString& path, Solids solids = Solids::Refuse);
+
+/// Work that was lost in a crash, as changes that are not saved yet. Throws as openFile().
+OpenedFile openLost(const LostWork& work);
 
 /// Patterns of a file dialog, "*.png *.tif …".
 QString pictureExtensions();

@@ -28,9 +28,9 @@ struct Reading {
     QString error;
 };
 
-Reading read(const QString& path) {
+Reading tryToRead(const std::function<OpenedFile()>& reader) {
     try {
-        return {openFile(path), {}};
+        return {reader(), {}};
     } catch (const std::exception& error) {
         return {{}, said(error)};
     }
@@ -54,11 +54,16 @@ void FileWorkflow::askOpen() {
 }
 
 void FileWorkflow::open(const QString& path) {
-    if (!mayLeave()) return;
+    if (mayLeave()) read(QFileInfo(path).fileName(), [path] { return openFile(path); });
+}
+
+void FileWorkflow::read(const QString& name, std::function<OpenedFile()> reader) {
     const int ticket = ++m_ticket;
     ++m_opening;
-    emit openingChanged(QFileInfo(path).fileName());
-    QtConcurrent::run([path] { return read(path); }).then(this, [this, ticket](const Reading& reading) {
+    emit openingChanged(name);
+    QtConcurrent::run([reader = std::move(reader)] {
+        return tryToRead(reader);
+    }).then(this, [this, ticket](const Reading& reading) {
         --m_opening;
         emit openingChanged({});
         if (!reading.error.isEmpty())
@@ -68,11 +73,41 @@ void FileWorkflow::open(const QString& path) {
     });
 }
 
+void FileWorkflow::guardWork(const QString& folder) {
+    m_recovery = new Recovery(m_document, folder);
+    m_recovery->setParent(this);
+    connect(m_recovery, &Recovery::failed, this, [this](const QString& why) {
+        emit failed(tr("There is no copy of your changes if the program crashes: please save. %1").arg(why));
+    });
+    const QList<LostWork> lost = Recovery::lostIn(folder);
+    if (!lost.isEmpty()) offer(lost.first());
+}
+
+/// One at a time: others are offered at the next start. The copy stays until there is a new one.
+void FileWorkflow::offer(const LostWork& work) {
+    const QString name = QFileInfo(work.path.isEmpty() ? work.source : work.path).fileName();
+    QMessageBox box(QMessageBox::NoIcon, tr("Wend"), tr("Recover unsaved changes to “%1”?").arg(name),
+                    QMessageBox::NoButton, &m_window);
+    box.setInformativeText(tr("Wend was not closed properly. The last change was on %1.")
+                               .arg(QLocale().toString(work.time, QLocale::ShortFormat)));
+    QPushButton* recover = box.addButton(tr("Recover"), QMessageBox::AcceptRole);
+    QPushButton* discard = box.addButton(tr("Discard"), QMessageBox::DestructiveRole);
+    box.addButton(tr("Later"), QMessageBox::RejectRole);
+    box.setDefaultButton(recover);
+    box.exec();
+    if (box.clickedButton() == discard) Recovery::discard(work);
+    if (box.clickedButton() != recover) return;
+    connect(
+        m_recovery, &Recovery::written, this, [work] { Recovery::discard(work); }, Qt::SingleShotConnection);
+    read(name, [work] { return openLost(work); });
+}
+
 void FileWorkflow::take(OpenedFile file) {
     const QStringList warnings = file.warnings;
     const QString source = file.source;
+    const bool isRecovered = file.unsaved;
     m_document.open(std::move(file));
-    addRecent(source);
+    if (!isRecovered) addRecent(source);
     emit opened();
     if (!warnings.isEmpty()) emit failed(warnings.join('\n'));
 }

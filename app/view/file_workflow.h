@@ -1,8 +1,9 @@
 #pragma once
 
 #include <QObject>
+#include <functional>
 
-#include "app/document/document.h"
+#include "app/document/recovery.h"
 
 class QMenu;
 class QWidget;
@@ -22,6 +23,9 @@ class FileWorkflow : public QObject {
     void fillRecent(QMenu& menu);
     void fillSamples(QMenu& menu);
 
+    /// From now on unsaved changes are copied to this folder. Offers what crashed programs have left there.
+    void guardWork(const QString& folder);
+
   public slots:
     void askOpen();
     void open(const QString& path);
@@ -40,10 +44,13 @@ class FileWorkflow : public QObject {
   private:
     bool saveTo(const QString& path);
     void addRecent(const QString& path);
+    void offer(const LostWork& work);
+    void read(const QString& name, std::function<OpenedFile()> reader);
     void take(OpenedFile file);
 
     Document& m_document;
     QWidget& m_window;
+    Recovery* m_recovery = nullptr;
     int m_opening = 0;
     int m_ticket = 0;  // of the newest opening; older ones come too late
 };

@@ -7,6 +7,7 @@
 #include <QTranslator>
 #include <clocale>
 
+#include "app/view/file_workflow.h"
 #include "app/view/main_window.h"
 
 namespace wend {
@@ -28,6 +29,7 @@ int runWindow(int argc, char** argv) {
     QApplication::setWindowIcon(QIcon(QStringLiteral(":/wend/icons/wend.svg")));
     MainWindow window;
     window.show();
+    window.files().guardWork(Recovery::standardFolder());
     const QStringList arguments = QApplication::arguments();
     if (arguments.size() > 1) window.openPath(arguments[1]);
     return QApplication::exec();
