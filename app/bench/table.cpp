@@ -72,6 +72,7 @@ std::string textOf(const BenchRow& row) {
 }
 
 std::string textOf(const std::vector<Growth>& growth) {
+    if (growth.empty()) return {};
     std::string text = "Growth with the number of vertices n, time ~ n^p:\n";
     for (const Growth& one : growth)
         text += columns(std::to_string(one.dimension) + "D " + one.what, one.threads) +
