@@ -138,7 +138,7 @@ OpenedFile openFile(const QString& path, Solids solids) {
 }
 
 OpenedFile openLost(const LostWork& work) {
-    OpenedFile file = openProject(work.copy, Solids::Refuse);
+    OpenedFile file = openProject(work.copy, Solids::Take);
     file.path = work.path;
     file.source = work.source;
     file.recoveredFrom = work.copy;
