@@ -142,6 +142,7 @@ OpenedFile openFile(const QString& path, Solids solids) {
     else
         file = openPicture(absolutePath);
     file.source = absolutePath;
+    if (samplePaths().contains(absolutePath)) file.path.clear();  // samples are there to be changed and kept
     return file;
 }
 
@@ -149,7 +150,7 @@ OpenedFile openLost(const LostWork& work) {
     OpenedFile file = openProject(work.copy, Solids::Take);
     file.path = work.path;
     file.source = work.source;
-    file.unsaved = true;
+    file.recoveredFrom = work.copy;
     return file;
 }
 
