@@ -12,22 +12,9 @@ namespace wend {
 
 namespace {
 
-QString said(const char* text) {
-    return QCoreApplication::translate("Opening", text);
-}
-
-[[noreturn]] void refuse(const QString& path, const QString& why) {
-    throw InputError(path.toStdString(), why.toStdString());
-}
-
 bool hasExtension(const QString& path, const QString& patterns) {
     return patterns.split(' ').contains(QStringLiteral("*.") + QFileInfo(path).suffix().toLower());
 }
-
-const char* const kVolumeLater =
-    QT_TRANSLATE_NOOP("Opening",
-                      "this is a solid; the window shows pictures and flat meshes so far. `wend run` and "
-                      "`wend mesh` work with solids.");
 
 std::string absolute(const QString& folder, const std::string& file) {
     return file.empty() ? file : QDir(folder).absoluteFilePath(QString::fromStdString(file)).toStdString();
@@ -37,12 +24,11 @@ OpenedFile openProject(const QString& path) {
     OpenedFile file;
     LoadedProject loaded = readProject(path.toStdString());
     Project& project = loaded.project;
-    if (project.dimension() != 2) refuse(path, said(kVolumeLater));
     const QString folder = QFileInfo(path).absolutePath();
     project.domain.path = absolute(folder, project.domain.path);
     project.domain.texture = absolute(folder, project.domain.texture);
-    MaterialSpec<2>& material = std::get<Design<2>>(project.design).material;
-    material.cellsFile = absolute(folder, material.cellsFile);
+    std::visit([&](auto& own) { own.material.cellsFile = absolute(folder, own.material.cellsFile); },
+               project.design);
     for (const std::string& warning : loaded.warnings) file.warnings << QString::fromStdString(warning);
     if (project.domain.kind == DomainKind::Image) file.picture = loadPicture(project, folder.toStdString());
     file.project = std::make_shared<const Project>(std::move(project));
@@ -79,18 +65,21 @@ OpenedFile openPicture(const QString& path) {
     return file;
 }
 
+bool isFlat(const MeshFile& mesh) {
+    const auto z = mesh.points.row(2);
+    return mesh.points.cols() > 0 &&
+           z.maxCoeff() - z.minCoeff() <=
+               1e-9 * (mesh.points.rowwise().maxCoeff() - mesh.points.rowwise().minCoeff()).norm();
+}
+
+/// Tetrahedra are taken as they are, a flat mesh is one in the plane, and any other surface bounds a solid.
 OpenedFile openMesh(const QString& path) {
     const MeshFile mesh = readMeshFile(path.toStdString());
-    if (isVolume(mesh)) refuse(path, said(kVolumeLater));
-    const auto z = mesh.points.row(2);
-    const bool flat = mesh.points.cols() > 0 &&
-                      z.maxCoeff() - z.minCoeff() <=
-                          1e-9 * (mesh.points.rowwise().maxCoeff() - mesh.points.rowwise().minCoeff()).norm();
-    if (!flat) refuse(path, said(kVolumeLater));
-    OpenedFile file;
     Project project;
-    project.domain.kind = DomainKind::Mesh;
     project.domain.path = path.toStdString();
+    project.domain.kind = isVolume(mesh) || isFlat(mesh) ? DomainKind::Mesh : DomainKind::Surface;
+    if (isVolume(mesh) || project.domain.kind == DomainKind::Surface) project.design = Design<3>();
+    OpenedFile file;
     file.project = std::make_shared<const Project>(std::move(project));
     return file;
 }

@@ -6,7 +6,7 @@
 
 namespace wend {
 
-/// Reads a project, a picture or a mesh in the plane, told apart by the file's extension, and makes a project
+/// Reads a project, a picture, a mesh or a surface, told apart by the file's extension, and makes a project
 /// of it. Runs in any thread. Throws InputError with what to do about it.
 OpenedFile openFile(const QString& path);
 

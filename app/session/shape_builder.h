@@ -15,28 +15,32 @@ struct ShapeInputs {
     std::string folder;
 };
 
+template <int Dim>
 struct BuiltShape {
-    std::shared_ptr<const SimplicialMesh<2>> rest;
-    std::shared_ptr<const Material<2>> material;
+    std::shared_ptr<const SimplicialMesh<Dim>> rest;
+    std::shared_ptr<const std::vector<Facet<Dim>>> facets;  // in space only
+    std::shared_ptr<const Material<Dim>> material;
 };
 
-/// Outline, mesh and material of a project, made again only where the inputs changed since the last time. The
-/// steps are those of loadScene(), so that window and command line have the same mesh.
+/// Outline (of a picture), mesh and material of a project, made again only where the inputs changed since the
+/// last time. The steps are those of loadScene(), so that window and command line have the same mesh.
+template <int Dim>
 class ShapeBuilder {
   public:
     /// Throws InputError. Null rest if stopped.
-    BuiltShape build(const ShapeInputs& inputs, std::stop_token stop);
+    BuiltShape<Dim> build(const ShapeInputs& inputs, std::stop_token stop);
 
   private:
     void makeShape(const ShapeInputs& inputs, std::stop_token stop);
     void makeMesh(const ShapeInputs& inputs, std::stop_token stop);
+    void makePictureMesh(const ShapeInputs& inputs, std::stop_token stop);
     bool meshIsCurrent(const ShapeInputs& inputs) const;
     bool materialIsCurrent(const ShapeInputs& inputs) const;
 
     ShapeInputs m_last;  // of the mesh and material below
     ShapeInputs m_outlineFrom;
     std::shared_ptr<const Outline> m_outline;
-    BuiltShape m_shape;
+    BuiltShape<Dim> m_shape;
 };
 
 }  // namespace wend

@@ -19,7 +19,7 @@ namespace {
 
 const char* const kPictureFilter = "PNG (*.png);;TIFF (*.tif);;OpenEXR (*.exr);;JPEG (*.jpg);;WebP (*.webp)";
 
-void writePicture(const std::string& path, const Image& source, const ShapeFrame& frame,
+void writePicture(const std::string& path, const Image& source, const PosedFrame<2>& frame,
                   const std::function<void(double)>& progress, std::stop_token stop) {
     View view;
     view.width = source.width;
@@ -29,6 +29,31 @@ void writePicture(const std::string& path, const Image& source, const ShapeFrame
     options.progress = progress;
     const Image image = warpImage(source, *frame.rest, frame.pose, view, options);
     if (!stop.stop_requested()) writeImage(path, image);
+}
+
+bool holdsOnlySurfaces(const QString& path) {
+    static const QStringList suffixes = {"obj", "ply", "stl", "off"};
+    return suffixes.contains(QFileInfo(path).suffix().toLower());
+}
+
+/// The solid in its pose with its distortion and φ per cell.
+MeshFile solidFile(const PosedFrame<3>& frame, const QString& path) {
+    SimplicialMesh<3> posedMesh = *frame.rest;
+    posedMesh.points = frame.pose;
+    MeshFile file = toMeshFile<3>(posedMesh);
+    for (const auto& facet : *frame.facets)
+        if (!facet.interior()) file.triangles.push_back(facet.vertices);
+    if (holdsOnlySurfaces(path)) {
+        file.tetrahedra.clear();
+        return file;
+    }
+    const Distortion& distortion = frame.distortion;
+    file.fields = {{"angle", true, 1, distortion.angle},
+                   {"volume", true, 1, distortion.volume},
+                   {"metric", true, 1, distortion.metric},
+                   {"ratio", true, 1, distortion.ratio}};
+    if (frame.material) file.fields.push_back({"phi", true, 1, frame.material->phi});
+    return file;
 }
 
 /// What went wrong, or nothing. (Futures would slice the exception.)
@@ -101,7 +126,7 @@ void Exporter::run(const QString& what, const QString& path, Job job) {
 }
 
 void Exporter::exportPicture() {
-    const FramePtr frame = shownFrame();
+    const auto frame = posed<2>(shownFrame());
     const auto picture = m_session.document().picture();
     if (!frame || !picture) return;
     const QString path =
@@ -113,7 +138,12 @@ void Exporter::exportPicture() {
 }
 
 void Exporter::exportMesh() {
-    const FramePtr frame = shownFrame();
+    const FramePtr shown = shownFrame();
+    if (const auto solid = posed<3>(shown)) {
+        exportSolid(solid);
+        return;
+    }
+    const auto frame = posed<2>(shown);
     if (!frame) return;
     const QString path =
         askName(tr("Export Mesh"), QStringLiteral("-bent.obj"),
@@ -127,6 +157,19 @@ void Exporter::exportMesh() {
         const bool isMade = project->domain.kind == DomainKind::Image;
         const Scene<2> scene = isMade ? made : std::get<Scene<2>>(loadScene(*project, {}));
         writeMeshFile(path.toStdString(), poseFile<2>(scene, frame->pose));
+    });
+}
+
+/// Tetrahedra with all fields, or their surface where the format has only triangles.
+void Exporter::exportSolid(const PosedPtr<3>& frame) {
+    const QString path =
+        askName(tr("Export Mesh"), QStringLiteral("-bent.vtu"),
+                QStringLiteral(
+                    "VTU (*.vtu);;VTK (*.vtk);;Medit (*.mesh);;Gmsh (*.msh);;TetGen (*.node);;Wavefront OBJ "
+                    "(*.obj);;PLY (*.ply);;STL (*.stl);;OFF (*.off)"));
+    if (path.isEmpty()) return;
+    run(tr("Writing the mesh …"), path, [=](const Progress&, std::stop_token) {
+        writeMeshFile(path.toStdString(), solidFile(*frame, path));
     });
 }
 
@@ -160,7 +203,7 @@ void Exporter::exportFrames() {
 }
 
 void Exporter::exportStMap() {
-    const FramePtr frame = shownFrame();
+    const auto frame = posed<2>(shownFrame());
     const auto picture = m_session.document().picture();
     if (!frame || !picture) return;
     const QString path = askName(tr("Export ST Map"), QStringLiteral("-stmap.exr"),
