@@ -634,6 +634,34 @@
         <source>If you do not save, they are lost.</source>
         <translation>Ohne Speichern gehen sie verloren.</translation>
     </message>
+    <message>
+        <source>There is no copy of your changes if the program crashes: please save. %1</source>
+        <translation>Falls das Programm abstürzt, gibt es keine Kopie Ihrer Änderungen: bitte speichern. %1</translation>
+    </message>
+    <message>
+        <source>Recover unsaved changes to “%1”?</source>
+        <translation>Nicht gespeicherte Änderungen an „%1“ wiederherstellen?</translation>
+    </message>
+    <message>
+        <source>Wend was not closed properly. The last change was on %1.</source>
+        <translation>Wend wurde nicht ordentlich beendet. Die letzte Änderung war am %1.</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>Später</translation>
+    </message>
+    <message>
+        <source>“%1” is not opened then.</source>
+        <translation>„%1“ wird dann nicht geöffnet.</translation>
+    </message>
 </context>
 <context>
     <name>wend::InfoBanner</name>

@@ -41,43 +41,63 @@ class BandPainter {
         return reinterpret_cast<T*>(m_job.output.row(y)) + static_cast<std::ptrdiff_t>(x) * m_channels;
     }
 
-    void put(T* to, Lanes colour) const {
-        if (N < 4 && m_job.addsAlpha) colour[N & 3] = kFull<T>;
-        storeColour(colour, m_channels, to);
-    }
-
     // --- cells
     // ---------------------------------------------------------------------------------------------------
 
+    const Sampler<T, N>& samplerOf(const CellFilter& filter) const {
+        return m_samplers[static_cast<std::size_t>(filter.level)];
+    }
+
     template <bool inner>
-    Lanes sample(const CellFilter& filter, const Vec<2>& at) const {
-        const Sampler<T, N>& sampler = m_samplers[static_cast<std::size_t>(filter.level)];
-        const double x = at.x() * filter.shrink, y = at.y() * filter.shrink;
+    static Lanes sample(const Sampler<T, N>& sampler, const CellFilter& filter, const RadialKernel& kernel,
+                        const Vec<2>& at) {
+        double x = at.x() * filter.shrink, y = at.y() * filter.shrink;
+        if constexpr (!inner) sampler.bound(x, y);
         if constexpr (F == Filter::Nearest) return sampler.template nearest<inner>(x, y);
         if constexpr (F == Filter::Bilinear) return sampler.template bilinear<inner>(x, y);
         if (F == Filter::Bicubic || filter.blend == 0) return sampler.template bicubic<inner>(x, y);
-        const Lanes colour = sampler.template elliptical<inner>(x, y, filter.ellipse, m_kernel);
+        const Lanes colour = sampler.template elliptical<inner>(x, y, filter.ellipse, kernel);
         if (filter.blend == 1) return colour;
-        return filter.blend * colour + (1 - filter.blend) * sampler.template bicubic<inner>(x, y);
+        return sampler.mixed(colour, sampler.template bicubic<inner>(x, y), filter.blend);
+    }
+
+    Lanes sample(const CellFilter& filter, const Vec<2>& at) const {
+        return sample<false>(samplerOf(filter), filter, m_kernel, at);
     }
 
     static Vec<2> reach(const CellFilter& filter) {
         return F == Filter::Ewa ? filter.ellipse.reach.cwiseMax(2.0) : Vec<2>(2, 2);
     }
 
-    template <bool inner>
+    /// Works on copies: a pixel that is written might be any of the members for all the compiler knows.
+    template <bool inner, bool addsAlpha>
     void paintSpan(const VisibleCell& cell, int begin, int end, int y) {
-        const double height = m_job.plane(0, y + 0.5).y();
-        const Vec<2> inRow = cell.map.inRow(height);
+        const Sampler<T, N> sampler = samplerOf(cell.filter);
+        const CellFilter filter = cell.filter;
+        const CellMap map = cell.map;
+        const double height = m_job.plane(0, y + 0.5).y(), left = m_job.view.origin.x(),
+                     scale = m_job.view.scale;
+        const Vec<2> inRow = map.inRow(height);
+        constexpr int channels = addsAlpha ? N + 1 : N;
         T* to = target(begin, y);
-        for (int x = begin; x < end; ++x, to += m_channels) {
-            const double across = m_job.view.origin.x() + m_job.view.scale * (x + 0.5);
-            put(to, sample<inner>(cell.filter, cell.map.source(across, height, inRow)));
+        for (int x = begin; x < end; ++x, to += channels) {
+            const double across = left + scale * (x + 0.5);
+            Lanes colour = sample<inner>(sampler, filter, m_kernel, map.source(across, height, inRow));
+            if constexpr (addsAlpha) colour[N] = kFull<T>;
+            storeColour<channels>(colour, to);
         }
     }
 
+    template <bool inner>
+    void paintSpan(const VisibleCell& cell, int begin, int end, int y) {
+        if constexpr (N < 4) {
+            if (m_job.addsAlpha) return paintSpan<inner, true>(cell, begin, end, y);
+        }
+        paintSpan<inner, false>(cell, begin, end, y);
+    }
+
     void paintCell(const VisibleCell& cell) {
-        const Sampler<T, N>& sampler = m_samplers[static_cast<std::size_t>(cell.filter.level)];
+        const Sampler<T, N>& sampler = samplerOf(cell.filter);
         for (int y = std::max(m_begin, firstPixel(cell.rows.top(), m_end));
              y < m_end && y + 0.5 < cell.rows.bottom(); ++y) {
             const Span span = cell.rows.at(y + 0.5);
@@ -131,7 +151,7 @@ class BandPainter {
         const Outside kind = m_job.options.outside;
         if (kind == Outside::Colour) return givenColour();
         if (kind == Outside::Clamp || (kind == Outside::Original && inPicture(p)))
-            return asOutput(sample<false>(m_outsideFilter, p));
+            return asOutput(sample(m_outsideFilter, p));
         return {};
     }
 
@@ -222,7 +242,7 @@ class BandPainter {
             if (shown == 0) continue;
             const VisibleCell& cell = m_job.cells[static_cast<std::size_t>(piece->cell)];
             const Vec<2> at = cell.map.source(m_job.plane(x + 0.5, y + 0.5));
-            mix.add(asOutput(sample<false>(cell.filter, at)), std::popcount(shown));
+            mix.add(asOutput(sample(cell.filter, at)), std::popcount(shown));
             left &= ~shown;
         }
         if (left != 0) mix.add(outsideColour(x, y), std::popcount(left));

@@ -53,7 +53,7 @@ CellFilter::CellFilter(const Mat<2>& jacobian, Filter filter, int levels) {
     if (reduce > 1) level = static_cast<int>(std::min(levels - 1.0, std::floor(std::log2(reduce) + 0.5)));
     shrink = std::ldexp(1.0, -level);
     if (filter != Filter::Ewa) return;
-    const Vec<2> axes = (stretch * shrink).cwiseMax(1.0);
+    const Vec<2> axes = (stretch * shrink).cwiseMax(1.0).cwiseMin(2 * kAnisotropy);  // where levels end
     blend = static_cast<float>(std::clamp((axes[0] - kBlendBegin) / kBlendWidth, 0.0, 1.0));
     const Mat<2> metric =
         singular.vectors * axes.cwiseAbs2().cwiseInverse().asDiagonal() * singular.vectors.transpose();

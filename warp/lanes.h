@@ -93,6 +93,36 @@ inline void narrowed(const Lanes& colour, half* p) {
 }
 #endif
 
+/// The lane in all lanes.
+template <int lane>
+Lanes spread(const Lanes& lanes) {
+#if defined(__SSE2__)
+    const __m128 v = _mm_loadu_ps(lanes.data());
+    Lanes result;
+    _mm_storeu_ps(result.data(), _mm_shuffle_ps(v, v, _MM_SHUFFLE(lane, lane, lane, lane)));
+    return result;
+#else
+    return Lanes::Constant(lanes[lane]);
+#endif
+}
+
+/// `lanes` but for one lane, which is that of `other`.
+template <int lane>
+Lanes replaced(const Lanes& lanes, const Lanes& other) {
+#if defined(__SSE2__)
+    const __m128 mask =
+        _mm_castsi128_ps(_mm_setr_epi32(-(lane == 0), -(lane == 1), -(lane == 2), -(lane == 3)));
+    Lanes result;
+    _mm_storeu_ps(result.data(), _mm_or_ps(_mm_andnot_ps(mask, _mm_loadu_ps(lanes.data())),
+                                           _mm_and_ps(mask, _mm_loadu_ps(other.data()))));
+    return result;
+#else
+    Lanes result = lanes;
+    result[lane] = other[lane];
+    return result;
+#endif
+}
+
 /// The pixel of N channels at p. With `beyond`, the channel after a pixel of three may be read.
 template <int N, bool beyond, typename T>
 Lanes loadColour(const T* p) {
@@ -102,10 +132,10 @@ Lanes loadColour(const T* p) {
     return colour;
 }
 
-/// Writes the first `channels` lanes (1 … 4), rounded and clamped.
-template <typename T>
-void storeColour(const Lanes& colour, int channels, T* p) {
-    if (channels == 4) return narrowed(colour, p);
+/// Writes the first lanes, rounded and clamped.
+template <int channels, typename T>
+void storeColour(const Lanes& colour, T* p) {
+    if constexpr (channels == 4) return narrowed(colour, p);
     T four[4];
     narrowed(colour, four);
     for (int c = 0; c < channels; ++c) p[c] = four[c];

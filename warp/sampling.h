@@ -62,6 +62,14 @@ class Sampler {
                high.y() + reach.y() < m_height - 1;
     }
 
+    /// Brings a position that is far beyond the border (or no number) near: nothing changes but the range of
+    /// the numbers.
+    void bound(double& x, double& y) const {
+        constexpr double kFar = 64;  // farther than any filter reaches
+        x = x > -kFar ? std::min(x, m_width + kFar) : -kFar;
+        y = y > -kFar ? std::min(y, m_height + kFar) : -kFar;
+    }
+
     template <bool inner>
     Lanes nearest(double x, double y) const {
         return pixel<inner>(floorOf<inner>(x), floorOf<inner>(y));
@@ -89,14 +97,23 @@ class Sampler {
                                   : mean<inner, false>(x, y, ellipse, kernel));
     }
 
+    /// t a + (1 − t) b, by their alphas where colours are not associated.
+    Lanes mixed(const Lanes& a, const Lanes& b, float t) const {
+        if (!m_weighted) return t * a + (1 - t) * b;
+        return unweighted<true>(t * associated(a) + (1 - t) * associated(b));
+    }
+
   private:
     /// std::floor is a call without SSE 4.1.
     template <bool inner>
     static int floorOf(double x) {
         if constexpr (inner) return static_cast<int>(x);
-        const int i = static_cast<int>(std::clamp(x, -1e9, 1e9));
+        const int i = static_cast<int>(x);
         return i - (x < i ? 1 : 0);
     }
+
+    /// Within ±1000.
+    static int floorOf(float x) { return static_cast<int>(x + 1024.0F) - 1024; }
 
     /// The pixel whose centre is at or before a position, and how far beyond it that is.
     struct Place {
@@ -117,22 +134,20 @@ class Sampler {
     /// A pixel as a summand: where alpha is to weigh the colours, they are multiplied with it.
     template <bool inner, bool weighted>
     Lanes summand(int x, int y) const {
-        Lanes colour = pixel<inner>(x, y);
+        const Lanes colour = pixel<inner>(x, y);
         if constexpr (!weighted) return colour;
-        const float alpha = colour[N - 1];
-        colour[N - 1] = kFull<T>;
-        return colour * (alpha / kFull<T>);
+        return associated(colour);
+    }
+    static Lanes associated(const Lanes& colour) {
+        return replaced<N - 1>(colour, Lanes::Constant(kFull<T>)) * (spread<N - 1>(colour) * (1 / kFull<T>));
     }
 
     /// The colours of a sum of summands.
     template <bool weighted>
-    static Lanes unweighted(Lanes sum) {
+    static Lanes unweighted(const Lanes& sum) {
         if constexpr (!weighted) return sum;
-        const float alpha = sum[N - 1];
-        if (!(alpha > 0)) return Lanes::Zero();
-        sum *= kFull<T> / alpha;
-        sum[N - 1] = alpha;
-        return sum;
+        if (!(sum[N - 1] > 0)) return Lanes::Zero();
+        return replaced<N - 1>(sum * (kFull<T> / sum[N - 1]), sum);
     }
 
     template <int taps, bool inner>
@@ -152,25 +167,26 @@ class Sampler {
         return unweighted<weighted>(total);
     }
 
-    /// Row by row over the chord of the ellipse: |u|² = xx (dx − centre)² + rest(dy).
+    /// Row by row over the chord of the ellipse: |u|² = xx (dx − middle)² + rest(dy). Places are counted from
+    /// the pixel that holds the position, so that single precision is enough.
     template <bool inner, bool weighted>
     Lanes mean(double x, double y, const Ellipse& ellipse, const RadialKernel& kernel) const {
-        const int y0 = floorOf<inner>(y - ellipse.reach.y() + 0.5),
-                  y1 = floorOf<inner>(y + ellipse.reach.y() - 0.5);
-        const float slant = ellipse.xy / ellipse.xx;
-        const float depth = ellipse.yy - ellipse.xy * slant, width = 1 / ellipse.xx;
+        const int px = floorOf<inner>(x), py = floorOf<inner>(y);
+        const float fx = static_cast<float>(x - 0.5 - px), fy = static_cast<float>(y - 0.5 - py);
+        const float slant = ellipse.xy / ellipse.xx, width = 1 / ellipse.xx;
+        const float depth = ellipse.yy - ellipse.xy * slant, reach = static_cast<float>(ellipse.reach.y());
         Lanes total = Lanes::Zero();
         float weight = 0;
-        for (int j = y0; j <= y1; ++j) {
-            const float dy = static_cast<float>(j + 0.5 - y), rest = depth * dy * dy;
+        const int last = floorOf(fy + reach);
+        for (int j = -floorOf(reach - fy); j <= last; ++j) {
+            const float dy = static_cast<float>(j) - fy, rest = depth * dy * dy;
             if (rest >= 4) continue;
-            const double centre = x - slant * dy;
-            const double half = std::sqrt((4 - rest) * width);
-            const int x0 = floorOf<inner>(centre - half + 0.5), x1 = floorOf<inner>(centre + half - 0.5);
-            float dx = static_cast<float>(x0 + 0.5 - centre);
-            for (int i = x0; i <= x1; ++i, dx += 1) {
+            const float middle = fx - slant * dy, half = std::sqrt((4 - rest) * width);
+            const int begin = -floorOf(half - middle), end = floorOf(middle + half);
+            float dx = static_cast<float>(begin) - middle;
+            for (int i = begin; i <= end; ++i, dx += 1) {
                 const float w = kernel(std::min(4.0F, ellipse.xx * dx * dx + rest));
-                total += w * summand<inner, weighted>(i, j);
+                total += w * summand<inner, weighted>(px + i, py + j);
                 weight += w;
             }
         }
@@ -182,7 +198,7 @@ class Sampler {
     Lanes limited(Lanes colour) const {
         if constexpr (std::is_integral_v<T>) {
             colour = colour.max(0.0F).min(kFull<T>);
-            if (m_alpha && !m_weighted) colour = colour.min(colour[N - 1]);
+            if (m_alpha && !m_weighted) colour = colour.min(spread<N - 1>(colour));
         } else if (m_alpha) {
             colour[N - 1] = std::clamp(colour[N - 1], 0.0F, 1.0F);
         }

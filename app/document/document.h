@@ -17,6 +17,7 @@ struct OpenedFile {
     QString path;    // of the project file; empty if a picture or mesh was opened
     QString source;  // the file that was opened
     QStringList warnings;
+    QString recoveredFrom;  // a copy of unsaved work: there are changes that `path` does not have
 };
 
 /// The project that is being worked on, as an immutable value that undo commands exchange.
@@ -42,6 +43,8 @@ class Document : public QObject {
     /// Where relative paths of the project start.
     QString folder() const;
     QString displayName() const;
+    /// The file that was opened.
+    const QString& source() const { return m_source; }
     QUndoStack* undoStack() { return &m_undo; }
     bool isModified() const { return !m_undo.isClean(); }
 
@@ -60,6 +63,7 @@ class Document : public QObject {
     void opened();
     void projectChanged();
     void titleChanged();
+    void saved();
 
   private:
     friend class ProjectCommand;

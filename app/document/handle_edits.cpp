@@ -173,11 +173,6 @@ bool samePlace(const Handle<Dim>& a, const Handle<Dim>& b) {
 }
 
 template <int Dim>
-bool sameRegion(const Region<Dim>& a, const Region<Dim>& b) {
-    return same(a, b);
-}
-
-template <int Dim>
 std::string freePinName(const Design<Dim>& design, const std::string& kind) {
     std::set<std::string> taken;
     for (const auto& handle : design.handles) taken.insert(handle.name);
@@ -332,7 +327,6 @@ double firstDifference(const std::vector<Handle<Dim>>& a, const std::vector<Hand
     template bool hasMotion(const Design<Dim>&);                                                             \
     template bool isActive(const Handle<Dim>&, double);                                                      \
     template bool samePlace(const Handle<Dim>&, const Handle<Dim>&);                                         \
-    template bool sameRegion<Dim>(const Region<Dim>&, const Region<Dim>&);                                   \
     template std::string freePinName(const Design<Dim>&, const std::string&);                                \
     template Project withHandle<Dim>(const Project&, Placement<Dim>, const std::string&);                    \
     template Project withPin<Dim>(const Project&, const Vec<Dim>&, const std::string&);                      \

@@ -21,8 +21,6 @@ bool isActive(const Handle<Dim>& handle, double t);
 /// True if both take hold of the same points.
 template <int Dim>
 bool samePlace(const Handle<Dim>& a, const Handle<Dim>& b);
-template <int Dim>
-bool sameRegion(const Region<Dim>& a, const Region<Dim>& b);
 /// "Pin 1", "Pin 2" …: the first that no handle has.
 template <int Dim>
 std::string freePinName(const Design<Dim>& design, const std::string& kind = "Pin");

@@ -27,7 +27,9 @@ OpenedFile openProject(const QString& path) {
     const QString folder = QFileInfo(path).absolutePath();
     project.domain.path = absolute(folder, project.domain.path);
     project.domain.texture = absolute(folder, project.domain.texture);
-    std::visit([&](auto& own) { own.material.cellsFile = absolute(folder, own.material.cellsFile); },
+    project.domain.sizesFile = absolute(folder, project.domain.sizesFile);
+    project.domain.detail = absolute(folder, project.domain.detail);
+    std::visit([&](auto& design) { design.material.cellsFile = absolute(folder, design.material.cellsFile); },
                project.design);
     for (const std::string& warning : loaded.warnings) file.warnings << QString::fromStdString(warning);
     if (project.domain.kind == DomainKind::Image) file.picture = loadPicture(project, folder.toStdString());
@@ -67,18 +69,17 @@ OpenedFile openPicture(const QString& path) {
 
 bool isFlat(const MeshFile& mesh) {
     const auto z = mesh.points.row(2);
-    return mesh.points.cols() > 0 &&
-           z.maxCoeff() - z.minCoeff() <=
-               1e-9 * (mesh.points.rowwise().maxCoeff() - mesh.points.rowwise().minCoeff()).norm();
+    const Vec<3> size = mesh.points.rowwise().maxCoeff() - mesh.points.rowwise().minCoeff();
+    return !isVolume(mesh) && z.maxCoeff() - z.minCoeff() <= 1e-9 * size.norm();
 }
 
-/// Tetrahedra are taken as they are, a flat mesh is one in the plane, and any other surface bounds a solid.
 OpenedFile openMesh(const QString& path) {
     const MeshFile mesh = readMeshFile(path.toStdString());
+    const bool flat = isFlat(mesh);
     Project project;
+    project.domain.kind = flat || isVolume(mesh) ? DomainKind::Mesh : DomainKind::Surface;
     project.domain.path = path.toStdString();
-    project.domain.kind = isVolume(mesh) || isFlat(mesh) ? DomainKind::Mesh : DomainKind::Surface;
-    if (isVolume(mesh) || project.domain.kind == DomainKind::Surface) project.design = Design<3>();
+    if (!flat) project.design = Design<3>{};
     OpenedFile file;
     file.project = std::make_shared<const Project>(std::move(project));
     return file;
@@ -118,6 +119,14 @@ OpenedFile openFile(const QString& path) {
     else
         file = openPicture(absolutePath);
     file.source = absolutePath;
+    return file;
+}
+
+OpenedFile openLost(const LostWork& work) {
+    OpenedFile file = openProject(work.copy);
+    file.path = work.path;
+    file.source = work.source;
+    file.recoveredFrom = work.copy;
     return file;
 }
 

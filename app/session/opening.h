@@ -2,13 +2,17 @@
 
 #include <QStringList>
 
-#include "app/document/document.h"
+#include "app/document/recovery.h"
 
 namespace wend {
 
-/// Reads a project, a picture, a mesh or a surface, told apart by the file's extension, and makes a project
-/// of it. Runs in any thread. Throws InputError with what to do about it.
+/// Reads a project, a picture or a mesh, told apart by the file's extension, and makes a project of it; a
+/// mesh in space becomes a project in space: tetrahedra its mesh, a surface its surface. Runs
+/// in any thread. Throws InputError with what to do about it.
 OpenedFile openFile(const QString& path);
+
+/// Work that was lost in a crash, as changes that are not saved yet. Throws as openFile().
+OpenedFile openLost(const LostWork& work);
 
 /// Patterns of a file dialog, "*.png *.tif …".
 QString pictureExtensions();

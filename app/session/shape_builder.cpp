@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/document/handle_edits.h"
+#include "app/session/solid.h"
 #include "core/mesh/error.h"
 
 namespace wend {
@@ -24,10 +24,9 @@ bool sameOutline(const Domain& a, const Domain& b) {
            a.polygons.loops == b.polygons.loops;
 }
 
-/// The points that become vertices of a picture's mesh: those of handles that are there from the start.
+/// The points that become vertices of the mesh: those of handles that are there from the start.
 std::vector<Vec<2>> startPoints(const ShapeInputs& inputs) {
     std::vector<Vec<2>> points;
-    if (inputs.project->domain.kind != DomainKind::Image) return points;
     for (const Handle<2>& handle : designOf<2>(inputs).handles)
         if (const auto* own = std::get_if<std::vector<Vec<2>>>(&handle.at); own && handle.activeFrom <= 0)
             points.insert(points.end(), own->begin(), own->end());
@@ -47,7 +46,7 @@ template <int Dim>
 bool sameMaterial(const MaterialSpec<Dim>& a, const MaterialSpec<Dim>& b) {
     const auto same = [](const MaterialRegion<Dim>& p, const MaterialRegion<Dim>& q) {
         return p.feather == q.feather && p.phi == q.phi && sameStiffness<Dim>(p.stiffness, q.stiffness) &&
-               sameRegion<Dim>(p.shape, q.shape);
+               p.shape == q.shape;
     };
     return a.phi == b.phi && sameSmoothing(a.smoothing, b.smoothing) && a.cellsFile == b.cellsFile &&
            a.cellPhi == b.cellPhi && a.cellB == b.cellB &&
@@ -60,41 +59,41 @@ template <int Dim>
 bool ShapeBuilder<Dim>::meshIsCurrent(const ShapeInputs& inputs) const {
     if (!m_shape.rest || m_last.generation != inputs.generation) return false;
     const Domain &a = m_last.project->domain, &b = inputs.project->domain;
-    return sameOutline(a, b) && a.vertices == b.vertices && a.edge == b.edge && a.quality == b.quality &&
-           a.maxVolume == b.maxVolume && startPoints(m_last) == startPoints(inputs);
+    if constexpr (Dim == 3) return sameSolid(a, b);
+    return sameOutline(a, b) && a.vertices == b.vertices && a.edge == b.edge &&
+           (b.kind != DomainKind::Image || startPoints(m_last) == startPoints(inputs));
 }
 
 template <int Dim>
 bool ShapeBuilder<Dim>::materialIsCurrent(const ShapeInputs& inputs) const {
-    if (!m_shape.material || m_last.generation != inputs.generation) return false;
-    const MaterialSpec<Dim>&a = designOf<Dim>(m_last).material, &b = designOf<Dim>(inputs).material;
-    return sameMaterial(a, b);
+    return m_shape.material && m_last.generation == inputs.generation &&
+           sameMaterial(designOf<Dim>(m_last).material, designOf<Dim>(inputs).material);
 }
 
-template <int Dim>
-void ShapeBuilder<Dim>::makeMesh(const ShapeInputs& inputs, std::stop_token stop) {
-    const Project& project = *inputs.project;
-    if constexpr (Dim == 2)
-        if (project.domain.kind == DomainKind::Image) {
-            makePictureMesh(inputs, stop);
-            return;
-        }
-    const auto scene = std::get<Scene<Dim>>(loadScene(project, inputs.folder, stop));
-    m_shape.rest = scene.rest;
-    if constexpr (Dim == 3)
-        m_shape.facets = std::make_shared<const std::vector<Facet<3>>>(facetsOf(*scene.rest));
+template <>
+void ShapeBuilder<3>::makeMesh(const ShapeInputs& inputs, std::stop_token stop) {
+    Solid solid = loadSolid(*inputs.project, inputs.folder, stop);
+    m_shape.rest = std::move(solid.rest);
+    m_shape.facets = std::make_shared<const std::vector<Facet<3>>>(facetsOf(*m_shape.rest));
+    m_shape.skin = std::move(solid.skin);
+    m_shape.ride = std::move(solid.ride);
+    m_shape.notices = std::move(solid.notices);
 }
 
-template <int Dim>
-void ShapeBuilder<Dim>::makePictureMesh(const ShapeInputs& inputs, std::stop_token stop) {
+template <>
+void ShapeBuilder<2>::makeMesh(const ShapeInputs& inputs, std::stop_token stop) {
     const Project& project = *inputs.project;
+    if (project.domain.kind != DomainKind::Image) {
+        m_shape.rest = std::get<Scene<2>>(loadScene(project, inputs.folder)).rest;
+        return;
+    }
     if (!m_outline || m_outlineFrom.generation != inputs.generation ||
         !sameOutline(m_outlineFrom.project->domain, project.domain)) {
         m_outline.reset();
         m_outline = std::make_shared<const Outline>(domainOutline(project.domain, *inputs.picture));
         m_outlineFrom = inputs;
     }
-    if constexpr (Dim == 2) m_shape.rest = meshPicture(project, *m_outline, stop);
+    m_shape.rest = meshPicture(project, *m_outline, stop);
 }
 
 template <int Dim>

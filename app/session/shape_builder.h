@@ -11,36 +11,38 @@ struct ShapeInputs {
     int generation = 0;  // of the opened file
     int revision = 0;    // of the request
     std::shared_ptr<const Project> project;
-    std::shared_ptr<const Image> picture;
+    std::shared_ptr<const Image> picture;  // 2D only
     std::string folder;
 };
 
 template <int Dim>
 struct BuiltShape {
     std::shared_ptr<const SimplicialMesh<Dim>> rest;
-    std::shared_ptr<const std::vector<Facet<Dim>>> facets;  // in space only
     std::shared_ptr<const Material<Dim>> material;
+    std::shared_ptr<const std::vector<Facet<Dim>>> facets;  // 3D only
+    std::shared_ptr<const Skin> skin;                       // 3D only: see Scene
+    std::shared_ptr<const Embedding<3>> ride;               // 3D only
+    std::vector<std::string> notices;                       // 3D only: what the user should hear of the mesh
 };
 
-/// Outline (of a picture), mesh and material of a project, made again only where the inputs changed since the
-/// last time. The steps are those of loadScene(), so that window and command line have the same mesh.
+/// Outline, mesh and material of a project, made again only where the inputs changed since the last time. The
+/// steps are those of loadScene(), so that window and command line have the same mesh. The project's
+/// dimension must be Dim.
 template <int Dim>
 class ShapeBuilder {
   public:
-    /// Throws InputError. Null rest if stopped.
+    /// Throws InputError (SurfaceError for a surface that bounds no volume). Null rest if stopped.
     BuiltShape<Dim> build(const ShapeInputs& inputs, std::stop_token stop);
 
   private:
     void makeShape(const ShapeInputs& inputs, std::stop_token stop);
     void makeMesh(const ShapeInputs& inputs, std::stop_token stop);
-    void makePictureMesh(const ShapeInputs& inputs, std::stop_token stop);
     bool meshIsCurrent(const ShapeInputs& inputs) const;
     bool materialIsCurrent(const ShapeInputs& inputs) const;
 
     ShapeInputs m_last;  // of the mesh and material below
     ShapeInputs m_outlineFrom;
-    std::shared_ptr<const Outline> m_outline;
+    std::shared_ptr<const Outline> m_outline;  // 2D only
     BuiltShape<Dim> m_shape;
 };
-
 }  // namespace wend

@@ -1,8 +1,9 @@
 #pragma once
 
 #include <QObject>
+#include <functional>
 
-#include "app/document/document.h"
+#include "app/document/recovery.h"
 
 class QMenu;
 class QWidget;
@@ -22,6 +23,10 @@ class FileWorkflow : public QObject {
     void fillRecent(QMenu& menu);
     void fillSamples(QMenu& menu);
 
+    /// From now on unsaved changes are copied to this folder. Offers what crashed programs have left there;
+    /// true if the user takes it, and then `instead`, a file that was to be opened, is not.
+    bool guardWork(const QString& folder, const QString& instead = {});
+
   public slots:
     void askOpen();
     void open(const QString& path);
@@ -40,10 +45,14 @@ class FileWorkflow : public QObject {
   private:
     bool saveTo(const QString& path);
     void addRecent(const QString& path);
+    bool offer(const LostWork& work, const QString& instead);
+    void read(const QString& name, std::function<OpenedFile()> reader);
     void take(OpenedFile file);
 
     Document& m_document;
     QWidget& m_window;
+    Recovery* m_recovery = nullptr;
+    QString m_recoveredFrom;  // the copy that the document came from, until there is a new one
     int m_opening = 0;
     int m_ticket = 0;  // of the newest opening; older ones come too late
 };

@@ -273,9 +273,9 @@ void MainWindow::showDocument() {
 
 void MainWindow::showTitle() {
     const Document& document = m_session.document();
-    setWindowModified(document.isModified());
-    setWindowTitle(document.isEmpty() ? QStringLiteral("Wend")
+    setWindowTitle(document.isEmpty() ? QStringLiteral("Wend[*]")
                                       : tr("%1[*] – Wend").arg(document.displayName()));
+    setWindowModified(document.isModified());
 }
 
 void MainWindow::showSelection() {

@@ -24,7 +24,13 @@ class TestWarp : public QObject {
     void pictureWithoutAlphaGetsOneWhereNeeded();
     void threadsDoNotMatter();
     void viewIsACropOfTheExport();
+    void viewIsACropOfTheExportInEveryFilter_data();
+    void viewIsACropOfTheExportInEveryFilter();
+    void transparentColoursDoNotBleed_data();
+    void transparentColoursDoNotBleed();
+    void colourStaysBelowItsAlpha();
     void minifiedFinePatternTurnsGrey();
+    void collapsedShapeEnds();
     void stMapOfIdentity();
     void stMapForwardAndInverse();
     void badShapeIsAnError();
@@ -256,6 +262,90 @@ void TestWarp::viewIsACropOfTheExport() {
             for (int c = 0; c < 4; ++c)
                 QCOMPARE(valueAt<std::uint8_t>(crop, x, y, c),
                          valueAt<std::uint8_t>(whole, x + 16, y + 8, c));
+}
+
+void filterRows() {
+    QTest::addColumn<int>("filter");
+    QTest::newRow("nearest") << static_cast<int>(Filter::Nearest);
+    QTest::newRow("bilinear") << static_cast<int>(Filter::Bilinear);
+    QTest::newRow("bicubic") << static_cast<int>(Filter::Bicubic);
+    QTest::newRow("ewa") << static_cast<int>(Filter::Ewa);
+}
+
+void TestWarp::viewIsACropOfTheExportInEveryFilter_data() {
+    filterRows();
+}
+void TestWarp::viewIsACropOfTheExportInEveryFilter() {
+    QFETCH(int, filter);
+    WarpOptions options;
+    options.filter = static_cast<Filter>(filter);
+    for (int channels : {3, 4}) {
+        const Image source = randomPicture(300, 240, channels, PixelType::UInt16, channels == 4);
+        const auto mesh = rectangle({7, 7}, {291, 233}, 11);
+        const Points<2> pose = wave(mesh.points, 7);
+        const Image whole = warpImage(source, mesh, pose, {300, 240, Vec<2>::Zero(), 1}, options);
+        const Image crop = warpImage(source, mesh, pose, {131, 97, Vec<2>(83, 61), 1}, options);
+        for (int y = 0; y < 97; ++y)
+            for (int x = 0; x < 131; ++x)
+                for (int c = 0; c < channels; ++c)
+                    QCOMPARE(valueAt<std::uint16_t>(crop, x, y, c),
+                             valueAt<std::uint16_t>(whole, x + 83, y + 61, c));
+    }
+}
+
+void TestWarp::transparentColoursDoNotBleed_data() {
+    filterRows();
+}
+void TestWarp::transparentColoursDoNotBleed() {
+    QFETCH(int, filter);
+    WarpOptions options;
+    options.filter = static_cast<Filter>(filter);
+    Image source = plainPicture(64, 48, {40, 90, 200, 255});
+    for (int y = 0; y < 48; ++y)
+        for (int x = 0; x < 32; ++x)  // transparent, and glaring if it were seen
+            for (int c = 0; c < 4; ++c) source.row(y)[4 * x + c] = static_cast<std::byte>(c == 0 ? 255 : 0);
+    const auto mesh = wholePicture();
+    for (double scale : {1.0, 1.2, 2.7}) {
+        const Points<2> pose = (mesh.points.colwise() + Vec<2>(0.37, 0.21)) / scale;
+        const Image warped = warpImage(source, mesh, pose, kView, options);
+        int mixed = 0;
+        for (int y = 0; y < 48; ++y)
+            for (int x = 0; x < 64; ++x) {
+                const int alpha = valueAt<std::uint8_t>(warped, x, y, 3);
+                if (alpha == 0) continue;
+                mixed += alpha < 255 ? 1 : 0;
+                QCOMPARE(valueAt<std::uint8_t>(warped, x, y, 0), std::uint8_t(40));
+                QCOMPARE(valueAt<std::uint8_t>(warped, x, y, 1), std::uint8_t(90));
+                QCOMPARE(valueAt<std::uint8_t>(warped, x, y, 2), std::uint8_t(200));
+            }
+        QVERIFY(mixed > 0);
+    }
+}
+
+void TestWarp::colourStaysBelowItsAlpha() {
+    Image source = randomPicture(64, 48, 4, PixelType::UInt8, true);
+    source.unassociated = false;
+    for (std::size_t p = 0; p < source.data.size(); p += 4)
+        for (std::size_t c = 0; c < 3; ++c)
+            source.data[p + c] = std::min(source.data[p + c], source.data[p + 3]);
+    const auto mesh = wholePicture();
+    for (double scale : {1.0, 1.5}) {
+        const Points<2> pose = (mesh.points.colwise() + Vec<2>(0.4, 0.3)) / scale;
+        const Image warped = warpImage(source, mesh, pose, kView);
+        for (std::size_t p = 0; p < warped.data.size(); p += 4)
+            for (std::size_t c = 0; c < 3; ++c) QVERIFY(warped.data[p + c] <= warped.data[p + 3]);
+    }
+}
+
+void TestWarp::collapsedShapeEnds() {
+    const Image source = randomPicture(64, 48, 4, PixelType::UInt8, true);
+    const auto mesh = wholePicture();
+    for (const Vec<2>& shrink :
+         {Vec<2>(1e-7, 1), Vec<2>(1, 1e-13), Vec<2>(1e-9, 1e-9), Vec<2>(0, 0), Vec<2>(1e-300, 1)}) {
+        const Points<2> pose = (shrink.asDiagonal() * mesh.points).colwise() + Vec<2>(10.5, 20.5);
+        const Image warped = warpImage(source, mesh, pose, kView);
+        QCOMPARE(valueAt<std::uint8_t>(warped, 40, 5, 3), std::uint8_t(0));
+    }
 }
 
 void TestWarp::minifiedFinePatternTurnsGrey() {
