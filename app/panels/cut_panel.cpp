@@ -59,6 +59,8 @@ void CutPanel::makeControls() {
         box->setSingleStep(0.05);
         box->setKeyboardTracking(false);
         box->setButtonSymbols(QAbstractSpinBox::NoButtons);
+        box->setMinimumWidth(56);
+        box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
         describe(box, tr("Normal of the cut"), tr("The direction that the plane looks in, as x, y and z."));
     }
     m_place->setDecimals(4);

@@ -28,7 +28,7 @@ HandlePanel::HandlePanel(ShapeSession& session, QWidget* parent)
       m_kind(new QComboBox(this)),
       m_axis(new QComboBox(this)),
       m_apply(new QPushButton(tr("Apply"), this)),
-      m_toCurve(new QPushButton(tr("Make a curve of the last motion"), this)),
+      m_toCurve(new QPushButton(tr("Make a curve of it"), this)),
       m_curve(new QWidget(this)),
       m_frame(new QComboBox(this)),
       m_twist(new QDoubleSpinBox(this)),
@@ -63,6 +63,8 @@ void HandlePanel::makeControls() {
         box->setRange(-1e9, 1e9);
         box->setDecimals(3);
         box->setButtonSymbols(QAbstractSpinBox::NoButtons);
+        box->setMinimumWidth(56);
+        box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
         describe(box, tr("Amount"), tr("How far along x, y and z; an angle; or a factor."));
     }
     m_axis->addItems({tr("around X"), tr("around Y"), tr("around Z")});
@@ -191,7 +193,8 @@ void HandlePanel::showHandle() {
         m_name->setText(
             handle >= 0 ? QString::fromStdString(handles[handle].name)
                         : tr("%n pins", nullptr, static_cast<int>(m_session.selection().handles().size())));
-    const Vec<3> at = middle();
+    const double least = 1e-9 * (m_session.frame() ? m_session.frame()->diagonal : 1);
+    const Vec<3> at = (middle().array().abs() < least).select(0, middle());
     const QLocale locale;
     m_place->setText(tr("at %1, %2, %3")
                          .arg(locale.toString(at.x(), 'g', 5), locale.toString(at.y(), 'g', 5),

@@ -15,6 +15,12 @@
 
 namespace wend {
 
+namespace {
+
+constexpr int kFirstPanel = 2;  // behind that of the energy and its line
+
+}  // namespace
+
 SolidWorkshop::SolidWorkshop(const Surroundings& around, QWidget& window)
     : QObject(&window),
       m_around(around),
@@ -43,7 +49,7 @@ void SolidWorkshop::furnish(QToolBar& tools, QVBoxLayout& panels) {
     }
     m_panels = {m_handlePanel, panelLine(nullptr), m_cutPanel, panelLine(nullptr)};
     for (std::size_t i = 0; i < m_panels.size(); ++i) {
-        panels.insertWidget(static_cast<int>(i), m_panels[i]);
+        panels.insertWidget(kFirstPanel + static_cast<int>(i), m_panels[i]);
         m_panels[i]->hide();
     }
 }

@@ -8,6 +8,7 @@ namespace wend {
 namespace {
 
 constexpr double kFieldOfView = 35 * std::numbers::pi / 180;
+constexpr double kMargin = 1.22;  // of the picture around what is fitted
 const double kTanHalf = std::tan(kFieldOfView / 2);
 
 Eigen::Quaterniond turn(const Vec<3>& direction, const Vec<3>& up) {
@@ -25,6 +26,19 @@ void Camera::fit(const Vec<3>& low, const Vec<3>& high) {
     m_shift.setZero();
     m_radius = std::max((high - low).norm() / 2, 1e-12);
     m_distance = 1.1 * m_radius / std::sin(kFieldOfView / 2);
+}
+
+void Camera::fit(const Points<3>& points, const QSize& viewport) {
+    fit(points.rowwise().minCoeff(), points.rowwise().maxCoeff());
+    const double aspect = viewport.width() / static_cast<double>(std::max(1, viewport.height()));
+    const Mat<3> turn = m_turn.toRotationMatrix();
+    double distance = 0;
+    for (Eigen::Index i = 0; i < points.cols(); ++i) {
+        const Vec<3> p = turn * (points.col(i) - m_pivot);
+        const double across = kMargin / kTanHalf * std::max(std::abs(p.y()), std::abs(p.x()) / aspect);
+        distance = std::max(distance, across + (m_orthographic ? 0 : p.z()));
+    }
+    if (distance > 0) m_distance = distance;
 }
 
 void Camera::look(Axis axis) {

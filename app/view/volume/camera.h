@@ -15,6 +15,8 @@ class Camera {
 
     /// Shows the box that spans low … high whole, the pivot in its middle.
     void fit(const Vec<3>& low, const Vec<3>& high);
+    /// Shows all points as large as they fit, from where it looks.
+    void fit(const Points<3>& points, const QSize& viewport);
     void look(Axis axis);
     /// Another point to turn around; the picture stays where it is.
     void setPivot(const Vec<3>& pivot);

@@ -157,10 +157,11 @@ void SolidCanvas::refresh() {
     picture.facets = frame->facets;
     picture.pose = frame->pose;
     picture.cellColours = colours(*frame);
+    m_fitted = m_fitted || m_generation != m_session.document().generation();
     const bool isNew = m_generation != m_session.document().generation();
     m_generation = m_session.document().generation();
-    setPicture(std::move(picture), isNew);
     if (isNew) look(Camera::Axis::Isometric);
+    setPicture(std::move(picture), isNew);
     showGlyphs(*frame);
     redraw();
 }
@@ -251,6 +252,7 @@ void SolidCanvas::showWorst() {
 void SolidCanvas::resizeEvent(QResizeEvent* event) {
     VolumeView::resizeEvent(event);
     m_overlay->setGeometry(rect());
+    if (m_fitted) fit();
 }
 
 SolidTool* SolidCanvas::toolAt(const QPointF& at) {
@@ -280,6 +282,7 @@ void SolidCanvas::mousePressEvent(QMouseEvent* event) {
 void SolidCanvas::mouseMoveEvent(QMouseEvent* event) {
     tellPointed(event->position());
     if (!m_active && isNavigating()) {
+        m_fitted = false;
         VolumeView::mouseMoveEvent(event);
         return;
     }

@@ -85,6 +85,7 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     QTimer m_dim;
     int m_generation = -1;  // of the document that the view was fitted to
     bool m_map = false, m_arrows = false, m_glyphs = false, m_hidden = false, m_dimmed = false;
+    bool m_fitted = false;  // the view follows the window's size until the user changes it
     Measure m_measure = Measure::Length;
     MeasureRange m_range;
 };

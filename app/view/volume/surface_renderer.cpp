@@ -183,7 +183,7 @@ void SurfaceRenderer::draw(const Eigen::Matrix4d& view, const Eigen::Matrix4d& p
     m_program.setUniformValue("projection", toQt(projection));
     m_program.setUniformValue("flatShading", style.flat);
     m_program.setUniformValue("orthographic", orthographic);
-    m_program.setUniformValue("edgeStrength", style.edges ? 0.55F : 0.0F);
+    m_program.setUniformValue("edgeStrength", style.edges ? 0.45F : 0.0F);
     m_program.setUniformValue("edgeColour", toVector(style.edgeColour));
     m_program.setUniformValue("backColour", toVector(style.backColour));
     m_gl->glEnable(GL_DEPTH_TEST);

@@ -72,7 +72,7 @@ void VolumeView::setCut(CutKind kind, const CutPlane& plane) {
 
 void VolumeView::fit() {
     if (m_picture.pose.cols() == 0) return;
-    m_camera.fit(m_picture.pose.rowwise().minCoeff(), m_picture.pose.rowwise().maxCoeff());
+    m_camera.fit(m_picture.pose, size());
     update();
     emit cameraChanged();
 }
