@@ -4,12 +4,12 @@
 
 #include "app/document/grip.h"
 #include "app/session/shape_builder.h"
+#include "core/integration/drag_flow.h"
 
 namespace wend {
 
 /// The flow while a drag goes on: the dragged handles go straight from where they are to the newest target,
-/// all others hold still. A few steps of the midpoint rule per target: a preview, replaced by the exact
-/// motion after the release.
+/// all others hold still: a preview, replaced by the exact motion after the release.
 template <int Dim>
 class LiveDrag {
   public:
@@ -29,17 +29,16 @@ class LiveDrag {
     /// A drag of some handles, by their index, from a pose.
     void begin(std::vector<int> dragged, const Grip& grip, const Points<Dim>& pose);
     Step follow(const Amount& amount);
-    const Points<Dim>& pose() const { return m_deformer.state().points; }
+    const Points<Dim>& pose() const { return m_flow.pose(); }
 
   private:
-    void aim(const Amount& next);
     double length(const Amount& way) const;
 
     BuiltShape<Dim> m_shape;
     double m_diagonal;
     std::vector<Handle<Dim>> m_handles;
     std::vector<int> m_dragged;
-    Deformer<Dim> m_deformer;
+    DragFlow<Dim> m_flow;
     Grip m_grip;
     Amount m_amount = Amount::Zero();
 };
