@@ -139,7 +139,7 @@ OpenedFile openLost(const LostWork& work) {
     return file;
 }
 
-QStringList samplePaths(Solids wanted) {
+QStringList samplePaths() {
     QStringList pictures, solids;
     const QDir folder(sampleFolder());
     if (sampleFolder().isEmpty()) return pictures;
@@ -147,7 +147,7 @@ QStringList samplePaths(Solids wanted) {
         const QString path = info.absoluteFilePath();
         (isSolid(path) ? solids : pictures) << path;
     }
-    return wanted == Solids::Take ? pictures + solids : pictures;
+    return pictures + solids;
 }
 
 QString picturePathOf(const QString& project) {

@@ -8,6 +8,7 @@
 #include <QtConcurrent>
 #include <cmath>
 
+#include "app/session/fields.h"
 #include "app/session/run.h"
 #include "app/session/shape_file.h"
 #include "core/mesh/error.h"
@@ -18,6 +19,11 @@ namespace wend {
 
 namespace {
 
+const char* const kSolidFilter =
+    "VTU (*.vtu);;VTK (*.vtk);;Medit (*.mesh);;Gmsh (*.msh);;TetGen (*.node);;glTF (*.glb);;Wavefront OBJ "
+    "(*.obj);;PLY (*.ply);;STL (*.stl);;OFF (*.off)";
+const char* const kSolidFramesFilter =
+    "glTF (*.glb);;VTU (*.vtu);;Wavefront OBJ (*.obj);;PLY (*.ply);;STL (*.stl);;Medit (*.mesh);;VTK (*.vtk)";
 const char* const kPictureFilter = "PNG (*.png);;TIFF (*.tif);;OpenEXR (*.exr);;JPEG (*.jpg);;WebP (*.webp)";
 
 void writePicture(const std::string& path, const Image& source, const PosedFrame<2>& frame,
@@ -30,31 +36,6 @@ void writePicture(const std::string& path, const Image& source, const PosedFrame
     options.progress = progress;
     const Image image = warpImage(source, *frame.rest, frame.pose, view, options);
     if (!stop.stop_requested()) writeImage(path, image);
-}
-
-bool holdsOnlySurfaces(const QString& path) {
-    static const QStringList suffixes = {"obj", "ply", "stl", "off"};
-    return suffixes.contains(QFileInfo(path).suffix().toLower());
-}
-
-/// The solid in its pose with its distortion and φ per cell.
-MeshFile solidFile(const PosedFrame<3>& frame, const QString& path) {
-    SimplicialMesh<3> posedMesh = *frame.rest;
-    posedMesh.points = frame.pose;
-    MeshFile file = toMeshFile<3>(posedMesh);
-    for (const auto& facet : *frame.facets)
-        if (!facet.interior()) file.triangles.push_back(facet.vertices);
-    if (holdsOnlySurfaces(path)) {
-        file.tetrahedra.clear();
-        return file;
-    }
-    const Distortion& distortion = frame.distortion;
-    file.fields = {{"angle", true, 1, distortion.angle},
-                   {"volume", true, 1, distortion.volume},
-                   {"metric", true, 1, distortion.metric},
-                   {"ratio", true, 1, distortion.ratio}};
-    if (frame.material) file.fields.push_back({"phi", true, 1, frame.material->phi});
-    return file;
 }
 
 /// What went wrong, or nothing. (Futures would slice the exception.)
@@ -164,36 +145,43 @@ void Exporter::exportMesh() {
 /// Tetrahedra with all fields, or their surface where the format has only triangles.
 void Exporter::exportSolid(const PosedPtr<3>& frame) {
     const QString path =
-        askName(tr("Export Mesh"), QStringLiteral("-bent.vtu"),
-                QStringLiteral(
-                    "VTU (*.vtu);;VTK (*.vtk);;Medit (*.mesh);;Gmsh (*.msh);;TetGen (*.node);;Wavefront OBJ "
-                    "(*.obj);;PLY (*.ply);;STL (*.stl);;OFF (*.off)"));
+        askName(tr("Export Mesh"), QStringLiteral("-bent.vtu"), QString::fromLatin1(kSolidFilter));
     if (path.isEmpty()) return;
-    run(tr("Writing the mesh …"), path, [=](const Progress&, std::stop_token) {
-        writeMeshFile(path.toStdString(), solidFile(*frame, path));
+    const auto project = m_session.document().project();
+    const Points<3> velocity = velocityOf<3>(m_session.track(), *frame);
+    run(tr("Writing the mesh …"), path, [=](const Progress& progress, std::stop_token stop) {
+        const auto scene = std::get<Scene<3>>(loadScene(*project, {}, stop));
+        progress(0.5);
+        writeShape<3>(path.toStdString(), scene, frame->pose, shapeFields<3>(scene, frame->pose, velocity));
     });
 }
 
 void Exporter::exportFrames() {
     const Document& document = m_session.document();
-    if (!shownFrame() || !document.picture()) return;
+    const bool solid = document.dimension() == 3;
+    if (!shownFrame() || (!document.picture() && !solid)) return;
     const double seconds = m_session.playback().end() * Playback::kSecondsPerUnit;
     bool ok = false;
-    const int count = QInputDialog::getInt(
-        &m_window, tr("Export Frames"), tr("How many pictures, from the start to the end?"),
-        static_cast<int>(std::lround(24 * seconds)) + 1, 2, 100000, 1, &ok);
+    const int count =
+        QInputDialog::getInt(&m_window, tr("Export Frames"),
+                             solid ? tr("How many shapes, from the start to the end?")
+                                   : tr("How many pictures, from the start to the end?"),
+                             static_cast<int>(std::lround(24 * seconds)) + 1, 2, 100000, 1, &ok);
     if (!ok) return;
     QString path =
-        askName(tr("Export Frames"), QStringLiteral("_####.png"), QString::fromLatin1(kPictureFilter));
+        askName(tr("Export Frames"), solid ? QStringLiteral("-bent.glb") : QStringLiteral("_####.png"),
+                QString::fromLatin1(solid ? kSolidFramesFilter : kPictureFilter));
     if (path.isEmpty()) return;
-    if (!path.contains('#'))
+    const bool animation = QFileInfo(path).suffix().toLower() == QStringLiteral("glb");
+    if (!path.contains('#') && !animation)
         path.insert(path.size() - QFileInfo(path).suffix().size() - 1, QStringLiteral("_####"));
     RunOptions options;
     options.outputs.frames = path.toStdString();
     options.outputs.count = count;
+    options.outputs.framesPerSecond = seconds > 0 ? (count - 1) / seconds : 24;
     const auto project = document.project();
     const std::string name = QDir(document.folder()).filePath(document.displayName()).toStdString();
-    run(tr("Writing %n pictures …", nullptr, count), path,
+    run(solid ? tr("Writing %n shapes …", nullptr, count) : tr("Writing %n pictures …", nullptr, count), path,
         [=](const Progress& progress, std::stop_token stop) {
             RunWatch watch;
             watch.progress = [&progress](const std::string&, double fraction) { progress(fraction); };
