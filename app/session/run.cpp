@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "app/document/options.h"
 #include "app/document/text_file.h"
 #include "app/session/output_set.h"
 #include "core/mesh/error.h"
@@ -23,6 +24,8 @@ std::string frameName(const std::string& pattern, int number) {
     return pattern.substr(0, first) + digits + pattern.substr(last + 1);
 }
 
+constexpr double kCrushed = 1e-3;  // of a cell's measure at rest: the picture is ruined there
+
 /// One run: the scene, its deformer, the frames that were passed, and the files that are being made.
 template <int Dim>
 class Run {
@@ -38,8 +41,11 @@ class Run {
                      backEndFactory<Dim>(options.backEnd, {}, watch.notice)) {}
 
     AdvanceResult run() {
-        const AdvanceResult result = integrate();
+        AdvanceResult result = integrate();
         if (result.outcome == Outcome::Cancelled) throw Cancelled();
+        if (!m_options.outputs.velocity.empty() && !solveVelocity() && result.outcome == Outcome::Done)
+            result = {Outcome::SolverFailed, result.time, -1, "the velocity field cannot be solved for"};
+        if (result.outcome == Outcome::Done || m_options.partial) warnOfCrushedCells();
         if (result.outcome == Outcome::Done || m_options.partial) writeShapes();
         writeReport();
         m_files.commit();
@@ -80,14 +86,26 @@ class Run {
         writeFrames();
     }
 
+    bool solveVelocity() {
+        m_velocity = m_deformer.velocity();
+        return m_velocity.cols() > 0;
+    }
+
+    /// No cell folds over, but one may be next to nothing.
+    void warnOfCrushedCells() const {
+        const double least = distortion<Dim>(*m_scene.rest, m_deformer.state().points).minDet;
+        if (least < kCrushed && m_watch.notice)
+            m_watch.notice("a cell has shrunk to " + shortNumber(least) + " of its size");
+    }
+
     void writeVelocity(const Points<Dim>& pose) {
+        if (m_velocity.cols() == 0) return;
         const std::string& path = m_options.outputs.velocity;
-        const Points<Dim> velocity = m_deformer.velocity();
         const bool table = path == "-" || lowerExtension(path) == ".csv";
         m_files.add(path, ".csv", [&](const std::string& file) {
-            if (table) return writeTextFile(file, velocityTable<Dim>(pose, velocity));
+            if (table) return writeTextFile(file, velocityTable<Dim>(pose, m_velocity));
             MeshFile mesh = poseFile(m_scene, pose);
-            mesh.fields.push_back({"velocity", false, 3, inSpace(velocity)});
+            mesh.fields.push_back({"velocity", false, 3, inSpace(m_velocity)});
             writeMeshFile(file, mesh);
         });
     }
@@ -180,6 +198,7 @@ class Run {
     Clock::time_point m_start;
     Deformer<Dim> m_deformer;
     std::vector<Points<Dim>> m_frames;
+    Points<Dim> m_velocity;
     OutputSet m_files;
 };
 
