@@ -3,6 +3,7 @@
 #include <chrono>
 #include <filesystem>
 
+#include "app/document/options.h"
 #include "app/document/text_file.h"
 #include "app/session/output_set.h"
 #include "app/session/shape_file.h"
@@ -25,6 +26,8 @@ std::string frameName(const std::string& pattern, int number) {
     return pattern.substr(0, first) + digits + pattern.substr(last + 1);
 }
 
+constexpr double kCrushed = 1e-3;  // of a cell's measure at rest: the picture is ruined there
+
 /// One run: the scene, its deformer, the frames that were passed, and the files that are being made.
 template <int Dim>
 class Run {
@@ -40,8 +43,11 @@ class Run {
                      backEndFactory<Dim>(options.backEnd, {}, watch.notice)) {}
 
     AdvanceResult run() {
-        const AdvanceResult result = integrate();
+        AdvanceResult result = integrate();
         if (result.outcome == Outcome::Cancelled) throw Cancelled();
+        if (wantsVelocity() && !solveVelocity() && result.outcome == Outcome::Done)
+            result = {Outcome::SolverFailed, result.time, -1, "the velocity field cannot be solved for"};
+        if (result.outcome == Outcome::Done || m_options.partial) warnOfCrushedCells();
         if (result.outcome == Outcome::Done || m_options.partial) writeShapes();
         writeReport();
         m_files.commit();
@@ -87,21 +93,37 @@ class Run {
         writeFrames();
     }
 
+    bool wantsVelocity() const {
+        return !m_options.outputs.velocity.empty() || (m_options.fields && !m_options.outputs.mesh.empty());
+    }
+
+    bool solveVelocity() {
+        m_velocity = m_deformer.velocity();
+        return m_velocity.cols() > 0;
+    }
+
+    /// No cell folds over, but one may be next to nothing.
+    void warnOfCrushedCells() const {
+        const double least = distortion<Dim>(*m_scene.rest, m_deformer.state().points).minDet;
+        if (least < kCrushed && m_watch.notice)
+            m_watch.notice("a cell has shrunk to " + shortNumber(least) + " of its size");
+    }
+
     void writeMesh(const Points<Dim>& pose) {
         std::vector<MeshField> fields;
-        if (m_options.fields) fields = shapeFields(m_scene, pose, m_deformer.velocity());
+        if (m_options.fields) fields = shapeFields(m_scene, pose, m_velocity);
         m_files.add(m_options.outputs.mesh, ".vtu", [&](const std::string& file) {
             writeShape(file, m_scene, pose, fields, m_options.meshes);
         });
     }
 
     void writeVelocity(const Points<Dim>& pose) {
+        if (m_velocity.cols() == 0) return;
         const std::string& path = m_options.outputs.velocity;
-        const Points<Dim> velocity = m_deformer.velocity();
         const bool table = path == "-" || lowerExtension(path) == ".csv";
         m_files.add(path, ".csv", [&](const std::string& file) {
-            if (table) return writeTextFile(file, velocityTable<Dim>(pose, velocity));
-            const auto fields = shapeFields(m_scene, pose, velocity);
+            if (table) return writeTextFile(file, velocityTable<Dim>(pose, m_velocity));
+            const auto fields = shapeFields(m_scene, pose, m_velocity);
             writeMeshFile(file, poseFile(m_scene, pose, {fields.back()}), m_options.meshes);
         });
     }
@@ -211,6 +233,7 @@ class Run {
     Clock::time_point m_start;
     Deformer<Dim> m_deformer;
     std::vector<Frame> m_frames;
+    Points<Dim> m_velocity;
     OutputSet m_files;
 };
 
