@@ -2,6 +2,9 @@
 
 #include <Eigen/LU>
 #include <limits>
+#include <string>
+
+#include "core/mesh/error.h"
 
 namespace wend {
 namespace {
@@ -26,18 +29,6 @@ Location<Dim> atVertex(const SimplicialMesh<Dim>& mesh, int cell, int vertex) {
     return location;
 }
 
-/// The nearest of the vertices that cells have.
-template <int Dim>
-int nearestUsed(const SimplicialMesh<Dim>& mesh, const std::vector<int>& offsets, const Vec<Dim>& p) {
-    int best = -1;
-    for (int v = 0; v < mesh.vertexCount(); ++v) {
-        if (offsets[v] == offsets[v + 1]) continue;
-        if (best < 0 || (mesh.points.col(v) - p).squaredNorm() < (mesh.points.col(best) - p).squaredNorm())
-            best = v;
-    }
-    return best;
-}
-
 /// Cells at each vertex, as one list with offsets.
 template <int Dim>
 std::pair<std::vector<int>, std::vector<int>> cellsOfVertices(const SimplicialMesh<Dim>& mesh) {
@@ -59,8 +50,10 @@ Embedding<Dim>::Embedding(const SimplicialMesh<Dim>& rest, const Points<Dim>& po
     const auto [offsets, cells] = cellsOfVertices(rest);
     for (Eigen::Index i = 0; i < points.cols(); ++i) {
         const Vec<Dim> p = points.col(i);
-        int nearest = locator.nearestVertex(p);
-        if (rest.points.col(nearest) == p && offsets[nearest] < offsets[nearest + 1]) {
+        const int nearest = locator.nearestVertex(p);
+        if (nearest < 0 || rest.cells.empty())
+            throw InputError("point " + std::to_string(i) + " has no place in the shape");
+        if (rest.points.col(nearest) == p) {
             m_locations.push_back(atVertex(rest, cells[offsets[nearest]], nearest));
             continue;
         }
@@ -69,7 +62,6 @@ Embedding<Dim>::Embedding(const SimplicialMesh<Dim>& rest, const Points<Dim>& po
             continue;
         }
         ++m_outside;
-        if (offsets[nearest] == offsets[nearest + 1]) nearest = nearestUsed(rest, offsets, p);
         Location<Dim> best;
         double bestWeight = -std::numeric_limits<double>::infinity();
         for (int k = offsets[nearest]; k < offsets[nearest + 1]; ++k) {
