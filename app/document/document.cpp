@@ -26,7 +26,7 @@ void Document::open(OpenedFile file) {
     m_path = file.path;
     m_source = file.source;
     ++m_generation;
-    if (file.unsaved) m_undo.resetClean();
+    if (!file.recoveredFrom.isEmpty()) m_undo.resetClean();
     emit opened();
     emit projectChanged();
     emit titleChanged();
@@ -42,6 +42,7 @@ void Document::save(const QString& path) {
     m_path = absolute;
     m_undo.setClean();
     emit titleChanged();
+    emit saved();
 }
 
 void Document::change(const QString& name, Project after, const QString& mergeKey) {

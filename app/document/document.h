@@ -17,7 +17,7 @@ struct OpenedFile {
     QString path;    // of the project file; empty if a picture or mesh was opened
     QString source;  // the file that was opened
     QStringList warnings;
-    bool unsaved = false;  // there are changes that `path` does not have: recovered work
+    QString recoveredFrom;  // a copy of unsaved work: there are changes that `path` does not have
 };
 
 /// The project that is being worked on, as an immutable value that undo commands exchange. Two-dimensional
@@ -59,6 +59,7 @@ class Document : public QObject {
     void opened();
     void projectChanged();
     void titleChanged();
+    void saved();
 
   private:
     friend class ProjectCommand;

@@ -24,6 +24,7 @@ constexpr Range kSteps{0, 1e6};
 constexpr Range kSmallestStep{0, 0.1, true, false};
 constexpr Range kFrames{2, 1e6};
 constexpr Range kThreads{0, 1024};
+constexpr Range kRepeats{1, 1000};
 constexpr Range kHole{0, 1e6};
 constexpr Range kFactor{0.01, 100};
 constexpr Range kOpenUnit{0, 1, true, true};
@@ -124,7 +125,10 @@ constexpr std::array kOptions{
     Option{"", "--backend", Choice, "auto", kAny, "", "auto|opencl|cpu", "run",
            "what assembles the matrices"},
     Option{"", "--threads", Integer, "0", kThreads, "", "", "run", "number of threads; 0: one per core"},
-    Option{"", "--output", File, "", kAny, "", "", "mesh", "the mesh to write; also -o"},
+    Option{"", "--output", File, "", kAny, "", "", "mesh bench",
+           "the mesh, or the table as JSON, to write; also -o"},
+    Option{"", "--repeats", Integer, "5", kRepeats, "", "", "bench",
+           "runs that a median is taken of (fewer for what takes seconds)"},
     Option{"", "--json", Flag, "", kAny, "", "", "info", "answer as JSON"},
     Option{"", "--progress", Flag, "", kAny, "", "", "run mesh", "show progress even if not on a terminal"},
     Option{"", "--quiet", Flag, "", kAny, "", "", "run mesh", "say nothing but errors"},

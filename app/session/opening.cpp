@@ -138,10 +138,10 @@ OpenedFile openFile(const QString& path, Solids solids) {
 }
 
 OpenedFile openLost(const LostWork& work) {
-    OpenedFile file = openProject(work.copy);
+    OpenedFile file = openProject(work.copy, Solids::Take);
     file.path = work.path;
     file.source = work.source;
-    file.unsaved = true;
+    file.recoveredFrom = work.copy;
     return file;
 }
 
