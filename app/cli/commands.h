@@ -13,6 +13,9 @@ ExitCode runBench(const Arguments& arguments);
 /// Prints the reference page of the options (docs/reference.md).
 ExitCode runReference(const Arguments& arguments);
 
+/// On standard output. Throws InputError if that is full or closed.
+ExitCode print(const std::string& text);
+
 /// The only file on the line; throws UsageError if there is none or there are several.
 std::string onlyFile(const Arguments& arguments, const std::string& what);
 

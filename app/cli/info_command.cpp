@@ -1,5 +1,4 @@
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -10,6 +9,7 @@
 #include "app/session/inspection.h"
 #include "app/session/output_set.h"
 #include "core/mesh/error.h"
+#include "core/mesh/file_name.h"
 #include "warp/outline.h"
 
 namespace wend {
@@ -209,10 +209,7 @@ std::string asText(const Json& json, const std::string& indent) {
 
 ExitCode runInfo(const Arguments& arguments) {
     const Json json = infoOf(onlyFile(arguments, "file"));
-    const std::string answer = arguments.has("--json") ? prettyJson(json) : asText(json, "");
-    std::fputs(answer.c_str(), stdout);
-    if (std::fflush(stdout) != 0) throw InputError("-", "standard output cannot be written");
-    return ExitCode::Done;
+    return print(arguments.has("--json") ? prettyJson(json) : asText(json, ""));
 }
 
 }  // namespace wend

@@ -1,5 +1,6 @@
 #include "app/panels/material_panel.h"
 
+#include "app/document/options.h"
 #include "app/panels/panel_parts.h"
 
 namespace wend {
@@ -37,7 +38,7 @@ void MaterialPanel::makeControls() {
              tr("The same choice as a number, as it stands in the project file: 0.002 keeps area, 0.464 "
                 "length, 1.571 is rigid, "
                 "2.678 keeps angles."));
-    m_smoothing->setRange(0, 0.5);
+    m_smoothing->setRange(0, option("material.smoothing.length").range.max);
     m_smoothing->setDecimals(3);
     m_smoothing->setSingleStep(0.005);
     m_smoothing->setFixedWidth(116);

@@ -4,7 +4,9 @@
 
 #include "app/document/text_file.h"
 #include "app/session/output_set.h"
+#include "app/session/pose_file.h"
 #include "core/mesh/error.h"
+#include "core/mesh/file_name.h"
 #include "kernels/back_end_choice.h"
 
 namespace wend {
@@ -12,18 +14,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// "dir/f_####.png" and 7 → "dir/f_0007.png": the last run of # is the number.
-std::string frameName(const std::string& pattern, int number) {
-    const auto last = pattern.find_last_of('#');
-    auto first = last;
-    while (first > 0 && pattern[first - 1] == '#') --first;
-    std::string digits = std::to_string(number);
-    if (const std::size_t width = last - first + 1; digits.size() < width)
-        digits.insert(0, width - digits.size(), '0');
-    return pattern.substr(0, first) + digits + pattern.substr(last + 1);
-}
-
-/// One run: the scene, its deformer, the frames that were passed, and the files that are being made.
+/// One run: the scene, its deformer, and the files that are being made. Frames are written as they come, so
+/// that a long sequence needs no more memory than a short one.
 template <int Dim>
 class Run {
   public:
@@ -40,7 +32,10 @@ class Run {
     AdvanceResult run() {
         const AdvanceResult result = integrate();
         if (result.outcome == Outcome::Cancelled) throw Cancelled();
-        if (result.outcome == Outcome::Done || m_options.partial) writeShapes();
+        if (result.outcome == Outcome::Done || m_options.partial)
+            writeShapes();
+        else
+            m_files.discard();
         writeReport();
         m_files.commit();
         return result;
@@ -64,7 +59,7 @@ class Run {
             const int count = m_options.outputs.count;
             for (int k = 0; k < count; ++k)
                 watch.frames.push_back(k + 1 < count ? end() * k / (count - 1) : end());
-            watch.onFrame = [this](const State<Dim>& state) { m_frames.push_back(state.points); };
+            watch.onFrame = [this](const State<Dim>& state) { takeFrame(state.points); };
         }
         return m_deformer.advance(end(), watch);
     }
@@ -76,8 +71,10 @@ class Run {
         if (!outputs.mesh.empty())
             m_files.add(outputs.mesh, ".vtu",
                         [&](const std::string& file) { writeMeshFile(file, poseFile(m_scene, pose)); });
-        if constexpr (Dim == 2) writePictures(pose);
-        writeFrames();
+        if constexpr (Dim == 2) {
+            writePictures(pose);
+            writeWaitingFrames();
+        }
     }
 
     void writeVelocity(const Points<Dim>& pose) {
@@ -99,28 +96,38 @@ class Run {
         return values;
     }
 
-    /// The picture in the pixels of `view`, with progress between the fractions `from` and `to` of the
-    /// writing.
-    Image picture(const Points<2>& pixels, const View& view, double from, double to) const {
+    /// The picture in the pixels of `view`. Throws Cancelled.
+    Image picture(const Points<2>& pixels, const View& view,
+                  const std::function<void(double)>& progress) const {
         WarpOptions options;
         options.filter = m_options.filter;
         options.threads = m_project.integration.threads;
         options.stop = m_watch.stop;
-        if (m_watch.progress)
-            options.progress = [this, from, to](double done) {
-                m_watch.progress("warping", from + (to - from) * done);
-            };
-        return warpImage(*m_scene.picture, *m_scene.texture.rest, pixels, view, options);
+        options.progress = progress;
+        Image image = warpImage(*m_scene.picture, *m_scene.texture.rest, pixels, view, options);
+        if (m_watch.stop.stop_requested()) throw Cancelled();
+        return image;
+    }
+
+    /// Tells what is between the fractions `from` and `to` of the warping.
+    std::function<void(double)> warping(double from, double to) const {
+        if (!m_watch.progress) return {};
+        return [this, from, to](double done) { m_watch.progress("warping", from + (to - from) * done); };
+    }
+
+    Extent<2> extent(const Points<2>& pixels) const {
+        return extentOf<2>(pixels, m_scene.texture.rest->cells);
     }
 
     void writePictures(const Points<2>& pose) {
         const RunOutputs& outputs = m_options.outputs;
         if (outputs.image.empty() && outputs.stMap.empty()) return;
         const Points<2> pixels = m_scene.texture.toPixels(pose);
-        const View view = canvasView(*m_scene.picture, {pixels}, m_options.canvas);
+        const View view = canvasView(*m_scene.picture, extent(pixels), m_options.canvas);
         if (!outputs.image.empty())
-            m_files.add(outputs.image, ".png",
-                        [&](const std::string& file) { writeImage(file, picture(pixels, view, 0, 1)); });
+            m_files.add(outputs.image, ".png", [&](const std::string& file) {
+                writeImage(file, picture(pixels, view, warping(0, 1)));
+            });
         if (!outputs.stMap.empty())
             m_files.add(outputs.stMap, ".exr", [&](const std::string& file) {
                 writeImage(file, stMap(*m_scene.texture.rest, pixels, view, m_scene.picture->width,
@@ -128,31 +135,44 @@ class Run {
             });
     }
 
-    void writeFrames() {
+    void takeFrame(const Points<Dim>& pose) {
         const std::string& pattern = m_options.outputs.frames;
-        if (pattern.empty()) return;
+        const int number = m_frames++;
         if constexpr (Dim == 2)
-            if (canWriteImage(pattern)) return writePictureFrames(pattern);
-        for (std::size_t k = 0; k < m_frames.size(); ++k) {
-            tell("writing frames", static_cast<double>(k) / m_frames.size());
-            m_files.add(frameName(pattern, static_cast<int>(k)), "", [&](const std::string& file) {
-                writeMeshFile(file, poseFile(m_scene, m_frames[k]));
-            });
+            if (canWriteImage(pattern)) return takePictureFrame(number, m_scene.texture.toPixels(pose));
+        m_files.add(frameName(pattern, number), "",
+                    [&](const std::string& file) { writeMeshFile(file, poseFile(m_scene, pose)); });
+    }
+
+    /// A canvas that fits is known only when all frames are.
+    void takePictureFrame(int number, const Points<2>& pixels) {
+        const Extent<2> shape = extent(pixels);
+        if (m_options.canvas == Canvas::Picture)
+            return writePictureFrame(number, pixels, canvasView(*m_scene.picture, shape, Canvas::Picture),
+                                     {});
+        if (!m_waiting) {
+            m_waiting.emplace(m_options.outputs.frames);
+            m_allFrames = shape;
+        }
+        m_allFrames.low = m_allFrames.low.cwiseMin(shape.low);
+        m_allFrames.high = m_allFrames.high.cwiseMax(shape.high);
+        m_waiting->add(pixels);
+    }
+
+    void writeWaitingFrames() {
+        if (!m_waiting) return;
+        const View view = canvasView(*m_scene.picture, m_allFrames, m_options.canvas);
+        const double count = m_waiting->count();
+        for (int k = 0; k < m_waiting->count(); ++k) {
+            tell("warping", k / count);
+            writePictureFrame(k, m_waiting->read(k), view, warping(k / count, (k + 1) / count));
         }
     }
 
-    void writePictureFrames(const std::string& pattern) {
-        std::vector<Points<2>> poses;
-        for (const Points<2>& frame : m_frames) poses.push_back(m_scene.texture.toPixels(frame));
-        const View view = canvasView(*m_scene.picture, poses, m_options.canvas);
-        for (std::size_t k = 0; k < poses.size(); ++k) {
-            const double from = static_cast<double>(k) / poses.size(),
-                         to = static_cast<double>(k + 1) / poses.size();
-            tell("warping", from);
-            m_files.add(frameName(pattern, static_cast<int>(k)), "", [&](const std::string& file) {
-                writeImage(file, picture(poses[k], view, from, to));
-            });
-        }
+    void writePictureFrame(int number, const Points<2>& pixels, const View& view,
+                           const std::function<void(double)>& progress) {
+        m_files.add(frameName(m_options.outputs.frames, number), "",
+                    [&](const std::string& file) { writeImage(file, picture(pixels, view, progress)); });
     }
 
     void writeReport() {
@@ -179,7 +199,9 @@ class Run {
     const RunWatch& m_watch;
     Clock::time_point m_start;
     Deformer<Dim> m_deformer;
-    std::vector<Points<Dim>> m_frames;
+    int m_frames = 0;                   // passed
+    std::optional<PoseFile> m_waiting;  // frames, in pixels of the picture
+    Extent<2> m_allFrames;              // around those that wait
     OutputSet m_files;
 };
 

@@ -7,6 +7,7 @@
 
 #include "app/document/project.h"
 #include "app/session/scene.h"
+#include "core/mesh/used_vertices.h"
 #include "warp/warp.h"
 
 namespace wend {
@@ -53,8 +54,9 @@ AdvanceResult runProject(const Project& project, const std::string& path, const 
 template <int Dim>
 MeshFile poseFile(const Scene<Dim>& scene, const Points<Dim>& pose);
 
-/// The pixels that a picture of these poses shows.
-View canvasView(const Image& picture, const std::vector<Points<2>>& posesInPixels, Canvas canvas);
+/// The pixels that a picture shows of a shape (or of all frames of one) that lies there. Throws InputError
+/// for more than pictures may have.
+View canvasView(const Image& picture, const Extent<2>& shapeInPixels, Canvas canvas);
 
 /// The nodal velocities as rows "x,y[,z],vx,vy[,vz]" with 17 significant digits.
 template <int Dim>

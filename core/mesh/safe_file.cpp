@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <utility>
+#include <vector>
 
 #include "core/mesh/error.h"
 
@@ -43,6 +44,13 @@ fs::path resolved(const fs::path& path) {
     return error ? path : target;
 }
 
+TemporaryFolder folderBeside(const std::string& path, const fs::path& target) try {
+    requireFolder(path, target);
+    return TemporaryFolder(folderFor(target).string());
+} catch (const fs::filesystem_error& error) {
+    throw InputError(path, "cannot be written: " + error.code().message());
+}
+
 void copyInto(const std::string& path, const fs::path& from, const fs::path& target) {
     std::ifstream in(from, std::ios::binary);
     std::ofstream out(target, std::ios::binary);
@@ -53,32 +61,41 @@ void copyInto(const std::string& path, const fs::path& from, const fs::path& tar
 
 }  // namespace
 
-PendingFile::PendingFile(std::string path) : m_path(std::move(path)) {
-    const fs::path target = resolved(m_path);
-    requireFolder(m_path, target);
-    const std::string name = "." + target.stem().string() + "." + std::to_string(getpid()) + ".part";
-    m_target = target.string();
-    m_temporary = (folderFor(target) / (name + target.extension().string())).string();
+TemporaryFolder::TemporaryFolder(const std::string& parent)
+    : m_path((fs::path(parent) / ".wend-XXXXXX").string()) {
+    if (mkdtemp(m_path.data()) == nullptr)
+        throw fs::filesystem_error("no temporary folder", parent, {errno, std::generic_category()});
 }
 
-PendingFile::PendingFile(PendingFile&& other) noexcept
-    : m_path(std::move(other.m_path)),
-      m_target(std::move(other.m_target)),
-      m_temporary(std::exchange(other.m_temporary, {})) {}
+TemporaryFolder::TemporaryFolder(TemporaryFolder&& other) noexcept
+    : m_path(std::exchange(other.m_path, {})) {}
 
-PendingFile::~PendingFile() {
+TemporaryFolder::~TemporaryFolder() {
     std::error_code error;
-    if (!m_temporary.empty()) fs::remove(m_temporary, error);
+    if (!m_path.empty()) fs::remove_all(m_path, error);
 }
+
+PendingFile::PendingFile(std::string path)
+    : m_path(std::move(path)),
+      m_target(resolved(m_path).string()),
+      m_special(wend::isSpecial(m_target)),
+      m_folder(folderBeside(m_path, m_target)),
+      m_temporary((fs::path(m_folder.path()) / fs::path(m_target).filename()).string()) {}
 
 void PendingFile::commit() {
-    std::error_code error;
-    if (isSpecial(m_target)) return copyInto(m_path, m_temporary, m_target);
-    if (const fs::file_status old = fs::status(m_target, error); fs::exists(old))
-        fs::permissions(m_temporary, old.permissions(), error);
-    fs::rename(m_temporary, m_target, error);
-    if (error) throw InputError(m_path, "cannot be written: " + error.message());
-    m_temporary.clear();
+    if (m_special) return copyInto(m_path, m_temporary, m_target);
+    if (!fs::exists(m_temporary)) throw InputError(m_path, "was not written");
+    std::vector<fs::path> written;
+    for (const auto& entry : fs::directory_iterator(m_folder.path()))
+        if (entry.is_regular_file()) written.push_back(entry.path());
+    for (const fs::path& file : written) {
+        const fs::path target = fs::path(m_target).replace_filename(file.filename());
+        std::error_code error;
+        if (const fs::file_status old = fs::status(target, error); fs::exists(old))
+            fs::permissions(file, old.permissions(), error);
+        fs::rename(file, target, error);
+        if (error) throw InputError(m_path, "cannot be written: " + error.message());
+    }
 }
 
 void writeWhole(const std::string& path, const std::function<void(const std::string&)>& write) {
