@@ -15,8 +15,7 @@ QString Document::folder() const {
 }
 
 QString Document::displayName() const {
-    if (!m_path.isEmpty()) return QFileInfo(m_path).fileName();
-    return m_source.isEmpty() ? QString() : QFileInfo(m_source).completeBaseName() + QStringLiteral(".wend");
+    return QFileInfo(m_path.isEmpty() ? m_source : m_path).fileName();
 }
 
 void Document::open(OpenedFile file) {

@@ -186,8 +186,10 @@ int dimensionOf(const Domain& domain, const std::string& folder, const Json& roo
 // --- The rest ---
 
 void readIntegration(const JsonValue& value, IntegrationOptions& options) {
-    static const std::map<std::string, Method> methods{
-        {"dopri5", Method::DormandPrince}, {"rk4", Method::RungeKutta4}, {"midpoint", Method::Midpoint}};
+    static const std::map<std::string, Method> methods{{"dopri5", Method::DormandPrince},
+                                                       {"rk4", Method::RungeKutta4},
+                                                       {"midpoint", Method::Midpoint},
+                                                       {"adams", Method::Adams}};
     JsonObject object(value);
     if (auto method = object.find("method"))
         options.method = methods.at(method->choice("integration.method"));

@@ -267,7 +267,7 @@ void addDesign(Json& json, const Design<Dim>& design) {
 }
 
 Json integrationJson(const IntegrationOptions& options) {
-    static const char* const methods[] = {"dopri5", "rk4", "midpoint"};
+    static const char* const methods[] = {"dopri5", "rk4", "midpoint", "adams"};
     const IntegrationOptions defaults;
     Json json{{"method", methods[static_cast<int>(options.method)]},
               {"tolerance", number(options.tolerance)}};

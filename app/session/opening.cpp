@@ -134,6 +134,7 @@ OpenedFile openFile(const QString& path, Solids solids) {
     else
         file = openPicture(absolutePath);
     file.source = absolutePath;
+    if (samplePaths().contains(absolutePath)) file.path.clear();  // samples are there to be changed and kept
     return file;
 }
 

@@ -7,6 +7,7 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QSettings>
+#include <QStandardPaths>
 #include <QtConcurrent>
 
 #include "app/session/opening.h"
@@ -124,15 +125,22 @@ void FileWorkflow::take(OpenedFile file) {
 }
 
 bool FileWorkflow::save() {
-    return m_document.path().isEmpty() ? saveAs() : saveTo(m_document.path());
+    if (m_document.path().isEmpty()) return saveAs();
+    return !m_document.isModified() || saveTo(m_document.path());
+}
+
+/// Beside the project's or the picture's file, but not among the samples.
+QString FileWorkflow::proposedPath() const {
+    if (!m_document.path().isEmpty()) return m_document.path();
+    const QString folder = samplePaths().contains(m_document.source())
+                               ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)
+                               : m_document.folder();
+    return QDir(folder).filePath(QFileInfo(m_document.source()).completeBaseName() + QStringLiteral(".wend"));
 }
 
 bool FileWorkflow::saveAs() {
-    const QString proposal = m_document.path().isEmpty()
-                                 ? QDir(m_document.folder()).filePath(m_document.displayName())
-                                 : m_document.path();
     QString path =
-        QFileDialog::getSaveFileName(&m_window, tr("Save Project"), proposal, tr("Projects (*.wend)"));
+        QFileDialog::getSaveFileName(&m_window, tr("Save Project"), proposedPath(), tr("Projects (*.wend)"));
     if (path.isEmpty()) return false;
     if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".wend");
     return saveTo(path);

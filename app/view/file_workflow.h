@@ -43,6 +43,7 @@ class FileWorkflow : public QObject {
     void recentChanged();
 
   private:
+    QString proposedPath() const;
     bool saveTo(const QString& path);
     void addRecent(const QString& path);
     bool offer(const LostWork& work, const QString& instead);

@@ -1,4 +1,5 @@
 #include <QAbstractButton>
+#include <QFileDialog>
 #include <QMessageBox>
 #include <QSignalSpy>
 #include <QTimer>
@@ -24,6 +25,8 @@ class TestFileWorkflow : public QObject {
     void aFailedRecoveryKeepsTheCopy();
     void laterKeepsAndDiscardDiscards();
     void changesDuringAReadingAreAskedFor();
+    void samplesOpenAsCopies();
+    void savingWithoutChangesWritesNothing();
 
   private:
     QString leaveLostWork(const QString& picture);
@@ -134,6 +137,40 @@ void TestFileWorkflow::changesDuringAReadingAreAskedFor() {
     QTest::qWait(300);
     QCOMPARE(document().generation(), generation);
     QCOMPARE(document().design().handles.size(), std::size_t(1));
+}
+
+void TestFileWorkflow::samplesOpenAsCopies() {
+    const QString sample = samplePaths().at(0);
+    m_window->openPath(sample);
+    QVERIFY(QTest::qWaitFor([&] { return !document().isEmpty(); }, 60000));
+    QVERIFY(document().path().isEmpty());
+    QVERIFY(!document().isModified());
+    QString proposed;
+    QTimer::singleShot(100, [&] {
+        if (auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget())) {
+            proposed = dialog->selectedFiles().value(0);
+            dialog->reject();
+        }
+    });
+    QVERIFY(!m_window->files().save());
+    QVERIFY(!proposed.isEmpty());
+    QVERIFY(QFileInfo(proposed).absolutePath() != QFileInfo(sample).absolutePath());
+}
+
+void TestFileWorkflow::savingWithoutChangesWritesNothing() {
+    writeCutOut(*m_folder);
+    const QString path = m_folder->filePath("bar.wend");
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(R"({"format": "wend", "version": 1, "domain": {"image": "bar.png"}})");
+    file.close();
+    m_window->openPath(path);
+    QVERIFY(QTest::qWaitFor([&] { return !document().isEmpty(); }, 20000));
+    const QDateTime before = QFileInfo(path).lastModified();
+    const auto size = QFileInfo(path).size();
+    QVERIFY(m_window->files().save());
+    QCOMPARE(QFileInfo(path).size(), size);
+    QCOMPARE(QFileInfo(path).lastModified(), before);
 }
 
 QTEST_MAIN(TestFileWorkflow)
