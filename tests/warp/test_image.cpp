@@ -242,7 +242,8 @@ class TestImage : public QObject {
     /// What a camera wrote beside the pixels.
     void descriptionSurvives_data() {
         QTest::addColumn<QString>("extension");
-        for (const char* extension : {"tif", "jpg", "webp"}) QTest::newRow(extension) << QString(extension);
+        for (const char* extension : {"png", "tif", "jpg", "webp"})
+            QTest::newRow(extension) << QString(extension);
     }
     void descriptionSurvives() {
         QFETCH(QString, extension);
