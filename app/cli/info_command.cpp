@@ -10,6 +10,7 @@
 #include "app/session/output_set.h"
 #include "core/mesh/error.h"
 #include "core/mesh/file_name.h"
+#include "core/mesh/plane_geometry.h"
 #include "warp/outline.h"
 
 namespace wend {
@@ -21,19 +22,11 @@ constexpr std::size_t kListed = 20;  // numbers shown of a problem's cells in te
 
 // --- What there is to tell, as JSON ---
 
-double area(const std::vector<Vec<2>>& loop) {
-    double twice = 0;
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-        const Vec<2>&a = loop[i], &b = loop[(i + 1) % loop.size()];
-        twice += a.x() * b.y() - a.y() * b.x();
-    }
-    return std::abs(twice) / 2;
-}
-
 Json outlineInfo(const Image& image) try {
     const Outline outline = outlineFromAlpha(image);
     Json parts = Json::array();
-    for (const auto& loop : outline.loops) parts.push_back({{"corners", loop.size()}, {"area", area(loop)}});
+    for (const auto& loop : outline.loops)
+        parts.push_back({{"corners", loop.size()}, {"area", std::abs(loopArea(loop))}});
     return {{"loops", outline.loops.size()}, {"each", parts}};
 } catch (const InputError& error) {
     return {{"problem", error.reason()}};

@@ -4,6 +4,8 @@
 #include <limits>
 #include <set>
 
+#include "core/mesh/plane_geometry.h"
+
 namespace wend {
 
 namespace {
@@ -38,13 +40,6 @@ Motion<2> recorded(const Vec<2>& from, const std::vector<Vec<2>>& offsets, doubl
     motion.start = start;
     motion.end = start + 1;
     return motion;
-}
-
-double distanceToSegment(const Vec<2>& p, const Vec<2>& a, const Vec<2>& b) {
-    const Vec<2> ab = b - a;
-    const double length2 = ab.squaredNorm();
-    const double s = length2 > 0 ? std::clamp((p - a).dot(ab) / length2, 0.0, 1.0) : 0.0;
-    return (p - a - s * ab).norm();
 }
 
 void keepFarthest(const std::vector<Vec<2>>& path, std::size_t first, std::size_t last, double tolerance,

@@ -1,25 +1,13 @@
 #include "core/mesh/embedding.h"
 
-#include <Eigen/LU>
 #include <limits>
 #include <string>
 
+#include "core/mesh/cell_geometry.h"
 #include "core/mesh/error.h"
 
 namespace wend {
 namespace {
-
-/// Barycentric coordinates of p in a cell, whether it lies inside or not.
-template <int Dim>
-Location<Dim> coordinates(const SimplicialMesh<Dim>& mesh, int cell, const Vec<Dim>& p) {
-    const auto& ids = mesh.cells[cell];
-    Mat<Dim> edges;
-    for (int k = 0; k < Dim; ++k) edges.col(k) = mesh.points.col(ids[k + 1]) - mesh.points.col(ids[0]);
-    Location<Dim> location{cell, {}};
-    location.weights.template tail<Dim>() = edges.inverse() * (p - mesh.points.col(ids[0]));
-    location.weights[0] = 1 - location.weights.template tail<Dim>().sum();
-    return location;
-}
 
 /// One of the cell's own vertices.
 template <int Dim>
@@ -65,7 +53,7 @@ Embedding<Dim>::Embedding(const SimplicialMesh<Dim>& rest, const Points<Dim>& po
         Location<Dim> best;
         double bestWeight = -std::numeric_limits<double>::infinity();
         for (int k = offsets[nearest]; k < offsets[nearest + 1]; ++k) {
-            const auto location = coordinates(rest, cells[k], p);
+            const Location<Dim> location{cells[k], barycentric<Dim>(rest.points, rest.cells[cells[k]], p)};
             if (location.weights.minCoeff() <= bestWeight) continue;
             bestWeight = location.weights.minCoeff();
             best = location;

@@ -1,10 +1,10 @@
 #include "core/mesh/point_locator.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "core/mesh/cell_geometry.h"
 #include "core/mesh/used_vertices.h"
 
 namespace wend {
@@ -44,24 +44,6 @@ Bounds<Dim> boundsOf(const Points<Dim>& points, const Cell<Dim>& cell) {
     Bounds<Dim> bounds;
     for (int v : cell) bounds.add(points.col(v));
     return bounds;
-}
-
-/// Barycentric coordinates of p: [x1 − x0, …] (w1, …)ᵀ = p − x0 and w0 = 1 − Σ. Not finite for a flat cell.
-template <int Dim>
-Eigen::Matrix<double, Dim + 1, 1> barycentric(const Points<Dim>& points, const Cell<Dim>& cell,
-                                              const Vec<Dim>& p) {
-    Mat<Dim> edges;
-    for (int k = 0; k < Dim; ++k) edges.col(k) = points.col(cell[k + 1]) - points.col(cell[0]);
-    const double det = edges.determinant();
-    const Vec<Dim> offset = p - points.col(cell[0]);
-    Eigen::Matrix<double, Dim + 1, 1> weights;
-    for (int k = 0; k < Dim; ++k) {  // Cramer's rule
-        Mat<Dim> replaced = edges;
-        replaced.col(k) = offset;
-        weights[k + 1] = replaced.determinant() / det;
-    }
-    weights[0] = 1 - weights.template tail<Dim>().sum();
-    return weights;
 }
 
 /// A box of equal cubic bins. Bin indices grow monotonically with the coordinates whatever the rounding, so
