@@ -1,6 +1,5 @@
 #include "warp/webp.h"
 
-#include <OpenImageIO/tiffutils.h>
 #include <webp/decode.h>
 #include <webp/encode.h>
 #include <webp/mux.h>
@@ -11,6 +10,14 @@
 #include <memory>
 #include <string_view>
 #include <utility>
+
+// As in OpenImageIO/tiffutils.h, which wants libtiff's headers for the rest of what it declares.
+OIIO_NAMESPACE_BEGIN
+OIIO_API void encode_exif(const ImageSpec& spec, std::vector<char>& blob, OIIO::endian order);
+OIIO_API bool decode_exif(string_view exif, ImageSpec& spec);
+OIIO_API std::string encode_xmp(const ImageSpec& spec, bool minimal);
+OIIO_API bool decode_xmp(string_view xml, ImageSpec& spec);
+OIIO_NAMESPACE_END
 
 namespace wend {
 namespace {
@@ -65,7 +72,7 @@ Bytes profileOf(const OIIO::ImageSpec& spec) {
 Bytes exifOf(const OIIO::ImageSpec& spec) {
     if (spec.extra_attribs.size() == 0) return {};
     std::vector<char> blob;
-    OIIO::encode_exif(spec, blob);
+    OIIO::encode_exif(spec, blob, OIIO::endian::little);
     return {blob.begin(), blob.end()};
 }
 

@@ -153,6 +153,14 @@ class TestScene : public QObject {
             QVERIFY((texture.rest->points.col(i) - expected).norm() < 1e-11);
         }
         QVERIFY((texture.toPixels(rest->points) - texture.rest->points).norm() < 1e-9);
+        SimplicialMesh<2> spare = *rest;  // a vertex that no cell has, with a texture point of no meaning
+        spare.points.conservativeResize(2, rest->vertexCount() + 1);
+        spare.points.col(rest->vertexCount()) << 1000, -500;
+        Eigen::Matrix2Xd more = uv;
+        more.conservativeResize(2, uv.cols() + 1);
+        more.col(uv.cols()) << 0.5, 0.5;
+        const Texture same = textureOf(picture, std::make_shared<const SimplicialMesh<2>>(spare), more);
+        QVERIFY((same.toPixels(rest->points) - texture.rest->points).norm() < 1e-9);
         const Texture plain = textureOf(picture, rest, {});
         QVERIFY(plain.toPixels(rest->points) ==
                 rest->points);  // to the last bit: an identity warp must be one
