@@ -62,7 +62,8 @@ std::optional<int> frameNumber(const std::string& pattern, const std::string& na
     int number = 0;
     const char* end = name.data() + name.size() - after;
     const auto read = std::from_chars(name.data() + first, end, number);
-    if (read.ec != std::errc() || read.ptr != end || frameName(pattern, number) != name) return std::nullopt;
+    if (read.ec != std::errc() || read.ptr != end || number < 0 || frameName(pattern, number) != name)
+        return std::nullopt;
     return number;
 }
 
