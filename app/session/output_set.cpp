@@ -75,7 +75,8 @@ void requirePlaces(const std::vector<std::string>& paths) {
         if (file.isSpecial()) continue;
         for (const auto& target : {std::optional(file.target()), partnerOf(file.target())}) {
             if (!target) continue;
-            const auto [other, isNew] = pathOf.try_emplace(fs::weakly_canonical(*target).string(), path);
+            const auto [other, isNew] =
+                pathOf.try_emplace(fs::weakly_canonical(fs::absolute(*target)).string(), path);
             if (!isNew) throw InputError(path, "would replace another output, " + other->second);
         }
     }

@@ -39,7 +39,7 @@ void requireFrames(const Project& project, const std::string& path) {
 }
 
 std::string canonical(const std::string& path) {
-    return std::filesystem::weakly_canonical(path).string();
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(path)).string();
 }
 
 void requireNoFrame(const RunOutputs& outputs, const std::string& path) {
