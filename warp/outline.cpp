@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "core/mesh/error.h"
-#include "core/mesh/plane_geometry.h"
+#include "core/mesh/segments.h"
 #include "core/meshing/outline_simplify.h"
 #include "warp/outline_contour.h"
 #include "warp/outline_growth.h"

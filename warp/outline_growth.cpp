@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/mesh/plane_geometry.h"
+#include "core/mesh/segments.h"
 
 namespace wend {
 namespace {
@@ -66,7 +66,7 @@ void GrownShape::visitNear(const Segment& s, double reach, const Visit& visit) {
 
 void GrownShape::findNearest(const Segment& s, int index) {
     visitNear(s, m_margin + beyond, [&](Node& n, const Vec<2>& p) {
-        const Vec<2> q = nearestOnSegment(p, s.a, s.b);
+        const Vec<2> q = nearestOnSegment<2>(p, s.a, s.b);
         const auto d = static_cast<float>((p - q).norm());
         if (d >= n.distance) return;
         n.distance = d;
@@ -89,7 +89,7 @@ void GrownShape::findFacing(const Segment& s) {
         if (n.distance > (n.inside ? 0 : m_margin) + beyond) return;
         const Vec<2> from = n.inside ? n.nearest : p;
         const Vec<2> outwards = n.inside ? Vec<2>(n.nearest - p) : Vec<2>(p - n.nearest);
-        const Vec<2> q = nearestOnSegment(from, s.a, s.b);
+        const Vec<2> q = nearestOnSegment<2>(from, s.a, s.b);
         const auto d = static_cast<float>((from - q).norm());
         if (d >= n.facing || (q - from).dot(outwards) < 0 || !isFarAlong(s, m_segments[n.segment])) return;
         n.facing = d;

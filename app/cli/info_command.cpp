@@ -10,7 +10,7 @@
 #include "app/session/output_set.h"
 #include "core/mesh/error.h"
 #include "core/mesh/file_name.h"
-#include "core/mesh/plane_geometry.h"
+#include "core/mesh/segments.h"
 #include "warp/outline.h"
 
 namespace wend {

@@ -17,11 +17,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// TetGen's files come in pairs: the other one is written along.
+/// TetGen's files come in pairs: the extension of the other one, which is written along.
 std::optional<std::string> partnerOf(const std::string& path) {
     const std::string extension = lowerExtension(path);
-    if (extension == ".node") return fs::path(path).replace_extension(".ele").string();
-    if (extension == ".ele") return fs::path(path).replace_extension(".node").string();
+    if (extension == ".node") return ".ele";
+    if (extension == ".ele") return ".node";
     return std::nullopt;
 }
 
@@ -73,12 +73,12 @@ void requirePlaces(const std::vector<std::string>& paths) {
         if (path.empty() || path == "-") continue;
         const PendingFile file(path);
         if (file.isSpecial()) continue;
-        for (const auto& target : {std::optional(file.target()), partnerOf(file.target())}) {
-            if (!target) continue;
-            const auto [other, isNew] =
-                pathOf.try_emplace(fs::weakly_canonical(fs::absolute(*target)).string(), path);
-            if (!isNew) throw InputError(path, "would replace another output, " + other->second);
-        }
+        const fs::path target = fs::weakly_canonical(fs::absolute(file.target()));
+        std::vector<fs::path> places{target};
+        if (const auto other = partnerOf(path)) places.push_back(fs::path(target).replace_extension(*other));
+        for (const fs::path& place : places)
+            if (const auto [first, isNew] = pathOf.try_emplace(place.string(), path); !isNew)
+                throw InputError(path, "would replace another output, " + first->second);
     }
 }
 
@@ -91,7 +91,11 @@ void OutputSet::add(const std::string& path, const std::string& extension, const
         return;
     }
     PendingFile file(path);
+    std::optional<PendingFile> partner;
+    if (const auto other = partnerOf(path); other && !file.isSpecial())
+        partner.emplace(file.companion(*other));
     writeTo(file.temporary(), path, write);
+    if (partner) m_files.push_back(std::move(*partner));
     m_files.push_back(std::move(file));
 }
 

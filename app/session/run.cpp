@@ -1,10 +1,13 @@
 #include "app/session/run.h"
 
 #include <chrono>
+#include <filesystem>
 
+#include "app/document/options.h"
 #include "app/document/text_file.h"
 #include "app/session/output_set.h"
 #include "app/session/pose_file.h"
+#include "app/session/shape_file.h"
 #include "core/mesh/error.h"
 #include "core/mesh/file_name.h"
 #include "kernels/back_end_choice.h"
@@ -13,6 +16,8 @@ namespace wend {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+constexpr double kCrushed = 1e-3;  // of a cell's measure at rest: the picture is ruined there
 
 /// One run: the scene, its deformer, and the files that are being made. Frames are written as they come, so
 /// that a long sequence needs no more memory than a short one.
@@ -30,12 +35,16 @@ class Run {
                      backEndFactory<Dim>(options.backEnd, {}, watch.notice)) {}
 
     AdvanceResult run() {
-        const AdvanceResult result = integrate();
+        AdvanceResult result = integrate();
         if (result.outcome == Outcome::Cancelled) throw Cancelled();
-        if (result.outcome == Outcome::Done || m_options.partial)
+        if (wantsVelocity() && !solveVelocity() && result.outcome == Outcome::Done)
+            result = {Outcome::SolverFailed, result.time, -1, "the velocity field cannot be solved for"};
+        if (result.outcome == Outcome::Done || m_options.partial) {
+            warnOfCrushedCells();
             writeShapes();
-        else
+        } else {
             m_files.discard();
+        }
         writeReport();
         m_files.commit();
         return result;
@@ -59,7 +68,7 @@ class Run {
             const int count = m_options.outputs.count;
             for (int k = 0; k < count; ++k)
                 watch.frames.push_back(k + 1 < count ? end() * k / (count - 1) : end());
-            watch.onFrame = [this](const State<Dim>& state) { takeFrame(state.points); };
+            watch.onFrame = [this](const State<Dim>& state) { takeFrame(state); };
         }
         return m_deformer.advance(end(), watch);
     }
@@ -68,32 +77,49 @@ class Run {
         const RunOutputs& outputs = m_options.outputs;
         const Points<Dim> pose = m_deformer.state().points;
         if (!outputs.velocity.empty()) writeVelocity(pose);
-        if (!outputs.mesh.empty())
-            m_files.add(outputs.mesh, ".vtu",
-                        [&](const std::string& file) { writeMeshFile(file, poseFile(m_scene, pose)); });
+        if (!outputs.mesh.empty()) writeMesh(pose);
         if constexpr (Dim == 2) {
             writePictures(pose);
             writeWaitingFrames();
+        } else {
+            writeAnimation();
         }
+        writeCollection();
     }
 
-    void writeVelocity(const Points<Dim>& pose) {
-        const std::string& path = m_options.outputs.velocity;
-        const Points<Dim> velocity = m_deformer.velocity();
-        const bool table = path == "-" || lowerExtension(path) == ".csv";
-        m_files.add(path, ".csv", [&](const std::string& file) {
-            if (table) return writeTextFile(file, velocityTable<Dim>(pose, velocity));
-            MeshFile mesh = poseFile(m_scene, pose);
-            mesh.fields.push_back({"velocity", false, 3, inSpace(velocity)});
-            writeMeshFile(file, mesh);
+    bool wantsVelocity() const {
+        return !m_options.outputs.velocity.empty() || (m_options.fields && !m_options.outputs.mesh.empty());
+    }
+
+    bool solveVelocity() {
+        m_velocity = m_deformer.velocity();
+        return m_velocity.cols() > 0;
+    }
+
+    /// No cell folds over, but one may be next to nothing.
+    void warnOfCrushedCells() const {
+        const double least = distortion<Dim>(*m_scene.rest, m_deformer.state().points).minDet;
+        if (least < kCrushed && m_watch.notice)
+            m_watch.notice("a cell has shrunk to " + shortNumber(least) + " of its size");
+    }
+
+    void writeMesh(const Points<Dim>& pose) {
+        std::vector<MeshField> fields;
+        if (m_options.fields) fields = shapeFields(m_scene, pose, m_velocity);
+        m_files.add(m_options.outputs.mesh, ".vtu", [&](const std::string& file) {
+            writeShape(file, m_scene, pose, fields, m_options.meshes);
         });
     }
 
-    static std::vector<double> inSpace(const Points<Dim>& vectors) {
-        std::vector<double> values;
-        for (Eigen::Index i = 0; i < vectors.cols(); ++i)
-            for (int a = 0; a < 3; ++a) values.push_back(a < Dim ? vectors(a, i) : 0);
-        return values;
+    void writeVelocity(const Points<Dim>& pose) {
+        if (m_velocity.cols() == 0) return;
+        const std::string& path = m_options.outputs.velocity;
+        const bool table = path == "-" || lowerExtension(path) == ".csv";
+        m_files.add(path, ".csv", [&](const std::string& file) {
+            if (table) return writeTextFile(file, velocityTable<Dim>(pose, m_velocity));
+            const auto fields = shapeFields(m_scene, pose, m_velocity);
+            writeMeshFile(file, poseFile(m_scene, pose, {fields.back()}), m_options.meshes);
+        });
     }
 
     /// The picture in the pixels of `view`. Throws Cancelled.
@@ -135,13 +161,42 @@ class Run {
             });
     }
 
-    void takeFrame(const Points<Dim>& pose) {
+    void takeFrame(const State<Dim>& state) {
         const std::string& pattern = m_options.outputs.frames;
         const int number = m_frames++;
         if constexpr (Dim == 2)
-            if (canWriteImage(pattern)) return takePictureFrame(number, m_scene.texture.toPixels(pose));
-        m_files.add(frameName(pattern, number), "",
-                    [&](const std::string& file) { writeMeshFile(file, poseFile(m_scene, pose)); });
+            if (canWriteImage(pattern))
+                return takePictureFrame(number, m_scene.texture.toPixels(state.points));
+        if constexpr (Dim == 3)
+            if (isAnimation(pattern)) return m_animation.push_back(state.points);
+        takeMeshFrame(number, state);
+    }
+
+    void takeMeshFrame(int number, const State<Dim>& state) {
+        std::vector<MeshField> fields;
+        if (m_options.fields) fields = shapeFields(m_scene, state.points);
+        const std::string name = frameName(m_options.outputs.frames, number);
+        m_files.add(name, "", [&](const std::string& file) {
+            writeShape(file, m_scene, state.points, fields, m_options.meshes);
+        });
+        m_names.push_back(std::filesystem::path(name).filename().string());
+        m_times.push_back(state.time);
+    }
+
+    void writeCollection() {
+        const std::string collection = collectionName(m_options.outputs.frames);
+        if (collection.empty()) return;
+        m_files.add(collection, "",
+                    [&](const std::string& file) { writeTextFile(file, collectionText(m_names, m_times)); });
+    }
+
+    /// One file holds all its poses.
+    void writeAnimation() {
+        const std::string& path = m_options.outputs.frames;
+        if (!isAnimation(path)) return;
+        m_files.add(path, ".glb", [&](const std::string& file) {
+            wend::writeAnimation(file, m_scene, m_animation, m_options.outputs.framesPerSecond);
+        });
     }
 
     /// A canvas that fits is known only when all frames are.
@@ -202,6 +257,10 @@ class Run {
     int m_frames = 0;                   // passed
     std::optional<PoseFile> m_waiting;  // frames, in pixels of the picture
     Extent<2> m_allFrames;              // around those that wait
+    std::vector<Points<Dim>> m_animation;
+    std::vector<std::string> m_names;  // of the mesh frames …
+    std::vector<double> m_times;       // … and their times
+    Points<Dim> m_velocity;
     OutputSet m_files;
 };
 

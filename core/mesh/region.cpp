@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/mesh/plane_geometry.h"
+#include "core/mesh/segments.h"
 
 namespace wend {
 namespace {
@@ -25,7 +25,7 @@ double distanceOf(const Polygon& polygon, const Vec<2>& p) {
     double nearest = infinity;
     bool inside = false;
     for (std::size_t i = 0, previous = points.size() - 1; i < points.size(); previous = i++) {
-        nearest = std::min(nearest, distanceToSegment(p, points[previous], points[i]));
+        nearest = std::min(nearest, distanceToSegment<2>(p, points[previous], points[i]));
         if (crossesRay(points[previous], points[i], p)) inside = !inside;
     }
     return inside ? -nearest : nearest;

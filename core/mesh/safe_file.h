@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 namespace wend {
@@ -20,15 +21,17 @@ class TemporaryFolder {
     std::string m_path;
 };
 
-/// A file that is being written in a temporary folder beside its place, under its own name, and takes its
-/// place whole, or, if it is never committed, leaves no trace. What is written beside it there (the other of
-/// TetGen's two files) goes along. An existing file keeps its permissions, a symbolic link its target's
-/// place. What is no regular file (a terminal, a pipe, /dev/null) is written to only when all is known to be
-/// good.
+/// A file that is being written under another name beside its place (the extension is kept) and takes its
+/// place whole, or, if it is never committed, leaves no trace. The name is new: two of one place do not meet,
+/// and nobody's link is followed. An existing file keeps its permissions, a symbolic link its target's place.
+/// What is no regular file (a terminal, a pipe, /dev/null) is written to only when all is known to be good.
 class PendingFile {
   public:
     /// Throws InputError(path, reason) when the folder is missing or not writable, or the path is a folder.
     explicit PendingFile(std::string path);
+    ~PendingFile();
+    PendingFile(PendingFile&& other) noexcept;
+    PendingFile& operator=(PendingFile&&) = delete;
 
     const std::string& path() const { return m_path; }
     /// Where the file will be, links followed.
@@ -36,15 +39,17 @@ class PendingFile {
     /// Where to write.
     const std::string& temporary() const { return m_temporary; }
     /// Whether it goes into something that is no regular file, which cannot be taken back.
-    bool isSpecial() const { return m_special; }
+    bool isSpecial() const { return m_folder.has_value(); }
+    /// The file that differs by this extension alone, in its temporary name as well: TetGen's come in pairs.
+    PendingFile companion(const std::string& extension) const;
     /// Throws InputError(path, reason).
     void commit();
 
   private:
-    std::string m_path, m_target;
-    bool m_special;
-    TemporaryFolder m_folder;
-    std::string m_temporary;
+    PendingFile(std::string path, std::string target, std::string temporary);
+
+    std::string m_path, m_target, m_temporary;
+    std::optional<TemporaryFolder> m_folder;  // of what has no place beside it
 };
 
 /// Calls `write` with the name of a temporary file in the folder of `path` and renames it to `path` when that

@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "core/mesh/error.h"
-#include "core/mesh/plane_geometry.h"
+#include "core/mesh/segments.h"
 
 namespace wend {
 namespace {
@@ -108,7 +108,7 @@ void splitNearestEdge(Outline& outline, const Vec<2>& p, double tolerance) {
     std::size_t after = 0;
     for (auto& loop : outline.loops)
         for (std::size_t k = 0; k < loop.size(); ++k) {
-            const double d = distanceToSegment(p, loop[k], loop[(k + 1) % loop.size()]);
+            const double d = distanceToSegment<2>(p, loop[k], loop[(k + 1) % loop.size()]);
             if (d > nearest || (where && d == nearest)) continue;
             nearest = d;
             where = &loop;

@@ -203,7 +203,7 @@ void TestCli::framesFit() {
     QVERIFY(first.width >= readImage(file("fit.png")).width);
     succeed({"run", "disc.wend", "--canvas", "fit", "--at", "0", "--image", "rest.png"});
     QVERIFY(first.width > readImage(file("rest.png")).width);
-    QVERIFY(QDir(path()).entryList({".wend*"}, QDir::AllEntries | QDir::Hidden).isEmpty());
+    QVERIFY(QDir(path()).entryList({".*"}, QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot).isEmpty());
 }
 
 void TestCli::meshFrames() {

@@ -282,7 +282,7 @@ void TestCliErrors::fullDisk() {
         runCli(path(), {"-c", command}, QProcessEnvironment::systemEnvironment(), "/bin/bash");
     QVERIFY2(result.code == 3, qPrintable(output + result.error));
     QVERIFY2(result.error.startsWith("wend: ") && result.error.count('\n') == 1, qPrintable(result.error));
-    QVERIFY2(!result.error.contains(".wend-"), qPrintable(result.error));
+    QVERIFY2(!result.error.contains(".part"), qPrintable(result.error));
     QCOMPARE(listing(), before);
     QCOMPARE(readTextFile((path() + "/" + kept).toStdString()), std::string("old"));
 }

@@ -207,12 +207,15 @@ class TestScene : public QObject {
         watch.progress = [&](const std::string& work, double) {
             const QDir::Filters all = QDir::AllEntries | QDir::Hidden;
             if (work == "deforming")
-                atOnce = std::max(atOnce, QDir(folder.path()).entryList({".wend*"}, all).size());
+                atOnce = std::max(atOnce,
+                                  QDir(folder.path()).entryList({".*"}, all | QDir::NoDotAndDotDot).size());
         };
         QVERIFY(runProject(project, base + "/p.wend", options, watch).outcome == Outcome::Done);
         QVERIFY(atOnce > (options.canvas == Canvas::Fit ? 0 : 5));
         QCOMPARE(QDir(folder.path()).entryList({"f_?.png"}).size(), 9);
-        QVERIFY(QDir(folder.path()).entryList({".wend*"}, QDir::AllEntries | QDir::Hidden).isEmpty());
+        QVERIFY(QDir(folder.path())
+                    .entryList({".*"}, QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot)
+                    .isEmpty());
     }
 
     void missingFiles_data() {

@@ -21,7 +21,7 @@ class TestSafeFile : public QObject {
     void twoOfOneName();
     void goesAlong();
     void leavesNoTrace();
-    void keepsToItsOwnFolder();
+    void followsNobodysLink();
     void childStandsAlone();
 
   private:
@@ -51,10 +51,13 @@ void TestSafeFile::twoOfOneName() {
 }
 
 void TestSafeFile::goesAlong() {
-    writeWhole(file("m.node"), [](const std::string& temporary) {
-        put(temporary, "points");
-        put(fs::path(temporary).replace_extension(".ele").string(), "cells");
-    });
+    PendingFile points(file("m.node"));
+    PendingFile cells = points.companion(".ele");
+    QCOMPARE(cells.temporary(), fs::path(points.temporary()).replace_extension(".ele").string());
+    put(points.temporary(), "points");
+    put(cells.temporary(), "cells");
+    points.commit();
+    cells.commit();
     QCOMPARE(get(file("m.node")), std::string("points"));
     QCOMPARE(get(file("m.ele")), std::string("cells"));
 }
@@ -67,20 +70,25 @@ void TestSafeFile::leavesNoTrace() {
         QVERIFY(entries() > before);
     }
     QCOMPARE(entries(), before);
-    PendingFile nothing(file("b.txt"));
-    QVERIFY_EXCEPTION_THROWN(nothing.commit(), InputError);
     QVERIFY_EXCEPTION_THROWN(PendingFile(file("none/b.txt")), InputError);
 }
 
-/// Nobody else can put a link where the temporary will be: its folder is new and this user's alone.
-void TestSafeFile::keepsToItsOwnFolder() {
-    for (const std::string& target : {file("c.txt"), std::string("/dev/null")}) {
-        const PendingFile pending(target);
-        const fs::path folder = fs::path(pending.temporary()).parent_path();
-        QCOMPARE(fs::status(folder).permissions(), fs::perms::owner_all);
-        QVERIFY(fs::is_empty(folder));
-        QCOMPARE(pending.isSpecial(), target == "/dev/null");
-    }
+/// A link that somebody put where the temporary is expected is not followed, and what goes to no regular file
+/// waits in a folder that is this user's alone.
+void TestSafeFile::followsNobodysLink() {
+    put(file("victim"), "whole");
+    const std::string expected = PendingFile(file("c.txt")).temporary();
+    fs::create_symlink(file("victim"), expected);
+    PendingFile pending(file("c.txt"));
+    QVERIFY(pending.temporary() != expected);
+    put(pending.temporary(), "c");
+    pending.commit();
+    QCOMPARE(get(file("victim")), std::string("whole"));
+    QCOMPARE(get(file("c.txt")), std::string("c"));
+    fs::remove(expected);
+    const PendingFile nowhere("/dev/null");
+    QVERIFY(nowhere.isSpecial() && !pending.isSpecial());
+    QCOMPARE(fs::status(fs::path(nowhere.temporary()).parent_path()).permissions(), fs::perms::owner_all);
 }
 
 /// It has a process group of its own, so that Ctrl-C reaches this program alone, and none of the signals that

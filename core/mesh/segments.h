@@ -7,8 +7,10 @@
 namespace wend {
 
 /// The point of the segment a → b (which may be a point) that is nearest to p, and how far that is.
-Vec<2> nearestOnSegment(const Vec<2>& p, const Vec<2>& a, const Vec<2>& b);
-double distanceToSegment(const Vec<2>& p, const Vec<2>& a, const Vec<2>& b);
+template <int Dim>
+Vec<Dim> nearestOnSegment(const Vec<Dim>& p, const Vec<Dim>& a, const Vec<Dim>& b);
+template <int Dim>
+double distanceToSegment(const Vec<Dim>& p, const Vec<Dim>& a, const Vec<Dim>& b);
 
 /// Signed area of a closed loop (shoelace).
 double loopArea(const std::vector<Vec<2>>& loop);
