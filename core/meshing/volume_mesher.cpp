@@ -253,13 +253,15 @@ class VolumeMesher {
     std::vector<int> m_labels;  // those that there are, each once, increasing
 };
 
-/// Inner vertices go with 1/maxVolume: a secant search in the logarithm, at most eight runs.
+/// Inner vertices go with 1/maxVolume: a secant search in the logarithm, held between what is known to give
+/// too many and too few, at most ten runs.
 VolumeMesh meshForAim(const VolumeMesher& mesher, const VolumeMeshOptions& options) {
     double maxVolume = mesher.volume() / (5.0 * options.vertices);
     VolumeMesh best;
     double bestError = std::numeric_limits<double>::infinity();
     double lastVolume = 0, lastCount = 0;
-    for (int run = 0; run < 8; ++run) {
+    double tooSmall = 0, tooLarge = std::numeric_limits<double>::infinity();  // volumes
+    for (int run = 0; run < 10; ++run) {
         VolumeMesh mesh = mesher.mesh(maxVolume);
         const double count = mesh.mesh.vertexCount();
         const double error = std::abs(count / options.vertices - 1);
@@ -268,12 +270,19 @@ VolumeMesh meshForAim(const VolumeMesher& mesher, const VolumeMeshOptions& optio
             best = std::move(mesh);
         }
         if (bestError <= kAimTolerance) break;
+        if (count > options.vertices)
+            tooSmall = std::max(tooSmall, maxVolume);
+        else
+            tooLarge = std::min(tooLarge, maxVolume);
         double slope = -1;
         if (lastCount > 0 && lastCount != count && lastVolume != maxVolume)
             slope = std::clamp(std::log(count / lastCount) / std::log(maxVolume / lastVolume), -1.5, -0.2);
         lastVolume = maxVolume;
         lastCount = count;
         maxVolume *= std::clamp(std::pow(options.vertices / count, 1 / slope), 1.0 / 16, 16.0);
+        const bool between = maxVolume > 1.02 * tooSmall && 1.02 * maxVolume < tooLarge;
+        if (!between && tooSmall > 0 && tooSmall < tooLarge && std::isfinite(tooLarge))
+            maxVolume = std::sqrt(tooSmall * tooLarge);
         if (maxVolume > mesher.volume()) maxVolume = mesher.volume();
         if (maxVolume == lastVolume) break;
     }
