@@ -153,7 +153,15 @@ void MainWindow::connectFiles() {
     connect(a.saveAs, &QAction::triggered, m_files, &FileWorkflow::saveAs);
     connect(a.closeFile, &QAction::triggered, m_files, &FileWorkflow::close);
     connect(a.quit, &QAction::triggered, this, &QWidget::close);
-    connect(a.exportPicture, &QAction::triggered, m_exporter, &Exporter::exportPicture);
+    connect(a.exportPicture, &QAction::triggered, this, [this] {
+        if (m_solids->isActive())
+            m_solids->exportPicture();
+        else
+            m_exporter->exportPicture();
+    });
+    connect(m_solids, &SolidWorkshop::failed, m_banner, &InfoBanner::showText);
+    connect(m_solids, &SolidWorkshop::done, this,
+            [this](const QString& text) { statusBar()->showMessage(text, 6000); });
     connect(a.exportMesh, &QAction::triggered, m_exporter, &Exporter::exportMesh);
     connect(a.exportFrames, &QAction::triggered, m_exporter, &Exporter::exportFrames);
     connect(a.exportStMap, &QAction::triggered, m_exporter, &Exporter::exportStMap);
