@@ -19,8 +19,9 @@ SurfacePanel::SurfacePanel(QWidget* parent)
     layout->addWidget(panelTitle(tr("The surface bounds no solid"), this));
     layout->addWidget(m_text);
     auto* row = new QHBoxLayout;
-    for (QPushButton* button : {m_show, m_save, m_repair}) row->addWidget(button);
+    for (QPushButton* button : {m_show, m_save}) row->addWidget(button);
     layout->addLayout(row);
+    layout->addWidget(m_repair);
     describe(m_show, tr("Show the triangles"),
              tr("Colours the triangles that are wrong, and looks at them."));
     describe(m_save, tr("Save the list"),

@@ -206,6 +206,25 @@ void SolidWorkshop::connectCut() {
     connect(&m_around.session, &ShapeSession::frameChanged, this, &SolidWorkshop::showCut);
 }
 
+QString SolidWorkshop::keys() {
+    return tr(
+        "<table cellspacing='6'>"
+        "<tr><td><b>Click</b></td><td>sets a pin</td></tr>"
+        "<tr><td><b>Drag a pin</b></td><td>moves it along the screen; Esc puts it back</td></tr>"
+        "<tr><td><b>G, R, S</b></td><td>arrows to move, rings to turn, a ring to scale</td></tr>"
+        "<tr><td><b>X, Y, Z while dragging</b></td><td>lock an axis</td></tr>"
+        "<tr><td><b>Digits while dragging</b></td><td>set the amount, Enter takes it</td></tr>"
+        "<tr><td><b>B, O, U</b></td><td>hold by rectangle, lasso, brush; T: through the solid</td></tr>"
+        "<tr><td><b>Right or middle button</b></td><td>turns the view; with Shift it moves</td></tr>"
+        "<tr><td><b>Middle click</b></td><td>sets the point to turn around</td></tr>"
+        "<tr><td><b>Wheel</b></td><td>zooms to the pointer</td></tr>"
+        "<tr><td><b>1, 3, 7, 0</b></td><td>from the front, right, top, side; Ctrl: from the other "
+        "side</td></tr>"
+        "<tr><td><b>C</b></td><td>cuts the solid open</td></tr>"
+        "<tr><td><b>Hold H</b></td><td>shows the bare solid</td></tr>"
+        "</table>");
+}
+
 void SolidWorkshop::exportPicture() {
     if (!m_canvas) return;
     PictureDialog dialog(m_canvas->size() * m_canvas->devicePixelRatioF(), &m_window);

@@ -1,5 +1,6 @@
 #include "app/view/surface_check.h"
 
+#include <Eigen/Geometry>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -19,6 +20,15 @@ const QRgb kFine = qRgb(199, 186, 164), kWrong = qRgb(214, 44, 60);
 
 QStringList linesOf(const SurfaceProblems& problems) {
     return QString::fromStdString(problems.summary()).split(QStringLiteral(", "));
+}
+
+/// Against the triangle's outer side, a little from above.
+Vec<3> intoTriangle(const Surface& surface, int triangle) {
+    const auto& t = surface.triangles[triangle];
+    const Vec<3> a = surface.points.col(t[0]);
+    const Vec<3> normal = (surface.points.col(t[1]) - a).cross(surface.points.col(t[2]) - a);
+    if (!normal.allFinite() || normal.norm() == 0) return {-1, 1.4, -0.8};
+    return -normal.normalized() + Vec<3>(0.15, 0.25, -0.3);
 }
 
 template <class List, class Text>
@@ -108,6 +118,8 @@ void SurfaceCheck::showSurface() {
     for (const int t : m_found->problems.triangles(m_found->surface)) picture.cellColours[t] = kWrong;
     m_canvas->setCutKind(CutKind::None);
     m_canvas->setEdgesShown(true);
+    const auto wrong = m_found->problems.triangles(m_found->surface);
+    if (!wrong.empty()) m_canvas->camera().lookAlong(intoTriangle(m_found->surface, wrong.front()));
     m_canvas->setPicture(std::move(picture), true);
 }
 
