@@ -3,13 +3,14 @@
 #include <array>
 #include <bit>
 
+#include "warp/span_painters.h"
 #include "warp/warp_job.h"
 
 namespace wend {
 
-/// Paints the rows of one band of a picture of N channels of type T with the filter F: the cells, then the
-/// outline's pixels, then what no cell covers.
-template <typename T, int N, Filter F>
+/// Paints the rows of one band of a picture of numbers of type T: the cells, then the outline's pixels, then
+/// what no cell covers.
+template <typename T>
 class BandPainter {
   public:
     BandPainter(WarpJob& job, int band)
@@ -18,9 +19,11 @@ class BandPainter {
           m_begin(band * kBandRows),
           m_end(std::min(job.view.height, m_begin + kBandRows)),
           m_channels(job.output.channels),
-          m_outsideFilter(job.view.scale * Mat<2>::Identity(), F, job.source.levels()) {
-        for (int k = 0; k < job.source.levels(); ++k)
-            m_samplers.emplace_back(job.source.level(k), job.source.opaque());
+          m_outsideFilter(job.view.scale * Mat<2>::Identity(), job.options.filter, job.source.levels()),
+          m_spans(
+              spanFunctionsOf<T>(job.source.base().channels, job.options.filter, job.options.wideVectors)) {
+        m_task.left = job.view.origin.x(), m_task.scale = job.view.scale, m_task.addsAlpha = job.addsAlpha;
+        for (int k = 0; k < job.source.levels(); ++k) m_levels.push_back(level(job.source.level(k)));
         if (job.options.outside != Outside::Transparent)
             m_covered.resize(static_cast<std::size_t>(m_end - m_begin) *
                              static_cast<std::size_t>(job.view.width));
@@ -41,77 +44,61 @@ class BandPainter {
         return reinterpret_cast<T*>(m_job.output.row(y)) + static_cast<std::ptrdiff_t>(x) * m_channels;
     }
 
+    TexelLevel level(const Image& image) const {
+        return {image.data.data(), image.width, image.height, image.unassociated && !m_job.source.opaque(),
+                image.alpha};
+    }
+
     // --- cells
     // ---------------------------------------------------------------------------------------------------
 
-    const Sampler<T, N>& samplerOf(const CellFilter& filter) const {
-        return m_samplers[static_cast<std::size_t>(filter.level)];
+    const TexelLevel& levelOf(const CellFilter& filter) const {
+        return m_levels[static_cast<std::size_t>(filter.level)];
     }
 
-    template <bool inner>
-    static Lanes sample(const Sampler<T, N>& sampler, const CellFilter& filter, const RadialKernel& kernel,
-                        const Vec<2>& at) {
-        double x = at.x() * filter.shrink, y = at.y() * filter.shrink;
-        if constexpr (!inner) sampler.bound(x, y);
-        if constexpr (F == Filter::Nearest) return sampler.template nearest<inner>(x, y);
-        if constexpr (F == Filter::Bilinear) return sampler.template bilinear<inner>(x, y);
-        if (F == Filter::Bicubic || filter.blend == 0) return sampler.template bicubic<inner>(x, y);
-        const Lanes colour = sampler.template elliptical<inner>(x, y, filter.ellipse, kernel);
-        if (filter.blend == 1) return colour;
-        return sampler.mixed(colour, sampler.template bicubic<inner>(x, y), filter.blend);
-    }
-
-    Lanes sample(const CellFilter& filter, const Vec<2>& at) const {
-        return sample<false>(samplerOf(filter), filter, m_kernel, at);
-    }
-
-    static Vec<2> reach(const CellFilter& filter) {
-        return F == Filter::Ewa ? filter.ellipse.reach.cwiseMax(2.0) : Vec<2>(2, 2);
-    }
-
-    /// Works on copies: a pixel that is written might be any of the members for all the compiler knows.
-    template <bool inner, bool addsAlpha>
-    void paintSpan(const VisibleCell& cell, int begin, int end, int y) {
-        const Sampler<T, N> sampler = samplerOf(cell.filter);
-        const CellFilter filter = cell.filter;
-        const CellMap map = cell.map;
-        const double height = m_job.plane(0, y + 0.5).y(), left = m_job.view.origin.x(),
-                     scale = m_job.view.scale;
-        const Vec<2> inRow = map.inRow(height);
-        constexpr int channels = addsAlpha ? N + 1 : N;
-        T* to = target(begin, y);
-        for (int x = begin; x < end; ++x, to += channels) {
-            const double across = left + scale * (x + 0.5);
-            Lanes colour = sample<inner>(sampler, filter, m_kernel, map.source(across, height, inRow));
-            if constexpr (addsAlpha) colour[N] = kFull<T>;
-            storeColour<channels>(colour, to);
-        }
-    }
-
-    template <bool inner>
-    void paintSpan(const VisibleCell& cell, int begin, int end, int y) {
-        if constexpr (N < 4) {
-            if (m_job.addsAlpha) return paintSpan<inner, true>(cell, begin, end, y);
-        }
-        paintSpan<inner, false>(cell, begin, end, y);
+    /// Whether all pixels that may be read for positions of a box, in pixels of the level, are in the
+    /// picture.
+    static bool inner(const TexelLevel& level, const Vec<2>& low, const Vec<2>& high,
+                      const Eigen::Vector2i& reach) {
+        return low.x() - reach.x() >= 1 && low.y() - reach.y() >= 1 &&
+               high.x() + reach.x() + 6 < level.width && high.y() + reach.y() + 2 < level.height;
     }
 
     void paintCell(const VisibleCell& cell) {
-        const Sampler<T, N>& sampler = samplerOf(cell.filter);
+        m_task.level = levelOf(cell.filter);
         for (int y = std::max(m_begin, firstPixel(cell.rows.top(), m_end));
              y < m_end && y + 0.5 < cell.rows.bottom(); ++y) {
             const Span span = cell.rows.at(y + 0.5);
-            const int begin = firstPixel(span.begin, m_job.view.width),
-                      end = firstPixel(span.end, m_job.view.width);
-            if (begin >= end) continue;
-            const Vec<2> a = cell.map.source(m_job.plane(begin + 0.5, y + 0.5)) * cell.filter.shrink;
-            const Vec<2> b = cell.map.source(m_job.plane(end - 0.5, y + 0.5)) * cell.filter.shrink;
-            if (sampler.inner(a.cwiseMin(b), a.cwiseMax(b), reach(cell.filter)))
-                paintSpan<true>(cell, begin, end, y);
-            else
-                paintSpan<false>(cell, begin, end, y);
-            if (!m_covered.empty()) std::fill_n(covered(begin, y), end - begin, std::uint8_t(1));
+            m_task.begin = firstPixel(span.begin, m_job.view.width);
+            m_task.end = firstPixel(span.end, m_job.view.width);
+            if (m_task.begin >= m_task.end) continue;
+            paintSpan(cell, y);
+            if (!m_covered.empty())
+                std::fill_n(covered(m_task.begin, y), m_task.end - m_task.begin, std::uint8_t(1));
         }
+    }
+
+    void paintSpan(const VisibleCell& cell, int y) {
+        const Vec<2> a = cell.map.source(m_job.plane(m_task.begin + 0.5, y + 0.5)) * cell.filter.shrink;
+        const Vec<2> b = cell.map.source(m_job.plane(m_task.end - 0.5, y + 0.5)) * cell.filter.shrink;
+        m_task.setCell(cell.map, cell.filter, m_job.plane(0, y + 0.5).y());
+        m_task.inner = inner(m_task.level, a.cwiseMin(b), a.cwiseMax(b), cell.filter.ellipse.wholeReach);
+        m_spans.paint(m_task, target(m_task.begin, y));
+    }
+
+    /// What a map and a filter give at the centre of a pixel.
+    OutColour sample(const CellMap& map, const CellFilter& filter, int x, int y) const {
+        SpanTask task = m_task;
+        task.level = levelOf(filter);
+        task.begin = x;
+        task.inner = false;
+        task.setCell(map, filter, m_job.plane(0, y + 0.5).y());
+        OutColour colour{};
+        m_spans.sample(task, colour.data());
+        const int channels = m_job.source.base().channels;
+        std::fill(colour.begin() + channels, colour.end(), 0.0F);
+        if (m_job.addsAlpha) colour[static_cast<std::size_t>(channels)] = kFull<T>;
+        return colour;
     }
 
     // --- outside the shape
@@ -139,19 +126,12 @@ class BandPainter {
         return colour;
     }
 
-    OutColour asOutput(const Lanes& sampled) const {
-        OutColour colour{};
-        std::copy_n(sampled.data(), N, colour.begin());
-        if (m_job.addsAlpha) colour[N] = kFull<T>;
-        return colour;
-    }
-
     OutColour outsideColour(int x, int y) const {
         const Vec<2> p = m_job.plane(x + 0.5, y + 0.5);
         const Outside kind = m_job.options.outside;
         if (kind == Outside::Colour) return givenColour();
         if (kind == Outside::Clamp || (kind == Outside::Original && inPicture(p)))
-            return asOutput(sample(m_outsideFilter, p));
+            return sample(CellMap(), m_outsideFilter, x, y);
         return {};
     }
 
@@ -241,8 +221,7 @@ class BandPainter {
             const std::uint64_t shown = piece->samples & left;
             if (shown == 0) continue;
             const VisibleCell& cell = m_job.cells[static_cast<std::size_t>(piece->cell)];
-            const Vec<2> at = cell.map.source(m_job.plane(x + 0.5, y + 0.5));
-            mix.add(asOutput(sample(cell.filter, at)), std::popcount(shown));
+            mix.add(sample(cell.map, cell.filter, x, y), std::popcount(shown));
             left &= ~shown;
         }
         if (left != 0) mix.add(outsideColour(x, y), std::popcount(left));
@@ -252,37 +231,15 @@ class BandPainter {
     WarpJob& m_job;
     int m_band, m_begin, m_end, m_channels;
     CellFilter m_outsideFilter;
-    RadialKernel m_kernel;
-    std::vector<Sampler<T, N>> m_samplers;
+    SpanFunctions m_spans;
+    SpanTask m_task;
+    std::vector<TexelLevel> m_levels;
     std::vector<std::uint8_t> m_covered;  // pixels of the band, if the outside is not transparent
 };
 
-template <typename T, int N>
-void paintBandOf(WarpJob& job, int band) {
-    switch (job.options.filter) {
-        case Filter::Nearest:
-            return BandPainter<T, N, Filter::Nearest>(job, band).paint();
-        case Filter::Bilinear:
-            return BandPainter<T, N, Filter::Bilinear>(job, band).paint();
-        case Filter::Bicubic:
-            return BandPainter<T, N, Filter::Bicubic>(job, band).paint();
-        case Filter::Ewa:
-            return BandPainter<T, N, Filter::Ewa>(job, band).paint();
-    }
-}
-
 template <typename T>
 void paintBand(WarpJob& job, int band) {
-    switch (job.source.base().channels) {
-        case 1:
-            return paintBandOf<T, 1>(job, band);
-        case 2:
-            return paintBandOf<T, 2>(job, band);
-        case 3:
-            return paintBandOf<T, 3>(job, band);
-        default:
-            return paintBandOf<T, 4>(job, band);
-    }
+    BandPainter<T>(job, band).paint();
 }
 
 }  // namespace wend

@@ -59,7 +59,8 @@ CellFilter::CellFilter(const Mat<2>& jacobian, Filter filter, int levels) {
         singular.vectors * axes.cwiseAbs2().cwiseInverse().asDiagonal() * singular.vectors.transpose();
     ellipse.xx = static_cast<float>(metric(0, 0)), ellipse.xy = static_cast<float>(metric(0, 1));
     ellipse.yy = static_cast<float>(metric(1, 1));
-    ellipse.reach = 2 * (singular.vectors * axes.asDiagonal()).rowwise().norm();
+    const Vec<2> reach = 2 * (singular.vectors * axes.asDiagonal()).rowwise().norm();
+    ellipse.wholeReach = (reach.array() - 1e-6).ceil().cast<int>().max(2) - 1;
 }
 
 }  // namespace wend

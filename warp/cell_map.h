@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/mesh/simplicial_mesh.h"
-#include "warp/sampling.h"
 #include "warp/warp.h"
 
 namespace wend {
@@ -14,6 +13,8 @@ struct CellMap {
     Vec<2> displacement;  // there
     Mat<2> gradient;      // of the displacement
 
+    /// Displaces nothing.
+    CellMap() : anchor(0, 0), displacement(0, 0), gradient(Mat<2>::Zero()) {}
     CellMap(const Points<2>& rest, const Points<2>& pose, const Cell<2>& cell);
 
     /// The displacement at height y in the anchor's column.
@@ -23,6 +24,15 @@ struct CellMap {
                 y - (inRowOfY.y() + gradient(1, 0) * (x - anchor.x()))};
     }
     Vec<2> source(const Vec<2>& p) const { return source(p.x(), p.y(), inRow(p.y())); }
+};
+
+/// The ellipse {J u : |u| ≤ 2} of source pixels around a position, J mapping destination pixels to source
+/// pixels and stretching by at least 1 in every direction: |u|² = xx dx² + 2 xy dx dy + yy dy².
+struct Ellipse {
+    float xx = 1, xy = 0, yy = 1;
+    /// Of a position between two pixels, the ellipse holds at most so many before the first of them, and one
+    /// more after it.
+    Eigen::Vector2i wholeReach = {1, 1};
 };
 
 /// How a cell is sampled: from which level of the pyramid, and with which ellipse.

@@ -29,6 +29,8 @@ struct WarpOptions {
     bool antialias = true;                       // coverage along the outline
     std::vector<float> depth;  // per cell, greater is nearer; empty: later cells lie over earlier ones
     int threads = 0;
+    bool wideVectors =
+        true;  // where the machine has them; else what runs everywhere: the same but for rounding
     std::stop_token stop;
     std::function<void(double)> progress;  // fraction done; called from any thread
 };

@@ -8,6 +8,7 @@
 #include "warp/cell_map.h"
 #include "warp/coverage.h"
 #include "warp/outline_pixels.h"
+#include "warp/pixels.h"
 
 namespace wend {
 
