@@ -56,34 +56,37 @@ class BandPainter {
         return m_levels[static_cast<std::size_t>(filter.level)];
     }
 
-    /// Whether all pixels that may be read for positions of a box, in pixels of the level, are in the
-    /// picture.
-    static bool inner(const TexelLevel& level, const Vec<2>& low, const Vec<2>& high,
-                      const Eigen::Vector2i& reach) {
-        return low.x() - reach.x() >= 1 && low.y() - reach.y() >= 1 &&
-               high.x() + reach.x() + 6 < level.width && high.y() + reach.y() + 2 < level.height;
+    /// Whether all pixels that may be read for positions of a box are in the picture.
+    bool inner(const Vec<2>& low, const Vec<2>& high, const CellFilter& filter) const {
+        const TexelLevel& level = levelOf(filter);
+        const Eigen::Vector2i& reach = filter.ellipse.wholeReach;
+        return low.x() * filter.shrink >= reach.x() + 2 && low.y() * filter.shrink >= reach.y() + 2 &&
+               high.x() * filter.shrink + reach.x() + 7 < level.width &&
+               high.y() * filter.shrink + reach.y() + 3 < level.height;
     }
 
     void paintCell(const VisibleCell& cell) {
         m_task.level = levelOf(cell.filter);
+        m_task.setCell(cell.map, cell.filter);
+        const bool allInner = cell.map.exact && inner(cell.low, cell.high, cell.filter);
         for (int y = std::max(m_begin, firstPixel(cell.rows.top(), m_end));
              y < m_end && y + 0.5 < cell.rows.bottom(); ++y) {
             const Span span = cell.rows.at(y + 0.5);
             m_task.begin = firstPixel(span.begin, m_job.view.width);
             m_task.end = firstPixel(span.end, m_job.view.width);
             if (m_task.begin >= m_task.end) continue;
-            paintSpan(cell, y);
+            m_task.setRow(cell.map, m_job.plane(0, y + 0.5).y());
+            m_task.inner = allInner || (cell.map.exact && innerSpan(cell, y));
+            m_spans.paint(m_task, target(m_task.begin, y));
             if (!m_covered.empty())
                 std::fill_n(covered(m_task.begin, y), m_task.end - m_task.begin, std::uint8_t(1));
         }
     }
 
-    void paintSpan(const VisibleCell& cell, int y) {
-        const Vec<2> a = cell.map.source(m_job.plane(m_task.begin + 0.5, y + 0.5)) * cell.filter.shrink;
-        const Vec<2> b = cell.map.source(m_job.plane(m_task.end - 0.5, y + 0.5)) * cell.filter.shrink;
-        m_task.setCell(cell.map, cell.filter, m_job.plane(0, y + 0.5).y());
-        m_task.inner = inner(m_task.level, a.cwiseMin(b), a.cwiseMax(b), cell.filter.ellipse.wholeReach);
-        m_spans.paint(m_task, target(m_task.begin, y));
+    bool innerSpan(const VisibleCell& cell, int y) const {
+        const Vec<2> a = cell.map.source(m_job.plane(m_task.begin + 0.5, y + 0.5));
+        const Vec<2> b = cell.map.source(m_job.plane(m_task.end - 0.5, y + 0.5));
+        return inner(a.cwiseMin(b), a.cwiseMax(b), cell.filter);
     }
 
     /// What a map and a filter give at the centre of a pixel.
@@ -92,7 +95,8 @@ class BandPainter {
         task.level = levelOf(filter);
         task.begin = x;
         task.inner = false;
-        task.setCell(map, filter, m_job.plane(0, y + 0.5).y());
+        task.setCell(map, filter);
+        task.setRow(map, m_job.plane(0, y + 0.5).y());
         OutColour colour{};
         m_spans.sample(task, colour.data());
         const int channels = m_job.source.base().channels;

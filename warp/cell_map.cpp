@@ -38,6 +38,7 @@ CellMap::CellMap(const Points<2>& rest, const Points<2>& pose, const Cell<2>& ce
         change.col(k) = (pose.col(cell[k + 1]) - rest.col(cell[k + 1])) - displacement;
     }
     gradient = change * edges.inverse();
+    exact = gradient.allFinite() && gradient.cwiseAbs().maxCoeff() < 1e6;
     // A triangle without area has no inverse; it covers nothing, but for positions that rounding gives it.
     if (!gradient.allFinite()) gradient.setZero();
 }

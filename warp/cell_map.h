@@ -12,6 +12,7 @@ struct CellMap {
     Vec<2> anchor;        // of the pose
     Vec<2> displacement;  // there
     Mat<2> gradient;      // of the displacement
+    bool exact = true;    // whether positions are, to far less than a pixel
 
     /// Displaces nothing.
     CellMap() : anchor(0, 0), displacement(0, 0), gradient(Mat<2>::Zero()) {}

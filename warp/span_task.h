@@ -30,12 +30,15 @@ struct SpanTask {
     bool addsAlpha = false;        // the output has a further channel, full
     int begin = 0, end = 0;
 
-    void setCell(const CellMap& map, const CellFilter& filter, double y) {
-        const Vec<2> inRow = map.inRow(y);
-        height = y, anchor = map.anchor.x(), inRowX = inRow.x(), inRowY = inRow.y();
-        gradientX = map.gradient(0, 0), gradientY = map.gradient(1, 0), shrink = filter.shrink;
-        xx = filter.ellipse.xx, xy = filter.ellipse.xy, yy = filter.ellipse.yy, blend = filter.blend;
+    void setCell(const CellMap& map, const CellFilter& filter) {
+        anchor = map.anchor.x(), gradientX = map.gradient(0, 0), gradientY = map.gradient(1, 0);
+        shrink = filter.shrink, blend = filter.blend;
+        xx = filter.ellipse.xx, xy = filter.ellipse.xy, yy = filter.ellipse.yy;
         reachX = filter.ellipse.wholeReach.x(), reachY = filter.ellipse.wholeReach.y();
+    }
+    void setRow(const CellMap& map, double y) {
+        const Vec<2> inRow = map.inRow(y);
+        height = y, inRowX = inRow.x(), inRowY = inRow.y();
     }
 };
 

@@ -48,7 +48,10 @@ void collectCells(WarpJob& job, const SimplicialMesh<2>& rest, const Points<2>& 
         const double high = std::min<double>(job.view.height, rows.bottom());
         for (int band = low / kBandRows; band * kBandRows < high; ++band)
             job.cellsOfBand[static_cast<std::size_t>(band)].push_back(static_cast<int>(job.cells.size()));
-        job.cells.push_back({rows, map, CellFilter(jacobian, job.options.filter, job.source.levels())});
+        const auto corner = [&](int k) { return rest.points.col(cell[k]); };
+        job.cells.push_back({rows, map, CellFilter(jacobian, job.options.filter, job.source.levels()),
+                             corner(0).cwiseMin(corner(1)).cwiseMin(corner(2)),
+                             corner(0).cwiseMax(corner(1)).cwiseMax(corner(2))});
     }
 }
 

@@ -26,6 +26,7 @@ struct VisibleCell {
     TriangleRows rows;
     CellMap map;
     CellFilter filter;
+    Vec<2> low, high;  // corners of its box in the source
 };
 
 /// All that the bands of one warp share.
