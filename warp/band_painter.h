@@ -13,17 +13,18 @@ namespace wend {
 template <typename T>
 class BandPainter {
   public:
-    BandPainter(WarpJob& job, int band)
+    BandPainter(const WarpJob& job, int band, Image& strip, int top)
         : m_job(job),
+          m_strip(strip),
+          m_top(top),
           m_band(band),
           m_begin(band * kBandRows),
           m_end(std::min(job.view.height, m_begin + kBandRows)),
-          m_channels(job.output.channels),
-          m_outsideFilter(job.view.scale * Mat<2>::Identity(), job.options.filter, job.source.levels()),
+          m_channels(job.header.channels),
           m_spans(
-              spanFunctionsOf<T>(job.source.base().channels, job.options.filter, job.options.wideVectors)) {
+              spanFunctionsOf<T>(job.source->base().channels, job.options.filter, job.options.wideVectors)) {
         m_task.left = job.view.origin.x(), m_task.scale = job.view.scale, m_task.addsAlpha = job.addsAlpha;
-        for (int k = 0; k < job.source.levels(); ++k) m_levels.push_back(level(job.source.level(k)));
+        for (int k = 0; k < job.source->levels(); ++k) m_levels.push_back(level(job.source->level(k)));
         if (job.options.outside != Outside::Transparent)
             m_covered.resize(static_cast<std::size_t>(m_end - m_begin) *
                              static_cast<std::size_t>(job.view.width));
@@ -41,11 +42,11 @@ class BandPainter {
     using OutColour = std::array<float, 5>;
 
     T* target(int x, int y) {
-        return reinterpret_cast<T*>(m_job.output.row(y)) + static_cast<std::ptrdiff_t>(x) * m_channels;
+        return reinterpret_cast<T*>(m_strip.row(y - m_top)) + static_cast<std::ptrdiff_t>(x) * m_channels;
     }
 
     TexelLevel level(const Image& image) const {
-        return {image.data.data(), image.width, image.height, image.unassociated && !m_job.source.opaque(),
+        return {image.data.data(), image.width, image.height, image.unassociated && !m_job.source->opaque(),
                 image.alpha};
     }
 
@@ -99,7 +100,7 @@ class BandPainter {
         task.setRow(map, m_job.plane(0, y + 0.5).y());
         OutColour colour{};
         m_spans.sample(task, colour.data());
-        const int channels = m_job.source.base().channels;
+        const int channels = m_job.source->base().channels;
         std::fill(colour.begin() + channels, colour.end(), 0.0F);
         if (m_job.addsAlpha) colour[static_cast<std::size_t>(channels)] = kFull<T>;
         return colour;
@@ -113,16 +114,16 @@ class BandPainter {
     }
 
     bool inPicture(const Vec<2>& p) const {
-        const Image& image = m_job.source.base();
+        const Image& image = m_job.source->base();
         return p.x() >= 0 && p.y() >= 0 && p.x() < image.width && p.y() < image.height;
     }
 
     OutColour givenColour() const {
         OutColour colour{};
         const auto& given = m_job.options.colour;
-        const bool alpha = m_job.output.alpha;
+        const bool alpha = m_job.header.alpha;
         const int colours = m_channels - (alpha ? 1 : 0);
-        const float divide = m_job.output.unassociated && given[3] > 0 ? given[3] : 1;
+        const float divide = m_job.header.unassociated && given[3] > 0 ? given[3] : 1;
         for (int c = 0; c < colours; ++c)
             colour[static_cast<std::size_t>(c)] =
                 given[static_cast<std::size_t>(std::min(c, 2))] / divide * kFull<T>;
@@ -135,7 +136,7 @@ class BandPainter {
         const Outside kind = m_job.options.outside;
         if (kind == Outside::Colour) return givenColour();
         if (kind == Outside::Clamp || (kind == Outside::Original && inPicture(p)))
-            return sample(CellMap(), m_outsideFilter, x, y);
+            return sample(CellMap(), m_job.outsideFilter, x, y);
         return {};
     }
 
@@ -143,7 +144,7 @@ class BandPainter {
         for (int c = 0; c < m_channels; ++c) to[c] = toPixel<T>(colour[static_cast<std::size_t>(c)]);
     }
 
-    /// The output came with zeros: transparent.
+    /// The strip came with zeros: transparent.
     void fillOutside() {
         if (m_covered.empty()) return;
         for (int y = m_begin; y < m_end; ++y)
@@ -219,7 +220,7 @@ class BandPainter {
 
     /// Mixes what shows of each cell, from the top one down, and what is left of the outside.
     void resolve(int x, int y, const Piece* begin, const Piece* end) {
-        Mix mix(m_channels, m_job.output.unassociated);
+        Mix mix(m_channels, m_job.header.unassociated);
         std::uint64_t left = ~std::uint64_t{0};
         for (const Piece* piece = end; piece-- != begin && left != 0;) {
             const std::uint64_t shown = piece->samples & left;
@@ -232,9 +233,9 @@ class BandPainter {
         putOut(mix.colour(), target(x, y));
     }
 
-    WarpJob& m_job;
-    int m_band, m_begin, m_end, m_channels;
-    CellFilter m_outsideFilter;
+    const WarpJob& m_job;
+    Image& m_strip;
+    int m_top, m_band, m_begin, m_end, m_channels;
     SpanFunctions m_spans;
     SpanTask m_task;
     std::vector<TexelLevel> m_levels;
@@ -242,8 +243,8 @@ class BandPainter {
 };
 
 template <typename T>
-void paintBand(WarpJob& job, int band) {
-    BandPainter<T>(job, band).paint();
+void paintBand(const WarpJob& job, int band, Image& strip, int top) {
+    BandPainter<T>(job, band, strip, top).paint();
 }
 
 }  // namespace wend

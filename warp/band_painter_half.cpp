@@ -2,6 +2,6 @@
 
 namespace wend {
 
-template void paintBand<half>(WarpJob&, int);
+template void paintBand<half>(const WarpJob&, int, Image&, int);
 
 }  // namespace wend

@@ -2,6 +2,6 @@
 
 namespace wend {
 
-template void paintBand<std::uint8_t>(WarpJob&, int);
+template void paintBand<std::uint8_t>(const WarpJob&, int, Image&, int);
 
 }  // namespace wend

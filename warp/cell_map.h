@@ -43,6 +43,7 @@ struct CellFilter {
     float blend = 0;    // 0: bicubic only … 1: elliptical only
     Ellipse ellipse;
 
+    CellFilter() = default;
     /// `jacobian` maps steps of output pixels to steps of source pixels.
     CellFilter(const Mat<2>& jacobian, Filter filter, int levels);
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "warp/cell_map.h"
@@ -31,25 +32,28 @@ struct VisibleCell {
 
 /// All that the bands of one warp share.
 struct WarpJob {
-    const Pyramid& source;
-    const View& view;
-    const WarpOptions& options;
-    Image output;
+    View view;
+    WarpOptions options;
+    Image header;  // of the output: no pixels
     bool addsAlpha = false;
+    const Pyramid* source = nullptr;
+    CellFilter outsideFilter;
     std::vector<VisibleCell> cells;             // in painting order
     std::vector<std::vector<int>> cellsOfBand;  // places in `cells`
     OutlinePixels outline;                      // pixels that need coverage
 
+    int bands() const { return static_cast<int>(cellsOfBand.size()); }
     Vec<2> plane(double x, double y) const { return view.origin + view.scale * Vec<2>(x, y); }
 };
 
-/// Paints the rows of one band of a picture of numbers of type T.
+/// Paints the rows of one band of a picture of numbers of type T. `strip` has the output's width and layout,
+/// is zero, and its first row is row `top` of the output.
 template <typename T>
-void paintBand(WarpJob& job, int band);
+void paintBand(const WarpJob& job, int band, Image& strip, int top);
 
-extern template void paintBand<std::uint8_t>(WarpJob&, int);
-extern template void paintBand<std::uint16_t>(WarpJob&, int);
-extern template void paintBand<half>(WarpJob&, int);
-extern template void paintBand<float>(WarpJob&, int);
+extern template void paintBand<std::uint8_t>(const WarpJob&, int, Image&, int);
+extern template void paintBand<std::uint16_t>(const WarpJob&, int, Image&, int);
+extern template void paintBand<half>(const WarpJob&, int, Image&, int);
+extern template void paintBand<float>(const WarpJob&, int, Image&, int);
 
 }  // namespace wend

@@ -6,6 +6,7 @@
 #include "app/session/output_set.h"
 #include "core/mesh/error.h"
 #include "kernels/back_end_choice.h"
+#include "warp/warped_picture.h"
 
 namespace wend {
 namespace {
@@ -99,9 +100,10 @@ class Run {
         return values;
     }
 
-    /// The picture in the pixels of `view`, with progress between the fractions `from` and `to` of the
+    /// Writes the picture in the pixels of `view`, with progress between the fractions `from` and `to` of the
     /// writing.
-    Image picture(const Points<2>& pixels, const View& view, double from, double to) const {
+    void writePicture(const std::string& file, const Points<2>& pixels, const View& view, double from,
+                      double to) const {
         WarpOptions options;
         options.filter = m_options.filter;
         options.threads = m_project.integration.threads;
@@ -110,7 +112,7 @@ class Run {
             options.progress = [this, from, to](double done) {
                 m_watch.progress("warping", from + (to - from) * done);
             };
-        return warpImage(*m_scene.picture, *m_scene.texture.rest, pixels, view, options);
+        writeWarped(file, WarpedPicture(*m_scene.picture, *m_scene.texture.rest, pixels, view, options));
     }
 
     void writePictures(const Points<2>& pose) {
@@ -120,7 +122,7 @@ class Run {
         const View view = canvasView(*m_scene.picture, {pixels}, m_options.canvas);
         if (!outputs.image.empty())
             m_files.add(outputs.image, ".png",
-                        [&](const std::string& file) { writeImage(file, picture(pixels, view, 0, 1)); });
+                        [&](const std::string& file) { writePicture(file, pixels, view, 0, 1); });
         if (!outputs.stMap.empty())
             m_files.add(outputs.stMap, ".exr", [&](const std::string& file) {
                 writeImage(file, stMap(*m_scene.texture.rest, pixels, view, m_scene.picture->width,
@@ -149,9 +151,8 @@ class Run {
             const double from = static_cast<double>(k) / poses.size(),
                          to = static_cast<double>(k + 1) / poses.size();
             tell("warping", from);
-            m_files.add(frameName(pattern, static_cast<int>(k)), "", [&](const std::string& file) {
-                writeImage(file, picture(poses[k], view, from, to));
-            });
+            m_files.add(frameName(pattern, static_cast<int>(k)), "",
+                        [&](const std::string& file) { writePicture(file, poses[k], view, from, to); });
         }
     }
 
