@@ -658,6 +658,10 @@
         <source>Later</source>
         <translation>Später</translation>
     </message>
+    <message>
+        <source>“%1” is not opened then.</source>
+        <translation>„%1“ wird dann nicht geöffnet.</translation>
+    </message>
 </context>
 <context>
     <name>wend::InfoBanner</name>

@@ -33,10 +33,6 @@ ExitCode runDevices(const Arguments& arguments) {
     return ExitCode::Done;
 }
 
-ExitCode runBench(const Arguments&) {
-    throw UsageError("`wend bench` is not in this version yet");
-}
-
 ExitCode runReference(const Arguments&) {
     std::fputs(referencePage().c_str(), stdout);
     return ExitCode::Done;

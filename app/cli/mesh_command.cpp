@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <filesystem>
 
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
@@ -24,6 +25,20 @@ void readSizes(const Arguments& arguments, Domain& domain) {
     if (const auto edge = arguments.given("--edge")) domain.edge = *edge;
     if (const auto quality = arguments.given("--quality")) domain.quality = *quality;
     if (const auto volume = arguments.given("--max-volume")) domain.maxVolume = *volume;
+}
+
+void readSurfaceOptions(const Arguments& arguments, Domain& domain) {
+    if (arguments.has("--vertices") && arguments.has("--max-volume"))
+        throw UsageError("--vertices and --max-volume cannot both be given");
+    if (arguments.has("--vertices")) domain.maxVolume = 0;
+    if (arguments.has("--refine-surface")) domain.refineSurface = true;
+    if (arguments.has("--largest-hole") && !arguments.has("--repair"))
+        throw UsageError("--largest-hole is for --repair");
+    if (arguments.has("--repair")) domain.repair = true;
+    if (arguments.has("--largest-hole")) domain.largestHole = arguments.integer("--largest-hole");
+    // Named from where the command runs, not from the project.
+    if (arguments.has("--sizes"))
+        domain.sizesFile = std::filesystem::absolute(arguments.text("--sizes")).string();
 }
 
 void readOutline(const Arguments& arguments, Domain& domain) {
@@ -69,7 +84,7 @@ Input inputFrom(const std::string& path, Terminal& terminal) {
     return input;
 }
 
-MeshFile meshOf(const Input& input, const std::string& path, std::stop_token stop) {
+MeshFile meshOf(const Input& input, const std::string& path, std::stop_token stop, Terminal& terminal) {
     const Project& project = input.project;
     if (lowerExtension(path) == ".json") {
         const auto rest = meshPicture(project, project.domain.polygons, stop);
@@ -77,7 +92,11 @@ MeshFile meshOf(const Input& input, const std::string& path, std::stop_token sto
     }
     const AnyScene any = loadScene(project, input.folder, stop);
     return std::visit(
-        []<int Dim>(const Scene<Dim>& scene) { return poseFile<Dim>(scene, scene.rest->points); }, any);
+        [&]<int Dim>(const Scene<Dim>& scene) {
+            for (const std::string& notice : scene.notices) terminal.warn(path + ": " + notice);
+            return poseFile<Dim>(scene, scene.rest->points);
+        },
+        any);
 }
 
 }  // namespace
@@ -90,6 +109,7 @@ ExitCode runMesh(const Arguments& arguments) try {
                       arguments.has("--quiet"));
     Input input = inputFrom(path, terminal);
     readSizes(arguments, input.project.domain);
+    readSurfaceOptions(arguments, input.project.domain);
     readOutline(arguments, input.project.domain);
     RunOutputs outputs;
     outputs.mesh = output;
@@ -97,7 +117,7 @@ ExitCode runMesh(const Arguments& arguments) try {
 
     Interrupt interrupt;
     terminal.progress("meshing", 0);
-    const MeshFile mesh = meshOf(input, path, interrupt.token());
+    const MeshFile mesh = meshOf(input, path, interrupt.token(), terminal);
     OutputSet files;
     files.add(output, ".vtu", [&](const std::string& file) { writeMeshFile(file, mesh); });
     files.commit();

@@ -53,8 +53,10 @@ RunOptions optionsFrom(const Arguments& arguments) {
 
 /// What the line says wins over the project.
 void override(Project& project, const Arguments& arguments) {
-    static const std::map<std::string, Method> methods{
-        {"dopri5", Method::DormandPrince}, {"rk4", Method::RungeKutta4}, {"midpoint", Method::Midpoint}};
+    static const std::map<std::string, Method> methods{{"dopri5", Method::DormandPrince},
+                                                       {"rk4", Method::RungeKutta4},
+                                                       {"midpoint", Method::Midpoint},
+                                                       {"adams", Method::Adams}};
     IntegrationOptions& integration = project.integration;
     if (arguments.has("--method")) integration.method = methods.at(arguments.text("--method"));
     if (arguments.has("--tolerance")) integration.tolerance = arguments.number("--tolerance");

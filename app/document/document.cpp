@@ -15,8 +15,7 @@ QString Document::folder() const {
 }
 
 QString Document::displayName() const {
-    if (!m_path.isEmpty()) return QFileInfo(m_path).fileName();
-    return m_source.isEmpty() ? QString() : QFileInfo(m_source).completeBaseName() + QStringLiteral(".wend");
+    return QFileInfo(m_path.isEmpty() ? m_source : m_path).fileName();
 }
 
 void Document::open(OpenedFile file) {
@@ -26,7 +25,7 @@ void Document::open(OpenedFile file) {
     m_path = file.path;
     m_source = file.source;
     ++m_generation;
-    if (file.unsaved) m_undo.resetClean();
+    if (!file.recoveredFrom.isEmpty()) m_undo.resetClean();
     emit opened();
     emit projectChanged();
     emit titleChanged();
@@ -42,6 +41,7 @@ void Document::save(const QString& path) {
     m_path = absolute;
     m_undo.setClean();
     emit titleChanged();
+    emit saved();
 }
 
 void Document::change(const QString& name, Project after, const QString& mergeKey) {

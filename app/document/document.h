@@ -14,10 +14,10 @@ namespace wend {
 struct OpenedFile {
     std::shared_ptr<const Project> project;
     std::shared_ptr<const Image> picture;
-    QString path;    // of the project file; empty if a picture or mesh was opened
+    QString path;    // of the project file; empty if a picture, a mesh or a sample was opened
     QString source;  // the file that was opened
     QStringList warnings;
-    bool unsaved = false;  // there are changes that `path` does not have: recovered work
+    QString recoveredFrom;  // a copy of unsaved work: there are changes that `path` does not have
 };
 
 /// The project that is being worked on, as an immutable value that undo commands exchange. Two-dimensional
@@ -38,6 +38,7 @@ class Document : public QObject {
     const QString& path() const { return m_path; }
     /// Where relative paths of the project start.
     QString folder() const;
+    /// Of the project file, or until there is one, of the picture, mesh or sample that was opened.
     QString displayName() const;
     /// The file that was opened.
     const QString& source() const { return m_source; }
@@ -59,6 +60,7 @@ class Document : public QObject {
     void opened();
     void projectChanged();
     void titleChanged();
+    void saved();
 
   private:
     friend class ProjectCommand;

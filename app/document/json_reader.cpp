@@ -70,6 +70,11 @@ std::string JsonValue::text() const {
     return m_json->get<std::string>();
 }
 
+bool JsonValue::boolean() const {
+    if (!m_json->is_boolean()) fail("must be true or false, not " + kindOf(*m_json));
+    return m_json->get<bool>();
+}
+
 double JsonValue::number() const {
     if (!m_json->is_number()) fail("must be a number, not " + kindOf(*m_json));
     const double value = m_json->get<double>();

@@ -34,6 +34,7 @@ class JsonValue {
     void keepUnknown(const std::string& key) const;
 
     std::string text() const;
+    bool boolean() const;
     double number() const;
     /// A number in the option's range.
     double number(std::string_view optionKey) const;

@@ -24,6 +24,9 @@ constexpr Range kSteps{0, 1e6};
 constexpr Range kSmallestStep{0, 0.1, true, false};
 constexpr Range kFrames{2, 1e6};
 constexpr Range kThreads{0, 1024};
+constexpr Range kRepeats{1, 1000};
+constexpr Range kHole{0, 1e6};
+constexpr Range kFactor{0.01, 100};
 constexpr Range kOpenUnit{0, 1, true, true};
 constexpr Range kUnitAboveZero{0, 1, true, false};
 
@@ -49,6 +52,19 @@ constexpr std::array kOptions{
            "greatest ratio of circumradius to shortest edge of a tetrahedron"},
     Option{"domain.maxVolume", "--max-volume", Number, "", kPositive, "units³", "", "mesh",
            "greatest volume of a tetrahedron"},
+    Option{"domain.refineSurface", "--refine-surface", Flag, "", kAny, "", "", "mesh",
+           "the surface's triangles may be split where cells are to be smaller; otherwise it stays as it is"},
+    Option{"domain.repair", "--repair", Flag, "", kAny, "", "", "mesh",
+           "mend the surface first: merge vertices at one place, drop triangles without area and duplicates, "
+           "orient, fill small holes"},
+    Option{"domain.repair.largestHole", "--largest-hole", Integer, "30", kHole, "edges", "", "mesh",
+           "the largest hole that the repair fills"},
+    Option{"domain.sizes[].factor", "", Number, "1", kFactor, "", "", "",
+           "length of edges in the region, relative to elsewhere"},
+    Option{"domain.sizes[].values", "--sizes", File, "", kAny, "", "", "mesh",
+           "text file with such a factor for every vertex of the surface"},
+    Option{"domain.detail", "", File, "", kAny, "", "", "",
+           "a surface that rides in the solid and is what surface formats get"},
     Option{"material.phi", "--phi", Phi, "metr", kAny, "radians", "equia|metr|akvf|conf", "run",
            "what is kept: area (equia), length (metr), rigidity (akvf) or angle (conf), or a number in ]0, "
            "φ_CONF]"},
@@ -77,8 +93,9 @@ constexpr std::array kOptions{
            "how the motion starts and stops"},
     Option{"time.end", "", Number, "1", kPositive, "time", "", "",
            "time at which the deformation is complete"},
-    Option{"integration.method", "--method", Choice, "dopri5", kAny, "", "dopri5|rk4|midpoint", "run",
-           "Dormand–Prince with error control, or classical Runge–Kutta or midpoint with equal steps"},
+    Option{"integration.method", "--method", Choice, "dopri5", kAny, "", "dopri5|rk4|midpoint|adams", "run",
+           "Dormand–Prince or Adams with error control, or classical Runge–Kutta or midpoint with equal "
+           "steps"},
     Option{"integration.tolerance", "--tolerance", Number, "0.0001", kTolerance, "diagonals", "", "run",
            "error allowed in a step, relative to the diagonal of the shape's bounding box"},
     Option{"integration.steps", "--steps", Integer, "0", kSteps, "", "", "run",
@@ -109,7 +126,10 @@ constexpr std::array kOptions{
     Option{"", "--backend", Choice, "auto", kAny, "", "auto|opencl|cpu", "run",
            "what assembles the matrices"},
     Option{"", "--threads", Integer, "0", kThreads, "", "", "run", "number of threads; 0: one per core"},
-    Option{"", "--output", File, "", kAny, "", "", "mesh", "the mesh to write; also -o"},
+    Option{"", "--output", File, "", kAny, "", "", "mesh bench",
+           "the mesh, or the table as JSON, to write; also -o"},
+    Option{"", "--repeats", Integer, "5", kRepeats, "", "", "bench",
+           "runs that a median is taken of (fewer for what takes seconds)"},
     Option{"", "--json", Flag, "", kAny, "", "", "info", "answer as JSON"},
     Option{"", "--progress", Flag, "", kAny, "", "", "run mesh", "show progress even if not on a terminal"},
     Option{"", "--quiet", Flag, "", kAny, "", "", "run mesh", "say nothing but errors"},

@@ -17,6 +17,15 @@ namespace wend {
 enum class DomainKind { Image, Mesh, Surface };
 enum class OutlineKind { Frame, Alpha, Polygons };
 
+/// Where cells are to be finer or coarser than elsewhere.
+struct SizeRegion {
+    Region<3> shape;
+    double feather = 0;
+    double factor = 1;  // of the length of edges
+    Extras extras = {};
+    bool operator==(const SizeRegion&) const = default;
+};
+
 struct Domain {
     DomainKind kind = DomainKind::Image;
     std::string path;     // of the image, mesh or surface, relative to the project file
@@ -25,9 +34,15 @@ struct Domain {
     AlphaOutlineOptions alpha;
     Outline polygons;
     int vertices = 5000;
-    double edge = 0;         // > 0: wins over vertices
-    double quality = 1.414;  // Surface
-    double maxVolume = 0;    // Surface
+    double edge = 0;                // > 0: wins over vertices
+    double quality = 1.414;         // Surface
+    double maxVolume = 0;           // Surface; > 0: wins over vertices
+    bool refineSurface = false;     // Surface: its triangles may be split
+    bool repair = false;            // Surface: the simple repairs are made first
+    int largestHole = 30;           // edges of a hole that the repair closes
+    std::string sizesFile;          // Surface: a factor per vertex, painted
+    std::vector<SizeRegion> sizes;  // Surface: later ones win
+    std::string detail;             // Surface, Mesh in space: a surface that rides in the solid
 };
 
 template <int Dim>
@@ -94,6 +109,10 @@ std::string toJson(const Project& project);
 /// it is. Throws InputError(path, key and reason).
 template <int Dim>
 void readCells(const std::string& path, MaterialSpec<Dim>& spec);
+
+/// One number per line or separated by blanks, each a factor in range of domain.sizes[].factor; as many as
+/// `count`. Throws InputError(path, place and reason).
+std::vector<double> readSizes(const std::string& path, int count);
 
 /// An outline in a file of its own: {"polygons": [outer, hole, …]}. Throws InputError(path, key and reason).
 Outline readOutlineFile(const std::string& path);

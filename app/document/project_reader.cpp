@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <filesystem>
 #include <map>
+#include <sstream>
 
 #include "app/document/design_reader.h"
 #include "app/document/json_text.h"
@@ -74,9 +76,49 @@ void readImageDomain(JsonObject& object, Domain& domain) {
     if (auto edge = object.find("edge")) domain.edge = edge->number("domain.edge");
 }
 
+SizeRegion readSizeRegion(const JsonValue& owner) {
+    SizeRegion region;
+    JsonObject object(owner.ownedBy(region.extras));
+    region.shape = readRegion<3>(object.require("shape"));
+    if (auto feather = object.find("feather")) region.feather = feather->number("material.regions[].feather");
+    region.factor = object.require("factor").number("domain.sizes[].factor");
+    object.finish();
+    return region;
+}
+
+/// {"values": FILE} stands first; then regions.
+void readSizeField(const JsonValue& value, Domain& domain) {
+    for (const JsonValue& element : value.elements()) {
+        if (!element.json().is_object() || !element.json().contains("values")) {
+            domain.sizes.push_back(readSizeRegion(element));
+            continue;
+        }
+        JsonObject object(element);
+        if (!domain.sizesFile.empty() || !domain.sizes.empty())
+            element.fail("`values` may stand once only, as the first entry");
+        domain.sizesFile = readFileName(object.require("values"));
+        object.finish();
+    }
+}
+
+void readRepair(const JsonValue& value, Domain& domain) {
+    if (!value.json().is_object()) {
+        domain.repair = value.boolean();
+        return;
+    }
+    domain.repair = true;
+    JsonObject object(value);
+    if (auto hole = object.find("largestHole"))
+        domain.largestHole = hole->integer("domain.repair.largestHole");
+    object.finish();
+}
+
 void readSurfaceDomain(JsonObject& object, Domain& domain) {
     domain.kind = DomainKind::Surface;
     domain.path = readFileName(object.require("surface"));
+    if (auto refine = object.find("refineSurface")) domain.refineSurface = refine->boolean();
+    if (auto repair = object.find("repair")) readRepair(*repair, domain);
+    if (auto sizes = object.find("sizes")) readSizeField(*sizes, domain);
     if (auto quality = object.find("quality")) domain.quality = quality->number("domain.quality");
     if (auto volume = object.find("maxVolume")) domain.maxVolume = volume->number("domain.maxVolume");
     if (auto vertices = object.find("vertices")) domain.vertices = vertices->integer("domain.vertices");
@@ -95,6 +137,8 @@ Domain readDomain(const JsonValue& value) {
         domain.path = readFileName(object.require("mesh"));
         if (auto texture = object.find("image")) domain.texture = readFileName(*texture);
     }
+    if (kind != "image")
+        if (auto detail = object.find("detail")) domain.detail = readFileName(*detail);
     object.finish();
     return domain;
 }
@@ -147,8 +191,10 @@ int dimensionOf(const Domain& domain, const std::string& folder, const Json& roo
 // --- The rest ---
 
 void readIntegration(const JsonValue& value, IntegrationOptions& options) {
-    static const std::map<std::string, Method> methods{
-        {"dopri5", Method::DormandPrince}, {"rk4", Method::RungeKutta4}, {"midpoint", Method::Midpoint}};
+    static const std::map<std::string, Method> methods{{"dopri5", Method::DormandPrince},
+                                                       {"rk4", Method::RungeKutta4},
+                                                       {"midpoint", Method::Midpoint},
+                                                       {"adams", Method::Adams}};
     JsonObject object(value);
     if (auto method = object.find("method"))
         options.method = methods.at(method->choice("integration.method"));
@@ -220,6 +266,27 @@ void readCells(const std::string& path, MaterialSpec<Dim>& spec) try {
     std::vector<std::string> warnings;
     JsonObject object(JsonValue(json, "", extras, warnings));
     readCellValues<Dim>(object, spec);
+} catch (const InputError& error) {
+    throw error.named(path);
+}
+
+std::vector<double> readSizes(const std::string& path, int count) try {
+    std::istringstream text(readTextFile(path));
+    std::vector<double> sizes;
+    for (std::string word; text >> word;) {
+        double size = 0;
+        const auto done = std::from_chars(word.data(), word.data() + word.size(), size);
+        const std::string place = "value " + std::to_string(sizes.size()) + ": ";
+        if (done.ec != std::errc() || done.ptr != word.data() + word.size())
+            throw InputError(place + "\"" + word.substr(0, 20) + "\" is not a number");
+        if (const auto problem = rangeProblem(option("domain.sizes[].factor"), size); !problem.empty())
+            throw InputError(place + problem);
+        sizes.push_back(size);
+    }
+    if (static_cast<int>(sizes.size()) != count)
+        throw InputError("has " + std::to_string(sizes.size()) + " values, but the surface has " +
+                         std::to_string(count) + " vertices");
+    return sizes;
 } catch (const InputError& error) {
     throw error.named(path);
 }

@@ -55,49 +55,7 @@ Json phiJson(double phi, int dim) {
     return name.empty() ? number(phi) : Json(name);
 }
 
-// --- Domain ---
-
-Json outlineJson(const Domain& domain) {
-    if (domain.outline == OutlineKind::Frame) return {{"from", "frame"}};
-    if (domain.outline == OutlineKind::Polygons) {
-        Json loops = Json::array();
-        for (const auto& loop : domain.polygons.loops) loops.push_back(points(loop));
-        return {{"polygons", loops}};
-    }
-    const AlphaOutlineOptions defaults;
-    Json json{{"from", "alpha"},
-              {"threshold", number(domain.alpha.threshold)},
-              {"margin", number(domain.alpha.margin)}};
-    if (domain.alpha.gap != defaults.gap) json["gap"] = number(domain.alpha.gap);
-    if (domain.alpha.smallest != defaults.smallest) json["smallest"] = number(domain.alpha.smallest);
-    if (domain.alpha.simplify != defaults.simplify) json["simplify"] = number(domain.alpha.simplify);
-    return json;
-}
-
-Json domainJson(const Domain& domain) {
-    Json json = Json::object();
-    if (domain.kind == DomainKind::Image) {
-        json["image"] = domain.path;
-        json["outline"] = outlineJson(domain);
-        if (domain.edge > 0)
-            json["edge"] = number(domain.edge);
-        else
-            json["vertices"] = domain.vertices;
-    } else if (domain.kind == DomainKind::Mesh) {
-        json["mesh"] = domain.path;
-        if (!domain.texture.empty()) json["image"] = domain.texture;
-    } else {
-        json["surface"] = domain.path;
-        json["quality"] = number(domain.quality);
-        if (domain.maxVolume > 0)
-            json["maxVolume"] = number(domain.maxVolume);
-        else
-            json["vertices"] = domain.vertices;
-    }
-    return json;
-}
-
-// --- Regions and material ---
+// --- Regions ---
 
 template <int Dim>
 Json regionJson(const Region<Dim>& region) {
@@ -121,6 +79,68 @@ Json regionJson(const Region<Dim>& region) {
                    }},
         region);
 }
+
+// --- Domain ---
+
+Json outlineJson(const Domain& domain) {
+    if (domain.outline == OutlineKind::Frame) return {{"from", "frame"}};
+    if (domain.outline == OutlineKind::Polygons) {
+        Json loops = Json::array();
+        for (const auto& loop : domain.polygons.loops) loops.push_back(points(loop));
+        return {{"polygons", loops}};
+    }
+    const AlphaOutlineOptions defaults;
+    Json json{{"from", "alpha"},
+              {"threshold", number(domain.alpha.threshold)},
+              {"margin", number(domain.alpha.margin)}};
+    if (domain.alpha.gap != defaults.gap) json["gap"] = number(domain.alpha.gap);
+    if (domain.alpha.smallest != defaults.smallest) json["smallest"] = number(domain.alpha.smallest);
+    if (domain.alpha.simplify != defaults.simplify) json["simplify"] = number(domain.alpha.simplify);
+    return json;
+}
+
+void addSurfaceKeys(Json& json, const Domain& domain) {
+    const Domain defaults;
+    if (domain.refineSurface) json["refineSurface"] = true;
+    if (domain.repair && domain.largestHole != defaults.largestHole)
+        json["repair"] = {{"largestHole", domain.largestHole}};
+    else if (domain.repair)
+        json["repair"] = true;
+    if (!domain.sizesFile.empty()) json["sizes"].push_back({{"values", domain.sizesFile}});
+    for (const SizeRegion& region : domain.sizes) {
+        Json one{{"shape", regionJson<3>(region.shape)}};
+        if (region.feather != 0) one["feather"] = number(region.feather);
+        one["factor"] = number(region.factor);
+        json["sizes"].push_back(withExtras(std::move(one), region.extras));
+    }
+}
+
+Json domainJson(const Domain& domain) {
+    Json json = Json::object();
+    if (domain.kind == DomainKind::Image) {
+        json["image"] = domain.path;
+        json["outline"] = outlineJson(domain);
+        if (domain.edge > 0)
+            json["edge"] = number(domain.edge);
+        else
+            json["vertices"] = domain.vertices;
+    } else if (domain.kind == DomainKind::Mesh) {
+        json["mesh"] = domain.path;
+        if (!domain.texture.empty()) json["image"] = domain.texture;
+    } else {
+        json["surface"] = domain.path;
+        json["quality"] = number(domain.quality);
+        if (domain.maxVolume > 0)
+            json["maxVolume"] = number(domain.maxVolume);
+        else
+            json["vertices"] = domain.vertices;
+        addSurfaceKeys(json, domain);
+    }
+    if (domain.kind != DomainKind::Image && !domain.detail.empty()) json["detail"] = domain.detail;
+    return json;
+}
+
+// --- Material ---
 
 Json smoothingJson(const Smoothing& smoothing) {
     if (smoothing.kind == SmoothingKind::Paper)
@@ -247,7 +267,7 @@ void addDesign(Json& json, const Design<Dim>& design) {
 }
 
 Json integrationJson(const IntegrationOptions& options) {
-    static const char* const methods[] = {"dopri5", "rk4", "midpoint"};
+    static const char* const methods[] = {"dopri5", "rk4", "midpoint", "adams"};
     const IntegrationOptions defaults;
     Json json{{"method", methods[static_cast<int>(options.method)]},
               {"tolerance", number(options.tolerance)}};
@@ -277,6 +297,8 @@ Project rebased(Project project, const std::string& path, const std::string& fol
     const fs::path from = folder.empty() ? to : fs::path(folder);
     project.domain.path = rebased(project.domain.path, from, to);
     project.domain.texture = rebased(project.domain.texture, from, to);
+    project.domain.sizesFile = rebased(project.domain.sizesFile, from, to);
+    project.domain.detail = rebased(project.domain.detail, from, to);
     std::visit([&](auto& design) { rebaseCells(design, from, to); }, project.design);
     return project;
 }

@@ -111,10 +111,10 @@ QList<LostWork> Recovery::lostIn(const QString& folder) {
     return lost;
 }
 
-void Recovery::discard(const LostWork& work) {
-    QFile::remove(work.copy);
-    QFile::remove(besides(work.copy, ".ini"));
-    QFile::remove(besides(work.copy, ".lock"));
+void Recovery::discard(const QString& copy) {
+    QFile::remove(copy);
+    QFile::remove(besides(copy, ".ini"));
+    QFile::remove(besides(copy, ".lock"));
 }
 
 }  // namespace wend

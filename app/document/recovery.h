@@ -32,7 +32,7 @@ class Recovery : public QObject {
     static QString standardFolder();
     /// The copies whose program runs no more, the newest first.
     static QList<LostWork> lostIn(const QString& folder);
-    static void discard(const LostWork& work);
+    static void discard(const QString& copy);
 
     /// Where this document's copy lies, when there is one.
     QString copy() const;

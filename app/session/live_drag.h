@@ -3,12 +3,12 @@
 #include <vector>
 
 #include "app/session/shape_builder.h"
+#include "core/integration/drag_flow.h"
 
 namespace wend {
 
 /// The flow while a drag goes on: the dragged handles go straight from where they are to the newest target,
-/// all others hold still. A few steps of the midpoint rule per target: a preview, replaced by the exact
-/// motion after the release.
+/// all others hold still: a preview, replaced by the exact motion after the release.
 class LiveDrag {
   public:
     struct Step {
@@ -27,16 +27,14 @@ class LiveDrag {
     /// A drag of some handles, by their index, from a pose.
     void begin(std::vector<int> dragged, const Points<2>& pose);
     Step follow(const Vec<2>& offset);
-    const Points<2>& pose() const { return m_deformer.state().points; }
+    const Points<2>& pose() const { return m_flow.pose(); }
 
   private:
-    void aim(const Vec<2>& by);
-
     BuiltShape m_shape;
     double m_diagonal;
     std::vector<Handle<2>> m_handles;
     std::vector<int> m_dragged;
-    Deformer<2> m_deformer;
+    DragFlow<2> m_flow;
     Vec<2> m_offset = Vec<2>::Zero();
 };
 

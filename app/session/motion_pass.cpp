@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "app/document/handle_edits.h"
+#include "kernels/back_end_choice.h"
 
 namespace wend {
 
@@ -63,7 +64,8 @@ void MotionPass::begin(const Sink& sink) {
     const auto& handles = designOf(*m_project).handles;
     IntegrationOptions options = m_project->integration;
     options.end = m_project->end;
-    m_deformer.emplace(m_shape.rest, m_shape.material, handles, options);
+    m_deformer.emplace(m_shape.rest, m_shape.material, handles, options,
+                       backEndFactory<2>(BackEndKind::Automatic));
     if (m_cache.last())
         m_deformer->restore(*m_cache.last());
     else

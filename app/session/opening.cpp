@@ -33,16 +33,18 @@ std::string absolute(const QString& folder, const std::string& file) {
     return file.empty() ? file : QDir(folder).absoluteFilePath(QString::fromStdString(file)).toStdString();
 }
 
-OpenedFile openProject(const QString& path) {
+OpenedFile openProject(const QString& path, Solids solids) {
     OpenedFile file;
     LoadedProject loaded = readProject(path.toStdString());
     Project& project = loaded.project;
-    if (project.dimension() != 2) refuse(path, said(kVolumeLater));
+    if (project.dimension() == 3 && solids == Solids::Refuse) refuse(path, said(kVolumeLater));
     const QString folder = QFileInfo(path).absolutePath();
     project.domain.path = absolute(folder, project.domain.path);
     project.domain.texture = absolute(folder, project.domain.texture);
-    MaterialSpec<2>& material = std::get<Design<2>>(project.design).material;
-    material.cellsFile = absolute(folder, material.cellsFile);
+    project.domain.sizesFile = absolute(folder, project.domain.sizesFile);
+    project.domain.detail = absolute(folder, project.domain.detail);
+    std::visit([&](auto& design) { design.material.cellsFile = absolute(folder, design.material.cellsFile); },
+               project.design);
     for (const std::string& warning : loaded.warnings) file.warnings << QString::fromStdString(warning);
     if (project.domain.kind == DomainKind::Image) file.picture = loadPicture(project, folder.toStdString());
     file.project = std::make_shared<const Project>(std::move(project));
@@ -79,18 +81,21 @@ OpenedFile openPicture(const QString& path) {
     return file;
 }
 
-OpenedFile openMesh(const QString& path) {
-    const MeshFile mesh = readMeshFile(path.toStdString());
-    if (isVolume(mesh)) refuse(path, said(kVolumeLater));
+bool isFlat(const MeshFile& mesh) {
     const auto z = mesh.points.row(2);
-    const bool flat = mesh.points.cols() > 0 &&
-                      z.maxCoeff() - z.minCoeff() <=
-                          1e-9 * (mesh.points.rowwise().maxCoeff() - mesh.points.rowwise().minCoeff()).norm();
-    if (!flat) refuse(path, said(kVolumeLater));
-    OpenedFile file;
+    const Vec<3> size = mesh.points.rowwise().maxCoeff() - mesh.points.rowwise().minCoeff();
+    return !isVolume(mesh) && z.maxCoeff() - z.minCoeff() <= 1e-9 * size.norm();
+}
+
+OpenedFile openMesh(const QString& path, Solids solids) {
+    const MeshFile mesh = readMeshFile(path.toStdString());
+    const bool flat = isFlat(mesh);
+    if (!flat && solids == Solids::Refuse) refuse(path, said(kVolumeLater));
     Project project;
-    project.domain.kind = DomainKind::Mesh;
+    project.domain.kind = flat || isVolume(mesh) ? DomainKind::Mesh : DomainKind::Surface;
     project.domain.path = path.toStdString();
+    if (!flat) project.design = Design<3>{};
+    OpenedFile file;
     file.project = std::make_shared<const Project>(std::move(project));
     return file;
 }
@@ -119,24 +124,25 @@ bool looksOpenable(const QString& path) {
            hasExtension(path, meshExtensions());
 }
 
-OpenedFile openFile(const QString& path) {
+OpenedFile openFile(const QString& path, Solids solids) {
     const QString absolutePath = QFileInfo(path).absoluteFilePath();
     OpenedFile file;
     if (hasExtension(path, QStringLiteral("*.wend")))
-        file = openProject(absolutePath);
+        file = openProject(absolutePath, solids);
     else if (hasExtension(path, meshExtensions()))
-        file = openMesh(absolutePath);
+        file = openMesh(absolutePath, solids);
     else
         file = openPicture(absolutePath);
     file.source = absolutePath;
+    if (samplePaths().contains(absolutePath)) file.path.clear();  // samples are there to be changed and kept
     return file;
 }
 
 OpenedFile openLost(const LostWork& work) {
-    OpenedFile file = openProject(work.copy);
+    OpenedFile file = openProject(work.copy, Solids::Take);
     file.path = work.path;
     file.source = work.source;
-    file.unsaved = true;
+    file.recoveredFrom = work.copy;
     return file;
 }
 

@@ -6,9 +6,12 @@
 
 namespace wend {
 
-/// Reads a project, a picture or a mesh in the plane, told apart by the file's extension, and makes a project
-/// of it. Runs in any thread. Throws InputError with what to do about it.
-OpenedFile openFile(const QString& path);
+enum class Solids { Refuse, Take };
+
+/// Reads a project, a picture or a mesh, told apart by the file's extension, and makes a project of it; a
+/// mesh in space is refused or becomes a project in space: tetrahedra its mesh, a surface its surface. Runs
+/// in any thread. Throws InputError with what to do about it.
+OpenedFile openFile(const QString& path, Solids solids = Solids::Refuse);
 
 /// Work that was lost in a crash, as changes that are not saved yet. Throws as openFile().
 OpenedFile openLost(const LostWork& work);

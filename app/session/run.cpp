@@ -194,6 +194,8 @@ AdvanceResult runProject(const Project& project, const std::string& path, const 
     AnyScene scene = loadScene(project, folderOf(path), watch.stop);
     return std::visit(
         [&]<int Dim>(Scene<Dim>& one) {
+            for (const std::string& notice : one.notices)
+                if (watch.notice) watch.notice(notice);
             return Run<Dim>(project, std::move(one), options, watch, start).run();
         },
         scene);

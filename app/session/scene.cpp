@@ -4,9 +4,9 @@
 #include <Eigen/QR>
 #include <algorithm>
 
+#include "app/session/solid.h"
 #include "core/mesh/error.h"
 #include "core/meshing/planar_mesher.h"
-#include "core/meshing/volume_mesher.h"
 #include "warp/outline.h"
 
 namespace wend {
@@ -80,50 +80,32 @@ Scene<2> imageScene(const Project& project, const std::string& folder, std::stop
     return scene;
 }
 
-// --- Meshes and volumes ---
+// --- Meshes and solids ---
 
-template <int Dim>
-Scene<Dim> meshScene(const Project& project, const std::string& folder) {
+Scene<2> planarMeshScene(const Project& project, const std::string& folder) {
     const std::string path = pathIn(folder, project.domain.path);
-    Scene<Dim> scene;
+    Scene<2> scene;
     auto file = std::make_shared<MeshFile>(readMeshFile(path));
-    if (isVolume(*file) != (Dim == 3))
-        throw InputError(path, Dim == 3 ? "holds no tetrahedra, but the project is in space"
-                                        : "holds tetrahedra, but the project is in the plane");
+    if (isVolume(*file)) throw InputError(path, "holds tetrahedra, but the project is in the plane");
     try {
-        scene.rest = std::make_shared<const SimplicialMesh<Dim>>(meshFrom<Dim>(*file));
+        scene.rest = std::make_shared<const SimplicialMesh<2>>(meshFrom<2>(*file));
     } catch (const InputError& error) {
         throw error.named(path);
     }
     scene.source = file;
-    return scene;
-}
-
-Scene<2> planarMeshScene(const Project& project, const std::string& folder) {
-    Scene<2> scene = meshScene<2>(project, folder);
     scene.picture = loadPicture(project, folder);
     if (scene.picture) scene.texture = textureOf(scene.picture, scene.rest, scene.source->uv);
     return scene;
 }
 
-Scene<3> surfaceScene(const Project& project, const std::string& folder, std::stop_token stop) {
-    const std::string path = pathIn(folder, project.domain.path);
-    const MeshFile file = readMeshFile(path);
-    VolumeMeshOptions options;
-    options.quality = project.domain.quality;
-    options.maxVolume = project.domain.maxVolume;
-    options.vertices = project.domain.maxVolume > 0 ? 0 : project.domain.vertices;
-    options.stop = stop;
+Scene<3> solidScene(const Project& project, const std::string& folder, std::stop_token stop) {
+    Solid solid = loadSolid(project, folder, stop);
     Scene<3> scene;
-    try {
-        const VolumeMesh volume = meshVolume(Surface{file.points, file.triangles, {}}, options);
-        scene.rest = std::make_shared<const SimplicialMesh<3>>(volume.mesh);
-        auto source = std::make_shared<MeshFile>(toMeshFile<3>(volume.mesh));
-        source->triangles = volume.boundary;
-        scene.source = source;
-    } catch (const InputError& error) {
-        throw error.named(path);
-    }
+    scene.rest = std::move(solid.rest);
+    scene.source = std::move(solid.source);
+    scene.skin = std::move(solid.skin);
+    scene.ride = std::move(solid.ride);
+    scene.notices = std::move(solid.notices);
     return scene;
 }
 
@@ -177,12 +159,10 @@ Texture textureOf(std::shared_ptr<const Image> picture, std::shared_ptr<const Si
 }
 
 AnyScene loadScene(const Project& project, const std::string& folder, std::stop_token stop) {
-    if (project.domain.kind == DomainKind::Surface)
-        return furnished(surfaceScene(project, folder, stop), project, folder);
+    if (project.dimension() == 3) return furnished(solidScene(project, folder, stop), project, folder);
     if (project.domain.kind == DomainKind::Image)
         return furnished(imageScene(project, folder, stop), project, folder);
-    if (project.dimension() == 2) return furnished(planarMeshScene(project, folder), project, folder);
-    return furnished(meshScene<3>(project, folder), project, folder);
+    return furnished(planarMeshScene(project, folder), project, folder);
 }
 
 }  // namespace wend

@@ -7,7 +7,9 @@
 
 #include "app/document/project.h"
 #include "core/integration/deformer.h"
+#include "core/mesh/embedding.h"
 #include "core/mesh/mesh_file.h"
+#include "core/mesh/skin.h"
 #include "warp/image.h"
 
 namespace wend {
@@ -33,9 +35,13 @@ struct Scene {
     std::shared_ptr<const SimplicialMesh<Dim>> rest;
     std::shared_ptr<const Material<Dim>> material;
     std::vector<Handle<Dim>> handles;
-    std::shared_ptr<const Image> picture;    // 2D only, may be null
-    std::shared_ptr<const MeshFile> source;  // of a mesh domain: what came in, with its fields and uv
-    Texture texture;                         // 2D only; empty without a picture
+    std::shared_ptr<const Image> picture;      // 2D only, may be null
+    std::shared_ptr<const MeshFile> source;    // of a mesh domain what came in, with its fields and uv; of a
+                                               // surface what was made
+    Texture texture;                           // 2D only; empty without a picture
+    std::shared_ptr<const Skin> skin;          // 3D only: the surface that is seen and exported …
+    std::shared_ptr<const Embedding<3>> ride;  // … and what takes its points along
+    std::vector<std::string> notices;          // what the user should hear
 };
 using AnyScene = std::variant<Scene<2>, Scene<3>>;
 

@@ -2,14 +2,16 @@
 
 #include <algorithm>
 
+#include "app/session/solid.h"
 #include "core/mesh/error.h"
 
 namespace wend {
 
 namespace {
 
-const Design<2>& designOf(const ShapeInputs& inputs) {
-    return std::get<Design<2>>(inputs.project->design);
+template <int Dim>
+const Design<Dim>& designOf(const ShapeInputs& inputs) {
+    return std::get<Design<Dim>>(inputs.project->design);
 }
 
 bool sameAlpha(const AlphaOutlineOptions& a, const AlphaOutlineOptions& b) {
@@ -25,7 +27,7 @@ bool sameOutline(const Domain& a, const Domain& b) {
 /// The points that become vertices of the mesh: those of handles that are there from the start.
 std::vector<Vec<2>> startPoints(const ShapeInputs& inputs) {
     std::vector<Vec<2>> points;
-    for (const Handle<2>& handle : designOf(inputs).handles)
+    for (const Handle<2>& handle : designOf<2>(inputs).handles)
         if (const auto* own = std::get_if<std::vector<Vec<2>>>(&handle.at); own && handle.activeFrom <= 0)
             points.insert(points.end(), own->begin(), own->end());
     return points;
@@ -35,25 +37,42 @@ bool sameSmoothing(const Smoothing& a, const Smoothing& b) {
     return a.kind == b.kind && a.length == b.length && a.lambda == b.lambda;
 }
 
-}  // namespace
-
-bool ShapeBuilder::meshIsCurrent(const ShapeInputs& inputs) const {
-    if (!m_shape.rest || m_last.generation != inputs.generation) return false;
-    const Domain &a = m_last.project->domain, &b = inputs.project->domain;
-    return sameOutline(a, b) && a.vertices == b.vertices && a.edge == b.edge &&
-           (b.kind != DomainKind::Image || startPoints(m_last) == startPoints(inputs));
-}
-
-bool ShapeBuilder::materialIsCurrent(const ShapeInputs& inputs) const {
-    if (!m_shape.material || m_last.generation != inputs.generation) return false;
-    const MaterialSpec<2>&a = designOf(m_last).material, &b = designOf(inputs).material;
-    // Regions and cells come from the file and cannot be edited, so only their presence could differ.
+/// Only what the window can change is compared: regions and cells otherwise come from the file.
+template <int Dim>
+bool sameMaterial(const MaterialSpec<Dim>& a, const MaterialSpec<Dim>& b) {
     return a.phi == b.phi && sameSmoothing(a.smoothing, b.smoothing) &&
            a.regions.size() == b.regions.size() && a.cellPhi.size() == b.cellPhi.size() &&
            a.cellB.size() == b.cellB.size();
 }
 
-void ShapeBuilder::makeMesh(const ShapeInputs& inputs, std::stop_token stop) {
+}  // namespace
+
+template <int Dim>
+bool ShapeBuilderOf<Dim>::meshIsCurrent(const ShapeInputs& inputs) const {
+    if (!m_shape.rest || m_last.generation != inputs.generation) return false;
+    const Domain &a = m_last.project->domain, &b = inputs.project->domain;
+    if constexpr (Dim == 3) return sameSolid(a, b);
+    return sameOutline(a, b) && a.vertices == b.vertices && a.edge == b.edge &&
+           (b.kind != DomainKind::Image || startPoints(m_last) == startPoints(inputs));
+}
+
+template <int Dim>
+bool ShapeBuilderOf<Dim>::materialIsCurrent(const ShapeInputs& inputs) const {
+    return m_shape.material && m_last.generation == inputs.generation &&
+           sameMaterial(designOf<Dim>(m_last).material, designOf<Dim>(inputs).material);
+}
+
+template <>
+void ShapeBuilderOf<3>::makeMesh(const ShapeInputs& inputs, std::stop_token stop) {
+    Solid solid = loadSolid(*inputs.project, inputs.folder, stop);
+    m_shape.rest = std::move(solid.rest);
+    m_shape.skin = std::move(solid.skin);
+    m_shape.ride = std::move(solid.ride);
+    m_shape.notices = std::move(solid.notices);
+}
+
+template <>
+void ShapeBuilderOf<2>::makeMesh(const ShapeInputs& inputs, std::stop_token stop) {
     const Project& project = *inputs.project;
     if (project.domain.kind != DomainKind::Image) {
         m_shape.rest = std::get<Scene<2>>(loadScene(project, inputs.folder)).rest;
@@ -68,7 +87,8 @@ void ShapeBuilder::makeMesh(const ShapeInputs& inputs, std::stop_token stop) {
     m_shape.rest = meshPicture(project, *m_outline, stop);
 }
 
-void ShapeBuilder::makeShape(const ShapeInputs& inputs, std::stop_token stop) {
+template <int Dim>
+void ShapeBuilderOf<Dim>::makeShape(const ShapeInputs& inputs, std::stop_token stop) {
     if (!meshIsCurrent(inputs)) {
         m_shape = {};
         makeMesh(inputs, stop);
@@ -78,11 +98,13 @@ void ShapeBuilder::makeShape(const ShapeInputs& inputs, std::stop_token stop) {
         return;
     }
     if (!materialIsCurrent(inputs))
-        m_shape.material = rasterizeMaterial<2>(designOf(inputs).material, *m_shape.rest, inputs.folder);
+        m_shape.material =
+            rasterizeMaterial<Dim>(designOf<Dim>(inputs).material, *m_shape.rest, inputs.folder);
     m_last = inputs;
 }
 
-BuiltShape ShapeBuilder::build(const ShapeInputs& inputs, std::stop_token stop) {
+template <int Dim>
+BuiltShapeOf<Dim> ShapeBuilderOf<Dim>::build(const ShapeInputs& inputs, std::stop_token stop) {
     try {
         makeShape(inputs, stop);
     } catch (const Cancelled&) {
@@ -93,5 +115,8 @@ BuiltShape ShapeBuilder::build(const ShapeInputs& inputs, std::stop_token stop) 
     }
     return m_shape;
 }
+
+template class ShapeBuilderOf<2>;
+template class ShapeBuilderOf<3>;
 
 }  // namespace wend

@@ -11,21 +11,28 @@ struct ShapeInputs {
     int generation = 0;  // of the opened file
     int revision = 0;    // of the request
     std::shared_ptr<const Project> project;
-    std::shared_ptr<const Image> picture;
+    std::shared_ptr<const Image> picture;  // 2D only
     std::string folder;
 };
 
-struct BuiltShape {
-    std::shared_ptr<const SimplicialMesh<2>> rest;
-    std::shared_ptr<const Material<2>> material;
+template <int Dim>
+struct BuiltShapeOf {
+    std::shared_ptr<const SimplicialMesh<Dim>> rest;
+    std::shared_ptr<const Material<Dim>> material;
+    std::shared_ptr<const Skin> skin;          // 3D only: see Scene
+    std::shared_ptr<const Embedding<3>> ride;  // 3D only
+    std::vector<std::string> notices;          // 3D only: what the user should hear of the mesh
 };
+using BuiltShape = BuiltShapeOf<2>;
 
 /// Outline, mesh and material of a project, made again only where the inputs changed since the last time. The
-/// steps are those of loadScene(), so that window and command line have the same mesh.
-class ShapeBuilder {
+/// steps are those of loadScene(), so that window and command line have the same mesh. The project's
+/// dimension must be Dim.
+template <int Dim>
+class ShapeBuilderOf {
   public:
-    /// Throws InputError. Null rest if stopped.
-    BuiltShape build(const ShapeInputs& inputs, std::stop_token stop);
+    /// Throws InputError (SurfaceError for a surface that bounds no volume). Null rest if stopped.
+    BuiltShapeOf<Dim> build(const ShapeInputs& inputs, std::stop_token stop);
 
   private:
     void makeShape(const ShapeInputs& inputs, std::stop_token stop);
@@ -35,8 +42,9 @@ class ShapeBuilder {
 
     ShapeInputs m_last;  // of the mesh and material below
     ShapeInputs m_outlineFrom;
-    std::shared_ptr<const Outline> m_outline;
-    BuiltShape m_shape;
+    std::shared_ptr<const Outline> m_outline;  // 2D only
+    BuiltShapeOf<Dim> m_shape;
 };
+using ShapeBuilder = ShapeBuilderOf<2>;
 
 }  // namespace wend

@@ -7,6 +7,7 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QSettings>
+#include <QStandardPaths>
 #include <QtConcurrent>
 
 #include "app/session/opening.h"
@@ -61,67 +62,85 @@ void FileWorkflow::read(const QString& name, std::function<OpenedFile()> reader)
     const int ticket = ++m_ticket;
     ++m_opening;
     emit openingChanged(name);
+    const auto before = m_document.project();
     QtConcurrent::run([reader = std::move(reader)] {
         return tryToRead(reader);
-    }).then(this, [this, ticket](const Reading& reading) {
+    }).then(this, [this, ticket, before](const Reading& reading) {
         --m_opening;
         emit openingChanged({});
-        if (!reading.error.isEmpty())
+        if (!reading.error.isEmpty()) {
             emit failed(tr("This file cannot be opened. %1").arg(reading.error));
-        else if (ticket == m_ticket)
-            take(reading.file);
+        } else if (ticket == m_ticket) {
+            const bool changedMeanwhile = m_document.project() != before;
+            if (!changedMeanwhile || mayLeave()) take(reading.file);
+        }
     });
 }
 
-void FileWorkflow::guardWork(const QString& folder) {
+bool FileWorkflow::guardWork(const QString& folder, const QString& instead) {
     m_recovery = new Recovery(m_document, folder);
     m_recovery->setParent(this);
     connect(m_recovery, &Recovery::failed, this, [this](const QString& why) {
         emit failed(tr("There is no copy of your changes if the program crashes: please save. %1").arg(why));
     });
+    // The copy that was recovered goes when there is a new one, or when the work is saved.
+    const auto discardRecovered = [this] {
+        if (!m_recoveredFrom.isEmpty()) Recovery::discard(m_recoveredFrom);
+        m_recoveredFrom.clear();
+    };
+    connect(m_recovery, &Recovery::written, this, discardRecovered);
+    connect(&m_document, &Document::saved, this, discardRecovered);
     const QList<LostWork> lost = Recovery::lostIn(folder);
-    if (!lost.isEmpty()) offer(lost.first());
+    return !lost.isEmpty() && offer(lost.first(), instead);
 }
 
-/// One at a time: others are offered at the next start. The copy stays until there is a new one.
-void FileWorkflow::offer(const LostWork& work) {
+/// One at a time: others are offered at the next start.
+bool FileWorkflow::offer(const LostWork& work, const QString& instead) {
     const QString name = QFileInfo(work.path.isEmpty() ? work.source : work.path).fileName();
     QMessageBox box(QMessageBox::NoIcon, tr("Wend"), tr("Recover unsaved changes to “%1”?").arg(name),
                     QMessageBox::NoButton, &m_window);
-    box.setInformativeText(tr("Wend was not closed properly. The last change was on %1.")
-                               .arg(QLocale().toString(work.time, QLocale::ShortFormat)));
+    QString more = tr("Wend was not closed properly. The last change was on %1.")
+                       .arg(QLocale().toString(work.time, QLocale::ShortFormat));
+    if (!instead.isEmpty()) more += ' ' + tr("“%1” is not opened then.").arg(QFileInfo(instead).fileName());
+    box.setInformativeText(more);
     QPushButton* recover = box.addButton(tr("Recover"), QMessageBox::AcceptRole);
     QPushButton* discard = box.addButton(tr("Discard"), QMessageBox::DestructiveRole);
     box.addButton(tr("Later"), QMessageBox::RejectRole);
     box.setDefaultButton(recover);
     box.exec();
-    if (box.clickedButton() == discard) Recovery::discard(work);
-    if (box.clickedButton() != recover) return;
-    connect(
-        m_recovery, &Recovery::written, this, [work] { Recovery::discard(work); }, Qt::SingleShotConnection);
+    if (box.clickedButton() == discard) Recovery::discard(work.copy);
+    if (box.clickedButton() != recover) return false;
     read(name, [work] { return openLost(work); });
+    return true;
 }
 
 void FileWorkflow::take(OpenedFile file) {
     const QStringList warnings = file.warnings;
     const QString source = file.source;
-    const bool isRecovered = file.unsaved;
+    m_recoveredFrom = file.recoveredFrom;
     m_document.open(std::move(file));
-    if (!isRecovered) addRecent(source);
+    if (m_recoveredFrom.isEmpty()) addRecent(source);
     emit opened();
     if (!warnings.isEmpty()) emit failed(warnings.join('\n'));
 }
 
 bool FileWorkflow::save() {
-    return m_document.path().isEmpty() ? saveAs() : saveTo(m_document.path());
+    if (m_document.path().isEmpty()) return saveAs();
+    return !m_document.isModified() || saveTo(m_document.path());
+}
+
+/// Beside the project's or the picture's file, but not among the samples.
+QString FileWorkflow::proposedPath() const {
+    if (!m_document.path().isEmpty()) return m_document.path();
+    const QString folder = samplePaths().contains(m_document.source())
+                               ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)
+                               : m_document.folder();
+    return QDir(folder).filePath(QFileInfo(m_document.source()).completeBaseName() + QStringLiteral(".wend"));
 }
 
 bool FileWorkflow::saveAs() {
-    const QString proposal = m_document.path().isEmpty()
-                                 ? QDir(m_document.folder()).filePath(m_document.displayName())
-                                 : m_document.path();
     QString path =
-        QFileDialog::getSaveFileName(&m_window, tr("Save Project"), proposal, tr("Projects (*.wend)"));
+        QFileDialog::getSaveFileName(&m_window, tr("Save Project"), proposedPath(), tr("Projects (*.wend)"));
     if (path.isEmpty()) return false;
     if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".wend");
     return saveTo(path);
@@ -153,7 +172,9 @@ bool FileWorkflow::mayLeave() {
     box.setDefaultButton(QMessageBox::Save);
     const int answer = box.exec();
     if (answer == QMessageBox::Save) return save();
-    return answer == QMessageBox::Discard;
+    if (answer != QMessageBox::Discard) return false;
+    if (!m_recoveredFrom.isEmpty()) Recovery::discard(m_recoveredFrom);
+    return true;
 }
 
 QStringList FileWorkflow::recent() const {

@@ -23,8 +23,9 @@ class FileWorkflow : public QObject {
     void fillRecent(QMenu& menu);
     void fillSamples(QMenu& menu);
 
-    /// From now on unsaved changes are copied to this folder. Offers what crashed programs have left there.
-    void guardWork(const QString& folder);
+    /// From now on unsaved changes are copied to this folder. Offers what crashed programs have left there;
+    /// true if the user takes it, and then `instead`, a file that was to be opened, is not.
+    bool guardWork(const QString& folder, const QString& instead = {});
 
   public slots:
     void askOpen();
@@ -42,15 +43,17 @@ class FileWorkflow : public QObject {
     void recentChanged();
 
   private:
+    QString proposedPath() const;
     bool saveTo(const QString& path);
     void addRecent(const QString& path);
-    void offer(const LostWork& work);
+    bool offer(const LostWork& work, const QString& instead);
     void read(const QString& name, std::function<OpenedFile()> reader);
     void take(OpenedFile file);
 
     Document& m_document;
     QWidget& m_window;
     Recovery* m_recovery = nullptr;
+    QString m_recoveredFrom;  // the copy that the document came from, until there is a new one
     int m_opening = 0;
     int m_ticket = 0;  // of the newest opening; older ones come too late
 };

@@ -29,9 +29,9 @@ int runWindow(int argc, char** argv) {
     QApplication::setWindowIcon(QIcon(QStringLiteral(":/wend/icons/wend.svg")));
     MainWindow window;
     window.show();
-    window.files().guardWork(Recovery::standardFolder());
-    const QStringList arguments = QApplication::arguments();
-    if (arguments.size() > 1) window.openPath(arguments[1]);
+    const QString file = QApplication::arguments().value(1);
+    const bool recovers = window.files().guardWork(Recovery::standardFolder(), file);
+    if (!recovers && !file.isEmpty()) window.openPath(file);
     return QApplication::exec();
 }
 

@@ -9,8 +9,10 @@
 #include "core/assembly/back_end.h"
 #include "core/energy/distortion.h"
 #include "core/energy/material.h"
-#include "core/integration/method.h"
+#include "core/integration/step_method.h"
 #include "core/motion/constraints.h"
+#include "core/solver/velocity_history.h"
+#include "core/solver/velocity_solver.h"
 
 namespace wend {
 
@@ -18,10 +20,13 @@ struct IntegrationOptions {
     Method method = Method::DormandPrince;
     double tolerance = 1e-4;  // error per step allowed, relative to the rest diagonal
     int steps = 0;   // > 0: this many equal steps over the whole time [0, end], cut at borders of motions;
-                     // 0: adaptive (Dormand–Prince only)
+                     // 0: adaptive (Dormand–Prince and Adams only)
     double end = 1;  // with steps: the time that they are spread over
     double smallestStep = 1e-6;  // of the stretch between two borders of motions: below it the run stops
     int threads = 0;             // 0: all cores
+    /// Error of a velocity field that is allowed, relative to the greatest velocity; < 0: as the tolerance
+    /// needs. 0: every field is solved for directly with a factorization of its own, as in the paper.
+    double velocityTolerance = -1;
 
     /// Empty if all is in range, else the reason.
     std::string problem() const;
@@ -53,9 +58,9 @@ struct State {
     // What follows stands in states between steps only, not in frames from dense output; without it a run
     // goes on as well, but not to the same bits.
     Points<Dim> normalized;         // the same shape in the frame of the computation
-    double step = 0;                // the step that the control would try next; 0: its own start
-    double error = 0;               // of the last step, over the tolerance; 0: there was none
-    Points<Dim> slope;              // the velocity field that the next step begins with, if it is known
+    Pace<Dim> pace;                 // of the method
+    VelocityHistory<Dim> history;   // from which the next field is guessed
+    FactorMemory<Dim> factor;       // with which it is solved for
     std::vector<Vec<Dim>> anchors;  // per constrained point: see Constraints; normalized
     std::shared_ptr<const std::vector<ConstrainedPoint>>
         constrained;  // the points that the anchors belong to

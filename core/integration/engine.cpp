@@ -6,16 +6,11 @@
 #include <sstream>
 
 #include "core/integration/contradictions.h"
-#include "core/integration/step_control.h"
 #include "core/mesh/error.h"
 
 namespace wend {
 
 namespace {
-
-// The first step of a stretch: the fastest constrained point goes this far, as a part of the diagonal, at a
-// tolerance of 1e-4.
-constexpr double kFirstMove = 0.3;
 
 template <int Dim>
 std::shared_ptr<const SimplicialMesh<Dim>> normalized(const SimplicialMesh<Dim>& rest,
@@ -24,9 +19,9 @@ std::shared_ptr<const SimplicialMesh<Dim>> normalized(const SimplicialMesh<Dim>&
         SimplicialMesh<Dim>{units.normal(rest.points), rest.cells});
 }
 
-template <int Dim>
-double largestColumn(const Points<Dim>& points) {
-    return points.cols() == 0 ? 0 : points.colwise().norm().maxCoeff();
+double velocityTolerance(const IntegrationOptions& options) {
+    return options.velocityTolerance >= 0 ? options.velocityTolerance
+                                          : velocityToleranceFor(options.tolerance);
 }
 
 }  // namespace
@@ -41,13 +36,14 @@ Deformer<Dim>::Engine::Engine(
       m_domainRest(std::move(rest)),
       m_rest(normalized(*m_domainRest, m_units)),
       m_orientation(m_rest),
-      m_step(options.method) {
+      m_method(StepMethod<Dim>::of(options.method, options.steps > 0 ? 0 : options.tolerance)) {
     if (const std::string problem = options.problem(); !problem.empty()) throw InputError(problem);
     requireValid<Dim>(*material, m_rest->cellCount());
     state.points = m_domainRest->points;
     state.normalized = m_rest->points;
     setHandles(handles);
     m_solver = std::make_unique<VelocitySolver<Dim>>(makeSolver(m_rest));
+    m_solver->setVelocityTolerance(velocityTolerance(m_options));
     collectStatistics();
 }
 
@@ -58,7 +54,7 @@ void Deformer<Dim>::Engine::setHandles(const std::vector<Handle<Dim>>& handles) 
     for (const Handle<Dim>& handle : handles) moved.push_back(m_units.normal(handle));
     const auto constraints = std::make_shared<const Constraints<Dim>>(*m_rest, moved, m_units);
     requireConsistent(*constraints, m_rest->points, m_units);
-    resetControl();  // the slope belongs to the old motions
+    startAnew();  // the fields belong to the old motions
     m_constraints = constraints;
     restore(State<Dim>(state));
 }
@@ -72,7 +68,7 @@ void Deformer<Dim>::Engine::restore(const State<Dim>& from) {
     state = from;
     if (state.normalized.cols() != state.points.cols()) {
         state.normalized = m_rest->points + (state.points - m_domainRest->points) / m_units.diagonal;
-        resetControl();
+        startAnew();
     }
     const auto points =
         std::shared_ptr<const std::vector<ConstrainedPoint>>(m_constraints, &m_constraints->points());
@@ -80,14 +76,27 @@ void Deformer<Dim>::Engine::restore(const State<Dim>& from) {
     state.anchors = m_constraints->adopt(from.constrained ? *from.constrained : none, from.anchors,
                                          state.normalized, state.time);
     state.constrained = points;
-    if (m_constraints->lastBorder(state.time) == state.time) resetControl();
+    if (m_constraints->lastBorder(state.time) == state.time) startAnew();
 }
 
 template <int Dim>
-void Deformer<Dim>::Engine::resetControl() {
-    state.step = 0;
-    state.error = 0;
-    state.slope.resize(Dim, 0);
+void Deformer<Dim>::Engine::startAnew() {
+    state.pace = {};
+    state.history = {};
+    state.factor = {};
+}
+
+/// Once the constraints are those of the current time.
+template <int Dim>
+void Deformer<Dim>::Engine::recall() {
+    m_history = state.history;
+    m_solver->recall(state.factor);
+}
+
+template <int Dim>
+void Deformer<Dim>::Engine::remember() {
+    state.history = m_history;
+    state.factor = m_solver->remember();
 }
 
 /// Rest plus displacement: what does not move keeps its bits.
@@ -105,7 +114,7 @@ void Deformer<Dim>::Engine::activate(Side side) {
 
 /// dx/dt = v̂(x, t) (method.md, Integration), constrained points as all others.
 template <int Dim>
-bool Deformer<Dim>::Engine::evaluate(double t, Side side, const Points<Dim>& shape, Slope& velocity) {
+bool Deformer<Dim>::Engine::evaluate(double t, Side side, const Points<Dim>& shape, Points<Dim>& velocity) {
     m_failure = {};
     m_failure.time = t;
     if (m_watch && m_watch->stop.stop_requested()) {
@@ -114,7 +123,10 @@ bool Deformer<Dim>::Engine::evaluate(double t, Side side, const Points<Dim>& sha
     }
     m_constraints->evaluate(m_ids, state.anchors, t, side, m_targets, m_prescribed);
     ++statistics.evaluations;
-    m_failure.outcome = m_solver->solve(shape, m_prescribed, velocity);
+    const bool reuses = m_solver->reuses();
+    m_failure.outcome =
+        m_solver->solve(shape, m_prescribed, velocity, reuses ? m_history.at(t) : std::nullopt);
+    if (reuses && m_failure.outcome.done()) m_history.record(t, m_prescribed, velocity);
     return m_failure.outcome.done();
 }
 
@@ -145,10 +157,10 @@ double Deformer<Dim>::Engine::startStep(double to) const {
         const double t = state.time + (to - state.time) * i / kSamples;
         m_constraints->evaluate(m_ids, state.anchors, t, i == kSamples ? Side::Before : Side::After,
                                 positions, velocities);
-        fastest = std::max(fastest, largestColumn(velocities));
+        fastest = std::max(fastest, largestColumn<Dim>(velocities));
     }
     if (fastest == 0) return to - state.time;
-    return kFirstMove * std::pow(m_options.tolerance / 1e-4, 0.2) / fastest;
+    return m_method->firstStep(fastest);
 }
 
 /// Where to go next on the way to a stop: no sliver of a step before it.
@@ -156,8 +168,9 @@ template <int Dim>
 double Deformer<Dim>::Engine::proposedStep(double stop) const {
     const double rest = stop - state.time;
     if (m_options.steps > 0) return stop;
-    if (state.step >= 0.95 * rest) return stop;
-    return state.step > 0.5 * rest ? state.time + 0.5 * rest : state.time + state.step;
+    const double step = state.pace.step;
+    if (step >= 0.95 * rest) return stop;
+    return step > 0.5 * rest ? state.time + 0.5 * rest : state.time + step;
 }
 
 template <int Dim>
@@ -170,14 +183,13 @@ double Deformer<Dim>::Engine::smallestStep() const {
 /// nothing if a stage or the result could not be had.
 template <int Dim>
 std::optional<double> Deformer<Dim>::Engine::attempt(double to) {
-    const auto rhs = [this](double t, Side side, const Points<Dim>& x, Slope& v) {
+    const auto rhs = [this](double t, Side side, const Points<Dim>& x, Points<Dim>& v) {
         return evaluate(t, side, x, v);
     };
-    if (!m_step.attempt(rhs, state.time, to, state.normalized, state.slope)) return {};
-    double error = 0;
-    if (m_options.steps == 0) error = largestColumn<Dim>(m_step.error()) / m_options.tolerance;
+    if (!m_method->attempt(rhs, state.time, to, state.normalized, state.pace)) return {};
+    const double error = m_method->error();
     if (!(error <= 1)) return error;
-    m_next = m_step.result();
+    m_next = m_method->result();
     project(to, m_next);
     const int inverted = m_orientation.firstInverted(m_next);
     if (inverted < 0) return error;
@@ -189,24 +201,28 @@ std::optional<double> Deformer<Dim>::Engine::attempt(double to) {
 /// why.
 template <int Dim>
 bool Deformer<Dim>::Engine::step(double stop) {
-    const double wanted = state.step;
-    if (state.step == 0) state.step = startStep(m_constraints->nextBorder(state.time));
+    const Pace<Dim> before = state.pace;
+    if (state.pace.step == 0) state.pace.step = startStep(m_constraints->nextBorder(state.time));
     double to = proposedStep(stop);
     bool shortened = false;
-    const bool cut = to < state.time + state.step;
+    const bool cut = to < state.time + state.pace.step;
     for (;;) {
         m_failure = {};
         const std::optional<double> error = attempt(to);
         if (error && *error <= 1) {
-            accept(to, *error, shortened, cut && !shortened);
+            accept(to, shortened, cut && !shortened);
             return true;
         }
         if (m_failure.cancelled) {
-            state.step = wanted;  // as if nothing had been tried: going on gives the same bits
+            state.pace = before;  // as if nothing had been tried: going on gives the same bits
             return false;
         }
         ++statistics.rejected;
-        const double h = (to - state.time) * (error ? shrinkAfterError(*error) : 0.5);
+        if (error)
+            m_method->retry(state.pace);
+        else
+            state.pace.step = 0.5 * (to - state.time);
+        const double h = state.pace.step;
         if (h < smallestStep() || state.time + h == state.time) {
             if (error)
                 m_failure = {{SolveOutcome::Kind::CellInverted, m_orientation.mostShrunk(state.normalized)},
@@ -215,30 +231,17 @@ bool Deformer<Dim>::Engine::step(double stop) {
             return false;
         }
         shortened = true;
-        state.step = h;
         to = state.time + h;
     }
 }
 
-/// The last stage was evaluated before the projection, which moves the shape by less than the error of the
-/// step: as the first stage of the next step it is wrong by that times the rate of v̂, and the step's result
-/// by h times as much, which is of higher order than the error. It saves one evaluation in seven. Measured on
-/// a strip bent by 180° in 5, 8 and 12 steps: errors of 1e-4, 5e-6 and 3e-7 change by a three-thousandth and
-/// less.
 template <int Dim>
-void Deformer<Dim>::Engine::accept(double to, double error, bool shortened, bool cut) {
-    const double from = state.time, h = to - from;
+void Deformer<Dim>::Engine::accept(double to, bool shortened, bool cut) {
     ++statistics.steps;
-    emitFrames(from, to);
+    remember();  // frames may need a field of their own
+    emitFrames(state.time, to);
     state.normalized = m_next;
-    if (m_options.steps == 0) {
-        const double growth = growthAfterStep(error, state.error);
-        // A rejection speaks against a longer step, being cut short before a border does not.
-        const double wanted = h * (shortened ? std::min(growth, 1.0) : growth);
-        state.step = cut ? std::max(wanted, state.step) : wanted;
-        state.error = error;
-    }
-    if (m_step.firstSameAsLast()) state.slope = m_step.lastSlope();
+    m_method->accept(state.pace, shortened, cut);
     arrive(to);
 }
 
@@ -263,7 +266,7 @@ void Deformer<Dim>::Engine::arrive(double to) {
     measureError(to);
     if (m_constraints->lastBorder(to) == to) {
         m_constraints->crossBorder(to, state.normalized, state.anchors);
-        resetControl();
+        startAnew();
     }
     if (m_watch && m_watch->progress) m_watch->progress(to);
 }
@@ -278,19 +281,17 @@ void Deformer<Dim>::Engine::measureError(double t) {
     }
 }
 
-/// The frames strictly inside the step that m_step holds; one at its end is the state itself.
+/// The frames strictly inside the step that m_method holds; one at its end is the state itself.
 template <int Dim>
 void Deformer<Dim>::Engine::emitFrames(double from, double to) {
     if (!m_watch || !m_watch->onFrame) return;
     const auto& times = m_watch->frames;
     if (m_frame >= times.size() || times[m_frame] >= to) return;
-    Slope endSlope;
-    const bool dense = m_step.firstSameAsLast();
-    if (!dense && !evaluate(to, Side::Before, m_next, endSlope))
-        endSlope = (m_next - state.normalized) / (to - from);
+    Points<Dim> endField;
+    if (m_method->needsEndField() && !evaluate(to, Side::Before, m_next, endField))
+        endField = (m_next - state.normalized) / (to - from);
     for (; m_frame < times.size() && times[m_frame] < to; ++m_frame) {
-        const double theta = (times[m_frame] - from) / (to - from);
-        Points<Dim> shape = dense ? m_step.dense(theta) : m_step.hermite(theta, endSlope);
+        Points<Dim> shape = m_method->at(times[m_frame], endField);
         project(times[m_frame], shape);
         State<Dim> frame;
         frame.time = times[m_frame];
@@ -317,6 +318,7 @@ AdvanceResult Deformer<Dim>::Engine::advance(double time, const Watch& watch) {
             m_failure.cancelled = true;
             good = false;
         } else if (m_constraints->moving(state.time, Side::After)) {
+            recall();
             good = step(nextStop(time));
         } else {
             standStill(nextStop(time));
@@ -359,7 +361,9 @@ Points<Dim> Deformer<Dim>::Engine::velocity() {
     const auto anchors =
         std::exchange(state.anchors, m_constraints->anchors(state.normalized, state.time, side));
     Points<Dim> v;
+    m_solver->setVelocityTolerance(0);  // what is asked for is exact
     const bool good = evaluate(state.time, side, state.normalized, v);
+    m_solver->setVelocityTolerance(velocityTolerance(m_options));
     state.anchors = anchors;
     collectStatistics();
     return good ? Points<Dim>(m_units.diagonal * v) : Points<Dim>(Dim, 0);

@@ -4,8 +4,6 @@
 
 #include "core/integration/deformer.h"
 #include "core/integration/orientation.h"
-#include "core/integration/runge_kutta.h"
-#include "core/solver/velocity_solver.h"
 
 namespace wend {
 
@@ -14,7 +12,9 @@ namespace wend {
 ///
 /// Time is cut at the borders of the constraints: windows, jumps of a trajectory's velocity, active ranges. A
 /// step never crosses one, and at each the step control starts anew, so that a run that begins there takes
-/// the same steps.
+/// the same steps. A step depends on the state alone: before each, the solver and the guesses are brought to
+/// what the state says, so that a run goes on to the same bits after a rejection, a cancellation, a question
+/// in between, and in another deformer.
 template <int Dim>
 struct Deformer<Dim>::Engine {
     Engine(std::shared_ptr<const SimplicialMesh<Dim>> rest, std::shared_ptr<const Material<Dim>> material,
@@ -37,14 +37,15 @@ struct Deformer<Dim>::Engine {
         double time = 0;
         bool cancelled = false;
     };
-    using Slope = Points<Dim>;
 
     // The shape and its constraints
     void adopt(std::shared_ptr<const Constraints<Dim>> constraints);
     void activate(Side side);
     void publish();
-    void resetControl();
-    bool evaluate(double t, Side side, const Points<Dim>& shape, Slope& velocity);
+    void startAnew();
+    void recall();
+    void remember();
+    bool evaluate(double t, Side side, const Points<Dim>& shape, Points<Dim>& velocity);
     void project(double t, Points<Dim>& shape);
 
     // Steps
@@ -55,13 +56,12 @@ struct Deformer<Dim>::Engine {
     double smallestStep() const;
     bool step(double stop);
     std::optional<double> attempt(double to);
-    void accept(double to, double error, bool shortened, bool cut);
+    void accept(double to, bool shortened, bool cut);
     void standStill(double to);
     void arrive(double to);
 
     // Around them
     void emitFrames(double from, double to);
-    Points<Dim> interpolated(double from, double to, double t);
     void measureError(double t);
     AdvanceResult stopped() const;
     void collectStatistics();
@@ -72,7 +72,8 @@ struct Deformer<Dim>::Engine {
     Orientation<Dim> m_orientation;
     std::unique_ptr<VelocitySolver<Dim>> m_solver;
     std::shared_ptr<const Constraints<Dim>> m_constraints;
-    RungeKuttaStep<Points<Dim>> m_step;
+    std::unique_ptr<StepMethod<Dim>> m_method;
+    VelocityHistory<Dim> m_history;
 
     std::vector<int> m_ids;  // the active constrained points, as the solver has them
     Points<Dim> m_targets, m_prescribed;

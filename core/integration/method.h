@@ -2,7 +2,13 @@
 
 namespace wend {
 
-/// Adaptive embedded order 5(4), classical order 4, and order 2.
-enum class Method { DormandPrince, RungeKutta4, Midpoint };
+/// Adaptive embedded order 5(4), classical order 4, order 2, and adaptive Adams–Bashforth–Moulton of variable
+/// order.
+enum class Method { DormandPrince, RungeKutta4, Midpoint, Adams };
+
+/// Whether the method chooses its steps by the error.
+constexpr bool isAdaptive(Method method) {
+    return method == Method::DormandPrince || method == Method::Adams;
+}
 
 }  // namespace wend

@@ -18,6 +18,26 @@ Location<Dim> coordinates(const SimplicialMesh<Dim>& mesh, int cell, const Vec<D
     return location;
 }
 
+/// One of the cell's own vertices.
+template <int Dim>
+Location<Dim> atVertex(const SimplicialMesh<Dim>& mesh, int cell, int vertex) {
+    Location<Dim> location{cell, {}};
+    for (int k = 0; k <= Dim; ++k) location.weights[k] = mesh.cells[cell][k] == vertex ? 1 : 0;
+    return location;
+}
+
+/// The nearest of the vertices that cells have.
+template <int Dim>
+int nearestUsed(const SimplicialMesh<Dim>& mesh, const std::vector<int>& offsets, const Vec<Dim>& p) {
+    int best = -1;
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        if (offsets[v] == offsets[v + 1]) continue;
+        if (best < 0 || (mesh.points.col(v) - p).squaredNorm() < (mesh.points.col(best) - p).squaredNorm())
+            best = v;
+    }
+    return best;
+}
+
 /// Cells at each vertex, as one list with offsets.
 template <int Dim>
 std::pair<std::vector<int>, std::vector<int>> cellsOfVertices(const SimplicialMesh<Dim>& mesh) {
@@ -39,15 +59,20 @@ Embedding<Dim>::Embedding(const SimplicialMesh<Dim>& rest, const Points<Dim>& po
     const auto [offsets, cells] = cellsOfVertices(rest);
     for (Eigen::Index i = 0; i < points.cols(); ++i) {
         const Vec<Dim> p = points.col(i);
+        int nearest = locator.nearestVertex(p);
+        if (rest.points.col(nearest) == p && offsets[nearest] < offsets[nearest + 1]) {
+            m_locations.push_back(atVertex(rest, cells[offsets[nearest]], nearest));
+            continue;
+        }
         if (const auto inside = locator.find(p)) {
             m_locations.push_back(*inside);
             continue;
         }
         ++m_outside;
-        const int vertex = locator.nearestVertex(p);
+        if (offsets[nearest] == offsets[nearest + 1]) nearest = nearestUsed(rest, offsets, p);
         Location<Dim> best;
         double bestWeight = -std::numeric_limits<double>::infinity();
-        for (int k = offsets[vertex]; k < offsets[vertex + 1]; ++k) {
+        for (int k = offsets[nearest]; k < offsets[nearest + 1]; ++k) {
             const auto location = coordinates(rest, cells[k], p);
             if (location.weights.minCoeff() <= bestWeight) continue;
             bestWeight = location.weights.minCoeff();

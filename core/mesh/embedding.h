@@ -5,8 +5,8 @@
 namespace wend {
 
 /// Points that ride in a partition: a detailed surface in a coarse volume. A point inside takes the
-/// barycentric combination of its cell; one outside goes with the affine map of the nearest vertex's cell
-/// that reaches out to it best.
+/// barycentric combination of its cell, one at the place of a vertex is that vertex, bit for bit; one outside
+/// the affine map of the nearest vertex's cell that reaches out to it best.
 template <int Dim>
 class Embedding {
   public:

@@ -91,24 +91,44 @@ std::vector<float> flattenUv(const Eigen::Matrix2Xd& uv) {
     return values;
 }
 
-std::string readBytes(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file) throw InputError(path, "cannot be read");
-    return {std::istreambuf_iterator<char>(file), {}};
+bool isPng(const std::string& bytes) {
+    return bytes.rfind("\x89PNG", 0) == 0;
+}
+bool isJpeg(const std::string& bytes) {
+    return bytes.rfind("\xFF\xD8\xFF", 0) == 0;
 }
 
-void addMaterial(Json& gltf, Buffer& buffer, const std::string& texture) {
+/// The picture as a texture; −1 if it is missing or of another format.
+int addTexture(Json& gltf, Buffer& buffer, const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    if (!isPng(bytes) && !isJpeg(bytes)) return -1;
+    gltf["images"].push_back({{"bufferView", buffer.view(bytes.data(), bytes.size(), 0)},
+                              {"mimeType", isPng(bytes) ? "image/png" : "image/jpeg"}});
+    gltf["textures"].push_back({{"source", gltf["images"].size() - 1}});
+    return static_cast<int>(gltf["textures"].size()) - 1;
+}
+
+void addMaterial(Json& gltf, Buffer& buffer, const SkinMaterial& material) {
     Json surface = {{"metallicFactor", 0.0}, {"roughnessFactor", 0.8}};
-    if (!texture.empty()) {
-        const std::string bytes = readBytes(texture);
-        const bool png = bytes.rfind("\x89PNG", 0) == 0;
-        gltf["images"] = Json::array({{{"bufferView", buffer.view(bytes.data(), bytes.size(), 0)},
-                                       {"mimeType", png ? "image/png" : "image/jpeg"}}});
-        gltf["textures"] = Json::array({{{"source", 0}}});
-        surface["baseColorTexture"] = {{"index", 0}};
+    const int texture = material.texture.empty() ? -1 : addTexture(gltf, buffer, material.texture);
+    if (texture >= 0)
+        surface["baseColorTexture"] = {{"index", texture}};
+    else if (material.colour != SkinMaterial().colour)
+        surface["baseColorFactor"] = material.colour;
+    Json json = {{"name", material.name}, {"pbrMetallicRoughness", surface}, {"doubleSided", true}};
+    if (material.colour[3] < 1) json["alphaMode"] = "BLEND";
+    gltf["materials"].push_back(json);
+}
+
+/// The triangles by material, in the order of the materials; those without one get the first.
+std::vector<std::vector<std::array<int, 3>>> partsOf(const GltfScene& scene) {
+    std::vector<std::vector<std::array<int, 3>>> parts(std::max<std::size_t>(scene.materials.size(), 1));
+    for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
+        const int material = scene.materialOf.empty() ? 0 : std::max(0, scene.materialOf[t]);
+        parts[static_cast<std::size_t>(material)].push_back(scene.triangles[t]);
     }
-    gltf["materials"] =
-        Json::array({{{"name", "surface"}, {"pbrMetallicRoughness", surface}, {"doubleSided", true}}});
+    return parts;
 }
 
 /// One morph target per pose, and weights that go from one to the next linearly.
@@ -116,10 +136,16 @@ void addAnimation(Json& gltf, Buffer& buffer, Json& mesh, const GltfScene& scene
     if (scene.poses.empty()) return;
     const std::size_t count = scene.poses.size();
     Json targets = Json::array();
-    for (const auto& pose : scene.poses)
-        targets.push_back(
-            {{"POSITION", buffer.floats(flatten(pose - scene.points, zUp), 3, kArrayBuffer, true)}});
-    mesh["primitives"][0]["targets"] = targets;
+    const Points<3> normals = scene.smooth ? vertexNormals(scene.points, scene.triangles) : Points<3>();
+    for (const auto& pose : scene.poses) {
+        Json target = {{"POSITION", buffer.floats(flatten(pose - scene.points, zUp), 3, kArrayBuffer, true)}};
+        if (scene.smooth) {
+            const Points<3> turned = vertexNormals(pose, scene.triangles) - normals;
+            target["NORMAL"] = buffer.floats(flatten(turned, zUp), 3, kArrayBuffer, false);
+        }
+        targets.push_back(target);
+    }
+    for (Json& primitive : mesh["primitives"]) primitive["targets"] = targets;
     mesh["weights"] = std::vector<float>(count, 0.0F);
     std::vector<float> weights(count * count, 0.0F);
     for (std::size_t i = 0; i < count; ++i) weights[i * count + i] = 1;
@@ -155,6 +181,26 @@ std::string container(const Json& gltf, const std::string& bytes) {
 
 }  // namespace
 
+GltfScene gltfScene(const Skin& skin, const std::vector<Points<3>>& poses, std::vector<double> times) {
+    const UnfoldedSkin one = unfolded(skin);
+    const auto doubled = [&](const Points<3>& points) { return Points<3>(points(Eigen::all, one.vertices)); };
+    GltfScene scene;
+    scene.triangles = one.triangles;
+    scene.points = doubled(poses.front());
+    scene.uv = one.uv;
+    scene.materialOf = skin.materialOf;
+    scene.materials = skin.materials;
+    scene.smooth = true;
+    if (poses.size() < 2) return scene;
+    scene.times = std::move(times);
+    for (const auto& pose : poses) scene.poses.push_back(doubled(pose));
+    return scene;
+}
+
+GltfScene gltfScene(const Skin& skin, const Points<3>& points) {
+    return gltfScene(skin, std::vector<Points<3>>{points}, {});
+}
+
 void writeGltf(const std::string& path, const GltfScene& scene, bool zUp) {
     if (scene.times.size() != scene.poses.size()) throw InputError(path, "one time per pose is needed");
     Json gltf = {{"asset", {{"version", "2.0"}, {"generator", "Wend"}}},
@@ -165,12 +211,19 @@ void writeGltf(const std::string& path, const GltfScene& scene, bool zUp) {
     Json attributes = {{"POSITION", buffer.floats(flatten(scene.points, zUp), 3, kArrayBuffer, true)}};
     if (scene.uv.cols() > 0)
         attributes["TEXCOORD_0"] = buffer.floats(flattenUv(scene.uv), 2, kArrayBuffer, false);
-    Json mesh = {
-        {"name", scene.name},
-        {"primitives",
-         Json::array(
-             {{{"attributes", attributes}, {"indices", buffer.indices(scene.triangles)}, {"material", 0}}})}};
-    addMaterial(gltf, buffer, scene.texture);
+    if (scene.smooth)
+        attributes["NORMAL"] =
+            buffer.floats(flatten(vertexNormals(scene.points, scene.triangles), zUp), 3, kArrayBuffer, false);
+    Json mesh = {{"name", scene.name}, {"primitives", Json::array()}};
+    int material = 0;
+    for (const auto& part : partsOf(scene)) {
+        if (!part.empty())
+            mesh["primitives"].push_back(
+                {{"attributes", attributes}, {"indices", buffer.indices(part)}, {"material", material}});
+        ++material;
+    }
+    if (scene.materials.empty()) addMaterial(gltf, buffer, {"surface", {0.8F, 0.8F, 0.8F, 1}, scene.texture});
+    for (const SkinMaterial& one : scene.materials) addMaterial(gltf, buffer, one);
     addAnimation(gltf, buffer, mesh, scene, zUp);
     gltf["meshes"] = Json::array({mesh});
     gltf["buffers"] = Json::array({{{"byteLength", buffer.bytes().size()}}});

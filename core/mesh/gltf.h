@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/mesh/types.h"
+#include "core/mesh/skin.h"
 
 namespace wend {
 
@@ -11,15 +11,24 @@ namespace wend {
 struct GltfScene {
     std::string name = "shape";
     std::vector<std::array<int, 3>> triangles;
-    Points<3> points;              // what is shown without animation
-    Eigen::Matrix2Xd uv;           // per vertex, origin at the bottom left; empty if there is none
-    std::string texture;           // path of a PNG or JPEG to embed; empty if there is none
+    Points<3> points;             // what is shown without animation
+    Eigen::Matrix2Xd uv;          // per vertex, origin at the bottom left; empty if there is none
+    std::string texture;          // path of a PNG or JPEG to embed; empty if there is none
+    std::vector<int> materialOf;  // per triangle, into materials (−1: none); empty: one material
+    std::vector<SkinMaterial> materials;
+    bool smooth = false;           // with normals, in every pose; else the reader shades facets
     std::vector<double> times;     // seconds, increasing; one per pose
     std::vector<Points<3>> poses;  // become morph targets that a weights animation shows one after another
 };
 
+/// A skin in a pose: vertices are doubled where texture points meet.
+GltfScene gltfScene(const Skin& skin, const Points<3>& points);
+/// A skin in poses of its vertices, from the first one on.
+GltfScene gltfScene(const Skin& skin, const std::vector<Points<3>>& poses, std::vector<double> times);
+
 /// Writes a binary glTF file (.glb), whole or not at all. y is up in glTF: z-up coordinates are turned if
-/// `zUp`. Normals are left to the reader, so that they fit every pose. Throws InputError.
+/// `zUp`. A picture that is
+/// neither PNG nor JPEG is left out. Throws InputError.
 void writeGltf(const std::string& path, const GltfScene& scene, bool zUp = true);
 
 }  // namespace wend

@@ -32,6 +32,8 @@ struct MeshFile {
         tetrahedra;       // if there are any, the mesh is a volume and the triangles its border
     Eigen::Matrix2Xd uv;  // per vertex; empty if there is none
     std::vector<MeshField> fields;
+    std::vector<int> labels;              // of the triangles of a volume's border; empty if there are none
+    std::vector<std::string> labelNames;  // of the labels 1, 2, …; empty if they have none
 };
 
 /// Reads the formats of meshFileExtensions(). Every index is valid and every coordinate finite in what comes

@@ -11,24 +11,29 @@ namespace wend {
 /// Shapes that name a part of the plane or of space; used by handles and by the material.
 struct Polygon {
     std::vector<Vec<2>> points;
+    bool operator==(const Polygon&) const = default;
 };
 template <int Dim>
 struct Ball {  // "circle" in 2D, "sphere" in 3D
     Vec<Dim> centre;
     double radius = 0;
+    bool operator==(const Ball&) const = default;
 };
 template <int Dim>
 struct Box {
     Vec<Dim> min, max;
+    bool operator==(const Box&) const = default;
 };
 template <int Dim>
 struct HalfSpace {  // the side that the normal points away from is outside
     Vec<Dim> point, normal;
+    bool operator==(const HalfSpace&) const = default;
 };
 /// The whole domain; the material's amount goes linearly from 0 at `from` to 1 at `to` along the segment.
 template <int Dim>
 struct Blend {
     Vec<Dim> from, to;
+    bool operator==(const Blend&) const = default;
 };
 
 template <int Dim>

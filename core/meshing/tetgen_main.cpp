@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdlib>
 #include <new>
 
@@ -75,6 +76,51 @@ void fill(tetgenio& in, const wend::TetgenRequest& request) {
     }
 }
 
+/// The size field, for the callback below, which TetGen hands nothing but points.
+const wend::TetgenRequest* sizeField = nullptr;
+
+/// The factor at p, trilinear between the grid's nodes.
+double factorAt(const std::array<double, 3>& p) {
+    const double *low = sizeField->sizes.data() + 1, *spacing = low + 3, *factors = spacing + 3;
+    const int* counts = sizeField->sizeCounts.data();
+    std::array<int, 3> node;
+    std::array<double, 3> t;
+    for (int k = 0; k < 3; ++k) {
+        const double at = spacing[k] > 0 ? (p[k] - low[k]) / spacing[k] : 0;
+        node[k] = std::clamp(static_cast<int>(at), 0, counts[k] - 2);
+        t[k] = std::clamp(at - node[k], 0.0, 1.0);
+    }
+    double sum = 0;
+    for (int corner = 0; corner < 8; ++corner) {
+        double weight = 1;
+        std::size_t index = 0;
+        for (int k = 2; k >= 0; --k) {
+            const int up = corner >> k & 1;
+            weight *= up ? t[k] : 1 - t[k];
+            index = index * counts[k] + node[k] + up;
+        }
+        sum += weight * factors[index];
+    }
+    return sum;
+}
+
+/// Whether a cell is larger than its place wants.
+bool isTooLarge(double* a, double* b, double* c, double* d, double*, double) {
+    std::array<double, 3> centre;
+    double e[3][3];
+    for (int k = 0; k < 3; ++k) {
+        centre[k] = (a[k] + b[k] + c[k] + d[k]) / 4;
+        e[0][k] = b[k] - a[k];
+        e[1][k] = c[k] - a[k];
+        e[2][k] = d[k] - a[k];
+    }
+    const double det = e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) -
+                       e[0][1] * (e[1][0] * e[2][2] - e[1][2] * e[2][0]) +
+                       e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0]);
+    const double factor = factorAt(centre);
+    return std::abs(det) / 6 > sizeField->sizes[0] * factor * factor * factor;
+}
+
 wend::TetgenReply read(const tetgenio& out) {
     wend::TetgenReply reply;
     reply.points.assign(out.pointlist, out.pointlist + 3 * out.numberofpoints);
@@ -94,6 +140,10 @@ wend::TetgenReply mesh(const wend::TetgenRequest& request) {
     wend::TetgenReply reply;
     tetgenio in, out;
     fill(in, request);
+    if (!request.sizes.empty()) {
+        sizeField = &request;
+        in.tetunsuitable = isTooLarge;
+    }
     std::string switches = request.switches;
     try {
         tetrahedralize(switches.data(), &in, &out);

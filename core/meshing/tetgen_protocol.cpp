@@ -52,6 +52,8 @@ std::string pack(const TetgenRequest& request) {
     writer.array(request.points);
     writer.array(request.triangles);
     writer.array(request.labels);
+    writer.array(request.sizes);
+    writer.array(request.sizeCounts);
     return writer.take();
 }
 
@@ -69,7 +71,8 @@ std::string pack(const TetgenReply& reply) {
 bool unpack(const std::string& bytes, TetgenRequest& request) {
     Reader reader(bytes);
     return reader.array(request.switches) && reader.array(request.points) &&
-           reader.array(request.triangles) && reader.array(request.labels) && reader.done();
+           reader.array(request.triangles) && reader.array(request.labels) && reader.array(request.sizes) &&
+           reader.array(request.sizeCounts) && reader.done();
 }
 
 bool unpack(const std::string& bytes, TetgenReply& reply) {

@@ -10,9 +10,11 @@ namespace wend {
 /// order.
 struct TetgenRequest {
     std::string switches;
-    std::vector<double> points;  // 3 per vertex
-    std::vector<int> triangles;  // 3 per facet
-    std::vector<int> labels;     // 1 per facet
+    std::vector<double> points;   // 3 per vertex
+    std::vector<int> triangles;   // 3 per facet
+    std::vector<int> labels;      // 1 per facet
+    std::vector<double> sizes;    // empty, or: greatest volume, grid's low corner, its spacing, its factors
+    std::vector<int> sizeCounts;  // of the grid's nodes along x, y, z
 };
 struct TetgenReply {
     std::int32_t error = 0;      // 0, or TetGen's own code

@@ -85,7 +85,7 @@ std::string reasonOf(const ChildResult& result, const VolumeMeshOptions& options
             return "the volume mesher did not finish within " + number(options.timeLimit) +
                    " s; a coarser quality or a larger maxVolume may help";
         case End::Stopped:
-            return "cancelled";
+            throw Cancelled();
         case End::Signalled:
             return "the volume mesher failed inside (signal " + std::to_string(result.code) + ")";
         case End::Exited:
@@ -145,7 +145,8 @@ class VolumeMesher {
         TetgenRequest request;
         request.switches =
             std::string("pAQ") + (m_options.keepSurface ? "Y" : "") + "q" + number(m_options.quality);
-        if (maxVolume > 0) request.switches += "a" + number(maxVolume);
+        if (m_options.sizes.empty() && maxVolume > 0) request.switches += "a" + number(maxVolume);
+        if (!m_options.sizes.empty() && maxVolume > 0) addSizes(maxVolume, request);
         request.points.assign(m_surface.points.data(), m_surface.points.data() + m_surface.points.size());
         for (int t = 0; t < m_surface.triangleCount(); ++t) {
             request.triangles.insert(request.triangles.end(), m_surface.triangles[t].begin(),
@@ -153,6 +154,15 @@ class VolumeMesher {
             request.labels.push_back(t + 1);  // 0 is TetGen's own "no marker"
         }
         return request;
+    }
+
+    void addSizes(double maxVolume, TetgenRequest& request) const {
+        const SizeGrid& sizes = m_options.sizes;
+        request.sizes = {maxVolume};
+        request.sizes.insert(request.sizes.end(), sizes.low.begin(), sizes.low.end());
+        request.sizes.insert(request.sizes.end(), sizes.spacing.begin(), sizes.spacing.end());
+        request.sizes.insert(request.sizes.end(), sizes.factors.begin(), sizes.factors.end());
+        request.sizeCounts.assign(sizes.counts.begin(), sizes.counts.end());
     }
 
     /// Keeps the regions that lie inside, one test per region, and drops vertices that only other cells had.
@@ -262,11 +272,28 @@ void requireSense(const VolumeMeshOptions& options) {
 
 }  // namespace
 
+SizeGrid sampleSizes(const Surface& surface, const std::function<double(const Vec<3>&)>& factorAt) {
+    constexpr double kNodes = 50;
+    SizeGrid grid;
+    grid.low = surface.points.rowwise().minCoeff();
+    const Vec<3> extent = surface.points.rowwise().maxCoeff() - grid.low;
+    for (int k = 0; k < 3; ++k) {
+        grid.counts[k] = 2 + static_cast<int>(kNodes * extent[k] / std::max(extent.maxCoeff(), 1e-300));
+        grid.spacing[k] = extent[k] / (grid.counts[k] - 1);
+    }
+    for (int z = 0; z < grid.counts[2]; ++z)
+        for (int y = 0; y < grid.counts[1]; ++y)
+            for (int x = 0; x < grid.counts[0]; ++x)
+                grid.factors.push_back(factorAt(grid.low + grid.spacing.cwiseProduct(Vec<3>(x, y, z))));
+    return grid;
+}
+
 VolumeMesh meshVolume(const Surface& surface, const VolumeMeshOptions& options) {
     requireSense(options);
     if (surface.triangles.empty()) throw InputError("the surface has no triangle");
     const SurfaceProblems problems = checkSurface(surface);
-    if (!problems.boundsVolume()) throw InputError("the surface bounds no volume: " + problems.summary());
+    if (!problems.boundsVolume())
+        throw SurfaceError("the surface bounds no volume: " + problems.summary(), problems);
     const VolumeMesher mesher(surface, options);
     return options.vertices > 0 ? meshForAim(mesher, options) : mesher.mesh(options.maxVolume);
 }

@@ -7,29 +7,37 @@ namespace wend {
 /// evaluation took, would cost more than the average evaluation since the factor, the factor included.
 class RefactorPolicy {
   public:
+    /// Since the factor.
+    struct Counts {
+        int iterations = 0, evaluations = 0, last = 0;  // last: iterations of the last evaluation
+    };
+
     /// In one unit, that of SolverCost.
     void setCosts(double factor, double iteration) {
         m_factor = factor;
         m_iteration = iteration;
-        m_spent = 0;
-        m_evaluations = m_last = 0;
+        m_counts = {};
     }
     /// A new factor: the counting starts again.
-    void factorized() { setCosts(m_factor, m_iteration); }
+    void factorized() { m_counts = {}; }
     void evaluated(int iterations) {
-        m_spent += iterations * m_iteration;
-        m_last = iterations;
-        ++m_evaluations;
+        m_counts.iterations += iterations;
+        m_counts.last = iterations;
+        ++m_counts.evaluations;
     }
     bool due() const {
-        return m_evaluations > 0 && (m_last + 1) * m_iteration * m_evaluations > m_factor + m_spent;
+        return m_counts.evaluations > 0 && (m_counts.last + 1) * m_iteration * m_counts.evaluations >
+                                               m_factor + m_counts.iterations * m_iteration;
     }
     /// Whether so many iterations more cost clearly more than to start from a new factor.
     bool hopeless(double iterations) const { return iterations * m_iteration > 1.5 * m_factor; }
 
+    const Counts& counts() const { return m_counts; }
+    void setCounts(const Counts& counts) { m_counts = counts; }
+
   private:
-    double m_factor = 0, m_iteration = 1, m_spent = 0;
-    int m_evaluations = 0, m_last = 0;
+    double m_factor = 0, m_iteration = 1;
+    Counts m_counts;
 };
 
 /// What the parts of an evaluation cost, in seconds of a nominal machine: floating-point operations and bytes

@@ -23,14 +23,15 @@ void VelocityHistory<Dim>::record(double time, const Points<Dim>& prescribed, co
         return std::abs(time - field.time) <= kSameTime * std::max(span, std::abs(time));
     });
     if (m_fields.size() == kFields) m_fields.erase(m_fields.begin());
-    m_fields.push_back({time, prescribed, velocity});
+    m_fields.push_back({time, std::make_shared<const Points<Dim>>(prescribed),
+                        std::make_shared<const Points<Dim>>(velocity)});
 }
 
 template <int Dim>
 Points<Dim> VelocityHistory<Dim>::combined(const Eigen::VectorXd& weights) const {
-    Points<Dim> sum = weights[0] * m_fields[0].velocity;
+    Points<Dim> sum = weights[0] * *m_fields[0].velocity;
     for (std::size_t i = 1; i < m_fields.size(); ++i)
-        sum += weights[static_cast<Eigen::Index>(i)] * m_fields[i].velocity;
+        sum += weights[static_cast<Eigen::Index>(i)] * *m_fields[i].velocity;
     return sum;
 }
 
@@ -52,8 +53,8 @@ std::optional<Points<Dim>> VelocityHistory<Dim>::fitting(const Points<Dim>& pres
     if (m_fields.empty() || prescribed.size() == 0) return std::nullopt;
     Eigen::MatrixXd directions(prescribed.size(), static_cast<Eigen::Index>(m_fields.size()));
     for (std::size_t i = 0; i < m_fields.size(); ++i) {
-        if (m_fields[i].prescribed.size() != prescribed.size()) return std::nullopt;
-        directions.col(static_cast<Eigen::Index>(i)) = m_fields[i].prescribed.reshaped();
+        if (m_fields[i].prescribed->size() != prescribed.size()) return std::nullopt;
+        directions.col(static_cast<Eigen::Index>(i)) = m_fields[i].prescribed->reshaped();
     }
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> fit;
     fit.setThreshold(kRankTolerance);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -8,7 +9,7 @@
 namespace wend {
 
 /// The last velocity fields, from which the next one is guessed. A guess only saves iterations: the solver's
-/// answer is as accurate whatever it starts from.
+/// answer is as accurate whatever it starts from. Cheap to copy.
 template <int Dim>
 class VelocityHistory {
   public:
@@ -26,7 +27,7 @@ class VelocityHistory {
   private:
     struct Field {
         double time;
-        Points<Dim> prescribed, velocity;
+        std::shared_ptr<const Points<Dim>> prescribed, velocity;
     };
     Points<Dim> combined(const Eigen::VectorXd& weights) const;
 

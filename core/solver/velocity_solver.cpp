@@ -97,17 +97,17 @@ struct VelocitySolver<Dim>::Engine {
     ReducedSystem<Dim> system;
     Cholesky cholesky;
     std::optional<FloatFactor> floatFactor;  // made at the first use
-    bool inFloat = false;                    // which of the two factored last
-    bool floatFails = false;                 // too ill-conditioned for single precision
 
     std::vector<double> blocks;  // of A
     SolverStatistics statistics;
 
     bool reusable = false;  // by the material
     double tolerance = 0;
-    bool factored = false;  // the factor serves, of factorShape
-    Points<Dim> factorShape;
-    double contraction = 1, contractionLag = 0;  // of a first iteration, and at which lag it was measured
+    // Where the factor that serves was made and in which precision, if single is too little here, and the
+    // contraction of a first iteration with the lag at which it was measured. Its counts are the policy's.
+    FactorMemory<Dim> memory;
+    std::shared_ptr<const Points<Dim>> held;  // where the factor at hand was made, in double or
+    bool heldInFloat = false;                 // in single precision
     RefactorPolicy policy;
     ConjugateGradients<Dim> iteration;
     Points<Dim> last;  // v̂ of the last solve
@@ -120,8 +120,8 @@ struct VelocitySolver<Dim>::Engine {
                        const std::optional<Points<Dim>>& guess);
     bool reuses() const { return reusable && tolerance >= kLeastTolerance; }
     SolveOutcome factorize(const Points<Dim>& shape);
-    bool factorizeInFloat();
-    void noteFactor(const Points<Dim>& shape);
+    Cholesky::Status factorizeAt(const std::shared_ptr<const Points<Dim>>& shape, bool single);
+    bool makeFactorAgain(const Points<Dim>& shape);
     bool precondition(std::span<const double> r, std::span<double> z);
     bool iterate(const Points<Dim>& shape, Points<Dim>& v);
     SolveOutcome solveReduced(Points<Dim>& v);
@@ -162,7 +162,8 @@ void VelocitySolver<Dim>::Engine::setConstraints(std::vector<ConstraintRow> newR
                          small ? Ordering::MinimumDegree : Ordering::NestedDissection);
     countCosts();
     floatFactor.reset();
-    factored = floatFails = false;
+    held.reset();
+    memory = {};
     analyzed = true;
     ++statistics.analyses;
 }
@@ -179,28 +180,15 @@ void VelocitySolver<Dim>::Engine::countCosts() {
 }
 
 template <int Dim>
-bool VelocitySolver<Dim>::Engine::factorizeInFloat() {
-    if (!floatFactor) floatFactor.emplace(cholesky.supernodes(), system.columnStart(), system.row());
-    floatFails = !floatFactor->factorize(cholesky.values());
-    return !floatFails;
-}
-
-template <int Dim>
-void VelocitySolver<Dim>::Engine::noteFactor(const Points<Dim>& shape) {
-    factored = true;
-    factorShape = shape;
-    contraction = 1;
-    policy.factorized();
-}
-
-template <int Dim>
 bool VelocitySolver<Dim>::Engine::precondition(std::span<const double> r, std::span<double> z) {
-    return inFloat ? floatFactor->solve(r, z) : cholesky.solve(r, z) == Cholesky::Status::Done;
+    return heldInFloat ? floatFactor->solve(r, z) : cholesky.solve(r, z) == Cholesky::Status::Done;
 }
 
+/// The back end is at that shape.
 template <int Dim>
-SolveOutcome VelocitySolver<Dim>::Engine::factorize(const Points<Dim>& shape) {
-    factored = false;
+Cholesky::Status VelocitySolver<Dim>::Engine::factorizeAt(const std::shared_ptr<const Points<Dim>>& shape,
+                                                          bool single) {
+    held.reset();
     {
         const Stopwatch watch(statistics.assemble);
         backEnd->assemble(blocks);
@@ -208,20 +196,38 @@ SolveOutcome VelocitySolver<Dim>::Engine::factorize(const Points<Dim>& shape) {
     }
     const Stopwatch watch(statistics.factor);
     ++statistics.factorizations;
-    inFloat = reuses() && !floatFails && factorizeInFloat();
-    if (inFloat) {
-        noteFactor(shape);
-        return {};
-    }
-    switch (cholesky.factorize()) {
+    if (single && !floatFactor)
+        floatFactor.emplace(cholesky.supernodes(), system.columnStart(), system.row());
+    heldInFloat = single && floatFactor->factorize(cholesky.values());
+    const auto status = heldInFloat ? Cholesky::Status::Done : cholesky.factorize();
+    if (status == Cholesky::Status::Done) held = shape;
+    return status;
+}
+
+template <int Dim>
+SolveOutcome VelocitySolver<Dim>::Engine::factorize(const Points<Dim>& shape) {
+    const bool single = reuses() && !memory.floatFails;
+    const auto status = factorizeAt(std::make_shared<const Points<Dim>>(shape), single);
+    memory = {held, heldInFloat, memory.floatFails || (single && !heldInFloat), 1, 0, {}};
+    policy.factorized();
+    switch (status) {
         case Cholesky::Status::Done:
-            noteFactor(shape);
             return {};
         case Cholesky::Status::NotFinite:
             return {SolveOutcome::Kind::NotFinite, -1};
         default:
             return {SolveOutcome::Kind::NotPositiveDefinite, -1};
     }
+}
+
+/// The factor of the memory, if another was made since. False if it cannot be had, as with other constraints.
+template <int Dim>
+bool VelocitySolver<Dim>::Engine::makeFactorAgain(const Points<Dim>& shape) {
+    if (held == memory.shape) return true;
+    const bool done = backEnd->setShape(*memory.shape) < 0 &&
+                      factorizeAt(memory.shape, memory.inFloat) == Cholesky::Status::Done;
+    backEnd->setShape(shape);
+    return done;
 }
 
 /// v = v_p on entry. Solves K y = −Zᵀ A v and adds Z y; again with the new residual while that is large.
@@ -252,12 +258,13 @@ SolveOutcome VelocitySolver<Dim>::Engine::solveReduced(Points<Dim>& v) {
 template <int Dim>
 bool VelocitySolver<Dim>::Engine::iterate(const Points<Dim>& shape, Points<Dim>& v) {
     const Stopwatch watch(statistics.solve);
-    const double lag = (shape - factorShape).cwiseAbs().maxCoeff();
+    const double lag = (shape - *memory.shape).cwiseAbs().maxCoeff();
     typename ConjugateGradients<Dim>::Goal goal;
     goal.tolerance = tolerance;
-    goal.contraction = lag == 0          ? (inFloat ? kFreshContraction : kFreshContractionDouble)
-                       : contraction < 1 ? std::min(1.0, contraction * lag / contractionLag)
-                                         : 1.0;
+    goal.contraction = lag == 0 ? (memory.inFloat ? kFreshContraction : kFreshContractionDouble)
+                       : memory.contraction < 1
+                           ? std::min(1.0, memory.contraction * lag / memory.contractionLag)
+                           : 1.0;
     goal.hopeless = [&](double iterations) { return lag > 0 && policy.hopeless(iterations); };
     const auto result = iteration.run(
         *backEnd, system, [&](std::span<const double> r, std::span<double> z) { return precondition(r, z); },
@@ -265,8 +272,8 @@ bool VelocitySolver<Dim>::Engine::iterate(const Points<Dim>& shape, Points<Dim>&
     statistics.iterations += result.iterations;
     policy.evaluated(result.iterations);
     if (result.iterations > 1 && lag > 0) {
-        contraction = result.firstContraction;
-        contractionLag = lag;
+        memory.contraction = result.firstContraction;
+        memory.contractionLag = lag;
     }
     return result.end == ConjugateGradients<Dim>::Result::End::Converged && v.allFinite();
 }
@@ -287,7 +294,7 @@ SolveOutcome VelocitySolver<Dim>::Engine::solve(const Points<Dim>& shape, const 
     if (!system.unknowns().empty()) {
         const bool iterates = reuses();
         if (iterates && guess && guess->allFinite()) system.adopt(*guess, v);
-        const bool stale = iterates && factored && !policy.due();
+        const bool stale = iterates && memory.shape && !policy.due() && makeFactorAgain(shape);
         if (!stale || !iterate(shape, v)) {
             if (const auto outcome = factorize(shape); !outcome.done()) return outcome;
             if (!v.allFinite()) system.particular(prescribed, v);
@@ -335,8 +342,21 @@ void VelocitySolver<Dim>::setVelocityTolerance(double tolerance) {
 }
 
 template <int Dim>
-void VelocitySolver<Dim>::forget() {
-    m_engine->factored = false;
+bool VelocitySolver<Dim>::reuses() const {
+    return m_engine->reuses();
+}
+
+template <int Dim>
+FactorMemory<Dim> VelocitySolver<Dim>::remember() const {
+    FactorMemory<Dim> memory = m_engine->memory;
+    memory.counts = m_engine->policy.counts();
+    return memory;
+}
+
+template <int Dim>
+void VelocitySolver<Dim>::recall(const FactorMemory<Dim>& memory) {
+    m_engine->memory = memory;
+    m_engine->policy.setCounts(memory.counts);
 }
 
 template <int Dim>

@@ -7,6 +7,7 @@
 
 #include "core/assembly/back_end.h"
 #include "core/solver/constraint_rows.h"
+#include "core/solver/refactor_policy.h"
 
 namespace wend {
 
@@ -22,6 +23,17 @@ struct SolveOutcome {
 struct SolverStatistics {
     double analyze = 0, assemble = 0, factor = 0, solve = 0;  // seconds
     int analyses = 0, factorizations = 0, iterations = 0;     // iterations: pairs of triangular solves
+};
+
+/// What the next solves depend on beside their own arguments: at which shape the factor was made that they
+/// start from, and the counts by which it is kept. With it a solver goes on to the same bits as the one that
+/// it was taken from. Cheap to copy.
+template <int Dim>
+struct FactorMemory {
+    std::shared_ptr<const Points<Dim>> shape;  // null: the next solve factorizes
+    bool inFloat = false, floatFails = false;
+    double contraction = 1, contractionLag = 0;
+    RefactorPolicy::Counts counts;
 };
 
 /// The velocity tolerance that keeps the solver's part of the error of an integration well below the
@@ -68,9 +80,15 @@ class VelocitySolver {
     /// The error of v̂ that is allowed, relative to its greatest nodal velocity. 0 (the default) or less than
     /// 1e-8: every solve factorizes. So do materials on the way to EQUIA, whose factors do not last.
     void setVelocityTolerance(double tolerance);
+    /// Whether a factor may serve for several solves: by the tolerance and the material.
+    bool reuses() const;
+    /// To be taken between solves, and given back before the solves that shall go on from it, after their
+    /// constraints were set. A factor that is no longer there is made again when it is needed.
+    FactorMemory<Dim> remember() const;
+    void recall(const FactorMemory<Dim>& memory);
     /// The next solve factorizes, as the first one did: so that what follows has the same bits whatever was
     /// solved before.
-    void forget();
+    void forget() { recall({}); }
 
     /// E(v̂) of the last solve, in normalized units; computed when asked for.
     double energy() const;

@@ -100,7 +100,7 @@ void TestRecovery::runningProgramsLoseNothing() {
     QCOMPARE(lost.size(), 1);
     QCOMPARE(lost[0].path, m_document->path());
     QCOMPARE(lost[0].source, m_document->source());
-    Recovery::discard(lost[0]);
+    Recovery::discard(lost[0].copy);
     QCOMPARE(QDir(after.path()).entryList(QDir::Files), QStringList());
 }
 
@@ -118,7 +118,7 @@ void TestRecovery::aFolderThatCannotBeWrittenIsSaidOnce() {
 void TestRecovery::recoveredWorkIsUnsaved() {
     OpenedFile file;
     file.project = std::make_shared<const Project>();
-    file.unsaved = true;
+    file.recoveredFrom = QStringLiteral("copy.wend");
     m_document->open(std::move(file));
     QVERIFY(m_document->isModified());
     Recovery recovery(*m_document, m_folder->path(), 0);

@@ -112,7 +112,7 @@ void TestWindow::startsWithAStartPage() {
     QTest::mouseClick(button, Qt::LeftButton);
     QVERIFY(QTest::qWaitFor([&] { return m_window->canvas().isVisible(); }, 20000));
     QVERIFY(settle(m_window->session()));
-    QVERIFY(m_window->windowTitle().startsWith(QStringLiteral("bar.wend")));
+    QVERIFY(m_window->windowTitle().startsWith(QStringLiteral("bar.png")));
     QVERIFY(!m_window->isWindowModified());
 }
 

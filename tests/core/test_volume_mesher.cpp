@@ -18,6 +18,7 @@ class TestVolumeMesher : public QObject {
     void shellInShellIsAHole();
     void aimIsMet();
     void labelsComeThrough();
+    void sizeFieldIsFollowed();
     void sizesDoNotMatter_data();
     void sizesDoNotMatter();
     void badSurfaces_data();
@@ -107,6 +108,33 @@ void TestVolumeMesher::labelsComeThrough() {
             if (input == ids) QCOMPARE(result.boundaryLabels[f], surface.labels[t]);
         }
     }
+}
+
+/// Inside, where cells are made and not kept, each is as small as its place asks for; elsewhere they are not.
+void TestVolumeMesher::sizeFieldIsFollowed() {
+    const Surface surface = box({0, 0, 0}, {2, 2, 2}, 8);
+    const Vec<3> centre(1, 1, 1);
+    VolumeMeshOptions options;
+    options.maxVolume = 0.01;
+    options.sizes =
+        sampleSizes(surface, [&](const Vec<3>& p) { return (p - centre).norm() < 0.5 ? 0.4 : 1.0; });
+    const VolumeMesh result = meshVolume(surface, options);
+    QVERIFY(std::abs(volumeOf(result.mesh) - 8) < 1e-12);
+    double outer = 0;
+    int inner = 0, tooLarge = 0;
+    for (const auto& cell : result.mesh.cells) {
+        Vec<3> middle = Vec<3>::Zero();
+        for (int v : cell) middle += result.mesh.points.col(v) / 4;
+        const double volume = cellMeasure<3>(result.mesh.points, cell), away = (middle - centre).norm();
+        QVERIFY(volume <= 0.01 * (1 + 1e-9));
+        if (away > 0.65) outer = std::max(outer, volume);
+        if (away > 0.42) continue;  // the grid's nodes are 0.04 apart
+        tooLarge += volume > 0.01 * 0.064 * (1 + 1e-9);
+        ++inner;
+    }
+    QVERIFY(inner > 500);
+    QVERIFY(tooLarge <= inner / 100);  // TetGen leaves a cell whose new vertex would come too close to others
+    QVERIFY(outer > 0.01 * 0.3);
 }
 
 void TestVolumeMesher::sizesDoNotMatter_data() {
@@ -200,7 +228,7 @@ void TestVolumeMesher::cancelEnds() {
         std::this_thread::sleep_for(std::chrono::milliseconds(200));
         source.request_stop();
     });
-    QVERIFY_EXCEPTION_THROWN(meshVolume(kBox, options), InputError);
+    QVERIFY_EXCEPTION_THROWN(meshVolume(kBox, options), Cancelled);
 }
 
 QTEST_APPLESS_MAIN(TestVolumeMesher)

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <functional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "app/bench/table.h"
+
+namespace wend {
+
+struct BenchOptions {
+    std::vector<std::string> cases;  // of benchCases(); empty: all
+    int repeats = 5;
+    std::function<void(const std::string& line)> say;  // each result as soon as it is there
+    std::stop_token stop;
+};
+
+/// "2d-5.6k", …, "3d-20k", "warp".
+std::vector<std::string> benchCases();
+
+/// Measures. Ratios are between rows of one case, taken in this one process. Throws InputError for a case
+/// that there is not, and Cancelled.
+BenchTable runBenchmarks(const BenchOptions& options);
+
+}  // namespace wend

@@ -1,0 +1,143 @@
+#include "app/bench/flow_rows.h"
+
+#include "core/integration/deformer.h"
+#include "core/mesh/error.h"
+
+namespace wend {
+namespace {
+
+constexpr double kAim = 1e-4;          // true error, relative to the diagonal
+constexpr double kReference = 1e-7;    // tolerance of the run that the others are compared to
+constexpr int kSearchVertices = 1500;  // settings are looked for on a small body: the flow is the same
+
+struct Integrator {
+    const char* name;
+    Method method;
+    bool adaptive;
+};
+constexpr Integrator kIntegrators[] = {{"Dormand–Prince 5(4)", Method::DormandPrince, true},
+                                       {"Runge–Kutta 4", Method::RungeKutta4, false},
+                                       {"midpoint", Method::Midpoint, false}};
+
+struct BrokenDown : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+template <int Dim>
+struct Flow {
+    Points<Dim> pose;
+    Statistics statistics;
+};
+
+template <int Dim>
+Flow<Dim> flowOf(const Body<Dim>& body, const IntegrationOptions& options) {
+    const auto material =
+        std::make_shared<const Material<Dim>>(Material<Dim>::uniform(body.rest->cellCount(), phi::kMetr, {}));
+    Deformer<Dim> deformer(body.rest, material, body.handles, options, BackEndKind::Cpu);
+    const AdvanceResult result = deformer.advance(1);
+    if (result.outcome != Outcome::Done) throw BrokenDown("the benchmark stopped: " + result.message);
+    return {deformer.state().points, deformer.statistics()};
+}
+
+template <int Dim>
+Points<Dim> referenceOf(const Body<Dim>& body) {
+    IntegrationOptions options;
+    options.tolerance = kReference;
+    return flowOf(body, options).pose;
+}
+
+template <int Dim>
+double errorOf(const Points<Dim>& pose, const Points<Dim>& reference) {
+    return (pose - reference).colwise().norm().maxCoeff();
+}
+
+IntegrationOptions fixedSteps(Method method, int steps, int threads) {
+    IntegrationOptions options;
+    options.method = method;
+    options.steps = steps;
+    options.threads = threads;
+    return options;
+}
+
+/// As in the paper: assembly on one thread and a factorization at each of the four stages of a step.
+IntegrationOptions paperScheme() {
+    IntegrationOptions options = fixedSteps(Method::RungeKutta4, 10, 1);
+    // PAPER
+    return options;
+}
+
+/// A run with so large steps that it breaks down does not.
+template <int Dim>
+bool reaches(const Body<Dim>& body, const IntegrationOptions& options, const Points<Dim>& reference) try {
+    return errorOf(flowOf(body, options).pose, reference) <= kAim;
+} catch (const BrokenDown&) {
+    return false;
+}
+
+/// The coarsest setting that reaches the aim on a small body.
+template <int Dim>
+IntegrationOptions coarsest(const Integrator& integrator) {
+    static const Body<Dim> body = makeBody<Dim>(kSearchVertices);
+    static const Points<Dim> reference = referenceOf(body);
+    IntegrationOptions options;
+    options.method = integrator.method;
+    double tolerance = 3e-3;
+    for (int steps = 5; steps <= 1000; steps += 1 + steps / 4, tolerance *= 0.7) {
+        options.steps = integrator.adaptive ? 0 : steps;
+        options.tolerance = integrator.adaptive ? tolerance : kAim;
+        if (reaches(body, options, reference)) break;
+    }
+    return options;
+}
+
+template <int Dim>
+class FlowBench {
+  public:
+    FlowBench(const Body<Dim>& body, BenchRecorder& recorder)
+        : m_body(body), m_recorder(recorder), m_reference(referenceOf(body)) {}
+
+    void run() {
+        m_paper = add("ten RK4 steps, paper's scheme", paperScheme());
+        for (int threads : {1, 0}) add("ten RK4 steps", fixedSteps(Method::RungeKutta4, 10, threads));
+        for (const Integrator& integrator : kIntegrators)
+            for (int threads : {1, 0}) {
+                IntegrationOptions options = coarsest<Dim>(integrator);
+                options.threads = threads;
+                add(std::string("to 1e-4 by ") + integrator.name, options);
+            }
+    }
+
+  private:
+    double add(const std::string& what, const IntegrationOptions& options) {
+        Flow<Dim> flow;
+        const auto work = [&] { flow = flowOf(m_body, options); };
+        const bool slow = m_paper > 2 || m_body.rest->vertexCount() > 30000;
+        BenchRow row{
+            what, options.threads, slow ? measureOnce(work) : measure(m_recorder.repeats(0.5), work), {}};
+        if (m_paper > 0) row.figures.push_back({"times the paper's speed", m_paper / row.time.median});
+        const Statistics& counts = flow.statistics;
+        row.figures.push_back({"evaluations", counts.evaluations});
+        row.figures.push_back({"factorizations", counts.factorizations});
+        row.figures.push_back({"iterations", counts.solverIterations});
+        row.figures.push_back({"error", errorOf(flow.pose, m_reference)});
+        m_recorder.add(row);
+        return row.time.median;
+    }
+
+    const Body<Dim>& m_body;
+    BenchRecorder& m_recorder;
+    Points<Dim> m_reference;
+    double m_paper = 0;
+};
+
+}  // namespace
+
+template <int Dim>
+void addFlowRows(const Body<Dim>& body, BenchRecorder& recorder) {
+    FlowBench<Dim>(body, recorder).run();
+}
+
+template void addFlowRows<2>(const Body<2>&, BenchRecorder&);
+template void addFlowRows<3>(const Body<3>&, BenchRecorder&);
+
+}  // namespace wend

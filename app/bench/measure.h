@@ -1,0 +1,29 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+namespace wend {
+
+/// Seconds of a piece of work over several runs: the clock on the wall, and the processors' time of all
+/// threads, which other programs on the machine disturb less.
+struct Timing {
+    double median = 0, least = 0, greatest = 0;
+    double processor = 0;  // the median
+    int repeats = 0;
+};
+
+/// Runs the work once to warm up and then as often as asked, each time after `prepare`, which does not count.
+Timing measure(int repeats, const std::function<void()>& work, const std::function<void()>& prepare = {});
+/// The work runs once, without a warm-up: for what takes many seconds.
+Timing measureOnce(const std::function<void()>& work);
+
+/// Bytes per second that one thread reads of a block of this size, when it has just been read before: what
+/// bounds a triangular solve, which reads every entry of the factor once on the way down and once on the way
+/// up.
+double readBandwidth(double bytes);
+
+/// The exponent p of the least-squares fit t = c nᵖ; 0 with fewer than two points.
+double growthExponent(const std::vector<double>& n, const std::vector<double>& t);
+
+}  // namespace wend

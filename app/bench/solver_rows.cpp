@@ -1,0 +1,155 @@
+#include "app/bench/solver_rows.h"
+
+#include "core/assembly/cpu_back_end.h"
+#include "core/mesh/error.h"
+#include "core/solver/cholesky.h"
+#include "core/solver/float_factor.h"
+#include "core/solver/reduced_system.h"
+#include "core/solver/velocity_solver.h"
+#include "kernels/back_end_choice.h"
+
+namespace wend {
+namespace {
+
+// The path from one evaluation of an integrator to the next one, as a part of the whole.
+constexpr double kStride = 0.05;
+constexpr double kTolerance = 1e-4;  // of the integration
+
+template <int Dim>
+class SolverBench {
+  public:
+    SolverBench(const Body<Dim>& body, BenchRecorder& recorder)
+        : m_body(body),
+          m_recorder(recorder),
+          m_start(startRows(body)),
+          m_material(std::make_shared<const Material<Dim>>(
+              Material<Dim>::uniform(body.rest->cellCount(), phi::kMetr, {}))),
+          m_plan(std::make_shared<const AssemblyPlan<Dim>>(makeAssemblyPlan(*body.rest, true))),
+          m_blocks(static_cast<std::size_t>(m_plan->blockCount()) * Dim * Dim) {}
+
+    void run() {
+        addAssembly(makeCpuBackEnd<Dim>, "cpu", 1);
+        addAssembly(makeCpuBackEnd<Dim>, "cpu", 0);
+        addOpenCl();
+        addFactorization();
+        addEvaluations();
+    }
+
+  private:
+    void addAssembly(const BackEndFactory<Dim>& factory, const std::string& name, int threads) {
+        const auto backEnd = factory(m_plan, *m_body.rest, *m_material, threads);
+        const auto assemble = [&] {
+            backEnd->setShape(m_body.rest->points);
+            backEnd->assemble(m_blocks);
+        };
+        m_recorder.add({"assembly, " + name, threads, measure(m_recorder.repeats(0.01), assemble), {}});
+        Points<Dim> product;
+        const auto apply = [&] { backEnd->apply(m_body.rest->points, product); };
+        m_recorder.add({"product A v, " + name, threads, measure(m_recorder.repeats(0.01), apply), {}});
+    }
+
+    void addOpenCl() {
+        try {
+            addAssembly(backEndFactory<Dim>(BackEndKind::OpenCl), "opencl", 0);
+        } catch (const InputError& error) {
+            m_recorder.remark("no OpenCL: " + error.reason());
+        }
+    }
+
+    void addFactorization() {
+        const ReducedSystem<Dim> system(*m_plan, eliminate(m_start.rows));
+        const auto ordering = Dim == 2 && m_body.rest->vertexCount() < 8000 ? Ordering::MinimumDegree
+                                                                            : Ordering::NestedDissection;
+        Cholesky cholesky;
+        const Timing analysis =
+            measureOnce([&] { cholesky.analyze(system.columnStart(), system.row(), Dim, ordering); });
+        m_recorder.add({"symbolic analysis", 1, analysis, {}});
+        system.gather(m_blocks, cholesky.values());
+        std::vector<double> b(system.columnStart().size() - 1, 1.0), x(b.size());
+        const double flops = cholesky.factorFlops(), entries = cholesky.factorEntries();
+        const int repeats = m_recorder.repeats(flops / 2e10);
+        const Timing factor = measure(repeats, [&] { cholesky.factorize(); });
+        m_recorder.add({"factor, CHOLMOD, double",
+                        0,
+                        factor,
+                        {{"Gflop/s", 1e-9 * flops / factor.median}, {"entries (million)", 1e-6 * entries}}});
+        addSolve("solve, CHOLMOD, double", 0, entries * sizeof(double), [&] { cholesky.solve(b, x); });
+        FloatFactor single(cholesky.supernodes(), system.columnStart(), system.row());
+        const Timing singleFactor = measure(repeats, [&] { single.factorize(cholesky.values()); });
+        m_recorder.add({"factor, single precision",
+                        1,
+                        singleFactor,
+                        {{"Gflop/s", 1e-9 * flops / singleFactor.median},
+                         {"times CHOLMOD's speed", factor.median / singleFactor.median}}});
+        addSolve("solve, single precision", 1, entries * sizeof(float), [&] { single.solve(b, x); });
+    }
+
+    /// A solve reads the factor twice.
+    void addSolve(const std::string& name, int threads, double bytes, const std::function<void()>& solve) {
+        const Timing timing = measure(m_recorder.repeats(0.05), solve);
+        const double bound = 2 * bytes / readBandwidth(bytes);
+        m_recorder.add({name,
+                        threads,
+                        timing,
+                        {{"bound (ms)", 1e3 * bound}, {"times the bound", timing.median / bound}}});
+    }
+
+    void addEvaluations() {
+        VelocitySolver<Dim> direct(m_body.rest, m_material, BackEndKind::Cpu, 1);
+        direct.setConstraints(m_start.rows);
+        Points<Dim> v;
+        const auto solveDirect = [&] { direct.solve(m_body.rest->points, m_start.velocities, v); };
+        const Timing paper = measure(m_recorder.repeats(0.5), solveDirect);
+        m_recorder.add({"evaluation, paper's scheme", 1, paper, {}});
+        for (int threads : {1, 0}) addOwnEvaluations(threads, paper.median, v);
+    }
+
+    void addOwnEvaluations(int threads, double paper, const Points<Dim>& field) {
+        VelocitySolver<Dim> solver(m_body.rest, m_material, BackEndKind::Cpu, threads);
+        solver.setConstraints(m_start.rows);
+        solver.setVelocityTolerance(velocityToleranceFor(kTolerance));
+        Points<Dim> v;
+        const auto solve = [&](const Points<Dim>& shape) {
+            solver.solve(shape, m_start.velocities, v, field);
+        };
+        const Timing fresh = measure(
+            m_recorder.repeats(0.2), [&] { solve(m_body.rest->points); }, [&] { solver.forget(); });
+        m_recorder.add({"evaluation, fresh factor",
+                        threads,
+                        fresh,
+                        {{"times the paper's speed", paper / fresh.median}}});
+        const Points<Dim> next = m_body.rest->points + kStride * field;
+        int before = 0;
+        const Timing stale = measure(
+            m_recorder.repeats(0.2), [&] { solve(next); },
+            [&] {
+                solver.forget();
+                solve(m_body.rest->points);
+                before = solver.statistics().iterations;
+            });
+        m_recorder.add({"evaluation, stale factor",
+                        threads,
+                        stale,
+                        {{"iterations", solver.statistics().iterations - before},
+                         {"times the paper's speed", paper / stale.median}}});
+    }
+
+    const Body<Dim>& m_body;
+    BenchRecorder& m_recorder;
+    BodyRows<Dim> m_start;
+    std::shared_ptr<const Material<Dim>> m_material;
+    std::shared_ptr<const AssemblyPlan<Dim>> m_plan;
+    std::vector<double> m_blocks;
+};
+
+}  // namespace
+
+template <int Dim>
+void addSolverRows(const Body<Dim>& body, BenchRecorder& recorder) {
+    SolverBench<Dim>(body, recorder).run();
+}
+
+template void addSolverRows<2>(const Body<2>&, BenchRecorder&);
+template void addSolverRows<3>(const Body<3>&, BenchRecorder&);
+
+}  // namespace wend

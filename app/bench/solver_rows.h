@@ -1,0 +1,13 @@
+#pragma once
+
+#include "app/bench/body.h"
+#include "app/bench/recorder.h"
+
+namespace wend {
+
+/// The parts of one evaluation of the velocity field, and the whole: with a factorization as in the paper,
+/// with the solver's own factor of this shape, and with the factor of an earlier one.
+template <int Dim>
+void addSolverRows(const Body<Dim>& body, BenchRecorder& recorder);
+
+}  // namespace wend

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/bench/measure.h"
+
+namespace wend {
+
+/// One thing that was measured, with whatever figures belong to it beside the time: ("iterations", 3) …
+struct BenchRow {
+    std::string what;
+    int threads = 1;  // 0: all cores
+    Timing time;
+    std::vector<std::pair<std::string, double>> figures;
+};
+
+/// The rows of one shape.
+struct BenchCase {
+    std::string name;
+    int dimension = 0, vertices = 0, cells = 0;
+    std::vector<BenchRow> rows;
+};
+
+struct BenchTable {
+    std::string machine;
+    int cores = 0;
+    std::vector<BenchCase> cases;
+};
+
+/// How the time of a row grows with the number of vertices, over the cases of one dimension.
+struct Growth {
+    int dimension;
+    std::string what;
+    int threads;
+    double exponent;
+};
+std::vector<Growth> growthOf(const BenchTable& table);
+
+/// For people: "assembly, cpu, 1 thread        0.412 ms   …".
+std::string textOf(const BenchRow& row);
+std::string headingOf(const BenchCase& one);
+std::string textOf(const std::vector<Growth>& growth);
+/// For programs: all of it, seconds as numbers.
+std::string jsonOf(const BenchTable& table);
+
+/// The processor's name, as the system tells it; empty if it does not.
+std::string processorName();
+
+}  // namespace wend

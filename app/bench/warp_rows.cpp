@@ -1,0 +1,77 @@
+#include "app/bench/warp_rows.h"
+
+#include <cmath>
+
+#include "core/meshing/planar_mesher.h"
+#include "warp/warp.h"
+
+namespace wend {
+namespace {
+
+constexpr int kWidth = 6000, kHeight = 4000;
+
+/// Waves of all lengths: no filter has it easy.
+Image testPicture() {
+    Image image;
+    image.width = kWidth;
+    image.height = kHeight;
+    image.channels = 4;
+    image.alpha = true;
+    image.type = PixelType::UInt8;
+    image.data.resize(static_cast<std::size_t>(kWidth) * kHeight * 4);
+    auto* out = reinterpret_cast<unsigned char*>(image.data.data());
+    for (int y = 0; y < kHeight; ++y)
+        for (int x = 0; x < kWidth; ++x) {
+            const unsigned wave = static_cast<unsigned>((x * x / 700 + y * y / 900) >> 3);
+            *out++ = static_cast<unsigned char>(wave);
+            *out++ = static_cast<unsigned char>(x >> 4);
+            *out++ = static_cast<unsigned char>(y >> 4);
+            *out++ = 255;
+        }
+    return image;
+}
+
+/// A turn by 20° about the middle and a wave on top: stretches between 0.7 and 1.4.
+Points<2> bent(const Points<2>& rest) {
+    const Vec<2> middle(kWidth / 2.0, kHeight / 2.0);
+    const double c = std::cos(0.35), s = std::sin(0.35);
+    Points<2> pose = rest;
+    for (Eigen::Index i = 0; i < rest.cols(); ++i) {
+        const Vec<2> p = rest.col(i) - middle;
+        const Vec<2> q(c * p.x() - s * p.y(), s * p.x() + c * p.y());
+        pose.col(i) = middle + 0.8 * q + Vec<2>(200 * std::sin(q.y() / 800), 200 * std::sin(q.x() / 1000));
+    }
+    return pose;
+}
+
+}  // namespace
+
+void addWarpRows(BenchRecorder& recorder) {
+    const Image picture = testPicture();
+    PlanarMeshOptions options;
+    options.vertices = 5000;
+    const SimplicialMesh<2> rest =
+        meshOutline(Outline{{{{0, 0}, {kWidth, 0}, {kWidth, kHeight}, {0, kHeight}}}}, options);
+    const Points<2> pose = bent(rest.points);
+    const Pyramid pyramid(std::make_shared<const Image>(picture));
+    const View view{kWidth, kHeight, Vec<2>::Zero(), 1};
+    for (const auto& [name, filter] : {std::pair{"nearest", Filter::Nearest},
+                                       {"bilinear", Filter::Bilinear},
+                                       {"bicubic", Filter::Bicubic},
+                                       {"EWA", Filter::Ewa}})
+        for (int threads : {1, 0}) {
+            WarpOptions warp;
+            warp.filter = filter;
+            warp.threads = threads;
+            const Timing timing =
+                measure(recorder.repeats(0.5), [&] { warpImage(pyramid, rest, pose, view, warp); });
+            const double megapixels = 1e-6 * kWidth * kHeight;
+            recorder.add({std::string("warp, ") + name,
+                          threads,
+                          timing,
+                          {{"Mpixel/s", megapixels / timing.median},
+                           {"Mpixel/s and core", megapixels / timing.processor}}});
+        }
+}
+
+}  // namespace wend

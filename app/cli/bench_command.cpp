@@ -1,0 +1,29 @@
+#include <cstdio>
+
+#include "app/bench/bench.h"
+#include "app/cli/commands.h"
+#include "app/cli/interrupt.h"
+#include "app/document/text_file.h"
+#include "app/session/output_set.h"
+
+namespace wend {
+
+ExitCode runBench(const Arguments& arguments) {
+    const std::string output = arguments.text("--output");
+    if (!output.empty()) requirePlace(output);
+    const Interrupt interrupt;
+    BenchOptions options;
+    options.cases = arguments.files();
+    options.repeats = arguments.integer("--repeats");
+    options.stop = interrupt.token();
+    options.say = [](const std::string& line) {
+        std::puts(line.c_str());
+        std::fflush(stdout);
+    };
+    const BenchTable table = runBenchmarks(options);
+    std::fputs(textOf(growthOf(table)).c_str(), stdout);
+    if (!output.empty()) writeTextFile(output, jsonOf(table));
+    return ExitCode::Done;
+}
+
+}  // namespace wend

@@ -1,0 +1,163 @@
+#include "app/session/solid.h"
+
+#include <cmath>
+
+#include "core/mesh/error.h"
+#include "core/mesh/point_locator.h"
+#include "core/mesh/skin_file.h"
+#include "core/meshing/volume_mesher.h"
+
+namespace wend {
+namespace {
+
+/// 1, times the painted factors, and then the regions one after another.
+SizeGrid sizesOf(const Domain& domain, const std::string& folder, const Surface& surface) {
+    if (domain.sizes.empty() && domain.sizesFile.empty()) return {};
+    std::vector<double> painted;
+    if (!domain.sizesFile.empty())
+        painted = readSizes(pathIn(folder, domain.sizesFile), surface.vertexCount());
+    const std::vector<Cell<3>> noCells;
+    const PointLocator<3> locator(surface.points, noCells);
+    return sampleSizes(surface, [&](const Vec<3>& p) {
+        double factor = painted.empty() ? 1 : painted[locator.nearestVertex(p)];
+        for (const SizeRegion& region : domain.sizes)
+            factor += membership<3>(region.shape, p, region.feather) * (region.factor - factor);
+        return factor;
+    });
+}
+
+VolumeMeshOptions meshOptions(const Domain& domain, const std::string& folder, const Surface& surface,
+                              std::stop_token stop) {
+    VolumeMeshOptions options;
+    options.quality = domain.quality;
+    options.maxVolume = domain.maxVolume;
+    options.vertices = domain.maxVolume > 0 ? 0 : domain.vertices;
+    options.keepSurface = !domain.refineSurface;
+    options.sizes = sizesOf(domain, folder, surface);
+    options.stop = stop;
+    return options;
+}
+
+Surface mended(const Surface& surface, const Domain& domain, Solid& solid, std::string& done) {
+    RepairReport report;
+    Surface better = repairSurface(surface, domain.largestHole, report);
+    done = report.summary();
+    if (!done.empty()) solid.notices.push_back("the surface was mended: " + done);
+    return better;
+}
+
+std::string advice(const Domain& domain, const std::string& done) {
+    if (!domain.repair) return "; `wend info` lists them, `repair` may mend it";
+    return done.empty() ? "; the repair found nothing that it could mend"
+                        : " (after the repair: " + done + ")";
+}
+
+VolumeMesh meshed(const Surface& surface, const VolumeMeshOptions& options, const Domain& domain,
+                  const std::string& done) {
+    try {
+        return meshVolume(surface, options);
+    } catch (const SurfaceError& error) {
+        throw SurfaceError(error.reason() + advice(domain, done), error.problems);
+    }
+}
+
+/// Far coarser triangles than cells: the mesher cannot split them, and crowds its vertices in places.
+bool surfaceIsTooCoarse(const Surface& surface, const SimplicialMesh<3>& mesh) {
+    double volume = 0, length = 0;
+    for (const auto& cell : mesh.cells) volume += cellMeasure<3>(mesh.points, cell);
+    for (const auto& t : surface.triangles)
+        for (int k = 0; k < 3; ++k)
+            length += (surface.points.col(t[k]) - surface.points.col(t[(k + 1) % 3])).norm();
+    const double ofTriangles = length / (3.0 * surface.triangleCount());
+    const double ofCells = std::cbrt(6 * std::sqrt(2.0) * volume / mesh.cellCount());  // regular ones
+    return ofTriangles > 2 * ofCells;
+}
+
+std::shared_ptr<const MeshFile> fileOf(const VolumeMesh& volume, const Skin& skin) {
+    auto file = std::make_shared<MeshFile>(toMeshFile<3>(volume.mesh));
+    file->triangles = volume.boundary;
+    if (!skin.labels.empty()) file->labels = volume.boundaryLabels;
+    file->labelNames = skin.labelNames;
+    return file;
+}
+
+Solid fromSurface(const Domain& domain, const std::string& folder, std::stop_token stop) {
+    Solid solid;
+    auto skin = std::make_shared<Skin>(readSkin(pathIn(folder, domain.path)));
+    Surface surface = surfaceOf(*skin);
+    // Painted sizes belong to the vertices as the file has them.
+    const VolumeMeshOptions options = meshOptions(domain, folder, surface, stop);
+    std::string done;
+    if (domain.repair) surface = mended(surface, domain, solid, done);
+    const VolumeMesh volume = meshed(surface, options, domain, done);
+    if (!volume.aimMet)
+        solid.notices.push_back("the mesh has " + std::to_string(volume.mesh.vertexCount()) +
+                                " vertices, where " + std::to_string(domain.vertices) + " were aimed at: " +
+                                (domain.refineSurface
+                                     ? "the quality asked for needs them"
+                                     : "the surface is kept as it is (see `refineSurface`)"));
+    if (!domain.refineSurface && surfaceIsTooCoarse(surface, volume.mesh))
+        solid.notices.push_back(
+            "the surface's triangles are far larger than the cells inside and are kept as they are, which "
+            "makes "
+            "uneven cells: `refineSurface` splits them");
+    solid.rest = std::make_shared<const SimplicialMesh<3>>(volume.mesh);
+    solid.source = fileOf(volume, *skin);
+    solid.skin = skin;
+    return solid;
+}
+
+Solid fromMesh(const Domain& domain, const std::string& folder) {
+    const std::string path = pathIn(folder, domain.path);
+    auto file = std::make_shared<MeshFile>(readMeshFile(path));
+    if (!isVolume(*file)) throw InputError(path, "holds no tetrahedra, but the project is in space");
+    Solid solid;
+    solid.rest = std::make_shared<const SimplicialMesh<3>>(meshFrom<3>(*file));
+    solid.source = file;
+    solid.skin = std::make_shared<const Skin>(borderOf(*solid.rest));
+    return solid;
+}
+
+void tellOfOutside(const Domain& domain, Solid& solid) {
+    const int outside = solid.ride->outside(), all = solid.skin->vertexCount();
+    if (!domain.detail.empty() && 2 * outside > all)
+        solid.notices.push_back(domain.detail + ": " + std::to_string(outside) + " of " +
+                                std::to_string(all) + " vertices lie outside the solid that carries them");
+}
+
+}  // namespace
+
+Surface surfaceOf(const Skin& skin) {
+    return {skin.points, skin.triangles, skin.labels};
+}
+
+Solid loadSolid(const Project& project, const std::string& folder, std::stop_token stop) {
+    const Domain& domain = project.domain;
+    const std::string path = pathIn(folder, domain.path);
+    Solid solid;
+    try {
+        solid =
+            domain.kind == DomainKind::Surface ? fromSurface(domain, folder, stop) : fromMesh(domain, folder);
+    } catch (const SurfaceError& error) {
+        throw SurfaceError(error, path);
+    } catch (const InputError& error) {
+        throw error.named(path);
+    }
+    if (!domain.detail.empty())
+        solid.skin = std::make_shared<const Skin>(readSkin(pathIn(folder, domain.detail)));
+    if (stop.stop_requested()) throw Cancelled();
+    for (const std::string& warning : solid.skin->warnings)
+        solid.notices.push_back(solid.skin->path + ": " + warning);
+    solid.ride = std::make_shared<const Embedding<3>>(*solid.rest, solid.skin->points);
+    tellOfOutside(domain, solid);
+    return solid;
+}
+
+bool sameSolid(const Domain& a, const Domain& b) {
+    return a.kind == b.kind && a.path == b.path && a.quality == b.quality && a.maxVolume == b.maxVolume &&
+           a.vertices == b.vertices && a.refineSurface == b.refineSurface && a.repair == b.repair &&
+           a.largestHole == b.largestHole && a.sizesFile == b.sizesFile && a.sizes == b.sizes &&
+           a.detail == b.detail;
+}
+
+}  // namespace wend

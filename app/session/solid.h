@@ -1,0 +1,36 @@
+#pragma once
+
+#include <memory>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "app/document/project.h"
+#include "core/mesh/embedding.h"
+#include "core/mesh/mesh_file.h"
+#include "core/mesh/skin.h"
+#include "core/meshing/surface.h"
+
+namespace wend {
+
+/// What a solid's domain becomes.
+struct Solid {
+    std::shared_ptr<const SimplicialMesh<3>> rest;
+    std::shared_ptr<const MeshFile> source;    // what came in or was made: cells, fields, labelled border
+    std::shared_ptr<const Skin> skin;          // the surface that is seen and exported
+    std::shared_ptr<const Embedding<3>> ride;  // takes the skin's points along
+    std::vector<std::string> notices;          // what the user should hear
+};
+
+/// Reads and meshes the domain of a project in space (paths relative to `folder`). A surface that bounds no
+/// volume throws SurfaceError (also where the repairs did not help), everything else InputError, with the
+/// file's name; Cancelled when stopped.
+Solid loadSolid(const Project& project, const std::string& folder, std::stop_token stop = {});
+
+/// The surface of a skin, with its labels.
+Surface surfaceOf(const Skin& skin);
+
+/// True if both make the same solid.
+bool sameSolid(const Domain& a, const Domain& b);
+
+}  // namespace wend

@@ -1,0 +1,134 @@
+#include "core/integration/adams_method.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace wend {
+
+namespace {
+
+// The first step of a stretch: the fastest constrained point goes this far, as a part of the diagonal, at a
+// tolerance of 1; the error of order 1 grows with the square of the step.
+constexpr double kFirstMove = 1;
+// Of the tolerance: what the control aims at.
+constexpr double kAim = 0.5;
+constexpr double kLeast = 0.2, kMost = 2, kMostAtStart = 4;
+constexpr double kUnknown = std::numeric_limits<double>::infinity();
+
+double growth(double error, int order) {
+    return std::pow(kAim / std::max(error, 1e-12), 1.0 / (order + 1));
+}
+
+}  // namespace
+
+/// Gauss's rule with four points is exact to degree 7, that is, for eight times.
+std::vector<double> adamsWeights(const std::vector<double>& times, double a, double b) {
+    static constexpr std::array<double, 4> kAt = {-0.8611363115940526, -0.3399810435848563,
+                                                  0.3399810435848563, 0.8611363115940526};
+    static constexpr std::array<double, 4> kWeight = {0.3478548451374538, 0.6521451548625461,
+                                                      0.6521451548625461, 0.3478548451374538};
+    std::vector<double> weights(times.size(), 0.0);
+    for (std::size_t g = 0; g < kAt.size(); ++g) {
+        const double t = a + (b - a) / 2 * (1 + kAt[g]);
+        for (std::size_t i = 0; i < times.size(); ++i) {
+            double value = (b - a) / 2 * kWeight[g];
+            for (std::size_t j = 0; j < times.size(); ++j)
+                if (j != i) value *= (t - times[j]) / (times[i] - times[j]);
+            weights[i] += value;
+        }
+    }
+    return weights;
+}
+
+template <int Dim>
+double AdamsMethod<Dim>::firstStep(double speed) const {
+    return kFirstMove * std::sqrt(m_tolerance) / speed;
+}
+
+/// x at t plus the integral to `to` of the polynomial through the last fields.
+template <int Dim>
+Points<Dim> AdamsMethod<Dim>::integrated(const std::vector<PastField<Dim>>& fields, int count,
+                                         double to) const {
+    const auto last = fields.end() - count;
+    std::vector<double> times;
+    for (auto field = last; field != fields.end(); ++field) times.push_back(field->time);
+    const auto weights = adamsWeights(times, m_from, to);
+    Points<Dim> x = m_start;
+    for (int i = 0; i < count; ++i) x += weights[i] * *last[i].field;
+    return x;
+}
+
+/// The difference of the corrections with k + 1 and with k fields, of order h^(k + 1).
+template <int Dim>
+double AdamsMethod<Dim>::estimate(int order) const {
+    const int known = static_cast<int>(m_fields.size());
+    if (order < 1 || order + 1 > known) return kUnknown;
+    const Points<Dim> higher = order == m_order ? m_result : integrated(m_fields, order + 1, m_to);
+    return largestColumn<Dim>(higher - integrated(m_fields, order, m_to)) / m_tolerance;
+}
+
+template <int Dim>
+bool AdamsMethod<Dim>::attempt(const typename StepMethod<Dim>::Rhs& f, double t, double to,
+                               const Points<Dim>& x, Pace<Dim>& pace) {
+    m_from = t;
+    m_to = to;
+    m_start = x;
+    if (pace.fields.empty()) {
+        auto field = std::make_shared<Points<Dim>>();
+        if (!f(t, Side::After, x, *field)) return false;
+        pace.fields = {{t, std::move(field)}};
+    }
+    m_order = std::clamp(pace.order, 1, static_cast<int>(pace.fields.size()));
+    auto field = std::make_shared<Points<Dim>>();
+    if (!f(to, Side::Before, integrated(pace.fields, m_order, to), *field)) return false;
+    m_fields = pace.fields;
+    m_fields.push_back({to, std::move(field)});
+    m_result = integrated(m_fields, m_order + 1, to);
+    for (int i : {0, 1, 2}) m_errors[i] = estimate(m_order - 1 + i);
+    return true;
+}
+
+template <int Dim>
+void AdamsMethod<Dim>::retry(Pace<Dim>& pace) const {
+    const bool lower = m_errors[0] < m_errors[1];
+    pace.order = lower ? m_order - 1 : m_order;
+    const double factor = lower ? growth(m_errors[0], m_order - 1) : growth(m_errors[1], m_order);
+    pace.step = (m_to - m_from) * (std::isfinite(factor) ? std::clamp(factor, kLeast, 0.9) : kLeast);
+}
+
+template <int Dim>
+void AdamsMethod<Dim>::accept(Pace<Dim>& pace, bool shortened, bool cut) {
+    // No order was refused yet: raise it with every step.
+    const bool starting = m_order == static_cast<int>(m_fields.size()) - 1 && m_order < kHighestOrder;
+    int order = m_order;
+    double factor = growth(m_errors[1], m_order);
+    if (starting && !shortened) {
+        ++order;
+    } else {
+        for (const int other : {m_order - 1, m_order + 1}) {
+            if (other < 1 || other > kHighestOrder) continue;
+            const double possible = growth(m_errors[other - m_order + 1], other);
+            if (possible <= factor) continue;
+            factor = possible;
+            order = other;
+        }
+    }
+    factor = std::clamp(factor, kLeast, shortened ? 1.0 : starting ? kMostAtStart : kMost);
+    const double wanted = (m_to - m_from) * factor;
+    pace.step = cut ? std::max(wanted, pace.step) : wanted;
+    pace.error = m_errors[1];
+    pace.order = order;
+    pace.fields = m_fields;
+    if (pace.fields.size() > kHighestOrder) pace.fields.erase(pace.fields.begin());
+}
+
+template <int Dim>
+Points<Dim> AdamsMethod<Dim>::at(double t, const Points<Dim>&) const {
+    return integrated(m_fields, m_order + 1, t);
+}
+
+template class AdamsMethod<2>;
+template class AdamsMethod<3>;
+
+}  // namespace wend

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+
+#include "core/integration/step_method.h"
+
+namespace wend {
+
+/// Adams–Bashforth–Moulton with variable steps and order (Hairer, Nørsett, Wanner I, III.5; Shampine, Gordon
+/// 1975), in variable-coefficient form: the weights are the integrals of Lagrange's polynomials over the
+/// times at hand.
+///
+/// A step of order k predicts from the last k fields, evaluates once at the predicted shape, and corrects
+/// with k + 1 fields (so the result is of order k + 1). The field at the predicted shape is the one that is
+/// kept (PEC): a second evaluation at the corrected shape (PECE) costs as much as a whole step and gains less
+/// than the smaller step. Starts at order 1 with a small step; both grow as far as the estimated errors
+/// allow.
+template <int Dim>
+class AdamsMethod final : public StepMethod<Dim> {
+  public:
+    static constexpr int kHighestOrder = 6;
+
+    explicit AdamsMethod(double tolerance) : m_tolerance(tolerance) {}
+
+    double firstStep(double speed) const override;
+    bool attempt(const typename StepMethod<Dim>::Rhs& f, double t, double to, const Points<Dim>& x,
+                 Pace<Dim>& pace) override;
+    const Points<Dim>& result() const override { return m_result; }
+    double error() const override { return m_errors[1]; }
+    void retry(Pace<Dim>& pace) const override;
+    void accept(Pace<Dim>& pace, bool shortened, bool cut) override;
+    bool needsEndField() const override { return false; }
+    Points<Dim> at(double t, const Points<Dim>& endField) const override;
+
+  private:
+    Points<Dim> integrated(const std::vector<PastField<Dim>>& fields, int count, double to) const;
+    double estimate(int order) const;
+
+    double m_tolerance;
+    double m_from = 0, m_to = 0;
+    Points<Dim> m_start, m_result;
+    std::vector<PastField<Dim>> m_fields;  // those of the pace and the one at the predicted shape
+    int m_order = 1;
+    std::array<double, 3> m_errors{};  // over the tolerance, of orders k − 1, k, k + 1; infinite: not known
+};
+
+/// ∫ from a to b of Lagrange's polynomials of some times.
+std::vector<double> adamsWeights(const std::vector<double>& times, double a, double b);
+
+}  // namespace wend

@@ -1,0 +1,196 @@
+#include "core/integration/drag_flow.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include "core/integration/contradictions.h"
+#include "core/integration/step_method.h"
+#include "core/mesh/error.h"
+
+namespace wend {
+
+namespace {
+
+// Of the greatest velocity: after a drag over the whole diagonal the shape is off by less than a pixel in a
+// thousand.
+constexpr double kVelocityTolerance = 1e-3;
+// A guess whose handles miss the way by more than this, relatively, is no guess of the middle.
+constexpr double kGoodGuess = 0.1;
+constexpr int kMostAttempts = 8;
+constexpr double kSmallestPart = 1.0 / 64;
+
+template <int Dim>
+std::shared_ptr<const SimplicialMesh<Dim>> normalized(const SimplicialMesh<Dim>& rest,
+                                                      const Normalization<Dim>& units) {
+    return std::make_shared<const SimplicialMesh<Dim>>(
+        SimplicialMesh<Dim>{units.normal(rest.points), rest.cells});
+}
+
+template <int Dim>
+std::vector<Handle<Dim>> still(const std::vector<Handle<Dim>>& handles, const Normalization<Dim>& units) {
+    std::vector<Handle<Dim>> result;
+    for (const Handle<Dim>& handle : handles) {
+        Handle<Dim> held;
+        held.name = handle.name;
+        held.at = handle.at;
+        result.push_back(units.normal(held));
+    }
+    return result;
+}
+
+template <int Dim>
+Trajectory<Dim> trajectory(const Motion<Dim>& motion, const Normalization<Dim>& units) {
+    Handle<Dim> handle;
+    handle.motions = {motion};
+    handle.motions[0].start = 0, handle.motions[0].end = 1;
+    return Trajectory<Dim>(units.normal(handle).motions[0]);
+}
+
+/// Points where the led ones are moved.
+template <int Dim>
+Points<Dim> moved(const Points<Dim>& points, const std::vector<bool>& led, const AffineMap<Dim>& map) {
+    Points<Dim> result = points;
+    for (std::size_t i = 0; i < led.size(); ++i) {
+        const auto column = static_cast<Eigen::Index>(i);
+        if (led[i]) result.col(column) = map(points.col(column));
+    }
+    return result;
+}
+
+template <int Dim>
+std::vector<int> allOf(const Constraints<Dim>& constraints) {
+    return constraints.activePoints(0, Side::After);
+}
+
+}  // namespace
+
+template <int Dim>
+DragFlow<Dim>::DragFlow(std::shared_ptr<const SimplicialMesh<Dim>> rest,
+                        std::shared_ptr<const Material<Dim>> material,
+                        const std::vector<Handle<Dim>>& handles, const BackEndFactory<Dim>& backEnd,
+                        int threads)
+    : m_units((requireValid<Dim>(*rest), Normalization<Dim>::of(rest->points))),
+      m_domainRest(std::move(rest)),
+      m_rest(normalized(*m_domainRest, m_units)),
+      m_orientation(m_rest),
+      m_constraints(*m_rest, still(handles, m_units), m_units),
+      m_solver(m_rest, material, backEnd, threads) {
+    requireValid<Dim>(*material, m_rest->cellCount());
+    m_solver.setVelocityTolerance(kVelocityTolerance);
+    m_solver.setConstraints(rowsOf(m_constraints, allOf(m_constraints)));
+    begin(m_domainRest->points);
+    prepare();
+}
+
+/// A first factor, at rest: from there or not far from there most drags begin.
+template <int Dim>
+void DragFlow<Dim>::prepare() {
+    const Targets all = Targets::Constant(Dim, m_targets.cols(), 1e-3);
+    Points<Dim> field;
+    solve(m_shape, all, field);
+    m_history.clear();
+}
+
+template <int Dim>
+void DragFlow<Dim>::begin(const Points<Dim>& pose) {
+    if (pose.cols() != m_rest->vertexCount()) {
+        throw InputError("a pose of " + std::to_string(pose.cols()) + " vertices for a shape of " +
+                         std::to_string(m_rest->vertexCount()));
+    }
+    m_pose = pose;
+    m_shape = m_rest->points + (pose - m_domainRest->points) / m_units.diagonal;
+    const auto& points = m_constraints.points();
+    m_targets.resize(Dim, static_cast<Eigen::Index>(points.size()));
+    for (std::size_t i = 0; i < points.size(); ++i)
+        m_targets.col(static_cast<Eigen::Index>(i)) = points[i].template in<Dim>(m_shape);
+    m_history.clear();
+    m_constraintError = 0;
+}
+
+template <int Dim>
+typename DragFlow<Dim>::Led DragFlow<Dim>::lead(const std::vector<int>& handles, const Motion<Dim>& motion) {
+    const Trajectory<Dim> path = trajectory(motion, m_units);
+    std::vector<bool> led;
+    for (const ConstrainedPoint& point : m_constraints.points())
+        led.push_back(std::find(handles.begin(), handles.end(), point.handle) != handles.end());
+    const Targets start = m_targets;
+    SolveOutcome failure;
+    double done = 0, part = 1;
+    for (int attempts = 0; done < 1; ++attempts) {
+        if (part < kSmallestPart || attempts == kMostAttempts) break;
+        const double to = std::min(1.0, done + part);
+        if (step(moved<Dim>(start, led, path.at(to, Side::Before).position)))
+            done = to;
+        else
+            failure = m_failure, part /= 2;
+    }
+    publish();
+    return done < 1 ? Led{done, describe(failure)} : Led{};
+}
+
+/// The prescribed velocities are the way of the whole step, taken in a unit of time.
+template <int Dim>
+bool DragFlow<Dim>::solve(const Points<Dim>& shape, const Targets& way, Points<Dim>& field) {
+    const bool reuses = m_solver.reuses();
+    m_failure = m_solver.solve(shape, way, field, reuses ? m_history.fitting(way) : std::nullopt);
+    ++m_evaluations;
+    if (m_failure.done()) m_history.record(m_evaluations, way, field);
+    return m_failure.done();
+}
+
+template <int Dim>
+bool DragFlow<Dim>::moves(const Points<Dim>& field, const Targets& way) const {
+    double miss = 0;
+    for (Eigen::Index i = 0; i < way.cols(); ++i) {
+        const Vec<Dim> v = m_constraints.points()[i].template in<Dim>(field);
+        miss = std::max(miss, (v - way.col(i)).norm());
+    }
+    return miss <= kGoodGuess * largestColumn<Dim>(way);
+}
+
+template <int Dim>
+bool DragFlow<Dim>::step(const Targets& targets) {
+    const Targets way = targets - m_targets;
+    if (way.isZero(0)) return true;
+    std::optional<Points<Dim>> guess = m_history.fitting(way);
+    if (!guess || !moves(*guess, way)) {
+        guess.emplace();
+        if (!solve(m_shape, way, *guess)) return false;
+    }
+    Points<Dim> field;
+    if (!solve(m_shape + 0.5 * *guess, way, field)) return false;
+    Points<Dim> next = m_shape + field;
+    m_solver.project(next, targets);
+    const int inverted = m_orientation.firstInverted(next);
+    m_failure = {inverted < 0 ? SolveOutcome::Kind::Done : SolveOutcome::Kind::CellInverted, inverted};
+    if (inverted >= 0) return false;
+    m_shape = next;
+    m_targets = targets;
+    return true;
+}
+
+template <int Dim>
+void DragFlow<Dim>::publish() {
+    m_pose = m_domainRest->points + m_units.diagonal * (m_shape - m_rest->points);
+    m_constraintError = 0;
+    for (Eigen::Index i = 0; i < m_targets.cols(); ++i) {
+        const Vec<Dim> p = m_constraints.points()[i].template in<Dim>(m_shape);
+        m_constraintError = std::max(m_constraintError, m_units.diagonal * (p - m_targets.col(i)).norm());
+    }
+}
+
+template <int Dim>
+std::string DragFlow<Dim>::describe(const SolveOutcome& failure) const {
+    if (failure.kind != SolveOutcome::Kind::CellInverted) return wend::describe(failure);
+    Vec<Dim> centre = Vec<Dim>::Zero();
+    for (const int v : m_rest->cells[failure.cell]) centre += m_pose.col(v) / (Dim + 1);
+    std::ostringstream message;
+    message.imbue(std::locale::classic());
+    message << "cell " << failure.cell << " near " << wend::describe<Dim>(centre) << " would fold over";
+    return message.str();
+}
+
+template class DragFlow<2>;
+template class DragFlow<3>;
+
+}  // namespace wend

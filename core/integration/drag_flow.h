@@ -1,0 +1,66 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "core/integration/orientation.h"
+#include "core/motion/constraints.h"
+#include "core/solver/velocity_history.h"
+#include "core/solver/velocity_solver.h"
+
+namespace wend {
+
+/// The shape while handles are led by hand: a preview at the rate of a display. One velocity field per lead
+/// as a rule, by the midpoint rule with the middle guessed from the fields before: v̂ is linear in the
+/// handles' velocities, so the combination of them that moves the handles as wanted is off by no more than
+/// the field changes in a step, and the step is of second order. Factors are reused. Coordinates are the
+/// domain's.
+template <int Dim>
+class DragFlow {
+  public:
+    /// `handles` hold the shape; their motions do not matter. Analyzes and factorizes at once, so that a drag
+    /// begins promptly. Throws InputError as Deformer does.
+    DragFlow(std::shared_ptr<const SimplicialMesh<Dim>> rest, std::shared_ptr<const Material<Dim>> material,
+             const std::vector<Handle<Dim>>& handles, const BackEndFactory<Dim>& backEnd, int threads = 0);
+
+    /// Goes on from a pose.
+    void begin(const Points<Dim>& pose);
+
+    struct Led {
+        double done = 1;      // part of the motion that was possible
+        std::string problem;  // why it ended early: one line
+    };
+    /// Leads some handles (by index) through a whole motion, whose window does not matter, in one step: a
+    /// few percent of the diagonal. The others hold still. Where cells would fold over, as far as is
+    /// possible.
+    Led lead(const std::vector<int>& handles, const Motion<Dim>& motion);
+
+    const Points<Dim>& pose() const { return m_pose; }
+    /// Greatest distance of a constrained point from where it should be.
+    double constraintError() const { return m_constraintError; }
+    int evaluations() const { return m_evaluations; }
+    const SolverStatistics& statistics() const { return m_solver.statistics(); }
+
+  private:
+    using Targets = Points<Dim>;  // one column per constrained point
+    bool step(const Targets& targets);
+    bool solve(const Points<Dim>& shape, const Targets& way, Points<Dim>& field);
+    bool moves(const Points<Dim>& field, const Targets& way) const;
+    void prepare();
+    void publish();
+    std::string describe(const SolveOutcome& failure) const;
+
+    Normalization<Dim> m_units;
+    std::shared_ptr<const SimplicialMesh<Dim>> m_domainRest, m_rest;
+    Orientation<Dim> m_orientation;
+    Constraints<Dim> m_constraints;
+    VelocitySolver<Dim> m_solver;
+    VelocityHistory<Dim> m_history;
+    Points<Dim> m_shape, m_pose;
+    Targets m_targets;
+    SolveOutcome m_failure;
+    double m_constraintError = 0;
+    int m_evaluations = 0;
+};
+
+}  // namespace wend

@@ -1,0 +1,71 @@
+#include "core/integration/runge_kutta_method.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/integration/step_control.h"
+
+namespace wend {
+
+namespace {
+
+// The first step of a stretch: the fastest constrained point goes this far, as a part of the diagonal, at a
+// tolerance of 1e-4.
+constexpr double kFirstMove = 0.3;
+
+}  // namespace
+
+template <int Dim>
+double RungeKuttaMethod<Dim>::firstStep(double speed) const {
+    return kFirstMove * std::pow(m_tolerance / 1e-4, 0.2) / speed;
+}
+
+template <int Dim>
+bool RungeKuttaMethod<Dim>::attempt(const typename StepMethod<Dim>::Rhs& f, double t, double to,
+                                    const Points<Dim>& x, Pace<Dim>& pace) {
+    m_from = t;
+    m_to = to;
+    if (pace.fields.empty()) {
+        auto field = std::make_shared<Points<Dim>>();
+        if (!f(t, Side::After, x, *field)) return false;
+        pace.fields = {{t, std::move(field)}};
+    }
+    if (!m_step.attempt(f, t, to, x, *pace.fields.back().field)) return false;
+    m_error = m_tolerance > 0 ? largestColumn<Dim>(m_step.error()) / m_tolerance : 0;
+    return true;
+}
+
+template <int Dim>
+void RungeKuttaMethod<Dim>::retry(Pace<Dim>& pace) const {
+    pace.step = (m_to - m_from) * shrinkAfterError(m_error);
+}
+
+/// The last stage was evaluated before the constrained points were put on their paths, which moves the shape
+/// by less than the error of the step: as the first stage of the next step it is wrong by that times the rate
+/// of v̂, and the step's result by h times as much, which is of higher order than the error. It saves one
+/// evaluation in seven. Measured on a strip bent by 180° in 5, 8 and 12 steps: errors of 1e-4, 5e-6 and 3e-7
+/// change by a three-thousandth and less.
+template <int Dim>
+void RungeKuttaMethod<Dim>::accept(Pace<Dim>& pace, bool shortened, bool cut) {
+    if (m_tolerance > 0) {
+        const double growth = growthAfterStep(m_error, pace.error);
+        // A rejection speaks against a longer step, being cut short before a border does not.
+        const double wanted = (m_to - m_from) * (shortened ? std::min(growth, 1.0) : growth);
+        pace.step = cut ? std::max(wanted, pace.step) : wanted;
+        pace.error = m_error;
+    }
+    pace.fields.clear();
+    if (m_step.firstSameAsLast())
+        pace.fields.push_back({m_to, std::make_shared<const Points<Dim>>(m_step.lastSlope())});
+}
+
+template <int Dim>
+Points<Dim> RungeKuttaMethod<Dim>::at(double t, const Points<Dim>& endField) const {
+    const double theta = (t - m_from) / (m_to - m_from);
+    return needsEndField() ? m_step.hermite(theta, endField) : m_step.dense(theta);
+}
+
+template class RungeKuttaMethod<2>;
+template class RungeKuttaMethod<3>;
+
+}  // namespace wend

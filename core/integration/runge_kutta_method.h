@@ -1,0 +1,30 @@
+#pragma once
+
+#include "core/integration/runge_kutta.h"
+#include "core/integration/step_method.h"
+
+namespace wend {
+
+/// The Runge–Kutta methods, with error control where the tableau has an embedded method.
+template <int Dim>
+class RungeKuttaMethod final : public StepMethod<Dim> {
+  public:
+    RungeKuttaMethod(Method method, double tolerance) : m_step(method), m_tolerance(tolerance) {}
+
+    double firstStep(double speed) const override;
+    bool attempt(const typename StepMethod<Dim>::Rhs& f, double t, double to, const Points<Dim>& x,
+                 Pace<Dim>& pace) override;
+    const Points<Dim>& result() const override { return m_step.result(); }
+    double error() const override { return m_error; }
+    void retry(Pace<Dim>& pace) const override;
+    void accept(Pace<Dim>& pace, bool shortened, bool cut) override;
+    bool needsEndField() const override { return !m_step.firstSameAsLast(); }
+    Points<Dim> at(double t, const Points<Dim>& endField) const override;
+
+  private:
+    RungeKuttaStep<Points<Dim>> m_step;
+    double m_tolerance;
+    double m_from = 0, m_to = 0, m_error = 0;
+};
+
+}  // namespace wend

@@ -1,0 +1,227 @@
+// What an OBJ file says beside the shape: texture points of corners, materials, groups.
+
+#include "core/mesh/formats/obj_skin.h"
+
+#include <charconv>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+
+#include "core/mesh/formats/scanner.h"
+#include "core/mesh/formats/text_writer.h"
+
+namespace wend::formats {
+namespace fs = std::filesystem;
+
+namespace {
+
+bool isBlank(char c) {
+    return c == ' ' || c == '\t' || c == '\r';
+}
+
+std::string_view trimmed(std::string_view text) {
+    while (!text.empty() && isBlank(text.front())) text.remove_prefix(1);
+    while (!text.empty() && isBlank(text.back())) text.remove_suffix(1);
+    return text;
+}
+
+/// The first word, which is taken off the line.
+std::string_view takeWord(std::string_view& line) {
+    line = trimmed(line);
+    std::size_t end = 0;
+    while (end < line.size() && !isBlank(line[end])) ++end;
+    const auto word = line.substr(0, end);
+    line = trimmed(line.substr(end));
+    return word;
+}
+
+/// Calls `take` with every line; one that ends in a backslash goes on in the next.
+template <class Take>
+void eachLine(std::string_view bytes, const Take& take) {
+    std::string whole;
+    for (std::size_t at = 0; at < bytes.size();) {
+        const std::size_t end = std::min(bytes.find('\n', at), bytes.size());
+        const std::string_view line = trimmed(bytes.substr(at, end - at));
+        at = end + 1;
+        if (!line.empty() && line.back() == '\\') {
+            whole += std::string(line.substr(0, line.size() - 1)) + ' ';
+            continue;
+        }
+        whole += line;
+        take(std::string_view(whole));
+        whole.clear();
+    }
+}
+
+double numberOr(std::string_view word, double otherwise) {
+    double value = 0;
+    const auto done = std::from_chars(word.data(), word.data() + word.size(), value);
+    return done.ec == std::errc() ? value : otherwise;
+}
+
+/// "map_Kd -s 1 1 1 wood.png": options stand in front of the name, which may hold blanks if there are none.
+std::string textureName(std::string_view rest) {
+    if (!rest.starts_with('-')) return std::string(rest);
+    const auto blank = rest.find_last_of(" \t");
+    return std::string(rest.substr(blank + 1));
+}
+
+void readMaterials(const fs::path& path, Skin& skin, std::map<std::string, int, std::less<>>& known) {
+    std::ifstream file(path, std::ios::binary);
+    if (!file) {
+        skin.warnings.push_back("the material file " + path.string() + " cannot be read");
+        return;
+    }
+    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    SkinMaterial* material = nullptr;
+    eachLine(bytes, [&](std::string_view line) {
+        const auto keyword = takeWord(line);
+        if (keyword == "newmtl") {
+            const std::string name(line);
+            known.emplace(name, static_cast<int>(skin.materials.size()));
+            skin.materials.push_back({name, {}, {}});
+            material = &skin.materials.back();
+            material->colour = {0.8F, 0.8F, 0.8F, 1};
+        } else if (material && keyword == "Kd") {
+            for (int k = 0; k < 3; ++k)
+                material->colour[k] = static_cast<float>(numberOr(takeWord(line), material->colour[k]));
+        } else if (material && keyword == "d") {
+            material->colour[3] = static_cast<float>(numberOr(takeWord(line), 1));
+        } else if (material && keyword == "map_Kd") {
+            material->texture = (path.parent_path() / textureName(line)).string();
+        }
+    });
+}
+
+class LookReader {
+  public:
+    explicit LookReader(Skin& skin) : m_skin(skin) {}
+
+    void read(const std::string& bytes) {
+        eachLine(bytes, [this](std::string_view line) { statement(line.substr(0, line.find('#'))); });
+        const bool textured =
+            !m_skin.triangles.empty() && m_uvCorners.size() == m_skin.triangles.size() && !m_withoutTexture;
+        if (textured) {
+            m_skin.uv = Eigen::Map<const Eigen::Matrix2Xd>(m_uv.data(), 2,
+                                                           static_cast<Eigen::Index>(m_uv.size() / 2));
+            m_skin.uvCorners = std::move(m_uvCorners);
+        }
+        if (!m_skin.materials.empty()) m_skin.materialOf = m_materialOf;
+        takeLabels();
+        for (const SkinMaterial& material : m_skin.materials)
+            if (!material.texture.empty() && !fs::exists(material.texture))
+                m_skin.warnings.push_back("the picture " + material.texture + " of the material " +
+                                          inQuotes(material.name) + " does not exist");
+    }
+
+  private:
+    void statement(std::string_view line) {
+        const auto keyword = takeWord(line);
+        if (keyword == "vt") {
+            m_uv.push_back(numberOr(takeWord(line), 0));
+            m_uv.push_back(numberOr(takeWord(line), 0));
+        } else if (keyword == "f") {
+            face(line);
+        } else if (keyword == "mtllib") {
+            readMaterials(fs::path(m_skin.path).parent_path() / std::string(line), m_skin, m_known);
+        } else if (keyword == "usemtl") {
+            const auto [entry, isNew] =
+                m_known.try_emplace(std::string(line), static_cast<int>(m_skin.materials.size()));
+            if (isNew) m_skin.materials.push_back({std::string(line), {0.8F, 0.8F, 0.8F, 1}, {}});
+            m_material = entry->second;
+        } else if (keyword == "g" || keyword == "o") {
+            m_group =
+                m_groups.try_emplace(std::string(line), static_cast<int>(m_groupNames.size())).first->second;
+            if (m_group == static_cast<int>(m_groupNames.size())) m_groupNames.emplace_back(line);
+        }
+    }
+    void face(std::string_view line) {
+        std::vector<int> textures;
+        while (!line.empty()) textures.push_back(textureOf(takeWord(line)));
+        for (std::size_t k = 2; k < textures.size(); ++k) {  // the fan of CellCollector
+            m_uvCorners.push_back({textures[0], textures[k - 1], textures[k]});
+            m_materialOf.push_back(m_material);
+            m_groupOf.push_back(m_group);
+        }
+    }
+    int textureOf(std::string_view corner) {
+        const auto slash = corner.find('/');
+        const auto text = slash == std::string_view::npos
+                              ? std::string_view()
+                              : corner.substr(slash + 1, corner.find('/', slash + 1) - slash - 1);
+        int number = 0;
+        std::from_chars(text.data(), text.data() + text.size(), number);
+        const int count = static_cast<int>(m_uv.size() / 2);
+        if (number == 0) m_withoutTexture = true;
+        return number < 0 ? count + number : number - 1;
+    }
+    void takeLabels() {
+        const bool byMaterial = m_skin.materials.size() > 1;
+        const auto& of = byMaterial ? m_materialOf : m_groupOf;
+        if (!byMaterial && m_groupNames.size() < 2) return;
+        for (int index : of) m_skin.labels.push_back(index + 1);
+        for (const SkinMaterial& material : m_skin.materials)
+            if (byMaterial) m_skin.labelNames.push_back(material.name);
+        if (!byMaterial) m_skin.labelNames = m_groupNames;
+    }
+
+    Skin& m_skin;
+    std::vector<double> m_uv;
+    std::vector<std::array<int, 3>> m_uvCorners;
+    bool m_withoutTexture = false;
+    std::map<std::string, int, std::less<>> m_known;  // materials
+    std::map<std::string, int, std::less<>> m_groups;
+    std::vector<std::string> m_groupNames;
+    std::vector<int> m_materialOf, m_groupOf;
+    int m_material = -1, m_group = -1;
+};
+
+/// "v/vt/vn" → "v/vt", "v//vn" → "v".
+std::string withoutNormal(std::string_view corner) {
+    const auto first = corner.find('/');
+    if (first == std::string_view::npos) return std::string(corner);
+    const auto second = corner.find('/', first + 1);
+    if (second == std::string_view::npos) return std::string(corner);
+    return std::string(corner.substr(0, second == first + 1 ? first : second));
+}
+
+std::string renamed(const std::string& file, const std::string& oldFolder, const std::string& newFolder) {
+    const fs::path whole = fs::absolute(fs::path(oldFolder) / file).lexically_normal();
+    const fs::path relative = whole.lexically_relative(fs::absolute(fs::path(newFolder)).lexically_normal());
+    return relative.empty() ? whole.string() : relative.generic_string();
+}
+
+}  // namespace
+
+void addObjLook(const std::string& bytes, Skin& skin) {
+    LookReader(skin).read(bytes);
+}
+
+std::string withVertices(const std::string& bytes, const Points<3>& points, const std::string& oldFolder,
+                         const std::string& newFolder) {
+    TextWriter out;
+    Eigen::Index vertex = 0;
+    eachLine(bytes, [&](std::string_view line) {
+        std::string_view rest = line;
+        const auto keyword = takeWord(rest);
+        if (keyword == "vn") return;
+        if (keyword == "v" && vertex < points.cols()) {
+            for (int k = 0; k < 3; ++k) takeWord(rest);
+            out << "v " << points(0, vertex) << ' ' << points(1, vertex) << ' ' << points(2, vertex);
+            if (!rest.empty()) out << ' ' << rest;  // a weight or a colour
+            ++vertex;
+        } else if (keyword == "f") {
+            out << 'f';
+            while (!rest.empty() && rest.front() != '#') out << ' ' << withoutNormal(takeWord(rest));
+        } else if (keyword == "mtllib") {
+            out << "mtllib " << renamed(std::string(rest), oldFolder, newFolder);
+        } else {
+            out << line;
+        }
+        out << '\n';
+    });
+    return std::move(out.text());
+}
+
+}  // namespace wend::formats

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "core/mesh/skin.h"
+
+namespace wend::formats {
+
+/// Adds the texture points of corners, materials and groups to a skin whose points and triangles readObj has
+/// found in the same bytes, so that they are known to be sound.
+void addObjLook(const std::string& bytes, Skin& skin);
+
+/// The bytes of an OBJ file with other vertices: without normals, and with its material files named from
+/// `newFolder` instead of `oldFolder`.
+std::string withVertices(const std::string& bytes, const Points<3>& points, const std::string& oldFolder,
+                         const std::string& newFolder);
+
+}  // namespace wend::formats

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/mesh/simplicial_mesh.h"
+
+namespace wend {
+
+/// What a part of a surface looks like.
+struct SkinMaterial {
+    std::string name;
+    std::array<float, 4> colour{0.8F, 0.8F, 0.8F, 1};
+    std::string texture;  // path of a picture; empty if there is none
+};
+
+/// The surface of a solid as it is seen and exported: the surface that it was made from, a detailed one that
+/// rides in it, or its border.
+struct Skin {
+    Points<3> points;
+    std::vector<std::array<int, 3>> triangles;
+    /// Texture points, origin at the bottom left, and which of them the corners of each triangle have; both
+    /// empty if there is no texture, the second as long as `triangles` otherwise.
+    Eigen::Matrix2Xd uv;
+    std::vector<std::array<int, 3>> uvCorners;
+    std::vector<int> materialOf;  // per triangle, into materials (−1: none); empty if there are none
+    std::vector<SkinMaterial> materials;
+    std::vector<int> labels;              // per triangle; empty if there are none
+    std::vector<std::string> labelNames;  // names of the labels 1, 2, …, if they have some
+    std::string path;                     // the file that it comes from; empty for a border
+    std::vector<std::string> warnings;    // what the file names and is not there
+
+    int vertexCount() const { return static_cast<int>(points.cols()); }
+};
+
+/// The border of a solid, outward oriented where its cells are positive; only vertices on it.
+Skin borderOf(const SimplicialMesh<3>& mesh);
+
+/// A skin in which every vertex has one texture point, as graphics hardware and glTF want it.
+struct UnfoldedSkin {
+    std::vector<int> vertices;  // the skin's vertex of each
+    Eigen::Matrix2Xd uv;        // empty if there is no texture
+    std::vector<std::array<int, 3>> triangles;
+};
+/// Vertices that several texture points meet at are doubled, the others keep their order.
+UnfoldedSkin unfolded(const Skin& skin);
+
+/// Unit normals, weighted by the corners' angles; zero at vertices without triangle.
+Points<3> vertexNormals(const Points<3>& points, const std::vector<std::array<int, 3>>& triangles);
+
+}  // namespace wend

@@ -1,0 +1,99 @@
+#include "core/mesh/skin_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "core/mesh/error.h"
+#include "core/mesh/formats/cell_collector.h"
+#include "core/mesh/formats/mesh_format.h"
+#include "core/mesh/formats/obj_skin.h"
+#include "core/mesh/formats/scanner.h"
+#include "core/mesh/gltf.h"
+#include "core/mesh/safe_file.h"
+
+namespace wend {
+namespace fs = std::filesystem;
+
+namespace {
+
+bool hasExtension(const std::string& path, std::string_view extension) {
+    return formats::sameWord(fs::path(path).extension().string(), extension);
+}
+
+std::string bytesOf(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    if (!file) throw InputError(path, "cannot be read");
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// Fields of the cells are those of the tetrahedra if there are any: then the triangles have none.
+void takeLabels(const MeshFile& file, Skin& skin) {
+    if (isVolume(file)) return;
+    const MeshField* field = formats::cellField(file, {"label", "ref", "physical", "entity", "attribute"});
+    if (!field || std::ranges::all_of(field->values, [](double value) { return value == 0; })) return;
+    for (std::size_t t = 0; t < file.triangles.size(); ++t)
+        skin.labels.push_back(static_cast<int>(formats::tagOf(field, static_cast<int>(t), 0)));
+}
+
+/// One texture point and the same fields per vertex.
+MeshFile toMeshFile(const Skin& skin, const Points<3>& points, const std::vector<MeshField>& fields) {
+    MeshFile file;
+    file.points = points;
+    file.triangles = skin.triangles;
+    if (!skin.uvCorners.empty()) {
+        file.uv = Eigen::Matrix2Xd::Zero(2, points.cols());
+        for (std::size_t t = skin.triangles.size(); t-- > 0;)  // backwards: the first one stays
+            for (int k = 3; k-- > 0;) file.uv.col(skin.triangles[t][k]) = skin.uv.col(skin.uvCorners[t][k]);
+    }
+    file.fields = fields;
+    if (!skin.labels.empty())
+        file.fields.push_back({"label", true, 1, {skin.labels.begin(), skin.labels.end()}});
+    return file;
+}
+
+void put(const std::string& path, const std::string& bytes) {
+    writeWhole(path, [&](const std::string& temporary) {
+        std::ofstream file(temporary, std::ios::binary);
+        file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+        file.close();
+        if (!file) throw InputError(path, "cannot be written (is the disk full?)");
+    });
+}
+
+}  // namespace
+
+Skin readSkin(const std::string& path) {
+    const MeshFile file = readMeshFile(path);
+    Skin skin;
+    skin.path = path;
+    skin.points = file.points;
+    skin.triangles = file.triangles;
+    if (hasExtension(path, ".obj")) {
+        formats::addObjLook(bytesOf(path), skin);
+        return skin;
+    }
+    if (file.uv.cols() > 0) {
+        skin.uv = file.uv;
+        skin.uvCorners = file.triangles;
+    }
+    takeLabels(file, skin);
+    return skin;
+}
+
+void writeSkin(const std::string& path, const Skin& skin, const Points<3>& points,
+               const std::vector<MeshField>& fields) {
+    if (hasExtension(path, ".glb")) return writeGltf(path, gltfScene(skin, points));
+    if (!hasExtension(path, ".obj") || !hasExtension(skin.path, ".obj"))
+        return writeMeshFile(path, toMeshFile(skin, points, fields));
+    put(path, formats::withVertices(bytesOf(skin.path), points, fs::path(skin.path).parent_path().string(),
+                                    fs::path(path).parent_path().string()));
+}
+
+std::vector<std::string> skinFileExtensions() {
+    return {".obj", ".ply", ".stl", ".off", ".glb"};
+}
+
+}  // namespace wend

@@ -1,0 +1,224 @@
+// Projects in space: from a surface or tetrahedra to what deformer and window take.
+
+#include <QtTest>
+
+#include "app/session/opening.h"
+#include "app/session/shape_builder.h"
+#include "app/session/solid.h"
+#include "core/mesh/error.h"
+#include "core/meshing/volume_mesher.h"
+#include "tests/app/cli_harness.h"
+#include "tests/support/surfaces.h"
+
+using namespace wend;
+
+class TestSolid : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void initTestCase();
+    void surfaceBecomesSolid();
+    void tetrahedraKeepOrder();
+    void aimThatCannotBeMetIsTold();
+    void coarseSurfaceIsTold();
+    void repairIsAsked_data();
+    void repairIsAsked();
+    void sizesFollowRegionsAndPaint();
+    void wrongPaintIsRefused();
+    void detailRides();
+    void detailFarOffIsTold();
+    void builderKeepsWhatHolds();
+    void filesOpen_data();
+    void filesOpen();
+
+  private:
+    Project project(const std::string& domain) const {
+        const std::string text = "{'format': 'wend', 'version': 1, 'domain': {" + domain + "}}";
+        return parseProject(json(text), m_base + "/p.wend").project;
+    }
+    Solid solid(const std::string& domain) const { return loadSolid(project(domain), m_base); }
+
+    QTemporaryDir m_folder;
+    std::string m_base;
+};
+
+namespace {
+
+const Surface kBar = test::box({0, 0, 0}, {3, 1, 1}, 7);
+
+MeshFile fileOf(const Surface& surface) {
+    MeshFile file;
+    file.points = surface.points;
+    file.triangles = surface.triangles;
+    return file;
+}
+
+int countNear(const SimplicialMesh<3>& mesh, const Vec<3>& p, double radius) {
+    return static_cast<int>(((mesh.points.colwise() - p).colwise().norm().array() < radius).count());
+}
+
+}  // namespace
+
+void TestSolid::initTestCase() {
+    m_base = m_folder.path().toStdString();
+    writeMeshFile(m_base + "/bar.obj", fileOf(kBar));
+    writeMeshFile(m_base + "/bar.mesh", toMeshFile<3>(barMesh(4)));
+    Surface holed = kBar;
+    holed.triangles.pop_back();
+    writeMeshFile(m_base + "/holed.obj", fileOf(holed));
+    writeMeshFile(m_base + "/crossing.obj",
+                  fileOf(test::joined(kBar, test::box({2, 0.2, 0.2}, {5, 0.8, 0.8}))));
+    writeMeshFile(m_base + "/fine.ply", fileOf(test::box({-0.01, -0.01, -0.01}, {3.01, 1.01, 1.01}, 20)));
+    writeMeshFile(m_base + "/far.ply", fileOf(test::box({40, 0, 0}, {44, 1, 1}, 2)));
+    writeMeshFile(m_base + "/flat.obj", toMeshFile<2>(stripMesh(3, 3)));
+}
+
+void TestSolid::surfaceBecomesSolid() {
+    const Solid bar = solid("'surface': 'bar.obj', 'vertices': 700");
+    QVERIFY(std::abs(bar.rest->vertexCount() - 700) <= 105);
+    QVERIFY(bar.rest->points.leftCols(kBar.vertexCount()) == kBar.points);
+    QVERIFY(bar.skin->triangles == kBar.triangles);
+    // the surface's vertices are the solid's, in every pose and to the last bit
+    const Points<3> pose = 1.7 * bar.rest->points;
+    QVERIFY(bar.ride->carry(*bar.rest, pose) == pose.leftCols(kBar.vertexCount()));
+    QVERIFY(bar.notices.empty());
+    const auto any = loadScene(project("'surface': 'bar.obj', 'vertices': 700"), m_base);
+    QVERIFY(std::get<Scene<3>>(any).rest->points == bar.rest->points);
+}
+
+void TestSolid::tetrahedraKeepOrder() {
+    const Solid bar = solid("'mesh': 'bar.mesh'");
+    QVERIFY(bar.rest->cells == barMesh(4).cells);
+    QCOMPARE(bar.skin->triangles.size(), std::size_t(2 * (2 * 4 + 4 * 8)));
+    QCOMPARE(bar.skin->vertexCount(), 9 * 5 - 3);  // three lie inside
+    QVERIFY(checkSurface(surfaceOf(*bar.skin)).boundsVolume());
+    QVERIFY((bar.ride->carry(*bar.rest, bar.rest->points) == bar.skin->points));
+}
+
+void TestSolid::aimThatCannotBeMetIsTold() {
+    const Solid bar = solid("'surface': 'bar.obj', 'vertices': 20");  // the surface has more
+    QCOMPARE(bar.notices.size(), std::size_t(1));
+    QVERIFY(QString::fromStdString(bar.notices[0]).contains("where 20 were aimed at"));
+}
+
+void TestSolid::coarseSurfaceIsTold() {
+    writeMeshFile(m_base + "/cube.obj", fileOf(test::box({0, 0, 0}, {1, 1, 1})));
+    const Solid kept = solid("'surface': 'cube.obj', 'vertices': 700");
+    QVERIFY(QString::fromStdString(kept.notices.at(0))
+                .contains("the surface is kept as it is (see `refineSurface`)"));
+    writeMeshFile(m_base + "/coarse.obj", fileOf(test::box({0, 0, 0}, {4, 1, 1}, 4)));
+    const Solid coarse = solid("'surface': 'coarse.obj', 'vertices': 1500");
+    QVERIFY(QString::fromStdString(coarse.notices.at(0)).contains("`refineSurface` splits them"));
+    const Solid refined = solid("'surface': 'cube.obj', 'vertices': 500, 'refineSurface': true");
+    QVERIFY(refined.notices.empty());
+    QVERIFY(std::abs(refined.rest->vertexCount() - 500) <= 75);
+    QVERIFY((refined.ride->carry(*refined.rest, refined.rest->points) == refined.skin->points));
+}
+
+void TestSolid::repairIsAsked_data() {
+    QTest::addColumn<QString>("domain");
+    QTest::addColumn<QString>("reason");  // empty: it works
+    QTest::newRow("hole") << "'surface': 'holed.obj'"
+                          << "holed.obj: the surface bounds no volume: 3 open edges";
+    QTest::newRow("hole, repaired") << "'surface': 'holed.obj', 'repair': true"
+                                    << "";
+    QTest::newRow("hole, too large") << "'surface': 'holed.obj', 'repair': {'largestHole': 2}"
+                                     << "the repair found nothing that it could mend";
+    QTest::newRow("crossing") << "'surface': 'crossing.obj', 'repair': true"
+                              << "pairs of triangles that intersect";
+}
+void TestSolid::repairIsAsked() {
+    QFETCH(QString, domain);
+    QFETCH(QString, reason);
+    try {
+        const Solid bar = solid(domain.toStdString() + ", 'vertices': 300");
+        QVERIFY(reason.isEmpty());
+        QCOMPARE(bar.notices[0], std::string("the surface was mended: 1 holes filled"));
+    } catch (const SurfaceError& error) {
+        QVERIFY2(!reason.isEmpty() && QString(error.what()).contains(reason), error.what());
+        QVERIFY(!error.problems.triangles(kBar).empty());
+    }
+}
+
+void TestSolid::sizesFollowRegionsAndPaint() {
+    const Vec<3> here(0.7, 0.5, 0.5), there(2.3, 0.5, 0.5);
+    const std::string region =
+        "{'shape': {'sphere': {'centre': [0.7, 0.5, 0.5], 'radius': 0.4}}, 'factor': 0.4, 'feather': 0.1}";
+    const Solid byRegion = solid("'surface': 'bar.obj', 'vertices': 1500, 'sizes': [" + region + "]");
+    const int fine = countNear(*byRegion.rest, here, 0.35), plain = countNear(*byRegion.rest, there, 0.35);
+    QVERIFY2(fine > 4 * plain, qPrintable(QString("%1 %2").arg(fine).arg(plain)));
+
+    std::string paint;
+    for (int v = 0; v < kBar.vertexCount(); ++v) paint += kBar.points(0, v) > 1.5 ? "0.4\n" : "1\n";
+    put(m_folder.path(), "paint.txt", paint);
+    const Solid byPaint = solid("'surface': 'bar.obj', 'vertices': 1500, 'sizes': [{'values': 'paint.txt'}]");
+    const int painted = countNear(*byPaint.rest, there, 0.45), bare = countNear(*byPaint.rest, here, 0.45);
+    QVERIFY2(painted > 4 * bare, qPrintable(QString("%1 %2").arg(painted).arg(bare)));
+}
+
+void TestSolid::wrongPaintIsRefused() {
+    put(m_folder.path(), "short.txt", "1 1 1\n");
+    put(m_folder.path(), "word.txt", "1 1 one\n");
+    QVERIFY_EXCEPTION_THROWN(solid("'surface': 'bar.obj', 'sizes': [{'values': 'short.txt'}]"), InputError);
+    QVERIFY_EXCEPTION_THROWN(solid("'surface': 'bar.obj', 'sizes': [{'values': 'word.txt'}]"), InputError);
+}
+
+void TestSolid::detailRides() {
+    const Solid bar = solid("'surface': 'bar.obj', 'vertices': 400, 'detail': 'fine.ply'");
+    QCOMPARE(bar.skin->vertexCount(), test::box({0, 0, 0}, {1, 1, 1}, 20).vertexCount());
+    Mat<3> A;
+    A << 1, 0.2, 0, -0.3, 1.1, 0, 0.1, 0, 0.9;
+    const Points<3> carried = bar.ride->carry(*bar.rest, A * bar.rest->points);
+    QVERIFY((carried - A * bar.skin->points).cwiseAbs().maxCoeff() < 1e-12);  // inside and outside
+    QVERIFY(bar.ride->outside() > 0);
+}
+
+void TestSolid::detailFarOffIsTold() {
+    const Solid bar = solid("'mesh': 'bar.mesh', 'detail': 'far.ply'");
+    QVERIFY(QString::fromStdString(bar.notices.at(0)).contains("lie outside the solid"));
+}
+
+void TestSolid::builderKeepsWhatHolds() {
+    ShapeBuilderOf<3> builder;
+    ShapeInputs inputs;
+    inputs.project = std::make_shared<const Project>(project("'surface': 'bar.obj', 'vertices': 400"));
+    inputs.folder = m_base;
+    const auto first = builder.build(inputs, {});
+    QVERIFY(first.rest && first.material && first.skin && first.ride);
+    Project stiffer = *inputs.project;
+    std::get<Design<3>>(stiffer.design).material.phi = 1;
+    inputs.project = std::make_shared<const Project>(stiffer);
+    const auto second = builder.build(inputs, {});
+    QCOMPARE(second.rest, first.rest);
+    QCOMPARE(second.material->phi[0], 1.0);
+    stiffer.domain.vertices = 600;
+    inputs.project = std::make_shared<const Project>(stiffer);
+    QVERIFY(builder.build(inputs, {}).rest != first.rest);
+    std::stop_source stopped;
+    stopped.request_stop();
+    stiffer.domain.vertices = 700;
+    inputs.project = std::make_shared<const Project>(stiffer);
+    QVERIFY(!builder.build(inputs, stopped.get_token()).rest);
+}
+
+void TestSolid::filesOpen_data() {
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<int>("dimension");
+    QTest::addColumn<int>("kind");
+    QTest::newRow("surface") << "bar.obj" << 3 << int(DomainKind::Surface);
+    QTest::newRow("tetrahedra") << "bar.mesh" << 3 << int(DomainKind::Mesh);
+    QTest::newRow("flat") << "flat.obj" << 2 << int(DomainKind::Mesh);
+}
+void TestSolid::filesOpen() {
+    QFETCH(QString, name);
+    QFETCH(int, dimension);
+    QFETCH(int, kind);
+    const QString path = m_folder.filePath(name);
+    const OpenedFile file = openFile(path, Solids::Take);
+    QCOMPARE(file.project->dimension(), dimension);
+    QCOMPARE(int(file.project->domain.kind), kind);
+    if (dimension == 3) QVERIFY_EXCEPTION_THROWN(openFile(path), InputError);
+}
+
+QTEST_GUILESS_MAIN(TestSolid)
+#include "test_solid.moc"

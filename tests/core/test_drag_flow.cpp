@@ -1,0 +1,153 @@
+// The preview of a drag against the exact integration of the same path.
+#include <QTest>
+#include <cmath>
+
+#include "core/assembly/cpu_back_end.h"
+#include "core/integration/drag_flow.h"
+#include "core/mesh/error.h"
+#include "tests/core/test_strip.h"
+
+using namespace wend;
+using samples::Bend;
+using samples::distance;
+
+namespace {
+
+template <int Dim>
+DragFlow<Dim> flowOf(const Bend<Dim>& bend) {
+    return DragFlow<Dim>(bend.mesh, bend.material, bend.handles, makeCpuBackEnd<Dim>);
+}
+
+template <int Dim>
+Motion<Dim> shift(double x, double y) {
+    Translate<Dim> translate;
+    translate.by[0] = x, translate.by[1] = y;
+    return {translate};
+}
+
+/// A wavy way in 60 samples, as a hand leads it.
+template <int Dim>
+std::vector<Motion<Dim>> wavyWay() {
+    std::vector<Motion<Dim>> way;
+    const auto at = [](int i) { return std::array{-0.9 * std::pow(i / 60.0, 2), 1.2 * std::sin(0.04 * i)}; };
+    for (int i = 0; i < 60; ++i) way.push_back(shift<Dim>(at(i + 1)[0] - at(i)[0], at(i + 1)[1] - at(i)[1]));
+    return way;
+}
+
+}  // namespace
+
+class TestDragFlow : public QObject {
+    Q_OBJECT
+
+    template <int Dim>
+    void followsTheExactMotion(double phi) {
+        Bend<Dim> bend(Dim == 2 ? 24 : 12, Dim == 2 ? 6 : 3, 4, 0, phi);
+        auto flow = flowOf(bend);
+        std::vector<Motion<Dim>> way = wavyWay<Dim>();
+        for (const Motion<Dim>& motion : way) QCOMPARE(flow.lead({1}, motion).done, 1.0);
+        // One field a sample; a few more while the directions are new.
+        QVERIFY2(flow.evaluations() <= 66, qPrintable(QString::number(flow.evaluations())));
+        QVERIFY(flow.constraintError() < 1e-12);
+        for (size_t i = 0; i < way.size(); ++i)
+            way[i].start = double(i) / way.size(), way[i].end = double(i + 1) / way.size();
+        bend.handles[1].motions = way;
+        IntegrationOptions options;
+        options.method = Method::RungeKutta4;
+        options.steps = 60;
+        options.velocityTolerance = 0;
+        Deformer<Dim> exact = bend.deformer(options);
+        QVERIFY(exact.advance(1).outcome == Outcome::Done);
+        const double error =
+            distance(flow.pose(), exact.state().points) / boundingBoxDiagonal<Dim>(bend.mesh->points);
+        // The fields' tolerance of 1e-3 over a way of 0.4 diagonals.
+        QVERIFY2(error < 4e-4, qPrintable(QString::number(error)));
+        QVERIFY(distance(flow.pose(), bend.mesh->points) > 0.5);
+    }
+
+    /// Of second order in the length of the samples: a turn in 10, 20, 40.
+    template <int Dim>
+    void isOfSecondOrder() {
+        // Near EQUIA every field is exact.
+        Bend<Dim> bend(8, 3, 4, 1, std::atan(1.0 / 25));
+        IntegrationOptions options;
+        options.tolerance = 1e-9;
+        Deformer<Dim> exact = bend.deformer(options);
+        exact.advance(1);
+        std::vector<double> errors;
+        for (const int samples : {10, 20, 40}) {
+            auto flow = flowOf(bend);
+            Motion<Dim> turn = bend.handles[1].motions[0];
+            std::get<Rotate<Dim>>(turn.kind).angle /= samples;
+            for (int i = 0; i < samples; ++i) QCOMPARE(flow.lead({1}, turn).done, 1.0);
+            errors.push_back(distance(flow.pose(), exact.state().points));
+            QVERIFY(flow.statistics().factorizations >= samples);
+        }
+        const double order = std::log2(errors[0] / errors[2]) / 2;
+        QVERIFY2(order > 1.7, qPrintable(QString::number(order)));
+    }
+
+    /// Towards the held end: stops before it, says so, and comes back.
+    template <int Dim>
+    void stopsBeforeCellsFold() {
+        const Bend<Dim> bend(8, 2, 2, 0);
+        auto flow = flowOf(bend);
+        double gone = 0;
+        typename DragFlow<Dim>::Led led;
+        for (int i = 0; i < 60 && led.done == 1; ++i) {
+            led = flow.lead({1}, shift<Dim>(-0.05, 0));
+            gone += 0.05 * led.done;
+        }
+        QVERIFY(led.done < 1 && gone > 1 && gone < 2);
+        QVERIFY2(led.problem.find("would fold over") != std::string::npos, led.problem.c_str());
+        QCOMPARE(samples::flips<Dim>(*bend.mesh, flow.pose()), 0);
+        QVERIFY(flow.constraintError() < 1e-12);
+        const int tip = bend.mesh->vertexCount() - 1;
+        QVERIFY(std::abs(flow.pose()(0, tip) - 2 + gone) < 1e-12);
+        QCOMPARE(flow.lead({1}, shift<Dim>(0.05, 0)).done, 1.0);
+    }
+
+    template <int Dim>
+    void beginsAnywhere() {
+        const Bend<Dim> bend(8, 2, 4, 0);
+        auto flow = flowOf(bend), other = flowOf(bend);
+        QVERIFY(flow.pose() == bend.mesh->points);
+        flow.lead({1}, shift<Dim>(0, 0.1));
+        const Points<Dim> pose = flow.pose();
+        other.begin(pose);
+        QVERIFY(other.pose() == pose);
+        flow.lead({0, 1}, shift<Dim>(0.3, 0.2));  // all handles: a translation
+        Vec<Dim> by = Vec<Dim>::Zero();
+        by[0] = 0.3, by[1] = 0.2;
+        QVERIFY(distance(flow.pose(), Points<Dim>(pose.colwise() + by)) < 1e-3);
+        flow.begin(bend.mesh->points);
+        QVERIFY(flow.pose() == bend.mesh->points);
+        QCOMPARE(flow.lead({}, shift<Dim>(1, 0)).done, 1.0);
+        QVERIFY(flow.pose() == bend.mesh->points);
+        QVERIFY_EXCEPTION_THROWN(flow.begin(Points<Dim>(Dim, 3)), InputError);
+    }
+
+  private slots:
+    void followsTheExactMotion_data() {
+        QTest::addColumn<int>("dim");
+        QTest::addColumn<double>("phi");
+        for (const int dim : {2, 3}) {
+            QTest::addRow("metr %dD", dim) << dim << phi::kMetr;
+            QTest::addRow("akvf %dD", dim) << dim << phi::kAkvf;
+            QTest::addRow("conf %dD", dim) << dim << phi::conformal(dim);
+        }
+    }
+    void followsTheExactMotion() {
+        QFETCH(int, dim);
+        QFETCH(double, phi);
+        dim == 2 ? followsTheExactMotion<2>(phi) : followsTheExactMotion<3>(phi);
+    }
+    void isOfSecondOrder2() { isOfSecondOrder<2>(); }
+    void isOfSecondOrder3() { isOfSecondOrder<3>(); }
+    void stopsBeforeCellsFold2() { stopsBeforeCellsFold<2>(); }
+    void stopsBeforeCellsFold3() { stopsBeforeCellsFold<3>(); }
+    void beginsAnywhere2() { beginsAnywhere<2>(); }
+    void beginsAnywhere3() { beginsAnywhere<3>(); }
+};
+
+QTEST_APPLESS_MAIN(TestDragFlow)
+#include "test_drag_flow.moc"
