@@ -1,20 +1,21 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <fstream>
 #include <future>
+#include <optional>
 #include <string_view>
-
-#include <OpenImageIO/filesystem.h>
 
 #include "core/mesh/error.h"
 #include "core/mesh/safe_file.h"
+#include "warp/checked_file.h"
 #include "warp/convert.h"
 #include "warp/image_metadata.h"
 #include "warp/webp.h"
 
 namespace wend {
 namespace {
+
+constexpr const char* kDiskFull = "the disk may be full";
 
 enum class Association { Unassociated, Associated, Either };
 
@@ -190,19 +191,46 @@ struct Writing {
     std::function<Strips()> strips;
 };
 
-/// The reason of a failure, empty on success.
-std::string tryWrite(const Writing& writing, const OIIO::ImageSpec& spec) {
+/// The reason of a failure, empty on success; `failed` tells of one that the format's library does not see.
+template <typename Failed>
+std::string tryWriteTo(OIIO::ImageOutput& output, const Writing& writing, const OIIO::ImageSpec& spec,
+                       const Failed& failed) {
+    if (!output.open(writing.temporary, spec)) return "cannot be opened for writing: " + output.geterror();
+    const bool written = writing.strips().forEach([&](int top, const Image& strip) {
+        return output.write_scanlines(spec.y + top, spec.y + top + strip.height, spec.z, spec.format,
+                                      strip.data.data()) &&
+               !failed();
+    });
+    const std::string error = output.geterror();
+    const bool closed = output.close();
+    if (written && closed) return {};
+    return error.empty() ? kDiskFull : error;
+}
+
+/// Whether the format's library tells of a full disk. Those of PNG, BMP and Targa do not, and that of JPEG
+/// ends the process.
+bool tellsOfFullDisk(const OIIO::ImageOutput& output) {
+    const std::string format = output.format_name();
+    return format != "png" && format != "jpeg" && format != "bmp" && format != "targa";
+}
+
+std::string tryWrite(const Writing& writing, OIIO::ImageSpec spec) {
+    std::optional<CheckedFile> file;  // outlives the output, whose end may write
     const auto output = OIIO::ImageOutput::create(writing.temporary);
     if (!output) return OIIO::geterror();
-    if (!output->open(writing.temporary, spec)) return "cannot be opened for writing: " + output->geterror();
-    const bool written = writing.strips().forEach([&](int top, const Image& strip) {
-        return output->write_scanlines(spec.y + top, spec.y + top + strip.height, spec.z, spec.format,
-                                       strip.data.data());
-    });
-    const std::string error = output->geterror();
-    const bool closed = output->close();
-    if (written && closed) return {};
-    return error.empty() ? "the disk may be full" : error;
+    if (tellsOfFullDisk(*output) || !output->supports("ioproxy"))
+        return tryWriteTo(*output, writing, spec, [] { return false; });
+    OIIO::Filesystem::IOProxy* proxy = &file.emplace(writing.temporary);
+    spec.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
+    const std::string error = tryWriteTo(*output, writing, spec, [&] { return file->failed(); });
+    if (!error.empty()) return error;
+    return file->finish() ? "" : kDiskFull;
+}
+
+/// `text` with the temporary file called by its proper name.
+std::string properlyNamed(std::string text, const Writing& writing) {
+    const auto at = text.find(writing.temporary);
+    return at == std::string::npos ? text : text.replace(at, writing.temporary.size(), writing.path);
 }
 
 /// A colour profile that the format's library refuses fails the whole file: better the picture without it.
@@ -212,8 +240,10 @@ void writePicture(const Writing& writing, OIIO::ImageSpec spec) {
         spec.erase_attribute("ICCProfile");
         error = tryWrite(writing, spec);
     }
-    if (!error.empty())
+    if (!error.empty()) {
+        error = properlyNamed(error, writing);
         throw InputError(writing.path, "cannot be written: " + error.substr(0, error.find('\n')));
+    }
 }
 
 /// OpenImageIO's own WebP rounds the colours of transparent pixels and drops the profile.
