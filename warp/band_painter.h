@@ -13,8 +13,9 @@ namespace wend {
 template <typename T>
 class BandPainter {
   public:
-    BandPainter(const WarpJob& job, int band, Image& strip, int top)
+    BandPainter(const WarpJob& job, int band, BandPart part, Image& strip, int top)
         : m_job(job),
+          m_part(part),
           m_strip(strip),
           m_top(top),
           m_band(band),
@@ -31,8 +32,9 @@ class BandPainter {
     }
 
     void paint() {
-        for (int cell : m_job.cellsOfBand[static_cast<std::size_t>(m_band)])
-            paintCell(m_job.cells[static_cast<std::size_t>(cell)]);
+        if (m_part == BandPart::All || !m_covered.empty())
+            for (int cell : m_job.cellsOfBand[static_cast<std::size_t>(m_band)])
+                paintCell(m_job.cells[static_cast<std::size_t>(cell)]);
         fillOutside();
         resolveOutline();
     }
@@ -78,7 +80,7 @@ class BandPainter {
             if (m_task.begin >= m_task.end) continue;
             m_task.setRow(cell.map, m_job.plane(0, y + 0.5).y());
             m_task.inner = allInner || (cell.map.exact && innerSpan(cell, y));
-            m_spans.paint(m_task, target(m_task.begin, y));
+            if (m_part == BandPart::All) m_spans.paint(m_task, target(m_task.begin, y));
             if (!m_covered.empty())
                 std::fill_n(covered(m_task.begin, y), m_task.end - m_task.begin, std::uint8_t(1));
         }
@@ -234,6 +236,7 @@ class BandPainter {
     }
 
     const WarpJob& m_job;
+    BandPart m_part;
     Image& m_strip;
     int m_top, m_band, m_begin, m_end, m_channels;
     SpanFunctions m_spans;
@@ -243,8 +246,8 @@ class BandPainter {
 };
 
 template <typename T>
-void paintBand(const WarpJob& job, int band, Image& strip, int top) {
-    BandPainter<T>(job, band, strip, top).paint();
+void paintBand(const WarpJob& job, int band, BandPart part, Image& strip, int top) {
+    BandPainter<T>(job, band, part, strip, top).paint();
 }
 
 }  // namespace wend

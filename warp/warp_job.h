@@ -46,14 +46,17 @@ struct WarpJob {
     Vec<2> plane(double x, double y) const { return view.origin + view.scale * Vec<2>(x, y); }
 };
 
-/// Paints the rows of one band of a picture of numbers of type T. `strip` has the output's width and layout,
-/// is zero, and its first row is row `top` of the output.
-template <typename T>
-void paintBand(const WarpJob& job, int band, Image& strip, int top);
+/// What of a band is to be painted: all, or what is not the cells'.
+enum class BandPart { All, BesideCells };
 
-extern template void paintBand<std::uint8_t>(const WarpJob&, int, Image&, int);
-extern template void paintBand<std::uint16_t>(const WarpJob&, int, Image&, int);
-extern template void paintBand<half>(const WarpJob&, int, Image&, int);
-extern template void paintBand<float>(const WarpJob&, int, Image&, int);
+/// Paints the rows of one band of a picture of numbers of type T. `strip` has the output's width and layout,
+/// is zero but for cells that are painted already, and its first row is row `top` of the output.
+template <typename T>
+void paintBand(const WarpJob& job, int band, BandPart part, Image& strip, int top);
+
+extern template void paintBand<std::uint8_t>(const WarpJob&, int, BandPart, Image&, int);
+extern template void paintBand<std::uint16_t>(const WarpJob&, int, BandPart, Image&, int);
+extern template void paintBand<half>(const WarpJob&, int, BandPart, Image&, int);
+extern template void paintBand<float>(const WarpJob&, int, BandPart, Image&, int);
 
 }  // namespace wend

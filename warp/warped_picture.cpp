@@ -139,12 +139,14 @@ WarpedPicture::WarpedPicture(const Image& source, const SimplicialMesh<2>& rest,
     m_pyramid.emplace(std::shared_ptr<const Image>(std::shared_ptr<const Image>(), &source),
                       deepestLevel(*m_job));
     setSource(*m_job, *m_pyramid);
+    if (options.makePainter) m_painter = options.makePainter(*m_job);
 }
 
 WarpedPicture::WarpedPicture(const Pyramid& source, const SimplicialMesh<2>& rest, const Points<2>& pose,
                              const View& view, const WarpOptions& options)
     : m_job(makeJob(source.base(), source.levels(), rest, pose, view, options)) {
     setSource(*m_job, source);
+    if (options.makePainter) m_painter = options.makePainter(*m_job);
 }
 
 WarpedPicture::~WarpedPicture() = default;
@@ -153,13 +155,23 @@ const Image& WarpedPicture::header() const {
     return m_job->header;
 }
 
+bool WarpedPicture::paintCells(int top, Image& strip) const {
+    if (!m_painter || strip.data.empty()) return false;
+    if (m_painter->paint(*m_job, top, strip)) return true;
+    m_painter.reset();
+    std::fill(strip.data.begin(), strip.data.end(), std::byte(0));
+    return false;
+}
+
 bool WarpedPicture::paint(int top, Image& strip) const {
     const WarpJob& job = *m_job;
+    const BandPart part = paintCells(top, strip) ? BandPart::BesideCells : BandPart::All;
     const int begin = top / kBandRows, end = (top + strip.height + kBandRows - 1) / kBandRows;
     std::atomic<int> next = begin, done = begin;
     const auto work = [&] {
         for (int band; (band = next++) < end && !job.options.stop.stop_requested();) {
-            withPixelType(job.header.type, [&](auto t) { paintBand<decltype(t)>(job, band, strip, top); });
+            withPixelType(job.header.type,
+                          [&](auto t) { paintBand<decltype(t)>(job, band, part, strip, top); });
             if (job.options.progress) job.options.progress(static_cast<double>(++done) / job.bands());
         }
     };

@@ -25,14 +25,21 @@ class WarpedPicture {
     /// covered.
     const Image& header() const;
 
-    /// Rows from `top`, a multiple of kRows, as many as `strip` has. False if the options' token stopped it.
+    /// Rows from `top`, a multiple of kRows, as many as `strip` has, which comes with zeros. False if the
+    /// options' token stopped it. Not for several threads at a time.
     bool paint(int top, Image& strip) const;
+
+    /// Whether WarpOptions::makePainter's painter paints the cells.
+    bool hasPainter() const { return m_painter != nullptr; }
 
     static constexpr int kRows = 256;  // of a strip that is worth the threads, a multiple of a band's
 
   private:
+    bool paintCells(int top, Image& strip) const;
+
     std::optional<Pyramid> m_pyramid;
     std::unique_ptr<WarpJob> m_job;
+    mutable std::unique_ptr<CellPainter> m_painter;  // none any more once it failed
 };
 
 /// Warps and writes strip by strip: beside the source, a few strips are in memory (formats without scan

@@ -107,6 +107,7 @@ class Run {
         WarpOptions options;
         options.filter = m_options.filter;
         options.threads = m_project.integration.threads;
+        options.makePainter = cellPainters(m_options.backEnd, {}, m_watch.notice);
         options.stop = m_watch.stop;
         if (m_watch.progress)
             options.progress = [this, from, to](double done) {
@@ -161,15 +162,16 @@ class Run {
         if (path.empty()) return;
         const Points<Dim>& pose = m_deformer.state().points;
         const std::chrono::duration<double> total = Clock::now() - m_start;
-        const RunFigures figures{m_scene.rest->vertexCount(),
-                                 m_scene.rest->cellCount(),
-                                 Dim,
-                                 m_deformer.state().time,
-                                 total.count(),
-                                 m_deformer.backEndName(),
-                                 m_deformer.deviceName(),
-                                 distortion(*m_scene.rest, pose),
-                                 m_deformer.statistics()};
+        const RunFigures figures{
+            m_scene.rest->vertexCount(),
+            m_scene.rest->cellCount(),
+            Dim,
+            m_deformer.state().time,
+            total.count(),
+            m_deformer.backEndName(),
+            m_deformer.deviceName(),
+            distortionOf<Dim>(m_options.backEnd, *m_scene.rest, {}, m_watch.notice)(pose),
+            m_deformer.statistics()};
         m_files.add(path, ".json",
                     [&](const std::string& file) { writeTextFile(file, reportJson(figures)); });
     }
