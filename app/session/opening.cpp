@@ -12,32 +12,18 @@ namespace wend {
 
 namespace {
 
-QString said(const char* text) {
-    return QCoreApplication::translate("Opening", text);
-}
-
-[[noreturn]] void refuse(const QString& path, const QString& why) {
-    throw InputError(path.toStdString(), why.toStdString());
-}
-
 bool hasExtension(const QString& path, const QString& patterns) {
     return patterns.split(' ').contains(QStringLiteral("*.") + QFileInfo(path).suffix().toLower());
 }
-
-const char* const kVolumeLater =
-    QT_TRANSLATE_NOOP("Opening",
-                      "this is a solid; the window shows pictures and flat meshes so far. `wend run` and "
-                      "`wend mesh` work with solids.");
 
 std::string absolute(const QString& folder, const std::string& file) {
     return file.empty() ? file : QDir(folder).absoluteFilePath(QString::fromStdString(file)).toStdString();
 }
 
-OpenedFile openProject(const QString& path, Solids solids) {
+OpenedFile openProject(const QString& path) {
     OpenedFile file;
     LoadedProject loaded = readProject(path.toStdString());
     Project& project = loaded.project;
-    if (project.dimension() == 3 && solids == Solids::Refuse) refuse(path, said(kVolumeLater));
     const QString folder = QFileInfo(path).absolutePath();
     project.domain.path = absolute(folder, project.domain.path);
     project.domain.texture = absolute(folder, project.domain.texture);
@@ -87,10 +73,9 @@ bool isFlat(const MeshFile& mesh) {
     return !isVolume(mesh) && z.maxCoeff() - z.minCoeff() <= 1e-9 * size.norm();
 }
 
-OpenedFile openMesh(const QString& path, Solids solids) {
+OpenedFile openMesh(const QString& path) {
     const MeshFile mesh = readMeshFile(path.toStdString());
     const bool flat = isFlat(mesh);
-    if (!flat && solids == Solids::Refuse) refuse(path, said(kVolumeLater));
     Project project;
     project.domain.kind = flat || isVolume(mesh) ? DomainKind::Mesh : DomainKind::Surface;
     project.domain.path = path.toStdString();
@@ -98,6 +83,14 @@ OpenedFile openMesh(const QString& path, Solids solids) {
     OpenedFile file;
     file.project = std::make_shared<const Project>(std::move(project));
     return file;
+}
+
+bool isSolid(const QString& project) {
+    try {
+        return readProject(project.toStdString()).project.dimension() == 3;
+    } catch (const InputError&) {
+        return false;
+    }
 }
 
 QString sampleFolder() {
@@ -124,13 +117,13 @@ bool looksOpenable(const QString& path) {
            hasExtension(path, meshExtensions());
 }
 
-OpenedFile openFile(const QString& path, Solids solids) {
+OpenedFile openFile(const QString& path) {
     const QString absolutePath = QFileInfo(path).absoluteFilePath();
     OpenedFile file;
     if (hasExtension(path, QStringLiteral("*.wend")))
-        file = openProject(absolutePath, solids);
+        file = openProject(absolutePath);
     else if (hasExtension(path, meshExtensions()))
-        file = openMesh(absolutePath, solids);
+        file = openMesh(absolutePath);
     else
         file = openPicture(absolutePath);
     file.source = absolutePath;
@@ -139,7 +132,7 @@ OpenedFile openFile(const QString& path, Solids solids) {
 }
 
 OpenedFile openLost(const LostWork& work) {
-    OpenedFile file = openProject(work.copy, Solids::Take);
+    OpenedFile file = openProject(work.copy);
     file.path = work.path;
     file.source = work.source;
     file.recoveredFrom = work.copy;
@@ -147,17 +140,22 @@ OpenedFile openLost(const LostWork& work) {
 }
 
 QStringList samplePaths() {
-    QStringList paths;
+    QStringList pictures, solids;
     const QDir folder(sampleFolder());
-    if (sampleFolder().isEmpty()) return paths;
-    for (const QFileInfo& info : folder.entryInfoList({QStringLiteral("*.wend")}, QDir::Files, QDir::Name))
-        paths << info.absoluteFilePath();
-    return paths;
+    if (sampleFolder().isEmpty()) return pictures;
+    for (const QFileInfo& info : folder.entryInfoList({QStringLiteral("*.wend")}, QDir::Files, QDir::Name)) {
+        const QString path = info.absoluteFilePath();
+        (isSolid(path) ? solids : pictures) << path;
+    }
+    return pictures + solids;
 }
 
 QString picturePathOf(const QString& project) {
     try {
         const Project read = readProject(project.toStdString()).project;
+        const QFileInfo own(QFileInfo(project).absoluteDir(),
+                            QFileInfo(project).completeBaseName() + QStringLiteral(".png"));
+        if (read.dimension() == 3 && own.exists()) return own.absoluteFilePath();
         if (read.domain.kind != DomainKind::Image) return {};
         return QFileInfo(project).absoluteDir().absoluteFilePath(QString::fromStdString(read.domain.path));
     } catch (const std::exception&) {

@@ -71,8 +71,11 @@ void addSection(CutSurface& surface, const Cell<3>& cell, int index, const Point
     const auto place = [&](const Corner& c) -> Vec<3> {
         return (1 - c.weight) * pose.col(c.from) + c.weight * pose.col(c.to);
     };
+    // Twice the area vector of the whole polygon: corners may coincide where the plane meets vertices.
+    Vec<3> normal = Vec<3>::Zero();
     const Vec<3> first = place(polygon[0]);
-    const Vec<3> normal = (place(polygon[1]) - first).cross(place(polygon.back()) - first);
+    for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
+        normal += (place(polygon[i]) - first).cross(place(polygon[i + 1]) - first);
     if (normal.dot(plane.normal) < 0) std::reverse(polygon.begin(), polygon.end());
     addFan(surface, polygon, index, true);
 }
