@@ -1,6 +1,8 @@
 #include "warp/warped_picture.h"
 
 #include <atomic>
+#include <exception>
+#include <mutex>
 #include <thread>
 
 #include "core/mesh/error.h"
@@ -124,6 +126,30 @@ int deepestLevel(const WarpJob& job) {
     return deepest;
 }
 
+/// An exception must not leave a helper thread: the first one is kept for the caller.
+class FirstFailure {
+  public:
+    template <typename Work>
+    void catching(Work&& work) {
+        try {
+            work();
+        } catch (...) {
+            const std::scoped_lock lock(m_mutex);
+            if (!m_first) m_first = std::current_exception();
+            m_any = true;
+        }
+    }
+    bool any() const { return m_any; }
+    void rethrow() const {
+        if (m_first) std::rethrow_exception(m_first);
+    }
+
+  private:
+    std::mutex m_mutex;
+    std::exception_ptr m_first;
+    std::atomic<bool> m_any = false;
+};
+
 int threadsOf(const WarpOptions& options, int bands) {
     const int wanted =
         options.threads > 0 ? options.threads : static_cast<int>(std::thread::hardware_concurrency());
@@ -168,18 +194,21 @@ bool WarpedPicture::paint(int top, Image& strip) const {
     const BandPart part = paintCells(top, strip) ? BandPart::BesideCells : BandPart::All;
     const int begin = top / kBandRows, end = (top + strip.height + kBandRows - 1) / kBandRows;
     std::atomic<int> next = begin, done = begin;
+    FirstFailure failure;
     const auto work = [&] {
-        for (int band; (band = next++) < end && !job.options.stop.stop_requested();) {
-            withPixelType(job.header.type,
-                          [&](auto t) { paintBand<decltype(t)>(job, band, part, strip, top); });
-            if (job.options.progress) job.options.progress(static_cast<double>(++done) / job.bands());
-        }
+        failure.catching([&] {
+            for (int band; (band = next++) < end && !job.options.stop.stop_requested() && !failure.any();) {
+                withPixelType(job.header.type,
+                              [&](auto t) { paintBand<decltype(t)>(job, band, part, strip, top); });
+                if (job.options.progress) job.options.progress(static_cast<double>(++done) / job.bands());
+            }
+        });
     };
-    {
-        std::vector<std::jthread> helpers;
-        for (int k = 1; k < threadsOf(job.options, end - begin); ++k) helpers.emplace_back(work);
-        work();
-    }
+    std::vector<std::jthread> helpers;
+    for (int k = 1; k < threadsOf(job.options, end - begin); ++k) helpers.emplace_back(work);
+    work();
+    helpers.clear();
+    failure.rethrow();
     return !job.options.stop.stop_requested();
 }
 
