@@ -435,7 +435,7 @@ template class VelocitySolver<2>;
 template class VelocitySolver<3>;
 
 double velocityToleranceFor(double integrationTolerance) {
-    return 0.3 * integrationTolerance;
+    return 0.5 * integrationTolerance;
 }
 
 std::string describe(const SolveOutcome& outcome) {
