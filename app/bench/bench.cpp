@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <thread>
 
+#include "app/bench/drag_rows.h"
 #include "app/bench/flow_rows.h"
 #include "app/bench/recorder.h"
 #include "app/bench/solver_rows.h"
@@ -27,6 +28,7 @@ void runSize(const Size& size, BenchRecorder& recorder) {
     recorder.begin({size.name, Dim, body.rest->vertexCount(), body.rest->cellCount(), {}});
     addSolverRows(body, recorder);
     addFlowRows(body, recorder);
+    addDragRows(body, recorder);
 }
 
 void requireKnown(const std::vector<std::string>& cases) {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "app/bench/test_picture.h"
 #include "core/meshing/planar_mesher.h"
 #include "warp/warp.h"
 
@@ -9,27 +10,6 @@ namespace wend {
 namespace {
 
 constexpr int kWidth = 6000, kHeight = 4000;
-
-/// Waves of all lengths: no filter has it easy.
-Image testPicture() {
-    Image image;
-    image.width = kWidth;
-    image.height = kHeight;
-    image.channels = 4;
-    image.alpha = true;
-    image.type = PixelType::UInt8;
-    image.data.resize(static_cast<std::size_t>(kWidth) * kHeight * 4);
-    auto* out = reinterpret_cast<unsigned char*>(image.data.data());
-    for (int y = 0; y < kHeight; ++y)
-        for (int x = 0; x < kWidth; ++x) {
-            const unsigned wave = static_cast<unsigned>((x * x / 700 + y * y / 900) >> 3);
-            *out++ = static_cast<unsigned char>(wave);
-            *out++ = static_cast<unsigned char>(x >> 4);
-            *out++ = static_cast<unsigned char>(y >> 4);
-            *out++ = 255;
-        }
-    return image;
-}
 
 /// A turn by 20° about the middle and a wave on top: stretches between 0.7 and 1.4.
 Points<2> bent(const Points<2>& rest) {
@@ -47,13 +27,12 @@ Points<2> bent(const Points<2>& rest) {
 }  // namespace
 
 void addWarpRows(BenchRecorder& recorder) {
-    const Image picture = testPicture();
     PlanarMeshOptions options;
     options.vertices = 5000;
     const SimplicialMesh<2> rest =
         meshOutline(Outline{{{{0, 0}, {kWidth, 0}, {kWidth, kHeight}, {0, kHeight}}}}, options);
     const Points<2> pose = bent(rest.points);
-    const Pyramid pyramid(std::make_shared<const Image>(picture));
+    const Pyramid pyramid(std::make_shared<const Image>(testPicture(kWidth, kHeight)));
     const View view{kWidth, kHeight, Vec<2>::Zero(), 1};
     for (const auto& [name, filter] : {std::pair{"nearest", Filter::Nearest},
                                        {"bilinear", Filter::Bilinear},

@@ -2,6 +2,7 @@
 
 #include "app/cli/arguments.h"
 #include "app/cli/cli.h"
+#include "core/mesh/mesh_file.h"
 
 namespace wend {
 
@@ -12,6 +13,9 @@ ExitCode runDevices(const Arguments& arguments);
 ExitCode runBench(const Arguments& arguments);
 /// Prints the reference page of the options (docs/reference.md).
 ExitCode runReference(const Arguments& arguments);
+
+/// --encoding and --msh.
+MeshWriteOptions meshOptionsFrom(const Arguments& arguments);
 
 /// The only file on the line; throws UsageError if there is none or there are several.
 std::string onlyFile(const Arguments& arguments, const std::string& what);

@@ -6,6 +6,7 @@
 #include "app/cli/terminal.h"
 #include "app/session/output_set.h"
 #include "app/session/run.h"
+#include "app/session/shape_file.h"
 #include "core/mesh/error.h"
 
 namespace wend {
@@ -119,7 +120,8 @@ ExitCode runMesh(const Arguments& arguments) try {
     terminal.progress("meshing", 0);
     const MeshFile mesh = meshOf(input, path, interrupt.token(), terminal);
     OutputSet files;
-    files.add(output, ".vtu", [&](const std::string& file) { writeMeshFile(file, mesh); });
+    files.add(output, ".vtu",
+              [&](const std::string& file) { writeMeshFile(file, mesh, meshOptionsFrom(arguments)); });
     files.commit();
     return ExitCode::Done;
 } catch (const InputError& error) {

@@ -18,6 +18,7 @@ RunOutputs outputsFrom(const Arguments& arguments) {
     outputs.frames = arguments.text("--frames");
     outputs.report = arguments.text("--report");
     outputs.count = arguments.integer("--count");
+    outputs.framesPerSecond = arguments.number("--fps");
     int standardOutputs = 0;
     for (const auto* name :
          {&outputs.image, &outputs.mesh, &outputs.velocity, &outputs.stMap, &outputs.report})
@@ -25,6 +26,8 @@ RunOutputs outputsFrom(const Arguments& arguments) {
     if (standardOutputs > 1) throw UsageError("only one output can go to standard output (-)");
     if (outputs.frames == "-") throw UsageError("--frames cannot go to standard output (-)");
     if (arguments.has("--count") && outputs.frames.empty()) throw UsageError("--count is for --frames");
+    if (arguments.has("--fps") && !isAnimation(outputs.frames))
+        throw UsageError("--fps is for --frames with a .glb file");
     return outputs;
 }
 
@@ -48,6 +51,8 @@ RunOptions optionsFrom(const Arguments& arguments) {
     options.filter = filters.at(arguments.text("--filter"));
     options.canvas = arguments.text("--canvas") == "fit" ? Canvas::Fit : Canvas::Picture;
     options.partial = arguments.has("--partial");
+    options.fields = arguments.text("--fields") == "all";
+    options.meshes = meshOptionsFrom(arguments);
     return options;
 }
 
@@ -69,6 +74,16 @@ void override(Project& project, const Arguments& arguments) {
 }
 
 }  // namespace
+
+MeshWriteOptions meshOptionsFrom(const Arguments& arguments) {
+    using Encoding = MeshWriteOptions::Encoding;
+    static const std::map<std::string, Encoding> encodings{
+        {"text", Encoding::Text}, {"binary", Encoding::Binary}, {"compressed", Encoding::Compressed}};
+    MeshWriteOptions options;
+    options.encoding = encodings.at(arguments.text("--encoding"));
+    options.gmshVersion = arguments.text("--msh") == "2.2" ? 2 : 4;
+    return options;
+}
 
 ExitCode runRun(const Arguments& arguments) {
     const std::string path = onlyFile(arguments, "project");

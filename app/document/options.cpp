@@ -106,14 +106,24 @@ constexpr std::array kOptions{
     Option{"", "--image", File, "", kAny, "", "", "run",
            "write the warped picture (png, tif, exr, jpg, webp …)"},
     Option{"", "--mesh", File, "", kAny, "", "", "run",
-           "write the deformed mesh (obj, ply, off; mesh, msh, vtk, vtu, node)"},
+           "write the deformed mesh (obj, ply, off, stl, glb; mesh, msh, vtk, vtu, node); of a solid, the "
+           "first five "
+           "get its surface"},
     Option{"", "--velocity", File, "", kAny, "", "", "run",
            "write the velocity field at the last time (csv, vtu)"},
     Option{"", "--stmap", File, "", kAny, "", "", "run", "write the ST map of the warp (exr, tif)"},
     Option{"", "--frames", File, "", kAny, "", "", "run",
-           "write a sequence of pictures or meshes; #### stands for the frame's number"},
+           "write a sequence of pictures or meshes; #### stands for the frame's number. .vtu: with a .pvd "
+           "beside; "
+           "a .glb without #### holds all frames of a solid as an animation"},
     Option{"", "--count", Integer, "25", kFrames, "", "", "run",
            "number of frames, at equal times from the start to the last time"},
+    Option{"", "--fps", Number, "24", kPositive, "1/s", "", "run", "frames per second of an animated .glb"},
+    Option{"", "--fields", Choice, "all", kAny, "", "all|none", "run",
+           "whether distortion, φ, directions and velocity go with meshes, in formats that carry values"},
+    Option{"", "--encoding", Choice, "text", kAny, "", "text|binary|compressed", "run mesh",
+           "how numbers stand in mesh files that know several ways (ply, stl, msh, vtk, vtu)"},
+    Option{"", "--msh", Choice, "4.1", kAny, "", "4.1|2.2", "run mesh", "version of .msh files"},
     Option{"", "--report", File, "", kAny, "", "", "run", "write figures about the run (json)"},
     Option{"", "--at", Number, "", kNotNegative, "time", "", "run",
            "stop at this time instead of the project's end"},

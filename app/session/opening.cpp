@@ -100,6 +100,14 @@ OpenedFile openMesh(const QString& path, Solids solids) {
     return file;
 }
 
+bool isSolid(const QString& project) {
+    try {
+        return readProject(project.toStdString()).project.dimension() == 3;
+    } catch (const InputError&) {
+        return false;
+    }
+}
+
 QString sampleFolder() {
     const QString program = QCoreApplication::applicationDirPath();
     for (const QString& folder :
@@ -146,18 +154,23 @@ OpenedFile openLost(const LostWork& work) {
     return file;
 }
 
-QStringList samplePaths() {
-    QStringList paths;
+QStringList samplePaths(Solids wanted) {
+    QStringList pictures, solids;
     const QDir folder(sampleFolder());
-    if (sampleFolder().isEmpty()) return paths;
-    for (const QFileInfo& info : folder.entryInfoList({QStringLiteral("*.wend")}, QDir::Files, QDir::Name))
-        paths << info.absoluteFilePath();
-    return paths;
+    if (sampleFolder().isEmpty()) return pictures;
+    for (const QFileInfo& info : folder.entryInfoList({QStringLiteral("*.wend")}, QDir::Files, QDir::Name)) {
+        const QString path = info.absoluteFilePath();
+        (isSolid(path) ? solids : pictures) << path;
+    }
+    return wanted == Solids::Take ? pictures + solids : pictures;
 }
 
 QString picturePathOf(const QString& project) {
     try {
         const Project read = readProject(project.toStdString()).project;
+        const QFileInfo own(QFileInfo(project).absoluteDir(),
+                            QFileInfo(project).completeBaseName() + QStringLiteral(".png"));
+        if (read.dimension() == 3 && own.exists()) return own.absoluteFilePath();
         if (read.domain.kind != DomainKind::Image) return {};
         return QFileInfo(project).absoluteDir().absoluteFilePath(QString::fromStdString(read.domain.path));
     } catch (const std::exception&) {

@@ -21,9 +21,10 @@ QString pictureExtensions();
 QString meshExtensions();
 bool looksOpenable(const QString& path);
 
-/// Sample projects: installed beside the program, or those of the source tree.
-QStringList samplePaths();
-/// The picture that a project shows, for a thumbnail; empty if it has none.
+/// Sample projects: installed beside the program, or those of the source tree; pictures first.
+QStringList samplePaths(Solids solids = Solids::Refuse);
+/// The picture that a project shows, or of a solid one of the same name beside it, for a thumbnail; empty if
+/// it has none.
 QString picturePathOf(const QString& project);
 
 }  // namespace wend

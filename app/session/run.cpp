@@ -1,9 +1,11 @@
 #include "app/session/run.h"
 
 #include <chrono>
+#include <filesystem>
 
 #include "app/document/text_file.h"
 #include "app/session/output_set.h"
+#include "app/session/shape_file.h"
 #include "core/mesh/error.h"
 #include "kernels/back_end_choice.h"
 
@@ -47,6 +49,11 @@ class Run {
     }
 
   private:
+    struct Frame {
+        double time;
+        Points<Dim> points;
+    };
+
     double end() const { return m_options.at.value_or(m_project.end); }
 
     void tell(const std::string& work, double fraction) const {
@@ -64,7 +71,9 @@ class Run {
             const int count = m_options.outputs.count;
             for (int k = 0; k < count; ++k)
                 watch.frames.push_back(k + 1 < count ? end() * k / (count - 1) : end());
-            watch.onFrame = [this](const State<Dim>& state) { m_frames.push_back(state.points); };
+            watch.onFrame = [this](const State<Dim>& state) {
+                m_frames.push_back({state.time, state.points});
+            };
         }
         return m_deformer.advance(end(), watch);
     }
@@ -73,11 +82,17 @@ class Run {
         const RunOutputs& outputs = m_options.outputs;
         const Points<Dim> pose = m_deformer.state().points;
         if (!outputs.velocity.empty()) writeVelocity(pose);
-        if (!outputs.mesh.empty())
-            m_files.add(outputs.mesh, ".vtu",
-                        [&](const std::string& file) { writeMeshFile(file, poseFile(m_scene, pose)); });
+        if (!outputs.mesh.empty()) writeMesh(pose);
         if constexpr (Dim == 2) writePictures(pose);
         writeFrames();
+    }
+
+    void writeMesh(const Points<Dim>& pose) {
+        std::vector<MeshField> fields;
+        if (m_options.fields) fields = shapeFields(m_scene, pose, m_deformer.velocity());
+        m_files.add(m_options.outputs.mesh, ".vtu", [&](const std::string& file) {
+            writeShape(file, m_scene, pose, fields, m_options.meshes);
+        });
     }
 
     void writeVelocity(const Points<Dim>& pose) {
@@ -86,17 +101,9 @@ class Run {
         const bool table = path == "-" || lowerExtension(path) == ".csv";
         m_files.add(path, ".csv", [&](const std::string& file) {
             if (table) return writeTextFile(file, velocityTable<Dim>(pose, velocity));
-            MeshFile mesh = poseFile(m_scene, pose);
-            mesh.fields.push_back({"velocity", false, 3, inSpace(velocity)});
-            writeMeshFile(file, mesh);
+            const auto fields = shapeFields(m_scene, pose, velocity);
+            writeMeshFile(file, poseFile(m_scene, pose, {fields.back()}), m_options.meshes);
         });
-    }
-
-    static std::vector<double> inSpace(const Points<Dim>& vectors) {
-        std::vector<double> values;
-        for (Eigen::Index i = 0; i < vectors.cols(); ++i)
-            for (int a = 0; a < 3; ++a) values.push_back(a < Dim ? vectors(a, i) : 0);
-        return values;
     }
 
     /// The picture in the pixels of `view`, with progress between the fractions `from` and `to` of the
@@ -133,17 +140,41 @@ class Run {
         if (pattern.empty()) return;
         if constexpr (Dim == 2)
             if (canWriteImage(pattern)) return writePictureFrames(pattern);
+        if constexpr (Dim == 3)
+            if (isAnimation(pattern)) return writeAnimatedFrames(pattern);
+        writeMeshFrames(pattern);
+    }
+
+    void writeMeshFrames(const std::string& pattern) {
+        std::vector<std::string> names;
+        std::vector<double> times;
         for (std::size_t k = 0; k < m_frames.size(); ++k) {
             tell("writing frames", static_cast<double>(k) / m_frames.size());
-            m_files.add(frameName(pattern, static_cast<int>(k)), "", [&](const std::string& file) {
-                writeMeshFile(file, poseFile(m_scene, m_frames[k]));
+            std::vector<MeshField> fields;
+            if (m_options.fields) fields = shapeFields(m_scene, m_frames[k].points);
+            const std::string name = frameName(pattern, static_cast<int>(k));
+            m_files.add(name, "", [&](const std::string& file) {
+                writeShape(file, m_scene, m_frames[k].points, fields, m_options.meshes);
             });
+            names.push_back(std::filesystem::path(name).filename().string());
+            times.push_back(m_frames[k].time);
         }
+        if (const std::string collection = collectionName(pattern); !collection.empty())
+            m_files.add(collection, "",
+                        [&](const std::string& file) { writeTextFile(file, collectionText(names, times)); });
+    }
+
+    void writeAnimatedFrames(const std::string& path) {
+        std::vector<Points<Dim>> poses;
+        for (const Frame& frame : m_frames) poses.push_back(frame.points);
+        m_files.add(path, ".glb", [&](const std::string& file) {
+            writeAnimation(file, m_scene, poses, m_options.outputs.framesPerSecond);
+        });
     }
 
     void writePictureFrames(const std::string& pattern) {
         std::vector<Points<2>> poses;
-        for (const Points<2>& frame : m_frames) poses.push_back(m_scene.texture.toPixels(frame));
+        for (const Frame& frame : m_frames) poses.push_back(m_scene.texture.toPixels(frame.points));
         const View view = canvasView(*m_scene.picture, poses, m_options.canvas);
         for (std::size_t k = 0; k < poses.size(); ++k) {
             const double from = static_cast<double>(k) / poses.size(),
@@ -179,7 +210,7 @@ class Run {
     const RunWatch& m_watch;
     Clock::time_point m_start;
     Deformer<Dim> m_deformer;
-    std::vector<Points<Dim>> m_frames;
+    std::vector<Frame> m_frames;
     OutputSet m_files;
 };
 

@@ -14,8 +14,9 @@ namespace wend {
 /// What a run writes; an empty name is not asked for, "-" is standard output.
 struct RunOutputs {
     std::string image, mesh, velocity, stMap, report;
-    std::string frames;  // with #### for the number, counted from 0
-    int count = 25;      // of frames, at equal times from 0 to the end, both included
+    std::string frames;           // with #### for the number, counted from 0; or one .glb that holds them all
+    int count = 25;               // of frames, at equal times from 0 to the end, both included
+    double framesPerSecond = 24;  // of a .glb
 };
 
 /// What part of the plane a picture shows.
@@ -27,6 +28,8 @@ struct RunOptions {
     BackEndKind backEnd = BackEndKind::Automatic;
     Filter filter = Filter::Ewa;
     Canvas canvas = Canvas::Picture;
+    bool fields = true;  // distortion, φ, B and velocity go with meshes, where the format carries them
+    MeshWriteOptions meshes;
     bool partial = false;  // if the deformation stops early, write the last good shape all the same
 };
 
@@ -48,10 +51,10 @@ void requirePossible(const Project& project, const RunOutputs& outputs);
 AdvanceResult runProject(const Project& project, const std::string& path, const RunOptions& options,
                          const RunWatch& watch = {});
 
-/// The mesh of a pose with what the domain's file said beside it: uv, fields, order and count. Of a picture,
-/// uv come from the rest mesh.
-template <int Dim>
-MeshFile poseFile(const Scene<Dim>& scene, const Points<Dim>& pose);
+/// Whether the frames go into one file: a .glb without a place for the number.
+bool isAnimation(const std::string& frames);
+/// The collection that is written beside .vtu frames: "dir/f_####.vtu" → "dir/f.pvd"; empty for others.
+std::string collectionName(const std::string& pattern);
 
 /// The pixels that a picture of these poses shows.
 View canvasView(const Image& picture, const std::vector<Points<2>>& posesInPixels, Canvas canvas);

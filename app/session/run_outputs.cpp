@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "app/session/output_set.h"
 #include "app/session/run.h"
@@ -9,8 +10,9 @@
 namespace wend {
 namespace {
 
-void requireMeshName(const std::string& path, const std::string& extension) {
-    const std::vector<std::string> known = meshFileExtensions();
+void requireMeshName(const Project& project, const std::string& path, const std::string& extension) {
+    std::vector<std::string> known = meshFileExtensions();
+    if (project.dimension() == 3) known.push_back(".glb");
     if (std::ranges::find(known, extension) != known.end()) return;
     std::string list;
     for (const std::string& one : known) list += " " + one;
@@ -29,13 +31,31 @@ bool isOneOf(const std::string& word, std::initializer_list<const char*> words) 
 }
 
 void requireFrames(const Project& project, const std::string& path) {
+    if (isAnimation(path)) return requireMeshName(project, path, lowerExtension(path));
     if (path.find('#') == std::string::npos)
         throw InputError(path, "the name of a sequence needs #### in the place of the number");
     if (canWriteImage(path)) return requirePicture(project, path);
-    requireMeshName(path, lowerExtension(path));
+    requireMeshName(project, path, lowerExtension(path));
 }
 
 }  // namespace
+
+bool isAnimation(const std::string& frames) {
+    return lowerExtension(frames) == ".glb" && frames.find('#') == std::string::npos;
+}
+
+std::string collectionName(const std::string& pattern) {
+    if (lowerExtension(pattern) != ".vtu") return {};
+    std::string stem = std::filesystem::path(pattern).stem().string();
+    const auto last = stem.find_last_of('#');
+    auto first = last;
+    while (first > 0 && stem[first - 1] == '#') --first;
+    stem.erase(first, last - first + 1);
+    while (!stem.empty() && std::string_view("_-. ").find(stem.back()) != std::string_view::npos)
+        stem.pop_back();
+    const std::string name = (stem.empty() ? "frames" : stem) + ".pvd";
+    return (std::filesystem::path(pattern).parent_path() / name).string();
+}
 
 void requirePossible(const Project& project, const RunOutputs& outputs) {
     const auto extensionOf = [](const std::string& path, const char* standard) {
@@ -46,7 +66,7 @@ void requirePossible(const Project& project, const RunOutputs& outputs) {
         if (outputs.image != "-" && !canWriteImage(outputs.image))
             throw InputError(outputs.image, "is in no picture format that can be written");
     }
-    if (!outputs.mesh.empty()) requireMeshName(outputs.mesh, extensionOf(outputs.mesh, ".vtu"));
+    if (!outputs.mesh.empty()) requireMeshName(project, outputs.mesh, extensionOf(outputs.mesh, ".vtu"));
     if (!outputs.velocity.empty() && !isOneOf(extensionOf(outputs.velocity, ".csv"), {".csv", ".vtu"}))
         throw InputError(outputs.velocity, "a velocity field is written as .csv or .vtu");
     if (!outputs.stMap.empty()) {
@@ -59,21 +79,6 @@ void requirePossible(const Project& project, const RunOutputs& outputs) {
     for (const std::string& path :
          {outputs.image, outputs.mesh, outputs.velocity, outputs.stMap, outputs.report, outputs.frames})
         if (!path.empty()) requirePlace(path);
-}
-
-template <int Dim>
-MeshFile poseFile(const Scene<Dim>& scene, const Points<Dim>& pose) {
-    MeshFile file = scene.source ? *scene.source : toMeshFile<Dim>(*scene.rest);
-    file.points.template topRows<Dim>() = pose;
-    if constexpr (Dim == 2) {
-        if (!scene.source && scene.picture) {
-            const auto& pixels = scene.texture.rest->points;
-            file.uv.resize(2, pixels.cols());
-            file.uv.row(0) = pixels.row(0) / scene.picture->width;
-            file.uv.row(1) = 1 - pixels.row(1).array() / scene.picture->height;
-        }
-    }
-    return file;
 }
 
 View canvasView(const Image& picture, const std::vector<Points<2>>& poses, Canvas canvas) {
@@ -109,8 +114,6 @@ std::string velocityTable(const Points<Dim>& pose, const Points<Dim>& velocity) 
     return text;
 }
 
-template MeshFile poseFile<2>(const Scene<2>&, const Points<2>&);
-template MeshFile poseFile<3>(const Scene<3>&, const Points<3>&);
 template std::string velocityTable<2>(const Points<2>&, const Points<2>&);
 template std::string velocityTable<3>(const Points<3>&, const Points<3>&);
 

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "app/session/run.h"
+#include "app/session/shape_file.h"
 #include "core/mesh/error.h"
 #include "core/mesh/mesh_file.h"
 #include "warp/warp.h"

@@ -84,10 +84,10 @@ Skin readSkin(const std::string& path) {
 }
 
 void writeSkin(const std::string& path, const Skin& skin, const Points<3>& points,
-               const std::vector<MeshField>& fields) {
+               const std::vector<MeshField>& fields, const MeshWriteOptions& options) {
     if (hasExtension(path, ".glb")) return writeGltf(path, gltfScene(skin, points));
     if (!hasExtension(path, ".obj") || !hasExtension(skin.path, ".obj"))
-        return writeMeshFile(path, toMeshFile(skin, points, fields));
+        return writeMeshFile(path, toMeshFile(skin, points, fields), options);
     put(path, formats::withVertices(bytesOf(skin.path), points, fs::path(skin.path).parent_path().string(),
                                     fs::path(path).parent_path().string()));
 }

@@ -17,7 +17,7 @@ Skin readSkin(const std::string& path);
 /// materials stay, its normals, which are no longer true, go. `fields` (per vertex or triangle of the skin)
 /// go where the format carries them. Throws InputError.
 void writeSkin(const std::string& path, const Skin& skin, const Points<3>& points,
-               const std::vector<MeshField>& fields = {});
+               const std::vector<MeshField>& fields = {}, const MeshWriteOptions& options = {});
 
 /// The extensions that writeSkin knows, lower case, with the dot.
 std::vector<std::string> skinFileExtensions();

@@ -86,8 +86,8 @@ void findCrossings(const Surface& surface, const std::vector<Ids>& canonical, co
     const auto report = [&](const Box& a, const Box& b) {
         if (static_cast<int>(problems.intersecting.size()) >= limit || !crosses(*a.handle(), *b.handle()))
             return;
-        const auto [low, high] = std::minmax(index(a), index(b));
-        problems.intersecting.push_back({low, high});
+        const int i = index(a), j = index(b);
+        problems.intersecting.push_back({std::min(i, j), std::max(i, j)});
     };
     CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), report);
     std::sort(problems.intersecting.begin(), problems.intersecting.end());

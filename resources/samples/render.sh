@@ -1,7 +1,8 @@
 #!/bin/sh
 # Draws the sample pictures: art/*.py -> *.svg (the sources that one edits) -> *.png (what the projects use).
 # Usage: render.sh [--art]   with --art the SVG files are made again from the scripts, too.
-# Needs rsvg-convert (librsvg2-bin) and optipng; --art needs python3.
+#                   and the solids (art/solids/*.py -> *.obj) with their pictures for the start page, which show the bent shape
+# Needs rsvg-convert (librsvg2-bin) and optipng; --art needs python3 and the built program.
 set -eu
 cd "$(dirname "$0")"
 if [ "${1-}" = --art ]; then
@@ -9,6 +10,17 @@ if [ "${1-}" = --art ]; then
         name=$(basename "$script" .py)
         [ "$name" = draw ] || python3 "$script" "$name.svg"
     done
+    solid() {  # NAME ANGLE TILT COLOUR
+        python3 "art/solids/$1.py" "$1.obj"
+        ../../wend run "$1.wend" --mesh "$work/$1.obj"
+        python3 art/solids/portrait.py "$work/$1.obj" "$work/$1.svg" "$2" "$3" "$4"
+        rsvg-convert "$work/$1.svg" -o "$1.png"
+        optipng -quiet -o2 -strip all "$1.png"
+    }
+    work=$(mktemp -d)
+    solid eagle -150 14 0.86,0.66,0.42
+    solid bar 20 -20 0.45,0.62,0.78
+    rm -r "$work"
 fi
 for picture in *.svg; do
     name=${picture%.svg}

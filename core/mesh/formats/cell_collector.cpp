@@ -28,6 +28,17 @@ std::vector<double> CellCollector::perCell(const std::vector<double>& perElement
     return values;
 }
 
+std::vector<int> CellCollector::borderLabels(const std::vector<double>& perElement) const {
+    std::vector<int> labels;
+    if (m_tetrahedra.empty()) return labels;
+    for (int element : m_triangleElements) {
+        const double value = perElement[static_cast<std::size_t>(element)];
+        labels.push_back(std::abs(value) < 2147483647 ? static_cast<int>(std::lround(value)) : 0);
+    }
+    if (std::ranges::all_of(labels, [](int label) { return label == 0; })) labels.clear();
+    return labels;
+}
+
 void CellCollector::moveInto(MeshFile& file) {
     file.triangles = std::move(m_triangles);
     file.tetrahedra = std::move(m_tetrahedra);
@@ -42,6 +53,11 @@ const MeshField* cellField(const MeshFile& file, std::initializer_list<const cha
         for (const auto& field : file.fields)
             if (field.perCell && field.components == 1 && field.name == name) return &field;
     return nullptr;
+}
+
+std::optional<MeshField> labelField(const MeshFile& file) {
+    if (file.tetrahedra.empty() || file.labels.empty()) return std::nullopt;
+    return MeshField{"label", true, 1, {file.labels.begin(), file.labels.end()}};
 }
 
 long tagOf(const MeshField* field, int cell, long otherwise) {

@@ -35,6 +35,8 @@ class GmshReader {
         if (!m_hasNodes) m_scanner.fail("there is no section $Nodes");
         m_file.fields.push_back({"physical", true, 1, m_cells.perCell(m_physical, 1)});
         m_file.fields.push_back({"entity", true, 1, m_cells.perCell(m_entity, 1)});
+        m_file.labels = m_cells.borderLabels(m_physical);
+        takeNames();
         m_cells.moveInto(m_file);
         return std::move(m_file);
     }
@@ -75,6 +77,7 @@ class GmshReader {
         if (name.size() < 2 || name[0] != '$')
             m_scanner.fail(inQuotes(name) + " where a section is expected");
         const std::string end = "$End" + name.substr(1);
+        if (name == "$PhysicalNames") return readNames(end);
         if (name != "$Nodes" && name != "$Elements" && name != "$Entities") return passOver(end);
         m_scanner.line();
         if (name == "$Entities")
@@ -84,6 +87,27 @@ class GmshReader {
         else
             m_version4 ? readElements4() : readElements2();
         endSection(end);
+    }
+    /// Names of surfaces, for labels; they are counted from 1 here.
+    void readNames(const std::string& end) {
+        m_scanner.line();
+        const int count = m_scanner.count("names", 6);
+        m_scanner.line();
+        for (int k = 0; k < count; ++k) {
+            const auto dimension = m_scanner.integer("a dimension"),
+                       tag = m_scanner.integer("a physical tag");
+            std::string name(m_scanner.line());
+            const auto first = name.find('"'), last = name.rfind('"');
+            if (first == std::string::npos || last == first) m_scanner.fail("a name should stand in quotes");
+            if (dimension == 2 && tag > 0 && tag <= count)
+                m_names[static_cast<int>(tag)] = name.substr(first + 1, last - first - 1);
+        }
+        endSection(end);
+    }
+    void takeNames() {
+        if (m_file.labels.empty() || m_names.empty()) return;
+        m_file.labelNames.resize(static_cast<std::size_t>(m_names.rbegin()->first));
+        for (const auto& [tag, name] : m_names) m_file.labelNames[tag - 1] = name;
     }
     void passOver(const std::string& end) {
         const auto at = m_scanner.bytes().find("\n" + end, m_scanner.offset());
@@ -266,6 +290,7 @@ class GmshReader {
     std::vector<std::pair<std::int64_t, int>> m_tags;  // node number → vertex, sorted
     std::map<std::pair<int, int>, int> m_physicalOf;   // (dimension, entity) → its first physical tag
     std::vector<double> m_physical, m_entity;          // per element kept
+    std::map<int, std::string> m_names;                // of physical surfaces
 };
 
 }  // namespace

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <map>
 
 #include "core/mesh/formats/cell_collector.h"
@@ -21,10 +22,12 @@ class GmshPrinter {
         : m_mesh(mesh),
           m_binary(options.binary()),
           m_physical(cellField(mesh, {"physical", "ref", "attribute"})),
-          m_entity(cellField(mesh, {"entity", "physical", "ref", "attribute"})) {}
+          m_entity(cellField(mesh, {"entity", "physical", "ref", "attribute"})),
+          m_labels(labelField(mesh)) {}
 
     std::string print2() {
         header("2.2");
+        names();
         section("$Nodes");
         m_out << m_mesh.points.cols() << '\n';
         for (Eigen::Index v = 0; v < m_mesh.points.cols(); ++v) {
@@ -37,28 +40,35 @@ class GmshPrinter {
         elements2(m_mesh.triangles, 2, 1);
         elements2(m_mesh.tetrahedra, 4, 1 + m_mesh.triangles.size());
         endSection("$EndElements");
+        fields();
         return std::move(m_out.text());
     }
 
     std::string print4() {
         header("4.1");
+        names();
         auto runs = runsOf(m_mesh.triangles.size(), 2);
         const auto ofTetrahedra = runsOf(m_mesh.tetrahedra.size(), 3);
         runs.insert(runs.end(), ofTetrahedra.begin(), ofTetrahedra.end());
         entities(runs);
         nodes4(runs.back());
         elements4(runs);
+        fields();
         return std::move(m_out.text());
     }
 
   private:
-    bool tagged(int dimension) const { return (dimension == 3) == !m_mesh.tetrahedra.empty(); }
+    /// The tags of triangles are the labels if they are a volume's border.
+    const MeshField* tags(int dimension, const MeshField* ofCells) const {
+        if ((dimension == 3) == !m_mesh.tetrahedra.empty()) return ofCells;
+        return m_labels ? &*m_labels : nullptr;
+    }
     long physicalOf(int dimension, std::size_t cell) const {
-        return tagged(dimension) ? tagOf(m_physical, static_cast<int>(cell), 0) : 0;
+        return tagOf(tags(dimension, m_physical), static_cast<int>(cell), 0);
     }
     /// Gmsh counts entities from 1.
     long entityOf(int dimension, std::size_t cell) const {
-        const long entity = tagged(dimension) ? tagOf(m_entity, static_cast<int>(cell), 1) : 1;
+        const long entity = tagOf(tags(dimension, m_entity), static_cast<int>(cell), 1);
         return entity > 0 ? entity : 1;
     }
 
@@ -69,6 +79,41 @@ class GmshPrinter {
             m_out << '\n';
         }
         m_out << "$EndMeshFormat\n";
+    }
+    /// Of the labels.
+    void names() {
+        if (!m_labels || m_mesh.labelNames.empty()) return;
+        m_out << "$PhysicalNames\n" << m_mesh.labelNames.size() << '\n';
+        int tag = 1;
+        for (std::string name : m_mesh.labelNames) {
+            std::replace(name.begin(), name.end(), '"', '\'');
+            m_out << "2 " << tag++ << " \"" << name << "\"\n";
+        }
+        m_out << "$EndPhysicalNames\n";
+    }
+    /// Values as post-processing data: Gmsh draws 1, 3 and 9 components. Tags stand with the cells already.
+    void fields() {
+        for (const auto& field : m_mesh.fields) {
+            const bool isTag = field.name == "physical" || field.name == "entity" || field.name == "ref" ||
+                               field.name == "attribute";
+            const bool drawable = field.components == 1 || field.components == 3 || field.components == 9;
+            if (!isTag && drawable) data(field);
+        }
+    }
+    void data(const MeshField& field) {
+        std::string name = field.name;
+        std::replace(name.begin(), name.end(), '"', '\'');
+        const std::size_t count = field.values.size() / field.components;
+        section(field.perCell ? "$ElementData" : "$NodeData");
+        m_out << "1\n\"" << name << "\"\n1\n0\n3\n0\n" << field.components << '\n' << count << '\n';
+        // elements are numbered triangles first, of which a volume's border has no values
+        const std::size_t first = 1 + (field.perCell && isVolume(m_mesh) ? m_mesh.triangles.size() : 0);
+        for (std::size_t i = 0; i < count; ++i) {
+            whole(static_cast<std::int64_t>(first + i), Scalar::Int32);
+            for (int k = 0; k < field.components; ++k) number(field.values[i * field.components + k]);
+            endLine();
+        }
+        endSection(field.perCell ? "$EndElementData" : "$EndNodeData");
     }
     void section(const char* name) { m_out << name << '\n'; }
     void endSection(const char* name) {
@@ -188,6 +233,7 @@ class GmshPrinter {
     const MeshFile& m_mesh;
     bool m_binary;
     const MeshField *m_physical, *m_entity;
+    std::optional<MeshField> m_labels;
     TextWriter m_out;
 };
 

@@ -30,6 +30,7 @@ class MeditReader {
         if (std::any_of(m_vertexRefs.begin(), m_vertexRefs.end(), [](double ref) { return ref != 0; }))
             m_file.fields.push_back({"ref", false, 1, std::move(m_vertexRefs)});
         m_file.fields.push_back({"ref", true, 1, m_cells.perCell(m_elementRefs, 1)});
+        m_file.labels = m_cells.borderLabels(m_elementRefs);
         m_cells.moveInto(m_file);
         return std::move(m_file);
     }
@@ -153,7 +154,11 @@ std::vector<std::string> printMedit(const MeshFile& mesh, const MeshWriteOptions
         for (int k = 0; k < 3; ++k) out << mesh.points(k, v) << ' ';
         out << tagOf(ofVertices, static_cast<int>(v), 0) << '\n';
     }
-    printCells(out, "Triangles", mesh.triangles, mesh.tetrahedra.empty() ? refs : nullptr);
+    const auto labels = labelField(mesh);
+    printCells(out, "Triangles", mesh.triangles,
+               mesh.tetrahedra.empty() ? refs
+               : labels                ? &*labels
+                                       : nullptr);
     printCells(out, "Tetrahedra", mesh.tetrahedra, refs);
     out << "End\n";
     return {std::move(out.text())};

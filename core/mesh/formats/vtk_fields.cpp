@@ -1,5 +1,7 @@
 #include "core/mesh/formats/vtk_fields.h"
 
+#include <algorithm>
+
 namespace wend::formats {
 namespace {
 
@@ -20,6 +22,28 @@ VtkCells vtkCellsOf(const MeshFile& mesh) {
     append(cells, mesh.tetrahedra, vtkTetrahedron);
     append(cells, mesh.triangles, vtkTriangle);
     return cells;
+}
+
+std::vector<MeshField> vtkFieldsOf(const MeshFile& mesh) {
+    auto fields = mesh.fields;
+    if (auto labels = labelField(mesh)) {
+        std::erase_if(fields, isVtkLabels);
+        labels->values.insert(labels->values.begin(), mesh.tetrahedra.size(), 0.0);
+        fields.push_back(std::move(*labels));
+    }
+    return fields;
+}
+
+bool isVtkLabels(const MeshField& field) {
+    return field.perCell && field.components == 1 && field.name == "label";
+}
+
+void takeVtkLabels(const MeshField& field, const CellCollector& collector, MeshFile& file) {
+    file.labels = collector.borderLabels(field.values);
+    MeshField ofCells = field;
+    ofCells.values = collector.perCell(field.values, 1);
+    const bool none = std::ranges::all_of(ofCells.values, [](double value) { return value == 0; });
+    if (file.labels.empty() || !none) file.fields.push_back(std::move(ofCells));
 }
 
 std::vector<double> vtkValuesOf(const MeshField& field, const VtkCells& cells) {

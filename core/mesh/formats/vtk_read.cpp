@@ -6,7 +6,7 @@
 #include "core/mesh/formats/cell_collector.h"
 #include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/formats/scanner.h"
-#include "core/mesh/formats/vtk_cells.h"
+#include "core/mesh/formats/vtk_fields.h"
 
 namespace wend::formats {
 namespace {
@@ -313,6 +313,10 @@ class VtkReader {
             if (tuples != static_cast<std::size_t>(needed))
                 m_scanner.fail("the data " + inQuotes(field.name) + " has " + std::to_string(tuples) +
                                " tuples where " + std::to_string(needed) + " are needed");
+            if (isVtkLabels(field)) {
+                takeVtkLabels(field, m_collector, m_file);
+                continue;
+            }
             if (field.perCell) field.values = m_collector.perCell(field.values, field.components);
             m_file.fields.push_back(std::move(field));
         }

@@ -22,7 +22,8 @@ std::string encoded(const std::string& name) {
 
 class VtkPrinter {
   public:
-    VtkPrinter(const MeshFile& mesh, bool binary) : m_mesh(mesh), m_binary(binary) {}
+    VtkPrinter(const MeshFile& mesh, bool binary)
+        : m_mesh(mesh), m_fields(vtkFieldsOf(mesh)), m_binary(binary) {}
 
     /// The layout of version 3, which every reader knows.
     std::string print() {
@@ -74,7 +75,7 @@ class VtkPrinter {
     }
     void printData(const VtkCells& cells, bool perCell) {
         int fieldCount = 0;
-        for (const auto& field : m_mesh.fields) fieldCount += field.perCell == perCell;
+        for (const auto& field : m_fields) fieldCount += field.perCell == perCell;
         const bool texture = !perCell && m_mesh.uv.cols();
         if (!fieldCount && !texture) return;
         m_out << (perCell ? "CELL_DATA " : "POINT_DATA ")
@@ -82,7 +83,7 @@ class VtkPrinter {
         if (texture) printTexture();
         if (!fieldCount) return;
         m_out << "FIELD FieldData " << fieldCount << '\n';
-        for (const auto& field : m_mesh.fields)
+        for (const auto& field : m_fields)
             if (field.perCell == perCell) printField(field, vtkValuesOf(field, cells));
     }
     void printTexture() {
@@ -98,6 +99,7 @@ class VtkPrinter {
     }
 
     const MeshFile& m_mesh;
+    std::vector<MeshField> m_fields;
     bool m_binary;
     TextWriter m_out;
 };

@@ -9,7 +9,7 @@
 #include "core/mesh/formats/cell_collector.h"
 #include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/formats/scanner.h"
-#include "core/mesh/formats/vtk_cells.h"
+#include "core/mesh/formats/vtk_fields.h"
 #include "core/mesh/formats/vtu_array.h"
 
 namespace wend::formats {
@@ -192,6 +192,10 @@ class VtuReader {
             if (std::string_view(array.attribute("type").value()) == "String") continue;
             MeshField field{array.attribute("Name").value(), perCell, componentsOf(array), reals(array)};
             requireCount(array, field.values.size(), tuples, field.components);
+            if (isVtkLabels(field)) {
+                takeVtkLabels(field, collector, m_file);
+                continue;
+            }
             if (perCell)
                 field.values = collector.perCell(field.values, field.components);
             else if (!texture.empty() && field.name == texture && field.components == 2) {

@@ -20,7 +20,10 @@ std::string escaped(const std::string& text) {
 class VtuPrinter {
   public:
     VtuPrinter(const MeshFile& mesh, const MeshWriteOptions& options)
-        : m_mesh(mesh), m_binary(options.binary()), m_appended(options.binary() && options.appended) {
+        : m_mesh(mesh),
+          m_fields(vtkFieldsOf(mesh)),
+          m_binary(options.binary()),
+          m_appended(options.binary() && options.appended) {
         m_encoding.order = std::endian::native;
         m_encoding.header = Scalar::UInt64;
         m_encoding.compressed = options.encoding == MeshWriteOptions::Encoding::Compressed;
@@ -62,7 +65,7 @@ class VtuPrinter {
         const bool texture = !perCell && m_mesh.uv.cols();
         m_out << (perCell ? "<CellData" : "<PointData") << (texture ? " TCoords=\"uv\">\n" : ">\n");
         if (texture) array("uv", 2, std::span(m_mesh.uv.data(), static_cast<std::size_t>(m_mesh.uv.size())));
-        for (const auto& field : m_mesh.fields)
+        for (const auto& field : m_fields)
             if (field.perCell == perCell) {
                 const auto values = vtkValuesOf(field, cells);
                 array<double>(field.name, field.components, values);
@@ -99,6 +102,7 @@ class VtuPrinter {
     }
 
     const MeshFile& m_mesh;
+    std::vector<MeshField> m_fields;
     bool m_binary, m_appended;
     VtuEncoding m_encoding;
     std::string m_data;
