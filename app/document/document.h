@@ -20,8 +20,7 @@ struct OpenedFile {
     QString recoveredFrom;  // a copy of unsaved work: there are changes that `path` does not have
 };
 
-/// The project that is being worked on, as an immutable value that undo commands exchange. Two-dimensional
-/// only.
+/// The project that is being worked on, as an immutable value that undo commands exchange.
 class Document : public QObject {
     Q_OBJECT
 
@@ -30,7 +29,12 @@ class Document : public QObject {
 
     bool isEmpty() const { return !m_project; }
     const std::shared_ptr<const Project>& project() const { return m_project; }
-    const Design<2>& design() const { return std::get<Design<2>>(m_project->design); }
+    /// 2 or 3; 0 while empty.
+    int dimension() const { return m_project ? m_project->dimension() : 0; }
+    template <int Dim = 2>
+    const Design<Dim>& design() const {
+        return std::get<Design<Dim>>(m_project->design);
+    }
     const std::shared_ptr<const Image>& picture() const { return m_picture; }
     /// Counts the files that were opened: values of different generations have nothing in common.
     int generation() const { return m_generation; }

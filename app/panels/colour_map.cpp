@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "app/session/fields.h"
+
 namespace wend {
 
 namespace {
@@ -29,26 +31,52 @@ QRgb between(const Stops& stops, double position) {
 
 }  // namespace
 
+bool isDistortion(Measure measure) {
+    return measure == Measure::Angle || measure == Measure::Area || measure == Measure::Length;
+}
+
 const std::vector<double>& valuesOf(const Distortion& distortion, Measure measure) {
     switch (measure) {
         case Measure::Angle:
             return distortion.angle;
         case Measure::Area:
             return distortion.ratio;
-        case Measure::Length:
-            break;
+        default:
+            return distortion.metric;
     }
-    return distortion.metric;
+}
+
+namespace {
+
+template <int Dim>
+std::vector<double> designValues(const ShapeSession& session, const PosedFrame<Dim>& frame, Measure measure) {
+    if (measure == Measure::Phi) return phiOf<Dim>(frame);
+    if (measure == Measure::Stiffness) return stiffnessOf<Dim>(frame);
+    return speedOf<Dim>(session.track(), frame);
+}
+
+}  // namespace
+
+std::vector<double> shownValues(const ShapeSession& session, Measure measure) {
+    if (!session.frame()) return {};
+    if (isDistortion(measure)) return valuesOf(session.frame()->distortion, measure);
+    if (const auto frame = session.frame<2>()) return designValues<2>(session, *frame, measure);
+    return designValues<3>(session, *session.frame<3>(), measure);
 }
 
 MeasureRange rangeOf(const std::vector<double>& values, Measure measure) {
     if (values.empty()) return measure == Measure::Area ? MeasureRange{0.9, 1 / 0.9} : MeasureRange{0, 0.01};
+    if (measure == Measure::Phi || measure == Measure::Stiffness) {  // of the design, not of an outcome
+        const auto [low, high] = std::minmax_element(values.begin(), values.end());
+        return {*low, std::max(*high, *low + 0.01)};
+    }
     std::vector<double> sizes;
     for (const double v : values)
         sizes.push_back(measure == Measure::Area ? std::abs(std::log(std::max(v, 1e-6))) : v);
     const auto nth =
         sizes.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(sizes.size() - 1));
     std::nth_element(sizes.begin(), nth, sizes.end());
+    if (measure == Measure::Speed) return {0, std::max(*nth, 1e-9)};
     if (measure != Measure::Area) return {0, std::max(*nth, 0.01)};
     const double span = std::max(*nth, 0.02);
     return {std::exp(-span), std::exp(span)};
@@ -69,12 +97,19 @@ QRgb colourAt(Measure measure, double position) {
     return between(measure == Measure::Area ? kDiverging : kMagnitude, position);
 }
 
-QString measureName(Measure measure) {
+QString measureName(Measure measure, int dimension) {
     switch (measure) {
         case Measure::Angle:
             return QCoreApplication::translate("Measure", "Angle");
         case Measure::Area:
-            return QCoreApplication::translate("Measure", "Area");
+            return dimension == 3 ? QCoreApplication::translate("Measure", "Volume")
+                                  : QCoreApplication::translate("Measure", "Area");
+        case Measure::Phi:
+            return QCoreApplication::translate("Measure", "Energy φ");
+        case Measure::Stiffness:
+            return QCoreApplication::translate("Measure", "Stiffness");
+        case Measure::Speed:
+            return QCoreApplication::translate("Measure", "Speed");
         case Measure::Length:
             break;
     }

@@ -4,20 +4,28 @@
 #include <QString>
 #include <vector>
 
+#include "app/session/shape_session.h"
 #include "core/energy/distortion.h"
 
 namespace wend {
 
-/// Which measure of distortion is shown over the shape.
-enum class Measure { Angle, Area, Length };
+/// What is coloured over the shape: a measure of distortion; of a solid also its material (φ, and how many
+/// times stiffer than elsewhere) or how fast it moves.
+enum class Measure { Angle, Area, Length, Phi, Stiffness, Speed };
+
+/// True for those that tell how far the shape is from rest.
+bool isDistortion(Measure measure);
 
 /// The range of a legend; for Area it is symmetric about 1 in the logarithm.
 struct MeasureRange {
     double low = 0, high = 1;
 };
 
-/// The value of each cell: the errors of method.md for angle and length, the ratio det F for area.
+/// The value of each cell: the errors of method.md for angle and length, the ratio det F for area. Of
+/// measures of distortion only.
 const std::vector<double>& valuesOf(const Distortion& distortion, Measure measure);
+/// The same of the frame that is shown, for all measures.
+std::vector<double> shownValues(const ShapeSession& session, Measure measure);
 /// From the values that occur, the greatest hundredth left out; never empty.
 MeasureRange rangeOf(const std::vector<double>& values, Measure measure);
 /// Where a value stands in the range, in [0, 1]; area on a logarithmic scale with 1 in the middle.
@@ -29,6 +37,6 @@ double valueAt(const MeasureRange& range, Measure measure, double position);
 /// colour-blind eyes.
 QRgb colourAt(Measure measure, double position);
 
-QString measureName(Measure measure);
+QString measureName(Measure measure, int dimension = 2);
 
 }  // namespace wend

@@ -22,6 +22,7 @@ DistortionPanel::DistortionPanel(ShapeSession& session, QWidget* parent)
       m_find(new QToolButton(this)) {
     makeControls();
     arrange();
+    setDimension(2);
     connect(&m_session, &ShapeSession::frameChanged, this, &DistortionPanel::takeFrame);
     connect(m_measure, &QComboBox::currentIndexChanged, this, [this] {
         m_lock->setChecked(false);
@@ -34,11 +35,7 @@ DistortionPanel::DistortionPanel(ShapeSession& session, QWidget* parent)
 }
 
 void DistortionPanel::makeControls() {
-    for (const Measure measure : {Measure::Length, Measure::Area, Measure::Angle})
-        m_measure->addItem(measureName(measure), static_cast<int>(measure));
     m_measure->setFixedWidth(116);
-    describe(m_measure, tr("Distortion map"),
-             tr("Which error is coloured over the shape: of lengths, of areas or of angles."));
     m_lock->setCheckable(true);
     m_lock->setText(tr("Lock range"));
     describe(m_lock, tr("Lock range"),
@@ -59,7 +56,7 @@ void DistortionPanel::arrange() {
     auto* totals = new QGridLayout;
     totals->setVerticalSpacing(6);
     int row = 0;
-    const auto add = [&](const QString& name, QLabel* value, const QString& help) {
+    const auto add = [&](const QString& name, QLabel* value, const QString& help) -> QLabel* {
         auto* label = new QLabel(name, this);
         label->setProperty("role", "second");
         value->setToolTip(help);
@@ -67,11 +64,11 @@ void DistortionPanel::arrange() {
         value->setAccessibleName(name);
         totals->addWidget(label, row, 0);
         totals->addWidget(value, row++, 1, Qt::AlignRight);
+        return label;
     };
     add(tr("Angle error"), m_angle,
         tr("Sum over the shape of σ₁/σ₂ + σ₂/σ₁ − 2: zero if all angles are kept."));
-    add(tr("Area error"), m_area,
-        tr("Sum over the shape of σ₁σ₂ + 1/(σ₁σ₂) − 2: zero if all areas are kept."));
+    m_areaName = add(tr("Area error"), m_area, {});
     add(tr("Length error"), m_length, tr("How far lengths are from those at rest: zero for a rigid motion."));
     add(tr("Worst place"), m_worst, tr("Area of the most distorted triangle against rest."));
     layout->addLayout(totals);
@@ -82,6 +79,30 @@ void DistortionPanel::arrange() {
     layout->addLayout(buttons);
 }
 
+/// A solid has its material and its speed beside its distortion.
+void DistortionPanel::setDimension(int dimension) {
+    if (dimension == m_dimension) return;
+    m_dimension = dimension;
+    const QSignalBlocker quiet(m_measure);
+    m_measure->clear();
+    std::vector<Measure> measures = {Measure::Length, Measure::Area, Measure::Angle};
+    if (dimension == 3) measures.insert(measures.end(), {Measure::Phi, Measure::Stiffness, Measure::Speed});
+    for (const Measure measure : measures)
+        m_measure->addItem(measureName(measure, dimension), static_cast<int>(measure));
+    const bool solid = dimension == 3;
+    m_areaName->setText(solid ? tr("Volume error") : tr("Area error"));
+    const QString help = solid
+                             ? tr("Sum over the shape of det F + 1/det F − 2: zero if all volumes are kept.")
+                             : tr("Sum over the shape of σ₁σ₂ + 1/(σ₁σ₂) − 2: zero if all areas are kept.");
+    for (QLabel* label : {m_areaName, m_area}) label->setToolTip(help);
+    m_worst->setToolTip(solid ? tr("Volume of the most distorted tetrahedron against rest.")
+                              : tr("Area of the most distorted triangle against rest."));
+    describe(m_measure, tr("Distortion map"),
+             solid ? tr("What is coloured over the solid: the error of lengths, volumes or angles, the "
+                        "material, or how fast it moves.")
+                   : tr("Which error is coloured over the shape: of lengths, of areas or of angles."));
+}
+
 Measure DistortionPanel::measure() const {
     return static_cast<Measure>(m_measure->currentData().toInt());
 }
@@ -90,12 +111,13 @@ void DistortionPanel::takeFrame() {
     const FramePtr& frame = m_session.frame();
     setEnabled(frame != nullptr);
     if (!frame) return;
+    setDimension(frame->dimension);
     showTotals(frame->distortion);
     if (!m_lock->isChecked()) {
-        m_range = rangeOf(valuesOf(frame->distortion, measure()), measure());
+        m_range = rangeOf(shownValues(m_session, measure()), measure());
         emit mapChanged();
     }
-    m_legend->set(measure(), m_range);
+    m_legend->set(measure(), m_range, m_dimension);
 }
 
 void DistortionPanel::showTotals(const Distortion& distortion) {

@@ -28,6 +28,7 @@ class DistortionPanel : public QWidget {
 
   private:
     void makeControls();
+    void setDimension(int dimension);
     void arrange();
     void takeFrame();
     void showTotals(const Distortion& distortion);
@@ -41,7 +42,9 @@ class DistortionPanel : public QWidget {
     QLabel* m_length;
     QLabel* m_worst;
     QToolButton* m_find;
+    QLabel* m_areaName = nullptr;
     MeasureRange m_range;
+    int m_dimension = 0;
 };
 
 }  // namespace wend

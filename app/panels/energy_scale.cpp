@@ -16,7 +16,7 @@ QString said(const char* text) {
 
 }  // namespace
 
-EnergyScale::EnergyScale() {
+EnergyScale::EnergyScale(int dimension) {
     m_stops[0] = {
         phi::kEquia, said(QT_TRANSLATE_NOOP("EnergyScale", "Area")),
         said(QT_TRANSLATE_NOOP("EnergyScale",
@@ -29,9 +29,17 @@ EnergyScale::EnergyScale() {
                   said(QT_TRANSLATE_NOOP(
                       "EnergyScale", "Turns parts as if they were stiff. Area gives way where parts bend."))};
     m_stops[3] = {
-        phi::conformal(2), said(QT_TRANSLATE_NOOP("EnergyScale", "Angle")),
+        phi::conformal(dimension), said(QT_TRANSLATE_NOOP("EnergyScale", "Angle")),
         said(QT_TRANSLATE_NOOP(
             "EnergyScale", "Keeps angles: small details keep their form. Parts may grow or shrink a lot."))};
+    if (dimension == 2) return;
+    m_stops[0].name = said(QT_TRANSLATE_NOOP("EnergyScale", "Volume"));
+    m_stops[0].shortHelp = said(QT_TRANSLATE_NOOP(
+        "EnergyScale", "Keeps volume: parts neither grow nor shrink. Angles and lengths give way."));
+    m_stops[1].shortHelp = said(QT_TRANSLATE_NOOP(
+        "EnergyScale", "Keeps lengths best: a balance of volume and angle. A good start for most solids."));
+    m_stops[2].shortHelp = said(QT_TRANSLATE_NOOP(
+        "EnergyScale", "Turns parts as if they were stiff. Volume gives way where parts bend."));
 }
 
 double EnergyScale::phiAt(double position) const {

@@ -18,7 +18,7 @@ class EnergyScale {
   public:
     static constexpr int kStops = 4;
 
-    EnergyScale();
+    explicit EnergyScale(int dimension = 2);
     const std::array<EnergyStop, kStops>& stops() const { return m_stops; }
     /// φ at a position in [0, 3], and the inverse.
     double phiAt(double position) const;

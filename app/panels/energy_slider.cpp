@@ -55,7 +55,24 @@ EnergySlider::EnergySlider(QWidget* parent)
     setPhi(m_scale.stops()[1].phi);
 }
 
+void EnergySlider::setDimension(int dimension) {
+    if (dimension == m_dimension) return;
+    m_dimension = dimension;
+    m_scale = EnergyScale(dimension);
+    for (int i = 0; i < EnergyScale::kStops; ++i) {
+        m_labels[i]->setText(m_scale.stops()[i].name);
+        describe(m_labels[i], m_scale.stops()[i].name, m_scale.stops()[i].shortHelp);
+    }
+    describe(m_slider, tr("Energy"), helpText());
+    placeLabels();
+    setPhi(m_phi);
+}
+
 QString EnergySlider::helpText() const {
+    if (m_dimension == 3)
+        return tr(
+            "What the shape keeps when it has to give way. From Volume over Length and Rigid to Angle the "
+            "error moves from angles to volumes. Between two names the energy changes evenly.");
     return tr(
         "What the shape keeps when it has to give way. From Area over Length and Rigid to Angle the error "
         "moves from angles "

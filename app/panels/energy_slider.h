@@ -19,6 +19,8 @@ class EnergySlider : public QWidget {
     double phi() const { return m_phi; }
     void setPhi(double phi);
     const EnergyScale& scale() const { return m_scale; }
+    /// The names and the range of φ depend on it.
+    void setDimension(int dimension);
     QSlider* slider() const { return m_slider; }
     QSize sizeHint() const override;
 
@@ -36,6 +38,7 @@ class EnergySlider : public QWidget {
     int stopX(int stop) const;
     QString helpText() const;
 
+    int m_dimension = 2;
     EnergyScale m_scale;
     QSlider* m_slider;
     std::array<QToolButton*, EnergyScale::kStops> m_labels;

@@ -23,12 +23,12 @@ QSize Legend::sizeHint() const {
     return {160, kBar + 4 + fontMetrics().height()};
 }
 
-void Legend::set(Measure measure, const MeasureRange& range) {
+void Legend::set(Measure measure, const MeasureRange& range, int dimension) {
     m_measure = measure;
     m_range = range;
-    setAccessibleDescription(
-        tr("%1: from %2 to %3")
-            .arg(measureName(measure), measureText(measure, range.low), measureText(measure, range.high)));
+    setAccessibleDescription(tr("%1: from %2 to %3")
+                                 .arg(measureName(measure, dimension), measureText(measure, range.low),
+                                      measureText(measure, range.high)));
     update();
 }
 
@@ -49,7 +49,8 @@ void Legend::paintEvent(QPaintEvent*) {
 
 QString measureText(Measure measure, double value) {
     const QLocale locale;
-    if (measure == Measure::Area) return QStringLiteral("×") + locale.toString(value, 'f', 2);
+    if (measure == Measure::Area || measure == Measure::Stiffness)
+        return QStringLiteral("×") + locale.toString(value, 'f', 2);
     return value == 0 ? QStringLiteral("0") : locale.toString(value, 'g', 2);
 }
 

@@ -12,7 +12,7 @@ class Legend : public QWidget {
 
   public:
     explicit Legend(QWidget* parent = nullptr);
-    void set(Measure measure, const MeasureRange& range);
+    void set(Measure measure, const MeasureRange& range, int dimension = 2);
     QSize sizeHint() const override;
 
   protected:

@@ -1,8 +1,24 @@
 #include "app/panels/material_panel.h"
 
+#include "app/document/options.h"
 #include "app/panels/panel_parts.h"
 
 namespace wend {
+
+namespace {
+
+double phiOf(const Project& project) {
+    return std::visit([](const auto& design) { return design.material.phi; }, project.design);
+}
+
+}  // namespace
+
+QString MaterialPanel::phiHelp(int dimension) {
+    return dimension == 3 ? tr("The same choice as a number, as it stands in the project file: 0.002 keeps "
+                               "volume, 0.464 length, 1.571 is rigid, 2.498 keeps angles.")
+                          : tr("The same choice as a number, as it stands in the project file: 0.002 keeps "
+                               "area, 0.464 length, 1.571 is rigid, 2.678 keeps angles.");
+}
 
 MaterialPanel::MaterialPanel(ShapeSession& session, QWidget* parent)
     : QWidget(parent),
@@ -33,11 +49,8 @@ void MaterialPanel::makeControls() {
     m_phi->setSingleStep(0.05);
     m_phi->setSuffix(tr(" rad"));
     m_phi->setFixedWidth(116);
-    describe(m_phi, tr("Energy φ"),
-             tr("The same choice as a number, as it stands in the project file: 0.002 keeps area, 0.464 "
-                "length, 1.571 is rigid, "
-                "2.678 keeps angles."));
-    m_smoothing->setRange(0, 0.5);
+    describe(m_phi, tr("Energy φ"), phiHelp(2));
+    m_smoothing->setRange(0, option("material.smoothing.length").range.max);
     m_smoothing->setDecimals(3);
     m_smoothing->setSingleStep(0.005);
     m_smoothing->setFixedWidth(116);
@@ -53,18 +66,24 @@ void MaterialPanel::makeControls() {
 void MaterialPanel::showProject() {
     setEnabled(!m_session.document().isEmpty());
     if (m_session.document().isEmpty()) return;
-    const MaterialSpec<2>& material = m_session.document().design().material;
+    const Project& project = *m_session.document().project();
+    const double phi = phiOf(project);
+    const Smoothing smoothing =
+        std::visit([](const auto& design) { return design.material.smoothing; }, project.design);
     const QSignalBlocker a(m_phi), b(m_smoothing);
-    m_slider->setPhi(material.phi);
-    m_phi->setValue(material.phi);
-    m_smoothing->setValue(material.smoothing.kind == SmoothingKind::None ? 0 : material.smoothing.length);
-    const bool paper = material.smoothing.kind == SmoothingKind::Paper;
+    m_phi->setMaximum(phi::conformal(project.dimension()));
+    describe(m_phi, tr("Energy φ"), phiHelp(project.dimension()));
+    m_slider->setDimension(project.dimension());
+    m_slider->setPhi(phi);
+    m_phi->setValue(phi);
+    m_smoothing->setValue(smoothing.kind == SmoothingKind::None ? 0 : smoothing.length);
+    const bool paper = smoothing.kind == SmoothingKind::Paper;
     m_smoothing->setEnabled(!paper);
     if (paper)
         m_smoothing->setToolTip(tr("This project smooths as in the paper, with λ; its file says how much."));
     const EnergyScale& scale = m_slider->scale();
-    const int stop = scale.stopAt(material.phi);
-    const int below = static_cast<int>(scale.positionOf(material.phi));
+    const int stop = scale.stopAt(phi);
+    const int below = static_cast<int>(scale.positionOf(phi));
     m_help->setText(
         stop >= 0 ? scale.stops()[stop].shortHelp
                   : tr("Between %1 and %2.").arg(scale.stops()[below].name, scale.stops()[below + 1].name));
@@ -72,9 +91,10 @@ void MaterialPanel::showProject() {
 
 void MaterialPanel::choosePhi(double phi, int gesture) {
     Document& document = m_session.document();
-    if (document.isEmpty() || phi == document.design().material.phi) return;
+    if (document.isEmpty() || phi == phiOf(*document.project())) return;
     Project next = *document.project();
-    std::get<Design<2>>(next.design).material.phi = std::min(phi, phi::conformal(2));
+    const double limit = phi::conformal(next.dimension());
+    std::visit([&](auto& design) { design.material.phi = std::min(phi, limit); }, next.design);
     document.change(tr("Change energy"), std::move(next), QStringLiteral("phi %1").arg(gesture));
 }
 
@@ -82,7 +102,8 @@ void MaterialPanel::chooseSmoothing(double length) {
     Document& document = m_session.document();
     if (document.isEmpty()) return;
     Project next = *document.project();
-    Smoothing& smoothing = std::get<Design<2>>(next.design).material.smoothing;
+    Smoothing& smoothing =
+        std::visit([](auto& design) -> Smoothing& { return design.material.smoothing; }, next.design);
     smoothing.kind = length > 0 ? SmoothingKind::Invariant : SmoothingKind::None;
     if (length > 0) smoothing.length = length;
     document.change(tr("Change smoothing"), std::move(next), QStringLiteral("smoothing"));

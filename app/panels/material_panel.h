@@ -19,6 +19,7 @@ class MaterialPanel : public QWidget {
     EnergySlider* energySlider() const { return m_slider; }
 
   private:
+    static QString phiHelp(int dimension);
     void makeControls();
     void showProject();
     void choosePhi(double phi, int gesture);

@@ -6,6 +6,7 @@
 #include <QStandardItemModel>
 #include <cmath>
 
+#include "app/document/options.h"
 #include "app/panels/panel_parts.h"
 
 namespace wend {
@@ -14,7 +15,7 @@ namespace {
 
 constexpr int kFewest = 200, kMost = 100000;
 
-// The density slider is logarithmic: equal ways double the mesh equally.
+// The density slider covers what is usual and is logarithmic: equal ways double the mesh equally.
 int sliderOf(int vertices) {
     return static_cast<int>(
         std::lround(1000 * std::log(vertices / double(kFewest)) / std::log(kMost / double(kFewest))));
@@ -35,6 +36,7 @@ MeshPanel::MeshPanel(ShapeSession& session, QWidget* parent)
       m_margin(new QDoubleSpinBox(this)),
       m_vertices(new QSpinBox(this)),
       m_density(new QSlider(Qt::Horizontal, this)),
+      m_quality(new QDoubleSpinBox(this)),
       m_counts(secondLabel({}, this)) {
     makeControls();
     arrange();
@@ -55,13 +57,14 @@ void MeshPanel::makeControls() {
     m_threshold->setSuffix(tr(" %"));
     m_threshold->setFixedWidth(116);
     describe(m_threshold, tr("Threshold"), tr("Pixels that are more opaque than this belong to the shape."));
-    m_margin->setRange(0, 100);
+    m_margin->setRange(0, option("domain.outline.margin").range.max);
     m_margin->setDecimals(1);
     m_margin->setSuffix(tr(" px"));
     m_margin->setFixedWidth(116);
     describe(m_margin, tr("Margin"),
              tr("The outline is grown by this much, so that soft edges come along whole."));
-    m_vertices->setRange(kFewest, kMost);
+    const Range vertices = option("domain.vertices").range;
+    m_vertices->setRange(int(vertices.min), int(vertices.max));
     m_vertices->setSingleStep(500);
     m_vertices->setGroupSeparatorShown(true);
     m_vertices->setAccelerated(true);
@@ -69,6 +72,15 @@ void MeshPanel::makeControls() {
     m_vertices->setFixedWidth(116);
     describe(m_vertices, tr("Vertices"),
              tr("How fine the mesh is. More vertices bend more smoothly and take longer."));
+    m_quality->setRange(1.2, 4);
+    m_quality->setDecimals(2);
+    m_quality->setSingleStep(0.1);
+    m_quality->setKeyboardTracking(false);
+    m_quality->setFixedWidth(116);
+    describe(
+        m_quality, tr("Roundness"),
+        tr("How flat the tetrahedra may be: the greatest ratio of circumradius to shortest edge. Smaller "
+           "is rounder and takes more of them."));
     m_density->setRange(0, 1000);
     describe(m_density, tr("Mesh density"), m_vertices->statusTip());
 }
@@ -78,11 +90,21 @@ void MeshPanel::arrange() {
     layout->setContentsMargins(16, 14, 16, 14);
     layout->setSpacing(10);
     layout->addWidget(panelTitle(tr("Mesh"), this));
-    layout->addLayout(panelRow(tr("&Outline"), m_outline, this));
-    layout->addLayout(panelRow(tr("&Threshold"), m_threshold, this));
-    layout->addLayout(panelRow(tr("Ma&rgin"), m_margin, this));
-    layout->addLayout(panelRow(tr("&Vertices"), m_vertices, this));
+    const auto row = [&](const QString& label, QWidget* control) {
+        auto* widget = new QWidget(this);
+        auto* line = panelRow(label, control, widget);
+        line->setContentsMargins(0, 0, 0, 0);
+        widget->setLayout(line);
+        layout->addWidget(widget);
+        return widget;
+    };
+    m_pictureRows = {row(tr("&Outline"), m_outline), row(tr("&Threshold"), m_threshold),
+                     row(tr("Ma&rgin"), m_margin)};
+    QWidget* vertices = row(tr("&Vertices"), m_vertices);
     layout->addWidget(m_density);
+    QWidget* quality = row(tr("R&oundness"), m_quality);
+    m_surfaceRows = {quality, vertices, m_density};
+    quality->hide();
     layout->addWidget(m_counts);
 }
 
@@ -99,11 +121,15 @@ void MeshPanel::connectControls() {
     connect(m_margin, &QDoubleSpinBox::valueChanged, this, [this](double value) {
         edit(tr("Change margin"), QStringLiteral("margin"), [value](Domain& d) { d.alpha.margin = value; });
     });
+    connect(m_quality, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+        edit(tr("Change roundness"), QStringLiteral("quality"), [value](Domain& d) { d.quality = value; });
+    });
     const auto setVertices = [this](int count) {
         edit(tr("Change mesh density"), QStringLiteral("vertices %1").arg(m_gesture),
              [count](Domain& domain) {
                  domain.vertices = count;
                  domain.edge = 0;
+                 domain.maxVolume = 0;
              });
     };
     connect(m_vertices, &QSpinBox::valueChanged, this, setVertices);
@@ -124,7 +150,15 @@ void MeshPanel::edit(const QString& name, const QString& key, Edit change) {
 void MeshPanel::showProject() {
     const bool empty = m_session.document().isEmpty();
     const bool picture = !empty && m_session.document().project()->domain.kind == DomainKind::Image;
+    const bool solid = m_session.document().dimension() == 3;
+    for (QWidget* row : m_pictureRows) row->setVisible(!solid);
+    for (QWidget* row : m_surfaceRows) row->setVisible(!solid);
+    m_surfaceRows.front()->hide();
     setEnabled(picture);
+    if (solid) {
+        showSolid(m_session.document().project()->domain);
+        return;
+    }
     setToolTip(empty || picture ? QString() : tr("The mesh comes from a file and is used as it is."));
     if (empty) return;
     const Domain& domain = m_session.document().project()->domain;
@@ -146,6 +180,17 @@ void MeshPanel::showProject() {
     if (!m_density->isSliderDown()) m_density->setValue(sliderOf(domain.vertices));
 }
 
+void MeshPanel::showSolid(const Domain& domain) {
+    const bool surface = domain.kind == DomainKind::Surface;
+    setEnabled(true);
+    for (QWidget* row : m_surfaceRows) row->setVisible(surface);
+    setToolTip(surface ? QString() : tr("The mesh comes from a file and is used as it is."));
+    const QSignalBlocker a(m_vertices), b(m_density), c(m_quality);
+    m_quality->setValue(domain.quality);
+    m_vertices->setValue(domain.vertices);
+    if (!m_density->isSliderDown()) m_density->setValue(sliderOf(domain.vertices));
+}
+
 void MeshPanel::showCounts() {
     const FramePtr& frame = m_session.frame();
     if (!frame) {
@@ -153,9 +198,9 @@ void MeshPanel::showCounts() {
         return;
     }
     const QLocale locale;
-    m_counts->setText(
-        tr("%1 vertices, %2 triangles")
-            .arg(locale.toString(frame->rest->vertexCount()), locale.toString(frame->rest->cellCount())));
+    const QString text =
+        frame->dimension == 3 ? tr("%1 vertices, %2 tetrahedra") : tr("%1 vertices, %2 triangles");
+    m_counts->setText(text.arg(locale.toString(frame->vertices), locale.toString(frame->cells)));
 }
 
 }  // namespace wend

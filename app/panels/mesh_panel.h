@@ -24,6 +24,7 @@ class MeshPanel : public QWidget {
     void arrange();
     void connectControls();
     void showProject();
+    void showSolid(const Domain& domain);
     void showCounts();
     /// One undo step of the domain; steps of the same key merge.
     template <class Edit>
@@ -35,6 +36,8 @@ class MeshPanel : public QWidget {
     QDoubleSpinBox* m_margin;
     QSpinBox* m_vertices;
     QSlider* m_density;
+    QDoubleSpinBox* m_quality;
+    std::vector<QWidget*> m_pictureRows, m_surfaceRows;
     QLabel* m_counts;
     int m_gesture = 0;
 };

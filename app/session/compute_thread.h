@@ -2,13 +2,9 @@
 
 #include <QObject>
 #include <QString>
-#include <optional>
 #include <thread>
 
-#include "app/session/frame.h"
-#include "app/session/live_drag.h"
-#include "app/session/mailbox.h"
-#include "app/session/motion_pass.h"
+#include "app/session/shape_engine.h"
 
 namespace wend {
 
@@ -25,7 +21,7 @@ class ComputeThread : public QObject {
 
   signals:
     /// Another rest mesh, or the same one again; frames after `keptUpTo` are void.
-    void shapeReady(int revision, std::shared_ptr<const SimplicialMesh<2>> rest, double keptUpTo);
+    void shapeReady(int revision, std::shared_ptr<const void> shape, double keptUpTo);
     void frameReady(wend::FramePtr frame);
     void progress(double time, double end);
     /// The whole motion is there; `problem` is empty, or says what could not be completed.
@@ -36,30 +32,12 @@ class ComputeThread : public QObject {
   private:
     void loop(std::stop_token stop);
     void handle(const Request& request, std::stop_token stop);
-    void setShape(const SetShape& request);
-    void beginDrag(const BeginDrag& request, std::stop_token stop);
-    void prepareDrag();
-    std::vector<int> activeHandles() const;
-    void dragTo(const DragTo& request);
-    void endDrag(const EndDrag& request);
-    void runPass(std::stop_token stop);
-    void emitFinished();
-    std::shared_ptr<ShapeFrame> makeFrame(double time, const Points<2>& pose, double pinError) const;
+    void requireEngine(int dimension);
+    ShapeEngine::Sink sink();
 
     Mailbox m_mailbox;
-    // of the thread alone
-    ShapeBuilder m_builder;
-    BuiltShape m_shape;
-    std::shared_ptr<const Project> m_project;
-    MotionPass m_pass;
-    std::optional<LiveDrag> m_live;  // made ahead of the next drag
-    bool m_dragging = false;
-    struct Preview {
-        Points<2> pose;
-        double end = 0;  // of the project that the drag makes
-    };
-    std::optional<Preview> m_preview;  // where the last drag ended, until its exact motion is there
-    std::jthread m_thread;             // the last member: it stops before the others go
+    std::unique_ptr<ShapeEngine> m_engine;  // of the thread alone
+    std::jthread m_thread;                  // the last member: it stops before the others go
 };
 
 }  // namespace wend

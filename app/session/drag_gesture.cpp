@@ -6,11 +6,11 @@
 
 namespace wend {
 
-DragGesture::DragGesture(std::vector<int> handles, std::vector<Vec<2>> starts)
-    : m_handles(std::move(handles)), m_starts(std::move(starts)), m_samples{{Vec<2>::Zero()}} {}
+DragGesture::DragGesture(std::vector<int> handles, const Grip& grip)
+    : m_handles(std::move(handles)), m_grip(grip), m_samples{{Amount::Zero()}} {}
 
-int DragGesture::add(const Vec<2>& offset) {
-    m_samples.push_back({offset});
+int DragGesture::add(const Amount& amount) {
+    m_samples.push_back({amount});
     return static_cast<int>(m_samples.size()) - 1;
 }
 
@@ -18,22 +18,22 @@ void DragGesture::follow(const ShapeFrame& live) {
     if (live.sample < 0 || live.sample >= static_cast<int>(m_samples.size())) return;
     if (live.stopped)
         for (int i = m_followed + 1; i < live.sample; ++i) m_samples[i].reached = false;
-    m_samples[live.sample].offset = live.offset;
+    m_samples[live.sample].amount = live.amount;
     m_followed = std::max(m_followed, live.sample);
     m_stopped = live.stopped;
 }
 
-Vec<2> DragGesture::offset() const {
-    return m_stopped ? m_samples[m_followed].offset : m_samples.back().offset;
+Amount DragGesture::amount() const {
+    return m_stopped ? m_samples[m_followed].amount : m_samples.back().amount;
 }
 
-std::vector<Vec<2>> DragGesture::path(double tolerance) const {
-    std::vector<Vec<2>> points;
+std::vector<Amount> DragGesture::path(double tolerance) const {
+    std::vector<Amount> points;
     for (int i = 0; i < static_cast<int>(m_samples.size()); ++i) {
         if (m_stopped && i > m_followed) break;
-        if (m_samples[i].reached) points.push_back(m_samples[i].offset);
+        if (m_samples[i].reached) points.push_back(m_samples[i].amount);
     }
-    return simplified(points, tolerance);
+    return simplified<3>(points, tolerance);
 }
 
 }  // namespace wend

@@ -1,26 +1,53 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
+#include "app/document/grip.h"
 #include "core/energy/distortion.h"
+#include "core/energy/material.h"
 #include "core/mesh/simplicial_mesh.h"
 
 namespace wend {
 
-/// The shape at one time, as the compute thread hands it to the view. Immutable and shared.
+/// The shape at one time, as the compute thread hands it to the view: what does not depend on the dimension.
+/// Immutable and shared.
 struct ShapeFrame {
     double time = 0;
     bool live = false;  // a preview while dragging; otherwise of final quality
-    std::shared_ptr<const SimplicialMesh<2>> rest;
-    Points<2> pose;
+    int dimension = 0;
+    std::shared_ptr<const void> shape;  // the rest mesh, to tell shapes apart
+    int vertices = 0, cells = 0;
+    double diagonal = 0;  // of the rest mesh's bounding box
     Distortion distortion;
+    double growth = 1;        // area or volume against that at rest
     double pinError = 0;      // greatest distance of a pin from where it should be, in the domain's units
     double milliseconds = 0;  // that this frame took; 0 if it came from a longer run
     int sample = -1;          // live: the newest sample of the drag that it follows
-    Vec<2> offset = Vec<2>::Zero();  // live: how far the dragged handles have come
+    Amount amount = Amount::Zero();  // live: how far the dragged handles have come
     bool stopped = false;            // live: the handles could not reach the sample without a fold
     std::string message;             // why not
+
+    virtual ~ShapeFrame() = default;
 };
 using FramePtr = std::shared_ptr<const ShapeFrame>;
+
+/// The shape itself.
+template <int Dim>
+struct PosedFrame : ShapeFrame {
+    std::shared_ptr<const SimplicialMesh<Dim>> rest;
+    std::shared_ptr<const std::vector<Facet<Dim>>> facets;  // in space only
+    std::shared_ptr<const Material<Dim>> material;
+    Points<Dim> pose;
+};
+template <int Dim>
+using PosedPtr = std::shared_ptr<const PosedFrame<Dim>>;
+
+/// The frame with its shape; null if there is none, or one of the other dimension.
+template <int Dim>
+PosedPtr<Dim> posed(const FramePtr& frame) {
+    if (!frame || frame->dimension != Dim) return {};
+    return std::static_pointer_cast<const PosedFrame<Dim>>(frame);
+}
 
 }  // namespace wend

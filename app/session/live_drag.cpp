@@ -12,42 +12,56 @@ namespace {
 
 constexpr double kLongestPiece = 0.06;  // of the diagonal
 constexpr double kMostPieces = 2;       // per sample: the pointer is more urgent than the path
+constexpr double kArm = 0.25;           // of the diagonal: what turning and growing are measured at
 
 }  // namespace
 
-LiveDrag::LiveDrag(const BuiltShape& shape, std::vector<Handle<2>> handles)
+template <int Dim>
+LiveDrag<Dim>::LiveDrag(const BuiltShape<Dim>& shape, std::vector<Handle<Dim>> handles)
     : m_shape(shape),
-      m_diagonal(boundingBoxDiagonal<2>(shape.rest->points)),
+      m_diagonal(boundingBoxDiagonal<Dim>(shape.rest->points)),
       m_handles(std::move(handles)),
-      m_flow(shape.rest, shape.material, m_handles, backEndFactory<2>(BackEndKind::Automatic)) {}
+      m_flow(shape.rest, shape.material, m_handles, backEndFactory<Dim>(BackEndKind::Automatic)) {}
 
-bool LiveDrag::fits(const BuiltShape& shape, const std::vector<Handle<2>>& handles) const {
+template <int Dim>
+bool LiveDrag<Dim>::fits(const BuiltShape<Dim>& shape, const std::vector<Handle<Dim>>& handles) const {
     return shape.rest == m_shape.rest && shape.material == m_shape.material &&
-           std::equal(handles.begin(), handles.end(), m_handles.begin(), m_handles.end(), samePlace);
+           std::equal(handles.begin(), handles.end(), m_handles.begin(), m_handles.end(), samePlace<Dim>);
 }
 
-void LiveDrag::begin(std::vector<int> dragged, const Points<2>& pose) {
+template <int Dim>
+void LiveDrag<Dim>::begin(std::vector<int> dragged, const Grip& grip, const Points<Dim>& pose) {
     m_dragged = std::move(dragged);
-    m_offset.setZero();
+    m_grip = grip;
+    m_amount.setZero();
     m_flow.begin(pose);
 }
 
-LiveDrag::Step LiveDrag::follow(const Vec<2>& offset) {
+/// Of a way in the domain's units, as far as it can be told.
+template <int Dim>
+double LiveDrag<Dim>::length(const Amount& way) const {
+    return m_grip.kind == Grip::Kind::Move ? way.norm() : kArm * m_diagonal * std::abs(way[0]);
+}
+
+template <int Dim>
+typename LiveDrag<Dim>::Step LiveDrag<Dim>::follow(const Amount& amount) {
     Step step;
-    const Vec<2> way = offset - m_offset;
-    const double pieces = std::clamp(std::ceil(way.norm() / (kLongestPiece * m_diagonal)), 1.0, kMostPieces);
-    for (int i = 0; i < pieces && !step.stopped && way != Vec<2>::Zero(); ++i) {
-        Motion<2> motion;
-        motion.kind = Translate<2>{way / pieces};
-        const DragFlow<2>::Led led = m_flow.lead(m_dragged, motion);
-        m_offset += led.done * way / pieces;
+    const Amount from = m_amount, way = amount - m_amount;
+    const double pieces = std::clamp(std::ceil(length(way) / (kLongestPiece * m_diagonal)), 1.0, kMostPieces);
+    for (int i = 0; i < pieces && !step.stopped && way != Amount::Zero(); ++i) {
+        const Amount next = from + (i + 1) / pieces * way;
+        const auto led = m_flow.lead(m_dragged, motionBetween<Dim>(m_grip, m_amount, next));
+        m_amount += led.done * (next - m_amount);
         step.stopped = led.done < 1;
         step.message = led.problem;
     }
-    if (!step.stopped) m_offset = offset;
-    step.offset = m_offset;
+    if (!step.stopped) m_amount = amount;
+    step.amount = m_amount;
     step.pinError = m_flow.constraintError();
     return step;
 }
+
+template class LiveDrag<2>;
+template class LiveDrag<3>;
 
 }  // namespace wend

@@ -13,7 +13,7 @@ bool mergeInto(Request& last, const Request& next) {
     auto* first = std::get_if<DragTo>(&last);
     const auto* second = std::get_if<DragTo>(&next);
     if (!first || !second) return false;
-    first->offsets.insert(first->offsets.end(), second->offsets.begin(), second->offsets.end());
+    first->amounts.insert(first->amounts.end(), second->amounts.begin(), second->amounts.end());
     first->lastSample = second->lastSample;
     return true;
 }

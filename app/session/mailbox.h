@@ -7,6 +7,7 @@
 #include <stop_token>
 #include <variant>
 
+#include "app/document/grip.h"
 #include "app/session/shape_builder.h"
 
 namespace wend {
@@ -17,9 +18,10 @@ struct SetShape {
 };
 struct BeginDrag {
     std::vector<int> handles;
+    Grip grip = {};
 };
 struct DragTo {
-    std::vector<Vec<2>> offsets;  // of the handles from where the drag began, one per sample of the pointer
+    std::vector<Amount> amounts;  // from where the drag began, one per sample of the pointer
     int lastSample = 0;
 };
 struct EndDrag {

@@ -15,8 +15,9 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kFramesPerUnit = 24;
 constexpr int kMostFrames = 480;
 
-const Design<2>& designOf(const Project& project) {
-    return std::get<Design<2>>(project.design);
+template <int Dim>
+const Design<Dim>& designOf(const Project& project) {
+    return std::get<Design<Dim>>(project.design);
 }
 
 bool sameIntegration(const IntegrationOptions& a, const IntegrationOptions& b) {
@@ -26,7 +27,8 @@ bool sameIntegration(const IntegrationOptions& a, const IntegrationOptions& b) {
 
 }  // namespace
 
-void MotionPass::clear() {
+template <int Dim>
+void MotionPass<Dim>::clear() {
     m_project.reset();
     m_deformer.reset();
     m_cache.clear();
@@ -34,11 +36,12 @@ void MotionPass::clear() {
     m_restSent = false;
 }
 
-double MotionPass::set(const BuiltShape& shape, std::shared_ptr<const Project> project) {
+template <int Dim>
+double MotionPass<Dim>::set(const BuiltShape<Dim>& shape, std::shared_ptr<const Project> project) {
     double kept = -kInfinity;
     if (m_project && shape.rest == m_shape.rest && shape.material == m_shape.material &&
         sameIntegration(m_project->integration, project->integration))
-        kept = firstDifference(designOf(*m_project).handles, designOf(*project).handles);
+        kept = firstDifference(designOf<Dim>(*m_project).handles, designOf<Dim>(*project).handles);
     const double end = motionEnd(*project);
     const bool same = kept == kInfinity && end == m_end;
     m_shape = shape;
@@ -54,38 +57,41 @@ double MotionPass::set(const BuiltShape& shape, std::shared_ptr<const Project> p
     return m_cache.last() ? m_lastFrame : -kInfinity;
 }
 
-void MotionPass::begin(const Sink& sink) {
+template <int Dim>
+void MotionPass<Dim>::begin(const Sink& sink) {
     if (!m_restSent) {
-        State<2> rest;
+        State<Dim> rest;
         rest.points = m_shape.rest->points;
         sink.onFrame(rest, 0);
         m_restSent = true;
     }
-    const auto& handles = designOf(*m_project).handles;
+    const auto& handles = designOf<Dim>(*m_project).handles;
     IntegrationOptions options = m_project->integration;
     options.end = m_project->end;
     m_deformer.emplace(m_shape.rest, m_shape.material, handles, options,
-                       backEndFactory<2>(BackEndKind::Automatic));
+                       backEndFactory<Dim>(BackEndKind::Automatic));
     if (m_cache.last())
         m_deformer->restore(*m_cache.last());
     else
         m_cache.add(m_deformer->state());
 }
 
-double MotionPass::nextBorder(double time) const {
+template <int Dim>
+double MotionPass<Dim>::nextBorder(double time) const {
     double next = m_end;
     const auto consider = [&](double t) {
         if (t > time) next = std::min(next, t);
     };
-    for (const Handle<2>& handle : designOf(*m_project).handles) {
+    for (const Handle<Dim>& handle : designOf<Dim>(*m_project).handles) {
         consider(handle.activeFrom);
         consider(handle.activeTo);
-        for (const Motion<2>& motion : handle.motions) consider(motion.start), consider(motion.end);
+        for (const Motion<Dim>& motion : handle.motions) consider(motion.start), consider(motion.end);
     }
     return next;
 }
 
-std::vector<double> MotionPass::frameTimes(double from, double to) const {
+template <int Dim>
+std::vector<double> MotionPass<Dim>::frameTimes(double from, double to) const {
     const double spacing = std::max(1.0 / kFramesPerUnit, m_end / kMostFrames);
     std::vector<double> times;
     for (double k = std::floor(from / spacing) + 1; k * spacing < to - 0.25 * spacing; ++k)
@@ -93,15 +99,16 @@ std::vector<double> MotionPass::frameTimes(double from, double to) const {
     return times;
 }
 
-void MotionPass::run(const Sink& sink, std::stop_token stop) {
+template <int Dim>
+void MotionPass<Dim>::run(const Sink& sink, std::stop_token stop) {
     if (!m_deformer) begin(sink);
-    const double diagonal = boundingBoxDiagonal<2>(m_shape.rest->points);
-    const auto send = [&](const State<2>& state) {
+    const double diagonal = boundingBoxDiagonal<Dim>(m_shape.rest->points);
+    const auto send = [&](const State<Dim>& state) {
         m_lastFrame = state.time;
         sink.onFrame(state, m_deformer->statistics().constraintError * diagonal);
     };
     while (m_deformer->state().time < m_end) {
-        Deformer<2>::Watch watch;
+        typename Deformer<Dim>::Watch watch;
         const double border = nextBorder(m_deformer->state().time);
         watch.frames = frameTimes(std::max(m_lastFrame, m_deformer->state().time), border);
         watch.onFrame = send;
@@ -117,5 +124,8 @@ void MotionPass::run(const Sink& sink, std::stop_token stop) {
     }
     m_result = AdvanceResult{};
 }
+
+template class MotionPass<2>;
+template class MotionPass<3>;
 
 }  // namespace wend

@@ -10,22 +10,23 @@ namespace wend {
 /// The whole motion of a project at final quality, computed once and continued where it changes. Stops at the
 /// borders of the motions' windows, which the integrator never crosses anyway, and keeps the states there:
 /// the result is the same bits as one run from the start.
+template <int Dim>
 class MotionPass {
   public:
     struct Sink {
-        std::function<void(const State<2>&, double pinError)> onFrame;
+        std::function<void(const State<Dim>&, double pinError)> onFrame;
         std::function<void(double time, double end)> progress;
     };
 
     /// The problem from now on. Returns the time up to which earlier frames stay valid, −∞ if none.
-    double set(const BuiltShape& shape, std::shared_ptr<const Project> project);
+    double set(const BuiltShape<Dim>& shape, std::shared_ptr<const Project> project);
     void clear();
 
     bool isSet() const { return m_project != nullptr; }
     bool isFinished() const { return m_result.has_value(); }
     /// How the motion ended, once finished.
     const AdvanceResult& result() const { return *m_result; }
-    const State<2>& state() const { return *m_cache.last(); }
+    const State<Dim>& state() const { return *m_cache.last(); }
     double end() const { return m_end; }
 
     /// Goes on until the end, a fold or a stop; frames come in the order of time.
@@ -36,10 +37,10 @@ class MotionPass {
     std::vector<double> frameTimes(double from, double to) const;
     double nextBorder(double time) const;
 
-    BuiltShape m_shape;
+    BuiltShape<Dim> m_shape;
     std::shared_ptr<const Project> m_project;
-    std::optional<Deformer<2>> m_deformer;
-    PoseCache m_cache;
+    std::optional<Deformer<Dim>> m_deformer;
+    PoseCache<Dim> m_cache;
     std::optional<AdvanceResult> m_result;
     double m_end = 0;
     double m_lastFrame = 0;

@@ -12,32 +12,18 @@ namespace wend {
 
 namespace {
 
-QString said(const char* text) {
-    return QCoreApplication::translate("Opening", text);
-}
-
-[[noreturn]] void refuse(const QString& path, const QString& why) {
-    throw InputError(path.toStdString(), why.toStdString());
-}
-
 bool hasExtension(const QString& path, const QString& patterns) {
     return patterns.split(' ').contains(QStringLiteral("*.") + QFileInfo(path).suffix().toLower());
 }
-
-const char* const kVolumeLater =
-    QT_TRANSLATE_NOOP("Opening",
-                      "this is a solid; the window shows pictures and flat meshes so far. `wend run` and "
-                      "`wend mesh` work with solids.");
 
 std::string absolute(const QString& folder, const std::string& file) {
     return file.empty() ? file : QDir(folder).absoluteFilePath(QString::fromStdString(file)).toStdString();
 }
 
-OpenedFile openProject(const QString& path, Solids solids) {
+OpenedFile openProject(const QString& path) {
     OpenedFile file;
     LoadedProject loaded = readProject(path.toStdString());
     Project& project = loaded.project;
-    if (project.dimension() == 3 && solids == Solids::Refuse) refuse(path, said(kVolumeLater));
     const QString folder = QFileInfo(path).absolutePath();
     project.domain.path = absolute(folder, project.domain.path);
     project.domain.texture = absolute(folder, project.domain.texture);
@@ -87,10 +73,9 @@ bool isFlat(const MeshFile& mesh) {
     return !isVolume(mesh) && z.maxCoeff() - z.minCoeff() <= 1e-9 * size.norm();
 }
 
-OpenedFile openMesh(const QString& path, Solids solids) {
+OpenedFile openMesh(const QString& path) {
     const MeshFile mesh = readMeshFile(path.toStdString());
     const bool flat = isFlat(mesh);
-    if (!flat && solids == Solids::Refuse) refuse(path, said(kVolumeLater));
     Project project;
     project.domain.kind = flat || isVolume(mesh) ? DomainKind::Mesh : DomainKind::Surface;
     project.domain.path = path.toStdString();
@@ -132,13 +117,13 @@ bool looksOpenable(const QString& path) {
            hasExtension(path, meshExtensions());
 }
 
-OpenedFile openFile(const QString& path, Solids solids) {
+OpenedFile openFile(const QString& path) {
     const QString absolutePath = QFileInfo(path).absoluteFilePath();
     OpenedFile file;
     if (hasExtension(path, QStringLiteral("*.wend")))
-        file = openProject(absolutePath, solids);
+        file = openProject(absolutePath);
     else if (hasExtension(path, meshExtensions()))
-        file = openMesh(absolutePath, solids);
+        file = openMesh(absolutePath);
     else
         file = openPicture(absolutePath);
     file.source = absolutePath;
@@ -147,14 +132,14 @@ OpenedFile openFile(const QString& path, Solids solids) {
 }
 
 OpenedFile openLost(const LostWork& work) {
-    OpenedFile file = openProject(work.copy, Solids::Take);
+    OpenedFile file = openProject(work.copy);
     file.path = work.path;
     file.source = work.source;
     file.recoveredFrom = work.copy;
     return file;
 }
 
-QStringList samplePaths(Solids wanted) {
+QStringList samplePaths() {
     QStringList pictures, solids;
     const QDir folder(sampleFolder());
     if (sampleFolder().isEmpty()) return pictures;
@@ -162,7 +147,7 @@ QStringList samplePaths(Solids wanted) {
         const QString path = info.absoluteFilePath();
         (isSolid(path) ? solids : pictures) << path;
     }
-    return wanted == Solids::Take ? pictures + solids : pictures;
+    return pictures + solids;
 }
 
 QString picturePathOf(const QString& project) {

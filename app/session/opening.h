@@ -6,12 +6,10 @@
 
 namespace wend {
 
-enum class Solids { Refuse, Take };
-
 /// Reads a project, a picture or a mesh, told apart by the file's extension, and makes a project of it; a
-/// mesh in space is refused or becomes a project in space: tetrahedra its mesh, a surface its surface. Runs
+/// mesh in space becomes a project in space: tetrahedra its mesh, a surface its surface. Runs
 /// in any thread. Throws InputError with what to do about it.
-OpenedFile openFile(const QString& path, Solids solids = Solids::Refuse);
+OpenedFile openFile(const QString& path);
 
 /// Work that was lost in a crash, as changes that are not saved yet. Throws as openFile().
 OpenedFile openLost(const LostWork& work);
@@ -22,7 +20,7 @@ QString meshExtensions();
 bool looksOpenable(const QString& path);
 
 /// Sample projects: installed beside the program, or those of the source tree; pictures first.
-QStringList samplePaths(Solids solids = Solids::Refuse);
+QStringList samplePaths();
 /// The picture that a project shows, or of a solid one of the same name beside it, for a thumbnail; empty if
 /// it has none.
 QString picturePathOf(const QString& project);

@@ -13,11 +13,12 @@ namespace {
 constexpr int kPathSamples = 60;  // per motion
 
 /// Every vertex as a location: the corner of the first cell that has it.
-std::vector<Location<2>> vertexLocations(const SimplicialMesh<2>& rest) {
-    std::vector<Location<2>> all(rest.vertexCount());
+template <int Dim>
+std::vector<Location<Dim>> vertexLocations(const SimplicialMesh<Dim>& rest) {
+    std::vector<Location<Dim>> all(rest.vertexCount());
     for (int c = 0; c < rest.cellCount(); ++c)
-        for (int k = 0; k < 3; ++k) {
-            Location<2>& location = all[rest.cells[c][k]];
+        for (int k = 0; k <= Dim; ++k) {
+            Location<Dim>& location = all[rest.cells[c][k]];
             if (location.cell >= 0) continue;
             location.cell = c;
             location.weights.setZero();
@@ -26,46 +27,42 @@ std::vector<Location<2>> vertexLocations(const SimplicialMesh<2>& rest) {
     return all;
 }
 
+template <int Dim>
 class Placer {
   public:
-    Placer(const SimplicialMesh<2>& rest, const PointLocator<2>& locator)
+    Placer(const SimplicialMesh<Dim>& rest, const PointLocator<Dim>& locator)
         : m_rest(rest), m_locator(locator), m_vertices(vertexLocations(rest)) {}
 
-    PinPlace operator()(const std::vector<int>& vertices) const {
-        PinPlace place;
+    PinPlace<Dim> operator()(const std::vector<int>& vertices) const {
+        PinPlace<Dim> place;
         for (const int v : vertices)
             if (v >= 0 && v < m_rest.vertexCount()) place.points.push_back(m_vertices[v]);
         return place;
     }
-    PinPlace operator()(const std::vector<Vec<2>>& points) const {
-        PinPlace place;
-        for (const Vec<2>& p : points)
+    PinPlace<Dim> operator()(const std::vector<Vec<Dim>>& points) const {
+        PinPlace<Dim> place;
+        for (const Vec<Dim>& p : points)
             if (const auto location = m_locator.find(p, 1e-9)) place.points.push_back(*location);
         return place;
     }
-    PinPlace operator()(const Region<2>& region) const {
-        PinPlace place;
+    PinPlace<Dim> operator()(const Region<Dim>& region) const {
+        PinPlace<Dim> place;
         place.region = true;
         for (int v = 0; v < m_rest.vertexCount(); ++v)
-            if (signedDistance<2>(region, m_rest.points.col(v)) <= 0) place.points.push_back(m_vertices[v]);
+            if (signedDistance<Dim>(region, m_rest.points.col(v)) <= 0) place.points.push_back(m_vertices[v]);
         return place;
     }
 
   private:
-    const SimplicialMesh<2>& m_rest;
-    const PointLocator<2>& m_locator;
-    std::vector<Location<2>> m_vertices;
+    const SimplicialMesh<Dim>& m_rest;
+    const PointLocator<Dim>& m_locator;
+    std::vector<Location<Dim>> m_vertices;
 };
 
-Vec<2> meanOf(const std::vector<Vec<2>>& points) {
-    Vec<2> sum = Vec<2>::Zero();
-    for (const Vec<2>& p : points) sum += p;
-    return sum / static_cast<double>(points.size());
-}
-
-void appendMotion(const Motion<2>& motion, PinPath& path) {
-    const Trajectory<2> trajectory(motion);
-    const Vec<2> from = path.points.back();
+template <int Dim>
+void appendMotion(const Motion<Dim>& motion, PinPath<Dim>& path) {
+    const Trajectory<Dim> trajectory(motion);
+    const Vec<Dim> from = path.points.back();
     for (int i = 0; i <= kPathSamples; ++i) {
         const double t = motion.start + (motion.end - motion.start) * i / kPathSamples;
         path.points.push_back(trajectory.at(t).position(from));
@@ -75,31 +72,43 @@ void appendMotion(const Motion<2>& motion, PinPath& path) {
 
 }  // namespace
 
-std::vector<PinPlace> placePins(const std::vector<Handle<2>>& handles, const SimplicialMesh<2>& rest,
-                                const PointLocator<2>& locator) {
-    const Placer placer(rest, locator);
-    std::vector<PinPlace> places;
-    for (const Handle<2>& handle : handles) places.push_back(std::visit(placer, handle.at));
+template <int Dim>
+Vec<Dim> meanOf(const std::vector<Vec<Dim>>& points) {
+    Vec<Dim> sum = Vec<Dim>::Zero();
+    for (const Vec<Dim>& p : points) sum += p;
+    return sum / static_cast<double>(points.size());
+}
+
+template <int Dim>
+std::vector<PinPlace<Dim>> placePins(const std::vector<Handle<Dim>>& handles, const SimplicialMesh<Dim>& rest,
+                                     const PointLocator<Dim>& locator) {
+    const Placer<Dim> placer(rest, locator);
+    std::vector<PinPlace<Dim>> places;
+    for (const Handle<Dim>& handle : handles) places.push_back(std::visit(placer, handle.at));
     return places;
 }
 
-Vec<2> positionOf(const Location<2>& location, const SimplicialMesh<2>& rest, const Points<2>& pose) {
-    Vec<2> p = Vec<2>::Zero();
-    for (int k = 0; k < 3; ++k) p += location.weights[k] * pose.col(rest.cells[location.cell][k]);
+template <int Dim>
+Vec<Dim> positionOf(const Location<Dim>& location, const SimplicialMesh<Dim>& rest, const Points<Dim>& pose) {
+    Vec<Dim> p = Vec<Dim>::Zero();
+    for (int k = 0; k <= Dim; ++k) p += location.weights[k] * pose.col(rest.cells[location.cell][k]);
     return p;
 }
 
-std::vector<PinView> viewPins(const std::vector<Handle<2>>& handles, const std::vector<PinPlace>& places,
-                              const SimplicialMesh<2>& rest, const Points<2>& pose, double time) {
-    std::vector<PinView> views;
+template <int Dim>
+std::vector<PinView<Dim>> viewPins(const std::vector<Handle<Dim>>& handles,
+                                   const std::vector<PinPlace<Dim>>& places, const SimplicialMesh<Dim>& rest,
+                                   const Points<Dim>& pose, double time) {
+    std::vector<PinView<Dim>> views;
     for (std::size_t h = 0; h < std::min(handles.size(), places.size()); ++h) {
         if (!isActive(handles[h], time) || places[h].isEmpty()) continue;
-        PinView view;
+        PinView<Dim> view;
         view.handle = static_cast<int>(h);
         view.name = QString::fromStdString(handles[h].name);
         view.region = places[h].region;
-        for (const auto& location : places[h].points) view.points.push_back(positionOf(location, rest, pose));
-        view.centre = meanOf(view.points);
+        for (const auto& location : places[h].points)
+            view.points.push_back(positionOf<Dim>(location, rest, pose));
+        view.centre = meanOf<Dim>(view.points);
         views.push_back(std::move(view));
     }
     return views;
@@ -126,23 +135,42 @@ std::vector<Vec<2>> convexHull(std::vector<Vec<2>> points) {
     return hull;
 }
 
-std::optional<Vec<2>> restPoint(const SimplicialMesh<2>& rest, const Points<2>& pose, const Vec<2>& p) {
-    const PointLocator<2> locator(pose, rest.cells);
+template <int Dim>
+std::optional<Vec<Dim>> restPoint(const SimplicialMesh<Dim>& rest, const Points<Dim>& pose,
+                                  const Vec<Dim>& p) {
+    const PointLocator<Dim> locator(pose, rest.cells);
     const auto location = locator.find(p);
     if (!location) return {};
-    return positionOf(*location, rest, rest.points);
+    return positionOf<Dim>(*location, rest, rest.points);
 }
 
-std::vector<PinPath> pinPaths(const Handle<2>& handle, const std::vector<Vec<2>>& starts) {
-    std::vector<PinPath> paths;
-    for (const Vec<2>& start : starts) {
-        PinPath path;
+template <int Dim>
+std::vector<PinPath<Dim>> pinPaths(const Handle<Dim>& handle, const std::vector<Vec<Dim>>& starts) {
+    std::vector<PinPath<Dim>> paths;
+    for (const Vec<Dim>& start : starts) {
+        PinPath<Dim> path;
         path.points = {start};
         path.times = {handle.motions.empty() ? 0 : handle.motions.front().start};
-        for (const Motion<2>& motion : handle.motions) appendMotion(motion, path);
+        for (const Motion<Dim>& motion : handle.motions) appendMotion(motion, path);
         paths.push_back(std::move(path));
     }
     return paths;
 }
+
+#define WEND_INSTANTIATE(Dim)                                                                                \
+    template std::vector<PinPlace<Dim>> placePins<Dim>(                                                      \
+        const std::vector<Handle<Dim>>&, const SimplicialMesh<Dim>&, const PointLocator<Dim>&);              \
+    template Vec<Dim> positionOf<Dim>(const Location<Dim>&, const SimplicialMesh<Dim>&, const Points<Dim>&); \
+    template std::vector<PinView<Dim>> viewPins<Dim>(                                                        \
+        const std::vector<Handle<Dim>>&, const std::vector<PinPlace<Dim>>&, const SimplicialMesh<Dim>&,      \
+        const Points<Dim>&, double);                                                                         \
+    template Vec<Dim> meanOf<Dim>(const std::vector<Vec<Dim>>&);                                             \
+    template std::optional<Vec<Dim>> restPoint<Dim>(const SimplicialMesh<Dim>&, const Points<Dim>&,          \
+                                                    const Vec<Dim>&);                                        \
+    template std::vector<PinPath<Dim>> pinPaths<Dim>(const Handle<Dim>&, const std::vector<Vec<Dim>>&)
+
+WEND_INSTANTIATE(2);
+WEND_INSTANTIATE(3);
+#undef WEND_INSTANTIATE
 
 }  // namespace wend

@@ -7,17 +7,18 @@
 namespace wend {
 
 /// States by time, from which an integration can go on. Changing a handle at time t keeps what lies up to t.
+template <int Dim>
 class PoseCache {
   public:
     void clear() { m_states.clear(); }
-    void add(const State<2>& state) { m_states.insert_or_assign(state.time, state); }
+    void add(const State<Dim>& state) { m_states.insert_or_assign(state.time, state); }
     void keepUpTo(double time) { m_states.erase(m_states.upper_bound(time), m_states.end()); }
     /// The newest state, or null.
-    const State<2>* last() const { return m_states.empty() ? nullptr : &m_states.rbegin()->second; }
+    const State<Dim>* last() const { return m_states.empty() ? nullptr : &m_states.rbegin()->second; }
     std::size_t size() const { return m_states.size(); }
 
   private:
-    std::map<double, State<2>> m_states;
+    std::map<double, State<Dim>> m_states;
 };
 
 }  // namespace wend

@@ -37,18 +37,26 @@ bool sameSmoothing(const Smoothing& a, const Smoothing& b) {
     return a.kind == b.kind && a.length == b.length && a.lambda == b.lambda;
 }
 
-/// Only what the window can change is compared: regions and cells otherwise come from the file.
+template <int Dim>
+bool sameStiffness(const std::optional<Stiffness<Dim>>& a, const std::optional<Stiffness<Dim>>& b) {
+    return a.has_value() == b.has_value() && (!a || (a->axis == b->axis && a->ratio == b->ratio));
+}
+
 template <int Dim>
 bool sameMaterial(const MaterialSpec<Dim>& a, const MaterialSpec<Dim>& b) {
-    return a.phi == b.phi && sameSmoothing(a.smoothing, b.smoothing) &&
-           a.regions.size() == b.regions.size() && a.cellPhi.size() == b.cellPhi.size() &&
-           a.cellB.size() == b.cellB.size();
+    const auto same = [](const MaterialRegion<Dim>& p, const MaterialRegion<Dim>& q) {
+        return p.feather == q.feather && p.phi == q.phi && sameStiffness<Dim>(p.stiffness, q.stiffness) &&
+               p.shape == q.shape;
+    };
+    return a.phi == b.phi && sameSmoothing(a.smoothing, b.smoothing) && a.cellsFile == b.cellsFile &&
+           a.cellPhi == b.cellPhi && a.cellB == b.cellB &&
+           std::equal(a.regions.begin(), a.regions.end(), b.regions.begin(), b.regions.end(), same);
 }
 
 }  // namespace
 
 template <int Dim>
-bool ShapeBuilderOf<Dim>::meshIsCurrent(const ShapeInputs& inputs) const {
+bool ShapeBuilder<Dim>::meshIsCurrent(const ShapeInputs& inputs) const {
     if (!m_shape.rest || m_last.generation != inputs.generation) return false;
     const Domain &a = m_last.project->domain, &b = inputs.project->domain;
     if constexpr (Dim == 3) return sameSolid(a, b);
@@ -57,22 +65,23 @@ bool ShapeBuilderOf<Dim>::meshIsCurrent(const ShapeInputs& inputs) const {
 }
 
 template <int Dim>
-bool ShapeBuilderOf<Dim>::materialIsCurrent(const ShapeInputs& inputs) const {
+bool ShapeBuilder<Dim>::materialIsCurrent(const ShapeInputs& inputs) const {
     return m_shape.material && m_last.generation == inputs.generation &&
            sameMaterial(designOf<Dim>(m_last).material, designOf<Dim>(inputs).material);
 }
 
 template <>
-void ShapeBuilderOf<3>::makeMesh(const ShapeInputs& inputs, std::stop_token stop) {
+void ShapeBuilder<3>::makeMesh(const ShapeInputs& inputs, std::stop_token stop) {
     Solid solid = loadSolid(*inputs.project, inputs.folder, stop);
     m_shape.rest = std::move(solid.rest);
+    m_shape.facets = std::make_shared<const std::vector<Facet<3>>>(facetsOf(*m_shape.rest));
     m_shape.skin = std::move(solid.skin);
     m_shape.ride = std::move(solid.ride);
     m_shape.notices = std::move(solid.notices);
 }
 
 template <>
-void ShapeBuilderOf<2>::makeMesh(const ShapeInputs& inputs, std::stop_token stop) {
+void ShapeBuilder<2>::makeMesh(const ShapeInputs& inputs, std::stop_token stop) {
     const Project& project = *inputs.project;
     if (project.domain.kind != DomainKind::Image) {
         m_shape.rest = std::get<Scene<2>>(loadScene(project, inputs.folder)).rest;
@@ -88,7 +97,7 @@ void ShapeBuilderOf<2>::makeMesh(const ShapeInputs& inputs, std::stop_token stop
 }
 
 template <int Dim>
-void ShapeBuilderOf<Dim>::makeShape(const ShapeInputs& inputs, std::stop_token stop) {
+void ShapeBuilder<Dim>::makeShape(const ShapeInputs& inputs, std::stop_token stop) {
     if (!meshIsCurrent(inputs)) {
         m_shape = {};
         makeMesh(inputs, stop);
@@ -104,7 +113,7 @@ void ShapeBuilderOf<Dim>::makeShape(const ShapeInputs& inputs, std::stop_token s
 }
 
 template <int Dim>
-BuiltShapeOf<Dim> ShapeBuilderOf<Dim>::build(const ShapeInputs& inputs, std::stop_token stop) {
+BuiltShape<Dim> ShapeBuilder<Dim>::build(const ShapeInputs& inputs, std::stop_token stop) {
     try {
         makeShape(inputs, stop);
     } catch (const Cancelled&) {
@@ -116,7 +125,7 @@ BuiltShapeOf<Dim> ShapeBuilderOf<Dim>::build(const ShapeInputs& inputs, std::sto
     return m_shape;
 }
 
-template class ShapeBuilderOf<2>;
-template class ShapeBuilderOf<3>;
+template class ShapeBuilder<2>;
+template class ShapeBuilder<3>;
 
 }  // namespace wend

@@ -16,23 +16,23 @@ struct ShapeInputs {
 };
 
 template <int Dim>
-struct BuiltShapeOf {
+struct BuiltShape {
     std::shared_ptr<const SimplicialMesh<Dim>> rest;
     std::shared_ptr<const Material<Dim>> material;
-    std::shared_ptr<const Skin> skin;          // 3D only: see Scene
-    std::shared_ptr<const Embedding<3>> ride;  // 3D only
-    std::vector<std::string> notices;          // 3D only: what the user should hear of the mesh
+    std::shared_ptr<const std::vector<Facet<Dim>>> facets;  // 3D only
+    std::shared_ptr<const Skin> skin;                       // 3D only: see Scene
+    std::shared_ptr<const Embedding<3>> ride;               // 3D only
+    std::vector<std::string> notices;                       // 3D only: what the user should hear of the mesh
 };
-using BuiltShape = BuiltShapeOf<2>;
 
 /// Outline, mesh and material of a project, made again only where the inputs changed since the last time. The
 /// steps are those of loadScene(), so that window and command line have the same mesh. The project's
 /// dimension must be Dim.
 template <int Dim>
-class ShapeBuilderOf {
+class ShapeBuilder {
   public:
     /// Throws InputError (SurfaceError for a surface that bounds no volume). Null rest if stopped.
-    BuiltShapeOf<Dim> build(const ShapeInputs& inputs, std::stop_token stop);
+    BuiltShape<Dim> build(const ShapeInputs& inputs, std::stop_token stop);
 
   private:
     void makeShape(const ShapeInputs& inputs, std::stop_token stop);
@@ -43,8 +43,6 @@ class ShapeBuilderOf {
     ShapeInputs m_last;  // of the mesh and material below
     ShapeInputs m_outlineFrom;
     std::shared_ptr<const Outline> m_outline;  // 2D only
-    BuiltShapeOf<Dim> m_shape;
+    BuiltShape<Dim> m_shape;
 };
-using ShapeBuilder = ShapeBuilderOf<2>;
-
 }  // namespace wend

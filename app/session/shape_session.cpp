@@ -6,12 +6,26 @@
 
 namespace wend {
 
+namespace {
+
+/// The same shape, standing for another time.
+FramePtr atTime(const FramePtr& frame, double time) {
+    const auto copy = [time](const auto& own) -> FramePtr {
+        auto other = std::make_shared<std::decay_t<decltype(own)>>(own);
+        other->time = time;
+        return other;
+    };
+    return frame->dimension == 2 ? copy(*posed<2>(frame)) : copy(*posed<3>(frame));
+}
+
+}  // namespace
+
 ShapeSession::ShapeSession(QObject* parent) : QObject(parent) {
     connect(&m_document, &Document::projectChanged, this, &ShapeSession::postShape);
     connect(&m_document, &Document::opened, this, [this] {
         m_track.clear();
-        m_rest.reset();
-        m_placed = {};
+        m_shape.reset();
+        m_holds = {};
         m_preview.reset();
         m_drag.reset();
         m_selection.clear();
@@ -36,7 +50,7 @@ void ShapeSession::postShape() {
     if (m_document.isEmpty()) return;
     const double end = motionEnd(*m_document.project());
     if (m_preview && end < m_preview->time) m_preview.reset();
-    const int count = static_cast<int>(m_document.design().handles.size());
+    const int count = handleCount();
     std::vector<int> kept = m_selection.handles();
     std::erase_if(kept, [count](int h) { return h >= count; });
     m_selection.set(std::move(kept));
@@ -49,19 +63,18 @@ void ShapeSession::postShape() {
     emit pinsChanged();
 }
 
-void ShapeSession::takeShape(int revision, const std::shared_ptr<const SimplicialMesh<2>>& rest,
-                             double keptUpTo) {
+void ShapeSession::takeShape(int revision, const std::shared_ptr<const void>& shape, double keptUpTo) {
     if (revision != m_revision) return;
     if (m_failed) emit problem({});
     m_failed = false;
-    m_rest = rest;
+    m_shape = shape;
     m_trackIsCurrent = true;
     m_track.cut(keptUpTo);
     m_playback.setReady(m_track.lastTime());
 }
 
 void ShapeSession::takeFrame(const FramePtr& frame) {
-    if (frame->rest != m_rest) return;
+    if (frame->shape != m_shape) return;
     if (frame->live) {
         takeLive(frame);
         return;
@@ -127,58 +140,112 @@ void ShapeSession::setBusy(bool busy) {
     emit busyChanged(busy);
 }
 
-const std::vector<PinPlace>& ShapeSession::places() const {
-    if (m_placed.rest != m_frame->rest || m_placed.project != m_document.project()) {
-        const PointLocator<2> locator(m_frame->rest->points, m_frame->rest->cells);
-        m_placed = {m_frame->rest, m_document.project(),
-                    placePins(m_document.design().handles, *m_frame->rest, locator)};
+template <int Dim>
+const std::vector<PinPlace<Dim>>& ShapeSession::places() const {
+    auto& hold = std::get<Hold<Dim>>(m_holds);
+    const auto shape = frame<Dim>();
+    if (hold.rest != shape->rest || hold.project != m_document.project()) {
+        const PointLocator<Dim> locator(shape->rest->points, shape->rest->cells);
+        hold.rest = shape->rest;
+        hold.project = m_document.project();
+        hold.places = placePins<Dim>(m_document.design<Dim>().handles, *shape->rest, locator);
     }
-    return m_placed.places;
+    return hold.places;
 }
 
-std::vector<PinView> ShapeSession::pins() const {
-    if (!m_frame || m_document.isEmpty()) return {};
+int ShapeSession::handleCount() const {
+    return static_cast<int>(
+        std::visit([](const auto& design) { return design.handles.size(); }, m_document.project()->design));
+}
+
+template <int Dim>
+std::vector<PinView<Dim>> ShapeSession::pins() const {
+    const auto shape = frame<Dim>();
+    if (!shape || m_document.dimension() != Dim) return {};
     const double time = m_drag ? motionEnd(*m_document.project()) : m_playback.time();
-    auto views = viewPins(m_document.design().handles, places(), *m_frame->rest, m_frame->pose, time);
+    auto views =
+        viewPins<Dim>(m_document.design<Dim>().handles, places<Dim>(), *shape->rest, shape->pose, time);
     if (!m_drag) return views;
-    for (PinView& view : views) {
-        const auto& dragged = m_drag->handles();
-        const auto it = std::find(dragged.begin(), dragged.end(), view.handle);
-        if (it == dragged.end()) continue;
-        const Vec<2> shift = m_drag->starts()[it - dragged.begin()] + m_drag->offset() - view.centre;
-        for (Vec<2>& p : view.points) p += shift;
-        view.centre += shift;
-    }
+    // The handle follows at once, the shape catches up.
+    const Amount amount = m_drag->amount();
+    for (const PinView<Dim>& start : std::get<Hold<Dim>>(m_holds).grabbed)
+        for (PinView<Dim>& view : views) {
+            if (view.handle != start.handle) continue;
+            view = start;
+            for (Vec<Dim>& p : view.points) p = carried<Dim>(m_drag->grip(), amount, p);
+            view.centre = carried<Dim>(m_drag->grip(), amount, start.centre);
+        }
     return views;
 }
 
-std::vector<Vec<2>> ShapeSession::pathStarts(int handle) const {
-    std::vector<Vec<2>> starts;
-    if (!m_frame || m_document.isEmpty()) return starts;
-    const double from = m_document.design().handles[handle].activeFrom;
-    const FramePtr frame = from > 0 ? m_track.at(from) : FramePtr();
-    const SimplicialMesh<2>& rest = *m_frame->rest;
-    const Points<2>& pose = frame && frame->rest == m_frame->rest ? frame->pose : rest.points;
-    for (const auto& location : places()[handle].points) starts.push_back(positionOf(location, rest, pose));
+template <int Dim>
+std::vector<Vec<Dim>> ShapeSession::pathStarts(int handle) const {
+    std::vector<Vec<Dim>> starts;
+    const auto shown = frame<Dim>();
+    if (!shown || m_document.dimension() != Dim) return starts;
+    const double from = m_document.design<Dim>().handles[handle].activeFrom;
+    const auto first = posed<Dim>(from > 0 ? m_track.at(from) : FramePtr());
+    const SimplicialMesh<Dim>& rest = *shown->rest;
+    const Points<Dim>& pose = first && first->rest == shown->rest ? first->pose : rest.points;
+    for (const auto& location : places<Dim>()[handle].points)
+        starts.push_back(positionOf<Dim>(location, rest, pose));
     return starts;
 }
 
 double ShapeSession::pixel() const {
-    if (m_document.picture() || !m_rest) return 1;
-    return boundingBoxDiagonal<2>(m_rest->points) / 2000;
+    return m_document.picture() || !m_frame ? 1 : m_frame->diagonal / 2000;
 }
 
-int ShapeSession::addPin(const Vec<2>& p) {
-    if (!m_frame || m_document.isEmpty()) return -1;
+template <int Dim>
+int ShapeSession::addPin(const Vec<Dim>& p) {
+    if (!m_frame || m_document.dimension() != Dim) return -1;
     goToEnd();
-    const auto rest = restPoint(*m_frame->rest, m_frame->pose, p);
-    if (!rest) return -1;
-    const Project& project = *m_document.project();
-    const std::string name = freePinName(m_document.design());
-    m_document.change(tr("Add %1").arg(QString::fromStdString(name)), withPin(project, *rest, name));
-    const int handle = static_cast<int>(m_document.design().handles.size()) - 1;
+    const auto shape = frame<Dim>();
+    const auto rest = shape ? restPoint<Dim>(*shape->rest, shape->pose, p) : std::nullopt;
+    return rest ? addHandle<Dim>(std::vector<Vec<Dim>>{*rest}, "Pin") : -1;
+}
+
+template <int Dim>
+int ShapeSession::addHandle(Placement<Dim> at, const std::string& kind) {
+    if (!m_frame || m_document.dimension() != Dim) return -1;
+    goToEnd();
+    const std::string name = freePinName(m_document.design<Dim>(), kind);
+    m_document.change(tr("Add %1").arg(QString::fromStdString(name)),
+                      withHandle<Dim>(*m_document.project(), std::move(at), name));
+    const int handle = handleCount() - 1;
     m_selection.set({handle});
     return handle;
+}
+
+Placement<3> ShapeSession::placementOf(const std::vector<int>& vertices) const {
+    const auto shape = frame<3>();
+    if (!shape || m_document.project()->domain.kind == DomainKind::Mesh) return vertices;
+    std::vector<Vec<3>> points;
+    for (const int v : vertices) points.push_back(shape->rest->points.col(v));
+    return points;
+}
+
+int ShapeSession::addSolidHandle(const std::vector<int>& vertices, const std::string& kind) {
+    return vertices.empty() ? -1 : addHandle<3>(placementOf(vertices), kind);
+}
+
+void ShapeSession::changeHandle(int handle, const std::vector<int>& vertices) {
+    m_document.change(tr("Change %1").arg(nameOf({handle})),
+                      withHandlePlace<3>(*m_document.project(), handle, placementOf(vertices)));
+}
+
+std::vector<int> ShapeSession::verticesOf(int handle) const {
+    const auto shape = frame<3>();
+    std::vector<int> vertices;
+    if (!shape) return vertices;
+    for (const auto& location : places<3>()[handle].points) {
+        int corner = 0;
+        location.weights.maxCoeff(&corner);
+        vertices.push_back(shape->rest->cells[location.cell][corner]);
+    }
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    return vertices;
 }
 
 void ShapeSession::removeSelected() {
@@ -189,38 +256,65 @@ void ShapeSession::removeSelected() {
     m_document.change(name, withoutHandles(*m_document.project(), handles));
 }
 
-void ShapeSession::pushStroke(const std::vector<int>& handles, const std::vector<Vec<2>>& starts,
-                              const std::vector<Vec<2>>& offsets, const QString& mergeKey) {
-    m_document.change(tr("Move %1").arg(nameOf(handles)),
-                      withStroke(*m_document.project(), handles, starts, offsets), mergeKey);
-}
-
-void ShapeSession::nudgeSelected(const Vec<2>& by) {
+template <int Dim>
+void ShapeSession::nudgeSelected(const Vec<Dim>& by) {
     if (m_selection.isEmpty() || m_drag || !m_frame) return;
     goToEnd();
     const auto handles = m_selection.handles();
     QString key = QStringLiteral("nudge");
     for (const int h : handles) key += QStringLiteral(" %1").arg(h);
-    if (m_document.merges(key))
-        m_document.change(tr("Move %1").arg(nameOf(handles)),
-                          withLongerStroke(*m_document.project(), handles, by), key);
-    else
-        pushStroke(handles, centresOf(handles), {Vec<2>::Zero(), by}, key);
+    const Project& project = *m_document.project();
+    m_document.change(tr("Move %1").arg(nameOf(handles)),
+                      m_document.merges(key) ? withLongerStroke<Dim>(project, handles, by)
+                                             : withStroke<Dim>(project, handles, centresOf<Dim>(handles),
+                                                               {Vec<Dim>::Zero(), by}),
+                      key);
 }
 
-void ShapeSession::beginDrag() {
+template <int Dim>
+void ShapeSession::moveSelected(const Grip& grip, const Amount& amount) {
+    if (m_selection.isEmpty() || m_drag || !m_frame || amount == Amount::Zero()) return;
+    goToEnd();
+    takeHold<Dim>();
+    pushGesture<Dim>(DragGesture(m_selection.handles(), grip), {Amount::Zero(), amount});
+}
+
+/// Remembers where the selected handles are.
+template <int Dim>
+void ShapeSession::takeHold() {
+    auto& grabbed = std::get<Hold<Dim>>(m_holds).grabbed;
+    grabbed = pins<Dim>();
+    std::erase_if(grabbed, [this](const auto& view) { return !m_selection.contains(view.handle); });
+}
+
+void ShapeSession::beginDrag(const Grip& grip) {
     if (m_selection.isEmpty() || m_drag || !m_frame) return;
     m_playback.setPlaying(false);
     goToEnd();
-    m_drag.emplace(m_selection.handles(), centresOf(m_selection.handles()));
-    m_compute.post(BeginDrag{m_selection.handles()});
+    if (m_frame->dimension == 2)
+        takeHold<2>();
+    else
+        takeHold<3>();
+    m_drag.emplace(m_selection.handles(), grip);
+    m_compute.post(BeginDrag{m_selection.handles(), grip});
 }
 
-void ShapeSession::dragTo(const Vec<2>& offset) {
+void ShapeSession::dragBy(const Amount& amount) {
     if (!m_drag) return;
-    const int sample = m_drag->add(offset);
-    m_compute.post(DragTo{{offset}, sample});
+    const int sample = m_drag->add(amount);
+    m_compute.post(DragTo{{amount}, sample});
     emit pinsChanged();
+}
+
+template <int Dim>
+void ShapeSession::pushGesture(const DragGesture& drag, const std::vector<Amount>& path) {
+    const QString what = drag.grip().kind == Grip::Kind::Turn   ? tr("Turn %1")
+                         : drag.grip().kind == Grip::Kind::Grow ? tr("Scale %1")
+                                                                : tr("Move %1");
+    std::vector<Vec<Dim>> starts;
+    for (const auto& view : std::get<Hold<Dim>>(m_holds).grabbed) starts.push_back(view.centre);
+    m_document.change(what.arg(nameOf(drag.handles())),
+                      withGesture<Dim>(*m_document.project(), drag.handles(), starts, drag.grip(), path));
 }
 
 void ShapeSession::endDrag(double tolerance) {
@@ -235,11 +329,12 @@ void ShapeSession::endDrag(double tolerance) {
         return;
     }
     if (m_preview) {  // from now on it stands for the end of the longer motion
-        auto preview = std::make_shared<ShapeFrame>(*m_preview);
-        preview->time = motionEnd(*m_document.project()) + 1;
-        m_preview = preview;
+        m_preview = atTime(m_preview, motionEnd(*m_document.project()) + 1);
     }
-    pushStroke(drag.handles(), drag.starts(), path, {});
+    if (m_document.dimension() == 2)
+        pushGesture<2>(drag, path);
+    else
+        pushGesture<3>(drag, path);
 }
 
 void ShapeSession::cancelDrag() {
@@ -255,20 +350,34 @@ void ShapeSession::goToEnd() {
     m_playback.setTime(m_playback.end());
 }
 
-std::vector<Vec<2>> ShapeSession::centresOf(const std::vector<int>& handles) const {
-    std::vector<Vec<2>> centres;
-    const auto views = pins();
+template <int Dim>
+std::vector<Vec<Dim>> ShapeSession::centresOf(const std::vector<int>& handles) const {
+    std::vector<Vec<Dim>> centres;
+    const auto views = pins<Dim>();
     for (const int h : handles) {
         const auto it =
-            std::find_if(views.begin(), views.end(), [h](const PinView& v) { return v.handle == h; });
-        centres.push_back(it == views.end() ? Vec<2>::Zero() : it->centre);
+            std::find_if(views.begin(), views.end(), [h](const auto& view) { return view.handle == h; });
+        centres.push_back(it == views.end() ? Vec<Dim>(Vec<Dim>::Zero()) : it->centre);
     }
     return centres;
 }
 
 QString ShapeSession::nameOf(const std::vector<int>& handles) const {
     if (handles.size() != 1) return tr("%n pins", nullptr, static_cast<int>(handles.size()));
-    return QString::fromStdString(m_document.design().handles[handles.front()].name);
+    return QString::fromStdString(std::visit(
+        [&](const auto& design) { return design.handles[handles[0]].name; }, m_document.project()->design));
 }
+
+#define WEND_INSTANTIATE(Dim)                                                      \
+    template std::vector<PinView<Dim>> ShapeSession::pins<Dim>() const;            \
+    template std::vector<Vec<Dim>> ShapeSession::pathStarts<Dim>(int) const;       \
+    template int ShapeSession::addPin<Dim>(const Vec<Dim>&);                       \
+    template int ShapeSession::addHandle<Dim>(Placement<Dim>, const std::string&); \
+    template void ShapeSession::nudgeSelected<Dim>(const Vec<Dim>&);               \
+    template void ShapeSession::moveSelected<Dim>(const Grip&, const Amount&)
+
+WEND_INSTANTIATE(2);
+WEND_INSTANTIATE(3);
+#undef WEND_INSTANTIATE
 
 }  // namespace wend

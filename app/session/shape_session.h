@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <optional>
+#include <tuple>
 
 #include "app/document/document.h"
 #include "app/session/compute_thread.h"
@@ -29,27 +30,56 @@ class ShapeSession : public QObject {
 
     /// The frame to show now: of the drag, or of the time that is shown; null before the first mesh.
     const FramePtr& frame() const { return m_frame; }
+    /// The same with its shape; null if that has another dimension.
+    template <int Dim>
+    PosedPtr<Dim> frame() const {
+        return posed<Dim>(m_frame);
+    }
     /// True while the frame does not yet show what the document says.
     bool isStale() const { return m_stale; }
     /// True while something is being computed.
     bool isBusy() const { return m_busy; }
     /// The handles at the time that is shown; dragged ones are where the pointer has them.
-    std::vector<PinView> pins() const;
+    template <int Dim = 2>
+    std::vector<PinView<Dim>> pins() const;
     /// Where a handle's points are when it begins to hold: the starts of its paths.
-    std::vector<Vec<2>> pathStarts(int handle) const;
-    /// The length in domain units that a tolerance of the stroke is measured in: one pixel of a picture.
+    template <int Dim = 2>
+    std::vector<Vec<Dim>> pathStarts(int handle) const;
+    /// The length in domain units that a tolerance of the stroke is measured in: one pixel of a picture, or a
+    /// 2000th of the shape's diagonal.
     double pixel() const;
 
     // gestures
     /// A pin at a point of the shape as it is shown; −1 if there is no shape.
-    int addPin(const Vec<2>& p);
+    template <int Dim = 2>
+    int addPin(const Vec<Dim>& p);
+    /// A handle of any kind, in terms of the rest shape, named "<kind> 1", "<kind> 2" …
+    template <int Dim>
+    int addHandle(Placement<Dim> at, const std::string& kind);
+    /// Vertices of a solid as one handle: by number where the mesh is a file's, by their places where it is
+    /// made and may be made anew.
+    int addSolidHandle(const std::vector<int>& vertices, const std::string& kind);
+    void changeHandle(int handle, const std::vector<int>& vertices);
+    /// The vertices that a handle of a solid holds, increasing.
+    std::vector<int> verticesOf(int handle) const;
+    Placement<3> placementOf(const std::vector<int>& vertices) const;
     void removeSelected();
-    void nudgeSelected(const Vec<2>& by);
+    template <int Dim = 2>
+    void nudgeSelected(const Vec<Dim>& by);
+    /// A whole gesture at once, as with numbers.
+    template <int Dim>
+    void moveSelected(const Grip& grip, const Amount& amount);
     bool isDragging() const { return m_drag.has_value(); }
-    void beginDrag();
-    void dragTo(const Vec<2>& offset);
+    void beginDrag(const Grip& grip = {});
+    template <int Dim = 2>
+    void dragTo(const Vec<Dim>& offset) {
+        dragBy(amountOf<Dim>(offset));
+    }
+    void dragBy(const Amount& amount);
     void endDrag(double tolerance);
     void cancelDrag();
+    /// The gesture that goes on: how far it has come.
+    const DragGesture* gesture() const { return m_drag ? &*m_drag : nullptr; }
 
   signals:
     void frameChanged();
@@ -63,7 +93,7 @@ class ShapeSession : public QObject {
 
   private:
     void postShape();
-    void takeShape(int revision, const std::shared_ptr<const SimplicialMesh<2>>& rest, double keptUpTo);
+    void takeShape(int revision, const std::shared_ptr<const void>& shape, double keptUpTo);
     void takeFrame(const FramePtr& frame);
     void takeLive(const FramePtr& frame);
     void takeFinished(double time, const QString& problem);
@@ -71,11 +101,16 @@ class ShapeSession : public QObject {
     void showTime();
     void show(const FramePtr& frame, bool stale);
     void setBusy(bool busy);
-    const std::vector<PinPlace>& places() const;
+    template <int Dim>
+    const std::vector<PinPlace<Dim>>& places() const;
     void goToEnd();
-    void pushStroke(const std::vector<int>& handles, const std::vector<Vec<2>>& starts,
-                    const std::vector<Vec<2>>& offsets, const QString& mergeKey);
-    std::vector<Vec<2>> centresOf(const std::vector<int>& handles) const;
+    template <int Dim>
+    void takeHold();
+    template <int Dim>
+    void pushGesture(const DragGesture& drag, const std::vector<Amount>& path);
+    template <int Dim>
+    std::vector<Vec<Dim>> centresOf(const std::vector<int>& handles) const;
+    int handleCount() const;
     QString nameOf(const std::vector<int>& handles) const;
 
     Document m_document;
@@ -87,13 +122,16 @@ class ShapeSession : public QObject {
     bool m_stale = false, m_busy = false, m_failed = false;
     int m_revision = 0;  // of the newest request for a shape
     bool m_trackIsCurrent = false;
-    std::shared_ptr<const SimplicialMesh<2>> m_rest;  // the newest
-    struct Placed {  // the handles in the rest mesh of the frame that is shown
-        std::shared_ptr<const SimplicialMesh<2>> rest;
+    std::shared_ptr<const void> m_shape;  // the newest rest mesh
+    template <int Dim>
+    struct Hold {  // of the project's dimension; the other one is empty
+        // the handles in the rest mesh of the frame that is shown
+        std::shared_ptr<const SimplicialMesh<Dim>> rest;
         std::shared_ptr<const Project> project;
-        std::vector<PinPlace> places;
+        std::vector<PinPlace<Dim>> places;
+        std::vector<PinView<Dim>> grabbed;  // of a drag, as they were at its start
     };
-    mutable Placed m_placed;
+    mutable std::tuple<Hold<2>, Hold<3>> m_holds;
     std::optional<DragGesture> m_drag;
     ComputeThread m_compute;  // the last member: it stops before the others go
 };

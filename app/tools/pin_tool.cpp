@@ -44,7 +44,7 @@ QCursor PinTool::cursor() const {
 int PinTool::handleAt(const QPointF& widget) const {
     int best = -1;
     double nearest = kReach;
-    for (const PinView& pin : session().pins()) {
+    for (const PinView<2>& pin : session().pins()) {
         std::vector<Vec<2>> spots = {pin.centre};
         if (!pin.region) spots.insert(spots.end(), pin.points.begin(), pin.points.end());
         for (const Vec<2>& spot : spots) {
@@ -75,7 +75,7 @@ void PinTool::move(const QMouseEvent& event) {
     const QPointF at = event.position();
     if (m_gesture == Gesture::None) hover(at);
     if (m_gesture == Gesture::Pressed && distance(at, m_from) >= 3) begin(event);
-    if (m_gesture == Gesture::Drag) session().dragTo(surface().toShape(at) - surface().toShape(m_from));
+    if (m_gesture == Gesture::Drag) session().dragTo<2>(surface().toShape(at) - surface().toShape(m_from));
     if (m_gesture == Gesture::Marquee) surface().setMarquee(QRectF(m_from, at).normalized());
 }
 
@@ -108,7 +108,7 @@ void PinTool::release(const QMouseEvent& event) {
 void PinTool::selectInside(const QRectF& rectangle, bool extend) {
     std::vector<int> handles;
     if (extend) handles = session().selection().handles();
-    for (const PinView& pin : session().pins())
+    for (const PinView<2>& pin : session().pins())
         if (rectangle.contains(surface().toWidget(pin.centre))) handles.push_back(pin.handle);
     session().selection().set(std::move(handles));
 }
@@ -137,7 +137,7 @@ bool PinTool::nudge(const QKeyEvent& event) {
             return false;
     }
     const double size = session().pixel() * (event.modifiers() & Qt::ShiftModifier ? 10 : 1);
-    session().nudgeSelected(size * by);
+    session().nudgeSelected<2>(size * by);
     return true;
 }
 

@@ -1,13 +1,14 @@
 #pragma once
 
 #include "app/tools/tool.h"
+#include "app/tools/tool_surface.h"
 
 namespace wend {
 
 /// Selects and drags pins; with `adds`, a click on the free shape makes a new one.
 class PinTool : public Tool {
   public:
-    PinTool(ToolSurface& surface, bool adds) : Tool(surface), m_adds(adds) {}
+    PinTool(ToolSurface& surface, bool adds) : m_surface(surface), m_adds(adds) {}
 
     QString hint() const override;
     QCursor cursor() const override;
@@ -21,6 +22,8 @@ class PinTool : public Tool {
     int handleAt(const QPointF& widget) const;
 
   private:
+    ToolSurface& surface() const { return m_surface; }
+    ShapeSession& session() const { return m_surface.session(); }
     enum class Gesture { None, Pressed, Drag, Marquee };
 
     void pressHandle(int handle, bool extend);
@@ -29,6 +32,7 @@ class PinTool : public Tool {
     void hover(const QPointF& at);
     bool nudge(const QKeyEvent& event);
 
+    ToolSurface& m_surface;
     bool m_adds;
     Gesture m_gesture = Gesture::None;
     QPointF m_from;

@@ -4,51 +4,18 @@
 #include <QMenuBar>
 #include <QUndoStack>
 
-#include "app/panels/theme.h"
-
 namespace wend {
 
 Actions::Actions(QUndoStack& undoStack, QObject* parent)
-    : QObject(parent), recent(new QMenu), samples(new QMenu) {
+    : ActionMaker(parent), recent(new QMenu), samples(new QMenu) {
     makeFile();
     makeEdit(undoStack);
     makeView();
     makeMotion();
     makeHelp();
-    setHasFile(false, false);
+    setHasFile(false, false, false);
     setHasSelection(false);
     setHasMotion(false);
-}
-
-QAction* Actions::add(const Words& words, const QKeySequence& keys, const QString& icon) {
-    auto* action = new QAction(words.name, this);
-    action->setShortcut(keys);
-    action->setProperty("help", words.help);
-    action->setProperty("iconName", icon);
-    describe(action);
-    return action;
-}
-
-QAction* Actions::addToggle(const Words& words, const QKeySequence& keys, const QString& icon) {
-    QAction* action = add(words, keys, icon);
-    action->setCheckable(true);
-    return action;
-}
-
-void Actions::describe(QAction* action, const QString& extra) {
-    const QString help = action->property("help").toString();
-    QString name = action->text();
-    name.remove('&');
-    const QString keys = action->shortcut().toString(QKeySequence::NativeText);
-    const QString keyText =
-        keys.isEmpty()
-            ? QString()
-            : QStringLiteral(" &nbsp;<span style='opacity:0.7'>%1</span>").arg(keys.toHtmlEscaped());
-    const QString why =
-        extra.isEmpty() ? QString() : QStringLiteral("<p><i>%1</i></p>").arg(extra.toHtmlEscaped());
-    action->setToolTip(QStringLiteral("<p><b>%1</b>%2</p><p>%3</p>%4")
-                           .arg(name.toHtmlEscaped(), keyText, help.toHtmlEscaped(), why));
-    action->setStatusTip(extra.isEmpty() ? help : extra);
 }
 
 void Actions::makeFile() {
@@ -85,7 +52,7 @@ void Actions::makeEdit(QUndoStack& stack) {
     pinTool = addToggle({tr("&Pin"), tr("Set pins and drag them")}, QKeySequence(tr("P")), "pin");
     selectTool = addToggle({tr("Se&lect"), tr("Select and drag pins without setting new ones")},
                            QKeySequence(tr("V")), "select");
-    auto* tools = new QActionGroup(this);
+    tools = new QActionGroup(this);
     tools->addAction(pinTool);
     tools->addAction(selectTool);
     pinTool->setChecked(true);
@@ -129,7 +96,7 @@ void Actions::makeHelp() {
     about->setMenuRole(QAction::AboutRole);
 }
 
-void Actions::fillMenuBar(QMainWindow& window) {
+void Actions::fillMenuBar(QMainWindow& window, QMenu* more) {
     QMenu* file = window.menuBar()->addMenu(tr("&File"));
     file->addAction(open);
     file->addMenu(recent);
@@ -153,30 +120,20 @@ void Actions::fillMenuBar(QMainWindow& window) {
     view->addSeparator();
     view->addMenu(tr("A&ppearance"))->addActions({systemLook, lightLook, darkLook});
     view->addAction(fullScreen);
+    window.menuBar()->addMenu(more);
     window.menuBar()->addMenu(tr("&Motion"))->addActions({play, loop, toStart, toEnd});
     window.menuBar()->addMenu(tr("&Help"))->addActions({shortcuts, about});
 }
 
-void Actions::setIcons(const QPalette& palette) {
-    for (QAction* action : findChildren<QAction*>())
-        if (const QString name = action->property("iconName").toString(); !name.isEmpty()) {
-            action->setIcon(wendIcon(name, palette));
-            action->setIconVisibleInMenu(false);
-        }
-}
-
-void Actions::enable(QAction* action, bool enabled, const QString& whyNot) {
-    action->setEnabled(enabled);
-    describe(action, enabled ? QString() : whyNot);
-}
-
-void Actions::setHasFile(bool has, bool hasPicture) {
+void Actions::setHasFile(bool has, bool hasPicture, bool isSolid) {
     const QString why = tr("Open a picture first.");
     for (QAction* action : {save, saveAs, closeFile, exportMesh, selectAll, selectNone, pinTool, selectTool,
-                            showMesh, showMap, hideOverlays, fit, actualSize, zoomIn, zoomOut})
+                            showMesh, showMap, hideOverlays, fit, zoomIn, zoomOut})
         enable(action, has, why);
-    for (QAction* action : {exportPicture, exportFrames, exportStMap})
-        enable(action, has && hasPicture, has ? tr("This project has no picture.") : why);
+    enable(actualSize, has && !isSolid, has ? tr("A solid has no pixels.") : why);
+    enable(exportPicture, has && (hasPicture || isSolid), has ? tr("This project has no picture.") : why);
+    enable(exportFrames, has && (hasPicture || isSolid), has ? tr("This project has no picture.") : why);
+    enable(exportStMap, has && hasPicture, has ? tr("This project has no picture.") : why);
 }
 
 void Actions::setHasSelection(bool has) {

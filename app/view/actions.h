@@ -1,9 +1,9 @@
 #pragma once
 
-#include <QAction>
 #include <QActionGroup>
 #include <QMenu>
-#include <QObject>
+
+#include "app/view/action_maker.h"
 
 class QMainWindow;
 class QUndoStack;
@@ -12,7 +12,7 @@ namespace wend {
 
 /// Everything that can be done in the window, with name, shortcut and explanation. What a disabled action
 /// waits for stands in its tooltip.
-class Actions : public QObject {
+class Actions : public ActionMaker {
     Q_OBJECT
 
   public:
@@ -26,30 +26,24 @@ class Actions : public QObject {
     QAction *play, *loop, *toStart, *toEnd;
     QAction *systemLook, *lightLook, *darkLook;
     QAction *about, *shortcuts;
+    QActionGroup* tools;  // one of them is chosen
     QMenu* recent;
     QMenu* samples;
 
     /// Menus of the whole program, in the order of the work.
-    void fillMenuBar(QMainWindow& window);
-    void setIcons(const QPalette& palette);
+    /// `more` stands between those of the view and of the motion.
+    void fillMenuBar(QMainWindow& window, QMenu* more);
     /// What needs a shape, a selection, a motion.
-    void setHasFile(bool has, bool hasPicture);
+    void setHasFile(bool has, bool hasPicture, bool isSolid);
     void setHasSelection(bool has);
     void setHasMotion(bool has);
 
   private:
-    struct Words {
-        QString name, help;
-    };
-    QAction* add(const Words& words, const QKeySequence& keys, const QString& icon = {});
-    QAction* addToggle(const Words& words, const QKeySequence& keys, const QString& icon = {});
     void makeFile();
     void makeEdit(QUndoStack& undo);
     void makeView();
     void makeMotion();
     void makeHelp();
-    void enable(QAction* action, bool enabled, const QString& whyNot);
-    void describe(QAction* action, const QString& extra = {});
 };
 
 }  // namespace wend

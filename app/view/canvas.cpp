@@ -72,14 +72,15 @@ void ShapeCanvas::takeOpened() {
 QRectF ShapeCanvas::frameRect() const {
     if (const auto& picture = m_session.document().picture())
         return {0, 0, double(picture->width), double(picture->height)};
-    if (!m_session.frame()) return {};
-    const auto& points = m_session.frame()->rest->points;
+    const auto frame = m_session.frame<2>();
+    if (!frame) return {};
+    const auto& points = frame->rest->points;
     const Vec<2> low = points.rowwise().minCoeff(), high = points.rowwise().maxCoeff();
     return {low.x(), low.y(), high.x() - low.x(), high.y() - low.y()};
 }
 
 void ShapeCanvas::takeFrame() {
-    const bool first = !m_drawn && !m_session.document().picture() && m_session.frame();
+    const bool first = !m_drawn && !m_session.document().picture() && m_session.frame<2>();
     if (m_session.isStale() && !m_dimmed) {
         if (!m_dim.isActive()) m_dim.start();
     } else if (!m_session.isStale()) {
@@ -93,7 +94,7 @@ void ShapeCanvas::takeFrame() {
 RenderRequest ShapeCanvas::request(Filter filter) const {
     RenderRequest request;
     request.picture = m_picture;
-    request.frame = m_session.frame();
+    request.frame = m_session.frame<2>();
     request.view = m_view;
     request.size = size();
     request.ratio = devicePixelRatioF();
@@ -108,7 +109,7 @@ RenderRequest ShapeCanvas::request(Filter filter) const {
 }
 
 void ShapeCanvas::render() {
-    if (m_session.frame() && (m_picture || !m_session.document().picture())) {
+    if (m_session.frame<2>() && (m_picture || !m_session.document().picture())) {
         m_renderer.post(request(Filter::Bilinear));
         m_refine.start();
     }
@@ -116,7 +117,7 @@ void ShapeCanvas::render() {
 }
 
 void ShapeCanvas::takeRendered(const std::shared_ptr<const RenderResult>& result) {
-    if (!m_session.frame() || result->request.picture != m_picture) return;
+    if (!m_session.frame<2>() || result->request.picture != m_picture) return;
     m_drawn = result;
     update();
 }
@@ -148,7 +149,7 @@ void ShapeCanvas::zoomBy(double factor) {
 }
 
 void ShapeCanvas::showWorst() {
-    const FramePtr& frame = m_session.frame();
+    const auto frame = m_session.frame<2>();
     if (!frame || frame->distortion.worstCell < 0) return;
     Vec<2> centre = Vec<2>::Zero();
     for (const int v : frame->rest->cells[frame->distortion.worstCell]) centre += frame->pose.col(v) / 3;
@@ -209,8 +210,8 @@ void ShapeCanvas::paintEvent(QPaintEvent*) {
     if (m_session.document().picture()) overlay.paper(frameRect());
     paintShape(painter);
     painter.setRenderHint(QPainter::Antialiasing);
-    if (!m_hidden && m_session.frame()) {
-        if (m_map) overlay.worst(*m_session.frame());
+    if (const auto frame = m_session.frame<2>(); !m_hidden && frame) {
+        if (m_map) overlay.worst(*frame);
         overlay.paths(m_session);
         overlay.pins(m_session, m_hovered);
     }

@@ -4,6 +4,7 @@
 #include <QWidget>
 
 #include "app/tools/tool.h"
+#include "app/tools/tool_surface.h"
 #include "app/view/render_thread.h"
 
 namespace wend {

@@ -8,6 +8,7 @@
 #include <QtConcurrent>
 #include <cmath>
 
+#include "app/session/fields.h"
 #include "app/session/run.h"
 #include "app/session/shape_file.h"
 #include "core/mesh/error.h"
@@ -18,9 +19,14 @@ namespace wend {
 
 namespace {
 
+const char* const kSolidFilter =
+    "VTU (*.vtu);;VTK (*.vtk);;Medit (*.mesh);;Gmsh (*.msh);;TetGen (*.node);;glTF (*.glb);;Wavefront OBJ "
+    "(*.obj);;PLY (*.ply);;STL (*.stl);;OFF (*.off)";
+const char* const kSolidFramesFilter =
+    "glTF (*.glb);;VTU (*.vtu);;Wavefront OBJ (*.obj);;PLY (*.ply);;STL (*.stl);;Medit (*.mesh);;VTK (*.vtk)";
 const char* const kPictureFilter = "PNG (*.png);;TIFF (*.tif);;OpenEXR (*.exr);;JPEG (*.jpg);;WebP (*.webp)";
 
-void writePicture(const std::string& path, const Image& source, const ShapeFrame& frame,
+void writePicture(const std::string& path, const Image& source, const PosedFrame<2>& frame,
                   const std::function<void(double)>& progress, std::stop_token stop) {
     View view;
     view.width = source.width;
@@ -102,7 +108,7 @@ void Exporter::run(const QString& what, const QString& path, Job job) {
 }
 
 void Exporter::exportPicture() {
-    const FramePtr frame = shownFrame();
+    const auto frame = posed<2>(shownFrame());
     const auto picture = m_session.document().picture();
     if (!frame || !picture) return;
     const QString path =
@@ -114,7 +120,12 @@ void Exporter::exportPicture() {
 }
 
 void Exporter::exportMesh() {
-    const FramePtr frame = shownFrame();
+    const FramePtr shown = shownFrame();
+    if (const auto solid = posed<3>(shown)) {
+        exportSolid(solid);
+        return;
+    }
+    const auto frame = posed<2>(shown);
     if (!frame) return;
     const QString path =
         askName(tr("Export Mesh"), QStringLiteral("-bent.obj"),
@@ -131,26 +142,46 @@ void Exporter::exportMesh() {
     });
 }
 
+/// Tetrahedra with all fields, or their surface where the format has only triangles.
+void Exporter::exportSolid(const PosedPtr<3>& frame) {
+    const QString path =
+        askName(tr("Export Mesh"), QStringLiteral("-bent.vtu"), QString::fromLatin1(kSolidFilter));
+    if (path.isEmpty()) return;
+    const auto project = m_session.document().project();
+    const Points<3> velocity = velocityOf<3>(m_session.track(), *frame);
+    run(tr("Writing the mesh …"), path, [=](const Progress& progress, std::stop_token stop) {
+        const auto scene = std::get<Scene<3>>(loadScene(*project, {}, stop));
+        progress(0.5);
+        writeShape<3>(path.toStdString(), scene, frame->pose, shapeFields<3>(scene, frame->pose, velocity));
+    });
+}
+
 void Exporter::exportFrames() {
     const Document& document = m_session.document();
-    if (!shownFrame() || !document.picture()) return;
+    const bool solid = document.dimension() == 3;
+    if (!shownFrame() || (!document.picture() && !solid)) return;
     const double seconds = m_session.playback().end() * Playback::kSecondsPerUnit;
     bool ok = false;
-    const int count = QInputDialog::getInt(
-        &m_window, tr("Export Frames"), tr("How many pictures, from the start to the end?"),
-        static_cast<int>(std::lround(24 * seconds)) + 1, 2, 100000, 1, &ok);
+    const int count =
+        QInputDialog::getInt(&m_window, tr("Export Frames"),
+                             solid ? tr("How many shapes, from the start to the end?")
+                                   : tr("How many pictures, from the start to the end?"),
+                             static_cast<int>(std::lround(24 * seconds)) + 1, 2, 100000, 1, &ok);
     if (!ok) return;
     QString path =
-        askName(tr("Export Frames"), QStringLiteral("_####.png"), QString::fromLatin1(kPictureFilter));
+        askName(tr("Export Frames"), solid ? QStringLiteral("-bent.glb") : QStringLiteral("_####.png"),
+                QString::fromLatin1(solid ? kSolidFramesFilter : kPictureFilter));
     if (path.isEmpty()) return;
-    if (!path.contains('#'))
+    const bool animation = QFileInfo(path).suffix().toLower() == QStringLiteral("glb");
+    if (!path.contains('#') && !animation)
         path.insert(path.size() - QFileInfo(path).suffix().size() - 1, QStringLiteral("_####"));
     RunOptions options;
     options.outputs.frames = path.toStdString();
     options.outputs.count = count;
+    options.outputs.framesPerSecond = seconds > 0 ? (count - 1) / seconds : 24;
     const auto project = document.project();
     const std::string name = QDir(document.folder()).filePath(document.displayName()).toStdString();
-    run(tr("Writing %n pictures …", nullptr, count), path,
+    run(solid ? tr("Writing %n shapes …", nullptr, count) : tr("Writing %n pictures …", nullptr, count), path,
         [=](const Progress& progress, std::stop_token stop) {
             RunWatch watch;
             watch.progress = [&progress](const std::string&, double fraction) { progress(fraction); };
@@ -161,7 +192,7 @@ void Exporter::exportFrames() {
 }
 
 void Exporter::exportStMap() {
-    const FramePtr frame = shownFrame();
+    const auto frame = posed<2>(shownFrame());
     const auto picture = m_session.document().picture();
     if (!frame || !picture) return;
     const QString path = askName(tr("Export ST Map"), QStringLiteral("-stmap.exr"),

@@ -22,9 +22,11 @@
 #include "app/view/exporter.h"
 #include "app/view/file_workflow.h"
 #include "app/view/info_banner.h"
+#include "app/view/solid_workshop.h"
 #include "app/view/start_page.h"
 #include "app/view/status_fields.h"
 #include "app/view/time_strip.h"
+#include "app/view/volume/solid_canvas.h"
 
 namespace wend {
 
@@ -53,7 +55,9 @@ MainWindow::MainWindow(QWidget* parent)
     setAcceptDrops(true);
     setWindowTitle(QStringLiteral("Wend[*]"));
     resize(1280, 860);
-    m_actions->fillMenuBar(*this);
+    m_fields = new StatusFields(*statusBar(), m_session);
+    m_solids = new SolidWorkshop({m_session, *m_actions, *m_distortion, *m_fields}, *this);
+    m_actions->fillMenuBar(*this, m_solids->actions().menu());
     makeToolBars();
     makeCentre();
     connectFiles();
@@ -112,6 +116,7 @@ QWidget* MainWindow::makeSidePanel() {
     column->addWidget(m_mesh);
     column->addWidget(panelLine(content));
     column->addWidget(m_distortion);
+    m_solids->furnish(*m_toolBar, *column);
     column->addStretch(1);
     auto* scroll = new QScrollArea;
     scroll->setObjectName(QStringLiteral("sideScroll"));
@@ -181,13 +186,16 @@ void MainWindow::connectFiles() {
 
 void MainWindow::connectEdit() {
     Actions& a = *m_actions;
-    connect(a.pinTool, &QAction::toggled, this,
-            [this](bool on) { m_canvas->setTool(on ? m_pinTool.get() : m_selectTool.get()); });
+    connect(a.tools, &QActionGroup::triggered, this, [this] {
+        if (m_solids->isActive()) return;
+        m_canvas->setTool(m_actions->pinTool->isChecked() ? m_pinTool.get() : m_selectTool.get());
+    });
     connect(a.remove, &QAction::triggered, &m_session, &ShapeSession::removeSelected);
     connect(a.selectNone, &QAction::triggered, &m_session.selection(), &Selection::clear);
     connect(a.selectAll, &QAction::triggered, this, [this] {
         std::vector<int> all;
-        for (const PinView& pin : m_session.pins()) all.push_back(pin.handle);
+        for (const auto& pin : m_session.pins<2>()) all.push_back(pin.handle);
+        for (const auto& pin : m_session.pins<3>()) all.push_back(pin.handle);
         m_session.selection().set(std::move(all));
     });
     connect(&m_session.selection(), &Selection::changed, this, &MainWindow::showSelection);
@@ -213,7 +221,6 @@ void MainWindow::connectView() {
         m_actions->showMap->setChecked(true);
         m_canvas->showWorst();
     });
-    m_fields = new StatusFields(*statusBar(), m_session);
     connect(m_canvas, &ShapeCanvas::hintChanged, m_fields, &StatusFields::setHint);
     connect(m_canvas, &ShapeCanvas::pointed, m_fields, &StatusFields::setPointer);
     m_canvas->setTool(m_pinTool.get());
@@ -248,11 +255,17 @@ void MainWindow::openPath(const QString& path) {
 
 void MainWindow::showDocument() {
     const bool has = !m_session.document().isEmpty();
-    m_pages->setCurrentWidget(has ? static_cast<QWidget*>(m_canvas) : m_start);
+    const bool solid = m_session.document().dimension() == 3;
+    m_solids->setActive(solid);
+    if (solid && m_pages->indexOf(m_solids->page()) < 0) m_pages->addWidget(m_solids->page());
+    QWidget* shape = solid ? m_solids->page() : m_canvas;
+    m_pages->setCurrentWidget(has ? shape : m_start);
     for (QWidget* widget : {static_cast<QWidget*>(m_side), static_cast<QWidget*>(m_time),
                             static_cast<QWidget*>(m_toolBar), static_cast<QWidget*>(m_topBar)})
         widget->setVisible(has);
-    if (has) m_canvas->setFocus();
+    if (has) shape->setFocus();
+    if (has && !solid)
+        m_canvas->setTool(m_actions->pinTool->isChecked() ? m_pinTool.get() : m_selectTool.get());
     m_fields->setVisible(has);
     showSelection();
     showTitle();
@@ -267,7 +280,7 @@ void MainWindow::showTitle() {
 
 void MainWindow::showSelection() {
     const Document& document = m_session.document();
-    m_actions->setHasFile(!document.isEmpty(), document.picture() != nullptr);
+    m_actions->setHasFile(!document.isEmpty(), document.picture() != nullptr, document.dimension() == 3);
     m_actions->setHasSelection(!m_session.selection().isEmpty());
     m_actions->setHasMotion(m_session.playback().end() > 0);
 }
@@ -287,6 +300,7 @@ void MainWindow::setAppearance(Appearance appearance) {
 
 void MainWindow::updateIcons() {
     m_actions->setIcons(palette());
+    m_solids->actions().setIcons(palette());
     m_start->setRecent(m_files->recent());
 }
 

@@ -19,6 +19,7 @@ class FileWorkflow;
 class InfoBanner;
 class MaterialPanel;
 class MeshPanel;
+class SolidWorkshop;
 class StartPage;
 class StatusFields;
 class TimeStrip;
@@ -38,6 +39,7 @@ class MainWindow : public QMainWindow {
     Actions& actions() { return *m_actions; }
     FileWorkflow& files() { return *m_files; }
     MaterialPanel& materialPanel() { return *m_material; }
+    SolidWorkshop& solids() { return *m_solids; }
     DistortionPanel& distortionPanel() { return *m_distortion; }
     InfoBanner& banner() { return *m_banner; }
 
@@ -77,6 +79,7 @@ class MainWindow : public QMainWindow {
     MeshPanel* m_mesh;
     DistortionPanel* m_distortion;
     StatusFields* m_fields = nullptr;
+    SolidWorkshop* m_solids = nullptr;
     QStackedWidget* m_pages;
     QWidget* m_side = nullptr;
     QToolBar* m_topBar = nullptr;

@@ -46,7 +46,7 @@ void OverlayPainter::haloLine(const QPolygonF& line, const QColor& colour, doubl
     m_painter.drawPolyline(line);
 }
 
-void OverlayPainter::path(const PinPath& path, bool selected, double now) {
+void OverlayPainter::path(const PinPath<2>& path, bool selected, double now) {
     QPolygonF line;
     for (const Vec<2>& p : path.points) line << m_view.toWidget(p);
     QColor colour = selected ? QColor(0x4a5bd4) : kInk;
@@ -77,7 +77,7 @@ void OverlayPainter::paths(ShapeSession& session) {
                 for (const Vec<2>& p : starts) sum += p;
                 starts = {sum / static_cast<double>(starts.size())};
             }
-            for (const PinPath& one : pinPaths(handles[h], starts))
+            for (const PinPath<2>& one : pinPaths(handles[h], starts))
                 path(one, selected, session.playback().time());
         }
 }
@@ -110,14 +110,14 @@ void OverlayPainter::name(const QPointF& at, const QString& text) {
     m_painter.drawText(box, Qt::AlignCenter, text);
 }
 
-void OverlayPainter::spots(const PinView& view, const QColor& colour) {
+void OverlayPainter::spots(const PinView<2>& view, const QColor& colour) {
     m_painter.setPen(QPen(Qt::white, 1));
     m_painter.setBrush(colour);
     for (const Vec<2>& p : view.points) m_painter.drawEllipse(m_view.toWidget(p), 3.2, 3.2);
 }
 
 /// A part of the shape that is held as a whole.
-void OverlayPainter::region(const PinView& view, const QColor& colour) {
+void OverlayPainter::region(const PinView<2>& view, const QColor& colour) {
     QPolygonF hull;
     for (const Vec<2>& p : convexHull(view.points)) hull << m_view.toWidget(p);
     QColor fill = colour;
@@ -134,21 +134,21 @@ void OverlayPainter::region(const PinView& view, const QColor& colour) {
 
 void OverlayPainter::pins(ShapeSession& session, int hovered) {
     const auto pins = session.pins();
-    for (const PinView& view : pins) {
+    for (const PinView<2>& view : pins) {
         const QColor colour = session.selection().contains(view.handle) ? m_theme.accent : kInk;
         if (view.region)
             region(view, colour);
         else if (view.points.size() > 1)
             spots(view, colour);
     }
-    for (const PinView& view : pins)
+    for (const PinView<2>& view : pins)
         pin(m_view.toWidget(view.centre), session.selection().contains(view.handle), view.handle == hovered,
             view.region);
-    for (const PinView& view : pins)
+    for (const PinView<2>& view : pins)
         if (view.handle == hovered) name(m_view.toWidget(view.centre), view.name);
 }
 
-void OverlayPainter::worst(const ShapeFrame& frame) {
+void OverlayPainter::worst(const PosedFrame<2>& frame) {
     if (frame.distortion.worstCell < 0) return;
     Vec<2> centre = Vec<2>::Zero();
     for (const int v : frame.rest->cells[frame.distortion.worstCell]) centre += frame.pose.col(v) / 3;

@@ -18,14 +18,14 @@ class OverlayPainter {
     void paper(const QRectF& frame);
     void paths(ShapeSession& session);
     void pins(ShapeSession& session, int hovered);
-    void worst(const ShapeFrame& frame);
+    void worst(const PosedFrame<2>& frame);
     void marquee(const QRectF& rectangle);
 
   private:
-    void path(const PinPath& path, bool selected, double now);
+    void path(const PinPath<2>& path, bool selected, double now);
     void pin(const QPointF& at, bool selected, bool hovered, bool region);
-    void spots(const PinView& view, const QColor& colour);
-    void region(const PinView& view, const QColor& colour);
+    void spots(const PinView<2>& view, const QColor& colour);
+    void region(const PinView<2>& view, const QColor& colour);
     void name(const QPointF& at, const QString& text);
     void haloLine(const QPolygonF& line, const QColor& colour, double width, Qt::PenStyle style);
 

@@ -30,7 +30,7 @@ QPolygonF triangleOf(const SimplicialMesh<2>& rest, const Points<2>& pose, int c
 }
 
 void fillCells(QPainter& painter, const RenderRequest& request) {
-    const ShapeFrame& frame = *request.frame;
+    const PosedFrame<2>& frame = *request.frame;
     painter.setPen(Qt::NoPen);
     const auto& values = valuesOf(frame.distortion, request.measure);
     for (int c = 0; c < frame.rest->cellCount(); ++c) {
@@ -41,7 +41,7 @@ void fillCells(QPainter& painter, const RenderRequest& request) {
 }
 
 void drawEdges(QPainter& painter, const RenderRequest& request) {
-    const ShapeFrame& frame = *request.frame;
+    const PosedFrame<2>& frame = *request.frame;
     const double diagonal = boundingBoxDiagonal<2>(frame.rest->points);
     const double edge =
         diagonal / std::sqrt(2.0 * frame.rest->vertexCount()) * request.view.zoom();  // about, on the screen

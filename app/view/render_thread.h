@@ -18,7 +18,7 @@ namespace wend {
 /// What the canvas wants drawn: the picture carried by a frame, and what lies over it.
 struct RenderRequest {
     std::shared_ptr<const Pyramid> picture;  // as the screen needs it; may be null
-    FramePtr frame;
+    PosedPtr<2> frame;
     ViewTransform view;
     QSize size;        // of the widget
     double ratio = 1;  // device pixels per widget pixel

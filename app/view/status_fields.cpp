@@ -6,16 +6,6 @@
 
 namespace wend {
 
-namespace {
-
-double areaOf(const SimplicialMesh<2>& rest, const Points<2>& pose) {
-    double area = 0;
-    for (const auto& cell : rest.cells) area += cellMeasure<2>(pose, cell);
-    return area;
-}
-
-}  // namespace
-
 StatusFields::StatusFields(QStatusBar& bar, ShapeSession& session)
     : QObject(&bar), m_bar(bar), m_session(session), m_hint(new QLabel(&bar)) {
     bar.setSizeGripEnabled(false);
@@ -61,6 +51,10 @@ void StatusFields::setPointer(double x, double y, bool inside) {
                                                    : QString());
 }
 
+void StatusFields::setPointerText(const QString& text) {
+    m_pointer->setText(text);
+}
+
 void StatusFields::showFrame() {
     const FramePtr& frame = m_session.frame();
     if (!frame) {
@@ -74,11 +68,10 @@ void StatusFields::showFrame() {
     const int worst = frame->distortion.worstCell;
     m_worst->setText(
         tr("worst %1").arg(locale.toString(worst < 0 ? 0.0 : frame->distortion.metric[worst], 'f', 3)));
-    const double change =
-        100 * (areaOf(*frame->rest, frame->pose) / areaOf(*frame->rest, frame->rest->points) - 1);
-    m_area->setText(tr("area %1 %")
-                        .arg((change >= 0.05 ? QStringLiteral("+") : QString()) +
-                             locale.toString(std::abs(change) < 0.05 ? 0.0 : change, 'f', 1)));
+    const double change = 100 * (frame->growth - 1);
+    const QString percent = (change >= 0.05 ? QStringLiteral("+") : QString()) +
+                            locale.toString(std::abs(change) < 0.05 ? 0.0 : change, 'f', 1);
+    m_area->setText(frame->dimension == 2 ? tr("area %1 %").arg(percent) : tr("volume %1 %").arg(percent));
     m_time->setText(frame->milliseconds > 0 ? tr("%1 ms").arg(locale.toString(frame->milliseconds, 'f', 0))
                                             : QString());
 }

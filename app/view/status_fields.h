@@ -21,6 +21,8 @@ class StatusFields : public QObject {
   public slots:
     void setHint(const QString& hint);
     void setPointer(double x, double y, bool inside);
+    /// What is under the pointer, in words of the view.
+    void setPointerText(const QString& text);
 
   private:
     QLabel* add(const QString& name, const QString& help, const QString& widest);

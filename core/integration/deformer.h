@@ -34,7 +34,7 @@ struct IntegrationOptions {
 };
 
 /// How an advance ended. A numerical outcome is a value, never an exception.
-enum class Outcome { Done, Cancelled, CellInverted, SolverFailed };
+enum class Outcome { Done, Cancelled, CellInverted, SolverFailed, StepTooSmall };
 struct AdvanceResult {
     Outcome outcome = Outcome::Done;
     double time = 0;      // the last good time

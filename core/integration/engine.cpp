@@ -32,7 +32,7 @@ Deformer<Dim>::Engine::Engine(
     const std::vector<Handle<Dim>>& handles, const IntegrationOptions& options,
     const std::function<VelocitySolver<Dim>(std::shared_ptr<const SimplicialMesh<Dim>>)>& makeSolver)
     : m_options(options),
-      m_units((requireValid<Dim>(*rest), Normalization<Dim>::of(rest->points))),
+      m_units((requireValid<Dim>(*rest), Normalization<Dim>::of(*rest))),
       m_domainRest(std::move(rest)),
       m_rest(normalized(*m_domainRest, m_units)),
       m_orientation(m_rest),
@@ -157,7 +157,9 @@ double Deformer<Dim>::Engine::startStep(double to) const {
         const double t = state.time + (to - state.time) * i / kSamples;
         m_constraints->evaluate(m_ids, state.anchors, t, i == kSamples ? Side::Before : Side::After,
                                 positions, velocities);
-        fastest = std::max(fastest, largestColumn<Dim>(velocities));
+        const double speed = largestColumn<Dim>(velocities);
+        if (!std::isfinite(speed)) return 0;  // no step is small enough
+        fastest = std::max(fastest, speed);
     }
     if (fastest == 0) return to - state.time;
     return m_method->firstStep(fastest);
@@ -193,8 +195,25 @@ std::optional<double> Deformer<Dim>::Engine::attempt(double to) {
     project(to, m_next);
     const int inverted = m_orientation.firstInverted(m_next);
     if (inverted < 0) return error;
-    m_failure = {{SolveOutcome::Kind::CellInverted, inverted}, to, false};
+    m_failure.outcome = {SolveOutcome::Kind::CellInverted, inverted};
+    m_failure.time = to;
     return {};
+}
+
+/// The step would have to be smaller than any that gets somewhere: where a cell is nearly flat, it is that
+/// which stops the shape.
+constexpr double kNearlyFlat = 1e-2;  // of the cell's measure at rest
+template <int Dim>
+void Deformer<Dim>::Engine::failForSmallStep(double to) {
+    m_failure = {};
+    m_failure.time = to;
+    const int cell = m_orientation.mostShrunk(state.normalized);
+    const double ratio = cellMeasure<Dim>(state.normalized, m_rest->cells[cell]) /
+                         cellMeasure<Dim>(m_rest->points, m_rest->cells[cell]);
+    if (ratio < kNearlyFlat)
+        m_failure.outcome = {SolveOutcome::Kind::CellInverted, cell};
+    else
+        m_failure.stepTooSmall = true;
 }
 
 /// One accepted step towards a stop, after as many attempts as it takes. False: the run ends, m_failure says
@@ -203,6 +222,11 @@ template <int Dim>
 bool Deformer<Dim>::Engine::step(double stop) {
     const Pace<Dim> before = state.pace;
     if (state.pace.step == 0) state.pace.step = startStep(m_constraints->nextBorder(state.time));
+    if (!(state.pace.step >= smallestStep()) && m_options.steps == 0) {
+        failForSmallStep(state.time);
+        state.pace = before;
+        return false;
+    }
     double to = proposedStep(stop);
     bool shortened = false;
     const bool cut = to < state.time + state.pace.step;
@@ -224,10 +248,7 @@ bool Deformer<Dim>::Engine::step(double stop) {
             state.pace.step = 0.5 * (to - state.time);
         const double h = state.pace.step;
         if (h < smallestStep() || state.time + h == state.time) {
-            if (error)
-                m_failure = {{SolveOutcome::Kind::CellInverted, m_orientation.mostShrunk(state.normalized)},
-                             to,
-                             false};
+            if (error) failForSmallStep(to);
             return false;
         }
         shortened = true;
@@ -288,8 +309,11 @@ void Deformer<Dim>::Engine::emitFrames(double from, double to) {
     const auto& times = m_watch->frames;
     if (m_frame >= times.size() || times[m_frame] >= to) return;
     Points<Dim> endField;
+    // The step is done: a wish to stop does not count before the frames in it are out.
+    const Watch* const watch = std::exchange(m_watch, nullptr);
     if (m_method->needsEndField() && !evaluate(to, Side::Before, m_next, endField))
         endField = (m_next - state.normalized) / (to - from);
+    m_watch = watch;
     for (; m_frame < times.size() && times[m_frame] < to; ++m_frame) {
         Points<Dim> shape = m_method->at(times[m_frame], endField);
         project(times[m_frame], shape);
@@ -339,6 +363,9 @@ AdvanceResult Deformer<Dim>::Engine::stopped() const {
     message << "at time " << state.time << ' ';
     if (m_failure.cancelled) {
         message << "cancelled";
+    } else if (m_failure.stepTooSmall) {
+        result.outcome = Outcome::StepTooSmall;
+        message << "the motion is too fast, or the tolerance too small: the steps would be too short";
     } else if (m_failure.outcome.kind == SolveOutcome::Kind::CellInverted) {
         result.outcome = Outcome::CellInverted;
         result.cell = m_failure.outcome.cell;

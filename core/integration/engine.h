@@ -36,6 +36,7 @@ struct Deformer<Dim>::Engine {
         SolveOutcome outcome;
         double time = 0;
         bool cancelled = false;
+        bool stepTooSmall = false;
     };
 
     // The shape and its constraints
@@ -54,6 +55,7 @@ struct Deformer<Dim>::Engine {
     double startStep(double to) const;
     double proposedStep(double to) const;
     double smallestStep() const;
+    void failForSmallStep(double to);
     bool step(double stop);
     std::optional<double> attempt(double to);
     void accept(double to, bool shortened, bool cut);

@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "core/mesh/cell_geometry.h"
+
 namespace wend {
 namespace {
 
@@ -71,8 +73,11 @@ void addSection(CutSurface& surface, const Cell<3>& cell, int index, const Point
     const auto place = [&](const Corner& c) -> Vec<3> {
         return (1 - c.weight) * pose.col(c.from) + c.weight * pose.col(c.to);
     };
+    // Twice the area vector of the whole polygon: corners may coincide where the plane meets vertices.
+    Vec<3> normal = Vec<3>::Zero();
     const Vec<3> first = place(polygon[0]);
-    const Vec<3> normal = (place(polygon[1]) - first).cross(place(polygon.back()) - first);
+    for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
+        normal += (place(polygon[i]) - first).cross(place(polygon[i + 1]) - first);
     if (normal.dot(plane.normal) < 0) std::reverse(polygon.begin(), polygon.end());
     addFan(surface, polygon, index, true);
 }
@@ -89,11 +94,8 @@ CutSurface wholeSurface(const std::vector<Facet<3>>& facets) {
 CutSurface wholeCellCut(const SimplicialMesh<3>& mesh, const std::vector<Facet<3>>& facets,
                         const Points<3>& pose, const CutPlane& plane) {
     std::vector<bool> stays(mesh.cells.size());
-    for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
-        Vec<3> centroid = Vec<3>::Zero();
-        for (int v : mesh.cells[c]) centroid += pose.col(v) / 4;
-        stays[c] = plane.height(centroid) <= 0;
-    }
+    for (std::size_t c = 0; c < mesh.cells.size(); ++c)
+        stays[c] = plane.height(centroid<3>(pose, mesh.cells[c])) <= 0;
     CutSurface surface;
     for (const auto& facet : facets) {
         const bool first = stays[facet.cells[0]], second = facet.interior() && stays[facet.cells[1]];

@@ -22,9 +22,9 @@ void main() {
     float key = max(dot(n, normalize(vec3(-0.45, 0.7, 0.9))), 0.0);
     float fill = max(dot(n, normalize(vec3(0.8, 0.1, 0.5))), 0.0);
     float sky = 0.5 + 0.5 * n.y;
-    vec3 lit = base * (0.24 + 0.62 * key + 0.16 * fill + 0.08 * sky);
+    vec3 lit = base * (0.30 + 0.56 * key + 0.30 * fill + 0.10 * sky);
     vec3 width = fwidth(barycentric);
-    vec3 near = smoothstep(width * 0.35, width * 1.35, barycentric);
+    vec3 near = smoothstep(width * 0.25, width * 1.15, barycentric);
     float edge = 1.0 - min(near.x, min(near.y, near.z));
     fragment = vec4(mix(lit, edgeColour, edge * edgeStrength), surfaceColour.a);
 }

@@ -98,8 +98,8 @@ void TestCanvas::pictureIsWhatAnExportWrites() {
     view.height = 480;
     view.origin = m_canvas->view().toShape({0, 0});
     view.scale = 1 / m_canvas->view().zoom();
-    const Image exported = warpImage(*m_session->document().picture(), *m_session->frame()->rest,
-                                     m_session->frame()->pose, view);
+    const Image exported = warpImage(*m_session->document().picture(), *m_session->frame<2>()->rest,
+                                     m_session->frame<2>()->pose, view);
     QVERIFY(m_canvas->drawn()->image == toQImage(exported));
 }
 

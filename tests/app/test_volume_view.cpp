@@ -83,7 +83,7 @@ void TestVolumeView::zoomKeepsThePointUnderThePointer() {
 }
 
 void TestVolumeView::picksTheNearestCell() {
-    const VolumeHit hit = m_view->pick(QPointF(400, 300));
+    const SolidHit hit = m_view->pick(QPointF(400, 300));
     QVERIFY(hit.cell >= 0 && hit.vertex >= 0);
     QVERIFY(hit.point.cwiseAbs().maxCoeff() <= 2 + 1e-12);
     QCOMPARE(m_view->pick(QPointF(2, 2)).cell, -1);

@@ -167,20 +167,20 @@ void TestWindow::dragIsOneStepThatUndoes() {
     click(40, 80);
     click(200, 80);
     QVERIFY(settle(m_window->session()));
-    const Points<2> before = m_window->session().frame()->pose;
+    const Points<2> before = m_window->session().frame<2>()->pose;
     QUndoStack& undo = *m_window->session().document().undoStack();
     const int steps = undo.count();
     dragPin(200, 80, 0, 20);
     QTest::mouseRelease(&m_window->canvas(), Qt::LeftButton, {}, at(200, 100));
     QVERIFY(settle(m_window->session()));
-    const Points<2> after = m_window->session().frame()->pose;
+    const Points<2> after = m_window->session().frame<2>()->pose;
     QCOMPARE(undo.count(), steps + 1);
     QTest::keyClick(m_window.get(), Qt::Key_Z, Qt::ControlModifier);
     QVERIFY(settle(m_window->session()));
-    QVERIFY(m_window->session().frame()->pose == before);
+    QVERIFY(m_window->session().frame<2>()->pose == before);
     QTest::keyClick(m_window.get(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
     QVERIFY(settle(m_window->session()));
-    QVERIFY(m_window->session().frame()->pose == after);
+    QVERIFY(m_window->session().frame<2>()->pose == after);
 }
 
 void TestWindow::escapeEndsADrag() {
@@ -188,13 +188,13 @@ void TestWindow::escapeEndsADrag() {
     click(40, 80);
     click(200, 80);
     QVERIFY(settle(m_window->session()));
-    const Points<2> before = m_window->session().frame()->pose;
+    const Points<2> before = m_window->session().frame<2>()->pose;
     const int steps = m_window->session().document().undoStack()->count();
     dragPin(200, 80, 0, 25);
     QTest::keyClick(&m_window->canvas(), Qt::Key_Escape);
     QTest::mouseRelease(&m_window->canvas(), Qt::LeftButton, {}, at(200, 105));
     QVERIFY(settle(m_window->session()));
-    QVERIFY(m_window->session().frame()->pose == before);
+    QVERIFY(m_window->session().frame<2>()->pose == before);
     QCOMPARE(m_window->session().document().undoStack()->count(), steps);
 }
 
@@ -285,7 +285,7 @@ void TestWindow::saveAndLoadGiveTheSameShape() {
     dragPin(200, 80, -5, 20);
     QTest::mouseRelease(&m_window->canvas(), Qt::LeftButton, {}, at(195, 100));
     QVERIFY(settle(m_window->session()));
-    const Points<2> shape = m_window->session().frame()->pose;
+    const Points<2> shape = m_window->session().frame<2>()->pose;
     const QString path = m_folder->filePath(QStringLiteral("bar.wend"));
     m_window->session().document().save(path);
     QVERIFY(!m_window->isWindowModified());
@@ -295,7 +295,7 @@ void TestWindow::saveAndLoadGiveTheSameShape() {
     QVERIFY(settle(other.session()));
     other.session().playback().setTime(other.session().playback().end());
     QVERIFY(settle(other.session()));
-    QVERIFY(other.session().frame()->pose == shape);
+    QVERIFY(other.session().frame<2>()->pose == shape);
     QVERIFY(m_window->files().recent().isEmpty() || m_window->files().recent().first() == path);
 }
 
@@ -383,7 +383,7 @@ void TestWindow::exportedPictureIsWhatIsShown() {
     });
     m_window->actions().exportPicture->trigger();
     QVERIFY(QTest::qWaitFor([&] { return QFile::exists(path); }, 20000));
-    const ShapeFrame& frame = *m_window->session().frame();
+    const auto& frame = *m_window->session().frame<2>();
     View view;
     view.width = 240;
     view.height = 160;

@@ -342,6 +342,20 @@ class TestIntegrationDeformer : public QObject {
         QVERIFY(deformer.statistics().constraintError <= 1e-12);
     }
 
+    /// Motions that no step is short enough for end at once, with a reason, whatever overflows.
+    template <int Dim>
+    void absurdlyFastMotionsEnd() {
+        const double far = QTest::currentDataTag() == QByteArray("overflow") ? 1e300 : 1e7;
+        Bend<Dim> bend(4, 1, 4, 0);
+        bend.handles[1].motions = {Motion<Dim>{Translate<Dim>{far * Vec<Dim>::Unit(1)}}};
+        Deformer<Dim> deformer = bend.deformer(precise(1e-3));
+        const AdvanceResult result = deformer.advance(1);
+        QVERIFY(result.outcome == Outcome::StepTooSmall);
+        QVERIFY(result.time < 1e-3);
+        QVERIFY2(result.message.find("too fast") != std::string::npos, result.message.c_str());
+        QVERIFY(deformer.statistics().steps < 1000);
+    }
+
     /// The right end goes straight through the left one, which is held.
     template <int Dim>
     void pushedThroughAnEdge() {
@@ -490,6 +504,14 @@ class TestIntegrationDeformer : public QObject {
     void nothingMovesWithoutMotion3() { nothingMovesWithoutMotion<3>(); }
     void draggedPointTrails2() { draggedPointTrails<2>(); }
     void draggedPointTrails3() { draggedPointTrails<3>(); }
+    void absurdlyFastMotionsEnd2_data() {
+        QTest::addColumn<int>("unused");
+        QTest::newRow("ten million diagonals") << 0;
+        QTest::newRow("overflow") << 0;
+    }
+    void absurdlyFastMotionsEnd2() { absurdlyFastMotionsEnd<2>(); }
+    void absurdlyFastMotionsEnd3_data() { absurdlyFastMotionsEnd2_data(); }
+    void absurdlyFastMotionsEnd3() { absurdlyFastMotionsEnd<3>(); }
     void pushedThroughAnEdge2() { pushedThroughAnEdge<2>(); }
     void pushedThroughAnEdge3() { pushedThroughAnEdge<3>(); }
     void halfTurnOfAnEnd_data() {

@@ -8,6 +8,7 @@ namespace wend {
 namespace {
 
 constexpr double kFieldOfView = 35 * std::numbers::pi / 180;
+constexpr double kMargin = 1.22;  // of the picture around what is fitted
 const double kTanHalf = std::tan(kFieldOfView / 2);
 
 Eigen::Quaterniond turn(const Vec<3>& direction, const Vec<3>& up) {
@@ -22,11 +23,26 @@ Eigen::Quaterniond turn(const Vec<3>& direction, const Vec<3>& up) {
 
 void Camera::fit(const Vec<3>& low, const Vec<3>& high) {
     m_pivot = (low + high) / 2;
+    m_shift.setZero();
     m_radius = std::max((high - low).norm() / 2, 1e-12);
     m_distance = 1.1 * m_radius / std::sin(kFieldOfView / 2);
 }
 
+void Camera::fit(const Points<3>& points, const QSize& viewport) {
+    fit(points.rowwise().minCoeff(), points.rowwise().maxCoeff());
+    const double aspect = viewport.width() / static_cast<double>(std::max(1, viewport.height()));
+    const Mat<3> turn = m_turn.toRotationMatrix();
+    double distance = 0;
+    for (Eigen::Index i = 0; i < points.cols(); ++i) {
+        const Vec<3> p = turn * (points.col(i) - m_pivot);
+        const double across = kMargin / kTanHalf * std::max(std::abs(p.y()), std::abs(p.x()) / aspect);
+        distance = std::max(distance, across + (m_orthographic ? 0 : p.z()));
+    }
+    if (distance > 0) m_distance = distance;
+}
+
 void Camera::look(Axis axis) {
+    m_shift.setZero();
     const Vec<3> x = Vec<3>::UnitX(), y = Vec<3>::UnitY(), z = Vec<3>::UnitZ();
     switch (axis) {
         case Axis::Front:
@@ -54,10 +70,19 @@ void Camera::look(Axis axis) {
 }
 
 void Camera::setPivot(const Vec<3>& pivot) {
-    // The eye stays where it is relative to the screen's depth: only what it turns around changes.
-    m_distance += direction().dot(pivot - m_pivot);
-    m_distance = std::max(m_distance, 1e-6 * m_radius);
+    const Vec<3> way = pivot - m_pivot;
+    m_shift += Eigen::Vector2d(right().dot(way), up().dot(way));
+    m_distance = std::max(m_distance + direction().dot(way), 1e-6 * m_radius);
     m_pivot = pivot;
+}
+
+void Camera::lookAt(const Vec<3>& point) {
+    m_pivot = point;
+    m_shift.setZero();
+}
+
+Vec<3> Camera::centre() const {
+    return m_pivot - m_shift.x() * right() - m_shift.y() * up();
 }
 
 void Camera::orbit(double dx, double dy) {
@@ -67,6 +92,12 @@ void Camera::orbit(double dx, double dy) {
 
 double Camera::pixelSize(const QSize& viewport) const {
     return 2 * m_distance * kTanHalf / std::max(1, viewport.height());
+}
+
+double Camera::pixelSize(const QSize& viewport, const Vec<3>& at) const {
+    if (m_orthographic) return pixelSize(viewport);
+    const double depth = m_distance + direction().dot(at - m_pivot);
+    return pixelSize(viewport) * std::max(depth, 1e-3 * m_distance) / m_distance;
 }
 
 void Camera::pan(double dxPixels, double dyPixels, const QSize& viewport) {
@@ -84,7 +115,7 @@ void Camera::zoom(double factor, const Eigen::Vector2d& pixel, const QSize& view
 Eigen::Matrix4d Camera::view() const {
     Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
     matrix.topLeftCorner<3, 3>() = m_turn.toRotationMatrix();
-    matrix.topRightCorner<3, 1>() = m_turn * -m_pivot - Vec<3>(0, 0, m_distance);
+    matrix.topRightCorner<3, 1>() = m_turn * -centre() - Vec<3>(0, 0, m_distance);
     return matrix;
 }
 
@@ -109,8 +140,8 @@ Eigen::Matrix4d Camera::projection(const QSize& viewport) const {
 
 Ray Camera::ray(const Eigen::Vector2d& pixel, const QSize& viewport) const {
     const Eigen::Vector2d offset = pixel - Eigen::Vector2d(viewport.width(), viewport.height()) / 2;
-    const Vec<3> onPivotPlane = m_pivot + pixelSize(viewport) * (offset.x() * right() - offset.y() * up());
-    const Vec<3> eye = m_pivot - m_distance * direction();
+    const Vec<3> onPivotPlane = centre() + pixelSize(viewport) * (offset.x() * right() - offset.y() * up());
+    const Vec<3> eye = centre() - m_distance * direction();
     if (m_orthographic) return {onPivotPlane - (m_distance + 4 * m_radius) * direction(), direction()};
     return {eye, (onPivotPlane - eye).normalized()};
 }

@@ -3,13 +3,9 @@
 #include <Eigen/Geometry>
 #include <QSize>
 
-#include "core/mesh/types.h"
+#include "app/tools/solid_surface.h"
 
 namespace wend {
-
-struct Ray {
-    Vec<3> origin, direction;  // direction has length 1
-};
 
 /// Looks at a pivot from a distance; y of the screen is up. All angles in radians, all pixels from the top
 /// left corner.
@@ -19,8 +15,13 @@ class Camera {
 
     /// Shows the box that spans low … high whole, the pivot in its middle.
     void fit(const Vec<3>& low, const Vec<3>& high);
+    /// Shows all points as large as they fit, from where it looks.
+    void fit(const Points<3>& points, const QSize& viewport);
     void look(Axis axis);
+    /// Another point to turn around; the picture stays where it is.
     void setPivot(const Vec<3>& pivot);
+    /// Brings a point into the middle of the picture, and turns around it.
+    void lookAt(const Vec<3>& point);
     void setOrthographic(bool on) { m_orthographic = on; }
     bool orthographic() const { return m_orthographic; }
     const Vec<3>& pivot() const { return m_pivot; }
@@ -41,12 +42,17 @@ class Camera {
     Vec<3> direction() const { return m_turn.conjugate() * Vec<3>(0, 0, -1); }
     Vec<3> up() const { return m_turn.conjugate() * Vec<3>::UnitY(); }
     Vec<3> right() const { return m_turn.conjugate() * Vec<3>::UnitX(); }
-    /// World length of a pixel at the pivot's depth.
+    /// World length of a pixel at the pivot's depth, and at a point.
     double pixelSize(const QSize& viewport) const;
+    double pixelSize(const QSize& viewport, const Vec<3>& at) const;
 
   private:
     Eigen::Quaterniond m_turn = Eigen::Quaterniond::Identity();  // world → camera
+    /// What is seen in the middle of the picture, at the pivot's depth.
+    Vec<3> centre() const;
+
     Vec<3> m_pivot = Vec<3>::Zero();
+    Eigen::Vector2d m_shift = Eigen::Vector2d::Zero();  // of the pivot from the middle, to the right and up
     double m_distance = 3;
     double m_radius = 1;  // of the scene, for the clip planes
     bool m_orthographic = false;

@@ -35,8 +35,8 @@ std::array<Vec<3>, 3> corners(const std::array<CutSurface::Corner, 3>& triangle,
 
 }  // namespace
 
-VolumeHit nearestHit(const CutSurface& surface, const Points<3>& pose, const Ray& ray) {
-    VolumeHit hit;
+SolidHit nearestHit(const CutSurface& surface, const Points<3>& pose, const Ray& ray) {
+    SolidHit hit;
     double nearest = kNothing;
     std::size_t triangle = 0;
     for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
@@ -63,7 +63,7 @@ void keepVisible(std::vector<int>& vertices, const CutSurface& surface, const Po
     const auto hidden = [&](int v) {
         const Vec<3> screen = camera.project(pose.col(v), viewport);
         const Ray ray = camera.ray(screen.head<2>(), viewport);
-        const VolumeHit hit = nearestHit(surface, pose, ray);
+        const SolidHit hit = nearestHit(surface, pose, ray);
         const double depth = (pose.col(v) - ray.origin).dot(ray.direction);
         // A vertex of the surface is met by the ray itself, up to rounding.
         return hit.cell >= 0 && (hit.point - ray.origin).norm() < depth * (1 - 1e-4);

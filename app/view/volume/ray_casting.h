@@ -5,7 +5,7 @@
 namespace wend {
 
 /// The nearest triangle that the ray meets, from either side (Möller and Trumbore 1997).
-VolumeHit nearestHit(const CutSurface& surface, const Points<3>& pose, const Ray& ray);
+SolidHit nearestHit(const CutSurface& surface, const Points<3>& pose, const Ray& ray);
 
 /// Drops the vertices that a triangle hides.
 void keepVisible(std::vector<int>& vertices, const CutSurface& surface, const Points<3>& pose,

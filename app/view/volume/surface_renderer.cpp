@@ -13,11 +13,6 @@
 namespace wend {
 namespace {
 
-struct GpuVertex {
-    std::array<float, 3> position, normal;
-    std::array<unsigned char, 4> colour;
-};
-
 std::array<float, 3> floats(const Vec<3>& v) {
     return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
 }
@@ -94,11 +89,11 @@ QRgb mixed(QRgb a, QRgb b, double t) {
                  mix(qAlpha(a), qAlpha(b)));
 }
 
-std::vector<GpuVertex> assemble(const CutSurface& surface, const Points<3>& pose,
-                                const std::vector<QRgb>& vertexColours,
-                                const std::vector<QRgb>& cellColours) {
+std::vector<DrawVertex> assemble(const CutSurface& surface, const Points<3>& pose,
+                                 const std::vector<QRgb>& vertexColours,
+                                 const std::vector<QRgb>& cellColours) {
     const CornerNormals normals(surface, pose);
-    std::vector<GpuVertex> vertices;
+    std::vector<DrawVertex> vertices;
     vertices.reserve(3 * surface.triangles.size());
     for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
         const auto& corners = surface.triangles[t];
@@ -134,48 +129,70 @@ bool SurfaceRenderer::initialize() {
         m_error = m_program.log();
         return false;
     }
-    m_array.create();
-    m_buffer.create();
-    m_buffer.setUsagePattern(QOpenGLBuffer::DynamicDraw);
-    const QOpenGLVertexArrayObject::Binder binder(&m_array);
-    m_buffer.bind();
-    for (int location = 0; location < 3; ++location) m_program.enableAttributeArray(location);
-    constexpr int kStride = sizeof(GpuVertex);
-    m_program.setAttributeBuffer(0, GL_FLOAT, offsetof(GpuVertex, position), 3, kStride);
-    m_program.setAttributeBuffer(1, GL_FLOAT, offsetof(GpuVertex, normal), 3, kStride);
-    m_gl->glVertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, kStride,
-                                reinterpret_cast<void*>(offsetof(GpuVertex, colour)));
+    create(m_surface);
+    create(m_glyphs);
     return true;
 }
 
+void SurfaceRenderer::create(Triangles& triangles) {
+    triangles.array.create();
+    triangles.buffer.create();
+    triangles.buffer.setUsagePattern(QOpenGLBuffer::DynamicDraw);
+    const QOpenGLVertexArrayObject::Binder binder(&triangles.array);
+    triangles.buffer.bind();
+    for (int location = 0; location < 3; ++location) m_program.enableAttributeArray(location);
+    constexpr int kStride = sizeof(DrawVertex);
+    m_program.setAttributeBuffer(0, GL_FLOAT, offsetof(DrawVertex, position), 3, kStride);
+    m_program.setAttributeBuffer(1, GL_FLOAT, offsetof(DrawVertex, normal), 3, kStride);
+    m_gl->glVertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, kStride,
+                                reinterpret_cast<void*>(offsetof(DrawVertex, colour)));
+}
+
 void SurfaceRenderer::release() {
-    m_buffer.destroy();
-    m_array.destroy();
+    for (Triangles* triangles : {&m_surface, &m_glyphs}) {
+        triangles->buffer.destroy();
+        triangles->array.destroy();
+    }
     m_program.removeAllShaders();
+}
+
+void SurfaceRenderer::fill(Triangles& triangles, const std::vector<DrawVertex>& vertices) {
+    triangles.vertices = static_cast<int>(vertices.size());
+    triangles.buffer.bind();
+    triangles.buffer.allocate(vertices.data(), triangles.vertices * static_cast<int>(sizeof(DrawVertex)));
 }
 
 void SurfaceRenderer::upload(const CutSurface& surface, const Points<3>& pose,
                              const std::vector<QRgb>& vertexColours, const std::vector<QRgb>& cellColours) {
-    const auto vertices = assemble(surface, pose, vertexColours, cellColours);
-    m_vertices = static_cast<int>(vertices.size());
-    m_buffer.bind();
-    m_buffer.allocate(vertices.data(), m_vertices * static_cast<int>(sizeof(GpuVertex)));
+    fill(m_surface, assemble(surface, pose, vertexColours, cellColours));
+}
+
+void SurfaceRenderer::uploadGlyphs(const std::vector<DrawVertex>& triangles) {
+    fill(m_glyphs, triangles);
+}
+
+void SurfaceRenderer::draw(Triangles& triangles) {
+    const QOpenGLVertexArrayObject::Binder binder(&triangles.array);
+    m_gl->glDrawArrays(GL_TRIANGLES, 0, triangles.vertices);
 }
 
 void SurfaceRenderer::draw(const Eigen::Matrix4d& view, const Eigen::Matrix4d& projection, bool orthographic,
                            const SurfaceStyle& style) {
-    const QOpenGLVertexArrayObject::Binder binder(&m_array);
     m_program.bind();
     m_program.setUniformValue("view", toQt(view));
     m_program.setUniformValue("projection", toQt(projection));
     m_program.setUniformValue("flatShading", style.flat);
     m_program.setUniformValue("orthographic", orthographic);
-    m_program.setUniformValue("edgeStrength", style.edges ? 0.55F : 0.0F);
+    m_program.setUniformValue("edgeStrength", style.edges ? 0.45F : 0.0F);
     m_program.setUniformValue("edgeColour", toVector(style.edgeColour));
     m_program.setUniformValue("backColour", toVector(style.backColour));
     m_gl->glEnable(GL_DEPTH_TEST);
-    m_gl->glDrawArrays(GL_TRIANGLES, 0, m_vertices);
+    draw(m_surface);
+    m_program.setUniformValue("edgeStrength", 0.0F);
+    m_program.setUniformValue("flatShading", false);
+    draw(m_glyphs);
     m_program.release();
+    m_gl->glDisable(GL_DEPTH_TEST);
 }
 
 }  // namespace wend

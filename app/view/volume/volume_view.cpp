@@ -2,6 +2,7 @@
 
 #include <QMouseEvent>
 #include <QOpenGLContext>
+#include <QOpenGLFramebufferObject>
 #include <QOpenGLFunctions>
 #include <QPainter>
 #include <QWheelEvent>
@@ -14,6 +15,7 @@ namespace {
 
 constexpr double kRadiansPerPixel = 0.008;
 constexpr double kClickPixels = 4;
+constexpr int kSamples = 4;
 const QRgb kPlainColour = qRgb(196, 178, 150);
 
 }  // namespace
@@ -23,6 +25,7 @@ VolumeView::VolumeView(QWidget* parent) : QOpenGLWidget(parent) {
     format.setVersion(3, 3);
     format.setProfile(QSurfaceFormat::CoreProfile);
     format.setDepthBufferSize(24);
+    format.setSamples(kSamples);
     setFormat(format);
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
@@ -46,10 +49,13 @@ bool VolumeView::available() {
 }
 
 void VolumeView::setPicture(VolumePicture picture, bool fitView) {
+    const bool sameSurface = m_cut == CutKind::None && picture.facets == m_picture.facets;
     m_picture = std::move(picture);
     if (m_picture.vertexColours.empty() && m_picture.cellColours.empty())
         m_picture.vertexColours.assign(static_cast<std::size_t>(m_picture.pose.cols()), kPlainColour);
-    remakeSurface();
+    m_stale = true;
+    if (!sameSurface) remakeSurface();
+    update();
     if (fitView) fit();
 }
 
@@ -66,18 +72,21 @@ void VolumeView::setCut(CutKind kind, const CutPlane& plane) {
 
 void VolumeView::fit() {
     if (m_picture.pose.cols() == 0) return;
-    m_camera.fit(m_picture.pose.rowwise().minCoeff(), m_picture.pose.rowwise().maxCoeff());
+    m_camera.fit(m_picture.pose, size());
     update();
+    emit cameraChanged();
 }
 
 void VolumeView::look(Camera::Axis axis) {
     m_camera.look(axis);
     update();
+    emit cameraChanged();
 }
 
 void VolumeView::setOrthographic(bool on) {
     m_camera.setOrthographic(on);
     update();
+    emit cameraChanged();
 }
 
 void VolumeView::remakeSurface() {
@@ -97,7 +106,7 @@ void VolumeView::remakeSurface() {
     update();
 }
 
-VolumeHit VolumeView::pick(const QPointF& pixel) const {
+SolidHit VolumeView::pick(const QPointF& pixel) const {
     return nearestHit(m_surface, m_picture.pose, m_camera.ray(pixelOf(pixel), size()));
 }
 
@@ -124,31 +133,64 @@ void VolumeView::uploadIfStale() {
     m_stale = false;
 }
 
-void VolumeView::paintGL() {
+void VolumeView::setGlyphs(std::vector<DrawVertex> triangles) {
+    if (triangles.empty() && m_glyphs.empty()) return;
+    m_glyphs = std::move(triangles);
+    m_glyphsStale = true;
+    update();
+}
+
+void VolumeView::drawScene(const QSize& size, const QColor& background) {
     auto* gl = context()->functions();
-    const QColor back = palette().color(QPalette::Base).darker(104);
-    gl->glClearColor(back.redF(), back.greenF(), back.blueF(), 1);
+    gl->glClearColor(background.redF(), background.greenF(), background.blueF(), background.alphaF());
     gl->glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    if (!m_ready) {
-        QPainter(this).drawText(rect(), Qt::AlignCenter,
-                                tr("The solid cannot be drawn: %1").arg(m_renderer.error()));
-        return;
-    }
     if (!m_picture.rest) return;
     uploadIfStale();
-    m_renderer.draw(m_camera.view(), m_camera.projection(size()), m_camera.orthographic(), m_style);
+    if (m_glyphsStale) m_renderer.uploadGlyphs(m_glyphs);
+    m_glyphsStale = false;
+    m_renderer.draw(m_camera.view(), m_camera.projection(size), m_camera.orthographic(), m_style);
+}
+
+void VolumeView::paintGL() {
+    if (m_ready) {
+        drawScene(size(),
+                  m_background.isValid() ? m_background : palette().color(QPalette::Base).darker(104));
+        return;
+    }
+    QPainter(this).drawText(rect(), Qt::AlignCenter,
+                            tr("The solid cannot be drawn: %1").arg(m_renderer.error()));
+}
+
+QImage VolumeView::picture(const QSize& size, bool transparent) {
+    makeCurrent();
+    QOpenGLFramebufferObjectFormat format;
+    format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
+    format.setSamples(kSamples);
+    QOpenGLFramebufferObject buffer(size, format);
+    QImage image;
+    if (m_ready && buffer.isValid() && buffer.bind()) {
+        context()->functions()->glViewport(0, 0, size.width(), size.height());
+        drawScene(size, transparent ? QColor(0, 0, 0, 0) : m_background);
+        image = buffer.toImage();
+        buffer.release();
+    }
+    doneCurrent();
+    update();
+    return image;
 }
 
 VolumeView::Drag VolumeView::dragFor(const QMouseEvent& event) const {
     const bool shift = event.modifiers() & Qt::ShiftModifier,
-               control = event.modifiers() & Qt::ControlModifier;
+               control = event.modifiers() & Qt::ControlModifier, alt = event.modifiers() & Qt::AltModifier;
     const auto button = event.button();
     if (m_preset == NavigationPreset::VtkLike) {
         if (button == Qt::LeftButton) return shift ? Drag::Pan : Drag::Orbit;
         if (button == Qt::MiddleButton) return Drag::Pan;
         return button == Qt::RightButton ? Drag::Zoom : Drag::None;
     }
-    if (button != Qt::MiddleButton) return Drag::None;
+    const bool right = m_preset == NavigationPreset::Wend && button == Qt::RightButton;
+    // Alt and the left button stand in for a middle one that is missing.
+    if (button != Qt::MiddleButton && !right && !(alt && button == Qt::LeftButton)) return Drag::None;
     if (shift) return Drag::Pan;
     return control ? Drag::Zoom : Drag::Orbit;
 }
@@ -169,14 +211,17 @@ void VolumeView::mouseMoveEvent(QMouseEvent* event) {
         m_camera.zoom(std::exp(-0.01 * step.y()), pixelOf(rect().center()), size());
     else if (event->buttons() == Qt::NoButton)
         emit hovered(pick(event->position()));
-    if (m_drag != Drag::None) update();
+    if (m_drag == Drag::None) return;
+    update();
+    emit cameraChanged();
 }
 
 void VolumeView::mouseReleaseEvent(QMouseEvent* event) {
     const bool click = (event->position() - m_pressed).manhattanLength() <= kClickPixels;
-    const VolumeHit hit = click ? pick(event->position()) : VolumeHit{};
+    const SolidHit hit = click ? pick(event->position()) : SolidHit{};
     if (click && event->button() == Qt::LeftButton) emit picked(hit, event->modifiers());
-    if (click && event->button() == Qt::MiddleButton && hit.cell >= 0) m_camera.setPivot(hit.point);
+    const bool pivots = event->button() == Qt::MiddleButton || m_drag == Drag::Orbit;
+    if (click && pivots && event->button() != Qt::LeftButton && hit.cell >= 0) m_camera.setPivot(hit.point);
     m_drag = Drag::None;
     update();
 }
@@ -184,6 +229,7 @@ void VolumeView::mouseReleaseEvent(QMouseEvent* event) {
 void VolumeView::wheelEvent(QWheelEvent* event) {
     m_camera.zoom(std::exp(event->angleDelta().y() / 120.0 * 0.16), pixelOf(event->position()), size());
     update();
+    emit cameraChanged();
 }
 
 void VolumeView::keyPressEvent(QKeyEvent* event) {

@@ -20,14 +20,10 @@ struct VolumePicture {
 };
 
 enum class CutKind { None, WholeCells, Exact };
+/// Which buttons turn, move and zoom. Wend: right or middle turns, with Shift moves, with Ctrl zooms.
+/// VTK-like: left turns, middle moves, right zooms. Blender-like: middle turns, with Shift moves, with Ctrl
+/// zooms.
 enum class NavigationPreset { Wend, VtkLike, BlenderLike };
-
-/// What lies under a pixel of the view.
-struct VolumeHit {
-    int cell = -1;
-    int vertex = -1;  // the nearest corner
-    Vec<3> point = Vec<3>::Zero();
-};
 
 /// A solid in space: turned, moved and zoomed with the mouse whatever is under it, cut open by a plane.
 class VolumeView : public QOpenGLWidget {
@@ -44,20 +40,30 @@ class VolumeView : public QOpenGLWidget {
     void setPicture(VolumePicture picture, bool fitView);
     void setStyle(const SurfaceStyle& style);
     void setCut(CutKind kind, const CutPlane& plane);
+    CutKind cut() const { return m_cut; }
+    const CutPlane& plane() const { return m_plane; }
     void setPreset(NavigationPreset preset) { m_preset = preset; }
     Camera& camera() { return m_camera; }
+    const Camera& camera() const { return m_camera; }
+    /// Triangles that are drawn beside the surface.
+    void setGlyphs(std::vector<DrawVertex> triangles);
+    /// What is drawn: the surface, cut as it is.
+    const CutSurface& surface() const { return m_surface; }
+    /// The view as a picture of any size; the background may be left transparent.
+    QImage picture(const QSize& size, bool transparent);
     void fit();
     void look(Camera::Axis axis);
     void setOrthographic(bool on);
 
     /// The nearest triangle under a pixel, or cell −1.
-    VolumeHit pick(const QPointF& pixel) const;
+    SolidHit pick(const QPointF& pixel) const;
     /// All vertices on screen inside the rectangle; only those that nothing hides if `visibleOnly`.
     std::vector<int> verticesIn(const QRectF& rectangle, bool visibleOnly) const;
 
   signals:
-    void hovered(const VolumeHit& hit);
-    void picked(const VolumeHit& hit, Qt::KeyboardModifiers modifiers);
+    void hovered(const SolidHit& hit);
+    void picked(const SolidHit& hit, Qt::KeyboardModifiers modifiers);
+    void cameraChanged();
 
   protected:
     void initializeGL() override;
@@ -69,11 +75,17 @@ class VolumeView : public QOpenGLWidget {
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
 
-  private:
     enum class Drag { None, Orbit, Pan, Zoom };
     Drag dragFor(const QMouseEvent& event) const;
+    bool isNavigating() const { return m_drag != Drag::None; }
+    const QPointF& pressedAt() const { return m_pressed; }
+    const VolumePicture& shown() const { return m_picture; }
+    void setBackground(const QColor& colour) { m_background = colour; }
+
+  private:
     void remakeSurface();
     void uploadIfStale();
+    void drawScene(const QSize& size, const QColor& background);
     Eigen::Vector2d pixelOf(const QPointF& p) const { return {p.x(), p.y()}; }
 
     Camera m_camera;
@@ -86,7 +98,9 @@ class VolumeView : public QOpenGLWidget {
     NavigationPreset m_preset = NavigationPreset::Wend;
     Drag m_drag = Drag::None;
     QPointF m_last, m_pressed;
-    bool m_stale = true, m_ready = false;
+    QColor m_background;
+    std::vector<DrawVertex> m_glyphs;
+    bool m_stale = true, m_glyphsStale = false, m_ready = false;
 };
 
 }  // namespace wend

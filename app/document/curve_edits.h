@@ -1,0 +1,19 @@
+#pragma once
+
+#include <optional>
+
+#include "app/document/project.h"
+
+namespace wend {
+
+/// The curve that a handle of a solid follows at the end, if its last motion is one that goes anywhere; null
+/// otherwise.
+CurveMotion<3>* lastCurve(Project& project, int handle);
+
+/// True if the last motion of the handle is a stroke or a translation.
+bool canBecomeCurve(const Project& project, int handle);
+/// That motion as a Bézier curve through its ends, with the directions and the sway that it had. `end` is
+/// where the handle is after it. Nothing if it cannot become one.
+std::optional<Project> withCurve(const Project& project, int handle, const Vec<3>& end);
+
+}  // namespace wend

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "core/motion/handle.h"
+
+namespace wend {
+
+/// How far a gesture has come, in up to three numbers whose meaning the grip tells.
+using Amount = Vec<3>;
+
+/// How a gesture moves what it holds. Move: by the amount (in the plane without its z). Turn: by amount[0]
+/// radians around the axis through the centre. Grow: by the factor 1 + amount[0] from the centre.
+struct Grip {
+    enum class Kind { Move, Turn, Grow };
+    Kind kind = Kind::Move;
+    Vec<3> centre = Vec<3>::Zero();
+    Vec<3> axis = Vec<3>::UnitZ();
+};
+
+template <int Dim>
+Amount amountOf(const Vec<Dim>& offset) {
+    Amount amount = Amount::Zero();
+    amount.template head<Dim>() = offset;
+    return amount;
+}
+
+/// Where a point is that the grip has carried that far.
+template <int Dim>
+Vec<Dim> carried(const Grip& grip, const Amount& amount, const Vec<Dim>& start);
+
+/// The motion from one amount to another, in the window [0, 1].
+template <int Dim>
+Motion<Dim> motionBetween(const Grip& grip, const Amount& from, const Amount& to);
+
+}  // namespace wend

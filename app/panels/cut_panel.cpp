@@ -1,0 +1,137 @@
+#include "app/panels/cut_panel.h"
+
+#include <Eigen/Geometry>
+#include <QComboBox>
+#include <QSlider>
+#include <QToolButton>
+#include <cmath>
+
+#include "app/panels/panel_parts.h"
+
+namespace wend {
+
+namespace {
+
+constexpr int kSteps = 1000;
+
+}  // namespace
+
+CutPanel::CutPanel(QWidget* parent)
+    : QWidget(parent),
+      m_kind(new QComboBox(this)),
+      m_slider(new QSlider(Qt::Horizontal, this)),
+      m_place(new QDoubleSpinBox(this)),
+      m_numbers(new QWidget(this)) {
+    makeControls();
+    arrange();
+    connect(m_kind, &QComboBox::activated, this, &CutPanel::kindChosen);
+    connect(m_slider, &QSlider::valueChanged, this, [this](int value) {
+        CutPlane plane = m_plane;
+        const double height = least() + (greatest() - least()) * value / kSteps;
+        plane.point += (height - plane.normal.dot(plane.point)) * plane.normal;
+        emit planeChosen(plane);
+    });
+    for (QDoubleSpinBox* box : {m_normal[0], m_normal[1], m_normal[2], m_place})
+        connect(box, &QDoubleSpinBox::valueChanged, this, &CutPanel::chooseNumbers);
+}
+
+void CutPanel::makeControls() {
+    m_kind->addItems({tr("Not cut"), tr("Whole cells"), tr("Exact")});
+    m_kind->setFixedWidth(150);
+    describe(m_kind, tr("Cut"), tr("Looks inside: by whole tetrahedra, or along the exact plane."));
+    const std::array<QString, 4> names = {tr("X"), tr("Y"), tr("Z"), tr("Flip")};
+    for (int k = 0; k < 4; ++k) {
+        m_ways[k] = new QToolButton(this);
+        m_ways[k]->setText(names[k]);
+        m_ways[k]->setProperty("role", "chip");
+        describe(m_ways[k], k < 3 ? tr("Cut across %1").arg(names[k]) : tr("Other side"),
+                 k < 3 ? tr("Turns the plane so that it stands across this axis.")
+                       : tr("Takes away the other side of the plane."));
+        connect(m_ways[k], &QToolButton::clicked, this,
+                [this, k] { chooseNormal(k < 3 ? Vec<3>(Vec<3>::Unit(k)) : Vec<3>(-m_plane.normal)); });
+    }
+    m_slider->setRange(0, kSteps);
+    describe(m_slider, tr("Place of the cut"), tr("Moves the plane through the solid."));
+    for (QDoubleSpinBox*& box : m_normal) {
+        box = new QDoubleSpinBox(this);
+        box->setRange(-1, 1);
+        box->setDecimals(3);
+        box->setSingleStep(0.05);
+        box->setKeyboardTracking(false);
+        box->setButtonSymbols(QAbstractSpinBox::NoButtons);
+        box->setMinimumWidth(56);
+        box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+        describe(box, tr("Normal of the cut"), tr("The direction that the plane looks in, as x, y and z."));
+    }
+    m_place->setDecimals(4);
+    m_place->setKeyboardTracking(false);
+    m_place->setFixedWidth(116);
+    describe(m_place, tr("Distance of the cut"),
+             tr("How far the plane is from the origin, along its normal."));
+}
+
+void CutPanel::arrange() {
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(16, 14, 16, 14);
+    layout->setSpacing(10);
+    layout->addWidget(panelTitle(tr("Cut"), this));
+    layout->addLayout(panelRow(tr("&Look inside"), m_kind, this));
+    auto* inner = new QVBoxLayout(m_numbers);
+    inner->setContentsMargins(0, 0, 0, 0);
+    inner->setSpacing(10);
+    auto* ways = new QHBoxLayout;
+    for (QToolButton* button : m_ways) ways->addWidget(button);
+    ways->addStretch(1);
+    inner->addLayout(ways);
+    inner->addWidget(m_slider);
+    auto* normal = new QHBoxLayout;
+    for (QDoubleSpinBox* box : m_normal) normal->addWidget(box);
+    inner->addLayout(normal);
+    inner->addLayout(panelRow(tr("&Distance"), m_place, m_numbers));
+    layout->addWidget(m_numbers);
+}
+
+double CutPanel::least() const {
+    return m_plane.normal.cwiseProduct(m_low).cwiseMin(m_plane.normal.cwiseProduct(m_high)).sum();
+}
+
+double CutPanel::greatest() const {
+    return m_plane.normal.cwiseProduct(m_low).cwiseMax(m_plane.normal.cwiseProduct(m_high)).sum();
+}
+
+void CutPanel::chooseNormal(const Vec<3>& normal) {
+    CutPlane plane = m_plane;
+    plane.normal = normal;
+    emit planeChosen(plane);
+}
+
+void CutPanel::chooseNumbers() {
+    CutPlane plane;
+    const Vec<3> normal(m_normal[0]->value(), m_normal[1]->value(), m_normal[2]->value());
+    if (normal.norm() < 1e-3) return;
+    plane.normal = normal.normalized();
+    plane.point = m_plane.point + (m_place->value() - plane.normal.dot(m_plane.point)) * plane.normal;
+    emit planeChosen(plane);
+}
+
+void CutPanel::show(int kind, const CutPlane& plane, const Vec<3>& low, const Vec<3>& high) {
+    m_plane = plane;
+    m_low = low;
+    m_high = high;
+    m_kind->setCurrentIndex(kind);
+    m_numbers->setVisible(kind != 0);
+    for (int k = 0; k < 3; ++k) {
+        const QSignalBlocker quiet(m_normal[k]);
+        m_normal[k]->setValue(plane.normal[k]);
+    }
+    const double diagonal = (high - low).norm(), height = plane.normal.dot(plane.point);
+    const QSignalBlocker a(m_place), b(m_slider);
+    m_place->setRange(-1e9, 1e9);
+    m_place->setSingleStep(diagonal > 0 ? diagonal / 100 : 0.01);
+    m_place->setValue(height);
+    const double span = greatest() - least();
+    if (!m_slider->isSliderDown() && span > 0)
+        m_slider->setValue(static_cast<int>(std::lround(kSteps * (height - least()) / span)));
+}
+
+}  // namespace wend

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <QWidget>
+
+#include "core/mesh/cut_plane.h"
+
+class QComboBox;
+class QDoubleSpinBox;
+class QSlider;
+class QToolButton;
+
+namespace wend {
+
+/// The plane that cuts a solid open, in numbers.
+class CutPanel : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit CutPanel(QWidget* parent = nullptr);
+
+    /// 0: none, 1: whole cells, 2: exact; the box that the solid lies in gives the range.
+    void show(int kind, const CutPlane& plane, const Vec<3>& low, const Vec<3>& high);
+
+  signals:
+    void kindChosen(int kind);
+    void planeChosen(wend::CutPlane plane);
+
+  private:
+    void makeControls();
+    void arrange();
+    void chooseNormal(const Vec<3>& normal);
+    void chooseNumbers();
+    double least() const;
+    double greatest() const;
+
+    QComboBox* m_kind;
+    std::array<QToolButton*, 4> m_ways;
+    QSlider* m_slider;
+    std::array<QDoubleSpinBox*, 3> m_normal;
+    QDoubleSpinBox* m_place;
+    QWidget* m_numbers;
+    CutPlane m_plane;
+    Vec<3> m_low = Vec<3>::Zero(), m_high = Vec<3>::Ones();
+};
+
+}  // namespace wend

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <QWidget>
+
+#include "app/session/shape_session.h"
+
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+
+namespace wend {
+
+/// The selected handle of a solid in numbers: its name and place, exact steps, and the curve that it follows.
+class HandlePanel : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit HandlePanel(ShapeSession& session, QWidget* parent = nullptr);
+
+  private:
+    void makeControls();
+    void arrange();
+    void showHandle();
+    void showStep();
+    void apply();
+    void makeCurve();
+    void changeCurve();
+    Vec<3> middle() const;
+    int single() const;
+    CurveMotion<3>* curveOf(Project& project) const;
+
+    ShapeSession& m_session;
+    QLabel* m_none;
+    QWidget* m_body;
+    QLineEdit* m_name;
+    QLabel* m_place;
+    QComboBox* m_kind;
+    std::array<QDoubleSpinBox*, 3> m_numbers;
+    QComboBox* m_axis;
+    QPushButton* m_apply;
+    QPushButton* m_toCurve;
+    QWidget* m_curve;
+    QComboBox* m_frame;
+    QDoubleSpinBox* m_twist;
+    QDoubleSpinBox* m_scale;
+};
+
+}  // namespace wend

@@ -1,0 +1,60 @@
+#include "app/session/fields.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+
+namespace wend {
+
+template <int Dim>
+std::vector<double> phiOf(const PosedFrame<Dim>& frame) {
+    return frame.material ? frame.material->phi : std::vector<double>(frame.rest->cells.size(), 0);
+}
+
+template <int Dim>
+std::vector<double> stiffnessOf(const PosedFrame<Dim>& frame) {
+    std::vector<double> values(frame.rest->cells.size(), 1);
+    if (!frame.material || frame.material->anisotropy.empty()) return values;
+    for (std::size_t c = 0; c < values.size(); ++c)
+        values[c] =
+            Eigen::SelfAdjointEigenSolver<Mat<Dim>>(frame.material->anisotropy[c], Eigen::EigenvaluesOnly)
+                .eigenvalues()
+                .maxCoeff();
+    return values;
+}
+
+template <int Dim>
+Points<Dim> velocityOf(const FrameTrack& track, const PosedFrame<Dim>& frame) {
+    const auto& frames = track.frames();
+    const auto it = std::find_if(frames.begin(), frames.end(),
+                                 [&](const FramePtr& other) { return other.get() == &frame; });
+    if (it == frames.end()) return Points<Dim>::Zero(Dim, frame.pose.cols());
+    const auto from = posed<Dim>(it == frames.begin() ? *it : *std::prev(it));
+    const auto to = posed<Dim>(std::next(it) == frames.end() ? *it : *std::next(it));
+    const bool fits = from->rest == frame.rest && to->rest == frame.rest && to->time > from->time;
+    if (!fits) return Points<Dim>::Zero(Dim, frame.pose.cols());
+    return (to->pose - from->pose) / (to->time - from->time);
+}
+
+template <int Dim>
+std::vector<double> speedOf(const FrameTrack& track, const PosedFrame<Dim>& frame) {
+    const Points<Dim> velocity = velocityOf<Dim>(track, frame);
+    std::vector<double> values;
+    for (const Cell<Dim>& cell : frame.rest->cells) {
+        Vec<Dim> mean = Vec<Dim>::Zero();
+        for (const int v : cell) mean += velocity.col(v) / (Dim + 1);
+        values.push_back(mean.norm());
+    }
+    return values;
+}
+
+#define WEND_INSTANTIATE(Dim)                                                        \
+    template std::vector<double> phiOf<Dim>(const PosedFrame<Dim>&);                 \
+    template std::vector<double> stiffnessOf<Dim>(const PosedFrame<Dim>&);           \
+    template Points<Dim> velocityOf<Dim>(const FrameTrack&, const PosedFrame<Dim>&); \
+    template std::vector<double> speedOf<Dim>(const FrameTrack&, const PosedFrame<Dim>&)
+
+WEND_INSTANTIATE(2);
+WEND_INSTANTIATE(3);
+#undef WEND_INSTANTIATE
+
+}  // namespace wend

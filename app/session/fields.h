@@ -1,0 +1,23 @@
+#pragma once
+
+#include "app/session/frame.h"
+#include "app/session/frame_track.h"
+
+namespace wend {
+
+/// φ of every cell, and how many times stiffer it is along its stiffest direction than an isotropic one
+/// (the largest eigenvalue of B₀).
+template <int Dim>
+std::vector<double> phiOf(const PosedFrame<Dim>& frame);
+template <int Dim>
+std::vector<double> stiffnessOf(const PosedFrame<Dim>& frame);
+
+/// How the vertices move at the frame's time, per unit of time: the difference of its neighbours in the
+/// track. Zero where nothing moves.
+template <int Dim>
+Points<Dim> velocityOf(const FrameTrack& track, const PosedFrame<Dim>& frame);
+/// The length of the velocity in the middle of every cell.
+template <int Dim>
+std::vector<double> speedOf(const FrameTrack& track, const PosedFrame<Dim>& frame);
+
+}  // namespace wend

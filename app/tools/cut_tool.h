@@ -1,0 +1,40 @@
+#pragma once
+
+#include "app/tools/manipulator.h"
+#include "core/mesh/cut_plane.h"
+
+namespace wend {
+
+/// The plane that cuts a solid open: an arrow moves it, two rings tilt it. Lies over whatever tool is chosen.
+class CutTool : public SolidTool {
+  public:
+    using Changed = std::function<void(const CutPlane&)>;
+    CutTool(SolidSurface& surface, Changed changed) : SolidTool(surface), m_changed(std::move(changed)) {}
+
+    void setActive(bool active) { m_active = active; }
+    bool isActive() const { return m_active; }
+    bool isDragging() const { return m_dragging; }
+    void setPlane(const CutPlane& plane);
+    const CutPlane& plane() const { return m_plane; }
+
+    QString hint() const override;
+    QCursor cursor() const override;
+    bool wants(const QPointF& at) const override;
+    void press(const QMouseEvent& event) override;
+    void move(const QMouseEvent& event) override;
+    void release(const QMouseEvent& event) override;
+    bool key(const QKeyEvent& event) override;
+    void cancel() override;
+    void paint(QPainter& painter) const override;
+
+  private:
+    void place();
+
+    Changed m_changed;
+    Manipulator m_manipulator;
+    CutPlane m_plane, m_start;
+    std::optional<Manipulator::Part> m_part;
+    bool m_active = false, m_dragging = false;
+};
+
+}  // namespace wend

@@ -1,0 +1,206 @@
+#include "app/tools/manipulator.h"
+
+#include <Eigen/Geometry>
+#include <QPainterPath>
+#include <cmath>
+#include <numbers>
+
+namespace wend {
+
+namespace {
+
+constexpr double kArrow = 86, kRing = 68, kPlaneNear = 22, kPlaneFar = 40;  // pixels
+constexpr double kReach = 7;
+constexpr int kRingPieces = 72;
+// Told apart by lightness too; the usual order x, y, z.
+const QColor kAxisColours[] = {QColor(214, 69, 65), QColor(72, 148, 60), QColor(58, 104, 214)};
+const QColor kFree(235, 238, 245), kLit(250, 190, 40);
+
+double distanceToSegment(const QPointF& p, const QPointF& a, const QPointF& b) {
+    const QPointF ab = b - a;
+    const double squared = QPointF::dotProduct(ab, ab);
+    const double t = squared > 0 ? std::clamp(QPointF::dotProduct(p - a, ab) / squared, 0.0, 1.0) : 0.0;
+    return QLineF(p, a + t * ab).length();
+}
+
+QPolygonF projected(const std::vector<Vec<3>>& line, const SolidSurface& surface) {
+    QPolygonF polygon;
+    for (const Vec<3>& p : line) polygon << surface.toWidget(p);
+    return polygon;
+}
+
+/// The point of the line nearest to the ray.
+Vec<3> nearestOnLine(const Vec<3>& centre, const Vec<3>& along, const Ray& ray) {
+    const double cosine = along.dot(ray.direction), sine2 = std::max(1 - cosine * cosine, 1e-6);
+    const Vec<3> offset = ray.origin - centre;
+    return centre + (offset.dot(along) - cosine * offset.dot(ray.direction)) / sine2 * along;
+}
+
+Vec<3> onPlane(const Vec<3>& centre, const Vec<3>& normal, const Ray& ray) {
+    double slope = normal.dot(ray.direction);
+    if (std::abs(slope) < 0.02) slope = std::copysign(0.02, slope);
+    return ray.origin + normal.dot(centre - ray.origin) / slope * ray.direction;
+}
+
+std::pair<Vec<3>, Vec<3>> across(const Vec<3>& normal) {
+    const Vec<3> u = normal.unitOrthogonal();
+    return {u, normal.cross(u)};
+}
+
+}  // namespace
+
+void Manipulator::place(const Vec<3>& centre, const Mat<3>& axes) {
+    m_centre = centre;
+    m_axes = axes;
+}
+
+double Manipulator::length(const SolidSurface& surface) const {
+    return surface.pixelSize(m_centre);
+}
+
+Vec<3> Manipulator::normalOf(const Part& part, const SolidSurface& surface) const {
+    return part.axis >= 0 ? axis(part.axis) : Vec<3>(-surface.viewDirection());
+}
+
+std::vector<Manipulator::Part> Manipulator::parts() const {
+    using Kind = Grip::Kind;
+    switch (m_mode) {
+        case Mode::Move:
+            return {{Kind::Move, 0},       {Kind::Move, 1},       {Kind::Move, 2}, {Kind::Move, 0, true},
+                    {Kind::Move, 1, true}, {Kind::Move, 2, true}, {Kind::Move, -1}};
+        case Mode::Turn:
+            return {{Kind::Turn, 0}, {Kind::Turn, 1}, {Kind::Turn, 2}, {Kind::Turn, -1}};
+        case Mode::Grow:
+            return {{Kind::Grow, -1}};
+        case Mode::Tilt:
+            break;
+    }
+    return {{Kind::Move, 2}, {Kind::Turn, 0}, {Kind::Turn, 1}};
+}
+
+/// The line that is drawn and taken hold of.
+std::vector<Vec<3>> Manipulator::outline(const Part& part, const SolidSurface& surface) const {
+    const double pixel = length(surface);
+    if (part.kind == Grip::Kind::Move && part.plane) {
+        const Vec<3> u = pixel * axis((part.axis + 1) % 3), v = pixel * axis((part.axis + 2) % 3);
+        const Vec<3> a = m_centre + kPlaneNear * (u + v), b = kPlaneFar * u - kPlaneNear * u,
+                     c = kPlaneFar * v - kPlaneNear * v;
+        return {a, a + b, a + b + c, a + c, a};
+    }
+    if (part.kind == Grip::Kind::Move && part.axis >= 0)
+        return {m_centre + 10 * pixel * axis(part.axis), m_centre + kArrow * pixel * axis(part.axis)};
+    double radius = kRing;
+    if (part.kind == Grip::Kind::Move) radius = 8;
+    if (part.kind == Grip::Kind::Turn && part.axis < 0) radius = kArrow;
+    const auto [u, v] = across(normalOf(part, surface));
+    std::vector<Vec<3>> ring;
+    for (int i = 0; i <= kRingPieces; ++i) {
+        const double a = 2 * std::numbers::pi * i / kRingPieces;
+        ring.push_back(m_centre + radius * pixel * (std::cos(a) * u + std::sin(a) * v));
+    }
+    return ring;
+}
+
+std::optional<Manipulator::Part> Manipulator::partAt(const SolidSurface& surface,
+                                                     const QPointF& widget) const {
+    std::optional<Part> best;
+    double nearest = kReach;
+    for (const Part& part : parts()) {
+        const QPolygonF line = projected(outline(part, surface), surface);
+        double distance = 1e9;
+        const bool filled = part.plane || (part.kind == Grip::Kind::Move && part.axis < 0);
+        if (filled && line.containsPoint(widget, Qt::OddEvenFill)) distance = 0;
+        for (int i = 1; i < line.size(); ++i)
+            distance = std::min(distance, distanceToSegment(widget, line[i - 1], line[i]));
+        if (distance < nearest) nearest = distance, best = part;
+    }
+    return best;
+}
+
+/// Where the pointer is in the part's line or plane.
+Vec<3> Manipulator::pointAt(const SolidSurface& surface, const QPointF& widget) const {
+    const Ray ray = surface.ray(widget);
+    if (m_part.axis >= 0 && !m_part.plane) return nearestOnLine(m_centre, axis(m_part.axis), ray);
+    return onPlane(m_centre, normalOf(m_part, surface), ray);
+}
+
+/// The angle around the axis; of a ring that is seen from the side, how far along it the pointer went.
+double Manipulator::angleAt(const SolidSurface& surface, const QPointF& widget) const {
+    const Vec<3> normal = normalOf(m_part, surface);
+    if (std::abs(normal.dot(surface.viewDirection())) < 0.15) {
+        const Vec<3> along = normal.cross(surface.viewDirection()).normalized();
+        const Vec<3> p = onPlane(m_centre, surface.viewDirection(), surface.ray(widget));
+        return -along.dot(p - m_centre) / (kRing * length(surface));
+    }
+    const auto [u, v] = across(normal);
+    const Vec<3> arm = onPlane(m_centre, normal, surface.ray(widget)) - m_centre;
+    return std::atan2(v.dot(arm), u.dot(arm));
+}
+
+double Manipulator::distanceAt(const SolidSurface& surface, const QPointF& widget) const {
+    return std::max(QLineF(surface.toWidget(m_centre), widget).length(), 12.0);
+}
+
+void Manipulator::begin(const Part& part, const SolidSurface& surface, const QPointF& widget) {
+    m_part = part;
+    m_angle = 0;
+    m_startPoint = pointAt(surface, widget);
+    m_lastAngle = angleAt(surface, widget);
+    m_startDistance = distanceAt(surface, widget);
+}
+
+Amount Manipulator::drag(const SolidSurface& surface, const QPointF& widget) {
+    switch (m_part.kind) {
+        case Grip::Kind::Turn: {
+            const double angle = angleAt(surface, widget);
+            m_angle += std::remainder(angle - m_lastAngle, 2 * std::numbers::pi);
+            m_lastAngle = angle;
+            return {m_angle, 0, 0};
+        }
+        case Grip::Kind::Grow:
+            return {distanceAt(surface, widget) / m_startDistance - 1, 0, 0};
+        case Grip::Kind::Move:
+            break;
+    }
+    return pointAt(surface, widget) - m_startPoint;
+}
+
+Grip Manipulator::grip(const SolidSurface& surface) const {
+    return {m_part.kind, m_centre, normalOf(m_part, surface)};
+}
+
+Amount Manipulator::typed(double number, const SolidSurface& surface) const {
+    if (m_part.kind == Grip::Kind::Turn) return {number * std::numbers::pi / 180, 0, 0};
+    if (m_part.kind == Grip::Kind::Grow) return {std::max(number, 0.01) - 1, 0, 0};
+    const bool line = m_part.axis >= 0 && !m_part.plane;
+    return number * (line ? axis(m_part.axis) : surface.viewDirection().unitOrthogonal());
+}
+
+void Manipulator::paint(QPainter& painter, const SolidSurface& surface,
+                        const std::optional<Part>& lit) const {
+    for (const Part& part : parts()) {
+        const QPolygonF line = projected(outline(part, surface), surface);
+        QColor colour = part.axis < 0 ? kFree : kAxisColours[part.axis];
+        if (lit == part) colour = kLit;
+        painter.setBrush(Qt::NoBrush);
+        if (part.plane || (part.kind == Grip::Kind::Move && part.axis < 0)) {
+            QColor fill = colour;
+            fill.setAlpha(lit == part ? 200 : 130);
+            painter.setBrush(fill);
+        }
+        painter.setPen(QPen(QColor(15, 17, 24, 150), part.plane ? 2 : 4.5, Qt::SolidLine, Qt::RoundCap));
+        painter.drawPolyline(line);
+        painter.setPen(QPen(colour, part.plane ? 1 : 2.5, Qt::SolidLine, Qt::RoundCap));
+        part.plane || part.axis < 0 ? painter.drawPolygon(line) : painter.drawPolyline(line);
+        if (part.kind != Grip::Kind::Move || part.axis < 0 || part.plane) continue;
+        const QPointF tip = line.last(), along = tip - line.first();
+        const double size = std::hypot(along.x(), along.y());
+        if (size < 4) continue;  // seen from its end
+        const QPointF u = along / size, n(-u.y(), u.x());
+        painter.setPen(QPen(QColor(15, 17, 24, 150), 1));
+        painter.setBrush(colour);
+        painter.drawPolygon(QPolygonF({tip + 11 * u, tip + 5.5 * n, tip - 5.5 * n}));
+    }
+}
+
+}  // namespace wend

@@ -1,0 +1,273 @@
+#include "app/tools/solid_pin_tool.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <algorithm>
+#include <numbers>
+
+namespace wend {
+
+namespace {
+
+constexpr double kReach = 9;           // pixels of the screen
+constexpr double kStrokeDetail = 0.5;  // pixels of the screen that a recorded path may deviate
+
+QString said(const char* text) {
+    return QCoreApplication::translate("SolidPinTool", text);
+}
+
+double distance(const QPointF& a, const QPointF& b) {
+    return QLineF(a, b).length();
+}
+
+}  // namespace
+
+QString SolidPinTool::hint() const {
+    if (m_gesture == Gesture::Drag)
+        return said(QT_TRANSLATE_NOOP(
+            "SolidPinTool", "X, Y, Z lock an axis, numbers set the amount, Esc puts the solid back"));
+    if (m_part)
+        return said(QT_TRANSLATE_NOOP("SolidPinTool",
+                                      "Drag an arrow, a square or a ring; G moves, R turns, S scales"));
+    if (m_hovered >= 0)
+        return said(
+            QT_TRANSLATE_NOOP("SolidPinTool", "Drag to move along the screen, Shift-click to select more"));
+    if (m_adds)
+        return said(
+            QT_TRANSLATE_NOOP("SolidPinTool", "Click on the solid to set a pin, then drag pins to bend it"));
+    return said(QT_TRANSLATE_NOOP(
+        "SolidPinTool", "Click or draw a rectangle to select pins, drag to move them, arrow keys nudge"));
+}
+
+QCursor SolidPinTool::cursor() const {
+    if (m_gesture == Gesture::Drag) return Qt::ClosedHandCursor;
+    if (m_hovered >= 0 || m_part) return Qt::OpenHandCursor;
+    return m_adds ? Qt::CrossCursor : Qt::ArrowCursor;
+}
+
+/// The manipulator stands in the middle of what is selected; false if nothing is.
+bool SolidPinTool::placeManipulator() const {
+    if (m_gesture == Gesture::Drag) return true;
+    std::vector<Vec<3>> centres;
+    for (const auto& pin : session().pins<3>())
+        if (session().selection().contains(pin.handle)) centres.push_back(pin.centre);
+    if (centres.empty()) return false;
+    m_manipulator.place(meanOf<3>(centres));
+    return true;
+}
+
+int SolidPinTool::handleAt(const QPointF& widget) const {
+    int best = -1;
+    double nearest = kReach;
+    for (const auto& pin : session().pins<3>()) {
+        const double d = distance(surface().toWidget(pin.centre), widget);
+        if (d <= nearest) nearest = d, best = pin.handle;
+    }
+    return best;
+}
+
+bool SolidPinTool::wants(const QPointF& at) const {
+    return handleAt(at) >= 0 || (placeManipulator() && m_manipulator.partAt(surface(), at));
+}
+
+void SolidPinTool::press(const QMouseEvent& event) {
+    if (event.button() != Qt::LeftButton || m_gesture != Gesture::None) return;
+    m_gesture = Gesture::Pressed;
+    m_from = m_at = event.position();
+    m_part = placeManipulator() ? m_manipulator.partAt(surface(), m_from) : std::nullopt;
+    m_pressed = handleAt(m_from);
+    const bool onOwnCentre = m_part && m_pressed >= 0 && session().selection().contains(m_pressed);
+    if (m_part && !onOwnCentre) m_pressed = -1;
+    if (m_pressed < 0 || (onOwnCentre && !(event.modifiers() & Qt::ShiftModifier))) return;
+    if (event.modifiers() & Qt::ShiftModifier)
+        session().selection().toggle(m_pressed);
+    else if (!session().selection().contains(m_pressed))
+        session().selection().set({m_pressed});
+}
+
+void SolidPinTool::move(const QMouseEvent& event) {
+    m_at = event.position();
+    if (m_gesture == Gesture::None) {
+        m_hovered = handleAt(m_at);
+        m_part = placeManipulator() ? m_manipulator.partAt(surface(), m_at) : std::nullopt;
+    }
+    if (m_gesture == Gesture::Pressed && distance(m_at, m_from) >= 3) begin(m_at);
+    if (m_gesture == Gesture::Drag) drag(m_at);
+    surface().redraw();
+}
+
+/// What was pressed decides: a part of the manipulator, a pin (along the screen), or nothing (a rectangle).
+void SolidPinTool::begin(const QPointF& at) {
+    const bool onPin = m_pressed >= 0 && session().selection().contains(m_pressed);
+    if (!m_part && !onPin) {
+        m_gesture = Gesture::Marquee;
+        return;
+    }
+    placeManipulator();
+    m_manipulator.begin(m_part.value_or(Manipulator::Part{}), surface(), m_from);
+    m_part = m_manipulator.part();
+    m_typed.clear();
+    m_amount.setZero();
+    session().beginDrag(m_manipulator.grip(surface()));
+    m_gesture = session().isDragging() ? Gesture::Drag : Gesture::None;
+    Q_UNUSED(at);
+}
+
+void SolidPinTool::drag(const QPointF& at) {
+    m_amount = m_manipulator.drag(surface(), at);
+    if (!m_typed.isEmpty()) m_amount = m_manipulator.typed(m_typed.toDouble(), surface());
+    session().dragBy(m_amount);
+}
+
+/// Another axis for the gesture that goes on: it begins again from where it began.
+void SolidPinTool::lock(int axis) {
+    Manipulator::Part part = m_manipulator.part();
+    part.axis = part.axis == axis ? -1 : axis;
+    part.plane = false;
+    m_manipulator.begin(part, surface(), m_from);
+    m_part = part;
+    if (part.kind == Grip::Kind::Turn) {  // around another axis it is another gesture
+        session().cancelDrag();
+        session().beginDrag(m_manipulator.grip(surface()));
+    }
+    drag(m_at);
+}
+
+bool SolidPinTool::typeKey(const QKeyEvent& event) {
+    const QString text = event.text();
+    if (event.key() == Qt::Key_Backspace)
+        m_typed.chop(1);
+    else if (text.size() == 1 && (text[0].isDigit() || text == "." || (text == "-" && m_typed.isEmpty())))
+        m_typed += text;
+    else if (text == ",")
+        m_typed += '.';
+    else
+        return false;
+    drag(m_at);
+    surface().redraw();
+    return true;
+}
+
+void SolidPinTool::finish() {
+    m_gesture = Gesture::None;
+    m_part.reset();
+    m_typed.clear();
+    const double pixel = surface().pixelSize(m_manipulator.centre());
+    const bool moves = m_manipulator.part().kind == Grip::Kind::Move;
+    session().endDrag(moves ? kStrokeDetail * pixel : 0.005);
+}
+
+void SolidPinTool::release(const QMouseEvent& event) {
+    if (event.button() != Qt::LeftButton) return;
+    const bool extend = event.modifiers() & Qt::ShiftModifier;
+    if (m_gesture == Gesture::Drag) {
+        finish();
+        return;
+    }
+    const Gesture gesture = std::exchange(m_gesture, Gesture::None);
+    if (gesture == Gesture::Marquee) selectInside(QRectF(m_from, event.position()).normalized(), extend);
+    if (gesture == Gesture::Pressed && m_pressed < 0 && !m_part) addPinAt(event.position(), extend);
+    surface().redraw();
+}
+
+void SolidPinTool::addPinAt(const QPointF& at, bool extend) {
+    const SolidHit hit = m_adds ? surface().pick(at) : SolidHit{};
+    if (hit.vertex >= 0)
+        session().addSolidHandle({hit.vertex}, "Pin");
+    else if (!extend)
+        session().selection().clear();
+}
+
+void SolidPinTool::selectInside(const QRectF& rectangle, bool extend) {
+    std::vector<int> handles;
+    if (extend) handles = session().selection().handles();
+    for (const auto& pin : session().pins<3>())
+        if (rectangle.contains(surface().toWidget(pin.centre))) handles.push_back(pin.handle);
+    session().selection().set(std::move(handles));
+}
+
+/// Along the screen, by a pixel of it.
+bool SolidPinTool::nudge(const QKeyEvent& event) {
+    QPointF by;
+    if (event.key() == Qt::Key_Left) by = {-1, 0};
+    if (event.key() == Qt::Key_Right) by = {1, 0};
+    if (event.key() == Qt::Key_Up) by = {0, -1};
+    if (event.key() == Qt::Key_Down) by = {0, 1};
+    if (by.isNull() || !placeManipulator()) return false;
+    const Vec<3> centre = m_manipulator.centre();
+    const QPointF at = surface().toWidget(centre);
+    m_manipulator.begin({}, surface(), at);
+    const double pixels = event.modifiers() & Qt::ShiftModifier ? 10 : 1;
+    session().nudgeSelected<3>(m_manipulator.drag(surface(), at + pixels * by));
+    return true;
+}
+
+bool SolidPinTool::key(const QKeyEvent& event) {
+    if (event.key() == Qt::Key_Escape) {
+        if (m_gesture == Gesture::None)
+            session().selection().clear();
+        else
+            cancel();
+        surface().redraw();
+        return true;
+    }
+    if (m_gesture == Gesture::None) return nudge(event);
+    if (m_gesture != Gesture::Drag) return false;
+    if (event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter) {
+        finish();
+        return true;
+    }
+    if (event.key() >= Qt::Key_X && event.key() <= Qt::Key_Z) {
+        lock(event.key() - Qt::Key_X);
+        surface().redraw();
+        return true;
+    }
+    return typeKey(event);
+}
+
+void SolidPinTool::cancel() {
+    const Gesture gesture = std::exchange(m_gesture, Gesture::None);
+    m_part.reset();
+    m_typed.clear();
+    if (gesture == Gesture::Drag) session().cancelDrag();
+}
+
+QString SolidPinTool::numbers() const {
+    const QLocale locale;
+    const auto text = [&locale](double x) { return locale.toString(x, 'g', 4); };
+    switch (m_manipulator.part().kind) {
+        case Grip::Kind::Turn:
+            return text(m_amount[0] * 180 / std::numbers::pi) + QStringLiteral("°");
+        case Grip::Kind::Grow:
+            return QStringLiteral("×") + text(1 + m_amount[0]);
+        case Grip::Kind::Move:
+            break;
+    }
+    return QStringLiteral("%1  %2  %3").arg(text(m_amount[0]), text(m_amount[1]), text(m_amount[2]));
+}
+
+void SolidPinTool::paint(QPainter& painter) const {
+    if (m_gesture == Gesture::Marquee) {
+        painter.setPen(QPen(QColor(0x4a5bd4), 1));
+        painter.setBrush(QColor(0x4a, 0x5b, 0xd4, 40));
+        painter.drawRect(QRectF(m_from, m_at).normalized());
+        return;
+    }
+    if (!placeManipulator()) return;
+    if (m_gesture != Gesture::Drag) {
+        m_manipulator.paint(painter, surface(), m_part);
+        return;
+    }
+    Manipulator moved = m_manipulator;
+    if (m_manipulator.part().kind == Grip::Kind::Move) moved.place(m_manipulator.centre() + m_amount);
+    moved.paint(painter, surface(), m_part);
+    const QPointF at = surface().toWidget(moved.centre()) + QPointF(18, 34);
+    const QRectF box(at, QSizeF(painter.fontMetrics().horizontalAdvance(numbers()) + 16, 24));
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(28, 30, 38, 225));
+    painter.drawRoundedRect(box, 5, 5);
+    painter.setPen(Qt::white);
+    painter.drawText(box, Qt::AlignCenter, numbers());
+}
+
+}  // namespace wend

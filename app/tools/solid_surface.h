@@ -1,0 +1,61 @@
+#pragma once
+
+#include <QPainter>
+#include <QPointF>
+#include <functional>
+
+#include "app/session/shape_session.h"
+#include "app/tools/tool.h"
+
+namespace wend {
+
+struct Ray {
+    Vec<3> origin, direction;  // direction has length 1
+};
+
+/// What lies under a pixel of the view of a solid.
+struct SolidHit {
+    int cell = -1;
+    int vertex = -1;  // the nearest corner
+    Vec<3> point = Vec<3>::Zero();
+};
+
+/// The view of a solid as tools see it.
+class SolidSurface {
+  public:
+    virtual ~SolidSurface() = default;
+    virtual ShapeSession& session() = 0;
+    virtual Ray ray(const QPointF& widget) const = 0;
+    virtual QPointF toWidget(const Vec<3>& p) const = 0;
+    /// World length of a pixel at a point.
+    virtual double pixelSize(const Vec<3>& at) const = 0;
+    virtual Vec<3> viewDirection() const = 0;
+    /// What is drawn nearest under a pixel, cell −1 if nothing is.
+    virtual SolidHit pick(const QPointF& widget) const = 0;
+    /// The vertices that are drawn where the test says; only those that nothing hides if `visibleOnly`. A cut
+    /// takes away what is cut off.
+    virtual std::vector<int> verticesWhere(const std::function<bool(const QPointF&)>& inside,
+                                           bool visibleOnly) const = 0;
+    /// True if the solid lies in front of the point.
+    virtual bool isHidden(const Vec<3>& p) const = 0;
+    virtual void redraw() = 0;
+};
+
+/// A tool in space; it draws what it needs over the view.
+class SolidTool : public Tool {
+  public:
+    explicit SolidTool(SolidSurface& surface) : m_surface(surface) {}
+
+    /// True if a press here is for the tool even where the left button turns the view.
+    virtual bool wants(const QPointF&) const { return false; }
+    virtual void paint(QPainter&) const {}
+
+  protected:
+    SolidSurface& surface() const { return m_surface; }
+    ShapeSession& session() const { return m_surface.session(); }
+
+  private:
+    SolidSurface& m_surface;
+};
+
+}  // namespace wend

@@ -1,0 +1,98 @@
+#include "app/view/solid_actions.h"
+
+namespace wend {
+
+SolidActions::SolidActions(QActionGroup& tools, QObject* parent) : ActionMaker(parent), m_menu(new QMenu) {
+    makeTools(tools);
+    makeModes();
+    makeView();
+    makeMenu();
+    setShown(false);
+}
+
+void SolidActions::makeTools(QActionGroup& tools) {
+    rectangle =
+        addToggle({tr("Hold by &Rectangle"), tr("Take hold of all vertices in a rectangle as one handle")},
+                  QKeySequence(tr("B")), "area-rectangle");
+    lasso =
+        addToggle({tr("Hold by &Lasso"), tr("Take hold of all vertices in a drawn outline as one handle")},
+                  QKeySequence(tr("O")), "area-lasso");
+    brush =
+        addToggle({tr("Hold by &Brush"), tr("Take hold of the vertices that are brushed over as one handle")},
+                  QKeySequence(tr("U")), "area-brush");
+    ball = addToggle(
+        {tr("Hold a B&all"), tr("Take hold of all vertices in a ball around a point of the surface")},
+        QKeySequence(tr("Shift+B")), "area-ball");
+    box =
+        addToggle({tr("Hold a Bo&x"), tr("Take hold of all vertices in a box around a point of the surface")},
+                  QKeySequence(tr("Shift+X")), "area-box");
+    for (QAction* tool : {rectangle, lasso, brush, ball, box}) tools.addAction(tool);
+    through = addToggle({tr("Through the &Solid"), tr("Rectangle, lasso and brush also take what is hidden")},
+                        QKeySequence(tr("T")), "through");
+    holdBeyond =
+        add({tr("Hold Beyond the &Cut"), tr("Take hold of all that the cut takes away, as one handle")},
+            QKeySequence(tr("Ctrl+B")));
+}
+
+void SolidActions::makeModes() {
+    move = addToggle({tr("&Move"), tr("Show arrows that move the selected pins")}, QKeySequence(tr("G")),
+                     "move");
+    turn = addToggle({tr("&Turn"), tr("Show rings that turn the selected pins")}, QKeySequence(tr("R")),
+                     "rotate");
+    grow = addToggle({tr("&Scale"), tr("Show a ring that scales the selected pins")}, QKeySequence(tr("S")),
+                     "scale");
+    auto* modes = new QActionGroup(this);
+    for (QAction* mode : {move, turn, grow}) modes->addAction(mode);
+    move->setChecked(true);
+}
+
+void SolidActions::makeView() {
+    flat = addToggle({tr("&Flat Faces"), tr("Shade every triangle by itself instead of smoothly")},
+                     QKeySequence(tr("Shift+F")));
+    orthographic = addToggle({tr("&Parallel View"), tr("See without perspective")}, QKeySequence(tr("5")));
+    arrows = addToggle({tr("&Velocity Arrows"), tr("Show where the surface moves at this time")},
+                       QKeySequence(tr("Shift+V")));
+    ellipsoids = addToggle(
+        {tr("&Stiffness Ellipsoids"), tr("Show where the material is stiff, and along which direction")},
+        QKeySequence(tr("Shift+S")));
+    cut = addToggle({tr("&Cut Open"), tr("Look inside along a plane; an arrow and rings move and tilt it")},
+                    QKeySequence(tr("C")), "cut");
+    const QString look = tr("Look along an axis of the world");
+    front = add({tr("&Front"), look}, QKeySequence(tr("1")));
+    back = add({tr("&Back"), look}, QKeySequence(tr("Ctrl+1")));
+    right = add({tr("&Right"), look}, QKeySequence(tr("3")));
+    left = add({tr("&Left"), look}, QKeySequence(tr("Ctrl+3")));
+    top = add({tr("&Top"), look}, QKeySequence(tr("7")));
+    bottom = add({tr("B&ottom"), look}, QKeySequence(tr("Ctrl+7")));
+    oblique = add({tr("&Oblique"), tr("Look from the side and above")}, QKeySequence(tr("0")));
+    auto* keys = new QActionGroup(this);
+    wendKeys =
+        addToggle({tr("&Wend"), tr("Right or middle button turns, with Shift moves; the wheel zooms")}, {});
+    vtkKeys =
+        addToggle({tr("Like &VTK"), tr("Left button turns, middle moves, right zooms, as in ParaView")}, {});
+    blenderKeys =
+        addToggle({tr("Like &Blender"), tr("Middle button turns, with Shift moves, with Ctrl zooms")}, {});
+    for (QAction* action : {wendKeys, vtkKeys, blenderKeys}) keys->addAction(action);
+    wendKeys->setChecked(true);
+}
+
+void SolidActions::makeMenu() {
+    m_menu->setTitle(tr("&Solid"));
+    m_menu->addActions({rectangle, lasso, brush, ball, box, through, holdBeyond});
+    m_menu->addSeparator();
+    m_menu->addActions({move, turn, grow});
+    m_menu->addSeparator();
+    m_menu->addMenu(tr("L&ook from"))->addActions({front, back, right, left, top, bottom, oblique});
+    m_menu->addMenu(tr("&Navigation"))->addActions({wendKeys, vtkKeys, blenderKeys});
+    m_menu->addActions({orthographic, flat, cut, arrows, ellipsoids});
+}
+
+void SolidActions::setShown(bool shown) {
+    m_menu->menuAction()->setVisible(shown);
+    for (QAction* action : findChildren<QAction*>(QString(), Qt::FindDirectChildrenOnly)) {
+        action->setVisible(shown);
+        enable(action, shown, tr("Open a solid first."));
+    }
+}
+
+}  // namespace wend

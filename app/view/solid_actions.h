@@ -1,0 +1,37 @@
+#pragma once
+
+#include <QActionGroup>
+#include <QMenu>
+
+#include "app/view/action_maker.h"
+
+namespace wend {
+
+/// What can be done with solids only; hidden while something flat is open.
+class SolidActions : public ActionMaker {
+    Q_OBJECT
+
+  public:
+    SolidActions(QActionGroup& tools, QObject* parent);
+
+    QAction *rectangle, *lasso, *brush, *ball, *box;
+    QAction *move, *turn, *grow;
+    QAction *through, *holdBeyond;
+    QAction *flat, *orthographic, *arrows, *ellipsoids;
+    QAction *front, *back, *right, *left, *top, *bottom, *oblique;
+    QAction *wendKeys, *vtkKeys, *blenderKeys;
+    QAction* cut;
+
+    QMenu* menu() const { return m_menu; }
+    void setShown(bool shown);
+
+  private:
+    void makeTools(QActionGroup& tools);
+    void makeModes();
+    void makeView();
+    void makeMenu();
+
+    QMenu* m_menu;
+};
+
+}  // namespace wend

@@ -1,0 +1,201 @@
+#include "app/view/solid_workshop.h"
+
+#include <QLabel>
+#include <QSettings>
+#include <QToolBar>
+#include <QVBoxLayout>
+
+#include "app/panels/cut_panel.h"
+#include "app/panels/distortion_panel.h"
+#include "app/panels/handle_panel.h"
+#include "app/panels/panel_parts.h"
+#include "app/view/actions.h"
+#include "app/view/status_fields.h"
+#include "app/view/volume/solid_canvas.h"
+
+namespace wend {
+
+namespace {
+
+constexpr int kFirstPanel = 2;  // behind that of the energy and its line
+
+}  // namespace
+
+SolidWorkshop::SolidWorkshop(const Surroundings& around, QWidget& window)
+    : QObject(&window),
+      m_around(around),
+      m_window(window),
+      m_actions(new SolidActions(*around.actions.tools, this)),
+      m_cutPanel(new CutPanel),
+      m_handlePanel(new HandlePanel(around.session)) {}
+
+SolidWorkshop::~SolidWorkshop() {
+    if (m_canvas) m_canvas->setTool(nullptr);
+}
+
+void SolidWorkshop::furnish(QToolBar& tools, QVBoxLayout& panels) {
+    QAction* before = m_around.actions.remove;
+    SolidActions& a = *m_actions;
+    for (QAction* action : {a.rectangle, a.lasso, a.brush, a.ball, a.box, a.through})
+        tools.insertAction(before, action);
+    QAction* line = tools.insertSeparator(before);
+    for (QAction* action : {a.move, a.turn, a.grow}) tools.insertAction(before, action);
+    tools.insertAction(before, a.cut);
+    QAction* last = tools.insertSeparator(before);
+    for (QAction* separator : {line, last}) {
+        separator->setVisible(false);
+        connect(a.move, &QAction::changed, separator,
+                [separator, &a] { separator->setVisible(a.move->isVisible()); });
+    }
+    m_panels = {m_handlePanel, panelLine(nullptr), m_cutPanel, panelLine(nullptr)};
+    for (std::size_t i = 0; i < m_panels.size(); ++i) {
+        panels.insertWidget(kFirstPanel + static_cast<int>(i), m_panels[i]);
+        m_panels[i]->hide();
+    }
+}
+
+void SolidWorkshop::setActive(bool active) {
+    if (active && !m_page) makePage();
+    m_isActive = active;
+    m_actions->setShown(active && m_canvas);
+    for (QWidget* panel : m_panels) panel->setVisible(active && m_canvas);
+    const bool flatTool = m_around.actions.pinTool->isChecked() || m_around.actions.selectTool->isChecked();
+    if (!active && !flatTool) m_around.actions.pinTool->setChecked(true);
+    if (!active || !m_canvas) return;
+    m_canvas->setCutKind(CutKind::None);
+    m_canvas->setEdgesShown(m_around.actions.showMesh->isChecked());
+    m_canvas->setMap(m_around.distortion.measure(), m_around.distortion.range());
+    m_canvas->setMapShown(m_around.actions.showMap->isChecked());
+    chooseTool();
+    showCut();
+}
+
+void SolidWorkshop::makePage() {
+    if (!VolumeView::available()) {
+        auto* label =
+            new QLabel(tr("Solids need OpenGL 3.3, which this system does not have. The command line "
+                          "(wend run) works with them all the same."));
+        label->setAlignment(Qt::AlignCenter);
+        label->setWordWrap(true);
+        m_page = label;
+        return;
+    }
+    m_page = m_canvas = new SolidCanvas(m_around.session);
+    connectView();
+    connectTools();
+    connectCut();
+}
+
+void SolidWorkshop::connectView() {
+    SolidActions& a = *m_actions;
+    Actions& common = m_around.actions;
+    connect(common.showMesh, &QAction::toggled, m_canvas, &SolidCanvas::setEdgesShown);
+    connect(common.showMap, &QAction::toggled, m_canvas, &SolidCanvas::setMapShown);
+    connect(common.hideOverlays, &QAction::toggled, m_canvas, &SolidCanvas::setOverlaysHidden);
+    connect(common.fit, &QAction::triggered, m_canvas, &VolumeView::fit);
+    const auto zoom = [this](double factor) {
+        m_canvas->camera().zoom(factor, {m_canvas->width() / 2.0, m_canvas->height() / 2.0},
+                                m_canvas->size());
+        m_canvas->update();
+        m_canvas->redraw();
+    };
+    connect(common.zoomIn, &QAction::triggered, m_canvas, [zoom] { zoom(1.25); });
+    connect(common.zoomOut, &QAction::triggered, m_canvas, [zoom] { zoom(0.8); });
+    connect(a.flat, &QAction::toggled, m_canvas, &SolidCanvas::setFlat);
+    connect(a.orthographic, &QAction::toggled, m_canvas, &VolumeView::setOrthographic);
+    connect(a.arrows, &QAction::toggled, m_canvas, &SolidCanvas::setArrowsShown);
+    connect(a.ellipsoids, &QAction::toggled, m_canvas, &SolidCanvas::setGlyphsShown);
+    using Axis = Camera::Axis;
+    for (const auto& [action, axis] : {std::pair{a.front, Axis::Front},
+                                       {a.back, Axis::Back},
+                                       {a.right, Axis::Right},
+                                       {a.left, Axis::Left},
+                                       {a.top, Axis::Top},
+                                       {a.bottom, Axis::Bottom},
+                                       {a.oblique, Axis::Isometric}})
+        connect(action, &QAction::triggered, m_canvas, [this, axis = axis] { m_canvas->look(axis); });
+    const std::array<QAction*, 3> presets = {a.wendKeys, a.vtkKeys, a.blenderKeys};
+    for (int k = 0; k < 3; ++k)
+        connect(presets[k], &QAction::toggled, m_canvas, [this, k](bool on) {
+            if (!on) return;
+            m_canvas->setPreset(static_cast<NavigationPreset>(k));
+            QSettings().setValue("navigation", k);
+        });
+    presets[std::clamp(QSettings().value("navigation", 0).toInt(), 0, 2)]->setChecked(true);
+    m_canvas->setPreset(static_cast<NavigationPreset>(QSettings().value("navigation", 0).toInt()));
+    connect(&m_around.distortion, &DistortionPanel::mapChanged, m_canvas,
+            [this] { m_canvas->setMap(m_around.distortion.measure(), m_around.distortion.range()); });
+    connect(&m_around.distortion, &DistortionPanel::showWorst, m_canvas, [this] {
+        if (m_isActive) m_canvas->showWorst();
+    });
+    connect(m_canvas, &SolidCanvas::hintChanged, &m_around.fields, &StatusFields::setHint);
+    connect(m_canvas, &SolidCanvas::pointed, &m_around.fields, &StatusFields::setPointerText);
+}
+
+void SolidWorkshop::connectTools() {
+    SolidActions& a = *m_actions;
+    m_tools.emplace_back(m_around.actions.pinTool,
+                         std::make_unique<SolidPinTool>(*m_canvas, m_manipulator, true));
+    m_tools.emplace_back(m_around.actions.selectTool,
+                         std::make_unique<SolidPinTool>(*m_canvas, m_manipulator, false));
+    using Shape = AreaTool::Shape;
+    for (const auto& [action, shape] : {std::pair{a.rectangle, Shape::Rectangle},
+                                        {a.lasso, Shape::Lasso},
+                                        {a.brush, Shape::Brush},
+                                        {a.ball, Shape::Ball},
+                                        {a.box, Shape::Box}}) {
+        auto tool = std::make_unique<AreaTool>(*m_canvas, shape);
+        connect(a.through, &QAction::toggled, this, [area = tool.get()](bool on) { area->setThrough(on); });
+        m_tools.emplace_back(action, std::move(tool));
+    }
+    connect(m_around.actions.tools, &QActionGroup::triggered, this, &SolidWorkshop::chooseTool);
+    const auto setMode = [this](Manipulator::Mode mode) {
+        return [this, mode](bool on) {
+            if (on) m_manipulator.setMode(mode);
+            m_canvas->redraw();
+        };
+    };
+    connect(a.move, &QAction::toggled, this, setMode(Manipulator::Mode::Move));
+    connect(a.turn, &QAction::toggled, this, setMode(Manipulator::Mode::Turn));
+    connect(a.grow, &QAction::toggled, this, setMode(Manipulator::Mode::Grow));
+    // A new handle is there to be moved: back to the tool that does so.
+    connect(a.holdBeyond, &QAction::triggered, this, &SolidWorkshop::holdBeyondCut);
+}
+
+void SolidWorkshop::chooseTool() {
+    if (!m_isActive || !m_canvas) return;
+    for (const auto& [action, tool] : m_tools)
+        if (action->isChecked()) m_canvas->setTool(tool.get());
+}
+
+void SolidWorkshop::connectCut() {
+    connect(m_actions->cut, &QAction::toggled, m_canvas,
+            [this](bool on) { m_canvas->setCutKind(on ? static_cast<CutKind>(m_lastCut) : CutKind::None); });
+    connect(m_cutPanel, &CutPanel::kindChosen, m_canvas, [this](int kind) {
+        if (kind > 0) m_lastCut = kind;
+        m_canvas->setCutKind(static_cast<CutKind>(kind));
+    });
+    connect(m_cutPanel, &CutPanel::planeChosen, m_canvas, &SolidCanvas::setCutPlane);
+    connect(m_canvas, &SolidCanvas::cutChanged, this, &SolidWorkshop::showCut);
+    connect(&m_around.session, &ShapeSession::frameChanged, this, &SolidWorkshop::showCut);
+}
+
+void SolidWorkshop::showCut() {
+    const auto frame = m_around.session.frame<3>();
+    if (!m_canvas || !frame) return;
+    m_cutPanel->show(static_cast<int>(m_canvas->cut()), m_canvas->cutTool().plane(),
+                     frame->pose.rowwise().minCoeff(), frame->pose.rowwise().maxCoeff());
+    const QSignalBlocker quiet(m_actions->cut);
+    m_actions->cut->setChecked(m_canvas->cut() != CutKind::None);
+}
+
+void SolidWorkshop::holdBeyondCut() {
+    const auto frame = m_around.session.frame<3>();
+    if (!frame || !m_canvas || m_canvas->cut() == CutKind::None) return;
+    std::vector<int> beyond;
+    for (Eigen::Index v = 0; v < frame->pose.cols(); ++v)
+        if (m_canvas->plane().height(frame->pose.col(v)) > 0) beyond.push_back(static_cast<int>(v));
+    m_around.session.addSolidHandle(beyond, tr("Area").toStdString());
+}
+
+}  // namespace wend

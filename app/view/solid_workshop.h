@@ -1,0 +1,71 @@
+#pragma once
+
+#include <memory>
+
+#include "app/tools/area_tool.h"
+#include "app/tools/solid_pin_tool.h"
+#include "app/view/solid_actions.h"
+
+class QLabel;
+class QToolBar;
+class QVBoxLayout;
+
+namespace wend {
+
+class Actions;
+class CutPanel;
+class DistortionPanel;
+class HandlePanel;
+class SolidCanvas;
+class StatusFields;
+
+/// What the window has for solids: their view (made when the first solid is opened, since it needs OpenGL),
+/// tools, actions and panels.
+class SolidWorkshop : public QObject {
+    Q_OBJECT
+
+  public:
+    struct Surroundings {
+        ShapeSession& session;
+        Actions& actions;
+        DistortionPanel& distortion;
+        StatusFields& fields;
+    };
+    SolidWorkshop(const Surroundings& around, QWidget& window);
+    ~SolidWorkshop() override;
+
+    SolidActions& actions() { return *m_actions; }
+    /// Adds tools and panels to those of the window; hidden until a solid is open.
+    void furnish(QToolBar& tools, QVBoxLayout& panels);
+    /// A solid is shown from now on, or no more. The view is then there, or a text that says why not.
+    void setActive(bool active);
+    bool isActive() const { return m_isActive; }
+    /// The page of the window; null before the first solid.
+    QWidget* page() const { return m_page; }
+    /// Null where OpenGL is missing.
+    SolidCanvas* canvas() const { return m_canvas; }
+
+  private:
+    void makePage();
+    void connectView();
+    void connectTools();
+    void connectCut();
+    void chooseTool();
+    void showCut();
+    void holdBeyondCut();
+
+    Surroundings m_around;
+    QWidget& m_window;
+    SolidActions* m_actions;
+    CutPanel* m_cutPanel;
+    HandlePanel* m_handlePanel;
+    std::vector<QWidget*> m_panels;
+    QWidget* m_page = nullptr;
+    SolidCanvas* m_canvas = nullptr;
+    bool m_isActive = false;
+    int m_lastCut = 2;
+    Manipulator m_manipulator;
+    std::vector<std::pair<QAction*, std::unique_ptr<SolidTool>>> m_tools;
+};
+
+}  // namespace wend

@@ -1,0 +1,134 @@
+#include "app/view/volume/glyphs.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+namespace wend {
+
+namespace {
+
+constexpr int kMostGlyphs = 1000;
+constexpr int kSides = 8;
+
+class Builder {
+  public:
+    explicit Builder(QRgb colour)
+        : m_colour{static_cast<unsigned char>(qRed(colour)), static_cast<unsigned char>(qGreen(colour)),
+                   static_cast<unsigned char>(qBlue(colour)), 255} {}
+
+    void corner(const Vec<3>& p, const Vec<3>& n) {
+        m_vertices.push_back({floats(p), floats(n.normalized()), m_colour});
+    }
+    /// A band of a body of revolution from radius r at p to radius s at q.
+    void band(const Vec<3>& p, double r, const Vec<3>& q, double s) {
+        const Vec<3> along = (q - p).normalized(), u = along.unitOrthogonal(), v = along.cross(u);
+        const auto way = [&](int i) -> Vec<3> {
+            const double a = 2 * std::numbers::pi * i / kSides;
+            return std::cos(a) * u + std::sin(a) * v;
+        };
+        for (int i = 0; i < kSides; ++i) {
+            const Vec<3> a = way(i), b = way(i + 1);
+            for (const auto& [point, normal] : {std::pair<Vec<3>, Vec<3>>{p + r * a, a},
+                                                {p + r * b, b},
+                                                {q + s * b, b},
+                                                {p + r * a, a},
+                                                {q + s * b, b},
+                                                {q + s * a, a}})
+                corner(point, normal);
+        }
+    }
+    void arrow(const Vec<3>& from, const Vec<3>& by, double width) {
+        const double length = by.norm(), head = std::min(0.4 * length, 4.5 * width);
+        const Vec<3> neck = from + (1 - head / length) * by;
+        band(from, width / 2, neck, width / 2);
+        band(neck, 0, neck - 1e-3 * by, 1.4 * width);
+        band(neck, 1.4 * width, from + by, 0);
+    }
+    /// The image of the unit sphere under A around the centre.
+    void ellipsoid(const Vec<3>& centre, const Mat<3>& A) {
+        const Mat<3> N = A.inverse().transpose();
+        const auto on = [](int i, int j) {
+            const double theta = std::numbers::pi * i / 6, a = 2 * std::numbers::pi * j / kSides;
+            return Vec<3>(std::sin(theta) * std::cos(a), std::sin(theta) * std::sin(a), std::cos(theta));
+        };
+        for (int i = 0; i < 6; ++i)
+            for (int j = 0; j < kSides; ++j)
+                for (const auto& p :
+                     {on(i, j), on(i + 1, j), on(i + 1, j + 1), on(i, j), on(i + 1, j + 1), on(i, j + 1)})
+                    corner(centre + A * p, N * p);
+    }
+    std::vector<DrawVertex> take() { return std::move(m_vertices); }
+
+  private:
+    static std::array<float, 3> floats(const Vec<3>& v) {
+        return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
+    }
+    std::array<unsigned char, 4> m_colour;
+    std::vector<DrawVertex> m_vertices;
+};
+
+Mat<3> edgesOf(const Points<3>& points, const Cell<3>& cell) {
+    Mat<3> edges;
+    for (int k = 0; k < 3; ++k) edges.col(k) = points.col(cell[k + 1]) - points.col(cell[0]);
+    return edges;
+}
+
+/// The rotation of a cell from rest to the pose.
+Mat<3> turnOf(const PosedFrame<3>& frame, int c) {
+    const Cell<3>& cell = frame.rest->cells[c];
+    const Mat<3> F = edgesOf(frame.pose, cell) * edgesOf(frame.rest->points, cell).inverse();
+    const Eigen::JacobiSVD<Mat<3>> svd(F, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    return svd.matrixU() * svd.matrixV().transpose();
+}
+
+/// Every k-th, so that at most `most` are left.
+std::vector<int> thinned(const std::set<int>& all, int most) {
+    const std::size_t step = 1 + all.size() / static_cast<std::size_t>(most);
+    std::vector<int> kept;
+    std::size_t i = 0;
+    for (const int x : all)
+        if (i++ % step == 0) kept.push_back(x);
+    return kept;
+}
+
+}  // namespace
+
+std::vector<DrawVertex> velocityArrows(const PosedFrame<3>& frame, const Points<3>& velocity,
+                                       const CutSurface& surface, QRgb colour) {
+    std::set<int> drawn;
+    for (const auto& triangle : surface.triangles)
+        for (const auto& corner : triangle) drawn.insert(corner.weight < 0.5 ? corner.from : corner.to);
+    const double fastest = velocity.colwise().norm().maxCoeff();
+    Builder builder(colour);
+    if (fastest <= 0) return {};
+    for (const int v : thinned(drawn, kMostGlyphs)) {
+        const Vec<3> by = 0.1 * frame.diagonal / fastest * velocity.col(v);
+        if (by.norm() > 1e-3 * frame.diagonal) builder.arrow(frame.pose.col(v), by, 0.0025 * frame.diagonal);
+    }
+    return builder.take();
+}
+
+std::vector<DrawVertex> stiffnessEllipsoids(const PosedFrame<3>& frame, const CutSurface& surface,
+                                            QRgb colour) {
+    if (!frame.material || frame.material->anisotropy.empty()) return {};
+    std::set<int> stiff;
+    for (const int c : surface.cells)
+        if (!frame.material->anisotropy[c].isIdentity(1e-6)) stiff.insert(c);
+    Builder builder(colour);
+    for (const int c : thinned(stiff, kMostGlyphs / 2)) {
+        Vec<3> centre = Vec<3>::Zero();
+        for (const int v : frame.rest->cells[c]) centre += frame.pose.col(v) / 4;
+        const double size = 0.6 * std::cbrt(std::abs(cellMeasure<3>(frame.pose, frame.rest->cells[c])));
+        const Eigen::SelfAdjointEigenSolver<Mat<3>> axes(frame.material->anisotropy[c]);
+        const Vec<3> lengths = size * (axes.eigenvalues() / axes.eigenvalues().maxCoeff()).cwiseSqrt();
+        builder.ellipsoid(centre, turnOf(frame, c) * axes.eigenvectors() * lengths.asDiagonal());
+    }
+    return builder.take();
+}
+
+}  // namespace wend

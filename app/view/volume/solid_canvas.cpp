@@ -1,0 +1,378 @@
+#include "app/view/volume/solid_canvas.h"
+
+#include <QLocale>
+#include <QMouseEvent>
+#include <algorithm>
+#include <cmath>
+
+#include "app/panels/legend.h"
+#include "app/session/fields.h"
+#include "app/tools/solid_pin_tool.h"
+#include "app/view/volume/glyphs.h"
+#include "app/view/volume/ray_casting.h"
+#include "app/view/volume/solid_painter.h"
+
+namespace wend {
+
+namespace {
+
+constexpr int kDimAfter = 250;  // milliseconds
+constexpr double kClick = 4;    // pixels
+const QRgb kPlain = qRgb(199, 186, 164), kPlainDark = qRgb(176, 164, 146);
+const QRgb kArrowColour = qRgb(54, 84, 196), kGlyphColour = qRgb(226, 140, 44);
+
+/// What lies over the picture; the pointer goes through it.
+class Overlay : public QWidget {
+  public:
+    explicit Overlay(SolidCanvas& canvas) : QWidget(&canvas), m_canvas(canvas) {
+        setAttribute(Qt::WA_TransparentForMouseEvents);
+        setAttribute(Qt::WA_NoSystemBackground);
+    }
+
+  protected:
+    void paintEvent(QPaintEvent*) override {
+        QPainter painter(this);
+        painter.setRenderHint(QPainter::Antialiasing);
+        m_canvas.paintOver(painter);
+    }
+
+  private:
+    SolidCanvas& m_canvas;
+};
+
+QRgb dimmed(QRgb colour) {
+    const auto half = [](int x) { return (x + 128) / 2; };
+    return qRgb(half(qRed(colour)), half(qGreen(colour)), half(qBlue(colour)));
+}
+
+}  // namespace
+
+SolidCanvas::SolidCanvas(ShapeSession& session, QWidget* parent)
+    : VolumeView(parent),
+      m_session(session),
+      m_cutTool(*this, [this](const CutPlane& plane) { setCutPlane(plane); }),
+      m_overlay(new Overlay(*this)) {
+    setMinimumSize(320, 240);
+    m_dim.setSingleShot(true);
+    m_dim.setInterval(kDimAfter);
+    m_style.edges = false;
+    applyTheme();
+    connect(&m_dim, &QTimer::timeout, this, [this] {
+        m_dimmed = m_session.isStale();
+        refresh();
+    });
+    connect(&m_session, &ShapeSession::frameChanged, this, &SolidCanvas::takeFrame);
+    connect(&m_session, &ShapeSession::pinsChanged, this, &SolidCanvas::redraw);
+    connect(this, &VolumeView::cameraChanged, this, &SolidCanvas::redraw);
+    takeFrame();
+}
+
+void SolidCanvas::applyTheme() {
+    const Theme theme = Theme::of(palette());
+    setBackground(theme.workspace);
+    m_style.edgeColour = theme.dark ? QColor(12, 13, 18) : QColor(20, 24, 32);
+    setStyle(m_style);
+}
+
+void SolidCanvas::setTool(SolidTool* tool) {
+    if (m_tool) m_tool->cancel();
+    m_tool = tool;
+    m_active = nullptr;
+    redraw();
+    if (!tool) return;
+    setCursor(tool->cursor());
+    emit hintChanged(tool->hint());
+}
+
+CutPlane SolidCanvas::middlePlane(const Vec<3>& normal) const {
+    CutPlane plane;
+    plane.normal = normal;
+    const auto frame = m_session.frame<3>();
+    if (frame) plane.point = (frame->pose.rowwise().minCoeff() + frame->pose.rowwise().maxCoeff()) / 2;
+    return plane;
+}
+
+Ray SolidCanvas::ray(const QPointF& widget) const {
+    return camera().ray({widget.x(), widget.y()}, size());
+}
+
+QPointF SolidCanvas::toWidget(const Vec<3>& p) const {
+    const Vec<3> screen = camera().project(p, size());
+    return {screen.x(), screen.y()};
+}
+
+std::vector<int> SolidCanvas::verticesWhere(const std::function<bool(const QPointF&)>& inside,
+                                            bool visibleOnly) const {
+    std::vector<int> found;
+    const Points<3>& pose = shown().pose;
+    for (Eigen::Index v = 0; v < pose.cols(); ++v) {
+        const Vec<3> screen = camera().project(pose.col(v), size());
+        const bool isCutOff = cut() != CutKind::None && plane().height(pose.col(v)) > 1e-9;
+        if (std::abs(screen.z()) <= 1 && !isCutOff && inside({screen.x(), screen.y()}))
+            found.push_back(static_cast<int>(v));
+    }
+    if (visibleOnly) keepVisible(found, surface(), pose, camera(), size());
+    return found;
+}
+
+bool SolidCanvas::isHidden(const Vec<3>& p) const {
+    const QPointF at = toWidget(p);
+    const Ray sight = ray(at);
+    const SolidHit hit = nearestHit(surface(), shown().pose, sight);
+    const double depth = (p - sight.origin).dot(sight.direction);
+    return hit.cell >= 0 && (hit.point - sight.origin).norm() < depth - 2 * pixelSize(p);
+}
+
+void SolidCanvas::redraw() {
+    m_overlay->update();
+}
+
+void SolidCanvas::takeFrame() {
+    if (m_session.isStale() && !m_dimmed) {
+        if (!m_dim.isActive()) m_dim.start();
+    } else if (!m_session.isStale()) {
+        m_dim.stop();
+        m_dimmed = false;
+    }
+    refresh();
+}
+
+std::vector<QRgb> SolidCanvas::colours(const PosedFrame<3>& frame) const {
+    const std::size_t count = frame.rest->cells.size();
+    const QRgb plain = Theme::of(palette()).dark ? kPlainDark : kPlain;
+    if (!m_map || m_hidden) return std::vector<QRgb>(count, m_dimmed ? dimmed(plain) : plain);
+    std::vector<QRgb> colours;
+    for (const double value : shownValues(m_session, m_measure)) {
+        const QRgb colour = colourAt(m_measure, positionIn(m_range, m_measure, value));
+        colours.push_back(m_dimmed ? dimmed(colour) : colour);
+    }
+    return colours;
+}
+
+void SolidCanvas::refresh() {
+    const auto frame = m_session.frame<3>();
+    if (!frame) return;
+    VolumePicture picture;
+    picture.rest = frame->rest;
+    picture.facets = frame->facets;
+    picture.pose = frame->pose;
+    picture.cellColours = colours(*frame);
+    m_fitted = m_fitted || m_generation != m_session.document().generation();
+    const bool isNew = m_generation != m_session.document().generation();
+    m_generation = m_session.document().generation();
+    if (isNew) look(Camera::Axis::Isometric);
+    setPicture(std::move(picture), isNew);
+    showGlyphs(*frame);
+    redraw();
+}
+
+void SolidCanvas::showGlyphs(const PosedFrame<3>& frame) {
+    std::vector<DrawVertex> triangles;
+    if (m_arrows && !m_hidden)
+        triangles = velocityArrows(frame, velocityOf<3>(m_session.track(), frame), surface(), kArrowColour);
+    if (m_glyphs && !m_hidden) {
+        const auto ellipsoids = stiffnessEllipsoids(frame, surface(), kGlyphColour);
+        triangles.insert(triangles.end(), ellipsoids.begin(), ellipsoids.end());
+    }
+    setGlyphs(std::move(triangles));
+}
+
+void SolidCanvas::paintOver(QPainter& painter) {
+    const auto frame = m_session.frame<3>();
+    if (!frame) return;
+    const Theme theme = Theme::of(palette());
+    SolidPainter painterOfSolid(painter, *this, theme);
+    painter.save();
+    painterOfSolid.compass(QPointF(46, height() - 46), camera().view().topLeftCorner<3, 3>());
+    painter.restore();
+    if (m_hidden) return;
+    if (m_map && isDistortion(m_measure)) painterOfSolid.worst(*frame);
+    painterOfSolid.paths();
+    const auto* pinTool = dynamic_cast<const SolidPinTool*>(m_tool);
+    painterOfSolid.pins(pinTool ? pinTool->hovered() : -1);
+    m_cutTool.paint(painter);
+    if (m_tool) m_tool->paint(painter);
+}
+
+void SolidCanvas::setFlat(bool flat) {
+    m_style.flat = flat;
+    setStyle(m_style);
+}
+
+void SolidCanvas::setEdgesShown(bool shown) {
+    m_style.edges = shown;
+    setStyle(m_style);
+}
+
+void SolidCanvas::setMapShown(bool shown) {
+    m_map = shown, refresh();
+}
+void SolidCanvas::setArrowsShown(bool shown) {
+    m_arrows = shown, refresh();
+}
+void SolidCanvas::setGlyphsShown(bool shown) {
+    m_glyphs = shown, refresh();
+}
+void SolidCanvas::setOverlaysHidden(bool hidden) {
+    m_hidden = hidden, refresh();
+}
+
+void SolidCanvas::setMap(Measure measure, const MeasureRange& range) {
+    m_measure = measure;
+    m_range = range;
+    if (m_map) refresh();
+}
+
+void SolidCanvas::setCutKind(CutKind kind) {
+    if (kind == cut()) return;
+    if (cut() == CutKind::None) m_cutTool.setPlane(middlePlane(m_cutTool.plane().normal));
+    m_cutTool.setActive(kind != CutKind::None);
+    setCut(kind, m_cutTool.plane());
+    refresh();
+    emit cutChanged();
+}
+
+void SolidCanvas::setCutPlane(const CutPlane& plane) {
+    m_cutTool.setPlane(plane);
+    setCut(cut(), plane);
+    refresh();
+    emit cutChanged();
+}
+
+void SolidCanvas::showWorst() {
+    const auto frame = m_session.frame<3>();
+    if (!frame || frame->distortion.worstCell < 0) return;
+    Vec<3> centre = Vec<3>::Zero();
+    for (const int v : frame->rest->cells[frame->distortion.worstCell]) centre += frame->pose.col(v) / 4;
+    camera().lookAt(centre);
+    update();
+    emit cameraChanged();
+}
+
+void SolidCanvas::resizeEvent(QResizeEvent* event) {
+    VolumeView::resizeEvent(event);
+    m_overlay->setGeometry(rect());
+    if (m_fitted) fit();
+}
+
+SolidTool* SolidCanvas::toolAt(const QPointF& at) {
+    return m_cutTool.wants(at) && !m_hidden ? &m_cutTool : m_tool;
+}
+
+void SolidCanvas::useTool(SolidTool* tool) {
+    setCursor(tool->cursor());
+    emit hintChanged(tool->hint());
+    redraw();
+}
+
+/// A button that turns the view does so, unless it was pressed on what the tool holds.
+void SolidCanvas::mousePressEvent(QMouseEvent* event) {
+    setFocus(Qt::MouseFocusReason);
+    SolidTool* tool = toolAt(event->position());
+    const bool left = event->button() == Qt::LeftButton;
+    if (left && tool && !m_active && (dragFor(*event) == Drag::None || tool->wants(event->position()))) {
+        m_active = tool;
+        tool->press(*event);
+        useTool(tool);
+    } else if (!m_active) {
+        VolumeView::mousePressEvent(event);
+    }
+}
+
+void SolidCanvas::mouseMoveEvent(QMouseEvent* event) {
+    tellPointed(event->position());
+    if (!m_active && isNavigating()) {
+        m_fitted = false;
+        VolumeView::mouseMoveEvent(event);
+        return;
+    }
+    SolidTool* tool = m_active ? m_active : toolAt(event->position());
+    if (!m_active && tool != &m_cutTool) m_cutTool.move(*event);
+    if (!tool) return;
+    tool->move(*event);
+    useTool(tool);
+}
+
+void SolidCanvas::mouseReleaseEvent(QMouseEvent* event) {
+    if (m_active && event->button() == Qt::LeftButton) {
+        SolidTool* tool = std::exchange(m_active, nullptr);
+        tool->release(*event);
+        useTool(tool);
+        return;
+    }
+    const bool turned = isNavigating();
+    const bool click = (event->position() - pressedAt()).manhattanLength() <= kClick;
+    VolumeView::mouseReleaseEvent(event);
+    if (!turned || !click || event->button() != Qt::LeftButton || !m_tool) return;
+    m_tool->press(*event);  // where the left button turns the view, a click is still the tool's
+    m_tool->release(*event);
+    useTool(m_tool);
+}
+
+void SolidCanvas::tellPointed(const QPointF& at) {
+    const SolidHit hit = isNavigating() || m_session.isDragging() ? SolidHit{} : pick(at);
+    if (hit.cell < 0) {
+        emit pointed({});
+        return;
+    }
+    const QLocale locale;
+    const auto number = [&locale](double x) { return locale.toString(x, 'g', 4); };
+    QString text =
+        QStringLiteral("%1, %2, %3").arg(number(hit.point.x()), number(hit.point.y()), number(hit.point.z()));
+    if (m_map) {
+        const auto values = shownValues(m_session, m_measure);
+        text = measureName(m_measure, 3) + ' ' + measureText(m_measure, values[hit.cell]) +
+               QStringLiteral("   ") + text;
+    }
+    emit pointed(text);
+}
+
+void SolidCanvas::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_H && !event->modifiers()) {
+        if (!event->isAutoRepeat()) setOverlaysHidden(true);
+        return;
+    }
+    if (m_active && m_active->key(*event)) {
+        useTool(m_active);
+        if (m_tool == m_active && event->key() == Qt::Key_Escape) m_active = nullptr;
+        return;
+    }
+    if (!m_active && m_tool && m_tool->key(*event)) {
+        useTool(m_tool);
+        return;
+    }
+    VolumeView::keyPressEvent(event);
+}
+
+void SolidCanvas::keyReleaseEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_H && !event->isAutoRepeat()) setOverlaysHidden(false);
+}
+
+void SolidCanvas::leaveEvent(QEvent*) {
+    emit pointed({});
+}
+
+void SolidCanvas::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::PaletteChange) {
+        applyTheme();
+        refresh();
+    }
+    VolumeView::changeEvent(event);
+}
+
+/// During a gesture all plain keys are the tool's; arrows, Escape and digits belong to the view as long as it
+/// has the focus.
+bool SolidCanvas::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto* keys = static_cast<QKeyEvent*>(event);
+        const int key = keys->key();
+        const bool plain = !(keys->modifiers() & (Qt::ControlModifier | Qt::AltModifier));
+        if ((m_active && plain) || (key >= Qt::Key_Left && key <= Qt::Key_Down) || key == Qt::Key_Escape) {
+            event->accept();
+            return true;
+        }
+    }
+    return VolumeView::event(event);
+}
+
+}  // namespace wend

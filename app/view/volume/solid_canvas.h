@@ -1,0 +1,93 @@
+#pragma once
+
+#include <QTimer>
+
+#include "app/panels/colour_map.h"
+#include "app/tools/cut_tool.h"
+#include "app/view/volume/volume_view.h"
+
+namespace wend {
+
+/// The solid of a session on the screen: its pose and colours, what lies over it, and the events of the
+/// current tool.
+class SolidCanvas : public VolumeView, public SolidSurface {
+    Q_OBJECT
+
+  public:
+    explicit SolidCanvas(ShapeSession& session, QWidget* parent = nullptr);
+
+    void setTool(SolidTool* tool);
+    SolidTool* tool() const { return m_tool; }
+    CutTool& cutTool() { return m_cutTool; }
+    /// The plane's default place: the middle of the shape.
+    CutPlane middlePlane(const Vec<3>& normal) const;
+
+    // SolidSurface
+    ShapeSession& session() override { return m_session; }
+    Ray ray(const QPointF& widget) const override;
+    QPointF toWidget(const Vec<3>& p) const override;
+    double pixelSize(const Vec<3>& at) const override { return camera().pixelSize(size(), at); }
+    Vec<3> viewDirection() const override { return camera().direction(); }
+    SolidHit pick(const QPointF& widget) const override { return VolumeView::pick(widget); }
+    std::vector<int> verticesWhere(const std::function<bool(const QPointF&)>& inside,
+                                   bool visibleOnly) const override;
+    bool isHidden(const Vec<3>& p) const override;
+    void redraw() override;
+
+    /// The view with all that lies over it, or without.
+    void paintOver(QPainter& painter);
+
+  public slots:
+    void setFlat(bool flat);
+    void setEdgesShown(bool shown);
+    void setMapShown(bool shown);
+    void setMap(Measure measure, const MeasureRange& range);
+    void setArrowsShown(bool shown);
+    void setGlyphsShown(bool shown);
+    void setOverlaysHidden(bool hidden);
+    void setCutKind(wend::CutKind kind);
+    void setCutPlane(const wend::CutPlane& plane);
+    void showWorst();
+
+  signals:
+    void hintChanged(QString hint);
+    /// What is under the pointer, in words; empty when it has left.
+    void pointed(QString text);
+    void cutChanged();
+
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    bool event(QEvent* event) override;
+
+  private:
+    void takeFrame();
+    void refresh();
+    void showGlyphs(const PosedFrame<3>& frame);
+    void tellPointed(const QPointF& at);
+    std::vector<QRgb> colours(const PosedFrame<3>& frame) const;
+    SolidTool* toolAt(const QPointF& at);
+    void useTool(SolidTool* tool);
+    void applyTheme();
+
+    ShapeSession& m_session;
+    SolidTool* m_tool = nullptr;
+    SolidTool* m_active = nullptr;  // the one that has the pointer
+    CutTool m_cutTool;
+    QWidget* m_overlay;
+    SurfaceStyle m_style;
+    QTimer m_dim;
+    int m_generation = -1;  // of the document that the view was fitted to
+    bool m_map = false, m_arrows = false, m_glyphs = false, m_hidden = false, m_dimmed = false;
+    bool m_fitted = false;  // the view follows the window's size until the user changes it
+    Measure m_measure = Measure::Length;
+    MeasureRange m_range;
+};
+
+}  // namespace wend

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <QPainter>
+
+#include "app/panels/theme.h"
+#include "app/tools/solid_surface.h"
+
+namespace wend {
+
+/// Draws what lies over a solid: pins, their paths, the worst place, the axes of the world.
+class SolidPainter {
+  public:
+    SolidPainter(QPainter& painter, SolidSurface& surface, const Theme& theme)
+        : m_painter(painter), m_surface(surface), m_theme(theme) {}
+
+    void paths();
+    void pins(int hovered);
+    void worst(const PosedFrame<3>& frame);
+    /// A small cross of axes in the corner.
+    void compass(const QPointF& at, const Mat<3>& worldToScreen);
+
+  private:
+    void path(const PinPath<3>& path, bool selected, double now);
+    void frames(const Handle<3>& handle, const Vec<3>& start);
+    void pin(const QPointF& at, bool selected, bool hovered, bool area, bool hidden);
+    void spots(const PinView<3>& view, const QColor& colour);
+    void name(const QPointF& at, const QString& text);
+    void haloLine(const QPolygonF& line, const QColor& colour, double width, Qt::PenStyle style);
+
+    QPainter& m_painter;
+    SolidSurface& m_surface;
+    const Theme& m_theme;
+};
+
+}  // namespace wend

@@ -1,0 +1,409 @@
+#include <QComboBox>
+#include <QFile>
+#include <QTextStream>
+#include <cmath>
+
+#include "app/panels/cut_panel.h"
+#include "app/panels/distortion_panel.h"
+#include "app/panels/energy_slider.h"
+#include "app/panels/material_panel.h"
+#include "app/session/opening.h"
+#include "app/view/actions.h"
+#include "app/view/main_window.h"
+#include "app/view/solid_workshop.h"
+#include "app/view/volume/solid_canvas.h"
+#include "tests/support/surfaces.h"
+#include "tests/support/window_fixture.h"
+
+using namespace wend;
+using namespace wend::test;
+
+/// The window with a solid, with real mouse and key events.
+class TestSolidWindow : public QObject {
+    Q_OBJECT
+  private slots:
+    void init();
+    void cleanup();
+    void opensSurfacesAndTetrahedra();
+    void clickPinsAndArrowMoves();
+    void escapeRestoresAndUndoTakesBack();
+    void typedNumbersAreExact();
+    void turningTwistsTheBar();
+    void areasAreOneHandle();
+    void shiftAndControlChangeAnArea();
+    void throughTakesWhatIsHidden();
+    void ballsAndBoxesAreRegions();
+    void sameShapeAsTheCommandLine();
+    void saveAndLoadGiveTheSameShape();
+    void cutShowsTheInsideAndMoves();
+    void coloursFollowTheMeasure();
+    void presetsTurnTheView();
+    void backToAPicture();
+
+  private:
+    void open(int vertices = 300);
+    SolidCanvas& canvas() { return *m_window->solids().canvas(); }
+    ShapeSession& session() { return m_window->session(); }
+    QPoint at(const Vec<3>& p) { return canvas().toWidget(p).toPoint(); }
+    void drag(const QPoint& from, const QPoint& to, Qt::KeyboardModifiers modifiers = {});
+    void holdEnds();
+    const std::vector<Handle<3>>& handles() { return session().document().design<3>().handles; }
+    void picture(const QString& name);
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<MainWindow> m_window;
+};
+
+namespace {
+
+/// A bar along x from −2 to 2, as an OBJ file.
+QString writeBar(const QTemporaryDir& folder) {
+    const Surface bar = box({-2, -0.5, -0.5}, {2, 0.5, 0.5}, 6);
+    const QString path = folder.filePath(QStringLiteral("bar.obj"));
+    QFile file(path);
+    if (!file.open(QIODevice::WriteOnly)) return {};
+    QTextStream out(&file);
+    for (Eigen::Index i = 0; i < bar.points.cols(); ++i)
+        out << "v " << bar.points(0, i) << ' ' << bar.points(1, i) << ' ' << bar.points(2, i) << '\n';
+    for (const auto& t : bar.triangles) out << "f " << t[0] + 1 << ' ' << t[1] + 1 << ' ' << t[2] + 1 << '\n';
+    return path;
+}
+
+}  // namespace
+
+void TestSolidWindow::init() {
+    if (!VolumeView::available()) QSKIP("needs OpenGL (run under xvfb-run)");
+    m_folder = std::make_unique<QTemporaryDir>();
+    isolateSettings(*m_folder);
+    m_window = std::make_unique<MainWindow>();
+    m_window->resize(1200, 800);
+    m_window->show();
+    m_window->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+}
+
+void TestSolidWindow::cleanup() {
+    if (!m_window) return;
+    if (!session().document().isEmpty()) session().document().undoStack()->setClean();
+    m_window.reset();
+}
+
+/// A bar seen from the front, so that x runs to the right and z up.
+void TestSolidWindow::open(int vertices) {
+    m_window->openPath(writeBar(*m_folder));
+    QVERIFY(QTest::qWaitFor([&] { return !session().document().isEmpty(); }, 20000));
+    Project coarse = *session().document().project();
+    coarse.domain.vertices = vertices;
+    session().document().change(QStringLiteral("Coarse"), coarse);
+    QVERIFY(settle(session()));
+    m_window->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+    m_window->solids().actions().front->trigger();
+    canvas().setFocus();
+}
+
+void TestSolidWindow::drag(const QPoint& from, const QPoint& to, Qt::KeyboardModifiers modifiers) {
+    QTest::mouseMove(&canvas(), from);
+    QTest::mousePress(&canvas(), Qt::LeftButton, modifiers, from);
+    for (int i = 1; i <= 8; ++i) QTest::mouseMove(&canvas(), from + (to - from) * i / 8);
+    QTest::mouseRelease(&canvas(), Qt::LeftButton, modifiers, to);
+}
+
+/// Both ends of the bar by rectangle, all through: two handles.
+void TestSolidWindow::holdEnds() {
+    m_window->solids().actions().through->setChecked(true);
+    m_window->solids().actions().rectangle->trigger();
+    for (const double x : {-2.0, 2.0}) {
+        const QPoint centre = at({x, 0, 0}), reach(12, at({0, 0, -0.5}).y() - at({0, 0, 0}).y() + 40);
+        drag(centre - reach, centre + reach);
+    }
+    QVERIFY(settle(session()));
+    QCOMPARE(handles().size(), std::size_t(2));
+    m_window->actions().selectTool->trigger();
+}
+
+/// For looking at: saved where the variable says.
+void TestSolidWindow::picture(const QString& name) {
+    if (!qEnvironmentVariableIsSet("WEND_TEST_PICTURES")) return;
+    QTest::qWait(300);
+    m_window->grab().save(qEnvironmentVariable("WEND_TEST_PICTURES") + '/' + name + ".png");
+}
+
+void TestSolidWindow::opensSurfacesAndTetrahedra() {
+    open();
+    QCOMPARE(session().document().project()->domain.kind, DomainKind::Surface);
+    const auto frame = session().frame<3>();
+    QVERIFY(frame && frame->pose == frame->rest->points);
+    QVERIFY(canvas().isVisible() && !m_window->solids().actions().front->toolTip().isEmpty());
+    SimplicialMesh<3> mesh = *frame->rest;
+    const QString path = m_folder->filePath(QStringLiteral("bar.vtu"));
+    writeMeshFile(path.toStdString(), toMeshFile<3>(mesh));
+    m_window->session().document().undoStack()->setClean();
+    m_window->openPath(path);
+    QVERIFY(QTest::qWaitFor([&] { return session().document().project()->domain.kind == DomainKind::Mesh; },
+                            20000));
+    QVERIFY(settle(session()));
+    QCOMPARE(session().frame()->vertices, mesh.vertexCount());
+}
+
+void TestSolidWindow::clickPinsAndArrowMoves() {
+    open();
+    QTest::mouseClick(&canvas(), Qt::LeftButton, {}, at({-1.7, -0.5, 0}));
+    QTest::mouseClick(&canvas(), Qt::LeftButton, {}, at({1.7, -0.5, 0}));
+    QTest::mouseClick(&canvas(), Qt::LeftButton, {}, QPoint(5, 5));  // beside the solid
+    QCOMPARE(handles().size(), std::size_t(2));
+    QVERIFY(session().selection().isEmpty());
+    QVERIFY(settle(session()));
+    const Vec<3> pin = session().pins<3>()[1].centre;
+    QTest::mouseClick(&canvas(), Qt::LeftButton, {}, at(pin));
+    QVERIFY(session().selection().contains(1));
+    // The arrow of z stands upright over the pin.
+    const QPoint tip = at(pin) - QPoint(0, 60);
+    QTest::mouseMove(&canvas(), tip);
+    QTest::mousePress(&canvas(), Qt::LeftButton, {}, tip);
+    for (int i = 1; i <= 6; ++i) QTest::mouseMove(&canvas(), tip - QPoint(i, 8 * i));
+    QVERIFY(QTest::qWaitFor([&] { return session().frame()->live; }, 20000));
+    picture(QStringLiteral("drag"));
+    QTest::mouseRelease(&canvas(), Qt::LeftButton, {}, tip - QPoint(6, 48));
+    QVERIFY(settle(session()));
+    const Vec<3> moved = session().pins<3>()[1].centre;
+    QVERIFY(std::abs(moved.x() - pin.x()) < 1e-9 && std::abs(moved.y() - pin.y()) < 1e-9);
+    QVERIFY(std::abs(moved.z() - pin.z() - 48 * canvas().pixelSize(pin)) < 3 * canvas().pixelSize(pin));
+    QVERIFY(session().frame()->pinError < 1e-9);
+    QVERIFY(session().playback().end() == 1);
+}
+
+void TestSolidWindow::escapeRestoresAndUndoTakesBack() {
+    open();
+    holdEnds();
+    const Points<3> before = session().frame<3>()->pose;
+    const Vec<3> pin = session().pins<3>()[1].centre;
+    QTest::mouseClick(&canvas(), Qt::LeftButton, {}, at(pin));
+    QTest::mousePress(&canvas(), Qt::LeftButton, {}, at(pin));
+    for (int i = 1; i <= 6; ++i) QTest::mouseMove(&canvas(), at(pin) - QPoint(0, 8 * i));
+    QVERIFY(QTest::qWaitFor([&] { return session().frame()->live; }, 20000));
+    QTest::keyClick(&canvas(), Qt::Key_Escape);
+    QTest::mouseRelease(&canvas(), Qt::LeftButton, {}, at(pin));
+    QVERIFY(settle(session()));
+    QVERIFY(session().frame<3>()->pose == before);
+    drag(at(pin), at(pin) - QPoint(0, 50));
+    QVERIFY(settle(session()));
+    QVERIFY(session().frame<3>()->pose != before);
+    m_window->actions().undo->trigger();
+    QVERIFY(settle(session()));
+    QVERIFY(session().frame<3>()->pose == before);
+}
+
+void TestSolidWindow::typedNumbersAreExact() {
+    open();
+    holdEnds();
+    session().selection().set({1});
+    const Vec<3> pin = session().pins<3>()[1].centre;
+    QTest::mousePress(&canvas(), Qt::LeftButton, {}, at(pin));
+    QTest::mouseMove(&canvas(), at(pin) + QPoint(9, 9));
+    QTest::keyClicks(&canvas(), QStringLiteral("z0.25"));
+    QTest::keyClick(&canvas(), Qt::Key_Return);
+    QTest::mouseRelease(&canvas(), Qt::LeftButton, {}, at(pin) + QPoint(9, 9));
+    QVERIFY(settle(session()));
+    QVERIFY((session().pins<3>()[1].centre - pin - Vec<3>(0, 0, 0.25)).norm() < 1e-9);
+}
+
+void TestSolidWindow::turningTwistsTheBar() {
+    open();
+    holdEnds();
+    session().selection().set({1});
+    Grip grip;
+    grip.kind = Grip::Kind::Turn;
+    grip.centre = session().pins<3>()[1].centre;
+    grip.axis = Vec<3>::UnitX();
+    session().moveSelected<3>(grip, {M_PI / 2, 0, 0});
+    QVERIFY(settle(session()));
+    QCOMPARE(session().frame()->distortion.flips, 0);
+    // A corner of the turned end has gone a quarter of a circle: y → z.
+    const auto frame = session().frame<3>();
+    for (const int v : session().verticesOf(1)) {
+        const Vec<3> rest = frame->rest->points.col(v);
+        QVERIFY((frame->pose.col(v) - Vec<3>(rest.x(), -rest.z(), rest.y())).norm() < 1e-9);
+    }
+    m_window->actions().showMap->setChecked(true);
+    m_window->solids().actions().oblique->trigger();
+    m_window->solids().actions().turn->trigger();
+    picture(QStringLiteral("twist"));
+    grip.kind = Grip::Kind::Grow;
+    session().moveSelected<3>(grip, {0.5, 0, 0});
+    QVERIFY(settle(session()));
+    for (const int v : session().verticesOf(1)) {
+        const Vec<3> rest = frame->rest->points.col(v);
+        QVERIFY(
+            (session().frame<3>()->pose.col(v) - Vec<3>(rest.x(), -1.5 * rest.z(), 1.5 * rest.y())).norm() <
+            1e-9);
+    }
+}
+
+void TestSolidWindow::areasAreOneHandle() {
+    open();
+    m_window->solids().actions().lasso->trigger();
+    const QPoint c = at({1.4, -0.5, 0});
+    QTest::mousePress(&canvas(), Qt::LeftButton, {}, c + QPoint(60, 0));
+    for (int i = 1; i <= 12; ++i)
+        QTest::mouseMove(&canvas(), c + QPoint(int(60 * std::cos(i * 0.5)), int(60 * std::sin(i * 0.5))));
+    picture(QStringLiteral("lasso"));
+    QTest::mouseRelease(&canvas(), Qt::LeftButton, {}, c + QPoint(60, 0));
+    QVERIFY(settle(session()));
+    QCOMPARE(handles().size(), std::size_t(1));
+    const auto held = session().verticesOf(0);
+    QVERIFY(held.size() >= 3);
+    for (const int v : held) QVERIFY(session().frame<3>()->pose(1, v) < 0.5 - 1e-9);  // not on the far side
+}
+
+void TestSolidWindow::shiftAndControlChangeAnArea() {
+    open();
+    m_window->solids().actions().brush->trigger();
+    QTest::mouseClick(&canvas(), Qt::LeftButton, {}, at({1.33, -0.5, 0.17}));
+    QVERIFY(settle(session()));
+    QCOMPARE(handles().size(), std::size_t(1));
+    const auto first = session().verticesOf(0);
+    QVERIFY(!first.empty());
+    QTest::mouseClick(&canvas(), Qt::LeftButton, Qt::ShiftModifier, at({-1.33, -0.5, 0.17}));
+    QVERIFY(settle(session()));
+    const auto both = session().verticesOf(0);
+    QVERIFY(both.size() > first.size());
+    QTest::mouseClick(&canvas(), Qt::LeftButton, Qt::ControlModifier, at({-1.33, -0.5, 0.17}));
+    QVERIFY(settle(session()));
+    QCOMPARE(session().verticesOf(0), first);
+    QCOMPARE(handles().size(), std::size_t(1));
+}
+
+void TestSolidWindow::throughTakesWhatIsHidden() {
+    open();
+    const QRectF all = canvas().rect();
+    const auto inside = [&](const QPointF& p) { return all.contains(p); };
+    const auto visible = canvas().verticesWhere(inside, true),
+               through = canvas().verticesWhere(inside, false);
+    QCOMPARE(static_cast<int>(through.size()), session().frame()->vertices);
+    QVERIFY(visible.size() < through.size() && !visible.empty());
+}
+
+void TestSolidWindow::ballsAndBoxesAreRegions() {
+    open();
+    m_window->solids().actions().ball->trigger();
+    drag(at({1.5, -0.5, 0}), at({1.5, -0.5, 0}) + QPoint(60, 0));
+    m_window->solids().actions().box->trigger();
+    drag(at({-1.5, -0.5, 0}), at({-1.5, -0.5, 0}) + QPoint(60, 0));
+    QVERIFY(settle(session()));
+    QCOMPARE(handles().size(), std::size_t(2));
+    QVERIFY(std::holds_alternative<Ball<3>>(std::get<Region<3>>(handles()[0].at)));
+    QVERIFY(std::holds_alternative<Box<3>>(std::get<Region<3>>(handles()[1].at)));
+    QVERIFY(session().pins<3>()[0].points.size() > 3);
+}
+
+void TestSolidWindow::sameShapeAsTheCommandLine() {
+    open();
+    holdEnds();
+    session().selection().set({1});
+    drag(at(session().pins<3>()[1].centre), at(session().pins<3>()[1].centre) - QPoint(30, 80));
+    QVERIFY(settle(session()));
+    const Project& project = *session().document().project();
+    const auto scene = std::get<Scene<3>>(loadScene(project, m_folder->path().toStdString()));
+    IntegrationOptions options = project.integration;
+    options.end = project.end;
+    Deformer<3> deformer(scene.rest, scene.material, scene.handles, options);
+    deformer.advance(project.end);
+    QVERIFY(session().frame<3>()->pose == deformer.state().points);
+}
+
+void TestSolidWindow::saveAndLoadGiveTheSameShape() {
+    open();
+    holdEnds();
+    session().selection().set({1});
+    drag(at(session().pins<3>()[1].centre), at(session().pins<3>()[1].centre) - QPoint(30, 80));
+    QVERIFY(settle(session()));
+    const Points<3> shape = session().frame<3>()->pose;
+    const QString path = m_folder->filePath(QStringLiteral("bar.wend"));
+    session().document().save(path);
+    MainWindow other;
+    other.resize(900, 700);
+    other.show();
+    other.openPath(path);
+    QVERIFY(QTest::qWaitFor([&] { return !other.session().document().isEmpty(); }, 20000));
+    QVERIFY(settle(other.session()));
+    QVERIFY(other.session().frame<3>()->pose == shape);
+}
+
+void TestSolidWindow::cutShowsTheInsideAndMoves() {
+    open();
+    m_window->solids().actions().oblique->trigger();
+    const QImage whole = canvas().grabFramebuffer();
+    m_window->solids().actions().cut->trigger();
+    QCOMPARE(canvas().cut(), CutKind::Exact);
+    const QImage exact = canvas().grabFramebuffer();
+    QVERIFY(exact != whole);
+    picture(QStringLiteral("cut"));
+    const Vec<3> before = canvas().plane().point;
+    const QPoint tip = at(before + 60 * canvas().pixelSize(before) * canvas().plane().normal);
+    QTest::mouseMove(&canvas(), tip);
+    drag(tip, tip + QPoint(25, 8));
+    QVERIFY((canvas().plane().point - before).norm() > 1e-3);
+    QVERIFY((canvas().plane().point - before).cross(canvas().plane().normal).norm() < 1e-9);
+    canvas().setCutKind(CutKind::WholeCells);
+    QVERIFY(canvas().grabFramebuffer() != exact);
+    m_window->solids().actions().cut->trigger();
+    QVERIFY(canvas().grabFramebuffer() == whole);
+}
+
+void TestSolidWindow::coloursFollowTheMeasure() {
+    open();
+    holdEnds();
+    session().selection().set({1});
+    Grip grip;
+    session().moveSelected<3>(grip, {0, 0.3, 0.8});
+    QVERIFY(settle(session()));
+    const QImage plain = canvas().grabFramebuffer();
+    m_window->actions().showMap->setChecked(true);
+    const QImage length = canvas().grabFramebuffer();
+    QVERIFY(length != plain);
+    auto* measure = m_window->distortionPanel().findChild<QComboBox*>();
+    QCOMPARE(measure->count(), 6);
+    for (int i = 1; i < measure->count(); ++i) {
+        measure->setCurrentIndex(i);
+        QVERIFY2(canvas().grabFramebuffer() != plain, qPrintable(measure->itemText(i)));
+    }
+    m_window->solids().actions().arrows->setChecked(true);
+    session().playback().setTime(0.5);
+    QTest::qWait(50);
+    picture(QStringLiteral("arrows"));
+}
+
+void TestSolidWindow::presetsTurnTheView() {
+    open();
+    const auto turns = [&](Qt::MouseButton button, const QPoint& from) {
+        const Vec<3> before = canvas().viewDirection();
+        QTest::mousePress(&canvas(), button, {}, from);
+        for (int i = 1; i <= 4; ++i) QTest::mouseMove(&canvas(), from + QPoint(10 * i, 0));
+        QTest::mouseRelease(&canvas(), button, {}, from + QPoint(40, 0));
+        return (canvas().viewDirection() - before).norm() > 0.05;
+    };
+    // Whatever is under the pointer.
+    for (const QPoint& from : {canvas().rect().center(), QPoint(8, 8)}) {
+        m_window->solids().actions().wendKeys->trigger();
+        QVERIFY(turns(Qt::RightButton, from) && turns(Qt::MiddleButton, from) &&
+                !turns(Qt::LeftButton, from));
+        m_window->solids().actions().vtkKeys->trigger();
+        QVERIFY(turns(Qt::LeftButton, from) && !turns(Qt::MiddleButton, from));
+        m_window->solids().actions().blenderKeys->trigger();
+        QVERIFY(turns(Qt::MiddleButton, from) && !turns(Qt::RightButton, from));
+    }
+}
+
+void TestSolidWindow::backToAPicture() {
+    open();
+    session().document().undoStack()->setClean();
+    m_window->openPath(writeCutOut(*m_folder));
+    QVERIFY(QTest::qWaitFor([&] { return session().document().dimension() == 2; }, 20000));
+    QVERIFY(settle(session()));
+    QVERIFY(!canvas().isVisible() && !m_window->solids().actions().cut->isVisible());
+    QVERIFY(m_window->actions().actualSize->isEnabled());
+}
+
+QTEST_MAIN(TestSolidWindow)
+#include "test_solid_window.moc"
