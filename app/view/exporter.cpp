@@ -13,7 +13,7 @@
 #include "app/session/shape_file.h"
 #include "core/mesh/error.h"
 #include "core/mesh/mesh_file.h"
-#include "warp/warp.h"
+#include "warp/warped_picture.h"
 
 namespace wend {
 
@@ -34,8 +34,7 @@ void writePicture(const std::string& path, const Image& source, const PosedFrame
     WarpOptions options;
     options.stop = stop;
     options.progress = progress;
-    const Image image = warpImage(source, *frame.rest, frame.pose, view, options);
-    if (!stop.stop_requested()) writeImage(path, image);
+    writeWarped(path, WarpedPicture(source, *frame.rest, frame.pose, view, options));
 }
 
 /// What went wrong, or nothing. (Futures would slice the exception.)
