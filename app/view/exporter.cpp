@@ -26,12 +26,13 @@ const char* const kSolidFramesFilter =
     "glTF (*.glb);;VTU (*.vtu);;Wavefront OBJ (*.obj);;PLY (*.ply);;STL (*.stl);;Medit (*.mesh);;VTK (*.vtk)";
 const char* const kPictureFilter = "PNG (*.png);;TIFF (*.tif);;OpenEXR (*.exr);;JPEG (*.jpg);;WebP (*.webp)";
 
-void writePicture(const std::string& path, const Image& source, const PosedFrame<2>& frame,
+void writePicture(const std::string& path, const Image& source, const PosedFrame<2>& frame, int restMargin,
                   const std::function<void(double)>& progress, std::stop_token stop) {
     View view;
     view.width = source.width;
     view.height = source.height;
     WarpOptions options;
+    options.restMargin = restMargin;
     options.stop = stop;
     options.progress = progress;
     writeWarped(path, WarpedPicture(source, *frame.rest, frame.pose, view, options));
@@ -113,8 +114,9 @@ void Exporter::exportPicture() {
     const QString path =
         askName(tr("Export Picture"), QStringLiteral("-bent.png"), QString::fromLatin1(kPictureFilter));
     if (path.isEmpty()) return;
+    const int restMargin = restMarginOf(m_session.document().project()->domain);
     run(tr("Writing the picture …"), path, [=](const Progress& progress, std::stop_token stop) {
-        writePicture(path.toStdString(), *picture, *frame, progress, stop);
+        writePicture(path.toStdString(), *picture, *frame, restMargin, progress, stop);
     });
 }
 
