@@ -119,18 +119,19 @@ class SolverBench {
                         fresh,
                         {{"times the paper's speed", paper / fresh.median}}});
         const Points<Dim> next = m_body.rest->points + kStride * field;
-        int before = 0;
+        SolverStatistics before;
         const Timing stale = measure(
             m_recorder.repeats(0.2), [&] { solve(next); },
             [&] {
                 solver.forget();
                 solve(m_body.rest->points);
-                before = solver.statistics().iterations;
+                before = solver.statistics();
             });
         m_recorder.add({"evaluation, stale factor",
                         threads,
                         stale,
-                        {{"iterations", solver.statistics().iterations - before},
+                        {{"iterations", solver.statistics().iterations - before.iterations},
+                         {"factorizations", solver.statistics().factorizations - before.factorizations},
                          {"times the paper's speed", paper / stale.median}}});
     }
 
