@@ -31,9 +31,12 @@ struct Image {
     std::vector<std::byte> iccProfile() const;
 };
 
+/// The largest picture that is read or made, in millions of pixels.
+inline constexpr double kMaxMegapixels = 400;
+
 /// Reads any format of OpenImageIO, first picture of several, upright as its orientation tag says. Throws
 /// InputError(path, why) for missing, empty, truncated, corrupt files and for more than `maxMegapixels`.
-Image readImage(const std::string& path, double maxMegapixels = 400);
+Image readImage(const std::string& path, double maxMegapixels = kMaxMegapixels);
 
 /// Writes by extension (png, tif, exr, jpg, webp …), whole or not at all; depth is converted to the nearest
 /// that the format holds; without alpha in the format the picture is laid over white. Throws InputError.

@@ -38,7 +38,7 @@ bool isWebp(const OIIO::ImageInput& input) {
 
 Input openPicture(const std::string& path) {
     requireReadable(path);
-    if (const std::string problem = pngProblem(path, 0); !problem.empty()) throw InputError(path, problem);
+    if (const std::string problem = pngProblem(path); !problem.empty()) throw InputError(path, problem);
     OIIO::ImageSpec hints;
     hints.attribute("oiio:UnassociatedAlpha", 1);
     Input input = OIIO::ImageInput::open(path, &hints);
@@ -121,8 +121,6 @@ void requireSensible(const std::string& path, const OIIO::ImageSpec& spec, doubl
              << " million";
         throw InputError(path, text.str());
     }
-    const std::string problem = pngProblem(path, spec.image_bytes(true));
-    if (!problem.empty()) throw InputError(path, problem);
 }
 
 /// What libjpeg finds and repairs without loss: padding between segments, unusual but harmless scan
@@ -164,12 +162,12 @@ void readPixels(const std::string& path, OIIO::ImageInput& input, Image& image) 
     requireSuccess(path, input, success);
 }
 
-/// What the file says, with what OpenImageIO leaves to us: WebP's profile, and one name for the inch.
+/// What the file says, with what OpenImageIO leaves to us: WebP's metadata, and one name for the inch.
 OIIO::ImageSpec specOf(const std::string& path, const OIIO::ImageInput& input) {
     OIIO::ImageSpec spec = input.spec();
     if (spec.get_string_attribute("ResolutionUnit") == "inch") spec.attribute("ResolutionUnit", "in");
     if (!isWebp(input)) return spec;
-    readWebpProfile(path, spec);
+    readWebpMetadata(path, spec);
     spec.attribute("oiio:UnassociatedAlpha", 1);
     return spec;
 }

@@ -7,6 +7,7 @@
 #include <OpenImageIO/filesystem.h>
 
 #include "core/mesh/error.h"
+#include "core/mesh/file_name.h"
 #include "core/mesh/safe_file.h"
 #include "warp/convert.h"
 #include "warp/image_metadata.h"
@@ -45,13 +46,6 @@ constexpr std::array formats{
     Format{{".hdr"}, {false, false, false, true}, false, false, false, Association::Either, ""},
 };
 
-std::string extensionOf(const std::string& path) {
-    std::string extension = std::filesystem::path(path).extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension;
-}
-
 const Format* findFormat(const std::string& extension) {
     const auto matches = [&](const Format& format) {
         const auto& names = format.extensions;
@@ -62,7 +56,7 @@ const Format* findFormat(const std::string& extension) {
 }
 
 const Format& formatOf(const std::string& path) {
-    const std::string extension = extensionOf(path);
+    const std::string extension = lowerExtension(path);
     if (const Format* format = findFormat(extension)) return *format;
     std::string known;
     for (const Format& format : formats)
@@ -212,7 +206,7 @@ void writePixels(const Format& format, const std::string& path, const std::strin
 }  // namespace
 
 bool canWriteImage(const std::string& path) {
-    return findFormat(extensionOf(path)) != nullptr;
+    return findFormat(lowerExtension(path)) != nullptr;
 }
 
 void writeImage(const std::string& path, const Image& image) {

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <limits>
 
 #include "core/mesh/error.h"
+#include "core/mesh/segments.h"
 #include "core/meshing/outline_simplify.h"
 #include "warp/outline_contour.h"
 #include "warp/outline_growth.h"
+#include "warp/pixels.h"
 
 namespace wend {
 namespace {
@@ -23,57 +24,22 @@ void requireOptions(const AlphaOutlineOptions& o) {
         throw InputError("the outline's simplification must be 0 … 1000 pixels");
 }
 
-float fromHalf(std::uint16_t bits) {
-    const int exponent = (bits >> 10) & 31, mantissa = bits & 1023;
-    float value = std::numeric_limits<float>::infinity();
-    if (exponent == 0)
-        value = std::ldexp(static_cast<float>(mantissa), -24);
-    else if (exponent < 31)
-        value = std::ldexp(static_cast<float>(mantissa + 1024), exponent - 25);
-    else if (mantissa != 0)
-        return std::numeric_limits<float>::quiet_NaN();
-    return (bits & 0x8000) != 0 ? -value : value;
-}
-
-template <typename T>
-T load(const std::byte* at) {
-    T value;
-    std::memcpy(&value, at, sizeof value);
-    return value;
-}
-
-std::size_t sampleBytes(PixelType type) {
-    switch (type) {
-        case PixelType::UInt8:
-            return 1;
-        case PixelType::UInt16:
-        case PixelType::Half:
-            return 2;
-        case PixelType::Float:
-            return 4;
-    }
-    return 0;
-}
-
+/// One number of a pixel, full being 1.
 float sample(PixelType type, const std::byte* at) {
-    switch (type) {
-        case PixelType::UInt8:
-            return load<std::uint8_t>(at) / 255.0F;
-        case PixelType::UInt16:
-            return load<std::uint16_t>(at) / 65535.0F;
-        case PixelType::Half:
-            return fromHalf(load<std::uint16_t>(at));
-        case PixelType::Float:
-            return load<float>(at);
-    }
-    return 0;
+    return withPixelType(type, [at](auto kind) {
+        decltype(kind) value;
+        std::memcpy(&value, at, sizeof value);
+        return static_cast<float>(value) / kFull<decltype(kind)>;
+    });
 }
 
 /// Alpha minus threshold at a row of the contour's nodes. What is not a number counts as transparent.
 class AlphaRows {
   public:
     AlphaRows(const Image& image, double threshold)
-        : m_image(image), m_threshold(static_cast<float>(threshold)), m_bytes(sampleBytes(image.type)) {}
+        : m_image(image),
+          m_threshold(static_cast<float>(threshold)),
+          m_bytes(image.pixelBytes() / image.channels) {}
 
     void fillRow(int row, std::vector<float>& values) {
         const std::size_t stride = m_bytes * m_image.channels;
@@ -103,7 +69,7 @@ void requireAlpha(const Image& image) {
     if (!image.alpha || image.channels < 1)
         throw InputError("the picture has no alpha channel to take an outline from");
     const auto pixels = static_cast<std::size_t>(std::max(image.width, 0)) * std::max(image.height, 0);
-    if (pixels == 0 || image.data.size() < pixels * image.channels * sampleBytes(image.type))
+    if (pixels == 0 || image.data.size() < pixels * image.pixelBytes())
         throw InputError("the picture has no pixels");
 }
 

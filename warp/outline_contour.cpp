@@ -146,13 +146,4 @@ std::vector<Loop> zeroContours(const ContourGrid& grid, const RowSource& source)
     return ContourTracer(grid, source).loops();
 }
 
-double loopArea(const Loop& loop) {
-    double twice = 0;
-    for (std::size_t k = 0; k < loop.size(); ++k) {
-        const Vec<2> p = loop[k] - loop[0], q = loop[(k + 1) % loop.size()] - loop[0];
-        twice += p.x() * q.y() - p.y() * q.x();
-    }
-    return twice / 2;
-}
-
 }  // namespace wend

@@ -35,7 +35,4 @@ using RowSource = std::function<void(int row, std::vector<float>& values)>;
 /// when there are too many.
 std::vector<std::vector<Vec<2>>> zeroContours(const ContourGrid& grid, const RowSource& source);
 
-/// Signed area (shoelace).
-double loopArea(const std::vector<Vec<2>>& loop);
-
 }  // namespace wend

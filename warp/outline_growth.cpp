@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/mesh/segments.h"
+
 namespace wend {
 namespace {
 
@@ -11,12 +13,6 @@ constexpr float far = 1e30F;
 
 /// Distances are needed a cell beyond the farthest zero, for the interpolation there.
 constexpr double beyond = 1.5;
-
-Vec<2> closestOn(const Vec<2>& a, const Vec<2>& b, const Vec<2>& p) {
-    const Vec<2> u = b - a;
-    const double t = std::clamp((p - a).dot(u) / u.squaredNorm(), 0.0, 1.0);
-    return a + t * u;
-}
 
 int stripOf(double y, int strips) {
     return std::clamp(static_cast<int>(std::floor((y + 1.5) / stripRows)), 0, strips - 1);
@@ -70,7 +66,7 @@ void GrownShape::visitNear(const Segment& s, double reach, const Visit& visit) {
 
 void GrownShape::findNearest(const Segment& s, int index) {
     visitNear(s, m_margin + beyond, [&](Node& n, const Vec<2>& p) {
-        const Vec<2> q = closestOn(s.a, s.b, p);
+        const Vec<2> q = nearestOnSegment<2>(p, s.a, s.b);
         const auto d = static_cast<float>((p - q).norm());
         if (d >= n.distance) return;
         n.distance = d;
@@ -93,7 +89,7 @@ void GrownShape::findFacing(const Segment& s) {
         if (n.distance > (n.inside ? 0 : m_margin) + beyond) return;
         const Vec<2> from = n.inside ? n.nearest : p;
         const Vec<2> outwards = n.inside ? Vec<2>(n.nearest - p) : Vec<2>(p - n.nearest);
-        const Vec<2> q = closestOn(s.a, s.b, from);
+        const Vec<2> q = nearestOnSegment<2>(from, s.a, s.b);
         const auto d = static_cast<float>((from - q).norm());
         if (d >= n.facing || (q - from).dot(outwards) < 0 || !isFarAlong(s, m_segments[n.segment])) return;
         n.facing = d;

@@ -1,14 +1,13 @@
 #pragma once
 
-#include <cstdint>
 #include <string>
 
 namespace wend {
 
 /// Walks the chunks of a PNG without decoding. Returns what is wrong (truncated, a chunk that no file of this
-/// size can hold, a picture of `rawBytes` that cannot come out of so little data), empty if nothing. Files
-/// that are no PNG pass. Why: libpng prints its own messages, and allocation goes by what a 74-byte file may
+/// size can hold, more pixels than can come out of so little data), empty if nothing. Files that are no PNG
+/// pass. Why: libpng prints its own messages, and allocation goes by what a 74-byte file may
 /// claim.
-std::string pngProblem(const std::string& path, std::uint64_t rawBytes);
+std::string pngProblem(const std::string& path);
 
 }  // namespace wend

@@ -5,13 +5,10 @@
 #include "warp/coverage.h"
 #include "warp/outline_pixels.h"
 #include "warp/warp.h"
+#include "warp/warp_job.h"
 
 namespace wend {
 namespace {
-
-int firstPixel(double x, int size) {
-    return static_cast<int>(std::clamp(std::ceil(x - 0.5), 0.0, static_cast<double>(size)));
-}
 
 Image floatImage(int width, int height) {
     Image image{width, height, 4, PixelType::Float, true, false, {}, nullptr};

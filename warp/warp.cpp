@@ -2,6 +2,8 @@
 
 #include <atomic>
 #include <cstring>
+#include <exception>
+#include <mutex>
 #include <thread>
 
 #include "core/mesh/error.h"
@@ -74,10 +76,18 @@ bool opaque(const Image& image) {
 
 void paintAll(WarpJob& job, int bands) {
     std::atomic<int> next = 0, done = 0;
+    std::mutex failing;
+    std::exception_ptr failure;  // the first: an exception must not leave a helper
     const auto work = [&] {
-        for (int band; (band = next++) < bands && !job.options.stop.stop_requested();) {
-            withPixelType(job.output.type, [&](auto t) { paintBand<decltype(t)>(job, band); });
-            if (job.options.progress) job.options.progress(static_cast<double>(++done) / bands);
+        try {
+            for (int band; (band = next++) < bands && !job.options.stop.stop_requested();) {
+                withPixelType(job.output.type, [&](auto t) { paintBand<decltype(t)>(job, band); });
+                if (job.options.progress) job.options.progress(static_cast<double>(++done) / bands);
+            }
+        } catch (...) {
+            const std::scoped_lock lock(failing);
+            if (!failure) failure = std::current_exception();
+            next = bands;
         }
     };
     int threads =
@@ -86,6 +96,8 @@ void paintAll(WarpJob& job, int bands) {
     std::vector<std::jthread> helpers;
     for (int k = 1; k < threads; ++k) helpers.emplace_back(work);
     work();
+    helpers.clear();
+    if (failure) std::rethrow_exception(failure);
 }
 
 }  // namespace

@@ -4,9 +4,20 @@
 #include <webp/encode.h>
 #include <webp/mux.h>
 
+#include <array>
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <string_view>
+#include <utility>
+
+// As in OpenImageIO/tiffutils.h, which wants libtiff's headers for the rest of what it declares.
+OIIO_NAMESPACE_BEGIN
+OIIO_API void encode_exif(const ImageSpec& spec, std::vector<char>& blob, OIIO::endian order);
+OIIO_API bool decode_exif(string_view exif, ImageSpec& spec);
+OIIO_API std::string encode_xmp(const ImageSpec& spec, bool minimal);
+OIIO_API bool decode_xmp(string_view xml, ImageSpec& spec);
+OIIO_NAMESPACE_END
 
 namespace wend {
 namespace {
@@ -57,20 +68,45 @@ Bytes profileOf(const OIIO::ImageSpec& spec) {
     return {bytes, bytes + profile->datasize()};
 }
 
-/// The file: the stream and its profile.
+/// Date, author, camera and what else EXIF has a place for; empty without any of it.
+Bytes exifOf(const OIIO::ImageSpec& spec) {
+    if (spec.extra_attribs.size() == 0) return {};
+    std::vector<char> blob;
+    OIIO::encode_exif(spec, blob, OIIO::endian::little);
+    return {blob.begin(), blob.end()};
+}
+
+Bytes xmpOf(const OIIO::ImageSpec& spec) {
+    const std::string xmp = OIIO::encode_xmp(spec, true);
+    return {xmp.begin(), xmp.end()};
+}
+
+/// The file: the stream, the profile and what is said about the picture.
 Bytes assembled(const Bytes& stream, const OIIO::ImageSpec& spec) {
-    const Bytes profile = profileOf(spec);
-    if (profile.empty()) return stream;
+    const std::array<std::pair<const char*, Bytes>, 3> chunks{
+        {{"ICCP", profileOf(spec)}, {"EXIF", exifOf(spec)}, {"XMP ", xmpOf(spec)}}};
     const Mux mux(WebPMuxNew(), WebPMuxDelete);
-    const WebPData image = asData(stream), icc = asData(profile);
+    const WebPData image = asData(stream);
+    bool good = WebPMuxSetImage(mux.get(), &image, 0) == WEBP_MUX_OK;
+    bool any = false;
+    for (const auto& [name, bytes] : chunks) {
+        if (bytes.empty()) continue;
+        const WebPData data = asData(bytes);
+        good = good && WebPMuxSetChunk(mux.get(), name, &data, 0) == WEBP_MUX_OK;
+        any = true;
+    }
     WebPData file{};
-    const bool good = WebPMuxSetImage(mux.get(), &image, 0) == WEBP_MUX_OK &&
-                      WebPMuxSetChunk(mux.get(), "ICCP", &icc, 0) == WEBP_MUX_OK &&
-                      WebPMuxAssemble(mux.get(), &file) == WEBP_MUX_OK;
-    if (!good) return stream;
+    if (!any || !good || WebPMuxAssemble(mux.get(), &file) != WEBP_MUX_OK) return stream;
     const Bytes bytes(file.bytes, file.bytes + file.size);
     WebPDataClear(&file);
     return bytes;
+}
+
+/// A chunk's bytes, which `mux` keeps; empty without one.
+std::string_view chunk(const WebPMux* mux, const char* name) {
+    WebPData data{};
+    if (WebPMuxGetChunk(mux, name, &data) != WEBP_MUX_OK) return {};
+    return {reinterpret_cast<const char*>(data.bytes), data.size};
 }
 
 }  // namespace
@@ -100,14 +136,19 @@ bool readWebp(const std::string& path, Image& image) {
     return true;
 }
 
-void readWebpProfile(const std::string& path, OIIO::ImageSpec& spec) {
+void readWebpMetadata(const std::string& path, OIIO::ImageSpec& spec) {
     const Bytes bytes = contents(path);
     const WebPData data = asData(bytes);
     const Mux mux(WebPMuxCreate(&data, 0), WebPMuxDelete);
-    WebPData profile{};
-    if (!mux || WebPMuxGetChunk(mux.get(), "ICCP", &profile) != WEBP_MUX_OK) return;
-    spec.attribute("ICCProfile", OIIO::TypeDesc(OIIO::TypeDesc::UINT8, static_cast<int>(profile.size)),
-                   profile.bytes);
+    if (!mux) return;
+    const std::string_view profile = chunk(mux.get(), "ICCP"), xmp = chunk(mux.get(), "XMP ");
+    std::string_view exif = chunk(mux.get(), "EXIF");
+    if (exif.starts_with(std::string_view("Exif\0\0", 6))) exif.remove_prefix(6);  // JPEG's, by some programs
+    if (!profile.empty())
+        spec.attribute("ICCProfile", OIIO::TypeDesc(OIIO::TypeDesc::UINT8, static_cast<int>(profile.size())),
+                       profile.data());
+    if (!exif.empty()) OIIO::decode_exif(OIIO::string_view(exif.data(), exif.size()), spec);
+    if (!xmp.empty()) OIIO::decode_xmp(OIIO::string_view(xmp.data(), xmp.size()), spec);
 }
 
 }  // namespace wend

@@ -10,7 +10,7 @@ namespace wend {
 
 ExitCode runBench(const Arguments& arguments) {
     const std::string output = arguments.text("--output");
-    if (!output.empty()) requirePlace(output);
+    requirePlaces({output});
     const Interrupt interrupt;
     BenchOptions options;
     options.cases = arguments.files();
@@ -21,9 +21,8 @@ ExitCode runBench(const Arguments& arguments) {
         std::fflush(stdout);
     };
     const BenchTable table = runBenchmarks(options);
-    std::fputs(textOf(growthOf(table)).c_str(), stdout);
     if (!output.empty()) writeTextFile(output, jsonOf(table));
-    return ExitCode::Done;
+    return print(textOf(growthOf(table)));
 }
 
 }  // namespace wend

@@ -70,12 +70,6 @@ std::string helpFor(const Command& command) {
     return text;
 }
 
-ExitCode print(const std::string& text) {
-    const bool written = std::fputs(text.c_str(), stdout) >= 0 && std::fflush(stdout) == 0;
-    if (!written) throw InputError("-", "standard output cannot be written");
-    return ExitCode::Done;
-}
-
 ExitCode dispatch(const std::vector<std::string>& words) {
     if (words.empty() || words[0] == "--help" || words[0] == "-h") return print(overview());
     if (words[0] == "--version") return print("wend " WEND_VERSION "\n");
@@ -106,6 +100,12 @@ ExitCode guarded(const std::function<ExitCode()>& run) try { return run(); } cat
 }
 
 }  // namespace
+
+ExitCode print(const std::string& text) {
+    const bool written = std::fputs(text.c_str(), stdout) >= 0 && std::fflush(stdout) == 0;
+    if (!written) throw InputError("-", "standard output cannot be written");
+    return ExitCode::Done;
+}
 
 std::string onlyFile(const Arguments& arguments, const std::string& what) {
     if (arguments.files().empty()) throw UsageError("no " + what + " is named");

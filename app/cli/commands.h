@@ -14,6 +14,9 @@ ExitCode runBench(const Arguments& arguments);
 /// Prints the reference page of the options (docs/reference.md).
 ExitCode runReference(const Arguments& arguments);
 
+/// On standard output. Throws InputError if that is full or closed.
+ExitCode print(const std::string& text);
+
 /// --encoding and --msh.
 MeshWriteOptions meshOptionsFrom(const Arguments& arguments);
 

@@ -1,4 +1,3 @@
-#include <cstdio>
 #include <thread>
 
 #include "app/cli/commands.h"
@@ -29,13 +28,11 @@ ExitCode runDevices(const Arguments& arguments) {
     text += std::string("--backend auto uses ") +
             (gpu ? chosen->name + " for large shapes, else the cpu" : "the cpu") + "\n";
     text += "--backend opencl uses " + (chosen ? chosen->name : "nothing: " + why) + "\n";
-    std::fputs(text.c_str(), stdout);
-    return ExitCode::Done;
+    return print(text);
 }
 
 ExitCode runReference(const Arguments&) {
-    std::fputs(referencePage().c_str(), stdout);
-    return ExitCode::Done;
+    return print(referencePage());
 }
 
 }  // namespace wend

@@ -1,5 +1,4 @@
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -10,6 +9,8 @@
 #include "app/session/inspection.h"
 #include "app/session/output_set.h"
 #include "core/mesh/error.h"
+#include "core/mesh/file_name.h"
+#include "core/mesh/segments.h"
 #include "warp/outline.h"
 
 namespace wend {
@@ -21,19 +22,11 @@ constexpr std::size_t kListed = 20;  // numbers shown of a problem's cells in te
 
 // --- What there is to tell, as JSON ---
 
-double area(const std::vector<Vec<2>>& loop) {
-    double twice = 0;
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-        const Vec<2>&a = loop[i], &b = loop[(i + 1) % loop.size()];
-        twice += a.x() * b.y() - a.y() * b.x();
-    }
-    return std::abs(twice) / 2;
-}
-
 Json outlineInfo(const Image& image) try {
     const Outline outline = outlineFromAlpha(image);
     Json parts = Json::array();
-    for (const auto& loop : outline.loops) parts.push_back({{"corners", loop.size()}, {"area", area(loop)}});
+    for (const auto& loop : outline.loops)
+        parts.push_back({{"corners", loop.size()}, {"area", std::abs(loopArea(loop))}});
     return {{"loops", outline.loops.size()}, {"each", parts}};
 } catch (const InputError& error) {
     return {{"problem", error.reason()}};
@@ -209,10 +202,7 @@ std::string asText(const Json& json, const std::string& indent) {
 
 ExitCode runInfo(const Arguments& arguments) {
     const Json json = infoOf(onlyFile(arguments, "file"));
-    const std::string answer = arguments.has("--json") ? prettyJson(json) : asText(json, "");
-    std::fputs(answer.c_str(), stdout);
-    if (std::fflush(stdout) != 0) throw InputError("-", "standard output cannot be written");
-    return ExitCode::Done;
+    return print(arguments.has("--json") ? prettyJson(json) : asText(json, ""));
 }
 
 }  // namespace wend

@@ -8,6 +8,7 @@
 #include "app/session/run.h"
 #include "app/session/shape_file.h"
 #include "core/mesh/error.h"
+#include "core/mesh/file_name.h"
 
 namespace wend {
 namespace {
@@ -51,6 +52,24 @@ void readOutline(const Arguments& arguments, Domain& domain) {
     if (const auto value = arguments.given("--gap")) alpha.gap = *value;
     if (const auto value = arguments.given("--smallest")) alpha.smallest = *value;
     if (const auto value = arguments.given("--simplify")) alpha.simplify = *value;
+}
+
+/// An option that would change nothing is a mistake.
+void requireFitting(const Arguments& arguments, const Domain& domain, bool isOutline) {
+    const auto refuse = [&](std::initializer_list<const char*> flags, const std::string& what) {
+        for (const char* flag : flags)
+            if (arguments.has(flag)) throw UsageError(std::string(flag) + " is for " + what);
+    };
+    const bool picture = domain.kind == DomainKind::Image, surface = domain.kind == DomainKind::Surface;
+    if (!picture) refuse({"--edge"}, "pictures and outlines");
+    if (!picture || isOutline) refuse({"--outline"}, "pictures");
+    if (!surface)
+        refuse({"--quality", "--max-volume", "--refine-surface", "--repair", "--largest-hole", "--sizes"},
+               "closed surfaces");
+    if (!picture && !surface) refuse({"--vertices"}, "pictures, outlines and closed surfaces");
+    if (!picture || domain.outline != OutlineKind::Alpha)
+        refuse({"--threshold", "--margin", "--gap", "--smallest", "--simplify"},
+               "pictures with --outline alpha");
 }
 
 /// A project that is nothing but this domain.
@@ -112,6 +131,7 @@ ExitCode runMesh(const Arguments& arguments) try {
     readSizes(arguments, input.project.domain);
     readSurfaceOptions(arguments, input.project.domain);
     readOutline(arguments, input.project.domain);
+    requireFitting(arguments, input.project.domain, lowerExtension(path) == ".json");
     RunOutputs outputs;
     outputs.mesh = output;
     requirePossible(input.project, outputs);

@@ -67,6 +67,9 @@ void override(Project& project, const Arguments& arguments) {
     if (arguments.has("--tolerance")) integration.tolerance = arguments.number("--tolerance");
     if (arguments.has("--steps")) integration.steps = arguments.integer("--steps");
     integration.threads = arguments.integer("--threads");
+    const bool given = arguments.has("--method") || arguments.has("--steps") || arguments.has("--tolerance");
+    if (const std::string problem = integration.problem(); given && !problem.empty())
+        throw UsageError(problem + (integration.steps == 0 ? " (--steps N)" : ""));
     if (arguments.has("--phi")) {
         const double phi = arguments.phi("--phi", project.dimension());
         std::visit([phi](auto& design) { design.material.phi = phi; }, project.design);

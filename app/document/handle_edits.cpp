@@ -4,6 +4,8 @@
 #include <limits>
 #include <set>
 
+#include "core/mesh/segments.h"
+
 namespace wend {
 
 namespace {
@@ -50,20 +52,12 @@ Motion<Dim> recorded(const Vec<Dim>& from, const std::vector<Vec<Dim>>& offsets,
 }
 
 template <int Dim>
-double distanceToSegment(const Vec<Dim>& p, const Vec<Dim>& a, const Vec<Dim>& b) {
-    const Vec<Dim> ab = b - a;
-    const double length2 = ab.squaredNorm();
-    const double s = length2 > 0 ? std::clamp((p - a).dot(ab) / length2, 0.0, 1.0) : 0.0;
-    return (p - a - s * ab).norm();
-}
-
-template <int Dim>
 void keepFarthest(const std::vector<Vec<Dim>>& path, std::size_t first, std::size_t last, double tolerance,
                   std::vector<bool>& keep) {
     double worst = tolerance;
     std::size_t at = first;
     for (std::size_t i = first + 1; i < last; ++i) {
-        const double d = distanceToSegment(path[i], path[first], path[last]);
+        const double d = distanceToSegment<Dim>(path[i], path[first], path[last]);
         if (d > worst) worst = d, at = i;
     }
     if (at == first) return;

@@ -93,7 +93,7 @@ constexpr std::array kOptions{
            "how the motion starts and stops"},
     Option{"time.end", "", Number, "1", kPositive, "time", "", "",
            "time at which the deformation is complete"},
-    Option{"integration.method", "--method", Choice, "dopri5", kAny, "", "dopri5|rk4|midpoint|adams", "run",
+    Option{"integration.method", "--method", Choice, "adams", kAny, "", "dopri5|rk4|midpoint|adams", "run",
            "Dormand–Prince or Adams with error control, or classical Runge–Kutta or midpoint with equal "
            "steps"},
     Option{"integration.tolerance", "--tolerance", Number, "0.0001", kTolerance, "diagonals", "", "run",

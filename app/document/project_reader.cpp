@@ -10,6 +10,7 @@
 #include "app/document/project.h"
 #include "app/document/text_file.h"
 #include "core/mesh/error.h"
+#include "core/mesh/file_name.h"
 #include "core/mesh/mesh_file.h"
 
 namespace wend {
@@ -163,12 +164,6 @@ int guessDimension(const Json& root) {
         if (root.contains(key))
             if (const int count = coordinateCount(root[key])) return count;
     return 2;
-}
-
-std::string lowerExtension(const std::string& file) {
-    std::string extension = std::filesystem::path(file).extension().string();
-    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
-    return extension;
 }
 
 int meshDimension(const std::string& file, const Json& root) {

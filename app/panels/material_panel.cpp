@@ -1,5 +1,6 @@
 #include "app/panels/material_panel.h"
 
+#include "app/document/options.h"
 #include "app/panels/panel_parts.h"
 
 namespace wend {
@@ -49,7 +50,7 @@ void MaterialPanel::makeControls() {
     m_phi->setSuffix(tr(" rad"));
     m_phi->setFixedWidth(116);
     describe(m_phi, tr("Energy φ"), phiHelp(2));
-    m_smoothing->setRange(0, 0.5);
+    m_smoothing->setRange(0, option("material.smoothing.length").range.max);
     m_smoothing->setDecimals(3);
     m_smoothing->setSingleStep(0.005);
     m_smoothing->setFixedWidth(116);

@@ -6,6 +6,7 @@
 #include <QStandardItemModel>
 #include <cmath>
 
+#include "app/document/options.h"
 #include "app/panels/panel_parts.h"
 
 namespace wend {
@@ -14,7 +15,7 @@ namespace {
 
 constexpr int kFewest = 200, kMost = 100000;
 
-// The density slider is logarithmic: equal ways double the mesh equally.
+// The density slider covers what is usual and is logarithmic: equal ways double the mesh equally.
 int sliderOf(int vertices) {
     return static_cast<int>(
         std::lround(1000 * std::log(vertices / double(kFewest)) / std::log(kMost / double(kFewest))));
@@ -56,13 +57,14 @@ void MeshPanel::makeControls() {
     m_threshold->setSuffix(tr(" %"));
     m_threshold->setFixedWidth(116);
     describe(m_threshold, tr("Threshold"), tr("Pixels that are more opaque than this belong to the shape."));
-    m_margin->setRange(0, 100);
+    m_margin->setRange(0, option("domain.outline.margin").range.max);
     m_margin->setDecimals(1);
     m_margin->setSuffix(tr(" px"));
     m_margin->setFixedWidth(116);
     describe(m_margin, tr("Margin"),
              tr("The outline is grown by this much, so that soft edges come along whole."));
-    m_vertices->setRange(kFewest, kMost);
+    const Range vertices = option("domain.vertices").range;
+    m_vertices->setRange(int(vertices.min), int(vertices.max));
     m_vertices->setSingleStep(500);
     m_vertices->setGroupSeparatorShown(true);
     m_vertices->setAccelerated(true);

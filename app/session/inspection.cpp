@@ -1,11 +1,11 @@
 #include "app/session/inspection.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <numeric>
 
 #include "core/mesh/simplicial_mesh.h"
+#include "core/mesh/used_vertices.h"
 #include "core/meshing/surface.h"
 
 namespace wend {
@@ -24,16 +24,6 @@ template <int Dim>
 bool repeatsVertex(const Cell<Dim>& cell) {
     const auto ids = sorted(cell);
     return std::ranges::adjacent_find(ids) != ids.end();
-}
-
-/// As in requireValid: under this measure the orientation is rounding.
-template <int Dim>
-bool isFlat(const Points<Dim>& points, const Cell<Dim>& cell) {
-    double longest = 0;
-    for (int i = 0; i <= Dim; ++i)
-        for (int j = 0; j < i; ++j)
-            longest = std::max(longest, (points.col(cell[i]) - points.col(cell[j])).norm());
-    return std::abs(cellMeasure<Dim>(points, cell)) <= 1e-14 * std::pow(longest, Dim);
 }
 
 /// Cells per facet, as sorted vertices.
@@ -78,9 +68,7 @@ std::vector<int> duplicates(const std::vector<Cell<Dim>>& cells) {
 
 template <int Dim>
 std::vector<int> unusedVertices(const SimplicialMesh<Dim>& mesh) {
-    std::vector<bool> used(mesh.vertexCount(), false);
-    for (const auto& cell : mesh.cells)
-        for (int vertex : cell) used[vertex] = true;
+    const std::vector<bool> used = usedVertices<Dim>(mesh.vertexCount(), mesh.cells);
     std::vector<int> unused;
     for (int i = 0; i < mesh.vertexCount(); ++i)
         if (!used[i]) unused.push_back(i);
@@ -139,7 +127,7 @@ void inspectPartition(const SimplicialMesh<Dim>& mesh, MeshInspection& inspectio
     const auto facets = cellsOfFacets<Dim>(mesh.cells);
     inspection.dimension = Dim;
     inspection.cells = mesh.cellCount();
-    inspection.diagonal = boundingBoxDiagonal<Dim>(mesh.points);
+    inspection.diagonal = extentOf<Dim>(mesh.points, mesh.cells).diagonal();
     inspection.parts = countParts<Dim>(facets, mesh.cellCount());
     inspection.quality = qualityOf<Dim>(mesh);
     findProblems<Dim>(mesh, facets, inspection);

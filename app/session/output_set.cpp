@@ -2,30 +2,36 @@
 
 #include <unistd.h>
 
-#include <algorithm>
-#include <cctype>
 #include <cerrno>
+#include <charconv>
 #include <cstring>
 #include <filesystem>
+#include <map>
 
 #include "app/document/text_file.h"
 #include "core/mesh/error.h"
+#include "core/mesh/file_name.h"
 
 namespace wend {
 namespace fs = std::filesystem;
 
 namespace {
 
-/// TetGen's files come in pairs: the other one is written along.
+/// TetGen's files come in pairs: the extension of the other one, which is written along.
 std::optional<std::string> partnerOf(const std::string& path) {
     const std::string extension = lowerExtension(path);
-    if (extension == ".node") return fs::path(path).replace_extension(".ele").string();
-    if (extension == ".ele") return fs::path(path).replace_extension(".node").string();
+    if (extension == ".node") return ".ele";
+    if (extension == ".ele") return ".node";
     return std::nullopt;
 }
 
-std::string standardOutputFile(const std::string& extension) {
-    return (fs::temp_directory_path() / ("wend-output-" + std::to_string(getpid()) + extension)).string();
+/// Calls `write` with that file; errors name `path` instead.
+void writeTo(const std::string& file, const std::string& path, const OutputSet::Write& write) try {
+    write(file);
+} catch (const InputError& error) {
+    std::string reason = error.reason();
+    if (const auto at = reason.find(file); at != std::string::npos) reason.replace(at, file.size(), path);
+    throw InputError(path, reason);
 }
 
 void print(const std::string& bytes) {
@@ -39,42 +45,73 @@ void print(const std::string& bytes) {
 
 }  // namespace
 
-std::string lowerExtension(const std::string& path) {
-    std::string extension = fs::path(path).extension().string();
-    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
-    return extension;
+std::string frameName(const std::string& pattern, int number) {
+    const auto last = pattern.find_last_of('#');
+    auto first = last;
+    while (first > 0 && pattern[first - 1] == '#') --first;
+    std::string digits = std::to_string(number);
+    if (const std::size_t width = last - first + 1; digits.size() < width)
+        digits.insert(0, width - digits.size(), '0');
+    return pattern.substr(0, first) + digits + pattern.substr(last + 1);
 }
 
-void requirePlace(const std::string& path) {
-    if (path != "-") PendingFile{path};
+std::optional<int> frameNumber(const std::string& pattern, const std::string& name) {
+    const auto last = pattern.find_last_of('#');
+    const std::size_t first = pattern.find_last_not_of('#', last) + 1, after = pattern.size() - last - 1;
+    if (name.size() < first + after) return std::nullopt;
+    int number = 0;
+    const char* end = name.data() + name.size() - after;
+    const auto read = std::from_chars(name.data() + first, end, number);
+    if (read.ec != std::errc() || read.ptr != end || number < 0 || frameName(pattern, number) != name)
+        return std::nullopt;
+    return number;
+}
+
+void requirePlaces(const std::vector<std::string>& paths) {
+    std::map<std::string, std::string> pathOf;  // by the place
+    for (const std::string& path : paths) {
+        if (path.empty() || path == "-") continue;
+        const PendingFile file(path);
+        if (file.isSpecial()) continue;
+        const fs::path target = fs::weakly_canonical(fs::absolute(file.target()));
+        std::vector<fs::path> places{target};
+        if (const auto other = partnerOf(path)) places.push_back(fs::path(target).replace_extension(*other));
+        for (const fs::path& place : places)
+            if (const auto [first, isNew] = pathOf.try_emplace(place.string(), path); !isNew)
+                throw InputError(path, "would replace another output, " + first->second);
+    }
 }
 
 void OutputSet::add(const std::string& path, const std::string& extension, const Write& write) {
-    const bool toStandardOutput = path == "-";
-    PendingFile file(toStandardOutput ? standardOutputFile(extension) : path);
-    std::vector<PendingFile> files;
-    if (const auto partner = partnerOf(file.path())) files.emplace_back(*partner);
-    try {
-        write(file.temporary());
-    } catch (const InputError& error) {
-        std::string reason = error.reason();
-        if (const auto at = reason.find(file.temporary()); at != std::string::npos)
-            reason.replace(at, file.temporary().size(), path);
-        throw InputError(path, reason);
-    }
-    if (toStandardOutput) {
-        m_standardOutput = readTextFile(file.temporary());
+    if (path == "-") {
+        const TemporaryFolder folder(fs::temp_directory_path());
+        const std::string file = (fs::path(folder.path()) / ("output" + extension)).string();
+        writeTo(file, path, write);
+        m_standardOutput = readTextFile(file);
         return;
     }
-    files.push_back(std::move(file));
-    for (PendingFile& one : files) m_files.push_back(std::move(one));
+    PendingFile file(path);
+    std::optional<PendingFile> partner;
+    if (const auto other = partnerOf(path); other && !file.isSpecial())
+        partner.emplace(file.companion(*other));
+    writeTo(file.temporary(), path, write);
+    if (partner) m_files.push_back(std::move(*partner));
+    m_files.push_back(std::move(file));
+}
+
+void OutputSet::discard() {
+    m_files.clear();
+    m_standardOutput.reset();
 }
 
 void OutputSet::commit() {
-    for (PendingFile& file : m_files) file.commit();
-    m_files.clear();
+    // First what is the likelier to fail, a full device or a closed pipe: then no file has been replaced.
     if (m_standardOutput) print(*m_standardOutput);
     m_standardOutput.reset();
+    for (const bool special : {true, false})
+        for (PendingFile& file : m_files)
+            if (file.isSpecial() == special) file.commit();
+    m_files.clear();
 }
 
 }  // namespace wend

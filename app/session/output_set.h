@@ -20,15 +20,21 @@ class OutputSet {
     void add(const std::string& path, const std::string& extension, const Write& write);
     /// Puts everything in its place. Throws InputError.
     void commit();
+    /// Forgets what was added: none of it will be there.
+    void discard();
 
   private:
     std::vector<PendingFile> m_files;
     std::optional<std::string> m_standardOutput;  // its bytes
 };
 
-/// Throws InputError if a file cannot be put there: to be told before the work begins. "-" always can.
-void requirePlace(const std::string& path);
+/// Throws InputError if a file cannot be put there, or if two outputs would go to one place: to be told
+/// before the work begins. "-" always can; empty names are none.
+void requirePlaces(const std::vector<std::string>& paths);
 
-std::string lowerExtension(const std::string& path);
+/// "dir/f_####.png" and 7 → "dir/f_0007.png": the last run of # is the number.
+std::string frameName(const std::string& pattern, int number);
+/// The number of the frame that has this name in the sequence, if one has.
+std::optional<int> frameNumber(const std::string& pattern, const std::string& name);
 
 }  // namespace wend

@@ -6,8 +6,10 @@
 #include "app/document/options.h"
 #include "app/document/text_file.h"
 #include "app/session/output_set.h"
+#include "app/session/pose_file.h"
 #include "app/session/shape_file.h"
 #include "core/mesh/error.h"
+#include "core/mesh/file_name.h"
 #include "kernels/back_end_choice.h"
 
 namespace wend {
@@ -15,20 +17,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// "dir/f_####.png" and 7 → "dir/f_0007.png": the last run of # is the number.
-std::string frameName(const std::string& pattern, int number) {
-    const auto last = pattern.find_last_of('#');
-    auto first = last;
-    while (first > 0 && pattern[first - 1] == '#') --first;
-    std::string digits = std::to_string(number);
-    if (const std::size_t width = last - first + 1; digits.size() < width)
-        digits.insert(0, width - digits.size(), '0');
-    return pattern.substr(0, first) + digits + pattern.substr(last + 1);
-}
-
 constexpr double kCrushed = 1e-3;  // of a cell's measure at rest: the picture is ruined there
 
-/// One run: the scene, its deformer, the frames that were passed, and the files that are being made.
+/// One run: the scene, its deformer, and the files that are being made. Frames are written as they come, so
+/// that a long sequence needs no more memory than a short one.
 template <int Dim>
 class Run {
   public:
@@ -47,19 +39,18 @@ class Run {
         if (result.outcome == Outcome::Cancelled) throw Cancelled();
         if (wantsVelocity() && !solveVelocity() && result.outcome == Outcome::Done)
             result = {Outcome::SolverFailed, result.time, -1, "the velocity field cannot be solved for"};
-        if (result.outcome == Outcome::Done || m_options.partial) warnOfCrushedCells();
-        if (result.outcome == Outcome::Done || m_options.partial) writeShapes();
+        if (result.outcome == Outcome::Done || m_options.partial) {
+            warnOfCrushedCells();
+            writeShapes();
+        } else {
+            m_files.discard();
+        }
         writeReport();
         m_files.commit();
         return result;
     }
 
   private:
-    struct Frame {
-        double time;
-        Points<Dim> points;
-    };
-
     double end() const { return m_options.at.value_or(m_project.end); }
 
     void tell(const std::string& work, double fraction) const {
@@ -77,9 +68,7 @@ class Run {
             const int count = m_options.outputs.count;
             for (int k = 0; k < count; ++k)
                 watch.frames.push_back(k + 1 < count ? end() * k / (count - 1) : end());
-            watch.onFrame = [this](const State<Dim>& state) {
-                m_frames.push_back({state.time, state.points});
-            };
+            watch.onFrame = [this](const State<Dim>& state) { takeFrame(state); };
         }
         return m_deformer.advance(end(), watch);
     }
@@ -89,8 +78,13 @@ class Run {
         const Points<Dim> pose = m_deformer.state().points;
         if (!outputs.velocity.empty()) writeVelocity(pose);
         if (!outputs.mesh.empty()) writeMesh(pose);
-        if constexpr (Dim == 2) writePictures(pose);
-        writeFrames();
+        if constexpr (Dim == 2) {
+            writePictures(pose);
+            writeWaitingFrames();
+        } else {
+            writeAnimation();
+        }
+        writeCollection();
     }
 
     bool wantsVelocity() const {
@@ -128,28 +122,38 @@ class Run {
         });
     }
 
-    /// The picture in the pixels of `view`, with progress between the fractions `from` and `to` of the
-    /// writing.
-    Image picture(const Points<2>& pixels, const View& view, double from, double to) const {
+    /// The picture in the pixels of `view`. Throws Cancelled.
+    Image picture(const Points<2>& pixels, const View& view,
+                  const std::function<void(double)>& progress) const {
         WarpOptions options;
         options.filter = m_options.filter;
         options.threads = m_project.integration.threads;
         options.stop = m_watch.stop;
-        if (m_watch.progress)
-            options.progress = [this, from, to](double done) {
-                m_watch.progress("warping", from + (to - from) * done);
-            };
-        return warpImage(*m_scene.picture, *m_scene.texture.rest, pixels, view, options);
+        options.progress = progress;
+        Image image = warpImage(*m_scene.picture, *m_scene.texture.rest, pixels, view, options);
+        if (m_watch.stop.stop_requested()) throw Cancelled();
+        return image;
+    }
+
+    /// Tells what is between the fractions `from` and `to` of the warping.
+    std::function<void(double)> warping(double from, double to) const {
+        if (!m_watch.progress) return {};
+        return [this, from, to](double done) { m_watch.progress("warping", from + (to - from) * done); };
+    }
+
+    Extent<2> extent(const Points<2>& pixels) const {
+        return extentOf<2>(pixels, m_scene.texture.rest->cells);
     }
 
     void writePictures(const Points<2>& pose) {
         const RunOutputs& outputs = m_options.outputs;
         if (outputs.image.empty() && outputs.stMap.empty()) return;
         const Points<2> pixels = m_scene.texture.toPixels(pose);
-        const View view = canvasView(*m_scene.picture, {pixels}, m_options.canvas);
+        const View view = canvasView(*m_scene.picture, extent(pixels), m_options.canvas);
         if (!outputs.image.empty())
-            m_files.add(outputs.image, ".png",
-                        [&](const std::string& file) { writeImage(file, picture(pixels, view, 0, 1)); });
+            m_files.add(outputs.image, ".png", [&](const std::string& file) {
+                writeImage(file, picture(pixels, view, warping(0, 1)));
+            });
         if (!outputs.stMap.empty())
             m_files.add(outputs.stMap, ".exr", [&](const std::string& file) {
                 writeImage(file, stMap(*m_scene.texture.rest, pixels, view, m_scene.picture->width,
@@ -157,55 +161,73 @@ class Run {
             });
     }
 
-    void writeFrames() {
+    void takeFrame(const State<Dim>& state) {
         const std::string& pattern = m_options.outputs.frames;
-        if (pattern.empty()) return;
+        const int number = m_frames++;
         if constexpr (Dim == 2)
-            if (canWriteImage(pattern)) return writePictureFrames(pattern);
+            if (canWriteImage(pattern))
+                return takePictureFrame(number, m_scene.texture.toPixels(state.points));
         if constexpr (Dim == 3)
-            if (isAnimation(pattern)) return writeAnimatedFrames(pattern);
-        writeMeshFrames(pattern);
+            if (isAnimation(pattern)) return m_animation.push_back(state.points);
+        takeMeshFrame(number, state);
     }
 
-    void writeMeshFrames(const std::string& pattern) {
-        std::vector<std::string> names;
-        std::vector<double> times;
-        for (std::size_t k = 0; k < m_frames.size(); ++k) {
-            tell("writing frames", static_cast<double>(k) / m_frames.size());
-            std::vector<MeshField> fields;
-            if (m_options.fields) fields = shapeFields(m_scene, m_frames[k].points);
-            const std::string name = frameName(pattern, static_cast<int>(k));
-            m_files.add(name, "", [&](const std::string& file) {
-                writeShape(file, m_scene, m_frames[k].points, fields, m_options.meshes);
-            });
-            names.push_back(std::filesystem::path(name).filename().string());
-            times.push_back(m_frames[k].time);
-        }
-        if (const std::string collection = collectionName(pattern); !collection.empty())
-            m_files.add(collection, "",
-                        [&](const std::string& file) { writeTextFile(file, collectionText(names, times)); });
+    void takeMeshFrame(int number, const State<Dim>& state) {
+        std::vector<MeshField> fields;
+        if (m_options.fields) fields = shapeFields(m_scene, state.points);
+        const std::string name = frameName(m_options.outputs.frames, number);
+        m_files.add(name, "", [&](const std::string& file) {
+            writeShape(file, m_scene, state.points, fields, m_options.meshes);
+        });
+        m_names.push_back(std::filesystem::path(name).filename().string());
+        m_times.push_back(state.time);
     }
 
-    void writeAnimatedFrames(const std::string& path) {
-        std::vector<Points<Dim>> poses;
-        for (const Frame& frame : m_frames) poses.push_back(frame.points);
+    void writeCollection() {
+        const std::string collection = collectionName(m_options.outputs.frames);
+        if (collection.empty()) return;
+        m_files.add(collection, "",
+                    [&](const std::string& file) { writeTextFile(file, collectionText(m_names, m_times)); });
+    }
+
+    /// One file holds all its poses.
+    void writeAnimation() {
+        const std::string& path = m_options.outputs.frames;
+        if (!isAnimation(path)) return;
         m_files.add(path, ".glb", [&](const std::string& file) {
-            writeAnimation(file, m_scene, poses, m_options.outputs.framesPerSecond);
+            wend::writeAnimation(file, m_scene, m_animation, m_options.outputs.framesPerSecond);
         });
     }
 
-    void writePictureFrames(const std::string& pattern) {
-        std::vector<Points<2>> poses;
-        for (const Frame& frame : m_frames) poses.push_back(m_scene.texture.toPixels(frame.points));
-        const View view = canvasView(*m_scene.picture, poses, m_options.canvas);
-        for (std::size_t k = 0; k < poses.size(); ++k) {
-            const double from = static_cast<double>(k) / poses.size(),
-                         to = static_cast<double>(k + 1) / poses.size();
-            tell("warping", from);
-            m_files.add(frameName(pattern, static_cast<int>(k)), "", [&](const std::string& file) {
-                writeImage(file, picture(poses[k], view, from, to));
-            });
+    /// A canvas that fits is known only when all frames are.
+    void takePictureFrame(int number, const Points<2>& pixels) {
+        const Extent<2> shape = extent(pixels);
+        if (m_options.canvas == Canvas::Picture)
+            return writePictureFrame(number, pixels, canvasView(*m_scene.picture, shape, Canvas::Picture),
+                                     {});
+        if (!m_waiting) {
+            m_waiting.emplace(m_options.outputs.frames);
+            m_allFrames = shape;
         }
+        m_allFrames.low = m_allFrames.low.cwiseMin(shape.low);
+        m_allFrames.high = m_allFrames.high.cwiseMax(shape.high);
+        m_waiting->add(pixels);
+    }
+
+    void writeWaitingFrames() {
+        if (!m_waiting) return;
+        const View view = canvasView(*m_scene.picture, m_allFrames, m_options.canvas);
+        const double count = m_waiting->count();
+        for (int k = 0; k < m_waiting->count(); ++k) {
+            tell("warping", k / count);
+            writePictureFrame(k, m_waiting->read(k), view, warping(k / count, (k + 1) / count));
+        }
+    }
+
+    void writePictureFrame(int number, const Points<2>& pixels, const View& view,
+                           const std::function<void(double)>& progress) {
+        m_files.add(frameName(m_options.outputs.frames, number), "",
+                    [&](const std::string& file) { writeImage(file, picture(pixels, view, progress)); });
     }
 
     void writeReport() {
@@ -232,7 +254,12 @@ class Run {
     const RunWatch& m_watch;
     Clock::time_point m_start;
     Deformer<Dim> m_deformer;
-    std::vector<Frame> m_frames;
+    int m_frames = 0;                   // passed
+    std::optional<PoseFile> m_waiting;  // frames, in pixels of the picture
+    Extent<2> m_allFrames;              // around those that wait
+    std::vector<Points<Dim>> m_animation;
+    std::vector<std::string> m_names;  // of the mesh frames …
+    std::vector<double> m_times;       // … and their times
     Points<Dim> m_velocity;
     OutputSet m_files;
 };

@@ -7,6 +7,7 @@
 
 #include "app/document/project.h"
 #include "app/session/scene.h"
+#include "core/mesh/used_vertices.h"
 #include "warp/warp.h"
 
 namespace wend {
@@ -56,8 +57,9 @@ bool isAnimation(const std::string& frames);
 /// The collection that is written beside .vtu frames: "dir/f_####.vtu" → "dir/f.pvd"; empty for others.
 std::string collectionName(const std::string& pattern);
 
-/// The pixels that a picture of these poses shows.
-View canvasView(const Image& picture, const std::vector<Points<2>>& posesInPixels, Canvas canvas);
+/// The pixels that a picture shows of a shape (or of all frames of one) that lies there. Throws InputError
+/// for more than pictures may have.
+View canvasView(const Image& picture, const Extent<2>& shapeInPixels, Canvas canvas);
 
 /// The nodal velocities as rows "x,y[,z],vx,vy[,vz]" with 17 significant digits.
 template <int Dim>

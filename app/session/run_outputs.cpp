@@ -2,9 +2,11 @@
 #include <cmath>
 #include <filesystem>
 
+#include "app/document/options.h"
 #include "app/session/output_set.h"
 #include "app/session/run.h"
 #include "core/mesh/error.h"
+#include "core/mesh/file_name.h"
 #include "core/mesh/number_text.h"
 
 namespace wend {
@@ -36,6 +38,18 @@ void requireFrames(const Project& project, const std::string& path) {
         throw InputError(path, "the name of a sequence needs #### in the place of the number");
     if (canWriteImage(path)) return requirePicture(project, path);
     requireMeshName(project, path, lowerExtension(path));
+}
+
+std::string canonical(const std::string& path) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(path)).string();
+}
+
+void requireNoFrame(const RunOutputs& outputs, const std::string& path) {
+    if (path.empty() || path == "-") return;
+    const auto number = frameNumber(canonical(outputs.frames), canonical(path));
+    if (number && *number < outputs.count)
+        throw InputError(path,
+                         "would be replaced by frame " + std::to_string(*number) + " of " + outputs.frames);
 }
 
 }  // namespace
@@ -76,25 +90,28 @@ void requirePossible(const Project& project, const RunOutputs& outputs) {
                              "an ST map needs a format with floating-point pixels: .exr or .tif");
     }
     if (!outputs.frames.empty()) requireFrames(project, outputs.frames);
-    for (const std::string& path :
-         {outputs.image, outputs.mesh, outputs.velocity, outputs.stMap, outputs.report, outputs.frames})
-        if (!path.empty()) requirePlace(path);
+    const bool animation = isAnimation(outputs.frames);
+    const std::vector<std::string> single{
+        outputs.image, outputs.mesh,   outputs.velocity,
+        outputs.stMap, outputs.report, animation ? outputs.frames : collectionName(outputs.frames)};
+    requirePlaces(single);
+    if (outputs.frames.empty() || animation) return;
+    requirePlaces({outputs.frames});
+    for (const std::string& path : single) requireNoFrame(outputs, path);
 }
 
-View canvasView(const Image& picture, const std::vector<Points<2>>& poses, Canvas canvas) {
+View canvasView(const Image& picture, const Extent<2>& shape, Canvas canvas) {
     View view{picture.width, picture.height, Vec<2>::Zero(), 1};
-    if (canvas == Canvas::Picture || poses.empty()) return view;
-    Vec<2> low = poses.front().rowwise().minCoeff(), high = poses.front().rowwise().maxCoeff();
-    for (const Points<2>& pose : poses) {
-        low = low.cwiseMin(pose.rowwise().minCoeff());
-        high = high.cwiseMax(pose.rowwise().maxCoeff());
+    if (canvas == Canvas::Picture) return view;
+    view.origin = shape.low.array().floor();
+    const Vec<2> size = (shape.high.array().ceil().matrix() - view.origin).cwiseMax(1);
+    if (!(size.maxCoeff() <= 1e6 && size.prod() <= 1e6 * kMaxMegapixels)) {
+        const auto rounded = [](double x) { return shortNumber(std::min(x, 1e15)); };
+        throw InputError("the shape spans " + rounded(size.x()) + " x " + rounded(size.y()) +
+                         " pixels, more than " + shortNumber(kMaxMegapixels) + " million");
     }
-    view.origin = low.array().floor();
-    const Vec<2> size = high.array().ceil().matrix() - view.origin;
-    const double largest = 1e5;
-    if (!(size.maxCoeff() <= largest)) throw InputError("the shape spans more than 100000 pixels");
-    view.width = std::max(1, static_cast<int>(size.x()));
-    view.height = std::max(1, static_cast<int>(size.y()));
+    view.width = static_cast<int>(size.x());
+    view.height = static_cast<int>(size.y());
     return view;
 }
 

@@ -6,6 +6,7 @@
 
 #include "app/session/solid.h"
 #include "core/mesh/error.h"
+#include "core/mesh/used_vertices.h"
 #include "core/meshing/planar_mesher.h"
 #include "warp/outline.h"
 
@@ -150,9 +151,14 @@ Texture textureOf(std::shared_ptr<const Image> picture, std::shared_ptr<const Si
     SimplicialMesh<2> pixels = *rest;
     pixels.points.row(0) = picture->width * uv.row(0);
     pixels.points.row(1) = picture->height * (1 - uv.row(1).array());
-    // Least squares for pixels = [A b] [p; 1].
-    const Eigen::MatrixX3d ones = rest->points.transpose().rowwise().homogeneous();
-    const Eigen::Matrix<double, 3, 2> fit = ones.colPivHouseholderQr().solve(pixels.points.transpose());
+    // Least squares for pixels = [A b] [p; 1], over the vertices that cells have.
+    const std::vector<bool> used = usedVertices<2>(rest->vertexCount(), rest->cells);
+    std::vector<int> rows;
+    for (int v = 0; v < rest->vertexCount(); ++v)
+        if (used[v]) rows.push_back(v);
+    const Eigen::MatrixX3d ones = rest->points(Eigen::all, rows).transpose().rowwise().homogeneous();
+    const Eigen::MatrixX2d targets = pixels.points(Eigen::all, rows).transpose();
+    const Eigen::Matrix<double, 3, 2> fit = ones.colPivHouseholderQr().solve(targets);
     texture.toPixels = {fit.topRows<2>().transpose(), fit.row(2).transpose()};
     texture.rest = std::make_shared<const SimplicialMesh<2>>(std::move(pixels));
     return texture;

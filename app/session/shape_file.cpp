@@ -5,6 +5,7 @@
 #include "app/session/output_set.h"
 #include "core/energy/distortion.h"
 #include "core/mesh/error.h"
+#include "core/mesh/file_name.h"
 #include "core/mesh/gltf.h"
 #include "core/mesh/number_text.h"
 #include "core/mesh/skin_file.h"

@@ -2,6 +2,8 @@
 
 #include <Eigen/Geometry>
 
+#include "core/mesh/cell_geometry.h"
+
 namespace wend {
 namespace {
 
@@ -12,13 +14,6 @@ double measureOf(const Points<2>& x, const std::array<int, 2>& f) {
 double measureOf(const Points<3>& x, const std::array<int, 3>& f) {
     const Vec<3> a = x.col(f[1]) - x.col(f[0]), b = x.col(f[2]) - x.col(f[0]);
     return 0.5 * a.cross(b).norm();
-}
-
-template <int Dim>
-Vec<Dim> centroid(const Points<Dim>& points, const Cell<Dim>& cell) {
-    Vec<Dim> sum = Vec<Dim>::Zero();
-    for (int vertex : cell) sum += points.col(vertex);
-    return sum / (Dim + 1);
 }
 
 }  // namespace

@@ -11,9 +11,10 @@ namespace {
 // The first step of a stretch: the fastest constrained point goes this far, as a part of the diagonal, at a
 // tolerance of 1; the error of order 1 grows with the square of the step.
 constexpr double kFirstMove = 1;
-// Of the tolerance: what the control aims at.
-constexpr double kAim = 0.5;
-constexpr double kLeast = 0.2, kMost = 2, kMostAtStart = 4;
+// Of the tolerance: what the control aims at. A whole deformation then ends with about the tolerance's error,
+// and few steps are rejected.
+constexpr double kAim = 0.1;
+constexpr double kLeast = 0.2, kMost = 3, kMostAtStart = 4;
 constexpr double kUnknown = std::numeric_limits<double>::infinity();
 
 double growth(double error, int order) {

@@ -11,7 +11,6 @@ std::string IntegrationOptions::problem() const {
     if (!(tolerance >= 1e-12 && tolerance <= 0.1)) return "the tolerance must be in [1e-12, 0.1]";
     if (steps < 0) return "the number of steps must not be negative";
     if (steps == 0 && !isAdaptive(method)) return "this method needs a number of steps";
-    if (steps > 0 && method == Method::Adams) return "the Adams method chooses its steps by itself";
     if (!(end > 0 && std::isfinite(end))) return "the end of time must be greater than 0";
     if (!(smallestStep > 0 && smallestStep <= 0.1)) return "the smallest step must be in ]0, 0.1]";
     if (!(velocityTolerance <= 0.1)) return "the velocity tolerance must not be greater than 0.1";

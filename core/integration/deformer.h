@@ -17,10 +17,11 @@
 namespace wend {
 
 struct IntegrationOptions {
-    Method method = Method::DormandPrince;
+    Method method = Method::Adams;
     double tolerance = 1e-4;  // error per step allowed, relative to the rest diagonal
     int steps = 0;   // > 0: this many equal steps over the whole time [0, end], cut at borders of motions;
-                     // 0: adaptive (Dormand–Prince and Adams only)
+                     // 0: adaptive (Dormand–Prince and Adams only). Adams, which cannot start with a long
+                     // step, then leaves them to Dormand–Prince.
     double end = 1;  // with steps: the time that they are spread over
     double smallestStep = 1e-6;  // of the stretch between two borders of motions: below it the run stops
     int threads = 0;             // 0: all cores

@@ -69,7 +69,7 @@ DragFlow<Dim>::DragFlow(std::shared_ptr<const SimplicialMesh<Dim>> rest,
                         std::shared_ptr<const Material<Dim>> material,
                         const std::vector<Handle<Dim>>& handles, const BackEndFactory<Dim>& backEnd,
                         int threads)
-    : m_units((requireValid<Dim>(*rest), Normalization<Dim>::of(rest->points))),
+    : m_units((requireValid<Dim>(*rest), Normalization<Dim>::of(*rest))),
       m_domainRest(std::move(rest)),
       m_rest(normalized(*m_domainRest, m_units)),
       m_orientation(m_rest),

@@ -32,7 +32,7 @@ Deformer<Dim>::Engine::Engine(
     const std::vector<Handle<Dim>>& handles, const IntegrationOptions& options,
     const std::function<VelocitySolver<Dim>(std::shared_ptr<const SimplicialMesh<Dim>>)>& makeSolver)
     : m_options(options),
-      m_units((requireValid<Dim>(*rest), Normalization<Dim>::of(rest->points))),
+      m_units((requireValid<Dim>(*rest), Normalization<Dim>::of(*rest))),
       m_domainRest(std::move(rest)),
       m_rest(normalized(*m_domainRest, m_units)),
       m_orientation(m_rest),

@@ -29,7 +29,7 @@ constexpr Tableau kMidpoint = {2, {0, 0.5}, {{{}, {0.5}}}, {0, 1}, {}, false};
 const Tableau& Tableau::of(Method method) {
     switch (method) {
         case Method::DormandPrince:
-        case Method::Adams:  // has none
+        case Method::Adams:  // with prescribed steps
             break;
         case Method::RungeKutta4:
             return kRungeKutta4;

@@ -7,7 +7,7 @@ namespace wend {
 
 template <int Dim>
 std::unique_ptr<StepMethod<Dim>> StepMethod<Dim>::of(Method method, double tolerance) {
-    if (method == Method::Adams) return std::make_unique<AdamsMethod<Dim>>(tolerance);
+    if (method == Method::Adams && tolerance > 0) return std::make_unique<AdamsMethod<Dim>>(tolerance);
     return std::make_unique<RungeKuttaMethod<Dim>>(method, tolerance);
 }
 

@@ -64,6 +64,31 @@ class IgnoreBrokenPipe {
     sigset_t m_set{}, m_old{};
 };
 
+/// A child stands apart from the terminal's keys (Ctrl-C reaches this program alone, which then stops the
+/// child) and starts with no signal blocked or ignored.
+class Attributes {
+  public:
+    Attributes() {
+        sigset_t none, usual;
+        sigemptyset(&none);
+        sigemptyset(&usual);
+        for (int signal : {SIGPIPE, SIGXFSZ, SIGINT, SIGTERM}) sigaddset(&usual, signal);
+        posix_spawnattr_init(&m_attributes);
+        posix_spawnattr_setpgroup(&m_attributes, 0);
+        posix_spawnattr_setsigmask(&m_attributes, &none);
+        posix_spawnattr_setsigdefault(&m_attributes, &usual);
+        posix_spawnattr_setflags(&m_attributes,
+                                 POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
+    }
+    Attributes(const Attributes&) = delete;
+    Attributes& operator=(const Attributes&) = delete;
+    ~Attributes() { posix_spawnattr_destroy(&m_attributes); }
+    const posix_spawnattr_t* get() const { return &m_attributes; }
+
+  private:
+    posix_spawnattr_t m_attributes{};
+};
+
 class Child {
   public:
     bool start(const std::string& path, int megabytes) {
@@ -75,7 +100,9 @@ class Child {
         posix_spawn_file_actions_adddup2(&actions, childOut.get(), STDOUT_FILENO);
         std::string limit = std::to_string(megabytes);
         std::array<char*, 3> arguments{const_cast<char*>(path.c_str()), limit.data(), nullptr};
-        const int error = posix_spawn(&m_pid, path.c_str(), &actions, nullptr, arguments.data(), environ);
+        const Attributes attributes;
+        const int error =
+            posix_spawn(&m_pid, path.c_str(), &actions, attributes.get(), arguments.data(), environ);
         posix_spawn_file_actions_destroy(&actions);
         fcntl(m_in.get(), F_SETFL, O_NONBLOCK);
         return error == 0;

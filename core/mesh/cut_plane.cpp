@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "core/mesh/cell_geometry.h"
+
 namespace wend {
 namespace {
 
@@ -92,11 +94,8 @@ CutSurface wholeSurface(const std::vector<Facet<3>>& facets) {
 CutSurface wholeCellCut(const SimplicialMesh<3>& mesh, const std::vector<Facet<3>>& facets,
                         const Points<3>& pose, const CutPlane& plane) {
     std::vector<bool> stays(mesh.cells.size());
-    for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
-        Vec<3> centroid = Vec<3>::Zero();
-        for (int v : mesh.cells[c]) centroid += pose.col(v) / 4;
-        stays[c] = plane.height(centroid) <= 0;
-    }
+    for (std::size_t c = 0; c < mesh.cells.size(); ++c)
+        stays[c] = plane.height(centroid<3>(pose, mesh.cells[c])) <= 0;
     CutSurface surface;
     for (const auto& facet : facets) {
         const bool first = stays[facet.cells[0]], second = facet.interior() && stays[facet.cells[1]];

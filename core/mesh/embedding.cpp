@@ -1,22 +1,13 @@
 #include "core/mesh/embedding.h"
 
-#include <Eigen/LU>
 #include <limits>
+#include <string>
+
+#include "core/mesh/cell_geometry.h"
+#include "core/mesh/error.h"
 
 namespace wend {
 namespace {
-
-/// Barycentric coordinates of p in a cell, whether it lies inside or not.
-template <int Dim>
-Location<Dim> coordinates(const SimplicialMesh<Dim>& mesh, int cell, const Vec<Dim>& p) {
-    const auto& ids = mesh.cells[cell];
-    Mat<Dim> edges;
-    for (int k = 0; k < Dim; ++k) edges.col(k) = mesh.points.col(ids[k + 1]) - mesh.points.col(ids[0]);
-    Location<Dim> location{cell, {}};
-    location.weights.template tail<Dim>() = edges.inverse() * (p - mesh.points.col(ids[0]));
-    location.weights[0] = 1 - location.weights.template tail<Dim>().sum();
-    return location;
-}
 
 /// One of the cell's own vertices.
 template <int Dim>
@@ -24,18 +15,6 @@ Location<Dim> atVertex(const SimplicialMesh<Dim>& mesh, int cell, int vertex) {
     Location<Dim> location{cell, {}};
     for (int k = 0; k <= Dim; ++k) location.weights[k] = mesh.cells[cell][k] == vertex ? 1 : 0;
     return location;
-}
-
-/// The nearest of the vertices that cells have.
-template <int Dim>
-int nearestUsed(const SimplicialMesh<Dim>& mesh, const std::vector<int>& offsets, const Vec<Dim>& p) {
-    int best = -1;
-    for (int v = 0; v < mesh.vertexCount(); ++v) {
-        if (offsets[v] == offsets[v + 1]) continue;
-        if (best < 0 || (mesh.points.col(v) - p).squaredNorm() < (mesh.points.col(best) - p).squaredNorm())
-            best = v;
-    }
-    return best;
 }
 
 /// Cells at each vertex, as one list with offsets.
@@ -59,8 +38,10 @@ Embedding<Dim>::Embedding(const SimplicialMesh<Dim>& rest, const Points<Dim>& po
     const auto [offsets, cells] = cellsOfVertices(rest);
     for (Eigen::Index i = 0; i < points.cols(); ++i) {
         const Vec<Dim> p = points.col(i);
-        int nearest = locator.nearestVertex(p);
-        if (rest.points.col(nearest) == p && offsets[nearest] < offsets[nearest + 1]) {
+        const int nearest = locator.nearestVertex(p);
+        if (nearest < 0 || rest.cells.empty())
+            throw InputError("point " + std::to_string(i) + " has no place in the shape");
+        if (rest.points.col(nearest) == p) {
             m_locations.push_back(atVertex(rest, cells[offsets[nearest]], nearest));
             continue;
         }
@@ -69,11 +50,10 @@ Embedding<Dim>::Embedding(const SimplicialMesh<Dim>& rest, const Points<Dim>& po
             continue;
         }
         ++m_outside;
-        if (offsets[nearest] == offsets[nearest + 1]) nearest = nearestUsed(rest, offsets, p);
         Location<Dim> best;
         double bestWeight = -std::numeric_limits<double>::infinity();
         for (int k = offsets[nearest]; k < offsets[nearest + 1]; ++k) {
-            const auto location = coordinates(rest, cells[k], p);
+            const Location<Dim> location{cells[k], barycentric<Dim>(rest.points, rest.cells[cells[k]], p)};
             if (location.weights.minCoeff() <= bestWeight) continue;
             bestWeight = location.weights.minCoeff();
             best = location;

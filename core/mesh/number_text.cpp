@@ -24,12 +24,6 @@ void appendNumber(std::string& text, double value) {
     text.append(digits.data(), end);
 }
 
-std::string numberText(double value) {
-    std::string text;
-    appendNumber(text, value);
-    return text;
-}
-
 std::optional<double> parseNumber(std::string_view text) {
     if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
     double value = 0;

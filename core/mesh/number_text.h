@@ -10,7 +10,6 @@ namespace wend {
 /// know none.
 
 /// 17 significant digits, enough to read the identical double back.
-std::string numberText(double value);
 void appendNumber(std::string& text, double value);
 
 /// The number that the whole text is (a leading + is accepted, as are nan and inf), or nothing. What is

@@ -1,9 +1,11 @@
 #include "core/mesh/point_locator.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "core/mesh/cell_geometry.h"
+#include "core/mesh/used_vertices.h"
 
 namespace wend {
 namespace {
@@ -42,24 +44,6 @@ Bounds<Dim> boundsOf(const Points<Dim>& points, const Cell<Dim>& cell) {
     Bounds<Dim> bounds;
     for (int v : cell) bounds.add(points.col(v));
     return bounds;
-}
-
-/// Barycentric coordinates of p: [x1 − x0, …] (w1, …)ᵀ = p − x0 and w0 = 1 − Σ. Not finite for a flat cell.
-template <int Dim>
-Eigen::Matrix<double, Dim + 1, 1> barycentric(const Points<Dim>& points, const Cell<Dim>& cell,
-                                              const Vec<Dim>& p) {
-    Mat<Dim> edges;
-    for (int k = 0; k < Dim; ++k) edges.col(k) = points.col(cell[k + 1]) - points.col(cell[0]);
-    const double det = edges.determinant();
-    const Vec<Dim> offset = p - points.col(cell[0]);
-    Eigen::Matrix<double, Dim + 1, 1> weights;
-    for (int k = 0; k < Dim; ++k) {  // Cramer's rule
-        Mat<Dim> replaced = edges;
-        replaced.col(k) = offset;
-        weights[k + 1] = replaced.determinant() / det;
-    }
-    weights[0] = 1 - weights.template tail<Dim>().sum();
-    return weights;
 }
 
 /// A box of equal cubic bins. Bin indices grow monotonically with the coordinates whatever the rounding, so
@@ -147,6 +131,7 @@ template <int Dim>
 struct PointLocator<Dim>::Grid {
     const Points<Dim>& points;
     const std::vector<Cell<Dim>>& cells;
+    std::vector<int> vertices;  // those of cells (of a mere set of points all), as far as they are finite
     Bounds<Dim> bounds;
     Vec<Dim> greatestExtent = Vec<Dim>::Zero();  // of any cell, per axis
     BinLayout<Dim> layout;
@@ -155,8 +140,10 @@ struct PointLocator<Dim>::Grid {
 
     Grid(const Points<Dim>& allPoints, const std::vector<Cell<Dim>>& allCells)
         : points(allPoints), cells(allCells) {
-        for (Eigen::Index v = 0; v < points.cols(); ++v)
-            if (points.col(v).allFinite()) bounds.add(points.col(v));
+        const std::vector<bool> used = usedVertices<Dim>(points.cols(), cells);
+        for (int v = 0; v < static_cast<int>(points.cols()); ++v)
+            if ((used[v] || cells.empty()) && points.col(v).allFinite()) vertices.push_back(v);
+        for (int v : vertices) bounds.add(points.col(v));
         for (const auto& cell : cells)
             if (finite<Dim>(points, cell))
                 greatestExtent = greatestExtent.cwiseMax(boundsOf<Dim>(points, cell).extent());
@@ -170,7 +157,7 @@ struct PointLocator<Dim>::Grid {
     void chooseLayout() {
         const double cellCount = static_cast<double>(cells.size());
         const double bins = cellCount / (Dim == 2 ? 1 : 4);
-        for (double wanted = std::max({1.0, bins, points.cols() / 2.0});; wanted /= 4) {
+        for (double wanted = std::max({1.0, bins, vertices.size() / 2.0});; wanted /= 4) {
             layout = layoutFor<Dim>(bounds, wanted);
             if (layout.total() == 1 || entriesOf(layout) <= 32 * cellCount) return;
         }
@@ -199,8 +186,7 @@ struct PointLocator<Dim>::Grid {
     }
     void binVertices() {
         verticesOfBin = binned<Dim>(layout, [&](const auto& put) {
-            for (int v = 0; v < static_cast<int>(points.cols()); ++v)
-                if (points.col(v).allFinite()) put(layout.binOf(points.col(v)), v);
+            for (int v : vertices) put(layout.binOf(points.col(v)), v);
         });
     }
 

@@ -26,7 +26,7 @@ class PointLocator {
     /// The cell that contains p (with all weights ≥ −tolerance; of several, as at a shared facet or where the
     /// shape overlaps itself, the one of highest index), or nothing.
     std::optional<Location<Dim>> find(const Vec<Dim>& p, double tolerance = 1e-12) const;
-    /// The index of the nearest vertex, the lowest of several; −1 if there is none or p is not finite.
+    /// The nearest vertex of a cell (of any, without cells), the lowest of several; −1: none, p not finite.
     int nearestVertex(const Vec<Dim>& p) const;
 
   private:

@@ -48,6 +48,15 @@ double circumradius(const Mat<Dim>& edges) {
 }  // namespace
 
 template <int Dim>
+bool isFlat(const Points<Dim>& points, const Cell<Dim>& cell) {
+    double longest = 0;
+    for (int i = 0; i <= Dim; ++i)
+        for (int j = 0; j < i; ++j)
+            longest = std::max(longest, (points.col(cell[i]) - points.col(cell[j])).norm());
+    return std::abs(cellMeasure<Dim>(points, cell)) <= 1e-14 * std::pow(longest, Dim);
+}
+
+template <int Dim>
 CellQuality cellQuality(const Points<Dim>& points, const Cell<Dim>& cell) {
     Mat<Dim> edges;
     for (int k = 0; k < Dim; ++k) edges.col(k) = points.col(cell[k + 1]) - points.col(cell[0]);
@@ -85,6 +94,7 @@ QualitySummary qualityOf(const SimplicialMesh<Dim>& mesh) {
 }
 
 #define WEND_INSTANTIATE(Dim)                                                    \
+    template bool isFlat<Dim>(const Points<Dim>&, const Cell<Dim>&);             \
     template CellQuality cellQuality<Dim>(const Points<Dim>&, const Cell<Dim>&); \
     template QualitySummary qualityOf<Dim>(const SimplicialMesh<Dim>&);
 WEND_INSTANTIATE(2)

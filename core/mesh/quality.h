@@ -7,6 +7,11 @@
 
 namespace wend {
 
+/// A cell whose measure is under 1e-14 of that of a cube on its longest edge: below that the orientation is
+/// rounding.
+template <int Dim>
+bool isFlat(const Points<Dim>& points, const Cell<Dim>& cell);
+
 /// The shape of one cell.
 struct CellQuality {
     double measure = 0;   // signed area or volume

@@ -4,17 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/mesh/segments.h"
+
 namespace wend {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-double distanceToSegment(const Vec<2>& a, const Vec<2>& b, const Vec<2>& p) {
-    const Vec<2> along = b - a;
-    const double lengthSquared = along.squaredNorm();
-    const double t = lengthSquared > 0 ? std::clamp(along.dot(p - a) / lengthSquared, 0.0, 1.0) : 0.0;
-    return (p - a - t * along).norm();
-}
 
 /// True if the edge a → b crosses the horizontal ray from p to the right. Half-open in y, so that a ray
 /// through a vertex counts once.
@@ -30,7 +25,7 @@ double distanceOf(const Polygon& polygon, const Vec<2>& p) {
     double nearest = infinity;
     bool inside = false;
     for (std::size_t i = 0, previous = points.size() - 1; i < points.size(); previous = i++) {
-        nearest = std::min(nearest, distanceToSegment(points[previous], points[i], p));
+        nearest = std::min(nearest, distanceToSegment<2>(p, points[previous], points[i]));
         if (crossesRay(points[previous], points[i], p)) inside = !inside;
     }
     return inside ? -nearest : nearest;

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "core/mesh/error.h"
+#include "core/mesh/quality.h"
 
 namespace wend {
 namespace {
@@ -65,23 +66,12 @@ void requireNoDuplicates(const SimplicialMesh<Dim>& mesh) {
                              std::to_string(order[i - 1]));
 }
 
-/// A cell is flat when its measure is under 1e-14 of that of a regular cell on its longest edge: below that
-/// the orientation is rounding.
-template <int Dim>
-double flatMeasure(const Points<Dim>& points, const Cell<Dim>& cell) {
-    double longest = 0;
-    for (int i = 0; i <= Dim; ++i)
-        for (int j = 0; j < i; ++j)
-            longest = std::max(longest, (points.col(cell[i]) - points.col(cell[j])).norm());
-    return 1e-14 * std::pow(longest, Dim);
-}
-
 template <int Dim>
 void requireOneOrientation(const SimplicialMesh<Dim>& mesh) {
     int negative = 0, firstNegative = -1, firstPositive = -1;
     for (int c = 0; c < mesh.cellCount(); ++c) {
         const double measure = cellMeasure<Dim>(mesh.points, mesh.cells[c]);
-        if (std::abs(measure) <= flatMeasure<Dim>(mesh.points, mesh.cells[c]))
+        if (isFlat<Dim>(mesh.points, mesh.cells[c]))
             throw InputError("cell " + std::to_string(c) + " has no " + (Dim == 2 ? "area" : "volume"));
         if (measure < 0) {
             ++negative;

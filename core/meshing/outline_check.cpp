@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "core/mesh/error.h"
+#include "core/mesh/segments.h"
 
 namespace wend {
 namespace {
@@ -86,13 +87,6 @@ std::optional<Vec<2>> conflict(const Segment& s, const Segment& t) {
     return crossing(s, t);
 }
 
-/// Distance from p to the segment.
-double distance(const Segment& s, const Vec<2>& p) {
-    const Vec<2> u = s.b - s.a;
-    const double t = std::clamp((p - s.a).dot(u) / u.squaredNorm(), 0.0, 1.0);
-    return (p - s.a - t * u).norm();
-}
-
 bool isOneOf(const Vec<2>& p, const std::vector<Vec<2>>& points) {
     return std::find(points.begin(), points.end(), p) != points.end();
 }
@@ -114,7 +108,7 @@ void splitNearestEdge(Outline& outline, const Vec<2>& p, double tolerance) {
     std::size_t after = 0;
     for (auto& loop : outline.loops)
         for (std::size_t k = 0; k < loop.size(); ++k) {
-            const double d = distance({loop[k], loop[(k + 1) % loop.size()]}, p);
+            const double d = distanceToSegment<2>(p, loop[k], loop[(k + 1) % loop.size()]);
             if (d > nearest || (where && d == nearest)) continue;
             nearest = d;
             where = &loop;

@@ -2,6 +2,7 @@
 // A program of its own because TetGen may abort, exit, crash or never end: then only this process does.
 
 #include <fcntl.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <tetgen.h>
 #include <unistd.h>
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <csignal>
 #include <cstdlib>
 #include <new>
 
@@ -159,6 +161,7 @@ wend::TetgenReply mesh(const wend::TetgenRequest& request) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    prctl(PR_SET_PDEATHSIG, SIGKILL);  // nobody waits for the answer when the program is gone
     limitMemory(argc > 1 ? argv[1] : "4096");
     const int pipe = takeStandardOutput();
     wend::TetgenRequest request;

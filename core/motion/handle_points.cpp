@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/mesh/error.h"
+#include "core/mesh/used_vertices.h"
 
 namespace wend {
 
@@ -24,7 +25,8 @@ template <int Dim>
 HandlePlacer<Dim>::HandlePlacer(const SimplicialMesh<Dim>& rest, const Normalization<Dim>& units)
     : m_rest(rest),
       m_units(units),
-      m_diagonal(boundingBoxDiagonal<Dim>(rest.points)),
+      m_diagonal(extentOf<Dim>(rest.points, rest.cells).diagonal()),
+      m_used(usedVertices<Dim>(rest.vertexCount(), rest.cells)),
       m_locator(rest.points, rest.cells) {}
 
 template <int Dim>
@@ -51,6 +53,7 @@ auto HandlePlacer<Dim>::termsOf(const std::vector<int>& vertices) const -> std::
                              " is out of range, the shape has vertices 0 to " +
                              std::to_string(m_rest.vertexCount() - 1));
         }
+        if (!m_used[v]) throw InputError("vertex " + std::to_string(v) + " belongs to no cell");
         result.push_back({{v, 1.0}});
     }
     return result;
@@ -68,7 +71,7 @@ template <int Dim>
 auto HandlePlacer<Dim>::termsOf(const Region<Dim>& region) const -> std::vector<Terms> {
     std::vector<Terms> result;
     for (int v = 0; v < m_rest.vertexCount(); ++v) {
-        if (signedDistance<Dim>(region, m_rest.points.col(v)) <= kRegionBorder * m_diagonal)
+        if (m_used[v] && signedDistance<Dim>(region, m_rest.points.col(v)) <= kRegionBorder * m_diagonal)
             result.push_back({{v, 1.0}});
     }
     if (result.empty()) throw InputError("its region holds no vertex");

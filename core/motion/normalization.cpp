@@ -1,10 +1,13 @@
 #include "core/motion/normalization.h"
 
+#include "core/mesh/used_vertices.h"
+
 namespace wend {
 
 template <int Dim>
-Normalization<Dim> Normalization<Dim>::of(const Points<Dim>& rest) {
-    return {(rest.rowwise().minCoeff() + rest.rowwise().maxCoeff()) / 2, boundingBoxDiagonal<Dim>(rest)};
+Normalization<Dim> Normalization<Dim>::of(const SimplicialMesh<Dim>& rest) {
+    const Extent<Dim> extent = extentOf<Dim>(rest.points, rest.cells);
+    return {extent.centre(), extent.diagonal()};
 }
 
 namespace {

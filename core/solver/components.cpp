@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/mesh/used_vertices.h"
+
 namespace wend {
 namespace {
 
@@ -87,7 +89,7 @@ std::vector<bool> wellConstrained(const SimplicialMesh<Dim>& mesh, const std::ve
     for (const auto& row : rows)
         for (int component : componentsOfRow(row, ofVertex))
             points[component].push_back(pointOf<Dim>(row, mesh.points));
-    const double diagonal = boundingBoxDiagonal<Dim>(mesh.points);
+    const double diagonal = extentOf<Dim>(mesh.points, mesh.cells).diagonal();
     std::vector<bool> result(count);
     for (int i = 0; i < count; ++i) result[i] = spanEnough<Dim>(points[i], diagonal);
     return result;

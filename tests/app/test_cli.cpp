@@ -23,6 +23,7 @@ class TestCli : public QObject {
     void standardOutput();
     void stopsEarlier();
     void frames();
+    void framesFit();
     void meshFrames();
     void picture();
     void pictureFits();
@@ -190,6 +191,19 @@ void TestCli::frames() {
     QVERIFY(readImage(file("frames/f_001.png")).data != readImage(file("last.png")).data);
     // nothing has moved in the first frame, so it has the picture's pixels
     QCOMPARE(readImage(file("frames/f_000.png")).data, readImage(file("disc.png")).data);
+}
+
+/// One canvas for the whole sequence.
+void TestCli::framesFit() {
+    const QStringList common{"run", "disc.wend", "--canvas", "fit"};
+    succeed(common + QStringList{"--frames", "fit_#.png", "--count", "3", "--image", "fit.png"});
+    const Image first = readImage(file("fit_0.png")), last = readImage(file("fit_2.png"));
+    QCOMPARE(first.width, last.width);
+    QCOMPARE(first.height, last.height);
+    QVERIFY(first.width >= readImage(file("fit.png")).width);
+    succeed({"run", "disc.wend", "--canvas", "fit", "--at", "0", "--image", "rest.png"});
+    QVERIFY(first.width > readImage(file("rest.png")).width);
+    QVERIFY(QDir(path()).entryList({".*"}, QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot).isEmpty());
 }
 
 void TestCli::meshFrames() {

@@ -25,6 +25,8 @@ class TestCliErrors : public QObject {
     void badInput();
     void outputsStayWhole_data();
     void outputsStayWhole();
+    void fullStandardOutput_data();
+    void fullStandardOutput();
     void fullDisk_data();
     void fullDisk();
     void foldedOver();
@@ -32,7 +34,9 @@ class TestCliErrors : public QObject {
 
   private:
     QString path() const { return m_folder.path(); }
-    QStringList listing() const { return QDir(path()).entryList(QDir::Files | QDir::Hidden); }
+    QStringList listing() const {
+        return QDir(path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot);
+    }
     void putMeshes();
     void putPictures();
 
@@ -43,6 +47,8 @@ void TestCliErrors::putMeshes() {
     const std::string base = path().toStdString();
     writeMeshFile(base + "/strip.obj", toMeshFile<2>(stripMesh(10, 2)));
     const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n";
+    put(path(), "tetrahedron.obj",
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");  // a tetrahedron
     put(path(), "nan.obj", "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n");
     put(path(), "flat.obj", points + "v 2 0 0\nf 1 2 3\nf 1 2 5\n");
     put(path(), "inverted.obj", points + "v 2 0 0\nf 1 2 3\nf 2 4 3\nf 2 4 5\n");
@@ -102,6 +108,15 @@ void TestCliErrors::usage_data() {
     QTest::newRow("mesh sizes") << QStringList{"mesh",   "disc.png", "-o",         "a.obj",
                                                "--edge", "3",        "--vertices", "9"}
                                 << "cannot both";
+    const auto meshRow = [](const char* name, const char* input, const QStringList& more, const char* what) {
+        QTest::newRow(name) << QStringList(QStringList{"mesh", input, "-o", "a.vtu"} + more) << what;
+    };
+    meshRow("solid's option", "disc.png", {"--max-volume", "3"}, "--max-volume is for closed surfaces");
+    meshRow("picture's option", "tetrahedron.obj", {"--edge", "5"}, "--edge is for pictures");
+    meshRow("cut-out's option", "disc.png", {"--outline", "frame", "--margin", "5"}, "--margin is for");
+    meshRow("outline of a solid", "tetrahedron.obj", {"--outline", "alpha"}, "--outline is for pictures");
+    meshRow("mesh of a mesh", "strip.wend", {"--vertices", "50"}, "--vertices is for");
+    QTest::newRow("steps") << QStringList{"run", "disc.wend", "--method", "rk4"} << "--steps N";
     QTest::newRow("devices") << QStringList{"devices", "all"} << "takes no file";
 }
 
@@ -179,6 +194,14 @@ void TestCliErrors::badInput_data() {
     row("frames without #", kDisc, "needs ####", {"--frames", "f.png"});
     row("output folder", kDisc, "no/out.png: the folder no does not exist", {"--image", "no/out.png"});
     row("output is a folder", kDisc, "out.d: is a folder", {"--report", "out.d"});
+    row("one place twice", kStrip, "out.vtu: would replace another output, out.vtu",
+        {"--mesh", "out.vtu", "--velocity", "out.vtu"});
+    row("one place by two names", kStrip, "would replace another output",
+        {"--mesh", "out.vtu", "--velocity", "./out.d/../out.vtu"});
+    row("the other of TetGen's files", kStrip, "would replace another output",
+        {"--mesh", "out.node", "--report", "out.ele"});
+    row("a frame's place", kStrip, "out.07.obj: would be replaced by frame 7",
+        {"--frames", "out.##.obj", "--mesh", "out.07.obj"});
     QTest::newRow("mesh of a flat mesh")
         << "" << QStringList{"mesh", "strip.obj", "-o", "out.mesh"} << "strip.obj: ";
     QTest::newRow("mesh of nothing") << "" << QStringList{"mesh", "none.png", "-o", "out.obj"}
@@ -219,8 +242,22 @@ void TestCliErrors::outputsStayWhole() {
     const QStringList before = listing();
     QCOMPARE(runCli(path(), arguments).code, 3);
     QCOMPARE(listing(), before);
-    if (!arguments.contains("/dev/full"))
-        QCOMPARE(readTextFile((path() + "/kept.png").toStdString()), std::string("old"));
+    QCOMPARE(readTextFile((path() + "/kept.png").toStdString()), std::string("old"));
+}
+
+void TestCliErrors::fullStandardOutput_data() {
+    QTest::addColumn<QString>("arguments");
+    for (const char* arguments : {"--help", "reference", "devices", "info disc.png"})
+        QTest::newRow(arguments) << QString(arguments);
+}
+
+void TestCliErrors::fullStandardOutput() {
+    QFETCH(QString, arguments);
+    const QString command = QString("exec \"%1\" %2 > /dev/full").arg(WEND_BINARY, arguments);
+    const CliResult result =
+        runCli(path(), {"-c", command}, QProcessEnvironment::systemEnvironment(), "/bin/bash");
+    QVERIFY2(result.code == 3, qPrintable(result.error));
+    QVERIFY2(result.error.contains("standard output cannot be written"), qPrintable(result.error));
 }
 
 void TestCliErrors::fullDisk_data() {
@@ -259,9 +296,10 @@ void TestCliErrors::foldedOver() {
                    "{'name': 'ram', 'at': {'points': [[0, 0], [0, 1], [0, 2]]},"
                    "'motion': [{'kind': 'translate', 'by': [12, 0], 'time': [0, 1]}]}]");
     put(path(), "kept.obj", "old");
-    const CliResult result =
-        runCli(path(), {"run", "fold.wend", "--mesh", "kept.obj", "--report", "fold.json"});
+    const CliResult result = runCli(path(), {"run", "fold.wend", "--mesh", "kept.obj", "--report",
+                                             "fold.json", "--frames", "fold_#.obj", "--count", "5"});
     QCOMPARE(result.code, 4);
+    QVERIFY(listing().filter("fold_").isEmpty());  // frames that had been passed
     QVERIFY2(result.error.startsWith("wend: fold.wend: ") && result.error.count('\n') == 1,
              qPrintable(result.error));
     QVERIFY2(result.error.contains("cell") && result.error.contains("0.8"), qPrintable(result.error));

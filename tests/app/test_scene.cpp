@@ -153,6 +153,14 @@ class TestScene : public QObject {
             QVERIFY((texture.rest->points.col(i) - expected).norm() < 1e-11);
         }
         QVERIFY((texture.toPixels(rest->points) - texture.rest->points).norm() < 1e-9);
+        SimplicialMesh<2> spare = *rest;  // a vertex that no cell has, with a texture point of no meaning
+        spare.points.conservativeResize(2, rest->vertexCount() + 1);
+        spare.points.col(rest->vertexCount()) << 1000, -500;
+        Eigen::Matrix2Xd more = uv;
+        more.conservativeResize(2, uv.cols() + 1);
+        more.col(uv.cols()) << 0.5, 0.5;
+        const Texture same = textureOf(picture, std::make_shared<const SimplicialMesh<2>>(spare), more);
+        QVERIFY((same.toPixels(rest->points) - texture.rest->points).norm() < 1e-9);
         const Texture plain = textureOf(picture, rest, {});
         QVERIFY(plain.toPixels(rest->points) ==
                 rest->points);  // to the last bit: an identity warp must be one
@@ -162,11 +170,52 @@ class TestScene : public QObject {
         const Image picture = discPicture(200, 50);
         Points<2> pose(2, 3);
         pose << -10.5, 220.25, 5, 3, 4, 90;
-        QCOMPARE(canvasView(picture, {pose}, Canvas::Picture).width, 200);
-        const View fit = canvasView(picture, {pose}, Canvas::Fit);
+        const auto extent = extentOf<2>(pose, {{0, 1, 2}});
+        QCOMPARE(canvasView(picture, extent, Canvas::Picture).width, 200);
+        const View fit = canvasView(picture, extent, Canvas::Fit);
         QCOMPARE(fit.origin, Vec<2>(-11, 3));
         QCOMPARE(fit.width, 232);
         QCOMPARE(fit.height, 87);
+        for (const double far : {2.1e4, 2e6, 1e200}) {  // more than 400 million pixels
+            pose(0, 1) = pose(1, 2) = far;
+            QVERIFY_EXCEPTION_THROWN(canvasView(picture, extentOf<2>(pose, {{0, 1, 2}}), Canvas::Fit),
+                                     InputError);
+        }
+    }
+
+    /// A sequence is on the disk, not in the memory, while the shape still moves.
+    void framesDoNotWait_data() {
+        QTest::addColumn<int>("canvas");
+        QTest::newRow("picture") << int(Canvas::Picture);
+        QTest::newRow("fit") << int(Canvas::Fit);
+    }
+    void framesDoNotWait() {
+        QFETCH(int, canvas);
+        const QTemporaryDir folder;
+        const std::string base = folder.path().toStdString();
+        writeImage(base + "/disc.png", discPicture(60, 25));
+        const Project project = parsed(
+            "'domain': {'image': 'disc.png', 'vertices': 100}, 'handles': [{'at': {'points': [[30, 30]]}, "
+            "'motion': [{'kind': 'translate', 'by': [9, 5], 'time': [0, 1]}]}]",
+            base);
+        RunOptions options;
+        options.canvas = static_cast<Canvas>(canvas);
+        options.outputs.frames = base + "/f_#.png";
+        options.outputs.count = 9;
+        RunWatch watch;
+        qsizetype atOnce = 0;
+        watch.progress = [&](const std::string& work, double) {
+            const QDir::Filters all = QDir::AllEntries | QDir::Hidden;
+            if (work == "deforming")
+                atOnce = std::max(atOnce,
+                                  QDir(folder.path()).entryList({".*"}, all | QDir::NoDotAndDotDot).size());
+        };
+        QVERIFY(runProject(project, base + "/p.wend", options, watch).outcome == Outcome::Done);
+        QVERIFY(atOnce > (options.canvas == Canvas::Fit ? 0 : 5));
+        QCOMPARE(QDir(folder.path()).entryList({"f_?.png"}).size(), 9);
+        QVERIFY(QDir(folder.path())
+                    .entryList({".*"}, QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot)
+                    .isEmpty());
     }
 
     void missingFiles_data() {

@@ -97,8 +97,8 @@ void table(int n, double phi) {
     }
     options.steps = 0;
     for (const Method method : {Method::DormandPrince, Method::Adams})
-        for (const double tolerance : {1e-3, 3e-4, 1e-4, 3e-5, 1e-5})
-            for (const double factor : {3.0, 1.0, 0.3}) {
+        for (const double tolerance : {1e-3, 2e-4, 1e-4, 5e-5, 1e-5})
+            for (const double factor : {1.0, 0.5, 0.2}) {
                 char name[64];
                 std::snprintf(name, sizeof name, "%s %g, velocities to %g",
                               method == Method::Adams ? "Adams" : "DP5", tolerance, factor * tolerance);

@@ -60,6 +60,12 @@ void allEncodings() {
 class TestMeshDamage : public QObject {
     Q_OBJECT
 
+    static std::string numberText(double value) {
+        std::string text;
+        appendNumber(text, value);
+        return text;
+    }
+
   private slots:
     void truncated_data() { allEncodings(); }
     /// At every byte of a small file. What is cut off by more than its last line is refused.

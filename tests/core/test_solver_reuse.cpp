@@ -9,6 +9,7 @@
 #include "core/solver/refactor_policy.h"
 #include "core/solver/velocity_history.h"
 #include "core/solver/velocity_solver.h"
+#include "core/solver/vertex_rotations.h"
 #include "tests/core/test_energy_samples.h"
 
 using namespace wend;
@@ -21,6 +22,8 @@ class TestSolverReuse : public QObject {
     void velocityIsWithinTolerance();
     void equiaAlwaysFactorizes();
     void runsRepeat();
+    void memoryGoesOnToTheSameBits();
+    void rotationsAreThoseOfTheShape();
     void isotropicBackEndAgrees();
     void floatFactorSolves();
     void floatFactorRefuses();
@@ -142,6 +145,76 @@ void TestSolverReuse::runsRepeat() {
     const auto one = drive<2>(phi::kMetr, 1e-3, 1, 75), two = drive<2>(phi::kMetr, 1e-3, 2, 75);
     QVERIFY(one.pose == two.pose);
     QCOMPARE(one.statistics.iterations, two.statistics.iterations);
+}
+
+/// A solver that did other things meanwhile, and another one, go on as if nothing had been.
+template <int Dim>
+void compareMemories(int n) {
+    const Turn<Dim> turn(n);
+    const auto material =
+        std::make_shared<const Material<Dim>>(Material<Dim>::uniform(turn.mesh->cellCount(), phi::kMetr));
+    VelocitySolver<Dim> one(turn.mesh, material, BackEndKind::Cpu, 1),
+        two(turn.mesh, material, BackEndKind::Cpu, 1);
+    for (auto* solver : {&one, &two}) {
+        solver->setConstraints(turn.rows);
+        solver->setVelocityTolerance(1e-5);
+    }
+    Points<Dim> x = turn.mesh->points, v, w, other;
+    for (int i = 0; i < 12; ++i) {
+        const auto before = one.remember();
+        QVERIFY(one.solve(x, turn.speeds(x), v).done());
+        const auto after = one.remember();
+        one.setVelocityTolerance(0);  // something else: a factor of its own
+        QVERIFY(one.solve(turn.mesh->points, turn.speeds(x), other).done());
+        one.setVelocityTolerance(1e-5);
+        one.recall(before);
+        QVERIFY(one.solve(x, turn.speeds(x), other).done());
+        QVERIFY(v == other);
+        one.recall(after);
+        if (i % 3 == 0) two.recall(before);
+        QVERIFY(two.solve(x, turn.speeds(x), w).done());
+        QVERIFY(v == w);
+        x += 0.05 * v;
+    }
+    QVERIFY(two.statistics().factorizations < 12);
+    two.forget();
+    const int factorizations = two.statistics().factorizations;
+    QVERIFY(two.solve(x, turn.speeds(x), w).done());
+    QCOMPARE(two.statistics().factorizations, factorizations + 1);
+}
+
+void TestSolverReuse::memoryGoesOnToTheSameBits() {
+    compareMemories<2>(12);
+    compareMemories<3>(5);
+}
+
+/// A shape turned and stretched as a whole has one rotation; Rᵀ undoes R.
+template <int Dim>
+void compareRotations() {
+    std::mt19937 random(4);
+    const auto mesh = unitGrid<Dim>(4, 0.1, random);
+    Mat<Dim> R = Mat<Dim>::Identity();
+    R(0, 0) = R(1, 1) = std::cos(2.0);
+    R(1, 0) = std::sin(2.0), R(0, 1) = -R(1, 0);
+    VertexRotations<Dim> rotations(makeAssemblyPlan(mesh, false));
+    rotations.compute(mesh.points, 1.3 * R * mesh.points);
+    std::vector<int> vertices = {3, 0, 7};
+    std::vector<double> b(vertices.size() * Dim);
+    for (auto& value : b) value = uniform(random, -1, 1);
+    auto c = b;
+    rotations.turn(vertices, c);
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        const Vec<Dim> from = Eigen::Map<Vec<Dim>>(b.data() + i * Dim),
+                       to = Eigen::Map<Vec<Dim>>(c.data() + i * Dim);
+        QVERIFY((R * from - to).norm() < 1e-12);
+    }
+    rotations.turnBack(vertices, c);
+    for (std::size_t i = 0; i < b.size(); ++i) QVERIFY(std::abs(b[i] - c[i]) < 1e-12);
+}
+
+void TestSolverReuse::rotationsAreThoseOfTheShape() {
+    compareRotations<2>();
+    compareRotations<3>();
 }
 
 template <int Dim>

@@ -8,6 +8,7 @@
 #include "core/mesh/error.h"
 #include "tests/support/pictures.h"
 #include "warp/convert.h"
+#include "warp/image_metadata.h"
 
 using namespace wend;
 using namespace wend::test;
@@ -236,6 +237,57 @@ class TestImage : public QObject {
             QVERIFY(std::abs(seen.dotsPerMeterX() - 11811) <= 40);    // JPEG holds whole dots per inch
             QVERIFY(seen.text("Description").startsWith("a chart"));  // JPEG's ends with a zero
         }
+    }
+
+    /// What a camera wrote beside the pixels.
+    void descriptionSurvives_data() {
+        QTest::addColumn<QString>("extension");
+        for (const char* extension : {"png", "tif", "jpg", "webp"})
+            QTest::newRow(extension) << QString(extension);
+    }
+    void descriptionSurvives() {
+        QFETCH(QString, extension);
+        Image image = smoothChart(16, 16, {PixelType::UInt8, 3, false, false});
+        auto metadata = std::make_shared<Image::Metadata>();
+        metadata->spec.attribute("Artist", "A. Painter");
+        metadata->spec.attribute("ImageDescription", "a small chart");
+        metadata->spec.attribute("DateTime", "2024:05:06 07:08:09");
+        image.metadata = metadata;
+        writeImage(path("told." + extension), image);
+        const Image read = readImage(path("told." + extension));
+        const auto told = [&](const char* name) {
+            return QString::fromStdString(std::string(read.metadata->spec.get_string_attribute(name)));
+        };
+        QVERIFY(told("Artist").startsWith("A. Painter"));
+        QVERIFY(told("ImageDescription").startsWith("a small chart"));
+        QVERIFY(told("DateTime").startsWith("2024:05:06 07:08:09"));
+        QVERIFY(extension == "jpg" || read.data == image.data);
+    }
+
+    /// A line drawing of few colours is packed a second time, beyond what deflate does.
+    void packedPixelsAreRead_data() {
+        QTest::addColumn<int>("format");
+        QTest::newRow("1 bit gray") << int(QImage::Format_Mono);
+        QTest::newRow("palette") << int(QImage::Format_Indexed8);
+    }
+    void packedPixelsAreRead() {
+        QFETCH(int, format);
+        QImage source(3000, 3000, QImage::Format(format));
+        if (format == QImage::Format_Mono)
+            source.setColorTable({qRgb(0, 0, 0), qRgb(255, 255, 255)});
+        else
+            source.setColorTable({qRgb(200, 0, 30), qRgb(10, 20, 250)});
+        source.fill(1);
+        for (int i = 0; i < 3000; i += 617) source.setPixel(i, i, 0);  // 1234 is the third
+        QVERIFY(source.save(m_folder.filePath("packed.png"), nullptr, 0));
+        const Image image = readImage(path("packed.png"));
+        QCOMPARE(image.width, 3000);
+        std::vector<float> row(static_cast<std::size_t>(3000 * image.channels));
+        loadRow(image, 1234, row.data());
+        const QRgb line = source.colorTable()[0], ground = source.colorTable()[1];
+        QCOMPARE(std::lround(255 * row[static_cast<std::size_t>(1234 * image.channels)]), long(qRed(line)));
+        QCOMPARE(std::lround(255 * row[0]), long(qRed(ground)));
+        QCOMPARE(std::lround(255 * row[static_cast<std::size_t>(image.colours() - 1)]), long(qBlue(ground)));
     }
 
     void brokenProfileIsDropped() {

@@ -34,6 +34,7 @@ class TestWarp : public QObject {
     void stMapOfIdentity();
     void stMapForwardAndInverse();
     void badShapeIsAnError();
+    void errorsReachTheCaller();
 };
 
 namespace {
@@ -398,6 +399,19 @@ void TestWarp::stMapForwardAndInverse() {
             ++seen;
         }
     QVERIFY(seen > 500);
+}
+
+/// Whichever thread meets it.
+void TestWarp::errorsReachTheCaller() {
+    const Image source = randomPicture(64, 512, 4, PixelType::UInt8, true);
+    const auto mesh = rectangle({0, 0}, {64, 512}, 4);
+    const View view{64, 512, Vec<2>::Zero(), 1};
+    for (int threads : {1, 4}) {
+        WarpOptions options;
+        options.threads = threads;
+        options.progress = [](double) { throw std::bad_alloc(); };
+        QVERIFY_EXCEPTION_THROWN(warpImage(source, mesh, mesh.points, view, options), std::bad_alloc);
+    }
 }
 
 void TestWarp::badShapeIsAnError() {

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <fstream>
+#include <string>
+
+#include "core/mesh/safe_file.h"
+#include "core/mesh/types.h"
+
+namespace wend {
+
+/// Poses that have to wait, such as until it is known how large a canvas holds them all: on the disk, since a
+/// long sequence would fill the memory. They go with this object.
+class PoseFile {
+  public:
+    /// In the folder of `path`, where the errors say it is.
+    explicit PoseFile(const std::string& path);
+
+    /// All of one size. Throws InputError when the disk is full.
+    void add(const Points<2>& pose);
+    int count() const { return m_count; }
+    /// The k-th, bit for bit.
+    Points<2> read(int k);
+
+  private:
+    std::string m_path;
+    TemporaryFolder m_folder;
+    std::fstream m_stream;
+    Eigen::Index m_columns = 0;
+    int m_count = 0;
+};
+
+}  // namespace wend

@@ -1,0 +1,15 @@
+#include "core/mesh/file_name.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+namespace wend {
+
+std::string lowerExtension(const std::string& path) {
+    std::string extension = std::filesystem::path(path).extension().string();
+    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
+    return extension;
+}
+
+}  // namespace wend

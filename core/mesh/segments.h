@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "core/mesh/types.h"
+
+namespace wend {
+
+/// The point of the segment a → b (which may be a point) that is nearest to p, and how far that is.
+template <int Dim>
+Vec<Dim> nearestOnSegment(const Vec<Dim>& p, const Vec<Dim>& a, const Vec<Dim>& b);
+template <int Dim>
+double distanceToSegment(const Vec<Dim>& p, const Vec<Dim>& a, const Vec<Dim>& b);
+
+/// Signed area of a closed loop (shoelace).
+double loopArea(const std::vector<Vec<2>>& loop);
+
+}  // namespace wend

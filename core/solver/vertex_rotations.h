@@ -1,0 +1,34 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/assembly/assembly_plan.h"
+
+namespace wend {
+
+/// The rotation of every vertex's surroundings between two shapes. A factor of the first shape, turned into
+/// the second, R (L Lᵀ)⁻¹ Rᵀ, is the better preconditioner there where rigid motion is cheap and all else is
+/// dear: towards EQUIA. Elsewhere it is not: the gradient of R turns translations into strain.
+template <int Dim>
+class VertexRotations {
+  public:
+    VertexRotations() = default;
+    explicit VertexRotations(const AssemblyPlan<Dim>& plan);
+
+    /// Of the best rigid fit of the edges at every vertex, averaged over neighbours.
+    void compute(const Points<Dim>& from, const Points<Dim>& to);
+
+    /// b ← Rᵀ b and b ← R b, a vector of some vertices each.
+    void turnBack(const std::vector<int>& vertices, std::span<double> b) const;
+    void turn(const std::vector<int>& vertices, std::span<double> b) const;
+
+  private:
+    void fitEdges(const Points<Dim>& from, const Points<Dim>& to);
+    void average();
+
+    std::vector<int> m_start, m_neighbours;      // per vertex
+    std::vector<Mat<Dim>> m_rotations, m_other;  // per vertex
+};
+
+}  // namespace wend

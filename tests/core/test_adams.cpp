@@ -1,0 +1,199 @@
+// The Adams method by itself, on an equation whose solution is known; in the deformer it is tested with the
+// others.
+#include <QTest>
+#include <cmath>
+
+#include "core/integration/adams_method.h"
+
+using namespace wend;
+
+namespace {
+
+using Field = Points<2>;
+constexpr double kStart = 0.3;
+
+/// ẋ = w(t) J x + ġ − w J g: a rotation of changing rate about a drifting centre, x = R(∫w) x₀ + g.
+struct Known {
+    static double angle(double t) { return 2 * std::sin(t) + t * t / 2; }
+    static double rate(double t) { return 2 * std::cos(t) + t; }
+    static Field exact(double t) {
+        const double c = std::cos(angle(t)), s = std::sin(angle(t));
+        Field x(2, 2);
+        x << c, 0.5 * c - 2 * s, s, 0.5 * s + 2 * c;
+        return x.colwise() + Vec<2>(std::sin(t), t * t);
+    }
+    static bool f(double t, Side, const Field& x, Field& v) {
+        const Field z = x.colwise() - Vec<2>(std::sin(t), t * t);
+        v.resize(2, x.cols());
+        v.row(0) = -rate(t) * z.row(1);
+        v.row(1) = rate(t) * z.row(0);
+        v.colwise() += Vec<2>(std::cos(t), 2 * t);
+        return true;
+    }
+};
+
+double distance(const Field& a, const Field& b) {
+    return (a - b).colwise().norm().maxCoeff();
+}
+
+/// The slope of log y over log x by least squares.
+double slope(const std::vector<double>& xs, const std::vector<double>& ys) {
+    double sx = 0, sy = 0, sxx = 0, sxy = 0;
+    const auto n = static_cast<double>(xs.size());
+    for (std::size_t i = 0; i < xs.size(); ++i) {
+        const double x = std::log(xs[i]), y = std::log(ys[i]);
+        sx += x, sy += y, sxx += x * x, sxy += x * y;
+    }
+    return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+}
+
+/// What `order` exact steps of changing lengths before kStart would have left.
+Pace<2> pastOf(int order, double h) {
+    Pace<2> pace;
+    pace.order = order;
+    double t = kStart;
+    for (int i = 0; i < order; ++i) {
+        auto field = std::make_shared<Field>();
+        Known::f(t, Side::After, Known::exact(t), *field);
+        pace.fields.insert(pace.fields.begin(), {t, std::move(field)});
+        t -= i % 2 == 0 ? 0.6 * h : 1.7 * h;
+    }
+    return pace;
+}
+
+struct Run {
+    double error = 0;
+    int evaluations = 0, rejected = 0, highest = 0;
+};
+
+Run runTo(double end, double tolerance) {
+    AdamsMethod<2> method(tolerance);
+    Pace<2> pace;
+    pace.step = method.firstStep(4);
+    Run run;
+    const auto f = [&](double t, Side side, const Field& x, Field& v) {
+        ++run.evaluations;
+        return Known::f(t, side, x, v);
+    };
+    Field x = Known::exact(0);
+    for (double t = 0; t < end;) {
+        const double to = std::min(end, t + pace.step);
+        if (!method.attempt(f, t, to, x, pace)) qFatal("not evaluated");
+        if (!(method.error() <= 1)) {
+            ++run.rejected;
+            method.retry(pace);
+            continue;
+        }
+        x = method.result();
+        method.accept(pace, false, to < t + pace.step);
+        t = to;
+        run.highest = std::max(run.highest, pace.order);
+    }
+    run.error = distance(x, Known::exact(end));
+    return run;
+}
+
+}  // namespace
+
+class TestAdams : public QObject {
+    Q_OBJECT
+  private slots:
+    /// Polynomials up to the degree that so many times determine are integrated to rounding.
+    void weightsAreExact() {
+        const std::vector<double> all = {-1.3, -1, -0.45, -0.4, -0.1, 0, 0.37};
+        for (std::size_t count = 1; count <= all.size(); ++count) {
+            const std::vector<double> times(all.end() - static_cast<std::ptrdiff_t>(count), all.end());
+            const auto weights = adamsWeights(times, -0.05, 0.3);
+            for (int power = 0; power < static_cast<int>(count); ++power) {
+                double sum = 0;
+                for (std::size_t i = 0; i < count; ++i) sum += weights[i] * std::pow(times[i], power);
+                const double exact = (std::pow(0.3, power + 1) - std::pow(-0.05, power + 1)) / (power + 1);
+                QVERIFY2(std::abs(sum - exact) < 1e-13, qPrintable(QString::number(sum - exact)));
+            }
+        }
+    }
+
+    /// One step of unequal steps from the exact past: result and interpolant are of order k + 1 (an error of
+    /// h^(k + 2)), the estimate is of order k.
+    void orders_data() {
+        QTest::addColumn<int>("order");
+        for (int order = 1; order <= AdamsMethod<2>::kHighestOrder; ++order)
+            QTest::addRow("%d", order) << order;
+    }
+    void orders() {
+        QFETCH(int, order);
+        const std::vector<double> steps = {0.02, 0.014, 0.01, 0.007};
+        std::vector<double> result, inside, estimate;
+        for (const double h : steps) {
+            AdamsMethod<2> method(1);
+            Pace<2> pace = pastOf(order, h);
+            QVERIFY(method.attempt(Known::f, kStart, kStart + h, Known::exact(kStart), pace));
+            result.push_back(distance(method.result(), Known::exact(kStart + h)));
+            inside.push_back(distance(method.at(kStart + 0.4 * h, {}), Known::exact(kStart + 0.4 * h)));
+            estimate.push_back(method.error());
+            QVERIFY(distance(method.at(kStart + h, {}), method.result()) < 1e-14);
+            QVERIFY(distance(method.at(kStart, {}), Known::exact(kStart)) < 1e-14);
+            QVERIFY(!method.needsEndField());
+        }
+        const auto near = [](double measured, double expected) {
+            return std::abs(measured - expected) < 0.3;
+        };
+        QVERIFY2(near(slope(steps, result), order + 2), qPrintable(QString::number(slope(steps, result))));
+        QVERIFY2(near(slope(steps, inside), order + 2), qPrintable(QString::number(slope(steps, inside))));
+        QVERIFY2(near(slope(steps, estimate), order + 1),
+                 qPrintable(QString::number(slope(steps, estimate))));
+    }
+
+    /// From order 1 by itself: the error falls with the tolerance, in little more work.
+    void errorFollowsTheTolerance() {
+        std::vector<double> tolerances, errors, work;
+        for (double tolerance = 1e-3; tolerance > 1e-9; tolerance /= 10) {
+            const Run run = runTo(2, tolerance);
+            QVERIFY2(run.error < 20 * tolerance, qPrintable(QString::number(run.error)));
+            QVERIFY(run.rejected <= run.evaluations / 5);
+            tolerances.push_back(tolerance);
+            errors.push_back(run.error);
+            work.push_back(run.evaluations);
+        }
+        QVERIFY2(std::abs(slope(tolerances, errors) - 1) < 0.25,
+                 qPrintable(QString::number(slope(tolerances, errors))));
+        // A method of order 5 needs 10^(1/5) times the steps for a tenth of the error, one of order 2
+        // 10^(1/2).
+        QVERIFY2(slope(tolerances, work) > -0.25, qPrintable(QString::number(slope(tolerances, work))));
+        QCOMPARE(runTo(2, 1e-6).highest, AdamsMethod<2>::kHighestOrder);
+    }
+
+    /// A right-hand side that jumps at both ends of the stretch: only the values inside it count.
+    void jumpsAtTheEndsAreSeenFromInside() {
+        const auto f = [](double t, Side side, const Field& x, Field& v) {
+            const bool inside = (t > 1 || side == Side::After) && (t < 2 || side == Side::Before);
+            v = Field::Constant(2, x.cols(), inside ? 3 : 1e6);
+            return true;
+        };
+        AdamsMethod<2> method(1e-3);
+        Pace<2> pace;
+        QVERIFY(method.attempt(f, 1, 2, Field::Zero(2, 1), pace));
+        QVERIFY(std::abs(method.result()(0, 0) - 3) < 1e-13);
+        QVERIFY(method.error() < 1e-9);
+    }
+
+    /// After a refused step: shorter, from the same past.
+    void triesAgainWithLess() {
+        AdamsMethod<2> method(1e-9);
+        Pace<2> pace = pastOf(3, 0.3);
+        const Pace<2> before = pace;
+        QVERIFY(method.attempt(Known::f, kStart, kStart + 0.3, Known::exact(kStart), pace));
+        QVERIFY(method.error() > 1);
+        method.retry(pace);
+        QVERIFY(pace.step > 0 && pace.step < 0.3);
+        QVERIFY(pace.order == 3 || pace.order == 2);
+        QCOMPARE(pace.fields.size(), before.fields.size());
+        for (std::size_t i = 0; i < pace.fields.size(); ++i)
+            QCOMPARE(pace.fields[i].field, before.fields[i].field);
+        const auto fails = [](double, Side, const Field&, Field&) { return false; };
+        QVERIFY(!method.attempt(fails, kStart, kStart + 0.1, Known::exact(kStart), pace));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestAdams)
+#include "test_adams.moc"
