@@ -1,10 +1,14 @@
 #include "kernels/back_end_choice.h"
 
+#include <memory>
+#include <optional>
 #include <utility>
 
 #include "core/assembly/cpu_back_end.h"
 #include "core/mesh/error.h"
 #include "kernels/opencl_back_end.h"
+#include "kernels/opencl_distortion.h"
+#include "kernels/opencl_warp.h"
 
 namespace wend {
 namespace {
@@ -60,7 +64,7 @@ class FailsafeBackEnd final : public BackEnd<Dim> {
         m_active = std::exchange(m_makeFallback, nullptr)();
         m_active->setInertia(m_inertia);
         if (m_shape.cols() > 0) m_active->setShape(m_shape);
-        if (m_notice) m_notice(device + " failed (" + why + "); the processor goes on");
+        if (m_notice) m_notice(failureText(device, DeviceFailure(why)));
     }
 
     std::unique_ptr<BackEnd<Dim>> m_active;
@@ -103,14 +107,40 @@ BackEndFactory<Dim> backEndFactory(BackEndKind kind, const std::string& device, 
         } catch (const DeviceFailure& failure) {
             if (kind == BackEndKind::OpenCl)
                 throw InputError("the OpenCL back end cannot be used: " + std::string(failure.what()));
-            if (notice) notice(info->name + " failed (" + failure.what() + "); the processor goes on");
+            if (notice) notice(failureText(info->name, failure));
             return makeCpu();
         }
     };
 }
 
+template <int Dim>
+DistortionOf<Dim> distortionOf(BackEndKind kind, const SimplicialMesh<Dim>& rest, const std::string& device,
+                               DeviceNotice notice) {
+    const auto onProcessor = [&rest](const Points<Dim>& pose) { return distortion(rest, pose); };
+    const auto info = kind == BackEndKind::OpenCl ? deviceFor(kind, device, 0) : std::nullopt;
+    if (!info) return onProcessor;
+    return [onProcessor, &rest, notice, info = *info,
+            onDevice = std::shared_ptr<OpenClDistortion<Dim>>()](const Points<Dim>& pose) mutable {
+        try {
+            if (!onDevice) onDevice = std::make_shared<OpenClDistortion<Dim>>(info, rest);
+            return onDevice->of(pose);
+        } catch (const DeviceFailure& failure) {
+            if (notice) notice(failureText(info.name, failure));
+            return onProcessor(pose);
+        }
+    };
+}
+
+MakeCellPainter cellPainters(BackEndKind kind, const std::string& device, DeviceNotice notice) {
+    if (kind != BackEndKind::OpenCl) return {};
+    const auto info = deviceFor(kind, device, 0);
+    return [notice, info = *info](const WarpJob& job) { return makeOpenClPainter(info, job, notice); };
+}
+
 #define WEND_INSTANTIATE(Dim)                                                                        \
     template BackEndFactory<Dim> backEndFactory<Dim>(BackEndKind, const std::string&, DeviceNotice); \
+    template DistortionOf<Dim> distortionOf<Dim>(BackEndKind, const SimplicialMesh<Dim>&,            \
+                                                 const std::string&, DeviceNotice);                  \
     template std::unique_ptr<BackEnd<Dim>> makeFailsafe<Dim>(                                        \
         std::unique_ptr<BackEnd<Dim>>, std::function<std::unique_ptr<BackEnd<Dim>>()>, DeviceNotice);
 WEND_INSTANTIATE(2)

@@ -5,11 +5,11 @@
 #include <string>
 
 #include "core/assembly/back_end.h"
+#include "core/energy/distortion.h"
+#include "kernels/device_failure.h"
+#include "warp/warp.h"
 
 namespace wend {
-
-/// Says once, in a sentence for a person, that the device failed and the CPU goes on.
-using DeviceNotice = std::function<void(const std::string&)>;
 
 /// Which back end computes, by the user's choice:
 ///   Cpu        the processor's;
@@ -28,5 +28,19 @@ template <int Dim>
 std::unique_ptr<BackEnd<Dim>> makeFailsafe(std::unique_ptr<BackEnd<Dim>> primary,
                                            std::function<std::unique_ptr<BackEnd<Dim>>()> makeFallback,
                                            DeviceNotice notice);
+
+/// Measures how far a pose is from a rest mesh, which must outlive it.
+template <int Dim>
+using DistortionOf = std::function<Distortion(const Points<Dim>& pose)>;
+
+/// The same choice for the distortion, but that Automatic is the processor: it does its cells in less time
+/// than they need to a device and back.
+template <int Dim>
+DistortionOf<Dim> distortionOf(BackEndKind kind, const SimplicialMesh<Dim>& rest,
+                               const std::string& device = {}, DeviceNotice notice = {});
+
+/// And for the texture warp (WarpOptions::makePainter): nothing but for OpenCl, since a picture goes to a
+/// device and back about as fast as the processor's cores paint it.
+MakeCellPainter cellPainters(BackEndKind kind, const std::string& device = {}, DeviceNotice notice = {});
 
 }  // namespace wend

@@ -6,36 +6,12 @@
 
 #include "core/energy/cell_energy.h"
 #include "kernels/opencl_context.h"
+#include "kernels/rest_inverses.h"
 
 namespace wend {
 namespace {
 
 constexpr int kChunk = 1024;  // cells per work item of the search for a bad one
-
-/// Runs OpenCL calls and turns what they throw into a DeviceFailure.
-template <typename Work>
-auto guarded(Work&& work) {
-    try {
-        return work();
-    } catch (const cl::Error& error) {
-        throw DeviceFailure(describe(error));
-    }
-}
-
-/// E₀⁻¹ of every cell, E₀ the rest edges as rows, row by row.
-template <int Dim>
-std::vector<double> restInverses(const SimplicialMesh<Dim>& rest) {
-    std::vector<double> values;
-    for (const auto& cell : rest.cells) {
-        Mat<Dim> edges;
-        for (int k = 0; k < Dim; ++k)
-            edges.row(k) = (rest.points.col(cell[k + 1]) - rest.points.col(cell[0])).transpose();
-        const Mat<Dim> inverse = edges.inverse();
-        for (int a = 0; a < Dim; ++a)
-            for (int b = 0; b < Dim; ++b) values.push_back(inverse(a, b));
-    }
-    return values;
-}
 
 template <int Dim>
 class OpenClBackEnd final : public BackEnd<Dim> {
@@ -76,7 +52,7 @@ class OpenClBackEnd final : public BackEnd<Dim> {
         guarded([&] {
             launch(m_cl.queue(), m_assemble, m_plan->blockCount(), m_ownStart, m_own, m_crossStart, m_cross,
                    m_gradients, m_measure, m_weights, m_beta, m_facetWeight, m_inertia, m_B, m_values);
-            m_cl.queue().enqueueReadBuffer(m_values, CL_TRUE, 0, values.size_bytes(), values.data());
+            m_cl.read(m_values, values.data(), values.size());
         });
     }
 
@@ -86,7 +62,7 @@ class OpenClBackEnd final : public BackEnd<Dim> {
             launch(m_cl.queue(), m_vertexForce, m_plan->vertexCount, m_cornerStart, m_corners, m_cells,
                    m_gradients, m_measure, m_inertia, m_force, m_field, m_product);
             Av.resize(Dim, v.cols());
-            m_cl.queue().enqueueReadBuffer(m_product, CL_TRUE, 0, Av.size() * sizeof(double), Av.data());
+            m_cl.read(m_product, Av.data(), static_cast<std::size_t>(Av.size()));
         });
     }
 
@@ -94,8 +70,7 @@ class OpenClBackEnd final : public BackEnd<Dim> {
         return guarded([&] {
             forces(v);
             std::vector<double> perCell(static_cast<std::size_t>(cells()));
-            m_cl.queue().enqueueReadBuffer(m_cellEnergy, CL_TRUE, 0, perCell.size() * sizeof(double),
-                                           perCell.data());
+            m_cl.read(m_cellEnergy, perCell.data(), perCell.size());
             return std::accumulate(perCell.begin(), perCell.end(), 0.0);
         });
     }
@@ -105,7 +80,7 @@ class OpenClBackEnd final : public BackEnd<Dim> {
     int facets() const { return static_cast<int>(m_plan->facets.size()); }
 
     void write(cl::Buffer& target, const Points<Dim>& values) {
-        m_cl.queue().enqueueWriteBuffer(target, CL_TRUE, 0, values.size() * sizeof(double), values.data());
+        m_cl.write(target, values.data(), static_cast<std::size_t>(values.size()));
     }
 
     void buildKernels() {
@@ -190,7 +165,7 @@ class OpenClBackEnd final : public BackEnd<Dim> {
         m_cl.queue().enqueueNDRangeKernel(m_firstBad, cl::NullRange, cl::NDRange(m_chunks),
                                           cl::NDRange(local));
         std::vector<int> first(static_cast<std::size_t>(m_chunks));
-        m_cl.queue().enqueueReadBuffer(m_first, CL_TRUE, 0, first.size() * sizeof(int), first.data());
+        m_cl.read(m_first, first.data(), first.size());
         const int found = *std::min_element(first.begin(), first.end());
         return found == cells() ? -1 : found;
     }

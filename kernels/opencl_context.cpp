@@ -55,8 +55,12 @@ OpenClContext::OpenClContext(const OpenClDeviceInfo& info) : m_info(info) {
     std::vector<cl::Platform> platforms;
     cl::Platform::get(&platforms);
     std::vector<cl::Device> devices;
-    platforms.at(info.platform).getDevices(CL_DEVICE_TYPE_ALL, &devices);
-    m_device = devices.at(info.device);
+    if (info.platform < 0 || static_cast<std::size_t>(info.platform) >= platforms.size())
+        throw cl::Error(CL_INVALID_PLATFORM, "the platform is gone");
+    platforms[static_cast<std::size_t>(info.platform)].getDevices(CL_DEVICE_TYPE_ALL, &devices);
+    if (info.device < 0 || static_cast<std::size_t>(info.device) >= devices.size())
+        throw cl::Error(CL_INVALID_DEVICE, "the device is gone");
+    m_device = devices[static_cast<std::size_t>(info.device)];
     m_context = cl::Context(m_device);
     m_queue = cl::CommandQueue(m_context, m_device);
 }

@@ -3,10 +3,14 @@
 #include <memory>
 #include <string>
 
+#include "kernels/device_failure.h"
 #include "kernels/opencl.h"
 #include "kernels/opencl_devices.h"
 
 namespace wend {
+
+/// "kernel assembly.cl: message": what a cl::Error says, for a person.
+std::string describe(const cl::Error& error);
 
 /// One device, ready to run kernels: context, queue and built programs. Not shared between threads.
 class OpenClContext {
@@ -29,16 +33,46 @@ class OpenClContext {
     template <typename T>
     cl::Buffer copyOf(const T* data, std::size_t count) {
         cl::Buffer target = buffer<T>(count);
-        if (count > 0) m_queue.enqueueWriteBuffer(target, CL_TRUE, 0, count * sizeof(T), data);
+        write(target, data, count);
         return target;
     }
+
+    /// Copies to and from the device return when they are done, and are counted.
+    template <typename T>
+    void write(cl::Buffer& target, const T* data, std::size_t count, std::size_t first = 0) {
+        if (count == 0) return;
+        m_queue.enqueueWriteBuffer(target, CL_TRUE, first * sizeof(T), count * sizeof(T), data);
+        m_copied.toDevice += count * sizeof(T);
+    }
+    template <typename T>
+    void read(const cl::Buffer& source, T* data, std::size_t count) {
+        if (count == 0) return;
+        m_queue.enqueueReadBuffer(source, CL_TRUE, 0, count * sizeof(T), data);
+        m_copied.fromDevice += count * sizeof(T);
+    }
+
+    struct Copied {
+        std::size_t toDevice = 0, fromDevice = 0;  // bytes
+    };
+    const Copied& copied() const { return m_copied; }
 
   private:
     OpenClDeviceInfo m_info;
     cl::Device m_device;
     cl::Context m_context;
     cl::CommandQueue m_queue;
+    Copied m_copied;
 };
+
+/// Runs OpenCL calls and turns what they throw into a DeviceFailure.
+template <typename Work>
+auto guarded(Work&& work) {
+    try {
+        return work();
+    } catch (const cl::Error& error) {
+        throw DeviceFailure(describe(error));
+    }
+}
 
 /// A kernel with a fixed local size (each new one would be compiled again) and a padded global size.
 template <typename... Arguments>
@@ -51,8 +85,5 @@ void launch(cl::CommandQueue& queue, cl::Kernel& kernel, int count, const Argume
     if (padded > 0)
         queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(padded), cl::NDRange(kLocal));
 }
-
-/// "kernel assembly.cl: message": what a cl::Error says, for a person.
-std::string describe(const cl::Error& error);
 
 }  // namespace wend

@@ -25,7 +25,7 @@ const QMap<QString, QStringList> kAllowed = {
     {"core/assembly", {"core/mesh", "core/energy"}},
     {"core/solver", {"core/mesh", "core/energy", "core/assembly"}},
     {"core/integration", {"core/mesh", "core/energy", "core/assembly", "core/solver", "core/motion"}},
-    {"kernels", {"core/mesh", "core/energy", "core/assembly"}},
+    {"kernels", {"core/mesh", "core/energy", "core/assembly", "warp"}},
     {"warp", {"core/mesh", "core/meshing"}},
     {"app/document", {"core/*", "warp"}},
     {"app/session", {"core/*", "kernels", "warp", "app/document"}},

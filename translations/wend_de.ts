@@ -2,6 +2,51 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE">
 <context>
+    <name>AreaTool</name>
+    <message>
+        <source>Draw a rectangle over the vertices to hold; Shift adds to the selected handle, Ctrl takes away</source>
+        <translation>Rechteck über die Punkte ziehen, die gehalten werden; Umschalt nimmt sie zum gewählten Griff dazu, Strg nimmt sie weg</translation>
+    </message>
+    <message>
+        <source>Draw around the vertices to hold; Shift adds to the selected handle, Ctrl takes away</source>
+        <translation>Die Punkte umfahren, die gehalten werden; Umschalt nimmt sie zum gewählten Griff dazu, Strg nimmt sie weg</translation>
+    </message>
+    <message>
+        <source>Brush over the vertices to hold, [ and ] change the size; Shift adds, Ctrl takes away</source>
+        <translation>Über die Punkte pinseln, die gehalten werden, [ und ] ändern die Größe; Umschalt nimmt dazu, Strg nimmt weg</translation>
+    </message>
+    <message>
+        <source>Drag from a point of the surface to hold a ball</source>
+        <translation>Von einem Punkt der Oberfläche ziehen hält eine Kugel</translation>
+    </message>
+    <message>
+        <source>Drag from a point of the surface to hold a box</source>
+        <translation>Von einem Punkt der Oberfläche ziehen hält einen Quader</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Gebiet</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Bereich</translation>
+    </message>
+</context>
+<context>
+    <name>CurveEditor</name>
+    <message>
+        <source>Change curve</source>
+        <translation>Kurve ändern</translation>
+    </message>
+</context>
+<context>
+    <name>CutTool</name>
+    <message>
+        <source>Drag the arrow to move the cut, the rings to tilt it; Esc puts it back</source>
+        <translation>Der Pfeil verschiebt den Schnitt, die Ringe kippen ihn; Esc stellt ihn zurück</translation>
+    </message>
+</context>
+<context>
     <name>EnergyScale</name>
     <message>
         <source>Area</source>
@@ -35,6 +80,22 @@
         <source>Keeps angles: small details keep their form. Parts may grow or shrink a lot.</source>
         <translation>Hält Winkel: kleine Einzelheiten behalten ihre Form. Teile können stark wachsen oder schrumpfen.</translation>
     </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Keeps volume: parts neither grow nor shrink. Angles and lengths give way.</source>
+        <translation>Erhält das Volumen: Nichts wächst oder schrumpft. Winkel und Längen geben nach.</translation>
+    </message>
+    <message>
+        <source>Keeps lengths best: a balance of volume and angle. A good start for most solids.</source>
+        <translation>Erhält Längen am besten: ein Ausgleich von Volumen und Winkel. Ein guter Anfang für die meisten Körper.</translation>
+    </message>
+    <message>
+        <source>Turns parts as if they were stiff. Volume gives way where parts bend.</source>
+        <translation>Dreht Teile, als wären sie steif. Wo sie sich biegen, gibt das Volumen nach.</translation>
+    </message>
 </context>
 <context>
     <name>Measure</name>
@@ -49,6 +110,22 @@
     <message>
         <source>Length</source>
         <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Energy φ</source>
+        <translation>Energie φ</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Steifigkeit</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
     </message>
     <message>
         <source>angle error %1</source>
@@ -68,10 +145,29 @@
     </message>
 </context>
 <context>
-    <name>Opening</name>
+    <name>MeasureTool</name>
     <message>
-        <source>this is a solid; the window shows pictures and flat meshes so far. `wend run` and `wend mesh` work with solids.</source>
-        <translation>das ist ein Körper; das Fenster zeigt bisher Bilder und ebene Netze. `wend run` und `wend mesh` arbeiten mit Körpern.</translation>
+        <source>Click two points for a length, a third for the angle at the second; Esc clears</source>
+        <translation>Zwei Punkte anklicken misst eine Länge, ein dritter den Winkel am zweiten; Esc beginnt neu</translation>
+    </message>
+    <message>
+        <source>angle %1, at rest %2</source>
+        <translation>Winkel %1, in Ruhe %2</translation>
+    </message>
+    <message>
+        <source>length %1, at rest %2</source>
+        <translation>Länge %1, in Ruhe %2</translation>
+    </message>
+</context>
+<context>
+    <name>PaintTool</name>
+    <message>
+        <source>Paint the material chosen on the right; [ and ] change the size, Esc gives up the stroke</source>
+        <translation>Malt das rechts gewählte Material; [ und ] ändern die Größe, Esc verwirft den Strich</translation>
+    </message>
+    <message>
+        <source>Paint material</source>
+        <translation>Material malen</translation>
     </message>
 </context>
 <context>
@@ -98,14 +194,33 @@
     </message>
 </context>
 <context>
+    <name>SolidPinTool</name>
+    <message>
+        <source>X, Y, Z lock an axis, numbers set the amount, Esc puts the solid back</source>
+        <translation>X, Y, Z halten eine Achse fest, Ziffern geben den Betrag, Esc stellt den Körper zurück</translation>
+    </message>
+    <message>
+        <source>Drag an arrow, a square or a ring; G moves, R turns, S scales</source>
+        <translation>Pfeil, Quadrat oder Ring ziehen; G bewegt, R dreht, S skaliert</translation>
+    </message>
+    <message>
+        <source>Drag to move along the screen, Shift-click to select more</source>
+        <translation>Ziehen bewegt am Bildschirm entlang, Umschalt-Klick wählt weitere</translation>
+    </message>
+    <message>
+        <source>Click on the solid to set a pin, then drag pins to bend it</source>
+        <translation>Klick auf den Körper setzt einen Pin, Ziehen an Pins biegt ihn</translation>
+    </message>
+    <message>
+        <source>Click or draw a rectangle to select pins, drag to move them, arrow keys nudge</source>
+        <translation>Klicken oder Rechteck aufziehen wählt Pins, Ziehen bewegt sie, Pfeiltasten rücken sie</translation>
+    </message>
+</context>
+<context>
     <name>wend::Actions</name>
     <message>
         <source>&amp;Open…</source>
         <translation>Ö&amp;ffnen …</translation>
-    </message>
-    <message>
-        <source>Open a picture, a flat mesh or a project</source>
-        <translation>Ein Bild, ein ebenes Netz oder ein Projekt öffnen</translation>
     </message>
     <message>
         <source>&amp;Save</source>
@@ -467,6 +582,101 @@
         <source>Ctrl+Y</source>
         <translation>Ctrl+Y</translation>
     </message>
+    <message>
+        <source>A solid has no pixels.</source>
+        <translation>Ein Körper hat keine Pixel.</translation>
+    </message>
+    <message>
+        <source>Open a picture, a mesh, a surface or a project</source>
+        <translation>Ein Bild, ein Netz, eine Oberfläche oder ein Projekt öffnen</translation>
+    </message>
+</context>
+<context>
+    <name>wend::CutPanel</name>
+    <message>
+        <source>Not cut</source>
+        <translation>Ganz</translation>
+    </message>
+    <message>
+        <source>Whole cells</source>
+        <translation>Ganze Zellen</translation>
+    </message>
+    <message>
+        <source>Exact</source>
+        <translation>Exakt</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>Looks inside: by whole tetrahedra, or along the exact plane.</source>
+        <translation>Zeigt das Innere: in ganzen Tetraedern oder genau entlang der Ebene.</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>Flip</source>
+        <translation>Wenden</translation>
+    </message>
+    <message>
+        <source>Cut across %1</source>
+        <translation>Quer zu %1 schneiden</translation>
+    </message>
+    <message>
+        <source>Other side</source>
+        <translation>Andere Seite</translation>
+    </message>
+    <message>
+        <source>Turns the plane so that it stands across this axis.</source>
+        <translation>Stellt die Ebene quer zu dieser Achse.</translation>
+    </message>
+    <message>
+        <source>Takes away the other side of the plane.</source>
+        <translation>Nimmt die andere Seite der Ebene weg.</translation>
+    </message>
+    <message>
+        <source>Place of the cut</source>
+        <translation>Ort des Schnitts</translation>
+    </message>
+    <message>
+        <source>Moves the plane through the solid.</source>
+        <translation>Verschiebt die Ebene durch den Körper.</translation>
+    </message>
+    <message>
+        <source>Normal of the cut</source>
+        <translation>Normale des Schnitts</translation>
+    </message>
+    <message>
+        <source>The direction that the plane looks in, as x, y and z.</source>
+        <translation>Die Richtung, in die die Ebene schaut, als x, y und z.</translation>
+    </message>
+    <message>
+        <source>Distance of the cut</source>
+        <translation>Abstand des Schnitts</translation>
+    </message>
+    <message>
+        <source>How far the plane is from the origin, along its normal.</source>
+        <translation>Wie weit die Ebene entlang ihrer Normalen vom Ursprung entfernt ist.</translation>
+    </message>
+    <message>
+        <source>&amp;Look inside</source>
+        <translation>&amp;Hineinsehen</translation>
+    </message>
+    <message>
+        <source>&amp;Distance</source>
+        <translation>&amp;Abstand</translation>
+    </message>
 </context>
 <context>
     <name>wend::DistortionPanel</name>
@@ -535,6 +745,22 @@
         <translation>Schlimmste Stelle</translation>
     </message>
     <message>
+        <source>Volume error</source>
+        <translation>Volumenfehler</translation>
+    </message>
+    <message>
+        <source>Sum over the shape of det F + 1/det F − 2: zero if all volumes are kept.</source>
+        <translation>Summe von det F + 1/det F − 2 über die Form: null, wenn alle Volumen erhalten sind.</translation>
+    </message>
+    <message>
+        <source>Volume of the most distorted tetrahedron against rest.</source>
+        <translation>Volumen des am stärksten verzerrten Tetraeders gegenüber der Ruhe.</translation>
+    </message>
+    <message>
+        <source>What is coloured over the solid: the error of lengths, volumes or angles, the material, or how fast it moves.</source>
+        <translation>Was auf dem Körper gefärbt ist: der Fehler der Längen, Volumen oder Winkel, das Material, oder wie schnell er sich bewegt.</translation>
+    </message>
+    <message>
         <source>The tetrahedron that is farthest from rest by what the map shows.</source>
         <translation>Das Tetraeder, das nach dem, was die Karte zeigt, am weitesten von der Ruhe entfernt ist.</translation>
     </message>
@@ -552,6 +778,10 @@
     <message>
         <source>What the shape keeps when it has to give way. From Area over Length and Rigid to Angle the error moves from angles to areas. Between two names the energy changes evenly.</source>
         <translation>Was die Form hält, wenn sie nachgeben muss. Von Fläche über Länge und Starr zu Winkel wandert der Fehler von den Winkeln zu den Flächen. Zwischen zwei Namen ändert sich die Energie gleichmäßig.</translation>
+    </message>
+    <message>
+        <source>What the shape keeps when it has to give way. From Volume over Length and Rigid to Angle the error moves from angles to volumes. Between two names the energy changes evenly.</source>
+        <translation>Was die Form erhält, wenn sie nachgeben muss. Von Volumen über Länge und Starr bis Winkel wandert der Fehler von den Winkeln zu den Volumen. Zwischen zwei Namen ändert sich die Energie gleichmäßig.</translation>
     </message>
 </context>
 <context>
@@ -610,6 +840,17 @@
     <message>
         <source>How many pictures, from the start to the end?</source>
         <translation>Wie viele Bilder, vom Anfang bis zum Ende?</translation>
+    </message>
+    <message>
+        <source>How many shapes, from the start to the end?</source>
+        <translation>Wie viele Formen, vom Anfang bis zum Ende?</translation>
+    </message>
+    <message numerus="yes">
+        <source>Writing %n shapes …</source>
+        <translation>
+            <numerusform>%n Form wird geschrieben …</numerusform>
+            <numerusform>%n Formen werden geschrieben …</numerusform>
+        </translation>
     </message>
     <message>
         <source>Another export is still being written. Try again in a moment.</source>
@@ -689,6 +930,160 @@
     <message>
         <source>“%1” is not opened then.</source>
         <translation>„%1“ wird dann nicht geöffnet.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::HandlePanel</name>
+    <message>
+        <source>Select a pin to see its numbers.</source>
+        <translation>Einen Pin wählen, um seine Zahlen zu sehen.</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Anwenden</translation>
+    </message>
+    <message>
+        <source>Make a curve of it</source>
+        <translation>In eine Kurve verwandeln</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>What the handle is called in the project and in messages.</source>
+        <translation>Wie der Griff im Projekt und in Meldungen heißt.</translation>
+    </message>
+    <message>
+        <source>Move by</source>
+        <translation>Bewegen um</translation>
+    </message>
+    <message>
+        <source>Turn by</source>
+        <translation>Drehen um</translation>
+    </message>
+    <message>
+        <source>Scale by</source>
+        <translation>Skalieren mit</translation>
+    </message>
+    <message>
+        <source>Exact step</source>
+        <translation>Genauer Schritt</translation>
+    </message>
+    <message>
+        <source>Moves, turns or scales what is selected by exact numbers.</source>
+        <translation>Bewegt, dreht oder skaliert das Gewählte um genaue Zahlen.</translation>
+    </message>
+    <message>
+        <source>Amount</source>
+        <translation>Betrag</translation>
+    </message>
+    <message>
+        <source>How far along x, y and z; an angle; or a factor.</source>
+        <translation>Wie weit in x, y und z; ein Winkel; oder ein Faktor.</translation>
+    </message>
+    <message>
+        <source>around X</source>
+        <translation>um X</translation>
+    </message>
+    <message>
+        <source>around Y</source>
+        <translation>um Y</translation>
+    </message>
+    <message>
+        <source>around Z</source>
+        <translation>um Z</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>The axis of the turn, through the middle of what is selected.</source>
+        <translation>Die Drehachse, durch die Mitte des Gewählten.</translation>
+    </message>
+    <message>
+        <source>Does this step; it becomes part of the motion.</source>
+        <translation>Führt diesen Schritt aus; er wird Teil der Bewegung.</translation>
+    </message>
+    <message>
+        <source>Turns the way that was drawn into a Bézier curve with points to drag.</source>
+        <translation>Macht aus dem gezogenen Weg eine Bézierkurve mit Punkten zum Ziehen.</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Frenet</source>
+        <translation>Frenet</translation>
+    </message>
+    <message>
+        <source>least turning</source>
+        <translation>kleinste Drehung</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Rahmen</translation>
+    </message>
+    <message>
+        <source>Whether what is held turns along the curve, and how.</source>
+        <translation>Ob sich das Gehaltene entlang der Kurve dreht, und wie.</translation>
+    </message>
+    <message>
+        <source>Twist</source>
+        <translation>Drall</translation>
+    </message>
+    <message>
+        <source>How far it turns around the curve&apos;s direction, over the whole curve.</source>
+        <translation>Wie weit es sich über die ganze Kurve um deren Richtung dreht.</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>How large it has become at the end of the curve.</source>
+        <translation>Wie groß es am Ende der Kurve geworden ist.</translation>
+    </message>
+    <message>
+        <source>Pin</source>
+        <translation>Pin</translation>
+    </message>
+    <message>
+        <source>Fra&amp;me</source>
+        <translation>Rah&amp;men</translation>
+    </message>
+    <message>
+        <source>T&amp;wist</source>
+        <translation>&amp;Drall</translation>
+    </message>
+    <message>
+        <source>S&amp;cale</source>
+        <translation>&amp;Größe</translation>
+    </message>
+    <message>
+        <source>Make a curve</source>
+        <translation>Kurve machen</translation>
+    </message>
+    <message>
+        <source>Change curve</source>
+        <translation>Kurve ändern</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pins</source>
+        <translation>
+            <numerusform>%n Pin</numerusform>
+            <numerusform>%n Pins</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>at %1, %2, %3</source>
+        <translation>bei %1, %2, %3</translation>
     </message>
 </context>
 <context>
@@ -814,6 +1209,10 @@
         <source>Change smoothing</source>
         <translation>Glättung ändern</translation>
     </message>
+    <message>
+        <source>The same choice as a number, as it stands in the project file: 0.002 keeps volume, 0.464 length, 1.571 is rigid, 2.498 keeps angles.</source>
+        <translation>Dieselbe Wahl als Zahl, wie sie in der Projektdatei steht: 0,002 erhält das Volumen, 0,464 die Länge, 1,571 ist starr, 2,498 erhält Winkel.</translation>
+    </message>
 </context>
 <context>
     <name>wend::MeshPanel</name>
@@ -921,6 +1320,156 @@
         <source>%1 vertices, %2 triangles</source>
         <translation>%1 Ecken, %2 Dreiecke</translation>
     </message>
+    <message>
+        <source>Roundness</source>
+        <translation>Rundheit</translation>
+    </message>
+    <message>
+        <source>How flat the tetrahedra may be: the greatest ratio of circumradius to shortest edge. Smaller is rounder and takes more of them.</source>
+        <translation>Wie flach die Tetraeder sein dürfen: das größte Verhältnis von Umkreisradius zu kürzester Kante. Kleiner ist runder und braucht mehr davon.</translation>
+    </message>
+    <message>
+        <source>R&amp;oundness</source>
+        <translation>R&amp;undheit</translation>
+    </message>
+    <message>
+        <source>Change roundness</source>
+        <translation>Rundheit ändern</translation>
+    </message>
+    <message>
+        <source>%1 vertices, %2 tetrahedra</source>
+        <translation>%1 Punkte, %2 Tetraeder</translation>
+    </message>
+</context>
+<context>
+    <name>wend::PaintPanel</name>
+    <message>
+        <source>&amp;Keep here</source>
+        <translation>Hier &amp;erhalten</translation>
+    </message>
+    <message>
+        <source>Remove region</source>
+        <translation>Gebiet entfernen</translation>
+    </message>
+    <message>
+        <source>Keep here</source>
+        <translation>Hier erhalten</translation>
+    </message>
+    <message>
+        <source>Whether the brush changes what is kept, and to what.</source>
+        <translation>Ob der Pinsel ändert, was erhalten wird, und wozu.</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Steifigkeit</translation>
+    </message>
+    <message>
+        <source>How many times stiffer the painted part is along the axis; ×1 is as everywhere.</source>
+        <translation>Wievielmal steifer der gemalte Teil entlang der Achse ist; ×1 ist wie überall.</translation>
+    </message>
+    <message>
+        <source>along X</source>
+        <translation>entlang X</translation>
+    </message>
+    <message>
+        <source>along Y</source>
+        <translation>entlang Y</translation>
+    </message>
+    <message>
+        <source>along Z</source>
+        <translation>entlang Z</translation>
+    </message>
+    <message>
+        <source>Stiff direction</source>
+        <translation>Steife Richtung</translation>
+    </message>
+    <message>
+        <source>The direction at rest; it turns with the material.</source>
+        <translation>Die Richtung in Ruhe; sie dreht sich mit dem Material.</translation>
+    </message>
+    <message>
+        <source>Regions</source>
+        <translation>Gebiete</translation>
+    </message>
+    <message>
+        <source>Where the material is another; a click shows its values for changing.</source>
+        <translation>Wo das Material ein anderes ist; ein Klick zeigt seine Werte zum Ändern.</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Takes the chosen region away.</source>
+        <translation>Nimmt das gewählte Gebiet weg.</translation>
+    </message>
+    <message>
+        <source>Paint material</source>
+        <translation>Material malen</translation>
+    </message>
+    <message>
+        <source>St&amp;iffness</source>
+        <translation>St&amp;eifigkeit</translation>
+    </message>
+    <message>
+        <source>Direc&amp;tion</source>
+        <translation>Ri&amp;chtung</translation>
+    </message>
+    <message>
+        <source>Change region</source>
+        <translation>Gebiet ändern</translation>
+    </message>
+    <message>
+        <source>Unnamed</source>
+        <translation>Ohne Namen</translation>
+    </message>
+</context>
+<context>
+    <name>wend::PictureDialog</name>
+    <message>
+        <source>&amp;Transparent background</source>
+        <translation>&amp;Durchsichtiger Hintergrund</translation>
+    </message>
+    <message>
+        <source>Export Picture</source>
+        <translation>Bild exportieren</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Width of the picture in pixels.</source>
+        <translation>Breite des Bildes in Pixeln.</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>Height of the picture in pixels; it decides how large the solid is.</source>
+        <translation>Höhe des Bildes in Pixeln; sie bestimmt, wie groß der Körper ist.</translation>
+    </message>
+    <message>
+        <source>Transparent background</source>
+        <translation>Durchsichtiger Hintergrund</translation>
+    </message>
+    <message>
+        <source>Only the solid, on nothing.</source>
+        <translation>Nur der Körper, ohne Grund.</translation>
+    </message>
+    <message>
+        <source>&amp;Width</source>
+        <translation>&amp;Breite</translation>
+    </message>
+    <message>
+        <source>&amp;Height</source>
+        <translation>&amp;Höhe</translation>
+    </message>
 </context>
 <context>
     <name>wend::SampleCard</name>
@@ -970,6 +1519,18 @@
         </translation>
     </message>
     <message>
+        <source>Change %1</source>
+        <translation>%1 ändern</translation>
+    </message>
+    <message>
+        <source>Turn %1</source>
+        <translation>%1 drehen</translation>
+    </message>
+    <message>
+        <source>Scale %1</source>
+        <translation>%1 skalieren</translation>
+    </message>
+    <message>
         <source>%1 cannot go further: %2</source>
         <translation>%1 kann nicht weiter: %2</translation>
     </message>
@@ -980,6 +1541,344 @@
     <message>
         <source>%1 does not hold the shape at the end any more.</source>
         <translation>%1 hält die Form am Ende nicht mehr.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::SolidActions</name>
+    <message>
+        <source>Hold by &amp;Rectangle</source>
+        <translation>Mit &amp;Rechteck halten</translation>
+    </message>
+    <message>
+        <source>Take hold of all vertices in a rectangle as one handle</source>
+        <translation>Alle Punkte in einem Rechteck als einen Griff halten</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>Hold by &amp;Lasso</source>
+        <translation>Mit &amp;Lasso halten</translation>
+    </message>
+    <message>
+        <source>Take hold of all vertices in a drawn outline as one handle</source>
+        <translation>Alle Punkte in einem gezogenen Umriss als einen Griff halten</translation>
+    </message>
+    <message>
+        <source>O</source>
+        <translation>O</translation>
+    </message>
+    <message>
+        <source>Hold by &amp;Brush</source>
+        <translation>Mit &amp;Pinsel halten</translation>
+    </message>
+    <message>
+        <source>Take hold of the vertices that are brushed over as one handle</source>
+        <translation>Die überpinselten Punkte als einen Griff halten</translation>
+    </message>
+    <message>
+        <source>U</source>
+        <translation>U</translation>
+    </message>
+    <message>
+        <source>Hold a B&amp;all</source>
+        <translation>&amp;Kugel halten</translation>
+    </message>
+    <message>
+        <source>Take hold of all vertices in a ball around a point of the surface</source>
+        <translation>Alle Punkte in einer Kugel um einen Punkt der Oberfläche halten</translation>
+    </message>
+    <message>
+        <source>Shift+B</source>
+        <translation>Shift+B</translation>
+    </message>
+    <message>
+        <source>Hold a Bo&amp;x</source>
+        <translation>&amp;Quader halten</translation>
+    </message>
+    <message>
+        <source>Take hold of all vertices in a box around a point of the surface</source>
+        <translation>Alle Punkte in einem Quader um einen Punkt der Oberfläche halten</translation>
+    </message>
+    <message>
+        <source>Shift+X</source>
+        <translation>Shift+X</translation>
+    </message>
+    <message>
+        <source>&amp;Paint Material</source>
+        <translation>&amp;Material malen</translation>
+    </message>
+    <message>
+        <source>Brush another stiffness and energy into the solid</source>
+        <translation>Andere Steifigkeit und Energie in den Körper pinseln</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>M&amp;easure</source>
+        <translation>M&amp;essen</translation>
+    </message>
+    <message>
+        <source>Measure lengths and angles between points of the solid</source>
+        <translation>Längen und Winkel zwischen Punkten des Körpers messen</translation>
+    </message>
+    <message>
+        <source>E</source>
+        <translation>E</translation>
+    </message>
+    <message>
+        <source>Through the &amp;Solid</source>
+        <translation>D&amp;urch den Körper</translation>
+    </message>
+    <message>
+        <source>Rectangle, lasso and brush also take what is hidden</source>
+        <translation>Rechteck, Lasso und Pinsel nehmen auch Verdecktes</translation>
+    </message>
+    <message>
+        <source>T</source>
+        <translation>T</translation>
+    </message>
+    <message>
+        <source>Hold Beyond the &amp;Cut</source>
+        <translation>Jenseits des &amp;Schnitts halten</translation>
+    </message>
+    <message>
+        <source>Take hold of all that the cut takes away, as one handle</source>
+        <translation>Alles, was der Schnitt wegnimmt, als einen Griff halten</translation>
+    </message>
+    <message>
+        <source>Ctrl+B</source>
+        <translation>Ctrl+B</translation>
+    </message>
+    <message>
+        <source>&amp;Move</source>
+        <translation>&amp;Bewegen</translation>
+    </message>
+    <message>
+        <source>Show arrows that move the selected pins</source>
+        <translation>Pfeile zeigen, die die gewählten Pins bewegen</translation>
+    </message>
+    <message>
+        <source>G</source>
+        <translation>G</translation>
+    </message>
+    <message>
+        <source>&amp;Turn</source>
+        <translation>&amp;Drehen</translation>
+    </message>
+    <message>
+        <source>Show rings that turn the selected pins</source>
+        <translation>Ringe zeigen, die die gewählten Pins drehen</translation>
+    </message>
+    <message>
+        <source>R</source>
+        <translation>R</translation>
+    </message>
+    <message>
+        <source>&amp;Scale</source>
+        <translation>Sk&amp;alieren</translation>
+    </message>
+    <message>
+        <source>Show a ring that scales the selected pins</source>
+        <translation>Einen Ring zeigen, der die gewählten Pins skaliert</translation>
+    </message>
+    <message>
+        <source>S</source>
+        <translation>S</translation>
+    </message>
+    <message>
+        <source>&amp;Flat Faces</source>
+        <translation>&amp;Flache Dreiecke</translation>
+    </message>
+    <message>
+        <source>Shade every triangle by itself instead of smoothly</source>
+        <translation>Jedes Dreieck für sich statt glatt schattieren</translation>
+    </message>
+    <message>
+        <source>Shift+F</source>
+        <translation>Shift+F</translation>
+    </message>
+    <message>
+        <source>&amp;Parallel View</source>
+        <translation>&amp;Parallele Ansicht</translation>
+    </message>
+    <message>
+        <source>See without perspective</source>
+        <translation>Ohne Perspektive sehen</translation>
+    </message>
+    <message>
+        <source>5</source>
+        <translation>5</translation>
+    </message>
+    <message>
+        <source>&amp;Velocity Arrows</source>
+        <translation>&amp;Geschwindigkeitspfeile</translation>
+    </message>
+    <message>
+        <source>Show where the surface moves at this time</source>
+        <translation>Zeigen, wohin sich die Oberfläche gerade bewegt</translation>
+    </message>
+    <message>
+        <source>Shift+V</source>
+        <translation>Shift+V</translation>
+    </message>
+    <message>
+        <source>&amp;Stiffness Ellipsoids</source>
+        <translation>&amp;Steifigkeits-Ellipsoide</translation>
+    </message>
+    <message>
+        <source>Show where the material is stiff, and along which direction</source>
+        <translation>Zeigen, wo das Material steif ist und in welcher Richtung</translation>
+    </message>
+    <message>
+        <source>Shift+S</source>
+        <translation>Shift+S</translation>
+    </message>
+    <message>
+        <source>&amp;Cut Open</source>
+        <translation>&amp;Aufschneiden</translation>
+    </message>
+    <message>
+        <source>Look inside along a plane; an arrow and rings move and tilt it</source>
+        <translation>Entlang einer Ebene hineinsehen; Pfeil und Ringe verschieben und kippen sie</translation>
+    </message>
+    <message>
+        <source>C</source>
+        <translation>C</translation>
+    </message>
+    <message>
+        <source>Look along an axis of the world</source>
+        <translation>Entlang einer Achse der Welt sehen</translation>
+    </message>
+    <message>
+        <source>&amp;Front</source>
+        <translation>&amp;Vorn</translation>
+    </message>
+    <message>
+        <source>1</source>
+        <translation>1</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>&amp;Hinten</translation>
+    </message>
+    <message>
+        <source>Ctrl+1</source>
+        <translation>Ctrl+1</translation>
+    </message>
+    <message>
+        <source>&amp;Right</source>
+        <translation>&amp;Rechts</translation>
+    </message>
+    <message>
+        <source>3</source>
+        <translation>3</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>&amp;Links</translation>
+    </message>
+    <message>
+        <source>Ctrl+3</source>
+        <translation>Ctrl+3</translation>
+    </message>
+    <message>
+        <source>&amp;Top</source>
+        <translation>&amp;Oben</translation>
+    </message>
+    <message>
+        <source>7</source>
+        <translation>7</translation>
+    </message>
+    <message>
+        <source>B&amp;ottom</source>
+        <translation>&amp;Unten</translation>
+    </message>
+    <message>
+        <source>Ctrl+7</source>
+        <translation>Ctrl+7</translation>
+    </message>
+    <message>
+        <source>&amp;Oblique</source>
+        <translation>&amp;Schräg</translation>
+    </message>
+    <message>
+        <source>Look from the side and above</source>
+        <translation>Schräg von oben sehen</translation>
+    </message>
+    <message>
+        <source>0</source>
+        <translation>0</translation>
+    </message>
+    <message>
+        <source>&amp;Wend</source>
+        <translation>&amp;Wend</translation>
+    </message>
+    <message>
+        <source>Right or middle button turns, with Shift moves; the wheel zooms</source>
+        <translation>Rechte oder mittlere Taste dreht, mit Umschalt verschiebt sie; das Rad zoomt</translation>
+    </message>
+    <message>
+        <source>Like &amp;VTK</source>
+        <translation>Wie &amp;VTK</translation>
+    </message>
+    <message>
+        <source>Left button turns, middle moves, right zooms, as in ParaView</source>
+        <translation>Linke Taste dreht, mittlere verschiebt, rechte zoomt, wie in ParaView</translation>
+    </message>
+    <message>
+        <source>Like &amp;Blender</source>
+        <translation>Wie &amp;Blender</translation>
+    </message>
+    <message>
+        <source>Middle button turns, with Shift moves, with Ctrl zooms</source>
+        <translation>Mittlere Taste dreht, mit Umschalt verschiebt, mit Strg zoomt sie</translation>
+    </message>
+    <message>
+        <source>&amp;Solid</source>
+        <translation>&amp;Körper</translation>
+    </message>
+    <message>
+        <source>L&amp;ook from</source>
+        <translation>Se&amp;hen von</translation>
+    </message>
+    <message>
+        <source>&amp;Navigation</source>
+        <translation>&amp;Navigation</translation>
+    </message>
+    <message>
+        <source>Open a solid first.</source>
+        <translation>Zuerst einen Körper öffnen.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::SolidWorkshop</name>
+    <message>
+        <source>Solids need OpenGL 3.3, which this system does not have. The command line (wend run) works with them all the same.</source>
+        <translation>Körper brauchen OpenGL 3.3, das dieses System nicht hat. Die Befehlszeile (wend run) arbeitet trotzdem mit ihnen.</translation>
+    </message>
+    <message>
+        <source>Export Picture</source>
+        <translation>Bild exportieren</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>Nothing was written. %1</source>
+        <translation>Nichts wurde geschrieben. %1</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Bereich</translation>
+    </message>
+    <message>
+        <source>&lt;table cellspacing=&apos;6&apos;&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Click&lt;/b&gt;&lt;/td&gt;&lt;td&gt;sets a pin&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Drag a pin&lt;/b&gt;&lt;/td&gt;&lt;td&gt;moves it along the screen; Esc puts it back&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;G, R, S&lt;/b&gt;&lt;/td&gt;&lt;td&gt;arrows to move, rings to turn, a ring to scale&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;X, Y, Z while dragging&lt;/b&gt;&lt;/td&gt;&lt;td&gt;lock an axis&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Digits while dragging&lt;/b&gt;&lt;/td&gt;&lt;td&gt;set the amount, Enter takes it&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, O, U&lt;/b&gt;&lt;/td&gt;&lt;td&gt;hold by rectangle, lasso, brush; T: through the solid&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Right or middle button&lt;/b&gt;&lt;/td&gt;&lt;td&gt;turns the view; with Shift it moves&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Middle click&lt;/b&gt;&lt;/td&gt;&lt;td&gt;sets the point to turn around&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Wheel&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zooms to the pointer&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;1, 3, 7, 0&lt;/b&gt;&lt;/td&gt;&lt;td&gt;from the front, right, top, side; Ctrl: from the other side&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;C&lt;/b&gt;&lt;/td&gt;&lt;td&gt;cuts the solid open&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Hold H&lt;/b&gt;&lt;/td&gt;&lt;td&gt;shows the bare solid&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</source>
+        <translation>&lt;table cellspacing=&apos;6&apos;&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Klick&lt;/b&gt;&lt;/td&gt;&lt;td&gt;setzt einen Pin&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Pin ziehen&lt;/b&gt;&lt;/td&gt;&lt;td&gt;bewegt ihn am Bildschirm entlang; Esc stellt ihn zurück&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;G, R, S&lt;/b&gt;&lt;/td&gt;&lt;td&gt;Pfeile zum Bewegen, Ringe zum Drehen, ein Ring zum Skalieren&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;X, Y, Z beim Ziehen&lt;/b&gt;&lt;/td&gt;&lt;td&gt;halten eine Achse fest&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ziffern beim Ziehen&lt;/b&gt;&lt;/td&gt;&lt;td&gt;geben den Betrag, die Eingabetaste nimmt ihn&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, O, U&lt;/b&gt;&lt;/td&gt;&lt;td&gt;mit Rechteck, Lasso, Pinsel halten; T: durch den Körper&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Rechte oder mittlere Taste&lt;/b&gt;&lt;/td&gt;&lt;td&gt;dreht die Ansicht; mit Umschalt verschiebt sie&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Mittelklick&lt;/b&gt;&lt;/td&gt;&lt;td&gt;setzt den Drehpunkt&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Rad&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zoomt zum Zeiger&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;1, 3, 7, 0&lt;/b&gt;&lt;/td&gt;&lt;td&gt;von vorn, rechts, oben, schräg; Strg: von der anderen Seite&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;C&lt;/b&gt;&lt;/td&gt;&lt;td&gt;schneidet den Körper auf&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;H halten&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zeigt den bloßen Körper&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</translation>
     </message>
 </context>
 <context>
@@ -1072,12 +1971,74 @@
         <translation>Pinfehler %1</translation>
     </message>
     <message>
+        <source>volume %1 %</source>
+        <translation>Volumen %1 %</translation>
+    </message>
+    <message>
         <source>Worst place</source>
         <translation>Schlimmste Stelle</translation>
     </message>
     <message>
         <source>How far the worst place is from rest, by what the map shows</source>
         <translation>Wie weit die schlimmste Stelle von der Ruhe entfernt ist, nach dem, was die Karte zeigt</translation>
+    </message>
+</context>
+<context>
+    <name>wend::SurfaceCheck</name>
+    <message>
+        <source>Save List</source>
+        <translation>Liste speichern</translation>
+    </message>
+    <message>
+        <source>Text (*.txt)</source>
+        <translation>Text (*.txt)</translation>
+    </message>
+    <message>
+        <source>Repair surface</source>
+        <translation>Oberfläche reparieren</translation>
+    </message>
+</context>
+<context>
+    <name>wend::SurfacePanel</name>
+    <message>
+        <source>Show them</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Save list…</source>
+        <translation>Liste speichern …</translation>
+    </message>
+    <message>
+        <source>Repair</source>
+        <translation>Reparieren</translation>
+    </message>
+    <message>
+        <source>The surface bounds no solid</source>
+        <translation>Die Oberfläche umschließt keinen Körper</translation>
+    </message>
+    <message>
+        <source>Show the triangles</source>
+        <translation>Dreiecke zeigen</translation>
+    </message>
+    <message>
+        <source>Colours the triangles that are wrong, and looks at them.</source>
+        <translation>Färbt die fehlerhaften Dreiecke und sieht sie an.</translation>
+    </message>
+    <message>
+        <source>Save the list</source>
+        <translation>Liste speichern</translation>
+    </message>
+    <message>
+        <source>Writes the numbers of all wrong triangles and edges to a file.</source>
+        <translation>Schreibt die Nummern aller fehlerhaften Dreiecke und Kanten in eine Datei.</translation>
+    </message>
+    <message>
+        <source>Merges points at one place, drops degenerate and double triangles, orients them and fills small holes.</source>
+        <translation>Fasst Punkte am selben Ort zusammen, entfernt entartete und doppelte Dreiecke, richtet sie aus und füllt kleine Löcher.</translation>
+    </message>
+    <message>
+        <source>The repair did not help; another program has to mend the surface.</source>
+        <translation>Die Reparatur hat nicht geholfen; ein anderes Programm muss die Oberfläche flicken.</translation>
     </message>
 </context>
 <context>

@@ -3,32 +3,38 @@
 #include <array>
 #include <bit>
 
+#include "warp/span_painters.h"
 #include "warp/warp_job.h"
 
 namespace wend {
 
-/// Paints the rows of one band of a picture of N channels of type T with the filter F: the cells, then the
-/// outline's pixels, then what no cell covers.
-template <typename T, int N, Filter F>
+/// Paints the rows of one band of a picture of numbers of type T: the cells, then the outline's pixels, then
+/// what no cell covers.
+template <typename T>
 class BandPainter {
   public:
-    BandPainter(WarpJob& job, int band)
+    BandPainter(const WarpJob& job, int band, BandPart part, Image& strip, int top)
         : m_job(job),
+          m_part(part),
+          m_strip(strip),
+          m_top(top),
           m_band(band),
           m_begin(band * kBandRows),
           m_end(std::min(job.view.height, m_begin + kBandRows)),
-          m_channels(job.output.channels),
-          m_outsideFilter(job.view.scale * Mat<2>::Identity(), F, job.source.levels()) {
-        for (int k = 0; k < job.source.levels(); ++k)
-            m_samplers.emplace_back(job.source.level(k), job.source.opaque());
+          m_channels(job.header.channels),
+          m_spans(
+              spanFunctionsOf<T>(job.source->base().channels, job.options.filter, job.options.wideVectors)) {
+        m_task.left = job.view.origin.x(), m_task.scale = job.view.scale, m_task.addsAlpha = job.addsAlpha;
+        for (int k = 0; k < job.source->levels(); ++k) m_levels.push_back(level(job.source->level(k)));
         if (job.options.outside != Outside::Transparent)
             m_covered.resize(static_cast<std::size_t>(m_end - m_begin) *
                              static_cast<std::size_t>(job.view.width));
     }
 
     void paint() {
-        for (int cell : m_job.cellsOfBand[static_cast<std::size_t>(m_band)])
-            paintCell(m_job.cells[static_cast<std::size_t>(cell)]);
+        if (m_part == BandPart::All || !m_covered.empty())
+            for (int cell : m_job.cellsOfBand[static_cast<std::size_t>(m_band)])
+                paintCell(m_job.cells[static_cast<std::size_t>(cell)]);
         fillOutside();
         resolveOutline();
     }
@@ -38,80 +44,68 @@ class BandPainter {
     using OutColour = std::array<float, 5>;
 
     T* target(int x, int y) {
-        return reinterpret_cast<T*>(m_job.output.row(y)) + static_cast<std::ptrdiff_t>(x) * m_channels;
+        return reinterpret_cast<T*>(m_strip.row(y - m_top)) + static_cast<std::ptrdiff_t>(x) * m_channels;
+    }
+
+    TexelLevel level(const Image& image) const {
+        return {image.data.data(), image.width, image.height, image.unassociated && !m_job.source->opaque(),
+                image.alpha};
     }
 
     // --- cells
     // ---------------------------------------------------------------------------------------------------
 
-    const Sampler<T, N>& samplerOf(const CellFilter& filter) const {
-        return m_samplers[static_cast<std::size_t>(filter.level)];
+    const TexelLevel& levelOf(const CellFilter& filter) const {
+        return m_levels[static_cast<std::size_t>(filter.level)];
     }
 
-    template <bool inner>
-    static Lanes sample(const Sampler<T, N>& sampler, const CellFilter& filter, const RadialKernel& kernel,
-                        const Vec<2>& at) {
-        double x = at.x() * filter.shrink, y = at.y() * filter.shrink;
-        if constexpr (!inner) sampler.bound(x, y);
-        if constexpr (F == Filter::Nearest) return sampler.template nearest<inner>(x, y);
-        if constexpr (F == Filter::Bilinear) return sampler.template bilinear<inner>(x, y);
-        if (F == Filter::Bicubic || filter.blend == 0) return sampler.template bicubic<inner>(x, y);
-        const Lanes colour = sampler.template elliptical<inner>(x, y, filter.ellipse, kernel);
-        if (filter.blend == 1) return colour;
-        return sampler.mixed(colour, sampler.template bicubic<inner>(x, y), filter.blend);
-    }
-
-    Lanes sample(const CellFilter& filter, const Vec<2>& at) const {
-        return sample<false>(samplerOf(filter), filter, m_kernel, at);
-    }
-
-    static Vec<2> reach(const CellFilter& filter) {
-        return F == Filter::Ewa ? filter.ellipse.reach.cwiseMax(2.0) : Vec<2>(2, 2);
-    }
-
-    /// Works on copies: a pixel that is written might be any of the members for all the compiler knows.
-    template <bool inner, bool addsAlpha>
-    void paintSpan(const VisibleCell& cell, int begin, int end, int y) {
-        const Sampler<T, N> sampler = samplerOf(cell.filter);
-        const CellFilter filter = cell.filter;
-        const CellMap map = cell.map;
-        const double height = m_job.plane(0, y + 0.5).y(), left = m_job.view.origin.x(),
-                     scale = m_job.view.scale;
-        const Vec<2> inRow = map.inRow(height);
-        constexpr int channels = addsAlpha ? N + 1 : N;
-        T* to = target(begin, y);
-        for (int x = begin; x < end; ++x, to += channels) {
-            const double across = left + scale * (x + 0.5);
-            Lanes colour = sample<inner>(sampler, filter, m_kernel, map.source(across, height, inRow));
-            if constexpr (addsAlpha) colour[N] = kFull<T>;
-            storeColour<channels>(colour, to);
-        }
-    }
-
-    template <bool inner>
-    void paintSpan(const VisibleCell& cell, int begin, int end, int y) {
-        if constexpr (N < 4) {
-            if (m_job.addsAlpha) return paintSpan<inner, true>(cell, begin, end, y);
-        }
-        paintSpan<inner, false>(cell, begin, end, y);
+    /// Whether all pixels that may be read for positions of a box are in the picture.
+    bool inner(const Vec<2>& low, const Vec<2>& high, const CellFilter& filter) const {
+        const TexelLevel& level = levelOf(filter);
+        const Eigen::Vector2i& reach = filter.ellipse.wholeReach;
+        return low.x() * filter.shrink >= reach.x() + 2 && low.y() * filter.shrink >= reach.y() + 2 &&
+               high.x() * filter.shrink + reach.x() + 7 < level.width &&
+               high.y() * filter.shrink + reach.y() + 3 < level.height;
     }
 
     void paintCell(const VisibleCell& cell) {
-        const Sampler<T, N>& sampler = samplerOf(cell.filter);
+        m_task.level = levelOf(cell.filter);
+        m_task.setCell(cell.map, cell.filter);
+        const bool allInner = cell.map.exact && inner(cell.low, cell.high, cell.filter);
         for (int y = std::max(m_begin, firstPixel(cell.rows.top(), m_end));
              y < m_end && y + 0.5 < cell.rows.bottom(); ++y) {
             const Span span = cell.rows.at(y + 0.5);
-            const int begin = firstPixel(span.begin, m_job.view.width),
-                      end = firstPixel(span.end, m_job.view.width);
-            if (begin >= end) continue;
-            const Vec<2> a = cell.map.source(m_job.plane(begin + 0.5, y + 0.5)) * cell.filter.shrink;
-            const Vec<2> b = cell.map.source(m_job.plane(end - 0.5, y + 0.5)) * cell.filter.shrink;
-            if (sampler.inner(a.cwiseMin(b), a.cwiseMax(b), reach(cell.filter)))
-                paintSpan<true>(cell, begin, end, y);
-            else
-                paintSpan<false>(cell, begin, end, y);
-            if (!m_covered.empty()) std::fill_n(covered(begin, y), end - begin, std::uint8_t(1));
+            m_task.begin = firstPixel(span.begin, m_job.view.width);
+            m_task.end = firstPixel(span.end, m_job.view.width);
+            if (m_task.begin >= m_task.end) continue;
+            m_task.setRow(cell.map, m_job.plane(0, y + 0.5).y());
+            m_task.inner = allInner || (cell.map.exact && innerSpan(cell, y));
+            if (m_part == BandPart::All) m_spans.paint(m_task, target(m_task.begin, y));
+            if (!m_covered.empty())
+                std::fill_n(covered(m_task.begin, y), m_task.end - m_task.begin, std::uint8_t(1));
         }
+    }
+
+    bool innerSpan(const VisibleCell& cell, int y) const {
+        const Vec<2> a = cell.map.source(m_job.plane(m_task.begin + 0.5, y + 0.5));
+        const Vec<2> b = cell.map.source(m_job.plane(m_task.end - 0.5, y + 0.5));
+        return inner(a.cwiseMin(b), a.cwiseMax(b), cell.filter);
+    }
+
+    /// What a map and a filter give at the centre of a pixel.
+    OutColour sample(const CellMap& map, const CellFilter& filter, int x, int y) const {
+        SpanTask task = m_task;
+        task.level = levelOf(filter);
+        task.begin = x;
+        task.inner = false;
+        task.setCell(map, filter);
+        task.setRow(map, m_job.plane(0, y + 0.5).y());
+        OutColour colour{};
+        m_spans.sample(task, colour.data());
+        const int channels = m_job.source->base().channels;
+        std::fill(colour.begin() + channels, colour.end(), 0.0F);
+        if (m_job.addsAlpha) colour[static_cast<std::size_t>(channels)] = kFull<T>;
+        return colour;
     }
 
     // --- outside the shape
@@ -122,27 +116,20 @@ class BandPainter {
     }
 
     bool inPicture(const Vec<2>& p) const {
-        const Image& image = m_job.source.base();
+        const Image& image = m_job.source->base();
         return p.x() >= 0 && p.y() >= 0 && p.x() < image.width && p.y() < image.height;
     }
 
     OutColour givenColour() const {
         OutColour colour{};
         const auto& given = m_job.options.colour;
-        const bool alpha = m_job.output.alpha;
+        const bool alpha = m_job.header.alpha;
         const int colours = m_channels - (alpha ? 1 : 0);
-        const float divide = m_job.output.unassociated && given[3] > 0 ? given[3] : 1;
+        const float divide = m_job.header.unassociated && given[3] > 0 ? given[3] : 1;
         for (int c = 0; c < colours; ++c)
             colour[static_cast<std::size_t>(c)] =
                 given[static_cast<std::size_t>(std::min(c, 2))] / divide * kFull<T>;
         if (alpha) colour[static_cast<std::size_t>(colours)] = given[3] * kFull<T>;
-        return colour;
-    }
-
-    OutColour asOutput(const Lanes& sampled) const {
-        OutColour colour{};
-        std::copy_n(sampled.data(), N, colour.begin());
-        if (m_job.addsAlpha) colour[N] = kFull<T>;
         return colour;
     }
 
@@ -151,7 +138,7 @@ class BandPainter {
         const Outside kind = m_job.options.outside;
         if (kind == Outside::Colour) return givenColour();
         if (kind == Outside::Clamp || (kind == Outside::Original && inPicture(p)))
-            return asOutput(sample(m_outsideFilter, p));
+            return sample(CellMap(), m_job.outsideFilter, x, y);
         return {};
     }
 
@@ -159,7 +146,7 @@ class BandPainter {
         for (int c = 0; c < m_channels; ++c) to[c] = toPixel<T>(colour[static_cast<std::size_t>(c)]);
     }
 
-    /// The output came with zeros: transparent.
+    /// The strip came with zeros: transparent.
     void fillOutside() {
         if (m_covered.empty()) return;
         for (int y = m_begin; y < m_end; ++y)
@@ -235,54 +222,32 @@ class BandPainter {
 
     /// Mixes what shows of each cell, from the top one down, and what is left of the outside.
     void resolve(int x, int y, const Piece* begin, const Piece* end) {
-        Mix mix(m_channels, m_job.output.unassociated);
+        Mix mix(m_channels, m_job.header.unassociated);
         std::uint64_t left = ~std::uint64_t{0};
         for (const Piece* piece = end; piece-- != begin && left != 0;) {
             const std::uint64_t shown = piece->samples & left;
             if (shown == 0) continue;
             const VisibleCell& cell = m_job.cells[static_cast<std::size_t>(piece->cell)];
-            const Vec<2> at = cell.map.source(m_job.plane(x + 0.5, y + 0.5));
-            mix.add(asOutput(sample(cell.filter, at)), std::popcount(shown));
+            mix.add(sample(cell.map, cell.filter, x, y), std::popcount(shown));
             left &= ~shown;
         }
         if (left != 0) mix.add(outsideColour(x, y), std::popcount(left));
         putOut(mix.colour(), target(x, y));
     }
 
-    WarpJob& m_job;
-    int m_band, m_begin, m_end, m_channels;
-    CellFilter m_outsideFilter;
-    RadialKernel m_kernel;
-    std::vector<Sampler<T, N>> m_samplers;
+    const WarpJob& m_job;
+    BandPart m_part;
+    Image& m_strip;
+    int m_top, m_band, m_begin, m_end, m_channels;
+    SpanFunctions m_spans;
+    SpanTask m_task;
+    std::vector<TexelLevel> m_levels;
     std::vector<std::uint8_t> m_covered;  // pixels of the band, if the outside is not transparent
 };
 
-template <typename T, int N>
-void paintBandOf(WarpJob& job, int band) {
-    switch (job.options.filter) {
-        case Filter::Nearest:
-            return BandPainter<T, N, Filter::Nearest>(job, band).paint();
-        case Filter::Bilinear:
-            return BandPainter<T, N, Filter::Bilinear>(job, band).paint();
-        case Filter::Bicubic:
-            return BandPainter<T, N, Filter::Bicubic>(job, band).paint();
-        case Filter::Ewa:
-            return BandPainter<T, N, Filter::Ewa>(job, band).paint();
-    }
-}
-
 template <typename T>
-void paintBand(WarpJob& job, int band) {
-    switch (job.source.base().channels) {
-        case 1:
-            return paintBandOf<T, 1>(job, band);
-        case 2:
-            return paintBandOf<T, 2>(job, band);
-        case 3:
-            return paintBandOf<T, 3>(job, band);
-        default:
-            return paintBandOf<T, 4>(job, band);
-    }
+void paintBand(const WarpJob& job, int band, BandPart part, Image& strip, int top) {
+    BandPainter<T>(job, band, part, strip, top).paint();
 }
 
 }  // namespace wend

@@ -2,6 +2,6 @@
 
 namespace wend {
 
-template void paintBand<float>(WarpJob&, int);
+template void paintBand<float>(const WarpJob&, int, BandPart, Image&, int);
 
 }  // namespace wend

@@ -2,6 +2,6 @@
 
 namespace wend {
 
-template void paintBand<half>(WarpJob&, int);
+template void paintBand<half>(const WarpJob&, int, BandPart, Image&, int);
 
 }  // namespace wend

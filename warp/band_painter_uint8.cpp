@@ -2,6 +2,6 @@
 
 namespace wend {
 
-template void paintBand<std::uint8_t>(WarpJob&, int);
+template void paintBand<std::uint8_t>(const WarpJob&, int, BandPart, Image&, int);
 
 }  // namespace wend

@@ -38,6 +38,7 @@ CellMap::CellMap(const Points<2>& rest, const Points<2>& pose, const Cell<2>& ce
         change.col(k) = (pose.col(cell[k + 1]) - rest.col(cell[k + 1])) - displacement;
     }
     gradient = change * edges.inverse();
+    exact = gradient.allFinite() && gradient.cwiseAbs().maxCoeff() < 1e6;
     // A triangle without area has no inverse; it covers nothing, but for positions that rounding gives it.
     if (!gradient.allFinite()) gradient.setZero();
 }
@@ -59,7 +60,8 @@ CellFilter::CellFilter(const Mat<2>& jacobian, Filter filter, int levels) {
         singular.vectors * axes.cwiseAbs2().cwiseInverse().asDiagonal() * singular.vectors.transpose();
     ellipse.xx = static_cast<float>(metric(0, 0)), ellipse.xy = static_cast<float>(metric(0, 1));
     ellipse.yy = static_cast<float>(metric(1, 1));
-    ellipse.reach = 2 * (singular.vectors * axes.asDiagonal()).rowwise().norm();
+    const Vec<2> reach = 2 * (singular.vectors * axes.asDiagonal()).rowwise().norm();
+    ellipse.wholeReach = (reach.array() - 1e-6).ceil().cast<int>().max(2) - 1;
 }
 
 }  // namespace wend

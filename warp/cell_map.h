@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/mesh/simplicial_mesh.h"
-#include "warp/sampling.h"
 #include "warp/warp.h"
 
 namespace wend {
@@ -13,7 +12,10 @@ struct CellMap {
     Vec<2> anchor;        // of the pose
     Vec<2> displacement;  // there
     Mat<2> gradient;      // of the displacement
+    bool exact = true;    // whether positions are, to far less than a pixel
 
+    /// Displaces nothing.
+    CellMap() : anchor(0, 0), displacement(0, 0), gradient(Mat<2>::Zero()) {}
     CellMap(const Points<2>& rest, const Points<2>& pose, const Cell<2>& cell);
 
     /// The displacement at height y in the anchor's column.
@@ -25,6 +27,15 @@ struct CellMap {
     Vec<2> source(const Vec<2>& p) const { return source(p.x(), p.y(), inRow(p.y())); }
 };
 
+/// The ellipse {J u : |u| ≤ 2} of source pixels around a position, J mapping destination pixels to source
+/// pixels and stretching by at least 1 in every direction: |u|² = xx dx² + 2 xy dx dy + yy dy².
+struct Ellipse {
+    float xx = 1, xy = 0, yy = 1;
+    /// Of a position between two pixels, the ellipse holds at most so many before the first of them, and one
+    /// more after it.
+    Eigen::Vector2i wholeReach = {1, 1};
+};
+
 /// How a cell is sampled: from which level of the pyramid, and with which ellipse.
 struct CellFilter {
     int level = 0;
@@ -32,6 +43,7 @@ struct CellFilter {
     float blend = 0;    // 0: bicubic only … 1: elliptical only
     Ellipse ellipse;
 
+    CellFilter() = default;
     /// `jacobian` maps steps of output pixels to steps of source pixels.
     CellFilter(const Mat<2>& jacobian, Filter filter, int levels);
 };

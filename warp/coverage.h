@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <vector>
 
 #include "core/mesh/simplicial_mesh.h"
@@ -19,11 +21,33 @@ class TriangleRows {
     TriangleRows(const Vec<2>& a, const Vec<2>& b, const Vec<2>& c);
     double top() const { return m_corners[0].y(); }
     double bottom() const { return m_corners[2].y(); }
+    double left() const { return std::min({m_corners[0].x(), m_corners[1].x(), m_corners[2].x()}); }
+    double right() const { return std::max({m_corners[0].x(), m_corners[1].x(), m_corners[2].x()}); }
     /// The span at height y, top() ≤ y < bottom().
-    Span at(double y) const;
+    Span at(double y) const {
+        const double along = m_long.at(y);
+        const double other = y < m_corners[1].y() ? m_upper.at(y) : m_lower.at(y);
+        return {std::min(along, other), std::max(along, other)};
+    }
 
   private:
-    std::array<Vec<2>, 3> m_corners;  // by height, then from left to right
+    /// An edge's x over y, from its upper end.
+    struct Edge {
+        double x, y, slope;
+        Edge(const Vec<2>& upper, const Vec<2>& lower)
+            : x(upper.x()), y(upper.y()), slope((lower.x() - upper.x()) / (lower.y() - upper.y())) {}
+        double at(double height) const { return x + (height - y) * slope; }
+    };
+    using Corners = std::array<Vec<2>, 3>;
+    explicit TriangleRows(const Corners& sorted)
+        : m_corners(sorted),
+          m_long(sorted[0], sorted[2]),
+          m_upper(sorted[0], sorted[1]),
+          m_lower(sorted[1], sorted[2]) {}
+    static Corners sorted(Corners corners);
+
+    Corners m_corners;  // by height, then from left to right
+    Edge m_long, m_upper, m_lower;
 };
 
 /// Cells in the order in which they are painted: the last one lies on top.

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -41,6 +42,14 @@ Image readImage(const std::string& path, double maxMegapixels = kMaxMegapixels);
 /// Writes by extension (png, tif, exr, jpg, webp …), whole or not at all; depth is converted to the nearest
 /// that the format holds; without alpha in the format the picture is laid over white. Throws InputError.
 void writeImage(const std::string& path, const Image& image);
+
+/// Makes rows: those from `top` on, as many as `strip` has. It comes with the picture's layout and zeros.
+using MakeRows = std::function<void(int top, Image& strip)>;
+
+/// The same for a picture (`header`: without its pixels) whose rows are made while others are written, in
+/// strips of `stripRows` from top to bottom, on another thread. What `makeRows` throws comes through; nothing
+/// is written then. It may be asked for the same rows again.
+void writeImage(const std::string& path, const Image& header, int stripRows, const MakeRows& makeRows);
 
 /// Whether writeImage() knows the extension.
 bool canWriteImage(const std::string& path);

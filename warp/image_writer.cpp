@@ -1,20 +1,22 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <fstream>
+#include <future>
+#include <optional>
 #include <string_view>
-
-#include <OpenImageIO/filesystem.h>
 
 #include "core/mesh/error.h"
 #include "core/mesh/file_name.h"
 #include "core/mesh/safe_file.h"
+#include "warp/checked_file.h"
 #include "warp/convert.h"
 #include "warp/image_metadata.h"
 #include "warp/webp.h"
 
 namespace wend {
 namespace {
+
+constexpr const char* kDiskFull = "the disk may be full";
 
 enum class Association { Unassociated, Associated, Either };
 
@@ -112,6 +114,14 @@ OIIO::TypeDesc fileType(PixelType type) {
     return types[static_cast<std::size_t>(type)];
 }
 
+/// Of a large picture, the usual level of compression takes five times the time for 6 % less.
+constexpr const char* kQuickZip = "zip:4";
+constexpr int kQuickPng = 4;
+
+bool isLarge(const Image& image) {
+    return image.width * 1e-6 * image.height > 16;
+}
+
 /// A crop window that a file of the same size carried stays.
 void copyWindow(const OIIO::ImageSpec& from, OIIO::ImageSpec& to) {
     if (from.width != to.width || from.height != to.height) return;
@@ -132,19 +142,75 @@ OIIO::ImageSpec fileSpec(const Format& format, const Image& image) {
     }
     if (image.alpha && image.unassociated) spec.attribute("oiio:UnassociatedAlpha", 1);
     if (!format.compression.empty()) spec.attribute("compression", std::string(format.compression));
+    if (isLarge(image)) {
+        if (format.extensions[0] == ".png") spec.attribute("png:compressionLevel", kQuickPng);
+        if (format.extensions[0] == ".tif") spec.attribute("compression", kQuickZip);
+    }
     if (format.compression.starts_with("jpeg")) spec.attribute("jpeg:subsampling", "4:4:4");
     return spec;
 }
 
-/// The reason of a failure, empty on success.
-std::string tryWriteTo(OIIO::ImageOutput& output, const std::string& path, const Image& image,
-                       const OIIO::ImageSpec& spec) {
-    if (!output.open(path, spec)) return "cannot be opened for writing: " + output.geterror();
-    const bool written = output.write_image(spec.format, image.data.data());
+/// A picture's strips in the file's layout, each made while the one before is written.
+class Strips {
+  public:
+    Strips(const Image& picture, const PixelLayout& layout, int rows, const MakeRows& makeRows)
+        : m_picture(picture), m_layout(layout), m_rows(rows), m_makeRows(makeRows) {}
+
+    /// Calls write(top, strip) from top to bottom until it returns false.
+    template <typename Write>
+    bool forEach(Write&& write) {
+        makeNext();
+        for (int top = 0; top < m_picture.height; top += m_rows) {
+            const Image strip = m_next.get();
+            makeNext();
+            if (!write(top, strip)) return false;
+        }
+        return true;
+    }
+
+  private:
+    void makeNext() {
+        if (m_begin >= m_picture.height) return;
+        m_next = std::async(std::launch::async, [this, top = m_begin] { return made(top); });
+        m_begin += m_rows;
+    }
+
+    Image made(int top) const {
+        Image strip = m_picture;
+        strip.height = std::min(m_rows, m_picture.height - top);
+        strip.data.resize(strip.rowBytes() * static_cast<std::size_t>(strip.height));
+        m_makeRows(top, strip);
+        return m_layout == layoutOf(strip) ? std::move(strip) : converted(strip, m_layout);
+    }
+
+    const Image& m_picture;
+    PixelLayout m_layout;
+    int m_rows, m_begin = 0;
+    const MakeRows& m_makeRows;
+    std::future<Image> m_next;  // its end waits for the work
+};
+
+/// A picture on its way into a file.
+struct Writing {
+    std::string path, temporary;
+    Image picture;  // in the file's layout, without pixels
+    std::function<Strips()> strips;
+};
+
+/// The reason of a failure, empty on success; `failed` tells of one that the format's library does not see.
+template <typename Failed>
+std::string tryWriteTo(OIIO::ImageOutput& output, const Writing& writing, const OIIO::ImageSpec& spec,
+                       const Failed& failed) {
+    if (!output.open(writing.temporary, spec)) return "cannot be opened for writing: " + output.geterror();
+    const bool written = writing.strips().forEach([&](int top, const Image& strip) {
+        return output.write_scanlines(spec.y + top, spec.y + top + strip.height, spec.z, spec.format,
+                                      strip.data.data()) &&
+               !failed();
+    });
     const std::string error = output.geterror();
     const bool closed = output.close();
     if (written && closed) return {};
-    return error.empty() ? "the disk may be full" : error;
+    return error.empty() ? kDiskFull : error;
 }
 
 /// Whether the format's library tells of a full disk. Those of PNG, BMP and Targa do not, and that of JPEG
@@ -154,53 +220,53 @@ bool tellsOfFullDisk(const OIIO::ImageOutput& output) {
     return format != "png" && format != "jpeg" && format != "bmp" && format != "targa";
 }
 
-std::string putBytes(const std::string& path, const std::vector<unsigned char>& bytes) {
-    std::ofstream file(path, std::ios::binary);
-    file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-    file.close();
-    return file ? "" : "the disk may be full";
-}
-
-std::string tryWrite(const std::string& path, const Image& image, OIIO::ImageSpec spec) {
-    const auto output = OIIO::ImageOutput::create(path);
+std::string tryWrite(const Writing& writing, OIIO::ImageSpec spec) {
+    std::optional<CheckedFile> file;  // outlives the output, whose end may write
+    const auto output = OIIO::ImageOutput::create(writing.temporary);
     if (!output) return OIIO::geterror();
     if (tellsOfFullDisk(*output) || !output->supports("ioproxy"))
-        return tryWriteTo(*output, path, image, spec);
-    std::vector<unsigned char> bytes;
-    OIIO::Filesystem::IOVecOutput memory(bytes);
-    OIIO::Filesystem::IOProxy* proxy = &memory;
+        return tryWriteTo(*output, writing, spec, [] { return false; });
+    OIIO::Filesystem::IOProxy* proxy = &file.emplace(writing.temporary);
     spec.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
-    const std::string error = tryWriteTo(*output, path, image, spec);
-    return error.empty() ? putBytes(path, bytes) : error;
+    const std::string error = tryWriteTo(*output, writing, spec, [&] { return file->failed(); });
+    if (!error.empty()) return error;
+    return file->finish() ? "" : kDiskFull;
 }
 
 /// `text` with the temporary file called by its proper name.
-std::string properlyNamed(std::string text, const std::string& temporary, const std::string& path) {
-    const auto at = text.find(temporary);
-    return at == std::string::npos ? text : text.replace(at, temporary.size(), path);
+std::string properlyNamed(std::string text, const Writing& writing) {
+    const auto at = text.find(writing.temporary);
+    return at == std::string::npos ? text : text.replace(at, writing.temporary.size(), writing.path);
 }
 
 /// A colour profile that the format's library refuses fails the whole file: better the picture without it.
-void writePicture(const std::string& path, const std::string& temporary, const Image& image,
-                  OIIO::ImageSpec spec) {
-    std::string error = tryWrite(temporary, image, spec);
+void writePicture(const Writing& writing, OIIO::ImageSpec spec) {
+    std::string error = tryWrite(writing, spec);
     if (!error.empty() && spec.find_attribute("ICCProfile")) {
         spec.erase_attribute("ICCProfile");
-        error = tryWrite(temporary, image, spec);
+        error = tryWrite(writing, spec);
     }
     if (!error.empty()) {
-        error = properlyNamed(error, temporary, path);
-        throw InputError(path, "cannot be written: " + error.substr(0, error.find('\n')));
+        error = properlyNamed(error, writing);
+        throw InputError(writing.path, "cannot be written: " + error.substr(0, error.find('\n')));
     }
 }
 
 /// OpenImageIO's own WebP rounds the colours of transparent pixels and drops the profile.
-void writePixels(const Format& format, const std::string& path, const std::string& temporary,
-                 const Image& image) {
-    const OIIO::ImageSpec spec = fileSpec(format, image);
-    if (format.extensions[0] != ".webp") return writePicture(path, temporary, image, spec);
-    const std::string error = writeWebp(temporary, image, spec);
-    if (!error.empty()) throw InputError(path, "cannot be written: " + error);
+void writeWebpPicture(const Writing& writing, const OIIO::ImageSpec& spec) {
+    Image whole = writing.picture;
+    whole.data.reserve(whole.rowBytes() * static_cast<std::size_t>(whole.height));
+    writing.strips().forEach([&](int, const Image& strip) {
+        whole.data.insert(whole.data.end(), strip.data.begin(), strip.data.end());
+        return true;
+    });
+    const std::string error = writeWebp(writing.temporary, whole, spec);
+    if (!error.empty()) throw InputError(writing.path, "cannot be written: " + error);
+}
+
+Image withLayout(const Image& header, const PixelLayout& layout) {
+    return {header.width, header.height,  layout.channels, layout.type, layout.alpha, layout.unassociated,
+            {},           header.metadata};
 }
 
 }  // namespace
@@ -209,13 +275,28 @@ bool canWriteImage(const std::string& path) {
     return findFormat(lowerExtension(path)) != nullptr;
 }
 
-void writeImage(const std::string& path, const Image& image) {
+void writeImage(const std::string& path, const Image& header, int stripRows, const MakeRows& makeRows) {
     const Format& format = formatOf(path);
-    if (image.width < 1 || image.height < 1) throw InputError(path, "there are no pixels to write");
-    const PixelLayout layout = fileLayout(format, image);
-    const Image stored = layout == layoutOf(image) ? Image() : converted(image, layout);
-    const Image& pixels = stored.data.empty() ? image : stored;
-    writeWhole(path, [&](const std::string& temporary) { writePixels(format, path, temporary, pixels); });
+    if (header.width < 1 || header.height < 1) throw InputError(path, "there are no pixels to write");
+    const PixelLayout layout = fileLayout(format, header);
+    writeWhole(path, [&](const std::string& temporary) {
+        const Writing writing{path, temporary, withLayout(header, layout),
+                              [&] { return Strips(header, layout, stripRows, makeRows); }};
+        const OIIO::ImageSpec spec = fileSpec(format, writing.picture);
+        if (format.extensions[0] == ".webp")
+            writeWebpPicture(writing, spec);
+        else
+            writePicture(writing, spec);
+    });
+}
+
+void writeImage(const std::string& path, const Image& image) {
+    constexpr int kRows = 256;
+    Image header{image.width,        image.height, image.channels, image.type, image.alpha,
+                 image.unassociated, {},           image.metadata};
+    writeImage(path, header, kRows, [&](int top, Image& strip) {
+        std::copy_n(image.row(top), strip.data.size(), strip.data.data());
+    });
 }
 
 }  // namespace wend

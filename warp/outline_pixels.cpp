@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace wend {
 namespace {
@@ -35,18 +36,34 @@ OutlinePixels::OutlinePixels(const SimplicialMesh<2>& mesh, const Points<2>& pix
         if (facet.interior()) continue;
         forPixelsOf(pixels.col(facet.vertices[0]), pixels.col(facet.vertices[1]), width, height,
                     [&](int x, int y) {
-                        m_bands[static_cast<std::size_t>(y / bandRows)].push_back({x, y, 0});
+                        m_bands[static_cast<std::size_t>(y / bandRows)].pixels.push_back({x, y, 0});
                     });
     }
     const auto before = [](const Pixel& a, const Pixel& b) {
         return std::pair(a.y, a.x) < std::pair(b.y, b.x);
     };
     const auto equal = [](const Pixel& a, const Pixel& b) { return a.x == b.x && a.y == b.y; };
-    for (auto& list : m_bands) {
+    for (std::size_t band = 0; band < m_bands.size(); ++band) {
+        auto& [list, rowStart] = m_bands[band];
         std::sort(list.begin(), list.end(), before);
         list.erase(std::unique(list.begin(), list.end(), equal), list.end());
-        for (std::size_t k = 0; k < list.size(); ++k) list[k].index = static_cast<int>(k);
+        rowStart.assign(static_cast<std::size_t>(bandRows) + 1, 0);
+        for (std::size_t k = 0; k < list.size(); ++k) {
+            list[k].index = static_cast<int>(k);
+            ++rowStart[static_cast<std::size_t>(list[k].y) - band * static_cast<std::size_t>(bandRows) + 1];
+        }
+        std::partial_sum(rowStart.begin(), rowStart.end(), rowStart.begin());
     }
+}
+
+std::uint64_t OutlinePixels::samplesOf(int x, const std::array<Span, 8>& spans) {
+    std::uint64_t samples = 0;
+    for (std::size_t j = 0; j < 8; ++j)
+        for (std::size_t i = 0; i < 8; ++i) {
+            const double at = x + (static_cast<double>(i) + 0.5) / 8;
+            if (at >= spans[j].begin && at < spans[j].end) samples |= std::uint64_t{1} << (8 * j + i);
+        }
+    return samples;
 }
 
 }  // namespace wend

@@ -27,47 +27,47 @@ class OutlinePixels {
                   int bandRows);
 
     /// By rows, then from left to right.
-    const std::vector<Pixel>& pixels(int band) const { return m_bands[static_cast<std::size_t>(band)]; }
+    const std::vector<Pixel>& pixels(int band) const {
+        return m_bands[static_cast<std::size_t>(band)].pixels;
+    }
 
     /// Calls found(index, samples) for all pixels of the band of which the triangle covers something; bit 8 j
-    /// + i is the place
-    /// ((i + ½) / 8, (j + ½) / 8) in the pixel.
+    /// + i is the place ((i + ½) / 8, (j + ½) / 8) in the pixel.
     template <typename Found>
     void visit(int band, const TriangleRows& rows, Found&& found) const;
 
   private:
+    struct Band {
+        std::vector<Pixel> pixels;
+        std::vector<int> rowStart;  // of every row, and the end
+    };
+    /// The samples that the spans of the pixel's eight rows of places cover.
+    static std::uint64_t samplesOf(int x, const std::array<Span, 8>& spans);
+
     int m_bandRows = 1;
-    std::vector<std::vector<Pixel>> m_bands;
+    std::vector<Band> m_bands;
 };
 
 template <typename Found>
 void OutlinePixels::visit(int band, const TriangleRows& rows, Found&& found) const {
-    const auto& list = m_bands[static_cast<std::size_t>(band)];
-    auto it = std::lower_bound(list.begin(), list.end(), static_cast<int>(std::floor(rows.top())),
-                               [](const Pixel& p, int y) { return p.y < y; });
-    while (it != list.end() && it->y < rows.bottom()) {
-        const int y = it->y;
+    const auto& [pixels, rowStart] = m_bands[static_cast<std::size_t>(band)];
+    if (pixels.empty()) return;
+    const int bandTop = band * m_bandRows, bandEnd = bandTop + m_bandRows;
+    const double left = std::floor(rows.left()), right = rows.right();
+    const int begin = static_cast<int>(std::max<double>(bandTop, std::floor(rows.top())));
+    for (int y = begin; y < bandEnd && y < rows.bottom(); ++y) {
+        const Pixel* it = pixels.data() + rowStart[static_cast<std::size_t>(y - bandTop)];
+        const Pixel* end = pixels.data() + rowStart[static_cast<std::size_t>(y - bandTop + 1)];
+        it = std::lower_bound(it, end, left, [](const Pixel& p, double x) { return p.x < x; });
+        if (it == end || it->x >= right) continue;
         std::array<Span, 8> spans{};
-        double low = 1e300, high = -1e300;
         for (int j = 0; j < 8; ++j) {
             const double at = y + (j + 0.5) / 8;
-            if (at < rows.top() || at >= rows.bottom()) continue;
-            spans[j] = rows.at(at);
-            low = std::min(low, spans[j].begin);
-            high = std::max(high, spans[j].end);
+            if (at >= rows.top() && at < rows.bottom()) spans[static_cast<std::size_t>(j)] = rows.at(at);
         }
-        it = std::lower_bound(it, list.end(), std::floor(low),
-                              [y](const Pixel& p, double x) { return p.y == y && p.x < x; });
-        for (; it != list.end() && it->y == y; ++it) {
-            if (it->x >= high) continue;
-            std::uint64_t samples = 0;
-            for (int j = 0; j < 8; ++j)
-                for (int i = 0; i < 8; ++i) {
-                    const double x = it->x + (i + 0.5) / 8;
-                    if (x >= spans[j].begin && x < spans[j].end) samples |= std::uint64_t{1} << (8 * j + i);
-                }
-            if (samples != 0) found(it->index, samples);
-        }
+        for (; it != end && it->x < right; ++it)
+            if (const std::uint64_t samples = samplesOf(it->x, spans); samples != 0)
+                found(it->index, samples);
     }
 }
 

@@ -1,6 +1,7 @@
 #include "warp/pyramid.h"
 
 #include <array>
+#include <bit>
 
 #include "warp/pixels.h"
 
@@ -74,6 +75,10 @@ Pyramid::Pyramid(std::shared_ptr<const Image> image, int levels) : m_opaque(isOp
     while ((levels < 0 || this->levels() <= levels) &&
            (m_levels.back()->width > 1 || m_levels.back()->height > 1))
         m_levels.push_back(halved(*m_levels.back()));
+}
+
+int Pyramid::levelsOf(int width, int height) {
+    return static_cast<int>(std::bit_width(static_cast<unsigned>(std::max(width, height) - 1))) + 1;
 }
 
 }  // namespace wend

@@ -18,6 +18,8 @@ class Pyramid {
     const Image& level(int k) const { return *m_levels[static_cast<std::size_t>(k)]; }
     /// Whether no pixel is transparent, not even partly.
     bool opaque() const { return m_opaque; }
+    /// How many levels a picture of that size can have.
+    static int levelsOf(int width, int height);
     int levels() const { return static_cast<int>(m_levels.size()); }
 
   private:

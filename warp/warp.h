@@ -2,6 +2,7 @@
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <stop_token>
 #include <vector>
 
@@ -22,6 +23,20 @@ struct View {
     double scale = 1;
 };
 
+struct WarpJob;
+
+/// Paints the cells of a warp in the place of the processor's cores, strip by strip.
+class CellPainter {
+  public:
+    virtual ~CellPainter() = default;
+    /// Paints what the cells cover, by the pixels' centres; the rest stays zero. `strip` begins at row `top`
+    /// of the output. False if it cannot: the processor then does this strip and all later ones.
+    virtual bool paint(const WarpJob& job, int top, Image& strip) = 0;
+};
+
+/// Makes one for a warp whose cells are known; nothing if it cannot.
+using MakeCellPainter = std::function<std::unique_ptr<CellPainter>(const WarpJob&)>;
+
 struct WarpOptions {
     Filter filter = Filter::Ewa;
     Outside outside = Outside::Transparent;
@@ -29,6 +44,9 @@ struct WarpOptions {
     bool antialias = true;                       // coverage along the outline
     std::vector<float> depth;  // per cell, greater is nearer; empty: later cells lie over earlier ones
     int threads = 0;
+    MakeCellPainter makePainter;
+    bool wideVectors =
+        true;  // where the machine has them; else what runs everywhere: the same but for rounding
     std::stop_token stop;
     std::function<void(double)> progress;  // fraction done; called from any thread
 };

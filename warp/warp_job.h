@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "warp/cell_map.h"
 #include "warp/coverage.h"
 #include "warp/outline_pixels.h"
+#include "warp/pixels.h"
 
 namespace wend {
 
@@ -25,29 +27,36 @@ struct VisibleCell {
     TriangleRows rows;
     CellMap map;
     CellFilter filter;
+    Vec<2> low, high;  // corners of its box in the source
 };
 
 /// All that the bands of one warp share.
 struct WarpJob {
-    const Pyramid& source;
-    const View& view;
-    const WarpOptions& options;
-    Image output;
+    View view;
+    WarpOptions options;
+    Image header;  // of the output: no pixels
     bool addsAlpha = false;
+    const Pyramid* source = nullptr;
+    CellFilter outsideFilter;
     std::vector<VisibleCell> cells;             // in painting order
     std::vector<std::vector<int>> cellsOfBand;  // places in `cells`
     OutlinePixels outline;                      // pixels that need coverage
 
+    int bands() const { return static_cast<int>(cellsOfBand.size()); }
     Vec<2> plane(double x, double y) const { return view.origin + view.scale * Vec<2>(x, y); }
 };
 
-/// Paints the rows of one band of a picture of numbers of type T.
-template <typename T>
-void paintBand(WarpJob& job, int band);
+/// What of a band is to be painted: all, or what is not the cells'.
+enum class BandPart { All, BesideCells };
 
-extern template void paintBand<std::uint8_t>(WarpJob&, int);
-extern template void paintBand<std::uint16_t>(WarpJob&, int);
-extern template void paintBand<half>(WarpJob&, int);
-extern template void paintBand<float>(WarpJob&, int);
+/// Paints the rows of one band of a picture of numbers of type T. `strip` has the output's width and layout,
+/// is zero but for cells that are painted already, and its first row is row `top` of the output.
+template <typename T>
+void paintBand(const WarpJob& job, int band, BandPart part, Image& strip, int top);
+
+extern template void paintBand<std::uint8_t>(const WarpJob&, int, BandPart, Image&, int);
+extern template void paintBand<std::uint16_t>(const WarpJob&, int, BandPart, Image&, int);
+extern template void paintBand<half>(const WarpJob&, int, BandPart, Image&, int);
+extern template void paintBand<float>(const WarpJob&, int, BandPart, Image&, int);
 
 }  // namespace wend

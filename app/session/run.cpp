@@ -11,6 +11,7 @@
 #include "core/mesh/error.h"
 #include "core/mesh/file_name.h"
 #include "kernels/back_end_choice.h"
+#include "warp/warped_picture.h"
 
 namespace wend {
 namespace {
@@ -122,17 +123,16 @@ class Run {
         });
     }
 
-    /// The picture in the pixels of `view`. Throws Cancelled.
-    Image picture(const Points<2>& pixels, const View& view,
-                  const std::function<void(double)>& progress) const {
+    /// Writes the picture in the pixels of `view`. Throws Cancelled.
+    void writePicture(const std::string& file, const Points<2>& pixels, const View& view,
+                      const std::function<void(double)>& progress) const {
         WarpOptions options;
         options.filter = m_options.filter;
         options.threads = m_project.integration.threads;
+        options.makePainter = cellPainters(m_options.backEnd, {}, m_watch.notice);
         options.stop = m_watch.stop;
         options.progress = progress;
-        Image image = warpImage(*m_scene.picture, *m_scene.texture.rest, pixels, view, options);
-        if (m_watch.stop.stop_requested()) throw Cancelled();
-        return image;
+        writeWarped(file, WarpedPicture(*m_scene.picture, *m_scene.texture.rest, pixels, view, options));
     }
 
     /// Tells what is between the fractions `from` and `to` of the warping.
@@ -151,9 +151,8 @@ class Run {
         const Points<2> pixels = m_scene.texture.toPixels(pose);
         const View view = canvasView(*m_scene.picture, extent(pixels), m_options.canvas);
         if (!outputs.image.empty())
-            m_files.add(outputs.image, ".png", [&](const std::string& file) {
-                writeImage(file, picture(pixels, view, warping(0, 1)));
-            });
+            m_files.add(outputs.image, ".png",
+                        [&](const std::string& file) { writePicture(file, pixels, view, warping(0, 1)); });
         if (!outputs.stMap.empty())
             m_files.add(outputs.stMap, ".exr", [&](const std::string& file) {
                 writeImage(file, stMap(*m_scene.texture.rest, pixels, view, m_scene.picture->width,
@@ -227,7 +226,7 @@ class Run {
     void writePictureFrame(int number, const Points<2>& pixels, const View& view,
                            const std::function<void(double)>& progress) {
         m_files.add(frameName(m_options.outputs.frames, number), "",
-                    [&](const std::string& file) { writeImage(file, picture(pixels, view, progress)); });
+                    [&](const std::string& file) { writePicture(file, pixels, view, progress); });
     }
 
     void writeReport() {
@@ -235,15 +234,16 @@ class Run {
         if (path.empty()) return;
         const Points<Dim>& pose = m_deformer.state().points;
         const std::chrono::duration<double> total = Clock::now() - m_start;
-        const RunFigures figures{m_scene.rest->vertexCount(),
-                                 m_scene.rest->cellCount(),
-                                 Dim,
-                                 m_deformer.state().time,
-                                 total.count(),
-                                 m_deformer.backEndName(),
-                                 m_deformer.deviceName(),
-                                 distortion(*m_scene.rest, pose),
-                                 m_deformer.statistics()};
+        const RunFigures figures{
+            m_scene.rest->vertexCount(),
+            m_scene.rest->cellCount(),
+            Dim,
+            m_deformer.state().time,
+            total.count(),
+            m_deformer.backEndName(),
+            m_deformer.deviceName(),
+            distortionOf<Dim>(m_options.backEnd, *m_scene.rest, {}, m_watch.notice)(pose),
+            m_deformer.statistics()};
         m_files.add(path, ".json",
                     [&](const std::string& file) { writeTextFile(file, reportJson(figures)); });
     }

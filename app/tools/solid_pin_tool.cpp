@@ -67,13 +67,19 @@ int SolidPinTool::handleAt(const QPointF& widget) const {
 }
 
 bool SolidPinTool::wants(const QPointF& at) const {
-    return handleAt(at) >= 0 || (placeManipulator() && m_manipulator.partAt(surface(), at));
+    return handleAt(at) >= 0 || m_curve.pointAt(at) > 0 ||
+           (placeManipulator() && m_manipulator.partAt(surface(), at));
 }
 
 void SolidPinTool::press(const QMouseEvent& event) {
     if (event.button() != Qt::LeftButton || m_gesture != Gesture::None) return;
     m_gesture = Gesture::Pressed;
     m_from = m_at = event.position();
+    if (const int point = m_curve.pointAt(m_from); point > 0) {
+        m_gesture = Gesture::Curve;
+        m_curve.begin(point, m_from);
+        return;
+    }
     m_part = placeManipulator() ? m_manipulator.partAt(surface(), m_from) : std::nullopt;
     m_pressed = handleAt(m_from);
     const bool onOwnCentre = m_part && m_pressed >= 0 && session().selection().contains(m_pressed);
@@ -93,6 +99,7 @@ void SolidPinTool::move(const QMouseEvent& event) {
     }
     if (m_gesture == Gesture::Pressed && distance(m_at, m_from) >= 3) begin(m_at);
     if (m_gesture == Gesture::Drag) drag(m_at);
+    if (m_gesture == Gesture::Curve) m_curve.drag(m_at);
     surface().redraw();
 }
 
@@ -165,6 +172,7 @@ void SolidPinTool::release(const QMouseEvent& event) {
         return;
     }
     const Gesture gesture = std::exchange(m_gesture, Gesture::None);
+    if (gesture == Gesture::Curve) m_curve.finish();
     if (gesture == Gesture::Marquee) selectInside(QRectF(m_from, event.position()).normalized(), extend);
     if (gesture == Gesture::Pressed && m_pressed < 0 && !m_part) addPinAt(event.position(), extend);
     surface().redraw();
@@ -230,6 +238,7 @@ void SolidPinTool::cancel() {
     m_part.reset();
     m_typed.clear();
     if (gesture == Gesture::Drag) session().cancelDrag();
+    m_curve.cancel();
 }
 
 QString SolidPinTool::numbers() const {
@@ -253,6 +262,7 @@ void SolidPinTool::paint(QPainter& painter) const {
         painter.drawRect(QRectF(m_from, m_at).normalized());
         return;
     }
+    m_curve.paint(painter, m_at);
     if (!placeManipulator()) return;
     if (m_gesture != Gesture::Drag) {
         m_manipulator.paint(painter, surface(), m_part);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/tools/curve_editor.h"
 #include "app/tools/manipulator.h"
 
 namespace wend {
@@ -9,7 +10,7 @@ namespace wend {
 class SolidPinTool : public SolidTool {
   public:
     SolidPinTool(SolidSurface& surface, Manipulator& manipulator, bool adds)
-        : SolidTool(surface), m_manipulator(manipulator), m_adds(adds) {}
+        : SolidTool(surface), m_manipulator(manipulator), m_curve(surface), m_adds(adds) {}
 
     QString hint() const override;
     QCursor cursor() const override;
@@ -26,7 +27,7 @@ class SolidPinTool : public SolidTool {
     int hovered() const { return m_hovered; }
 
   private:
-    enum class Gesture { None, Pressed, Drag, Marquee };
+    enum class Gesture { None, Pressed, Drag, Marquee, Curve };
 
     bool placeManipulator() const;
     void begin(const QPointF& at);
@@ -40,6 +41,7 @@ class SolidPinTool : public SolidTool {
     QString numbers() const;
 
     Manipulator& m_manipulator;
+    CurveEditor m_curve;
     bool m_adds;
     Gesture m_gesture = Gesture::None;
     QPointF m_from, m_at;

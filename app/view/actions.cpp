@@ -19,7 +19,8 @@ Actions::Actions(QUndoStack& undoStack, QObject* parent)
 }
 
 void Actions::makeFile() {
-    open = add({tr("&Open…"), tr("Open a picture, a flat mesh or a project")}, QKeySequence::Open, "open");
+    open =
+        add({tr("&Open…"), tr("Open a picture, a mesh, a surface or a project")}, QKeySequence::Open, "open");
     save = add({tr("&Save"), tr("Save the project")}, QKeySequence::Save, "save");
     saveAs = add({tr("Save &As…"), tr("Save the project under another name")}, QKeySequence::SaveAs);
     exportPicture = add({tr("Export &Picture…"), tr("Write the picture as it is bent now, at its full size")},

@@ -14,7 +14,7 @@
 #include "app/session/shape_file.h"
 #include "core/mesh/error.h"
 #include "core/mesh/mesh_file.h"
-#include "warp/warp.h"
+#include "warp/warped_picture.h"
 
 namespace wend {
 
@@ -52,8 +52,7 @@ void writePicture(const std::string& path, const Pixels& pixels, const std::func
     WarpOptions options;
     options.stop = stop;
     options.progress = progress;
-    const Image image = warpImage(*pixels.picture, *pixels.rest, pixels.pose, pixels.view(), options);
-    if (!stop.stop_requested()) writeImage(path, image);
+    writeWarped(path, WarpedPicture(*pixels.picture, *pixels.rest, pixels.pose, pixels.view(), options));
 }
 
 /// What went wrong, or nothing. (Futures would slice the exception.)

@@ -162,7 +162,15 @@ void MainWindow::connectFiles() {
     connect(a.saveAs, &QAction::triggered, m_files, &FileWorkflow::saveAs);
     connect(a.closeFile, &QAction::triggered, m_files, &FileWorkflow::close);
     connect(a.quit, &QAction::triggered, this, &QWidget::close);
-    connect(a.exportPicture, &QAction::triggered, m_exporter, &Exporter::exportPicture);
+    connect(a.exportPicture, &QAction::triggered, this, [this] {
+        if (m_solids->isActive())
+            m_solids->exportPicture();
+        else
+            m_exporter->exportPicture();
+    });
+    connect(m_solids, &SolidWorkshop::failed, m_banner, &InfoBanner::showText);
+    connect(m_solids, &SolidWorkshop::done, this,
+            [this](const QString& text) { statusBar()->showMessage(text, 6000); });
     connect(a.exportMesh, &QAction::triggered, m_exporter, &Exporter::exportMesh);
     connect(a.exportFrames, &QAction::triggered, m_exporter, &Exporter::exportFrames);
     connect(a.exportStMap, &QAction::triggered, m_exporter, &Exporter::exportStMap);
@@ -355,18 +363,19 @@ void MainWindow::dropEvent(QDropEvent* event) {
 void MainWindow::showKeys() {
     QMessageBox box(QMessageBox::NoIcon, tr("Keys and Mouse"), {}, QMessageBox::Close, this);
     box.setTextFormat(Qt::RichText);
-    box.setText(
-        tr("<table cellspacing='6'>"
-           "<tr><td><b>Click</b></td><td>sets a pin</td></tr>"
-           "<tr><td><b>Drag a pin</b></td><td>moves it; Esc puts it back</td></tr>"
-           "<tr><td><b>Shift-click</b></td><td>selects several pins</td></tr>"
-           "<tr><td><b>Drag beside pins</b></td><td>selects by rectangle</td></tr>"
-           "<tr><td><b>Arrow keys</b></td><td>nudge by a pixel, with Shift by ten</td></tr>"
-           "<tr><td><b>Delete</b></td><td>removes the selected pins</td></tr>"
-           "<tr><td><b>Wheel</b></td><td>zooms to the pointer</td></tr>"
-           "<tr><td><b>Space or middle button</b></td><td>pans</td></tr>"
-           "<tr><td><b>Hold H</b></td><td>shows the bare picture</td></tr>"
-           "</table>"));
+    box.setText(m_solids->isActive()
+                    ? SolidWorkshop::keys()
+                    : tr("<table cellspacing='6'>"
+                         "<tr><td><b>Click</b></td><td>sets a pin</td></tr>"
+                         "<tr><td><b>Drag a pin</b></td><td>moves it; Esc puts it back</td></tr>"
+                         "<tr><td><b>Shift-click</b></td><td>selects several pins</td></tr>"
+                         "<tr><td><b>Drag beside pins</b></td><td>selects by rectangle</td></tr>"
+                         "<tr><td><b>Arrow keys</b></td><td>nudge by a pixel, with Shift by ten</td></tr>"
+                         "<tr><td><b>Delete</b></td><td>removes the selected pins</td></tr>"
+                         "<tr><td><b>Wheel</b></td><td>zooms to the pointer</td></tr>"
+                         "<tr><td><b>Space or middle button</b></td><td>pans</td></tr>"
+                         "<tr><td><b>Hold H</b></td><td>shows the bare picture</td></tr>"
+                         "</table>"));
     box.exec();
 }
 

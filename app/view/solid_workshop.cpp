@@ -1,6 +1,10 @@
 #include "app/view/solid_workshop.h"
 
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
 #include <QLabel>
+#include <QSaveFile>
 #include <QSettings>
 #include <QToolBar>
 #include <QVBoxLayout>
@@ -8,9 +12,15 @@
 #include "app/panels/cut_panel.h"
 #include "app/panels/distortion_panel.h"
 #include "app/panels/handle_panel.h"
+#include "app/panels/paint_panel.h"
 #include "app/panels/panel_parts.h"
+#include "app/panels/surface_panel.h"
+#include "app/tools/measure_tool.h"
+#include "app/tools/paint_tool.h"
 #include "app/view/actions.h"
+#include "app/view/picture_dialog.h"
 #include "app/view/status_fields.h"
+#include "app/view/surface_check.h"
 #include "app/view/volume/solid_canvas.h"
 
 namespace wend {
@@ -27,7 +37,10 @@ SolidWorkshop::SolidWorkshop(const Surroundings& around, QWidget& window)
       m_window(window),
       m_actions(new SolidActions(*around.actions.tools, this)),
       m_cutPanel(new CutPanel),
-      m_handlePanel(new HandlePanel(around.session)) {}
+      m_handlePanel(new HandlePanel(around.session)),
+      m_paintPanel(new PaintPanel(around.session)),
+      m_surfacePanel(new SurfacePanel),
+      m_check(new SurfaceCheck(around.session, *m_surfacePanel, window)) {}
 
 SolidWorkshop::~SolidWorkshop() {
     if (m_canvas) m_canvas->setTool(nullptr);
@@ -36,7 +49,7 @@ SolidWorkshop::~SolidWorkshop() {
 void SolidWorkshop::furnish(QToolBar& tools, QVBoxLayout& panels) {
     QAction* before = m_around.actions.remove;
     SolidActions& a = *m_actions;
-    for (QAction* action : {a.rectangle, a.lasso, a.brush, a.ball, a.box, a.through})
+    for (QAction* action : {a.rectangle, a.lasso, a.brush, a.ball, a.box, a.through, a.paint, a.measure})
         tools.insertAction(before, action);
     QAction* line = tools.insertSeparator(before);
     for (QAction* action : {a.move, a.turn, a.grow}) tools.insertAction(before, action);
@@ -52,6 +65,10 @@ void SolidWorkshop::furnish(QToolBar& tools, QVBoxLayout& panels) {
         panels.insertWidget(kFirstPanel + static_cast<int>(i), m_panels[i]);
         m_panels[i]->hide();
     }
+    panels.insertWidget(0, m_surfacePanel);
+    m_surfacePanel->hide();
+    panels.insertWidget(kFirstPanel + 1, m_paintPanel);  // in place of the energy while painting
+    m_paintPanel->hide();
 }
 
 void SolidWorkshop::setActive(bool active) {
@@ -61,6 +78,7 @@ void SolidWorkshop::setActive(bool active) {
     for (QWidget* panel : m_panels) panel->setVisible(active && m_canvas);
     const bool flatTool = m_around.actions.pinTool->isChecked() || m_around.actions.selectTool->isChecked();
     if (!active && !flatTool) m_around.actions.pinTool->setChecked(true);
+    if (!active) m_paintPanel->hide();
     if (!active || !m_canvas) return;
     m_canvas->setCutKind(CutKind::None);
     m_canvas->setEdgesShown(m_around.actions.showMesh->isChecked());
@@ -81,6 +99,7 @@ void SolidWorkshop::makePage() {
         return;
     }
     m_page = m_canvas = new SolidCanvas(m_around.session);
+    m_check->setCanvas(m_canvas);
     connectView();
     connectTools();
     connectCut();
@@ -148,6 +167,12 @@ void SolidWorkshop::connectTools() {
         connect(a.through, &QAction::toggled, this, [area = tool.get()](bool on) { area->setThrough(on); });
         m_tools.emplace_back(action, std::move(tool));
     }
+    auto brush = std::make_unique<PaintTool>(*m_canvas);
+    brush->setColour(m_paintPanel->paint());
+    connect(m_paintPanel, &PaintPanel::paintChanged, this,
+            [tool = brush.get()](const MaterialPaint& paint) { tool->setColour(paint); });
+    m_tools.emplace_back(a.paint, std::move(brush));
+    m_tools.emplace_back(a.measure, std::make_unique<MeasureTool>(*m_canvas));
     connect(m_around.actions.tools, &QActionGroup::triggered, this, &SolidWorkshop::chooseTool);
     const auto setMode = [this](Manipulator::Mode mode) {
         return [this, mode](bool on) {
@@ -163,6 +188,7 @@ void SolidWorkshop::connectTools() {
 }
 
 void SolidWorkshop::chooseTool() {
+    m_paintPanel->setVisible(m_isActive && m_canvas && m_actions->paint->isChecked());
     if (!m_isActive || !m_canvas) return;
     for (const auto& [action, tool] : m_tools)
         if (action->isChecked()) m_canvas->setTool(tool.get());
@@ -178,6 +204,47 @@ void SolidWorkshop::connectCut() {
     connect(m_cutPanel, &CutPanel::planeChosen, m_canvas, &SolidCanvas::setCutPlane);
     connect(m_canvas, &SolidCanvas::cutChanged, this, &SolidWorkshop::showCut);
     connect(&m_around.session, &ShapeSession::frameChanged, this, &SolidWorkshop::showCut);
+}
+
+QString SolidWorkshop::keys() {
+    return tr(
+        "<table cellspacing='6'>"
+        "<tr><td><b>Click</b></td><td>sets a pin</td></tr>"
+        "<tr><td><b>Drag a pin</b></td><td>moves it along the screen; Esc puts it back</td></tr>"
+        "<tr><td><b>G, R, S</b></td><td>arrows to move, rings to turn, a ring to scale</td></tr>"
+        "<tr><td><b>X, Y, Z while dragging</b></td><td>lock an axis</td></tr>"
+        "<tr><td><b>Digits while dragging</b></td><td>set the amount, Enter takes it</td></tr>"
+        "<tr><td><b>B, O, U</b></td><td>hold by rectangle, lasso, brush; T: through the solid</td></tr>"
+        "<tr><td><b>Right or middle button</b></td><td>turns the view; with Shift it moves</td></tr>"
+        "<tr><td><b>Middle click</b></td><td>sets the point to turn around</td></tr>"
+        "<tr><td><b>Wheel</b></td><td>zooms to the pointer</td></tr>"
+        "<tr><td><b>1, 3, 7, 0</b></td><td>from the front, right, top, side; Ctrl: from the other "
+        "side</td></tr>"
+        "<tr><td><b>C</b></td><td>cuts the solid open</td></tr>"
+        "<tr><td><b>Hold H</b></td><td>shows the bare solid</td></tr>"
+        "</table>");
+}
+
+void SolidWorkshop::exportPicture() {
+    if (!m_canvas) return;
+    PictureDialog dialog(m_canvas->size() * m_canvas->devicePixelRatioF(), &m_window);
+    if (dialog.exec() != QDialog::Accepted) return;
+    const Document& document = m_around.session.document();
+    const QString base = QFileInfo(document.displayName()).completeBaseName();
+    QString path = QFileDialog::getSaveFileName(
+        &m_window, tr("Export Picture"), QDir(document.folder()).filePath(base + QStringLiteral(".png")),
+        QStringLiteral("PNG (*.png);;TIFF (*.tif);;JPEG (*.jpg);;WebP (*.webp)"));
+    if (path.isEmpty()) return;
+    if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".png");
+    const QImage picture = m_canvas->picture(dialog.size(), dialog.isTransparent());
+    QSaveFile file(path);
+    const QByteArray format = QFileInfo(path).suffix().toLatin1();
+    const bool written = !picture.isNull() && file.open(QIODevice::WriteOnly) &&
+                         picture.save(&file, format.constData()) && file.commit();
+    if (written)
+        emit done(tr("Written: %1").arg(QDir::toNativeSeparators(path)));
+    else
+        emit failed(tr("Nothing was written. %1").arg(file.errorString()));
 }
 
 void SolidWorkshop::showCut() {

@@ -16,8 +16,11 @@ class Actions;
 class CutPanel;
 class DistortionPanel;
 class HandlePanel;
+class PaintPanel;
 class SolidCanvas;
 class StatusFields;
+class SurfaceCheck;
+class SurfacePanel;
 
 /// What the window has for solids: their view (made when the first solid is opened, since it needs OpenGL),
 /// tools, actions and panels.
@@ -40,10 +43,18 @@ class SolidWorkshop : public QObject {
     /// A solid is shown from now on, or no more. The view is then there, or a text that says why not.
     void setActive(bool active);
     bool isActive() const { return m_isActive; }
+    /// What pointer and keys do, as rich text.
+    static QString keys();
+    /// Asks for size and name and writes the view as a picture.
+    void exportPicture();
     /// The page of the window; null before the first solid.
     QWidget* page() const { return m_page; }
     /// Null where OpenGL is missing.
     SolidCanvas* canvas() const { return m_canvas; }
+
+  signals:
+    void failed(QString text);
+    void done(QString text);
 
   private:
     void makePage();
@@ -59,6 +70,9 @@ class SolidWorkshop : public QObject {
     SolidActions* m_actions;
     CutPanel* m_cutPanel;
     HandlePanel* m_handlePanel;
+    PaintPanel* m_paintPanel;
+    SurfacePanel* m_surfacePanel;
+    SurfaceCheck* m_check;
     std::vector<QWidget*> m_panels;
     QWidget* m_page = nullptr;
     SolidCanvas* m_canvas = nullptr;

@@ -21,7 +21,7 @@ namespace wend {
 namespace {
 
 constexpr int kWidth = 900;
-constexpr int kMostSamples = 4;
+constexpr int kMostSamples = 6;
 constexpr int kMostRecent = 5;
 
 /// The large dashed target.

@@ -10,7 +10,7 @@ server=$!
 trap 'kill $program $server 2>/dev/null; rm -rf "$HOME" "$XDG_RUNTIME_DIR"' EXIT
 sleep 1
 
-shot() { # NAME ARGUMENT…: opens the window, waits, takes a picture of it
+shot() { # NAME ARGUMENT…: opens the window, waits, sends the keys in KEYS, takes a picture of it
     local name=$1
     shift
     "$root/build/release/wend" "$@" >/dev/null 2>&1 &
@@ -19,6 +19,14 @@ shot() { # NAME ARGUMENT…: opens the window, waits, takes a picture of it
     window=$(xdotool search --sync --onlyvisible --pid "$program" | tail -n 1)
     xdotool windowmove "$window" 0 0 windowsize "$window" 1440 900
     sleep "${WAIT:-8}"
+    # A view of a solid makes the window anew.
+    window=$(xdotool search --onlyvisible --pid "$program" | tail -n 1)
+    xdotool windowmove "$window" 0 0 windowsize "$window" 1440 900 windowfocus "$window"
+    sleep 1
+    for key in $KEYS; do
+        xdotool key "$key"
+        sleep 0.5
+    done
     xdotool mousemove 700 880
     sleep 1
     import -window root "$here/$name"
@@ -28,3 +36,6 @@ shot() { # NAME ARGUMENT…: opens the window, waits, takes a picture of it
 
 shot start.png
 shot window.png "$root/resources/samples/giraffe.wend"
+WAIT=20 KEYS="d" shot solid-window.png "$root/resources/samples/eagle.wend"
+WAIT=20 KEYS="m d c" shot solid-cut.png "$root/resources/samples/eagle.wend"
+WAIT=15 KEYS="ctrl+a" shot solid-curve.png "$root/resources/samples/bar.wend"

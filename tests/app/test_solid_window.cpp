@@ -1,14 +1,20 @@
 #include <QComboBox>
 #include <QFile>
+#include <QPushButton>
 #include <QTextStream>
 #include <cmath>
 
+#include "app/document/curve_edits.h"
+#include "app/document/material_edits.h"
 #include "app/panels/cut_panel.h"
 #include "app/panels/distortion_panel.h"
 #include "app/panels/energy_slider.h"
 #include "app/panels/material_panel.h"
+#include "app/panels/surface_panel.h"
 #include "app/session/opening.h"
+#include "app/tools/measure_tool.h"
 #include "app/view/actions.h"
+#include "app/view/info_banner.h"
 #include "app/view/main_window.h"
 #include "app/view/solid_workshop.h"
 #include "app/view/volume/solid_canvas.h"
@@ -37,6 +43,11 @@ class TestSolidWindow : public QObject {
     void saveAndLoadGiveTheSameShape();
     void cutShowsTheInsideAndMoves();
     void coloursFollowTheMeasure();
+    void curvePointsAreDragged();
+    void paintingChangesTheMaterial();
+    void measuresLengthAndAngle();
+    void badSurfacesAreShownAndRepaired();
+    void pictureHasItsSizeAndNoBackground();
     void presetsTurnTheView();
     void backToAPicture();
 
@@ -372,6 +383,100 @@ void TestSolidWindow::coloursFollowTheMeasure() {
     session().playback().setTime(0.5);
     QTest::qWait(50);
     picture(QStringLiteral("arrows"));
+}
+
+void TestSolidWindow::curvePointsAreDragged() {
+    open();
+    holdEnds();
+    session().selection().set({1});
+    session().moveSelected<3>(Grip{}, {0, 0, 0.8});
+    QVERIFY(settle(session()));
+    const Vec<3> end = session().pins<3>()[1].centre;
+    const auto curved = withCurve(*session().document().project(), 1, end);
+    QVERIFY(curved);
+    session().document().change(QStringLiteral("Curve"), *curved);
+    QVERIFY(settle(session()));
+    QVERIFY((session().pins<3>()[1].centre - end).norm() < 1e-9);
+    // The last point is where the handle ends; beside the manipulator's centre it is the curve's.
+    const Vec<3> inner = std::get<CurveMotion<3>>(handles()[1].motions.back().kind).points[2];
+    const QPoint from = at(inner);
+    drag(from, from + QPoint(40, 0));
+    QVERIFY(settle(session()));
+    const Vec<3> moved = std::get<CurveMotion<3>>(handles()[1].motions.back().kind).points[2];
+    QVERIFY(std::abs((moved - inner).x() - 40 * canvas().pixelSize(inner)) < 2 * canvas().pixelSize(inner));
+    QVERIFY((session().pins<3>()[1].centre - end).norm() < 1e-9);
+    Project framed = *session().document().project();
+    auto* curve = lastCurve(framed, 1);
+    curve->frame = FrameKind::Minimal;
+    curve->twist = 1;
+    session().document().change(QStringLiteral("Twist"), framed);
+    QVERIFY(settle(session()));
+    QCOMPARE(session().frame()->distortion.flips, 0);
+    m_window->solids().actions().oblique->trigger();
+    picture(QStringLiteral("curve"));
+}
+
+void TestSolidWindow::paintingChangesTheMaterial() {
+    open();
+    m_window->solids().actions().paint->trigger();
+    drag(at({-1, -0.5, 0}), at({1, -0.5, 0}));
+    QVERIFY(settle(session()));
+    const auto groups = regionGroups(*session().document().project());
+    QCOMPARE(groups.size(), std::size_t(1));
+    QVERIFY(groups[0].count > 1);
+    const auto& phi = session().frame<3>()->material->phi;
+    QVERIFY(*std::max_element(phi.begin(), phi.end()) > phi::kMetr + 0.1);
+    m_window->actions().showMap->setChecked(true);
+    m_window->distortionPanel().findChild<QComboBox*>()->setCurrentIndex(3);
+    picture(QStringLiteral("paint"));
+    m_window->actions().undo->trigger();
+    QVERIFY(settle(session()));
+    QVERIFY(regionGroups(*session().document().project()).empty());
+}
+
+void TestSolidWindow::measuresLengthAndAngle() {
+    open();
+    m_window->solids().actions().measure->trigger();
+    const auto& tool = *static_cast<MeasureTool*>(canvas().tool());
+    QTest::mouseClick(&canvas(), Qt::LeftButton, {}, at({-1.99, -0.5, 0.49}));
+    QTest::mouseClick(&canvas(), Qt::LeftButton, {}, at({-1.99, -0.5, -0.49}));
+    QVERIFY(tool.text().contains(QStringLiteral("length 1,")));
+    QTest::mouseClick(&canvas(), Qt::LeftButton, {}, at({1.99, -0.5, -0.49}));
+    QVERIFY(tool.text().contains(QStringLiteral("angle 90°")));
+    picture(QStringLiteral("measure"));
+}
+
+void TestSolidWindow::badSurfacesAreShownAndRepaired() {
+    open();
+    session().document().undoStack()->setClean();
+    QFile good(m_folder->filePath(QStringLiteral("bar.obj")));
+    QVERIFY(good.open(QIODevice::ReadOnly));
+    QByteArray text = good.readAll();
+    text.truncate(text.lastIndexOf("f "));  // one triangle less: a hole
+    QFile bad(m_folder->filePath(QStringLiteral("open.obj")));
+    QVERIFY(bad.open(QIODevice::WriteOnly));
+    bad.write(text);
+    bad.close();
+    m_window->openPath(bad.fileName());
+    auto* panel = m_window->findChild<SurfacePanel*>();
+    QVERIFY(QTest::qWaitFor([&] { return panel->isVisible(); }, 20000));
+    QVERIFY(m_window->banner().isVisible());
+    QTest::qWait(100);
+    picture(QStringLiteral("bad"));
+    for (QPushButton* button : panel->findChildren<QPushButton*>())
+        if (button->text() == QStringLiteral("Repair")) QTest::mouseClick(button, Qt::LeftButton);
+    QVERIFY(session().document().project()->domain.repair);
+    QVERIFY(settle(session()));
+    QVERIFY(QTest::qWaitFor([&] { return !panel->isVisible(); }, 20000));
+    QVERIFY(session().frame<3>()->cells > 100);
+}
+
+void TestSolidWindow::pictureHasItsSizeAndNoBackground() {
+    open();
+    const QImage image = canvas().picture({1000, 400}, true);
+    QCOMPARE(image.size(), QSize(1000, 400));
+    QCOMPARE(qAlpha(image.pixel(2, 2)), 0);
+    QCOMPARE(qAlpha(image.pixel(500, 200)), 255);
 }
 
 void TestSolidWindow::presetsTurnTheView() {

@@ -1,9 +1,11 @@
+#include <QDir>
+#include <QTemporaryDir>
 #include <QTest>
 #include <numbers>
 
 #include "core/mesh/error.h"
 #include "tests/support/pictures.h"
-#include "warp/warp.h"
+#include "warp/warped_picture.h"
 
 using namespace wend;
 using namespace wend::test;
@@ -34,6 +36,12 @@ class TestWarp : public QObject {
     void stMapOfIdentity();
     void stMapForwardAndInverse();
     void badShapeIsAnError();
+    void wideVectorsChangeRoundingOnly_data();
+    void wideVectorsChangeRoundingOnly();
+    void exportIsTheWarp_data();
+    void exportIsTheWarp();
+    void stoppedExportLeavesNothing();
+    void alphaComesOnlyWhereSomethingShowsThrough();
     void errorsReachTheCaller();
 };
 
@@ -424,6 +432,106 @@ void TestWarp::badShapeIsAnError() {
     pose = mesh.points * 1e9;
     pose.col(5).setZero();
     QVERIFY(warpImage(randomPicture(64, 48, 3, PixelType::UInt8, false), mesh, pose, kView).data.size() > 0);
+}
+
+void TestWarp::wideVectorsChangeRoundingOnly_data() {
+    QTest::addColumn<int>("type");
+    QTest::addColumn<int>("channels");
+    for (int type = 0; type < 4; ++type)
+        for (int channels = 1; channels <= 4; ++channels)
+            QTest::addRow("type %d channels %d", type, channels) << type << channels;
+}
+
+void TestWarp::wideVectorsChangeRoundingOnly() {
+    QFETCH(int, type);
+    QFETCH(int, channels);
+    const Image source = randomPicture(64, 48, channels, static_cast<PixelType>(type), channels % 2 == 0);
+    const auto mesh = wholePicture();
+    Points<2> pose = wave(mesh.points);
+    pose.row(0) *= 0.4;  // ellipses of every length
+    for (Filter filter : {Filter::Nearest, Filter::Bilinear, Filter::Bicubic, Filter::Ewa}) {
+        WarpOptions options;
+        options.filter = filter;
+        const Image wide = warpImage(source, mesh, pose, kView, options);
+        options.wideVectors = false;
+        const Image portable = warpImage(source, mesh, pose, kView, options);
+        withPixelType(source.type, [&](auto t) {
+            using T = decltype(t);
+            // One step of an integer, and as many last bits of the others as there are sums.
+            const float tolerance = std::is_integral_v<T> ? 1 : sizeof(T) == 2 ? 2e-3F : 2e-5F;
+            for (int y = 0; y < 48; ++y)
+                for (int x = 0; x < 64; ++x)
+                    for (int c = 0; c < wide.channels; ++c) {
+                        const auto a = static_cast<float>(valueAt<T>(wide, x, y, c));
+                        const auto b = static_cast<float>(valueAt<T>(portable, x, y, c));
+                        if (!(std::abs(a - b) <= tolerance)) {
+                            // A colour of almost no alpha is a quotient of two small numbers.
+                            QVERIFY(channels % 2 == 0 && c < channels - 1);
+                            QVERIFY(static_cast<float>(valueAt<T>(wide, x, y, channels - 1)) <
+                                    0.02F * kFull<T>);
+                        }
+                    }
+        });
+    }
+}
+
+void TestWarp::exportIsTheWarp_data() {
+    QTest::addColumn<QString>("extension");
+    for (const char* extension : {"png", "tif", "exr", "jpg", "webp"}) QTest::newRow(extension) << extension;
+}
+
+/// Higher than two strips, with a rest.
+void TestWarp::exportIsTheWarp() {
+    QFETCH(QString, extension);
+    QTemporaryDir folder;
+    const Image source = randomPicture(40, 600, 4, PixelType::UInt8, true);
+    const auto mesh = rectangle({0, 0}, {40, 600}, 9);
+    const View view{44, 610, Vec<2>(-2, -5), 1};
+    const Points<2> pose = wave(mesh.points, 1);
+    const std::string whole = folder.filePath("whole." + extension).toStdString(),
+                      strips = folder.filePath("strips." + extension).toStdString();
+    writeImage(whole, warpImage(source, mesh, pose, view));
+    writeWarped(strips, WarpedPicture(source, mesh, pose, view, {}));
+    const Image a = readImage(whole), b = readImage(strips);
+    QCOMPARE(a.width, 44);
+    QCOMPARE(a.height, 610);
+    QVERIFY(a.channels == b.channels && a.data == b.data);
+}
+
+void TestWarp::stoppedExportLeavesNothing() {
+    QTemporaryDir folder;
+    const Image source = randomPicture(40, 900, 4, PixelType::UInt8, true);
+    const auto mesh = rectangle({0, 0}, {40, 900}, 9);
+    std::stop_source stop;
+    WarpOptions options;
+    options.stop = stop.get_token();
+    options.progress = [&](double done) {
+        if (done > 0.5) stop.request_stop();
+    };
+    for (const char* name : {"a.png", "a.tif", "a.exr", "a.jpg", "a.webp"}) {
+        stop = {};
+        options.stop = stop.get_token();
+        const WarpedPicture picture(source, mesh, mesh.points, {40, 900, Vec<2>::Zero(), 1}, options);
+        QVERIFY_EXCEPTION_THROWN(writeWarped(folder.filePath(name).toStdString(), picture), Cancelled);
+    }
+    QVERIFY(QDir(folder.path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot).isEmpty());
+}
+
+void TestWarp::alphaComesOnlyWhereSomethingShowsThrough() {
+    const Image source = randomPicture(64, 48, 3, PixelType::UInt8, false);
+    const auto mesh = wholePicture();
+    const auto channels = [&](const Points<2>& pose, Outside outside) {
+        WarpOptions options;
+        options.outside = outside;
+        return WarpedPicture(source, mesh, pose, kView, options).header().channels;
+    };
+    Points<2> corner = mesh.points, grown = mesh.points;
+    corner.col(0) += Vec<2>(0.2, 0.2);  // a sliver along two borders
+    grown.array() *= 1.5;
+    QCOMPARE(channels(mesh.points, Outside::Transparent), 3);
+    QCOMPARE(channels(grown, Outside::Transparent), 3);
+    QCOMPARE(channels(corner, Outside::Transparent), 4);
+    QCOMPARE(channels(corner, Outside::Clamp), 3);
 }
 
 QTEST_APPLESS_MAIN(TestWarp)

@@ -81,6 +81,11 @@ void Camera::lookAt(const Vec<3>& point) {
     m_shift.setZero();
 }
 
+void Camera::lookAlong(const Vec<3>& direction) {
+    const Vec<3> way = direction.normalized();
+    m_turn = turn(way, std::abs(way.z()) > 0.95 ? Vec<3>::UnitY() : Vec<3>::UnitZ());
+}
+
 Vec<3> Camera::centre() const {
     return m_pivot - m_shift.x() * right() - m_shift.y() * up();
 }

@@ -22,6 +22,8 @@ class Camera {
     void setPivot(const Vec<3>& pivot);
     /// Brings a point into the middle of the picture, and turns around it.
     void lookAt(const Vec<3>& point);
+    /// From where one sees along the direction.
+    void lookAlong(const Vec<3>& direction);
     void setOrthographic(bool on) { m_orthographic = on; }
     bool orthographic() const { return m_orthographic; }
     const Vec<3>& pivot() const { return m_pivot; }

@@ -312,13 +312,15 @@ void SolidCanvas::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void SolidCanvas::tellPointed(const QPointF& at) {
-    const SolidHit hit = isNavigating() || m_session.isDragging() ? SolidHit{} : pick(at);
+    const bool busy = isNavigating() || m_session.isDragging() || !m_session.frame<3>();
+    const SolidHit hit = busy ? SolidHit{} : pick(at);
     if (hit.cell < 0) {
         emit pointed({});
         return;
     }
     const QLocale locale;
-    const auto number = [&locale](double x) { return locale.toString(x, 'g', 4); };
+    const double least = 1e-9 * m_session.frame()->diagonal;
+    const auto number = [&](double x) { return locale.toString(std::abs(x) < least ? 0.0 : x, 'g', 4); };
     QString text =
         QStringLiteral("%1, %2, %3").arg(number(hit.point.x()), number(hit.point.y()), number(hit.point.z()));
     if (m_map) {

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <QObject>
+#include <memory>
+
+#include "app/session/shape_session.h"
+#include "core/meshing/surface.h"
+
+namespace wend {
+
+class SolidCanvas;
+class SurfacePanel;
+
+/// When a surface cannot become a solid: looks at it again in the background, shows it with what is wrong in
+/// it, and does what the panel offers.
+class SurfaceCheck : public QObject {
+    Q_OBJECT
+
+  public:
+    SurfaceCheck(ShapeSession& session, SurfacePanel& panel, QWidget& window);
+    void setCanvas(SolidCanvas* canvas) { m_canvas = canvas; }
+    void hide();
+
+  private:
+    struct Found {
+        Surface surface;
+        SurfaceProblems problems;
+        QString error;
+    };
+    void look();
+    void take(const std::shared_ptr<const Found>& found);
+    void showSurface();
+    void saveList();
+    void repair();
+
+    ShapeSession& m_session;
+    SurfacePanel& m_panel;
+    QWidget& m_window;
+    SolidCanvas* m_canvas = nullptr;
+    std::shared_ptr<const Found> m_found;
+};
+
+}  // namespace wend

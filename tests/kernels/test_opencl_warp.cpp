@@ -1,0 +1,188 @@
+// The texture warp on every kind of OpenCL device against the processor's.
+#include <QTest>
+#include <cmath>
+
+#include "kernels/back_end_choice.h"
+#include "kernels/opencl_warp.h"
+#include "tests/support/pictures.h"
+#include "warp/warped_picture.h"
+
+using namespace wend;
+using namespace wend::test;
+
+class TestOpenClWarp : public QObject {
+    Q_OBJECT
+  private slots:
+    void agreesWithTheProcessor_data();
+    void agreesWithTheProcessor();
+    void identityKeepsEveryBit();
+    void outsideAndFoldsAreTheProcessors_data();
+    void outsideAndFoldsAreTheProcessors();
+    void stripsAreTheWhole();
+    void failingDeviceIsReplaced();
+    void isChosenByNameOnly();
+};
+
+namespace {
+
+const View kView{64, 48, Vec<2>::Zero(), 1};
+
+Points<2> wave(const Points<2>& rest) {
+    Points<2> pose = rest;
+    for (Eigen::Index i = 0; i < rest.cols(); ++i)
+        pose.col(i) += 3 * Vec<2>(std::sin(rest(1, i) / 9.0), std::cos(rest(0, i) / 7.0));
+    return pose;
+}
+
+MakeCellPainter devicePainter() {
+    return cellPainters(BackEndKind::OpenCl, {},
+                        [](const std::string& text) { qWarning("%s", text.c_str()); });
+}
+
+Image onDevice(const Image& source, const SimplicialMesh<2>& mesh, const Points<2>& pose,
+               WarpOptions options) {
+    options.makePainter = devicePainter();
+    const WarpedPicture picture(source, mesh, pose, kView, options);
+    if (!picture.hasPainter()) throw std::runtime_error("no device paints");
+    Image image = picture.header();
+    image.data.resize(image.rowBytes() * static_cast<std::size_t>(image.height));
+    picture.paint(0, image);
+    if (!picture.hasPainter()) throw std::runtime_error("the device failed");
+    return image;
+}
+
+/// One step of an integer, 1e-5 of a float, two last bits of a half; a colour of almost no alpha is a
+/// quotient of two small numbers and may be anything.
+template <typename T>
+bool agree(const Image& a, const Image& b) {
+    const float tolerance = std::is_integral_v<T> ? 1 : sizeof(T) == 2 ? 2e-3F : 1e-5F;
+    const int last = a.channels - 1;
+    for (int y = 0; y < a.height; ++y)
+        for (int x = 0; x < a.width; ++x)
+            for (int c = 0; c < a.channels; ++c) {
+                const auto p = static_cast<float>(valueAt<T>(a, x, y, c)),
+                           q = static_cast<float>(valueAt<T>(b, x, y, c));
+                const bool faint =
+                    a.alpha && c < last && static_cast<float>(valueAt<T>(a, x, y, last)) < 0.02F * kFull<T>;
+                if (!faint && !(std::abs(p - q) <=
+                                tolerance * std::max(1.0F, std::is_integral_v<T> ? 1.0F : std::abs(p))))
+                    return false;
+            }
+    return true;
+}
+
+bool agree(const Image& a, const Image& b) {
+    return a.channels == b.channels && a.data.size() == b.data.size() &&
+           withPixelType(a.type, [&](auto t) { return agree<decltype(t)>(a, b); });
+}
+
+}  // namespace
+
+void TestOpenClWarp::agreesWithTheProcessor_data() {
+    QTest::addColumn<int>("type");
+    QTest::addColumn<int>("channels");
+    QTest::addColumn<int>("filter");
+    const auto row = [](PixelType type, int channels, Filter filter) {
+        QTest::addRow("type %d channels %d filter %d", static_cast<int>(type), channels,
+                      static_cast<int>(filter))
+            << static_cast<int>(type) << channels << static_cast<int>(filter);
+    };
+    // A program is compiled for each.
+    for (Filter filter : {Filter::Nearest, Filter::Bilinear, Filter::Bicubic, Filter::Ewa})
+        row(PixelType::UInt8, 4, filter);
+    for (PixelType type : {PixelType::UInt16, PixelType::Half, PixelType::Float}) row(type, 4, Filter::Ewa);
+    for (int channels : {1, 3}) row(PixelType::UInt8, channels, Filter::Ewa);
+    row(PixelType::Float, 3, Filter::Bilinear);
+}
+
+void TestOpenClWarp::agreesWithTheProcessor() {
+    QFETCH(int, type);
+    QFETCH(int, channels);
+    QFETCH(int, filter);
+    const Image source = randomPicture(64, 48, channels, static_cast<PixelType>(type), channels == 4);
+    const auto mesh = rectangle({0, 0}, {64, 48}, 7);
+    WarpOptions options;
+    options.filter = static_cast<Filter>(filter);
+    Points<2> pose = wave(mesh.points);
+    QVERIFY(agree(warpImage(source, mesh, pose, kView, options), onDevice(source, mesh, pose, options)));
+    pose.row(0) *= 0.21;  // long ellipses, upper levels
+    QVERIFY(agree(warpImage(source, mesh, pose, kView, options), onDevice(source, mesh, pose, options)));
+}
+
+void TestOpenClWarp::identityKeepsEveryBit() {
+    for (PixelType type : {PixelType::UInt8, PixelType::Float}) {
+        const Image source = randomPicture(64, 48, 4, type, true);
+        const auto mesh = rectangle({0, 0}, {64, 48}, 7);
+        QVERIFY(onDevice(source, mesh, mesh.points, {}).data == source.data);
+    }
+}
+
+void TestOpenClWarp::outsideAndFoldsAreTheProcessors_data() {
+    QTest::addColumn<int>("outside");
+    for (int outside = 0; outside < 4; ++outside) QTest::addRow("outside %d", outside) << outside;
+}
+
+void TestOpenClWarp::outsideAndFoldsAreTheProcessors() {
+    QFETCH(int, outside);
+    const Image source = randomPicture(64, 48, 4, PixelType::UInt8, true);
+    const auto mesh = rectangle({0, 0}, {64, 48}, 7);
+    Points<2> pose = wave(mesh.points);
+    for (Eigen::Index i = 0; i < pose.cols(); ++i)
+        if (pose(0, i) > 40) pose(0, i) = 80 - pose(0, i);  // the right third folded back
+    WarpOptions options;
+    options.outside = static_cast<Outside>(outside);
+    options.colour = {0.2F, 0.4F, 0.1F, 0.5F};
+    for (int c = 0; c < mesh.cellCount(); ++c) options.depth.push_back(static_cast<float>(c % 3));
+    QVERIFY(agree(warpImage(source, mesh, pose, kView, options), onDevice(source, mesh, pose, options)));
+}
+
+void TestOpenClWarp::stripsAreTheWhole() {
+    const Image source = randomPicture(64, 48, 4, PixelType::UInt8, true);
+    const auto mesh = rectangle({0, 0}, {64, 48}, 7);
+    const Points<2> pose = wave(mesh.points);
+    WarpOptions options;
+    const Image whole = onDevice(source, mesh, pose, options);
+    options.makePainter = devicePainter();
+    const WarpedPicture picture(source, mesh, pose, kView, options);
+    for (int top : {0, 32}) {
+        Image strip = picture.header();
+        strip.height = top == 0 ? 32 : 16;
+        strip.data.resize(strip.rowBytes() * static_cast<std::size_t>(strip.height));
+        QVERIFY(picture.paint(top, strip));
+        QVERIFY(std::equal(strip.data.begin(), strip.data.end(), whole.row(top)));
+    }
+}
+
+void TestOpenClWarp::failingDeviceIsReplaced() {
+    class Lost final : public CellPainter {
+        bool paint(const WarpJob&, int, Image& strip) override {
+            std::fill(strip.data.begin(), strip.data.end(), std::byte(77));
+            return false;
+        }
+    };
+    const Image source = randomPicture(64, 48, 4, PixelType::UInt8, true);
+    const auto mesh = rectangle({0, 0}, {64, 48}, 7);
+    const Points<2> pose = wave(mesh.points);
+    WarpOptions options;
+    const Image expected = warpImage(source, mesh, pose, kView, options);
+    options.makePainter = [](const WarpJob&) { return std::make_unique<Lost>(); };
+    QVERIFY(warpImage(source, mesh, pose, kView, options).data == expected.data);
+    OpenClDeviceInfo nowhere;
+    nowhere.platform = 99;
+    nowhere.name = "nowhere";
+    std::vector<std::string> notices;
+    options.makePainter = [&](const WarpJob& job) {
+        return makeOpenClPainter(nowhere, job, [&](const std::string& text) { notices.push_back(text); });
+    };
+    QVERIFY(warpImage(source, mesh, pose, kView, options).data == expected.data);
+    QCOMPARE(notices.size(), std::size_t(1));
+}
+
+void TestOpenClWarp::isChosenByNameOnly() {
+    QVERIFY(!cellPainters(BackEndKind::Cpu));
+    QVERIFY(!cellPainters(BackEndKind::Automatic));
+    QVERIFY(cellPainters(BackEndKind::OpenCl));
+}
+
+QTEST_GUILESS_MAIN(TestOpenClWarp)
+#include "test_opencl_warp.moc"

@@ -1,0 +1,370 @@
+// The filters, and spans painted with them. No include guard: read once per instruction set, within its
+// namespace (span_painters.h).
+
+#include "warp/span_lanes.inl"
+
+/// Pixels in memory from one on, and the step to the next row.
+template <typename T>
+struct Window {
+    const T* first;
+    std::ptrdiff_t stride;
+    WEND_INLINE const T* row(int j) const { return first + j * stride; }
+};
+
+/// Room for the window of one pixel at the border.
+template <typename T, int N>
+struct Patch {
+    static constexpr int kColumns = 2 * kFarthestReach + 4;
+    T pixels[(2 * kFarthestReach + 2) * kColumns * N + 4];
+};
+
+WEND_INLINE int clamped(int i, int size) {
+    return i < 0 ? 0 : i < size ? i : size - 1;
+}
+
+/// Beyond the border of a picture the border's pixels go on.
+template <typename T, int N>
+WEND_TARGET __attribute__((noinline)) void copyWindow(const TexelLevel& level, int x, int y, int columns, int rows,
+                                          T* pixels) {
+    const T* data = static_cast<const T*>(level.data);
+    for (int j = 0; j < rows; ++j) {
+        const T* from = data + static_cast<std::ptrdiff_t>(clamped(y + j, level.height)) * level.width * N;
+        T* to = pixels + j * Patch<T, N>::kColumns * N;
+        for (int i = 0; i < columns; ++i)
+            for (int c = 0; c < N; ++c) to[i * N + c] = from[clamped(x + i, level.width) * N + c];
+    }
+}
+
+/// A level of a picture of N channels of type T. Reading a window may read up to four numbers beyond each of
+/// its rows.
+template <typename T, int N>
+class Texels {
+  public:
+    WEND_INLINE Texels(const SpanTask& task, T* patch)
+        : m_task(task),
+          m_data(static_cast<const T*>(task.level.data)),
+          m_stride(static_cast<std::ptrdiff_t>(task.level.width) * N),
+          m_inner(task.inner),
+          m_patch(patch) {}
+
+    WEND_INLINE Window<T> window(int x, int y, int columns, int rows) const {
+        if (m_inner) return {m_data + y * m_stride + static_cast<std::ptrdiff_t>(x) * N, m_stride};
+        copyWindow<T, N>(m_task.level, x, y, columns, rows, m_patch);
+        return {m_patch, Patch<T, N>::kColumns * N};
+    }
+
+  private:
+    const SpanTask& m_task;
+    const T* m_data;
+    std::ptrdiff_t m_stride;
+    bool m_inner;
+    T* m_patch;
+};
+
+/// Colours between pixels: (i, j) is the pixel at or before the position, (s, t) how far beyond its centre
+/// that is. Where colours are not associated they count by their alpha, so that nothing bleeds in from
+/// transparent pixels; a position exactly on a pixel gives that pixel, whatever its alpha.
+template <typename T, int N, bool weighted>
+class Filters {
+  public:
+    WEND_INLINE Filters(const SpanTask& task, T* patch)
+        : m_texels(task, patch),
+          m_alpha(task.level.alpha),
+          m_xx(task.xx),
+          m_xy(task.xy),
+          m_yy(task.yy),
+          m_blend(task.blend),
+          m_reachX(task.reachX),
+          m_reachY(task.reachY) {}
+
+    WEND_INLINE Colour nearest(int i, int j) const { return widened(m_texels.window(i, j, 1, 1).first); }
+
+    WEND_INLINE Colour bilinear(int i, int j, float s, float t) const {
+        const Window<T> w = m_texels.window(i, j, 2, 2);
+        if (s == 0 && t == 0) return widened(w.first);
+        const Eight top = summands(w.row(0)), bottom = summands(w.row(1));
+        const Eight column = top + eight(t) * (bottom - top);
+        return colour(low(column) + s * (high(column) - low(column)));
+    }
+
+    /// Catmull–Rom's cubic (Keys 1981, a = −½): interpolating.
+    WEND_INLINE Colour bicubic(int i, int j, float s, float t) const {
+        const Window<T> w = m_texels.window(i - 1, j - 1, 4, 4);
+        if (s == 0 && t == 0) return widened(w.row(1) + N);
+        float x[4], y[4];
+        cubicWeights(s, x);
+        cubicWeights(t, y);
+        const Eight left = eight(all(x[0]), all(x[1])), right = eight(all(x[2]), all(x[3]));
+        Eight sum = eight(y[0]) * cubicRow(w.row(0), left, right);
+        for (int k = 1; k < 4; ++k) sum = sum + eight(y[k]) * cubicRow(w.row(k), left, right);
+        return limited(colour(low(sum) + high(sum)));
+    }
+
+    /// The mean over an ellipse, going over to the cubic where the ellipse is nearly the unit circle's.
+    WEND_INLINE Colour ewa(int i, int j, float s, float t) const {
+        if (m_blend == 0) return bicubic(i, j, s, t);
+        const Colour soft = elliptical(i, j, s, t);
+        if (m_blend == 1) return soft;
+        return mixed(soft, bicubic(i, j, s, t));
+    }
+
+  private:
+    // --- colours that count by their alpha
+    // --------------------------------------------------------------------
+
+    WEND_INLINE static Eight associated(Eight two) {
+        if constexpr (!weighted) return two;
+        return replaced<N - 1>(two, eight(kFull<T>)) * (spread<N - 1>(two) * eight(1 / kFull<T>));
+    }
+    WEND_INLINE static Eight summands(const T* p) { return associated(loadTwo<N>(p)); }
+
+    /// The colour of a sum of summands.
+    WEND_INLINE static Colour colour(Colour sum) {
+        if constexpr (!weighted) return sum;
+        const float alpha = sum[N - 1];
+        if (!(alpha > 0)) return all(0);
+        sum = sum * all(kFull<T> / alpha);
+        sum[N - 1] = alpha;
+        return sum;
+    }
+
+    WEND_INLINE Colour mixed(Colour a, Colour b) const {
+        const Eight parts = associated(eight(a, b)) * eight(all(m_blend), all(1 - m_blend));
+        return colour(low(parts) + high(parts));
+    }
+
+    /// Negative lobes of a filter must not make light below black or colour beyond its alpha.
+    WEND_INLINE Colour limited(Colour value) const {
+        if constexpr (std::is_integral_v<T>) {
+            value = least(most(value, all(0)), all(kFull<T>));
+            if (!weighted && m_alpha) value = least(value, all(value[N - 1]));
+        } else if (m_alpha) {
+            value[N - 1] = value[N - 1] < 0 ? 0 : value[N - 1] > 1 ? 1 : value[N - 1];
+        }
+        return value;
+    }
+
+    // --- cubic
+    // ------------------------------------------------------------------------------------------------
+
+    WEND_INLINE static void cubicWeights(float t, float* w) {
+        const float s = 1 - t;
+        w[0] = -0.5F * t * s * s, w[3] = -0.5F * s * t * t;
+        w[1] = 1 + t * t * (1.5F * t - 2.5F), w[2] = 1 + s * s * (1.5F * s - 2.5F);
+    }
+    WEND_INLINE static Eight cubicRow(const T* p, Eight left, Eight right) {
+        return left * summands(p) + right * summands(p + 2 * N);
+    }
+
+    // --- elliptical
+    // -------------------------------------------------------------------------------------------
+
+    /// The radial cubic of Mitchell and Netravali (1988) with B = 0.3782, C = 0.3109, which keeps straight
+    /// lines straight, within 0.004 as a polynomial of q = r² that ends smoothly at r = 2.
+    WEND_INLINE static Eight kernel(Eight q) {
+        const Eight rest = eight(4) - smaller(q, eight(4));
+        const Eight inner =
+            ((eight(-0.00488379426F) * q + eight(0.031282487F)) * q - eight(0.0738093829F)) * q +
+            eight(0.0543943942F);
+        return rest * rest * inner;
+    }
+
+    struct Sum {
+        Eight colours, weights;
+    };
+
+    WEND_INLINE Colour elliptical(int i, int j, float s, float t) const {
+        Sum sum{eight(0), eight(0)};
+        if (m_reachX <= 1 && m_reachY <= 1)
+            addBox<1>(i, j, s, t, sum);
+        else if (m_reachX <= 2 && m_reachY <= 2)
+            addBox<2>(i, j, s, t, sum);
+        else if (m_reachX <= 3 && m_reachY <= 3)
+            addBox<3>(i, j, s, t, sum);
+        else
+            addChords(i, j, s, t, sum);
+        const Colour four = low(sum.weights) + high(sum.weights);
+        const float weight = four[0] + four[1] + four[2] + four[3];
+        if (!(weight > 0)) return bicubic(i, j, s, t);
+        return limited(colour((low(sum.colours) + high(sum.colours)) * all(1 / weight)));
+    }
+
+    /// All pixels of a box that holds the ellipse, from `reach` before the pixel (i, j) to reach + 1 after
+    /// it.
+    template <int reach>
+    WEND_INLINE void addBox(int i, int j, float s, float t, Sum& sum) const {
+        constexpr int kSize = 2 * reach + 2;
+        const Window<T> w = m_texels.window(i - reach, j - reach, kSize, kSize);
+        const Eight dx = counted() - eight(static_cast<float>(reach) + s);
+        const Eight square = eight(m_xx) * dx * dx, slant = eight(2 * m_xy) * dx;
+        for (int k = 0; k < kSize; ++k) {
+            const float dy = static_cast<float>(k - reach) - t;
+            const Eight weights = kernel(square + (slant * eight(dy) + eight(m_yy * dy * dy)));
+            const T* p = w.row(k);
+            Eight line = spreadTwo<0>(weights) * summands(p) + spreadTwo<1>(weights) * summands(p + 2 * N);
+            if constexpr (kSize > 4) line = line + spreadTwo<2>(weights) * summands(p + 4 * N);
+            if constexpr (kSize > 6) line = line + spreadTwo<3>(weights) * summands(p + 6 * N);
+            sum.colours = sum.colours + line;
+            sum.weights = sum.weights + weights;
+        }
+    }
+
+    /// Row by row over the chord of the ellipse: q = xx (dx − middle)² + rest(dy).
+    WEND_INLINE void addChords(int i, int j, float s, float t, Sum& sum) const {
+        const int last = 2 * m_reachX + 1;
+        const Window<T> w = m_texels.window(i - m_reachX, j - m_reachY, last + 2, 2 * m_reachY + 2);
+        const float slant = m_xy / m_xx, depth = m_yy - m_xy * slant;
+        for (int k = 0; k < 2 * m_reachY + 2; ++k) {
+            const float dy = static_cast<float>(k - m_reachY) - t, rest = depth * dy * dy;
+            if (rest >= 4) continue;
+            const float middle = static_cast<float>(m_reachX) + s - slant * dy;
+            const float half = __builtin_sqrtf((4 - rest) / m_xx);
+            const int begin = middle > half ? static_cast<int>(middle - half) : 0;
+            const int end = middle + half < static_cast<float>(last) ? static_cast<int>(middle + half) : last;
+            for (int x = begin; x <= end; x += 8)
+                addEight(w.row(k) + x * N, static_cast<float>(x) - middle, rest, end - x, sum);
+        }
+    }
+
+    /// Up to eight pixels from p on, the one at p being dx from the middle of the chord; those after the
+    /// first 1 + `more` weigh nothing.
+    WEND_INLINE void addEight(const T* p, float dx, float rest, int more, Sum& sum) const {
+        const Eight across = counted() + eight(dx);
+        const Eight weights = kernel(eight(m_xx) * across * across + eight(rest));
+        sum.weights = sum.weights + weights;
+        sum.colours = sum.colours + spreadTwo<0>(weights) * summands(p);
+        if (more >= 2) sum.colours = sum.colours + spreadTwo<1>(weights) * summands(p + 2 * N);
+        if (more >= 4) sum.colours = sum.colours + spreadTwo<2>(weights) * summands(p + 4 * N);
+        if (more >= 6) sum.colours = sum.colours + spreadTwo<3>(weights) * summands(p + 6 * N);
+    }
+
+    Texels<T, N> m_texels;
+    bool m_alpha;
+    float m_xx, m_xy, m_yy, m_blend;
+    int m_reachX, m_reachY;
+};
+
+/// Where the pixels of a piece of a span come from.
+struct Places {
+    static constexpr int kSize = 32;
+    int i[kSize], j[kSize];    // the pixel at or before
+    float s[kSize], t[kSize];  // how far beyond its centre, in [0, 1)
+};
+
+/// Of `count` pixels (eight at a time, which may be some more) from `begin` on; `half` ½ for pixels' centres, 0
+/// for their corners. Far outside (or no number) is brought near, which changes nothing but the range of the
+/// numbers.
+WEND_INLINE void locate(const SpanTask& task, int begin, int count, double half, Places& places) {
+    constexpr double kFar = 64;
+    const double left = task.left, scale = task.scale, anchor = task.anchor, height = task.height;
+    const double rowX = task.inRowX, rowY = task.inRowY, gradientX = task.gradientX,
+                 gradientY = task.gradientY, shrink = task.shrink;
+    const double right = task.level.width + kFar, bottom = task.level.height + kFar;
+    for (int eighth = 0; eighth < count; eighth += 8)
+        for (int k = eighth; k < eighth + 8; ++k) {
+            const double across = left + scale * (begin + k + 0.5), step = across - anchor;
+            double x = (across - (rowX + gradientX * step)) * shrink - half;
+            double y = (height - (rowY + gradientY * step)) * shrink - half;
+            x = x > -kFar ? x : -kFar, x = x < right ? x : right;
+            y = y > -kFar ? y : -kFar, y = y < bottom ? y : bottom;
+            int i = static_cast<int>(x), j = static_cast<int>(y);
+            i -= x < i ? 1 : 0, j -= y < j ? 1 : 0;
+            places.i[k] = i, places.j[k] = j;
+            places.s[k] = static_cast<float>(x - i), places.t[k] = static_cast<float>(y - j);
+        }
+}
+
+template <typename T, int N, Filter F>
+class SpanPainter {
+  public:
+    WEND_TARGET static void paint(const SpanTask& task, void* to) {
+        if (task.level.weighted && F != Filter::Nearest)
+            paintPieces<N % 2 == 0>(task, static_cast<T*>(to));
+        else
+            paintPieces<false>(task, static_cast<T*>(to));
+    }
+
+    WEND_TARGET static void sample(const SpanTask& task, float* colour) {
+        SpanTask one = task;
+        one.end = one.begin + 1;
+        if (task.level.weighted && F != Filter::Nearest)
+            sampleOne<N % 2 == 0>(one, colour);
+        else
+            sampleOne<false>(one, colour);
+    }
+
+  private:
+    static constexpr double kHalf = F == Filter::Nearest ? 0 : 0.5;
+
+    template <bool weighted>
+    WEND_INLINE static Colour colourAt(const Filters<T, N, weighted>& filters, const Places& at, int k) {
+        if constexpr (F == Filter::Nearest) return filters.nearest(at.i[k], at.j[k]);
+        if constexpr (F == Filter::Bilinear) return filters.bilinear(at.i[k], at.j[k], at.s[k], at.t[k]);
+        if constexpr (F == Filter::Bicubic) return filters.bicubic(at.i[k], at.j[k], at.s[k], at.t[k]);
+        if constexpr (F == Filter::Ewa) return filters.ewa(at.i[k], at.j[k], at.s[k], at.t[k]);
+    }
+
+    template <bool weighted>
+    WEND_TARGET static void paintPieces(const SpanTask& task, T* to) {
+        if (task.addsAlpha)
+            paintPieces<weighted, N == 4 ? N : N + 1>(task, to);
+        else
+            paintPieces<weighted, N>(task, to);
+    }
+
+    template <bool weighted, int channels>
+    WEND_TARGET static void paintPieces(const SpanTask& task, T* to) {
+        Patch<T, N> patch;
+        Places places;
+        const Filters<T, N, weighted> filters(task, patch.pixels);
+        const int last = task.end;
+        for (int begin = task.begin; begin < last; begin += Places::kSize) {
+            const int count = last - begin < Places::kSize ? last - begin : Places::kSize;
+            locate(task, begin, count, kHalf, places);
+            for (int k = 0; k < count; ++k, to += channels) {
+                Colour colour = colourAt(filters, places, k);
+                if constexpr (channels > N) colour[N] = kFull<T>;
+                storeColour<channels>(colour, to);
+            }
+        }
+    }
+
+    template <bool weighted>
+    WEND_TARGET static void sampleOne(const SpanTask& task, float* colour) {
+        Patch<T, N> patch;
+        Places places;
+        locate(task, task.begin, 1, kHalf, places);
+        const Colour found = colourAt(Filters<T, N, weighted>(task, patch.pixels), places, 0);
+        std::memcpy(colour, &found, sizeof found);
+    }
+};
+
+template <typename T, int N>
+SpanFunctions spanFunctions(Filter filter) {
+    switch (filter) {
+        case Filter::Nearest:
+            return {SpanPainter<T, N, Filter::Nearest>::paint, SpanPainter<T, N, Filter::Nearest>::sample};
+        case Filter::Bilinear:
+            return {SpanPainter<T, N, Filter::Bilinear>::paint, SpanPainter<T, N, Filter::Bilinear>::sample};
+        case Filter::Bicubic:
+            return {SpanPainter<T, N, Filter::Bicubic>::paint, SpanPainter<T, N, Filter::Bicubic>::sample};
+        case Filter::Ewa:
+            return {SpanPainter<T, N, Filter::Ewa>::paint, SpanPainter<T, N, Filter::Ewa>::sample};
+    }
+    return {};
+}
+
+template <typename T>
+SpanFunctions spanFunctions(int channels, Filter filter) {
+    switch (channels) {
+        case 1:
+            return spanFunctions<T, 1>(filter);
+        case 2:
+            return spanFunctions<T, 2>(filter);
+        case 3:
+            return spanFunctions<T, 3>(filter);
+        default:
+            return spanFunctions<T, 4>(filter);
+    }
+}
+#undef WEND_INLINE

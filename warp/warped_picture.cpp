@@ -1,0 +1,221 @@
+#include "warp/warped_picture.h"
+
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+#include "core/mesh/error.h"
+#include "warp/warp_job.h"
+
+namespace wend {
+namespace {
+
+void requireFinite(const Points<2>& pose) {
+    if (!pose.allFinite()) throw InputError("the shape has a vertex that is not a finite number");
+}
+
+Image headerOf(const Image& source, const View& view, bool addsAlpha) {
+    return {view.width,
+            view.height,
+            source.channels + (addsAlpha ? 1 : 0),
+            source.type,
+            source.alpha || addsAlpha,
+            source.unassociated || addsAlpha,
+            {},
+            source.metadata};
+}
+
+bool visible(const Points<2>& pixels, const Cell<2>& cell, const View& view) {
+    const auto corners = [&](int row) {
+        return std::minmax({pixels(row, cell[0]), pixels(row, cell[1]), pixels(row, cell[2])});
+    };
+    const auto [left, right] = corners(0);
+    const auto [top, bottom] = corners(1);
+    return left < view.width && right > 0 && top < bottom && top < view.height && bottom > 0;
+}
+
+VisibleCell visibleCell(const WarpJob& job, const SimplicialMesh<2>& rest, const Points<2>& pose,
+                        const Points<2>& pixels, const Cell<2>& cell, int levels) {
+    const TriangleRows rows(pixels.col(cell[0]), pixels.col(cell[1]), pixels.col(cell[2]));
+    const CellMap map(rest.points, pose, cell);
+    const Mat<2> jacobian = job.view.scale * (Mat<2>::Identity() - map.gradient);
+    const auto corner = [&](int k) { return rest.points.col(cell[static_cast<std::size_t>(k)]); };
+    return {rows, map, CellFilter(jacobian, job.options.filter, levels),
+            corner(0).cwiseMin(corner(1)).cwiseMin(corner(2)),
+            corner(0).cwiseMax(corner(1)).cwiseMax(corner(2))};
+}
+
+void collectCells(WarpJob& job, const SimplicialMesh<2>& rest, const Points<2>& pose, const Points<2>& pixels,
+                  int levels) {
+    for (int index : paintingOrder(rest.cellCount(), job.options.depth)) {
+        const Cell<2>& cell = rest.cells[static_cast<std::size_t>(index)];
+        if (!visible(pixels, cell, job.view)) continue;
+        const int place = static_cast<int>(job.cells.size());
+        job.cells.push_back(visibleCell(job, rest, pose, pixels, cell, levels));
+        const TriangleRows& rows = job.cells.back().rows;
+        const double high = std::min<double>(job.view.height, rows.bottom());
+        for (int band = static_cast<int>(std::max(0.0, rows.top())) / kBandRows; band * kBandRows < high;
+             ++band)
+            job.cellsOfBand[static_cast<std::size_t>(band)].push_back(place);
+    }
+}
+
+/// The job without its source; `levels`: what the source's pyramid has, or might have.
+std::unique_ptr<WarpJob> makeJob(const Image& source, int levels, const SimplicialMesh<2>& rest,
+                                 const Points<2>& pose, const View& view, const WarpOptions& options) {
+    requireFinite(pose);
+    auto job = std::make_unique<WarpJob>();
+    job->view = view;
+    job->options = options;
+    job->header = headerOf(source, view, false);
+    job->outsideFilter = CellFilter(view.scale * Mat<2>::Identity(), options.filter, levels);
+    const int bands = view.width > 0 ? (std::max(view.height, 0) + kBandRows - 1) / kBandRows : 0;
+    job->cellsOfBand.resize(static_cast<std::size_t>(bands));
+    const Points<2> pixels = (pose.colwise() - view.origin) / view.scale;
+    collectCells(*job, rest, pose, pixels, levels);
+    job->outline = options.antialias && bands > 0
+                       ? OutlinePixels(rest, pixels, view.width, view.height, kBandRows)
+                       : OutlinePixels(bands, kBandRows);
+    return job;
+}
+
+/// Whether the cells cover all of every pixel of a band.
+bool covered(const WarpJob& job, int band) {
+    const int begin = band * kBandRows, end = std::min(job.view.height, begin + kBandRows);
+    const auto width = static_cast<std::ptrdiff_t>(job.view.width);
+    std::vector<std::uint8_t> centres(static_cast<std::size_t>(width * (end - begin)));
+    const auto& outline = job.outline.pixels(band);
+    std::vector<std::uint64_t> samples(outline.size());
+    for (int place : job.cellsOfBand[static_cast<std::size_t>(band)]) {
+        const TriangleRows& rows = job.cells[static_cast<std::size_t>(place)].rows;
+        job.outline.visit(band, rows, [&](int pixel, std::uint64_t found) {
+            samples[static_cast<std::size_t>(pixel)] |= found;
+        });
+        for (int y = std::max(begin, firstPixel(rows.top(), end)); y < end && y + 0.5 < rows.bottom(); ++y) {
+            const Span span = rows.at(y + 0.5);
+            const int from = firstPixel(span.begin, job.view.width),
+                      to = firstPixel(span.end, job.view.width);
+            if (from < to)
+                std::fill_n(centres.data() + (y - begin) * width + from, to - from, std::uint8_t(1));
+        }
+    }
+    for (const auto& pixel : outline)
+        centres[static_cast<std::size_t>((pixel.y - begin) * width + pixel.x)] =
+            samples[static_cast<std::size_t>(pixel.index)] == ~std::uint64_t{0} ? 1 : 0;
+    return std::find(centres.begin(), centres.end(), 0) == centres.end();
+}
+
+bool coversView(const WarpJob& job) {
+    for (int band = 0; band < job.bands(); ++band)
+        if (!covered(job, band)) return false;
+    return true;
+}
+
+void setSource(WarpJob& job, const Pyramid& source) {
+    const Image& image = source.base();
+    const bool needsAlpha = !image.alpha && image.channels < 4 && job.options.outside == Outside::Transparent;
+    job.source = &source;
+    job.addsAlpha = needsAlpha && !coversView(job);
+    job.header = headerOf(image, job.view, job.addsAlpha);
+}
+
+int deepestLevel(const WarpJob& job) {
+    int deepest = job.outsideFilter.level;
+    for (const VisibleCell& cell : job.cells) deepest = std::max(deepest, cell.filter.level);
+    return deepest;
+}
+
+/// An exception must not leave a helper thread: the first one is kept for the caller.
+class FirstFailure {
+  public:
+    template <typename Work>
+    void catching(Work&& work) {
+        try {
+            work();
+        } catch (...) {
+            const std::scoped_lock lock(m_mutex);
+            if (!m_first) m_first = std::current_exception();
+            m_any = true;
+        }
+    }
+    bool any() const { return m_any; }
+    void rethrow() const {
+        if (m_first) std::rethrow_exception(m_first);
+    }
+
+  private:
+    std::mutex m_mutex;
+    std::exception_ptr m_first;
+    std::atomic<bool> m_any = false;
+};
+
+int threadsOf(const WarpOptions& options, int bands) {
+    const int wanted =
+        options.threads > 0 ? options.threads : static_cast<int>(std::thread::hardware_concurrency());
+    return std::clamp(wanted, 1, std::max(1, bands));
+}
+
+}  // namespace
+
+WarpedPicture::WarpedPicture(const Image& source, const SimplicialMesh<2>& rest, const Points<2>& pose,
+                             const View& view, const WarpOptions& options)
+    : m_job(makeJob(source, Pyramid::levelsOf(source.width, source.height), rest, pose, view, options)) {
+    // The caller keeps the picture.
+    m_pyramid.emplace(std::shared_ptr<const Image>(std::shared_ptr<const Image>(), &source),
+                      deepestLevel(*m_job));
+    setSource(*m_job, *m_pyramid);
+    if (options.makePainter) m_painter = options.makePainter(*m_job);
+}
+
+WarpedPicture::WarpedPicture(const Pyramid& source, const SimplicialMesh<2>& rest, const Points<2>& pose,
+                             const View& view, const WarpOptions& options)
+    : m_job(makeJob(source.base(), source.levels(), rest, pose, view, options)) {
+    setSource(*m_job, source);
+    if (options.makePainter) m_painter = options.makePainter(*m_job);
+}
+
+WarpedPicture::~WarpedPicture() = default;
+
+const Image& WarpedPicture::header() const {
+    return m_job->header;
+}
+
+bool WarpedPicture::paintCells(int top, Image& strip) const {
+    if (!m_painter || strip.data.empty()) return false;
+    if (m_painter->paint(*m_job, top, strip)) return true;
+    m_painter.reset();
+    std::fill(strip.data.begin(), strip.data.end(), std::byte(0));
+    return false;
+}
+
+bool WarpedPicture::paint(int top, Image& strip) const {
+    const WarpJob& job = *m_job;
+    const BandPart part = paintCells(top, strip) ? BandPart::BesideCells : BandPart::All;
+    const int begin = top / kBandRows, end = (top + strip.height + kBandRows - 1) / kBandRows;
+    std::atomic<int> next = begin, done = begin;
+    FirstFailure failure;
+    const auto work = [&] {
+        failure.catching([&] {
+            for (int band; (band = next++) < end && !job.options.stop.stop_requested() && !failure.any();) {
+                withPixelType(job.header.type,
+                              [&](auto t) { paintBand<decltype(t)>(job, band, part, strip, top); });
+                if (job.options.progress) job.options.progress(static_cast<double>(++done) / job.bands());
+            }
+        });
+    };
+    std::vector<std::jthread> helpers;
+    for (int k = 1; k < threadsOf(job.options, end - begin); ++k) helpers.emplace_back(work);
+    work();
+    helpers.clear();
+    failure.rethrow();
+    return !job.options.stop.stop_requested();
+}
+
+void writeWarped(const std::string& path, const WarpedPicture& picture) {
+    writeImage(path, picture.header(), WarpedPicture::kRows, [&](int top, Image& strip) {
+        if (!picture.paint(top, strip)) throw Cancelled();
+    });
+}
+
+}  // namespace wend
