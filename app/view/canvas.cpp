@@ -97,7 +97,8 @@ void ShapeCanvas::preparePicture(const std::shared_ptr<const Image>& picture) {
 void ShapeCanvas::takeTexture(const PosedFrame<2>& frame) {
     const auto& texture = frame.built->texture;
     if (!texture || texture->picture == m_source) return;
-    m_view.setPointsUp(texture->toPixels.A.determinant() < 0);
+    const Mat<2>& A = texture->toPixels.A;
+    m_view.setPointsUp(A(0, 0) * A(1, 1) < A(0, 1) * A(1, 0));
     preparePicture(texture->picture);
 }
 

@@ -53,6 +53,9 @@ class Shelf : public QWidget {
         m_grid->setSpacing(kGap);
         m_grid->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     }
+    QSize minimumSizeHint() const override {
+        return {m_cards.first()->sizeHint().width(), QWidget::minimumSizeHint().height()};
+    }
     void add(QWidget* card) {
         m_cards << card;
         arrange();
