@@ -200,7 +200,7 @@ void TestCanvas::picturesOfMeshesAreDrawn() {
     mesh.close();
     QFile project(m_folder->filePath(QStringLiteral("quad.wend")));
     QVERIFY(project.open(QIODevice::WriteOnly));
-    project.write(R"({"wend": 1, "domain": {"mesh": "quad.obj", "image": "bar.png"}})");
+    project.write(R"({"format": "wend", "version": 1, "domain": {"mesh": "quad.obj", "image": "bar.png"}})");
     project.close();
     m_session->document().open(openFile(project.fileName()));
     QVERIFY(settle(*m_session));
