@@ -1900,8 +1900,8 @@
         <translation>Ein Bild, ein ebenes Netz oder ein Projekt auswählen.</translation>
     </message>
     <message>
-        <source>PNG, TIFF, EXR, JPEG, WebP — cut-outs with transparency work best. Projects and flat meshes too.</source>
-        <translation>PNG, TIFF, EXR, JPEG, WebP – am besten freigestellt mit Transparenz. Auch Projekte und ebene Netze.</translation>
+        <source>PNG, TIFF, EXR, JPEG, WebP — cut-outs with transparency work best. Projects, meshes and solids too.</source>
+        <translation>PNG, TIFF, EXR, JPEG, WebP – am besten freigestellt mit Transparenz. Auch Projekte, Netze und Körper.</translation>
     </message>
     <message>
         <source>Try a sample</source>

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "app/cli/commands.h"
+#include "app/cli/terminal.h"
 #include "app/document/json_text.h"
 #include "app/document/project.h"
 #include "app/session/inspection.h"
@@ -47,12 +48,13 @@ Json pictureInfo(const std::string& path) {
 
 Json problemsInfo(const MeshInspection& inspection) {
     Json problems = Json::array();
-    for (const MeshProblem& problem : inspection.problems)
-        problems.push_back({{"what", problem.what},
-                            {"count", problem.where.size()},
-                            {"fatal", problem.fatal},
-                            {"where", problem.where}});
-    if (!inspection.surface.empty()) problems.push_back({{"what", inspection.surface}, {"fatal", true}});
+    for (const MeshProblem& problem : inspection.problems) {
+        Json one{{"what", problem.what}, {"count", problem.count()}, {"fatal", problem.fatal}};
+        if (problem.count() == 0) one.erase("count");
+        if (!problem.where.empty()) one["where"] = problem.where;
+        if (!problem.pairs.empty()) one["where"] = problem.pairs;
+        problems.push_back(one);
+    }
     return problems;
 }
 
@@ -65,6 +67,12 @@ Json fieldsInfo(const MeshFile& file) {
     return fields;
 }
 
+/// Counts in steps from a value on; text shows them as bars.
+template <std::size_t N>
+Json histogram(double from, double step, const std::array<int, N>& counts, bool doubling = false) {
+    return {{"from", from}, {doubling ? "factor" : "step", step}, {"counts", counts}};
+}
+
 /// Angles in degrees: between edges in the plane, between faces in space.
 Json qualityInfo(const QualitySummary& quality) {
     const double degrees = 180 / std::numbers::pi;
@@ -75,12 +83,26 @@ Json qualityInfo(const QualitySummary& quality) {
             {"smallestCell", quality.minMeasure},
             {"largestCell", quality.maxMeasure},
             {"worstCell", quality.worstCell},
-            {"leastAnglesPer5Degrees", quality.angleHistogram}};
+            {"leastAnglesPer5Degrees", quality.angleHistogram},
+            {"greatestAngle", quality.maxAngle * degrees},
+            {"angles", histogram(0, 5, quality.allAngles)},
+            {"radiusEdgeRatios", histogram(0.5, 0.25, quality.ratios)},
+            {"cellSizesToTheMean", histogram(std::ldexp(1.0, -8), 2, quality.measures, true)}};
 }
 
-Json meshInfo(const std::string& path) {
+void saveSuspects(const MeshFile& file, const MeshInspection& inspection, const std::string& path) {
+    if (path.empty()) return;
+    if (inspection.suspects.empty()) return Terminal::error(path + " was not written: there are no problems");
+    OutputSet files;
+    const MeshFile suspects = suspectsOf(file, inspection);
+    files.add(path, ".vtu", [&](const std::string& name) { writeMeshFile(name, suspects); });
+    files.commit();
+}
+
+Json meshInfo(const std::string& path, const std::string& problemsFile) {
     const MeshFile file = readMeshFile(path);
     const MeshInspection inspection = inspect(file);
+    saveSuspects(file, inspection, problemsFile);
     const int dimension = inspection.dimension;
     Json json{{"kind", dimension == 3   ? "volume mesh"
                        : dimension == 2 ? "planar mesh"
@@ -94,6 +116,7 @@ Json meshInfo(const std::string& path) {
         json[dimension == 2 ? "area" : "volume"] = inspection.quality.totalMeasure;
         json["quality"] = qualityInfo(inspection.quality);
     }
+    if (inspection.volume > 0) json["volume"] = inspection.volume;
     json["uv"] = file.uv.cols() > 0;
     if (!file.fields.empty()) json["fields"] = fieldsInfo(file);
     json["problems"] = problemsInfo(inspection);
@@ -140,11 +163,12 @@ Json projectInfo(const std::string& path) {
     return json;
 }
 
-Json infoOf(const std::string& path) {
+Json infoOf(const std::string& path, const std::string& problemsFile) {
     const std::string extension = lowerExtension(path);
-    if (extension == ".wend") return projectInfo(path);
+    if (extension == ".wend" && problemsFile.empty()) return projectInfo(path);
     for (const std::string& known : meshFileExtensions())
-        if (extension == known) return meshInfo(path);
+        if (extension == known) return meshInfo(path, problemsFile);
+    if (!problemsFile.empty()) throw UsageError("--problems is for meshes and surfaces");
     return pictureInfo(path);
 }
 
@@ -173,11 +197,35 @@ std::string numbers(const Json& list) {
 
 std::string asText(const Json& json, const std::string& indent);
 
+/// A line with a bar for each step that has any, and for those between.
+std::string barsText(const Json& histogram, const std::string& indent) {
+    const std::vector<int> counts = histogram["counts"];
+    const bool doubling = histogram.contains("factor");
+    const auto holds = [](int count) { return count > 0; };
+    const auto first = std::ranges::find_if(counts, holds);
+    const auto last = std::find_if(counts.rbegin(), counts.rend(), holds).base();
+    const double most = counts.empty() ? 0 : std::ranges::max(counts);
+    std::string lines;
+    for (auto it = first; it < last; ++it) {
+        const double i = static_cast<double>(it - counts.begin());
+        const double from = histogram["from"];
+        const double low = doubling ? from * std::pow(2.0, i) : from + i * histogram["step"].get<double>();
+        std::string label = shortNumber(low), number = std::to_string(*it);
+        label.insert(0, label.size() < 12 ? 12 - label.size() : 0, ' ');
+        number.insert(0, number.size() < 9 ? 9 - number.size() : 0, ' ');
+        lines += indent + label + number + " ";
+        for (int k = 0; k < std::lround(40 * *it / most); ++k) lines += "█";
+        lines += "\n";
+    }
+    return lines;
+}
+
 std::string entryText(const Json& value, const std::string& indent) {
+    if (value.is_object() && value.contains("counts")) return "\n" + barsText(value, indent);
     if (value.is_object()) return "\n" + asText(value, indent + "  ");
     if (!value.is_array()) return " " + text(value) + "\n";
     if (value.empty()) return " none\n";
-    if (value.front().is_number()) return " " + numbers(value) + "\n";
+    if (value.front().is_number() || value.front().is_array()) return " " + numbers(value) + "\n";
     std::string lines = "\n";
     for (const Json& element : value) {
         if (!element.is_object()) {
@@ -201,7 +249,7 @@ std::string asText(const Json& json, const std::string& indent) {
 }  // namespace
 
 ExitCode runInfo(const Arguments& arguments) {
-    const Json json = infoOf(onlyFile(arguments, "file"));
+    const Json json = infoOf(onlyFile(arguments, "file"), arguments.text("--problems"));
     return print(arguments.has("--json") ? prettyJson(json) : asText(json, ""));
 }
 

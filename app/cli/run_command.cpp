@@ -99,6 +99,8 @@ ExitCode runRun(const Arguments& arguments) {
     override(loaded.project, arguments);
     if (!asksForAnything(options.outputs))
         terminal.warn(path + ": no output was asked for; nothing will be written");
+    if (options.at && *options.at > loaded.project.end)
+        terminal.warn(path + ": nothing moves after its end at time " + shortNumber(loaded.project.end));
 
     Interrupt interrupt;
     RunWatch watch;

@@ -140,6 +140,8 @@ constexpr std::array kOptions{
            "the mesh, or the table as JSON, to write; also -o"},
     Option{"", "--repeats", Integer, "5", kRepeats, "", "", "bench",
            "runs that a median is taken of (fewer for what takes seconds)"},
+    Option{"", "--problems", File, "", kAny, "", "", "info",
+           "write the cells or triangles that are wrong as a mesh, with the numbers that they have"},
     Option{"", "--json", Flag, "", kAny, "", "", "info", "answer as JSON"},
     Option{"", "--progress", Flag, "", kAny, "", "", "run mesh", "show progress even if not on a terminal"},
     Option{"", "--quiet", Flag, "", kAny, "", "", "run mesh", "say nothing but errors"},

@@ -1,5 +1,6 @@
 #include "app/session/inspection.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <map>
 #include <numeric>
@@ -138,11 +139,68 @@ bool isPlanar(const MeshFile& file) {
     return spread <= 1e-12 * boundingBoxDiagonal<3>(file.points);
 }
 
+std::vector<int> coincident(const Points<3>& points) {
+    std::map<std::array<double, 3>, int> first;
+    std::vector<int> found;
+    for (int v = 0; v < static_cast<int>(points.cols()); ++v)
+        if (!first.emplace(std::array{points(0, v), points(1, v), points(2, v)}, v).second)
+            found.push_back(v);
+    return found;
+}
+
+double enclosed(const Surface& surface) {
+    double sum = 0;
+    for (const auto& t : surface.triangles)
+        sum += surface.points.col(t[0]).dot(surface.points.col(t[1]).cross(surface.points.col(t[2]))) / 6;
+    return std::abs(sum);
+}
+
 void inspectSurface(const MeshFile& file, MeshInspection& inspection) {
     inspection.diagonal = boundingBoxDiagonal<3>(file.points);
     const auto edges = cellsOfFacets<2>(file.triangles);
     inspection.parts = countParts<2>(edges, static_cast<int>(file.triangles.size()));
-    inspection.surface = checkSurface(Surface{file.points, file.triangles, {}}).summary();
+    const Surface surface{file.points, file.triangles, {}};
+    const SurfaceProblems found = checkSurface(surface);
+    inspection.surface = found.summary();
+    inspection.suspects = found.triangles(surface);
+    if (found.boundsVolume() && found.misoriented.empty()) inspection.volume = enclosed(surface);
+    const auto add = [&](const char* what, const std::vector<int>& where) {
+        if (!where.empty()) inspection.problems.push_back({what, where, true});
+    };
+    const auto addPairs = [&](const char* what, const std::vector<std::array<int, 2>>& pairs, bool fatal) {
+        if (!pairs.empty()) inspection.problems.push_back({what, {}, fatal, pairs});
+    };
+    if (found.flat) inspection.problems.push_back({"all points lie in one plane", {}, true});
+    addPairs("open edges", found.openEdges, true);
+    addPairs("edges of more than two triangles", found.nonManifoldEdges, false);
+    addPairs("pairs of triangles that intersect", found.intersecting, true);
+    add("triangles without area", found.degenerate);
+    add("duplicate triangles", found.duplicate);
+    addPairs("edges where the orientation changes", found.misoriented, false);
+    if (found.coincidentVertices > 0)
+        inspection.problems.push_back(
+            {"vertices at the place of an earlier one", coincident(file.points), false});
+}
+
+void collectSuspects(MeshInspection& inspection) {
+    for (const MeshProblem& problem : inspection.problems)
+        if (problem.fatal)
+            inspection.suspects.insert(inspection.suspects.end(), problem.where.begin(), problem.where.end());
+    std::ranges::sort(inspection.suspects);
+    const auto rest = std::ranges::unique(inspection.suspects);
+    inspection.suspects.erase(rest.begin(), rest.end());
+}
+
+template <std::size_t N>
+void takeSuspects(const std::vector<std::array<int, N>>& cells, const std::vector<int>& suspects,
+                  std::vector<int>& newId, std::vector<std::array<int, N>>& taken, MeshFile& file) {
+    MeshField numbers{"cell", true, 1, {}};
+    for (int c : suspects) {
+        taken.push_back(cells[c]);
+        numbers.values.push_back(c);
+        for (int v : cells[c]) newId[v] = 0;
+    }
+    file.fields.push_back(std::move(numbers));
 }
 
 }  // namespace
@@ -157,7 +215,33 @@ MeshInspection inspect(const MeshFile& file) {
         inspectPartition<2>({file.points.topRows<2>(), file.triangles}, inspection);
     else
         inspectSurface(file, inspection);
+    if (inspection.dimension > 0) collectSuspects(inspection);
     return inspection;
+}
+
+MeshFile suspectsOf(const MeshFile& file, const MeshInspection& inspection) {
+    MeshFile result;
+    std::vector<int> newId(static_cast<std::size_t>(file.points.cols()), -1);
+    if (isVolume(file))
+        takeSuspects(file.tetrahedra, inspection.suspects, newId, result.tetrahedra, result);
+    else
+        takeSuspects(file.triangles, inspection.suspects, newId, result.triangles, result);
+    MeshField numbers{"vertex", false, 1, {}};
+    for (std::size_t v = 0; v < newId.size(); ++v) {
+        if (newId[v] < 0) continue;
+        newId[v] = static_cast<int>(numbers.values.size());
+        numbers.values.push_back(static_cast<double>(v));
+    }
+    result.points.resize(3, static_cast<Eigen::Index>(numbers.values.size()));
+    for (std::size_t i = 0; i < numbers.values.size(); ++i)
+        result.points.col(static_cast<Eigen::Index>(i)) =
+            file.points.col(static_cast<int>(numbers.values[i]));
+    for (auto& cell : result.triangles)
+        for (int& v : cell) v = newId[v];
+    for (auto& cell : result.tetrahedra)
+        for (int& v : cell) v = newId[v];
+    result.fields.push_back(std::move(numbers));
+    return result;
 }
 
 }  // namespace wend

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -10,9 +11,13 @@ namespace wend {
 
 /// One thing that is wrong with a mesh, and all cells (or vertices) that it is wrong with.
 struct MeshProblem {
-    std::string what;        // "cells without area"
-    std::vector<int> where;  // their numbers
-    bool fatal = true;       // a deformation refuses it
+    std::string what;                            // "cells without area"
+    std::vector<int> where;                      // their numbers
+    bool fatal = true;                           // a deformation refuses it
+    std::vector<std::array<int, 2>> pairs = {};  // of surfaces, instead of numbers: edges as their vertices,
+                                                 // or triangles that cross
+
+    std::size_t count() const { return where.size() + pairs.size(); }
 };
 
 struct MeshInspection {
@@ -21,11 +26,17 @@ struct MeshInspection {
     double diagonal = 0;     // of the bounding box
     QualitySummary quality;  // of a partition
     std::vector<MeshProblem> problems;
-    std::string surface;  // of a surface: what is wrong with it (SurfaceProblems::summary)
+    double volume = 0;          // of a surface that encloses one
+    std::string surface;        // of a surface: what is wrong with it (SurfaceProblems::summary)
+    std::vector<int> suspects;  // the cells, or of a surface the triangles, that have a part in a problem
 };
 
 /// Looks at everything, where requireValid stops at the first. The file's indices are valid and its
 /// coordinates finite.
 MeshInspection inspect(const MeshFile& file);
+
+/// The suspects alone, as a mesh: only their vertices, and fields "vertex" and "cell" with the numbers that
+/// they have in the file. There must be some.
+MeshFile suspectsOf(const MeshFile& file, const MeshInspection& inspection);
 
 }  // namespace wend

@@ -75,6 +75,9 @@ Scene<2> imageScene(const Project& project, const std::string& folder, std::stop
     try {
         scene.rest = meshPicture(project, domainOutline(project.domain, *scene.picture), stop);
     } catch (const InputError& error) {
+        // Polygons stand in the project, whose file the caller names.
+        if (project.domain.outline == OutlineKind::Polygons)
+            throw InputError("domain.outline.polygons: " + error.reason());
         throw error.named(path);
     }
     scene.texture = textureOf(scene.picture, scene.rest, {});

@@ -18,6 +18,11 @@ FramePtr atTime(const FramePtr& frame, double time) {
     return frame->dimension == 2 ? copy(*posed<2>(frame)) : copy(*posed<3>(frame));
 }
 
+bool isIn(const FrameTrack& track, const FramePtr& frame) {
+    const auto& frames = track.frames();
+    return std::find(frames.begin(), frames.end(), frame) != frames.end();
+}
+
 }  // namespace
 
 ShapeSession::ShapeSession(QObject* parent) : QObject(parent) {
@@ -135,6 +140,8 @@ void ShapeSession::showTime() {
         show(m_preview, false);
     else if (frame)
         show(frame, !m_trackIsCurrent && !m_sameShape);
+    else if (m_trackIsCurrent && !m_track.isEmpty() && (!m_frame || isIn(m_track, m_frame)))
+        show(m_track.last(), true);  // as far as it has come
     else
         show(m_frame, m_frame && !m_sameShape);
 }

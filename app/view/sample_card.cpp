@@ -12,7 +12,7 @@ namespace wend {
 
 namespace {
 
-constexpr int kPictureHeight = 150;
+constexpr int kPictureHeight = 122;
 constexpr int kPadding = 14;
 
 /// The part of the picture that is not transparent.

@@ -11,7 +11,7 @@ class SampleCard : public QAbstractButton {
 
   public:
     SampleCard(const QString& projectPath, QWidget* parent);
-    QSize sizeHint() const override { return {139, 150}; }
+    QSize sizeHint() const override { return {136, 152}; }
     const QString& path() const { return m_path; }
 
   protected:

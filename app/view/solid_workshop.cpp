@@ -248,12 +248,13 @@ void SolidWorkshop::exportPicture() {
 }
 
 void SolidWorkshop::showCut() {
-    const auto frame = m_around.session.frame<3>();
-    if (!m_canvas || !frame) return;
-    m_cutPanel->show(static_cast<int>(m_canvas->cut()), m_canvas->cutTool().plane(),
-                     frame->pose.rowwise().minCoeff(), frame->pose.rowwise().maxCoeff());
+    if (!m_canvas) return;
     const QSignalBlocker quiet(m_actions->cut);
     m_actions->cut->setChecked(m_canvas->cut() != CutKind::None);
+    const auto frame = m_around.session.frame<3>();
+    if (!frame) return;
+    m_cutPanel->show(static_cast<int>(m_canvas->cut()), m_canvas->cutTool().plane(),
+                     frame->pose.rowwise().minCoeff(), frame->pose.rowwise().maxCoeff());
 }
 
 void SolidWorkshop::holdBeyondCut() {

@@ -165,7 +165,7 @@ QWidget* StartPage::makeDropArea() {
     open->setDefault(true);
     describe(open, tr("Open…"), tr("Choose a picture, a flat mesh or a project."));
     auto* kinds = secondLabel(tr("PNG, TIFF, EXR, JPEG, WebP — cut-outs with transparency work best. "
-                                 "Projects and flat meshes too."),
+                                 "Projects, meshes and solids too."),
                               m_drop);
     kinds->setAlignment(Qt::AlignCenter);
     column->addStretch(1);

@@ -58,8 +58,8 @@ void requireSmoothing(const Smoothing& smoothing) {
 
 std::string phi::problem(double phi, int dim) {
     if (phi > 0 && phi <= conformal(dim) + kPhiAllowance) return {};
-    return "phi = " + number(phi) + " is outside ]0, " + number(conformal(dim)) + "] (up to pi - arctan(" +
-           std::to_string(dim) + "/4), the conformal energy; beyond it the energy is indefinite)";
+    return "phi = " + number(phi) + " is outside ]0, " + number(conformal(dim)) + "]; equia is " +
+           number(kEquia) + ", metr " + number(kMetr) + ", akvf " + number(kAkvf) + ", conf the upper end";
 }
 
 template <int Dim>

@@ -12,6 +12,7 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 
 extern char** environ;
@@ -72,7 +73,7 @@ class Attributes {
         sigset_t none, usual;
         sigemptyset(&none);
         sigemptyset(&usual);
-        for (int signal : {SIGPIPE, SIGXFSZ, SIGINT, SIGTERM}) sigaddset(&usual, signal);
+        for (int signal : {SIGPIPE, SIGXFSZ, SIGXCPU, SIGINT, SIGTERM}) sigaddset(&usual, signal);
         posix_spawnattr_init(&m_attributes);
         posix_spawnattr_setpgroup(&m_attributes, 0);
         posix_spawnattr_setsigmask(&m_attributes, &none);
@@ -91,7 +92,7 @@ class Attributes {
 
 class Child {
   public:
-    bool start(const std::string& path, int megabytes) {
+    bool start(const std::string& path, int megabytes, double processorSeconds) {
         Descriptor childIn, childOut;
         if (!makePipe(childIn, m_in) || !makePipe(m_out, childOut)) return false;
         posix_spawn_file_actions_t actions;
@@ -99,7 +100,9 @@ class Child {
         posix_spawn_file_actions_adddup2(&actions, childIn.get(), STDIN_FILENO);
         posix_spawn_file_actions_adddup2(&actions, childOut.get(), STDOUT_FILENO);
         std::string limit = std::to_string(megabytes);
-        std::array<char*, 3> arguments{const_cast<char*>(path.c_str()), limit.data(), nullptr};
+        std::string time = std::to_string(static_cast<int>(std::ceil(processorSeconds)));
+        std::array<char*, 4> arguments{const_cast<char*>(path.c_str()), limit.data(),
+                                       processorSeconds > 0 ? time.data() : nullptr, nullptr};
         const Attributes attributes;
         const int error =
             posix_spawn(&m_pid, path.c_str(), &actions, attributes.get(), arguments.data(), environ);
@@ -142,12 +145,12 @@ class Child {
 }  // namespace
 
 ChildResult runChild(const std::string& path, const std::string& input, double seconds, int megabytes,
-                     const std::stop_token& stop) {
+                     const std::stop_token& stop, double processorSeconds) {
     using Clock = std::chrono::steady_clock;
     const IgnoreBrokenPipe guard;
     ChildResult result;
     Child child;
-    if (!child.start(path, megabytes)) return {ChildResult::End::NotStarted, errno, {}};
+    if (!child.start(path, megabytes, processorSeconds)) return {ChildResult::End::NotStarted, errno, {}};
     const auto end = Clock::now() + std::chrono::duration<double>(seconds);
     std::size_t sent = 0;
     auto reason = ChildResult::End::Exited;
@@ -163,6 +166,8 @@ ChildResult runChild(const std::string& path, const std::string& input, double s
     const int status = child.wait();
     result.end = reason;
     if (reason == ChildResult::End::Exited && WIFSIGNALED(status)) result.end = ChildResult::End::Signalled;
+    if (result.end == ChildResult::End::Signalled && WTERMSIG(status) == SIGXCPU)
+        result.end = ChildResult::End::TimedOut;
     result.code = WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status);
     return result;
 }

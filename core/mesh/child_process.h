@@ -13,9 +13,10 @@ struct ChildResult {
 };
 
 /// Runs the program at `path` with `input` on its standard input until it ends, `seconds` have passed or a
-/// stop is asked for (then it is killed), with its memory limited to `megabytes`.
+/// stop is asked for (then it is killed). Its arguments are the greatest memory in megabytes and, if they are
+/// given, the seconds of the processor's time that it may use: limits that it has to set for itself.
 ChildResult runChild(const std::string& path, const std::string& input, double seconds, int megabytes,
-                     const std::stop_token& stop);
+                     const std::stop_token& stop, double processorSeconds = 0);
 
 /// A program that is installed beside this one.
 std::string siblingProgram(const std::string& name);

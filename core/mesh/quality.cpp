@@ -15,18 +15,31 @@ constexpr double degree = M_PI / 180;
 /// edge matrix. The angle between facets j and k is π − ∠(n_j, n_k): interior angles in 2D, dihedral ones in
 /// 3D.
 template <int Dim>
-double smallestAngle(const Mat<Dim>& edges) {
+std::array<double, Dim*(Dim + 1) / 2> anglesOf(const Mat<Dim>& edges) {
     Eigen::Matrix<double, Dim, Dim + 1> normals;
     normals.template rightCols<Dim>() = -edges.inverse().transpose();
     normals.col(0) = -normals.template rightCols<Dim>().rowwise().sum();
-    double smallest = M_PI;
+    std::array<double, Dim*(Dim + 1) / 2> angles;
+    int at = 0;
     for (int j = 0; j <= Dim; ++j)
         for (int k = 0; k < j; ++k) {
             const Vec<Dim> a = normals.col(j).stableNormalized(), b = normals.col(k).stableNormalized();
             // 2 atan2(|a + b|, |a − b|) is π − ∠(a, b), accurate also near 0, where acos is not
-            smallest = std::min(smallest, 2 * std::atan2((a + b).norm(), (a - b).norm()));
+            angles[at++] = 2 * std::atan2((a + b).norm(), (a - b).norm());
         }
-    return smallest;
+    return angles;
+}
+
+template <int Dim>
+Mat<Dim> edgesOf(const Points<Dim>& points, const Cell<Dim>& cell) {
+    Mat<Dim> edges;
+    for (int k = 0; k < Dim; ++k) edges.col(k) = points.col(cell[k + 1]) - points.col(cell[0]);
+    return edges;
+}
+
+template <std::size_t N>
+void count(std::array<int, N>& histogram, double bin) {
+    ++histogram[static_cast<std::size_t>(std::clamp(bin, 0.0, N - 1.0))];
 }
 
 template <int Dim>
@@ -58,18 +71,35 @@ bool isFlat(const Points<Dim>& points, const Cell<Dim>& cell) {
 
 template <int Dim>
 CellQuality cellQuality(const Points<Dim>& points, const Cell<Dim>& cell) {
-    Mat<Dim> edges;
-    for (int k = 0; k < Dim; ++k) edges.col(k) = points.col(cell[k + 1]) - points.col(cell[0]);
+    const Mat<Dim> edges = edgesOf<Dim>(points, cell);
     CellQuality quality;
     quality.measure = cellMeasure<Dim>(points, cell);
     if (quality.measure == 0 || !std::isfinite(quality.measure)) {
         quality.radiusEdgeRatio = std::numeric_limits<double>::infinity();
         return quality;
     }
-    quality.minAngle = smallestAngle<Dim>(edges);
+    const auto angles = anglesOf<Dim>(edges);
+    quality.minAngle = *std::min_element(angles.begin(), angles.end());
     quality.radiusEdgeRatio = circumradius<Dim>(edges) / shortestEdge<Dim>(points, cell);
     return quality;
 }
+
+namespace {
+
+template <int Dim>
+void countCell(const SimplicialMesh<Dim>& mesh, int cell, const CellQuality& quality,
+               QualitySummary& summary) {
+    const double measure = std::abs(quality.measure), mean = summary.totalMeasure / mesh.cellCount();
+    count(summary.measures, measure > 0 ? std::floor(std::log2(measure / mean)) + 8 : 0);
+    count(summary.ratios, (quality.radiusEdgeRatio - 0.5) * 4);
+    if (measure == 0) return;  // has no angles
+    for (double angle : anglesOf<Dim>(edgesOf<Dim>(mesh.points, mesh.cells[cell]))) {
+        summary.maxAngle = std::max(summary.maxAngle, angle);
+        count(summary.allAngles, angle / degree / QualitySummary::binDegrees);
+    }
+}
+
+}  // namespace
 
 template <int Dim>
 QualitySummary qualityOf(const SimplicialMesh<Dim>& mesh) {
@@ -90,6 +120,8 @@ QualitySummary qualityOf(const SimplicialMesh<Dim>& mesh) {
         summary.minAngle = quality.minAngle;
         summary.worstCell = c;
     }
+    for (int c = 0; c < mesh.cellCount(); ++c)
+        countCell<Dim>(mesh, c, cellQuality<Dim>(mesh.points, mesh.cells[c]), summary);
     return summary;
 }
 

@@ -34,6 +34,13 @@ struct QualitySummary {
     double maxRadiusEdgeRatio = 0;
     int worstCell = -1;  // the one of the smallest angle, the first of several; −1 if there is no cell
     std::array<int, binCount> angleHistogram{};
+
+    double maxAngle = 0;              // radians, of all angles
+    std::array<int, 36> allAngles{};  // all angles of all cells: bin i counts [5 i, 5 (i + 1)) degrees
+    std::array<int, 12> ratios{};     // radius-edge ratios: bin i counts [0.5 + i / 4, 0.75 + i / 4), the
+                                      // last one all above
+    std::array<int, 16> measures{};   // bin i counts [2^(i − 8), 2^(i − 7)) times the mean, the first and
+                                      // the last one all beyond
 };
 
 template <int Dim>

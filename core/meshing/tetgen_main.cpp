@@ -51,6 +51,13 @@ void limitMemory(const char* megabytes) {
     setrlimit(RLIMIT_CORE, &noCore);
 }
 
+/// Of the processor's time: how busy the machine is does not decide what can be meshed.
+void limitTime(const char* seconds) {
+    const rlim_t soft = static_cast<rlim_t>(std::max(1, std::atoi(seconds)));
+    const rlimit limit{soft, soft + 1};
+    setrlimit(RLIMIT_CPU, &limit);
+}
+
 /// tetgenio frees these arrays itself, with delete[].
 template <typename T>
 T* copyOf(const std::vector<T>& values) {
@@ -163,6 +170,7 @@ wend::TetgenReply mesh(const wend::TetgenRequest& request) {
 int main(int argc, char** argv) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);  // nobody waits for the answer when the program is gone
     limitMemory(argc > 1 ? argv[1] : "4096");
+    limitTime(argc > 2 ? argv[2] : "120");
     const int pipe = takeStandardOutput();
     wend::TetgenRequest request;
     if (!unpack(readAll(STDIN_FILENO), request)) return 2;

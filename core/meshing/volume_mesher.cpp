@@ -83,7 +83,7 @@ std::string reasonOf(const ChildResult& result, const VolumeMeshOptions& options
             return "the volume mesher wend-tetgen is missing beside the program";
         case End::TimedOut:
             return "the volume mesher did not finish within " + number(options.timeLimit) +
-                   " s; a coarser quality or a larger maxVolume may help";
+                   " s of computing; a coarser quality or a larger maxVolume may help";
         case End::Stopped:
             throw Cancelled();
         case End::Signalled:
@@ -117,11 +117,17 @@ class VolumeMesher {
         : m_surface(surface),
           m_options(options),
           m_oriented(oriented(surface)),
-          m_shells(shellsOf(m_oriented)) {}
+          m_shells(shellsOf(m_oriented)),
+          m_labels(surface.labels.empty() ? std::vector<int>{0} : surface.labels) {
+        std::ranges::sort(m_labels);
+        m_labels.erase(std::unique(m_labels.begin(), m_labels.end()), m_labels.end());
+    }
 
     VolumeMesh mesh(double maxVolume) const {
+        // How busy the machine is should not decide what can be meshed: by the clock there is more time.
+        const double limit = m_options.timeLimit;
         const ChildResult result = runChild(siblingProgram("wend-tetgen"), pack(request(maxVolume)),
-                                            m_options.timeLimit, kMegabytes, m_options.stop);
+                                            10 * limit, kMegabytes, m_options.stop, limit);
         const std::string reason = reasonOf(result, m_options);
         if (!reason.empty()) throw InputError(reason);
         TetgenReply reply;
@@ -151,11 +157,24 @@ class VolumeMesher {
         for (int t = 0; t < m_surface.triangleCount(); ++t) {
             request.triangles.insert(request.triangles.end(), m_surface.triangles[t].begin(),
                                      m_surface.triangles[t].end());
-            request.labels.push_back(t + 1);  // 0 is TetGen's own "no marker"
+            request.labels.push_back(markerOf(t));
         }
         return request;
     }
 
+    /// 0 is TetGen's own "no marker". Where the surface may be split, triangles of a plane and label are one
+    /// facet, so that not every one of their edges has to survive.
+    int markerOf(int triangle) const {
+        if (m_options.keepSurface) return triangle + 1;
+        return static_cast<int>(std::ranges::lower_bound(m_labels, labelOf(triangle)) - m_labels.begin()) + 1;
+    }
+    int labelOf(int triangle) const { return m_surface.labels.empty() ? 0 : m_surface.labels[triangle]; }
+    int labelOfMarker(int marker) const {
+        return m_options.keepSurface ? labelOf(marker - 1) : m_labels[static_cast<std::size_t>(marker - 1)];
+    }
+    int markerCount() const {
+        return m_options.keepSurface ? m_surface.triangleCount() : static_cast<int>(m_labels.size());
+    }
     void addSizes(double maxVolume, TetgenRequest& request) const {
         const SizeGrid& sizes = m_options.sizes;
         request.sizes = {maxVolume};
@@ -218,13 +237,12 @@ class VolumeMesher {
 
     void readBoundary(const TetgenReply& reply, const std::vector<int>& newId, VolumeMesh& result) const {
         for (std::size_t f = 0; f < reply.labels.size(); ++f) {
-            if (reply.labels[f] <= 0 || reply.labels[f] > m_surface.triangleCount()) continue;
+            if (reply.labels[f] <= 0 || reply.labels[f] > markerCount()) continue;
             std::array<int, 3> facet;
             for (int k = 0; k < 3; ++k) facet[k] = newId[reply.boundary[3 * f + k]];
             if (*std::min_element(facet.begin(), facet.end()) < 0) continue;
             result.boundary.push_back(facet);
-            const int triangle = reply.labels[f] - 1;
-            result.boundaryLabels.push_back(m_surface.labels.empty() ? 0 : m_surface.labels[triangle]);
+            result.boundaryLabels.push_back(labelOfMarker(reply.labels[f]));
         }
     }
 
@@ -232,15 +250,18 @@ class VolumeMesher {
     const VolumeMeshOptions& m_options;
     Surface m_oriented;
     std::vector<int> m_shells;
+    std::vector<int> m_labels;  // those that there are, each once, increasing
 };
 
-/// Inner vertices go with 1/maxVolume: a secant search in the logarithm, at most eight runs.
+/// Inner vertices go with 1/maxVolume: a secant search in the logarithm, held between what is known to give
+/// too many and too few, at most ten runs.
 VolumeMesh meshForAim(const VolumeMesher& mesher, const VolumeMeshOptions& options) {
     double maxVolume = mesher.volume() / (5.0 * options.vertices);
     VolumeMesh best;
     double bestError = std::numeric_limits<double>::infinity();
     double lastVolume = 0, lastCount = 0;
-    for (int run = 0; run < 8; ++run) {
+    double tooSmall = 0, tooLarge = std::numeric_limits<double>::infinity();  // volumes
+    for (int run = 0; run < 10; ++run) {
         VolumeMesh mesh = mesher.mesh(maxVolume);
         const double count = mesh.mesh.vertexCount();
         const double error = std::abs(count / options.vertices - 1);
@@ -249,12 +270,19 @@ VolumeMesh meshForAim(const VolumeMesher& mesher, const VolumeMeshOptions& optio
             best = std::move(mesh);
         }
         if (bestError <= kAimTolerance) break;
+        if (count > options.vertices)
+            tooSmall = std::max(tooSmall, maxVolume);
+        else
+            tooLarge = std::min(tooLarge, maxVolume);
         double slope = -1;
         if (lastCount > 0 && lastCount != count && lastVolume != maxVolume)
             slope = std::clamp(std::log(count / lastCount) / std::log(maxVolume / lastVolume), -1.5, -0.2);
         lastVolume = maxVolume;
         lastCount = count;
         maxVolume *= std::clamp(std::pow(options.vertices / count, 1 / slope), 1.0 / 16, 16.0);
+        const bool between = maxVolume > 1.02 * tooSmall && 1.02 * maxVolume < tooLarge;
+        if (!between && tooSmall > 0 && tooSmall < tooLarge && std::isfinite(tooLarge))
+            maxVolume = std::sqrt(tooSmall * tooLarge);
         if (maxVolume > mesher.volume()) maxVolume = mesher.volume();
         if (maxVolume == lastVolume) break;
     }

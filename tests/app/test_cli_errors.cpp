@@ -170,7 +170,7 @@ void TestCliErrors::badInput_data() {
     row("vertex", kStrip + ", 'handles': [{'name': 'tip', 'at': {'vertices': [9999]}}]", "9999");
     row("crossing",
         "'domain': {'image': 'disc.png', 'outline': {'polygons': [[[0, 0], [90, 90], [90, 0], [0, 90]]]}}",
-        "disc.png: ");
+        "domain.outline.polygons: the outline crosses or overlaps itself");
     meshRow("no mesh", "none.obj", "none.obj: does not exist");
     meshRow("empty mesh", "empty.obj", "empty.obj: ");
     meshRow("NaN", "nan.obj", "nan.obj: ");

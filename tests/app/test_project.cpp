@@ -174,6 +174,31 @@ class TestProject : public QObject {
         QCOMPARE(toJson(parseProject(once, "p.wend").project), once);
     }
 
+    /// All that a surface's domain may say.
+    void surfaceDomain() {
+        const std::string text = projectText(
+            "'domain': {'surface': 'bar.obj', 'vertices': 900, 'refineSurface': true, 'repair': "
+            "{'largestHole': 12}, 'sizes': [{'values': 'paint.txt'}, {'shape': {'sphere': {'centre': [0, 0, "
+            "0], "
+            "'radius': 1}}, 'feather': 0.5, 'factor': 0.25, 'hue': 3}], 'detail': 'fine.obj'}");
+        const LoadedProject loaded = parseProject(text, "p.wend");
+        const Domain& domain = loaded.project.domain;
+        QVERIFY(domain.refineSurface && domain.repair);
+        QCOMPARE(domain.largestHole, 12);
+        QCOMPARE(domain.sizesFile, std::string("paint.txt"));
+        QCOMPARE(domain.sizes.at(0).factor, 0.25);
+        QCOMPARE(domain.detail, std::string("fine.obj"));
+        QCOMPARE(loaded.warnings.size(), std::size_t(1));
+        const std::string once = toJson(loaded.project);
+        const Project again = parseProject(once, "p.wend").project;
+        QCOMPARE(toJson(again), once);
+        QVERIFY(again.domain.sizes == domain.sizes);
+        QVERIFY(once.find("\"hue\": 3") != std::string::npos);
+        const std::string plain =
+            projectText("'domain': {'surface': 'bar.obj', 'vertices': 900, 'repair': true, 'quality': 1.5}");
+        QVERIFY(toJson(parseProject(plain, "p.wend").project).find("\"repair\": true") != std::string::npos);
+    }
+
     /// A mesh that cannot be opened leaves the coordinates to tell.
     void dimensionFromCoordinates() {
         const std::string head = "'domain': {'mesh': 'missing.msh'}, 'handles': [{'at': {'points':";
@@ -222,6 +247,20 @@ class TestProject : public QObject {
         row("empty", "", "p.wend: is empty");
         row("broken", "{\n  \"format\": \"wend\",\n  \"version\" 1\n}", "line 3, column 13");
         row("truncated", "{'format': 'wend', 'version': 1, 'domain': {'image':", "is not valid JSON: line 1");
+        const auto surfaceRow = [&](const char* name, const std::string& keys, const char* reason) {
+            row(name, projectText("'domain': {'surface': 'b.obj', " + keys + "}"), reason);
+        };
+        surfaceRow("repair", "'repair': 3", "domain.repair: must be true or false");
+        surfaceRow("hole", "'repair': {'largestHole': -1}", "domain.repair.largestHole: -1 is out of range");
+        surfaceRow("sizes", "'sizes': [{'factor': 0.5}]", "domain.sizes[0]");
+        surfaceRow("factor",
+                   "'sizes': [{'shape': {'sphere': {'centre': [0, 0, 0], 'radius': 1}}, 'factor': 0}]",
+                   "domain.sizes[0].factor: 0 is out of range");
+        surfaceRow("painted late",
+                   "'sizes': [{'shape': {'sphere': {'centre': [0, 0, 0], 'radius': 1}}, 'factor': 1},"
+                   "{'values': 'a.txt'}]",
+                   "domain.sizes[1]: `values` may stand once only");
+        surfaceRow("quality", "'quality': 1", "domain.quality: 1 is out of range");
         row("NaN", withMaterial("'phi': NaN"), "is not valid JSON: line 1");
         row("overflow", withMaterial("'phi': 1e999"), "number overflow");
         row("key twice", projectText(kImage + "," + kImage), "the key `domain` is given twice");

@@ -109,9 +109,9 @@ void TestSolid::coarseSurfaceIsTold() {
     writeMeshFile(m_base + "/coarse.obj", fileOf(test::box({0, 0, 0}, {4, 1, 1}, 4)));
     const Solid coarse = solid("'surface': 'coarse.obj', 'vertices': 1500");
     QVERIFY(QString::fromStdString(coarse.notices.at(0)).contains("`refineSurface` splits them"));
-    const Solid refined = solid("'surface': 'cube.obj', 'vertices': 500, 'refineSurface': true");
+    const Solid refined = solid("'surface': 'cube.obj', 'vertices': 1000, 'refineSurface': true");
     QVERIFY(refined.notices.empty());
-    QVERIFY(std::abs(refined.rest->vertexCount() - 500) <= 75);
+    QVERIFY(std::abs(refined.rest->vertexCount() - 1000) <= 150);
     QVERIFY((refined.ride->carry(*refined.rest, refined.rest->points) == refined.skin->points));
 }
 

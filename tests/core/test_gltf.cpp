@@ -19,6 +19,7 @@ class TestGltf : public QObject {
   private slots:
     void containerIsWellFormed();
     void posesComeBackAsMorphTargets();
+    void skinHasPartsNormalsAndPictures();
     void missingFolderIsAnError();
     void embeddedPointsFollowAffineMaps();
 
@@ -107,6 +108,41 @@ void TestGltf::posesComeBackAsMorphTargets() {
         glb.json["animations"].toArray()[0].toObject()["samplers"].toArray()[0].toObject();
     QCOMPARE(floats(glb, sampler["input"].toInt(), 1), (std::vector<float>{0, 0.5F, 1}));
     QCOMPARE(floats(glb, sampler["output"].toInt(), 1), (std::vector<float>{1, 0, 0, 0, 1, 0, 0, 0, 1}));
+}
+
+/// A part per material, vertices doubled along seams, normals in every pose.
+void TestGltf::skinHasPartsNormalsAndPictures() {
+    const Surface box = test::box({0, 0, 0}, {2, 1, 1}, 1);
+    QFile picture(m_folder.filePath("tile.png"));
+    QVERIFY(picture.open(QIODevice::WriteOnly) && picture.write("\x89PNG and so on") > 0);
+    picture.close();
+    Skin skin;
+    skin.points = box.points;
+    skin.triangles = box.triangles;
+    skin.uv = Eigen::Matrix2Xd::Random(2, 3);
+    for (std::size_t t = 0; t < skin.triangles.size(); ++t) {
+        skin.uvCorners.push_back({0, 1, 2});
+        skin.materialOf.push_back(t < 4 ? 0 : 2);  // nothing has the second one
+    }
+    skin.materials = {
+        {"red", {1, 0, 0, 1}, {}}, {"unused", {}, {}}, {"tiled", {}, picture.fileName().toStdString()}};
+    const Points<3> bent = box.points * 1.5;
+    const GltfScene scene = gltfScene(skin, {box.points, bent}, {0, 0.5});
+    QVERIFY(scene.points.cols() > box.points.cols());
+    const QString path = m_folder.filePath("skin.glb");
+    writeGltf(path.toStdString(), scene, false);
+    const Glb glb = readGlb(path);
+    const QJsonArray parts = glb.json["meshes"].toArray()[0].toObject()["primitives"].toArray();
+    QCOMPARE(parts.size(), qsizetype(2));
+    QCOMPARE(parts[1].toObject()["material"].toInt(), 2);
+    QCOMPARE(glb.json["materials"].toArray().size(), qsizetype(3));
+    QCOMPARE(glb.json["images"].toArray()[0].toObject()["mimeType"].toString(), QString("image/png"));
+    const QJsonObject attributes = parts[0].toObject()["attributes"].toObject();
+    const auto normals = floats(glb, attributes["NORMAL"].toInt(), 3);
+    QCOMPARE(normals.size(), std::size_t(scene.points.size()));
+    const QJsonObject last = parts[0].toObject()["targets"].toArray()[1].toObject();
+    for (float x : floats(glb, last["NORMAL"].toInt(), 3)) QVERIFY(std::abs(x) < 1e-6F);  // only larger
+    QVERIFY(gltfScene(skin, box.points).poses.empty());
 }
 
 void TestGltf::missingFolderIsAnError() {

@@ -130,6 +130,30 @@ class TestMeshQuality : public QObject {
         QVERIFY(std::abs(summary.minAngle - 45 * degree) < 1e-13);
         QVERIFY(std::abs(summary.maxRadiusEdgeRatio - std::sqrt(3.0) / 2) < 1e-13);
     }
+    /// Kuhn's cells are all alike: dihedral angles 45°, 60° and 90° (three of them), ratio √3 / 2.
+    void histograms3D() {
+        const int n = 3;
+        auto mesh = samples::grid<3>(n);
+        mesh.points *= 7;
+        const auto summary = qualityOf<3>(mesh);
+        const int cells = mesh.cellCount();
+        const auto around = [&](int degrees) {  // the border of two bins
+            return summary.allAngles[degrees / 5 - 1] + summary.allAngles[degrees / 5];
+        };
+        QCOMPARE(around(45), 2 * cells);
+        QCOMPARE(around(60), cells);
+        QCOMPARE(around(90), 3 * cells);
+        QVERIFY(std::abs(summary.maxAngle - 90 * degree) < 1e-13);
+        QCOMPARE(summary.ratios[1], cells);                          // [0.75, 1)
+        QCOMPARE(summary.measures[7] + summary.measures[8], cells);  // the mean, to rounding
+    }
+    void flatCellsAreInTheLastBins() {
+        auto mesh = samples::grid<2>(2);
+        mesh.points.col(4) = mesh.points.col(0);
+        const auto summary = qualityOf<2>(mesh);
+        QCOMPARE(summary.ratios.back(), 2);  // the two on the diagonal that has gone
+        QCOMPARE(summary.measures.front(), 2);
+    }
     void worstCellAndHistogram() {
         auto mesh = samples::grid<2>(2);
         mesh.points.col(4) += Eigen::Vector2d(0.2, 0.1);

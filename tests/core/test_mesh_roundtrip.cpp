@@ -140,6 +140,25 @@ class TestMeshRoundtrip : public QObject {
         if (encoding.fields) QVERIFY(find(back, "ref")->values == file.fields[0].values);
     }
 
+    /// So are their labels, and their names in Gmsh's files.
+    void labels_data() { allFormats(true); }
+    void labels() {
+        QFETCH(Encoding, encoding);
+        auto file = volumeFile();
+        for (const auto& facet : facetsOf<3>(samples::grid<3>(3)))
+            if (!facet.interior()) file.triangles.push_back(facet.vertices);
+        for (std::size_t t = 0; t < file.triangles.size(); ++t)
+            file.labels.push_back(static_cast<int>(t / 7 % 3));
+        file.labelNames = {"left side", "right \"side\""};
+        const auto back = wentThrough(file, encoding);
+        if (!encoding.triangles3d) return;
+        QVERIFY(back.labels == file.labels);
+        QVERIFY(!find(back, "label"));
+        if (encoding.fields) QVERIFY(find(back, "stress")->values == file.fields[1].values);
+        if (std::string(encoding.file).ends_with(".msh"))
+            QVERIFY(back.labelNames == (std::vector<std::string>{"left side", "right 'side'"}));
+    }
+
     void surfaceInSpace_data() { allFormats(false); }
     void surfaceInSpace() {
         QFETCH(Encoding, encoding);

@@ -1,5 +1,7 @@
+#include <Eigen/Geometry>
 #include <QTest>
 #include <functional>
+#include <map>
 #include <thread>
 
 #include "core/mesh/error.h"
@@ -18,6 +20,7 @@ class TestVolumeMesher : public QObject {
     void shellInShellIsAHole();
     void aimIsMet();
     void labelsComeThrough();
+    void splitSurfaceKeepsLabels();
     void sizeFieldIsFollowed();
     void sizesDoNotMatter_data();
     void sizesDoNotMatter();
@@ -108,6 +111,28 @@ void TestVolumeMesher::labelsComeThrough() {
             if (input == ids) QCOMPARE(result.boundaryLabels[f], surface.labels[t]);
         }
     }
+}
+
+void TestVolumeMesher::splitSurfaceKeepsLabels() {
+    Surface surface = kBox;
+    for (int t = 0; t < surface.triangleCount(); ++t)
+        surface.labels.push_back(10 * (t / 32));  // one per side
+    VolumeMeshOptions options;
+    options.maxVolume = 0.01;
+    options.keepSurface = false;
+    const VolumeMesh result = meshVolume(surface, options);
+    QVERIFY(result.boundary.size() > surface.triangles.size());
+    QVERIFY(result.mesh.points.leftCols(kBox.vertexCount()) == kBox.points);
+    std::map<int, double> areas;
+    const auto area = [](const Points<3>& points, const std::array<int, 3>& t) {
+        return (points.col(t[1]) - points.col(t[0])).cross(points.col(t[2]) - points.col(t[0])).norm() / 2;
+    };
+    for (std::size_t f = 0; f < result.boundary.size(); ++f)
+        areas[result.boundaryLabels[f]] += area(result.mesh.points, result.boundary[f]);
+    for (int t = 0; t < surface.triangleCount(); ++t)
+        areas[surface.labels[t]] -= area(surface.points, surface.triangles[t]);
+    QCOMPARE(areas.size(), std::size_t(6));
+    for (const auto& [label, difference] : areas) QVERIFY(std::abs(difference) < 1e-12);
 }
 
 /// Inside, where cells are made and not kept, each is as small as its place asks for; elsewhere they are not.

@@ -225,7 +225,10 @@ void SolidCanvas::setMap(Measure measure, const MeasureRange& range) {
 }
 
 void SolidCanvas::setCutKind(CutKind kind) {
-    if (kind == cut()) return;
+    if (kind == cut() || !m_session.frame<3>()) {
+        emit cutChanged();
+        return;
+    }
     if (cut() == CutKind::None) m_cutTool.setPlane(middlePlane(m_cutTool.plane().normal));
     m_cutTool.setActive(kind != CutKind::None);
     setCut(kind, m_cutTool.plane());

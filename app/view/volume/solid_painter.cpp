@@ -112,9 +112,13 @@ void SolidPainter::name(const QPointF& at, const QString& text) {
 
 /// What a handle of many vertices holds.
 void SolidPainter::spots(const PinView<3>& view, const QColor& colour) {
-    m_painter.setPen(QPen(QColor(255, 255, 255, 190), 0.75));
-    m_painter.setBrush(colour);
-    for (const Vec<3>& p : view.points) m_painter.drawEllipse(m_surface.toWidget(p), 2.3, 2.3);
+    const bool selected = m_surface.session().selection().contains(view.handle);
+    QColor fill = colour;
+    fill.setAlpha(selected ? 255 : 110);
+    m_painter.setPen(selected ? QPen(QColor(255, 255, 255, 190), 0.75) : QPen(Qt::NoPen));
+    m_painter.setBrush(fill);
+    const double r = selected ? 2.3 : 1.7;
+    for (const Vec<3>& p : view.points) m_painter.drawEllipse(m_surface.toWidget(p), r, r);
 }
 
 void SolidPainter::pins(int hovered) {

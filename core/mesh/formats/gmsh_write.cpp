@@ -66,8 +66,11 @@ class GmshPrinter {
     long physicalOf(int dimension, std::size_t cell) const {
         return tagOf(tags(dimension, m_physical), static_cast<int>(cell), 0);
     }
-    /// Gmsh counts entities from 1.
+    /// Gmsh counts entities from 1. Triangles of a border without label are an entity behind the labelled
+    /// ones.
     long entityOf(int dimension, std::size_t cell) const {
+        if (m_labels && dimension == 2 && m_mesh.labels[cell] == 0)
+            return 1 + *std::max_element(m_mesh.labels.begin(), m_mesh.labels.end());
         const long entity = tagOf(tags(dimension, m_entity), static_cast<int>(cell), 1);
         return entity > 0 ? entity : 1;
     }
