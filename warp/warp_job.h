@@ -36,6 +36,7 @@ struct WarpJob {
     WarpOptions options;
     Image header;  // of the output: no pixels
     bool addsAlpha = false;
+    bool atRest = false;  // nothing has moved, and options.restMargin counts
     const Pyramid* source = nullptr;
     CellFilter outsideFilter;
     std::vector<VisibleCell> cells;             // in painting order

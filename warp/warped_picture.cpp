@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "core/mesh/error.h"
+#include "warp/at_rest.h"
 #include "warp/warp_job.h"
 
 namespace wend {
@@ -69,6 +70,8 @@ std::unique_ptr<WarpJob> makeJob(const Image& source, int levels, const Simplici
     job->view = view;
     job->options = options;
     job->header = headerOf(source, view, false);
+    job->atRest = options.restMargin > 0 && source.alpha && options.outside == Outside::Transparent &&
+                  isAtRest(source, rest, pose, view);
     job->outsideFilter = CellFilter(view.scale * Mat<2>::Identity(), options.filter, levels);
     const int bands = view.width > 0 ? (std::max(view.height, 0) + kBandRows - 1) / kBandRows : 0;
     job->cellsOfBand.resize(static_cast<std::size_t>(bands));
@@ -209,6 +212,7 @@ bool WarpedPicture::paint(int top, Image& strip) const {
     work();
     helpers.clear();
     failure.rethrow();
+    if (job.atRest) copyAtRest(job, job.options.restMargin, top, strip);
     return !job.options.stop.stop_requested();
 }
 

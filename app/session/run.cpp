@@ -128,6 +128,7 @@ class Run {
                       const std::function<void(double)>& progress) const {
         WarpOptions options;
         options.filter = m_options.filter;
+        options.restMargin = restMarginOf(m_project.domain);
         options.threads = m_project.integration.threads;
         options.makePainter = cellPainters(m_options.backEnd, {}, m_watch.notice);
         options.stop = m_watch.stop;

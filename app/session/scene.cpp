@@ -147,6 +147,11 @@ std::shared_ptr<const SimplicialMesh<2>> meshPicture(const Project& project, con
     return std::make_shared<const SimplicialMesh<2>>(meshOutline(outline, options));
 }
 
+int restMarginOf(const Domain& domain) {
+    if (domain.kind != DomainKind::Image || domain.outline != OutlineKind::Alpha) return 0;
+    return static_cast<int>(std::ceil(domain.alpha.margin + domain.alpha.gap)) + 1;
+}
+
 Texture textureOf(std::shared_ptr<const Image> picture, std::shared_ptr<const SimplicialMesh<2>> rest,
                   const Eigen::Matrix2Xd& uv) {
     Texture texture{picture, rest, {}};

@@ -66,6 +66,9 @@ std::shared_ptr<const Material<Dim>> rasterizeMaterial(const MaterialSpec<Dim>& 
                                                        const SimplicialMesh<Dim>& rest,
                                                        const std::string& folder = {});
 
+/// WarpOptions::restMargin for the domain's outline: what growing it reaches, if it follows alpha.
+int restMarginOf(const Domain& domain);
+
 /// Where the rest mesh lies in the picture: with uv (one per vertex, origin at the bottom left) by them, and
 /// poses through the affine map that fits them best; without uv, coordinates are pixels.
 Texture textureOf(std::shared_ptr<const Image> picture, std::shared_ptr<const SimplicialMesh<2>> rest,

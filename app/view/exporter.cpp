@@ -47,9 +47,10 @@ struct Pixels {
     View view() const { return {picture->width, picture->height, Vec<2>::Zero(), 1}; }
 };
 
-void writePicture(const std::string& path, const Pixels& pixels, const std::function<void(double)>& progress,
-                  std::stop_token stop) {
+void writePicture(const std::string& path, const Pixels& pixels, int restMargin,
+                  const std::function<void(double)>& progress, std::stop_token stop) {
     WarpOptions options;
+    options.restMargin = restMargin;
     options.stop = stop;
     options.progress = progress;
     writeWarped(path, WarpedPicture(*pixels.picture, *pixels.rest, pixels.pose, pixels.view(), options));
@@ -139,8 +140,9 @@ void Exporter::exportPicture() {
     const QString path =
         askName(tr("Export Picture"), QStringLiteral("-bent.png"), QString::fromLatin1(kPictureFilter));
     if (path.isEmpty()) return;
+    const int restMargin = restMarginOf(m_session.document().project()->domain);
     run(tr("Writing the picture …"), path, [=](const Progress& progress, std::stop_token stop) {
-        writePicture(path.toStdString(), pixels, progress, stop);
+        writePicture(path.toStdString(), pixels, restMargin, progress, stop);
     });
 }
 

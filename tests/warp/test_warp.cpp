@@ -15,6 +15,8 @@ class TestWarp : public QObject {
   private slots:
     void identityKeepsEveryBit_data();
     void identityKeepsEveryBit();
+    void nothingIsCutWhereNothingHasMoved_data();
+    void nothingIsCutWhereNothingHasMoved();
     void quarterTurnIsAnArrayRotation_data();
     void quarterTurnIsAnArrayRotation();
     void noSeamBetweenCells();
@@ -101,6 +103,39 @@ void TestWarp::identityKeepsEveryBit() {
     const Image warped = warpImage(source, mesh, mesh.points, kView, options);
     QCOMPARE(warped.channels, source.channels);
     QVERIFY(warped.data == source.data);
+}
+
+void TestWarp::nothingIsCutWhereNothingHasMoved_data() {
+    QTest::addColumn<int>("type");
+    for (int type = 0; type < 4; ++type) QTest::addRow("type %d", type) << type;
+}
+
+/// A shape that leaves gaps open in what is visible, and visible pixels far from it.
+void TestWarp::nothingIsCutWhereNothingHasMoved() {
+    QFETCH(int, type);
+    const Image source = randomPicture(64, 600, 4, static_cast<PixelType>(type), true);
+    auto mesh = rectangle({4, 3.3}, {20.5, 590}, 3);
+    const auto other = rectangle({22.2, 3.3}, {40, 590}, 3);
+    const int first = mesh.vertexCount();
+    mesh.points.conservativeResize(2, first + other.vertexCount());
+    mesh.points.rightCols(other.vertexCount()) = other.points;
+    for (Cell<2> cell : other.cells) {
+        for (int& v : cell) v += first;
+        mesh.cells.push_back(cell);
+    }
+    const View view{64, 600, Vec<2>::Zero(), 1};
+    WarpOptions options;
+    options.restMargin = 4;
+    const Image still = warpImage(source, mesh, mesh.points, view, options);
+    const std::size_t pixel = source.pixelBytes();
+    for (int y = 0; y < 590; ++y) {
+        QVERIFY(std::memcmp(still.row(y), source.row(y), 40 * pixel) == 0);  // the gap, too
+        for (std::size_t k = 46 * pixel; k < 64 * pixel; ++k) QVERIFY(still.row(y)[k] == std::byte(0));
+    }
+    Points<2> moved = mesh.points;
+    moved(0, 0) += 1e-9;
+    const Image cut = warpImage(source, mesh, moved, view, options);
+    QVERIFY(std::memcmp(cut.row(300), source.row(300), 40 * pixel) != 0);
 }
 
 void TestWarp::quarterTurnIsAnArrayRotation_data() {
