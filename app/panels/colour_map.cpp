@@ -132,7 +132,9 @@ QString worstText(const Distortion& distortion, Measure measure, int dimension) 
     const WorstPlace worst = worstOf(distortion, measure);
     if (worst.cell < 0) return QStringLiteral("–");
     const QLocale locale;
-    const QString error = locale.toString(worst.value, 'g', 3);
+    constexpr double kRounding = 1e-6;  // less is none
+    const QString error =
+        worst.value < kRounding ? QStringLiteral("0") : locale.toString(worst.value, 'g', 3);
     if (measure == Measure::Angle) return QCoreApplication::translate("Measure", "angle error %1").arg(error);
     if (measure != Measure::Area) return QCoreApplication::translate("Measure", "length error %1").arg(error);
     const QString ratio = worst.value < 0.1 ? error : locale.toString(worst.value, 'f', 2);

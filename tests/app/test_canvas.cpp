@@ -228,6 +228,8 @@ void TestCanvas::worstPlaceIsThatOfTheMap() {
     QCOMPARE(worstOf(distortion, Measure::Area).value, 0.25);
     QVERIFY(worstText(distortion, Measure::Area).contains(QLocale().toString(0.25, 'f', 2)));
     QVERIFY(worstText(distortion, Measure::Length).contains(QLocale().toString(0.75)));
+    distortion.metric = {4e-31, 0, 0};  // rounding at rest
+    QVERIFY(worstText(distortion, Measure::Length).endsWith(QStringLiteral(" 0")));
 }
 
 QTEST_MAIN(TestCanvas)
