@@ -127,6 +127,22 @@
         <source>Speed</source>
         <translation>Geschwindigkeit</translation>
     </message>
+    <message>
+        <source>angle error %1</source>
+        <translation>Winkelfehler %1</translation>
+    </message>
+    <message>
+        <source>length error %1</source>
+        <translation>Längenfehler %1</translation>
+    </message>
+    <message>
+        <source>volume ×%1</source>
+        <translation>Volumen ×%1</translation>
+    </message>
+    <message>
+        <source>area ×%1</source>
+        <translation>Fläche ×%1</translation>
+    </message>
 </context>
 <context>
     <name>MeasureTool</name>
@@ -171,6 +187,10 @@
     <message>
         <source>Click or draw a rectangle to select pins, drag to move them, arrow keys nudge</source>
         <translation>Klicken oder Rechteck aufziehen wählt Pins, Ziehen bewegt sie, Pfeiltasten rücken sie</translation>
+    </message>
+    <message>
+        <source>%1: does not hold now</source>
+        <translation>%1: hält jetzt nicht</translation>
     </message>
 </context>
 <context>
@@ -725,10 +745,6 @@
         <translation>Schlimmste Stelle</translation>
     </message>
     <message>
-        <source>Area of the most distorted triangle against rest.</source>
-        <translation>Fläche des am stärksten verzerrten Dreiecks gegenüber der Ruhe.</translation>
-    </message>
-    <message>
         <source>Volume error</source>
         <translation>Volumenfehler</translation>
     </message>
@@ -743,6 +759,14 @@
     <message>
         <source>What is coloured over the solid: the error of lengths, volumes or angles, the material, or how fast it moves.</source>
         <translation>Was auf dem Körper gefärbt ist: der Fehler der Längen, Volumen oder Winkel, das Material, oder wie schnell er sich bewegt.</translation>
+    </message>
+    <message>
+        <source>The tetrahedron that is farthest from rest by what the map shows.</source>
+        <translation>Das Tetraeder, das nach dem, was die Karte zeigt, am weitesten von der Ruhe entfernt ist.</translation>
+    </message>
+    <message>
+        <source>The triangle that is farthest from rest by what the map shows.</source>
+        <translation>Das Dreieck, das nach dem, was die Karte zeigt, am weitesten von der Ruhe entfernt ist.</translation>
     </message>
 </context>
 <context>
@@ -827,6 +851,10 @@
             <numerusform>%n Form wird geschrieben …</numerusform>
             <numerusform>%n Formen werden geschrieben …</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Another export is still being written. Try again in a moment.</source>
+        <translation>Ein anderer Export wird noch geschrieben. Bitte gleich noch einmal versuchen.</translation>
     </message>
 </context>
 <context>
@@ -1121,6 +1149,10 @@
     <message>
         <source>&lt;h3&gt;Wend %1&lt;/h3&gt;&lt;p&gt;Bends pictures and solids by letting them flow.&lt;/p&gt;&lt;p&gt;After J. Martinez Esturo, C. Rössl, H. Theisel: Generalized Metric Energies for Continuous Shape Deformation, 2013.&lt;/p&gt;&lt;p&gt;Free software under the GNU Affero General Public License, version 3 or later.&lt;/p&gt;</source>
         <translation>&lt;h3&gt;Wend %1&lt;/h3&gt;&lt;p&gt;Biegt Bilder und Körper, indem es sie fließen lässt.&lt;/p&gt;&lt;p&gt;Nach J. Martinez Esturo, C. Rössl, H. Theisel: Generalized Metric Energies for Continuous Shape Deformation, 2013.&lt;/p&gt;&lt;p&gt;Freie Software unter der GNU Affero General Public License, Version 3 oder neuer.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Meshing %1 …</source>
+        <translation>%1 wird vernetzt …</translation>
     </message>
 </context>
 <context>
@@ -1464,10 +1496,6 @@
 <context>
     <name>wend::ShapeSession</name>
     <message>
-        <source>%1 cannot go further: the shape would fold over. %2</source>
-        <translation>%1 kann nicht weiter: Die Form würde sich überfalten. %2</translation>
-    </message>
-    <message>
         <source>The motion stops at %1: %2</source>
         <translation>Die Bewegung endet bei %1: %2</translation>
     </message>
@@ -1501,6 +1529,18 @@
     <message>
         <source>Scale %1</source>
         <translation>%1 skalieren</translation>
+    </message>
+    <message>
+        <source>%1 cannot go further: %2</source>
+        <translation>%1 kann nicht weiter: %2</translation>
+    </message>
+    <message>
+        <source>There is no pin: this place lies outside of the shape.</source>
+        <translation>Kein Pin: Diese Stelle liegt außerhalb der Form.</translation>
+    </message>
+    <message>
+        <source>%1 does not hold the shape at the end any more.</source>
+        <translation>%1 hält die Form am Ende nicht mehr.</translation>
     </message>
 </context>
 <context>
@@ -1899,14 +1939,6 @@
         <translation>Pinfehler %1 px</translation>
     </message>
     <message>
-        <source>Worst distortion</source>
-        <translation>Größte Verzerrung</translation>
-    </message>
-    <message>
-        <source>The greatest length error of a triangle; 0 is none</source>
-        <translation>Der größte Längenfehler eines Dreiecks; 0 ist keiner</translation>
-    </message>
-    <message>
         <source>worst %1</source>
         <translation>größte %1</translation>
     </message>
@@ -1941,6 +1973,14 @@
     <message>
         <source>volume %1 %</source>
         <translation>Volumen %1 %</translation>
+    </message>
+    <message>
+        <source>Worst place</source>
+        <translation>Schlimmste Stelle</translation>
+    </message>
+    <message>
+        <source>How far the worst place is from rest, by what the map shows</source>
+        <translation>Wie weit die schlimmste Stelle von der Ruhe entfernt ist, nach dem, was die Karte zeigt</translation>
     </message>
 </context>
 <context>

@@ -215,7 +215,8 @@ void letGo(Project& next, const Project& project, const std::vector<int>& handle
     for (std::size_t i = 0; i < design<Dim>(project).handles.size(); ++i) {
         Handle<Dim> handle = design<Dim>(project).handles[i];
         const bool removed = std::find(handles.begin(), handles.end(), static_cast<int>(i)) != handles.end();
-        if (removed && (!moved || handle.activeFrom >= end)) continue;
+        const bool isGone = handle.activeTo <= end;
+        if (removed && (!moved || isGone || handle.activeFrom >= end)) continue;
         if (removed) handle.activeTo = std::min(handle.activeTo, end);
         kept.push_back(std::move(handle));
     }

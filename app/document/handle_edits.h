@@ -37,7 +37,7 @@ Project withHandlePlace(const Project& project, int handle, Placement<Dim> at);
 Project withHandleName(const Project& project, int handle, const std::string& name);
 
 /// Handles that go away together: removed as if never there while nothing has moved (or if they never acted),
-/// else let go of at the end.
+/// else let go of at the end; those that were let go of before, as if never there.
 Project withoutHandles(const Project& project, const std::vector<int>& handles);
 
 /// A drag of several handles along one path of offsets, the first zero: a Recorded motion at constant speed

@@ -81,11 +81,18 @@ struct Project {
     Domain domain;
     std::variant<Design<2>, Design<3>> design;
     double end = 1;
-    IntegrationOptions integration;
-    Extras extras = {};  // of everything but regions, handles and motions, which keep their own
+    IntegrationOptions integration;  // its end is not looked at: see integrationOf()
+    Extras extras = {};              // of everything but regions, handles and motions, which keep their own
 
     int dimension() const { return design.index() == 0 ? 2 : 3; }
 };
+
+/// How the project is integrated, with its end: for every deformer of it.
+inline IntegrationOptions integrationOf(const Project& project) {
+    IntegrationOptions options = project.integration;
+    options.end = project.end;
+    return options;
+}
 
 /// A loaded project and what the user should hear about it.
 struct LoadedProject {

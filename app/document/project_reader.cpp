@@ -225,7 +225,6 @@ LoadedProject readRoot(const Json& json, const std::string& folder) {
     project.domain = readDomain(root.require("domain"));
     if (auto time = root.find("time")) readTime(*time, project);
     if (auto integration = root.find("integration")) readIntegration(*integration, project.integration);
-    project.integration.end = project.end;
     if (dimensionOf(project.domain, folder, json) == 2)
         project.design = readDesign<2>(root, project.end);
     else

@@ -1,6 +1,7 @@
 #include "app/panels/colour_map.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -114,6 +115,32 @@ QString measureName(Measure measure, int dimension) {
             break;
     }
     return QCoreApplication::translate("Measure", "Length");
+}
+
+WorstPlace worstOf(const Distortion& distortion, Measure measure) {
+    const auto& values = valuesOf(distortion, measure);
+    const auto size = [measure](double value) {
+        return measure == Measure::Area ? std::abs(std::log(std::max(value, 1e-300))) : value;
+    };
+    WorstPlace worst;
+    for (std::size_t c = 0; c < values.size(); ++c)
+        if (worst.cell < 0 || size(values[c]) > size(worst.value)) worst = {static_cast<int>(c), values[c]};
+    return worst;
+}
+
+QString worstText(const Distortion& distortion, Measure measure, int dimension) {
+    const WorstPlace worst = worstOf(distortion, measure);
+    if (worst.cell < 0) return QStringLiteral("–");
+    const QLocale locale;
+    constexpr double kRounding = 1e-6;  // less is none
+    const QString error =
+        worst.value < kRounding ? QStringLiteral("0") : locale.toString(worst.value, 'g', 3);
+    if (measure == Measure::Angle) return QCoreApplication::translate("Measure", "angle error %1").arg(error);
+    if (measure != Measure::Area) return QCoreApplication::translate("Measure", "length error %1").arg(error);
+    const QString ratio = worst.value < 0.1 ? error : locale.toString(worst.value, 'f', 2);
+    return (dimension == 3 ? QCoreApplication::translate("Measure", "volume ×%1")
+                           : QCoreApplication::translate("Measure", "area ×%1"))
+        .arg(ratio);
 }
 
 }  // namespace wend

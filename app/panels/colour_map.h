@@ -39,4 +39,13 @@ QRgb colourAt(Measure measure, double position);
 
 QString measureName(Measure measure, int dimension = 2);
 
+/// Where the shape is farthest from rest by a measure; of measures that tell nothing of that, by length.
+struct WorstPlace {
+    int cell = -1;  // −1 if the shape has none
+    double value = 0;
+};
+WorstPlace worstOf(const Distortion& distortion, Measure measure);
+/// Its value and what that is, such as "area ×1.38".
+QString worstText(const Distortion& distortion, Measure measure, int dimension = 2);
+
 }  // namespace wend

@@ -20,6 +20,7 @@ DistortionPanel::DistortionPanel(ShapeSession& session, QWidget* parent)
       m_length(new QLabel(this)),
       m_worst(new QLabel(this)),
       m_find(new QToolButton(this)) {
+    m_worst->setObjectName(QStringLiteral("worstPlace"));
     makeControls();
     arrange();
     setDimension(2);
@@ -70,7 +71,7 @@ void DistortionPanel::arrange() {
         tr("Sum over the shape of σ₁/σ₂ + σ₂/σ₁ − 2: zero if all angles are kept."));
     m_areaName = add(tr("Area error"), m_area, {});
     add(tr("Length error"), m_length, tr("How far lengths are from those at rest: zero for a rigid motion."));
-    add(tr("Worst place"), m_worst, tr("Area of the most distorted triangle against rest."));
+    add(tr("Worst place"), m_worst, {});
     layout->addLayout(totals);
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(m_lock);
@@ -95,8 +96,8 @@ void DistortionPanel::setDimension(int dimension) {
                              ? tr("Sum over the shape of det F + 1/det F − 2: zero if all volumes are kept.")
                              : tr("Sum over the shape of σ₁σ₂ + 1/(σ₁σ₂) − 2: zero if all areas are kept.");
     for (QLabel* label : {m_areaName, m_area}) label->setToolTip(help);
-    m_worst->setToolTip(solid ? tr("Volume of the most distorted tetrahedron against rest.")
-                              : tr("Area of the most distorted triangle against rest."));
+    m_worst->setToolTip(solid ? tr("The tetrahedron that is farthest from rest by what the map shows.")
+                              : tr("The triangle that is farthest from rest by what the map shows."));
     describe(m_measure, tr("Distortion map"),
              solid ? tr("What is coloured over the solid: the error of lengths, volumes or angles, the "
                         "material, or how fast it moves.")
@@ -126,9 +127,8 @@ void DistortionPanel::showTotals(const Distortion& distortion) {
     m_angle->setText(text(distortion.totalAngle));
     m_area->setText(text(distortion.totalVolume));
     m_length->setText(text(distortion.totalMetric));
-    const int worst = distortion.worstCell;
-    m_find->setEnabled(worst >= 0);
-    m_worst->setText(worst < 0 ? QStringLiteral("–") : measureText(Measure::Area, distortion.ratio[worst]));
+    m_find->setEnabled(worstOf(distortion, measure()).cell >= 0);
+    m_worst->setText(worstText(distortion, measure(), m_dimension));
 }
 
 }  // namespace wend

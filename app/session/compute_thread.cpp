@@ -7,7 +7,7 @@ ComputeThread::ComputeThread(QObject* parent)
 
 ComputeThread::~ComputeThread() {
     m_thread.request_stop();
-    m_mailbox.interrupt();
+    m_mailbox.close();
     m_thread.join();
 }
 
@@ -16,9 +16,9 @@ void ComputeThread::loop(std::stop_token stop) {
         const bool idle = !m_engine || m_engine->isIdle();
         try {
             if (const auto request = m_mailbox.take(idle, stop))
-                handle(*request, stop);
+                handle(*request);
             else if (!idle)
-                m_engine->runPass(m_mailbox.interruption());
+                m_engine->work(m_mailbox.interruption());
         } catch (const std::exception& error) {
             if (m_engine) m_engine->giveUp();
             emit failed(QString::fromUtf8(error.what()));
@@ -26,15 +26,15 @@ void ComputeThread::loop(std::stop_token stop) {
     }
 }
 
-void ComputeThread::handle(const Request& request, std::stop_token stop) {
+void ComputeThread::handle(const Request& request) {
     if (const auto* shape = std::get_if<SetShape>(&request)) {
         requireEngine(shape->inputs.project->dimension());
         m_engine->setShape(*shape);
     }
     if (!m_engine) return;
-    if (const auto* begin = std::get_if<BeginDrag>(&request)) m_engine->beginDrag(*begin, stop);
+    if (const auto* begin = std::get_if<BeginDrag>(&request)) m_engine->beginDrag(*begin);
     if (const auto* to = std::get_if<DragTo>(&request)) m_engine->dragTo(*to);
-    if (const auto* end = std::get_if<EndDrag>(&request)) m_engine->endDrag(*end);
+    if (std::holds_alternative<EndDrag>(request)) m_engine->endDrag();
 }
 
 void ComputeThread::requireEngine(int dimension) {
@@ -52,7 +52,6 @@ ShapeEngine::Sink ComputeThread::sink() {
     sink.finished = [this](double time, const std::string& problem) {
         emit finished(time, QString::fromStdString(problem));
     };
-    sink.interruption = [this] { return m_mailbox.interruption(); };
     return sink;
 }
 

@@ -31,7 +31,7 @@ class ComputeThread : public QObject {
 
   private:
     void loop(std::stop_token stop);
-    void handle(const Request& request, std::stop_token stop);
+    void handle(const Request& request);
     void requireEngine(int dimension);
     ShapeEngine::Sink sink();
 

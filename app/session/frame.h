@@ -23,6 +23,7 @@ struct ShapeFrame {
     double growth = 1;        // area or volume against that at rest
     double pinError = 0;      // greatest distance of a pin from where it should be, in the domain's units
     double milliseconds = 0;  // that this frame took; 0 if it came from a longer run
+    int gesture = 0;          // live: the number of the drag
     int sample = -1;          // live: the newest sample of the drag that it follows
     Amount amount = Amount::Zero();  // live: how far the dragged handles have come
     bool stopped = false;            // live: the handles could not reach the sample without a fold
@@ -32,9 +33,13 @@ struct ShapeFrame {
 };
 using FramePtr = std::shared_ptr<const ShapeFrame>;
 
+template <int Dim>
+struct BuiltShape;
+
 /// The shape itself.
 template <int Dim>
 struct PosedFrame : ShapeFrame {
+    std::shared_ptr<const BuiltShape<Dim>> built;  // the same and what else came with it: file, picture, skin
     std::shared_ptr<const SimplicialMesh<Dim>> rest;
     std::shared_ptr<const std::vector<Facet<Dim>>> facets;  // in space only
     std::shared_ptr<const Material<Dim>> material;

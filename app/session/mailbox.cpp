@@ -4,18 +4,10 @@ namespace wend {
 
 namespace {
 
-/// True if `next` went into `last`, the newest request that waits.
-bool mergeInto(Request& last, const Request& next) {
-    if (std::holds_alternative<SetShape>(last) && std::holds_alternative<SetShape>(next)) {
-        last = next;
-        return true;
-    }
-    auto* first = std::get_if<DragTo>(&last);
-    const auto* second = std::get_if<DragTo>(&next);
-    if (!first || !second) return false;
-    first->amounts.insert(first->amounts.end(), second->amounts.begin(), second->amounts.end());
-    first->lastSample = second->lastSample;
-    return true;
+/// True if `next` says all that is left to do of `last`, the newest request that waits.
+bool replaces(const Request& next, const Request& last) {
+    return next.index() == last.index() &&
+           (std::holds_alternative<SetShape>(next) || std::holds_alternative<DragTo>(next));
 }
 
 }  // namespace
@@ -23,8 +15,8 @@ bool mergeInto(Request& last, const Request& next) {
 void Mailbox::post(Request request) {
     {
         const std::lock_guard lock(m_mutex);
-        if (m_requests.empty() || !mergeInto(m_requests.back(), request))
-            m_requests.push_back(std::move(request));
+        if (!m_requests.empty() && replaces(request, m_requests.back())) m_requests.pop_back();
+        m_requests.push_back(std::move(request));
         m_interruption.request_stop();
     }
     m_arrived.notify_one();
@@ -42,12 +34,13 @@ std::optional<Request> Mailbox::take(bool wait, std::stop_token stop) {
 std::stop_token Mailbox::interruption() {
     const std::lock_guard lock(m_mutex);
     m_interruption = std::stop_source();
-    if (!m_requests.empty()) m_interruption.request_stop();
+    if (m_closed || !m_requests.empty()) m_interruption.request_stop();
     return m_interruption.get_token();
 }
 
-void Mailbox::interrupt() {
+void Mailbox::close() {
     const std::lock_guard lock(m_mutex);
+    m_closed = true;
     m_interruption.request_stop();
 }
 

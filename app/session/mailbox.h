@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "app/document/grip.h"
+#include "app/session/frame.h"
 #include "app/session/shape_builder.h"
 
 namespace wend {
@@ -19,18 +20,19 @@ struct SetShape {
 struct BeginDrag {
     std::vector<int> handles;
     Grip grip = {};
+    int gesture = 0;   // its number: frames tell what they belong to
+    int revision = 0;  // of the shape that the handles are of
+    FramePtr from;     // what is seen: the drag begins there, whatever is still being computed
 };
 struct DragTo {
-    std::vector<Amount> amounts;  // from where the drag began, one per sample of the pointer
-    int lastSample = 0;
+    Amount amount = Amount::Zero();  // from where the drag began
+    int sample = 0;                  // its number in the gesture
 };
-struct EndDrag {
-    bool keep = true;  // the shape as the preview has it, until the exact motion is there
-};
+struct EndDrag {};
 using Request = std::variant<SetShape, BeginDrag, DragTo, EndDrag>;
 
-/// Holds the newest request of each kind: a shape replaces the one before it, targets of a drag are put
-/// together.
+/// What waits to be done, in order. Of shapes that follow each other only the newest is kept, and of targets
+/// of a drag as well: the preview goes straight to where the pointer is.
 class Mailbox {
   public:
     void post(Request request);
@@ -38,13 +40,15 @@ class Mailbox {
     std::optional<Request> take(bool wait, std::stop_token stop);
     /// A token that is stopped as soon as there is a request, or at once if there is one.
     std::stop_token interruption();
-    void interrupt();
+    /// From now on every token is stopped.
+    void close();
 
   private:
     std::mutex m_mutex;
     std::condition_variable_any m_arrived;
     std::deque<Request> m_requests;
     std::stop_source m_interruption;
+    bool m_closed = false;
 };
 
 }  // namespace wend

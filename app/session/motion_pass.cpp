@@ -40,7 +40,7 @@ template <int Dim>
 double MotionPass<Dim>::set(const BuiltShape<Dim>& shape, std::shared_ptr<const Project> project) {
     double kept = -kInfinity;
     if (m_project && shape.rest == m_shape.rest && shape.material == m_shape.material &&
-        sameIntegration(m_project->integration, project->integration))
+        sameIntegration(integrationOf(*m_project), integrationOf(*project)))
         kept = firstDifference(designOf<Dim>(*m_project).handles, designOf<Dim>(*project).handles);
     const double end = motionEnd(*project);
     const bool same = kept == kInfinity && end == m_end;
@@ -66,9 +66,7 @@ void MotionPass<Dim>::begin(const Sink& sink) {
         m_restSent = true;
     }
     const auto& handles = designOf<Dim>(*m_project).handles;
-    IntegrationOptions options = m_project->integration;
-    options.end = m_project->end;
-    m_deformer.emplace(m_shape.rest, m_shape.material, handles, options,
+    m_deformer.emplace(m_shape.rest, m_shape.material, handles, integrationOf(*m_project),
                        backEndFactory<Dim>(BackEndKind::Automatic));
     if (m_cache.last())
         m_deformer->restore(*m_cache.last());

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
+#include <QStandardPaths>
 
 #include "app/session/scene.h"
 #include "core/mesh/error.h"
@@ -112,11 +113,6 @@ QString meshExtensions() {
     return QStringLiteral("*.obj *.ply *.off *.stl *.mesh *.msh *.node *.ele *.vtk *.vtu");
 }
 
-bool looksOpenable(const QString& path) {
-    return hasExtension(path, QStringLiteral("*.wend")) || hasExtension(path, pictureExtensions()) ||
-           hasExtension(path, meshExtensions());
-}
-
 OpenedFile openFile(const QString& path) {
     const QString absolutePath = QFileInfo(path).absoluteFilePath();
     OpenedFile file;
@@ -161,6 +157,11 @@ QString picturePathOf(const QString& project) {
     } catch (const std::exception&) {
         return {};
     }
+}
+
+QString proposedFolder(const Document& document) {
+    const bool isSample = document.path().isEmpty() && samplePaths().contains(document.source());
+    return isSample ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) : document.folder();
 }
 
 }  // namespace wend

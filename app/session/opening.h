@@ -14,10 +14,12 @@ OpenedFile openFile(const QString& path);
 /// Work that was lost in a crash, as changes that are not saved yet. Throws as openFile().
 OpenedFile openLost(const LostWork& work);
 
+/// Where new files of a document are proposed: beside its own, but not among the samples.
+QString proposedFolder(const Document& document);
+
 /// Patterns of a file dialog, "*.png *.tif …".
 QString pictureExtensions();
 QString meshExtensions();
-bool looksOpenable(const QString& path);
 
 /// Sample projects: installed beside the program, or those of the source tree; pictures first.
 QStringList samplePaths();

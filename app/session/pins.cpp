@@ -98,10 +98,10 @@ Vec<Dim> positionOf(const Location<Dim>& location, const SimplicialMesh<Dim>& re
 template <int Dim>
 std::vector<PinView<Dim>> viewPins(const std::vector<Handle<Dim>>& handles,
                                    const std::vector<PinPlace<Dim>>& places, const SimplicialMesh<Dim>& rest,
-                                   const Points<Dim>& pose, double time) {
+                                   const Points<Dim>& pose, double time, bool holding) {
     std::vector<PinView<Dim>> views;
     for (std::size_t h = 0; h < std::min(handles.size(), places.size()); ++h) {
-        if (!isActive(handles[h], time) || places[h].isEmpty()) continue;
+        if (isActive(handles[h], time) != holding || places[h].isEmpty()) continue;
         PinView<Dim> view;
         view.handle = static_cast<int>(h);
         view.name = QString::fromStdString(handles[h].name);
@@ -163,7 +163,7 @@ std::vector<PinPath<Dim>> pinPaths(const Handle<Dim>& handle, const std::vector<
     template Vec<Dim> positionOf<Dim>(const Location<Dim>&, const SimplicialMesh<Dim>&, const Points<Dim>&); \
     template std::vector<PinView<Dim>> viewPins<Dim>(                                                        \
         const std::vector<Handle<Dim>>&, const std::vector<PinPlace<Dim>>&, const SimplicialMesh<Dim>&,      \
-        const Points<Dim>&, double);                                                                         \
+        const Points<Dim>&, double, bool);                                                                   \
     template Vec<Dim> meanOf<Dim>(const std::vector<Vec<Dim>>&);                                             \
     template std::optional<Vec<Dim>> restPoint<Dim>(const SimplicialMesh<Dim>&, const Points<Dim>&,          \
                                                     const Vec<Dim>&);                                        \

@@ -37,11 +37,11 @@ std::vector<PinPlace<Dim>> placePins(const std::vector<Handle<Dim>>& handles, co
 template <int Dim>
 Vec<Dim> positionOf(const Location<Dim>& location, const SimplicialMesh<Dim>& rest, const Points<Dim>& pose);
 
-/// The handles that hold the shape at `time`, in the given pose.
+/// The handles that hold the shape at `time`, in the given pose; or those that do not.
 template <int Dim>
 std::vector<PinView<Dim>> viewPins(const std::vector<Handle<Dim>>& handles,
                                    const std::vector<PinPlace<Dim>>& places, const SimplicialMesh<Dim>& rest,
-                                   const Points<Dim>& pose, double time);
+                                   const Points<Dim>& pose, double time, bool holding = true);
 
 template <int Dim>
 Vec<Dim> meanOf(const std::vector<Vec<Dim>>& points);

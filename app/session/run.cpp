@@ -32,7 +32,7 @@ class Run {
           m_options(options),
           m_watch(watch),
           m_start(start),
-          m_deformer(m_scene.rest, m_scene.material, m_scene.handles, project.integration,
+          m_deformer(m_scene.rest, m_scene.material, m_scene.handles, integrationOf(project),
                      backEndFactory<Dim>(options.backEnd, {}, watch.notice)) {}
 
     AdvanceResult run() {

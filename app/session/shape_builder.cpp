@@ -60,7 +60,7 @@ bool ShapeBuilder<Dim>::meshIsCurrent(const ShapeInputs& inputs) const {
     if (!m_shape.rest || m_last.generation != inputs.generation) return false;
     const Domain &a = m_last.project->domain, &b = inputs.project->domain;
     if constexpr (Dim == 3) return sameSolid(a, b);
-    return sameOutline(a, b) && a.vertices == b.vertices && a.edge == b.edge &&
+    return sameOutline(a, b) && a.texture == b.texture && a.vertices == b.vertices && a.edge == b.edge &&
            (b.kind != DomainKind::Image || startPoints(m_last) == startPoints(inputs));
 }
 
@@ -71,21 +71,29 @@ bool ShapeBuilder<Dim>::materialIsCurrent(const ShapeInputs& inputs) const {
 }
 
 template <>
-void ShapeBuilder<3>::makeMesh(const ShapeInputs& inputs, std::stop_token stop) {
+BuiltShape<3> ShapeBuilder<3>::makeMesh(const ShapeInputs& inputs, std::stop_token stop) {
     Solid solid = loadSolid(*inputs.project, inputs.folder, stop);
-    m_shape.rest = std::move(solid.rest);
-    m_shape.facets = std::make_shared<const std::vector<Facet<3>>>(facetsOf(*m_shape.rest));
-    m_shape.skin = std::move(solid.skin);
-    m_shape.ride = std::move(solid.ride);
-    m_shape.notices = std::move(solid.notices);
+    BuiltShape<3> shape;
+    shape.rest = std::move(solid.rest);
+    if (!shape.rest) return shape;
+    shape.facets = std::make_shared<const std::vector<Facet<3>>>(facetsOf(*shape.rest));
+    shape.skin = std::move(solid.skin);
+    shape.ride = std::move(solid.ride);
+    shape.source = std::move(solid.source);
+    shape.notices = std::move(solid.notices);
+    return shape;
 }
 
 template <>
-void ShapeBuilder<2>::makeMesh(const ShapeInputs& inputs, std::stop_token stop) {
+BuiltShape<2> ShapeBuilder<2>::makeMesh(const ShapeInputs& inputs, std::stop_token stop) {
     const Project& project = *inputs.project;
+    BuiltShape<2> shape;
     if (project.domain.kind != DomainKind::Image) {
-        m_shape.rest = std::get<Scene<2>>(loadScene(project, inputs.folder)).rest;
-        return;
+        const Scene<2> scene = std::get<Scene<2>>(loadScene(project, inputs.folder));
+        shape.rest = scene.rest;
+        shape.source = scene.source;
+        if (scene.picture) shape.texture = std::make_shared<const Texture>(scene.texture);
+        return shape;
     }
     if (!m_outline || m_outlineFrom.generation != inputs.generation ||
         !sameOutline(m_outlineFrom.project->domain, project.domain)) {
@@ -93,36 +101,21 @@ void ShapeBuilder<2>::makeMesh(const ShapeInputs& inputs, std::stop_token stop) 
         m_outline = std::make_shared<const Outline>(domainOutline(project.domain, *inputs.picture));
         m_outlineFrom = inputs;
     }
-    m_shape.rest = meshPicture(project, *m_outline, stop);
+    shape.rest = meshPicture(project, *m_outline, stop);
+    return shape;
 }
 
 template <int Dim>
-void ShapeBuilder<Dim>::makeShape(const ShapeInputs& inputs, std::stop_token stop) {
-    if (!meshIsCurrent(inputs)) {
-        m_shape = {};
-        makeMesh(inputs, stop);
-    }
-    if (stop.stop_requested() || !m_shape.rest) {
-        m_shape = {};
-        return;
-    }
-    if (!materialIsCurrent(inputs))
-        m_shape.material =
-            rasterizeMaterial<Dim>(designOf<Dim>(inputs).material, *m_shape.rest, inputs.folder);
+BuiltShape<Dim> ShapeBuilder<Dim>::build(const ShapeInputs& inputs, std::stop_token stop) try {
+    BuiltShape<Dim> shape = meshIsCurrent(inputs) ? m_shape : makeMesh(inputs, stop);
+    if (stop.stop_requested() || !shape.rest) return {};
+    if (shape.rest != m_shape.rest || !materialIsCurrent(inputs))
+        shape.material = rasterizeMaterial<Dim>(designOf<Dim>(inputs).material, *shape.rest, inputs.folder);
+    m_shape = shape;
     m_last = inputs;
-}
-
-template <int Dim>
-BuiltShape<Dim> ShapeBuilder<Dim>::build(const ShapeInputs& inputs, std::stop_token stop) {
-    try {
-        makeShape(inputs, stop);
-    } catch (const Cancelled&) {
-        m_shape = {};
-    } catch (...) {
-        m_shape = {};
-        throw;
-    }
-    return m_shape;
+    return shape;
+} catch (const Cancelled&) {
+    return {};
 }
 
 template class ShapeBuilder<2>;

@@ -22,6 +22,8 @@ struct BuiltShape {
     std::shared_ptr<const std::vector<Facet<Dim>>> facets;  // 3D only
     std::shared_ptr<const Skin> skin;                       // 3D only: see Scene
     std::shared_ptr<const Embedding<3>> ride;               // 3D only
+    std::shared_ptr<const Texture> texture;                 // 2D only: the picture on a file's mesh
+    std::shared_ptr<const MeshFile> source;                 // of a mesh domain: see Scene
     std::vector<std::string> notices;                       // 3D only: what the user should hear of the mesh
 };
 
@@ -31,12 +33,12 @@ struct BuiltShape {
 template <int Dim>
 class ShapeBuilder {
   public:
-    /// Throws InputError (SurfaceError for a surface that bounds no volume). Null rest if stopped.
+    /// Throws InputError (SurfaceError for a surface that bounds no volume). Null rest if stopped; what was
+    /// made before is kept then.
     BuiltShape<Dim> build(const ShapeInputs& inputs, std::stop_token stop);
 
   private:
-    void makeShape(const ShapeInputs& inputs, std::stop_token stop);
-    void makeMesh(const ShapeInputs& inputs, std::stop_token stop);
+    BuiltShape<Dim> makeMesh(const ShapeInputs& inputs, std::stop_token stop);
     bool meshIsCurrent(const ShapeInputs& inputs) const;
     bool materialIsCurrent(const ShapeInputs& inputs) const;
 

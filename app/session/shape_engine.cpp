@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "app/document/handle_edits.h"
+#include "core/mesh/error.h"
 
 namespace wend {
 
@@ -37,31 +38,61 @@ std::unique_ptr<ShapeEngine> ShapeEngine::make(int dimension, Sink sink) {
 
 template <int Dim>
 void ShapeEngineOf<Dim>::setShape(const SetShape& request) {
-    const BuiltShape<Dim> shape = m_builder.build(request.inputs, m_sink.interruption());
-    if (!shape.rest) return;  // a newer request waits
-    const double end = motionEnd(*request.inputs.project);
-    if (m_preview && (shape.rest != m_shape.rest || end != m_preview->end)) m_preview.reset();
-    m_shape = shape;
-    m_restMeasure = measureOf<Dim>(*shape.rest, shape.rest->points);
+    m_wanted = request;
     m_project = request.inputs.project;
-    const double kept = m_pass.set(m_shape, m_project);
-    m_sink.shapeReady(request.inputs.revision, m_shape.rest, kept);
-    if (m_pass.isFinished()) tellFinished();
+    m_revision = request.inputs.revision;
+    m_dragging = false;
 }
 
 template <int Dim>
-void ShapeEngineOf<Dim>::beginDrag(const BeginDrag& request, std::stop_token stop) {
-    if (!m_pass.isSet()) return;
-    if (!m_preview && !m_pass.isFinished()) runPass(stop);
-    if (!m_preview && !m_pass.isFinished()) return;
+void ShapeEngineOf<Dim>::work(std::stop_token stop) {
+    m_wanted ? build(stop) : runPass(stop);
+}
+
+template <int Dim>
+void ShapeEngineOf<Dim>::build(std::stop_token stop) {
+    const BuiltShape<Dim> shape = m_builder.build(m_wanted->inputs, stop);
+    if (!shape.rest) return;  // stopped: again, unless something else is wanted by then
+    m_wanted.reset();
+    if (!m_shape || shape.rest != m_shape->rest || shape.material != m_shape->material)
+        m_shape = std::make_shared<const BuiltShape<Dim>>(shape);
+    const double kept = m_pass.set(shape, m_project);
+    m_sink.shapeReady(m_revision, shape.rest, kept);
+    if (m_pass.isFinished()) tellFinished();
+}
+
+/// The exact end of the motion where it is known, otherwise what the window shows. A drag that goes on right
+/// after another begins where that one has come, which the window may not have seen yet.
+template <int Dim>
+typename ShapeEngineOf<Dim>::Seen ShapeEngineOf<Dim>::seen(const BeginDrag& request) const {
+    if (!m_wanted && m_pass.isSet() && m_pass.isFinished()) return {m_shape, m_pass.state().points};
+    const auto frame = posed<Dim>(request.from);
+    if (!frame) return {};
+    const bool isCurrent = m_shape && frame->rest == m_shape->rest;  // with the newest material
+    const BuiltPtr shape = isCurrent ? m_shape : frame->built;
+    if (m_live && frame->live && frame->gesture == m_gesture && frame->rest == m_held.shape->rest)
+        return {shape, m_live->pose()};
+    return {shape, frame->pose};
+}
+
+template <int Dim>
+void ShapeEngineOf<Dim>::beginDrag(const BeginDrag& request) try {
+    Seen from = seen(request);
+    if (!from.shape || request.revision != m_revision) return;
+    m_held = std::move(from);
+    m_gesture = request.gesture;
+    m_refusal.clear();
+    m_dragging = true;
     const std::vector<int> active = activeHandles();
     std::vector<int> dragged;
     for (std::size_t i = 0; i < active.size(); ++i)
         if (std::count(request.handles.begin(), request.handles.end(), active[i]))
             dragged.push_back(static_cast<int>(i));
-    prepareDrag();
-    m_live->begin(std::move(dragged), request.grip, m_preview ? m_preview->pose : m_pass.state().points);
-    m_dragging = true;
+    prepareDrag(m_held.shape);
+    m_live->begin(std::move(dragged), request.grip, m_held.pose);
+} catch (const InputError& error) {
+    m_refusal = error.what();
+    m_live.reset();
 }
 
 template <int Dim>
@@ -78,20 +109,30 @@ std::vector<int> ShapeEngineOf<Dim>::activeHandles() const {
 }
 
 template <int Dim>
-void ShapeEngineOf<Dim>::prepareDrag() {
+void ShapeEngineOf<Dim>::prepareDrag(const BuiltPtr& shape) {
     std::vector<Handle<Dim>> own;
     for (const int h : activeHandles()) own.push_back(handles()[h]);
-    if (!m_live || !m_live->fits(m_shape, own)) m_live.emplace(m_shape, std::move(own));
+    if (!m_live || !m_live->fits(*shape, own)) m_live.emplace(*shape, std::move(own));
 }
 
+/// What cannot be moved, such as a pin within a part that is held, ends this drag only.
 template <int Dim>
 void ShapeEngineOf<Dim>::dragTo(const DragTo& request) {
     if (!m_dragging) return;
     Stopwatch clock;
-    const auto step = m_live->follow(request.amounts.back());
-    const auto frame = makeFrame(m_pass.end(), m_live->pose(), step.pinError);
+    typename LiveDrag<Dim>::Step step;
+    try {
+        if (m_live) step = m_live->follow(request.amount);
+    } catch (const InputError& error) {
+        m_refusal = error.what();
+        m_live.reset();
+    }
+    if (!m_live) step = {Amount::Zero(), true, m_refusal};
+    const auto frame =
+        makeFrame(m_held.shape, motionEnd(*m_project), m_live ? m_live->pose() : m_held.pose, step.pinError);
     frame->live = true;
-    frame->sample = request.lastSample;
+    frame->gesture = m_gesture;
+    frame->sample = request.sample;
     frame->amount = step.amount;
     frame->stopped = step.stopped;
     frame->message = step.message;
@@ -100,30 +141,29 @@ void ShapeEngineOf<Dim>::dragTo(const DragTo& request) {
 }
 
 template <int Dim>
-void ShapeEngineOf<Dim>::endDrag(const EndDrag& request) {
-    if (m_dragging && request.keep) m_preview = Preview{m_live->pose(), m_pass.end() + 1};
-    m_dragging = false;
-}
-
-template <int Dim>
 void ShapeEngineOf<Dim>::runPass(std::stop_token stop) {
     typename MotionPass<Dim>::Sink sink;
     Stopwatch clock;
     sink.onFrame = [&](const State<Dim>& state, double pinError) {
-        const auto frame = makeFrame(state.time, state.points, pinError);
+        const auto frame = makeFrame(m_shape, state.time, state.points, pinError);
         frame->milliseconds = clock.lap();
         m_sink.frameReady(frame);
     };
     sink.progress = m_sink.progress;
     m_pass.run(sink, stop);
     if (!m_pass.isFinished()) return;
-    m_preview.reset();
     tellFinished();
-    prepareDrag();
+    if (stop.stop_requested()) return;
+    try {
+        prepareDrag(m_shape);
+    } catch (const InputError&) {  // told when it is tried
+        m_live.reset();
+    }
 }
 
 template <int Dim>
 void ShapeEngineOf<Dim>::giveUp() {
+    m_wanted.reset();
     m_pass.clear();
     m_live.reset();
     m_dragging = false;
@@ -135,21 +175,24 @@ void ShapeEngineOf<Dim>::tellFinished() {
 }
 
 template <int Dim>
-std::shared_ptr<PosedFrame<Dim>> ShapeEngineOf<Dim>::makeFrame(double time, const Points<Dim>& pose,
+std::shared_ptr<PosedFrame<Dim>> ShapeEngineOf<Dim>::makeFrame(const BuiltPtr& shape, double time,
+                                                               const Points<Dim>& pose,
                                                                double pinError) const {
+    const SimplicialMesh<Dim>& rest = *shape->rest;
     auto frame = std::make_shared<PosedFrame<Dim>>();
     frame->time = time;
     frame->dimension = Dim;
-    frame->shape = m_shape.rest;
-    frame->vertices = m_shape.rest->vertexCount();
-    frame->cells = m_shape.rest->cellCount();
-    frame->diagonal = boundingBoxDiagonal<Dim>(m_shape.rest->points);
-    frame->rest = m_shape.rest;
-    frame->facets = m_shape.facets;
-    frame->material = m_shape.material;
+    frame->shape = shape->rest;
+    frame->vertices = rest.vertexCount();
+    frame->cells = rest.cellCount();
+    frame->diagonal = boundingBoxDiagonal<Dim>(rest.points);
+    frame->built = shape;
+    frame->rest = shape->rest;
+    frame->facets = shape->facets;
+    frame->material = shape->material;
     frame->pose = pose;
-    frame->distortion = distortion<Dim>(*m_shape.rest, pose);
-    frame->growth = measureOf<Dim>(*m_shape.rest, pose) / m_restMeasure;
+    frame->distortion = distortion<Dim>(rest, pose);
+    frame->growth = measureOf<Dim>(rest, pose) / measureOf<Dim>(rest, rest.points);
     frame->pinError = pinError;
     return frame;
 }

@@ -20,8 +20,6 @@ class ShapeEngine {
         std::function<void(FramePtr)> frameReady;
         std::function<void(double time, double end)> progress;
         std::function<void(double time, std::string problem)> finished;
-        /// Stopped as soon as another request waits.
-        std::function<std::stop_token()> interruption;
     };
     static std::unique_ptr<ShapeEngine> make(int dimension, Sink sink);
     virtual ~ShapeEngine() = default;
@@ -29,11 +27,14 @@ class ShapeEngine {
     virtual int dimension() const = 0;
     /// True if there is nothing to compute without another request.
     virtual bool isIdle() const = 0;
+    /// What is to be made; work() makes it.
     virtual void setShape(const SetShape& request) = 0;
-    virtual void beginDrag(const BeginDrag& request, std::stop_token stop) = 0;
+    /// Begins at once, from what is seen; what was to be made goes on afterwards.
+    virtual void beginDrag(const BeginDrag& request) = 0;
     virtual void dragTo(const DragTo& request) = 0;
-    virtual void endDrag(const EndDrag& request) = 0;
-    virtual void runPass(std::stop_token stop) = 0;
+    virtual void endDrag() = 0;
+    /// The mesh, or the motion on it; goes on where it was stopped.
+    virtual void work(std::stop_token stop) = 0;
     /// After a failure: forgets what it was doing.
     virtual void giveUp() = 0;
 };
@@ -44,34 +45,44 @@ class ShapeEngineOf : public ShapeEngine {
     explicit ShapeEngineOf(Sink sink) : m_sink(std::move(sink)) {}
 
     int dimension() const override { return Dim; }
-    bool isIdle() const override { return !m_pass.isSet() || m_pass.isFinished() || m_dragging; }
+    bool isIdle() const override {
+        return m_dragging || (!m_wanted && (!m_pass.isSet() || m_pass.isFinished()));
+    }
     void setShape(const SetShape& request) override;
-    void beginDrag(const BeginDrag& request, std::stop_token stop) override;
+    void beginDrag(const BeginDrag& request) override;
     void dragTo(const DragTo& request) override;
-    void endDrag(const EndDrag& request) override;
-    void runPass(std::stop_token stop) override;
+    void endDrag() override { m_dragging = false; }
+    void work(std::stop_token stop) override;
     void giveUp() override;
 
   private:
     const std::vector<Handle<Dim>>& handles() const;
     std::vector<int> activeHandles() const;
-    void prepareDrag();
+    using BuiltPtr = std::shared_ptr<const BuiltShape<Dim>>;
+    struct Seen {  // where a drag begins
+        BuiltPtr shape;
+        Points<Dim> pose;
+    };
+    Seen seen(const BeginDrag& request) const;
+    void prepareDrag(const BuiltPtr& shape);
+    void build(std::stop_token stop);
+    void runPass(std::stop_token stop);
     void tellFinished();
-    std::shared_ptr<PosedFrame<Dim>> makeFrame(double time, const Points<Dim>& pose, double pinError) const;
+    std::shared_ptr<PosedFrame<Dim>> makeFrame(const BuiltPtr& shape, double time, const Points<Dim>& pose,
+                                               double pinError) const;
 
     Sink m_sink;
     ShapeBuilder<Dim> m_builder;
-    BuiltShape<Dim> m_shape;
-    double m_restMeasure = 1;
-    std::shared_ptr<const Project> m_project;
+    BuiltPtr m_shape;
+    std::shared_ptr<const Project> m_project;  // the newest, of m_revision: its mesh may be yet to come
+    int m_revision = 0;
+    std::optional<SetShape> m_wanted;  // to be built
     MotionPass<Dim> m_pass;
     std::optional<LiveDrag<Dim>> m_live;  // made ahead of the next drag
     bool m_dragging = false;
-    struct Preview {
-        Points<Dim> pose;
-        double end = 0;  // of the project that the drag makes
-    };
-    std::optional<Preview> m_preview;  // where the last drag ended, until its exact motion is there
+    Seen m_held;            // of the drag that goes on
+    int m_gesture = 0;      // its number
+    std::string m_refusal;  // why it cannot move anything
 };
 
 }  // namespace wend

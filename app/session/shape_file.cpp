@@ -4,6 +4,7 @@
 
 #include "app/session/output_set.h"
 #include "core/energy/distortion.h"
+#include "core/mesh/error.h"
 #include "core/mesh/file_name.h"
 #include "core/mesh/gltf.h"
 #include "core/mesh/number_text.h"
@@ -89,6 +90,9 @@ std::vector<MeshField> shapeFields(const Scene<Dim>& scene, const Points<Dim>& p
 template <int Dim>
 MeshFile poseFile(const Scene<Dim>& scene, const Points<Dim>& pose, const std::vector<MeshField>& fields) {
     MeshFile file = scene.source ? *scene.source : toMeshFile<Dim>(*scene.rest);
+    if (file.points.cols() != pose.cols())
+        throw InputError("the mesh has " + std::to_string(file.points.cols()) + " vertices, its pose " +
+                         std::to_string(pose.cols()));
     file.points.template topRows<Dim>() = pose;
     if constexpr (Dim == 2)
         if (!scene.source && scene.picture) addUv(scene, file);

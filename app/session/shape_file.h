@@ -16,7 +16,8 @@ std::vector<MeshField> shapeFields(const Scene<Dim>& scene, const Points<Dim>& p
                                    const Points<Dim>& velocity = {});
 
 /// The mesh of a pose with what the domain's file said beside it: uv, fields, labels, order and count. Of a
-/// picture, uv come from the rest mesh. `fields` win over those of the same name.
+/// picture, uv come from the rest mesh. `fields` win over those of the same name. Throws InputError for a
+/// pose of another mesh.
 template <int Dim>
 MeshFile poseFile(const Scene<Dim>& scene, const Points<Dim>& pose,
                   const std::vector<MeshField>& fields = {});

@@ -27,17 +27,7 @@ bool isIn(const FrameTrack& track, const FramePtr& frame) {
 
 ShapeSession::ShapeSession(QObject* parent) : QObject(parent) {
     connect(&m_document, &Document::projectChanged, this, &ShapeSession::postShape);
-    connect(&m_document, &Document::opened, this, [this] {
-        m_track.clear();
-        m_shape.reset();
-        m_holds = {};
-        m_preview.reset();
-        m_drag.reset();
-        m_selection.clear();
-        m_playback.setPlaying(false);
-        m_playback.setEnd(0);
-        show({}, false);
-    });
+    connect(&m_document, &Document::opened, this, &ShapeSession::reset);
     connect(&m_playback, &Playback::timeChanged, this, [this](double time) {
         if (m_drag) return;
         if (m_preview && m_preview->time != time) m_preview.reset();
@@ -51,8 +41,25 @@ ShapeSession::ShapeSession(QObject* parent) : QObject(parent) {
     connect(&m_compute, &ComputeThread::progress, this, &ShapeSession::progress);
 }
 
+/// For another file: what went on with the last one ends.
+void ShapeSession::reset() {
+    cancelDrag();
+    m_track.clear();
+    m_shape.reset();
+    m_holds = {};
+    m_preview.reset();
+    m_trackIsCurrent = false;
+    ++m_revision;
+    m_selection.clear();
+    m_playback.setPlaying(false);
+    m_playback.setEnd(0);
+    show({}, false);
+    if (m_document.isEmpty()) setBusy(false);
+}
+
 void ShapeSession::postShape() {
     if (m_document.isEmpty()) return;
+    cancelDrag();  // undo in the middle of it: its handles may be gone
     const double end = motionEnd(*m_document.project());
     if (m_preview && end < m_preview->time) m_preview.reset();
     const int count = handleCount();
@@ -60,6 +67,7 @@ void ShapeSession::postShape() {
     std::erase_if(kept, [count](int h) { return h >= count; });
     m_selection.set(std::move(kept));
     m_trackIsCurrent = false;
+    m_sameShape = m_addsHandle && !m_stale;
     setBusy(true);
     m_compute.post(SetShape{{m_document.generation(), ++m_revision, m_document.project(),
                              m_document.picture(), m_document.folder().toStdString()}});
@@ -79,11 +87,11 @@ void ShapeSession::takeShape(int revision, const std::shared_ptr<const void>& sh
 }
 
 void ShapeSession::takeFrame(const FramePtr& frame) {
-    if (frame->shape != m_shape) return;
     if (frame->live) {
-        takeLive(frame);
+        if (frame->gesture == m_gesture) takeLive(frame);
         return;
     }
+    if (frame->shape != m_shape) return;
     m_track.add(frame);
     m_playback.setReady(frame->time);
     if (!m_drag) showTime();
@@ -91,7 +99,9 @@ void ShapeSession::takeFrame(const FramePtr& frame) {
 
 void ShapeSession::takeLive(const FramePtr& frame) {
     if (!m_drag) {
-        if (m_preview) m_preview = frame;  // the tail of a drag that has just ended
+        if (!m_preview) return;
+        m_preview = atTime(frame, m_preview->time);  // the tail of a drag that has just ended
+        showTime();
         return;
     }
     const bool wasStopped = m_drag->isStopped();
@@ -99,7 +109,7 @@ void ShapeSession::takeLive(const FramePtr& frame) {
     m_preview = frame;
     show(frame, false);
     if (frame->stopped && !wasStopped)
-        emit notice(tr("%1 cannot go further: the shape would fold over. %2")
+        emit notice(tr("%1 cannot go further: %2")
                         .arg(nameOf(m_drag->handles()), QString::fromStdString(frame->message)));
 }
 
@@ -107,6 +117,7 @@ void ShapeSession::takeFinished(double time, const QString& problem) {
     if (!m_trackIsCurrent) return;
     if (!problem.isEmpty()) emit notice(tr("The motion stops at %1: %2").arg(time, 0, 'f', 2).arg(problem));
     m_preview.reset();
+    m_previewBefore.reset();
     setBusy(false);
     if (!m_track.isEmpty()) m_playback.setReady(m_playback.end());
     showTime();
@@ -114,9 +125,9 @@ void ShapeSession::takeFinished(double time, const QString& problem) {
 
 void ShapeSession::takeFailure(const QString& reason) {
     m_failed = true;
+    cancelDrag();
     m_preview.reset();
     setBusy(false);
-    cancelDrag();
     emit problem(reason);
 }
 
@@ -128,11 +139,11 @@ void ShapeSession::showTime() {
     if (m_preview && (!frame || !m_trackIsCurrent))
         show(m_preview, false);
     else if (frame)
-        show(frame, !m_trackIsCurrent);
+        show(frame, !m_trackIsCurrent && !m_sameShape);
     else if (m_trackIsCurrent && !m_track.isEmpty() && (!m_frame || isIn(m_track, m_frame)))
         show(m_track.last(), true);  // as far as it has come
     else
-        show(m_frame, m_frame != nullptr);
+        show(m_frame, m_frame && !m_sameShape);
 }
 
 void ShapeSession::show(const FramePtr& frame, bool stale) {
@@ -166,12 +177,22 @@ int ShapeSession::handleCount() const {
 }
 
 template <int Dim>
-std::vector<PinView<Dim>> ShapeSession::pins() const {
+std::vector<PinView<Dim>> ShapeSession::views(bool holding) const {
     const auto shape = frame<Dim>();
     if (!shape || m_document.dimension() != Dim) return {};
     const double time = m_drag ? motionEnd(*m_document.project()) : m_playback.time();
-    auto views =
-        viewPins<Dim>(m_document.design<Dim>().handles, places<Dim>(), *shape->rest, shape->pose, time);
+    return viewPins<Dim>(m_document.design<Dim>().handles, places<Dim>(), *shape->rest, shape->pose, time,
+                         holding);
+}
+
+template <int Dim>
+std::vector<PinView<Dim>> ShapeSession::ghosts() const {
+    return views<Dim>(false);
+}
+
+template <int Dim>
+std::vector<PinView<Dim>> ShapeSession::pins() const {
+    auto views = this->views<Dim>(true);
     if (!m_drag) return views;
     // The handle follows at once, the shape catches up.
     const Amount amount = m_drag->amount();
@@ -190,7 +211,7 @@ std::vector<Vec<Dim>> ShapeSession::pathStarts(int handle) const {
     std::vector<Vec<Dim>> starts;
     const auto shown = frame<Dim>();
     if (!shown || m_document.dimension() != Dim) return starts;
-    const double from = m_document.design<Dim>().handles[handle].activeFrom;
+    const double from = m_document.design<Dim>().handles.at(handle).activeFrom;
     const auto first = posed<Dim>(from > 0 ? m_track.at(from) : FramePtr());
     const SimplicialMesh<Dim>& rest = *shown->rest;
     const Points<Dim>& pose = first && first->rest == shown->rest ? first->pose : rest.points;
@@ -206,9 +227,9 @@ double ShapeSession::pixel() const {
 template <int Dim>
 int ShapeSession::addPin(const Vec<Dim>& p) {
     if (!m_frame || m_document.dimension() != Dim) return -1;
-    goToEnd();
     const auto shape = frame<Dim>();
     const auto rest = shape ? restPoint<Dim>(*shape->rest, shape->pose, p) : std::nullopt;
+    if (!rest) emit notice(tr("There is no pin: this place lies outside of the shape."));
     return rest ? addHandle<Dim>(std::vector<Vec<Dim>>{*rest}, "Pin") : -1;
 }
 
@@ -216,9 +237,11 @@ template <int Dim>
 int ShapeSession::addHandle(Placement<Dim> at, const std::string& kind) {
     if (!m_frame || m_document.dimension() != Dim) return -1;
     goToEnd();
+    m_addsHandle = true;
     const std::string name = freePinName(m_document.design<Dim>(), kind);
     m_document.change(tr("Add %1").arg(QString::fromStdString(name)),
                       withHandle<Dim>(*m_document.project(), std::move(at), name));
+    m_addsHandle = false;
     const int handle = handleCount() - 1;
     m_selection.set({handle});
     return handle;
@@ -265,9 +288,8 @@ void ShapeSession::removeSelected() {
 
 template <int Dim>
 void ShapeSession::nudgeSelected(const Vec<Dim>& by) {
-    if (m_selection.isEmpty() || m_drag || !m_frame) return;
-    goToEnd();
-    const auto handles = m_selection.handles();
+    const auto handles = movableHandles();
+    if (handles.empty()) return;
     QString key = QStringLiteral("nudge");
     for (const int h : handles) key += QStringLiteral(" %1").arg(h);
     const Project& project = *m_document.project();
@@ -280,36 +302,56 @@ void ShapeSession::nudgeSelected(const Vec<Dim>& by) {
 
 template <int Dim>
 void ShapeSession::moveSelected(const Grip& grip, const Amount& amount) {
-    if (m_selection.isEmpty() || m_drag || !m_frame || amount == Amount::Zero()) return;
-    goToEnd();
-    takeHold<Dim>();
-    pushGesture<Dim>(DragGesture(m_selection.handles(), grip), {Amount::Zero(), amount});
+    if (amount == Amount::Zero()) return;
+    const auto handles = movableHandles();
+    if (handles.empty()) return;
+    takeHold<Dim>(handles);
+    pushGesture<Dim>(DragGesture(handles, grip), {Amount::Zero(), amount});
 }
 
-/// Remembers where the selected handles are.
+/// The selected handles that hold the shape at the end, where gestures go on; goes there.
+std::vector<int> ShapeSession::movableHandles() {
+    if (m_selection.isEmpty() || m_drag || !m_frame) return {};
+    goToEnd();
+    std::vector<int> handles = m_selection.handles();
+    const double end = motionEnd(*m_document.project());
+    std::visit(
+        [&](const auto& design) {
+            std::erase_if(handles, [&](int h) { return !isActive(design.handles.at(h), end); });
+        },
+        m_document.project()->design);
+    if (handles.empty())
+        emit notice(tr("%1 does not hold the shape at the end any more.").arg(nameOf(m_selection.handles())));
+    return handles;
+}
+
+/// Remembers where the handles are.
 template <int Dim>
-void ShapeSession::takeHold() {
+void ShapeSession::takeHold(const std::vector<int>& handles) {
     auto& grabbed = std::get<Hold<Dim>>(m_holds).grabbed;
     grabbed = pins<Dim>();
-    std::erase_if(grabbed, [this](const auto& view) { return !m_selection.contains(view.handle); });
+    std::erase_if(grabbed, [&](const auto& view) {
+        return std::find(handles.begin(), handles.end(), view.handle) == handles.end();
+    });
 }
 
 void ShapeSession::beginDrag(const Grip& grip) {
-    if (m_selection.isEmpty() || m_drag || !m_frame) return;
     m_playback.setPlaying(false);
-    goToEnd();
+    const auto handles = movableHandles();
+    if (handles.empty()) return;
     if (m_frame->dimension == 2)
-        takeHold<2>();
+        takeHold<2>(handles);
     else
-        takeHold<3>();
-    m_drag.emplace(m_selection.handles(), grip);
-    m_compute.post(BeginDrag{m_selection.handles(), grip});
+        takeHold<3>(handles);
+    m_previewBefore = m_preview;
+    m_drag.emplace(handles, grip);
+    m_compute.post(BeginDrag{handles, grip, ++m_gesture, m_revision, m_frame});
 }
 
 void ShapeSession::dragBy(const Amount& amount) {
     if (!m_drag) return;
     const int sample = m_drag->add(amount);
-    m_compute.post(DragTo{{amount}, sample});
+    m_compute.post(DragTo{amount, sample});
     emit pinsChanged();
 }
 
@@ -329,15 +371,14 @@ void ShapeSession::endDrag(double tolerance) {
     const DragGesture drag = std::move(*m_drag);
     m_drag.reset();
     const auto path = drag.path(tolerance);
-    m_compute.post(EndDrag{path.size() > 1});
+    m_compute.post(EndDrag{});
     if (path.size() < 2) {
-        m_preview.reset();
+        m_preview = m_previewBefore;
         showTime();
         return;
     }
-    if (m_preview) {  // from now on it stands for the end of the longer motion
-        m_preview = atTime(m_preview, motionEnd(*m_document.project()) + 1);
-    }
+    // From now on it stands for the end of the longer motion; its last frames may be yet to come.
+    m_preview = atTime(m_preview ? m_preview : m_frame, motionEnd(*m_document.project()) + 1);
     if (m_document.dimension() == 2)
         pushGesture<2>(drag, path);
     else
@@ -347,8 +388,9 @@ void ShapeSession::endDrag(double tolerance) {
 void ShapeSession::cancelDrag() {
     if (!m_drag) return;
     m_drag.reset();
-    m_preview.reset();
-    m_compute.post(EndDrag{false});
+    m_preview = m_previewBefore;
+    ++m_gesture;  // frames of it that are under way are void
+    m_compute.post(EndDrag{});
     showTime();
     emit pinsChanged();
 }
@@ -371,12 +413,14 @@ std::vector<Vec<Dim>> ShapeSession::centresOf(const std::vector<int>& handles) c
 
 QString ShapeSession::nameOf(const std::vector<int>& handles) const {
     if (handles.size() != 1) return tr("%n pins", nullptr, static_cast<int>(handles.size()));
-    return QString::fromStdString(std::visit(
-        [&](const auto& design) { return design.handles[handles[0]].name; }, m_document.project()->design));
+    return QString::fromStdString(
+        std::visit([&](const auto& design) { return design.handles.at(handles[0]).name; },
+                   m_document.project()->design));
 }
 
 #define WEND_INSTANTIATE(Dim)                                                      \
     template std::vector<PinView<Dim>> ShapeSession::pins<Dim>() const;            \
+    template std::vector<PinView<Dim>> ShapeSession::ghosts<Dim>() const;          \
     template std::vector<Vec<Dim>> ShapeSession::pathStarts<Dim>(int) const;       \
     template int ShapeSession::addPin<Dim>(const Vec<Dim>&);                       \
     template int ShapeSession::addHandle<Dim>(Placement<Dim>, const std::string&); \

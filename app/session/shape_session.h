@@ -42,6 +42,9 @@ class ShapeSession : public QObject {
     /// The handles at the time that is shown; dragged ones are where the pointer has them.
     template <int Dim = 2>
     std::vector<PinView<Dim>> pins() const;
+    /// The handles that do not hold at that time: where they would be.
+    template <int Dim = 2>
+    std::vector<PinView<Dim>> ghosts() const;
     /// Where a handle's points are when it begins to hold: the starts of its paths.
     template <int Dim = 2>
     std::vector<Vec<Dim>> pathStarts(int handle) const;
@@ -50,7 +53,7 @@ class ShapeSession : public QObject {
     double pixel() const;
 
     // gestures
-    /// A pin at a point of the shape as it is shown; −1 if there is no shape.
+    /// A pin at a point of the shape as it is shown; −1, with a notice, beside it.
     template <int Dim = 2>
     int addPin(const Vec<Dim>& p);
     /// A handle of any kind, in terms of the rest shape, named "<kind> 1", "<kind> 2" …
@@ -70,6 +73,7 @@ class ShapeSession : public QObject {
     template <int Dim>
     void moveSelected(const Grip& grip, const Amount& amount);
     bool isDragging() const { return m_drag.has_value(); }
+    /// Of the selected handles those that hold at the end; a notice if there are none.
     void beginDrag(const Grip& grip = {});
     template <int Dim = 2>
     void dragTo(const Vec<Dim>& offset) {
@@ -92,6 +96,7 @@ class ShapeSession : public QObject {
     void problem(QString text);
 
   private:
+    void reset();
     void postShape();
     void takeShape(int revision, const std::shared_ptr<const void>& shape, double keptUpTo);
     void takeFrame(const FramePtr& frame);
@@ -105,7 +110,10 @@ class ShapeSession : public QObject {
     const std::vector<PinPlace<Dim>>& places() const;
     void goToEnd();
     template <int Dim>
-    void takeHold();
+    std::vector<PinView<Dim>> views(bool holding) const;
+    std::vector<int> movableHandles();
+    template <int Dim>
+    void takeHold(const std::vector<int>& handles);
     template <int Dim>
     void pushGesture(const DragGesture& drag, const std::vector<Amount>& path);
     template <int Dim>
@@ -117,10 +125,14 @@ class ShapeSession : public QObject {
     Selection m_selection;
     Playback m_playback;
     FrameTrack m_track;
-    FramePtr m_frame;    // shown
-    FramePtr m_preview;  // the last frame of a drag, until the exact motion is there
+    FramePtr m_frame;          // shown
+    FramePtr m_preview;        // the last frame of a drag, until the exact motion is there
+    FramePtr m_previewBefore;  // the drag that goes on
     bool m_stale = false, m_busy = false, m_failed = false;
-    int m_revision = 0;  // of the newest request for a shape
+    bool m_addsHandle = false;  // a change that moves nothing is being made
+    bool m_sameShape = false;   // what is shown stays as it is, though something is computed
+    int m_gesture = 0;          // number of the newest drag
+    int m_revision = 0;         // of the newest request for a shape
     bool m_trackIsCurrent = false;
     std::shared_ptr<const void> m_shape;  // the newest rest mesh
     template <int Dim>

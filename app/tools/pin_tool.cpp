@@ -9,6 +9,7 @@ namespace wend {
 namespace {
 
 constexpr double kReach = 8;           // pixels of the screen
+constexpr double kGhostReach = 5;      // of handles that do not hold now: a new pin may be wanted there
 constexpr double kStrokeDetail = 0.5;  // pixels of the screen that a recorded path may deviate
 constexpr double kLeastDetail = 0.2;   // but no less than this, in pixels of the picture
 
@@ -51,6 +52,12 @@ int PinTool::handleAt(const QPointF& widget) const {
             const double d = distance(surface().toWidget(spot), widget);
             if (d <= nearest) nearest = d, best = pin.handle;
         }
+    }
+    if (best >= 0) return best;
+    nearest = kGhostReach;
+    for (const PinView<2>& ghost : session().ghosts()) {
+        const double d = distance(surface().toWidget(ghost.centre), widget);
+        if (d <= nearest) nearest = d, best = ghost.handle;
     }
     return best;
 }

@@ -4,6 +4,7 @@
 #include <QtConcurrent>
 #include <cmath>
 
+#include "app/session/shape_builder.h"
 #include "app/view/overlay_painter.h"
 #include "app/view/screen_picture.h"
 
@@ -14,6 +15,21 @@ namespace {
 constexpr double kMargin = 36;
 constexpr int kRefineAfter = 140;  // milliseconds
 constexpr int kDimAfter = 250;
+
+/// A picture at rest on two triangles.
+PosedPtr<2> unbent(const Image& picture) {
+    auto rest = std::make_shared<SimplicialMesh<2>>();
+    rest->points.resize(2, 4);
+    const double w = picture.width, h = picture.height;
+    rest->points << 0, w, w, 0, 0, 0, h, h;
+    rest->cells = {{0, 1, 2}, {0, 2, 3}};
+    auto frame = std::make_shared<PosedFrame<2>>();
+    frame->dimension = 2;
+    frame->rest = rest;
+    frame->pose = rest->points;
+    frame->distortion = distortion<2>(*rest, rest->points);
+    return frame;
+}
 
 }  // namespace
 
@@ -53,6 +69,8 @@ bool ShapeCanvas::isSettled() const {
 
 void ShapeCanvas::takeOpened() {
     m_picture.reset();
+    m_unbent.reset();
+    m_source.reset();
     m_drawn.reset();
     m_hovered = -1;
     const auto& picture = m_session.document().picture();
@@ -61,12 +79,32 @@ void ShapeCanvas::takeOpened() {
     fit();
     update();
     if (!picture) return;
+    m_unbent = unbent(*picture);
+    preparePicture(picture);
+}
+
+void ShapeCanvas::preparePicture(const std::shared_ptr<const Image>& picture) {
+    m_source = picture;
     const auto prepare = [picture] { return std::make_shared<const Pyramid>(screenPicture(picture)); };
     QtConcurrent::run(prepare).then(this, [this, picture](const std::shared_ptr<const Pyramid>& prepared) {
-        if (m_session.document().picture() != picture) return;
+        if (m_source != picture) return;
         m_picture = prepared;
         render();
     });
+}
+
+/// A mesh may bring its picture; y points down where its coordinates are pixels.
+void ShapeCanvas::takeTexture(const PosedFrame<2>& frame) {
+    const auto& texture = frame.built->texture;
+    if (!texture || texture->picture == m_source) return;
+    const Mat<2>& A = texture->toPixels.A;
+    m_view.setPointsUp(A(0, 0) * A(1, 1) < A(0, 1) * A(1, 0));
+    preparePicture(texture->picture);
+}
+
+PosedPtr<2> ShapeCanvas::drawnFrame() const {
+    const auto frame = m_session.frame<2>();
+    return frame ? frame : m_unbent;
 }
 
 QRectF ShapeCanvas::frameRect() const {
@@ -80,7 +118,9 @@ QRectF ShapeCanvas::frameRect() const {
 }
 
 void ShapeCanvas::takeFrame() {
-    const bool first = !m_drawn && !m_session.document().picture() && m_session.frame<2>();
+    const auto frame = m_session.frame<2>();
+    const bool first = !m_drawn && !m_session.document().picture() && frame;
+    if (first) takeTexture(*frame);
     if (m_session.isStale() && !m_dimmed) {
         if (!m_dim.isActive()) m_dim.start();
     } else if (!m_session.isStale()) {
@@ -94,13 +134,15 @@ void ShapeCanvas::takeFrame() {
 RenderRequest ShapeCanvas::request(Filter filter) const {
     RenderRequest request;
     request.picture = m_picture;
-    request.frame = m_session.frame<2>();
+    request.frame = drawnFrame();
+    if (request.frame && request.frame->built) request.texture = request.frame->built->texture;
     request.view = m_view;
     request.size = size();
     request.ratio = devicePixelRatioF();
     request.filter = filter;
-    request.mesh = (m_mesh || !m_picture) && !m_hidden;
-    request.map = m_map && !m_hidden;
+    const bool isShape = request.frame != m_unbent;
+    request.mesh = isShape && (m_mesh || !m_picture) && !m_hidden;
+    request.map = isShape && m_map && !m_hidden;
     request.measure = m_measure;
     request.range = m_range;
     request.fill = Theme::of(palette()).dark ? QColor(0x5b6070) : QColor(0xbfc6dd);
@@ -109,7 +151,7 @@ RenderRequest ShapeCanvas::request(Filter filter) const {
 }
 
 void ShapeCanvas::render() {
-    if (m_session.frame<2>() && (m_picture || !m_session.document().picture())) {
+    if (drawnFrame() && (m_picture || !m_session.document().picture())) {
         m_renderer.post(request(Filter::Bilinear));
         m_refine.start();
     }
@@ -117,14 +159,9 @@ void ShapeCanvas::render() {
 }
 
 void ShapeCanvas::takeRendered(const std::shared_ptr<const RenderResult>& result) {
-    if (!m_session.frame<2>() || result->request.picture != m_picture) return;
+    if (!drawnFrame() || result->request.picture != m_picture) return;
     m_drawn = result;
     update();
-}
-
-void ShapeCanvas::viewChanged() {
-    emit zoomChanged(m_view.zoom());
-    render();
 }
 
 void ShapeCanvas::fit() {
@@ -135,13 +172,13 @@ void ShapeCanvas::fit() {
     m_view.setZoomLimits(0.005 * natural, 64 * natural);
     m_view.fit(frame, size(), kMargin);
     m_fitted = true;
-    viewChanged();
+    render();
 }
 
 void ShapeCanvas::zoomTo(double zoom) {
     m_fitted = false;
     m_view.setZoom(zoom, rect().center());
-    viewChanged();
+    render();
 }
 
 void ShapeCanvas::zoomBy(double factor) {
@@ -150,12 +187,13 @@ void ShapeCanvas::zoomBy(double factor) {
 
 void ShapeCanvas::showWorst() {
     const auto frame = m_session.frame<2>();
-    if (!frame || frame->distortion.worstCell < 0) return;
+    const int cell = frame ? worstOf(frame->distortion, m_measure).cell : -1;
+    if (cell < 0) return;
     Vec<2> centre = Vec<2>::Zero();
-    for (const int v : frame->rest->cells[frame->distortion.worstCell]) centre += frame->pose.col(v) / 3;
+    for (const int v : frame->rest->cells[cell]) centre += frame->pose.col(v) / 3;
     m_fitted = false;
     m_view.pan(QPointF(rect().center()) - m_view.toWidget(centre));
-    viewChanged();
+    render();
 }
 
 void ShapeCanvas::setMeshShown(bool shown) {
@@ -211,7 +249,7 @@ void ShapeCanvas::paintEvent(QPaintEvent*) {
     paintShape(painter);
     painter.setRenderHint(QPainter::Antialiasing);
     if (const auto frame = m_session.frame<2>(); !m_hidden && frame) {
-        if (m_map) overlay.worst(*frame);
+        if (m_map) overlay.worst(*frame, worstOf(frame->distortion, m_measure).cell);
         overlay.paths(m_session);
         overlay.pins(m_session, m_hovered);
     }
@@ -244,7 +282,7 @@ void ShapeCanvas::mouseMoveEvent(QMouseEvent* event) {
         m_fitted = false;
         m_view.pan(event->position() - m_lastPan);
         m_lastPan = event->position();
-        viewChanged();
+        render();
     } else if (m_tool) {
         m_tool->move(*event);
         emit hintChanged(m_tool->hint());
@@ -272,7 +310,7 @@ void ShapeCanvas::wheelEvent(QWheelEvent* event) {
     if (steps == 0) return;
     m_fitted = false;
     m_view.setZoom(m_view.zoom() * std::pow(1.2, steps), event->position());
-    viewChanged();
+    render();
     event->accept();
 }
 

@@ -20,8 +20,6 @@ class ShapeCanvas : public QWidget, public ToolSurface {
     void setTool(Tool* tool);
     Tool* tool() const { return m_tool; }
 
-    bool showsMesh() const { return m_mesh; }
-    bool showsMap() const { return m_map; }
     const ViewTransform& view() const { return m_view; }
     /// What was drawn last; null before.
     const std::shared_ptr<const RenderResult>& drawn() const { return m_drawn; }
@@ -49,7 +47,6 @@ class ShapeCanvas : public QWidget, public ToolSurface {
     void hintChanged(QString hint);
     /// Where the pointer is in the domain; `inside` is false when it has left.
     void pointed(double x, double y, bool inside);
-    void zoomChanged(double zoom);
 
   protected:
     void paintEvent(QPaintEvent* event) override;
@@ -67,11 +64,13 @@ class ShapeCanvas : public QWidget, public ToolSurface {
 
   private:
     void takeOpened();
+    void preparePicture(const std::shared_ptr<const Image>& picture);
+    void takeTexture(const PosedFrame<2>& frame);
+    PosedPtr<2> drawnFrame() const;
     void takeFrame();
     void takeRendered(const std::shared_ptr<const RenderResult>& result);
     RenderRequest request(Filter filter) const;
     void render();
-    void viewChanged();
     QRectF frameRect() const;
     void paintShape(QPainter& painter);
     void updateCursor();
@@ -79,7 +78,9 @@ class ShapeCanvas : public QWidget, public ToolSurface {
 
     ShapeSession& m_session;
     Tool* m_tool = nullptr;
+    std::shared_ptr<const Image> m_source;  // the document's picture, or that of a file's mesh
     std::shared_ptr<const Pyramid> m_picture;
+    PosedPtr<2> m_unbent;  // the picture as it is, before the first mesh
     ViewTransform m_view;
     std::shared_ptr<const RenderResult> m_drawn;
     QTimer m_refine;  // draws at full quality once nothing has moved for a while

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "app/session/fields.h"
+#include "app/session/opening.h"
 #include "app/session/run.h"
 #include "app/session/shape_file.h"
 #include "core/mesh/error.h"
@@ -26,16 +27,33 @@ const char* const kSolidFramesFilter =
     "glTF (*.glb);;VTU (*.vtu);;Wavefront OBJ (*.obj);;PLY (*.ply);;STL (*.stl);;Medit (*.mesh);;VTK (*.vtk)";
 const char* const kPictureFilter = "PNG (*.png);;TIFF (*.tif);;OpenEXR (*.exr);;JPEG (*.jpg);;WebP (*.webp)";
 
-void writePicture(const std::string& path, const Image& source, const PosedFrame<2>& frame, int restMargin,
+/// A frame in the pixels of its picture: the document's, or that of a file's mesh.
+struct Pixels {
+    std::shared_ptr<const Image> picture;
+    std::shared_ptr<const SimplicialMesh<2>> rest;
+    Points<2> pose;
+
+    Pixels(const Document& document, const PosedPtr<2>& frame) {
+        if (!frame) return;
+        picture = document.picture();
+        rest = frame->rest;
+        pose = frame->pose;
+        const auto& texture = frame->built->texture;
+        if (picture || !texture) return;
+        picture = texture->picture;
+        rest = texture->rest;
+        pose = texture->toPixels(frame->pose);
+    }
+    View view() const { return {picture->width, picture->height, Vec<2>::Zero(), 1}; }
+};
+
+void writePicture(const std::string& path, const Pixels& pixels, int restMargin,
                   const std::function<void(double)>& progress, std::stop_token stop) {
-    View view;
-    view.width = source.width;
-    view.height = source.height;
     WarpOptions options;
     options.restMargin = restMargin;
     options.stop = stop;
     options.progress = progress;
-    writeWarped(path, WarpedPicture(source, *frame.rest, frame.pose, view, options));
+    writeWarped(path, WarpedPicture(*pixels.picture, *pixels.rest, pixels.pose, pixels.view(), options));
 }
 
 /// What went wrong, or nothing. (Futures would slice the exception.)
@@ -65,20 +83,29 @@ Exporter::~Exporter() {
 QString Exporter::askName(const QString& title, const QString& suffix, const QString& filters) {
     const Document& document = m_session.document();
     const QString base = QFileInfo(document.displayName()).completeBaseName();
-    const QString proposal = QDir(document.folder()).filePath(base + suffix);
+    const QString proposal = QDir(proposedFolder(document)).filePath(base + suffix);
     QString chosen;
     QString path = QFileDialog::getSaveFileName(&m_window, title, proposal, filters, &chosen);
     if (!path.isEmpty() && QFileInfo(path).suffix().isEmpty()) path += '.' + QFileInfo(suffix).suffix();
     return path;
 }
 
+/// One at a time: the window is not blocked before the progress has been shown for a while.
+bool Exporter::isFree() {
+    if (!m_running.isRunning()) return true;
+    emit failed(tr("Another export is still being written. Try again in a moment."));
+    return false;
+}
+
 FramePtr Exporter::shownFrame() {
+    if (!isFree()) return {};
     if (m_session.frame() && !m_session.isBusy() && !m_session.isStale()) return m_session.frame();
     emit failed(tr("The shape is still being computed. Try again in a moment."));
     return {};
 }
 
 void Exporter::run(const QString& what, const QString& path, Job job) {
+    if (!isFree()) return;
     auto* dialog = new QProgressDialog(what, tr("Cancel"), 0, 1000, &m_window);
     dialog->setWindowModality(Qt::WindowModal);
     dialog->setMinimumDuration(400);
@@ -108,15 +135,14 @@ void Exporter::run(const QString& what, const QString& path, Job job) {
 }
 
 void Exporter::exportPicture() {
-    const auto frame = posed<2>(shownFrame());
-    const auto picture = m_session.document().picture();
-    if (!frame || !picture) return;
+    const Pixels pixels(m_session.document(), posed<2>(shownFrame()));
+    if (!pixels.picture) return;
     const QString path =
         askName(tr("Export Picture"), QStringLiteral("-bent.png"), QString::fromLatin1(kPictureFilter));
     if (path.isEmpty()) return;
     const int restMargin = restMarginOf(m_session.document().project()->domain);
     run(tr("Writing the picture …"), path, [=](const Progress& progress, std::stop_token stop) {
-        writePicture(path.toStdString(), *picture, *frame, restMargin, progress, stop);
+        writePicture(path.toStdString(), pixels, restMargin, progress, stop);
     });
 }
 
@@ -132,13 +158,12 @@ void Exporter::exportMesh() {
         askName(tr("Export Mesh"), QStringLiteral("-bent.obj"),
                 QStringLiteral("Wavefront OBJ (*.obj);;PLY (*.ply);;OFF (*.off);;VTU (*.vtu);;VTK (*.vtk)"));
     if (path.isEmpty()) return;
-    const auto project = m_session.document().project();
-    Scene<2> made;  // of a picture; a mesh's file has more to pass on
-    made.rest = frame->rest;
-    made.picture = m_session.document().picture();
+    Scene<2> scene;
+    scene.rest = frame->rest;
+    scene.source = frame->built->source;
+    scene.picture = m_session.document().picture();
+    if (scene.picture) scene.texture = textureOf(scene.picture, scene.rest, {});
     run(tr("Writing the mesh …"), path, [=](const Progress&, std::stop_token) {
-        const bool isMade = project->domain.kind == DomainKind::Image;
-        const Scene<2> scene = isMade ? made : std::get<Scene<2>>(loadScene(*project, {}));
         writeMeshFile(path.toStdString(), poseFile<2>(scene, frame->pose));
     });
 }
@@ -148,11 +173,14 @@ void Exporter::exportSolid(const PosedPtr<3>& frame) {
     const QString path =
         askName(tr("Export Mesh"), QStringLiteral("-bent.vtu"), QString::fromLatin1(kSolidFilter));
     if (path.isEmpty()) return;
-    const auto project = m_session.document().project();
+    Scene<3> scene;
+    scene.rest = frame->rest;
+    scene.material = frame->material;
+    scene.source = frame->built->source;
+    scene.skin = frame->built->skin;
+    scene.ride = frame->built->ride;
     const Points<3> velocity = velocityOf<3>(m_session.track(), *frame);
-    run(tr("Writing the mesh …"), path, [=](const Progress& progress, std::stop_token stop) {
-        const auto scene = std::get<Scene<3>>(loadScene(*project, {}, stop));
-        progress(0.5);
+    run(tr("Writing the mesh …"), path, [=](const Progress&, std::stop_token) {
         writeShape<3>(path.toStdString(), scene, frame->pose, shapeFields<3>(scene, frame->pose, velocity));
     });
 }
@@ -160,7 +188,8 @@ void Exporter::exportSolid(const PosedPtr<3>& frame) {
 void Exporter::exportFrames() {
     const Document& document = m_session.document();
     const bool solid = document.dimension() == 3;
-    if (!shownFrame() || (!document.picture() && !solid)) return;
+    const FramePtr frame = shownFrame();
+    if (!frame || !(solid || Pixels(document, posed<2>(frame)).picture)) return;
     const double seconds = m_session.playback().end() * Playback::kSecondsPerUnit;
     bool ok = false;
     const int count =
@@ -193,18 +222,14 @@ void Exporter::exportFrames() {
 }
 
 void Exporter::exportStMap() {
-    const auto frame = posed<2>(shownFrame());
-    const auto picture = m_session.document().picture();
-    if (!frame || !picture) return;
+    const Pixels pixels(m_session.document(), posed<2>(shownFrame()));
+    if (!pixels.picture) return;
     const QString path = askName(tr("Export ST Map"), QStringLiteral("-stmap.exr"),
                                  QStringLiteral("OpenEXR (*.exr);;TIFF (*.tif)"));
     if (path.isEmpty()) return;
     run(tr("Writing the map …"), path, [=](const Progress&, std::stop_token) {
-        View view;
-        view.width = picture->width;
-        view.height = picture->height;
-        writeImage(path.toStdString(),
-                   stMap(*frame->rest, frame->pose, view, picture->width, picture->height));
+        writeImage(path.toStdString(), stMap(*pixels.rest, pixels.pose, pixels.view(), pixels.picture->width,
+                                             pixels.picture->height));
     });
 }
 

@@ -37,6 +37,7 @@ class Exporter : public QObject {
     QString askName(const QString& title, const QString& suffix, const QString& filters);
     void run(const QString& what, const QString& path, Job job);
     FramePtr shownFrame();
+    bool isFree();
     void exportSolid(const PosedPtr<3>& frame);
 
     ShapeSession& m_session;

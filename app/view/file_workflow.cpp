@@ -7,7 +7,6 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QSettings>
-#include <QStandardPaths>
 #include <QtConcurrent>
 
 #include "app/session/opening.h"
@@ -60,13 +59,11 @@ void FileWorkflow::open(const QString& path) {
 
 void FileWorkflow::read(const QString& name, std::function<OpenedFile()> reader) {
     const int ticket = ++m_ticket;
-    ++m_opening;
     emit openingChanged(name);
     const auto before = m_document.project();
     QtConcurrent::run([reader = std::move(reader)] {
         return tryToRead(reader);
     }).then(this, [this, ticket, before](const Reading& reading) {
-        --m_opening;
         emit openingChanged({});
         if (!reading.error.isEmpty()) {
             emit failed(tr("This file cannot be opened. %1").arg(reading.error));
@@ -132,10 +129,8 @@ bool FileWorkflow::save() {
 /// Beside the project's or the picture's file, but not among the samples.
 QString FileWorkflow::proposedPath() const {
     if (!m_document.path().isEmpty()) return m_document.path();
-    const QString folder = samplePaths().contains(m_document.source())
-                               ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)
-                               : m_document.folder();
-    return QDir(folder).filePath(QFileInfo(m_document.source()).completeBaseName() + QStringLiteral(".wend"));
+    return QDir(proposedFolder(m_document))
+        .filePath(QFileInfo(m_document.source()).completeBaseName() + QStringLiteral(".wend"));
 }
 
 bool FileWorkflow::saveAs() {

@@ -18,7 +18,6 @@ class FileWorkflow : public QObject {
   public:
     FileWorkflow(Document& document, QWidget& window);
 
-    bool isOpening() const { return m_opening > 0; }
     QStringList recent() const;
     void fillRecent(QMenu& menu);
     void fillSamples(QMenu& menu);
@@ -54,8 +53,7 @@ class FileWorkflow : public QObject {
     QWidget& m_window;
     Recovery* m_recovery = nullptr;
     QString m_recoveredFrom;  // the copy that the document came from, until there is a new one
-    int m_opening = 0;
-    int m_ticket = 0;  // of the newest opening; older ones come too late
+    int m_ticket = 0;         // of the newest opening; older ones come too late
 };
 
 }  // namespace wend

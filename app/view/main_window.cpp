@@ -5,6 +5,7 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QScreen>
 #include <QScrollArea>
 #include <QSettings>
 #include <QStackedWidget>
@@ -18,6 +19,7 @@
 #include "app/panels/mesh_panel.h"
 #include "app/panels/panel_parts.h"
 #include "app/view/actions.h"
+#include "app/view/busy_note.h"
 #include "app/view/canvas.h"
 #include "app/view/exporter.h"
 #include "app/view/file_workflow.h"
@@ -49,12 +51,13 @@ MainWindow::MainWindow(QWidget* parent)
       m_mesh(new MeshPanel(m_session)),
       m_distortion(new DistortionPanel(m_session)),
       m_pages(new QStackedWidget),
+      m_note(new BusyNote(*m_pages)),
       m_pinTool(std::make_unique<PinTool>(*m_canvas, true)),
       m_selectTool(std::make_unique<PinTool>(*m_canvas, false)),
       m_systemPalette(QApplication::palette()) {
     setAcceptDrops(true);
     setWindowTitle(QStringLiteral("Wend[*]"));
-    resize(1280, 860);
+    fitToScreen();
     m_fields = new StatusFields(*statusBar(), m_session);
     m_solids = new SolidWorkshop({m_session, *m_actions, *m_distortion, *m_fields}, *this);
     m_actions->fillMenuBar(*this, m_solids->actions().menu());
@@ -67,6 +70,12 @@ MainWindow::MainWindow(QWidget* parent)
     connectHelp();
     setAppearance(static_cast<Appearance>(QSettings().value("appearance", 0).toInt()));
     showDocument();
+}
+
+/// The first size: what is comfortable, but no more than the screen has, with room for the frame.
+void MainWindow::fitToScreen() {
+    constexpr QSize kComfortable(1280, 860), kFrame(8, 40);
+    resize(kComfortable.boundedTo(screen()->availableSize() - kFrame));
 }
 
 MainWindow::~MainWindow() {
@@ -173,11 +182,11 @@ void MainWindow::connectFiles() {
     connect(m_files, &FileWorkflow::failed, m_banner, &InfoBanner::showText);
     connect(m_files, &FileWorkflow::opened, m_banner, &QWidget::hide);
     connect(m_files, &FileWorkflow::openingChanged, this, [this](const QString& name) {
-        if (name.isEmpty())
-            statusBar()->clearMessage();
-        else
-            statusBar()->showMessage(tr("Opening %1 …").arg(name));
+        m_opening = name;
+        showWork();
     });
+    connect(&m_session, &ShapeSession::frameChanged, this, &MainWindow::showWork);
+    connect(&m_session, &ShapeSession::busyChanged, this, &MainWindow::showWork);
     const auto showRecent = [this] {
         m_files->fillRecent(*m_actions->recent);
         m_start->setRecent(m_files->recent());
@@ -223,8 +232,10 @@ void MainWindow::connectView() {
     connect(a.systemLook, &QAction::triggered, this, [this] { setAppearance(Appearance::System); });
     connect(a.lightLook, &QAction::triggered, this, [this] { setAppearance(Appearance::Light); });
     connect(a.darkLook, &QAction::triggered, this, [this] { setAppearance(Appearance::Dark); });
-    connect(m_distortion, &DistortionPanel::mapChanged, this,
-            [this] { m_canvas->setMap(m_distortion->measure(), m_distortion->range()); });
+    connect(m_distortion, &DistortionPanel::mapChanged, this, [this] {
+        m_canvas->setMap(m_distortion->measure(), m_distortion->range());
+        m_fields->setMeasure(m_distortion->measure());
+    });
     connect(m_distortion, &DistortionPanel::showWorst, this, [this] {
         m_actions->showMap->setChecked(true);
         m_canvas->showWorst();
@@ -279,6 +290,16 @@ void MainWindow::showDocument() {
     showTitle();
 }
 
+/// What one waits for before there is anything to work on.
+void MainWindow::showWork() {
+    const Document& document = m_session.document();
+    const bool meshes = !document.isEmpty() && m_session.isBusy() && !m_session.frame();
+    if (!m_opening.isEmpty())
+        m_note->showText(tr("Opening %1 …").arg(m_opening));
+    else
+        m_note->showText(meshes ? tr("Meshing %1 …").arg(document.displayName()) : QString());
+}
+
 void MainWindow::showTitle() {
     const Document& document = m_session.document();
     setWindowTitle(document.isEmpty() ? QStringLiteral("Wend[*]")
@@ -288,7 +309,9 @@ void MainWindow::showTitle() {
 
 void MainWindow::showSelection() {
     const Document& document = m_session.document();
-    m_actions->setHasFile(!document.isEmpty(), document.picture() != nullptr, document.dimension() == 3);
+    const bool hasPicture = !document.isEmpty() && document.dimension() == 2 &&
+                            (document.picture() || !document.project()->domain.texture.empty());
+    m_actions->setHasFile(!document.isEmpty(), hasPicture, document.dimension() == 3);
     m_actions->setHasSelection(!m_session.selection().isEmpty());
     m_actions->setHasMotion(m_session.playback().end() > 0);
 }

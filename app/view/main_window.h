@@ -12,6 +12,7 @@ class QStackedWidget;
 namespace wend {
 
 class Actions;
+class BusyNote;
 class ShapeCanvas;
 class DistortionPanel;
 class Exporter;
@@ -60,6 +61,8 @@ class MainWindow : public QMainWindow {
     void connectMotion();
     void connectHelp();
     void showDocument();
+    void showWork();
+    void fitToScreen();
     void showTitle();
     void showSelection();
     void setAppearance(Appearance appearance);
@@ -81,6 +84,8 @@ class MainWindow : public QMainWindow {
     StatusFields* m_fields = nullptr;
     SolidWorkshop* m_solids = nullptr;
     QStackedWidget* m_pages;
+    BusyNote* m_note;
+    QString m_opening;  // the file that is being read
     QWidget* m_side = nullptr;
     QToolBar* m_topBar = nullptr;
     QToolBar* m_toolBar = nullptr;

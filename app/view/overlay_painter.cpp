@@ -1,5 +1,6 @@
 #include "app/view/overlay_painter.h"
 
+#include <QCoreApplication>
 #include <cmath>
 
 namespace wend {
@@ -99,6 +100,19 @@ void OverlayPainter::pin(const QPointF& at, bool selected, bool hovered, bool re
         m_painter.drawEllipse(at, inner, inner);
 }
 
+/// A handle that is let go of, or yet to come: an empty, dashed ring.
+void OverlayPainter::ghost(const QPointF& at, bool selected, bool hovered) {
+    const double r = kPinRadius - 1 + (hovered ? 1.5 : 0);
+    QPen halo(QColor(255, 255, 255, selected || hovered ? 230 : 150), 3);
+    QPen pen(selected ? m_theme.accent : kInk, selected ? 2 : 1.25, Qt::CustomDashLine, Qt::FlatCap);
+    pen.setDashPattern({2.5, 2});
+    m_painter.setBrush(Qt::NoBrush);
+    for (const QPen& one : {halo, pen}) {
+        m_painter.setPen(one);
+        m_painter.drawEllipse(at, r, r);
+    }
+}
+
 void OverlayPainter::name(const QPointF& at, const QString& text) {
     const QFontMetricsF metrics(m_painter.font());
     const QRectF box(at.x() + 14, at.y() - metrics.height() / 2 - 3, metrics.horizontalAdvance(text) + 14,
@@ -133,7 +147,14 @@ void OverlayPainter::region(const PinView<2>& view, const QColor& colour) {
 }
 
 void OverlayPainter::pins(ShapeSession& session, int hovered) {
-    const auto pins = session.pins();
+    const auto pins = session.pins(), ghosts = session.ghosts();
+    for (const PinView<2>& view : ghosts)
+        ghost(m_view.toWidget(view.centre), session.selection().contains(view.handle),
+              view.handle == hovered);
+    for (const PinView<2>& view : ghosts)
+        if (view.handle == hovered)
+            name(m_view.toWidget(view.centre),
+                 QCoreApplication::translate("PinTool", "%1: does not hold now").arg(view.name));
     for (const PinView<2>& view : pins) {
         const QColor colour = session.selection().contains(view.handle) ? m_theme.accent : kInk;
         if (view.region)
@@ -148,10 +169,10 @@ void OverlayPainter::pins(ShapeSession& session, int hovered) {
         if (view.handle == hovered) name(m_view.toWidget(view.centre), view.name);
 }
 
-void OverlayPainter::worst(const PosedFrame<2>& frame) {
-    if (frame.distortion.worstCell < 0) return;
+void OverlayPainter::worst(const PosedFrame<2>& frame, int cell) {
+    if (cell < 0) return;
     Vec<2> centre = Vec<2>::Zero();
-    for (const int v : frame.rest->cells[frame.distortion.worstCell]) centre += frame.pose.col(v) / 3;
+    for (const int v : frame.rest->cells[cell]) centre += frame.pose.col(v) / 3;
     const QPointF at = m_view.toWidget(centre);
     m_painter.setBrush(Qt::NoBrush);
     for (const QPen& pen : {QPen(Qt::white, 4.5), QPen(kInk, 2)}) {

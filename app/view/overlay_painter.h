@@ -17,13 +17,15 @@ class OverlayPainter {
 
     void paper(const QRectF& frame);
     void paths(ShapeSession& session);
+    /// Also, faintly, the handles that do not hold at the time that is shown.
     void pins(ShapeSession& session, int hovered);
-    void worst(const PosedFrame<2>& frame);
+    void worst(const PosedFrame<2>& frame, int cell);
     void marquee(const QRectF& rectangle);
 
   private:
     void path(const PinPath<2>& path, bool selected, double now);
     void pin(const QPointF& at, bool selected, bool hovered, bool region);
+    void ghost(const QPointF& at, bool selected, bool hovered);
     void spots(const PinView<2>& view, const QColor& colour);
     void region(const PinView<2>& view, const QColor& colour);
     void name(const QPointF& at, const QString& text);

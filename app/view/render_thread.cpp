@@ -9,6 +9,21 @@ namespace wend {
 
 namespace {
 
+const SimplicialMesh<2>& restOf(const RenderRequest& request) {
+    return request.texture ? *request.texture->rest : *request.frame->rest;
+}
+
+/// In the picture's pixels, or in those of the screen.
+Points<2> poseOf(const RenderRequest& request) {
+    if (!request.texture) return request.frame->pose;
+    Points<2> pose = request.frame->pose;
+    for (Eigen::Index i = 0; i < pose.cols(); ++i) {
+        const QPointF p = request.ratio * request.view.toWidget(pose.col(i));
+        pose.col(i) = Vec<2>(p.x(), p.y());
+    }
+    return pose;
+}
+
 /// The picture on the screen, by the same code as an export.
 QImage warped(const RenderRequest& request, std::stop_token stop) {
     View view;
@@ -19,7 +34,11 @@ QImage warped(const RenderRequest& request, std::stop_token stop) {
     WarpOptions options;
     options.filter = request.filter;
     options.stop = stop;
-    const Image image = warpImage(*request.picture, *request.frame->rest, request.frame->pose, view, options);
+    if (request.texture) {  // whose domain may be turned over: the pixels of the screen are not
+        view.origin.setZero();
+        view.scale = 1;
+    }
+    const Image image = warpImage(*request.picture, restOf(request), poseOf(request), view, options);
     return stop.stop_requested() ? QImage() : toQImage(image);
 }
 

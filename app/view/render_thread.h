@@ -9,6 +9,7 @@
 
 #include "app/panels/colour_map.h"
 #include "app/session/frame.h"
+#include "app/session/scene.h"
 #include "app/view/view_transform.h"
 #include "warp/pyramid.h"
 #include "warp/warp.h"
@@ -18,6 +19,7 @@ namespace wend {
 /// What the canvas wants drawn: the picture carried by a frame, and what lies over it.
 struct RenderRequest {
     std::shared_ptr<const Pyramid> picture;  // as the screen needs it; may be null
+    std::shared_ptr<const Texture> texture;  // of a file's mesh: where that lies in the picture; or null
     PosedPtr<2> frame;
     ViewTransform view;
     QSize size;        // of the widget

@@ -2,11 +2,14 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <QGridLayout>
 #include <QIcon>
 #include <QLabel>
 #include <QPainter>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "app/panels/panel_parts.h"
 #include "app/panels/theme.h"
@@ -42,6 +45,41 @@ class DropArea : public QWidget {
     }
 };
 
+/// Cards in as many columns as there is room for.
+class Shelf : public QWidget {
+  public:
+    explicit Shelf(QWidget* parent) : QWidget(parent), m_grid(new QGridLayout(this)) {
+        m_grid->setContentsMargins(0, 0, 0, 0);
+        m_grid->setSpacing(kGap);
+        m_grid->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    }
+    QSize minimumSizeHint() const override {
+        return {m_cards.first()->sizeHint().width(), QWidget::minimumSizeHint().height()};
+    }
+    void add(QWidget* card) {
+        m_cards << card;
+        arrange();
+    }
+
+  protected:
+    void resizeEvent(QResizeEvent*) override { arrange(); }
+
+  private:
+    static constexpr int kGap = 14;
+    void arrange() {
+        const int card = m_cards.first()->sizeHint().width() + kGap;
+        const int columns = std::clamp((width() + kGap) / card, 1, static_cast<int>(m_cards.size()));
+        if (columns == m_columns && m_grid->count() == m_cards.size()) return;
+        m_columns = columns;
+        for (QWidget* one : m_cards) m_grid->removeWidget(one);
+        for (int i = 0; i < m_cards.size(); ++i) m_grid->addWidget(m_cards[i], i / columns, i % columns);
+    }
+
+    QGridLayout* m_grid;
+    QList<QWidget*> m_cards;
+    int m_columns = 0;
+};
+
 QLabel* sectionTitle(const QString& text, QWidget* parent) {
     QLabel* label = panelTitle(text, parent);
     QFont font = label->font();
@@ -53,7 +91,8 @@ QLabel* sectionTitle(const QString& text, QWidget* parent) {
 }  // namespace
 
 StartPage::StartPage(QWidget* parent) : QWidget(parent) {
-    auto* content = new QWidget(this);
+    auto* page = new QWidget(this);  // scrolls where the window is small
+    auto* content = new QWidget(page);
     content->setMaximumWidth(kWidth);
     auto* column = new QVBoxLayout(content);
     column->setContentsMargins(24, 24, 24, 24);
@@ -68,11 +107,19 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
     m_recent->setContentsMargins(0, 8, 0, 0);
     m_recent->setSpacing(2);
     column->addWidget(m_recentBox);
-    auto* row = new QHBoxLayout(this);
+    auto* row = new QHBoxLayout(page);
+    row->setContentsMargins(0, 0, 0, 0);
     row->addStretch(1);
     row->addWidget(content, 20);
     row->addStretch(1);
     row->setAlignment(content, Qt::AlignVCenter);
+    auto* scroll = new QScrollArea(this);
+    scroll->setWidget(page);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    auto* whole = new QVBoxLayout(this);
+    whole->setContentsMargins(0, 0, 0, 0);
+    whole->addWidget(scroll);
     m_recentBox->hide();
 }
 
@@ -138,15 +185,13 @@ QWidget* StartPage::makeSamples() {
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(10);
     column->addWidget(sectionTitle(tr("Try a sample"), box));
-    auto* row = new QHBoxLayout;
-    row->setSpacing(14);
+    auto* shelf = new Shelf(box);
     for (const QString& path : paths) {
-        auto* card = new SampleCard(path, box);
+        auto* card = new SampleCard(path, shelf);
         connect(card, &SampleCard::clicked, this, [this, path] { emit fileChosen(path); });
-        row->addWidget(card);
+        shelf->add(card);
     }
-    row->addStretch(1);
-    column->addLayout(row);
+    column->addWidget(shelf);
     return box;
 }
 

@@ -2,7 +2,6 @@
 
 #include <QWidget>
 
-class QGridLayout;
 class QVBoxLayout;
 
 namespace wend {

@@ -10,14 +10,16 @@ StatusFields::StatusFields(QStatusBar& bar, ShapeSession& session)
     : QObject(&bar), m_bar(bar), m_session(session), m_hint(new QLabel(&bar)) {
     bar.setSizeGripEnabled(false);
     m_hint->setContentsMargins(8, 0, 0, 0);
+    m_hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // the window may be narrow
     bar.addWidget(m_hint, 1);
     bar.setContentsMargins(0, 0, 12, 0);
     m_pointer = add(tr("Position"), tr("Where the pointer is, in the picture's pixels"),
                     QStringLiteral("00000.0, 00000.0"));
     m_pinError = add(tr("Pin error"), tr("How far the worst pin is from where it should be"),
                      tr("pin error %1 px").arg(QStringLiteral("0.00")));
-    m_worst = add(tr("Worst distortion"), tr("The greatest length error of a triangle; 0 is none"),
-                  tr("worst %1").arg(QStringLiteral("0.000")));
+    m_worst = add(tr("Worst place"), tr("How far the worst place is from rest, by what the map shows"),
+                  tr("worst %1").arg(QStringLiteral("length error 0.000")));
+    m_worst->setObjectName(QStringLiteral("worstField"));
     m_area = add(tr("Area change"), tr("How much larger or smaller the shape is than at rest"),
                  tr("area %1 %").arg(QStringLiteral("+00.0")));
     m_time = add(tr("Time per frame"), tr("What computing the last frame took"),
@@ -42,6 +44,7 @@ void StatusFields::setVisible(bool visible) {
 
 void StatusFields::setHint(const QString& hint) {
     m_hint->setText(hint);
+    m_hint->setToolTip(hint);
 }
 
 void StatusFields::setPointer(double x, double y, bool inside) {
@@ -49,6 +52,12 @@ void StatusFields::setPointer(double x, double y, bool inside) {
     m_pointer->setText(inside && m_session.frame() ? QStringLiteral("%1, %2").arg(locale.toString(x, 'f', 1),
                                                                                   locale.toString(y, 'f', 1))
                                                    : QString());
+}
+
+void StatusFields::setMeasure(Measure measure) {
+    if (measure == m_measure) return;
+    m_measure = measure;
+    showFrame();
 }
 
 void StatusFields::setPointerText(const QString& text) {
@@ -65,9 +74,7 @@ void StatusFields::showFrame() {
     const bool picture = m_session.document().picture() != nullptr;
     const QString error = locale.toString(frame->pinError, 'f', 2);
     m_pinError->setText(picture ? tr("pin error %1 px").arg(error) : tr("pin error %1").arg(error));
-    const int worst = frame->distortion.worstCell;
-    m_worst->setText(
-        tr("worst %1").arg(locale.toString(worst < 0 ? 0.0 : frame->distortion.metric[worst], 'f', 3)));
+    m_worst->setText(tr("worst %1").arg(worstText(frame->distortion, m_measure, frame->dimension)));
     const double change = 100 * (frame->growth - 1);
     const QString percent = (change >= 0.05 ? QStringLiteral("+") : QString()) +
                             locale.toString(std::abs(change) < 0.05 ? 0.0 : change, 'f', 1);

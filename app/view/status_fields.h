@@ -2,7 +2,7 @@
 
 #include <QObject>
 
-#include "app/session/shape_session.h"
+#include "app/panels/colour_map.h"
 
 class QLabel;
 class QStatusBar;
@@ -23,6 +23,8 @@ class StatusFields : public QObject {
     void setPointer(double x, double y, bool inside);
     /// What is under the pointer, in words of the view.
     void setPointerText(const QString& text);
+    /// What the worst place is worst of.
+    void setMeasure(Measure measure);
 
   private:
     QLabel* add(const QString& name, const QString& help, const QString& widest);
@@ -30,6 +32,7 @@ class StatusFields : public QObject {
 
     QStatusBar& m_bar;
     ShapeSession& m_session;
+    Measure m_measure = Measure::Length;
     QLabel *m_hint, *m_pointer, *m_pinError, *m_worst, *m_area, *m_time;
 };
 

@@ -14,7 +14,6 @@ namespace wend {
 class ViewTransform {
   public:
     double zoom() const { return m_zoom; }
-    bool pointsUp() const { return m_up; }
     void setPointsUp(bool up) { m_up = up; }
 
     QPointF toWidget(const Vec<2>& p) const;

@@ -1,6 +1,7 @@
 #include <QPainter>
 #include <QWheelEvent>
 
+#include "app/document/handle_edits.h"
 #include "app/session/opening.h"
 #include "app/view/canvas.h"
 #include "app/view/screen_picture.h"
@@ -24,6 +25,10 @@ class TestCanvas : public QObject {
     void mapColoursAreOrdered_data();
     void mapColoursAreOrdered();
     void areaIsCentredOnOne();
+    void pictureIsSeenBeforeItsMesh();
+    void picturesOfMeshesAreDrawn_data();
+    void picturesOfMeshesAreDrawn();
+    void worstPlaceIsThatOfTheMap();
 
   private:
     std::unique_ptr<QTemporaryDir> m_folder;
@@ -161,6 +166,70 @@ void TestCanvas::areaIsCentredOnOne() {
     QVERIFY(std::abs(range.low * range.high - 1) < 1e-12);
     QVERIFY(std::abs(positionIn(range, Measure::Area, 1) - 0.5) < 1e-12);
     QVERIFY(std::abs(valueAt(range, Measure::Area, 0.5) - 1) < 1e-12);
+}
+
+/// Also where the project cannot be meshed at all.
+void TestCanvas::pictureIsSeenBeforeItsMesh() {
+    OpenedFile file = openFile(writeCutOut(*m_folder));
+    file.project = std::make_shared<Project>(withPin<2>(*file.project, {5, 5}, "outside"));
+    m_session->document().open(std::move(file));
+    QVERIFY(QTest::qWaitFor([&] { return m_canvas->drawn() != nullptr; }, 20000));
+    QVERIFY(!m_session->frame());
+    const QPoint left = m_canvas->toWidget({40, 80}).toPoint(),
+                 right = m_canvas->toWidget({200, 80}).toPoint();
+    const QImage shown = m_canvas->grab().toImage();
+    QVERIFY(qRed(shown.pixel(left)) > 180 && qBlue(shown.pixel(left)) < 100);
+    QVERIFY(qRed(shown.pixel(right)) < 100 && qBlue(shown.pixel(right)) > 150);
+}
+
+void TestCanvas::picturesOfMeshesAreDrawn_data() {
+    QTest::addColumn<bool>("uv");
+    QTest::newRow("by uv, y up") << true;
+    QTest::newRow("in pixels, y down") << false;
+}
+
+void TestCanvas::picturesOfMeshesAreDrawn() {
+    QFETCH(bool, uv);
+    writeCutOut(*m_folder);
+    QFile mesh(m_folder->filePath(QStringLiteral("quad.obj")));
+    QVERIFY(mesh.open(QIODevice::WriteOnly));
+    mesh.write(
+        uv ? "v 0 0 0\nv 3 0 0\nv 3 2 0\nv 0 2 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3\nf 1/1 3/3 "
+             "4/4\n"
+           : "v 0 0 0\nv 240 0 0\nv 240 160 0\nv 0 160 0\nf 1 2 3\nf 1 3 4\n");
+    mesh.close();
+    QFile project(m_folder->filePath(QStringLiteral("quad.wend")));
+    QVERIFY(project.open(QIODevice::WriteOnly));
+    project.write(R"({"format": "wend", "version": 1, "domain": {"mesh": "quad.obj", "image": "bar.png"}})");
+    project.close();
+    m_session->document().open(openFile(project.fileName()));
+    QVERIFY(settle(*m_session));
+    QVERIFY(
+        QTest::qWaitFor([&] { return m_canvas->isSettled() && m_canvas->drawn()->request.picture; }, 20000));
+    const double scale = uv ? 1 / 80.0 : 1;
+    const double y = uv ? 1 : 80;
+    const QPoint left = m_canvas->toWidget({40 * scale, y}).toPoint(),
+                 right = m_canvas->toWidget({200 * scale, y}).toPoint();
+    QVERIFY(left.x() < right.x());
+    const QImage shown = m_canvas->grab().toImage();
+    QVERIFY(qRed(shown.pixel(left)) > 180 && qBlue(shown.pixel(left)) < 100);
+    QVERIFY(qRed(shown.pixel(right)) < 100 && qBlue(shown.pixel(right)) > 150);
+}
+
+void TestCanvas::worstPlaceIsThatOfTheMap() {
+    Distortion distortion;
+    distortion.angle = {0.5, 0.25, 0.125};
+    distortion.metric = {0.0, 0.75, 0.5};
+    distortion.ratio = {1.5, 1, 0.25};
+    distortion.worstCell = 1;
+    QCOMPARE(worstOf(distortion, Measure::Angle).cell, 0);
+    QCOMPARE(worstOf(distortion, Measure::Length).cell, 1);
+    QCOMPARE(worstOf(distortion, Measure::Area).cell, 2);
+    QCOMPARE(worstOf(distortion, Measure::Area).value, 0.25);
+    QVERIFY(worstText(distortion, Measure::Area).contains(QLocale().toString(0.25, 'f', 2)));
+    QVERIFY(worstText(distortion, Measure::Length).contains(QLocale().toString(0.75)));
+    distortion.metric = {4e-31, 0, 0};  // rounding at rest
+    QVERIFY(worstText(distortion, Measure::Length).endsWith(QStringLiteral(" 0")));
 }
 
 QTEST_MAIN(TestCanvas)

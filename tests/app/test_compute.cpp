@@ -23,7 +23,8 @@ class TestCompute : public QObject {
     void nudgesMerge();
     void foldsStopTheHandle();
     void problemsAreTold();
-    void targetsArePutTogether();
+    void newestTargetsStay();
+    void closedMailboxStaysInterrupted();
     void samplesOpen();
     void hullGoesRound();
 
@@ -153,9 +154,7 @@ void TestCompute::laterPinMovesNothing() {
     drag(1, {{0, 20}});
     const Points<2> before = m_session->frame<2>()->pose;
     const auto rest = m_session->frame<2>()->rest;
-    const Vec<2> at = before.col(7) * 0.5 + before.col(8) * 0.5;
     const int added = m_session->addPin<2>(m_session->pins()[1].centre + Vec<2>(-60, -2));
-    Q_UNUSED(at);
     QCOMPARE(added, 2);
     QVERIFY(settle(*m_session));
     QCOMPARE(m_session->frame<2>()->rest, rest);
@@ -212,19 +211,26 @@ void TestCompute::problemsAreTold() {
     QVERIFY(problems.last().first().toString().isEmpty());
 }
 
-void TestCompute::targetsArePutTogether() {
+void TestCompute::newestTargetsStay() {
     Mailbox mailbox;
-    mailbox.post(BeginDrag{{0}});
-    for (int i = 0; i < 5; ++i) mailbox.post(DragTo{{Amount(i, 0, 0)}, i});
-    mailbox.post(EndDrag{true});
+    mailbox.post(BeginDrag{{0}, {}, 1, 1, {}});
+    for (int i = 0; i < 5; ++i) mailbox.post(DragTo{Amount(i, 0, 0), i});
+    mailbox.post(EndDrag{});
     QVERIFY(mailbox.interruption().stop_requested());
     QVERIFY(std::holds_alternative<BeginDrag>(*mailbox.take(false, {})));
-    const auto path = std::get<DragTo>(*mailbox.take(false, {}));
-    QCOMPARE(path.amounts.size(), std::size_t(5));
-    QCOMPARE(path.lastSample, 4);
+    const auto target = std::get<DragTo>(*mailbox.take(false, {}));
+    QCOMPARE(target.amount, Amount(4, 0, 0));
+    QCOMPARE(target.sample, 4);
     QVERIFY(std::holds_alternative<EndDrag>(*mailbox.take(false, {})));
     QVERIFY(!mailbox.take(false, {}));
     QVERIFY(!mailbox.interruption().stop_requested());
+}
+
+void TestCompute::closedMailboxStaysInterrupted() {
+    Mailbox mailbox;
+    mailbox.close();
+    QVERIFY(mailbox.interruption().stop_requested());
+    QVERIFY(mailbox.interruption().stop_requested());
 }
 
 void TestCompute::samplesOpen() {

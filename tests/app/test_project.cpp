@@ -146,7 +146,7 @@ class TestProject : public QObject {
         QCOMPARE(std::get<CurveMotion<2>>(handles[2].motions[2].kind).scale, 1.5);
         QCOMPARE(std::get<Recorded<2>>(handles[2].motions[3].kind).points[2].y(), 1.000000000000001);
         QCOMPARE(project.integration.method, Method::RungeKutta4);
-        QCOMPARE(project.integration.end, 2.0);
+        QCOMPARE(integrationOf(project).end, 2.0);
     }
 
     void writingKeepsEverything() {

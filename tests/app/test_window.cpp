@@ -1,11 +1,16 @@
+#include <QComboBox>
 #include <QDragEnterEvent>
 #include <QFileDialog>
+#include <QInputDialog>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
+#include <QScreen>
 #include <QSlider>
+#include <QStatusBar>
 #include <QTimer>
 #include <QToolButton>
 
@@ -17,6 +22,7 @@
 #include "app/view/file_workflow.h"
 #include "app/view/info_banner.h"
 #include "app/view/main_window.h"
+#include "core/mesh/mesh_file.h"
 #include "tests/support/window_fixture.h"
 
 using namespace wend;
@@ -45,6 +51,14 @@ class TestWindow : public QObject {
     void holdingHHidesPins();
     void playRuns();
     void exportedPictureIsWhatIsShown();
+    void fitsASmallScreen();
+    void worstPlaceIsTheSameEverywhere();
+    void clickBesideTheShapeSaysSo();
+    void handlesThatAreGoneCanBeFound();
+    void undoInADragLeavesTheWindowWhole();
+    void samplesAreExportedElsewhere();
+    void exportedMeshIsThatOfTheWindow();
+    void exportsFollowEachOther();
 
   private:
     void open();
@@ -392,6 +406,147 @@ void TestWindow::exportedPictureIsWhatIsShown() {
     const Image written = readImage(path.toStdString());
     QCOMPARE(written.width, 240);
     QVERIFY(written.data == expected.data);
+}
+
+/// 1600 × 1000 at two device pixels per pixel, with room for the frame and a task bar.
+void TestWindow::fitsASmallScreen() {
+    const QSize least(790, 450);
+    const auto fits = [&] {
+        const QSize need = m_window->minimumSizeHint();
+        return need.width() <= least.width() && need.height() <= least.height();
+    };
+    QVERIFY(fits());
+    open();
+    QVERIFY(fits());
+    m_window->resize(least);
+    QTest::qWait(20);
+    QCOMPARE(m_window->size(), least);
+    QVERIFY(MainWindow().height() <= m_window->screen()->availableSize().height());
+}
+
+void TestWindow::worstPlaceIsTheSameEverywhere() {
+    open();
+    click(40, 80);
+    click(200, 80);
+    QVERIFY(settle(m_window->session()));
+    dragPin(200, 80, 0, 20);
+    QTest::mouseRelease(&m_window->canvas(), Qt::LeftButton, {}, at(200, 100));
+    QVERIFY(settle(m_window->session()));
+    const auto* panel = m_window->findChild<QLabel*>(QStringLiteral("worstPlace"));
+    const auto* field = m_window->findChild<QLabel*>(QStringLiteral("worstField"));
+    auto* map = m_window->findChild<DistortionPanel*>()->findChild<QComboBox*>();
+    QStringList seen;
+    for (int i = 0; i < 3; ++i) {
+        map->setCurrentIndex(i);
+        QVERIFY2(field->text().endsWith(panel->text()), qPrintable(field->text() + " / " + panel->text()));
+        seen << panel->text();
+    }
+    QCOMPARE(seen.removeDuplicates(), 0);
+}
+
+void TestWindow::clickBesideTheShapeSaysSo() {
+    open();
+    click(10, 10);
+    QCOMPARE(pinCount(), std::size_t(0));
+    QVERIFY(m_window->statusBar()->currentMessage().contains(QStringLiteral("outside")));
+}
+
+/// A pin that is let go of stays to be seen, selected and removed.
+void TestWindow::handlesThatAreGoneCanBeFound() {
+    open();
+    click(40, 80);
+    click(200, 80);
+    QVERIFY(settle(m_window->session()));
+    dragPin(200, 80, 0, 20);
+    QTest::mouseRelease(&m_window->canvas(), Qt::LeftButton, {}, at(200, 100));
+    QVERIFY(settle(m_window->session()));
+    click(40, 80);
+    QCOMPARE(m_window->session().selection().handles(), std::vector<int>({0}));
+    QTest::keyClick(m_window.get(), Qt::Key_Delete);
+    QVERIFY(settle(m_window->session()));
+    QCOMPARE(pinCount(), std::size_t(2));
+    QCOMPARE(m_window->session().pins().size(), std::size_t(1));
+    click(40, 80);
+    QCOMPARE(pinCount(), std::size_t(2));
+    QCOMPARE(m_window->session().selection().handles(), std::vector<int>({0}));
+    QTest::keyClick(m_window.get(), Qt::Key_Delete);
+    QCOMPARE(pinCount(), std::size_t(1));
+}
+
+void TestWindow::undoInADragLeavesTheWindowWhole() {
+    open();
+    click(40, 80);
+    click(200, 80);
+    QVERIFY(settle(m_window->session()));
+    dragPin(200, 80, 0, 20);
+    QTest::keyClick(m_window.get(), Qt::Key_Z, Qt::ControlModifier);
+    QTest::mouseMove(&m_window->canvas(), at(200, 110));
+    QTest::mouseRelease(&m_window->canvas(), Qt::LeftButton, {}, at(200, 110));
+    QVERIFY(settle(m_window->session()));
+    QCOMPARE(pinCount(), std::size_t(1));
+}
+
+void TestWindow::samplesAreExportedElsewhere() {
+    const QString sample = samplePaths().first();
+    m_window->openPath(sample);
+    Document& document = m_window->session().document();
+    QVERIFY(QTest::qWaitFor([&] { return !document.isEmpty(); }, 20000));
+    QVERIFY(proposedFolder(document) != QFileInfo(sample).absolutePath());
+    document.save(m_folder->filePath(QStringLiteral("own.wend")));
+    QCOMPARE(proposedFolder(document), QFileInfo(document.path()).absolutePath());
+}
+
+/// Without another look at its file, which may be another one by then.
+void TestWindow::exportedMeshIsThatOfTheWindow() {
+    const QString source = m_folder->filePath(QStringLiteral("quad.obj"));
+    const auto write = [&source](const char* text) {
+        QFile mesh(source);
+        QVERIFY(mesh.open(QIODevice::WriteOnly));
+        mesh.write(text);
+    };
+    write("v 0 0 0\nv 3 0 0\nv 3 2 0\nv 0 2 0\nf 1 2 3\nf 1 3 4\n");
+    m_window->openPath(source);
+    QVERIFY(QTest::qWaitFor([&] { return !m_window->session().document().isEmpty(); }, 20000));
+    QVERIFY(settle(m_window->session()));
+    write("v 0 0 0\nv 3 0 0\nv 3 2 0\nf 1 2 3\n");
+    const QString path = m_folder->filePath(QStringLiteral("out.obj"));
+    QTimer::singleShot(200, [path] {
+        auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+        if (!dialog) return;
+        auto* name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+        name->setText(path);
+        QTest::keyClick(name, Qt::Key_Return);
+    });
+    m_window->actions().exportMesh->trigger();
+    QVERIFY(QTest::qWaitFor([&] { return QFile::exists(path); }, 20000));
+    QCOMPARE(readMeshFile(path.toStdString()).points.cols(), 4);
+}
+
+void TestWindow::exportsFollowEachOther() {
+    open();
+    click(40, 80);
+    click(200, 80);
+    QVERIFY(settle(m_window->session()));
+    dragPin(200, 80, 0, 20);
+    QTest::mouseRelease(&m_window->canvas(), Qt::LeftButton, {}, at(200, 100));
+    QVERIFY(settle(m_window->session()));
+    const QString path = m_folder->filePath(QStringLiteral("f_####.png"));
+    QTimer answer;
+    connect(&answer, &QTimer::timeout, this, [&] {
+        QWidget* asks = QApplication::activeModalWidget();
+        if (auto* count = qobject_cast<QInputDialog*>(asks)) count->accept();
+        if (!qobject_cast<QFileDialog*>(asks)) return;
+        answer.stop();
+        auto* name = asks->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+        name->setText(path);
+        QTest::keyClick(name, Qt::Key_Return);
+    });
+    answer.start(50);
+    m_window->actions().exportFrames->trigger();
+    m_window->actions().exportMesh->trigger();  // without a dialog
+    QVERIFY(m_window->banner().text().contains(QStringLiteral("Another export")));
+    QVERIFY(QTest::qWaitFor([&] { return QFile::exists(m_folder->filePath(QStringLiteral("f_0036.png"))); },
+                            60000));
 }
 
 QTEST_MAIN(TestWindow)

@@ -186,7 +186,8 @@ void SolidCanvas::paintOver(QPainter& painter) {
     painterOfSolid.compass(QPointF(46, height() - 46), camera().view().topLeftCorner<3, 3>());
     painter.restore();
     if (m_hidden) return;
-    if (m_map && isDistortion(m_measure)) painterOfSolid.worst(*frame);
+    if (m_map && isDistortion(m_measure))
+        painterOfSolid.worst(*frame, worstOf(frame->distortion, m_measure).cell);
     painterOfSolid.paths();
     const auto* pinTool = dynamic_cast<const SolidPinTool*>(m_tool);
     painterOfSolid.pins(pinTool ? pinTool->hovered() : -1);
@@ -244,9 +245,10 @@ void SolidCanvas::setCutPlane(const CutPlane& plane) {
 
 void SolidCanvas::showWorst() {
     const auto frame = m_session.frame<3>();
-    if (!frame || frame->distortion.worstCell < 0) return;
+    const int cell = frame ? worstOf(frame->distortion, m_measure).cell : -1;
+    if (cell < 0) return;
     Vec<3> centre = Vec<3>::Zero();
-    for (const int v : frame->rest->cells[frame->distortion.worstCell]) centre += frame->pose.col(v) / 4;
+    for (const int v : frame->rest->cells[cell]) centre += frame->pose.col(v) / 4;
     camera().lookAt(centre);
     update();
     emit cameraChanged();

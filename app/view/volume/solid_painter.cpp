@@ -136,10 +136,10 @@ void SolidPainter::pins(int hovered) {
         if (view.handle == hovered) name(m_surface.toWidget(view.centre), view.name);
 }
 
-void SolidPainter::worst(const PosedFrame<3>& frame) {
-    if (frame.distortion.worstCell < 0) return;
+void SolidPainter::worst(const PosedFrame<3>& frame, int cell) {
+    if (cell < 0) return;
     Vec<3> centre = Vec<3>::Zero();
-    for (const int v : frame.rest->cells[frame.distortion.worstCell]) centre += frame.pose.col(v) / 4;
+    for (const int v : frame.rest->cells[cell]) centre += frame.pose.col(v) / 4;
     const QPointF at = m_surface.toWidget(centre);
     m_painter.setBrush(Qt::NoBrush);
     for (const QPen& pen : {QPen(Qt::white, 4.5), QPen(kInk, 2)}) {

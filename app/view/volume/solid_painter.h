@@ -15,7 +15,7 @@ class SolidPainter {
 
     void paths();
     void pins(int hovered);
-    void worst(const PosedFrame<3>& frame);
+    void worst(const PosedFrame<3>& frame, int cell);
     /// A small cross of axes in the corner.
     void compass(const QPointF& at, const Mat<3>& worldToScreen);
 

@@ -1,0 +1,293 @@
+#include <QSignalSpy>
+
+#include "app/document/handle_edits.h"
+#include "app/session/opening.h"
+#include "app/session/scene.h"
+#include "tests/support/window_fixture.h"
+
+using namespace wend;
+using namespace wend::test;
+
+/// Gestures that meet something else: a mesh that is being made, a motion that is being computed, undo,
+/// another file.
+class TestGestures : public QObject {
+    Q_OBJECT
+  private slots:
+    void init();
+    void newPinIsThereAfterACancelledDrag();
+    void newPinFollowsBeforeItsMeshIsMade();
+    void undoEndsADrag();
+    void framesFitTheirMesh();
+    void anotherFileEndsADrag();
+    void refusedDragsLeaveOthersAlone();
+    void dragsNeedNotWaitForTheMotion();
+    void handlesThatAreGoneDoNotMove();
+    void handlesThatAreGoneCanBeRemoved();
+    void pinSitsWhereItWasClicked();
+    void clicksBesideTheShapeAreTold();
+    void fixedStepsGoOnAsInTheFile();
+    void newPinDoesNotDim();
+
+  private:
+    void open(int vertices = 400);
+    bool settled() { return settle(*m_session); }
+    void edit(const Project& next) { m_session->document().change(QStringLiteral("Edit"), next); }
+    const Project& project() { return *m_session->document().project(); }
+    void begin(int handle);
+    void drag(int handle, const Vec<2>& way);
+    bool follows() {
+        return QTest::qWaitFor([&] { return m_session->frame()->live; }, 20000);
+    }
+    Points<2> poseOf(const Project& project) const;
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<ShapeSession> m_session;
+};
+
+void TestGestures::init() {
+    m_folder = std::make_unique<QTemporaryDir>();
+    m_session = std::make_unique<ShapeSession>();
+}
+
+void TestGestures::open(int vertices) {
+    OpenedFile file = openFile(writeCutOut(*m_folder));
+    auto coarse = std::make_shared<Project>(*file.project);
+    coarse->domain.vertices = vertices;
+    file.project = coarse;
+    m_session->document().open(std::move(file));
+    QVERIFY(settled());
+    m_session->addPin({40, 80});
+    m_session->addPin({200, 80});
+    QVERIFY(settled());
+}
+
+void TestGestures::begin(int handle) {
+    m_session->selection().set({handle});
+    m_session->beginDrag();
+    QVERIFY(m_session->isDragging());
+}
+
+void TestGestures::drag(int handle, const Vec<2>& way) {
+    begin(handle);
+    m_session->dragTo<2>(way);
+    m_session->endDrag(0.2);
+    QVERIFY(settled());
+}
+
+Points<2> TestGestures::poseOf(const Project& project) const {
+    const auto scene = std::get<Scene<2>>(loadScene(project, m_folder->path().toStdString()));
+    Deformer<2> deformer(scene.rest, scene.material, scene.handles, integrationOf(project));
+    deformer.advance(project.end);
+    return deformer.state().points;
+}
+
+/// However early the drag begins: while the request waits, while it is being meshed, or later.
+void TestGestures::newPinIsThereAfterACancelledDrag() {
+    open(6000);
+    for (const int wait : {0, 1, 5, 20, 60}) {
+        const Vec<2> at(90.25 + wait, 80.5);
+        const int added = m_session->addPin(at);
+        QTest::qWait(wait);
+        begin(added);
+        m_session->cancelDrag();
+        QVERIFY(settled());
+        const auto& points = m_session->frame<2>()->rest->points;
+        QCOMPARE((points.colwise() - at).colwise().norm().minCoeff(), 0.0);
+    }
+}
+
+void TestGestures::newPinFollowsBeforeItsMeshIsMade() {
+    open();
+    const auto before = m_session->frame<2>()->rest;
+    const int added = m_session->addPin<2>({120.25, 80.5});
+    begin(added);
+    m_session->dragTo<2>({0, 12});
+    QVERIFY(follows());
+    QCOMPARE(m_session->frame<2>()->rest, before);
+    QVERIFY(m_session->isBusy());
+    QVERIFY((m_session->pins()[2].centre - Vec<2>(120.25, 92.5)).norm() < 1e-9);
+    QVERIFY(m_session->frame()->pinError < 1e-6);
+    m_session->endDrag(0.2);
+    QVERIFY(settled());
+    QVERIFY(m_session->frame<2>()->rest != before);
+    QVERIFY(m_session->frame<2>()->pose == poseOf(project()));
+}
+
+void TestGestures::undoEndsADrag() {
+    open();
+    begin(1);
+    m_session->dragTo<2>({0, 8});
+    QVERIFY(follows());
+    m_session->document().undoStack()->undo();  // the pin that is being dragged
+    QVERIFY(!m_session->isDragging());
+    m_session->dragTo<2>({0, 12});
+    m_session->endDrag(0.2);
+    QVERIFY(settled());
+    QCOMPARE(m_session->document().design().handles.size(), std::size_t(1));
+    QVERIFY(!m_session->frame()->live);
+    QVERIFY(m_session->frame<2>()->pose == m_session->frame<2>()->rest->points);
+}
+
+void TestGestures::framesFitTheirMesh() {
+    open();
+    int seen = 0;
+    connect(m_session.get(), &ShapeSession::frameChanged, this, [&] {
+        const auto frame = m_session->frame<2>();
+        if (!frame) return;
+        ++seen;
+        QCOMPARE(frame->pose.cols(), frame->rest->points.cols());
+        QCOMPARE(frame->distortion.angle.size(), frame->rest->cells.size());
+    });
+    for (int i = 0; i < 6; ++i) {
+        const int added = m_session->addPin<2>({70.0 + 15 * i, 80});
+        begin(added);
+        m_session->dragTo<2>({0, 3});
+        QTest::qWait(7 * i);
+        m_session->dragTo<2>({0, 5});
+        if (i % 2)
+            m_session->document().undoStack()->undo();
+        else
+            m_session->cancelDrag();
+        QTest::qWait(3 * i);
+    }
+    QVERIFY(settled());
+    QVERIFY(seen > 6);
+}
+
+void TestGestures::anotherFileEndsADrag() {
+    open();
+    begin(1);
+    m_session->dragTo<2>({0, 8});
+    QVERIFY(follows());
+    m_session->document().open(openFile(writeCutOut(*m_folder, QStringLiteral("other.png"))));
+    QVERIFY(settled());
+    QVERIFY(!m_session->frame()->live);
+    const int added = m_session->addPin<2>({40, 80});
+    begin(added);
+    m_session->dragTo<2>({0, 8});
+    QVERIFY(follows());
+}
+
+/// A pin within a part that is held cannot move; that is no reason for others not to.
+void TestGestures::refusedDragsLeaveOthersAlone() {
+    open();
+    edit(withHandle<2>(project(), Region<2>(Ball<2>{{110, 80}, 14}), "Block"));
+    const int inside = m_session->addPin<2>({112.5, 81.25});
+    QVERIFY(settled());
+    QSignalSpy problems(m_session.get(), &ShapeSession::problem);
+    begin(inside);
+    m_session->dragTo<2>({5, 0});
+    m_session->endDrag(0.2);
+    QVERIFY(QTest::qWaitFor([&] { return !problems.isEmpty(); }, 20000));
+    begin(1);
+    m_session->dragTo<2>({0, 8});
+    QVERIFY(QTest::qWaitFor([&] { return m_session->frame()->amount == Amount(0, 8, 0); }, 20000));
+    QVERIFY(m_session->frame()->live && !m_session->frame()->stopped);
+    m_session->cancelDrag();
+    m_session->document().undoStack()->undo();
+    QVERIFY(settled());
+}
+
+void TestGestures::dragsNeedNotWaitForTheMotion() {
+    open(1500);
+    drag(1, {0, 10});
+    Project slow = project();
+    slow.integration.tolerance = 1e-12;
+    edit(slow);
+    QSignalSpy busy(m_session.get(), &ShapeSession::busyChanged);
+    QVERIFY(QTest::qWaitFor([&] { return m_session->playback().time() == 1; }, 20000));
+    begin(1);
+    m_session->dragTo<2>({0, 8});
+    QVERIFY(follows());
+    QVERIFY(m_session->isBusy() && busy.isEmpty());
+    m_session->cancelDrag();
+    m_session->document().undoStack()->undo();
+    QVERIFY(settled());
+}
+
+void TestGestures::handlesThatAreGoneDoNotMove() {
+    open();
+    drag(1, {0, 10});
+    m_session->selection().set({0});
+    m_session->removeSelected();  // let go of at 1
+    QVERIFY(settled());
+    const auto before = m_session->document().project();
+    m_session->playback().setTime(0.5);
+    m_session->selection().set({0});
+    QSignalSpy notices(m_session.get(), &ShapeSession::notice);
+    m_session->beginDrag();
+    QVERIFY(!m_session->isDragging());
+    m_session->nudgeSelected<2>({1, 0});
+    QCOMPARE(m_session->document().project(), before);
+    QCOMPARE(notices.size(), 2);
+    m_session->selection().set({0, 1});  // the other one alone
+    m_session->beginDrag();
+    m_session->dragTo<2>({0, 4});
+    m_session->endDrag(0.2);
+    QVERIFY(settled());
+    QVERIFY(m_session->document().design().handles[0].motions.empty());
+    QCOMPARE(m_session->document().design().handles[1].motions.size(), std::size_t(2));
+}
+
+void TestGestures::handlesThatAreGoneCanBeRemoved() {
+    open();
+    drag(1, {0, 10});
+    QVERIFY(m_session->ghosts().empty());
+    for (const std::size_t left : {2, 1}) {
+        m_session->selection().set({0});
+        m_session->removeSelected();
+        QCOMPARE(m_session->document().design().handles.size(), left);
+        QVERIFY(settled());
+        QCOMPARE(m_session->ghosts().size(), left - 1);  // let go of at first: still to be found
+    }
+}
+
+/// At a time before the end, too.
+void TestGestures::pinSitsWhereItWasClicked() {
+    open();
+    drag(1, {0, 30});
+    const Vec<2> far(210, 82);  // of the shape at rest; at the end it is elsewhere
+    m_session->playback().setTime(0);
+    QVERIFY(m_session->frame<2>()->pose == m_session->frame<2>()->rest->points);
+    const int added = m_session->addPin(far);
+    QCOMPARE(added, 2);
+    const auto& points = std::get<std::vector<Vec<2>>>(m_session->document().design().handles[2].at);
+    QVERIFY((points[0] - far).norm() < 1e-9);
+}
+
+void TestGestures::clicksBesideTheShapeAreTold() {
+    open();
+    QSignalSpy notices(m_session.get(), &ShapeSession::notice);
+    QCOMPARE(m_session->addPin<2>({5, 5}), -1);
+    QCOMPARE(notices.size(), 1);
+}
+
+/// The end that fixed steps divide is the project's, however often it grew.
+void TestGestures::fixedStepsGoOnAsInTheFile() {
+    open();
+    Project fixed = project();
+    fixed.integration.method = Method::RungeKutta4;
+    fixed.integration.steps = 3;
+    edit(fixed);
+    drag(1, {0, 10});
+    drag(1, {0, 10});
+    QCOMPARE(project().end, 2.0);
+    const Project read = parseProject(toJson(project()), "memory.wend").project;
+    QVERIFY(m_session->frame<2>()->pose == poseOf(read));
+    QVERIFY(m_session->frame<2>()->pose == poseOf(project()));
+}
+
+void TestGestures::newPinDoesNotDim() {
+    open();
+    m_session->addPin<2>({120, 80});
+    QVERIFY(m_session->isBusy() && !m_session->isStale());
+    QVERIFY(settled());
+    Project finer = project();
+    finer.domain.vertices = 500;
+    edit(finer);
+    QVERIFY(m_session->isStale());
+    QVERIFY(settled());
+}
+
+QTEST_GUILESS_MAIN(TestGestures)
+#include "test_gestures.moc"
