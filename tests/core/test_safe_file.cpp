@@ -95,7 +95,10 @@ void TestSafeFile::followsNobodysLink() {
 /// this one blocks or ignores.
 void TestSafeFile::childStandsAlone() {
     const std::string script = file("child.sh");
-    put(script, "#!/bin/sh\necho $$\ncut -d' ' -f5 /proc/$$/stat\ngrep -E 'Sig(Blk|Ign)' /proc/$$/status\n");
+    // grep inherits the shell's signals; the shell itself blocks all of them for a moment while it starts
+    // grep.
+    put(script,
+        "#!/bin/sh\necho $$\ncut -d' ' -f5 /proc/$$/stat\ngrep -E 'Sig(Blk|Ign)' /proc/self/status\n");
     fs::permissions(script, fs::perms::owner_all);
     std::signal(SIGPIPE, SIG_IGN);
     const ChildResult result = runChild(script, {}, 20, 1000, {});
