@@ -2,6 +2,7 @@
 
 #include <QPainter>
 
+#include "app/panels/marks.h"
 #include "app/panels/theme.h"
 #include "app/session/shape_session.h"
 #include "app/view/view_transform.h"
@@ -13,7 +14,7 @@ namespace wend {
 class OverlayPainter {
   public:
     OverlayPainter(QPainter& painter, const ViewTransform& view, const Theme& theme)
-        : m_painter(painter), m_view(view), m_theme(theme) {}
+        : m_painter(painter), m_marks(painter), m_view(view), m_theme(theme) {}
 
     void paper(const QRectF& frame);
     void paths(ShapeSession& session);
@@ -23,15 +24,13 @@ class OverlayPainter {
     void marquee(const QRectF& rectangle);
 
   private:
-    void path(const PinPath<2>& path, bool selected, double now);
-    void pin(const QPointF& at, bool selected, bool hovered, bool region);
+    QPolygonF toWidget(const std::vector<Vec<2>>& points) const;
     void ghost(const QPointF& at, bool selected, bool hovered);
     void spots(const PinView<2>& view, const QColor& colour);
     void region(const PinView<2>& view, const QColor& colour);
-    void name(const QPointF& at, const QString& text);
-    void haloLine(const QPolygonF& line, const QColor& colour, double width, Qt::PenStyle style);
 
     QPainter& m_painter;
+    Marks m_marks;
     const ViewTransform& m_view;
     const Theme& m_theme;
 };

@@ -20,7 +20,7 @@ namespace wend {
 
 namespace {
 
-constexpr int kWidth = 900;
+constexpr int kWidth = 940;
 constexpr int kMostSamples = 6;
 constexpr int kMostRecent = 5;
 

@@ -2,6 +2,7 @@
 
 #include <QPainter>
 
+#include "app/panels/marks.h"
 #include "app/panels/theme.h"
 #include "app/tools/solid_surface.h"
 
@@ -11,7 +12,7 @@ namespace wend {
 class SolidPainter {
   public:
     SolidPainter(QPainter& painter, SolidSurface& surface, const Theme& theme)
-        : m_painter(painter), m_surface(surface), m_theme(theme) {}
+        : m_painter(painter), m_marks(painter), m_surface(surface), m_theme(theme) {}
 
     void paths();
     void pins(int hovered);
@@ -20,14 +21,12 @@ class SolidPainter {
     void compass(const QPointF& at, const Mat<3>& worldToScreen);
 
   private:
-    void path(const PinPath<3>& path, bool selected, double now);
+    QPolygonF toWidget(const std::vector<Vec<3>>& points) const;
     void frames(const Handle<3>& handle, const Vec<3>& start);
-    void pin(const QPointF& at, bool selected, bool hovered, bool area, bool hidden);
     void spots(const PinView<3>& view, const QColor& colour);
-    void name(const QPointF& at, const QString& text);
-    void haloLine(const QPolygonF& line, const QColor& colour, double width, Qt::PenStyle style);
 
     QPainter& m_painter;
+    Marks m_marks;
     SolidSurface& m_surface;
     const Theme& m_theme;
 };
