@@ -753,10 +753,6 @@
         <translation>Summe von det F + 1/det F − 2 über die Form: null, wenn alle Volumen erhalten sind.</translation>
     </message>
     <message>
-        <source>Volume of the most distorted tetrahedron against rest.</source>
-        <translation>Volumen des am stärksten verzerrten Tetraeders gegenüber der Ruhe.</translation>
-    </message>
-    <message>
         <source>What is coloured over the solid: the error of lengths, volumes or angles, the material, or how fast it moves.</source>
         <translation>Was auf dem Körper gefärbt ist: der Fehler der Längen, Volumen oder Winkel, das Material, oder wie schnell er sich bewegt.</translation>
     </message>
