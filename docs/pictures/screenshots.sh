@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Takes the screenshots of the window that README and manual show. Needs Debian's xvfb, xdotool and imagemagick.
+# Takes the screenshots of the window that README and manual show, or the one that is named. Needs Debian's xvfb, xdotool and imagemagick.
 set -e
+only=$1
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)
 export DISPLAY=:78 HOME XDG_RUNTIME_DIR
@@ -13,6 +14,7 @@ sleep 1
 shot() { # NAME ARGUMENT…: opens the window, waits, sends the keys in KEYS, takes a picture of it
     local name=$1
     shift
+    [ -z "$only" ] || [ "$only" = "$name" ] || return 0
     "$root/build/release/wend" "$@" >/dev/null 2>&1 &
     program=$!
     local window
@@ -36,6 +38,6 @@ shot() { # NAME ARGUMENT…: opens the window, waits, sends the keys in KEYS, ta
 
 shot start.png
 shot window.png "$root/resources/samples/giraffe.wend"
-WAIT=20 KEYS="d" shot solid-window.png "$root/resources/samples/eagle.wend"
+WAIT=20 KEYS="d f" shot solid-window.png "$root/resources/samples/eagle.wend"
 WAIT=20 KEYS="m d c" shot solid-cut.png "$root/resources/samples/eagle.wend"
 WAIT=15 KEYS="ctrl+a" shot solid-curve.png "$root/resources/samples/bar.wend"
