@@ -3,8 +3,8 @@
 #include "core/assembly/cpu_back_end.h"
 #include "core/mesh/error.h"
 #include "core/solver/cholesky.h"
-#include "core/solver/float_factor.h"
 #include "core/solver/reduced_system.h"
+#include "core/solver/supernodal_factor.h"
 #include "core/solver/velocity_solver.h"
 #include "kernels/back_end_choice.h"
 
@@ -74,7 +74,7 @@ class SolverBench {
                         factor,
                         {{"Gflop/s", 1e-9 * flops / factor.median}, {"entries (million)", 1e-6 * entries}}});
         addSolve("solve, CHOLMOD, double", 0, entries * sizeof(double), [&] { cholesky.solve(b, x); });
-        FloatFactor single(cholesky.supernodes(), system.columnStart(), system.row());
+        SupernodalFactor<float> single(cholesky.supernodes(), system.columnStart(), system.row());
         const Timing singleFactor = measure(repeats, [&] { single.factorize(cholesky.values()); });
         m_recorder.add({"factor, single precision",
                         1,

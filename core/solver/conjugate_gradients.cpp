@@ -49,7 +49,10 @@ typename ConjugateGradients<Dim>::Result ConjugateGradients<Dim>::run(BackEnd<Di
         }
         const bool first = result.iterations == 1;
         const double contraction = first ? goal.contraction : std::max(kBestContraction, size / before);
-        if (result.iterations == 2) result.firstContraction = std::min(1.0, contraction);
+        if (result.iterations == 2)
+            result.firstContraction = result.worstContraction = std::min(1.0, contraction);
+        else if (!first)
+            result.worstContraction = std::min(1.0, std::max(result.worstContraction, contraction));
         if (first)
             m_p = m_z;
         else
@@ -62,7 +65,7 @@ typename ConjugateGradients<Dim>::Result ConjugateGradients<Dim>::run(BackEnd<Di
         if (!(pKp > 0 && rz > 0)) break;
         v += rz / pKp * m_lifted;
         const double allowed = goal.tolerance * v.cwiseAbs().maxCoeff();
-        if (size * contraction <= allowed) {
+        if (size * contraction <= allowed * (1 - contraction)) {
             result.end = Result::End::Converged;
             break;
         }

@@ -25,12 +25,14 @@ class ConjugateGradients {
     struct Result {
         enum class End { Converged, GaveUp } end = End::GaveUp;
         int iterations = 0;
-        double firstContraction = 1;  // measured; 1 if there was only one iteration
+        // Measured; 1 if there was only one iteration.
+        double firstContraction = 1, worstContraction = 1;
     };
 
-    /// v += Z y, from a v that meets the constraints. The error after a step is estimated as |z|·ρ: z the
-    /// preconditioned residual before it, ρ the last contraction of |z|, both in the maximum norm: the step
-    /// that would bring it under the tolerance is the last.
+    /// v += Z y, from a v that meets the constraints. The error after a step is estimated as what all further
+    /// ones would add, |z| (ρ + ρ² + …) = |z| ρ / (1 − ρ): z the preconditioned residual before the step, ρ
+    /// the last contraction of |z|, both in the maximum norm. The step that would bring it under the
+    /// tolerance is the last.
     Result run(BackEnd<Dim>& backEnd, const ReducedSystem<Dim>& system, const Preconditioner& precondition,
                const Goal& goal, Points<Dim>& v);
 

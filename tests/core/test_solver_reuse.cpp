@@ -4,9 +4,9 @@
 
 #include "core/assembly/cpu_back_end.h"
 #include "core/solver/cholesky.h"
-#include "core/solver/float_factor.h"
 #include "core/solver/reduced_system.h"
 #include "core/solver/refactor_policy.h"
+#include "core/solver/supernodal_factor.h"
 #include "core/solver/velocity_history.h"
 #include "core/solver/velocity_solver.h"
 #include "core/solver/vertex_rotations.h"
@@ -20,12 +20,14 @@ class TestSolverReuse : public QObject {
   private slots:
     void velocityIsWithinTolerance_data();
     void velocityIsWithinTolerance();
+    void toleranceHoldsWhereSinglePrecisionIsPoor_data();
+    void toleranceHoldsWhereSinglePrecisionIsPoor();
     void equiaAlwaysFactorizes();
     void runsRepeat();
     void memoryGoesOnToTheSameBits();
     void rotationsAreThoseOfTheShape();
     void isotropicBackEndAgrees();
-    void floatFactorSolves();
+    void factorsSolve();
     void floatFactorRefuses();
     void historyExtrapolates();
     void historyFitsPrescribed();
@@ -72,10 +74,10 @@ struct Drive {
 
 /// Twenty explicit midpoint steps to 1 radian; every velocity compared with the direct solve's.
 template <int Dim>
-Drive drive(double phi, double tolerance, int threads, int n) {
+Drive drive(double phi, double tolerance, int threads, int n, const Smoothing& smoothing = {}) {
     const Turn<Dim> turn(n);
     const auto material =
-        std::make_shared<const Material<Dim>>(Material<Dim>::uniform(turn.mesh->cellCount(), phi));
+        std::make_shared<const Material<Dim>>(Material<Dim>::uniform(turn.mesh->cellCount(), phi, smoothing));
     VelocitySolver<Dim> solver(turn.mesh, material, BackEndKind::Cpu, threads);
     VelocitySolver<Dim> direct(turn.mesh, material, BackEndKind::Cpu, threads);
     solver.setConstraints(turn.rows);
@@ -134,10 +136,25 @@ void TestSolverReuse::velocityIsWithinTolerance() {
     QVERIFY2(run.statistics.factorizations <= 20, qPrintable(QString::number(run.statistics.factorizations)));
 }
 
+/// A smoothing length of many cells makes the matrix as ill-conditioned as that of a hundred thousand
+/// vertices: a factor in single precision then leaves a good part of the error of smooth fields, which the
+/// estimate must not take for solved.
+void TestSolverReuse::toleranceHoldsWhereSinglePrecisionIsPoor_data() {
+    QTest::addColumn<double>("tolerance");
+    for (double tolerance : {1e-3, 1e-4, 1e-5}) QTest::addRow("%g", tolerance) << tolerance;
+}
+
+void TestSolverReuse::toleranceHoldsWhereSinglePrecisionIsPoor() {
+    QFETCH(double, tolerance);
+    const auto run = drive<2>(phi::kMetr, tolerance, 1, 40, {SmoothingKind::Invariant, 0.5, 0.1});
+    QVERIFY2(run.worst <= 3 * tolerance, qPrintable(QString::number(run.worst)));
+}
+
 void TestSolverReuse::equiaAlwaysFactorizes() {
     const auto run = drive<2>(phi::kEquia, 1e-3, 1, 10);
     QCOMPARE(run.statistics.factorizations, 40);
-    QCOMPARE(run.worst, 0.0);
+    // Two factors in double precision of matrices of a condition of 1e6, refined to a residual of 1e-10.
+    QVERIFY2(run.worst < 1e-9, qPrintable(QString::number(run.worst)));
 }
 
 void TestSolverReuse::runsRepeat() {
@@ -283,7 +300,10 @@ struct Factored {
         backEnd->assemble(blocks);
         system.gather(blocks, cholesky.values());
     }
-    FloatFactor single() const { return {cholesky.supernodes(), system.columnStart(), system.row()}; }
+    template <class Real>
+    SupernodalFactor<Real> factor() const {
+        return {cholesky.supernodes(), system.columnStart(), system.row()};
+    }
 };
 
 /// Against the solve in double, for all shapes of supernodes that the orderings make.
@@ -291,7 +311,7 @@ template <int Dim>
 void compareFactors(int n) {
     for (const auto ordering : {Ordering::MinimumDegree, Ordering::NestedDissection}) {
         Factored<Dim> scene(n, phi::kAkvf, ordering);
-        auto single = scene.single();
+        auto single = scene.template factor<float>();
         QVERIFY(single.factorize(scene.cholesky.values()));
         QVERIFY(scene.cholesky.factorize() == Cholesky::Status::Done);
         std::mt19937 random(3);
@@ -303,21 +323,25 @@ void compareFactors(int n) {
         QVERIFY(scene.cholesky.solve(b, y) == Cholesky::Status::Done);
         const Eigen::Map<Eigen::VectorXd> X(x.data(), static_cast<Eigen::Index>(unknowns)),
             Y(y.data(), X.size());
-        // The condition of these small matrices is about 1e3 to 1e4, the precision 6e-8.
+        // The condition of these small matrices is about 1e3 to 1e4, the precision 6e-8 and 1e-16.
         QVERIFY2((X - Y).norm() <= 2e-3 * Y.norm(), qPrintable(QString::number((X - Y).norm() / Y.norm())));
+        auto twice = scene.template factor<double>();
+        QVERIFY(twice.factorize(scene.cholesky.values()));
+        QVERIFY(twice.solve(b, x));
+        QVERIFY2((X - Y).norm() <= 1e-11 * Y.norm(), qPrintable(QString::number((X - Y).norm() / Y.norm())));
     }
 }
 
 }  // namespace
 
-void TestSolverReuse::floatFactorSolves() {
+void TestSolverReuse::factorsSolve() {
     for (int n : {2, 3, 5, 24}) compareFactors<2>(n);
     for (int n : {2, 3, 6}) compareFactors<3>(n);
 }
 
 void TestSolverReuse::floatFactorRefuses() {
     Factored<2> scene(6, phi::kMetr, Ordering::MinimumDegree);
-    auto single = scene.single();
+    auto single = scene.factor<float>();
     for (auto& value : scene.cholesky.values()) value = -value;
     QVERIFY(!single.factorize(scene.cholesky.values()));
     for (auto& value : scene.cholesky.values()) value = std::nan("");
