@@ -7,8 +7,6 @@ namespace wend {
 namespace {
 
 constexpr int kMost = 200;  // far beyond what ever pays; ends a run that rounding keeps from converging
-// A single lucky step is not believed: the next one is expected to gain a factor of 20 at most.
-constexpr double kBestContraction = 0.05;
 
 template <int Dim>
 double dot(const Points<Dim>& a, const Points<Dim>& b) {
@@ -48,7 +46,7 @@ typename ConjugateGradients<Dim>::Result ConjugateGradients<Dim>::run(BackEnd<Di
             break;
         }
         const bool first = result.iterations == 1;
-        const double contraction = first ? goal.contraction : std::max(kBestContraction, size / before);
+        const double contraction = first ? goal.contraction : std::max(goal.leastContraction, size / before);
         if (result.iterations == 2)
             result.firstContraction = result.worstContraction = std::min(1.0, contraction);
         else if (!first)

@@ -19,6 +19,9 @@ class ConjugateGradients {
     struct Goal {
         double tolerance = 0;    // error allowed, relative to the greatest nodal velocity
         double contraction = 1;  // by how much the first step is expected to reduce the error
+        // And by how much any step at best: z shows little of what the factor can hardly see, which is what a
+        // matrix of bad condition loses in single precision.
+        double leastContraction = 0.05;
         /// Whether to give up, if about so many iterations are still to do.
         std::function<bool(double iterations)> hopeless;
     };

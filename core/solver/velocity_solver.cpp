@@ -31,6 +31,7 @@ constexpr double kLeastTolerance = 1e-8;
 // matrix decides (measured: 0.02 with 11 000 vertices in the plane, 0.2 with 40 000, 0.6 with 160 000), and
 // in double.
 constexpr double kFreshContraction = 1e-2, kFreshContractionDouble = 1e-6;
+constexpr double kBestContraction = 0.05;
 // Above this ratio w_r / w_q (EQUIA is 512) a factor does not last: hundreds of iterations.
 constexpr double kStiffestReuse = 20;
 // Above this ratio (METR is 2, AKVF 0) the factor is turned with the shape.
@@ -145,6 +146,7 @@ struct VelocitySolver<Dim>::Engine {
     bool factorizes(FactorKind kind);
     bool solveWithFactor(std::span<const double> b, std::span<double> x);
     double expectedContraction(double lag) const;
+    double leastContraction() const;
     void learnContraction(double lag, const typename ConjugateGradients<Dim>::Result& result);
     bool makeFactorAgain();
     bool precondition(std::span<const double> r, std::span<double> z);
@@ -325,6 +327,14 @@ double VelocitySolver<Dim>::Engine::expectedContraction(double lag) const {
     return std::min(1.0, std::max(fresh, memory.contraction * lag / memory.contractionLag));
 }
 
+/// A single lucky step is not believed: the next one is expected to gain a factor of 20 at most, and less
+/// with a factor that is known to be poor.
+template <int Dim>
+double VelocitySolver<Dim>::Engine::leastContraction() const {
+    const bool poor = memory.kind == FactorKind::Single && memory.freshContraction < 1;
+    return std::max(kBestContraction, poor ? memory.freshContraction : 0.0);
+}
+
 template <int Dim>
 void VelocitySolver<Dim>::Engine::learnContraction(double lag,
                                                    const typename ConjugateGradients<Dim>::Result& result) {
@@ -350,6 +360,7 @@ bool VelocitySolver<Dim>::Engine::iterate(Points<Dim>& v) {
     typename ConjugateGradients<Dim>::Goal goal;
     goal.tolerance = tolerance;
     goal.contraction = expectedContraction(lag);
+    goal.leastContraction = leastContraction();
     goal.hopeless = [&](double iterations) { return lag > 0 && policy.hopeless(iterations); };
     const auto result = iteration.run(
         *backEnd, system, [&](std::span<const double> r, std::span<double> z) { return precondition(r, z); },
