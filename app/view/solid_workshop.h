@@ -55,6 +55,8 @@ class SolidWorkshop : public QObject {
   signals:
     void failed(QString text);
     void done(QString text);
+    /// What the user should hear of a new mesh.
+    void told(QString text);
 
   private:
     void makePage();
@@ -64,6 +66,7 @@ class SolidWorkshop : public QObject {
     void chooseTool();
     void showCut();
     void holdBeyondCut();
+    void tellOfShape();
 
     Surroundings m_around;
     QWidget& m_window;
@@ -78,6 +81,7 @@ class SolidWorkshop : public QObject {
     SolidCanvas* m_canvas = nullptr;
     bool m_isActive = false;
     int m_lastCut = 2;
+    std::shared_ptr<const void> m_told;  // the rest mesh whose notices were told
     Manipulator m_manipulator;
     std::vector<std::pair<QAction*, std::unique_ptr<SolidTool>>> m_tools;
 };
