@@ -35,8 +35,16 @@ class FailsafeBackEnd final : public BackEnd<Dim> {
     }
     int setShape(const Points<Dim>& shape) override {
         m_shape = shape;
+        m_atStage = false;
         return safely([&] { return m_active->setShape(shape); });
     }
+    StageVectors<Dim>& stages() override { return m_stages; }
+    int setStage() override {
+        m_stages.keepPlace();
+        m_atStage = true;
+        return safely([&] { return m_active->setStage(); });
+    }
+    CopiedBytes copied() const override { return m_makeFallback ? m_active->copied() : m_copied; }
     void assemble(std::span<double> values) override {
         safely([&] { m_active->assemble(values); });
     }
@@ -48,6 +56,45 @@ class FailsafeBackEnd final : public BackEnd<Dim> {
     }
 
   private:
+    /// The active back end's stages, and what the processor needs to make the same sums.
+    class Stages final : public StageVectors<Dim> {
+        using typename StageVectors<Dim>::Terms;
+
+      public:
+        explicit Stages(FailsafeBackEnd& owner) : m_owner(owner) {}
+        void combine(const Nodal<Dim>& y, Terms terms) override {
+            m_latest = {y, {terms.begin(), terms.end()}};
+            m_owner.safely([&] { m_latest.make(active()); });
+        }
+        Nodal<Dim> shape() override {
+            return m_owner.safely([&] { return active().shape(); });
+        }
+        double distance(const Nodal<Dim>& other) override {
+            return m_owner.safely([&] { return active().distance(other); });
+        }
+        double greatest(Terms terms) override {
+            return m_owner.safely([&] { return active().greatest(terms); });
+        }
+
+        /// The back end's geometry is that of the latest sum from now on.
+        void keepPlace() { m_place = m_latest; }
+        void makePlace() { m_place.make(active()); }
+        void makeLatest() { m_latest.make(active()); }
+
+      private:
+        struct Sum {
+            Nodal<Dim> y;
+            std::vector<WeightedField<Dim>> terms;
+            void make(StageVectors<Dim>& stages) const {
+                if (y) stages.combine(y, terms);
+            }
+        };
+        StageVectors<Dim>& active() { return m_owner.m_active->stages(); }
+
+        FailsafeBackEnd& m_owner;
+        Sum m_latest, m_place;
+    };
+
     template <typename Work>
     auto safely(Work&& work) {
         if (!m_makeFallback) return work();
@@ -61,9 +108,16 @@ class FailsafeBackEnd final : public BackEnd<Dim> {
 
     void replace(const std::string& why) {
         const std::string device = m_active->device();
+        m_copied = m_active->copied();
         m_active = std::exchange(m_makeFallback, nullptr)();
         m_active->setInertia(m_inertia);
-        if (m_shape.cols() > 0) m_active->setShape(m_shape);
+        if (m_atStage) {
+            m_stages.makePlace();
+            m_active->setStage();
+        } else if (m_shape.cols() > 0) {
+            m_active->setShape(m_shape);
+        }
+        m_stages.makeLatest();
         if (m_notice) m_notice(failureText(device, DeviceFailure(why)));
     }
 
@@ -72,6 +126,9 @@ class FailsafeBackEnd final : public BackEnd<Dim> {
     DeviceNotice m_notice;
     std::vector<double> m_inertia;
     Points<Dim> m_shape;
+    Stages m_stages{*this};
+    bool m_atStage = false;  // the geometry is a stage's, not m_shape's
+    CopiedBytes m_copied;    // with the device that failed
 };
 
 std::optional<OpenClDeviceInfo> deviceFor(BackEndKind kind, const std::string& name, int unknowns) {

@@ -6,6 +6,7 @@
 
 #include "core/energy/cell_energy.h"
 #include "kernels/opencl_context.h"
+#include "kernels/opencl_stages.h"
 #include "kernels/rest_inverses.h"
 
 namespace wend {
@@ -18,7 +19,10 @@ class OpenClBackEnd final : public BackEnd<Dim> {
   public:
     OpenClBackEnd(const OpenClDeviceInfo& device, std::shared_ptr<const AssemblyPlan<Dim>> plan,
                   const SimplicialMesh<Dim>& rest, const Material<Dim>& material)
-        : m_cl(device), m_plan(std::move(plan)), m_anisotropic(!material.anisotropy.empty()) {
+        : m_cl(device),
+          m_plan(std::move(plan)),
+          m_anisotropic(!material.anisotropy.empty()),
+          m_stages(m_cl, m_plan->vertexCount) {
         buildKernels();
         uploadPlan();
         uploadMaterial(rest, material);
@@ -38,15 +42,14 @@ class OpenClBackEnd final : public BackEnd<Dim> {
     int setShape(const Points<Dim>& shape) override {
         return guarded([&] {
             write(m_shape, shape);
-            auto& queue = m_cl.queue();
-            launch(queue, m_setCells, cells(), m_cells, m_shape, m_restMeasure, m_restInverse, m_restB,
-                   m_gradients, m_measure, m_B, m_bad);
-            launch(queue, m_setFacets, facets(), m_cells, m_facets, m_shape, m_smoothingFactor, m_invariant,
-                   m_facetWeight);
-            launch(queue, m_setBeta, cells(), m_facetOfCorner, m_facetWeight, m_beta);
-            return firstBad();
+            return computeAt(m_shape);
         });
     }
+    StageVectors<Dim>& stages() override { return m_stages; }
+    int setStage() override {
+        return guarded([&] { return computeAt(m_stages.buffer()); });
+    }
+    CopiedBytes copied() const override { return m_cl.copied(); }
 
     void assemble(std::span<double> values) override {
         guarded([&] {
@@ -154,6 +157,16 @@ class OpenClBackEnd final : public BackEnd<Dim> {
         m_inertia = upload(std::vector<double>(count, 0.0));
     }
 
+    int computeAt(const cl::Buffer& shape) {
+        auto& queue = m_cl.queue();
+        launch(queue, m_setCells, cells(), m_cells, shape, m_restMeasure, m_restInverse, m_restB, m_gradients,
+               m_measure, m_B, m_bad);
+        launch(queue, m_setFacets, facets(), m_cells, m_facets, shape, m_smoothingFactor, m_invariant,
+               m_facetWeight);
+        launch(queue, m_setBeta, cells(), m_facetOfCorner, m_facetWeight, m_beta);
+        return firstBad();
+    }
+
     /// The first bad cell, or −1.
     int firstBad() {
         // Work items beyond the last chunk must find nothing: the count of items is the count of chunks.
@@ -182,6 +195,7 @@ class OpenClBackEnd final : public BackEnd<Dim> {
     OpenClContext m_cl;
     std::shared_ptr<const AssemblyPlan<Dim>> m_plan;
     bool m_anisotropic;
+    OpenClStages<Dim> m_stages;
     int m_chunks = 0;
     cl_int m_invariant = 0;
     cl_double m_smoothingFactor = 0;

@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 
+#include "core/assembly/back_end.h"
 #include "kernels/device_failure.h"
 #include "kernels/opencl.h"
 #include "kernels/opencl_devices.h"
@@ -51,17 +52,14 @@ class OpenClContext {
         m_copied.fromDevice += count * sizeof(T);
     }
 
-    struct Copied {
-        std::size_t toDevice = 0, fromDevice = 0;  // bytes
-    };
-    const Copied& copied() const { return m_copied; }
+    const CopiedBytes& copied() const { return m_copied; }
 
   private:
     OpenClDeviceInfo m_info;
     cl::Device m_device;
     cl::Context m_context;
     cl::CommandQueue m_queue;
-    Copied m_copied;
+    CopiedBytes m_copied;
 };
 
 /// Runs OpenCL calls and turns what they throw into a DeviceFailure.

@@ -1,23 +1,58 @@
 #pragma once
 
+#include <array>
+
 #include "core/assembly/stage_vectors.h"
-#include "kernels/device_failure.h"
-#include "kernels/opencl_devices.h"
+#include "kernels/opencl_context.h"
 
 namespace wend {
 
-/// On an OpenCL device: y and the slopes go there once, sums and norms are made there. Throws DeviceFailure
-/// here and from every call. `copied` (may be null) counts the bytes to and from the device.
-struct StageCopies {
-    std::size_t toDevice = 0, fromDevice = 0;
-};
+/// The stages of a step on an OpenCL device: every vector goes there once, sums and norms are made there, and
+/// a sum comes back only when it is asked for. Vectors are known by their address: as many as a step needs,
+/// and some more, stay on the device until others need the place. `cl` must outlive it. Throws DeviceFailure
+/// from every call.
 template <int Dim>
-std::unique_ptr<StageVectors<Dim>> makeOpenClStages(const OpenClDeviceInfo& device,
-                                                    StageCopies* copied = nullptr);
+class OpenClStages final : public StageVectors<Dim> {
+    using typename StageVectors<Dim>::Terms;
 
-/// `primary` until it throws a DeviceFailure, then the processor's with the vectors that were set.
-template <int Dim>
-std::unique_ptr<StageVectors<Dim>> makeFailsafeStages(std::unique_ptr<StageVectors<Dim>> primary,
-                                                      DeviceNotice notice);
+  public:
+    OpenClStages(OpenClContext& cl, int vertices);
+
+    void combine(const Nodal<Dim>& y, Terms terms) override;
+    Nodal<Dim> shape() override;
+    double distance(const Nodal<Dim>& other) override;
+    double greatest(Terms terms) override;
+
+    /// Where the stage's shape is.
+    const cl::Buffer& buffer() const { return m_shape; }
+
+    static constexpr int kChunk = 256;  // vertices per work item of a norm
+    int chunks() const { return (m_vertices + kChunk - 1) / kChunk; }
+
+  private:
+    struct Slot {
+        Nodal<Dim> vector;  // held, so that its address is that of no other
+        long used = 0;
+    };
+    struct Arguments {
+        cl_int count = 0;
+        cl_int8 slot{};
+        cl_double8 weights{};
+    };
+    int numbers() const { return Dim * m_vertices; }
+    std::size_t bytes() const { return static_cast<std::size_t>(numbers()) * sizeof(double); }
+    int freeSlot(const Nodal<Dim>& vector);
+    int slotOf(const Nodal<Dim>& vector);
+    Arguments argumentsOf(Terms terms);
+    double greatestPart();
+
+    OpenClContext& m_cl;
+    int m_vertices;
+    long m_uses = 0;
+    std::array<Slot, StageVectors<Dim>::kMostTerms + 4> m_slots;
+    Nodal<Dim> m_onHost;  // the stage's shape, once it was asked for
+    cl::Kernel m_combine, m_greatest, m_farthest;
+    cl::Buffer m_vectors, m_shape, m_parts;
+};
 
 }  // namespace wend

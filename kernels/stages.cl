@@ -1,33 +1,61 @@
-// Vectors of a Runge–Kutta step, kept on the device: 1 work item does 1 vertex. Built with -DDIM=2|3.
+// Sums of vectors kept on the device. All vectors lie in one buffer, in slots of `count` numbers. Built with
+// -DDIM=2|3.
 
 #pragma OPENCL EXTENSION cl_khr_fp64 : enable
 #pragma OPENCL FP_CONTRACT OFF
 
-// target = y + Σ weights[i] · slopes[i], by coordinates; slope i begins at number i · count.
-kernel void combine(int count, int stages, global const double* y, global const double* slopes,
-                    global const double* weights, global double* target) {
+// The i-th of up to eight terms; `terms` and the weights are the same for all work items.
+#define ADD(i, sum, k) \
+    if (terms > i) sum += weights.s##i * slots[(size_t)slot.s##i * count + (k)]
+#define ADD_ALL(sum, k) \
+    ADD(0, sum, k);     \
+    ADD(1, sum, k);     \
+    ADD(2, sum, k);     \
+    ADD(3, sum, k);     \
+    ADD(4, sum, k);     \
+    ADD(5, sum, k);     \
+    ADD(6, sum, k);     \
+    ADD(7, sum, k)
+
+// target = y + Σ weight · vector, by coordinates: 1 work item does 1 number.
+kernel void combine(int count, int terms, global const double* slots, int y, int8 slot, double8 weights,
+                    global double* target) {
     const int k = get_global_id(0);
     if (k >= count) return;
-    double sum = 0.0;
-    for (int i = 0; i < stages; ++i) sum += weights[i] * slopes[(size_t)i * count + k];
-    target[k] = y[k] + sum;
+    double sum = slots[(size_t)y * count + k];
+    ADD_ALL(sum, k);
+    target[k] = sum;
 }
 
-// The greatest |Σ weights[i] · slopes[i]|² of the vertices of every chunk.
-kernel void greatestError(int chunks, int vertices, int chunk, int stages, global const double* slopes,
-                          global const double* weights, global double* greatest) {
+// The greatest |Σ weight · vector|² of the vertices of every chunk.
+kernel void greatest(int chunks, int count, int chunk, int terms, global const double* slots, int8 slot,
+                     double8 weights, global double* parts) {
     const int c = get_global_id(0);
     if (c >= chunks) return;
     double most = 0.0;
-    const int end = min(vertices, (c + 1) * chunk);
-    for (int v = c * chunk; v < end; ++v) {
+    const int end = min(count, (c + 1) * chunk * DIM);
+    for (int v = c * chunk * DIM; v < end; v += DIM) {
         double square = 0.0;
         for (int a = 0; a < DIM; ++a) {
             double sum = 0.0;
-            for (int i = 0; i < stages; ++i) sum += weights[i] * slopes[((size_t)i * vertices + v) * DIM + a];
+            ADD_ALL(sum, v + a);
             square += sum * sum;
         }
         most = square > most || isnan(square) ? square : most;
     }
-    greatest[c] = most;
+    parts[c] = most;
+}
+
+// The greatest |a − b| of the numbers of every chunk, b being a slot.
+kernel void farthest(int chunks, int count, int chunk, global const double* a, global const double* slots,
+                     int b, global double* parts) {
+    const int c = get_global_id(0);
+    if (c >= chunks) return;
+    double most = 0.0;
+    const int end = min(count, (c + 1) * chunk * DIM);
+    for (int k = c * chunk * DIM; k < end; ++k) {
+        const double difference = fabs(a[k] - slots[(size_t)b * count + k]);
+        most = difference > most || isnan(difference) ? difference : most;
+    }
+    parts[c] = most;
 }

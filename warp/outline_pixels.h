@@ -57,7 +57,7 @@ void OutlinePixels::visit(int band, const TriangleRows& rows, Found&& found) con
     const int begin = static_cast<int>(std::max<double>(bandTop, std::floor(rows.top())));
     for (int y = begin; y < bandEnd && y < rows.bottom(); ++y) {
         const Pixel* it = pixels.data() + rowStart[static_cast<std::size_t>(y - bandTop)];
-        const Pixel* end = pixels.data() + rowStart[static_cast<std::size_t>(y - bandTop + 1)];
+        const Pixel* end = pixels.data() + rowStart[static_cast<std::size_t>(y - bandTop) + 1];
         it = std::lower_bound(it, end, left, [](const Pixel& p, double x) { return p.x < x; });
         if (it == end || it->x >= right) continue;
         std::array<Span, 8> spans{};

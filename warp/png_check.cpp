@@ -27,7 +27,8 @@ double packedBytes(const std::array<unsigned char, 13>& header) {
     constexpr std::array<int, 7> channels{1, 0, 3, 1, 2, 0, 4};  // by colour type; others are refused later
     const std::uint64_t width = bigEndian(header.data()), height = bigEndian(header.data() + 4);
     const std::uint64_t bits = header[9] < channels.size() ? header[8] * channels[header[9]] : 0;
-    return static_cast<double>(height) * static_cast<double>(1 + (width * bits + 7) / 8);
+    const std::uint64_t row = 1 + (width * bits + 7) / 8;
+    return static_cast<double>(height) * static_cast<double>(row);
 }
 
 }  // namespace

@@ -13,10 +13,12 @@
 
 // As in OpenImageIO/tiffutils.h, which wants libtiff's headers for the rest of what it declares.
 OIIO_NAMESPACE_BEGIN
+// NOLINTBEGIN(readability-identifier-naming)
 OIIO_API void encode_exif(const ImageSpec& spec, std::vector<char>& blob, OIIO::endian order);
 OIIO_API bool decode_exif(string_view exif, ImageSpec& spec);
 OIIO_API std::string encode_xmp(const ImageSpec& spec, bool minimal);
 OIIO_API bool decode_xmp(string_view xml, ImageSpec& spec);
+// NOLINTEND(readability-identifier-naming)
 OIIO_NAMESPACE_END
 
 namespace wend {

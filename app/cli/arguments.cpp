@@ -115,7 +115,7 @@ std::string Arguments::text(const std::string& flag) const {
 }
 
 double Arguments::number(const std::string& flag) const {
-    return has(flag) ? *given(flag) : defaultOf(flag);
+    return given(flag).value_or(defaultOf(flag));
 }
 
 int Arguments::integer(const std::string& flag) const {

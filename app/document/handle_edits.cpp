@@ -278,6 +278,7 @@ Project withGesture(const Project& project, const std::vector<int>& handles,
                     const std::vector<Vec<Dim>>& starts, const Grip& grip, const std::vector<Amount>& path) {
     if (grip.kind == Grip::Kind::Move) {
         std::vector<Vec<Dim>> offsets;
+        offsets.reserve(path.size());
         for (const Amount& amount : path) offsets.push_back(amount.template head<Dim>());
         return withStroke<Dim>(project, handles, starts, offsets);
     }

@@ -72,6 +72,7 @@ MeasureRange rangeOf(const std::vector<double>& values, Measure measure) {
         return {*low, std::max(*high, *low + 0.01)};
     }
     std::vector<double> sizes;
+    sizes.reserve(values.size());
     for (const double v : values)
         sizes.push_back(measure == Measure::Area ? std::abs(std::log(std::max(v, 1e-6))) : v);
     const auto nth =

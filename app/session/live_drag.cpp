@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/document/handle_edits.h"
+#include "core/mesh/used_vertices.h"
 #include "kernels/back_end_choice.h"
 
 namespace wend {
@@ -19,7 +20,7 @@ constexpr double kArm = 0.25;           // of the diagonal: what turning and gro
 template <int Dim>
 LiveDrag<Dim>::LiveDrag(const BuiltShape<Dim>& shape, std::vector<Handle<Dim>> handles)
     : m_shape(shape),
-      m_diagonal(boundingBoxDiagonal<Dim>(shape.rest->points)),
+      m_diagonal(extentOf<Dim>(shape.rest->points, shape.rest->cells).diagonal()),
       m_handles(std::move(handles)),
       m_flow(shape.rest, shape.material, m_handles, backEndFactory<Dim>(BackEndKind::Automatic)) {}
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "app/document/handle_edits.h"
+#include "core/mesh/used_vertices.h"
 #include "kernels/back_end_choice.h"
 
 namespace wend {
@@ -100,7 +101,7 @@ std::vector<double> MotionPass<Dim>::frameTimes(double from, double to) const {
 template <int Dim>
 void MotionPass<Dim>::run(const Sink& sink, std::stop_token stop) {
     if (!m_deformer) begin(sink);
-    const double diagonal = boundingBoxDiagonal<Dim>(m_shape.rest->points);
+    const double diagonal = extentOf<Dim>(m_shape.rest->points, m_shape.rest->cells).diagonal();
     const auto send = [&](const State<Dim>& state) {
         m_lastFrame = state.time;
         sink.onFrame(state, m_deformer->statistics().constraintError * diagonal);

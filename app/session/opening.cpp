@@ -8,6 +8,7 @@
 #include "app/session/scene.h"
 #include "core/mesh/error.h"
 #include "core/mesh/mesh_file.h"
+#include "core/mesh/segments.h"
 
 namespace wend {
 
@@ -45,11 +46,7 @@ bool hasTransparency(const Image& image) {
     try {
         const Outline outline = outlineFromAlpha(image, {});
         double area = 0;
-        for (const auto& loop : outline.loops)
-            for (std::size_t i = 0; i < loop.size(); ++i) {
-                const Vec<2>&a = loop[i], &b = loop[(i + 1) % loop.size()];
-                area += 0.5 * (a.x() * b.y() - b.x() * a.y());
-            }
+        for (const auto& loop : outline.loops) area += loopArea(loop);
         return std::abs(area) < 0.995 * image.width * image.height;
     } catch (const InputError&) {
         return false;

@@ -84,6 +84,7 @@ std::vector<PinPlace<Dim>> placePins(const std::vector<Handle<Dim>>& handles, co
                                      const PointLocator<Dim>& locator) {
     const Placer<Dim> placer(rest, locator);
     std::vector<PinPlace<Dim>> places;
+    places.reserve(handles.size());
     for (const Handle<Dim>& handle : handles) places.push_back(std::visit(placer, handle.at));
     return places;
 }

@@ -6,6 +6,7 @@
 
 #include "app/session/solid.h"
 #include "core/mesh/error.h"
+#include "core/mesh/segments.h"
 #include "core/mesh/used_vertices.h"
 #include "core/meshing/planar_mesher.h"
 #include "warp/outline.h"
@@ -24,23 +25,14 @@ double outlineDiagonal(const Outline& outline) {
     return box.isEmpty() ? 0 : box.diagonal().norm();
 }
 
-double distanceToSegment(const Vec<2>& p, const Vec<2>& a, const Vec<2>& b) {
-    const Vec<2> along = b - a;
-    const double squared = along.squaredNorm();
-    const double t = squared > 0 ? std::clamp(along.dot(p - a) / squared, 0.0, 1.0) : 0.0;
-    return (p - a - t * along).norm();
-}
-
 /// Whether the mesher takes the point: inside by even and odd, or on the border within the tolerance.
 bool belongs(const Outline& outline, const Vec<2>& p, double tolerance) {
     bool inside = false;
     for (const auto& loop : outline.loops)
         for (std::size_t i = 0; i < loop.size(); ++i) {
             const Vec<2>&a = loop[i], &b = loop[(i + 1) % loop.size()];
-            if (distanceToSegment(p, a, b) <= tolerance) return true;
-            if ((a.y() > p.y()) != (b.y() > p.y()) &&
-                p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))
-                inside = !inside;
+            if (distanceToSegment<2>(p, a, b) <= tolerance) return true;
+            if (crossesRay(a, b, p)) inside = !inside;
         }
     return inside;
 }

@@ -5,6 +5,7 @@
 
 #include "app/document/handle_edits.h"
 #include "core/mesh/error.h"
+#include "core/mesh/used_vertices.h"
 
 namespace wend {
 
@@ -185,7 +186,7 @@ std::shared_ptr<PosedFrame<Dim>> ShapeEngineOf<Dim>::makeFrame(const BuiltPtr& s
     frame->shape = shape->rest;
     frame->vertices = rest.vertexCount();
     frame->cells = rest.cellCount();
-    frame->diagonal = boundingBoxDiagonal<Dim>(rest.points);
+    frame->diagonal = extentOf<Dim>(rest.points, rest.cells).diagonal();
     frame->built = shape;
     frame->rest = shape->rest;
     frame->facets = shape->facets;

@@ -251,6 +251,7 @@ Placement<3> ShapeSession::placementOf(const std::vector<int>& vertices) const {
     const auto shape = frame<3>();
     if (!shape || m_document.project()->domain.kind == DomainKind::Mesh) return vertices;
     std::vector<Vec<3>> points;
+    points.reserve(vertices.size());
     for (const int v : vertices) points.push_back(shape->rest->points.col(v));
     return points;
 }

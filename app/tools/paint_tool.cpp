@@ -47,6 +47,7 @@ void PaintTool::move(const QMouseEvent& event) {
 void PaintTool::release(const QMouseEvent&) {
     if (!std::exchange(m_active, false) || m_dabs.empty()) return;
     std::vector<Ball<3>> balls;
+    balls.reserve(m_dabs.size());
     for (const Dab& one : m_dabs) balls.push_back({one.rest, one.radius});
     m_dabs.clear();
     Document& document = session().document();

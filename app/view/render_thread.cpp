@@ -61,9 +61,8 @@ void fillCells(QPainter& painter, const RenderRequest& request) {
 
 void drawEdges(QPainter& painter, const RenderRequest& request) {
     const PosedFrame<2>& frame = *request.frame;
-    const double diagonal = boundingBoxDiagonal<2>(frame.rest->points);
-    const double edge =
-        diagonal / std::sqrt(2.0 * frame.rest->vertexCount()) * request.view.zoom();  // about, on the screen
+    const double edge = frame.diagonal / std::sqrt(2.0 * frame.rest->vertexCount()) *
+                        request.view.zoom();  // about, on the screen
     QColor colour = request.line;
     colour.setAlphaF(std::clamp(edge / 14, 0.12, 0.55));
     QPen pen(colour, 1);

@@ -47,7 +47,7 @@ TimeStrip::TimeStrip(ShapeSession& session, QWidget* parent)
 
     Playback& playback = m_session.playback();
     connect(m_slider, &QSlider::valueChanged, this,
-            [this, &playback](int value) { playback.setTime(playback.end() * value / kSteps); });
+            [&playback](int value) { playback.setTime(playback.end() * value / kSteps); });
     connect(m_slider, &QSlider::sliderPressed, &playback, [&playback] { playback.setPlaying(false); });
     connect(&playback, &Playback::endChanged, this, &TimeStrip::showEnd);
     connect(&playback, &Playback::timeChanged, this, &TimeStrip::showTime);

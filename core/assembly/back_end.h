@@ -7,12 +7,18 @@
 #include <vector>
 
 #include "core/assembly/assembly_plan.h"
+#include "core/assembly/stage_vectors.h"
 #include "core/energy/material.h"
 
 namespace wend {
 
 /// Where the matrix is computed. Automatic takes an OpenCL device where there is one, else the CPU.
 enum class BackEndKind { Automatic, OpenCl, Cpu };
+
+/// Bytes that went to a device and came from it.
+struct CopiedBytes {
+    std::size_t toDevice = 0, fromDevice = 0;
+};
 
 /// The part of the method that a device does: everything between a shape and the values of a fixed sparse
 /// pattern. A is the matrix of the energy, E(v) = vᵀ A v with E = E_φ + E_S (method.md), plus εM where an
@@ -34,6 +40,17 @@ class BackEnd {
     /// is not oriented as it is at rest (inverted, flat or not finite); the other functions may then not be
     /// called.
     virtual int setShape(const Points<Dim>& shape) = 0;
+
+    /// The shapes of an integrator's stages, kept where this back end computes: one object for its life.
+    virtual StageVectors<Dim>& stages() {
+        if (!m_hostStages) m_hostStages = makeHostStages<Dim>();
+        return *m_hostStages;
+    }
+    /// setShape() at the shape of stages().
+    virtual int setStage() { return setShape(*stages().shape()); }
+    /// All that was copied so far, plan and material included; nothing without a device.
+    virtual CopiedBytes copied() const { return {}; }
+
     /// The values of A: Dim × Dim blocks (column-major) in the order of the plan's pattern, its lower
     /// triangle.
     virtual void assemble(std::span<double> values) = 0;
@@ -41,6 +58,9 @@ class BackEnd {
     virtual void apply(const Points<Dim>& v, Points<Dim>& Av) = 0;
     /// E(v) = E_φ + E_S, without the inertia.
     virtual double energy(const Points<Dim>& v) = 0;
+
+  private:
+    std::unique_ptr<StageVectors<Dim>> m_hostStages;  // where no device has them; made at the first use
 };
 
 /// Makes a back end for a plan, the rest mesh that it was made of (normalized) and a valid material; threads

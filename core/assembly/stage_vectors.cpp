@@ -1,41 +1,41 @@
 #include "core/assembly/stage_vectors.h"
 
 #include <cmath>
-#include <vector>
 
 namespace wend {
 namespace {
 
 template <int Dim>
 class HostStages final : public StageVectors<Dim> {
+    using typename StageVectors<Dim>::Terms;
+
   public:
-    void begin(const Points<Dim>& y, int stages) override {
-        m_y = y;
-        m_slopes.resize(static_cast<std::size_t>(stages));
-    }
-    void setSlope(int stage, const Points<Dim>& k) override { m_slopes[static_cast<std::size_t>(stage)] = k; }
+    void combine(const Nodal<Dim>& y, Terms terms) override { m_shape = terms.empty() ? y : sum(*y, terms); }
+    Nodal<Dim> shape() override { return m_shape; }
 
-    Points<Dim> combined(double h, std::span<const double> a) override { return m_y + sum(h, a); }
+    double distance(const Nodal<Dim>& other) override { return (*m_shape - *other).cwiseAbs().maxCoeff(); }
 
-    double greatestError(double h, std::span<const double> e) override {
-        const Points<Dim> error = sum(h, e);
+    double greatest(Terms terms) override {
+        if (terms.empty()) return 0;
+        const auto& first = *terms.front().field;
+        const Nodal<Dim> total = sum(Points<Dim>::Zero(Dim, first.cols()), terms);
         double most = 0;
-        for (Eigen::Index i = 0; i < error.cols(); ++i) {
-            const double square = error.col(i).squaredNorm();
+        for (Eigen::Index i = 0; i < total->cols(); ++i) {
+            const double square = total->col(i).squaredNorm();
             if (square > most || std::isnan(square)) most = square;
+            if (std::isnan(most)) break;
         }
         return std::sqrt(most);
     }
 
   private:
-    Points<Dim> sum(double h, std::span<const double> weights) const {
-        Points<Dim> total = Points<Dim>::Zero(Dim, m_y.cols());
-        for (std::size_t i = 0; i < weights.size(); ++i) total += (h * weights[i]) * m_slopes[i];
+    static Nodal<Dim> sum(const Points<Dim>& y, Terms terms) {
+        auto total = std::make_shared<Points<Dim>>(y);
+        for (const auto& [weight, field] : terms) *total += weight * *field;
         return total;
     }
 
-    Points<Dim> m_y;
-    std::vector<Points<Dim>> m_slopes;
+    Nodal<Dim> m_shape;
 };
 
 }  // namespace

@@ -7,21 +7,35 @@
 
 namespace wend {
 
-/// The vectors of a Runge–Kutta step: the shape y at its begin and the slopes k_i of its stages, kept where
-/// the sums are made. Slopes are set in any order; a sum runs over as many as it has weights, all of them
-/// set, in their order: the same bits every time.
+/// A shape or a velocity field that does not change any more. It is known by its address, so that whoever has
+/// made a copy of it elsewhere, as on a device, knows it again.
+template <int Dim>
+using Nodal = std::shared_ptr<const Points<Dim>>;
+
+template <int Dim>
+struct WeightedField {
+    double weight;
+    Nodal<Dim> field;
+};
+
+/// The shapes at the stages of an integrator's step, sums y + Σ w_i k_i of a shape and velocity fields, kept
+/// where they are made and used. Sums run in the order given: the same bits every time.
 template <int Dim>
 class StageVectors {
   public:
+    static constexpr std::size_t kMostTerms = 8;
+    using Terms = std::span<const WeightedField<Dim>>;
+
     virtual ~StageVectors() = default;
 
-    /// Begins a step at y, with room for so many slopes.
-    virtual void begin(const Points<Dim>& y, int stages) = 0;
-    virtual void setSlope(int stage, const Points<Dim>& k) = 0;
-    /// y + h Σ a_i k_i.
-    virtual Points<Dim> combined(double h, std::span<const double> a) = 0;
-    /// max over the vertices of |h Σ e_i k_i|; no number if a vector has none.
-    virtual double greatestError(double h, std::span<const double> e) = 0;
+    /// The stage's shape becomes y + Σ w_i k_i.
+    virtual void combine(const Nodal<Dim>& y, Terms terms) = 0;
+    /// The stage's shape in the processor's memory, where it is copied when it is first asked for.
+    virtual Nodal<Dim> shape() = 0;
+    /// The greatest difference of a coordinate between the stage's shape and another one.
+    virtual double distance(const Nodal<Dim>& other) = 0;
+    /// max over the vertices of |Σ w_i k_i|; no number if a vector has none.
+    virtual double greatest(Terms terms) = 0;
 };
 
 /// In the processor's memory.

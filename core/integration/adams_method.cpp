@@ -47,46 +47,51 @@ double AdamsMethod<Dim>::firstStep(double speed) const {
     return kFirstMove * std::sqrt(m_tolerance) / speed;
 }
 
-/// x at t plus the integral to `to` of the polynomial through the last fields.
+/// The integral from m_from to `to` of the polynomial through the last fields.
 template <int Dim>
-Points<Dim> AdamsMethod<Dim>::integrated(const std::vector<PastField<Dim>>& fields, int count,
-                                         double to) const {
+std::vector<WeightedField<Dim>> AdamsMethod<Dim>::integral(const std::vector<PastField<Dim>>& fields,
+                                                           int count, double to) const {
     const auto last = fields.end() - count;
     std::vector<double> times;
     for (auto field = last; field != fields.end(); ++field) times.push_back(field->time);
     const auto weights = adamsWeights(times, m_from, to);
-    Points<Dim> x = m_start;
-    for (int i = 0; i < count; ++i) x += weights[i] * *last[i].field;
-    return x;
+    std::vector<WeightedField<Dim>> terms;
+    for (int i = 0; i < count; ++i) terms.push_back({weights[i], last[i].field});
+    return terms;
 }
 
 /// The difference of the corrections with k + 1 and with k fields, of order h^(k + 1).
 template <int Dim>
-double AdamsMethod<Dim>::estimate(int order) const {
+double AdamsMethod<Dim>::estimate(StageVectors<Dim>& stages, int order) const {
     const int known = static_cast<int>(m_fields.size());
     if (order < 1 || order + 1 > known) return kUnknown;
-    const Points<Dim> higher = order == m_order ? m_result : integrated(m_fields, order + 1, m_to);
-    return largestColumn<Dim>(higher - integrated(m_fields, order, m_to)) / m_tolerance;
+    auto difference = integral(m_fields, order + 1, m_to);
+    const auto lower = integral(m_fields, order, m_to);
+    for (int i = 0; i < order; ++i) difference[i + 1].weight -= lower[i].weight;
+    return stages.greatest(difference) / m_tolerance;
 }
 
 template <int Dim>
-bool AdamsMethod<Dim>::attempt(const typename StepMethod<Dim>::Rhs& f, double t, double to,
-                               const Points<Dim>& x, Pace<Dim>& pace) {
+bool AdamsMethod<Dim>::attempt(const typename StepMethod<Dim>::Rhs& f, StageVectors<Dim>& stages, double t,
+                               double to, const Nodal<Dim>& x, Pace<Dim>& pace) {
     m_from = t;
     m_to = to;
     m_start = x;
     if (pace.fields.empty()) {
-        auto field = std::make_shared<Points<Dim>>();
-        if (!f(t, Side::After, x, *field)) return false;
+        stages.combine(x, {});
+        auto field = fieldAt<Dim>(f, stages, t, Side::After);
+        if (!field) return false;
         pace.fields = {{t, std::move(field)}};
     }
     m_order = std::clamp(pace.order, 1, static_cast<int>(pace.fields.size()));
-    auto field = std::make_shared<Points<Dim>>();
-    if (!f(to, Side::Before, integrated(pace.fields, m_order, to), *field)) return false;
+    stages.combine(x, integral(pace.fields, m_order, to));
+    auto field = fieldAt<Dim>(f, stages, to, Side::Before);
+    if (!field) return false;
     m_fields = pace.fields;
     m_fields.push_back({to, std::move(field)});
-    m_result = integrated(m_fields, m_order + 1, to);
-    for (int i : {0, 1, 2}) m_errors[i] = estimate(m_order - 1 + i);
+    stages.combine(x, integral(m_fields, m_order + 1, to));
+    m_result = stages.shape();
+    for (int i : {0, 1, 2}) m_errors[i] = estimate(stages, m_order - 1 + i);
     return true;
 }
 
@@ -126,7 +131,9 @@ void AdamsMethod<Dim>::accept(Pace<Dim>& pace, bool shortened, bool cut) {
 
 template <int Dim>
 Points<Dim> AdamsMethod<Dim>::at(double t, const Points<Dim>&) const {
-    return integrated(m_fields, m_order + 1, t);
+    Points<Dim> x = *m_start;
+    for (const auto& [weight, field] : integral(m_fields, m_order + 1, t)) x += weight * *field;
+    return x;
 }
 
 template class AdamsMethod<2>;

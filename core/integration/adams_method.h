@@ -23,9 +23,9 @@ class AdamsMethod final : public StepMethod<Dim> {
     explicit AdamsMethod(double tolerance) : m_tolerance(tolerance) {}
 
     double firstStep(double speed) const override;
-    bool attempt(const typename StepMethod<Dim>::Rhs& f, double t, double to, const Points<Dim>& x,
-                 Pace<Dim>& pace) override;
-    const Points<Dim>& result() const override { return m_result; }
+    bool attempt(const typename StepMethod<Dim>::Rhs& f, StageVectors<Dim>& stages, double t, double to,
+                 const Nodal<Dim>& x, Pace<Dim>& pace) override;
+    const Nodal<Dim>& result() const override { return m_result; }
     double error() const override { return m_errors[1]; }
     void retry(Pace<Dim>& pace) const override;
     void accept(Pace<Dim>& pace, bool shortened, bool cut) override;
@@ -33,12 +33,13 @@ class AdamsMethod final : public StepMethod<Dim> {
     Points<Dim> at(double t, const Points<Dim>& endField) const override;
 
   private:
-    Points<Dim> integrated(const std::vector<PastField<Dim>>& fields, int count, double to) const;
-    double estimate(int order) const;
+    std::vector<WeightedField<Dim>> integral(const std::vector<PastField<Dim>>& fields, int count,
+                                             double to) const;
+    double estimate(StageVectors<Dim>& stages, int order) const;
 
     double m_tolerance;
     double m_from = 0, m_to = 0;
-    Points<Dim> m_start, m_result;
+    Nodal<Dim> m_start, m_result;
     std::vector<PastField<Dim>> m_fields;  // those of the pace and the one at the predicted shape
     int m_order = 1;
     std::array<double, 3> m_errors{};  // over the tolerance, of orders k − 1, k, k + 1; infinite: not known

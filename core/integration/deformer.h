@@ -47,7 +47,8 @@ struct Statistics {
     double analyze = 0, assemble = 0, factor = 0, solve = 0, integrate = 0;  // seconds
     double constraintError =
         0;  // greatest distance of a constrained point from its trajectory, relative to the diagonal
-    double energy = 0;  // E(v̂) at the last evaluation, in normalized units
+    double energy = 0;   // E(v̂) at the last evaluation, in normalized units
+    CopiedBytes copied;  // to and from a device, since the deformer was made
 };
 
 /// The shape at a time, and all that is needed to go on from there to the same bits.

@@ -112,9 +112,9 @@ void Deformer<Dim>::Engine::activate(Side side) {
     m_solver->setConstraints(rowsOf(*m_constraints, m_ids));
 }
 
-/// dx/dt = v̂(x, t) (method.md, Integration), constrained points as all others.
+/// dx/dt = v̂(x, t) at the stages' shape (method.md, Integration), constrained points as all others.
 template <int Dim>
-bool Deformer<Dim>::Engine::evaluate(double t, Side side, const Points<Dim>& shape, Points<Dim>& velocity) {
+bool Deformer<Dim>::Engine::evaluate(double t, Side side, Points<Dim>& velocity) {
     m_failure = {};
     m_failure.time = t;
     if (m_watch && m_watch->stop.stop_requested()) {
@@ -125,7 +125,7 @@ bool Deformer<Dim>::Engine::evaluate(double t, Side side, const Points<Dim>& sha
     ++statistics.evaluations;
     const bool reuses = m_solver->reuses();
     m_failure.outcome =
-        m_solver->solve(shape, m_prescribed, velocity, reuses ? m_history.at(t) : std::nullopt);
+        m_solver->solveAtStage(m_prescribed, velocity, reuses ? m_history.at(t) : std::nullopt);
     if (reuses && m_failure.outcome.done()) m_history.record(t, m_prescribed, velocity);
     return m_failure.outcome.done();
 }
@@ -184,14 +184,14 @@ double Deformer<Dim>::Engine::smallestStep() const {
 /// Tries to step from the current state to a time. The error over the tolerance (0 for fixed steps), or
 /// nothing if a stage or the result could not be had.
 template <int Dim>
-std::optional<double> Deformer<Dim>::Engine::attempt(double to) {
-    const auto rhs = [this](double t, Side side, const Points<Dim>& x, Points<Dim>& v) {
-        return evaluate(t, side, x, v);
+std::optional<double> Deformer<Dim>::Engine::attempt(const Nodal<Dim>& start, double to) {
+    const auto rhs = [this](double t, Side side, StageVectors<Dim>&, Points<Dim>& v) {
+        return evaluate(t, side, v);
     };
-    if (!m_method->attempt(rhs, state.time, to, state.normalized, state.pace)) return {};
+    if (!m_method->attempt(rhs, m_solver->stages(), state.time, to, start, state.pace)) return {};
     const double error = m_method->error();
     if (!(error <= 1)) return error;
-    m_next = m_method->result();
+    m_next = *m_method->result();
     project(to, m_next);
     const int inverted = m_orientation.firstInverted(m_next);
     if (inverted < 0) return error;
@@ -230,9 +230,10 @@ bool Deformer<Dim>::Engine::step(double stop) {
     double to = proposedStep(stop);
     bool shortened = false;
     const bool cut = to < state.time + state.pace.step;
+    const auto start = std::make_shared<const Points<Dim>>(state.normalized);
     for (;;) {
         m_failure = {};
-        const std::optional<double> error = attempt(to);
+        const std::optional<double> error = attempt(start, to);
         if (error && *error <= 1) {
             accept(to, shortened, cut && !shortened);
             return true;
@@ -311,8 +312,10 @@ void Deformer<Dim>::Engine::emitFrames(double from, double to) {
     Points<Dim> endField;
     // The step is done: a wish to stop does not count before the frames in it are out.
     const Watch* const watch = std::exchange(m_watch, nullptr);
-    if (m_method->needsEndField() && !evaluate(to, Side::Before, m_next, endField))
-        endField = (m_next - state.normalized) / (to - from);
+    if (m_method->needsEndField()) {
+        m_solver->stages().combine(std::make_shared<const Points<Dim>>(m_next), {});
+        if (!evaluate(to, Side::Before, endField)) endField = (m_next - state.normalized) / (to - from);
+    }
     m_watch = watch;
     for (; m_frame < times.size() && times[m_frame] < to; ++m_frame) {
         Points<Dim> shape = m_method->at(times[m_frame], endField);
@@ -389,7 +392,8 @@ Points<Dim> Deformer<Dim>::Engine::velocity() {
         std::exchange(state.anchors, m_constraints->anchors(state.normalized, state.time, side));
     Points<Dim> v;
     m_solver->setVelocityTolerance(0);  // what is asked for is exact
-    const bool good = evaluate(state.time, side, state.normalized, v);
+    m_solver->stages().combine(std::make_shared<const Points<Dim>>(state.normalized), {});
+    const bool good = evaluate(state.time, side, v);
     m_solver->setVelocityTolerance(velocityTolerance(m_options));
     state.anchors = anchors;
     collectStatistics();
@@ -406,6 +410,7 @@ void Deformer<Dim>::Engine::collectStatistics() {
     statistics.factor = solver.factor;
     statistics.solve = solver.solve;
     statistics.energy = m_solver->energy();
+    statistics.copied = m_solver->copied();
 }
 
 template struct Deformer<2>::Engine;

@@ -46,7 +46,7 @@ struct Deformer<Dim>::Engine {
     void startAnew();
     void recall();
     void remember();
-    bool evaluate(double t, Side side, const Points<Dim>& shape, Points<Dim>& velocity);
+    bool evaluate(double t, Side side, Points<Dim>& velocity);
     void project(double t, Points<Dim>& shape);
 
     // Steps
@@ -57,7 +57,7 @@ struct Deformer<Dim>::Engine {
     double smallestStep() const;
     void failForSmallStep(double to);
     bool step(double stop);
-    std::optional<double> attempt(double to);
+    std::optional<double> attempt(const Nodal<Dim>& start, double to);
     void accept(double to, bool shortened, bool cut);
     void standStill(double to);
     void arrive(double to);

@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "core/assembly/stage_vectors.h"
 #include "core/integration/method.h"
 #include "core/motion/trajectory.h"
 
@@ -20,84 +21,85 @@ struct Tableau {
     static const Tableau& of(Method method);
 };
 
-/// One step of dy/dt = f(t, y) for y an Eigen matrix. f is a call f(t, side, y, dy) that returns false where
-/// it cannot be evaluated. The stage at the start of the step sees the right-hand side after it, those at its
-/// end before it: it may jump at either.
-template <class Y>
+/// One step of dy/dt = f(t, y) for y the nodes of a shape. f is a call f(t, side, stages, dy) at the shape
+/// that the stages have, which returns false where it cannot be evaluated. The stage at the start of the step
+/// sees the right-hand side after it, those at its end before it: it may jump at either.
+template <int Dim>
 class RungeKuttaStep {
   public:
     explicit RungeKuttaStep(Method method) : m_tableau(Tableau::of(method)), m_k(m_tableau.stages) {}
 
-    /// From y at t to `to`. `slope` is f(t, y) if it is known, else empty. False if a stage could not be
+    /// From y at t to `to`. `slope` is f(t, y) if it is known, else null. False if a stage could not be
     /// evaluated.
     template <class Rhs>
-    bool attempt(Rhs&& f, double t, double to, const Y& y, const Y& slope) {
+    bool attempt(Rhs&& f, StageVectors<Dim>& stages, double t, double to, const Nodal<Dim>& y,
+                 const Nodal<Dim>& slope) {
         m_y = y;
         m_h = to - t;
-        for (int i = 0; i < m_tableau.stages; ++i) {
+        m_k[0] = slope;
+        for (int i = slope ? 1 : 0; i < m_tableau.stages; ++i) {
             const double c = m_tableau.c[i];
-            if (i == 0 && slope.size() > 0) {
-                m_k[0] = slope;
-                continue;
-            }
-            m_stage = y;
-            for (int j = 0; j < i; ++j) {
-                if (m_tableau.a[i][j] != 0) m_stage += m_h * m_tableau.a[i][j] * m_k[j];
-            }
-            const Side side = c == 1 ? Side::Before : Side::After;
-            if (!f(c == 1 ? to : t + c * m_h, side, m_stage, m_k[i])) return false;
+            stages.combine(y, terms(m_tableau.a[i], i));
+            auto k = std::make_shared<Points<Dim>>();
+            if (!f(c == 1 ? to : t + c * m_h, c == 1 ? Side::Before : Side::After, stages, *k)) return false;
+            m_k[i] = std::move(k);
         }
         // With an FSAL method this is the argument of the last stage.
-        if (!m_tableau.firstSameAsLast) m_stage = combined(m_tableau.b);
+        if (!m_tableau.firstSameAsLast) stages.combine(y, terms(m_tableau.b, m_tableau.stages));
+        m_result = stages.shape();
         return true;
     }
 
-    const Y& result() const { return m_stage; }
-    /// h Σ (b − b̂)_i k_i.
-    Y error() const { return combined(m_tableau.error) - m_y; }
+    const Nodal<Dim>& result() const { return m_result; }
+    /// The greatest |h Σ (b − b̂)_i k_i| of a node.
+    double error(StageVectors<Dim>& stages) const {
+        return stages.greatest(terms(m_tableau.error, m_tableau.stages));
+    }
     bool firstSameAsLast() const { return m_tableau.firstSameAsLast; }
     /// f at the result, for a method that has it.
-    const Y& lastSlope() const { return m_k.back(); }
+    const Nodal<Dim>& lastSlope() const { return m_k.back(); }
 
     /// y at t + θ h between the ends of a Dormand–Prince step, of order 4 (Hairer, Nørsett, Wanner I, II.6).
-    Y dense(double theta) const;
+    Points<Dim> dense(double theta) const;
     /// The same for the others, of order 3, from the slope at the result: the cubic Hermite polynomial.
-    Y hermite(double theta, const Y& endSlope) const;
+    Points<Dim> hermite(double theta, const Points<Dim>& endSlope) const;
 
   private:
-    Y combined(const std::array<double, 7>& weights) const {
-        Y y = m_y;
-        for (int i = 0; i < m_tableau.stages; ++i) {
-            if (weights[i] != 0) y += m_h * weights[i] * m_k[i];
-        }
-        return y;
+    /// h Σ w_i k_i.
+    std::vector<WeightedField<Dim>> terms(const std::array<double, 7>& weights, int count) const {
+        std::vector<WeightedField<Dim>> sum;
+        for (int i = 0; i < count; ++i)
+            if (weights[i] != 0) sum.push_back({m_h * weights[i], m_k[i]});
+        return sum;
     }
 
     const Tableau& m_tableau;
-    std::vector<Y> m_k;
-    Y m_y, m_stage;
+    std::vector<Nodal<Dim>> m_k;
+    Nodal<Dim> m_y, m_result;
     double m_h = 0;
 };
 
-template <class Y>
-Y RungeKuttaStep<Y>::hermite(double theta, const Y& endSlope) const {
+template <int Dim>
+Points<Dim> RungeKuttaStep<Dim>::hermite(double theta, const Points<Dim>& endSlope) const {
     const double rest = 1 - theta;
-    const Y difference = m_stage - m_y;
-    return m_y + theta * difference +
-           theta * rest * (rest * (m_h * m_k[0] - difference) - theta * (m_h * endSlope - difference));
+    const Points<Dim> difference = *m_result - *m_y;
+    return *m_y + theta * difference +
+           theta * rest * (rest * (m_h * *m_k[0] - difference) - theta * (m_h * endSlope - difference));
 }
 
 /// The Hermite cubic and a quartic term that the middle stages determine.
-template <class Y>
-Y RungeKuttaStep<Y>::dense(double theta) const {
+template <int Dim>
+Points<Dim> RungeKuttaStep<Dim>::dense(double theta) const {
     static constexpr std::array<double, 7> kQuartic = {
         -12715105075.0 / 11282082432,  0,
         87487479700.0 / 32700410799,   -10690763975.0 / 1880347072,
         701980252875.0 / 199316789632, -1453857185.0 / 822651844,
         69997945.0 / 29380423};
     const double rest = 1 - theta;
-    const Y quartic = combined(kQuartic) - m_y;
-    return hermite(theta, m_k.back()) + theta * theta * rest * rest * quartic;
+    Points<Dim> y = hermite(theta, *m_k.back());
+    for (const auto& [weight, k] : terms(kQuartic, m_tableau.stages))
+        y += theta * theta * rest * rest * weight * *k;
+    return y;
 }
 
 }  // namespace wend

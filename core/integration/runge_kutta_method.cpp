@@ -21,17 +21,18 @@ double RungeKuttaMethod<Dim>::firstStep(double speed) const {
 }
 
 template <int Dim>
-bool RungeKuttaMethod<Dim>::attempt(const typename StepMethod<Dim>::Rhs& f, double t, double to,
-                                    const Points<Dim>& x, Pace<Dim>& pace) {
+bool RungeKuttaMethod<Dim>::attempt(const typename StepMethod<Dim>::Rhs& f, StageVectors<Dim>& stages,
+                                    double t, double to, const Nodal<Dim>& x, Pace<Dim>& pace) {
     m_from = t;
     m_to = to;
     if (pace.fields.empty()) {
-        auto field = std::make_shared<Points<Dim>>();
-        if (!f(t, Side::After, x, *field)) return false;
+        stages.combine(x, {});
+        auto field = fieldAt<Dim>(f, stages, t, Side::After);
+        if (!field) return false;
         pace.fields = {{t, std::move(field)}};
     }
-    if (!m_step.attempt(f, t, to, x, *pace.fields.back().field)) return false;
-    m_error = m_tolerance > 0 ? largestColumn<Dim>(m_step.error()) / m_tolerance : 0;
+    if (!m_step.attempt(f, stages, t, to, x, pace.fields.back().field)) return false;
+    m_error = m_tolerance > 0 ? m_step.error(stages) / m_tolerance : 0;
     return true;
 }
 
@@ -55,8 +56,7 @@ void RungeKuttaMethod<Dim>::accept(Pace<Dim>& pace, bool shortened, bool cut) {
         pace.error = m_error;
     }
     pace.fields.clear();
-    if (m_step.firstSameAsLast())
-        pace.fields.push_back({m_to, std::make_shared<const Points<Dim>>(m_step.lastSlope())});
+    if (m_step.firstSameAsLast()) pace.fields.push_back({m_to, m_step.lastSlope()});
 }
 
 template <int Dim>

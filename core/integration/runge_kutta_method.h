@@ -12,9 +12,9 @@ class RungeKuttaMethod final : public StepMethod<Dim> {
     RungeKuttaMethod(Method method, double tolerance) : m_step(method), m_tolerance(tolerance) {}
 
     double firstStep(double speed) const override;
-    bool attempt(const typename StepMethod<Dim>::Rhs& f, double t, double to, const Points<Dim>& x,
-                 Pace<Dim>& pace) override;
-    const Points<Dim>& result() const override { return m_step.result(); }
+    bool attempt(const typename StepMethod<Dim>::Rhs& f, StageVectors<Dim>& stages, double t, double to,
+                 const Nodal<Dim>& x, Pace<Dim>& pace) override;
+    const Nodal<Dim>& result() const override { return m_step.result(); }
     double error() const override { return m_error; }
     void retry(Pace<Dim>& pace) const override;
     void accept(Pace<Dim>& pace, bool shortened, bool cut) override;
@@ -22,7 +22,7 @@ class RungeKuttaMethod final : public StepMethod<Dim> {
     Points<Dim> at(double t, const Points<Dim>& endField) const override;
 
   private:
-    RungeKuttaStep<Points<Dim>> m_step;
+    RungeKuttaStep<Dim> m_step;
     double m_tolerance;
     double m_from = 0, m_to = 0, m_error = 0;
 };

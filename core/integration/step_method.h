@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
+#include "core/assembly/stage_vectors.h"
 #include "core/integration/method.h"
-#include "core/mesh/types.h"
 #include "core/motion/trajectory.h"
 
 namespace wend {
@@ -14,7 +14,7 @@ namespace wend {
 template <int Dim>
 struct PastField {
     double time;
-    std::shared_ptr<const Points<Dim>> field;
+    Nodal<Dim> field;
 };
 
 /// What a method goes on with from one step to the next. Cheap to copy.
@@ -32,8 +32,8 @@ struct Pace {
 template <int Dim>
 class StepMethod {
   public:
-    /// False where it cannot be evaluated.
-    using Rhs = std::function<bool(double t, Side side, const Points<Dim>& x, Points<Dim>& v)>;
+    /// f at the shape that the stages have; false where it cannot be evaluated.
+    using Rhs = std::function<bool(double t, Side side, StageVectors<Dim>& stages, Points<Dim>& v)>;
     /// tolerance: error allowed per step, the greatest distance of a point; 0: steps are prescribed, no error
     /// is estimated.
     static std::unique_ptr<StepMethod> of(Method method, double tolerance);
@@ -41,12 +41,13 @@ class StepMethod {
 
     /// Where the points that move fastest have this speed.
     virtual double firstStep(double speed) const = 0;
-    /// From x at t to `to`; the field at t is added to the pace if it was not known. False if a value could
-    /// not be had.
-    virtual bool attempt(const Rhs& f, double t, double to, const Points<Dim>& x, Pace<Dim>& pace) = 0;
+    /// From x at t to `to`, all sums by the stages; the field at t is added to the pace if it was not known.
+    /// False if a value could not be had.
+    virtual bool attempt(const Rhs& f, StageVectors<Dim>& stages, double t, double to, const Nodal<Dim>& x,
+                         Pace<Dim>& pace) = 0;
 
     // Of the last attempt that succeeded:
-    virtual const Points<Dim>& result() const = 0;
+    virtual const Nodal<Dim>& result() const = 0;
     /// Over the tolerance: the step is good up to 1.
     virtual double error() const = 0;
     /// The error was too great: step and order to try again with.
@@ -58,6 +59,13 @@ class StepMethod {
     virtual bool needsEndField() const = 0;
     virtual Points<Dim> at(double t, const Points<Dim>& endField) const = 0;
 };
+
+/// f as a field that does not change any more; null where it cannot be evaluated.
+template <int Dim>
+Nodal<Dim> fieldAt(const typename StepMethod<Dim>::Rhs& f, StageVectors<Dim>& stages, double t, Side side) {
+    auto field = std::make_shared<Points<Dim>>();
+    return f(t, side, stages, *field) ? field : nullptr;
+}
 
 /// The greatest length of a column.
 template <int Dim>

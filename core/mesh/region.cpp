@@ -11,14 +11,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// True if the edge a → b crosses the horizontal ray from p to the right. Half-open in y, so that a ray
-/// through a vertex counts once.
-bool crossesRay(const Vec<2>& a, const Vec<2>& b, const Vec<2>& p) {
-    if ((a.y() > p.y()) == (b.y() > p.y())) return false;
-    const double side = (b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x());
-    return (side > 0) == (b.y() > a.y());
-}
-
 /// Even–odd rule: inside where a ray crosses the border an odd number of times.
 double distanceOf(const Polygon& polygon, const Vec<2>& p) {
     const auto& points = polygon.points;

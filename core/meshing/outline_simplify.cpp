@@ -18,6 +18,7 @@ using Triangulation = CGAL::Constrained_triangulation_plus_2<
 
 std::vector<Kernel::Point_2> closedLine(const std::vector<Vec<2>>& loop) {
     std::vector<Kernel::Point_2> points;
+    points.reserve(loop.size() + 1);
     for (const auto& p : loop) points.emplace_back(p.x(), p.y());
     points.push_back(points.front());
     return points;

@@ -144,7 +144,8 @@ SimplicialMesh<2> PlanarMesher::searched(double radius) {
 }
 
 SimplicialMesh<2> meshExactly(Outline outline, const PlanarMeshOptions& options) {
-    outline = outlineThrough(std::move(outline), options.points, pointTolerance * diagonalOf(outline));
+    const double tolerance = pointTolerance * diagonalOf(outline);
+    outline = outlineThrough(std::move(outline), options.points, tolerance);
     requireNoCrossing(outline);
     const PlanarDomain domain(outline, options.points);
     PlanarMesher mesher(domain, options);

@@ -23,7 +23,7 @@ template <typename Base = CGAL::Delaunay_mesh_face_base_2<Kernel>>
 class MarkedFace : public Base {
   public:
     template <typename Tds>
-    struct Rebind_TDS {
+    struct Rebind_TDS {  // NOLINT(readability-identifier-naming): CGAL's name
         using Other = MarkedFace<typename Base::template Rebind_TDS<Tds>::Other>;
     };
     using Base::Base;
@@ -81,7 +81,7 @@ class SizeAndAngle {
         }
     };
 
-    class Is_bad {
+    class Is_bad {  // NOLINT(readability-identifier-naming): CGAL's name
       public:
         explicit Is_bad(const SizeAndAngle& bounds) : m_bounds(&bounds) {}
 
@@ -104,7 +104,7 @@ class SizeAndAngle {
           m_sineSquared(sineSquared),
           m_shortestSquared(shortest * shortest) {}
 
-    Is_bad is_bad_object() const { return Is_bad(*this); }
+    Is_bad is_bad_object() const { return Is_bad(*this); }  // NOLINT(readability-identifier-naming)
 
   private:
     /// Triangles whose edges are all at or below `shortest` are never bad: their circumcentres may lie beyond

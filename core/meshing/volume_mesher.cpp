@@ -39,6 +39,7 @@ std::vector<int> shellsOf(const Surface& surface) {
         for (int k = 1; k < 3; ++k) parent[root(t[k])] = root(t[0]);
     std::map<int, int> names;
     std::vector<int> shells;
+    shells.reserve(surface.triangles.size());
     for (const auto& t : surface.triangles)
         shells.push_back(names.try_emplace(root(t[0]), static_cast<int>(names.size())).first->second);
     return shells;

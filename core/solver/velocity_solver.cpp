@@ -123,8 +123,8 @@ struct VelocitySolver<Dim>::Engine {
     // Where the factor that serves was made and in which precision, if single is too little here, and the
     // contraction of a first iteration with the lag at which it was measured. Its counts are the policy's.
     FactorMemory<Dim> memory;
-    std::shared_ptr<const Points<Dim>> held;  // where the factor at hand was made, in double or
-    bool heldInFloat = false;                 // in single precision
+    Nodal<Dim> held;           // where the factor at hand was made, in double or
+    bool heldInFloat = false;  // in single precision
     RefactorPolicy policy;
     ConjugateGradients<Dim> iteration;
     Points<Dim> last;  // v̂ of the last solve
@@ -133,14 +133,14 @@ struct VelocitySolver<Dim>::Engine {
            const BackEndFactory<Dim>& makeBackEnd, int threads);
     void setConstraints(std::vector<ConstraintRow> newRows);
     void countCosts();
-    SolveOutcome solve(const Points<Dim>& shape, const Points<Dim>& prescribed, Points<Dim>& v,
+    SolveOutcome solve(const Points<Dim>& prescribed, Points<Dim>& v,
                        const std::optional<Points<Dim>>& guess);
     bool reuses() const { return reusable && tolerance >= kLeastTolerance; }
-    SolveOutcome factorize(const Points<Dim>& shape);
-    Cholesky::Status factorizeAt(const std::shared_ptr<const Points<Dim>>& shape, bool single);
-    bool makeFactorAgain(const Points<Dim>& shape);
+    SolveOutcome factorize();
+    Cholesky::Status factorizeAt(const Nodal<Dim>& shape, bool single);
+    bool makeFactorAgain();
     bool precondition(std::span<const double> r, std::span<double> z);
-    bool iterate(const Points<Dim>& shape, Points<Dim>& v);
+    bool iterate(Points<Dim>& v);
     SolveOutcome solveReduced(Points<Dim>& v);
 };
 
@@ -211,10 +211,9 @@ bool VelocitySolver<Dim>::Engine::precondition(std::span<const double> r, std::s
     return done;
 }
 
-/// The back end is at that shape.
+/// The back end is at that shape; null if the factor shall serve but once.
 template <int Dim>
-Cholesky::Status VelocitySolver<Dim>::Engine::factorizeAt(const std::shared_ptr<const Points<Dim>>& shape,
-                                                          bool single) {
+Cholesky::Status VelocitySolver<Dim>::Engine::factorizeAt(const Nodal<Dim>& shape, bool single) {
     held.reset();
     {
         const Stopwatch watch(statistics.assemble);
@@ -232,9 +231,9 @@ Cholesky::Status VelocitySolver<Dim>::Engine::factorizeAt(const std::shared_ptr<
 }
 
 template <int Dim>
-SolveOutcome VelocitySolver<Dim>::Engine::factorize(const Points<Dim>& shape) {
+SolveOutcome VelocitySolver<Dim>::Engine::factorize() {
     const bool single = reuses() && !memory.floatFails;
-    const auto status = factorizeAt(std::make_shared<const Points<Dim>>(shape), single);
+    const auto status = factorizeAt(reuses() ? backEnd->stages().shape() : nullptr, single);
     memory = {held, heldInFloat, memory.floatFails || (single && !heldInFloat), 1, 0, {}};
     policy.factorized();
     switch (status) {
@@ -249,11 +248,11 @@ SolveOutcome VelocitySolver<Dim>::Engine::factorize(const Points<Dim>& shape) {
 
 /// The factor of the memory, if another was made since. False if it cannot be had, as with other constraints.
 template <int Dim>
-bool VelocitySolver<Dim>::Engine::makeFactorAgain(const Points<Dim>& shape) {
+bool VelocitySolver<Dim>::Engine::makeFactorAgain() {
     if (held == memory.shape) return true;
     const bool done = backEnd->setShape(*memory.shape) < 0 &&
                       factorizeAt(memory.shape, memory.inFloat) == Cholesky::Status::Done;
-    backEnd->setShape(shape);
+    backEnd->setStage();
     return done;
 }
 
@@ -283,13 +282,13 @@ SolveOutcome VelocitySolver<Dim>::Engine::solveReduced(Points<Dim>& v) {
 /// first iteration cannot be measured within it: it is taken to grow with the distance from the factor's
 /// shape.
 template <int Dim>
-bool VelocitySolver<Dim>::Engine::iterate(const Points<Dim>& shape, Points<Dim>& v) {
+bool VelocitySolver<Dim>::Engine::iterate(Points<Dim>& v) {
     const Stopwatch watch(statistics.solve);
-    const double lag = (shape - *memory.shape).cwiseAbs().maxCoeff();
+    const double lag = backEnd->stages().distance(memory.shape);
     turned = turns && lag > 0;
     if (turned) {
         if (!rotations) rotations.emplace(*plan);
-        rotations->compute(*memory.shape, shape);
+        rotations->compute(*memory.shape, *backEnd->stages().shape());
     }
     typename ConjugateGradients<Dim>::Goal goal;
     goal.tolerance = tolerance;
@@ -311,26 +310,25 @@ bool VelocitySolver<Dim>::Engine::iterate(const Points<Dim>& shape, Points<Dim>&
 }
 
 template <int Dim>
-SolveOutcome VelocitySolver<Dim>::Engine::solve(const Points<Dim>& shape, const Points<Dim>& prescribed,
-                                                Points<Dim>& v, const std::optional<Points<Dim>>& guess) {
+SolveOutcome VelocitySolver<Dim>::Engine::solve(const Points<Dim>& prescribed, Points<Dim>& v,
+                                                const std::optional<Points<Dim>>& guess) {
     if (!analyzed) setConstraints({});
     last.resize(Dim, 0);
     if (!prescribed.allFinite()) return {SolveOutcome::Kind::NotFinite, -1};
     {
         const Stopwatch watch(statistics.assemble);
-        if (const int cell = backEnd->setShape(shape); cell >= 0)
-            return {SolveOutcome::Kind::CellInverted, cell};
+        if (const int cell = backEnd->setStage(); cell >= 0) return {SolveOutcome::Kind::CellInverted, cell};
     }
     system.particular(prescribed, v);
     if (v.isZero(0)) return {};  // nothing moves
     if (!system.unknowns().empty()) {
         const bool iterates = reuses();
         if (iterates && guess && guess->allFinite()) system.adopt(*guess, v);
-        const bool stale = iterates && memory.shape && !policy.due() && makeFactorAgain(shape);
-        if (!stale || !iterate(shape, v)) {
-            if (const auto outcome = factorize(shape); !outcome.done()) return outcome;
+        const bool stale = iterates && memory.shape && !policy.due() && makeFactorAgain();
+        if (!stale || !iterate(v)) {
+            if (const auto outcome = factorize(); !outcome.done()) return outcome;
             if (!v.allFinite()) system.particular(prescribed, v);
-            if (!iterates || !iterate(shape, v))
+            if (!iterates || !iterate(v))
                 if (const auto outcome = solveReduced(v); !outcome.done()) return outcome;
         }
     }
@@ -365,7 +363,19 @@ void VelocitySolver<Dim>::setConstraints(std::vector<ConstraintRow> rows) {
 template <int Dim>
 SolveOutcome VelocitySolver<Dim>::solve(const Points<Dim>& shape, const Points<Dim>& prescribed,
                                         Points<Dim>& velocity, const std::optional<Points<Dim>>& guess) {
-    return m_engine->solve(shape, prescribed, velocity, guess);
+    stages().combine(std::make_shared<const Points<Dim>>(shape), {});
+    return m_engine->solve(prescribed, velocity, guess);
+}
+
+template <int Dim>
+SolveOutcome VelocitySolver<Dim>::solveAtStage(const Points<Dim>& prescribed, Points<Dim>& velocity,
+                                               const std::optional<Points<Dim>>& guess) {
+    return m_engine->solve(prescribed, velocity, guess);
+}
+
+template <int Dim>
+StageVectors<Dim>& VelocitySolver<Dim>::stages() {
+    return m_engine->backEnd->stages();
 }
 
 template <int Dim>
@@ -409,6 +419,11 @@ std::string VelocitySolver<Dim>::backEndName() const {
 template <int Dim>
 std::string VelocitySolver<Dim>::deviceName() const {
     return m_engine->backEnd->device();
+}
+
+template <int Dim>
+CopiedBytes VelocitySolver<Dim>::copied() const {
+    return m_engine->backEnd->copied();
 }
 
 template <int Dim>

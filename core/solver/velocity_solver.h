@@ -76,6 +76,10 @@ class VelocitySolver {
     /// then the result depends, within the tolerance, on the solves since the last factorization.
     SolveOutcome solve(const Points<Dim>& shape, const Points<Dim>& prescribed, Points<Dim>& velocity,
                        const std::optional<Points<Dim>>& guess = std::nullopt);
+    /// The same at the shape of stages(), wherever the back end keeps it.
+    SolveOutcome solveAtStage(const Points<Dim>& prescribed, Points<Dim>& velocity,
+                              const std::optional<Points<Dim>>& guess = std::nullopt);
+    StageVectors<Dim>& stages();
 
     /// The error of v̂ that is allowed, relative to its greatest nodal velocity. 0 (the default) or less than
     /// 1e-8: every solve factorizes. So do materials on the way to EQUIA, whose factors do not last.
@@ -96,6 +100,7 @@ class VelocitySolver {
     /// "cpu" or "opencl", and the device's name.
     std::string backEndName() const;
     std::string deviceName() const;
+    CopiedBytes copied() const;
 
     /// Moves the shape by the least-norm correction that puts the constrained points on `targets` (one column
     /// per row), to rounding: rows of one vertex set it exactly.

@@ -22,9 +22,9 @@ struct Known {
         x << c, 0.5 * c - 2 * s, s, 0.5 * s + 2 * c;
         return x.colwise() + Vec<2>(std::sin(t), t * t);
     }
-    static bool f(double t, Side, const Field& x, Field& v) {
-        const Field z = x.colwise() - Vec<2>(std::sin(t), t * t);
-        v.resize(2, x.cols());
+    static bool f(double t, Side, StageVectors<2>& stages, Field& v) {
+        const Field z = stages.shape()->colwise() - Vec<2>(std::sin(t), t * t);
+        v.resize(2, z.cols());
         v.row(0) = -rate(t) * z.row(1);
         v.row(1) = rate(t) * z.row(0);
         v.colwise() += Vec<2>(std::cos(t), 2 * t);
@@ -47,14 +47,20 @@ double slope(const std::vector<double>& xs, const std::vector<double>& ys) {
     return (n * sxy - sx * sy) / (n * sxx - sx * sx);
 }
 
+Nodal<2> nodal(const Field& x) {
+    return std::make_shared<const Field>(x);
+}
+
 /// What `order` exact steps of changing lengths before kStart would have left.
 Pace<2> pastOf(int order, double h) {
     Pace<2> pace;
     pace.order = order;
     double t = kStart;
     for (int i = 0; i < order; ++i) {
+        const auto stages = makeHostStages<2>();
+        stages->combine(nodal(Known::exact(t)), {});
         auto field = std::make_shared<Field>();
-        Known::f(t, Side::After, Known::exact(t), *field);
+        Known::f(t, Side::After, *stages, *field);
         pace.fields.insert(pace.fields.begin(), {t, std::move(field)});
         t -= i % 2 == 0 ? 0.6 * h : 1.7 * h;
     }
@@ -71,14 +77,15 @@ Run runTo(double end, double tolerance) {
     Pace<2> pace;
     pace.step = method.firstStep(4);
     Run run;
-    const auto f = [&](double t, Side side, const Field& x, Field& v) {
+    const auto f = [&](double t, Side side, StageVectors<2>& at, Field& v) {
         ++run.evaluations;
-        return Known::f(t, side, x, v);
+        return Known::f(t, side, at, v);
     };
-    Field x = Known::exact(0);
+    const auto stages = makeHostStages<2>();
+    Nodal<2> x = nodal(Known::exact(0));
     for (double t = 0; t < end;) {
         const double to = std::min(end, t + pace.step);
-        if (!method.attempt(f, t, to, x, pace)) qFatal("not evaluated");
+        if (!method.attempt(f, *stages, t, to, x, pace)) qFatal("not evaluated");
         if (!(method.error() <= 1)) {
             ++run.rejected;
             method.retry(pace);
@@ -89,7 +96,7 @@ Run runTo(double end, double tolerance) {
         t = to;
         run.highest = std::max(run.highest, pace.order);
     }
-    run.error = distance(x, Known::exact(end));
+    run.error = distance(*x, Known::exact(end));
     return run;
 }
 
@@ -127,11 +134,12 @@ class TestAdams : public QObject {
         for (const double h : steps) {
             AdamsMethod<2> method(1);
             Pace<2> pace = pastOf(order, h);
-            QVERIFY(method.attempt(Known::f, kStart, kStart + h, Known::exact(kStart), pace));
-            result.push_back(distance(method.result(), Known::exact(kStart + h)));
+            const auto stages = makeHostStages<2>();
+            QVERIFY(method.attempt(Known::f, *stages, kStart, kStart + h, nodal(Known::exact(kStart)), pace));
+            result.push_back(distance(*method.result(), Known::exact(kStart + h)));
             inside.push_back(distance(method.at(kStart + 0.4 * h, {}), Known::exact(kStart + 0.4 * h)));
             estimate.push_back(method.error());
-            QVERIFY(distance(method.at(kStart + h, {}), method.result()) < 1e-14);
+            QVERIFY(distance(method.at(kStart + h, {}), *method.result()) < 1e-14);
             QVERIFY(distance(method.at(kStart, {}), Known::exact(kStart)) < 1e-14);
             QVERIFY(!method.needsEndField());
         }
@@ -165,15 +173,16 @@ class TestAdams : public QObject {
 
     /// A right-hand side that jumps at both ends of the stretch: only the values inside it count.
     void jumpsAtTheEndsAreSeenFromInside() {
-        const auto f = [](double t, Side side, const Field& x, Field& v) {
+        const auto f = [](double t, Side side, StageVectors<2>& at, Field& v) {
             const bool inside = (t > 1 || side == Side::After) && (t < 2 || side == Side::Before);
-            v = Field::Constant(2, x.cols(), inside ? 3 : 1e6);
+            v = Field::Constant(2, at.shape()->cols(), inside ? 3 : 1e6);
             return true;
         };
         AdamsMethod<2> method(1e-3);
         Pace<2> pace;
-        QVERIFY(method.attempt(f, 1, 2, Field::Zero(2, 1), pace));
-        QVERIFY(std::abs(method.result()(0, 0) - 3) < 1e-13);
+        const auto stages = makeHostStages<2>();
+        QVERIFY(method.attempt(f, *stages, 1, 2, nodal(Field::Zero(2, 1)), pace));
+        QVERIFY(std::abs((*method.result())(0, 0) - 3) < 1e-13);
         QVERIFY(method.error() < 1e-9);
     }
 
@@ -182,7 +191,9 @@ class TestAdams : public QObject {
         AdamsMethod<2> method(1e-9);
         Pace<2> pace = pastOf(3, 0.3);
         const Pace<2> before = pace;
-        QVERIFY(method.attempt(Known::f, kStart, kStart + 0.3, Known::exact(kStart), pace));
+        const auto stages = makeHostStages<2>();
+        const Nodal<2> start = nodal(Known::exact(kStart));
+        QVERIFY(method.attempt(Known::f, *stages, kStart, kStart + 0.3, start, pace));
         QVERIFY(method.error() > 1);
         method.retry(pace);
         QVERIFY(pace.step > 0 && pace.step < 0.3);
@@ -190,8 +201,8 @@ class TestAdams : public QObject {
         QCOMPARE(pace.fields.size(), before.fields.size());
         for (std::size_t i = 0; i < pace.fields.size(); ++i)
             QCOMPARE(pace.fields[i].field, before.fields[i].field);
-        const auto fails = [](double, Side, const Field&, Field&) { return false; };
-        QVERIFY(!method.attempt(fails, kStart, kStart + 0.1, Known::exact(kStart), pace));
+        const auto fails = [](double, Side, StageVectors<2>&, Field&) { return false; };
+        QVERIFY(!method.attempt(fails, *stages, kStart, kStart + 0.1, start, pace));
     }
 };
 

@@ -20,14 +20,21 @@ struct Known {
     static Eigen::Vector2d drift(double t) { return {std::sin(t), t * t}; }
     static Eigen::Vector2d driftRate(double t) { return {std::cos(t), 2 * t}; }
 
+    static State2 slope(double t, const State2& y) {
+        const auto stages = makeHostStages<2>();
+        stages->combine(std::make_shared<const State2>(y), {});
+        State2 dy;
+        f(t, Side::After, *stages, dy);
+        return dy;
+    }
     static State2 exact(double t) {
         State2 y(2, 2);
         y << 1, 0.5, 0, 2;
         return (Eigen::Rotation2Dd(angle(t)).toRotationMatrix() * y).colwise() + drift(t);
     }
-    static bool f(double t, Side, const State2& y, State2& dy) {
-        const State2 z = y.colwise() - drift(t);
-        dy.resize(2, y.cols());
+    static bool f(double t, Side, StageVectors<2>& stages, State2& dy) {
+        const State2 z = stages.shape()->colwise() - drift(t);
+        dy.resize(2, z.cols());
         dy.row(0) = -rate(t) * z.row(1);
         dy.row(1) = rate(t) * z.row(0);
         dy.colwise() += driftRate(t);
@@ -46,14 +53,19 @@ double order(const std::vector<double>& steps, const std::vector<double>& errors
     return (n * sxy - sx * sy) / (n * sxx - sx * sx);
 }
 
+Nodal<2> nodal(const State2& y) {
+    return std::make_shared<const State2>(y);
+}
+
 State2 integrate(Method method, int steps) {
-    RungeKuttaStep<State2> step(method);
-    State2 y = Known::exact(0);
+    RungeKuttaStep<2> step(method);
+    const auto stages = makeHostStages<2>();
+    Nodal<2> y = nodal(Known::exact(0));
     for (int i = 0; i < steps; ++i) {
-        if (!step.attempt(Known::f, 2.0 * i / steps, 2.0 * (i + 1) / steps, y, State2(2, 0))) return {};
+        if (!step.attempt(Known::f, *stages, 2.0 * i / steps, 2.0 * (i + 1) / steps, y, nullptr)) return {};
         y = step.result();
     }
-    return y;
+    return *y;
 }
 
 }  // namespace
@@ -129,18 +141,20 @@ class TestIntegrationOrder : public QObject {
         std::vector<double> dense, hermite, estimate;
         for (const double n : steps) {
             const double t = 0.3, h = 1 / n;
-            RungeKuttaStep<State2> step(Method::DormandPrince);
-            QVERIFY(step.attempt(Known::f, t, t + h, Known::exact(t), State2(2, 0)));
+            RungeKuttaStep<2> step(Method::DormandPrince);
+            const auto stages = makeHostStages<2>();
+            QVERIFY(step.attempt(Known::f, *stages, t, t + h, nodal(Known::exact(t)), nullptr));
             double worst = 0, worstHermite = 0;
             for (double theta = 0.1; theta < 1; theta += 0.1) {
                 worst = std::max(worst, samples::distance(step.dense(theta), Known::exact(t + theta * h)));
-                worstHermite = std::max(worstHermite, samples::distance(step.hermite(theta, step.lastSlope()),
-                                                                        Known::exact(t + theta * h)));
+                worstHermite = std::max(
+                    worstHermite,
+                    samples::distance(step.hermite(theta, *step.lastSlope()), Known::exact(t + theta * h)));
             }
             dense.push_back(worst);
             hermite.push_back(worstHermite);
-            estimate.push_back(step.error().norm());
-            QVERIFY(samples::distance(step.dense(1), step.result()) < 1e-14);
+            estimate.push_back(step.error(*stages));
+            QVERIFY(samples::distance(step.dense(1), *step.result()) < 1e-14);
             QVERIFY(samples::distance(step.dense(0), Known::exact(t)) < 1e-14);
         }
         QVERIFY2(std::abs(order(steps, dense) - 5) < 0.3, qPrintable(QString::number(order(steps, dense))));
@@ -151,40 +165,42 @@ class TestIntegrationOrder : public QObject {
     }
 
     void lastStageIsTheNextFirst() {
-        RungeKuttaStep<State2> step(Method::DormandPrince);
-        QVERIFY(step.attempt(Known::f, 0, 0.1, Known::exact(0), State2(2, 0)));
-        State2 slope;
-        Known::f(0.1, Side::After, step.result(), slope);
-        QVERIFY(samples::distance(slope, step.lastSlope()) < 1e-15);
-        const State2 result = step.result();
-        Known::f(0, Side::After, Known::exact(0), slope);
-        QVERIFY(step.attempt(Known::f, 0, 0.1, Known::exact(0), slope));
-        QVERIFY(step.result() == result);
+        RungeKuttaStep<2> step(Method::DormandPrince);
+        const auto stages = makeHostStages<2>();
+        const Nodal<2> start = nodal(Known::exact(0));
+        QVERIFY(step.attempt(Known::f, *stages, 0, 0.1, start, nullptr));
+        QVERIFY(samples::distance(Known::slope(0.1, *step.result()), *step.lastSlope()) < 1e-15);
+        const State2 result = *step.result();
+        const Nodal<2> slope = nodal(Known::slope(0, *start));
+        QVERIFY(step.attempt(Known::f, *stages, 0, 0.1, start, slope));
+        QVERIFY(*step.result() == result);
     }
 
     /// A right-hand side that jumps at both ends of the step: only the values inside it count.
     void jumpsAtTheEndsAreSeenFromInside_data() { orders_data(); }
     void jumpsAtTheEndsAreSeenFromInside() {
         QFETCH(int, method);
-        const auto f = [](double t, Side side, const State2& y, State2& dy) {
+        const auto f = [](double t, Side side, StageVectors<2>& at, State2& dy) {
             const bool inside =
                 (t > 1 || side == Side::After) && (t < 2 || side == Side::Before) && t >= 1 && t <= 2;
-            dy = State2::Constant(2, y.cols(), inside ? 2 * t : 1e6);
+            dy = State2::Constant(2, at.shape()->cols(), inside ? 2 * t : 1e6);
             return true;
         };
-        RungeKuttaStep<State2> step{Method(method)};
-        QVERIFY(step.attempt(f, 1, 2, State2::Zero(2, 1), State2(2, 0)));
-        QVERIFY(std::abs(step.result()(0, 0) - 3) < 1e-13);
+        RungeKuttaStep<2> step{Method(method)};
+        const auto stages = makeHostStages<2>();
+        QVERIFY(step.attempt(f, *stages, 1, 2, nodal(State2::Zero(2, 1)), nullptr));
+        QVERIFY(std::abs((*step.result())(0, 0) - 3) < 1e-13);
     }
 
     void failedStageStopsTheAttempt() {
         int calls = 0;
-        const auto f = [&](double, Side, const State2& y, State2& dy) {
-            dy = y;
+        const auto f = [&](double, Side, StageVectors<2>& at, State2& dy) {
+            dy = *at.shape();
             return ++calls < 3;
         };
-        RungeKuttaStep<State2> step(Method::RungeKutta4);
-        QVERIFY(!step.attempt(f, 0, 1, State2::Ones(2, 1), State2(2, 0)));
+        RungeKuttaStep<2> step(Method::RungeKutta4);
+        const auto stages = makeHostStages<2>();
+        QVERIFY(!step.attempt(f, *stages, 0, 1, nodal(State2::Ones(2, 1)), nullptr));
         QCOMPARE(calls, 3);
     }
 

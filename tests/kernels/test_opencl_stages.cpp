@@ -1,4 +1,5 @@
-// The vectors of a Runge–Kutta step on an OpenCL device against the processor's; programs kept in the cache.
+// The stages of a step on an OpenCL device: against the processor's, what is copied, and in whole
+// deformations.
 #include <QDateTime>
 #include <QDir>
 #include <QMap>
@@ -6,8 +7,12 @@
 #include <QTest>
 #include <cmath>
 
+#include "core/assembly/cpu_back_end.h"
+#include "kernels/back_end_choice.h"
+#include "kernels/opencl_back_end.h"
 #include "kernels/opencl_stages.h"
 #include "tests/core/test_energy_samples.h"
+#include "tests/core/test_strip.h"
 
 using namespace wend;
 using namespace wend::test;
@@ -15,18 +20,26 @@ using namespace wend::test;
 class TestOpenClStages : public QObject {
     Q_OBJECT
   private slots:
-    void agreeWithTheProcessor_data();
-    void agreeWithTheProcessor();
+    void sumsAreTheProcessors_data();
+    void sumsAreTheProcessors();
     void notANumberIsSeen();
     void vectorsGoToTheDeviceOnce();
-    void failingDeviceIsReplaced();
+    void oldVectorsMakePlace();
+    void directStepsCopyWhatTheSolverNeeds_data();
+    void directStepsCopyWhatTheSolverNeeds();
+    void iterationsCopyWhatTheSolverNeeds_data();
+    void iterationsCopyWhatTheSolverNeeds();
+    void deformationsAgree_data();
+    void deformationsAgree();
+    void aDeviceIsLostAnywhere_data();
+    void aDeviceIsLostAnywhere();
     void programsAreKeptPerOptions();
 };
 
 namespace {
 
 constexpr int kVertices = 1000;  // several chunks of the norm, the last one not full
-const std::vector<double> kWeights{0.3, -1.2, 0.0, 2.5};
+constexpr std::size_t kVector = 2 * kVertices * sizeof(double);
 
 OpenClDeviceInfo device() {
     std::string why;
@@ -36,93 +49,317 @@ OpenClDeviceInfo device() {
 }
 
 template <int Dim>
-void fill(StageVectors<Dim>& stages) {
-    std::mt19937 random(3);
-    stages.begin(randomField<Dim>(random, kVertices), 4);
-    for (int i = 0; i < 4; ++i) stages.setSlope(i, randomField<Dim>(random, kVertices));
+Nodal<Dim> vectorOf(std::mt19937& random) {
+    return std::make_shared<const Points<Dim>>(randomField<Dim>(random, kVertices));
 }
+
+/// y and four slopes with weights.
+template <int Dim>
+struct Sum {
+    explicit Sum(unsigned seed = 3) {
+        std::mt19937 random(seed);
+        y = vectorOf<Dim>(random);
+        for (double weight : {0.3, -1.2, 0.0, 2.5}) terms.push_back({weight, vectorOf<Dim>(random)});
+    }
+    Nodal<Dim> y;
+    std::vector<WeightedField<Dim>> terms;
+};
 
 template <int Dim>
 void compare() {
-    const auto host = makeHostStages<Dim>(), onDevice = makeOpenClStages<Dim>(device());
-    fill(*host);
-    fill(*onDevice);
-    for (std::size_t count = 0; count <= kWeights.size(); ++count) {
-        const std::span<const double> weights(kWeights.data(), count);
-        const Points<Dim> a = host->combined(0.1, weights), b = onDevice->combined(0.1, weights);
-        // A few roundings of numbers below 10.
-        QVERIFY((a - b).cwiseAbs().maxCoeff() < 1e-14);
-        QVERIFY(std::abs(host->greatestError(0.1, weights) - onDevice->greatestError(0.1, weights)) < 1e-14);
+    OpenClContext cl(device());
+    OpenClStages<Dim> onDevice(cl, kVertices);
+    const auto host = makeHostStages<Dim>();
+    const Sum<Dim> sum, other(5);
+    for (std::size_t count = 0; count <= sum.terms.size(); ++count) {
+        const std::span<const WeightedField<Dim>> terms(sum.terms.data(), count);
+        for (StageVectors<Dim>* stages : {host.get(), static_cast<StageVectors<Dim>*>(&onDevice)})
+            stages->combine(sum.y, terms);
+        // The same sums in the same order, none contracted.
+        QVERIFY(*host->shape() == *onDevice.shape());
+        QCOMPARE(onDevice.distance(other.y), host->distance(other.y));
+        // Squares may be added in another order: a few roundings.
+        QVERIFY(std::abs(host->greatest(terms) - onDevice.greatest(terms)) < 1e-14);
     }
+}
+
+/// A bend of a strip or bar on a back end that the test can look at.
+template <int Dim>
+struct Bending {
+    explicit Bending(const IntegrationOptions& options) : bend(8, 2, 3, 1.2, phi::kMetr) {
+        deformer.emplace(
+            bend.mesh, bend.material, bend.handles, options,
+            BackEndFactory<Dim>([this](std::shared_ptr<const AssemblyPlan<Dim>> used,
+                                       const SimplicialMesh<Dim>& rest, const Material<Dim>& material,
+                                       int) -> std::unique_ptr<BackEnd<Dim>> {
+                plan = used;
+                return makeOpenClBackEnd<Dim>(device(), used, rest, material);
+            }));
+    }
+    std::size_t vector() const { return static_cast<std::size_t>(plan->vertexCount) * Dim * sizeof(double); }
+    std::size_t values() const {
+        return static_cast<std::size_t>(plan->blockCount()) * Dim * Dim * sizeof(double);
+    }
+    std::size_t foldedCells() const { return (plan->cellCount() + 1023) / 1024 * sizeof(int); }
+    std::size_t norm() const {
+        return (plan->vertexCount + OpenClStages<Dim>::kChunk - 1) / OpenClStages<Dim>::kChunk *
+               sizeof(double);
+    }
+    /// Comes with the constraints.
+    std::size_t inertia() const { return plan->cellCount() * sizeof(double); }
+    /// The energy of the last field, which the report tells.
+    std::size_t energies() const { return plan->cellCount() * sizeof(double); }
+
+    samples::Bend<Dim> bend;
+    std::shared_ptr<const AssemblyPlan<Dim>> plan;
+    std::optional<Deformer<Dim>> deformer;
+};
+
+/// A factor for every field. Every evaluation: a field up for every product with the matrix, one product down
+/// (the right-hand side, and the residual after each solve), the matrix down, the places of folded cells
+/// down, and the velocity up as a slope. Every step: its start up, its end down, and the norms of its errors,
+/// up to three for Adams.
+template <int Dim>
+void checkDirect(Method method) {
+    IntegrationOptions options;
+    options.method = method;
+    options.steps = method == Method::Adams ? 0 : 3;
+    options.velocityTolerance = 0;
+    Bending<Dim> bending(options);
+    const CopiedBytes before = bending.deformer->statistics().copied;
+    QCOMPARE(bending.deformer->advance(1).outcome, Outcome::Done);
+    const Statistics& counts = bending.deformer->statistics();
+    const std::size_t evaluations = counts.evaluations, products = counts.solverIterations + evaluations,
+                      steps = counts.steps, attempts = steps + counts.rejected;
+    // Dormand–Prince's last stage is the next step's first: no sum needs that of the last step.
+    const std::size_t slopes = evaluations - (method == Method::DormandPrince ? 1 : 0);
+    const std::size_t up = bending.vector() * (products + slopes + steps + 1);  // 1: for the energy
+    QCOMPARE(counts.copied.toDevice - before.toDevice, up + bending.inertia());
+    const std::size_t down = bending.vector() * (products + attempts) + bending.values() * evaluations +
+                             bending.foldedCells() * evaluations + bending.energies();
+    const std::size_t norms = counts.copied.fromDevice - before.fromDevice - down;
+    QCOMPARE(norms % bending.norm(), std::size_t(0));
+    QVERIFY(norms / bending.norm() <= (method == Method::Adams ? 3 * attempts : 0));
+}
+
+/// The same with factors that are used again: the matrix and the factor's shape come down for new factors
+/// only, and the distance from that shape with every other field; in space the shape comes down once more,
+/// for the rotations.
+template <int Dim>
+void checkIterations() {
+    IntegrationOptions options;
+    options.method = Method::RungeKutta4;
+    options.steps = 4;
+    Bending<Dim> bending(options);
+    const CopiedBytes before = bending.deformer->statistics().copied;
+    QCOMPARE(bending.deformer->advance(1).outcome, Outcome::Done);
+    const Statistics& counts = bending.deformer->statistics();
+    const std::size_t evaluations = counts.evaluations, factors = counts.factorizations,
+                      iterations = counts.solverIterations, steps = counts.steps, vector = bending.vector();
+    QVERIFY(factors < evaluations);
+    // A run of iterations begins with one product more than it has iterations; where a stale factor did not
+    // do, there are two runs.
+    const std::size_t up = counts.copied.toDevice - before.toDevice - bending.inertia();
+    const std::size_t fewest = vector * (iterations + evaluations + 4 * steps + steps + 1);
+    QVERIFY2(up >= fewest && up <= fewest + vector * factors && (up - fewest) % vector == 0,
+             qPrintable(QString("%1 vectors up, at least %2").arg(up / vector).arg(fewest / vector)));
+    const std::size_t runs = evaluations + (up - fewest) / vector;
+    const std::size_t down = counts.copied.fromDevice - before.fromDevice;
+    const std::size_t shapes = down - vector * (iterations + runs + steps) - bending.values() * factors -
+                               bending.foldedCells() * evaluations - bending.norm() * runs -
+                               bending.energies();
+    QCOMPARE(shapes % vector, std::size_t(0));
+    // The factor's shape is that of its stage, or, of a step's first stage, known already.
+    QVERIFY2(shapes / vector <= (Dim == 3 ? evaluations : factors),
+             qPrintable(QString("%1 shapes down").arg(shapes / vector)));
+}
+
+template <int Dim>
+Points<Dim> bent(const IntegrationOptions& options, const BackEndFactory<Dim>& backEnd) {
+    const samples::Bend<Dim> bend(8, 2, 3, 1.2, phi::kMetr);
+    Deformer<Dim> deformer(bend.mesh, bend.material, bend.handles, options, backEnd);
+    const AdvanceResult result = deformer.advance(1);
+    if (result.outcome != Outcome::Done) throw std::runtime_error(result.message);
+    return deformer.state().points;
+}
+
+template <int Dim>
+void checkAgreement(Method method) {
+    IntegrationOptions options;
+    options.method = method;
+    if (!isAdaptive(method)) options.steps = 4;
+    const Points<Dim> cpu = bent<Dim>(options, makeCpuBackEnd<Dim>);
+    const Points<Dim> opencl = bent<Dim>(options, backEndFactory<Dim>(BackEndKind::OpenCl));
+    // The back ends' rounding (1e-10 relative), carried along a path about as long as the shape.
+    QVERIFY2(samples::distance(cpu, opencl) < 1e-9 * boundingBoxDiagonal<Dim>(cpu),
+             qPrintable(QString::number(samples::distance(cpu, opencl))));
+    QVERIFY(opencl == bent<Dim>(options, backEndFactory<Dim>(BackEndKind::OpenCl)));
+}
+
+/// A device that is lost after some calls of the back end or of its stages.
+template <int Dim>
+class LostDevice final : public BackEnd<Dim> {
+    class Stages final : public StageVectors<Dim> {
+        using typename StageVectors<Dim>::Terms;
+
+      public:
+        explicit Stages(LostDevice& owner) : m_owner(owner) {}
+        void combine(const Nodal<Dim>& y, Terms terms) override { m_owner.use().stages().combine(y, terms); }
+        Nodal<Dim> shape() override { return m_owner.use().stages().shape(); }
+        double distance(const Nodal<Dim>& other) override { return m_owner.use().stages().distance(other); }
+        double greatest(Terms terms) override { return m_owner.use().stages().greatest(terms); }
+
+      private:
+        LostDevice& m_owner;
+    };
+
+  public:
+    LostDevice(std::unique_ptr<BackEnd<Dim>> device, int calls)
+        : m_device(std::move(device)), m_calls(calls) {}
+    std::string name() const override { return m_device->name(); }
+    std::string device() const override { return m_device->device(); }
+    void setInertia(std::vector<double> epsilon) override { use().setInertia(std::move(epsilon)); }
+    int setShape(const Points<Dim>& shape) override { return use().setShape(shape); }
+    StageVectors<Dim>& stages() override { return m_stages; }
+    int setStage() override { return use().setStage(); }
+    void assemble(std::span<double> values) override { use().assemble(values); }
+    void apply(const Points<Dim>& v, Points<Dim>& Av) override { use().apply(v, Av); }
+    double energy(const Points<Dim>& v) override { return use().energy(v); }
+
+  private:
+    BackEnd<Dim>& use() {
+        if (m_calls-- <= 0) throw DeviceFailure("device lost");
+        return *m_device;
+    }
+    std::unique_ptr<BackEnd<Dim>> m_device;
+    int m_calls;
+    Stages m_stages{*this};
+};
+
+void addMethods() {
+    QTest::addColumn<int>("dimension");
+    QTest::addColumn<int>("method");
+    for (int dimension : {2, 3})
+        for (Method method : {Method::RungeKutta4, Method::DormandPrince, Method::Adams})
+            QTest::addRow("%dD method %d", dimension, static_cast<int>(method))
+                << dimension << static_cast<int>(method);
 }
 
 }  // namespace
 
-void TestOpenClStages::agreeWithTheProcessor_data() {
+void TestOpenClStages::sumsAreTheProcessors_data() {
     QTest::addColumn<int>("dimension");
     QTest::newRow("2D") << 2;
     QTest::newRow("3D") << 3;
 }
 
-void TestOpenClStages::agreeWithTheProcessor() {
+void TestOpenClStages::sumsAreTheProcessors() {
     QFETCH(int, dimension);
     dimension == 2 ? compare<2>() : compare<3>();
 }
 
 void TestOpenClStages::notANumberIsSeen() {
+    OpenClContext cl(device());
+    OpenClStages<2> onDevice(cl, kVertices);
+    const auto host = makeHostStages<2>();
     for (int where : {0, 700, kVertices - 1}) {
-        const auto host = makeHostStages<2>(), onDevice = makeOpenClStages<2>(device());
-        for (auto* stages : {host.get(), onDevice.get()}) {
-            fill(*stages);
-            Points<2> k = Points<2>::Zero(2, kVertices);
-            k(1, where) = std::nan("");
-            stages->setSlope(0, k);
-            QVERIFY(std::isnan(stages->greatestError(1, kWeights)));
-        }
+        Points<2> k = Points<2>::Zero(2, kVertices);
+        k(1, where) = std::nan("");
+        const std::vector<WeightedField<2>> terms{{1, std::make_shared<const Points<2>>(k)}};
+        QVERIFY(std::isnan(host->greatest(terms)));
+        QVERIFY(std::isnan(onDevice.greatest(terms)));
     }
 }
 
-/// A step of four stages: y and four slopes up, three shapes and a norm's chunks down.
+/// A step of four stages: y and the slopes up, whatever is made of them; what is asked for down, once.
 void TestOpenClStages::vectorsGoToTheDeviceOnce() {
-    StageCopies copied;
-    const auto stages = makeOpenClStages<2>(device(), &copied);
-    fill(*stages);
-    const std::size_t vector = 2 * kVertices * sizeof(double);
-    QCOMPARE(copied.toDevice, 5 * vector);
-    QCOMPARE(copied.fromDevice, std::size_t(0));
-    stages->combined(0.5, std::span(kWeights).first(1));
-    stages->combined(0.5, std::span(kWeights).first(2));
-    stages->combined(1, std::span(kWeights).first(3));
-    stages->greatestError(1, kWeights);
-    QCOMPARE(copied.toDevice, 5 * vector + (1 + 2 + 3 + 4) * sizeof(double));
-    QVERIFY(copied.fromDevice < 3 * vector + 100);
+    OpenClContext cl(device());
+    OpenClStages<2> stages(cl, kVertices);
+    const Sum<2> sum;
+    for (std::size_t count = 0; count <= 4; ++count) stages.combine(sum.y, std::span(sum.terms).first(count));
+    stages.greatest(sum.terms);
+    QCOMPARE(cl.copied().toDevice, 5 * kVector);
+    QCOMPARE(cl.copied().fromDevice, 4 * sizeof(double));
+    const Nodal<2> shape = stages.shape();
+    QVERIFY(stages.shape() == shape);
+    QCOMPARE(cl.copied().fromDevice, 4 * sizeof(double) + kVector);
+    stages.combine(shape, sum.terms);  // what came from there is there
+    const auto host = makeHostStages<2>();
+    host->combine(shape, sum.terms);
+    QVERIFY(*stages.shape() == *host->shape());
+    QCOMPARE(cl.copied().toDevice, 5 * kVector);
 }
 
-void TestOpenClStages::failingDeviceIsReplaced() {
-    class Lost final : public StageVectors<2> {
-      public:
-        explicit Lost(int calls) : m_calls(calls) {}
-        void begin(const Points<2>&, int) override { use(); }
-        void setSlope(int, const Points<2>&) override { use(); }
-        Points<2> combined(double, std::span<const double>) override { return use(); }
-        double greatestError(double, std::span<const double>) override { return use()(0, 0); }
-
-      private:
-        Points<2> use() {
-            if (m_calls-- <= 0) throw DeviceFailure("device lost");
-            return Points<2>::Zero(2, 1);
-        }
-        int m_calls;
-    };
+void TestOpenClStages::oldVectorsMakePlace() {
+    OpenClContext cl(device());
+    OpenClStages<2> stages(cl, kVertices);
     const auto host = makeHostStages<2>();
-    fill(*host);
-    for (int calls = 0; calls <= 5; ++calls) {  // begin and four slopes, then the sum
+    for (unsigned seed = 1; seed <= 6; ++seed) {
+        const Sum<2> sum(seed);
+        stages.combine(sum.y, sum.terms);
+        host->combine(sum.y, sum.terms);
+        QVERIFY(*stages.shape() == *host->shape());
+    }
+    const Sum<2> again(1);
+    stages.combine(again.y, again.terms);
+    host->combine(again.y, again.terms);
+    QVERIFY(*stages.shape() == *host->shape());
+}
+
+void TestOpenClStages::directStepsCopyWhatTheSolverNeeds_data() {
+    addMethods();
+}
+
+void TestOpenClStages::directStepsCopyWhatTheSolverNeeds() {
+    QFETCH(int, dimension);
+    QFETCH(int, method);
+    dimension == 2 ? checkDirect<2>(Method(method)) : checkDirect<3>(Method(method));
+}
+
+void TestOpenClStages::iterationsCopyWhatTheSolverNeeds_data() {
+    sumsAreTheProcessors_data();
+}
+
+void TestOpenClStages::iterationsCopyWhatTheSolverNeeds() {
+    QFETCH(int, dimension);
+    dimension == 2 ? checkIterations<2>() : checkIterations<3>();
+}
+
+void TestOpenClStages::deformationsAgree_data() {
+    addMethods();
+}
+
+void TestOpenClStages::deformationsAgree() {
+    QFETCH(int, dimension);
+    QFETCH(int, method);
+    dimension == 2 ? checkAgreement<2>(Method(method)) : checkAgreement<3>(Method(method));
+}
+
+void TestOpenClStages::aDeviceIsLostAnywhere_data() {
+    QTest::addColumn<int>("method");
+    QTest::newRow("Runge-Kutta 4") << int(Method::RungeKutta4);
+    QTest::newRow("Adams") << int(Method::Adams);
+}
+
+/// After so many calls, in any of them: the run goes on from the same numbers, to the same result.
+void TestOpenClStages::aDeviceIsLostAnywhere() {
+    QFETCH(int, method);
+    IntegrationOptions options;
+    options.method = Method(method);
+    if (!isAdaptive(options.method)) options.steps = 3;
+    const Points<2> expected = bent<2>(options, makeCpuBackEnd<2>);
+    for (int calls = 0; calls < 100; calls += calls < 40 ? 1 : 7) {
         int notices = 0;
-        const auto stages =
-            makeFailsafeStages<2>(std::make_unique<Lost>(calls), [&](const std::string&) { ++notices; });
-        fill(*stages);
-        QVERIFY(stages->combined(0.1, kWeights) == host->combined(0.1, kWeights));
-        QCOMPARE(stages->greatestError(0.1, kWeights), host->greatestError(0.1, kWeights));
+        const auto factory = [&](std::shared_ptr<const AssemblyPlan<2>> plan, const SimplicialMesh<2>& rest,
+                                 const Material<2>& material, int threads) {
+            const auto makeCpu = [=] { return makeCpuBackEnd<2>(plan, rest, material, threads); };
+            return makeFailsafe<2>(
+                std::make_unique<LostDevice<2>>(makeOpenClBackEnd<2>(device(), plan, rest, material), calls),
+                makeCpu, [&](const std::string&) { ++notices; });
+        };
+        const Points<2> result = bent<2>(options, factory);
+        QVERIFY2(samples::distance(result, expected) < 1e-9 * boundingBoxDiagonal<2>(expected),
+                 qPrintable(QString("%1 calls: %2").arg(calls).arg(samples::distance(result, expected))));
         QCOMPARE(notices, 1);
     }
 }
@@ -139,11 +376,15 @@ void TestOpenClStages::programsAreKeptPerOptions() {
             all[file.fileName()] = file.lastModified();
         return all;
     };
-    makeOpenClStages<2>(device());
+    const auto make = [](auto dimension) {
+        OpenClContext cl(device());
+        OpenClStages<dimension()>(cl, 1);
+    };
+    make(std::integral_constant<int, 2>());
     const auto one = times();
-    makeOpenClStages<2>(device());
+    make(std::integral_constant<int, 2>());
     const auto same = times();
-    makeOpenClStages<3>(device());
+    make(std::integral_constant<int, 3>());
     const auto two = times();
     before.isNull() ? qunsetenv("XDG_CACHE_HOME") : qputenv("XDG_CACHE_HOME", before);
     QCOMPARE(one.size(), 1);
