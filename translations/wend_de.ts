@@ -1849,6 +1849,22 @@
         <source>Open a solid first.</source>
         <translation>Zuerst einen Körper öffnen.</translation>
     </message>
+    <message>
+        <source>&amp;Detail Surface</source>
+        <translation>&amp;Feine Oberfläche</translation>
+    </message>
+    <message>
+        <source>Show the detailed or textured surface that rides in the solid; off: the border of the tetrahedra, which bend</source>
+        <translation>Die feine oder bemalte Oberfläche zeigen, die im Körper mitgeht; aus: der Rand der Tetraeder, die sich biegen</translation>
+    </message>
+    <message>
+        <source>Shift+D</source>
+        <translation>Shift+D</translation>
+    </message>
+    <message>
+        <source>The solid has neither a detailed surface nor materials.</source>
+        <translation>Der Körper hat weder eine feine Oberfläche noch Materialien.</translation>
+    </message>
 </context>
 <context>
     <name>wend::SolidWorkshop</name>

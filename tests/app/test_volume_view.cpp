@@ -292,7 +292,7 @@ void TestVolumeView::manyTrianglesAreDrawn() {
                 double prepare = 0, draw = 0, turn = 0;
                 for (int i = 0; i < 5; ++i) {
                     large.pose.row(2) *= 1.01;
-                    if (moving) m_view->hurry();
+                    moving ? m_view->hurry() : QTest::qWait(250);
                     m_view->setPicture(large, false);
                     m_view->repaint();
                     prepare += m_view->lastFrame().prepare / 5;
