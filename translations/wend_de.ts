@@ -1957,6 +1957,22 @@
         <translation>Zuerst einen Körper öffnen.</translation>
     </message>
     <message>
+        <source>&amp;Detail Surface</source>
+        <translation>&amp;Feine Oberfläche</translation>
+    </message>
+    <message>
+        <source>Show the detailed or textured surface that rides in the solid; off: the border of the tetrahedra, which bend</source>
+        <translation>Die feine oder bemalte Oberfläche zeigen, die im Körper mitgeht; aus: der Rand der Tetraeder, die sich biegen</translation>
+    </message>
+    <message>
+        <source>Shift+D</source>
+        <translation>Shift+D</translation>
+    </message>
+    <message>
+        <source>The solid has neither a detailed surface nor materials.</source>
+        <translation>Der Körper hat weder eine feine Oberfläche noch Materialien.</translation>
+    </message>
+    <message>
         <source>Rectangle, lasso and brush also take or select what is hidden</source>
         <translation>Rechteck, Lasso und Pinsel nehmen oder wählen auch, was verdeckt ist</translation>
     </message>
@@ -1969,28 +1985,28 @@
         <translation>Mit &amp;Rechteck</translation>
     </message>
     <message>
-        <source>By &amp;Lasso</source>
-        <translation>Mit &amp;Lasso</translation>
-    </message>
-    <message>
-        <source>By &amp;Brush</source>
-        <translation>Mit &amp;Pinsel</translation>
-    </message>
-    <message>
-        <source>Select &amp;Pins</source>
-        <translation>&amp;Pins auswählen</translation>
-    </message>
-    <message>
         <source>Shift+R</source>
         <translation>Shift+R</translation>
+    </message>
+    <message>
+        <source>By &amp;Lasso</source>
+        <translation>Mit &amp;Lasso</translation>
     </message>
     <message>
         <source>Shift+O</source>
         <translation>Shift+O</translation>
     </message>
     <message>
+        <source>By &amp;Brush</source>
+        <translation>Mit &amp;Pinsel</translation>
+    </message>
+    <message>
         <source>Shift+U</source>
         <translation>Shift+U</translation>
+    </message>
+    <message>
+        <source>Select &amp;Pins</source>
+        <translation>&amp;Pins auswählen</translation>
     </message>
 </context>
 <context>

@@ -172,6 +172,7 @@ void MainWindow::connectFiles() {
             m_exporter->exportPicture();
     });
     connect(m_solids, &SolidWorkshop::failed, m_banner, &InfoBanner::showText);
+    connect(m_solids, &SolidWorkshop::told, m_banner, &InfoBanner::showText);
     connect(m_solids, &SolidWorkshop::done, this,
             [this](const QString& text) { statusBar()->showMessage(text, 6000); });
     connect(a.exportMesh, &QAction::triggered, m_exporter, &Exporter::exportMesh);

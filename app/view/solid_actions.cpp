@@ -59,6 +59,12 @@ void SolidActions::makeModes() {
 }
 
 void SolidActions::makeView() {
+    detail =
+        addToggle({tr("&Detail Surface"),
+                   tr("Show the detailed or textured surface that rides in the solid; off: the border of "
+                      "the tetrahedra, which bend")},
+                  QKeySequence(tr("Shift+D")));
+    detail->setChecked(true);
     flat = addToggle({tr("&Flat Faces"), tr("Shade every triangle by itself instead of smoothly")},
                      QKeySequence(tr("Shift+F")));
     orthographic = addToggle({tr("&Parallel View"), tr("See without perspective")}, QKeySequence(tr("5")));
@@ -98,7 +104,11 @@ void SolidActions::makeMenu() {
     m_menu->addSeparator();
     m_menu->addMenu(tr("L&ook from"))->addActions({front, back, right, left, top, bottom, oblique});
     m_menu->addMenu(tr("&Navigation"))->addActions({wendKeys, vtkKeys, blenderKeys});
-    m_menu->addActions({orthographic, flat, cut, arrows, ellipsoids});
+    m_menu->addActions({detail, orthographic, flat, cut, arrows, ellipsoids});
+}
+
+void SolidActions::setHasDetail(bool has) {
+    enable(detail, has, tr("The solid has neither a detailed surface nor materials."));
 }
 
 void SolidActions::setShown(bool shown) {

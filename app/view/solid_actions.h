@@ -18,13 +18,15 @@ class SolidActions : public ActionMaker {
     QAction *move, *turn, *grow;
     QAction *through, *holdBeyond;
     QAction *selectRectangle, *selectLasso, *selectBrush;
-    QAction *flat, *orthographic, *arrows, *ellipsoids;
+    QAction *detail, *flat, *orthographic, *arrows, *ellipsoids;
     QAction *front, *back, *right, *left, *top, *bottom, *oblique;
     QAction *wendKeys, *vtkKeys, *blenderKeys;
     QAction* cut;
 
     QMenu* menu() const { return m_menu; }
     void setShown(bool shown);
+    /// Whether the solid has a surface of its own, beside its tetrahedra.
+    void setHasDetail(bool has);
 
   private:
     void makeTools(QActionGroup& tools);

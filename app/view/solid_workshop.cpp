@@ -84,6 +84,8 @@ void SolidWorkshop::setActive(bool active) {
     m_canvas->setEdgesShown(m_around.actions.showMesh->isChecked());
     m_canvas->setMap(m_around.distortion.measure(), m_around.distortion.range());
     m_canvas->setMapShown(m_around.actions.showMap->isChecked());
+    m_canvas->setDetailShown(m_actions->detail->isChecked());
+    m_actions->setHasDetail(m_canvas->hasDetail());
     chooseTool();
     showCut();
 }
@@ -120,6 +122,8 @@ void SolidWorkshop::connectView() {
     };
     connect(common.zoomIn, &QAction::triggered, m_canvas, [zoom] { zoom(1.25); });
     connect(common.zoomOut, &QAction::triggered, m_canvas, [zoom] { zoom(0.8); });
+    connect(a.detail, &QAction::toggled, m_canvas, &SolidCanvas::setDetailShown);
+    connect(&m_around.session, &ShapeSession::frameChanged, this, &SolidWorkshop::tellOfShape);
     connect(a.flat, &QAction::toggled, m_canvas, &SolidCanvas::setFlat);
     connect(a.orthographic, &QAction::toggled, m_canvas, &VolumeView::setOrthographic);
     connect(a.arrows, &QAction::toggled, m_canvas, &SolidCanvas::setArrowsShown);
@@ -255,6 +259,17 @@ void SolidWorkshop::exportPicture() {
         emit done(tr("Written: %1").arg(QDir::toNativeSeparators(path)));
     else
         emit failed(tr("Nothing was written. %1").arg(file.errorString()));
+}
+
+/// Once for every mesh.
+void SolidWorkshop::tellOfShape() {
+    const auto frame = m_around.session.frame<3>();
+    if (!frame || frame->shape == m_told) return;
+    m_told = frame->shape;
+    m_actions->setHasDetail(m_canvas->hasDetail());
+    QStringList lines;
+    for (const std::string& notice : frame->built->notices) lines << QString::fromStdString(notice);
+    if (!lines.isEmpty()) emit told(lines.join('\n'));
 }
 
 void SolidWorkshop::showCut() {

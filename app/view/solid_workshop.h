@@ -57,6 +57,8 @@ class SolidWorkshop : public QObject {
     void menuWanted(QPoint global);
     void failed(QString text);
     void done(QString text);
+    /// What the user should hear of a new mesh.
+    void told(QString text);
 
   private:
     void makePage();
@@ -66,6 +68,7 @@ class SolidWorkshop : public QObject {
     void chooseTool();
     void showCut();
     void holdBeyondCut();
+    void tellOfShape();
 
     Surroundings m_around;
     QWidget& m_window;
@@ -80,6 +83,7 @@ class SolidWorkshop : public QObject {
     SolidCanvas* m_canvas = nullptr;
     bool m_isActive = false;
     int m_lastCut = 2;
+    std::shared_ptr<const void> m_told;  // the rest mesh whose notices were told
     Manipulator m_manipulator;
     std::vector<std::pair<QAction*, std::unique_ptr<SolidTool>>> m_tools;
 };

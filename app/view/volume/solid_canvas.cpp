@@ -9,7 +9,6 @@
 #include "app/session/fields.h"
 #include "app/tools/solid_pin_tool.h"
 #include "app/view/volume/glyphs.h"
-#include "app/view/volume/ray_casting.h"
 #include "app/view/volume/solid_painter.h"
 
 namespace wend {
@@ -111,14 +110,14 @@ std::vector<int> SolidCanvas::verticesWhere(const std::function<bool(const QPoin
         if (std::abs(screen.z()) <= 1 && !isCutOff && inside({screen.x(), screen.y()}))
             found.push_back(static_cast<int>(v));
     }
-    if (visibleOnly) keepVisible(found, surface(), pose, camera(), size());
+    if (visibleOnly) keepVisible(found);
     return found;
 }
 
 bool SolidCanvas::isHidden(const Vec<3>& p) const {
     const QPointF at = toWidget(p);
     const Ray sight = ray(at);
-    const SolidHit hit = nearestHit(surface(), shown().pose, sight);
+    const SolidHit hit = hitOf(sight);
     const double depth = (p - sight.origin).dot(sight.direction);
     return hit.cell >= 0 && (hit.point - sight.origin).norm() < depth - 2 * pixelSize(p);
 }
@@ -149,6 +148,13 @@ std::vector<QRgb> SolidCanvas::colours(const PosedFrame<3>& frame) const {
     return colours;
 }
 
+bool SolidCanvas::hasDetail() const {
+    const auto frame = m_session.frame<3>();
+    if (!frame || !frame->built->skin || !frame->built->ride) return false;
+    return !m_session.document().project()->domain.detail.empty() || !frame->built->skin->materials.empty();
+}
+
+/// A new solid is seen whole: first as it comes, then, when its motion is known, as it is shown then.
 void SolidCanvas::refresh() {
     const auto frame = m_session.frame<3>();
     if (!frame) return;
@@ -157,13 +163,38 @@ void SolidCanvas::refresh() {
     picture.facets = frame->facets;
     picture.pose = frame->pose;
     picture.cellColours = colours(*frame);
-    m_fitted = m_fitted || m_generation != m_session.document().generation();
+    if (m_detail && hasDetail()) {
+        picture.skin = frame->built->skin;
+        picture.ride = frame->built->ride;
+        picture.materials = !m_map || m_hidden;
+    }
+    m_style.dimming = m_dimmed && picture.materials ? 0.5 : 0;
+    setStyle(m_style);
     const bool isNew = m_generation != m_session.document().generation();
     m_generation = m_session.document().generation();
-    if (isNew) look(Camera::Axis::Isometric);
-    setPicture(std::move(picture), isNew);
+    if (isNew) {
+        m_fitted = m_toFit = true;
+        look(Camera::Axis::Isometric);
+    }
+    if (frame->live || m_session.playback().isPlaying()) hurry();
+    setPicture(std::move(picture), m_toFit && m_fitted);
+    m_toFit = m_toFit && m_session.isStale();
     showGlyphs(*frame);
     redraw();
+}
+
+void SolidCanvas::showPreview(const std::shared_ptr<const Skin>& skin) {
+    if (m_session.frame<3>() || skin->points.cols() == 0 || !skin->points.allFinite()) return;
+    VolumePicture picture;
+    picture.rest = std::make_shared<const SimplicialMesh<3>>();
+    picture.pose = skin->points;
+    auto facets = std::make_shared<std::vector<Facet<3>>>();
+    for (const auto& t : skin->triangles) facets->push_back({t, {static_cast<int>(facets->size()), -1}});
+    const QRgb plain = Theme::of(palette()).dark ? kPlainDark : kPlain;
+    picture.cellColours.assign(facets->size(), dimmed(plain));
+    picture.facets = std::move(facets);
+    look(Camera::Axis::Isometric);
+    setPicture(std::move(picture), true);
 }
 
 void SolidCanvas::showGlyphs(const PosedFrame<3>& frame) {
@@ -207,6 +238,9 @@ void SolidCanvas::setEdgesShown(bool shown) {
 
 void SolidCanvas::setMapShown(bool shown) {
     m_map = shown, refresh();
+}
+void SolidCanvas::setDetailShown(bool shown) {
+    m_detail = shown, refresh();
 }
 void SolidCanvas::setArrowsShown(bool shown) {
     m_arrows = shown, refresh();

@@ -34,13 +34,20 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     bool isHidden(const Vec<3>& p) const override;
     void redraw() override;
 
-    /// The view with all that lies over it, or without.
+    /// True if the solid has a surface of its own to show: a detailed one, or one with materials.
+    bool hasDetail() const;
+    /// The surface of a file while its tetrahedra are being made.
+    void showPreview(const std::shared_ptr<const Skin>& skin);
+    /// What lies over the view.
     void paintOver(QPainter& painter);
 
   public slots:
     void setFlat(bool flat);
     void setEdgesShown(bool shown);
     void setMapShown(bool shown);
+    /// The detailed or painted surface that rides in the solid, where there is one, or the tetrahedra's
+    /// border.
+    void setDetailShown(bool shown);
     void setMap(Measure measure, const MeasureRange& range);
     void setArrowsShown(bool shown);
     void setGlyphsShown(bool shown);
@@ -88,6 +95,8 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     QTimer m_dim;
     int m_generation = -1;  // of the document that the view was fitted to
     bool m_map = false, m_arrows = false, m_glyphs = false, m_hidden = false, m_dimmed = false;
+    bool m_detail = true;
+    bool m_toFit = false;   // the view has not been fitted to the whole motion's end yet
     bool m_fitted = false;  // the view follows the window's size until the user changes it
     Measure m_measure = Measure::Length;
     MeasureRange m_range;
