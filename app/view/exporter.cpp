@@ -179,7 +179,7 @@ void Exporter::exportSolid(const PosedPtr<3>& frame) {
     scene.source = frame->built->source;
     scene.skin = frame->built->skin;
     scene.ride = frame->built->ride;
-    const Points<3> velocity = velocityOf<3>(m_session.track(), *frame);
+    const Points<3> velocity = m_session.velocity<3>();
     run(tr("Writing the mesh …"), path, [=](const Progress&, std::stop_token) {
         writeShape<3>(path.toStdString(), scene, frame->pose, shapeFields<3>(scene, frame->pose, velocity));
     });

@@ -12,9 +12,12 @@
 #include "app/panels/cut_panel.h"
 #include "app/panels/distortion_panel.h"
 #include "app/panels/handle_panel.h"
+#include "app/panels/measure_panel.h"
 #include "app/panels/paint_panel.h"
 #include "app/panels/panel_parts.h"
+#include "app/panels/region_panel.h"
 #include "app/panels/surface_panel.h"
+#include "app/session/solid_places.h"
 #include "app/tools/measure_tool.h"
 #include "app/tools/paint_tool.h"
 #include "app/view/actions.h"
@@ -38,6 +41,8 @@ SolidWorkshop::SolidWorkshop(const Surroundings& around, QWidget& window)
       m_actions(new SolidActions(*around.actions.tools, this)),
       m_cutPanel(new CutPanel),
       m_handlePanel(new HandlePanel(around.session)),
+      m_regionPanel(new RegionPanel(around.session)),
+      m_measurePanel(new MeasurePanel(around.session)),
       m_paintPanel(new PaintPanel(around.session)),
       m_surfacePanel(new SurfacePanel),
       m_check(new SurfaceCheck(around.session, *m_surfacePanel, window)) {}
@@ -49,7 +54,8 @@ SolidWorkshop::~SolidWorkshop() {
 void SolidWorkshop::furnish(QToolBar& tools, QVBoxLayout& panels) {
     QAction* before = m_around.actions.remove;
     SolidActions& a = *m_actions;
-    for (QAction* action : {a.rectangle, a.lasso, a.brush, a.ball, a.box, a.through, a.paint, a.measure})
+    for (QAction* action :
+         {a.rectangle, a.lasso, a.brush, a.ball, a.box, a.half, a.through, a.paint, a.measure})
         tools.insertAction(before, action);
     QAction* line = tools.insertSeparator(before);
     for (QAction* action : {a.move, a.turn, a.grow}) tools.insertAction(before, action);
@@ -69,6 +75,11 @@ void SolidWorkshop::furnish(QToolBar& tools, QVBoxLayout& panels) {
     m_surfacePanel->hide();
     panels.insertWidget(kFirstPanel + 1, m_paintPanel);  // in place of the energy while painting
     m_paintPanel->hide();
+    // Both are there only when there is something to show.
+    panels.insertWidget(panels.indexOf(m_handlePanel) + 1, m_regionPanel);
+    m_regionPanel->hide();
+    panels.insertWidget(kFirstPanel, m_measurePanel);
+    m_measurePanel->hide();
 }
 
 void SolidWorkshop::setActive(bool active) {
@@ -79,6 +90,7 @@ void SolidWorkshop::setActive(bool active) {
     const bool flatTool = m_around.actions.pinTool->isChecked() || m_around.actions.selectTool->isChecked();
     if (!active && !flatTool) m_around.actions.pinTool->setChecked(true);
     if (!active) m_paintPanel->hide();
+    if (!active) m_measurePanel->hide();
     if (!active || !m_canvas) return;
     m_canvas->setCutKind(CutKind::None);
     m_canvas->setEdgesShown(m_around.actions.showMesh->isChecked());
@@ -154,6 +166,7 @@ void SolidWorkshop::connectView() {
     connect(m_canvas, &SolidCanvas::hintChanged, &m_around.fields, &StatusFields::setHint);
     connect(m_canvas, &SolidCanvas::hintChanged, this, &SolidWorkshop::hintChanged);
     connect(m_canvas, &SolidCanvas::menuWanted, this, &SolidWorkshop::menuWanted);
+    connect(m_canvas, &SolidCanvas::pointedAt, m_measurePanel, &MeasurePanel::setPointed);
     connect(m_canvas, &SolidCanvas::pointed, &m_around.fields, &StatusFields::setPointerText);
 }
 
@@ -176,7 +189,8 @@ void SolidWorkshop::connectTools() {
                                         {a.lasso, Shape::Lasso},
                                         {a.brush, Shape::Brush},
                                         {a.ball, Shape::Ball},
-                                        {a.box, Shape::Box}}) {
+                                        {a.box, Shape::Box},
+                                        {a.half, Shape::Half}}) {
         auto tool = std::make_unique<AreaTool>(*m_canvas, shape);
         connect(a.through, &QAction::toggled, this, [area = tool.get()](bool on) { area->setThrough(on); });
         m_tools.emplace_back(action, std::move(tool));
@@ -185,6 +199,8 @@ void SolidWorkshop::connectTools() {
     brush->setColour(m_paintPanel->paint());
     connect(m_paintPanel, &PaintPanel::paintChanged, this,
             [tool = brush.get()](const MaterialPaint& paint) { tool->setColour(paint); });
+    connect(m_paintPanel, &PaintPanel::alongChanged, this,
+            [tool = brush.get()](StiffAlong along) { tool->setAlong(along); });
     m_tools.emplace_back(a.paint, std::move(brush));
     m_tools.emplace_back(a.measure, std::make_unique<MeasureTool>(*m_canvas));
     connect(m_around.actions.tools, &QActionGroup::triggered, this, &SolidWorkshop::chooseTool);
@@ -203,6 +219,9 @@ void SolidWorkshop::connectTools() {
 
 void SolidWorkshop::chooseTool() {
     m_paintPanel->setVisible(m_isActive && m_canvas && m_actions->paint->isChecked());
+    const bool measures = m_isActive && m_canvas && m_actions->measure->isChecked();
+    m_measurePanel->setVisible(measures);
+    if (m_canvas) m_canvas->setValuesShown(measures);
     if (!m_isActive || !m_canvas) return;
     for (const auto& [action, tool] : m_tools)
         if (action->isChecked()) m_canvas->setTool(tool.get());
@@ -285,6 +304,12 @@ void SolidWorkshop::showCut() {
 void SolidWorkshop::holdBeyondCut() {
     const auto frame = m_around.session.frame<3>();
     if (!frame || !m_canvas || m_canvas->cut() == CutKind::None) return;
+    if (frame->pose == frame->rest->points) {  // where it is at rest it may be a region
+        const Region<3> half = HalfSpace<3>{m_canvas->plane().point, m_canvas->plane().normal};
+        if (!verticesIn(half, *frame->rest).empty())
+            m_around.session.addHandle<3>(half, tr("Region").toStdString());
+        return;
+    }
     std::vector<int> beyond;
     for (Eigen::Index v = 0; v < frame->pose.cols(); ++v)
         if (m_canvas->plane().height(frame->pose.col(v)) > 0) beyond.push_back(static_cast<int>(v));
