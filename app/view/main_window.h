@@ -39,6 +39,7 @@ class MainWindow : public QMainWindow {
     ShapeCanvas& canvas() { return *m_canvas; }
     Actions& actions() { return *m_actions; }
     FileWorkflow& files() { return *m_files; }
+    Exporter& exporter() { return *m_exporter; }
     MaterialPanel& materialPanel() { return *m_material; }
     SolidWorkshop& solids() { return *m_solids; }
     DistortionPanel& distortionPanel() { return *m_distortion; }
