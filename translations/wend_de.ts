@@ -38,6 +38,22 @@
         <source>Change curve</source>
         <translation>Kurve ändern</translation>
     </message>
+    <message>
+        <source>Drag the curve&apos;s point, with Ctrl one direction alone; Delete removes it, a right click shows more</source>
+        <translation>Den Punkt der Kurve ziehen, mit Strg nur eine Richtung; Entf löscht ihn, ein Rechtsklick zeigt mehr</translation>
+    </message>
+    <message>
+        <source>Double-click to insert a point into the curve</source>
+        <translation>Ein Doppelklick fügt einen Punkt in die Kurve ein</translation>
+    </message>
+    <message>
+        <source>Insert curve point</source>
+        <translation>Kurvenpunkt einfügen</translation>
+    </message>
+    <message>
+        <source>Delete curve point</source>
+        <translation>Kurvenpunkt löschen</translation>
+    </message>
 </context>
 <context>
     <name>CutTool</name>
@@ -212,8 +228,8 @@
         <translation>Klick auf den Körper setzt einen Pin, Ziehen an Pins biegt ihn</translation>
     </message>
     <message>
-        <source>Click or draw a rectangle to select pins, drag to move them, arrow keys nudge</source>
-        <translation>Klicken oder Rechteck aufziehen wählt Pins, Ziehen bewegt sie, Pfeiltasten rücken sie</translation>
+        <source>Click or draw beside pins to select them, with Shift more, with Ctrl fewer; drag to move them, arrow keys nudge</source>
+        <translation>Klicken oder neben Pins aufziehen wählt sie aus, mit Umschalt dazu, mit Strg ab; Ziehen bewegt sie, Pfeiltasten rücken</translation>
     </message>
 </context>
 <context>
@@ -589,6 +605,101 @@
     <message>
         <source>Open a picture, a mesh, a surface or a project</source>
         <translation>Ein Bild, ein Netz, eine Oberfläche oder ein Projekt öffnen</translation>
+    </message>
+</context>
+<context>
+    <name>wend::CurveActions</name>
+    <message>
+        <source>&amp;Curve</source>
+        <translation>&amp;Kurve</translation>
+    </message>
+    <message>
+        <source>&amp;Make a Curve</source>
+        <translation>Kurve &amp;machen</translation>
+    </message>
+    <message>
+        <source>Turn the last way of the selected pin into a Bézier curve</source>
+        <translation>Aus dem letzten Weg des gewählten Pins eine Bézierkurve machen</translation>
+    </message>
+    <message>
+        <source>Shift+C</source>
+        <translation>Shift+C</translation>
+    </message>
+    <message>
+        <source>&amp;Insert Point</source>
+        <translation>Punkt &amp;einfügen</translation>
+    </message>
+    <message>
+        <source>Split the curve where it was pointed at, or behind the chosen point; its shape stays</source>
+        <translation>Die Kurve teilen, wo auf sie gezeigt wurde oder hinter dem gewählten Punkt; ihre Form bleibt</translation>
+    </message>
+    <message>
+        <source>I</source>
+        <translation>I</translation>
+    </message>
+    <message>
+        <source>&amp;Delete Point</source>
+        <translation>Punkt &amp;löschen</translation>
+    </message>
+    <message>
+        <source>Remove the chosen point from the curve</source>
+        <translation>Den gewählten Punkt aus der Kurve nehmen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Del</source>
+        <translation>Ctrl+Del</translation>
+    </message>
+    <message>
+        <source>&amp;Free</source>
+        <translation>&amp;Frei</translation>
+    </message>
+    <message>
+        <source>Let both directions at the point go their own way</source>
+        <translation>Beide Richtungen am Punkt gehen ihren eigenen Weg</translation>
+    </message>
+    <message>
+        <source>Alt+1</source>
+        <translation>Alt+1</translation>
+    </message>
+    <message>
+        <source>&amp;Aligned</source>
+        <translation>&amp;Ausgerichtet</translation>
+    </message>
+    <message>
+        <source>Keep both directions at the point on one line</source>
+        <translation>Beide Richtungen am Punkt bleiben auf einer Geraden</translation>
+    </message>
+    <message>
+        <source>Alt+2</source>
+        <translation>Alt+2</translation>
+    </message>
+    <message>
+        <source>A&amp;utomatic</source>
+        <translation>A&amp;utomatisch</translation>
+    </message>
+    <message>
+        <source>Lead the curve smoothly through the point by its neighbours</source>
+        <translation>Die Kurve nach ihren Nachbarn glatt durch den Punkt führen</translation>
+    </message>
+    <message>
+        <source>Alt+3</source>
+        <translation>Alt+3</translation>
+    </message>
+    <message>
+        <source>Select one pin that was dragged along a way.</source>
+        <translation>Erst einen Pin auswählen, der einen Weg gezogen wurde.</translation>
+    </message>
+    <message>
+        <source>Select one pin that follows a curve.</source>
+        <translation>Erst einen Pin auswählen, der einer Kurve folgt.</translation>
+    </message>
+    <message>
+        <source>Click a point of the curve first; two must stay.</source>
+        <translation>Erst einen Punkt der Kurve anklicken; zwei müssen bleiben.</translation>
+    </message>
+    <message>
+        <source>Click an inner point of a Bézier curve first.</source>
+        <translation>Erst einen inneren Punkt einer Bézierkurve anklicken.</translation>
     </message>
 </context>
 <context>
@@ -1061,10 +1172,6 @@
     <message>
         <source>S&amp;cale</source>
         <translation>&amp;Größe</translation>
-    </message>
-    <message>
-        <source>Make a curve</source>
-        <translation>Kurve machen</translation>
     </message>
     <message>
         <source>Change curve</source>
@@ -1566,6 +1673,10 @@
         <source>%1 does not hold the shape at the end any more.</source>
         <translation>%1 hält die Form am Ende nicht mehr.</translation>
     </message>
+    <message>
+        <source>Make a curve</source>
+        <translation>Kurve machen</translation>
+    </message>
 </context>
 <context>
     <name>wend::SolidActions</name>
@@ -1656,10 +1767,6 @@
     <message>
         <source>Through the &amp;Solid</source>
         <translation>D&amp;urch den Körper</translation>
-    </message>
-    <message>
-        <source>Rectangle, lasso and brush also take what is hidden</source>
-        <translation>Rechteck, Lasso und Pinsel nehmen auch Verdecktes</translation>
     </message>
     <message>
         <source>T</source>
@@ -1892,6 +1999,42 @@
     <message>
         <source>The solid has neither a detailed surface nor materials.</source>
         <translation>Der Körper hat weder eine feine Oberfläche noch Materialien.</translation>
+    </message>
+    <message>
+        <source>Rectangle, lasso and brush also take or select what is hidden</source>
+        <translation>Rechteck, Lasso und Pinsel nehmen oder wählen auch, was verdeckt ist</translation>
+    </message>
+    <message>
+        <source>What is drawn beside pins with the pin or the select tool, to select them</source>
+        <translation>Was mit dem Pin- oder Auswahlwerkzeug neben Pins gezogen wird, um sie auszuwählen</translation>
+    </message>
+    <message>
+        <source>By &amp;Rectangle</source>
+        <translation>Mit &amp;Rechteck</translation>
+    </message>
+    <message>
+        <source>Shift+R</source>
+        <translation>Shift+R</translation>
+    </message>
+    <message>
+        <source>By &amp;Lasso</source>
+        <translation>Mit &amp;Lasso</translation>
+    </message>
+    <message>
+        <source>Shift+O</source>
+        <translation>Shift+O</translation>
+    </message>
+    <message>
+        <source>By &amp;Brush</source>
+        <translation>Mit &amp;Pinsel</translation>
+    </message>
+    <message>
+        <source>Shift+U</source>
+        <translation>Shift+U</translation>
+    </message>
+    <message>
+        <source>Select &amp;Pins</source>
+        <translation>&amp;Pins auswählen</translation>
     </message>
 </context>
 <context>

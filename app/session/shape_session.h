@@ -25,6 +25,7 @@ class ShapeSession : public QObject {
     Document& document() { return m_document; }
     const Document& document() const { return m_document; }
     Selection& selection() { return m_selection; }
+    const Selection& selection() const { return m_selection; }
     Playback& playback() { return m_playback; }
     const FrameTrack& track() const { return m_track; }
 

@@ -31,14 +31,22 @@ void SolidActions::makeTools(QActionGroup& tools) {
     measure = addToggle({tr("M&easure"), tr("Measure lengths and angles between points of the solid")},
                         QKeySequence(tr("E")), "measure");
     for (QAction* tool : {rectangle, lasso, brush, ball, box, paint, measure}) tools.addAction(tool);
-    through = addToggle({tr("Through the &Solid"), tr("Rectangle, lasso and brush also take what is hidden")},
-                        QKeySequence(tr("T")), "through");
+    through = addToggle(
+        {tr("Through the &Solid"), tr("Rectangle, lasso and brush also take or select what is hidden")},
+        QKeySequence(tr("T")), "through");
     holdBeyond =
         add({tr("Hold Beyond the &Cut"), tr("Take hold of all that the cut takes away, as one handle")},
             QKeySequence(tr("Ctrl+B")));
 }
 
 void SolidActions::makeModes() {
+    const QString outline = tr("What is drawn beside pins with the pin or the select tool, to select them");
+    selectRectangle = addToggle({tr("By &Rectangle"), outline}, QKeySequence(tr("Shift+R")));
+    selectLasso = addToggle({tr("By &Lasso"), outline}, QKeySequence(tr("Shift+O")));
+    selectBrush = addToggle({tr("By &Brush"), outline}, QKeySequence(tr("Shift+U")));
+    auto* outlines = new QActionGroup(this);
+    for (QAction* one : {selectRectangle, selectLasso, selectBrush}) outlines->addAction(one);
+    selectRectangle->setChecked(true);
     move = addToggle({tr("&Move"), tr("Show arrows that move the selected pins")}, QKeySequence(tr("G")),
                      "move");
     turn = addToggle({tr("&Turn"), tr("Show rings that turn the selected pins")}, QKeySequence(tr("R")),
@@ -89,6 +97,7 @@ void SolidActions::makeView() {
 void SolidActions::makeMenu() {
     m_menu->setTitle(tr("&Solid"));
     m_menu->addActions({rectangle, lasso, brush, ball, box, through, holdBeyond});
+    m_menu->addMenu(tr("Select &Pins"))->addActions({selectRectangle, selectLasso, selectBrush});
     m_menu->addActions({paint, measure});
     m_menu->addSeparator();
     m_menu->addActions({move, turn, grow});

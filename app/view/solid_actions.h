@@ -17,6 +17,7 @@ class SolidActions : public ActionMaker {
     QAction *rectangle, *lasso, *brush, *ball, *box, *paint, *measure;
     QAction *move, *turn, *grow;
     QAction *through, *holdBeyond;
+    QAction *selectRectangle, *selectLasso, *selectBrush;
     QAction *detail, *flat, *orthographic, *arrows, *ellipsoids;
     QAction *front, *back, *right, *left, *top, *bottom, *oblique;
     QAction *wendKeys, *vtkKeys, *blenderKeys;

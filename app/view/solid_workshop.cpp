@@ -155,15 +155,25 @@ void SolidWorkshop::connectView() {
         if (m_isActive) m_canvas->showWorst();
     });
     connect(m_canvas, &SolidCanvas::hintChanged, &m_around.fields, &StatusFields::setHint);
+    connect(m_canvas, &SolidCanvas::hintChanged, this, &SolidWorkshop::hintChanged);
+    connect(m_canvas, &SolidCanvas::menuWanted, this, &SolidWorkshop::menuWanted);
     connect(m_canvas, &SolidCanvas::pointed, &m_around.fields, &StatusFields::setPointerText);
 }
 
 void SolidWorkshop::connectTools() {
     SolidActions& a = *m_actions;
-    m_tools.emplace_back(m_around.actions.pinTool,
-                         std::make_unique<SolidPinTool>(*m_canvas, m_manipulator, true));
-    m_tools.emplace_back(m_around.actions.selectTool,
-                         std::make_unique<SolidPinTool>(*m_canvas, m_manipulator, false));
+    for (const bool adds : {true, false}) {
+        auto tool = std::make_unique<SolidPinTool>(*m_canvas, m_manipulator, adds);
+        using Drawn = SolidPinTool::Outline;
+        for (const auto& [action, outline] : {std::pair{a.selectRectangle, Drawn::Rectangle},
+                                              {a.selectLasso, Drawn::Lasso},
+                                              {a.selectBrush, Drawn::Brush}})
+            connect(action, &QAction::toggled, this, [pins = tool.get(), outline = outline](bool on) {
+                if (on) pins->setOutline(outline);
+            });
+        connect(a.through, &QAction::toggled, this, [pins = tool.get()](bool on) { pins->setThrough(on); });
+        m_tools.emplace_back(adds ? m_around.actions.pinTool : m_around.actions.selectTool, std::move(tool));
+    }
     using Shape = AreaTool::Shape;
     for (const auto& [action, shape] : {std::pair{a.rectangle, Shape::Rectangle},
                                         {a.lasso, Shape::Lasso},

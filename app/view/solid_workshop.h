@@ -53,6 +53,8 @@ class SolidWorkshop : public QObject {
     SolidCanvas* canvas() const { return m_canvas; }
 
   signals:
+    void hintChanged(QString hint);
+    void menuWanted(QPoint global);
     void failed(QString text);
     void done(QString text);
     /// What the user should hear of a new mesh.

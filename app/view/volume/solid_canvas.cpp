@@ -336,6 +336,19 @@ void SolidCanvas::mousePressEvent(QMouseEvent* event) {
     }
 }
 
+/// The second press of a double click, unless the tool has a meaning for the two.
+void SolidCanvas::mouseDoubleClickEvent(QMouseEvent* event) {
+    SolidTool* tool = toolAt(event->position());
+    const bool left = event->button() == Qt::LeftButton;
+    if (!left || !tool || m_active || (dragFor(*event) != Drag::None && !tool->wants(event->position()))) {
+        mousePressEvent(event);
+        return;
+    }
+    m_active = tool;
+    tool->doubleClick(*event);
+    useTool(tool);
+}
+
 void SolidCanvas::mouseMoveEvent(QMouseEvent* event) {
     tellPointed(event->position());
     if (!m_active && isNavigating()) {
@@ -359,6 +372,12 @@ void SolidCanvas::mouseReleaseEvent(QMouseEvent* event) {
     }
     const bool turned = isNavigating();
     const bool click = (event->position() - pressedAt()).manhattanLength() <= kClick;
+    if (click && event->button() == Qt::RightButton && m_tool && !m_active &&
+        m_tool->opensMenu(event->position())) {
+        endNavigation();
+        emit menuWanted(event->globalPosition().toPoint());
+        return;
+    }
     VolumeView::mouseReleaseEvent(event);
     if (!turned || !click || event->button() != Qt::LeftButton || !m_tool) return;
     m_tool->press(*event);  // where the left button turns the view, a click is still the tool's
@@ -426,7 +445,9 @@ bool SolidCanvas::event(QEvent* event) {
         const auto* keys = static_cast<QKeyEvent*>(event);
         const int key = keys->key();
         const bool plain = !(keys->modifiers() & (Qt::ControlModifier | Qt::AltModifier));
-        if ((m_active && plain) || (key >= Qt::Key_Left && key <= Qt::Key_Down) || key == Qt::Key_Escape) {
+        const bool owned = m_tool && m_tool->ownsKey(*keys);
+        if (owned || (m_active && plain) || (key >= Qt::Key_Left && key <= Qt::Key_Down) ||
+            key == Qt::Key_Escape) {
             event->accept();
             return true;
         }

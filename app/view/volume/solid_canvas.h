@@ -63,6 +63,8 @@ class SolidCanvas : public VolumeView, public SolidSurface {
 
   signals:
     void hintChanged(QString hint);
+    /// A menu for what is under the pointer is asked for.
+    void menuWanted(QPoint global);
     /// What is under the pointer, in words; empty when it has left.
     void pointed(QString text);
     void cutChanged();
@@ -72,6 +74,7 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void keyReleaseEvent(QKeyEvent* event) override;
     void leaveEvent(QEvent* event) override;

@@ -100,6 +100,7 @@ class VolumeView : public QOpenGLWidget {
     enum class Drag { None, Orbit, Pan, Zoom };
     Drag dragFor(const QMouseEvent& event) const;
     bool isNavigating() const { return m_drag != Drag::None; }
+    void endNavigation() { m_drag = Drag::None; }
     const QPointF& pressedAt() const { return m_pressed; }
     const VolumePicture& shown() const { return m_picture; }
     void setBackground(const QColor& colour) { m_background = colour; }
