@@ -1707,6 +1707,34 @@
         <source>&amp;Height</source>
         <translation>&amp;Höhe</translation>
     </message>
+    <message>
+        <source>&amp;Pins and axes</source>
+        <translation>&amp;Pins und Achsen</translation>
+    </message>
+    <message>
+        <source>&amp;Legend of the map</source>
+        <translation>&amp;Legende der Karte</translation>
+    </message>
+    <message>
+        <source>Pins and axes</source>
+        <translation>Pins und Achsen</translation>
+    </message>
+    <message>
+        <source>Pins, their paths and the axes, as large as in the window.</source>
+        <translation>Pins, ihre Wege und die Achsen, so groß wie im Fenster.</translation>
+    </message>
+    <message>
+        <source>Legend of the map</source>
+        <translation>Legende der Karte</translation>
+    </message>
+    <message>
+        <source>The colours of the map and their values.</source>
+        <translation>Die Farben der Karte und ihre Werte.</translation>
+    </message>
+    <message>
+        <source>Show a map first: only then there is something to explain.</source>
+        <translation>Erst eine Karte zeigen: nur dann gibt es etwas zu erklären.</translation>
+    </message>
 </context>
 <context>
     <name>wend::RegionPanel</name>
@@ -2239,6 +2267,13 @@
     <message>
         <source>Shift+P</source>
         <translation>Shift+P</translation>
+    </message>
+</context>
+<context>
+    <name>wend::SolidCanvas</name>
+    <message>
+        <source>the memory does not suffice for a picture of %1 x %2 pixels</source>
+        <translation>der Speicher reicht nicht für ein Bild von %1 x %2 Pixeln</translation>
     </message>
 </context>
 <context>

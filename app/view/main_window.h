@@ -42,6 +42,7 @@ class MainWindow : public QMainWindow {
     Actions& actions() { return *m_actions; }
     CurveActions& curves() { return *m_curves; }
     FileWorkflow& files() { return *m_files; }
+    Exporter& exporter() { return *m_exporter; }
     MaterialPanel& materialPanel() { return *m_material; }
     SolidWorkshop& solids() { return *m_solids; }
     DistortionPanel& distortionPanel() { return *m_distortion; }

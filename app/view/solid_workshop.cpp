@@ -17,6 +17,7 @@
 #include "app/panels/panel_parts.h"
 #include "app/panels/region_panel.h"
 #include "app/panels/surface_panel.h"
+#include "app/session/opening.h"
 #include "app/session/solid_places.h"
 #include "app/tools/measure_tool.h"
 #include "app/tools/paint_tool.h"
@@ -24,7 +25,9 @@
 #include "app/view/picture_dialog.h"
 #include "app/view/status_fields.h"
 #include "app/view/surface_check.h"
+#include "app/view/view_picture.h"
 #include "app/view/volume/solid_canvas.h"
+#include "core/mesh/error.h"
 
 namespace wend {
 
@@ -260,24 +263,22 @@ QString SolidWorkshop::keys() {
 
 void SolidWorkshop::exportPicture() {
     if (!m_canvas) return;
-    PictureDialog dialog(m_canvas->size() * m_canvas->devicePixelRatioF(), &m_window);
+    PictureDialog dialog(m_canvas->size() * m_canvas->devicePixelRatioF(), m_canvas->hasLegend(), &m_window);
     if (dialog.exec() != QDialog::Accepted) return;
     const Document& document = m_around.session.document();
     const QString base = QFileInfo(document.displayName()).completeBaseName();
     QString path = QFileDialog::getSaveFileName(
-        &m_window, tr("Export Picture"), QDir(document.folder()).filePath(base + QStringLiteral(".png")),
-        QStringLiteral("PNG (*.png);;TIFF (*.tif);;JPEG (*.jpg);;WebP (*.webp)"));
+        &m_window, tr("Export Picture"),
+        QDir(proposedFolder(document)).filePath(base + QStringLiteral(".png")),
+        QStringLiteral("PNG (*.png);;TIFF (*.tif);;OpenEXR (*.exr);;JPEG (*.jpg);;WebP (*.webp)"));
     if (path.isEmpty()) return;
     if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".png");
-    const QImage picture = m_canvas->picture(dialog.size(), dialog.isTransparent());
-    QSaveFile file(path);
-    const QByteArray format = QFileInfo(path).suffix().toLatin1();
-    const bool written = !picture.isNull() && file.open(QIODevice::WriteOnly) &&
-                         picture.save(&file, format.constData()) && file.commit();
-    if (written)
+    try {
+        writeViewPicture(path, *m_canvas, dialog.choice());
         emit done(tr("Written: %1").arg(QDir::toNativeSeparators(path)));
-    else
-        emit failed(tr("Nothing was written. %1").arg(file.errorString()));
+    } catch (const InputError& error) {
+        emit failed(tr("Nothing was written. %1").arg(QString::fromUtf8(error.what())));
+    }
 }
 
 /// Once for every mesh.

@@ -163,10 +163,13 @@ void SolidCanvas::refresh() {
     picture.facets = frame->facets;
     picture.pose = frame->pose;
     picture.cellColours = colours(*frame);
-    if (m_detail && hasDetail()) {
+    // A map's colours are those of the tetrahedra: on their own border they are exact.
+    const bool map = m_map && !m_hidden;
+    const bool isDetailed = !m_session.document().project()->domain.detail.empty();
+    if (m_detail && hasDetail() && (isDetailed || !map)) {
         picture.skin = frame->built->skin;
         picture.ride = frame->built->ride;
-        picture.materials = !m_map || m_hidden;
+        picture.materials = !map;
     }
     m_style.dimming = m_dimmed && picture.materials ? 0.5 : 0;
     setStyle(m_style);
@@ -209,6 +212,14 @@ void SolidCanvas::showGlyphs(const PosedFrame<3>& frame) {
 }
 
 void SolidCanvas::paintOver(QPainter& painter) {
+    if (!m_session.frame<3>()) return;
+    paintMarks(painter);
+    if (m_hidden) return;
+    m_cutTool.paint(painter);
+    if (m_tool) m_tool->paint(painter);
+}
+
+void SolidCanvas::paintMarks(QPainter& painter) {
     const auto frame = m_session.frame<3>();
     if (!frame) return;
     const Theme theme = Theme::of(palette());
@@ -222,8 +233,15 @@ void SolidCanvas::paintOver(QPainter& painter) {
     painterOfSolid.paths();
     const auto* pinTool = dynamic_cast<const SolidPinTool*>(m_tool);
     painterOfSolid.pins(pinTool ? pinTool->hovered() : -1);
-    m_cutTool.paint(painter);
-    if (m_tool) m_tool->paint(painter);
+}
+
+void SolidCanvas::paintLegend(QPainter& painter) const {
+    if (!hasLegend()) return;
+    const QColor colour = Theme::of(palette()).secondText;
+    painter.setPen(colour);
+    constexpr QRect kBar(24, 24, 240, 40);
+    painter.drawText(kBar.bottomLeft(), measureName(m_measure, 3));
+    wend::paintLegend(painter, kBar, m_measure, m_range, colour);
 }
 
 void SolidCanvas::wantVelocity() {

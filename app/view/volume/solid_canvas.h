@@ -40,6 +40,11 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     void showPreview(const std::shared_ptr<const Skin>& skin);
     /// What lies over the view.
     void paintOver(QPainter& painter);
+    /// Of that, what is not the tools': pins, paths, the worst place, the axes.
+    void paintMarks(QPainter& painter);
+    bool hasLegend() const { return m_map && !m_hidden; }
+    /// The map's, at the top left.
+    void paintLegend(QPainter& painter) const;
 
   public slots:
     void setFlat(bool flat);
