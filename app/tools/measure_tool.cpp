@@ -12,6 +12,7 @@ namespace wend {
 
 namespace {
 
+constexpr double kSnap = 5;  // pixels: a vertex that near is meant
 const QColor kLine(0xd4, 0x4a, 0x7a);
 
 QString said(const char* text) {
@@ -41,11 +42,12 @@ void MeasureTool::press(const QMouseEvent& event) {
     const SolidHit hit = surface().pick(event.position());
     const auto frame = session().frame<3>();
     if (m_points.size() == 3 || hit.cell < 0 || (frame && frame->shape != m_shape)) m_points.clear();
-    if (hit.cell >= 0 && frame) {
+    if (hit.cell >= 0 && hit.vertex >= 0 && frame) {
         m_shape = frame->shape;
-        const bool snaps = event.modifiers() & Qt::ControlModifier && hit.vertex >= 0;
-        m_points.push_back(
-            locationIn(*frame, hit.cell, snaps ? Vec<3>(frame->pose.col(hit.vertex)) : hit.point));
+        const Vec<3> vertex = frame->pose.col(hit.vertex);
+        const bool near = QLineF(surface().toWidget(vertex), event.position()).length() <= kSnap;
+        const bool snaps = near || event.modifiers() & Qt::ControlModifier;
+        m_points.push_back(locationIn(*frame, hit.cell, snaps ? vertex : hit.point));
     }
     surface().redraw();
 }
