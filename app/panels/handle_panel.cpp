@@ -9,6 +9,7 @@
 #include "app/document/curve_edits.h"
 #include "app/document/handle_edits.h"
 #include "app/panels/panel_parts.h"
+#include "app/session/curve_making.h"
 
 namespace wend {
 
@@ -160,9 +161,7 @@ void HandlePanel::apply() {
 }
 
 void HandlePanel::makeCurve() {
-    if (single() < 0) return;
-    const auto curve = withCurve(*m_session.document().project(), single(), middle());
-    if (curve) m_session.document().change(tr("Make a curve"), *curve);
+    wend::makeCurve(m_session);
 }
 
 CurveMotion<3>* HandlePanel::curveOf(Project& project) const {
@@ -199,8 +198,8 @@ void HandlePanel::showHandle() {
     m_place->setText(tr("at %1, %2, %3")
                          .arg(locale.toString(at.x(), 'g', 5), locale.toString(at.y(), 'g', 5),
                               locale.toString(at.z(), 'g', 5)));
-    Project project = *m_session.document().project();
-    const CurveMotion<3>* curve = curveOf(project);
+    const Project& project = *m_session.document().project();
+    const CurveMotion<3>* curve = handle >= 0 ? lastCurve(project, handle) : nullptr;
     m_curve->setVisible(curve != nullptr);
     m_toCurve->setVisible(handle >= 0 && !curve && canBecomeCurve(project, handle));
     if (!curve) return;

@@ -35,16 +35,21 @@ void Legend::set(Measure measure, const MeasureRange& range, int dimension) {
 void Legend::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    QLinearGradient gradient(0, 0, width(), 0);
-    for (int i = 0; i <= 20; ++i) gradient.setColorAt(i / 20.0, QColor(colourAt(m_measure, i / 20.0)));
+    paintLegend(painter, rect(), m_measure, m_range, Theme::of(palette()).secondText);
+}
+
+void paintLegend(QPainter& painter, const QRect& where, Measure measure, const MeasureRange& range,
+                 const QColor& textColour) {
+    QLinearGradient gradient(where.topLeft(), where.topRight());
+    for (int i = 0; i <= 20; ++i) gradient.setColorAt(i / 20.0, QColor(colourAt(measure, i / 20.0)));
     painter.setPen(Qt::NoPen);
     painter.setBrush(gradient);
-    painter.drawRoundedRect(QRectF(0, 0, width(), kBar), 3, 3);
-    painter.setPen(Theme::of(palette()).secondText);
-    const QRect text(0, kBar + 3, width(), fontMetrics().height());
-    painter.drawText(text, Qt::AlignLeft, measureText(m_measure, m_range.low));
-    painter.drawText(text, Qt::AlignHCenter, measureText(m_measure, valueAt(m_range, m_measure, 0.5)));
-    painter.drawText(text, Qt::AlignRight, measureText(m_measure, m_range.high));
+    painter.drawRoundedRect(QRectF(where.topLeft(), QSizeF(where.width(), kBar)), 3, 3);
+    painter.setPen(textColour);
+    const QRect text(where.left(), where.top() + kBar + 3, where.width(), painter.fontMetrics().height());
+    painter.drawText(text, Qt::AlignLeft, measureText(measure, range.low));
+    painter.drawText(text, Qt::AlignHCenter, measureText(measure, valueAt(range, measure, 0.5)));
+    painter.drawText(text, Qt::AlignRight, measureText(measure, range.high));
 }
 
 QString measureText(Measure measure, double value) {

@@ -23,6 +23,10 @@ class Legend : public QWidget {
     MeasureRange m_range;
 };
 
+/// The bar and its values in a rectangle, in the painter's font.
+void paintLegend(QPainter& painter, const QRect& where, Measure measure, const MeasureRange& range,
+                 const QColor& textColour);
+
 /// A value of a measure as the legend writes it: "×1.25" for area, "0.031" for errors.
 QString measureText(Measure measure, double value);
 

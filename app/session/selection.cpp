@@ -16,6 +16,17 @@ void Selection::set(std::vector<int> handles) {
     emit changed();
 }
 
+void Selection::pick(const std::vector<int>& handles, Pick how) {
+    std::vector<int> next;
+    if (how != Pick::Only) next = m_handles;
+    if (how == Pick::Remove)
+        std::erase_if(next,
+                      [&](int h) { return std::find(handles.begin(), handles.end(), h) != handles.end(); });
+    else
+        next.insert(next.end(), handles.begin(), handles.end());
+    set(std::move(next));
+}
+
 void Selection::toggle(int handle) {
     std::vector<int> next = m_handles;
     if (const auto it = std::find(next.begin(), next.end(), handle); it != next.end())

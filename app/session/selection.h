@@ -17,6 +17,9 @@ class Selection : public QObject {
     bool contains(int handle) const;
     void set(std::vector<int> handles);
     void toggle(int handle);
+    /// What happens to the others when some are picked at once.
+    enum class Pick { Only, Add, Remove };
+    void pick(const std::vector<int>& handles, Pick how);
     void clear() { set({}); }
 
   signals:

@@ -1,106 +1,319 @@
 #include "app/tools/curve_editor.h"
 
-#include <Eigen/Geometry>
 #include <QCoreApplication>
+#include <algorithm>
+#include <utility>
 
 namespace wend {
 
 namespace {
 
-constexpr double kReach = 8;  // pixels
+constexpr double kReach = 8;      // pixels, of points
+constexpr double kLineReach = 6;  // pixels, of the curve
+constexpr int kSamples = 48;      // of a piece, to look for the place nearest to the pointer
 const QColor kLine(0xd4, 0x7a, 0x1e);
 
-/// Where the screen's plane through a point is under the pointer.
-Vec<3> acrossTheScreen(const SolidSurface& surface, const Vec<3>& p, const QPointF& widget) {
-    const Ray ray = surface.ray(widget);
-    const Vec<3> normal = surface.viewDirection();
-    return ray.origin + normal.dot(p - ray.origin) / normal.dot(ray.direction) * ray.direction;
+QString said(const char* text) {
+    return QCoreApplication::translate("CurveEditor", text);
+}
+
+double distance(const QPointF& a, const QPointF& b) {
+    return QLineF(a, b).length();
 }
 
 }  // namespace
 
-int CurveEditor::handle() const {
-    const auto& selected = m_surface.session().selection().handles();
-    return m_surface.session().document().dimension() == 3 && selected.size() == 1 ? selected.front() : -1;
+QString curveHint(bool onPoint) {
+    return onPoint ? said(QT_TRANSLATE_NOOP("CurveEditor",
+                                            "Drag the curve's point, with Ctrl one direction alone; Delete "
+                                            "removes it, a right click shows more"))
+                   : said(QT_TRANSLATE_NOOP("CurveEditor", "Double-click to insert a point into the curve"));
+}
+
+template <int Dim>
+int CurveEditor<Dim>::handle() const {
+    const auto& selected = m_session.selection().handles();
+    if (m_session.document().dimension() != Dim || selected.size() != 1) return -1;
+    // In the middle of an undo the selection may be that of the project before.
+    const auto count = m_session.document().template design<Dim>().handles.size();
+    return selected.front() < static_cast<int>(count) ? selected.front() : -1;
+}
+
+template <int Dim>
+std::optional<CurveMotion<Dim>> CurveEditor<Dim>::curve() const {
+    if (handle() < 0 || !m_session.template frame<Dim>()) return {};
+    const Project& project = *m_session.document().project();
+    const CurveMotion<Dim>* last = lastCurve<Dim>(project, handle());
+    return last ? std::optional(*last) : std::nullopt;
+}
+
+template <int Dim>
+typename CurveEditor<Dim>::Chosen CurveEditor<Dim>::identity() const {
+    const auto own = curve();
+    return {own ? handle() : -1, own ? static_cast<int>(own->points.size()) : 0};
+}
+
+template <int Dim>
+void CurveEditor<Dim>::forgetOthers() const {
+    if (identity() == m_of) return;
+    m_of = identity();
+    m_chosen = -1;
+    m_free.clear();
+}
+
+template <int Dim>
+int CurveEditor<Dim>::chosen() const {
+    forgetOthers();
+    return m_chosen;
 }
 
 /// From the curve's own place to where the handle really begins to follow it.
-Vec<3> CurveEditor::shift() const {
-    ShapeSession& session = m_surface.session();
-    Handle<3> before = session.document().design<3>().handles[handle()];
-    const auto curve = std::get<CurveMotion<3>>(before.motions.back().kind);
+template <int Dim>
+Vec<Dim> CurveEditor<Dim>::shift() const {
+    Handle<Dim> before = m_session.document().template design<Dim>().handles[handle()];
+    const auto curve = std::get<CurveMotion<Dim>>(before.motions.back().kind);
     before.motions.pop_back();
-    const auto starts = session.pathStarts<3>(handle());
-    if (starts.empty()) return Vec<3>::Zero();
-    return pinPaths<3>(before, {meanOf<3>(starts)}).front().points.back() - curve.points.front();
+    const auto starts = m_session.template pathStarts<Dim>(handle());
+    if (starts.empty()) return Vec<Dim>::Zero();
+    return pinPaths<Dim>(before, {meanOf<Dim>(starts)}).front().points.back() - curve.points.front();
 }
 
-std::vector<Vec<3>> CurveEditor::points() const {
-    if (handle() < 0) return {};
-    Project project = *m_surface.session().document().project();
-    const CurveMotion<3>* curve = lastCurve(project, handle());
-    if (!curve || !m_surface.session().frame<3>()) return {};
-    std::vector<Vec<3>> points = curve->points;
-    const Vec<3> by = shift();
-    for (Vec<3>& p : points) p += by;
-    if (m_dragged > 0 && m_dragged < static_cast<int>(points.size())) points[m_dragged] += m_by;
+template <int Dim>
+std::vector<JointKind> CurveEditor<Dim>::kinds(const CurveMotion<Dim>& curve) const {
+    if (curve.interpolation != Interpolation::Bezier) return {};
+    forgetOthers();
+    auto kinds = jointKinds<Dim>(curve.points);
+    for (const int joint : m_free)
+        if (joint < static_cast<int>(kinds.size())) kinds[joint] = JointKind::Free;
+    if (m_freely && m_dragged >= 0) kinds[jointOf(m_dragged)] = JointKind::Free;
+    return kinds;
+}
+
+/// The control points with what is dragged.
+template <int Dim>
+std::vector<Vec<Dim>> CurveEditor<Dim>::moved(const CurveMotion<Dim>& curve) const {
+    std::vector<Vec<Dim>> points = curve.points;
+    if (m_dragged <= 0 || m_dragged >= static_cast<int>(points.size())) return points;
+    if (curve.interpolation == Interpolation::Bezier)
+        return withMovedPoint<Dim>(std::move(points), kinds(curve), m_dragged, m_by);
+    points[m_dragged] += m_by;
     return points;
 }
 
-int CurveEditor::pointAt(const QPointF& widget) const {
+template <int Dim>
+std::vector<Vec<Dim>> CurveEditor<Dim>::points() const {
+    const auto own = curve();
+    if (!own) return {};
+    std::vector<Vec<Dim>> points = moved(*own);
+    const Vec<Dim> by = shift();
+    for (Vec<Dim>& p : points) p += by;
+    return points;
+}
+
+template <int Dim>
+int CurveEditor<Dim>::pointAt(const QPointF& widget) const {
     const auto all = points();
     int best = -1;
     double nearest = kReach;
     for (int i = 1; i < static_cast<int>(all.size()); ++i) {
-        const double d = QLineF(m_surface.toWidget(all[i]), widget).length();
+        const double d = distance(m_view.toWidget(all[i]), widget);
         if (d < nearest) nearest = d, best = i;
     }
     return best;
 }
 
-void CurveEditor::begin(int point, const QPointF& widget) {
-    m_dragged = point;
+template <int Dim>
+typename CurveEditor<Dim>::Place CurveEditor<Dim>::placeAt(const QPointF& widget) const {
+    Place best{-1, 0, kLineReach};
+    const auto own = curve();
+    if (!own) return best;
+    const Vec<Dim> by = shift();
+    const auto pieces = curveOf<Dim>(*own).pieces;
+    for (int k = 0; k < static_cast<int>(pieces.size()); ++k) {
+        QPointF before = m_view.toWidget(pieces[k].value(0) + by);
+        for (int i = 1; i <= kSamples; ++i) {
+            const QPointF after = m_view.toWidget(pieces[k].value(double(i) / kSamples) + by);
+            const QPointF along = after - before;
+            const double size = QPointF::dotProduct(along, along);
+            const double t =
+                size > 0 ? std::clamp(QPointF::dotProduct(widget - before, along) / size, 0.0, 1.0) : 0;
+            const double d = distance(widget, before + t * along);
+            if (d < best.distance) best = {k, (i - 1 + t) / kSamples, d};
+            before = after;
+        }
+    }
+    best.v = std::clamp(best.v, 0.02, 0.98);
+    return best;
+}
+
+template <int Dim>
+void CurveEditor<Dim>::begin(int point, const QPointF& widget) {
+    forgetOthers();
+    m_dragged = m_chosen = point;
+    m_freely = false;
     m_from = widget;
+    m_by.setZero();
+    m_view.redraw();
+}
+
+template <int Dim>
+void CurveEditor<Dim>::drag(const QPointF& widget, bool freely) {
+    const auto own = curve();
+    if (!own || m_dragged < 0 || m_dragged >= static_cast<int>(own->points.size())) return;
+    m_freely = freely;
+    m_by = m_view.way(own->points[m_dragged] + shift(), m_from, widget);
+    m_view.redraw();
+}
+
+template <int Dim>
+void CurveEditor<Dim>::change(const QString& name, CurveMotion<Dim> next) {
+    Project project = *m_session.document().project();
+    *lastCurve<Dim>(project, handle()) = std::move(next);
+    m_session.document().change(name, std::move(project));
+    m_view.redraw();
+}
+
+template <int Dim>
+void CurveEditor<Dim>::finish() {
+    auto own = curve();
+    if (own && m_dragged >= 0 && !m_by.isZero()) {
+        own->points = moved(*own);
+        m_dragged = -1;
+        change(said(QT_TRANSLATE_NOOP("CurveEditor", "Change curve")), *own);
+    }
+    cancel();
+}
+
+template <int Dim>
+void CurveEditor<Dim>::cancel() {
+    m_dragged = -1;
+    m_freely = false;
     m_by.setZero();
 }
 
-void CurveEditor::drag(const QPointF& widget) {
-    const Vec<3> p = points()[m_dragged] - m_by;
-    m_by = acrossTheScreen(m_surface, p, widget) - acrossTheScreen(m_surface, p, m_from);
-    m_surface.redraw();
+template <int Dim>
+void CurveEditor<Dim>::insertOn(const Place& place) {
+    const auto own = curve();
+    if (!own || place.piece < 0 || place.piece >= static_cast<int>(curveOf<Dim>(*own).pieces.size())) return;
+    const bool bezier = own->interpolation == Interpolation::Bezier;
+    change(said(QT_TRANSLATE_NOOP("CurveEditor", "Insert curve point")),
+           withPointOn<Dim>(*own, place.piece, place.v));
+    forgetOthers();
+    m_chosen = bezier ? 3 * place.piece + 3 : place.piece + 1;
+    m_view.redraw();
 }
 
-void CurveEditor::finish() {
-    const int point = std::exchange(m_dragged, -1);
-    Project next = *m_surface.session().document().project();
-    CurveMotion<3>* curve = handle() >= 0 ? lastCurve(next, handle()) : nullptr;
-    if (!curve || m_by.isZero()) return;
-    curve->points[point] += m_by;
-    m_surface.session().document().change(QCoreApplication::translate("CurveEditor", "Change curve"),
-                                          std::move(next));
+template <int Dim>
+bool CurveEditor<Dim>::insertAt(const QPointF& widget) {
+    const Place place = placeAt(widget);
+    if (place.piece < 0) return false;
+    insertOn(place);
+    return true;
 }
 
-void CurveEditor::paint(QPainter& painter, const QPointF& pointer) const {
+template <int Dim>
+bool CurveEditor<Dim>::pointAtForMenu(const QPointF& widget) {
+    m_place.reset();
+    if (const int point = pointAt(widget); point > 0) {
+        forgetOthers();
+        m_chosen = point;
+        m_view.redraw();
+        return true;
+    }
+    const Place place = placeAt(widget);
+    if (place.piece >= 0) m_place = place;
+    return place.piece >= 0;
+}
+
+template <int Dim>
+std::optional<JointKind> CurveEditor<Dim>::chosenKind() const {
+    const auto own = curve();
+    if (!own || own->interpolation != Interpolation::Bezier || chosen() < 0) return {};
+    const int joint = jointOf(chosen());
+    if (!isInnerJoint<Dim>(own->points, joint)) return {};
+    return kinds(*own)[joint];
+}
+
+template <int Dim>
+bool CurveEditor<Dim>::canRemove() const {
+    const auto own = curve();
+    return own && chosen() > 0 && withoutPoint<Dim>(*own, chosen());
+}
+
+template <int Dim>
+void CurveEditor<Dim>::insertPoint() {
+    const auto own = curve();
+    if (!own) return;
+    const int pieces = static_cast<int>(curveOf<Dim>(*own).pieces.size());
+    const int step = own->interpolation == Interpolation::Bezier ? 3 : 1;
+    const int behind = std::min(std::max(chosen(), 0) / step, pieces - 1);
+    insertOn(std::exchange(m_place, std::nullopt).value_or(Place{behind, 0.5, 0}));
+}
+
+template <int Dim>
+void CurveEditor<Dim>::removePoint() {
+    const auto own = curve();
+    const auto next = own && chosen() > 0 ? withoutPoint<Dim>(*own, chosen()) : std::nullopt;
+    if (next) change(said(QT_TRANSLATE_NOOP("CurveEditor", "Delete curve point")), *next);
+}
+
+template <int Dim>
+void CurveEditor<Dim>::setKind(JointKind kind) {
+    auto own = curve();
+    if (!own || !chosenKind()) return;
+    const int joint = jointOf(chosen());
+    std::erase(m_free, joint);
+    if (kind == JointKind::Free) {
+        m_free.push_back(joint);  // nothing moves: it is for the next drag
+        m_view.redraw();
+        return;
+    }
+    auto points = withJointKind<Dim>(own->points, joint, kind);
+    if (points == own->points) return;
+    own->points = std::move(points);
+    change(said(QT_TRANSLATE_NOOP("CurveEditor", "Change curve")), *own);
+}
+
+/// The curve as it will be, while a point of it is dragged.
+template <int Dim>
+void CurveEditor<Dim>::paintMoved(QPainter& painter) const {
+    auto own = curve();
+    own->points = moved(*own);
+    const Vec<Dim> by = shift();
+    QPolygonF line;
+    for (const auto& piece : curveOf<Dim>(*own).pieces)
+        for (int i = 0; i <= kSamples; ++i) line << m_view.toWidget(piece.value(double(i) / kSamples) + by);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(kLine, 1.75));
+    painter.drawPolyline(line);
+}
+
+template <int Dim>
+void CurveEditor<Dim>::paint(QPainter& painter, const QPointF& pointer) const {
     const auto all = points();
     if (all.empty()) return;
+    if (isDragging()) paintMoved(painter);
     QPolygonF screen;
-    for (const Vec<3>& p : all) screen << m_surface.toWidget(p);
-    Project project = *m_surface.session().document().project();
-    const bool bezier = lastCurve(project, handle())->interpolation == Interpolation::Bezier;
+    for (const Vec<Dim>& p : all) screen << m_view.toWidget(p);
+    const bool bezier = curve()->interpolation == Interpolation::Bezier;
     painter.setPen(QPen(kLine, 1.25));
     for (int i = 0; bezier && i + 3 < screen.size(); i += 3) {  // from the joints to their directions
         painter.drawLine(screen[i], screen[i + 1]);
         painter.drawLine(screen[i + 2], screen[i + 3]);
     }
     for (int i = 1; i < screen.size(); ++i) {
-        const double r = QLineF(screen[i], pointer).length() < kReach ? 5.5 : 4.5;
-        painter.setPen(QPen(Qt::white, 1.25));
-        painter.setBrush(kLine);
+        const double r = distance(screen[i], pointer) < kReach ? 5.5 : 4.5;
+        painter.setPen(
+            QPen(i == chosen() ? QColor(0x4a5bd4) : QColor(Qt::white), i == chosen() ? 2.25 : 1.25));
+        painter.setBrush(i == chosen() ? QColor(Qt::white) : kLine);
         if (bezier && i % 3 == 0)
             painter.drawRect(QRectF(screen[i].x() - r, screen[i].y() - r, 2 * r, 2 * r));
         else
             painter.drawEllipse(screen[i], r, r);
     }
 }
+
+template class CurveEditor<2>;
+template class CurveEditor<3>;
 
 }  // namespace wend

@@ -23,7 +23,18 @@ double distance(const QPointF& a, const QPointF& b) {
 
 }  // namespace
 
+PinTool::PinTool(ToolSurface& surface, bool adds)
+    : m_surface(surface),
+      m_curve(surface.session(), {[this](const Vec<2>& p) { return m_surface.toWidget(p); },
+                                  [this](const Vec<2>&, const QPointF& from, const QPointF& to) -> Vec<2> {
+                                      return m_surface.toShape(to) - m_surface.toShape(from);
+                                  },
+                                  [this] { m_surface.redraw(); }}),
+      m_adds(adds) {}
+
 QString PinTool::hint() const {
+    if (m_gesture == Gesture::Curve || curvePointAt(m_at) > 0) return curveHint(true);
+    if (m_gesture == Gesture::None && m_hovered < 0 && m_curve.isOnCurve(m_at)) return curveHint(false);
     if (m_gesture == Gesture::Drag)
         return said(QT_TRANSLATE_NOOP("PinTool", "Drag the pin; Esc puts the shape back"));
     if (m_hovered >= 0)
@@ -40,6 +51,12 @@ QCursor PinTool::cursor() const {
     if (m_gesture == Gesture::Drag) return Qt::ClosedHandCursor;
     if (m_hovered >= 0) return Qt::OpenHandCursor;
     return m_adds ? Qt::CrossCursor : Qt::ArrowCursor;
+}
+
+/// The end of the curve lies under its pin, which comes first until that point is chosen.
+int PinTool::curvePointAt(const QPointF& at) const {
+    const int point = m_curve.pointAt(at);
+    return point == m_curve.chosen() || handleAt(at) < 0 ? point : -1;
 }
 
 int PinTool::handleAt(const QPointF& widget) const {
@@ -65,8 +82,14 @@ int PinTool::handleAt(const QPointF& widget) const {
 void PinTool::press(const QMouseEvent& event) {
     if (event.button() != Qt::LeftButton || m_gesture != Gesture::None) return;
     m_gesture = Gesture::Pressed;
-    m_from = event.position();
+    m_from = m_at = event.position();
+    if (const int point = curvePointAt(m_from); point > 0) {
+        m_gesture = Gesture::Curve;
+        m_curve.begin(point, m_from);
+        return;
+    }
     m_pressed = handleAt(m_from);
+    if (m_pressed < 0 && m_curve.isOnCurve(m_from)) m_gesture = Gesture::OnCurve;
     if (m_pressed >= 0) pressHandle(m_pressed, event.modifiers() & Qt::ShiftModifier);
 }
 
@@ -80,7 +103,11 @@ void PinTool::pressHandle(int handle, bool extend) {
 
 void PinTool::move(const QMouseEvent& event) {
     const QPointF at = event.position();
+    m_at = at;
     if (m_gesture == Gesture::None) hover(at);
+    if (m_gesture == Gesture::OnCurve && distance(at, m_from) >= 3) m_gesture = Gesture::Pressed;
+    if (m_gesture == Gesture::Curve) m_curve.drag(at, event.modifiers() & Qt::ControlModifier);
+    if (m_gesture == Gesture::None && m_curve.hasCurve()) surface().redraw();
     if (m_gesture == Gesture::Pressed && distance(at, m_from) >= 3) begin(event);
     if (m_gesture == Gesture::Drag) session().dragTo<2>(surface().toShape(at) - surface().toShape(m_from));
     if (m_gesture == Gesture::Marquee) surface().setMarquee(QRectF(m_from, at).normalized());
@@ -97,13 +124,15 @@ void PinTool::release(const QMouseEvent& event) {
     if (event.button() != Qt::LeftButton) return;
     const Gesture gesture = std::exchange(m_gesture, Gesture::None);
     const bool extend = event.modifiers() & Qt::ShiftModifier;
+    if (gesture == Gesture::Curve) m_curve.finish();
+    if (gesture == Gesture::OnCurve) m_curve.choose(-1), surface().redraw();
     if (gesture == Gesture::Drag) {
         const double pixel = (surface().toShape({1, 0}) - surface().toShape({0, 0})).norm();
         session().endDrag(std::max(kStrokeDetail * pixel, kLeastDetail * session().pixel()));
     }
     if (gesture == Gesture::Marquee) {
         surface().setMarquee({});
-        selectInside(QRectF(m_from, event.position()).normalized(), extend);
+        selectInside(QRectF(m_from, event.position()).normalized(), event.modifiers());
     }
     if (gesture == Gesture::Pressed && m_pressed < 0) {
         const int added = m_adds ? session().addPin(surface().toShape(event.position())) : -1;
@@ -112,12 +141,24 @@ void PinTool::release(const QMouseEvent& event) {
     hover(event.position());
 }
 
-void PinTool::selectInside(const QRectF& rectangle, bool extend) {
+/// Every handle of which a point lies inside.
+void PinTool::selectInside(const QRectF& rectangle, Qt::KeyboardModifiers modifiers) {
     std::vector<int> handles;
-    if (extend) handles = session().selection().handles();
-    for (const PinView<2>& pin : session().pins())
-        if (rectangle.contains(surface().toWidget(pin.centre))) handles.push_back(pin.handle);
-    session().selection().set(std::move(handles));
+    for (const PinView<2>& pin : session().pins()) {
+        const auto inside = [&](const Vec<2>& p) { return rectangle.contains(surface().toWidget(p)); };
+        if (inside(pin.centre) || std::any_of(pin.points.begin(), pin.points.end(), inside))
+            handles.push_back(pin.handle);
+    }
+    session().selection().pick(handles, pickBy(modifiers));
+}
+
+void PinTool::doubleClick(const QMouseEvent& event) {
+    const bool left = event.button() == Qt::LeftButton;
+    if (!left || curvePointAt(event.position()) > 0 || !m_curve.insertAt(event.position())) press(event);
+}
+
+bool PinTool::ownsKey(const QKeyEvent& event) const {
+    return event.key() == Qt::Key_Delete && !event.modifiers() && m_curve.chosen() > 0;
 }
 
 void PinTool::hover(const QPointF& at) {
@@ -149,6 +190,10 @@ bool PinTool::nudge(const QKeyEvent& event) {
 }
 
 bool PinTool::key(const QKeyEvent& event) {
+    if (ownsKey(event) && m_gesture == Gesture::None) {
+        m_curve.removePoint();
+        return true;
+    }
     if (event.key() == Qt::Key_Escape) {
         if (m_gesture == Gesture::None)
             session().selection().clear();
@@ -164,6 +209,7 @@ void PinTool::cancel() {
     const Gesture gesture = std::exchange(m_gesture, Gesture::None);
     if (gesture == Gesture::Drag) session().cancelDrag();
     if (gesture == Gesture::Marquee) surface().setMarquee({});
+    m_curve.cancel();
 }
 
 }  // namespace wend

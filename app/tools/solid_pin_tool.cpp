@@ -10,6 +10,7 @@ namespace wend {
 namespace {
 
 constexpr double kReach = 9;           // pixels of the screen
+constexpr double kPointReach = 5;      // of single points of a handle of many
 constexpr double kStrokeDetail = 0.5;  // pixels of the screen that a recorded path may deviate
 
 QString said(const char* text) {
@@ -20,9 +21,29 @@ double distance(const QPointF& a, const QPointF& b) {
     return QLineF(a, b).length();
 }
 
+/// Where the screen's plane through a point is under the pointer.
+Vec<3> acrossTheScreen(const SolidSurface& surface, const Vec<3>& p, const QPointF& widget) {
+    const Ray ray = surface.ray(widget);
+    const Vec<3> normal = surface.viewDirection();
+    return ray.origin + normal.dot(p - ray.origin) / normal.dot(ray.direction) * ray.direction;
+}
+
 }  // namespace
 
+SolidPinTool::SolidPinTool(SolidSurface& surface, Manipulator& manipulator, bool adds)
+    : SolidTool(surface),
+      m_manipulator(manipulator),
+      m_curve(surface.session(), {[this](const Vec<3>& p) { return this->surface().toWidget(p); },
+                                  [this](const Vec<3>& p, const QPointF& from, const QPointF& to) -> Vec<3> {
+                                      return acrossTheScreen(this->surface(), p, to) -
+                                             acrossTheScreen(this->surface(), p, from);
+                                  },
+                                  [this] { this->surface().redraw(); }}),
+      m_adds(adds) {}
+
 QString SolidPinTool::hint() const {
+    if (m_gesture == Gesture::Curve || (m_gesture == Gesture::None && m_curve.pointAt(m_at) > 0))
+        return curveHint(true);
     if (m_gesture == Gesture::Drag)
         return said(QT_TRANSLATE_NOOP(
             "SolidPinTool", "X, Y, Z lock an axis, numbers set the amount, Esc puts the solid back"));
@@ -32,11 +53,13 @@ QString SolidPinTool::hint() const {
     if (m_hovered >= 0)
         return said(
             QT_TRANSLATE_NOOP("SolidPinTool", "Drag to move along the screen, Shift-click to select more"));
+    if (m_gesture == Gesture::None && m_curve.isOnCurve(m_at)) return curveHint(false);
     if (m_adds)
         return said(
             QT_TRANSLATE_NOOP("SolidPinTool", "Click on the solid to set a pin, then drag pins to bend it"));
     return said(QT_TRANSLATE_NOOP(
-        "SolidPinTool", "Click or draw a rectangle to select pins, drag to move them, arrow keys nudge"));
+        "SolidPinTool",
+        "Click, or draw beside pins, to select; Shift adds, Ctrl takes away; drag or arrow keys move"));
 }
 
 QCursor SolidPinTool::cursor() const {
@@ -63,11 +86,18 @@ int SolidPinTool::handleAt(const QPointF& widget) const {
         const double d = distance(surface().toWidget(pin.centre), widget);
         if (d <= nearest) nearest = d, best = pin.handle;
     }
+    if (best >= 0) return best;
+    nearest = kPointReach;
+    for (const auto& pin : session().pins<3>())
+        for (const Vec<3>& p : pin.points) {
+            const double d = distance(surface().toWidget(p), widget);
+            if (d <= nearest && (m_through || !surface().isHidden(p))) nearest = d, best = pin.handle;
+        }
     return best;
 }
 
 bool SolidPinTool::wants(const QPointF& at) const {
-    return handleAt(at) >= 0 || m_curve.pointAt(at) > 0 ||
+    return handleAt(at) >= 0 || m_curve.pointAt(at) > 0 || m_curve.isOnCurve(at) ||
            (placeManipulator() && m_manipulator.partAt(surface(), at));
 }
 
@@ -84,6 +114,8 @@ void SolidPinTool::press(const QMouseEvent& event) {
     m_pressed = handleAt(m_from);
     const bool onOwnCentre = m_part && m_pressed >= 0 && session().selection().contains(m_pressed);
     if (m_part && !onOwnCentre) m_pressed = -1;
+    if (m_pressed < 0 && !m_part && m_curve.isOnCurve(m_from)) m_gesture = Gesture::OnCurve;
+    m_line = {m_from};
     if (m_pressed < 0 || (onOwnCentre && !(event.modifiers() & Qt::ShiftModifier))) return;
     if (event.modifiers() & Qt::ShiftModifier)
         session().selection().toggle(m_pressed);
@@ -97,9 +129,11 @@ void SolidPinTool::move(const QMouseEvent& event) {
         m_hovered = handleAt(m_at);
         m_part = placeManipulator() ? m_manipulator.partAt(surface(), m_at) : std::nullopt;
     }
+    if (m_gesture == Gesture::OnCurve && distance(m_at, m_from) >= 3) m_gesture = Gesture::Pressed;
     if (m_gesture == Gesture::Pressed && distance(m_at, m_from) >= 3) begin(m_at);
+    if (m_gesture == Gesture::Marquee) m_line << m_at;
     if (m_gesture == Gesture::Drag) drag(m_at);
-    if (m_gesture == Gesture::Curve) m_curve.drag(m_at);
+    if (m_gesture == Gesture::Curve) m_curve.drag(m_at, event.modifiers() & Qt::ControlModifier);
     surface().redraw();
 }
 
@@ -168,12 +202,15 @@ void SolidPinTool::release(const QMouseEvent& event) {
     if (event.button() != Qt::LeftButton) return;
     const bool extend = event.modifiers() & Qt::ShiftModifier;
     if (m_gesture == Gesture::Drag) {
+        drag(event.position());
         finish();
         return;
     }
     const Gesture gesture = std::exchange(m_gesture, Gesture::None);
     if (gesture == Gesture::Curve) m_curve.finish();
-    if (gesture == Gesture::Marquee) selectInside(QRectF(m_from, event.position()).normalized(), extend);
+    if (gesture == Gesture::OnCurve) m_curve.choose(-1);
+    m_at = event.position();
+    if (gesture == Gesture::Marquee) selectInside(event.modifiers());
     if (gesture == Gesture::Pressed && m_pressed < 0 && !m_part) addPinAt(event.position(), extend);
     surface().redraw();
 }
@@ -186,12 +223,42 @@ void SolidPinTool::addPinAt(const QPointF& at, bool extend) {
         session().selection().clear();
 }
 
-void SolidPinTool::selectInside(const QRectF& rectangle, bool extend) {
+bool SolidPinTool::isInside(const QPointF& p) const {
+    switch (m_outline) {
+        case Outline::Lasso:
+            return m_line.containsPoint(p, Qt::OddEvenFill);
+        case Outline::Brush:
+            return std::any_of(m_line.begin(), m_line.end(),
+                               [&](const QPointF& at) { return distance(at, p) <= m_radius; });
+        case Outline::Rectangle:
+            break;
+    }
+    return QRectF(m_from, m_at).normalized().contains(p);
+}
+
+/// If its mark lies inside, or any point of it; only what is seen, unless through.
+bool SolidPinTool::isTaken(const PinView<3>& pin) const {
+    const bool many = pin.points.size() > 1;
+    if (many && isInside(surface().toWidget(pin.centre))) return true;  // the mark is never hidden
+    return std::any_of(pin.points.begin(), pin.points.end(), [&](const Vec<3>& p) {
+        return isInside(surface().toWidget(p)) && (m_through || !surface().isHidden(p));
+    });
+}
+
+void SolidPinTool::selectInside(Qt::KeyboardModifiers modifiers) {
     std::vector<int> handles;
-    if (extend) handles = session().selection().handles();
     for (const auto& pin : session().pins<3>())
-        if (rectangle.contains(surface().toWidget(pin.centre))) handles.push_back(pin.handle);
-    session().selection().set(std::move(handles));
+        if (isTaken(pin)) handles.push_back(pin.handle);
+    session().selection().pick(handles, pickBy(modifiers));
+}
+
+void SolidPinTool::doubleClick(const QMouseEvent& event) {
+    const bool left = event.button() == Qt::LeftButton;
+    if (!left || m_curve.pointAt(event.position()) > 0 || !m_curve.insertAt(event.position())) press(event);
+}
+
+bool SolidPinTool::ownsKey(const QKeyEvent& event) const {
+    return event.key() == Qt::Key_Delete && !event.modifiers() && m_curve.chosen() > 0;
 }
 
 /// Along the screen, by a pixel of it.
@@ -211,6 +278,16 @@ bool SolidPinTool::nudge(const QKeyEvent& event) {
 }
 
 bool SolidPinTool::key(const QKeyEvent& event) {
+    if (ownsKey(event) && m_gesture == Gesture::None) {
+        m_curve.removePoint();
+        return true;
+    }
+    const double factor = event.text() == "[" ? 0.8 : event.text() == "]" ? 1.25 : 1;
+    if (factor != 1 && m_outline == Outline::Brush && m_gesture != Gesture::Drag) {
+        m_radius = std::clamp(m_radius * factor, 4.0, 200.0);
+        surface().redraw();
+        return true;
+    }
     if (event.key() == Qt::Key_Escape) {
         if (m_gesture == Gesture::None)
             session().selection().clear();
@@ -255,11 +332,23 @@ QString SolidPinTool::numbers() const {
     return QStringLiteral("%1  %2  %3").arg(text(m_amount[0]), text(m_amount[1]), text(m_amount[2]));
 }
 
+void SolidPinTool::paintOutline(QPainter& painter) const {
+    const QColor line(0x4a5bd4), fill(0x4a, 0x5b, 0xd4, 40);
+    painter.setPen(QPen(line, 1));
+    painter.setBrush(fill);
+    if (m_outline == Outline::Rectangle) painter.drawRect(QRectF(m_from, m_at).normalized());
+    if (m_outline == Outline::Lasso) painter.drawPolygon(m_line);
+    if (m_outline != Outline::Brush) return;
+    painter.setPen(QPen(fill, 2 * m_radius, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawPolyline(m_line);
+    painter.setPen(QPen(line, 1));
+    painter.drawEllipse(m_at, m_radius, m_radius);
+}
+
 void SolidPinTool::paint(QPainter& painter) const {
     if (m_gesture == Gesture::Marquee) {
-        painter.setPen(QPen(QColor(0x4a5bd4), 1));
-        painter.setBrush(QColor(0x4a, 0x5b, 0xd4, 40));
-        painter.drawRect(QRectF(m_from, m_at).normalized());
+        paintOutline(painter);
         return;
     }
     m_curve.paint(painter, m_at);

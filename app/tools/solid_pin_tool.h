@@ -9,8 +9,13 @@ namespace wend {
 /// solid makes a new one.
 class SolidPinTool : public SolidTool {
   public:
-    SolidPinTool(SolidSurface& surface, Manipulator& manipulator, bool adds)
-        : SolidTool(surface), m_manipulator(manipulator), m_curve(surface), m_adds(adds) {}
+    /// What is drawn beside pins to select all in it.
+    enum class Outline { Rectangle, Lasso, Brush };
+    SolidPinTool(SolidSurface& surface, Manipulator& manipulator, bool adds);
+
+    void setOutline(Outline outline) { m_outline = outline; }
+    /// Selects also what something hides.
+    void setThrough(bool through) { m_through = through; }
 
     QString hint() const override;
     QCursor cursor() const override;
@@ -21,13 +26,17 @@ class SolidPinTool : public SolidTool {
     bool key(const QKeyEvent& event) override;
     void cancel() override;
     void paint(QPainter& painter) const override;
+    void doubleClick(const QMouseEvent& event) override;
+    bool ownsKey(const QKeyEvent& event) const override;
+    bool opensMenu(const QPointF& at) override { return m_curve.pointAtForMenu(at); }
+    CurveEditing* curve() override { return &m_curve; }
 
     /// The handle within reach of a point of the widget, or −1.
     int handleAt(const QPointF& widget) const;
     int hovered() const { return m_hovered; }
 
   private:
-    enum class Gesture { None, Pressed, Drag, Marquee, Curve };
+    enum class Gesture { None, Pressed, Drag, Marquee, Curve, OnCurve };
 
     bool placeManipulator() const;
     void begin(const QPointF& at);
@@ -37,12 +46,19 @@ class SolidPinTool : public SolidTool {
     bool nudge(const QKeyEvent& event);
     void finish();
     void addPinAt(const QPointF& at, bool extend);
-    void selectInside(const QRectF& rectangle, bool extend);
+    bool isInside(const QPointF& p) const;
+    bool isTaken(const PinView<3>& pin) const;
+    void selectInside(Qt::KeyboardModifiers modifiers);
+    void paintOutline(QPainter& painter) const;
     QString numbers() const;
 
     Manipulator& m_manipulator;
-    CurveEditor m_curve;
+    CurveEditor<3> m_curve;
     bool m_adds;
+    bool m_through = false;
+    Outline m_outline = Outline::Rectangle;
+    QPolygonF m_line;      // of the lasso or brush
+    double m_radius = 18;  // of the brush, in pixels
     Gesture m_gesture = Gesture::None;
     QPointF m_from, m_at;
     int m_pressed = -1, m_hovered = -1;

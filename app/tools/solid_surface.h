@@ -1,6 +1,5 @@
 #pragma once
 
-#include <QPainter>
 #include <QPointF>
 #include <functional>
 
@@ -41,14 +40,13 @@ class SolidSurface {
     virtual void redraw() = 0;
 };
 
-/// A tool in space; it draws what it needs over the view.
+/// A tool in space.
 class SolidTool : public Tool {
   public:
     explicit SolidTool(SolidSurface& surface) : m_surface(surface) {}
 
     /// True if a press here is for the tool even where the left button turns the view.
     virtual bool wants(const QPointF&) const { return false; }
-    virtual void paint(QPainter&) const {}
 
   protected:
     SolidSurface& surface() const { return m_surface; }

@@ -3,9 +3,20 @@
 #include <QCursor>
 #include <QKeyEvent>
 #include <QMouseEvent>
+#include <QPainter>
 #include <QString>
 
+#include "app/session/selection.h"
+
 namespace wend {
+
+class CurveEditing;
+
+/// With Shift what is picked joins the others, with Ctrl it leaves them.
+inline Selection::Pick pickBy(Qt::KeyboardModifiers modifiers) {
+    if (modifiers & Qt::ControlModifier) return Selection::Pick::Remove;
+    return modifiers & Qt::ShiftModifier ? Selection::Pick::Add : Selection::Pick::Only;
+}
 
 /// One way to work on the shape with pointer and keys. The view passes on what it does not need for
 /// navigation.
@@ -19,10 +30,20 @@ class Tool {
     virtual void press(const QMouseEvent& event) = 0;
     virtual void move(const QMouseEvent& event) = 0;
     virtual void release(const QMouseEvent& event) = 0;
+    /// In place of the second press.
+    virtual void doubleClick(const QMouseEvent& event) { press(event); }
     /// True if the key was used.
     virtual bool key(const QKeyEvent& event) = 0;
     /// Gives up the gesture, as if it had not begun.
     virtual void cancel() = 0;
+    /// A key that is the tool's now although a shortcut has it.
+    virtual bool ownsKey(const QKeyEvent&) const { return false; }
+    /// True if a menu is to be opened there; the tool remembers what for.
+    virtual bool opensMenu(const QPointF&) { return false; }
+    /// The curve that it edits; null if it edits none.
+    virtual CurveEditing* curve() { return nullptr; }
+    /// Draws what it needs over the view.
+    virtual void paint(QPainter&) const {}
 };
 
 }  // namespace wend

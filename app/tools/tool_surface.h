@@ -18,6 +18,7 @@ class ToolSurface {
     virtual void setMarquee(const QRectF& rectangle) = 0;
     /// The handle under the pointer, or −1.
     virtual void setHovered(int handle) = 0;
+    virtual void redraw() = 0;
 };
 
 }  // namespace wend

@@ -97,7 +97,7 @@ void Actions::makeHelp() {
     about->setMenuRole(QAction::AboutRole);
 }
 
-void Actions::fillMenuBar(QMainWindow& window, QMenu* more) {
+void Actions::fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve) {
     QMenu* file = window.menuBar()->addMenu(tr("&File"));
     file->addAction(open);
     file->addMenu(recent);
@@ -122,7 +122,10 @@ void Actions::fillMenuBar(QMainWindow& window, QMenu* more) {
     view->addMenu(tr("A&ppearance"))->addActions({systemLook, lightLook, darkLook});
     view->addAction(fullScreen);
     window.menuBar()->addMenu(more);
-    window.menuBar()->addMenu(tr("&Motion"))->addActions({play, loop, toStart, toEnd});
+    QMenu* motion = window.menuBar()->addMenu(tr("&Motion"));
+    motion->addActions({play, loop, toStart, toEnd});
+    motion->addSeparator();
+    motion->addMenu(curve);
     window.menuBar()->addMenu(tr("&Help"))->addActions({shortcuts, about});
 }
 

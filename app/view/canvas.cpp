@@ -252,6 +252,7 @@ void ShapeCanvas::paintEvent(QPaintEvent*) {
         if (m_map) overlay.worst(*frame, worstOf(frame->distortion, m_measure).cell);
         overlay.paths(m_session);
         overlay.pins(m_session, m_hovered);
+        if (m_tool) m_tool->paint(painter);
     }
     overlay.marquee(m_marquee);
 }
@@ -275,6 +276,15 @@ void ShapeCanvas::mousePressEvent(QMouseEvent* event) {
     updateCursor();
 }
 
+void ShapeCanvas::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (!m_tool || m_panning || m_spaceDown || event->button() != Qt::LeftButton) {
+        mousePressEvent(event);
+        return;
+    }
+    m_tool->doubleClick(*event);
+    emit hintChanged(m_tool->hint());
+}
+
 void ShapeCanvas::mouseMoveEvent(QMouseEvent* event) {
     const Vec<2> p = toShape(event->position());
     emit pointed(p.x(), p.y(), true);
@@ -295,6 +305,8 @@ void ShapeCanvas::mouseReleaseEvent(QMouseEvent* event) {
         endPan();
     else if (m_tool) {
         m_tool->release(*event);
+        const bool menu = event->button() == Qt::RightButton && m_tool->opensMenu(event->position());
+        if (menu) emit menuWanted(event->globalPosition().toPoint());
         emit hintChanged(m_tool->hint());
     }
     updateCursor();
@@ -352,7 +364,9 @@ void ShapeCanvas::changeEvent(QEvent* event) {
 bool ShapeCanvas::event(QEvent* event) {
     if (event->type() == QEvent::ShortcutOverride) {
         const int key = static_cast<QKeyEvent*>(event)->key();
-        if (key == Qt::Key_Space || (key >= Qt::Key_Left && key <= Qt::Key_Down) || (key == Qt::Key_Escape)) {
+        const bool owned = m_tool && m_tool->ownsKey(*static_cast<QKeyEvent*>(event));
+        if (owned || key == Qt::Key_Space || (key >= Qt::Key_Left && key <= Qt::Key_Down) ||
+            (key == Qt::Key_Escape)) {
             event->accept();
             return true;
         }

@@ -32,6 +32,7 @@ class ShapeCanvas : public QWidget, public ToolSurface {
     QPointF toWidget(const Vec<2>& shape) const override { return m_view.toWidget(shape); }
     void setMarquee(const QRectF& rectangle) override;
     void setHovered(int handle) override;
+    void redraw() override { update(); }
 
   public slots:
     void setMeshShown(bool shown);
@@ -45,6 +46,8 @@ class ShapeCanvas : public QWidget, public ToolSurface {
 
   signals:
     void hintChanged(QString hint);
+    /// A menu for what is under the pointer is asked for.
+    void menuWanted(QPoint global);
     /// Where the pointer is in the domain; `inside` is false when it has left.
     void pointed(double x, double y, bool inside);
 
@@ -54,6 +57,7 @@ class ShapeCanvas : public QWidget, public ToolSurface {
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void keyReleaseEvent(QKeyEvent* event) override;

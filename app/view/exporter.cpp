@@ -8,10 +8,10 @@
 #include <QtConcurrent>
 #include <cmath>
 
-#include "app/session/fields.h"
 #include "app/session/opening.h"
 #include "app/session/run.h"
 #include "app/session/shape_file.h"
+#include "core/integration/deformer.h"
 #include "core/mesh/error.h"
 #include "core/mesh/mesh_file.h"
 #include "warp/warped_picture.h"
@@ -21,8 +21,10 @@ namespace wend {
 namespace {
 
 const char* const kSolidFilter =
-    "VTU (*.vtu);;VTK (*.vtk);;Medit (*.mesh);;Gmsh (*.msh);;TetGen (*.node);;glTF (*.glb);;Wavefront OBJ "
+    "VTU (*.vtu);;VTK (*.vtk);;Medit (*.mesh);;Gmsh 4.1 (*.msh);;Gmsh 2.2 (*.msh);;TetGen (*.node);;glTF "
+    "(*.glb);;Wavefront OBJ "
     "(*.obj);;PLY (*.ply);;STL (*.stl);;OFF (*.off)";
+const char* const kFlatFilter = "Wavefront OBJ (*.obj);;PLY (*.ply);;OFF (*.off);;VTU (*.vtu);;VTK (*.vtk)";
 const char* const kSolidFramesFilter =
     "glTF (*.glb);;VTU (*.vtu);;Wavefront OBJ (*.obj);;PLY (*.ply);;STL (*.stl);;Medit (*.mesh);;VTK (*.vtk)";
 const char* const kPictureFilter = "PNG (*.png);;TIFF (*.tif);;OpenEXR (*.exr);;JPEG (*.jpg);;WebP (*.webp)";
@@ -56,6 +58,20 @@ void writePicture(const std::string& path, const Pixels& pixels, int restMargin,
     writeWarped(path, WarpedPicture(*pixels.picture, *pixels.rest, pixels.pose, pixels.view(), options));
 }
 
+/// The velocity field at a frame, solved for as `wend run` does; empty where it cannot be.
+Points<3> velocityAt(const Project& project, const PosedFrame<3>& frame) try {
+    IntegrationOptions options = project.integration;
+    options.end = project.end;
+    Deformer<3> deformer(frame.rest, frame.material, std::get<Design<3>>(project.design).handles, options);
+    State<3> state;
+    state.time = frame.time;
+    state.points = frame.pose;
+    deformer.restore(state);
+    return deformer.velocity();
+} catch (const InputError&) {
+    return {};
+}
+
 /// What went wrong, or nothing. (Futures would slice the exception.)
 template <class Job, class Progress>
 QString errorOf(const Job& job, const Progress& progress, std::stop_token stop) {
@@ -80,12 +96,12 @@ Exporter::~Exporter() {
     m_running.waitForFinished();
 }
 
-QString Exporter::askName(const QString& title, const QString& suffix, const QString& filters) {
+QString Exporter::askName(const QString& title, const QString& suffix, const QString& filters,
+                          QString* chosen) {
     const Document& document = m_session.document();
     const QString base = QFileInfo(document.displayName()).completeBaseName();
     const QString proposal = QDir(proposedFolder(document)).filePath(base + suffix);
-    QString chosen;
-    QString path = QFileDialog::getSaveFileName(&m_window, title, proposal, filters, &chosen);
+    QString path = QFileDialog::getSaveFileName(&m_window, title, proposal, filters, chosen);
     if (!path.isEmpty() && QFileInfo(path).suffix().isEmpty()) path += '.' + QFileInfo(suffix).suffix();
     return path;
 }
@@ -148,16 +164,24 @@ void Exporter::exportPicture() {
 
 void Exporter::exportMesh() {
     const FramePtr shown = shownFrame();
-    if (const auto solid = posed<3>(shown)) {
-        exportSolid(solid);
-        return;
-    }
-    const auto frame = posed<2>(shown);
-    if (!frame) return;
+    if (!shown) return;
+    const bool solid = shown->dimension == 3;
+    QString chosen;
     const QString path =
-        askName(tr("Export Mesh"), QStringLiteral("-bent.obj"),
-                QStringLiteral("Wavefront OBJ (*.obj);;PLY (*.ply);;OFF (*.off);;VTU (*.vtu);;VTK (*.vtk)"));
-    if (path.isEmpty()) return;
+        askName(tr("Export Mesh"), solid ? QStringLiteral("-bent.vtu") : QStringLiteral("-bent.obj"),
+                QString::fromLatin1(solid ? kSolidFilter : kFlatFilter), &chosen);
+    MeshWriteOptions options;
+    options.gmshVersion = chosen.contains(QStringLiteral("2.2")) ? 2 : 4;
+    if (!path.isEmpty()) writeMesh(path, options);
+}
+
+void Exporter::writeMesh(const QString& path, const MeshWriteOptions& options) {
+    const FramePtr shown = shownFrame();
+    if (const auto solid = posed<3>(shown)) writeSolid(path, solid, options);
+    if (const auto flat = posed<2>(shown)) writeFlat(path, flat);
+}
+
+void Exporter::writeFlat(const QString& path, const PosedPtr<2>& frame) {
     Scene<2> scene;
     scene.rest = frame->rest;
     scene.source = frame->built->source;
@@ -168,20 +192,19 @@ void Exporter::exportMesh() {
     });
 }
 
-/// Tetrahedra with all fields, or their surface where the format has only triangles.
-void Exporter::exportSolid(const PosedPtr<3>& frame) {
-    const QString path =
-        askName(tr("Export Mesh"), QStringLiteral("-bent.vtu"), QString::fromLatin1(kSolidFilter));
-    if (path.isEmpty()) return;
+/// Tetrahedra with all fields, or their surface where the format has only triangles: what `wend run` writes.
+void Exporter::writeSolid(const QString& path, const PosedPtr<3>& frame, const MeshWriteOptions& options) {
     Scene<3> scene;
     scene.rest = frame->rest;
     scene.material = frame->material;
     scene.source = frame->built->source;
     scene.skin = frame->built->skin;
     scene.ride = frame->built->ride;
-    const Points<3> velocity = velocityOf<3>(m_session.track(), *frame);
+    const auto project = m_session.document().project();
     run(tr("Writing the mesh …"), path, [=](const Progress&, std::stop_token) {
-        writeShape<3>(path.toStdString(), scene, frame->pose, shapeFields<3>(scene, frame->pose, velocity));
+        const Points<3> velocity = velocityAt(*project, *frame);
+        writeShape<3>(path.toStdString(), scene, frame->pose, shapeFields<3>(scene, frame->pose, velocity),
+                      options);
     });
 }
 
@@ -198,10 +221,15 @@ void Exporter::exportFrames() {
                                    : tr("How many pictures, from the start to the end?"),
                              static_cast<int>(std::lround(24 * seconds)) + 1, 2, 100000, 1, &ok);
     if (!ok) return;
-    QString path =
+    const QString path =
         askName(tr("Export Frames"), solid ? QStringLiteral("-bent.glb") : QStringLiteral("_####.png"),
                 QString::fromLatin1(solid ? kSolidFramesFilter : kPictureFilter));
-    if (path.isEmpty()) return;
+    if (!path.isEmpty()) writeFrames(path, count);
+}
+
+void Exporter::writeFrames(QString path, int count) {
+    const Document& document = m_session.document();
+    const double seconds = m_session.playback().end() * Playback::kSecondsPerUnit;
     const bool animation = QFileInfo(path).suffix().toLower() == QStringLiteral("glb");
     if (!path.contains('#') && !animation)
         path.insert(path.size() - QFileInfo(path).suffix().size() - 1, QStringLiteral("_####"));
@@ -211,14 +239,15 @@ void Exporter::exportFrames() {
     options.outputs.framesPerSecond = seconds > 0 ? (count - 1) / seconds : 24;
     const auto project = document.project();
     const std::string name = QDir(document.folder()).filePath(document.displayName()).toStdString();
-    run(solid ? tr("Writing %n shapes …", nullptr, count) : tr("Writing %n pictures …", nullptr, count), path,
-        [=](const Progress& progress, std::stop_token stop) {
-            RunWatch watch;
-            watch.progress = [&progress](const std::string&, double fraction) { progress(fraction); };
-            watch.stop = stop;
-            const AdvanceResult result = runProject(*project, name, options, watch);
-            if (result.outcome != Outcome::Done) throw InputError(result.message);
-        });
+    const QString what = document.dimension() == 3 ? tr("Writing %n shapes …", nullptr, count)
+                                                   : tr("Writing %n pictures …", nullptr, count);
+    run(what, path, [=](const Progress& progress, std::stop_token stop) {
+        RunWatch watch;
+        watch.progress = [&progress](const std::string&, double fraction) { progress(fraction); };
+        watch.stop = stop;
+        const AdvanceResult result = runProject(*project, name, options, watch);
+        if (result.outcome != Outcome::Done) throw InputError(result.message);
+    });
 }
 
 void Exporter::exportStMap() {

@@ -7,6 +7,7 @@
 #include <stop_token>
 
 #include "app/session/shape_session.h"
+#include "core/mesh/mesh_file.h"
 
 class QWidget;
 
@@ -19,6 +20,13 @@ class Exporter : public QObject {
   public:
     Exporter(ShapeSession& session, QWidget& window);
     ~Exporter() override;
+
+    /// What the slots write once they have a name: the shape that is shown, by extension. Tells with failed()
+    /// or done(), later.
+    void writeMesh(const QString& path, const MeshWriteOptions& options = {});
+    /// `count` shapes or pictures from the start to the end: a sequence (#### in the name, added if it is
+    /// missing), or one .glb.
+    void writeFrames(QString path, int count);
 
   public slots:
     void exportPicture();
@@ -34,11 +42,14 @@ class Exporter : public QObject {
     using Progress = std::function<void(double)>;
     /// Writes the file; throws InputError.
     using Job = std::function<void(const Progress&, std::stop_token)>;
-    QString askName(const QString& title, const QString& suffix, const QString& filters);
+    /// `chosen` gets the filter.
+    QString askName(const QString& title, const QString& suffix, const QString& filters,
+                    QString* chosen = nullptr);
     void run(const QString& what, const QString& path, Job job);
     FramePtr shownFrame();
     bool isFree();
-    void exportSolid(const PosedPtr<3>& frame);
+    void writeFlat(const QString& path, const PosedPtr<2>& frame);
+    void writeSolid(const QString& path, const PosedPtr<3>& frame, const MeshWriteOptions& options);
 
     ShapeSession& m_session;
     QWidget& m_window;

@@ -21,6 +21,7 @@
 #include "app/view/actions.h"
 #include "app/view/busy_note.h"
 #include "app/view/canvas.h"
+#include "app/view/curve_actions.h"
 #include "app/view/exporter.h"
 #include "app/view/file_workflow.h"
 #include "app/view/info_banner.h"
@@ -60,7 +61,9 @@ MainWindow::MainWindow(QWidget* parent)
     fitToScreen();
     m_fields = new StatusFields(*statusBar(), m_session);
     m_solids = new SolidWorkshop({m_session, *m_actions, *m_distortion, *m_fields}, *this);
-    m_actions->fillMenuBar(*this, m_solids->actions().menu());
+    m_curves = new CurveActions(
+        m_session, [this] { return currentCurve(); }, this);
+    m_actions->fillMenuBar(*this, m_solids->actions().menu(), m_curves->menu());
     makeToolBars();
     makeCentre();
     connectFiles();
@@ -169,6 +172,7 @@ void MainWindow::connectFiles() {
             m_exporter->exportPicture();
     });
     connect(m_solids, &SolidWorkshop::failed, m_banner, &InfoBanner::showText);
+    connect(m_solids, &SolidWorkshop::told, m_banner, &InfoBanner::showText);
     connect(m_solids, &SolidWorkshop::done, this,
             [this](const QString& text) { statusBar()->showMessage(text, 6000); });
     connect(a.exportMesh, &QAction::triggered, m_exporter, &Exporter::exportMesh);
@@ -241,6 +245,10 @@ void MainWindow::connectView() {
         m_canvas->showWorst();
     });
     connect(m_canvas, &ShapeCanvas::hintChanged, m_fields, &StatusFields::setHint);
+    connect(m_canvas, &ShapeCanvas::hintChanged, m_curves, &CurveActions::refresh);
+    connect(m_canvas, &ShapeCanvas::menuWanted, m_curves, &CurveActions::popUp);
+    connect(m_solids, &SolidWorkshop::hintChanged, m_curves, &CurveActions::refresh);
+    connect(m_solids, &SolidWorkshop::menuWanted, m_curves, &CurveActions::popUp);
     connect(m_canvas, &ShapeCanvas::pointed, m_fields, &StatusFields::setPointer);
     m_canvas->setTool(m_pinTool.get());
 }
@@ -266,6 +274,12 @@ void MainWindow::connectMotion() {
 void MainWindow::connectHelp() {
     connect(m_actions->shortcuts, &QAction::triggered, this, &MainWindow::showKeys);
     connect(m_actions->about, &QAction::triggered, this, &MainWindow::showAbout);
+}
+
+CurveEditing* MainWindow::currentCurve() {
+    SolidCanvas* canvas = m_solids->isActive() ? m_solids->canvas() : nullptr;
+    Tool* tool = canvas ? canvas->tool() : m_canvas->tool();
+    return tool ? tool->curve() : nullptr;
 }
 
 void MainWindow::openPath(const QString& path) {

@@ -13,6 +13,8 @@ namespace wend {
 
 class Actions;
 class BusyNote;
+class CurveActions;
+class CurveEditing;
 class ShapeCanvas;
 class DistortionPanel;
 class Exporter;
@@ -38,7 +40,9 @@ class MainWindow : public QMainWindow {
     ShapeSession& session() { return m_session; }
     ShapeCanvas& canvas() { return *m_canvas; }
     Actions& actions() { return *m_actions; }
+    CurveActions& curves() { return *m_curves; }
     FileWorkflow& files() { return *m_files; }
+    Exporter& exporter() { return *m_exporter; }
     MaterialPanel& materialPanel() { return *m_material; }
     SolidWorkshop& solids() { return *m_solids; }
     DistortionPanel& distortionPanel() { return *m_distortion; }
@@ -62,6 +66,7 @@ class MainWindow : public QMainWindow {
     void connectHelp();
     void showDocument();
     void showWork();
+    CurveEditing* currentCurve();
     void fitToScreen();
     void showTitle();
     void showSelection();
@@ -72,6 +77,7 @@ class MainWindow : public QMainWindow {
 
     ShapeSession m_session;
     Actions* m_actions;
+    CurveActions* m_curves = nullptr;
     FileWorkflow* m_files;
     Exporter* m_exporter;
     ShapeCanvas* m_canvas;

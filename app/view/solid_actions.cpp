@@ -26,19 +26,30 @@ void SolidActions::makeTools(QActionGroup& tools) {
     box =
         addToggle({tr("Hold a Bo&x"), tr("Take hold of all vertices in a box around a point of the surface")},
                   QKeySequence(tr("Shift+X")), "area-box");
+    half = addToggle({tr("Hold a &Half-Space"),
+                      tr("Take hold of all vertices beyond a plane through a point of the surface")},
+                     QKeySequence(tr("Shift+P")), "area-half");
     paint = addToggle({tr("&Paint Material"), tr("Brush another stiffness and energy into the solid")},
                       QKeySequence(tr("A")), "brush");
     measure = addToggle({tr("M&easure"), tr("Measure lengths and angles between points of the solid")},
                         QKeySequence(tr("E")), "measure");
-    for (QAction* tool : {rectangle, lasso, brush, ball, box, paint, measure}) tools.addAction(tool);
-    through = addToggle({tr("Through the &Solid"), tr("Rectangle, lasso and brush also take what is hidden")},
-                        QKeySequence(tr("T")), "through");
+    for (QAction* tool : {rectangle, lasso, brush, ball, box, half, paint, measure}) tools.addAction(tool);
+    through = addToggle(
+        {tr("Through the &Solid"), tr("Rectangle, lasso and brush also take or select what is hidden")},
+        QKeySequence(tr("T")), "through");
     holdBeyond =
         add({tr("Hold Beyond the &Cut"), tr("Take hold of all that the cut takes away, as one handle")},
             QKeySequence(tr("Ctrl+B")));
 }
 
 void SolidActions::makeModes() {
+    const QString outline = tr("What is drawn beside pins with the pin or the select tool, to select them");
+    selectRectangle = addToggle({tr("By &Rectangle"), outline}, QKeySequence(tr("Shift+R")));
+    selectLasso = addToggle({tr("By &Lasso"), outline}, QKeySequence(tr("Shift+O")));
+    selectBrush = addToggle({tr("By &Brush"), outline}, QKeySequence(tr("Shift+U")));
+    auto* outlines = new QActionGroup(this);
+    for (QAction* one : {selectRectangle, selectLasso, selectBrush}) outlines->addAction(one);
+    selectRectangle->setChecked(true);
     move = addToggle({tr("&Move"), tr("Show arrows that move the selected pins")}, QKeySequence(tr("G")),
                      "move");
     turn = addToggle({tr("&Turn"), tr("Show rings that turn the selected pins")}, QKeySequence(tr("R")),
@@ -51,6 +62,12 @@ void SolidActions::makeModes() {
 }
 
 void SolidActions::makeView() {
+    detail =
+        addToggle({tr("&Detail Surface"),
+                   tr("Show the detailed or textured surface that rides in the solid; off: the border of "
+                      "the tetrahedra, which bend")},
+                  QKeySequence(tr("Shift+D")));
+    detail->setChecked(true);
     flat = addToggle({tr("&Flat Faces"), tr("Shade every triangle by itself instead of smoothly")},
                      QKeySequence(tr("Shift+F")));
     orthographic = addToggle({tr("&Parallel View"), tr("See without perspective")}, QKeySequence(tr("5")));
@@ -82,14 +99,19 @@ void SolidActions::makeView() {
 
 void SolidActions::makeMenu() {
     m_menu->setTitle(tr("&Solid"));
-    m_menu->addActions({rectangle, lasso, brush, ball, box, through, holdBeyond});
+    m_menu->addActions({rectangle, lasso, brush, ball, box, half, through, holdBeyond});
+    m_menu->addMenu(tr("Select &Pins"))->addActions({selectRectangle, selectLasso, selectBrush});
     m_menu->addActions({paint, measure});
     m_menu->addSeparator();
     m_menu->addActions({move, turn, grow});
     m_menu->addSeparator();
     m_menu->addMenu(tr("L&ook from"))->addActions({front, back, right, left, top, bottom, oblique});
     m_menu->addMenu(tr("&Navigation"))->addActions({wendKeys, vtkKeys, blenderKeys});
-    m_menu->addActions({orthographic, flat, cut, arrows, ellipsoids});
+    m_menu->addActions({detail, orthographic, flat, cut, arrows, ellipsoids});
+}
+
+void SolidActions::setHasDetail(bool has) {
+    enable(detail, has, tr("The solid has neither a detailed surface nor materials."));
 }
 
 void SolidActions::setShown(bool shown) {

@@ -14,16 +14,19 @@ class SolidActions : public ActionMaker {
   public:
     SolidActions(QActionGroup& tools, QObject* parent);
 
-    QAction *rectangle, *lasso, *brush, *ball, *box, *paint, *measure;
+    QAction *rectangle, *lasso, *brush, *ball, *box, *half, *paint, *measure;
     QAction *move, *turn, *grow;
     QAction *through, *holdBeyond;
-    QAction *flat, *orthographic, *arrows, *ellipsoids;
+    QAction *selectRectangle, *selectLasso, *selectBrush;
+    QAction *detail, *flat, *orthographic, *arrows, *ellipsoids;
     QAction *front, *back, *right, *left, *top, *bottom, *oblique;
     QAction *wendKeys, *vtkKeys, *blenderKeys;
     QAction* cut;
 
     QMenu* menu() const { return m_menu; }
     void setShown(bool shown);
+    /// Whether the solid has a surface of its own, beside its tetrahedra.
+    void setHasDetail(bool has);
 
   private:
     void makeTools(QActionGroup& tools);

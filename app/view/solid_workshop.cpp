@@ -12,16 +12,22 @@
 #include "app/panels/cut_panel.h"
 #include "app/panels/distortion_panel.h"
 #include "app/panels/handle_panel.h"
+#include "app/panels/measure_panel.h"
 #include "app/panels/paint_panel.h"
 #include "app/panels/panel_parts.h"
+#include "app/panels/region_panel.h"
 #include "app/panels/surface_panel.h"
+#include "app/session/opening.h"
+#include "app/session/solid_places.h"
 #include "app/tools/measure_tool.h"
 #include "app/tools/paint_tool.h"
 #include "app/view/actions.h"
 #include "app/view/picture_dialog.h"
 #include "app/view/status_fields.h"
 #include "app/view/surface_check.h"
+#include "app/view/view_picture.h"
 #include "app/view/volume/solid_canvas.h"
+#include "core/mesh/error.h"
 
 namespace wend {
 
@@ -38,6 +44,8 @@ SolidWorkshop::SolidWorkshop(const Surroundings& around, QWidget& window)
       m_actions(new SolidActions(*around.actions.tools, this)),
       m_cutPanel(new CutPanel),
       m_handlePanel(new HandlePanel(around.session)),
+      m_regionPanel(new RegionPanel(around.session)),
+      m_measurePanel(new MeasurePanel(around.session)),
       m_paintPanel(new PaintPanel(around.session)),
       m_surfacePanel(new SurfacePanel),
       m_check(new SurfaceCheck(around.session, *m_surfacePanel, window)) {}
@@ -49,7 +57,8 @@ SolidWorkshop::~SolidWorkshop() {
 void SolidWorkshop::furnish(QToolBar& tools, QVBoxLayout& panels) {
     QAction* before = m_around.actions.remove;
     SolidActions& a = *m_actions;
-    for (QAction* action : {a.rectangle, a.lasso, a.brush, a.ball, a.box, a.through, a.paint, a.measure})
+    for (QAction* action :
+         {a.rectangle, a.lasso, a.brush, a.ball, a.box, a.half, a.through, a.paint, a.measure})
         tools.insertAction(before, action);
     QAction* line = tools.insertSeparator(before);
     for (QAction* action : {a.move, a.turn, a.grow}) tools.insertAction(before, action);
@@ -69,6 +78,11 @@ void SolidWorkshop::furnish(QToolBar& tools, QVBoxLayout& panels) {
     m_surfacePanel->hide();
     panels.insertWidget(kFirstPanel + 1, m_paintPanel);  // in place of the energy while painting
     m_paintPanel->hide();
+    // Both are there only when there is something to show.
+    panels.insertWidget(panels.indexOf(m_handlePanel) + 1, m_regionPanel);
+    m_regionPanel->hide();
+    panels.insertWidget(kFirstPanel, m_measurePanel);
+    m_measurePanel->hide();
 }
 
 void SolidWorkshop::setActive(bool active) {
@@ -79,11 +93,14 @@ void SolidWorkshop::setActive(bool active) {
     const bool flatTool = m_around.actions.pinTool->isChecked() || m_around.actions.selectTool->isChecked();
     if (!active && !flatTool) m_around.actions.pinTool->setChecked(true);
     if (!active) m_paintPanel->hide();
+    if (!active) m_measurePanel->hide();
     if (!active || !m_canvas) return;
     m_canvas->setCutKind(CutKind::None);
     m_canvas->setEdgesShown(m_around.actions.showMesh->isChecked());
     m_canvas->setMap(m_around.distortion.measure(), m_around.distortion.range());
     m_canvas->setMapShown(m_around.actions.showMap->isChecked());
+    m_canvas->setDetailShown(m_actions->detail->isChecked());
+    m_actions->setHasDetail(m_canvas->hasDetail());
     chooseTool();
     showCut();
 }
@@ -120,6 +137,8 @@ void SolidWorkshop::connectView() {
     };
     connect(common.zoomIn, &QAction::triggered, m_canvas, [zoom] { zoom(1.25); });
     connect(common.zoomOut, &QAction::triggered, m_canvas, [zoom] { zoom(0.8); });
+    connect(a.detail, &QAction::toggled, m_canvas, &SolidCanvas::setDetailShown);
+    connect(&m_around.session, &ShapeSession::frameChanged, this, &SolidWorkshop::tellOfShape);
     connect(a.flat, &QAction::toggled, m_canvas, &SolidCanvas::setFlat);
     connect(a.orthographic, &QAction::toggled, m_canvas, &VolumeView::setOrthographic);
     connect(a.arrows, &QAction::toggled, m_canvas, &SolidCanvas::setArrowsShown);
@@ -148,21 +167,33 @@ void SolidWorkshop::connectView() {
         if (m_isActive) m_canvas->showWorst();
     });
     connect(m_canvas, &SolidCanvas::hintChanged, &m_around.fields, &StatusFields::setHint);
+    connect(m_canvas, &SolidCanvas::hintChanged, this, &SolidWorkshop::hintChanged);
+    connect(m_canvas, &SolidCanvas::menuWanted, this, &SolidWorkshop::menuWanted);
+    connect(m_canvas, &SolidCanvas::pointedAt, m_measurePanel, &MeasurePanel::setPointed);
     connect(m_canvas, &SolidCanvas::pointed, &m_around.fields, &StatusFields::setPointerText);
 }
 
 void SolidWorkshop::connectTools() {
     SolidActions& a = *m_actions;
-    m_tools.emplace_back(m_around.actions.pinTool,
-                         std::make_unique<SolidPinTool>(*m_canvas, m_manipulator, true));
-    m_tools.emplace_back(m_around.actions.selectTool,
-                         std::make_unique<SolidPinTool>(*m_canvas, m_manipulator, false));
+    for (const bool adds : {true, false}) {
+        auto tool = std::make_unique<SolidPinTool>(*m_canvas, m_manipulator, adds);
+        using Drawn = SolidPinTool::Outline;
+        for (const auto& [action, outline] : {std::pair{a.selectRectangle, Drawn::Rectangle},
+                                              {a.selectLasso, Drawn::Lasso},
+                                              {a.selectBrush, Drawn::Brush}})
+            connect(action, &QAction::toggled, this, [pins = tool.get(), outline = outline](bool on) {
+                if (on) pins->setOutline(outline);
+            });
+        connect(a.through, &QAction::toggled, this, [pins = tool.get()](bool on) { pins->setThrough(on); });
+        m_tools.emplace_back(adds ? m_around.actions.pinTool : m_around.actions.selectTool, std::move(tool));
+    }
     using Shape = AreaTool::Shape;
     for (const auto& [action, shape] : {std::pair{a.rectangle, Shape::Rectangle},
                                         {a.lasso, Shape::Lasso},
                                         {a.brush, Shape::Brush},
                                         {a.ball, Shape::Ball},
-                                        {a.box, Shape::Box}}) {
+                                        {a.box, Shape::Box},
+                                        {a.half, Shape::Half}}) {
         auto tool = std::make_unique<AreaTool>(*m_canvas, shape);
         connect(a.through, &QAction::toggled, this, [area = tool.get()](bool on) { area->setThrough(on); });
         m_tools.emplace_back(action, std::move(tool));
@@ -171,6 +202,8 @@ void SolidWorkshop::connectTools() {
     brush->setColour(m_paintPanel->paint());
     connect(m_paintPanel, &PaintPanel::paintChanged, this,
             [tool = brush.get()](const MaterialPaint& paint) { tool->setColour(paint); });
+    connect(m_paintPanel, &PaintPanel::alongChanged, this,
+            [tool = brush.get()](StiffAlong along) { tool->setAlong(along); });
     m_tools.emplace_back(a.paint, std::move(brush));
     m_tools.emplace_back(a.measure, std::make_unique<MeasureTool>(*m_canvas));
     connect(m_around.actions.tools, &QActionGroup::triggered, this, &SolidWorkshop::chooseTool);
@@ -189,6 +222,9 @@ void SolidWorkshop::connectTools() {
 
 void SolidWorkshop::chooseTool() {
     m_paintPanel->setVisible(m_isActive && m_canvas && m_actions->paint->isChecked());
+    const bool measures = m_isActive && m_canvas && m_actions->measure->isChecked();
+    m_measurePanel->setVisible(measures);
+    if (m_canvas) m_canvas->setValuesShown(measures);
     if (!m_isActive || !m_canvas) return;
     for (const auto& [action, tool] : m_tools)
         if (action->isChecked()) m_canvas->setTool(tool.get());
@@ -227,24 +263,33 @@ QString SolidWorkshop::keys() {
 
 void SolidWorkshop::exportPicture() {
     if (!m_canvas) return;
-    PictureDialog dialog(m_canvas->size() * m_canvas->devicePixelRatioF(), &m_window);
+    PictureDialog dialog(m_canvas->size() * m_canvas->devicePixelRatioF(), m_canvas->hasLegend(), &m_window);
     if (dialog.exec() != QDialog::Accepted) return;
     const Document& document = m_around.session.document();
     const QString base = QFileInfo(document.displayName()).completeBaseName();
     QString path = QFileDialog::getSaveFileName(
-        &m_window, tr("Export Picture"), QDir(document.folder()).filePath(base + QStringLiteral(".png")),
-        QStringLiteral("PNG (*.png);;TIFF (*.tif);;JPEG (*.jpg);;WebP (*.webp)"));
+        &m_window, tr("Export Picture"),
+        QDir(proposedFolder(document)).filePath(base + QStringLiteral(".png")),
+        QStringLiteral("PNG (*.png);;TIFF (*.tif);;OpenEXR (*.exr);;JPEG (*.jpg);;WebP (*.webp)"));
     if (path.isEmpty()) return;
     if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".png");
-    const QImage picture = m_canvas->picture(dialog.size(), dialog.isTransparent());
-    QSaveFile file(path);
-    const QByteArray format = QFileInfo(path).suffix().toLatin1();
-    const bool written = !picture.isNull() && file.open(QIODevice::WriteOnly) &&
-                         picture.save(&file, format.constData()) && file.commit();
-    if (written)
+    try {
+        writeViewPicture(path, *m_canvas, dialog.choice());
         emit done(tr("Written: %1").arg(QDir::toNativeSeparators(path)));
-    else
-        emit failed(tr("Nothing was written. %1").arg(file.errorString()));
+    } catch (const InputError& error) {
+        emit failed(tr("Nothing was written. %1").arg(QString::fromUtf8(error.what())));
+    }
+}
+
+/// Once for every mesh.
+void SolidWorkshop::tellOfShape() {
+    const auto frame = m_around.session.frame<3>();
+    if (!frame || frame->shape == m_told) return;
+    m_told = frame->shape;
+    m_actions->setHasDetail(m_canvas->hasDetail());
+    QStringList lines;
+    for (const std::string& notice : frame->built->notices) lines << QString::fromStdString(notice);
+    if (!lines.isEmpty()) emit told(lines.join('\n'));
 }
 
 void SolidWorkshop::showCut() {
@@ -260,6 +305,12 @@ void SolidWorkshop::showCut() {
 void SolidWorkshop::holdBeyondCut() {
     const auto frame = m_around.session.frame<3>();
     if (!frame || !m_canvas || m_canvas->cut() == CutKind::None) return;
+    if (frame->pose == frame->rest->points) {  // where it is at rest it may be a region
+        const Region<3> half = HalfSpace<3>{m_canvas->plane().point, m_canvas->plane().normal};
+        if (!verticesIn(half, *frame->rest).empty())
+            m_around.session.addHandle<3>(half, tr("Region").toStdString());
+        return;
+    }
     std::vector<int> beyond;
     for (Eigen::Index v = 0; v < frame->pose.cols(); ++v)
         if (m_canvas->plane().height(frame->pose.col(v)) > 0) beyond.push_back(static_cast<int>(v));

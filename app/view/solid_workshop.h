@@ -16,7 +16,9 @@ class Actions;
 class CutPanel;
 class DistortionPanel;
 class HandlePanel;
+class MeasurePanel;
 class PaintPanel;
+class RegionPanel;
 class SolidCanvas;
 class StatusFields;
 class SurfaceCheck;
@@ -53,8 +55,12 @@ class SolidWorkshop : public QObject {
     SolidCanvas* canvas() const { return m_canvas; }
 
   signals:
+    void hintChanged(QString hint);
+    void menuWanted(QPoint global);
     void failed(QString text);
     void done(QString text);
+    /// What the user should hear of a new mesh.
+    void told(QString text);
 
   private:
     void makePage();
@@ -64,12 +70,15 @@ class SolidWorkshop : public QObject {
     void chooseTool();
     void showCut();
     void holdBeyondCut();
+    void tellOfShape();
 
     Surroundings m_around;
     QWidget& m_window;
     SolidActions* m_actions;
     CutPanel* m_cutPanel;
     HandlePanel* m_handlePanel;
+    RegionPanel* m_regionPanel;
+    MeasurePanel* m_measurePanel;
     PaintPanel* m_paintPanel;
     SurfacePanel* m_surfacePanel;
     SurfaceCheck* m_check;
@@ -78,6 +87,7 @@ class SolidWorkshop : public QObject {
     SolidCanvas* m_canvas = nullptr;
     bool m_isActive = false;
     int m_lastCut = 2;
+    std::shared_ptr<const void> m_told;  // the rest mesh whose notices were told
     Manipulator m_manipulator;
     std::vector<std::pair<QAction*, std::unique_ptr<SolidTool>>> m_tools;
 };

@@ -11,6 +11,7 @@
 #include "app/panels/surface_panel.h"
 #include "app/view/volume/solid_canvas.h"
 #include "core/mesh/mesh_file.h"
+#include "core/mesh/skin_file.h"
 
 namespace wend {
 
@@ -63,7 +64,10 @@ SurfaceCheck::SurfaceCheck(ShapeSession& session, SurfacePanel& panel, QWidget& 
             document.dimension() == 3 && document.project()->domain.kind == DomainKind::Surface;
         if (!text.isEmpty() && surface && m_canvas) look();
     });
-    connect(&session.document(), &Document::opened, this, &SurfaceCheck::hide);
+    connect(&session.document(), &Document::opened, this, [this] {
+        hide();
+        preview();
+    });
     connect(&panel, &SurfacePanel::showRequested, this, &SurfaceCheck::showSurface);
     connect(&panel, &SurfacePanel::saveRequested, this, &SurfaceCheck::saveList);
     connect(&panel, &SurfacePanel::repairRequested, this, &SurfaceCheck::repair);
@@ -72,6 +76,24 @@ SurfaceCheck::SurfaceCheck(ShapeSession& session, SurfacePanel& panel, QWidget& 
 void SurfaceCheck::hide() {
     m_found.reset();
     m_panel.hide();
+}
+
+/// What is wrong with a file that cannot be read is told elsewhere.
+void SurfaceCheck::preview() {
+    const Document& document = m_session.document();
+    if (document.dimension() != 3 || document.project()->domain.kind != DomainKind::Surface) return;
+    const std::string path = pathIn(document.folder().toStdString(), document.project()->domain.path);
+    const int generation = document.generation();
+    const auto read = [path]() -> std::shared_ptr<const Skin> {
+        try {
+            return std::make_shared<const Skin>(readSkin(path));
+        } catch (const std::exception&) {
+            return {};
+        }
+    };
+    QtConcurrent::run(read).then(this, [this, generation](const std::shared_ptr<const Skin>& skin) {
+        if (skin && m_canvas && m_session.document().generation() == generation) m_canvas->showPreview(skin);
+    });
 }
 
 void SurfaceCheck::look() {

@@ -11,8 +11,8 @@ namespace wend {
 class SolidCanvas;
 class SurfacePanel;
 
-/// When a surface cannot become a solid: looks at it again in the background, shows it with what is wrong in
-/// it, and does what the panel offers.
+/// Shows a surface while it is becoming a solid. When it cannot become one: looks at it again in the
+/// background, shows it with what is wrong in it, and does what the panel offers.
 class SurfaceCheck : public QObject {
     Q_OBJECT
 
@@ -27,6 +27,7 @@ class SurfaceCheck : public QObject {
         SurfaceProblems problems;
         QString error;
     };
+    void preview();
     void look();
     void take(const std::shared_ptr<const Found>& found);
     void showSurface();

@@ -64,11 +64,13 @@ Embedding<Dim>::Embedding(const SimplicialMesh<Dim>& rest, const Points<Dim>& po
 
 template <int Dim>
 Points<Dim> Embedding<Dim>::carry(const SimplicialMesh<Dim>& rest, const Points<Dim>& pose) const {
-    Points<Dim> carried = Points<Dim>::Zero(Dim, static_cast<Eigen::Index>(m_locations.size()));
-    for (std::size_t i = 0; i < m_locations.size(); ++i)
-        for (int k = 0; k <= Dim; ++k)
-            carried.col(static_cast<Eigen::Index>(i)) +=
-                m_locations[i].weights[k] * pose.col(rest.cells[m_locations[i].cell][k]);
+    Points<Dim> carried(Dim, static_cast<Eigen::Index>(m_locations.size()));
+    for (std::size_t i = 0; i < m_locations.size(); ++i) {
+        const Cell<Dim>& cell = rest.cells[m_locations[i].cell];
+        Vec<Dim> p = Vec<Dim>::Zero();
+        for (int k = 0; k <= Dim; ++k) p += m_locations[i].weights[k] * pose.col(cell[k]);
+        carried.col(static_cast<Eigen::Index>(i)) = p;
+    }
     return carried;
 }
 

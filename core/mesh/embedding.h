@@ -14,6 +14,8 @@ class Embedding {
 
     /// Where the points are in a pose. At rest they are where they were, to rounding.
     Points<Dim> carry(const SimplicialMesh<Dim>& rest, const Points<Dim>& pose) const;
+    /// The cell that a point goes with.
+    int cell(int point) const { return m_locations[static_cast<std::size_t>(point)].cell; }
     /// How many lie outside all cells.
     int outside() const { return m_outside; }
 

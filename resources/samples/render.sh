@@ -18,6 +18,9 @@ if [ "${1-}" = --art ]; then
         optipng -quiet -o2 -strip all "$1.png"
     }
     work=$(mktemp -d)
+    python3 art/solids/eagle_feathers.py eagle-feathers.obj
+    python3 art/solids/plumage.py eagle-plumage.svg
+    rsvg-convert eagle-plumage.svg -o eagle-plumage.png
     solid eagle -150 14 0.86,0.66,0.42
     solid bar 20 -20 0.45,0.62,0.78
     rm -r "$work"

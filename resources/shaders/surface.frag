@@ -1,30 +1,61 @@
 #version 330 core
-in vec3 eyePosition;
-in vec3 eyeNormal;
-in vec4 surfaceColour;
-in vec3 barycentric;
+#ifdef EDGES
+in Edged {
+    vec3 eyePosition;
+    vec3 eyeNormal;
+    vec2 uv;
+    vec4 colour;
+    vec3 barycentric;
+} vertex;
+uniform vec3 edgeColour;
+#else
+in Vertex {
+    vec3 eyePosition;
+    vec3 eyeNormal;
+    vec2 uv;
+    vec4 colour;
+} vertex;
+#endif
 
 uniform bool flatShading;
 uniform bool orthographic;
-uniform float edgeStrength;  // 0: no edges
-uniform vec3 edgeColour;
 uniform vec3 backColour;
+uniform float dimming;  // 0 … 1: towards grey
+// The colours of the triangles, row by row; without them the vertices have their own.
+uniform bool coloursOfTriangles;
+uniform sampler2D colours;
+uniform int firstTriangle;
+uniform bool textured;
+uniform sampler2D picture;
 
 out vec4 fragment;
 
+vec4 surfaceColour() {
+    if (!coloursOfTriangles) return vertex.colour;
+    int triangle = firstTriangle + gl_PrimitiveID, width = textureSize(colours, 0).x;
+    vec4 colour = texelFetch(colours, ivec2(triangle % width, triangle / width), 0);
+    return textured ? colour * texture(picture, vertex.uv) : colour;
+}
+
 void main() {
-    vec3 n = flatShading ? cross(dFdx(eyePosition), dFdy(eyePosition)) : eyeNormal;
+    vec3 n = flatShading ? cross(dFdx(vertex.eyePosition), dFdy(vertex.eyePosition)) : vertex.eyeNormal;
     n = normalize(n);
-    vec3 toEye = orthographic ? vec3(0, 0, 1) : normalize(-eyePosition);
+    vec3 toEye = orthographic ? vec3(0, 0, 1) : normalize(-vertex.eyePosition);
     if (dot(n, toEye) < 0.0) n = -n;
-    vec3 base = gl_FrontFacing ? surfaceColour.rgb : backColour;
+    vec4 colour = surfaceColour();
+    if (colour.a < 0.5) discard;  // cut-out leaves and feathers
+    vec3 base = gl_FrontFacing ? colour.rgb : backColour;
+    base = mix(base, vec3(0.5), dimming);
     // A key light over the left shoulder, a soft fill from the right, and a little of the sky.
     float key = max(dot(n, normalize(vec3(-0.45, 0.7, 0.9))), 0.0);
     float fill = max(dot(n, normalize(vec3(0.8, 0.1, 0.5))), 0.0);
     float sky = 0.5 + 0.5 * n.y;
     vec3 lit = base * (0.30 + 0.56 * key + 0.30 * fill + 0.10 * sky);
-    vec3 width = fwidth(barycentric);
-    vec3 near = smoothstep(width * 0.25, width * 1.15, barycentric);
+#ifdef EDGES
+    vec3 width = fwidth(vertex.barycentric);
+    vec3 near = smoothstep(width * 0.25, width * 1.15, vertex.barycentric);
     float edge = 1.0 - min(near.x, min(near.y, near.z));
-    fragment = vec4(mix(lit, edgeColour, edge * edgeStrength), surfaceColour.a);
+    lit = mix(lit, edgeColour, 0.45 * edge);
+#endif
+    fragment = vec4(lit, 1.0);
 }

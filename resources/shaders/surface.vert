@@ -1,22 +1,26 @@
 #version 330 core
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
-layout(location = 2) in vec4 colour;
+layout(location = 2) in vec2 texturePoint;
+layout(location = 3) in vec4 colour;
 
 uniform mat4 view;
 uniform mat4 projection;
+uniform vec4 clipPlane;  // in the eye's coordinates; what is above goes
 
-out vec3 eyePosition;
-out vec3 eyeNormal;
-out vec4 surfaceColour;
-out vec3 barycentric;
+out Vertex {
+    vec3 eyePosition;
+    vec3 eyeNormal;
+    vec2 uv;
+    vec4 colour;
+} vertex;
 
 void main() {
     vec4 eye = view * vec4(position, 1.0);
-    eyePosition = eye.xyz;
-    eyeNormal = mat3(view) * normal;
-    surfaceColour = colour;
-    int corner = gl_VertexID % 3;  // triangles do not share vertices
-    barycentric = vec3(corner == 0, corner == 1, corner == 2);
+    vertex.eyePosition = eye.xyz;
+    vertex.eyeNormal = mat3(view) * normal;
+    vertex.uv = texturePoint;
+    vertex.colour = colour;
+    gl_ClipDistance[0] = -dot(clipPlane, eye);
     gl_Position = projection * eye;
 }

@@ -48,6 +48,7 @@ class TestSolidWindow : public QObject {
     void measuresLengthAndAngle();
     void badSurfacesAreShownAndRepaired();
     void pictureHasItsSizeAndNoBackground();
+    void detailedSurfaceIsShownAndTellsItsNotices();
     void presetsTurnTheView();
     void backToAPicture();
 
@@ -477,6 +478,49 @@ void TestSolidWindow::pictureHasItsSizeAndNoBackground() {
     QCOMPARE(image.size(), QSize(1000, 400));
     QCOMPARE(qAlpha(image.pixel(2, 2)), 0);
     QCOMPARE(qAlpha(image.pixel(500, 200)), 255);
+}
+
+/// A red plate rides on the bar; most of it lies outside, which the window says.
+void TestSolidWindow::detailedSurfaceIsShownAndTellsItsNotices() {
+    writeBar(*m_folder);
+    const auto write = [&](const char* name, const QByteArray& text) {
+        QFile file(m_folder->filePath(QString::fromLatin1(name)));
+        return file.open(QIODevice::WriteOnly) && file.write(text) == text.size();
+    };
+    QVERIFY(write("plate.mtl", "newmtl red\nKd 1 0 0\n"));
+    QVERIFY(write("plate.obj",
+                  "mtllib plate.mtl\nusemtl red\nv -1 -0.4 0.6\nv 1 -0.4 0.6\nv 1 0.4 0.6\nv -1 0.4 0.6\n"
+                  "f 1 2 3 4\n"));
+    QVERIFY(write("bar.wend",
+                  R"({"format": "wend", "version": 1, "domain": {"surface": "bar.obj", "vertices": 300,
+                  "detail": "plate.obj"}, "handles": [{"name": "all", "at": {"region": {"box": {"min":
+                  [-3, -1, -1], "max": [3, 1, 1]}}}, "motion": [{"kind": "translate", "by": [0, 5, 0], "time":
+                  [0, 1]}]}], "time": {"end": 1}})"));
+    m_window->openPath(m_folder->filePath(QStringLiteral("bar.wend")));
+    QVERIFY(QTest::qWaitFor([&] { return !session().document().isEmpty(); }, 20000));
+    QVERIFY(settle(session()));
+    QVERIFY(m_window->banner().isVisible() && m_window->banner().text().contains(QStringLiteral("outside")));
+    QAction* detail = m_window->solids().actions().detail;
+    QVERIFY(detail->isEnabled() && detail->isChecked());
+    const auto isRed = [&] {
+        const QColor c = canvas().grabFramebuffer().pixelColor(at({0, 5, 0.6}));
+        return c.red() > 90 && c.green() < 60;
+    };
+    // The view is framed on the solid as it is shown: at the end of its motion.
+    QVERIFY((canvas().camera().pivot() - Vec<3>(0, 5, 0)).norm() < 0.2);
+    m_window->solids().actions().top->trigger();
+    QVERIFY(isRed());
+    QCOMPARE(canvas().drawnTriangles(), 2);
+    detail->trigger();
+    QVERIFY(!isRed());
+    QVERIFY(canvas().drawnTriangles() > 100);
+    detail->trigger();
+    m_window->actions().showMap->setChecked(true);  // the colours of the map lie on it
+    QVERIFY(!isRed());
+    m_window->actions().showMap->setChecked(false);
+    m_window->solids().actions().cut->trigger();  // the section is the solid's
+    canvas().grabFramebuffer();
+    QVERIFY(canvas().drawnTriangles() > 2);
 }
 
 void TestSolidWindow::presetsTurnTheView() {

@@ -1,5 +1,7 @@
 #include <QSignalSpy>
+#include <QTemporaryDir>
 #include <QTest>
+#include <cmath>
 
 #include "app/view/volume/volume_view.h"
 #include "core/meshing/volume_mesher.h"
@@ -19,6 +21,11 @@ class TestVolumeView : public QObject {
     void marqueeSeesThroughOrNot();
     void navigationIgnoresWhatIsUnderThePointer();
     void cutShowsTheInside();
+    void ridingSurfaceHasItsTexture();
+    void ridingSurfaceFollowsAndIsCut();
+    void hugeAndTinySolidsLookTheSame();
+    void picturesOfTilesAreWhole();
+    void manyTrianglesAreDrawn();
 
   private:
     std::unique_ptr<VolumeView> m_view;
@@ -115,6 +122,190 @@ void TestVolumeView::cutShowsTheInside() {
     QVERIFY(whole != cells && cells != exact);
     m_view->setCut(CutKind::None, {});
     QVERIFY(m_view->grabFramebuffer() == whole);
+}
+
+namespace {
+
+/// A square that lies on the top of the bar, half of it red, half of it with a picture.
+std::shared_ptr<Skin> plate(const QString& texture) {
+    auto skin = std::make_shared<Skin>();
+    skin->points.resize(3, 6);
+    skin->points << -1.5, 0, 1.5, -1.5, 0, 1.5, -0.4, -0.4, -0.4, 0.4, 0.4, 0.4, 0.6, 0.6, 0.6, 0.6, 0.6, 0.6;
+    skin->triangles = {{0, 1, 4}, {1, 2, 5}, {0, 4, 3}, {1, 5, 4}};
+    skin->uv.resize(2, 4);
+    skin->uv << 0, 1, 1, 0, 0, 0, 1, 1;
+    skin->uvCorners = {{0, 1, 2}, {0, 1, 2}, {0, 2, 3}, {0, 2, 3}};
+    skin->materialOf = {0, 1, 0, 1};
+    skin->materials = {{"red", {1, 0, 0, 1}, ""}, {"picture", {1, 1, 1, 1}, texture.toStdString()}};
+    return skin;
+}
+
+QColor at(const QImage& image, const VolumeView& view, const Vec<3>& p) {
+    const Vec<3> pixel = view.camera().project(p, view.size());
+    return image.pixelColor(int(pixel.x()), int(pixel.y()));
+}
+
+/// A net of triangles over a wave, without tetrahedra behind it.
+VolumePicture waves(int side) {
+    VolumePicture picture;
+    picture.rest = std::make_shared<SimplicialMesh<3>>();
+    picture.pose.resize(3, static_cast<Eigen::Index>(side + 1) * (side + 1));
+    for (int i = 0; i <= side; ++i)
+        for (int j = 0; j <= side; ++j) {
+            const double x = 2.0 * i / side - 1, y = 2.0 * j / side - 1;
+            picture.pose.col(i * (side + 1) + j) << x, y, 0.2 * std::sin(9 * x) * std::cos(7 * y);
+        }
+    auto facets = std::make_shared<std::vector<Facet<3>>>();
+    for (int i = 0; i < side; ++i)
+        for (int j = 0; j < side; ++j) {
+            const int a = i * (side + 1) + j, b = a + side + 1;
+            for (const auto& t : {std::array{a, b, a + 1}, std::array{a + 1, b, b + 1}})
+                facets->push_back({t, {static_cast<int>(facets->size()), -1}});
+        }
+    picture.facets = facets;
+    return picture;
+}
+
+}  // namespace
+
+void TestVolumeView::ridingSurfaceHasItsTexture() {
+    QTemporaryDir folder;
+    QImage chequers(2, 2, QImage::Format_RGB32);  // green above blue
+    chequers.fill(Qt::green);
+    chequers.setPixelColor(0, 1, Qt::blue);
+    chequers.setPixelColor(1, 1, Qt::blue);
+    const QString file = folder.filePath(QStringLiteral("chequers.png"));
+    QVERIFY(chequers.scaled(64, 64).save(file));
+    VolumePicture picture = m_picture;
+    picture.skin = plate(file);
+    picture.ride = std::make_shared<Embedding<3>>(*picture.rest, picture.skin->points);
+    picture.materials = true;
+    m_view->look(Camera::Axis::Top);
+    m_view->setPicture(picture, true);
+    const QImage image = m_view->grabFramebuffer();
+    const QColor left = at(image, *m_view, {-0.8, 0, 0.6}), high = at(image, *m_view, {0.8, 0.25, 0.6}),
+                 low = at(image, *m_view, {0.8, -0.25, 0.6}), bar = at(image, *m_view, {1.8, 0, 0.5});
+    QVERIFY(left.red() > 100 && left.green() < 60 && left.blue() < 60);
+    QVERIFY(high.green() > 100 && high.red() < 60 && high.blue() < 60);  // texture points count from below
+    QVERIFY(low.blue() > 100 && low.red() < 60 && low.green() < 60);
+    QCOMPARE(bar, image.pixelColor(2, 2));  // the border is not drawn
+    QCOMPARE(m_view->drawnTriangles(), 4);
+    picture.materials = false;  // the colours of a map
+    picture.cellColours.assign(picture.rest->cells.size(), qRgb(230, 230, 0));
+    m_view->setPicture(picture, false);
+    const QColor map = at(m_view->grabFramebuffer(), *m_view, {0.8, 0.25, 0.6});
+    QVERIFY(map.red() > 100 && map.green() > 100 && map.blue() < 60);
+}
+
+void TestVolumeView::ridingSurfaceFollowsAndIsCut() {
+    VolumePicture picture = m_picture;
+    picture.skin = plate({});
+    picture.ride = std::make_shared<Embedding<3>>(*picture.rest, picture.skin->points);
+    picture.materials = true;
+    picture.pose.row(1).array() += 1;
+    m_view->look(Camera::Axis::Top);
+    m_view->setPicture(m_picture, true);
+    m_view->setPicture(picture, false);
+    QImage image = m_view->grabFramebuffer();
+    const QColor nothing = image.pixelColor(2, 2);
+    QCOMPARE(at(image, *m_view, {-0.8, -0.1, 0.6}), nothing);
+    QVERIFY(at(image, *m_view, {-0.8, 1, 0.6}).red() > 100);
+    // What lies above the plane goes, of the plate and of the solid behind it.
+    m_view->setCut(CutKind::Exact, {Vec<3>::Zero(), -Vec<3>::UnitX()});
+    image = m_view->grabFramebuffer();
+    QCOMPARE(at(image, *m_view, {-0.8, 1, 0.6}), nothing);
+    QVERIFY(at(image, *m_view, {0.8, 1, 0.6}) != nothing);
+    // Seen along the normal the section is the solid's, where the plate has no inside.
+    m_view->look(Camera::Axis::Left);
+    m_view->fit();
+    QVERIFY(at(m_view->grabFramebuffer(), *m_view, {0, 1, 0}) != nothing);
+    m_view->setCut(CutKind::None, {});
+    m_view->look(Camera::Axis::Isometric);
+    m_view->setPicture(m_picture, true);
+}
+
+void TestVolumeView::hugeAndTinySolidsLookTheSame() {
+    m_view->setPicture(m_picture, true);
+    const QImage expected = m_view->grabFramebuffer();
+    for (const double size : {1e7, 1e-7}) {
+        VolumePicture picture = m_picture;
+        auto rest = std::make_shared<SimplicialMesh<3>>(*picture.rest);
+        rest->points *= size;
+        picture.pose *= size;
+        picture.rest = rest;
+        m_view->setPicture(picture, true);
+        const QImage image = m_view->grabFramebuffer();
+        int different = 0;
+        for (int y = 0; y < image.height(); ++y)
+            for (int x = 0; x < image.width(); ++x)
+                different += qAbs(qGray(image.pixel(x, y)) - qGray(expected.pixel(x, y))) > 8;
+        QVERIFY2(different < 100, qPrintable(QString::number(different)));  // of 480 000: single edge pixels
+    }
+    m_view->setPicture(m_picture, true);
+}
+
+/// A picture in tiles is the one that is drawn at once, but for the last bit of the clipped projection.
+void TestVolumeView::picturesOfTilesAreWhole() {
+    m_view->setPicture(m_picture, true);
+    const QImage once = m_view->picture({900, 500}, true);
+    m_view->setLargestTile(128);
+    const QImage tiled = m_view->picture({900, 500}, true);
+    QCOMPARE(tiled.size(), once.size());
+    int different = 0;
+    for (int y = 0; y < once.height(); ++y)
+        for (int x = 0; x < once.width(); ++x)
+            different += qAbs(qGray(tiled.pixel(x, y)) - qGray(once.pixel(x, y))) > 40 ||
+                         qAbs(qAlpha(tiled.pixel(x, y)) - qAlpha(once.pixel(x, y))) > 70;
+    QVERIFY2(different < 50, qPrintable(QString::number(different)));
+    m_view->setLargestTile(2048);
+    const QImage wide = m_view->picture({9000, 40}, false);  // more than renderers can draw at once
+    QCOMPARE(wide.size(), QSize(9000, 40));
+    QVERIFY(wide.pixel(4500, 20) != wide.pixel(2, 2));
+}
+
+void TestVolumeView::manyTrianglesAreDrawn() {
+    VolumePicture picture = waves(224);  // 100 352
+    m_view->look(Camera::Axis::Isometric);
+    m_view->setPicture(picture, true);
+    const QImage image = m_view->grabFramebuffer();
+    QCOMPARE(m_view->drawnTriangles(), 100352);
+    QVERIFY(image.pixelColor(400, 300) != image.pixelColor(2, 2));
+    QVERIFY(m_view->pick({400, 300}).cell >= 0);
+    QVERIFY(m_view->visitedByPick() < 400);
+    picture.pose.row(2).array() += 0.3;
+    m_view->setPicture(picture, false);
+    QVERIFY(m_view->grabFramebuffer() != image);
+    const SolidHit hit = m_view->pick({400, 300});
+    QVERIFY(hit.cell >= 0 && hit.point.z() > 0.09);  // the moved surface: its lowest place is 0.1
+    if (!qEnvironmentVariableIsSet("WEND_TEST_FIGURES")) return;
+    // Figures for the manual: milliseconds from a new pose to the painted frame.
+    for (const int side : {224, 707})
+        for (const bool edges : {false, true})
+            for (const bool moving : {false, true}) {
+                SurfaceStyle style;
+                style.edges = edges;
+                m_view->setStyle(style);
+                VolumePicture large = waves(side);
+                m_view->resize(1280, 800);
+                m_view->setPicture(large, true);
+                m_view->grabFramebuffer();
+                double prepare = 0, draw = 0, turn = 0;
+                for (int i = 0; i < 5; ++i) {
+                    large.pose.row(2) *= 1.01;
+                    moving ? m_view->hurry() : QTest::qWait(250);
+                    m_view->setPicture(large, false);
+                    m_view->repaint();
+                    prepare += m_view->lastFrame().prepare / 5;
+                    draw += m_view->lastFrame().draw / 5;
+                    if (moving) m_view->hurry();
+                    m_view->update();
+                    m_view->repaint();
+                    turn += (m_view->lastFrame().prepare + m_view->lastFrame().draw) / 5;
+                }
+                qInfo(
+                    "%zu triangles, edges %d, moving %d: prepare %.1f ms, draw %.1f ms; turned view %.1f ms",
+                    large.facets->size(), edges, moving, prepare, draw, turn);
+            }
 }
 
 QTEST_MAIN(TestVolumeView)

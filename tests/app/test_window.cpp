@@ -14,11 +14,13 @@
 #include <QTimer>
 #include <QToolButton>
 
+#include "app/document/curve_edits.h"
 #include "app/panels/distortion_panel.h"
 #include "app/panels/material_panel.h"
 #include "app/session/opening.h"
 #include "app/view/actions.h"
 #include "app/view/canvas.h"
+#include "app/view/curve_actions.h"
 #include "app/view/file_workflow.h"
 #include "app/view/info_banner.h"
 #include "app/view/main_window.h"
@@ -59,6 +61,7 @@ class TestWindow : public QObject {
     void samplesAreExportedElsewhere();
     void exportedMeshIsThatOfTheWindow();
     void exportsFollowEachOther();
+    void curvesAreEdited();
 
   private:
     void open();
@@ -547,6 +550,41 @@ void TestWindow::exportsFollowEachOther() {
     QVERIFY(m_window->banner().text().contains(QStringLiteral("Another export")));
     QVERIFY(QTest::qWaitFor([&] { return QFile::exists(m_folder->filePath(QStringLiteral("f_0036.png"))); },
                             60000));
+}
+
+/// A dragged pin's way becomes a curve; its points are dragged, inserted and deleted.
+void TestWindow::curvesAreEdited() {
+    open();
+    click(40, 80);
+    click(200, 80);
+    dragPin(200, 80, -10, -40);
+    QTest::mouseRelease(&m_window->canvas(), Qt::LeftButton, {}, at(190, 40));
+    QVERIFY(settle(m_window->session()));
+    m_window->curves().make->trigger();
+    QVERIFY(settle(m_window->session()));
+    const auto curve = [&] { return lastCurve<2>(*m_window->session().document().project(), 1)->points; };
+    QCOMPARE(curve().size(), std::size_t(4));
+    const Vec<2> inner = curve()[1];
+    dragPin(inner.x(), inner.y(), 15, 0);
+    QTest::mouseRelease(&m_window->canvas(), Qt::LeftButton, {}, at(inner.x() + 15, inner.y()));
+    QVERIFY(settle(m_window->session()));
+    QVERIFY((curve()[1] - inner - Vec<2>(15, 0)).norm() < 1);  // a pixel of the screen
+    const Vec<2> middle = bezierCurve<2>(curve()).pieces[0].value(0.5);
+    QTest::mouseDClick(&m_window->canvas(), Qt::LeftButton, {}, at(middle.x(), middle.y()));
+    QVERIFY(settle(m_window->session()));
+    QCOMPARE(curve().size(), std::size_t(7));
+    QVERIFY((curve()[3] - middle).norm() < 1);
+    QCOMPARE(pinCount(), std::size_t(2));
+    QVERIFY(m_window->curves().automatic->isEnabled());
+    QTest::keyClick(&m_window->canvas(), Qt::Key_Delete);
+    QVERIFY(settle(m_window->session()));
+    QCOMPARE(curve().size(), std::size_t(4));
+    QCOMPARE(pinCount(), std::size_t(2));
+    // A pin at the end of its curve is still a pin: another drag goes on from there.
+    dragPin(190, 40, 0, -8);
+    QTest::mouseRelease(&m_window->canvas(), Qt::LeftButton, {}, at(190, 32));
+    QVERIFY(settle(m_window->session()));
+    QCOMPARE(m_window->session().document().design().handles[1].motions.size(), std::size_t(2));
 }
 
 QTEST_MAIN(TestWindow)

@@ -1,14 +1,13 @@
 #pragma once
 
-#include "app/view/volume/volume_view.h"
+#include "app/tools/solid_surface.h"
+#include "core/mesh/cut_plane.h"
+#include "core/mesh/triangle_tree.h"
 
 namespace wend {
 
-/// The nearest triangle that the ray meets, from either side (Möller and Trumbore 1997).
-SolidHit nearestHit(const CutSurface& surface, const Points<3>& pose, const Ray& ray);
-
-/// Drops the vertices that a triangle hides.
-void keepVisible(std::vector<int>& vertices, const CutSurface& surface, const Points<3>& pose,
-                 const Camera& camera, const QSize& viewport);
+/// What a ray has met of the surface; cell −1 if it is nothing.
+SolidHit solidHit(const CutSurface& surface, const Points<3>& pose, const Ray& ray,
+                  const TriangleTree::Hit& hit);
 
 }  // namespace wend

@@ -9,7 +9,6 @@
 #include "app/session/fields.h"
 #include "app/tools/solid_pin_tool.h"
 #include "app/view/volume/glyphs.h"
-#include "app/view/volume/ray_casting.h"
 #include "app/view/volume/solid_painter.h"
 
 namespace wend {
@@ -111,14 +110,14 @@ std::vector<int> SolidCanvas::verticesWhere(const std::function<bool(const QPoin
         if (std::abs(screen.z()) <= 1 && !isCutOff && inside({screen.x(), screen.y()}))
             found.push_back(static_cast<int>(v));
     }
-    if (visibleOnly) keepVisible(found, surface(), pose, camera(), size());
+    if (visibleOnly) keepVisible(found);
     return found;
 }
 
 bool SolidCanvas::isHidden(const Vec<3>& p) const {
     const QPointF at = toWidget(p);
     const Ray sight = ray(at);
-    const SolidHit hit = nearestHit(surface(), shown().pose, sight);
+    const SolidHit hit = hitOf(sight);
     const double depth = (p - sight.origin).dot(sight.direction);
     return hit.cell >= 0 && (hit.point - sight.origin).norm() < depth - 2 * pixelSize(p);
 }
@@ -149,6 +148,13 @@ std::vector<QRgb> SolidCanvas::colours(const PosedFrame<3>& frame) const {
     return colours;
 }
 
+bool SolidCanvas::hasDetail() const {
+    const auto frame = m_session.frame<3>();
+    if (!frame || !frame->built->skin || !frame->built->ride) return false;
+    return !m_session.document().project()->domain.detail.empty() || !frame->built->skin->materials.empty();
+}
+
+/// A new solid is seen whole: first as it comes, then, when its motion is known, as it is shown then.
 void SolidCanvas::refresh() {
     const auto frame = m_session.frame<3>();
     if (!frame) return;
@@ -157,19 +163,47 @@ void SolidCanvas::refresh() {
     picture.facets = frame->facets;
     picture.pose = frame->pose;
     picture.cellColours = colours(*frame);
-    m_fitted = m_fitted || m_generation != m_session.document().generation();
+    // A map's colours are those of the tetrahedra: on their own border they are exact.
+    const bool map = m_map && !m_hidden;
+    const bool isDetailed = !m_session.document().project()->domain.detail.empty();
+    if (m_detail && hasDetail() && (isDetailed || !map)) {
+        picture.skin = frame->built->skin;
+        picture.ride = frame->built->ride;
+        picture.materials = !map;
+    }
+    m_style.dimming = m_dimmed && picture.materials ? 0.5 : 0;
+    setStyle(m_style);
     const bool isNew = m_generation != m_session.document().generation();
     m_generation = m_session.document().generation();
-    if (isNew) look(Camera::Axis::Isometric);
-    setPicture(std::move(picture), isNew);
+    if (isNew) {
+        m_fitted = m_toFit = true;
+        look(Camera::Axis::Isometric);
+    }
+    if (frame->live || m_session.playback().isPlaying()) hurry();
+    setPicture(std::move(picture), m_toFit && m_fitted);
+    m_toFit = m_toFit && m_session.isStale();
     showGlyphs(*frame);
     redraw();
+}
+
+void SolidCanvas::showPreview(const std::shared_ptr<const Skin>& skin) {
+    if (m_session.frame<3>() || skin->points.cols() == 0 || !skin->points.allFinite()) return;
+    VolumePicture picture;
+    picture.rest = std::make_shared<const SimplicialMesh<3>>();
+    picture.pose = skin->points;
+    auto facets = std::make_shared<std::vector<Facet<3>>>();
+    for (const auto& t : skin->triangles) facets->push_back({t, {static_cast<int>(facets->size()), -1}});
+    const QRgb plain = Theme::of(palette()).dark ? kPlainDark : kPlain;
+    picture.cellColours.assign(facets->size(), dimmed(plain));
+    picture.facets = std::move(facets);
+    look(Camera::Axis::Isometric);
+    setPicture(std::move(picture), true);
 }
 
 void SolidCanvas::showGlyphs(const PosedFrame<3>& frame) {
     std::vector<DrawVertex> triangles;
     if (m_arrows && !m_hidden)
-        triangles = velocityArrows(frame, velocityOf<3>(m_session.track(), frame), surface(), kArrowColour);
+        triangles = velocityArrows(frame, m_session.velocity<3>(), surface(), kArrowColour);
     if (m_glyphs && !m_hidden) {
         const auto ellipsoids = stiffnessEllipsoids(frame, surface(), kGlyphColour);
         triangles.insert(triangles.end(), ellipsoids.begin(), ellipsoids.end());
@@ -178,6 +212,14 @@ void SolidCanvas::showGlyphs(const PosedFrame<3>& frame) {
 }
 
 void SolidCanvas::paintOver(QPainter& painter) {
+    if (!m_session.frame<3>()) return;
+    paintMarks(painter);
+    if (m_hidden) return;
+    m_cutTool.paint(painter);
+    if (m_tool) m_tool->paint(painter);
+}
+
+void SolidCanvas::paintMarks(QPainter& painter) {
     const auto frame = m_session.frame<3>();
     if (!frame) return;
     const Theme theme = Theme::of(palette());
@@ -191,8 +233,19 @@ void SolidCanvas::paintOver(QPainter& painter) {
     painterOfSolid.paths();
     const auto* pinTool = dynamic_cast<const SolidPinTool*>(m_tool);
     painterOfSolid.pins(pinTool ? pinTool->hovered() : -1);
-    m_cutTool.paint(painter);
-    if (m_tool) m_tool->paint(painter);
+}
+
+void SolidCanvas::paintLegend(QPainter& painter) const {
+    if (!hasLegend()) return;
+    const QColor colour = Theme::of(palette()).secondText;
+    painter.setPen(colour);
+    constexpr QRect kBar(24, 24, 240, 40);
+    painter.drawText(kBar.bottomLeft(), measureName(m_measure, 3));
+    wend::paintLegend(painter, kBar, m_measure, m_range, colour);
+}
+
+void SolidCanvas::wantVelocity() {
+    m_session.setVelocityWanted(m_arrows || m_values || (m_map && m_measure == Measure::Speed));
 }
 
 void SolidCanvas::setFlat(bool flat) {
@@ -206,10 +259,16 @@ void SolidCanvas::setEdgesShown(bool shown) {
 }
 
 void SolidCanvas::setMapShown(bool shown) {
-    m_map = shown, refresh();
+    m_map = shown, wantVelocity(), refresh();
+}
+void SolidCanvas::setDetailShown(bool shown) {
+    m_detail = shown, refresh();
 }
 void SolidCanvas::setArrowsShown(bool shown) {
-    m_arrows = shown, refresh();
+    m_arrows = shown, wantVelocity(), refresh();
+}
+void SolidCanvas::setValuesShown(bool shown) {
+    m_values = shown, wantVelocity();
 }
 void SolidCanvas::setGlyphsShown(bool shown) {
     m_glyphs = shown, refresh();
@@ -221,6 +280,7 @@ void SolidCanvas::setOverlaysHidden(bool hidden) {
 void SolidCanvas::setMap(Measure measure, const MeasureRange& range) {
     m_measure = measure;
     m_range = range;
+    wantVelocity();
     if (m_map) refresh();
 }
 
@@ -284,6 +344,19 @@ void SolidCanvas::mousePressEvent(QMouseEvent* event) {
     }
 }
 
+/// The second press of a double click, unless the tool has a meaning for the two.
+void SolidCanvas::mouseDoubleClickEvent(QMouseEvent* event) {
+    SolidTool* tool = toolAt(event->position());
+    const bool left = event->button() == Qt::LeftButton;
+    if (!left || !tool || m_active || (dragFor(*event) != Drag::None && !tool->wants(event->position()))) {
+        mousePressEvent(event);
+        return;
+    }
+    m_active = tool;
+    tool->doubleClick(*event);
+    useTool(tool);
+}
+
 void SolidCanvas::mouseMoveEvent(QMouseEvent* event) {
     tellPointed(event->position());
     if (!m_active && isNavigating()) {
@@ -307,6 +380,12 @@ void SolidCanvas::mouseReleaseEvent(QMouseEvent* event) {
     }
     const bool turned = isNavigating();
     const bool click = (event->position() - pressedAt()).manhattanLength() <= kClick;
+    if (click && event->button() == Qt::RightButton && m_tool && !m_active &&
+        m_tool->opensMenu(event->position())) {
+        endNavigation();
+        emit menuWanted(event->globalPosition().toPoint());
+        return;
+    }
     VolumeView::mouseReleaseEvent(event);
     if (!turned || !click || event->button() != Qt::LeftButton || !m_tool) return;
     m_tool->press(*event);  // where the left button turns the view, a click is still the tool's
@@ -317,6 +396,7 @@ void SolidCanvas::mouseReleaseEvent(QMouseEvent* event) {
 void SolidCanvas::tellPointed(const QPointF& at) {
     const bool busy = isNavigating() || m_session.isDragging() || !m_session.frame<3>();
     const SolidHit hit = busy ? SolidHit{} : pick(at);
+    if (!busy) emit pointedAt(hit.cell, hit.vertex, hit.point);
     if (hit.cell < 0) {
         emit pointed({});
         return;
@@ -374,7 +454,9 @@ bool SolidCanvas::event(QEvent* event) {
         const auto* keys = static_cast<QKeyEvent*>(event);
         const int key = keys->key();
         const bool plain = !(keys->modifiers() & (Qt::ControlModifier | Qt::AltModifier));
-        if ((m_active && plain) || (key >= Qt::Key_Left && key <= Qt::Key_Down) || key == Qt::Key_Escape) {
+        const bool owned = m_tool && m_tool->ownsKey(*keys);
+        if (owned || (m_active && plain) || (key >= Qt::Key_Left && key <= Qt::Key_Down) ||
+            key == Qt::Key_Escape) {
             event->accept();
             return true;
         }

@@ -34,32 +34,51 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     bool isHidden(const Vec<3>& p) const override;
     void redraw() override;
 
-    /// The view with all that lies over it, or without.
+    /// True if the solid has a surface of its own to show: a detailed one, or one with materials.
+    bool hasDetail() const;
+    /// The surface of a file while its tetrahedra are being made.
+    void showPreview(const std::shared_ptr<const Skin>& skin);
+    /// What lies over the view.
     void paintOver(QPainter& painter);
+    /// Of that, what is not the tools': pins, paths, the worst place, the axes.
+    void paintMarks(QPainter& painter);
+    bool hasLegend() const { return m_map && !m_hidden; }
+    /// The map's, at the top left.
+    void paintLegend(QPainter& painter) const;
 
   public slots:
     void setFlat(bool flat);
     void setEdgesShown(bool shown);
     void setMapShown(bool shown);
+    /// The detailed or painted surface that rides in the solid, where there is one, or the tetrahedra's
+    /// border.
+    void setDetailShown(bool shown);
     void setMap(Measure measure, const MeasureRange& range);
     void setArrowsShown(bool shown);
     void setGlyphsShown(bool shown);
     void setOverlaysHidden(bool hidden);
+    /// Values under the pointer are shown elsewhere, the velocity among them.
+    void setValuesShown(bool shown);
     void setCutKind(wend::CutKind kind);
     void setCutPlane(const wend::CutPlane& plane);
     void showWorst();
 
   signals:
     void hintChanged(QString hint);
+    /// A menu for what is under the pointer is asked for.
+    void menuWanted(QPoint global);
     /// What is under the pointer, in words; empty when it has left.
     void pointed(QString text);
     void cutChanged();
+    /// The cell under the pointer, its nearest corner and the point; cell −1 if there is none.
+    void pointedAt(int cell, int vertex, const wend::Vec<3>& point);
 
   protected:
     void resizeEvent(QResizeEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void keyReleaseEvent(QKeyEvent* event) override;
     void leaveEvent(QEvent* event) override;
@@ -70,6 +89,7 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     void takeFrame();
     void refresh();
     void showGlyphs(const PosedFrame<3>& frame);
+    void wantVelocity();
     void tellPointed(const QPointF& at);
     std::vector<QRgb> colours(const PosedFrame<3>& frame) const;
     SolidTool* toolAt(const QPointF& at);
@@ -84,7 +104,10 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     SurfaceStyle m_style;
     QTimer m_dim;
     int m_generation = -1;  // of the document that the view was fitted to
-    bool m_map = false, m_arrows = false, m_glyphs = false, m_hidden = false, m_dimmed = false;
+    bool m_map = false, m_arrows = false, m_values = false, m_glyphs = false, m_hidden = false,
+         m_dimmed = false;
+    bool m_detail = true;
+    bool m_toFit = false;   // the view has not been fitted to the whole motion's end yet
     bool m_fitted = false;  // the view follows the window's size until the user changes it
     Measure m_measure = Measure::Length;
     MeasureRange m_range;

@@ -1,26 +1,16 @@
 #include "app/view/volume/surface_renderer.h"
 
-#include <Eigen/Geometry>
+#include <QFile>
 #include <QMatrix4x4>
 #include <QOpenGLContext>
 #include <QOpenGLVersionFunctionsFactory>
-#include <array>
-#include <cmath>
+#include <algorithm>
 #include <cstddef>
-#include <numbers>
-#include <numeric>
 
 namespace wend {
 namespace {
 
-std::array<float, 3> floats(const Vec<3>& v) {
-    return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
-}
-
-std::array<unsigned char, 4> bytes(QRgb c) {
-    return {static_cast<unsigned char>(qRed(c)), static_cast<unsigned char>(qGreen(c)),
-            static_cast<unsigned char>(qBlue(c)), static_cast<unsigned char>(qAlpha(c))};
-}
+constexpr int kColourWidth = 2048;  // of the texture that holds the triangles' colours
 
 QMatrix4x4 toQt(const Eigen::Matrix4d& matrix) {
     QMatrix4x4 result;
@@ -29,90 +19,30 @@ QMatrix4x4 toQt(const Eigen::Matrix4d& matrix) {
     return result;
 }
 
-Vec<3> place(const CutSurface::Corner& c, const Points<3>& pose) {
-    return (1 - c.weight) * pose.col(c.from) + c.weight * pose.col(c.to);
-}
-
-/// Faces that meet at a sharper angle than this keep their edge.
-const double kCrease = std::cos(40 * std::numbers::pi / 180);
-
-Vec<3> areaVector(const std::array<CutSurface::Corner, 3>& corners, const Points<3>& pose) {
-    const Vec<3> a = place(corners[0], pose);
-    return (place(corners[1], pose) - a).cross(place(corners[2], pose) - a) / 2;
-}
-
-int nearerVertex(const CutSurface::Corner& corner) {
-    return corner.weight < 0.5 ? corner.from : corner.to;
-}
-
-/// Normals of the outer surface: per corner the mean of the faces at its vertex that its own face meets
-/// smoothly, by area.
-class CornerNormals {
-  public:
-    CornerNormals(const CutSurface& surface, const Points<3>& pose)
-        : m_start(static_cast<std::size_t>(pose.cols()) + 1, 0) {
-        for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-            m_areas.push_back(areaVector(surface.triangles[t], pose));
-            if (surface.onCut[t]) continue;
-            for (const auto& corner : surface.triangles[t]) ++m_start[nearerVertex(corner) + 1];
-        }
-        std::partial_sum(m_start.begin(), m_start.end(), m_start.begin());
-        std::vector<int> at(m_start.begin(), m_start.end() - 1);
-        m_faces.resize(static_cast<std::size_t>(m_start.back()));
-        for (std::size_t t = 0; t < surface.triangles.size(); ++t)
-            if (!surface.onCut[t])
-                for (const auto& corner : surface.triangles[t])
-                    m_faces[at[nearerVertex(corner)]++] = static_cast<int>(t);
-    }
-
-    Vec<3> face(std::size_t t) const { return m_areas[t].normalized(); }
-
-    Vec<3> corner(std::size_t t, const CutSurface::Corner& corner) const {
-        const Vec<3> own = face(t);
-        Vec<3> sum = Vec<3>::Zero();
-        const int vertex = nearerVertex(corner);
-        for (int k = m_start[vertex]; k < m_start[vertex + 1]; ++k) {
-            const Vec<3>& other = m_areas[m_faces[k]];
-            if (own.dot(other) >= kCrease * other.norm()) sum += other;
-        }
-        return sum.isZero() ? own : sum.normalized();
-    }
-
-  private:
-    std::vector<Vec<3>> m_areas;
-    std::vector<int> m_start, m_faces;
-};
-
-QRgb mixed(QRgb a, QRgb b, double t) {
-    const auto mix = [t](int x, int y) { return static_cast<int>(x + t * (y - x) + 0.5); };
-    return qRgba(mix(qRed(a), qRed(b)), mix(qGreen(a), qGreen(b)), mix(qBlue(a), qBlue(b)),
-                 mix(qAlpha(a), qAlpha(b)));
-}
-
-std::vector<DrawVertex> assemble(const CutSurface& surface, const Points<3>& pose,
-                                 const std::vector<QRgb>& vertexColours,
-                                 const std::vector<QRgb>& cellColours) {
-    const CornerNormals normals(surface, pose);
-    std::vector<DrawVertex> vertices;
-    vertices.reserve(3 * surface.triangles.size());
-    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-        const auto& corners = surface.triangles[t];
-        for (const auto& corner : corners) {
-            const Vec<3> normal = surface.onCut[t] ? normals.face(t) : normals.corner(t, corner);
-            const QRgb colour = !cellColours.empty() ? cellColours[surface.cells[t]]
-                                                     : mixed(vertexColours[corner.from],
-                                                             vertexColours[corner.to], corner.weight);
-            vertices.push_back({floats(place(corner, pose)), floats(normal), bytes(colour)});
-        }
-    }
-    return vertices;
-}
-
 QVector3D toVector(const QColor& c) {
     return {c.redF(), c.greenF(), c.blueF()};
 }
 
+/// The shader, with a definition behind its first line.
+QByteArray sourceOf(const char* name, bool edges) {
+    QFile file(QStringLiteral(":/shaders/") + QString::fromLatin1(name));
+    if (!file.open(QIODevice::ReadOnly)) return {};
+    QByteArray source = file.readAll();
+    if (edges) source.insert(source.indexOf('\n') + 1, "#define EDGES\n");
+    return source;
+}
+
 }  // namespace
+
+bool SurfaceRenderer::link(QOpenGLShaderProgram& program, bool edges) {
+    using Shader = QOpenGLShader;
+    bool ok = program.addShaderFromSourceCode(Shader::Vertex, sourceOf("surface.vert", edges)) &&
+              program.addShaderFromSourceCode(Shader::Fragment, sourceOf("surface.frag", edges));
+    if (edges) ok = ok && program.addShaderFromSourceCode(Shader::Geometry, sourceOf("surface.geom", edges));
+    ok = ok && program.link();
+    if (!ok) m_error = program.log();
+    return ok;
+}
 
 bool SurfaceRenderer::initialize() {
     m_gl = QOpenGLVersionFunctionsFactory::get<QOpenGLFunctions_3_3_Core>(QOpenGLContext::currentContext());
@@ -120,78 +50,212 @@ bool SurfaceRenderer::initialize() {
         m_error = QStringLiteral("OpenGL 3.3 is not available");
         return false;
     }
-    const bool linked =
-        m_program.addShaderFromSourceFile(QOpenGLShader::Vertex, QStringLiteral(":/shaders/surface.vert")) &&
-        m_program.addShaderFromSourceFile(QOpenGLShader::Fragment,
-                                          QStringLiteral(":/shaders/surface.frag")) &&
-        m_program.link();
-    if (!linked) {
-        m_error = m_program.log();
-        return false;
-    }
-    create(m_surface);
-    create(m_glyphs);
+    const QByteArray name(reinterpret_cast<const char*>(m_gl->glGetString(GL_RENDERER)));
+    m_isSoftware = name.contains("llvmpipe") || name.contains("softpipe") || name.contains("Software");
+    if (!link(m_plain, false) || !link(m_edged, true)) return false;
+    for (Triangles& layer : m_layers) create(layer);
+    createGlyphs();
+    m_noTexture = std::make_unique<QOpenGLTexture>(QImage(1, 1, QImage::Format_RGBA8888));
     return true;
 }
 
 void SurfaceRenderer::create(Triangles& triangles) {
     triangles.array.create();
-    triangles.buffer.create();
-    triangles.buffer.setUsagePattern(QOpenGLBuffer::DynamicDraw);
     const QOpenGLVertexArrayObject::Binder binder(&triangles.array);
-    triangles.buffer.bind();
-    for (int location = 0; location < 3; ++location) m_program.enableAttributeArray(location);
+    for (QOpenGLBuffer* buffer : {&triangles.vertices, &triangles.uv, &triangles.indices}) buffer->create();
+    triangles.vertices.setUsagePattern(QOpenGLBuffer::DynamicDraw);
+    triangles.indices.bind();
+    triangles.vertices.bind();
+    m_gl->glEnableVertexAttribArray(0);
+    m_gl->glEnableVertexAttribArray(1);
+    const auto at = [](std::size_t offset) { return reinterpret_cast<void*>(offset); };
+    m_gl->glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Corner), at(offsetof(Corner, position)));
+    m_gl->glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(Corner), at(offsetof(Corner, normal)));
+    triangles.uv.bind();
+    m_gl->glVertexAttribPointer(2, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
+}
+
+void SurfaceRenderer::createGlyphs() {
+    m_glyphs.array.create();
+    const QOpenGLVertexArrayObject::Binder binder(&m_glyphs.array);
+    m_glyphs.vertices.create();
+    m_glyphs.vertices.bind();
+    for (const int location : {0, 1, 3}) m_gl->glEnableVertexAttribArray(location);
+    const auto at = [](std::size_t offset) { return reinterpret_cast<void*>(offset); };
     constexpr int kStride = sizeof(DrawVertex);
-    m_program.setAttributeBuffer(0, GL_FLOAT, offsetof(DrawVertex, position), 3, kStride);
-    m_program.setAttributeBuffer(1, GL_FLOAT, offsetof(DrawVertex, normal), 3, kStride);
-    m_gl->glVertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, kStride,
-                                reinterpret_cast<void*>(offsetof(DrawVertex, colour)));
+    m_gl->glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, kStride, at(offsetof(DrawVertex, position)));
+    m_gl->glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, kStride, at(offsetof(DrawVertex, normal)));
+    m_gl->glVertexAttribPointer(3, 4, GL_UNSIGNED_BYTE, GL_TRUE, kStride, at(offsetof(DrawVertex, colour)));
 }
 
 void SurfaceRenderer::release() {
-    for (Triangles* triangles : {&m_surface, &m_glyphs}) {
-        triangles->buffer.destroy();
+    for (Triangles* triangles : {&m_layers[Outer], &m_layers[Section], &m_glyphs}) {
+        triangles->vertices.destroy();
+        triangles->uv.destroy();
+        triangles->indices.destroy();
+        triangles->colours.reset();
         triangles->array.destroy();
     }
-    m_program.removeAllShaders();
+    m_textures.clear();
+    m_noTexture.reset();
+    m_plain.removeAllShaders();
+    m_edged.removeAllShaders();
 }
 
-void SurfaceRenderer::fill(Triangles& triangles, const std::vector<DrawVertex>& vertices) {
-    triangles.vertices = static_cast<int>(vertices.size());
-    triangles.buffer.bind();
-    triangles.buffer.allocate(vertices.data(), triangles.vertices * static_cast<int>(sizeof(DrawVertex)));
-}
-
-void SurfaceRenderer::upload(const CutSurface& surface, const Points<3>& pose,
-                             const std::vector<QRgb>& vertexColours, const std::vector<QRgb>& cellColours) {
-    fill(m_surface, assemble(surface, pose, vertexColours, cellColours));
-}
-
-void SurfaceRenderer::uploadGlyphs(const std::vector<DrawVertex>& triangles) {
-    fill(m_glyphs, triangles);
-}
-
-void SurfaceRenderer::draw(Triangles& triangles) {
+void SurfaceRenderer::setMesh(Layer layer, const DrawMesh& mesh) {
+    Triangles& triangles = m_layers[layer];
     const QOpenGLVertexArrayObject::Binder binder(&triangles.array);
-    m_gl->glDrawArrays(GL_TRIANGLES, 0, triangles.vertices);
+    triangles.count = static_cast<int>(mesh.corners.size());
+    triangles.parts = mesh.parts;
+    triangles.indices.bind();
+    triangles.indices.allocate(mesh.corners.data(),
+                               triangles.count * static_cast<int>(sizeof(mesh.corners[0])));
+    if (mesh.uv.empty()) {
+        m_gl->glDisableVertexAttribArray(2);
+        return;
+    }
+    m_gl->glEnableVertexAttribArray(2);
+    triangles.uv.bind();
+    triangles.uv.allocate(mesh.uv.data(), static_cast<int>(mesh.uv.size() * sizeof(mesh.uv[0])));
 }
 
-void SurfaceRenderer::draw(const Eigen::Matrix4d& view, const Eigen::Matrix4d& projection, bool orthographic,
-                           const SurfaceStyle& style) {
-    m_program.bind();
-    m_program.setUniformValue("view", toQt(view));
-    m_program.setUniformValue("projection", toQt(projection));
-    m_program.setUniformValue("flatShading", style.flat);
-    m_program.setUniformValue("orthographic", orthographic);
-    m_program.setUniformValue("edgeStrength", style.edges ? 0.45F : 0.0F);
-    m_program.setUniformValue("edgeColour", toVector(style.edgeColour));
-    m_program.setUniformValue("backColour", toVector(style.backColour));
+void SurfaceRenderer::clear(Layer layer) {
+    m_layers[layer].count = 0;
+    m_layers[layer].parts.clear();
+}
+
+void SurfaceRenderer::setPose(Layer layer, const DrawMesh& mesh, const Points<3>& points, bool withNormals) {
+    if (layer == Outer && points.cols() > 0) {
+        const Vec<3> low = points.rowwise().minCoeff(), high = points.rowwise().maxCoeff();
+        m_centre = (low + high) / 2;
+        m_scale = (high - low).norm();
+        if (!m_centre.allFinite()) m_centre.setZero();
+        if (!(m_scale > 0 && std::isfinite(m_scale))) m_scale = 1;
+    }
+    Eigen::Matrix3Xf places(3, points.cols());
+    for (Eigen::Index i = 0; i < points.cols(); ++i) places.col(i) = normalized(points.col(i));
+    std::vector<Eigen::Vector3f> normals;
+    if (withNormals) normals = drawnNormals(mesh, places);
+    std::vector<Corner> corners(mesh.vertices.size());
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const auto [point, normal] = mesh.vertices[i];
+        const Eigen::Vector3f p = places.col(point);
+        corners[i].position = {p.x(), p.y(), p.z()};
+        if (withNormals) corners[i].normal = {normals[normal].x(), normals[normal].y(), normals[normal].z()};
+    }
+    m_layers[layer].vertices.bind();
+    m_layers[layer].vertices.allocate(corners.data(), static_cast<int>(corners.size() * sizeof(Corner)));
+}
+
+void SurfaceRenderer::setColours(Layer layer, const std::vector<QRgb>& colours) {
+    const int height = static_cast<int>((colours.size() + kColourWidth - 1) / kColourWidth);
+    auto& texture = m_layers[layer].colours;
+    if (!texture || texture->height() != std::max(1, height)) {
+        texture = std::make_unique<QOpenGLTexture>(QOpenGLTexture::Target2D);
+        texture->setFormat(QOpenGLTexture::RGBA8_UNorm);
+        texture->setSize(kColourWidth, std::max(1, height));
+        texture->setMinMagFilters(QOpenGLTexture::Nearest, QOpenGLTexture::Nearest);
+        texture->allocateStorage();
+    }
+    std::vector<QRgb> rows(colours);
+    rows.resize(static_cast<std::size_t>(texture->height()) * kColourWidth, 0);
+    texture->setData(QOpenGLTexture::BGRA, QOpenGLTexture::UInt32_RGBA8_Rev, rows.data());
+}
+
+void SurfaceRenderer::setTextures(const std::vector<QImage>& pictures) {
+    m_textures.clear();
+    for (const QImage& picture : pictures) {
+        auto& texture = m_textures.emplace_back();
+        if (picture.isNull()) continue;
+        texture = std::make_unique<QOpenGLTexture>(picture.mirrored());  // texture points count from below
+        texture->setWrapMode(QOpenGLTexture::Repeat);
+        texture->setMinMagFilters(QOpenGLTexture::LinearMipMapLinear, QOpenGLTexture::Linear);
+    }
+}
+
+void SurfaceRenderer::setGlyphs(const std::vector<DrawVertex>& triangles) {
+    m_glyphVertices = triangles;
+    m_glyphs.count = static_cast<int>(triangles.size() / 3);
+    for (DrawVertex& vertex : m_glyphVertices) {
+        const auto& [x, y, z] = vertex.position;
+        const Eigen::Vector3f p = normalized(Vec<3>(x, y, z));
+        vertex.position = {p.x(), p.y(), p.z()};
+    }
+    m_glyphs.vertices.bind();
+    m_glyphs.vertices.allocate(m_glyphVertices.data(),
+                               static_cast<int>(m_glyphVertices.size() * sizeof(DrawVertex)));
+}
+
+/// Everything in units of m_scale from m_centre on, so that neither huge nor tiny solids leave the floats'
+/// range: view' = view (x m_scale + m_centre) / m_scale, which the projection takes back.
+void SurfaceRenderer::setUniforms(QOpenGLShaderProgram& program, const Sight& sight,
+                                  const SurfaceStyle& style, const std::optional<CutPlane>& clip) {
+    Eigen::Matrix4d view = sight.view, projection = sight.projection;
+    const Mat<3> turn = view.topLeftCorner<3, 3>();
+    const Vec<3> shift = view.topRightCorner<3, 1>();
+    view.topRightCorner<3, 1>() = (turn * m_centre + shift) / m_scale;
+    projection.leftCols<3>() *= m_scale;
+    program.bind();
+    program.setUniformValue("view", toQt(view));
+    program.setUniformValue("projection", toQt(projection));
+    program.setUniformValue("flatShading", style.flat);
+    program.setUniformValue("orthographic", sight.orthographic);
+    program.setUniformValue("backColour", toVector(style.backColour));
+    program.setUniformValue("edgeColour", toVector(style.edgeColour));
+    program.setUniformValue("dimming", static_cast<float>(style.dimming));
+    program.setUniformValue("colours", 0);
+    program.setUniformValue("picture", 1);
+    if (!clip) return;
+    const Vec<3> normal = turn * clip->normal, point = (turn * clip->point + shift) / m_scale;
+    program.setUniformValue(
+        "clipPlane", QVector4D(QVector3D(static_cast<float>(normal.x()), static_cast<float>(normal.y()),
+                                         static_cast<float>(normal.z())),
+                               static_cast<float>(-normal.dot(point))));
+}
+
+void SurfaceRenderer::drawLayer(QOpenGLShaderProgram& program, Triangles& triangles, bool materials) {
+    if (triangles.count == 0 || !triangles.colours) return;
+    const QOpenGLVertexArrayObject::Binder binder(&triangles.array);
+    triangles.colours->bind(0);
+    program.setUniformValue("coloursOfTriangles", true);
+    for (const DrawMesh::Part& part : triangles.parts) {
+        const bool textured = materials && part.material >= 0 &&
+                              part.material < static_cast<int>(m_textures.size()) &&
+                              m_textures[part.material];
+        (textured ? *m_textures[part.material] : *m_noTexture).bind(1);
+        program.setUniformValue("textured", textured);
+        program.setUniformValue("firstTriangle", part.first);
+        m_gl->glDrawElements(GL_TRIANGLES, 3 * part.count, GL_UNSIGNED_INT,
+                             reinterpret_cast<void*>(3 * sizeof(int) * static_cast<std::size_t>(part.first)));
+    }
+}
+
+void SurfaceRenderer::drawGlyphs() {
+    if (m_glyphs.count == 0) return;
+    const QOpenGLVertexArrayObject::Binder binder(&m_glyphs.array);
+    m_noTexture->bind(0);
+    m_noTexture->bind(1);
+    m_plain.setUniformValue("coloursOfTriangles", false);
+    m_plain.setUniformValue("flatShading", false);
+    m_plain.setUniformValue("dimming", 0.0F);
+    m_gl->glDrawArrays(GL_TRIANGLES, 0, 3 * m_glyphs.count);
+}
+
+void SurfaceRenderer::draw(const Sight& sight, const SurfaceStyle& style, bool materials,
+                           const std::optional<CutPlane>& clip) {
     m_gl->glEnable(GL_DEPTH_TEST);
-    draw(m_surface);
-    m_program.setUniformValue("edgeStrength", 0.0F);
-    m_program.setUniformValue("flatShading", false);
-    draw(m_glyphs);
-    m_program.release();
+    QOpenGLShaderProgram& program = style.edges ? m_edged : m_plain;
+    setUniforms(program, sight, style, clip);
+    if (clip) m_gl->glEnable(GL_CLIP_DISTANCE0);
+    drawLayer(program, m_layers[Outer], materials);
+    m_gl->glDisable(GL_CLIP_DISTANCE0);
+    drawLayer(program, m_layers[Section], false);
+    if (m_glyphs.count > 0) {
+        setUniforms(m_plain, sight, style, {});
+        drawGlyphs();
+    }
+    m_gl->glUseProgram(0);
+    m_gl->glActiveTexture(GL_TEXTURE0);
     m_gl->glDisable(GL_DEPTH_TEST);
 }
 

@@ -2,18 +2,22 @@
 
 #include <Eigen/Core>
 #include <QColor>
+#include <QImage>
 #include <QOpenGLBuffer>
 #include <QOpenGLFunctions_3_3_Core>
 #include <QOpenGLShaderProgram>
+#include <QOpenGLTexture>
 #include <QOpenGLVertexArrayObject>
 #include <array>
+#include <memory>
+#include <optional>
 #include <vector>
 
-#include "core/mesh/cut_plane.h"
+#include "app/view/volume/draw_mesh.h"
 
 namespace wend {
 
-/// A corner of a triangle on the GPU.
+/// A corner of a triangle that is drawn beside the surface.
 struct DrawVertex {
     std::array<float, 3> position, normal;
     std::array<unsigned char, 4> colour;
@@ -23,39 +27,78 @@ struct DrawVertex {
 struct SurfaceStyle {
     bool flat = false;
     bool edges = true;
+    double dimming = 0;  // 0 … 1: towards grey
     QColor edgeColour = QColor(20, 24, 32);
     QColor backColour = QColor(150, 92, 86);
 };
 
-/// The triangles of a CutSurface on the GPU (OpenGL 3.3). All calls with the context current.
+/// From where a scene is seen.
+struct Sight {
+    Eigen::Matrix4d view, projection;
+    bool orthographic = false;
+};
+
+/// Triangle meshes on the GPU (OpenGL 3.3). What a pose changes is uploaded alone: positions and normals of
+/// shared vertices. All calls with the context current.
 class SurfaceRenderer {
   public:
+    /// The outer surface, and the section where it is cut open.
+    enum Layer { Outer, Section, kLayers };
+
     /// False, with the reason in error(), if the context cannot run the shaders.
     bool initialize();
     void release();
     const QString& error() const { return m_error; }
+    /// True if the processor draws.
+    bool isSoftware() const { return m_isSoftware; }
 
-    /// The triangles at a pose; colours are one per vertex of the mesh, or one per cell.
-    void upload(const CutSurface& surface, const Points<3>& pose, const std::vector<QRgb>& vertexColours,
-                const std::vector<QRgb>& cellColours);
+    /// Triangles, creases and texture points: once for each surface. Then its pose is needed.
+    void setMesh(Layer layer, const DrawMesh& mesh);
+    void clear(Layer layer);
+    /// Positions of the mesh's points; also normals, unless all faces are flat.
+    void setPose(Layer layer, const DrawMesh& mesh, const Points<3>& points, bool withNormals);
+    /// One per triangle.
+    void setColours(Layer layer, const std::vector<QRgb>& colours);
+    /// Pictures of the skin's materials, null ones where there are none.
+    void setTextures(const std::vector<QImage>& pictures);
     /// Things beside the surface: arrows, ellipsoids.
-    void uploadGlyphs(const std::vector<DrawVertex>& triangles);
-    void draw(const Eigen::Matrix4d& view, const Eigen::Matrix4d& projection, bool orthographic,
-              const SurfaceStyle& style);
+    void setGlyphs(const std::vector<DrawVertex>& triangles);
+    /// Without `materials` no texture is drawn. The plane takes away the part of the outer surface that lies
+    /// above it.
+    void draw(const Sight& sight, const SurfaceStyle& style, bool materials,
+              const std::optional<CutPlane>& clip);
 
   private:
-    QOpenGLFunctions_3_3_Core* m_gl = nullptr;
-    QOpenGLShaderProgram m_program;
     struct Triangles {
         QOpenGLVertexArrayObject array;
-        QOpenGLBuffer buffer{QOpenGLBuffer::VertexBuffer};
-        int vertices = 0;
+        QOpenGLBuffer vertices{QOpenGLBuffer::VertexBuffer}, uv{QOpenGLBuffer::VertexBuffer},
+            indices{QOpenGLBuffer::IndexBuffer};
+        std::unique_ptr<QOpenGLTexture> colours;
+        std::vector<DrawMesh::Part> parts;
+        int count = 0;
     };
+    struct Corner {
+        std::array<float, 3> position, normal;
+    };
+    bool link(QOpenGLShaderProgram& program, bool edges);
     void create(Triangles& triangles);
-    void fill(Triangles& triangles, const std::vector<DrawVertex>& vertices);
-    void draw(Triangles& triangles);
+    void createGlyphs();
+    void setUniforms(QOpenGLShaderProgram& program, const Sight& sight, const SurfaceStyle& style,
+                     const std::optional<CutPlane>& clip);
+    void drawLayer(QOpenGLShaderProgram& program, Triangles& triangles, bool materials);
+    void drawGlyphs();
+    Eigen::Vector3f normalized(const Vec<3>& p) const { return ((p - m_centre) / m_scale).cast<float>(); }
 
-    Triangles m_surface, m_glyphs;
+    QOpenGLFunctions_3_3_Core* m_gl = nullptr;
+    QOpenGLShaderProgram m_plain, m_edged;
+    std::array<Triangles, kLayers> m_layers;
+    Triangles m_glyphs;
+    std::vector<std::unique_ptr<QOpenGLTexture>> m_textures;
+    std::unique_ptr<QOpenGLTexture> m_noTexture;
+    std::vector<DrawVertex> m_glyphVertices;
+    Vec<3> m_centre = Vec<3>::Zero();  // of what is drawn: the GPU's floats count from there, in m_scale
+    double m_scale = 1;
+    bool m_isSoftware = false;
     QString m_error;
 };
 

@@ -1,14 +1,15 @@
 #include "app/view/volume/volume_view.h"
 
+#include <QElapsedTimer>
 #include <QMouseEvent>
 #include <QOpenGLContext>
-#include <QOpenGLFramebufferObject>
 #include <QOpenGLFunctions>
 #include <QPainter>
 #include <QWheelEvent>
 #include <cmath>
 
 #include "app/view/volume/ray_casting.h"
+#include "app/view/volume/texture_file.h"
 
 namespace wend {
 namespace {
@@ -16,6 +17,7 @@ namespace {
 constexpr double kRadiansPerPixel = 0.008;
 constexpr double kClickPixels = 4;
 constexpr int kSamples = 4;
+constexpr int kRestAfter = 160;  // milliseconds without motion
 const QRgb kPlainColour = qRgb(196, 178, 150);
 
 }  // namespace
@@ -25,8 +27,10 @@ VolumeView::VolumeView(QWidget* parent) : QOpenGLWidget(parent) {
     format.setVersion(3, 3);
     format.setProfile(QSurfaceFormat::CoreProfile);
     format.setDepthBufferSize(24);
-    format.setSamples(kSamples);
     setFormat(format);
+    m_rest.setSingleShot(true);
+    m_rest.setInterval(kRestAfter);
+    connect(&m_rest, &QTimer::timeout, this, qOverload<>(&QWidget::update));
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
     setAccessibleName(tr("View of the solid"));
@@ -36,6 +40,7 @@ VolumeView::VolumeView(QWidget* parent) : QOpenGLWidget(parent) {
 VolumeView::~VolumeView() {
     makeCurrent();
     m_renderer.release();
+    m_fine.reset();
     doneCurrent();
 }
 
@@ -50,10 +55,13 @@ bool VolumeView::available() {
 
 void VolumeView::setPicture(VolumePicture picture, bool fitView) {
     const bool sameSurface = m_cut == CutKind::None && picture.facets == m_picture.facets;
+    if (picture.cellColours.empty() && picture.rest)
+        picture.cellColours.assign(picture.facets->size(), kPlainColour);  // more than there are cells
+    if (picture.skin != m_picture.skin) m_meshStale = m_texturesStale = true;
+    m_coloursStale = m_coloursStale || picture.cellColours != m_picture.cellColours ||
+                     picture.materials != m_picture.materials;
+    if (picture.pose != m_picture.pose) m_poseStale = m_treePoseStale = true;
     m_picture = std::move(picture);
-    if (m_picture.vertexColours.empty() && m_picture.cellColours.empty())
-        m_picture.vertexColours.assign(static_cast<std::size_t>(m_picture.pose.cols()), kPlainColour);
-    m_stale = true;
     if (!sameSurface) remakeSurface();
     update();
     if (fitView) fit();
@@ -102,12 +110,41 @@ void VolumeView::remakeSurface() {
             m_surface = exactCut(*m_picture.rest, *m_picture.facets, m_picture.pose, m_plane);
             break;
     }
-    m_stale = true;
+    m_meshStale = m_treeStale = true;
     update();
 }
 
+/// Made when the first ray comes, and refitted when the first one comes after a change of the pose.
+const TriangleTree& VolumeView::tree() const {
+    if (m_treeStale) {
+        m_treePoints.emplace(m_surface);
+        m_tree = TriangleTree(m_treePoints->at(m_picture.pose), std::move(m_treePoints->triangles));
+    } else if (m_treePoseStale) {
+        m_tree.refit(m_treePoints->at(m_picture.pose));
+    }
+    m_treeStale = m_treePoseStale = false;
+    return m_tree;
+}
+
+SolidHit VolumeView::hitOf(const Ray& ray) const {
+    const TriangleTree::Hit hit = tree().firstHit(ray.origin, ray.direction);
+    m_visited = hit.visited;
+    return solidHit(m_surface, m_picture.pose, ray, hit);
+}
+
 SolidHit VolumeView::pick(const QPointF& pixel) const {
-    return nearestHit(m_surface, m_picture.pose, m_camera.ray(pixelOf(pixel), size()));
+    return hitOf(m_camera.ray(pixelOf(pixel), size()));
+}
+
+void VolumeView::keepVisible(std::vector<int>& vertices) const {
+    const TriangleTree& boxes = tree();
+    std::erase_if(vertices, [&](int v) {
+        const Vec<3> p = m_picture.pose.col(v);
+        const Ray sight = m_camera.ray(m_camera.project(p, size()).head<2>(), size());
+        // A vertex of the surface is met by the ray itself, up to rounding.
+        return boxes.firstHit(sight.origin, sight.direction).distance <
+               (p - sight.origin).dot(sight.direction) * (1 - 1e-4);
+    });
 }
 
 std::vector<int> VolumeView::verticesIn(const QRectF& rectangle, bool visibleOnly) const {
@@ -117,7 +154,7 @@ std::vector<int> VolumeView::verticesIn(const QRectF& rectangle, bool visibleOnl
         if (std::abs(screen.z()) <= 1 && rectangle.contains(screen.x(), screen.y()))
             found.push_back(static_cast<int>(v));
     }
-    if (visibleOnly) keepVisible(found, m_surface, m_picture.pose, m_camera, size());
+    if (visibleOnly) keepVisible(found);
     return found;
 }
 
@@ -125,12 +162,58 @@ void VolumeView::initializeGL() {
     m_ready = m_renderer.initialize();
 }
 
-void VolumeView::resizeGL(int, int) {}
+void VolumeView::resizeGL(int, int) {
+    m_fine.reset();
+}
 
-void VolumeView::uploadIfStale() {
-    if (!m_stale) return;
-    m_renderer.upload(m_surface, m_picture.pose, m_picture.vertexColours, m_picture.cellColours);
-    m_stale = false;
+void VolumeView::hurry() {
+    m_rest.start();
+}
+
+/// What has changed since the last frame goes to the GPU.
+void VolumeView::upload() {
+    if (m_meshStale) uploadMeshes();
+    if (m_style.flat == m_hasNormals) m_poseStale = true;
+    if (m_poseStale) uploadPose();
+    if (m_coloursStale) uploadColours();
+    if (m_texturesStale) m_renderer.setTextures(texturesOf(m_picture.skin.get()));
+    if (m_glyphsStale) m_renderer.setGlyphs(m_glyphs);
+    m_meshStale = m_poseStale = m_coloursStale = m_texturesStale = m_glyphsStale = false;
+}
+
+/// Where a detailed surface is cut, the section is the solid's.
+void VolumeView::uploadMeshes() {
+    const Points<3>& rest = m_picture.rest->points.cols() > 0 ? m_picture.rest->points : m_picture.pose;
+    m_outer = isRiding() ? drawMesh(*m_picture.skin, *m_picture.ride) : drawMesh(m_surface, rest);
+    m_section = isRiding() && m_cut == CutKind::Exact ? drawMesh(sectionOf(m_surface), rest) : DrawMesh();
+    m_renderer.setMesh(SurfaceRenderer::Outer, m_outer);
+    m_renderer.setMesh(SurfaceRenderer::Section, m_section);
+    m_drawnTriangles = static_cast<int>(m_outer.triangles.size() + m_section.triangles.size());
+    m_poseStale = m_coloursStale = true;
+}
+
+void VolumeView::uploadPose() {
+    m_hasNormals = !m_style.flat;
+    m_renderer.setPose(SurfaceRenderer::Outer, m_outer,
+                       isRiding() ? m_picture.ride->carry(*m_picture.rest, m_picture.pose)
+                                  : drawnPoints(m_outer, m_picture.pose),
+                       m_hasNormals);
+    m_renderer.setPose(SurfaceRenderer::Section, m_section, drawnPoints(m_section, m_picture.pose),
+                       m_hasNormals);
+    m_glyphsStale = true;
+}
+
+std::vector<QRgb> VolumeView::coloursOf(const DrawMesh& mesh, bool riding) const {
+    if (riding && m_picture.materials && !mesh.colours.empty()) return mesh.colours;
+    std::vector<QRgb> colours;
+    colours.reserve(mesh.cells.size());
+    for (const int c : mesh.cells) colours.push_back(m_picture.cellColours[c]);
+    return colours;
+}
+
+void VolumeView::uploadColours() {
+    m_renderer.setColours(SurfaceRenderer::Outer, coloursOf(m_outer, isRiding()));
+    m_renderer.setColours(SurfaceRenderer::Section, coloursOf(m_section, false));
 }
 
 void VolumeView::setGlyphs(std::vector<DrawVertex> triangles) {
@@ -140,43 +223,94 @@ void VolumeView::setGlyphs(std::vector<DrawVertex> triangles) {
     update();
 }
 
-void VolumeView::drawScene(const QSize& size, const QColor& background) {
+void VolumeView::drawScene(const Sight& sight, const QColor& background) {
     auto* gl = context()->functions();
     gl->glClearColor(background.redF(), background.greenF(), background.blueF(), background.alphaF());
     gl->glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     if (!m_picture.rest) return;
-    uploadIfStale();
-    if (m_glyphsStale) m_renderer.uploadGlyphs(m_glyphs);
-    m_glyphsStale = false;
-    m_renderer.draw(m_camera.view(), m_camera.projection(size), m_camera.orthographic(), m_style);
+    QElapsedTimer clock;
+    clock.start();
+    upload();
+    m_times.prepare = static_cast<double>(clock.nsecsElapsed()) * 1e-6;
+    const bool clips = isRiding() && m_cut == CutKind::Exact;
+    m_renderer.draw(sight, m_style, isRiding() && m_picture.materials,
+                    clips ? std::optional(m_plane) : std::nullopt);
 }
 
+QColor VolumeView::background() const {
+    return m_background.isValid() ? m_background : palette().color(QPalette::Base).darker(104);
+}
+
+/// Smoothed edges cost a processor that draws far more than the rest: they come when nothing moves.
 void VolumeView::paintGL() {
-    if (m_ready) {
-        drawScene(size(),
-                  m_background.isValid() ? m_background : palette().color(QPalette::Base).darker(104));
+    if (!m_ready) {
+        QPainter(this).drawText(rect(), Qt::AlignCenter,
+                                tr("The solid cannot be drawn: %1").arg(m_renderer.error()));
         return;
     }
-    QPainter(this).drawText(rect(), Qt::AlignCenter,
-                            tr("The solid cannot be drawn: %1").arg(m_renderer.error()));
+    const Sight sight{m_camera.view(), m_camera.projection(size()), m_camera.orthographic()};
+    QElapsedTimer clock;
+    clock.start();
+    if (m_renderer.isSoftware() && m_rest.isActive()) {
+        drawScene(sight, background());
+    } else {
+        if (!m_fine) {
+            QOpenGLFramebufferObjectFormat format;
+            format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
+            format.setSamples(kSamples);
+            m_fine = std::make_unique<QOpenGLFramebufferObject>(size() * devicePixelRatioF(), format);
+        }
+        m_fine->bind();
+        drawScene(sight, background());
+        QOpenGLFramebufferObject::bindDefault();
+        QOpenGLFramebufferObject::blitFramebuffer(nullptr, m_fine.get());
+    }
+    if (m_renderer.isSoftware()) context()->functions()->glFinish();
+    m_times.draw = static_cast<double>(clock.nsecsElapsed()) * 1e-6 - m_times.prepare;
+}
+
+/// A part of the picture: the projection blown up so that the part fills the tile.
+QImage VolumeView::tile(const QRect& part, const QSize& whole, const QColor& background) {
+    QOpenGLFramebufferObjectFormat format;
+    format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
+    format.setSamples(kSamples);
+    QOpenGLFramebufferObject buffer(part.size(), format);
+    if (!buffer.isValid() || !buffer.bind()) return {};
+    context()->functions()->glViewport(0, 0, part.width(), part.height());
+    Eigen::Matrix4d toTile = Eigen::Matrix4d::Identity();
+    const Eigen::Vector2d scale(static_cast<double>(whole.width()) / part.width(),
+                                static_cast<double>(whole.height()) / part.height());
+    const QPointF middle = QRectF(part).center();
+    toTile.diagonal().head<2>() = scale;
+    toTile(0, 3) = scale.x() * (1 - 2 * middle.x() / whole.width());
+    toTile(1, 3) = -scale.y() * (1 - 2 * middle.y() / whole.height());
+    drawScene({m_camera.view(), toTile * m_camera.projection(whole), m_camera.orthographic()}, background);
+    const QImage image = buffer.toImage();
+    buffer.release();
+    return image;
 }
 
 QImage VolumeView::picture(const QSize& size, bool transparent) {
     makeCurrent();
-    QOpenGLFramebufferObjectFormat format;
-    format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
-    format.setSamples(kSamples);
-    QOpenGLFramebufferObject buffer(size, format);
-    QImage image;
-    if (m_ready && buffer.isValid() && buffer.bind()) {
-        context()->functions()->glViewport(0, 0, size.width(), size.height());
-        drawScene(size, transparent ? QColor(0, 0, 0, 0) : m_background);
-        image = buffer.toImage();
-        buffer.release();
-    }
+    GLint most = m_largestTile;
+    if (m_ready) context()->functions()->glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &most);
+    const int step = std::min<int>(m_largestTile, most);
+    QImage image(size, QImage::Format_ARGB32_Premultiplied);
+    for (int y = 0; m_ready && y < size.height() && !image.isNull(); y += step)
+        for (int x = 0; x < size.width() && !image.isNull(); x += step) {
+            const QRect part = QRect(x, y, step, step) & QRect({0, 0}, size);
+            const QImage piece = tile(part, size, transparent ? QColor(0, 0, 0, 0) : background());
+            if (piece.isNull()) {
+                image = {};
+                break;
+            }
+            QPainter painter(&image);
+            painter.setCompositionMode(QPainter::CompositionMode_Source);
+            painter.drawImage(part.topLeft(), piece);
+        }
     doneCurrent();
     update();
-    return image;
+    return m_ready ? image : QImage();
 }
 
 VolumeView::Drag VolumeView::dragFor(const QMouseEvent& event) const {
@@ -212,6 +346,7 @@ void VolumeView::mouseMoveEvent(QMouseEvent* event) {
     else if (event->buttons() == Qt::NoButton)
         emit hovered(pick(event->position()));
     if (m_drag == Drag::None) return;
+    hurry();
     update();
     emit cameraChanged();
 }
@@ -228,6 +363,7 @@ void VolumeView::mouseReleaseEvent(QMouseEvent* event) {
 
 void VolumeView::wheelEvent(QWheelEvent* event) {
     m_camera.zoom(std::exp(event->angleDelta().y() / 120.0 * 0.16), pixelOf(event->position()), size());
+    hurry();
     update();
     emit cameraChanged();
 }

@@ -1,12 +1,16 @@
 #pragma once
 
+#include <QOpenGLFramebufferObject>
 #include <QOpenGLWidget>
 #include <QPoint>
+#include <QTimer>
 #include <memory>
+#include <optional>
 
 #include "app/view/volume/camera.h"
 #include "app/view/volume/surface_renderer.h"
 #include "core/mesh/cut_plane.h"
+#include "core/mesh/triangle_tree.h"
 
 namespace wend {
 
@@ -15,8 +19,11 @@ struct VolumePicture {
     std::shared_ptr<const SimplicialMesh<3>> rest;
     std::shared_ptr<const std::vector<Facet<3>>> facets;
     Points<3> pose;
-    std::vector<QRgb> vertexColours;  // one per vertex, or
-    std::vector<QRgb> cellColours;    // one per cell; both empty: one plain colour
+    std::vector<QRgb> cellColours;  // one per cell; empty: one plain colour
+    // A surface that rides in the solid and is drawn in place of its border; null if there is none.
+    std::shared_ptr<const Skin> skin;
+    std::shared_ptr<const Embedding<3>> ride;
+    bool materials = false;  // the skin has the colours and pictures of its materials, not those of the cells
 };
 
 enum class CutKind { None, WholeCells, Exact };
@@ -49,8 +56,23 @@ class VolumeView : public QOpenGLWidget {
     void setGlyphs(std::vector<DrawVertex> triangles);
     /// What is drawn: the surface, cut as it is.
     const CutSurface& surface() const { return m_surface; }
-    /// The view as a picture of any size; the background may be left transparent.
+    /// The view as a picture of any size, drawn in tiles where it is larger than the renderer can; the
+    /// background may be left transparent. Null if the memory does not suffice.
     QImage picture(const QSize& size, bool transparent);
+    /// Tiles of a picture are at most so large, also where the renderer could do more.
+    void setLargestTile(int pixels) { m_largestTile = pixels; }
+    /// Something moves and will be drawn again soon: where the processor draws, edges are not smoothed until
+    /// it is over.
+    void hurry();
+    /// Boxes and triangles that the last pick() looked at.
+    int visitedByPick() const { return m_visited; }
+    /// Triangles that are drawn.
+    int drawnTriangles() const { return m_drawnTriangles; }
+    /// What a frame cost, in milliseconds: the preparation of a new pose, and the drawing.
+    struct FrameTimes {
+        double prepare = 0, draw = 0;
+    };
+    const FrameTimes& lastFrame() const { return m_times; }
     void fit();
     void look(Camera::Axis axis);
     void setOrthographic(bool on);
@@ -78,14 +100,28 @@ class VolumeView : public QOpenGLWidget {
     enum class Drag { None, Orbit, Pan, Zoom };
     Drag dragFor(const QMouseEvent& event) const;
     bool isNavigating() const { return m_drag != Drag::None; }
+    void endNavigation() { m_drag = Drag::None; }
     const QPointF& pressedAt() const { return m_pressed; }
     const VolumePicture& shown() const { return m_picture; }
     void setBackground(const QColor& colour) { m_background = colour; }
 
+    /// The nearest triangle of the solid that the ray meets.
+    SolidHit hitOf(const Ray& ray) const;
+    /// Drops the vertices that the solid hides.
+    void keepVisible(std::vector<int>& vertices) const;
+
   private:
     void remakeSurface();
-    void uploadIfStale();
-    void drawScene(const QSize& size, const QColor& background);
+    bool isRiding() const { return m_picture.skin && m_cut != CutKind::WholeCells; }
+    void upload();
+    void uploadMeshes();
+    void uploadPose();
+    void uploadColours();
+    std::vector<QRgb> coloursOf(const DrawMesh& mesh, bool riding) const;
+    void drawScene(const Sight& sight, const QColor& background);
+    QImage tile(const QRect& part, const QSize& whole, const QColor& background);
+    QColor background() const;
+    const TriangleTree& tree() const;
     Eigen::Vector2d pixelOf(const QPointF& p) const { return {p.x(), p.y()}; }
 
     Camera m_camera;
@@ -93,6 +129,11 @@ class VolumeView : public QOpenGLWidget {
     SurfaceStyle m_style;
     VolumePicture m_picture;
     CutSurface m_surface;
+    DrawMesh m_outer, m_section;
+    mutable std::optional<CutPoints> m_treePoints;  // of m_surface
+    mutable TriangleTree m_tree;
+    mutable bool m_treeStale = true, m_treePoseStale = true;
+    mutable int m_visited = 0;
     CutPlane m_plane;
     CutKind m_cut = CutKind::None;
     NavigationPreset m_preset = NavigationPreset::Wend;
@@ -100,7 +141,12 @@ class VolumeView : public QOpenGLWidget {
     QPointF m_last, m_pressed;
     QColor m_background;
     std::vector<DrawVertex> m_glyphs;
-    bool m_stale = true, m_glyphsStale = false, m_ready = false;
+    std::unique_ptr<QOpenGLFramebufferObject> m_fine;
+    QTimer m_rest;  // runs while something moves
+    FrameTimes m_times;
+    int m_largestTile = 2048, m_drawnTriangles = 0;
+    bool m_meshStale = true, m_poseStale = true, m_coloursStale = true, m_texturesStale = true;
+    bool m_glyphsStale = false, m_ready = false, m_hasNormals = false;
 };
 
 }  // namespace wend

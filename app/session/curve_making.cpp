@@ -1,0 +1,44 @@
+#include "app/session/curve_making.h"
+
+#include "app/document/curve_edits.h"
+
+namespace wend {
+
+namespace {
+
+int single(const ShapeSession& session) {
+    const auto& handles = session.selection().handles();
+    if (handles.size() != 1 || !session.frame()) return -1;
+    const auto count = std::visit([](const auto& design) { return design.handles.size(); },
+                                  session.document().project()->design);
+    return handles.front() < static_cast<int>(count) ? handles.front() : -1;
+}
+
+template <int Dim>
+void makeCurveOf(ShapeSession& session, int handle) {
+    Document& document = session.document();
+    const auto starts = session.pathStarts<Dim>(handle);
+    if (starts.empty()) return;
+    const auto path = pinPaths<Dim>(document.design<Dim>().handles[handle], {meanOf<Dim>(starts)});
+    const auto next = withCurve<Dim>(*document.project(), handle, path.front().points.back());
+    if (next) document.change(ShapeSession::tr("Make a curve"), *next);
+}
+
+}  // namespace
+
+bool canMakeCurve(const ShapeSession& session) {
+    const int handle = single(session);
+    if (handle < 0) return false;
+    const Project& project = *session.document().project();
+    return project.dimension() == 2 ? canBecomeCurve<2>(project, handle) : canBecomeCurve<3>(project, handle);
+}
+
+void makeCurve(ShapeSession& session) {
+    if (!canMakeCurve(session)) return;
+    if (session.document().dimension() == 2)
+        makeCurveOf<2>(session, single(session));
+    else
+        makeCurveOf<3>(session, single(session));
+}
+
+}  // namespace wend

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "app/session/shape_session.h"
+
+namespace wend {
+
+/// True if the last way of the one selected handle can become a Bézier curve.
+bool canMakeCurve(const ShapeSession& session);
+/// Makes it one; one undo step.
+void makeCurve(ShapeSession& session);
+
+}  // namespace wend

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <QColor>
+#include <vector>
+
+#include "core/mesh/cut_plane.h"
+#include "core/mesh/embedding.h"
+#include "core/mesh/skin.h"
+
+namespace wend {
+
+/// What is drawn of a surface, made once and moved by poses: points, the vertices on them (a point has
+/// several where a crease or a seam of the texture runs through it), and triangles.
+struct DrawMesh {
+    struct Vertex {
+        int point, normal;  // of `points` of the pose; which of the normals
+    };
+    struct Part {
+        int first, count;  // triangles
+        int material;      // of the skin; −1: none
+    };
+    std::vector<std::array<int, 3>> triangles;  // points
+    std::vector<std::array<int, 3>> corners;    // vertices
+    std::vector<Vertex> vertices;
+    std::vector<Eigen::Vector2f> uv;  // of the vertices; empty if there is no texture
+    std::vector<int> cells;           // per triangle: the cell behind
+    std::vector<QRgb> colours;        // per triangle: of its material; empty without materials
+    std::vector<Part> parts;          // the triangles one after another
+    int points = 0, normals = 0;
+    std::vector<CutSurface::Corner> places;  // the points on the solid; empty if they ride in it
+};
+
+/// The points of a cut surface: its vertices and the crossings of its edges, each once.
+struct CutPoints {
+    std::vector<CutSurface::Corner> points;
+    std::vector<std::array<int, 3>> triangles;
+
+    explicit CutPoints(const CutSurface& surface);
+    Points<3> at(const Points<3>& pose) const;
+};
+
+/// What of it lies on the cut.
+CutSurface sectionOf(const CutSurface& surface);
+
+/// The surface of a solid, cut or not. Creases are those of the rest shape; what lies on the cut is flat.
+DrawMesh drawMesh(const CutSurface& surface, const Points<3>& rest);
+/// A surface that rides in a solid, with its texture points and materials.
+DrawMesh drawMesh(const Skin& skin, const Embedding<3>& ride);
+
+/// Where the points of a solid's surface are in a pose.
+Points<3> drawnPoints(const DrawMesh& mesh, const Points<3>& pose);
+/// The normal of every vertex: the mean, by area, of the triangles that share it smoothly.
+std::vector<Eigen::Vector3f> drawnNormals(const DrawMesh& mesh, const Eigen::Matrix3Xf& points);
+
+}  // namespace wend

@@ -1,0 +1,31 @@
+#include "app/view/volume/texture_file.h"
+
+#include <QImageReader>
+#include <algorithm>
+
+namespace wend {
+
+namespace {
+
+constexpr int kLargest = 4096;  // pixels
+
+QImage textureOf(const SkinMaterial& material) {
+    if (material.texture.empty()) return {};
+    QImageReader reader(QString::fromStdString(material.texture));
+    reader.setAutoTransform(true);
+    const QSize size = reader.size();
+    if (size.isValid() && std::max(size.width(), size.height()) > kLargest)
+        reader.setScaledSize(size.scaled(kLargest, kLargest, Qt::KeepAspectRatio));
+    return reader.read().convertToFormat(QImage::Format_RGBA8888);
+}
+
+}  // namespace
+
+std::vector<QImage> texturesOf(const Skin* skin) {
+    std::vector<QImage> pictures;
+    if (skin)
+        for (const SkinMaterial& material : skin->materials) pictures.push_back(textureOf(material));
+    return pictures;
+}
+
+}  // namespace wend

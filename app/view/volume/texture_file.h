@@ -1,0 +1,14 @@
+#pragma once
+
+#include <QImage>
+#include <vector>
+
+#include "core/mesh/skin.h"
+
+namespace wend {
+
+/// The pictures of the skin's materials, null where there is none or it cannot be read; no larger than what
+/// every graphics card takes. No skin has none.
+std::vector<QImage> texturesOf(const Skin* skin);
+
+}  // namespace wend

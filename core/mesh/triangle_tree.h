@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <limits>
+#include <vector>
+
+#include "core/mesh/types.h"
+
+namespace wend {
+
+/// Boxes within boxes over triangles: what a ray meets first, without looking at all of them. Where the
+/// points move, the boxes follow (refit), which is far cheaper than another tree.
+class TriangleTree {
+  public:
+    struct Hit {
+        int triangle = -1;
+        double distance = std::numeric_limits<double>::infinity();
+        int visited = 0;  // boxes and triangles that were looked at
+    };
+
+    TriangleTree() = default;
+    TriangleTree(const Points<3>& points, std::vector<std::array<int, 3>> triangles);
+
+    /// The same triangles with their points elsewhere.
+    void refit(const Points<3>& points);
+    /// The nearest triangle that the ray meets, from either side. `direction` has length 1.
+    Hit firstHit(const Vec<3>& origin, const Vec<3>& direction) const;
+    int triangleCount() const { return static_cast<int>(m_triangles.size()); }
+
+  private:
+    struct Node {
+        Vec<3> low, high;
+        int first = 0, count = 0;  // of m_order; inner nodes have count 0
+        int right = -1;            // the left child is the next node
+    };
+    int build(int first, int last, const std::vector<Vec<3>>& centres);
+    void fit(Node& node, int index);
+
+    Points<3> m_points;
+    std::vector<std::array<int, 3>> m_triangles;
+    std::vector<int> m_order;  // triangles, those of a leaf side by side
+    std::vector<Node> m_nodes;
+};
+
+}  // namespace wend

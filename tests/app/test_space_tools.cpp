@@ -1,0 +1,192 @@
+#include "app/document/curve_edits.h"
+#include "app/session/curve_making.h"
+#include "app/view/curve_actions.h"
+#include "tests/support/solid_fixture.h"
+
+using namespace wend;
+using namespace wend::test;
+
+/// The tools of the 3D window, by real mouse and keys.
+class TestSpaceTools : public QObject {
+    Q_OBJECT
+  private slots:
+    void init();
+    void cleanup() { m_f.reset(); }
+    void doubleClickInsertsACurvePoint();
+    void curvePointsAreDeletedByKey();
+    void curveKindsByMenuAndShortcut();
+    void rightClickOpensTheCurvesMenu();
+    void outlinesSelectByAnyPoint_data();
+    void outlinesSelectByAnyPoint();
+    void hiddenPinsAreSelectedThrough();
+
+  private:
+    bool makeCurve();
+    std::vector<Vec<3>> curve() { return lastCurve(m_f->project(), 1)->points; }
+    QPoint onCurve(double v);
+    std::unique_ptr<SolidFixture> m_f;
+};
+
+void TestSpaceTools::init() {
+    if (!VolumeView::available()) QSKIP("needs OpenGL (run under xvfb-run)");
+    m_f = std::make_unique<SolidFixture>();
+    QVERIFY(QTest::qWaitForWindowActive(&m_f->window()));
+    QVERIFY(m_f->open());
+}
+
+/// The right end goes up and to the side along a curve.
+bool TestSpaceTools::makeCurve() {
+    if (!m_f->holdEnds()) return false;
+    m_f->session().moveSelected<3>(Grip{}, {-0.4, 0, 1});
+    if (!settle(m_f->session())) return false;
+    m_f->window().curves().make->trigger();
+    return settle(m_f->session()) && curve().size() == 4;
+}
+
+QPoint TestSpaceTools::onCurve(double v) {
+    return m_f->at(bezierCurve<3>(curve()).pieces[0].value(v));
+}
+
+void TestSpaceTools::doubleClickInsertsACurvePoint() {
+    QVERIFY(makeCurve());
+    const auto before = bezierCurve<3>(curve()).pieces[0];
+    const Points<3> shape = m_f->session().frame<3>()->pose;
+    const std::size_t handles = m_f->handles().size();
+    const QPoint where = onCurve(0.5);
+    m_f->window().actions().pinTool->trigger();
+    m_f->click(where);  // on the curve: no pin
+    QCOMPARE(m_f->handles().size(), handles);
+    QTest::mouseDClick(&m_f->canvas(), Qt::LeftButton, {}, where);
+    QVERIFY(settle(m_f->session()));
+    QCOMPARE(curve().size(), std::size_t(7));
+    // The new joint lies on the old curve, which is straight here: half way within a pixel.
+    QVERIFY((curve()[3] - before.value(0.5)).norm() < 2 * m_f->canvas().pixelSize(curve()[3]));
+    QCOMPARE(m_f->handles().size(), handles);
+    QVERIFY((m_f->session().frame<3>()->pose - shape).norm() < 0.01 * shape.norm());
+    m_f->picture(QStringLiteral("curve-point"));
+    m_f->window().actions().undo->trigger();
+    QCOMPARE(curve().size(), std::size_t(4));
+}
+
+void TestSpaceTools::curvePointsAreDeletedByKey() {
+    QVERIFY(makeCurve());
+    QTest::keyClick(&m_f->canvas(), Qt::Key_I);  // behind the first point: in the middle
+    QVERIFY(settle(m_f->session()));
+    QCOMPARE(curve().size(), std::size_t(7));
+    m_f->click(m_f->at(curve()[3]));
+    QTest::keyClick(&m_f->canvas(), Qt::Key_Delete);
+    QVERIFY(settle(m_f->session()));
+    QCOMPARE(curve().size(), std::size_t(4));
+    QCOMPARE(m_f->handles().size(), std::size_t(2));
+    QVERIFY(m_f->session().selection().contains(1));
+    QTest::keyClick(&m_f->canvas(), Qt::Key_Delete);  // no point is chosen any more: the handle
+    QVERIFY(settle(m_f->session()));
+    QVERIFY(m_f->session().selection().isEmpty());
+}
+
+void TestSpaceTools::curveKindsByMenuAndShortcut() {
+    QVERIFY(makeCurve());
+    CurveActions& actions = m_f->window().curves();
+    actions.insert->trigger();
+    QVERIFY(settle(m_f->session()));
+    QVERIFY(actions.automatic->isChecked() || actions.aligned->isChecked());
+    // The direction behind the joint, dragged across the curve: the other one turns.
+    m_f->drag(m_f->at(curve()[4]), m_f->at(curve()[4]) + QPoint(40, 0));
+    QVERIFY(settle(m_f->session()));
+    const auto opposite = [&] {
+        const auto p = curve();
+        return ((p[3] - p[2]).normalized() - (p[4] - p[3]).normalized()).norm();
+    };
+    QVERIFY(opposite() < 1e-9);
+    QVERIFY(actions.aligned->isChecked());
+    const auto aligned = curve();
+    actions.free->trigger();
+    m_f->drag(m_f->at(curve()[4]), m_f->at(curve()[4]) + QPoint(0, 40));
+    QVERIFY(settle(m_f->session()));
+    QVERIFY(curve()[2] == aligned[2] && curve()[4] != aligned[4]);
+    QVERIFY(opposite() > 0.1);
+    QTest::keyClick(&m_f->canvas(), Qt::Key_2, Qt::AltModifier);
+    QVERIFY(settle(m_f->session()));
+    QVERIFY(opposite() < 1e-9);
+    // Ctrl leads one direction alone.
+    const auto before = curve();
+    m_f->press(m_f->at(curve()[2]), Qt::ControlModifier);
+    for (int i = 1; i <= 5; ++i) {
+        QMouseEvent move(QEvent::MouseMove, m_f->at(before[2]) + QPoint(-10 * i, 0),
+                         m_f->canvas().mapToGlobal(m_f->at(before[2]) + QPoint(-10 * i, 0)), Qt::NoButton,
+                         Qt::LeftButton, Qt::ControlModifier);
+        QCoreApplication::sendEvent(&m_f->canvas(), &move);
+    }
+    QTest::mouseRelease(&m_f->canvas(), Qt::LeftButton, Qt::ControlModifier,
+                        m_f->at(before[2]) + QPoint(-50, 0));
+    QVERIFY(settle(m_f->session()));
+    QVERIFY(curve()[4] == before[4] && curve()[2] != before[2]);
+    actions.automatic->trigger();
+    QVERIFY(settle(m_f->session()));
+    QVERIFY(jointKinds<3>(curve())[1] == JointKind::Automatic);
+}
+
+void TestSpaceTools::rightClickOpensTheCurvesMenu() {
+    QVERIFY(makeCurve());
+    QMenu* menu = m_f->window().curves().menu();
+    QTest::mouseClick(&m_f->canvas(), Qt::RightButton, {}, onCurve(0.5));
+    QVERIFY(QTest::qWaitFor([&] { return menu->isVisible(); }, 2000));
+    QVERIFY(m_f->window().curves().insert->isEnabled());
+    QVERIFY(!m_f->window().curves().remove->isEnabled());
+    menu->close();
+    m_f->window().curves().insert->trigger();
+    QVERIFY(settle(m_f->session()));
+    QCOMPARE(curve().size(), std::size_t(7));
+    QTest::mouseClick(&m_f->canvas(), Qt::RightButton, {}, QPoint(5, 5));
+    QVERIFY(!menu->isVisible());
+}
+
+void TestSpaceTools::outlinesSelectByAnyPoint_data() {
+    QTest::addColumn<QString>("outline");
+    for (const char* outline : {"rectangle", "lasso", "brush"}) QTest::newRow(outline) << outline;
+}
+
+/// The ends' marks are in their middle; their front edges are caught all the same.
+void TestSpaceTools::outlinesSelectByAnyPoint() {
+    QFETCH(QString, outline);
+    QVERIFY(m_f->holdEnds());
+    SolidActions& a = m_f->actions();
+    (outline == "lasso" ? a.selectLasso : outline == "brush" ? a.selectBrush : a.selectRectangle)->trigger();
+    m_f->session().selection().clear();
+    const auto around = [&](double x, Qt::KeyboardModifiers modifiers = {}) {
+        const QPoint c = m_f->at({x, -0.5, 0.5});
+        QList<QPoint> way = {QPoint(20, -24), QPoint(20, 12), QPoint(-20, 12), QPoint(-20, -24)};
+        if (outline == "rectangle") way = {QPoint(20, -24), QPoint(-20, 12)};
+        m_f->press(c + way[0], modifiers);
+        for (int i = 1; i < way.size(); ++i) m_f->moveTo(c + way[i - 1], c + way[i]);
+        QTest::mouseRelease(&m_f->canvas(), Qt::LeftButton, modifiers, c + way.last());
+    };
+    around(-2);
+    QCOMPARE(m_f->session().selection().handles(), std::vector<int>({0}));
+    around(2, Qt::ShiftModifier);
+    QCOMPARE(m_f->session().selection().handles(), std::vector<int>({0, 1}));
+    around(-2, Qt::ControlModifier);
+    QCOMPARE(m_f->session().selection().handles(), std::vector<int>({1}));
+}
+
+void TestSpaceTools::hiddenPinsAreSelectedThrough() {
+    const auto frame = m_f->session().frame<3>();
+    int back = -1;  // in the middle of the far side
+    for (int v = 0; v < frame->vertices; ++v) {
+        const Vec<3> p = frame->pose.col(v);
+        if (std::abs(p.y() - 0.5) < 1e-9 && (back < 0 || p.norm() < frame->pose.col(back).norm())) back = v;
+    }
+    m_f->session().addSolidHandle({back}, "Pin");
+    QVERIFY(settle(m_f->session()));
+    m_f->session().selection().clear();
+    m_f->window().actions().selectTool->trigger();
+    const QPoint c = m_f->at(frame->pose.col(back));
+    m_f->drag(c - QPoint(30, 30), c + QPoint(30, 30));
+    QVERIFY(m_f->session().selection().isEmpty());
+    m_f->actions().through->setChecked(true);
+    m_f->drag(c - QPoint(30, 30), c + QPoint(30, 30));
+    QCOMPARE(m_f->session().selection().handles(), std::vector<int>({0}));
+}
+
+QTEST_MAIN(TestSpaceTools)
+#include "test_space_tools.moc"

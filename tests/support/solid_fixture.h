@@ -1,0 +1,107 @@
+#pragma once
+
+#include <QFile>
+#include <QTextStream>
+
+#include "app/view/actions.h"
+#include "app/view/main_window.h"
+#include "app/view/solid_workshop.h"
+#include "app/view/volume/solid_canvas.h"
+#include "tests/support/surfaces.h"
+#include "tests/support/window_fixture.h"
+
+namespace wend::test {
+
+/// The window with a bar along x from −2 to 2, one thick, seen from the front: x runs to the right and z up.
+class SolidFixture {
+  public:
+    SolidFixture() {
+        isolateSettings(m_folder);
+        m_window.resize(1200, 800);
+        m_window.show();
+        m_window.activateWindow();
+    }
+    ~SolidFixture() { session().document().undoStack()->setClean(); }
+
+    bool open(int vertices = 300) {
+        m_window.openPath(writeBar());
+        if (!QTest::qWaitFor([&] { return !session().document().isEmpty(); }, 20000)) return false;
+        Project coarse = *session().document().project();
+        coarse.domain.vertices = vertices;
+        session().document().change(QStringLiteral("Coarse"), coarse);
+        const bool settled = settle(session());
+        m_window.activateWindow();
+        const bool active = QTest::qWaitForWindowActive(&m_window);
+        actions().front->trigger();
+        canvas().setFocus();
+        return settled && active;
+    }
+    /// Both ends as handles 0 and 1, the second selected.
+    bool holdEnds() {
+        const auto frame = session().frame<3>();
+        for (const double x : {-2.0, 2.0}) {
+            std::vector<int> end;
+            for (int v = 0; v < frame->vertices; ++v)
+                if (std::abs(frame->rest->points(0, v) - x) < 1e-9) end.push_back(v);
+            session().addSolidHandle(end, "End");
+        }
+        session().selection().set({1});
+        m_window.actions().selectTool->trigger();
+        return settle(session());
+    }
+
+    MainWindow& window() { return m_window; }
+    SolidCanvas& canvas() { return *m_window.solids().canvas(); }
+    SolidActions& actions() { return m_window.solids().actions(); }
+    ShapeSession& session() { return m_window.session(); }
+    const Project& project() { return *session().document().project(); }
+    const std::vector<Handle<3>>& handles() { return session().document().design<3>().handles; }
+    Vec<3> pin(int handle) {
+        for (const auto& view : session().pins<3>())
+            if (view.handle == handle) return view.centre;
+        return Vec<3>::Zero();
+    }
+    QPoint at(const Vec<3>& p) { return canvas().toWidget(p).toPoint(); }
+
+    void press(const QPoint& from, Qt::KeyboardModifiers modifiers = {}) {
+        QTest::mouseMove(&canvas(), from);
+        QTest::mousePress(&canvas(), Qt::LeftButton, modifiers, from);
+    }
+    void moveTo(const QPoint& from, const QPoint& to) {
+        for (int i = 1; i <= 8; ++i) QTest::mouseMove(&canvas(), from + (to - from) * i / 8);
+    }
+    void drag(const QPoint& from, const QPoint& to, Qt::KeyboardModifiers modifiers = {}) {
+        press(from, modifiers);
+        moveTo(from, to);
+        QTest::mouseRelease(&canvas(), Qt::LeftButton, modifiers, to);
+    }
+    void click(const QPoint& where, Qt::KeyboardModifiers modifiers = {}) {
+        QTest::mouseMove(&canvas(), where);
+        QTest::mouseClick(&canvas(), Qt::LeftButton, modifiers, where);
+    }
+    /// For looking at: saved where the variable says.
+    void picture(const QString& name) {
+        if (!qEnvironmentVariableIsSet("WEND_TEST_PICTURES")) return;
+        QTest::qWait(300);
+        m_window.grab().save(qEnvironmentVariable("WEND_TEST_PICTURES") + '/' + name + ".png");
+    }
+
+  private:
+    QString writeBar() {
+        const Surface bar = box({-2, -0.5, -0.5}, {2, 0.5, 0.5}, 6);
+        const QString path = m_folder.filePath(QStringLiteral("bar.obj"));
+        QFile file(path);
+        if (!file.open(QIODevice::WriteOnly)) return {};
+        QTextStream out(&file);
+        for (Eigen::Index i = 0; i < bar.points.cols(); ++i)
+            out << "v " << bar.points(0, i) << ' ' << bar.points(1, i) << ' ' << bar.points(2, i) << '\n';
+        for (const auto& t : bar.triangles)
+            out << "f " << t[0] + 1 << ' ' << t[1] + 1 << ' ' << t[2] + 1 << '\n';
+        return path;
+    }
+
+    QTemporaryDir m_folder;
+    MainWindow m_window;
+};
+
+}  // namespace wend::test
