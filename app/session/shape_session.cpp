@@ -34,6 +34,7 @@ ShapeSession::ShapeSession(QObject* parent) : QObject(parent) {
         if (m_preview && m_preview->time != time) m_preview.reset();
         showTime();
     });
+    connect(&m_playback, &Playback::playingChanged, this, &ShapeSession::askVelocity);
     connect(&m_selection, &Selection::changed, this, &ShapeSession::pinsChanged);
     connect(&m_compute, &ComputeThread::shapeReady, this, &ShapeSession::takeShape);
     connect(&m_compute, &ComputeThread::frameReady, this, &ShapeSession::takeFrame);
@@ -163,7 +164,8 @@ void ShapeSession::setVelocityWanted(bool wanted) {
 }
 
 void ShapeSession::askVelocity() {
-    if (!m_velocityWanted || !m_frame || m_frame->live || m_stale || m_drag || !m_trackIsCurrent) return;
+    const bool stands = m_frame && !m_frame->live && !m_stale && !m_drag && !m_playback.isPlaying();
+    if (!m_velocityWanted || !stands || !m_trackIsCurrent) return;
     if (m_velocityOf == m_frame || m_askedFor == m_frame || !isIn(m_track, m_frame)) return;
     m_askedFor = m_frame;
     m_compute.post(AskVelocity{m_frame, m_revision});

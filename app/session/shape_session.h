@@ -54,7 +54,8 @@ class ShapeSession : public QObject {
     template <int Dim>
     Points<Dim> velocity() const;
     bool hasVelocity() const { return m_velocity && m_velocityOf == m_frame; }
-    /// From now on v̂ is solved for at every time that is shown; `frameChanged` tells when it is there.
+    /// From now on v̂ is solved for at the time that is shown, unless it plays; `frameChanged` tells when it
+    /// is there.
     void setVelocityWanted(bool wanted);
     /// The length in domain units that a tolerance of the stroke is measured in: one pixel of a picture, or a
     /// 2000th of the shape's diagonal.

@@ -11,6 +11,7 @@ namespace wend {
 namespace {
 
 const QColor kLine(0x4a5bd4);
+constexpr std::size_t kMostLooked = 4000;
 
 QString said(const char* text) {
     return QCoreApplication::translate("AreaTool", text);
@@ -61,6 +62,7 @@ void AreaTool::press(const QMouseEvent& event) {
     m_at = event.position();
     m_line = {m_at};
     m_brushed.clear();
+    m_caught.clear();
     m_active = true;
     if (m_shape == Shape::Brush) brush();
     if (!isSolidShape()) return;
@@ -77,7 +79,15 @@ void AreaTool::move(const QMouseEvent& event) {
     m_at = event.position();
     if (m_active) m_line << m_at;
     if (m_active && m_shape == Shape::Brush) brush();
+    if (m_active && (m_shape == Shape::Rectangle || m_shape == Shape::Lasso)) countCaught();
     surface().redraw();
+}
+
+/// What would be held now; nothing where looking whether so many are hidden would keep the pointer waiting.
+void AreaTool::countCaught() {
+    m_caught = surface().verticesWhere(insideTest(), false);
+    if (m_caught.size() > kMostLooked) m_caught.clear();
+    if (!m_through && !m_caught.empty()) m_caught = surface().verticesWhere(insideTest(), true);
 }
 
 void AreaTool::brush() {
@@ -122,6 +132,7 @@ void AreaTool::release(const QMouseEvent& event) {
     if (std::exchange(m_active, false) && session().frame<3>()) finish(event.modifiers());
     m_line.clear();
     m_brushed.clear();
+    m_caught.clear();
     surface().redraw();
 }
 
@@ -195,6 +206,7 @@ void AreaTool::cancel() {
     m_active = false;
     m_line.clear();
     m_brushed.clear();
+    m_caught.clear();
 }
 
 void AreaTool::paint(QPainter& painter) const {
@@ -214,6 +226,7 @@ void AreaTool::paint(QPainter& painter) const {
     if (m_shape == Shape::Lasso) painter.drawPolygon(m_line);
     if (m_shape == Shape::Rectangle) painter.drawRect(QRectF(m_line.first(), m_at).normalized());
     if (isSolidShape() && !isClick()) paintRegion(painter);
+    if (!m_caught.empty() && session().frame<3>()) paintCaught(painter, m_caught);
 }
 
 /// The region where the solid now is, with the number of vertices in it.
@@ -228,7 +241,12 @@ void AreaTool::paintRegion(QPainter& painter) const {
         for (const Vec<3>& p : line) screen << surface().toWidget(m_centre + m_turn * (p - m_restCentre));
         painter.drawPolyline(screen);
     }
-    const auto held = verticesIn(drawn, *frame->rest);
+    paintCaught(painter, verticesIn(drawn, *frame->rest));
+}
+
+/// The vertices, and how many they are.
+void AreaTool::paintCaught(QPainter& painter, const std::vector<int>& held) const {
+    const auto frame = session().frame<3>();
     painter.setBrush(kLine);
     painter.setPen(QPen(Qt::white, 0.75));
     for (const int v : held) painter.drawEllipse(surface().toWidget(frame->pose.col(v)), 2.6, 2.6);

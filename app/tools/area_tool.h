@@ -37,6 +37,8 @@ class AreaTool : public SolidTool {
     Vec<3> across(const QPointF& widget) const;
     void finishRegion(bool changes);
     void paintRegion(QPainter& painter) const;
+    void paintCaught(QPainter& painter, const std::vector<int>& vertices) const;
+    void countCaught();
     void changeSelected(std::vector<int> vertices, bool add);
 
     Shape m_shape;
@@ -46,8 +48,8 @@ class AreaTool : public SolidTool {
     // where a region begins, in the pose and in the rest shape, and how the solid is turned there
     Vec<3> m_centre = Vec<3>::Zero(), m_restCentre = Vec<3>::Zero();
     Mat<3> m_turn = Mat<3>::Identity();
-    double m_radius = 18;  // of the brush, in pixels
-    std::vector<int> m_brushed;
+    double m_radius = 18;                  // of the brush, in pixels
+    std::vector<int> m_brushed, m_caught;  // m_caught: so far, by rectangle or lasso
 };
 
 }  // namespace wend
