@@ -16,20 +16,36 @@
         <translation>Über die Punkte pinseln, die gehalten werden, [ und ] ändern die Größe; Umschalt nimmt dazu, Strg nimmt weg</translation>
     </message>
     <message>
-        <source>Drag from a point of the surface to hold a ball</source>
-        <translation>Von einem Punkt der Oberfläche ziehen hält eine Kugel</translation>
-    </message>
-    <message>
-        <source>Drag from a point of the surface to hold a box</source>
-        <translation>Von einem Punkt der Oberfläche ziehen hält einen Quader</translation>
-    </message>
-    <message>
         <source>Region</source>
         <translation>Gebiet</translation>
     </message>
     <message>
         <source>Area</source>
         <translation>Bereich</translation>
+    </message>
+    <message>
+        <source>Drag from a point of the surface to hold a ball; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
+        <translation>Von einem Punkt der Oberfläche ziehen hält eine Kugel; Umschalt nimmt ihren Inhalt zum gewählten Griff dazu, Strg nimmt ihn weg</translation>
+    </message>
+    <message>
+        <source>Drag from a point of the surface towards what to hold: all beyond the point</source>
+        <translation>Von einem Punkt der Oberfläche in die Richtung ziehen, die gehalten wird: alles jenseits des Punkts</translation>
+    </message>
+    <message>
+        <source>Drag from a point of the surface to hold a box; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
+        <translation>Von einem Punkt der Oberfläche ziehen hält einen Quader; Umschalt nimmt seinen Inhalt zum gewählten Griff dazu, Strg nimmt ihn weg</translation>
+    </message>
+    <message>
+        <source>There is no vertex in this region.</source>
+        <translation>In diesem Gebiet liegt kein Punkt.</translation>
+    </message>
+    <message>
+        <source>Select one handle to take away from.</source>
+        <translation>Erst einen Griff auswählen, von dem weggenommen wird.</translation>
+    </message>
+    <message>
+        <source>A handle cannot hold nothing: remove it with Delete.</source>
+        <translation>Ein Griff kann nicht nichts halten: Entf entfernt ihn.</translation>
     </message>
 </context>
 <context>
@@ -53,6 +69,10 @@
     <message>
         <source>Delete curve point</source>
         <translation>Kurvenpunkt löschen</translation>
+    </message>
+    <message>
+        <source>The ends of a curve must stay.</source>
+        <translation>Die Enden einer Kurve müssen bleiben.</translation>
     </message>
 </context>
 <context>
@@ -163,16 +183,16 @@
 <context>
     <name>MeasureTool</name>
     <message>
-        <source>Click two points for a length, a third for the angle at the second; Esc clears</source>
-        <translation>Zwei Punkte anklicken misst eine Länge, ein dritter den Winkel am zweiten; Esc beginnt neu</translation>
-    </message>
-    <message>
         <source>angle %1, at rest %2</source>
         <translation>Winkel %1, in Ruhe %2</translation>
     </message>
     <message>
         <source>length %1, at rest %2</source>
         <translation>Länge %1, in Ruhe %2</translation>
+    </message>
+    <message>
+        <source>Click two points for a length, a third for the angle; Ctrl takes vertices, Esc clears</source>
+        <translation>Zwei Punkte messen eine Länge, ein dritter den Winkel; Strg nimmt Netzpunkte, Esc löscht</translation>
     </message>
 </context>
 <context>
@@ -184,6 +204,10 @@
     <message>
         <source>Paint material</source>
         <translation>Material malen</translation>
+    </message>
+    <message>
+        <source>There is no direction to follow: the numbers on the right were taken.</source>
+        <translation>Es gibt keine Richtung, der zu folgen wäre: die Zahlen rechts wurden genommen.</translation>
     </message>
 </context>
 <context>
@@ -228,8 +252,8 @@
         <translation>Klick auf den Körper setzt einen Pin, Ziehen an Pins biegt ihn</translation>
     </message>
     <message>
-        <source>Click or draw beside pins to select them, with Shift more, with Ctrl fewer; drag to move them, arrow keys nudge</source>
-        <translation>Klicken oder neben Pins aufziehen wählt sie aus, mit Umschalt dazu, mit Strg ab; Ziehen bewegt sie, Pfeiltasten rücken</translation>
+        <source>Click, or draw beside pins, to select; Shift adds, Ctrl takes away; drag or arrow keys move</source>
+        <translation>Klicken oder neben Pins aufziehen wählt aus; Umschalt dazu, Strg ab; Ziehen oder Pfeiltasten bewegen</translation>
     </message>
 </context>
 <context>
@@ -1318,6 +1342,96 @@
     </message>
 </context>
 <context>
+    <name>wend::MeasurePanel</name>
+    <message>
+        <source>Measures</source>
+        <translation>Maße</translation>
+    </message>
+    <message>
+        <source>Size of the solid</source>
+        <translation>Größe des Körpers</translation>
+    </message>
+    <message>
+        <source>Volume and area of the surface, now and at rest.</source>
+        <translation>Volumen und Oberfläche, jetzt und in Ruhe.</translation>
+    </message>
+    <message>
+        <source>Size of what is selected</source>
+        <translation>Größe der Auswahl</translation>
+    </message>
+    <message>
+        <source>Volume of the tetrahedra and area of the outer triangles that the selected handles hold.</source>
+        <translation>Volumen der Tetraeder und Fläche der äußeren Dreiecke, die die gewählten Griffe halten.</translation>
+    </message>
+    <message>
+        <source>Vertex under the pointer</source>
+        <translation>Punkt unter dem Zeiger</translation>
+    </message>
+    <message>
+        <source>The nearest vertex and where it is.</source>
+        <translation>Der nächste Netzpunkt und wo er ist.</translation>
+    </message>
+    <message>
+        <source>Tetrahedron under the pointer</source>
+        <translation>Tetraeder unter dem Zeiger</translation>
+    </message>
+    <message>
+        <source>All values of the tetrahedron.</source>
+        <translation>Alle Werte des Tetraeders.</translation>
+    </message>
+    <message>
+        <source>%1, at rest %2</source>
+        <translation>%1, in Ruhe %2</translation>
+    </message>
+    <message>
+        <source>volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>area</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>The whole</source>
+        <translation>Das Ganze</translation>
+    </message>
+    <message numerus="yes">
+        <source>Selected: %n vertices</source>
+        <translation>
+            <numerusform>Ausgewählt: %n Punkt</numerusform>
+            <numerusform>Ausgewählt: %n Punkte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Point at the solid for the values there.</source>
+        <translation>Auf den Körper zeigen, um die Werte dort zu sehen.</translation>
+    </message>
+    <message>
+        <source>Vertex %1</source>
+        <translation>Punkt %1</translation>
+    </message>
+    <message>
+        <source>place</source>
+        <translation>Ort</translation>
+    </message>
+    <message>
+        <source>at rest</source>
+        <translation>in Ruhe</translation>
+    </message>
+    <message>
+        <source>pointed at</source>
+        <translation>gezeigt auf</translation>
+    </message>
+    <message>
+        <source>velocity</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Tetrahedron %1</source>
+        <translation>Tetraeder %1</translation>
+    </message>
+</context>
+<context>
     <name>wend::MeshPanel</name>
     <message>
         <source>Opaque part</source>
@@ -1487,10 +1601,6 @@
         <translation>Steife Richtung</translation>
     </message>
     <message>
-        <source>The direction at rest; it turns with the material.</source>
-        <translation>Die Richtung in Ruhe; sie dreht sich mit dem Material.</translation>
-    </message>
-    <message>
         <source>Regions</source>
         <translation>Gebiete</translation>
     </message>
@@ -1525,6 +1635,34 @@
     <message>
         <source>Unnamed</source>
         <translation>Ohne Namen</translation>
+    </message>
+    <message>
+        <source>as numbers</source>
+        <translation>als Zahlen</translation>
+    </message>
+    <message>
+        <source>along the view</source>
+        <translation>längs des Blicks</translation>
+    </message>
+    <message>
+        <source>along the stroke</source>
+        <translation>längs des Strichs</translation>
+    </message>
+    <message>
+        <source>along the pin&apos;s way</source>
+        <translation>längs des Pin-Wegs</translation>
+    </message>
+    <message>
+        <source>The direction at rest, which turns with the material: an axis, numbers, the direction of view, the stroke&apos;s own, or the way of the selected pin where it is nearest.</source>
+        <translation>Die Richtung in Ruhe, die sich mit dem Material dreht: eine Achse, Zahlen, die Blickrichtung, die des Strichs oder die des Wegs des gewählten Pins, wo er am nächsten ist.</translation>
+    </message>
+    <message>
+        <source>Direction in numbers</source>
+        <translation>Richtung in Zahlen</translation>
+    </message>
+    <message>
+        <source>As x, y and z at rest; its length does not matter.</source>
+        <translation>Als x, y und z in Ruhe; die Länge ist gleichgültig.</translation>
     </message>
 </context>
 <context>
@@ -1600,6 +1738,92 @@
     <message>
         <source>Show a map first: only then there is something to explain.</source>
         <translation>Erst eine Karte zeigen: nur dann gibt es etwas zu erklären.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::RegionPanel</name>
+    <message>
+        <source>Numbers of the region</source>
+        <translation>Zahlen des Gebiets</translation>
+    </message>
+    <message>
+        <source>As x, y and z, in the coordinates of the rest shape.</source>
+        <translation>Als x, y und z, in den Koordinaten der Ruheform.</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Quader</translation>
+    </message>
+    <message>
+        <source>Half-space</source>
+        <translation>Halbraum</translation>
+    </message>
+    <message>
+        <source>Kind of region</source>
+        <translation>Art des Gebiets</translation>
+    </message>
+    <message>
+        <source>What the region is; another kind keeps its place.</source>
+        <translation>Was das Gebiet ist; eine andere Art behält seinen Ort.</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>The radius of the ball.</source>
+        <translation>Der Radius der Kugel.</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Gebiet</translation>
+    </message>
+    <message>
+        <source>&amp;Region</source>
+        <translation>&amp;Gebiet</translation>
+    </message>
+    <message>
+        <source>Ra&amp;dius</source>
+        <translation>Ra&amp;dius</translation>
+    </message>
+    <message>
+        <source>There is no vertex in this region: nothing was changed.</source>
+        <translation>In diesem Gebiet liegt kein Punkt: nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>Change region</source>
+        <translation>Gebiet ändern</translation>
+    </message>
+    <message>
+        <source>centre</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>von</translation>
+    </message>
+    <message>
+        <source>point of the plane</source>
+        <translation>Punkt der Ebene</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>direction into it</source>
+        <translation>Richtung hinein</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n vertices</source>
+        <translation>
+            <numerusform>%n Punkt</numerusform>
+            <numerusform>%n Punkte</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2036,6 +2260,18 @@
         <source>Select &amp;Pins</source>
         <translation>&amp;Pins auswählen</translation>
     </message>
+    <message>
+        <source>Hold a &amp;Half-Space</source>
+        <translation>&amp;Halbraum halten</translation>
+    </message>
+    <message>
+        <source>Take hold of all vertices beyond a plane through a point of the surface</source>
+        <translation>Alle Punkte jenseits einer Ebene durch einen Punkt der Oberfläche halten</translation>
+    </message>
+    <message>
+        <source>Shift+P</source>
+        <translation>Shift+P</translation>
+    </message>
 </context>
 <context>
     <name>wend::SolidCanvas</name>
@@ -2067,8 +2303,12 @@
         <translation>Bereich</translation>
     </message>
     <message>
-        <source>&lt;table cellspacing=&apos;6&apos;&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Click&lt;/b&gt;&lt;/td&gt;&lt;td&gt;sets a pin&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Drag a pin&lt;/b&gt;&lt;/td&gt;&lt;td&gt;moves it along the screen; Esc puts it back&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;G, R, S&lt;/b&gt;&lt;/td&gt;&lt;td&gt;arrows to move, rings to turn, a ring to scale&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;X, Y, Z while dragging&lt;/b&gt;&lt;/td&gt;&lt;td&gt;lock an axis&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Digits while dragging&lt;/b&gt;&lt;/td&gt;&lt;td&gt;set the amount, Enter takes it&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, O, U&lt;/b&gt;&lt;/td&gt;&lt;td&gt;hold by rectangle, lasso, brush; T: through the solid&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Right or middle button&lt;/b&gt;&lt;/td&gt;&lt;td&gt;turns the view; with Shift it moves&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Middle click&lt;/b&gt;&lt;/td&gt;&lt;td&gt;sets the point to turn around&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Wheel&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zooms to the pointer&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;1, 3, 7, 0&lt;/b&gt;&lt;/td&gt;&lt;td&gt;from the front, right, top, side; Ctrl: from the other side&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;C&lt;/b&gt;&lt;/td&gt;&lt;td&gt;cuts the solid open&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Hold H&lt;/b&gt;&lt;/td&gt;&lt;td&gt;shows the bare solid&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</source>
-        <translation>&lt;table cellspacing=&apos;6&apos;&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Klick&lt;/b&gt;&lt;/td&gt;&lt;td&gt;setzt einen Pin&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Pin ziehen&lt;/b&gt;&lt;/td&gt;&lt;td&gt;bewegt ihn am Bildschirm entlang; Esc stellt ihn zurück&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;G, R, S&lt;/b&gt;&lt;/td&gt;&lt;td&gt;Pfeile zum Bewegen, Ringe zum Drehen, ein Ring zum Skalieren&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;X, Y, Z beim Ziehen&lt;/b&gt;&lt;/td&gt;&lt;td&gt;halten eine Achse fest&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ziffern beim Ziehen&lt;/b&gt;&lt;/td&gt;&lt;td&gt;geben den Betrag, die Eingabetaste nimmt ihn&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, O, U&lt;/b&gt;&lt;/td&gt;&lt;td&gt;mit Rechteck, Lasso, Pinsel halten; T: durch den Körper&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Rechte oder mittlere Taste&lt;/b&gt;&lt;/td&gt;&lt;td&gt;dreht die Ansicht; mit Umschalt verschiebt sie&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Mittelklick&lt;/b&gt;&lt;/td&gt;&lt;td&gt;setzt den Drehpunkt&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Rad&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zoomt zum Zeiger&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;1, 3, 7, 0&lt;/b&gt;&lt;/td&gt;&lt;td&gt;von vorn, rechts, oben, schräg; Strg: von der anderen Seite&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;C&lt;/b&gt;&lt;/td&gt;&lt;td&gt;schneidet den Körper auf&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;H halten&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zeigt den bloßen Körper&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</translation>
+        <source>Region</source>
+        <translation>Gebiet</translation>
+    </message>
+    <message>
+        <source>&lt;table cellspacing=&apos;6&apos;&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Click&lt;/b&gt;&lt;/td&gt;&lt;td&gt;sets a pin&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Drag a pin&lt;/b&gt;&lt;/td&gt;&lt;td&gt;moves it along the screen; Esc puts it back&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;G, R, S&lt;/b&gt;&lt;/td&gt;&lt;td&gt;arrows to move, rings to turn, a ring to scale&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;X, Y, Z while dragging&lt;/b&gt;&lt;/td&gt;&lt;td&gt;lock an axis&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Digits while dragging&lt;/b&gt;&lt;/td&gt;&lt;td&gt;set the amount, Enter takes it&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, O, U&lt;/b&gt;&lt;/td&gt;&lt;td&gt;hold by rectangle, lasso, brush; T: through the solid&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Shift+B, Shift+X, Shift+P&lt;/b&gt;&lt;/td&gt;&lt;td&gt;hold a ball, a box, a half-space&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Shift, Ctrl while holding&lt;/b&gt;&lt;/td&gt;&lt;td&gt;add to the selected handle, take away&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Shift+C&lt;/b&gt;&lt;/td&gt;&lt;td&gt;makes a curve of the last way; a double click on it inserts a point, Delete removes one&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Right or middle button&lt;/b&gt;&lt;/td&gt;&lt;td&gt;turns the view; with Shift it moves&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Middle click&lt;/b&gt;&lt;/td&gt;&lt;td&gt;sets the point to turn around&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Wheel&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zooms to the pointer&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;1, 3, 7, 0&lt;/b&gt;&lt;/td&gt;&lt;td&gt;from the front, right, top, side; Ctrl: from the other side&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;C&lt;/b&gt;&lt;/td&gt;&lt;td&gt;cuts the solid open&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Hold H&lt;/b&gt;&lt;/td&gt;&lt;td&gt;shows the bare solid&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</source>
+        <translation>&lt;table cellspacing=&apos;6&apos;&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Klick&lt;/b&gt;&lt;/td&gt;&lt;td&gt;setzt einen Pin&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Pin ziehen&lt;/b&gt;&lt;/td&gt;&lt;td&gt;bewegt ihn am Bildschirm entlang; Esc stellt ihn zurück&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;G, R, S&lt;/b&gt;&lt;/td&gt;&lt;td&gt;Pfeile zum Bewegen, Ringe zum Drehen, ein Ring zum Skalieren&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;X, Y, Z beim Ziehen&lt;/b&gt;&lt;/td&gt;&lt;td&gt;halten eine Achse fest&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ziffern beim Ziehen&lt;/b&gt;&lt;/td&gt;&lt;td&gt;geben den Betrag, die Eingabetaste nimmt ihn&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, O, U&lt;/b&gt;&lt;/td&gt;&lt;td&gt;mit Rechteck, Lasso, Pinsel halten; T: durch den Körper&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Umschalt+B, Umschalt+X, Umschalt+P&lt;/b&gt;&lt;/td&gt;&lt;td&gt;Kugel, Quader, Halbraum halten&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Umschalt, Strg beim Halten&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zum gewählten Griff dazu, davon weg&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Umschalt+C&lt;/b&gt;&lt;/td&gt;&lt;td&gt;macht aus dem letzten Weg eine Kurve; ein Doppelklick darauf fügt einen Punkt ein, Entf löscht einen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Rechte oder mittlere Taste&lt;/b&gt;&lt;/td&gt;&lt;td&gt;dreht die Ansicht; mit Umschalt verschiebt sie&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Mittelklick&lt;/b&gt;&lt;/td&gt;&lt;td&gt;setzt den Drehpunkt&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Rad&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zoomt zum Zeiger&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;1, 3, 7, 0&lt;/b&gt;&lt;/td&gt;&lt;td&gt;von vorn, rechts, oben, schräg; Strg: von der anderen Seite&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;C&lt;/b&gt;&lt;/td&gt;&lt;td&gt;schneidet den Körper auf&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;H halten&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zeigt den bloßen Körper&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</translation>
     </message>
 </context>
 <context>

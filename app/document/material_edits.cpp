@@ -26,26 +26,39 @@ std::vector<RegionGroup> regionGroups(const Project& project) {
     for (const auto& region : std::get<Design<3>>(project.design).material.regions) {
         const auto it =
             std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.name == region.name; });
-        if (it != groups.end())
+        if (it != groups.end()) {
             ++it->count;
-        else
+            const auto& first = it->paint.stiffness;
+            if (first && region.stiffness && first->axis != region.stiffness->axis) it->oneAxis = false;
+        } else {
             groups.push_back({region.name, 1, {region.phi, region.stiffness}});
+        }
     }
     return groups;
 }
 
-Project withPaint(const Project& project, const std::vector<Ball<3>>& balls, const MaterialPaint& paint) {
+Project withPaint(const Project& project, const std::vector<Ball<3>>& balls, const MaterialPaint& paint,
+                  const std::vector<Vec<3>>& axes) {
     Project next = project;
     const std::string name = freeName(project);
-    for (const Ball<3>& ball : balls)
-        regionsOf(next).push_back({name, ball, 0.5 * ball.radius, paint.phi, paint.stiffness});
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        auto stiffness = paint.stiffness;
+        if (stiffness && i < axes.size() && axes[i].norm() > 0) stiffness->axis = axes[i].normalized();
+        regionsOf(next).push_back({name, balls[i], 0.5 * balls[i].radius, paint.phi, stiffness});
+    }
     return next;
 }
 
-Project withGroupPaint(const Project& project, const std::string& name, const MaterialPaint& paint) {
+Project withGroupPaint(const Project& project, const std::string& name, const MaterialPaint& paint,
+                       bool keepAxes) {
     Project next = project;
-    for (auto& region : regionsOf(next))
-        if (region.name == name) region.phi = paint.phi, region.stiffness = paint.stiffness;
+    for (auto& region : regionsOf(next)) {
+        if (region.name != name) continue;
+        const auto before = region.stiffness;
+        region.phi = paint.phi;
+        region.stiffness = paint.stiffness;
+        if (keepAxes && before && region.stiffness) region.stiffness->axis = before->axis;
+    }
     return next;
 }
 

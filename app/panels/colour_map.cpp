@@ -53,7 +53,7 @@ template <int Dim>
 std::vector<double> designValues(const ShapeSession& session, const PosedFrame<Dim>& frame, Measure measure) {
     if (measure == Measure::Phi) return phiOf<Dim>(frame);
     if (measure == Measure::Stiffness) return stiffnessOf<Dim>(frame);
-    return speedOf<Dim>(session.track(), frame);
+    return speedOf<Dim>(frame, session.velocity<Dim>());
 }
 
 }  // namespace

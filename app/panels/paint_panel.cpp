@@ -10,6 +10,12 @@
 
 namespace wend {
 
+namespace {
+
+constexpr int kNumbers = 3;  // of the direction: behind the axes, before what a stroke brings along
+
+}  // namespace
+
 PaintPanel::PaintPanel(ShapeSession& session, QWidget* parent)
     : QWidget(parent),
       m_session(session),
@@ -25,7 +31,14 @@ PaintPanel::PaintPanel(ShapeSession& session, QWidget* parent)
     connect(m_hasPhi, &QCheckBox::clicked, this, &PaintPanel::changeGroup);
     connect(m_phi, &EnergySlider::phiChosen, this, &PaintPanel::changeGroup);
     connect(m_stiffness, &QDoubleSpinBox::valueChanged, this, &PaintPanel::changeGroup);
-    connect(m_axis, &QComboBox::activated, this, &PaintPanel::changeGroup);
+    connect(m_axis, &QComboBox::activated, this, &PaintPanel::chooseAxis);
+    for (QDoubleSpinBox* box : m_numbers)
+        connect(box, &QDoubleSpinBox::valueChanged, this, [this] {
+            showAxis({m_numbers[0]->value(), m_numbers[1]->value(), m_numbers[2]->value()});
+            m_ownAxes = false;
+            emit alongChanged(along());
+            changeGroup();
+        });
     connect(m_list, &QListWidget::currentRowChanged, this, &PaintPanel::showGroup);
     connect(m_remove, &QToolButton::clicked, this, [this] {
         if (selectedGroup().isEmpty()) return;
@@ -50,9 +63,24 @@ void PaintPanel::makeControls() {
     m_stiffness->setKeyboardTracking(false);
     describe(m_stiffness, tr("Stiffness"),
              tr("How many times stiffer the painted part is along the axis; ×1 is as everywhere."));
-    m_axis->addItems({tr("along X"), tr("along Y"), tr("along Z")});
-    m_axis->setFixedWidth(116);
-    describe(m_axis, tr("Stiff direction"), tr("The direction at rest; it turns with the material."));
+    m_axis->addItems({tr("along X"), tr("along Y"), tr("along Z"), tr("as numbers"), tr("along the view"),
+                      tr("along the stroke"), tr("along the pin's way")});
+    m_axis->setFixedWidth(150);
+    describe(m_axis, tr("Stiff direction"),
+             tr("The direction at rest, which turns with the material: an axis, numbers, the direction of "
+                "view, the stroke's own, or the way of the selected pin where it is nearest."));
+    for (QDoubleSpinBox*& box : m_numbers) {
+        box = new QDoubleSpinBox(this);
+        box->setRange(-1e6, 1e6);
+        box->setDecimals(3);
+        box->setSingleStep(0.1);
+        box->setKeyboardTracking(false);
+        box->setButtonSymbols(QAbstractSpinBox::NoButtons);
+        box->setMinimumWidth(56);
+        box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+        describe(box, tr("Direction in numbers"), tr("As x, y and z at rest; its length does not matter."));
+    }
+    m_numbers[0]->setValue(1);
     m_list->setFixedHeight(84);
     describe(m_list, tr("Regions"),
              tr("Where the material is another; a click shows its values for changing."));
@@ -70,6 +98,9 @@ void PaintPanel::arrange() {
     layout->addWidget(m_phi);
     layout->addLayout(panelRow(tr("St&iffness"), m_stiffness, this));
     layout->addLayout(panelRow(tr("Direc&tion"), m_axis, this));
+    auto* numbers = new QHBoxLayout;
+    for (QDoubleSpinBox* box : m_numbers) numbers->addWidget(box);
+    layout->addLayout(numbers);
     layout->addWidget(m_list);
     layout->addWidget(m_remove, 0, Qt::AlignLeft);
 }
@@ -78,8 +109,34 @@ MaterialPaint PaintPanel::paint() const {
     MaterialPaint paint;
     if (m_hasPhi->isChecked()) paint.phi = m_phi->phi();
     if (m_stiffness->value() > 1)
-        paint.stiffness = Stiffness<3>{Vec<3>::Unit(m_axis->currentIndex()), m_stiffness->value()};
+        paint.stiffness = Stiffness<3>{
+            Vec<3>(m_numbers[0]->value(), m_numbers[1]->value(), m_numbers[2]->value()).normalized(),
+            m_stiffness->value()};
+    if (paint.stiffness && paint.stiffness->axis.norm() < 0.5) paint.stiffness->axis = Vec<3>::UnitX();
     return paint;
+}
+
+StiffAlong PaintPanel::along() const {
+    const int beyond = m_axis->currentIndex() - kNumbers;
+    return beyond <= 0 ? StiffAlong::Axis : static_cast<StiffAlong>(beyond);
+}
+
+/// An axis sets the numbers; what a stroke brings along is for the next one.
+void PaintPanel::chooseAxis(int index) {
+    if (index < kNumbers) showAxis(Vec<3>::Unit(index));
+    if (index < kNumbers) m_ownAxes = false;
+    emit alongChanged(along());
+    if (index <= kNumbers) changeGroup();
+}
+
+void PaintPanel::showAxis(const Vec<3>& axis) {
+    int index = kNumbers;
+    for (int k = 0; k < 3; ++k) {
+        const QSignalBlocker quiet(m_numbers[k]);
+        m_numbers[k]->setValue(axis[k]);
+        if (axis == Vec<3>::Unit(k)) index = k;
+    }
+    m_axis->setCurrentIndex(index);
 }
 
 QString PaintPanel::selectedGroup() const {
@@ -93,7 +150,7 @@ void PaintPanel::changeGroup() {
     Document& document = m_session.document();
     if (document.dimension() != 3 || selectedGroup().isEmpty() || (!now.phi && !now.stiffness)) return;
     document.change(tr("Change region"),
-                    withGroupPaint(*document.project(), selectedGroup().toStdString(), now),
+                    withGroupPaint(*document.project(), selectedGroup().toStdString(), now, m_ownAxes),
                     QStringLiteral("region ") + selectedGroup());
 }
 
@@ -106,10 +163,10 @@ void PaintPanel::showGroup() {
         m_hasPhi->setChecked(group.paint.phi.has_value());
         if (group.paint.phi) m_phi->setPhi(*group.paint.phi);
         m_stiffness->setValue(group.paint.stiffness ? group.paint.stiffness->ratio : 1);
-        int axis = 0;
-        if (group.paint.stiffness) group.paint.stiffness->axis.cwiseAbs().maxCoeff(&axis);
-        m_axis->setCurrentIndex(axis);
+        m_ownAxes = !group.oneAxis;
+        if (group.paint.stiffness) showAxis(group.paint.stiffness->axis);
     }
+    emit alongChanged(along());
     emit paintChanged(paint());
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QWidget>
+#include <array>
 
 #include "app/document/material_edits.h"
 #include "app/session/shape_session.h"
@@ -23,9 +24,11 @@ class PaintPanel : public QWidget {
   public:
     explicit PaintPanel(ShapeSession& session, QWidget* parent = nullptr);
     MaterialPaint paint() const;
+    StiffAlong along() const;
 
   signals:
     void paintChanged(const wend::MaterialPaint& paint);
+    void alongChanged(wend::StiffAlong along);
 
   private:
     void makeControls();
@@ -33,6 +36,8 @@ class PaintPanel : public QWidget {
     void showRegions();
     void showGroup();
     void changeGroup();
+    void chooseAxis(int index);
+    void showAxis(const Vec<3>& axis);
     QString selectedGroup() const;
 
     ShapeSession& m_session;
@@ -40,6 +45,8 @@ class PaintPanel : public QWidget {
     EnergySlider* m_phi;
     QDoubleSpinBox* m_stiffness;
     QComboBox* m_axis;
+    std::array<QDoubleSpinBox*, 3> m_numbers;
+    bool m_ownAxes = false;  // the chosen group's regions are stiff along directions of their own
     QListWidget* m_list;
     QToolButton* m_remove;
 };

@@ -35,6 +35,7 @@ void ComputeThread::handle(const Request& request) {
     if (const auto* begin = std::get_if<BeginDrag>(&request)) m_engine->beginDrag(*begin);
     if (const auto* to = std::get_if<DragTo>(&request)) m_engine->dragTo(*to);
     if (std::holds_alternative<EndDrag>(request)) m_engine->endDrag();
+    if (const auto* ask = std::get_if<AskVelocity>(&request)) m_engine->askVelocity(*ask);
 }
 
 void ComputeThread::requireEngine(int dimension) {
@@ -48,6 +49,9 @@ ShapeEngine::Sink ComputeThread::sink() {
         emit shapeReady(revision, std::move(shape), keptUpTo);
     };
     sink.frameReady = [this](FramePtr frame) { emit frameReady(std::move(frame)); };
+    sink.velocityReady = [this](FramePtr frame, VelocityPtr velocity) {
+        emit velocityReady(std::move(frame), std::move(velocity));
+    };
     sink.progress = [this](double time, double end) { emit progress(time, end); };
     sink.finished = [this](double time, const std::string& problem) {
         emit finished(time, QString::fromStdString(problem));

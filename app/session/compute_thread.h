@@ -23,6 +23,7 @@ class ComputeThread : public QObject {
     /// Another rest mesh, or the same one again; frames after `keptUpTo` are void.
     void shapeReady(int revision, std::shared_ptr<const void> shape, double keptUpTo);
     void frameReady(wend::FramePtr frame);
+    void velocityReady(wend::FramePtr frame, wend::VelocityPtr velocity);
     void progress(double time, double end);
     /// The whole motion is there; `problem` is empty, or says what could not be completed.
     void finished(double time, QString problem);

@@ -23,7 +23,7 @@ std::vector<double> stiffnessOf(const PosedFrame<Dim>& frame) {
 }
 
 template <int Dim>
-Points<Dim> velocityOf(const FrameTrack& track, const PosedFrame<Dim>& frame) {
+Points<Dim> velocityBetween(const FrameTrack& track, const PosedFrame<Dim>& frame) {
     const auto& frames = track.frames();
     const auto it = std::find_if(frames.begin(), frames.end(),
                                  [&](const FramePtr& other) { return other.get() == &frame; });
@@ -36,8 +36,7 @@ Points<Dim> velocityOf(const FrameTrack& track, const PosedFrame<Dim>& frame) {
 }
 
 template <int Dim>
-std::vector<double> speedOf(const FrameTrack& track, const PosedFrame<Dim>& frame) {
-    const Points<Dim> velocity = velocityOf<Dim>(track, frame);
+std::vector<double> speedOf(const PosedFrame<Dim>& frame, const Points<Dim>& velocity) {
     std::vector<double> values;
     for (const Cell<Dim>& cell : frame.rest->cells) {
         Vec<Dim> mean = Vec<Dim>::Zero();
@@ -47,11 +46,11 @@ std::vector<double> speedOf(const FrameTrack& track, const PosedFrame<Dim>& fram
     return values;
 }
 
-#define WEND_INSTANTIATE(Dim)                                                        \
-    template std::vector<double> phiOf<Dim>(const PosedFrame<Dim>&);                 \
-    template std::vector<double> stiffnessOf<Dim>(const PosedFrame<Dim>&);           \
-    template Points<Dim> velocityOf<Dim>(const FrameTrack&, const PosedFrame<Dim>&); \
-    template std::vector<double> speedOf<Dim>(const FrameTrack&, const PosedFrame<Dim>&)
+#define WEND_INSTANTIATE(Dim)                                                             \
+    template std::vector<double> phiOf<Dim>(const PosedFrame<Dim>&);                      \
+    template std::vector<double> stiffnessOf<Dim>(const PosedFrame<Dim>&);                \
+    template Points<Dim> velocityBetween<Dim>(const FrameTrack&, const PosedFrame<Dim>&); \
+    template std::vector<double> speedOf<Dim>(const PosedFrame<Dim>&, const Points<Dim>&)
 
 WEND_INSTANTIATE(2);
 WEND_INSTANTIATE(3);

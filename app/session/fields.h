@@ -12,12 +12,12 @@ std::vector<double> phiOf(const PosedFrame<Dim>& frame);
 template <int Dim>
 std::vector<double> stiffnessOf(const PosedFrame<Dim>& frame);
 
-/// How the vertices move at the frame's time, per unit of time: the difference of its neighbours in the
+/// About how the vertices move at the frame's time, per unit of time: the difference of its neighbours in the
 /// track. Zero where nothing moves.
 template <int Dim>
-Points<Dim> velocityOf(const FrameTrack& track, const PosedFrame<Dim>& frame);
+Points<Dim> velocityBetween(const FrameTrack& track, const PosedFrame<Dim>& frame);
 /// The length of the velocity in the middle of every cell.
 template <int Dim>
-std::vector<double> speedOf(const FrameTrack& track, const PosedFrame<Dim>& frame);
+std::vector<double> speedOf(const PosedFrame<Dim>& frame, const Points<Dim>& velocity);
 
 }  // namespace wend

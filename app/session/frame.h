@@ -32,6 +32,8 @@ struct ShapeFrame {
     virtual ~ShapeFrame() = default;
 };
 using FramePtr = std::shared_ptr<const ShapeFrame>;
+/// One column per vertex, in the domain's units per unit of time.
+using VelocityPtr = std::shared_ptr<const Eigen::MatrixXd>;
 
 template <int Dim>
 struct BuiltShape;

@@ -7,7 +7,8 @@ namespace {
 /// True if `next` says all that is left to do of `last`, the newest request that waits.
 bool replaces(const Request& next, const Request& last) {
     return next.index() == last.index() &&
-           (std::holds_alternative<SetShape>(next) || std::holds_alternative<DragTo>(next));
+           (std::holds_alternative<SetShape>(next) || std::holds_alternative<DragTo>(next) ||
+            std::holds_alternative<AskVelocity>(next));
 }
 
 }  // namespace

@@ -29,10 +29,14 @@ struct DragTo {
     int sample = 0;                  // its number in the gesture
 };
 struct EndDrag {};
-using Request = std::variant<SetShape, BeginDrag, DragTo, EndDrag>;
+struct AskVelocity {  // of a frame of the motion
+    FramePtr frame;
+    int revision = 0;
+};
+using Request = std::variant<SetShape, BeginDrag, DragTo, EndDrag, AskVelocity>;
 
-/// What waits to be done, in order. Of shapes that follow each other only the newest is kept, and of targets
-/// of a drag as well: the preview goes straight to where the pointer is.
+/// What waits to be done, in order. Of shapes that follow each other only the newest is kept, and of
+/// questions for a velocity and targets of a drag as well: the preview goes straight to where the pointer is.
 class Mailbox {
   public:
     void post(Request request);

@@ -32,6 +32,7 @@ template <int Dim>
 void MotionPass<Dim>::clear() {
     m_project.reset();
     m_deformer.reset();
+    m_probe.reset();
     m_cache.clear();
     m_result.reset();
     m_restSent = false;
@@ -51,6 +52,7 @@ double MotionPass<Dim>::set(const BuiltShape<Dim>& shape, std::shared_ptr<const 
     m_end = end;
     kept = std::min(kept, end);
     m_deformer.reset();
+    m_probe.reset();
     m_result.reset();
     m_cache.keepUpTo(kept);
     if (!m_cache.last()) m_restSent = false;
@@ -122,6 +124,23 @@ void MotionPass<Dim>::run(const Sink& sink, std::stop_token stop) {
         return;
     }
     m_result = AdvanceResult{};
+}
+
+template <int Dim>
+Points<Dim> MotionPass<Dim>::velocity(double time, const Points<Dim>& pose) {
+    if (!m_project) return Points<Dim>(Dim, 0);
+    if (!m_probe)
+        m_probe.emplace(m_shape.rest, m_shape.material, designOf<Dim>(*m_project).handles,
+                        integrationOf(*m_project), backEndFactory<Dim>(BackEndKind::Automatic));
+    State<Dim> state;
+    state.time = time;
+    state.points = pose;
+    if (const State<Dim>* before = m_cache.upTo(time)) {  // what handles took hold of, and where
+        state.anchors = before->anchors;
+        state.constrained = before->constrained;
+    }
+    m_probe->restore(state);
+    return m_probe->velocity();
 }
 
 template class MotionPass<2>;

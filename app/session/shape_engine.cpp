@@ -163,6 +163,19 @@ void ShapeEngineOf<Dim>::runPass(std::stop_token stop) {
 }
 
 template <int Dim>
+void ShapeEngineOf<Dim>::askVelocity(const AskVelocity& request) {
+    const auto frame = posed<Dim>(request.frame);
+    if (!frame || request.revision != m_revision || m_wanted || m_dragging || !m_shape) return;
+    if (frame->rest != m_shape->rest || !m_pass.isSet()) return;
+    try {
+        const Points<Dim> field = m_pass.velocity(frame->time, frame->pose);
+        if (field.cols() == frame->pose.cols())
+            m_sink.velocityReady(request.frame, std::make_shared<const Eigen::MatrixXd>(field));
+    } catch (const InputError&) {  // told by the motion itself
+    }
+}
+
+template <int Dim>
 void ShapeEngineOf<Dim>::giveUp() {
     m_wanted.reset();
     m_pass.clear();

@@ -18,6 +18,7 @@ class ShapeEngine {
     struct Sink {
         std::function<void(int revision, std::shared_ptr<const void> shape, double keptUpTo)> shapeReady;
         std::function<void(FramePtr)> frameReady;
+        std::function<void(FramePtr, VelocityPtr)> velocityReady;
         std::function<void(double time, double end)> progress;
         std::function<void(double time, std::string problem)> finished;
     };
@@ -33,6 +34,8 @@ class ShapeEngine {
     virtual void beginDrag(const BeginDrag& request) = 0;
     virtual void dragTo(const DragTo& request) = 0;
     virtual void endDrag() = 0;
+    /// Answers at once, unless the frame is of another shape or motion.
+    virtual void askVelocity(const AskVelocity& request) = 0;
     /// The mesh, or the motion on it; goes on where it was stopped.
     virtual void work(std::stop_token stop) = 0;
     /// After a failure: forgets what it was doing.
@@ -52,6 +55,7 @@ class ShapeEngineOf : public ShapeEngine {
     void beginDrag(const BeginDrag& request) override;
     void dragTo(const DragTo& request) override;
     void endDrag() override { m_dragging = false; }
+    void askVelocity(const AskVelocity& request) override;
     void work(std::stop_token stop) override;
     void giveUp() override;
 

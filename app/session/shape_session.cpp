@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/document/handle_edits.h"
+#include "app/session/fields.h"
 
 namespace wend {
 
@@ -33,9 +34,11 @@ ShapeSession::ShapeSession(QObject* parent) : QObject(parent) {
         if (m_preview && m_preview->time != time) m_preview.reset();
         showTime();
     });
+    connect(&m_playback, &Playback::playingChanged, this, &ShapeSession::askVelocity);
     connect(&m_selection, &Selection::changed, this, &ShapeSession::pinsChanged);
     connect(&m_compute, &ComputeThread::shapeReady, this, &ShapeSession::takeShape);
     connect(&m_compute, &ComputeThread::frameReady, this, &ShapeSession::takeFrame);
+    connect(&m_compute, &ComputeThread::velocityReady, this, &ShapeSession::takeVelocity);
     connect(&m_compute, &ComputeThread::finished, this, &ShapeSession::takeFinished);
     connect(&m_compute, &ComputeThread::failed, this, &ShapeSession::takeFailure);
     connect(&m_compute, &ComputeThread::progress, this, &ShapeSession::progress);
@@ -78,6 +81,8 @@ void ShapeSession::postShape() {
 
 void ShapeSession::takeShape(int revision, const std::shared_ptr<const void>& shape, double keptUpTo) {
     if (revision != m_revision) return;
+    m_askedFor.reset();  // the question may have been dropped with the last shape
+    m_velocityOf.reset();
     if (m_failed) emit problem({});
     m_failed = false;
     m_shape = shape;
@@ -149,7 +154,34 @@ void ShapeSession::showTime() {
 void ShapeSession::show(const FramePtr& frame, bool stale) {
     m_frame = frame;
     m_stale = stale;
+    askVelocity();
     emit frameChanged();
+}
+
+void ShapeSession::setVelocityWanted(bool wanted) {
+    m_velocityWanted = wanted;
+    askVelocity();
+}
+
+void ShapeSession::askVelocity() {
+    const bool stands = m_frame && !m_frame->live && !m_stale && !m_drag && !m_playback.isPlaying();
+    if (!m_velocityWanted || !stands || !m_trackIsCurrent) return;
+    if (m_velocityOf == m_frame || m_askedFor == m_frame || !isIn(m_track, m_frame)) return;
+    m_askedFor = m_frame;
+    m_compute.post(AskVelocity{m_frame, m_revision});
+}
+
+void ShapeSession::takeVelocity(const FramePtr& frame, const VelocityPtr& velocity) {
+    m_velocityOf = frame;
+    m_velocity = velocity;
+    if (frame == m_frame) emit frameChanged();
+}
+
+template <int Dim>
+Points<Dim> ShapeSession::velocity() const {
+    if (hasVelocity() && m_velocity->rows() == Dim) return *m_velocity;
+    const auto shown = frame<Dim>();
+    return shown ? velocityBetween<Dim>(m_track, *shown) : Points<Dim>(Dim, 0);
 }
 
 void ShapeSession::setBusy(bool busy) {
@@ -420,6 +452,7 @@ QString ShapeSession::nameOf(const std::vector<int>& handles) const {
 }
 
 #define WEND_INSTANTIATE(Dim)                                                      \
+    template Points<Dim> ShapeSession::velocity<Dim>() const;                      \
     template std::vector<PinView<Dim>> ShapeSession::pins<Dim>() const;            \
     template std::vector<PinView<Dim>> ShapeSession::ghosts<Dim>() const;          \
     template std::vector<Vec<Dim>> ShapeSession::pathStarts<Dim>(int) const;       \

@@ -49,6 +49,14 @@ class ShapeSession : public QObject {
     /// Where a handle's points are when it begins to hold: the starts of its paths.
     template <int Dim = 2>
     std::vector<Vec<Dim>> pathStarts(int handle) const;
+    /// How the vertices move at the time that is shown: v̂ itself once it is there (see
+    /// setVelocityWanted), until then the difference of the neighbouring frames.
+    template <int Dim>
+    Points<Dim> velocity() const;
+    bool hasVelocity() const { return m_velocity && m_velocityOf == m_frame; }
+    /// From now on v̂ is solved for at the time that is shown, unless it plays; `frameChanged` tells when it
+    /// is there.
+    void setVelocityWanted(bool wanted);
     /// The length in domain units that a tolerance of the stroke is measured in: one pixel of a picture, or a
     /// 2000th of the shape's diagonal.
     double pixel() const;
@@ -106,6 +114,8 @@ class ShapeSession : public QObject {
     void takeFailure(const QString& reason);
     void showTime();
     void show(const FramePtr& frame, bool stale);
+    void askVelocity();
+    void takeVelocity(const FramePtr& frame, const VelocityPtr& velocity);
     void setBusy(bool busy);
     template <int Dim>
     const std::vector<PinPlace<Dim>>& places() const;
@@ -129,6 +139,9 @@ class ShapeSession : public QObject {
     FramePtr m_frame;          // shown
     FramePtr m_preview;        // the last frame of a drag, until the exact motion is there
     FramePtr m_previewBefore;  // the drag that goes on
+    FramePtr m_velocityOf, m_askedFor;
+    VelocityPtr m_velocity;
+    bool m_velocityWanted = false;
     bool m_stale = false, m_busy = false, m_failed = false;
     bool m_addsHandle = false;  // a change that moves nothing is being made
     bool m_sameShape = false;   // what is shown stays as it is, though something is computed

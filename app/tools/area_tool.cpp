@@ -2,14 +2,16 @@
 
 #include <QCoreApplication>
 #include <algorithm>
-#include <cmath>
-#include <numbers>
+
+#include "app/session/solid_places.h"
+#include "app/tools/region_outline.h"
 
 namespace wend {
 
 namespace {
 
 const QColor kLine(0x4a5bd4);
+constexpr std::size_t kMostLooked = 4000;
 
 QString said(const char* text) {
     return QCoreApplication::translate("AreaTool", text);
@@ -40,31 +42,52 @@ QString AreaTool::hint() const {
                 "Brush over the vertices to hold, [ and ] change the size; Shift adds, Ctrl takes "
                 "away"));
         case Shape::Ball:
-            return said(QT_TRANSLATE_NOOP("AreaTool", "Drag from a point of the surface to hold a ball"));
+            return said(
+                QT_TRANSLATE_NOOP("AreaTool",
+                                  "Drag from a point of the surface to hold a ball; Shift adds what is in it "
+                                  "to the selected handle, Ctrl takes it away"));
+        case Shape::Half:
+            return said(QT_TRANSLATE_NOOP(
+                "AreaTool", "Drag from a point of the surface towards what to hold: all beyond the point"));
         case Shape::Box:
             break;
     }
-    return said(QT_TRANSLATE_NOOP("AreaTool", "Drag from a point of the surface to hold a box"));
+    return said(QT_TRANSLATE_NOOP(
+        "AreaTool",
+        "Drag from a point of the surface to hold a box; Shift adds what is in it to the selected handle, "
+        "Ctrl takes it away"));
 }
 
 void AreaTool::press(const QMouseEvent& event) {
     m_at = event.position();
     m_line = {m_at};
     m_brushed.clear();
+    m_caught.clear();
     m_active = true;
     if (m_shape == Shape::Brush) brush();
     if (!isSolidShape()) return;
     const SolidHit hit = surface().pick(m_at);
-    m_active = hit.vertex >= 0;
-    m_vertex = hit.vertex;
+    const auto frame = session().frame<3>();
+    m_active = hit.cell >= 0 && frame;
+    if (!m_active) return;
     m_centre = hit.point;
+    m_restCentre = positionOf<3>(locationIn(*frame, hit.cell, hit.point), *frame->rest, frame->rest->points);
+    m_turn = cellRotation(*frame, hit.cell);
 }
 
 void AreaTool::move(const QMouseEvent& event) {
     m_at = event.position();
     if (m_active) m_line << m_at;
     if (m_active && m_shape == Shape::Brush) brush();
+    if (m_active && (m_shape == Shape::Rectangle || m_shape == Shape::Lasso)) countCaught();
     surface().redraw();
+}
+
+/// What would be held now; nothing where looking whether so many are hidden would keep the pointer waiting.
+void AreaTool::countCaught() {
+    m_caught = surface().verticesWhere(insideTest(), false);
+    if (m_caught.size() > kMostLooked) m_caught.clear();
+    if (!m_through && !m_caught.empty()) m_caught = surface().verticesWhere(insideTest(), true);
 }
 
 void AreaTool::brush() {
@@ -84,13 +107,24 @@ std::vector<int> AreaTool::verticesInside() const {
     return m_shape == Shape::Brush ? m_brushed : surface().verticesWhere(insideTest(), !m_through);
 }
 
-/// Around the vertex in the rest shape, as large as it was drawn in the pose.
+/// Where the screen's plane through the centre is under the pointer.
+Vec<3> AreaTool::across(const QPointF& widget) const {
+    const Ray ray = surface().ray(widget);
+    const Vec<3> normal = surface().viewDirection();
+    return ray.origin + normal.dot(m_centre - ray.origin) / normal.dot(ray.direction) * ray.direction;
+}
+
+/// Around the place in the rest shape, as large as it was drawn in the pose.
 Region<3> AreaTool::region() const {
-    const auto frame = session().frame<3>();
-    const Vec<3> centre = frame->rest->points.col(m_vertex);
-    const double radius = QLineF(m_line.first(), m_at).length() * surface().pixelSize(m_centre);
-    if (m_shape == Shape::Ball) return Ball<3>{centre, radius};
-    return Box<3>{centre.array() - radius, centre.array() + radius};
+    const Vec<3> way = m_turn.transpose() * (across(m_at) - across(m_line.first()));
+    const double radius = way.norm();
+    if (m_shape == Shape::Ball) return Ball<3>{m_restCentre, radius};
+    if (m_shape == Shape::Half) return HalfSpace<3>{m_restCentre, way.normalized()};
+    return Box<3>{m_restCentre.array() - radius, m_restCentre.array() + radius};
+}
+
+bool AreaTool::isClick() const {
+    return !m_line.isEmpty() && QLineF(m_line.first(), m_at).length() < 4;
 }
 
 void AreaTool::release(const QMouseEvent& event) {
@@ -98,20 +132,37 @@ void AreaTool::release(const QMouseEvent& event) {
     if (std::exchange(m_active, false) && session().frame<3>()) finish(event.modifiers());
     m_line.clear();
     m_brushed.clear();
+    m_caught.clear();
     surface().redraw();
 }
 
+void AreaTool::finishRegion(bool changes) {
+    if (isClick()) return;
+    const auto vertices = verticesIn(region(), *session().frame<3>()->rest);
+    const bool one = session().selection().handles().size() == 1;
+    if (vertices.empty())
+        emit session().notice(said(QT_TRANSLATE_NOOP("AreaTool", "There is no vertex in this region.")));
+    else if (changes && one)
+        changeSelected(vertices, m_adds);
+    else if (!changes || m_adds)
+        session().addHandle<3>(region(), said(QT_TRANSLATE_NOOP("AreaTool", "Region")).toStdString());
+}
+
 void AreaTool::finish(Qt::KeyboardModifiers modifiers) {
+    m_adds = modifiers & Qt::ShiftModifier;
+    const bool changes = m_adds || modifiers & Qt::ControlModifier;
     if (isSolidShape()) {
-        if (QLineF(m_line.first(), m_at).length() >= 4)
-            session().addHandle<3>(region(), said(QT_TRANSLATE_NOOP("AreaTool", "Region")).toStdString());
+        finishRegion(changes);
         return;
     }
-    const std::vector<int> vertices = verticesInside();
-    const bool add = modifiers & Qt::ShiftModifier, remove = modifiers & Qt::ControlModifier;
+    std::vector<int> vertices = verticesInside();
+    const SolidHit hit = changes && isClick() ? surface().pick(m_at) : SolidHit{};
+    if (hit.vertex >= 0 && m_shape != Shape::Brush) vertices = {hit.vertex};
     const bool one = session().selection().handles().size() == 1;
-    if ((add || remove) && one)
-        changeSelected(vertices, add);
+    if (changes && one)
+        changeSelected(vertices, m_adds);
+    else if (changes && !m_adds)
+        emit session().notice(said(QT_TRANSLATE_NOOP("AreaTool", "Select one handle to take away from.")));
     else if (!vertices.empty())
         session().addSolidHandle(vertices, said(QT_TRANSLATE_NOOP("AreaTool", "Area")).toStdString());
     else
@@ -128,7 +179,11 @@ void AreaTool::changeSelected(std::vector<int> vertices, bool add) {
     else
         std::set_difference(own.begin(), own.end(), vertices.begin(), vertices.end(),
                             std::back_inserter(result));
-    if (!result.empty() && result != own) session().changeHandle(handle, result);
+    if (result.empty())
+        emit session().notice(
+            said(QT_TRANSLATE_NOOP("AreaTool", "A handle cannot hold nothing: remove it with Delete.")));
+    else if (result != own)
+        session().changeHandle(handle, result);
 }
 
 bool AreaTool::key(const QKeyEvent& event) {
@@ -151,6 +206,7 @@ void AreaTool::cancel() {
     m_active = false;
     m_line.clear();
     m_brushed.clear();
+    m_caught.clear();
 }
 
 void AreaTool::paint(QPainter& painter) const {
@@ -169,21 +225,39 @@ void AreaTool::paint(QPainter& painter) const {
     if (!m_active) return;
     if (m_shape == Shape::Lasso) painter.drawPolygon(m_line);
     if (m_shape == Shape::Rectangle) painter.drawRect(QRectF(m_line.first(), m_at).normalized());
-    if (!isSolidShape()) return;
-    const double radius = QLineF(m_line.first(), m_at).length();
-    if (m_shape == Shape::Ball) {
-        painter.drawEllipse(m_line.first(), radius, radius);
-        return;
-    }
-    const double half = radius * surface().pixelSize(m_centre);
+    if (isSolidShape() && !isClick()) paintRegion(painter);
+    if (!m_caught.empty() && session().frame<3>()) paintCaught(painter, m_caught);
+}
+
+/// The region where the solid now is, with the number of vertices in it.
+void AreaTool::paintRegion(QPainter& painter) const {
+    const auto frame = session().frame<3>();
+    if (!frame) return;
+    const Region<3> drawn = region();
+    const auto& rest = frame->rest->points;
     painter.setBrush(Qt::NoBrush);
-    const auto corner = [&](int i) {
-        const Vec<3> side(i & 1 ? half : -half, i & 2 ? half : -half, i & 4 ? half : -half);
-        return surface().toWidget(m_centre + side);
-    };
-    for (int i = 0; i < 8; ++i)
-        for (const int bit : {1, 2, 4})
-            if (!(i & bit)) painter.drawLine(corner(i), corner(i | bit));
+    for (const auto& line : regionOutline(drawn, rest.rowwise().minCoeff(), rest.rowwise().maxCoeff())) {
+        QPolygonF screen;
+        for (const Vec<3>& p : line) screen << surface().toWidget(m_centre + m_turn * (p - m_restCentre));
+        painter.drawPolyline(screen);
+    }
+    paintCaught(painter, verticesIn(drawn, *frame->rest));
+}
+
+/// The vertices, and how many they are.
+void AreaTool::paintCaught(QPainter& painter, const std::vector<int>& held) const {
+    const auto frame = session().frame<3>();
+    painter.setBrush(kLine);
+    painter.setPen(QPen(Qt::white, 0.75));
+    for (const int v : held) painter.drawEllipse(surface().toWidget(frame->pose.col(v)), 2.6, 2.6);
+    const QString text =
+        QCoreApplication::translate("AreaTool", "%n vertices", nullptr, static_cast<int>(held.size()));
+    const QRectF box(m_at + QPointF(16, 12), QSizeF(painter.fontMetrics().horizontalAdvance(text) + 16, 24));
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(28, 30, 38, 225));
+    painter.drawRoundedRect(box, 5, 5);
+    painter.setPen(Qt::white);
+    painter.drawText(box, Qt::AlignCenter, text);
 }
 
 }  // namespace wend

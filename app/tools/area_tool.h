@@ -5,10 +5,11 @@
 namespace wend {
 
 /// Takes hold of many vertices at once, as one handle: by rectangle, lasso or brush over what is seen, or by
-/// a ball or box around a point of the surface. Shift adds to the selected handle, Ctrl takes away from it.
+/// a ball or box around a point of the surface, or the half of space beyond it. Shift adds to the selected
+/// handle, Ctrl takes away from it; with them a click does so with one vertex.
 class AreaTool : public SolidTool {
   public:
-    enum class Shape { Rectangle, Lasso, Brush, Ball, Box };
+    enum class Shape { Rectangle, Lasso, Brush, Ball, Box, Half };
     AreaTool(SolidSurface& surface, Shape shape) : SolidTool(surface), m_shape(shape) {}
 
     /// Takes vertices that something hides, too.
@@ -24,22 +25,31 @@ class AreaTool : public SolidTool {
     void paint(QPainter& painter) const override;
 
   private:
-    bool isSolidShape() const { return m_shape == Shape::Ball || m_shape == Shape::Box; }
+    bool isSolidShape() const {
+        return m_shape == Shape::Ball || m_shape == Shape::Box || m_shape == Shape::Half;
+    }
+    bool isClick() const;
     std::function<bool(const QPointF&)> insideTest() const;
     std::vector<int> verticesInside() const;
     void brush();
     void finish(Qt::KeyboardModifiers modifiers);
     Region<3> region() const;
+    Vec<3> across(const QPointF& widget) const;
+    void finishRegion(bool changes);
+    void paintRegion(QPainter& painter) const;
+    void paintCaught(QPainter& painter, const std::vector<int>& vertices) const;
+    void countCaught();
     void changeSelected(std::vector<int> vertices, bool add);
 
     Shape m_shape;
-    bool m_through = false, m_active = false;
+    bool m_through = false, m_active = false, m_adds = false;
     QPolygonF m_line;
     QPointF m_at;
-    Vec<3> m_centre = Vec<3>::Zero();  // of a ball or box, in the pose
-    int m_vertex = -1;                 // where its centre is in the rest shape
-    double m_radius = 18;              // of the brush, in pixels
-    std::vector<int> m_brushed;
+    // where a region begins, in the pose and in the rest shape, and how the solid is turned there
+    Vec<3> m_centre = Vec<3>::Zero(), m_restCentre = Vec<3>::Zero();
+    Mat<3> m_turn = Mat<3>::Identity();
+    double m_radius = 18;                  // of the brush, in pixels
+    std::vector<int> m_brushed, m_caught;  // m_caught: so far, by rectangle or lasso
 };
 
 }  // namespace wend

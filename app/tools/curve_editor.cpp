@@ -254,7 +254,10 @@ template <int Dim>
 void CurveEditor<Dim>::removePoint() {
     const auto own = curve();
     const auto next = own && chosen() > 0 ? withoutPoint<Dim>(*own, chosen()) : std::nullopt;
-    if (next) change(said(QT_TRANSLATE_NOOP("CurveEditor", "Delete curve point")), *next);
+    if (next)
+        change(said(QT_TRANSLATE_NOOP("CurveEditor", "Delete curve point")), *next);
+    else if (own && chosen() > 0)
+        emit m_session.notice(said(QT_TRANSLATE_NOOP("CurveEditor", "The ends of a curve must stay.")));
 }
 
 template <int Dim>

@@ -6,22 +6,25 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/session/solid_places.h"
+
 namespace wend {
 
 namespace {
 
+constexpr double kSnap = 5;  // pixels: a vertex that near is meant
 const QColor kLine(0xd4, 0x4a, 0x7a);
 
 QString said(const char* text) {
     return QCoreApplication::translate("MeasureTool", text);
 }
 
-double length(const Points<3>& points, const std::vector<int>& v) {
-    return (points.col(v[1]) - points.col(v[0])).norm();
+double length(const std::vector<Vec<3>>& p) {
+    return (p[1] - p[0]).norm();
 }
 
-double degrees(const Points<3>& points, const std::vector<int>& v) {
-    const Vec<3> a = points.col(v[0]) - points.col(v[1]), b = points.col(v[2]) - points.col(v[1]);
+double degrees(const std::vector<Vec<3>>& p) {
+    const Vec<3> a = p[0] - p[1], b = p[2] - p[1];
     return std::atan2(a.cross(b).norm(), a.dot(b)) * 180 / std::numbers::pi;
 }
 
@@ -31,35 +34,46 @@ QString MeasureTool::hint() const {
     const QString measured = text();
     if (!measured.isEmpty()) return measured;
     return said(QT_TRANSLATE_NOOP(
-        "MeasureTool", "Click two points for a length, a third for the angle at the second; Esc clears"));
+        "MeasureTool",
+        "Click two points for a length, a third for the angle; Ctrl takes vertices, Esc clears"));
 }
 
 void MeasureTool::press(const QMouseEvent& event) {
     const SolidHit hit = surface().pick(event.position());
-    const FramePtr& frame = session().frame();
-    if (m_vertices.size() == 3 || hit.vertex < 0 || (frame && frame->shape != m_shape)) m_vertices.clear();
-    if (hit.vertex >= 0 && frame) {
+    const auto frame = session().frame<3>();
+    if (m_points.size() == 3 || hit.cell < 0 || (frame && frame->shape != m_shape)) m_points.clear();
+    if (hit.cell >= 0 && hit.vertex >= 0 && frame) {
         m_shape = frame->shape;
-        m_vertices.push_back(hit.vertex);
+        const Vec<3> vertex = frame->pose.col(hit.vertex);
+        const bool near = QLineF(surface().toWidget(vertex), event.position()).length() <= kSnap;
+        const bool snaps = near || event.modifiers() & Qt::ControlModifier;
+        m_points.push_back(locationIn(*frame, hit.cell, snaps ? vertex : hit.point));
     }
     surface().redraw();
 }
 
 bool MeasureTool::key(const QKeyEvent& event) {
     if (event.key() != Qt::Key_Escape) return false;
-    m_vertices.clear();
+    m_points.clear();
     surface().redraw();
     return true;
 }
 
+std::vector<Vec<3>> MeasureTool::pointsIn(const PosedFrame<3>& frame, const Points<3>& points) const {
+    std::vector<Vec<3>> result;
+    for (const Location<3>& location : m_points)
+        result.push_back(positionOf<3>(location, *frame.rest, points));
+    return result;
+}
+
 QString MeasureTool::text() const {
     const auto frame = session().frame<3>();
-    if (!frame || frame->shape != m_shape || m_vertices.size() < 2) return {};
+    if (!frame || frame->shape != m_shape || m_points.size() < 2) return {};
     const QLocale locale;
-    const bool angle = m_vertices.size() == 3;
-    const double now = angle ? degrees(frame->pose, m_vertices) : length(frame->pose, m_vertices);
-    const double rest =
-        angle ? degrees(frame->rest->points, m_vertices) : length(frame->rest->points, m_vertices);
+    const bool angle = m_points.size() == 3;
+    const auto pose = pointsIn(*frame, frame->pose), start = pointsIn(*frame, frame->rest->points);
+    const double now = angle ? degrees(pose) : length(pose);
+    const double rest = angle ? degrees(start) : length(start);
     const QString unit = angle ? QStringLiteral("°") : QString();
     return said(angle ? QT_TRANSLATE_NOOP("MeasureTool", "angle %1, at rest %2")
                       : QT_TRANSLATE_NOOP("MeasureTool", "length %1, at rest %2"))
@@ -70,7 +84,7 @@ void MeasureTool::paint(QPainter& painter) const {
     const auto frame = session().frame<3>();
     if (!frame || frame->shape != m_shape) return;
     QPolygonF line;
-    for (const int v : m_vertices) line << surface().toWidget(frame->pose.col(v));
+    for (const Vec<3>& p : pointsIn(*frame, frame->pose)) line << surface().toWidget(p);
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(QColor(255, 255, 255, 200), 4, Qt::SolidLine, Qt::RoundCap));
     painter.drawPolyline(line);

@@ -12,6 +12,7 @@ class PaintTool : public SolidTool {
     explicit PaintTool(SolidSurface& surface) : SolidTool(surface) {}
 
     void setColour(const MaterialPaint& paint) { m_paint = paint; }
+    void setAlong(StiffAlong along) { m_along = along; }
 
     QString hint() const override;
     QCursor cursor() const override { return Qt::CrossCursor; }
@@ -25,14 +26,19 @@ class PaintTool : public SolidTool {
   private:
     void dab();
 
+    std::vector<Vec<3>> axes() const;
+    Vec<3> wayAt(const Vec<3>& p) const;
+
     MaterialPaint m_paint;
+    StiffAlong m_along = StiffAlong::Axis;
     bool m_active = false;
     double m_radius = 30;  // pixels
     QPointF m_at;
     struct Dab {
-        int vertex;
+        Location<3> place;
         Vec<3> rest;
         double radius;  // in the domain's units
+        Vec<3> axis;    // at rest; zero: that of the paint
     };
     std::vector<Dab> m_dabs;
 };

@@ -57,10 +57,9 @@ QString SolidPinTool::hint() const {
     if (m_adds)
         return said(
             QT_TRANSLATE_NOOP("SolidPinTool", "Click on the solid to set a pin, then drag pins to bend it"));
-    return said(QT_TRANSLATE_NOOP("SolidPinTool",
-                                  "Click or draw beside pins to select them, with Shift more, with Ctrl "
-                                  "fewer; drag to move them, arrow "
-                                  "keys nudge"));
+    return said(QT_TRANSLATE_NOOP(
+        "SolidPinTool",
+        "Click, or draw beside pins, to select; Shift adds, Ctrl takes away; drag or arrow keys move"));
 }
 
 QCursor SolidPinTool::cursor() const {
@@ -203,6 +202,7 @@ void SolidPinTool::release(const QMouseEvent& event) {
     if (event.button() != Qt::LeftButton) return;
     const bool extend = event.modifiers() & Qt::ShiftModifier;
     if (m_gesture == Gesture::Drag) {
+        drag(event.position());
         finish();
         return;
     }

@@ -26,11 +26,14 @@ void SolidActions::makeTools(QActionGroup& tools) {
     box =
         addToggle({tr("Hold a Bo&x"), tr("Take hold of all vertices in a box around a point of the surface")},
                   QKeySequence(tr("Shift+X")), "area-box");
+    half = addToggle({tr("Hold a &Half-Space"),
+                      tr("Take hold of all vertices beyond a plane through a point of the surface")},
+                     QKeySequence(tr("Shift+P")), "area-half");
     paint = addToggle({tr("&Paint Material"), tr("Brush another stiffness and energy into the solid")},
                       QKeySequence(tr("A")), "brush");
     measure = addToggle({tr("M&easure"), tr("Measure lengths and angles between points of the solid")},
                         QKeySequence(tr("E")), "measure");
-    for (QAction* tool : {rectangle, lasso, brush, ball, box, paint, measure}) tools.addAction(tool);
+    for (QAction* tool : {rectangle, lasso, brush, ball, box, half, paint, measure}) tools.addAction(tool);
     through = addToggle(
         {tr("Through the &Solid"), tr("Rectangle, lasso and brush also take or select what is hidden")},
         QKeySequence(tr("T")), "through");
@@ -96,7 +99,7 @@ void SolidActions::makeView() {
 
 void SolidActions::makeMenu() {
     m_menu->setTitle(tr("&Solid"));
-    m_menu->addActions({rectangle, lasso, brush, ball, box, through, holdBeyond});
+    m_menu->addActions({rectangle, lasso, brush, ball, box, half, through, holdBeyond});
     m_menu->addMenu(tr("Select &Pins"))->addActions({selectRectangle, selectLasso, selectBrush});
     m_menu->addActions({paint, measure});
     m_menu->addSeparator();

@@ -14,7 +14,7 @@ class SolidActions : public ActionMaker {
   public:
     SolidActions(QActionGroup& tools, QObject* parent);
 
-    QAction *rectangle, *lasso, *brush, *ball, *box, *paint, *measure;
+    QAction *rectangle, *lasso, *brush, *ball, *box, *half, *paint, *measure;
     QAction *move, *turn, *grow;
     QAction *through, *holdBeyond;
     QAction *selectRectangle, *selectLasso, *selectBrush;

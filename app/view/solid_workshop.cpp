@@ -12,10 +12,13 @@
 #include "app/panels/cut_panel.h"
 #include "app/panels/distortion_panel.h"
 #include "app/panels/handle_panel.h"
+#include "app/panels/measure_panel.h"
 #include "app/panels/paint_panel.h"
 #include "app/panels/panel_parts.h"
+#include "app/panels/region_panel.h"
 #include "app/panels/surface_panel.h"
 #include "app/session/opening.h"
+#include "app/session/solid_places.h"
 #include "app/tools/measure_tool.h"
 #include "app/tools/paint_tool.h"
 #include "app/view/actions.h"
@@ -41,6 +44,8 @@ SolidWorkshop::SolidWorkshop(const Surroundings& around, QWidget& window)
       m_actions(new SolidActions(*around.actions.tools, this)),
       m_cutPanel(new CutPanel),
       m_handlePanel(new HandlePanel(around.session)),
+      m_regionPanel(new RegionPanel(around.session)),
+      m_measurePanel(new MeasurePanel(around.session)),
       m_paintPanel(new PaintPanel(around.session)),
       m_surfacePanel(new SurfacePanel),
       m_check(new SurfaceCheck(around.session, *m_surfacePanel, window)) {}
@@ -52,7 +57,8 @@ SolidWorkshop::~SolidWorkshop() {
 void SolidWorkshop::furnish(QToolBar& tools, QVBoxLayout& panels) {
     QAction* before = m_around.actions.remove;
     SolidActions& a = *m_actions;
-    for (QAction* action : {a.rectangle, a.lasso, a.brush, a.ball, a.box, a.through, a.paint, a.measure})
+    for (QAction* action :
+         {a.rectangle, a.lasso, a.brush, a.ball, a.box, a.half, a.through, a.paint, a.measure})
         tools.insertAction(before, action);
     QAction* line = tools.insertSeparator(before);
     for (QAction* action : {a.move, a.turn, a.grow}) tools.insertAction(before, action);
@@ -72,6 +78,11 @@ void SolidWorkshop::furnish(QToolBar& tools, QVBoxLayout& panels) {
     m_surfacePanel->hide();
     panels.insertWidget(kFirstPanel + 1, m_paintPanel);  // in place of the energy while painting
     m_paintPanel->hide();
+    // Both are there only when there is something to show.
+    panels.insertWidget(panels.indexOf(m_handlePanel) + 1, m_regionPanel);
+    m_regionPanel->hide();
+    panels.insertWidget(kFirstPanel, m_measurePanel);
+    m_measurePanel->hide();
 }
 
 void SolidWorkshop::setActive(bool active) {
@@ -82,6 +93,7 @@ void SolidWorkshop::setActive(bool active) {
     const bool flatTool = m_around.actions.pinTool->isChecked() || m_around.actions.selectTool->isChecked();
     if (!active && !flatTool) m_around.actions.pinTool->setChecked(true);
     if (!active) m_paintPanel->hide();
+    if (!active) m_measurePanel->hide();
     if (!active || !m_canvas) return;
     m_canvas->setCutKind(CutKind::None);
     m_canvas->setEdgesShown(m_around.actions.showMesh->isChecked());
@@ -157,6 +169,7 @@ void SolidWorkshop::connectView() {
     connect(m_canvas, &SolidCanvas::hintChanged, &m_around.fields, &StatusFields::setHint);
     connect(m_canvas, &SolidCanvas::hintChanged, this, &SolidWorkshop::hintChanged);
     connect(m_canvas, &SolidCanvas::menuWanted, this, &SolidWorkshop::menuWanted);
+    connect(m_canvas, &SolidCanvas::pointedAt, m_measurePanel, &MeasurePanel::setPointed);
     connect(m_canvas, &SolidCanvas::pointed, &m_around.fields, &StatusFields::setPointerText);
 }
 
@@ -179,7 +192,8 @@ void SolidWorkshop::connectTools() {
                                         {a.lasso, Shape::Lasso},
                                         {a.brush, Shape::Brush},
                                         {a.ball, Shape::Ball},
-                                        {a.box, Shape::Box}}) {
+                                        {a.box, Shape::Box},
+                                        {a.half, Shape::Half}}) {
         auto tool = std::make_unique<AreaTool>(*m_canvas, shape);
         connect(a.through, &QAction::toggled, this, [area = tool.get()](bool on) { area->setThrough(on); });
         m_tools.emplace_back(action, std::move(tool));
@@ -188,6 +202,8 @@ void SolidWorkshop::connectTools() {
     brush->setColour(m_paintPanel->paint());
     connect(m_paintPanel, &PaintPanel::paintChanged, this,
             [tool = brush.get()](const MaterialPaint& paint) { tool->setColour(paint); });
+    connect(m_paintPanel, &PaintPanel::alongChanged, this,
+            [tool = brush.get()](StiffAlong along) { tool->setAlong(along); });
     m_tools.emplace_back(a.paint, std::move(brush));
     m_tools.emplace_back(a.measure, std::make_unique<MeasureTool>(*m_canvas));
     connect(m_around.actions.tools, &QActionGroup::triggered, this, &SolidWorkshop::chooseTool);
@@ -206,6 +222,9 @@ void SolidWorkshop::connectTools() {
 
 void SolidWorkshop::chooseTool() {
     m_paintPanel->setVisible(m_isActive && m_canvas && m_actions->paint->isChecked());
+    const bool measures = m_isActive && m_canvas && m_actions->measure->isChecked();
+    m_measurePanel->setVisible(measures);
+    if (m_canvas) m_canvas->setValuesShown(measures);
     if (!m_isActive || !m_canvas) return;
     for (const auto& [action, tool] : m_tools)
         if (action->isChecked()) m_canvas->setTool(tool.get());
@@ -232,6 +251,10 @@ QString SolidWorkshop::keys() {
         "<tr><td><b>X, Y, Z while dragging</b></td><td>lock an axis</td></tr>"
         "<tr><td><b>Digits while dragging</b></td><td>set the amount, Enter takes it</td></tr>"
         "<tr><td><b>B, O, U</b></td><td>hold by rectangle, lasso, brush; T: through the solid</td></tr>"
+        "<tr><td><b>Shift+B, Shift+X, Shift+P</b></td><td>hold a ball, a box, a half-space</td></tr>"
+        "<tr><td><b>Shift, Ctrl while holding</b></td><td>add to the selected handle, take away</td></tr>"
+        "<tr><td><b>Shift+C</b></td><td>makes a curve of the last way; a double click on it inserts a point, "
+        "Delete removes one</td></tr>"
         "<tr><td><b>Right or middle button</b></td><td>turns the view; with Shift it moves</td></tr>"
         "<tr><td><b>Middle click</b></td><td>sets the point to turn around</td></tr>"
         "<tr><td><b>Wheel</b></td><td>zooms to the pointer</td></tr>"
@@ -286,6 +309,12 @@ void SolidWorkshop::showCut() {
 void SolidWorkshop::holdBeyondCut() {
     const auto frame = m_around.session.frame<3>();
     if (!frame || !m_canvas || m_canvas->cut() == CutKind::None) return;
+    if (frame->pose == frame->rest->points) {  // where it is at rest it may be a region
+        const Region<3> half = HalfSpace<3>{m_canvas->plane().point, m_canvas->plane().normal};
+        if (!verticesIn(half, *frame->rest).empty())
+            m_around.session.addHandle<3>(half, tr("Region").toStdString());
+        return;
+    }
     std::vector<int> beyond;
     for (Eigen::Index v = 0; v < frame->pose.cols(); ++v)
         if (m_canvas->plane().height(frame->pose.col(v)) > 0) beyond.push_back(static_cast<int>(v));

@@ -16,7 +16,9 @@ class Actions;
 class CutPanel;
 class DistortionPanel;
 class HandlePanel;
+class MeasurePanel;
 class PaintPanel;
+class RegionPanel;
 class SolidCanvas;
 class StatusFields;
 class SurfaceCheck;
@@ -75,6 +77,8 @@ class SolidWorkshop : public QObject {
     SolidActions* m_actions;
     CutPanel* m_cutPanel;
     HandlePanel* m_handlePanel;
+    RegionPanel* m_regionPanel;
+    MeasurePanel* m_measurePanel;
     PaintPanel* m_paintPanel;
     SurfacePanel* m_surfacePanel;
     SurfaceCheck* m_check;

@@ -1,4 +1,7 @@
+#include <QDoubleSpinBox>
+
 #include "app/document/curve_edits.h"
+#include "app/panels/handle_panel.h"
 #include "app/session/curve_making.h"
 #include "app/view/curve_actions.h"
 #include "tests/support/solid_fixture.h"
@@ -16,6 +19,7 @@ class TestSpaceTools : public QObject {
     void curvePointsAreDeletedByKey();
     void curveKindsByMenuAndShortcut();
     void rightClickOpensTheCurvesMenu();
+    void twistAndScaleByThePanel();
     void outlinesSelectByAnyPoint_data();
     void outlinesSelectByAnyPoint();
     void hiddenPinsAreSelectedThrough();
@@ -139,6 +143,37 @@ void TestSpaceTools::rightClickOpensTheCurvesMenu() {
     QCOMPARE(curve().size(), std::size_t(7));
     QTest::mouseClick(&m_f->canvas(), Qt::RightButton, {}, QPoint(5, 5));
     QVERIFY(!menu->isVisible());
+}
+
+/// A frame turns the end with the curve; twist and scale come on top, and the frames are drawn.
+void TestSpaceTools::twistAndScaleByThePanel() {
+    QVERIFY(makeCurve());
+    auto* panel = m_f->window().findChild<HandlePanel*>();
+    const auto boxes = panel->findChildren<QDoubleSpinBox*>();
+    const auto type = [&](const QString& suffix, const QString& prefix, const QString& text) {
+        for (QDoubleSpinBox* box : boxes) {
+            if (!box->isVisible() || box->suffix() != suffix || box->prefix() != prefix) continue;
+            box->setFocus();
+            box->selectAll();
+            QTest::keyClicks(box, text);
+            QTest::keyClick(box, Qt::Key_Return);
+        }
+    };
+    const double size = 0.5;  // half of the end's side
+    type(QStringLiteral(" °"), QString(), QStringLiteral("60"));
+    QVERIFY(settle(m_f->session()));
+    QVERIFY(std::abs(lastCurve(m_f->project(), 1)->twist - M_PI / 3) < 1e-9);
+    QVERIFY(lastCurve(m_f->project(), 1)->frame == FrameKind::Minimal);  // without one nothing twists
+    type(QString(), QStringLiteral("×"), QStringLiteral("0.8"));
+    QVERIFY(settle(m_f->session()));
+    QCOMPARE(lastCurve(m_f->project(), 1)->scale, 0.8);
+    const Vec<3> middle = m_f->pin(1);
+    double reach = 0;
+    for (const int v : m_f->session().verticesOf(1))
+        reach = std::max(reach, (m_f->session().frame<3>()->pose.col(v) - middle).norm());
+    QVERIFY(std::abs(reach - 0.8 * std::sqrt(2.0) * size) < 1e-6);
+    m_f->actions().oblique->trigger();
+    m_f->picture(QStringLiteral("frames"));
 }
 
 void TestSpaceTools::outlinesSelectByAnyPoint_data() {

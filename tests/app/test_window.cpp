@@ -230,6 +230,11 @@ void TestWindow::marqueeAndShiftSelect() {
     QTest::mouseMove(&canvas, at(220, 120));
     QTest::mouseRelease(&canvas, Qt::LeftButton, {}, at(220, 120));
     QCOMPARE(selection.handles(), std::vector<int>({1, 2}));
+    QTest::mousePress(&canvas, Qt::LeftButton, Qt::ControlModifier, at(180, 40));
+    QTest::mouseMove(&canvas, at(200, 100));
+    QTest::mouseMove(&canvas, at(220, 120));
+    QTest::mouseRelease(&canvas, Qt::LeftButton, Qt::ControlModifier, at(220, 120));
+    QCOMPARE(selection.handles(), std::vector<int>({1}));
     QCOMPARE(pinCount(), std::size_t(3));
 }
 

@@ -5,6 +5,7 @@
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <set>
 
@@ -116,17 +117,24 @@ std::vector<DrawVertex> velocityArrows(const PosedFrame<3>& frame, const Points<
 std::vector<DrawVertex> stiffnessEllipsoids(const PosedFrame<3>& frame, const CutSurface& surface,
                                             QRgb colour) {
     if (!frame.material || frame.material->anisotropy.empty()) return {};
+    std::map<int, std::size_t> seen;  // where a stiff cell is seen
     std::set<int> stiff;
-    for (const int c : surface.cells)
-        if (!frame.material->anisotropy[c].isIdentity(1e-6)) stiff.insert(c);
+    for (std::size_t t = 0; t < surface.cells.size(); ++t)
+        if (const int c = surface.cells[t]; !frame.material->anisotropy[c].isIdentity(1e-6))
+            seen.try_emplace(c, t), stiff.insert(c);
     Builder builder(colour);
     for (const int c : thinned(stiff, kMostGlyphs / 2)) {
-        Vec<3> centre = Vec<3>::Zero();
-        for (const int v : frame.rest->cells[c]) centre += frame.pose.col(v) / 4;
-        const double size = 0.6 * std::cbrt(std::abs(cellMeasure<3>(frame.pose, frame.rest->cells[c])));
+        Vec<3> centre = Vec<3>::Zero();  // on the surface: half of it stands out
+        for (const auto& corner : surface.triangles[seen[c]])
+            centre += ((1 - corner.weight) * frame.pose.col(corner.from) +
+                       corner.weight * frame.pose.col(corner.to)) /
+                      3;
+        const double size = std::cbrt(std::abs(cellMeasure<3>(frame.pose, frame.rest->cells[c])));
         const Eigen::SelfAdjointEigenSolver<Mat<3>> axes(frame.material->anisotropy[c]);
         const Vec<3> lengths = size * (axes.eigenvalues() / axes.eigenvalues().maxCoeff()).cwiseSqrt();
-        builder.ellipsoid(centre, turnOf(frame, c) * axes.eigenvectors() * lengths.asDiagonal());
+        Mat<3> A = turnOf(frame, c) * axes.eigenvectors() * lengths.asDiagonal();
+        if (A.determinant() < 0) A.col(0) = -A.col(0);  // its outside stays outside
+        builder.ellipsoid(centre, A);
     }
     return builder.take();
 }

@@ -11,7 +11,7 @@ std::vector<DrawVertex> velocityArrows(const PosedFrame<3>& frame, const Points<
                                        const CutSurface& surface, QRgb colour);
 
 /// Ellipsoids that show where the material is stiff: long along the stiff direction, which turns with the
-/// material. For cells that are drawn and whose B is not the identity.
+/// material. On the surface, for cells that are drawn and whose B is not the identity.
 std::vector<DrawVertex> stiffnessEllipsoids(const PosedFrame<3>& frame, const CutSurface& surface,
                                             QRgb colour);
 

@@ -203,7 +203,7 @@ void SolidCanvas::showPreview(const std::shared_ptr<const Skin>& skin) {
 void SolidCanvas::showGlyphs(const PosedFrame<3>& frame) {
     std::vector<DrawVertex> triangles;
     if (m_arrows && !m_hidden)
-        triangles = velocityArrows(frame, velocityOf<3>(m_session.track(), frame), surface(), kArrowColour);
+        triangles = velocityArrows(frame, m_session.velocity<3>(), surface(), kArrowColour);
     if (m_glyphs && !m_hidden) {
         const auto ellipsoids = stiffnessEllipsoids(frame, surface(), kGlyphColour);
         triangles.insert(triangles.end(), ellipsoids.begin(), ellipsoids.end());
@@ -244,6 +244,10 @@ void SolidCanvas::paintLegend(QPainter& painter) const {
     wend::paintLegend(painter, kBar, m_measure, m_range, colour);
 }
 
+void SolidCanvas::wantVelocity() {
+    m_session.setVelocityWanted(m_arrows || m_values || (m_map && m_measure == Measure::Speed));
+}
+
 void SolidCanvas::setFlat(bool flat) {
     m_style.flat = flat;
     setStyle(m_style);
@@ -255,13 +259,16 @@ void SolidCanvas::setEdgesShown(bool shown) {
 }
 
 void SolidCanvas::setMapShown(bool shown) {
-    m_map = shown, refresh();
+    m_map = shown, wantVelocity(), refresh();
 }
 void SolidCanvas::setDetailShown(bool shown) {
     m_detail = shown, refresh();
 }
 void SolidCanvas::setArrowsShown(bool shown) {
-    m_arrows = shown, refresh();
+    m_arrows = shown, wantVelocity(), refresh();
+}
+void SolidCanvas::setValuesShown(bool shown) {
+    m_values = shown, wantVelocity();
 }
 void SolidCanvas::setGlyphsShown(bool shown) {
     m_glyphs = shown, refresh();
@@ -273,6 +280,7 @@ void SolidCanvas::setOverlaysHidden(bool hidden) {
 void SolidCanvas::setMap(Measure measure, const MeasureRange& range) {
     m_measure = measure;
     m_range = range;
+    wantVelocity();
     if (m_map) refresh();
 }
 
@@ -388,6 +396,7 @@ void SolidCanvas::mouseReleaseEvent(QMouseEvent* event) {
 void SolidCanvas::tellPointed(const QPointF& at) {
     const bool busy = isNavigating() || m_session.isDragging() || !m_session.frame<3>();
     const SolidHit hit = busy ? SolidHit{} : pick(at);
+    if (!busy) emit pointedAt(hit.cell, hit.vertex, hit.point);
     if (hit.cell < 0) {
         emit pointed({});
         return;

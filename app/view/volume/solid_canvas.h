@@ -57,6 +57,8 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     void setArrowsShown(bool shown);
     void setGlyphsShown(bool shown);
     void setOverlaysHidden(bool hidden);
+    /// Values under the pointer are shown elsewhere, the velocity among them.
+    void setValuesShown(bool shown);
     void setCutKind(wend::CutKind kind);
     void setCutPlane(const wend::CutPlane& plane);
     void showWorst();
@@ -68,6 +70,8 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     /// What is under the pointer, in words; empty when it has left.
     void pointed(QString text);
     void cutChanged();
+    /// The cell under the pointer, its nearest corner and the point; cell −1 if there is none.
+    void pointedAt(int cell, int vertex, const wend::Vec<3>& point);
 
   protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -85,6 +89,7 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     void takeFrame();
     void refresh();
     void showGlyphs(const PosedFrame<3>& frame);
+    void wantVelocity();
     void tellPointed(const QPointF& at);
     std::vector<QRgb> colours(const PosedFrame<3>& frame) const;
     SolidTool* toolAt(const QPointF& at);
@@ -99,7 +104,8 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     SurfaceStyle m_style;
     QTimer m_dim;
     int m_generation = -1;  // of the document that the view was fitted to
-    bool m_map = false, m_arrows = false, m_glyphs = false, m_hidden = false, m_dimmed = false;
+    bool m_map = false, m_arrows = false, m_values = false, m_glyphs = false, m_hidden = false,
+         m_dimmed = false;
     bool m_detail = true;
     bool m_toFit = false;   // the view has not been fitted to the whole motion's end yet
     bool m_fitted = false;  // the view follows the window's size until the user changes it

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/session/solid_places.h"
+#include "app/tools/region_outline.h"
 #include "core/motion/trajectory.h"
 
 namespace wend {
@@ -67,9 +69,28 @@ void SolidPainter::spots(const PinView<3>& view, const QColor& colour) {
     for (const Vec<3>& p : view.points) m_painter.drawEllipse(m_surface.toWidget(p), r, r);
 }
 
+/// The outline of a selected handle's region, carried to where its vertices are now.
+void SolidPainter::region(const PinView<3>& view) {
+    ShapeSession& session = m_surface.session();
+    const auto frame = session.frame<3>();
+    const auto& at = session.document().design<3>().handles[view.handle].at;
+    const auto* region = std::get_if<Region<3>>(&at);
+    if (!region || !frame) return;
+    const auto& rest = frame->rest->points;
+    std::vector<Vec<3>> held;
+    for (const int v : verticesIn(*region, *frame->rest)) held.push_back(rest.col(v));
+    const Carrying carry = carryingOf(held, view.points);
+    for (auto line : regionOutline(*region, rest.rowwise().minCoeff(), rest.rowwise().maxCoeff())) {
+        for (Vec<3>& p : line) p = carry(p);
+        m_marks.line(toWidget(line), m_theme.accent, 1.25, Qt::CustomDashLine);
+    }
+}
+
 void SolidPainter::pins(int hovered) {
     ShapeSession& session = m_surface.session();
     const auto pins = session.pins<3>();
+    for (const PinView<3>& view : pins)
+        if (view.region && session.selection().contains(view.handle)) region(view);
     for (const PinView<3>& view : pins)
         if (view.points.size() > 1)
             spots(view, session.selection().contains(view.handle) ? m_theme.accent : kInk);

@@ -23,6 +23,7 @@ class SolidPainter {
   private:
     QPolygonF toWidget(const std::vector<Vec<3>>& points) const;
     void frames(const Handle<3>& handle, const Vec<3>& start);
+    void region(const PinView<3>& view);
     void spots(const PinView<3>& view, const QColor& colour);
 
     QPainter& m_painter;

@@ -1,0 +1,148 @@
+#include "app/panels/measure_panel.h"
+
+#include <Eigen/Eigenvalues>
+#include <QLabel>
+#include <QLocale>
+#include <cmath>
+#include <set>
+
+#include "app/panels/colour_map.h"
+#include "app/panels/legend.h"
+#include "app/panels/panel_parts.h"
+#include "app/session/solid_places.h"
+
+namespace wend {
+
+namespace {
+
+constexpr double kRounding = 1e-12;  // an error below it is none
+
+QString number(double x) {
+    return QLocale().toString(x, 'g', 5);
+}
+
+QString place(const Vec<3>& p, double diagonal) {
+    const auto one = [diagonal](double x) { return number(std::abs(x) < 1e-9 * diagonal ? 0.0 : x); };
+    return QStringLiteral("%1, %2, %3").arg(one(p.x()), one(p.y()), one(p.z()));
+}
+
+QString line(const QString& name, const QString& value) {
+    return QStringLiteral("<tr><td>%1 &nbsp;</td><td>%2</td></tr>").arg(name.toHtmlEscaped(), value);
+}
+
+/// Of one cell; see shownValues().
+double valueOf(const PosedFrame<3>& frame, const Points<3>& velocity, Measure measure, int c) {
+    if (isDistortion(measure)) {
+        const double value = valuesOf(frame.distortion, measure)[c];
+        return std::abs(value) < kRounding ? 0 : value;
+    }
+    if (measure == Measure::Phi) return frame.material ? frame.material->phi[c] : 0;
+    if (measure == Measure::Stiffness)
+        return frame.material && !frame.material->anisotropy.empty()
+                   ? Eigen::SelfAdjointEigenSolver<Mat<3>>(frame.material->anisotropy[c]).eigenvalues()[2]
+                   : 1;
+    Vec<3> mean = Vec<3>::Zero();
+    for (const int v : frame.rest->cells[c])
+        if (velocity.cols()) mean += velocity.col(v) / 4;
+    return mean.norm();
+}
+
+}  // namespace
+
+MeasurePanel::MeasurePanel(ShapeSession& session, QWidget* parent)
+    : QWidget(parent),
+      m_session(session),
+      m_whole(secondLabel({}, this)),
+      m_part(secondLabel({}, this)),
+      m_point(secondLabel({}, this)),
+      m_cell(secondLabel({}, this)) {
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(16, 14, 16, 14);
+    layout->setSpacing(10);
+    layout->addWidget(panelTitle(tr("Measures"), this));
+    m_whole->setObjectName(QStringLiteral("measureWhole"));
+    m_part->setObjectName(QStringLiteral("measurePart"));
+    m_point->setObjectName(QStringLiteral("measurePoint"));
+    m_cell->setObjectName(QStringLiteral("measureCell"));
+    for (QLabel* label : {m_whole, m_part, m_point, m_cell}) {
+        label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+        layout->addWidget(label);
+    }
+    describe(m_whole, tr("Size of the solid"), tr("Volume and area of the surface, now and at rest."));
+    describe(m_part, tr("Size of what is selected"),
+             tr("Volume of the tetrahedra and area of the outer triangles that the selected handles hold."));
+    describe(m_point, tr("Vertex under the pointer"), tr("The nearest vertex and where it is."));
+    describe(m_cell, tr("Tetrahedron under the pointer"), tr("All values of the tetrahedron."));
+    connect(&session, &ShapeSession::frameChanged, this, &MeasurePanel::refresh);
+    connect(&session, &ShapeSession::pinsChanged, this, &MeasurePanel::refresh);
+}
+
+void MeasurePanel::setPointed(int cell, int vertex, const Vec<3>& point) {
+    m_pointedCell = cell;
+    m_vertex = vertex;
+    m_at = point;
+    if (isVisible()) showPointed();
+}
+
+void MeasurePanel::showEvent(QShowEvent*) {
+    refresh();
+}
+
+void MeasurePanel::refresh() {
+    if (!isVisible() || m_session.isDragging()) return;
+    showSizes();
+    showPointed();
+}
+
+void MeasurePanel::showSizes() {
+    const auto frame = m_session.frame<3>();
+    if (!frame || !frame->facets) return;
+    const auto text = [](const QString& title, const SolidSize& now, const SolidSize& rest) {
+        const QString both = tr("%1, at rest %2");
+        return QStringLiteral("<b>%1</b><table>").arg(title.toHtmlEscaped()) +
+               line(tr("volume"), both.arg(number(now.volume), number(rest.volume))) +
+               line(tr("area"), both.arg(number(now.area), number(rest.area))) + QStringLiteral("</table>");
+    };
+    m_whole->setText(text(tr("The whole"), sizeOf(*frame, frame->pose), sizeOf(*frame, frame->rest->points)));
+    std::vector<int> held;
+    for (const int handle : m_session.selection().handles())
+        if (handle < static_cast<int>(m_session.document().design<3>().handles.size()))
+            for (const int v : m_session.verticesOf(handle)) held.push_back(v);
+    m_part->setVisible(!held.empty());
+    if (held.empty()) return;
+    m_part->setText(text(tr("Selected: %n vertices", nullptr,
+                            static_cast<int>(std::set<int>(held.begin(), held.end()).size())),
+                         sizeOf(*frame, frame->pose, held), sizeOf(*frame, frame->rest->points, held)));
+}
+
+void MeasurePanel::showPointed() {
+    const auto frame = m_session.frame<3>();
+    const bool has = frame && m_pointedCell >= 0 && m_pointedCell < frame->cells && m_vertex >= 0 &&
+                     m_vertex < frame->vertices;
+    if (!has) {
+        m_point->setText(tr("Point at the solid for the values there."));
+        m_cell->clear();
+        return;
+    }
+    const Points<3> velocity = m_session.velocity<3>();
+    m_point->setText(QStringLiteral("<b>%1</b><table>").arg(tr("Vertex %1").arg(m_vertex)) +
+                     line(tr("place"), place(frame->pose.col(m_vertex), frame->diagonal)) +
+                     line(tr("at rest"), place(frame->rest->points.col(m_vertex), frame->diagonal)) +
+                     line(tr("pointed at"), place(m_at, frame->diagonal)) +
+                     line(tr("velocity"), velocity.cols() ? place(velocity.col(m_vertex), frame->diagonal)
+                                                          : QStringLiteral("–")) +
+                     QStringLiteral("</table>"));
+    const Cell<3>& cell = frame->rest->cells[m_pointedCell];
+    QString rows = line(tr("volume"), tr("%1, at rest %2")
+                                          .arg(number(std::abs(cellMeasure<3>(frame->pose, cell))),
+                                               number(std::abs(cellMeasure<3>(frame->rest->points, cell)))));
+    for (const Measure measure :
+         {Measure::Length, Measure::Area, Measure::Angle, Measure::Phi, Measure::Stiffness, Measure::Speed}) {
+        rows += line(measureName(measure, 3),
+                     measureText(measure, valueOf(*frame, velocity, measure, m_pointedCell)));
+    }
+    m_cell->setText(QStringLiteral("<b>%1</b><table>").arg(tr("Tetrahedron %1").arg(m_pointedCell)) + rows +
+                    QStringLiteral("</table>"));
+}
+
+}  // namespace wend

@@ -1,0 +1,64 @@
+#include "app/tools/region_outline.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+
+namespace wend {
+
+namespace {
+
+using Lines = std::vector<std::vector<Vec<3>>>;
+constexpr int kRingPieces = 48;
+
+Lines linesOf(const Ball<3>& ball, const Vec<3>&, const Vec<3>&) {
+    Lines lines;
+    for (int axis = 0; axis < 3; ++axis) {
+        std::vector<Vec<3>> ring;
+        const Vec<3> u = Vec<3>::Unit((axis + 1) % 3), v = Vec<3>::Unit((axis + 2) % 3);
+        for (int i = 0; i <= kRingPieces; ++i) {
+            const double a = 2 * std::numbers::pi * i / kRingPieces;
+            ring.push_back(ball.centre + ball.radius * (std::cos(a) * u + std::sin(a) * v));
+        }
+        lines.push_back(std::move(ring));
+    }
+    return lines;
+}
+
+Lines linesOf(const Box<3>& box, const Vec<3>&, const Vec<3>&) {
+    const auto corner = [&box](int i) {
+        return Vec<3>(i & 1 ? box.max.x() : box.min.x(), i & 2 ? box.max.y() : box.min.y(),
+                      i & 4 ? box.max.z() : box.min.z());
+    };
+    Lines lines;
+    for (int i = 0; i < 8; ++i)
+        for (const int bit : {1, 2, 4})
+            if (!(i & bit)) lines.push_back({corner(i), corner(i | bit)});
+    return lines;
+}
+
+Lines linesOf(const HalfSpace<3>& half, const Vec<3>& low, const Vec<3>& high) {
+    if (half.normal.norm() == 0) return {};
+    const Vec<3> n = half.normal.normalized(), u = n.unitOrthogonal(), v = n.cross(u),
+                 middle = (low + high) / 2;
+    const Vec<3> centre = middle + n.dot(half.point - middle) * n;
+    const double reach = 0.4 * (high - low).norm();
+    const Vec<3> tip = centre + 0.35 * reach * n, back = tip - 0.1 * reach * n;
+    return {{centre + reach * (u + v), centre + reach * (u - v), centre - reach * (u + v),
+             centre - reach * (u - v), centre + reach * (u + v)},
+            {centre, tip},
+            {back + 0.05 * reach * u, tip, back - 0.05 * reach * u}};
+}
+
+Lines linesOf(const Blend<3>& blend, const Vec<3>&, const Vec<3>&) {
+    return {{blend.from, blend.to}};
+}
+
+}  // namespace
+
+std::vector<std::vector<Vec<3>>> regionOutline(const Region<3>& region, const Vec<3>& low,
+                                               const Vec<3>& high) {
+    return std::visit([&](const auto& shape) { return linesOf(shape, low, high); }, region);
+}
+
+}  // namespace wend
