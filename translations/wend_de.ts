@@ -727,6 +727,73 @@
     </message>
 </context>
 <context>
+    <name>wend::CurvePanel</name>
+    <message>
+        <source>Make a curve of it</source>
+        <translation>In eine Kurve verwandeln</translation>
+    </message>
+    <message>
+        <source>Turns the way that was drawn into a Bézier curve with points to drag.</source>
+        <translation>Macht aus dem gezogenen Weg eine Bézierkurve mit Punkten zum Ziehen.</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Frenet</source>
+        <translation>Frenet</translation>
+    </message>
+    <message>
+        <source>least turning</source>
+        <translation>kleinste Drehung</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Rahmen</translation>
+    </message>
+    <message>
+        <source>Whether what is held turns along the curve, and how.</source>
+        <translation>Ob sich das Gehaltene entlang der Kurve dreht, und wie.</translation>
+    </message>
+    <message>
+        <source>Twist</source>
+        <translation>Drall</translation>
+    </message>
+    <message>
+        <source>How far it turns around the curve&apos;s direction, over the whole curve.</source>
+        <translation>Wie weit es sich über die ganze Kurve um deren Richtung dreht.</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>How large it has become at the end of the curve.</source>
+        <translation>Wie groß es am Ende der Kurve geworden ist.</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Kurve</translation>
+    </message>
+    <message>
+        <source>Fra&amp;me</source>
+        <translation>Rah&amp;men</translation>
+    </message>
+    <message>
+        <source>T&amp;wist</source>
+        <translation>&amp;Drall</translation>
+    </message>
+    <message>
+        <source>S&amp;cale</source>
+        <translation>&amp;Größe</translation>
+    </message>
+    <message>
+        <source>Change curve</source>
+        <translation>Kurve ändern</translation>
+    </message>
+</context>
+<context>
     <name>wend::CutPanel</name>
     <message>
         <source>Not cut</source>
@@ -1074,10 +1141,6 @@
         <translation>Anwenden</translation>
     </message>
     <message>
-        <source>Make a curve of it</source>
-        <translation>In eine Kurve verwandeln</translation>
-    </message>
-    <message>
         <source>Rename</source>
         <translation>Umbenennen</translation>
     </message>
@@ -1142,64 +1205,8 @@
         <translation>Führt diesen Schritt aus; er wird Teil der Bewegung.</translation>
     </message>
     <message>
-        <source>Turns the way that was drawn into a Bézier curve with points to drag.</source>
-        <translation>Macht aus dem gezogenen Weg eine Bézierkurve mit Punkten zum Ziehen.</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>keine</translation>
-    </message>
-    <message>
-        <source>Frenet</source>
-        <translation>Frenet</translation>
-    </message>
-    <message>
-        <source>least turning</source>
-        <translation>kleinste Drehung</translation>
-    </message>
-    <message>
-        <source>Frame</source>
-        <translation>Rahmen</translation>
-    </message>
-    <message>
-        <source>Whether what is held turns along the curve, and how.</source>
-        <translation>Ob sich das Gehaltene entlang der Kurve dreht, und wie.</translation>
-    </message>
-    <message>
-        <source>Twist</source>
-        <translation>Drall</translation>
-    </message>
-    <message>
-        <source>How far it turns around the curve&apos;s direction, over the whole curve.</source>
-        <translation>Wie weit es sich über die ganze Kurve um deren Richtung dreht.</translation>
-    </message>
-    <message>
-        <source>Scale</source>
-        <translation>Größe</translation>
-    </message>
-    <message>
-        <source>How large it has become at the end of the curve.</source>
-        <translation>Wie groß es am Ende der Kurve geworden ist.</translation>
-    </message>
-    <message>
         <source>Pin</source>
         <translation>Pin</translation>
-    </message>
-    <message>
-        <source>Fra&amp;me</source>
-        <translation>Rah&amp;men</translation>
-    </message>
-    <message>
-        <source>T&amp;wist</source>
-        <translation>&amp;Drall</translation>
-    </message>
-    <message>
-        <source>S&amp;cale</source>
-        <translation>&amp;Größe</translation>
-    </message>
-    <message>
-        <source>Change curve</source>
-        <translation>Kurve ändern</translation>
     </message>
     <message numerus="yes">
         <source>%n pins</source>

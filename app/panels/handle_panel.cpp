@@ -6,10 +6,9 @@
 #include <QPushButton>
 #include <numbers>
 
-#include "app/document/curve_edits.h"
 #include "app/document/handle_edits.h"
+#include "app/panels/curve_panel.h"
 #include "app/panels/panel_parts.h"
-#include "app/session/curve_making.h"
 
 namespace wend {
 
@@ -29,11 +28,7 @@ HandlePanel::HandlePanel(ShapeSession& session, QWidget* parent)
       m_kind(new QComboBox(this)),
       m_axis(new QComboBox(this)),
       m_apply(new QPushButton(tr("Apply"), this)),
-      m_toCurve(new QPushButton(tr("Make a curve of it"), this)),
-      m_curve(new QWidget(this)),
-      m_frame(new QComboBox(this)),
-      m_twist(new QDoubleSpinBox(this)),
-      m_scale(new QDoubleSpinBox(this)) {
+      m_curve(new CurvePanel(session, 3, false, this)) {
     makeControls();
     arrange();
     connect(m_name, &QLineEdit::editingFinished, this, [this] {
@@ -45,10 +40,6 @@ HandlePanel::HandlePanel(ShapeSession& session, QWidget* parent)
     });
     connect(m_kind, &QComboBox::currentIndexChanged, this, &HandlePanel::showStep);
     connect(m_apply, &QPushButton::clicked, this, &HandlePanel::apply);
-    connect(m_toCurve, &QPushButton::clicked, this, &HandlePanel::makeCurve);
-    connect(m_frame, &QComboBox::activated, this, &HandlePanel::changeCurve);
-    for (QDoubleSpinBox* box : {m_twist, m_scale})
-        connect(box, &QDoubleSpinBox::valueChanged, this, &HandlePanel::changeCurve);
     connect(&m_session, &ShapeSession::pinsChanged, this, &HandlePanel::showHandle);
     connect(&m_session, &ShapeSession::frameChanged, this, &HandlePanel::showHandle);
     showStep();
@@ -73,26 +64,6 @@ void HandlePanel::makeControls() {
     describe(m_axis, tr("Axis"), tr("The axis of the turn, through the middle of what is selected."));
     m_apply->setToolTip(tr("Does this step; it becomes part of the motion."));
     m_apply->setStatusTip(m_apply->toolTip());
-    m_toCurve->setToolTip(tr("Turns the way that was drawn into a Bézier curve with points to drag."));
-    m_toCurve->setStatusTip(m_toCurve->toolTip());
-    m_frame->addItems({tr("none"), tr("Frenet"), tr("least turning")});
-    m_frame->setFixedWidth(116);
-    describe(m_frame, tr("Frame"), tr("Whether what is held turns along the curve, and how."));
-    m_twist->setRange(-3600, 3600);
-    m_twist->setDecimals(1);
-    m_twist->setSingleStep(15);
-    m_twist->setSuffix(QStringLiteral(" °"));
-    m_twist->setKeyboardTracking(false);
-    m_twist->setFixedWidth(116);
-    describe(m_twist, tr("Twist"),
-             tr("How far it turns around the curve's direction, over the whole curve."));
-    m_scale->setRange(0.05, 20);
-    m_scale->setDecimals(3);
-    m_scale->setSingleStep(0.05);
-    m_scale->setPrefix(QStringLiteral("×"));
-    m_scale->setKeyboardTracking(false);
-    m_scale->setFixedWidth(116);
-    describe(m_scale, tr("Scale"), tr("How large it has become at the end of the curve."));
 }
 
 void HandlePanel::arrange() {
@@ -116,14 +87,7 @@ void HandlePanel::arrange() {
     auto* second = new QHBoxLayout;
     for (QDoubleSpinBox* box : m_numbers) second->addWidget(box);
     body->addLayout(second);
-    body->addWidget(m_toCurve);
     body->addWidget(m_curve);
-    auto* curve = new QVBoxLayout(m_curve);
-    curve->setContentsMargins(0, 0, 0, 0);
-    curve->setSpacing(10);
-    curve->addLayout(panelRow(tr("Fra&me"), m_frame, m_curve));
-    curve->addLayout(panelRow(tr("T&wist"), m_twist, m_curve));
-    curve->addLayout(panelRow(tr("S&cale"), m_scale, m_curve));
 }
 
 int HandlePanel::single() const {
@@ -160,26 +124,6 @@ void HandlePanel::apply() {
     m_session.moveSelected<3>(grip, amount);
 }
 
-void HandlePanel::makeCurve() {
-    wend::makeCurve(m_session);
-}
-
-CurveMotion<3>* HandlePanel::curveOf(Project& project) const {
-    return single() < 0 ? nullptr : lastCurve(project, single());
-}
-
-void HandlePanel::changeCurve() {
-    Project next = *m_session.document().project();
-    CurveMotion<3>* curve = curveOf(next);
-    if (!curve) return;
-    curve->twist = m_twist->value() / kDegrees;
-    curve->scale = m_scale->value();
-    curve->frame = static_cast<FrameKind>(m_frame->currentIndex());
-    if (curve->twist != 0 && curve->frame == FrameKind::None) curve->frame = FrameKind::Minimal;
-    m_session.document().change(tr("Change curve"), std::move(next),
-                                QStringLiteral("curve %1").arg(single()));
-}
-
 void HandlePanel::showHandle() {
     const bool any = m_session.document().dimension() == 3 && !m_session.selection().isEmpty();
     m_none->setVisible(!any);
@@ -198,15 +142,6 @@ void HandlePanel::showHandle() {
     m_place->setText(tr("at %1, %2, %3")
                          .arg(locale.toString(at.x(), 'g', 5), locale.toString(at.y(), 'g', 5),
                               locale.toString(at.z(), 'g', 5)));
-    const Project& project = *m_session.document().project();
-    const CurveMotion<3>* curve = handle >= 0 ? lastCurve(project, handle) : nullptr;
-    m_curve->setVisible(curve != nullptr);
-    m_toCurve->setVisible(handle >= 0 && !curve && canBecomeCurve(project, handle));
-    if (!curve) return;
-    const QSignalBlocker a(m_twist), b(m_scale);
-    m_frame->setCurrentIndex(static_cast<int>(curve->frame));
-    m_twist->setValue(curve->twist * kDegrees);
-    m_scale->setValue(curve->scale);
 }
 
 }  // namespace wend

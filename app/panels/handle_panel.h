@@ -12,6 +12,8 @@ class QPushButton;
 
 namespace wend {
 
+class CurvePanel;
+
 /// The selected handle of a solid in numbers: its name and place, exact steps, and the curve that it follows.
 class HandlePanel : public QWidget {
     Q_OBJECT
@@ -25,11 +27,8 @@ class HandlePanel : public QWidget {
     void showHandle();
     void showStep();
     void apply();
-    void makeCurve();
-    void changeCurve();
     Vec<3> middle() const;
     int single() const;
-    CurveMotion<3>* curveOf(Project& project) const;
 
     ShapeSession& m_session;
     QLabel* m_none;
@@ -40,11 +39,7 @@ class HandlePanel : public QWidget {
     std::array<QDoubleSpinBox*, 3> m_numbers;
     QComboBox* m_axis;
     QPushButton* m_apply;
-    QPushButton* m_toCurve;
-    QWidget* m_curve;
-    QComboBox* m_frame;
-    QDoubleSpinBox* m_twist;
-    QDoubleSpinBox* m_scale;
+    CurvePanel* m_curve;
 };
 
 }  // namespace wend

@@ -14,6 +14,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "app/panels/curve_panel.h"
 #include "app/panels/distortion_panel.h"
 #include "app/panels/material_panel.h"
 #include "app/panels/mesh_panel.h"
@@ -125,6 +126,7 @@ QWidget* MainWindow::makeSidePanel() {
     column->setSpacing(0);
     column->addWidget(m_material);
     column->addWidget(panelLine(content));
+    column->addWidget(new CurvePanel(m_session, 2, true));
     column->addWidget(m_mesh);
     column->addWidget(panelLine(content));
     column->addWidget(m_distortion);

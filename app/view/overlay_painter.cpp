@@ -3,11 +3,16 @@
 #include <QCoreApplication>
 #include <cmath>
 
+#include "core/motion/trajectory.h"
+
 namespace wend {
 
 namespace {
 
 constexpr int kMostPathsOfOneHandle = 3;
+constexpr int kFramesAlongCurve = 9;
+constexpr double kFrameSize = 22;  // pixels
+const QColor kFrameAxes[] = {QColor(214, 69, 65), QColor(72, 148, 60)};
 
 QPixmap checker(const Theme& theme) {
     constexpr int kSquare = 10;
@@ -40,6 +45,24 @@ QPolygonF OverlayPainter::toWidget(const std::vector<Vec<2>>& points) const {
     return line;
 }
 
+/// The local frames that a curve carries along.
+void OverlayPainter::frames(const Handle<2>& handle, const Vec<2>& start) {
+    for (const Motion<2>& motion : handle.motions) {
+        const auto* curve = std::get_if<CurveMotion<2>>(&motion.kind);
+        if (!curve || curve->frame == FrameKind::None) continue;
+        const Trajectory<2> trajectory(motion);
+        for (int i = 0; i < kFramesAlongCurve; ++i) {
+            const double t = motion.start + (motion.end - motion.start) * i / (kFramesAlongCurve - 1);
+            const Vec<2> at = trajectory.at(t).position(start);
+            const Mat<2> F = trajectory.frame(t);
+            for (int k = 0; k < 2; ++k)
+                m_marks.line(
+                    {m_view.toWidget(at), m_view.toWidget(at + kFrameSize / m_view.zoom() * F.col(k))},
+                    kFrameAxes[k], 1.75, Qt::SolidLine);
+        }
+    }
+}
+
 void OverlayPainter::paths(ShapeSession& session) {
     if (session.document().isEmpty()) return;
     const auto& handles = session.document().design().handles;
@@ -55,6 +78,7 @@ void OverlayPainter::paths(ShapeSession& session) {
             }
             for (const PinPath<2>& one : pinPaths(handles[h], starts))
                 m_marks.path(toWidget(one.points), one.times, selected, session.playback().time());
+            if (selected && !starts.empty()) frames(handles[h], starts.front());
         }
 }
 

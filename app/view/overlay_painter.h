@@ -26,6 +26,7 @@ class OverlayPainter {
   private:
     QPolygonF toWidget(const std::vector<Vec<2>>& points) const;
     void ghost(const QPointF& at, bool selected, bool hovered);
+    void frames(const Handle<2>& handle, const Vec<2>& start);
     void spots(const PinView<2>& view, const QColor& colour);
     void region(const PinView<2>& view, const QColor& colour);
 

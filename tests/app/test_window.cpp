@@ -1,4 +1,5 @@
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QInputDialog>
@@ -15,6 +16,7 @@
 #include <QToolButton>
 
 #include "app/document/curve_edits.h"
+#include "app/panels/curve_panel.h"
 #include "app/panels/distortion_panel.h"
 #include "app/panels/material_panel.h"
 #include "app/session/opening.h"
@@ -585,6 +587,24 @@ void TestWindow::curvesAreEdited() {
     QVERIFY(settle(m_window->session()));
     QCOMPARE(curve().size(), std::size_t(4));
     QCOMPARE(pinCount(), std::size_t(2));
+    // A frame along the curve, and a scale, by the panel.
+    CurvePanel* panel = nullptr;
+    for (CurvePanel* one : m_window->findChildren<CurvePanel*>())
+        if (one->isVisible()) panel = one;
+    QVERIFY(panel);
+    auto* frame = panel->findChild<QComboBox*>();
+    frame->setFocus();
+    for (int i = 0; i < 2; ++i) QTest::keyClick(frame, Qt::Key_Down);
+    QVERIFY(settle(m_window->session()));
+    const auto motion = [&] { return *lastCurve<2>(*m_window->session().document().project(), 1); };
+    QVERIFY(motion().frame == FrameKind::Minimal);
+    for (QDoubleSpinBox* box : panel->findChildren<QDoubleSpinBox*>())
+        if (box->isVisible()) box->setValue(1.2);
+    QVERIFY(settle(m_window->session()));
+    QCOMPARE(motion().scale, 1.2);
+    QCOMPARE(motion().twist, 0.0);
+    if (qEnvironmentVariableIsSet("WEND_TEST_PICTURES"))  // for looking at
+        m_window->grab().save(qEnvironmentVariable("WEND_TEST_PICTURES") + "/flat-curve.png");
     // A pin at the end of its curve is still a pin: another drag goes on from there.
     dragPin(190, 40, 0, -8);
     QTest::mouseRelease(&m_window->canvas(), Qt::LeftButton, {}, at(190, 32));

@@ -1,0 +1,126 @@
+#include "app/panels/curve_panel.h"
+
+#include <QComboBox>
+#include <QPushButton>
+#include <numbers>
+
+#include "app/document/curve_edits.h"
+#include "app/panels/panel_parts.h"
+#include "app/session/curve_making.h"
+
+namespace wend {
+
+namespace {
+
+constexpr double kDegrees = 180 / std::numbers::pi;
+
+}  // namespace
+
+CurvePanel::CurvePanel(ShapeSession& session, int dimension, bool titled, QWidget* parent)
+    : QWidget(parent),
+      m_session(session),
+      m_dimension(dimension),
+      m_make(new QPushButton(tr("Make a curve of it"), this)),
+      m_curve(new QWidget(this)),
+      m_frame(new QComboBox(this)),
+      m_twist(new QDoubleSpinBox(this)),
+      m_scale(new QDoubleSpinBox(this)) {
+    makeControls();
+    arrange(titled);
+    connect(m_make, &QPushButton::clicked, this, [this] { makeCurve(m_session); });
+    connect(m_frame, &QComboBox::activated, this, &CurvePanel::change);
+    for (QDoubleSpinBox* box : {m_twist, m_scale})
+        connect(box, &QDoubleSpinBox::valueChanged, this, &CurvePanel::change);
+    connect(&m_session, &ShapeSession::pinsChanged, this, &CurvePanel::showCurve);
+    connect(&m_session, &ShapeSession::frameChanged, this, &CurvePanel::showCurve);
+    showCurve();
+}
+
+void CurvePanel::makeControls() {
+    m_make->setToolTip(tr("Turns the way that was drawn into a Bézier curve with points to drag."));
+    m_make->setStatusTip(m_make->toolTip());
+    m_frame->addItems({tr("none"), tr("Frenet"), tr("least turning")});
+    m_frame->setFixedWidth(116);
+    describe(m_frame, tr("Frame"), tr("Whether what is held turns along the curve, and how."));
+    m_twist->setRange(-3600, 3600);
+    m_twist->setDecimals(1);
+    m_twist->setSingleStep(15);
+    m_twist->setSuffix(QStringLiteral(" °"));
+    m_twist->setKeyboardTracking(false);
+    m_twist->setFixedWidth(116);
+    describe(m_twist, tr("Twist"),
+             tr("How far it turns around the curve's direction, over the whole curve."));
+    m_scale->setRange(0.05, 20);
+    m_scale->setDecimals(3);
+    m_scale->setSingleStep(0.05);
+    m_scale->setPrefix(QStringLiteral("×"));
+    m_scale->setKeyboardTracking(false);
+    m_scale->setFixedWidth(116);
+    describe(m_scale, tr("Scale"), tr("How large it has become at the end of the curve."));
+}
+
+void CurvePanel::arrange(bool titled) {
+    auto* layout = new QVBoxLayout(this);
+    titled ? layout->setContentsMargins(16, 14, 16, 14) : layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(10);
+    if (titled) layout->addWidget(panelTitle(tr("Curve"), this));
+    layout->addWidget(m_make);
+    layout->addWidget(m_curve);
+    auto* curve = new QVBoxLayout(m_curve);
+    curve->setContentsMargins(0, 0, 0, 0);
+    curve->setSpacing(10);
+    curve->addLayout(panelRow(tr("Fra&me"), m_frame, m_curve));
+    if (m_dimension == 3)
+        curve->addLayout(panelRow(tr("T&wist"), m_twist, m_curve));
+    else
+        m_twist->hide();
+    curve->addLayout(panelRow(tr("S&cale"), m_scale, m_curve));
+}
+
+int CurvePanel::single() const {
+    const auto& selected = m_session.selection().handles();
+    if (m_session.document().dimension() != m_dimension || selected.size() != 1) return -1;
+    const auto count = std::visit([](const auto& design) { return design.handles.size(); },
+                                  m_session.document().project()->design);
+    return selected.front() < static_cast<int>(count) ? selected.front() : -1;
+}
+
+void CurvePanel::change() {
+    if (single() >= 0) m_dimension == 2 ? changeOf<2>() : changeOf<3>();
+}
+
+template <int Dim>
+void CurvePanel::changeOf() {
+    Project next = *m_session.document().project();
+    CurveMotion<Dim>* curve = lastCurve<Dim>(next, single());
+    if (!curve) return;
+    if (Dim == 3) curve->twist = m_twist->value() / kDegrees;
+    curve->scale = m_scale->value();
+    curve->frame = static_cast<FrameKind>(m_frame->currentIndex());
+    if (curve->twist != 0 && curve->frame == FrameKind::None) curve->frame = FrameKind::Minimal;
+    m_session.document().change(tr("Change curve"), std::move(next),
+                                QStringLiteral("curve %1").arg(single()));
+}
+
+void CurvePanel::showCurve() {
+    if (single() < 0)
+        hide();
+    else
+        m_dimension == 2 ? show<2>() : show<3>();
+}
+
+template <int Dim>
+void CurvePanel::show() {
+    const CurveMotion<Dim>* curve = lastCurve<Dim>(*m_session.document().project(), single());
+    const bool canMake = !curve && canMakeCurve(m_session);
+    setVisible(curve || canMake);
+    m_curve->setVisible(curve);
+    m_make->setVisible(canMake);
+    if (!curve) return;
+    const QSignalBlocker a(m_twist), b(m_scale);
+    m_frame->setCurrentIndex(static_cast<int>(curve->frame));
+    m_twist->setValue(curve->twist * kDegrees);
+    m_scale->setValue(curve->scale);
+}
+
+}  // namespace wend
