@@ -6,6 +6,9 @@ target_compile_options(wend_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow 
     -Woverloaded-virtual -Wno-unknown-pragmas -Wno-restrict
     -Wno-stringop-overread -Wno-stringop-overflow -Wno-array-bounds -Wno-maybe-uninitialized $<$<BOOL:${WEND_WERROR}>:-Werror>)
 if(WEND_SANITIZE)
-    target_compile_options(wend_options INTERFACE -fsanitize=${WEND_SANITIZE} -fno-omit-frame-pointer)
-    target_link_options(wend_options INTERFACE -fsanitize=${WEND_SANITIZE})
+    # Not where a target says UNSANITIZED: sanitizers need more address space than a limited process gets.
+    set(plain $<BOOL:$<TARGET_PROPERTY:UNSANITIZED>>)
+    target_compile_options(wend_options INTERFACE
+        $<$<NOT:${plain}>:-fsanitize=${WEND_SANITIZE}> $<$<NOT:${plain}>:-fno-omit-frame-pointer>)
+    target_link_options(wend_options INTERFACE $<$<NOT:${plain}>:-fsanitize=${WEND_SANITIZE}>)
 endif()
