@@ -1,6 +1,7 @@
 #include "kernels/back_end_choice.h"
 
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <utility>
 
@@ -142,6 +143,21 @@ std::optional<OpenClDeviceInfo> deviceFor(BackEndKind kind, const std::string& n
 
 }  // namespace
 
+struct SharedDevice::State {
+    std::mutex mutex;
+    std::optional<OpenClPlace> place;
+};
+
+SharedDevice::SharedDevice() : m_state(std::make_shared<State>()) {}
+
+OpenClPlace SharedDevice::at(const OpenClDeviceInfo& info) const {
+    const std::scoped_lock lock(m_state->mutex);
+    auto& place = m_state->place;
+    const bool same = place && place->info().platform == info.platform && place->info().device == info.device;
+    if (!same) place.emplace(info);
+    return *place;
+}
+
 template <int Dim>
 std::unique_ptr<BackEnd<Dim>> makeFailsafe(std::unique_ptr<BackEnd<Dim>> primary,
                                            std::function<std::unique_ptr<BackEnd<Dim>>()> makeFallback,
@@ -151,7 +167,8 @@ std::unique_ptr<BackEnd<Dim>> makeFailsafe(std::unique_ptr<BackEnd<Dim>> primary
 }
 
 template <int Dim>
-BackEndFactory<Dim> backEndFactory(BackEndKind kind, const std::string& device, DeviceNotice notice) {
+BackEndFactory<Dim> backEndFactory(BackEndKind kind, const std::string& device, DeviceNotice notice,
+                                   const SharedDevice& shared) {
     return [=](std::shared_ptr<const AssemblyPlan<Dim>> plan, const SimplicialMesh<Dim>& rest,
                const Material<Dim>& material, int threads) -> std::unique_ptr<BackEnd<Dim>> {
         const auto info = deviceFor(kind, device, Dim * rest.vertexCount());
@@ -160,7 +177,8 @@ BackEndFactory<Dim> backEndFactory(BackEndKind kind, const std::string& device, 
         };
         if (!info) return makeCpu();
         try {
-            return makeFailsafe<Dim>(makeOpenClBackEnd<Dim>(*info, plan, rest, material), makeCpu, notice);
+            return makeFailsafe<Dim>(makeOpenClBackEnd<Dim>(shared.at(*info), plan, rest, material), makeCpu,
+                                     notice);
         } catch (const DeviceFailure& failure) {
             if (kind == BackEndKind::OpenCl)
                 throw InputError("the OpenCL back end cannot be used: " + std::string(failure.what()));
@@ -172,33 +190,36 @@ BackEndFactory<Dim> backEndFactory(BackEndKind kind, const std::string& device, 
 
 template <int Dim>
 DistortionOf<Dim> distortionOf(BackEndKind kind, const SimplicialMesh<Dim>& rest, const std::string& device,
-                               DeviceNotice notice) {
+                               DeviceNotice notice, const SharedDevice& shared) {
     const auto onProcessor = [&rest](const Points<Dim>& pose) { return distortion(rest, pose); };
     const auto info = kind == BackEndKind::OpenCl ? deviceFor(kind, device, 0) : std::nullopt;
     if (!info) return onProcessor;
-    return [onProcessor, &rest, notice, info = *info,
+    return [onProcessor, &rest, notice, place = shared.at(*info),
             onDevice = std::shared_ptr<OpenClDistortion<Dim>>()](const Points<Dim>& pose) mutable {
         try {
-            if (!onDevice) onDevice = std::make_shared<OpenClDistortion<Dim>>(info, rest);
+            if (!onDevice) onDevice = std::make_shared<OpenClDistortion<Dim>>(place, rest);
             return onDevice->of(pose);
         } catch (const DeviceFailure& failure) {
-            if (notice) notice(failureText(info.name, failure));
+            if (notice) notice(failureText(place.info().name, failure));
             return onProcessor(pose);
         }
     };
 }
 
-MakeCellPainter cellPainters(BackEndKind kind, const std::string& device, DeviceNotice notice) {
+MakeCellPainter cellPainters(BackEndKind kind, const std::string& device, DeviceNotice notice,
+                             const SharedDevice& shared) {
     if (kind != BackEndKind::OpenCl) return {};
     const auto info = deviceFor(kind, device, 0);
-    return [notice, info = *info](const WarpJob& job) { return makeOpenClPainter(info, job, notice); };
+    const auto picture = std::make_shared<OpenClPicture>(shared.at(*info), std::move(notice));
+    return [picture](const WarpJob& job) { return OpenClPicture::painter(picture, job); };
 }
 
-#define WEND_INSTANTIATE(Dim)                                                                        \
-    template BackEndFactory<Dim> backEndFactory<Dim>(BackEndKind, const std::string&, DeviceNotice); \
-    template DistortionOf<Dim> distortionOf<Dim>(BackEndKind, const SimplicialMesh<Dim>&,            \
-                                                 const std::string&, DeviceNotice);                  \
-    template std::unique_ptr<BackEnd<Dim>> makeFailsafe<Dim>(                                        \
+#define WEND_INSTANTIATE(Dim)                                                                            \
+    template BackEndFactory<Dim> backEndFactory<Dim>(BackEndKind, const std::string&, DeviceNotice,      \
+                                                     const SharedDevice&);                               \
+    template DistortionOf<Dim> distortionOf<Dim>(BackEndKind, const SimplicialMesh<Dim>&,                \
+                                                 const std::string&, DeviceNotice, const SharedDevice&); \
+    template std::unique_ptr<BackEnd<Dim>> makeFailsafe<Dim>(                                            \
         std::unique_ptr<BackEnd<Dim>>, std::function<std::unique_ptr<BackEnd<Dim>>()>, DeviceNotice);
 WEND_INSTANTIATE(2)
 WEND_INSTANTIATE(3)

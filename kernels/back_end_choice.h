@@ -7,9 +7,21 @@
 #include "core/assembly/back_end.h"
 #include "core/energy/distortion.h"
 #include "kernels/device_failure.h"
+#include "kernels/opencl_devices.h"
 #include "warp/warp.h"
 
 namespace wend {
+
+/// What several makers of the same choice share: the open device, once one of them needed it.
+class SharedDevice {
+  public:
+    SharedDevice();
+    OpenClPlace at(const OpenClDeviceInfo& info) const;
+
+  private:
+    struct State;
+    std::shared_ptr<State> m_state;
+};
 
 /// Which back end computes, by the user's choice:
 ///   Cpu        the processor's;
@@ -20,8 +32,8 @@ namespace wend {
 /// A device that fails in the middle of the work is replaced by the CPU at the last shape, without the caller
 /// noticing but through `notice`.
 template <int Dim>
-BackEndFactory<Dim> backEndFactory(BackEndKind kind, const std::string& device = {},
-                                   DeviceNotice notice = {});
+BackEndFactory<Dim> backEndFactory(BackEndKind kind, const std::string& device = {}, DeviceNotice notice = {},
+                                   const SharedDevice& shared = {});
 
 /// `primary` until it throws a DeviceFailure, then what `makeFallback` makes, brought to the same shape.
 template <int Dim>
@@ -37,10 +49,13 @@ using DistortionOf = std::function<Distortion(const Points<Dim>& pose)>;
 /// than they need to a device and back.
 template <int Dim>
 DistortionOf<Dim> distortionOf(BackEndKind kind, const SimplicialMesh<Dim>& rest,
-                               const std::string& device = {}, DeviceNotice notice = {});
+                               const std::string& device = {}, DeviceNotice notice = {},
+                               const SharedDevice& shared = {});
 
 /// And for the texture warp (WarpOptions::makePainter): nothing but for OpenCl, since a picture goes to a
-/// device and back about as fast as the processor's cores paint it.
-MakeCellPainter cellPainters(BackEndKind kind, const std::string& device = {}, DeviceNotice notice = {});
+/// device and back about as fast as the processor's cores paint it. All painters that one of these makes
+/// share the picture on the device (see OpenClPicture).
+MakeCellPainter cellPainters(BackEndKind kind, const std::string& device = {}, DeviceNotice notice = {},
+                             const SharedDevice& shared = {});
 
 }  // namespace wend

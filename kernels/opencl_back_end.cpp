@@ -17,7 +17,7 @@ constexpr int kChunk = 1024;  // cells per work item of the search for a bad one
 template <int Dim>
 class OpenClBackEnd final : public BackEnd<Dim> {
   public:
-    OpenClBackEnd(const OpenClDeviceInfo& device, std::shared_ptr<const AssemblyPlan<Dim>> plan,
+    OpenClBackEnd(const OpenClPlace& device, std::shared_ptr<const AssemblyPlan<Dim>> plan,
                   const SimplicialMesh<Dim>& rest, const Material<Dim>& material)
         : m_cl(device),
           m_plan(std::move(plan)),
@@ -212,7 +212,7 @@ class OpenClBackEnd final : public BackEnd<Dim> {
 }  // namespace
 
 template <int Dim>
-std::unique_ptr<BackEnd<Dim>> makeOpenClBackEnd(const OpenClDeviceInfo& device,
+std::unique_ptr<BackEnd<Dim>> makeOpenClBackEnd(const OpenClPlace& device,
                                                 std::shared_ptr<const AssemblyPlan<Dim>> plan,
                                                 const SimplicialMesh<Dim>& rest,
                                                 const Material<Dim>& material) {
@@ -220,9 +220,9 @@ std::unique_ptr<BackEnd<Dim>> makeOpenClBackEnd(const OpenClDeviceInfo& device,
         [&] { return std::make_unique<OpenClBackEnd<Dim>>(device, std::move(plan), rest, material); });
 }
 
-#define WEND_INSTANTIATE(Dim)                                                                          \
-    template std::unique_ptr<BackEnd<Dim>> makeOpenClBackEnd(                                          \
-        const OpenClDeviceInfo&, std::shared_ptr<const AssemblyPlan<Dim>>, const SimplicialMesh<Dim>&, \
+#define WEND_INSTANTIATE(Dim)                                                                     \
+    template std::unique_ptr<BackEnd<Dim>> makeOpenClBackEnd(                                     \
+        const OpenClPlace&, std::shared_ptr<const AssemblyPlan<Dim>>, const SimplicialMesh<Dim>&, \
         const Material<Dim>&);
 WEND_INSTANTIATE(2)
 WEND_INSTANTIATE(3)

@@ -8,7 +8,7 @@ namespace wend {
 
 /// A back end on an OpenCL device. Throws DeviceFailure here and from every call.
 template <int Dim>
-std::unique_ptr<BackEnd<Dim>> makeOpenClBackEnd(const OpenClDeviceInfo& device,
+std::unique_ptr<BackEnd<Dim>> makeOpenClBackEnd(const OpenClPlace& device,
                                                 std::shared_ptr<const AssemblyPlan<Dim>> plan,
                                                 const SimplicialMesh<Dim>& rest,
                                                 const Material<Dim>& material);

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <functional>
 #include <iterator>
+#include <mutex>
 
 #include "core/mesh/error.h"
 #include "core/mesh/safe_file.h"
@@ -51,19 +52,32 @@ void keepBinary(const fs::path& path, const cl::Program& program) {
 
 }  // namespace
 
-OpenClContext::OpenClContext(const OpenClDeviceInfo& info) : m_info(info) {
+struct OpenClPlace::Shared {
+    std::mutex mutex;
+    std::shared_ptr<OpenClDevice> device;
+};
+
+OpenClPlace::OpenClPlace(OpenClDeviceInfo info)
+    : m_info(std::move(info)), m_shared(std::make_shared<Shared>()) {}
+
+std::shared_ptr<OpenClDevice> OpenClPlace::open() const {
+    const std::scoped_lock lock(m_shared->mutex);
+    if (m_shared->device) return m_shared->device;
     std::vector<cl::Platform> platforms;
     cl::Platform::get(&platforms);
     std::vector<cl::Device> devices;
-    if (info.platform < 0 || static_cast<std::size_t>(info.platform) >= platforms.size())
+    if (m_info.platform < 0 || static_cast<std::size_t>(m_info.platform) >= platforms.size())
         throw cl::Error(CL_INVALID_PLATFORM, "the platform is gone");
-    platforms[static_cast<std::size_t>(info.platform)].getDevices(CL_DEVICE_TYPE_ALL, &devices);
-    if (info.device < 0 || static_cast<std::size_t>(info.device) >= devices.size())
+    platforms[static_cast<std::size_t>(m_info.platform)].getDevices(CL_DEVICE_TYPE_ALL, &devices);
+    if (m_info.device < 0 || static_cast<std::size_t>(m_info.device) >= devices.size())
         throw cl::Error(CL_INVALID_DEVICE, "the device is gone");
-    m_device = devices[static_cast<std::size_t>(info.device)];
-    m_context = cl::Context(m_device);
-    m_queue = cl::CommandQueue(m_context, m_device);
+    const cl::Device& device = devices[static_cast<std::size_t>(m_info.device)];
+    m_shared->device = std::make_shared<OpenClDevice>(OpenClDevice{device, cl::Context(device)});
+    return m_shared->device;
 }
+
+OpenClContext::OpenClContext(const OpenClPlace& place)
+    : m_info(place.info()), m_device(place.open()), m_queue(m_device->context, m_device->device) {}
 
 cl::Program OpenClContext::build(const std::string& file, const std::string& options) {
     const std::string source(kernelSource(file));
@@ -74,15 +88,15 @@ cl::Program OpenClContext::build(const std::string& file, const std::string& opt
         folder.empty() ? folder : folder / (std::to_string(std::hash<std::string>{}(key)) + ".bin");
     if (!cached.empty() && fs::exists(cached)) {
         try {
-            cl::Program program(m_context, {m_device}, cl::Program::Binaries{readBinary(cached)});
-            program.build(m_device, options.c_str());
+            cl::Program program(context(), {m_device->device}, cl::Program::Binaries{readBinary(cached)});
+            program.build(m_device->device, options.c_str());
             return program;
         } catch (const cl::Error&) {
             // A stale binary, as after a driver's update: build from the text.
         }
     }
-    cl::Program program(m_context, source);
-    program.build(m_device, options.c_str());
+    cl::Program program(context(), source);
+    program.build(m_device->device, options.c_str());
     keepBinary(cached, program);
     return program;
 }

@@ -13,14 +13,21 @@ namespace wend {
 /// "kernel assembly.cl: message": what a cl::Error says, for a person.
 std::string describe(const cl::Error& error);
 
-/// One device, ready to run kernels: context, queue and built programs. Not shared between threads.
+/// An open device.
+struct OpenClDevice {
+    cl::Device device;
+    cl::Context context;
+};
+
+/// A device ready to run kernels, for one user: a queue of its own, and its copies counted. Not shared
+/// between threads.
 class OpenClContext {
   public:
     /// Throws cl::Error.
-    explicit OpenClContext(const OpenClDeviceInfo& info);
+    explicit OpenClContext(const OpenClPlace& place);
 
     const OpenClDeviceInfo& info() const { return m_info; }
-    cl::Context& context() { return m_context; }
+    const cl::Context& context() const { return m_device->context; }
     cl::CommandQueue& queue() { return m_queue; }
 
     /// Builds an embedded kernel file. Binaries are kept per device, options and text in the user's cache
@@ -29,7 +36,7 @@ class OpenClContext {
 
     template <typename T>
     cl::Buffer buffer(std::size_t count) {
-        return cl::Buffer(m_context, CL_MEM_READ_WRITE, std::max<std::size_t>(1, count) * sizeof(T));
+        return cl::Buffer(context(), CL_MEM_READ_WRITE, std::max<std::size_t>(1, count) * sizeof(T));
     }
     template <typename T>
     cl::Buffer copyOf(const T* data, std::size_t count) {
@@ -56,8 +63,7 @@ class OpenClContext {
 
   private:
     OpenClDeviceInfo m_info;
-    cl::Device m_device;
-    cl::Context m_context;
+    std::shared_ptr<OpenClDevice> m_device;
     cl::CommandQueue m_queue;
     CopiedBytes m_copied;
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +16,24 @@ struct OpenClDeviceInfo {
     bool doublePrecision = false;
     bool works = false;   // a kernel in double precision was built, run and gave the right numbers
     std::string problem;  // why it does not work
+};
+
+struct OpenClDevice;
+
+/// A device, or will be one: opened at the first use, once for all copies, so that all who compute there
+/// share its context and what lies there. May be used from several threads.
+class OpenClPlace {
+  public:
+    OpenClPlace(OpenClDeviceInfo info);  // NOLINT(google-explicit-constructor): a place of one's own
+
+    const OpenClDeviceInfo& info() const { return m_info; }
+    /// Throws cl::Error.
+    std::shared_ptr<OpenClDevice> open() const;
+
+  private:
+    struct Shared;
+    OpenClDeviceInfo m_info;
+    std::shared_ptr<Shared> m_shared;
 };
 
 struct OpenClDevices {

@@ -45,7 +45,7 @@ struct OpenClDistortion<Dim>::Device {
     cl::Buffer corners, pose, restInverse, weights, values, sums;
     double restMeasure = 0;
 
-    Device(const OpenClDeviceInfo& info, const SimplicialMesh<Dim>& rest)
+    Device(const OpenClPlace& info, const SimplicialMesh<Dim>& rest)
         : cl(info), cells(rest.cellCount()), chunks((cells + kChunk - 1) / kChunk) {
         const cl::Program program = cl.build("distortion.cl", "-cl-std=CL1.2 -DDIM=" + std::to_string(Dim));
         perCell = cl::Kernel(program, "cellDistortion");
@@ -93,7 +93,7 @@ struct OpenClDistortion<Dim>::Device {
 };
 
 template <int Dim>
-OpenClDistortion<Dim>::OpenClDistortion(const OpenClDeviceInfo& device, const SimplicialMesh<Dim>& rest)
+OpenClDistortion<Dim>::OpenClDistortion(const OpenClPlace& device, const SimplicialMesh<Dim>& rest)
     : m_device(guarded([&] { return std::make_unique<Device>(device, rest); })) {}
 
 template <int Dim>

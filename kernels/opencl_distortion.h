@@ -13,7 +13,7 @@ namespace wend {
 template <int Dim>
 class OpenClDistortion {
   public:
-    OpenClDistortion(const OpenClDeviceInfo& device, const SimplicialMesh<Dim>& rest);
+    OpenClDistortion(const OpenClPlace& device, const SimplicialMesh<Dim>& rest);
     ~OpenClDistortion();
     Distortion of(const Points<Dim>& pose);
 

@@ -17,11 +17,62 @@ std::string optionsOf(const WarpJob& job) {
     return options;
 }
 
+}  // namespace
+
+/// What lies on the device from one frame to the next.
+struct OpenClPicture::Device {
+    explicit Device(const OpenClPlace& place) : cl(place) {}
+
+    /// Levels that are there already are not copied again.
+    void hold(const Pyramid& source) {
+        if (base == &source.base() && bytes == source.base().data.data() && count >= source.levels()) return;
+        base = nullptr;  // until all of it is there
+        std::vector<cl_long> places;
+        std::size_t size = 0;
+        const std::size_t number =
+            source.base().pixelBytes() / static_cast<std::size_t>(source.base().channels);
+        for (int k = 0; k < source.levels(); ++k) {
+            const Image& level = source.level(k);
+            places.insert(places.end(), {static_cast<cl_long>(size / number), level.width, level.height});
+            size += level.data.size();
+        }
+        levels = cl.copyOf(places.data(), places.size());
+        texels = cl.buffer<std::byte>(size);
+        std::size_t first = 0;
+        for (int k = 0; k < source.levels(); ++k) {
+            const std::vector<std::byte>& data = source.level(k).data;
+            cl.write(texels, data.data(), data.size(), first);
+            first += data.size();
+        }
+        base = &source.base();
+        bytes = source.base().data.data();
+        count = source.levels();
+    }
+
+    cl::Kernel& kernelFor(const std::string& options) {
+        if (options != kernelOptions) kernel = cl::Kernel(cl.build("warp.cl", options), "warp");
+        kernelOptions = options;
+        return kernel;
+    }
+
+    OpenClContext cl;
+    cl::Kernel kernel;
+    std::string kernelOptions;
+    cl::Buffer texels, levels;
+    const Image* base = nullptr;
+    const std::byte* bytes = nullptr;
+    int count = 0;
+};
+
 class OpenClPainter final : public CellPainter {
   public:
-    OpenClPainter(const OpenClDeviceInfo& device, const WarpJob& job, DeviceNotice notice)
-        : m_cl(device), m_notice(std::move(notice)), m_kernel(m_cl.build("warp.cl", optionsOf(job)), "warp") {
-        uploadLevels(*job.source);
+    OpenClPainter(std::shared_ptr<OpenClPicture> picture, const WarpJob& job)
+        : m_picture(std::move(picture)),
+          m_device(*m_picture->m_device),
+          m_cl(m_device.cl),
+          m_options(optionsOf(job)) {
+        m_device.hold(*job.source);
+        m_device.kernelFor(m_options);
         uploadCells(job.cells);
     }
 
@@ -30,32 +81,12 @@ class OpenClPainter final : public CellPainter {
             guarded([&] { paintStrip(job, top, strip); });
             return true;
         } catch (const DeviceFailure& failure) {
-            if (m_notice) m_notice(failureText(m_cl.info().name, failure));
+            m_picture->fail(failure);
             return false;
         }
     }
 
   private:
-    void uploadLevels(const Pyramid& source) {
-        std::vector<cl_long> levels;
-        std::size_t bytes = 0;
-        const std::size_t number =
-            source.base().pixelBytes() / static_cast<std::size_t>(source.base().channels);
-        for (int k = 0; k < source.levels(); ++k) {
-            const Image& level = source.level(k);
-            levels.insert(levels.end(), {static_cast<cl_long>(bytes / number), level.width, level.height});
-            bytes += level.data.size();
-        }
-        m_levels = m_cl.copyOf(levels.data(), levels.size());
-        m_texels = m_cl.buffer<std::byte>(bytes);
-        std::size_t first = 0;
-        for (int k = 0; k < source.levels(); ++k) {
-            const std::vector<std::byte>& data = source.level(k).data;
-            m_cl.write(m_texels, data.data(), data.size(), first);
-            first += data.size();
-        }
-    }
-
     void uploadCells(const std::vector<VisibleCell>& cells) {
         std::vector<double> maps;
         std::vector<float> ellipses;
@@ -100,29 +131,46 @@ class OpenClPainter final : public CellPainter {
             m_cellsOnDevice = m_cl.buffer<int>(m_capacity);
             m_output = m_cl.buffer<std::byte>(strip.data.size());
         }
+        m_device.hold(*job.source);  // another painter's picture may lie there
         m_cl.write(m_cellsOnDevice, m_cellAt.data(), m_cellAt.size());
-        launch(m_cl.queue(), m_kernel, static_cast<int>(m_cellAt.size()), m_cellsOnDevice, m_maps, m_ellipses,
-               m_filters, m_texels, m_levels, job.view.width, top, job.view.origin.x(), job.view.origin.y(),
-               job.view.scale, m_output);
+        launch(m_cl.queue(), m_device.kernelFor(m_options), static_cast<int>(m_cellAt.size()),
+               m_cellsOnDevice, m_maps, m_ellipses, m_filters, m_device.texels, m_device.levels,
+               job.view.width, top, job.view.origin.x(), job.view.origin.y(), job.view.scale, m_output);
         m_cl.read(m_output, strip.data.data(), strip.data.size());
     }
 
-    OpenClContext m_cl;
-    DeviceNotice m_notice;
-    cl::Kernel m_kernel;
-    cl::Buffer m_texels, m_levels, m_maps, m_ellipses, m_filters, m_cellsOnDevice, m_output;
+    std::shared_ptr<OpenClPicture> m_picture;
+    OpenClPicture::Device& m_device;
+    OpenClContext& m_cl;
+    std::string m_options;
+    cl::Buffer m_maps, m_ellipses, m_filters, m_cellsOnDevice, m_output;
     std::vector<int> m_cellAt;
     std::size_t m_capacity = 0;
 };
 
-}  // namespace
+OpenClPicture::OpenClPicture(OpenClPlace place, DeviceNotice notice)
+    : m_place(std::move(place)), m_notice(std::move(notice)) {}
+OpenClPicture::~OpenClPicture() = default;
 
-std::unique_ptr<CellPainter> makeOpenClPainter(const OpenClDeviceInfo& device, const WarpJob& job,
-                                               const DeviceNotice& notice) {
+void OpenClPicture::fail(const DeviceFailure& failure) {
+    if (!m_failed && m_notice) m_notice(failureText(m_place.info().name, failure));
+    m_failed = true;
+}
+
+CopiedBytes OpenClPicture::copied() const {
+    return m_device ? m_device->cl.copied() : CopiedBytes{};
+}
+
+std::unique_ptr<CellPainter> OpenClPicture::painter(const std::shared_ptr<OpenClPicture>& picture,
+                                                    const WarpJob& job) {
+    if (picture->m_failed) return nullptr;
     try {
-        return guarded([&] { return std::make_unique<OpenClPainter>(device, job, notice); });
+        return guarded([&] {
+            if (!picture->m_device) picture->m_device = std::make_unique<Device>(picture->m_place);
+            return std::make_unique<OpenClPainter>(picture, job);
+        });
     } catch (const DeviceFailure& failure) {
-        if (notice) notice(failureText(device.name, failure));
+        picture->fail(failure);
         return nullptr;
     }
 }

@@ -2,15 +2,38 @@
 
 #include <memory>
 
+#include "core/assembly/back_end.h"
 #include "kernels/device_failure.h"
 #include "kernels/opencl_devices.h"
 #include "warp/warp.h"
 
 namespace wend {
 
-/// Paints the cells of a warp on an OpenCL device. Where the device fails, now or later, it says so to
-/// `notice` and leaves the cells to the processor (nothing is returned now, false is later).
-std::unique_ptr<CellPainter> makeOpenClPainter(const OpenClDeviceInfo& device, const WarpJob& job,
-                                               const DeviceNotice& notice);
+/// The picture of a sequence of warps, on an OpenCL device: it goes there with the first frame and stays
+/// until another one is painted. Not shared between threads. A picture is known by its address: it must stay
+/// as it is as long as this is used.
+class OpenClPicture {
+  public:
+    OpenClPicture(OpenClPlace place, DeviceNotice notice);
+    ~OpenClPicture();
+    OpenClPicture(const OpenClPicture&) = delete;
+    OpenClPicture& operator=(const OpenClPicture&) = delete;
+
+    /// A painter of the cells of a warp, which keeps `picture` alive. Where the device fails, now or later,
+    /// it says so to the notice, once, and leaves the cells to the processor: nothing is returned then.
+    static std::unique_ptr<CellPainter> painter(const std::shared_ptr<OpenClPicture>& picture,
+                                                const WarpJob& job);
+    CopiedBytes copied() const;
+
+  private:
+    struct Device;
+    friend class OpenClPainter;
+    void fail(const DeviceFailure& failure);
+
+    OpenClPlace m_place;
+    DeviceNotice m_notice;
+    bool m_failed = false;
+    std::unique_ptr<Device> m_device;  // made with the first frame
+};
 
 }  // namespace wend

@@ -26,8 +26,8 @@ template <int Dim>
 void runSize(const Size& size, BenchRecorder& recorder) {
     const Body<Dim> body = makeBody<Dim>(size.vertices);
     recorder.begin({size.name, Dim, body.rest->vertexCount(), body.rest->cellCount(), {}});
-    addSolverRows(body, recorder);
-    addFlowRows(body, recorder);
+    const double bound = addSolverRows(body, recorder);
+    addFlowRows(body, bound, recorder);
     addDragRows(body, recorder);
 }
 

@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 #include "app/bench/test_picture.h"
+#include "app/view/render_thread.h"
 #include "core/assembly/cpu_back_end.h"
 #include "core/energy/distortion.h"
 #include "core/integration/drag_flow.h"
-#include "warp/warp.h"
 
 namespace wend {
 namespace {
@@ -29,28 +30,33 @@ Motion<Dim> sampleMotion(int i) {
     return {translate};
 }
 
-/// The picture on the screen, as the window draws it while the shape moves.
+/// The picture on the screen, with the colour map of the distortion over it, by the window's own painter.
 class ScreenPicture {
   public:
     explicit ScreenPicture(const SimplicialMesh<2>& rest)
-        : m_scale(kWindowWidth * 0.8),
-          m_rest(rest),
-          m_pyramid(std::make_shared<const Image>(testPicture(kWindowWidth, kWindowHeight))) {
-        m_rest.points = toPixels(rest.points);
-        m_options.filter = Filter::Bilinear;
+        : m_rest(std::make_shared<const SimplicialMesh<2>>(
+              SimplicialMesh<2>{kScale * rest.points, rest.cells})) {
+        m_request.picture = std::make_shared<const Pyramid>(
+            std::make_shared<const Image>(testPicture(kWindowWidth, kWindowHeight)));
+        m_request.size = QSize(kWindowWidth, kWindowHeight);
+        m_request.view.pan(QPointF(0.1 * kWindowWidth, 0.3 * kWindowHeight));
+        m_request.map = true;
     }
-    void draw(const Points<2>& pose) const {
-        const View view{kWindowWidth, kWindowHeight, Vec<2>(-0.1 * kWindowWidth, -0.3 * kWindowHeight), 1};
-        warpImage(m_pyramid, m_rest, toPixels(pose), view, m_options);
+    void draw(const Points<2>& pose, Distortion distortion) {
+        auto frame = std::make_shared<PosedFrame<2>>();
+        frame->rest = m_rest;
+        frame->pose = kScale * pose;
+        frame->distortion = std::move(distortion);
+        m_request.range = rangeOf(valuesOf(frame->distortion, m_request.measure), m_request.measure);
+        m_request.frame = std::move(frame);
+        if (RenderThread::render(m_request).isNull()) throw std::runtime_error("nothing was drawn");
     }
 
   private:
-    Points<2> toPixels(const Points<2>& points) const { return m_scale * points; }
+    static constexpr double kScale = 0.8 * kWindowWidth;
 
-    double m_scale;
-    SimplicialMesh<2> m_rest;
-    Pyramid m_pyramid;
-    WarpOptions m_options;
+    std::shared_ptr<const SimplicialMesh<2>> m_rest;
+    RenderRequest m_request;
 };
 
 struct FrameTimes {
@@ -59,19 +65,16 @@ struct FrameTimes {
 
 template <int Dim>
 FrameTimes dragOnce(DragFlow<Dim>& flow, const Body<Dim>& body) {
-    std::function<void(const Points<Dim>&)> draw = [](const Points<Dim>&) {};
-    if constexpr (Dim == 2)
-        draw = [picture = std::make_shared<const ScreenPicture>(*body.rest)](const Points<2>& pose) {
-            picture->draw(pose);
-        };
+    std::optional<ScreenPicture> picture;
+    if constexpr (Dim == 2) picture.emplace(*body.rest);
     FrameTimes times;
     for (int i = 0; i < kFrames; ++i) {
         const Timing lead = measureOnce([&] {
             if (flow.lead({1}, sampleMotion<Dim>(i)).done < 1) throw std::runtime_error("the drag stopped");
         });
         const Timing rest = measureOnce([&] {
-            distortion<Dim>(*body.rest, flow.pose());
-            draw(flow.pose());
+            Distortion map = distortion<Dim>(*body.rest, flow.pose());
+            if constexpr (Dim == 2) picture->draw(flow.pose(), std::move(map));
         });
         times.flow.push_back(lead.median);
         times.whole.push_back(lead.median + rest.median);
@@ -91,14 +94,21 @@ void add(BenchRecorder& recorder, const std::string& what, int threads, std::vec
 
 template <int Dim>
 void addDragRows(const Body<Dim>& body, BenchRecorder& recorder) {
-    const auto material =
-        std::make_shared<const Material<Dim>>(Material<Dim>::uniform(body.rest->cellCount(), phi::kMetr, {}));
-    for (int threads : {1, 0}) {
-        DragFlow<Dim> flow(body.rest, material, body.handles, makeCpuBackEnd<Dim>, threads);
-        const FrameTimes times = dragOnce(flow, body);
-        add(recorder, "drag frame, flow", threads, times.flow);
-        add(recorder, Dim == 2 ? "drag frame, distortion and picture" : "drag frame, distortion", threads,
-            times.whole);
+    struct Energy {
+        const char* name;
+        double phi;
+    };
+    for (const Energy& energy : {Energy{"", phi::kMetr}, Energy{", EQUIA", phi::kEquia}}) {
+        const auto material = std::make_shared<const Material<Dim>>(
+            Material<Dim>::uniform(body.rest->cellCount(), energy.phi, {}));
+        for (int threads : {1, 0}) {
+            DragFlow<Dim> flow(body.rest, material, body.handles, makeCpuBackEnd<Dim>, threads);
+            const FrameTimes times = dragOnce(flow, body);
+            add(recorder, std::string("drag frame, flow") + energy.name, threads, times.flow);
+            const std::string whole =
+                Dim == 2 ? "drag frame, with coloured picture" : "drag frame, with distortion";
+            add(recorder, whole + energy.name, threads, times.whole);
+        }
     }
 }
 

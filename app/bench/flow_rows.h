@@ -6,8 +6,8 @@
 namespace wend {
 
 /// The whole flow: ten steps of the classical Runge–Kutta method beside the paper's scheme, each integrator
-/// to a true error of 1e-4 of the diagonal, and the frame of a live drag.
+/// to a true error of 1e-4 of the diagonal. `bound`: the least time of a solve, from addSolverRows().
 template <int Dim>
-void addFlowRows(const Body<Dim>& body, BenchRecorder& recorder);
+void addFlowRows(const Body<Dim>& body, double bound, BenchRecorder& recorder);
 
 }  // namespace wend

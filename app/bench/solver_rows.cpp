@@ -1,10 +1,11 @@
 #include "app/bench/solver_rows.h"
 
 #include "core/assembly/cpu_back_end.h"
+#include "core/integration/deformer.h"
 #include "core/mesh/error.h"
 #include "core/solver/cholesky.h"
-#include "core/solver/float_factor.h"
 #include "core/solver/reduced_system.h"
+#include "core/solver/supernodal_factor.h"
 #include "core/solver/velocity_solver.h"
 #include "kernels/back_end_choice.h"
 
@@ -27,12 +28,13 @@ class SolverBench {
           m_plan(std::make_shared<const AssemblyPlan<Dim>>(makeAssemblyPlan(*body.rest, true))),
           m_blocks(static_cast<std::size_t>(m_plan->blockCount()) * Dim * Dim) {}
 
-    void run() {
+    double run() {
         addAssembly(makeCpuBackEnd<Dim>, "cpu", 1);
         addAssembly(makeCpuBackEnd<Dim>, "cpu", 0);
         addOpenCl();
         addFactorization();
         addEvaluations();
+        return m_bound;
     }
 
   private:
@@ -50,11 +52,37 @@ class SolverBench {
 
     void addOpenCl() {
         try {
-            addAssembly(backEndFactory<Dim>(BackEndKind::OpenCl), "opencl", 0);
+            const auto factory = backEndFactory<Dim>(BackEndKind::OpenCl);
+            addAssembly(factory, "opencl", 0);
+            addOpenClFlow(factory);
         } catch (const InputError& error) {
             m_recorder.remark("no OpenCL: " + error.reason());
         }
     }
+
+    /// One step of RK4 on the device's stages: what crosses for each of its four fields.
+    void addOpenClFlow(const BackEndFactory<Dim>& factory) {
+        IntegrationOptions options;
+        options.method = Method::RungeKutta4;
+        options.steps = 10;
+        Deformer<Dim> deformer(m_body.rest, m_material, m_body.handles, options, factory);
+        deformer.velocity();
+        const Statistics before = deformer.statistics();
+        const Timing timing = measureOnce([&] { deformer.advance(0.1); });
+        const Statistics& after = deformer.statistics();
+        const double evaluations = after.evaluations - before.evaluations;
+        m_recorder.add({"one RK4 step, opencl",
+                        0,
+                        timing,
+                        {{"evaluations", evaluations},
+                         {"factorizations", after.factorizations - before.factorizations},
+                         {"iterations", after.solverIterations - before.solverIterations},
+                         {"MB up per evaluation",
+                          megabytes(after.copied.toDevice - before.copied.toDevice) / evaluations},
+                         {"MB down per evaluation",
+                          megabytes(after.copied.fromDevice - before.copied.fromDevice) / evaluations}}});
+    }
+    static double megabytes(std::size_t bytes) { return 1e-6 * static_cast<double>(bytes); }
 
     void addFactorization() {
         const ReducedSystem<Dim> system(*m_plan, eliminate(m_start.rows));
@@ -74,13 +102,21 @@ class SolverBench {
                         factor,
                         {{"Gflop/s", 1e-9 * flops / factor.median}, {"entries (million)", 1e-6 * entries}}});
         addSolve("solve, CHOLMOD, double", 0, entries * sizeof(double), [&] { cholesky.solve(b, x); });
-        FloatFactor single(cholesky.supernodes(), system.columnStart(), system.row());
+        SupernodalFactor<float> single(cholesky.supernodes(), system.columnStart(), system.row());
         const Timing singleFactor = measure(repeats, [&] { single.factorize(cholesky.values()); });
         m_recorder.add({"factor, single precision",
                         1,
                         singleFactor,
                         {{"Gflop/s", 1e-9 * flops / singleFactor.median},
                          {"times CHOLMOD's speed", factor.median / singleFactor.median}}});
+        SupernodalFactor<double> twice(cholesky.supernodes(), system.columnStart(), system.row());
+        const Timing doubleFactor = measure(repeats, [&] { twice.factorize(cholesky.values()); });
+        m_recorder.add({"factor, double precision",
+                        1,
+                        doubleFactor,
+                        {{"Gflop/s", 1e-9 * flops / doubleFactor.median},
+                         {"times CHOLMOD's speed", factor.median / doubleFactor.median}}});
+        addSolve("solve, double precision", 1, entries * sizeof(double), [&] { twice.solve(b, x); });
         addSolve("solve, single precision", 1, entries * sizeof(float), [&] { single.solve(b, x); });
     }
 
@@ -88,6 +124,7 @@ class SolverBench {
     void addSolve(const std::string& name, int threads, double bytes, const std::function<void()>& solve) {
         const Timing timing = measure(m_recorder.repeats(0.05), solve);
         const double bound = 2 * bytes / readBandwidth(bytes);
+        m_bound = bound;
         m_recorder.add({name,
                         threads,
                         timing,
@@ -117,7 +154,8 @@ class SolverBench {
         m_recorder.add({"evaluation, fresh factor",
                         threads,
                         fresh,
-                        {{"times the paper's speed", paper / fresh.median}}});
+                        {{"times the paper's speed", paper / fresh.median},
+                         {"times a solve's bound", fresh.median / m_bound}}});
         const Points<Dim> next = m_body.rest->points + kStride * field;
         SolverStatistics before;
         const Timing stale = measure(
@@ -132,7 +170,8 @@ class SolverBench {
                         stale,
                         {{"iterations", solver.statistics().iterations - before.iterations},
                          {"factorizations", solver.statistics().factorizations - before.factorizations},
-                         {"times the paper's speed", paper / stale.median}}});
+                         {"times the paper's speed", paper / stale.median},
+                         {"times a solve's bound", stale.median / m_bound}}});
     }
 
     const Body<Dim>& m_body;
@@ -141,16 +180,17 @@ class SolverBench {
     std::shared_ptr<const Material<Dim>> m_material;
     std::shared_ptr<const AssemblyPlan<Dim>> m_plan;
     std::vector<double> m_blocks;
+    double m_bound = 0;  // of the last solve that was measured: seconds
 };
 
 }  // namespace
 
 template <int Dim>
-void addSolverRows(const Body<Dim>& body, BenchRecorder& recorder) {
-    SolverBench<Dim>(body, recorder).run();
+double addSolverRows(const Body<Dim>& body, BenchRecorder& recorder) {
+    return SolverBench<Dim>(body, recorder).run();
 }
 
-template void addSolverRows<2>(const Body<2>&, BenchRecorder&);
-template void addSolverRows<3>(const Body<3>&, BenchRecorder&);
+template double addSolverRows<2>(const Body<2>&, BenchRecorder&);
+template double addSolverRows<3>(const Body<3>&, BenchRecorder&);
 
 }  // namespace wend

@@ -26,7 +26,6 @@ std::string reportJson(const RunFigures& figures) {
                        {"factor", counts.factor},       {"solve", counts.solve},
                        {"integrate", counts.integrate}, {"total", figures.total}};
     json["energy"] = counts.energy;
-    json["copied"] = {{"toDevice", counts.copied.toDevice}, {"fromDevice", counts.copied.fromDevice}};
     return prettyJson(json);
 }
 

@@ -33,7 +33,7 @@ class Run {
           m_watch(watch),
           m_start(start),
           m_deformer(m_scene.rest, m_scene.material, m_scene.handles, integrationOf(project),
-                     backEndFactory<Dim>(options.backEnd, {}, watch.notice)) {}
+                     backEndFactory<Dim>(options.backEnd, {}, watch.notice, m_device)) {}
 
     AdvanceResult run() {
         AdvanceResult result = integrate();
@@ -125,12 +125,13 @@ class Run {
 
     /// Writes the picture in the pixels of `view`. Throws Cancelled.
     void writePicture(const std::string& file, const Points<2>& pixels, const View& view,
-                      const std::function<void(double)>& progress) const {
+                      const std::function<void(double)>& progress) {
+        if (!m_painters) m_painters = cellPainters(m_options.backEnd, {}, m_watch.notice, m_device);
         WarpOptions options;
         options.filter = m_options.filter;
         options.restMargin = restMarginOf(m_project.domain);
         options.threads = m_project.integration.threads;
-        options.makePainter = cellPainters(m_options.backEnd, {}, m_watch.notice);
+        options.makePainter = m_painters;
         options.stop = m_watch.stop;
         options.progress = progress;
         writeWarped(file, WarpedPicture(*m_scene.picture, *m_scene.texture.rest, pixels, view, options));
@@ -243,7 +244,7 @@ class Run {
             total.count(),
             m_deformer.backEndName(),
             m_deformer.deviceName(),
-            distortionOf<Dim>(m_options.backEnd, *m_scene.rest, {}, m_watch.notice)(pose),
+            distortionOf<Dim>(m_options.backEnd, *m_scene.rest, {}, m_watch.notice, m_device)(pose),
             m_deformer.statistics()};
         m_files.add(path, ".json",
                     [&](const std::string& file) { writeTextFile(file, reportJson(figures)); });
@@ -254,7 +255,9 @@ class Run {
     const RunOptions& m_options;
     const RunWatch& m_watch;
     Clock::time_point m_start;
+    SharedDevice m_device;
     Deformer<Dim> m_deformer;
+    MakeCellPainter m_painters;         // made with the first picture
     int m_frames = 0;                   // passed
     std::optional<PoseFile> m_waiting;  // frames, in pixels of the picture
     Extent<2> m_allFrames;              // around those that wait

@@ -3,6 +3,7 @@
 #include <QPainter>
 #include <cmath>
 
+#include "app/view/cell_filler.h"
 #include "app/view/screen_picture.h"
 
 namespace wend {
@@ -42,21 +43,24 @@ QImage warped(const RenderRequest& request, std::stop_token stop) {
     return stop.stop_requested() ? QImage() : toQImage(image);
 }
 
-QPolygonF triangleOf(const SimplicialMesh<2>& rest, const Points<2>& pose, int cell) {
-    QPolygonF triangle;
-    for (const int v : rest.cells[cell]) triangle << QPointF(pose(0, v), pose(1, v));
-    return triangle;
+constexpr double kMapOpacity = 0.82;  // over a picture
+
+QTransform toPixels(const RenderRequest& request) {
+    return request.view.matrix() * QTransform::fromScale(request.ratio, request.ratio);
 }
 
-void fillCells(QPainter& painter, const RenderRequest& request) {
+void fillCells(QImage& image, const RenderRequest& request) {
     const PosedFrame<2>& frame = *request.frame;
-    painter.setPen(Qt::NoPen);
+    const int alpha = request.picture ? static_cast<int>(std::lround(255 * kMapOpacity)) : 255;
     const auto& values = valuesOf(frame.distortion, request.measure);
-    for (int c = 0; c < frame.rest->cellCount(); ++c) {
-        const double position = request.map ? positionIn(request.range, request.measure, values[c]) : 0;
-        painter.setBrush(request.map ? QColor(colourAt(request.measure, position)) : request.fill);
-        painter.drawPolygon(triangleOf(*frame.rest, frame.pose, c));
-    }
+    const auto colourOf = [&](std::size_t c) {
+        const QRgb colour = colourAt(request.measure, positionIn(request.range, request.measure, values[c]));
+        return qRgba(qRed(colour), qGreen(colour), qBlue(colour), alpha);
+    };
+    image.convertTo(QImage::Format_ARGB32_Premultiplied);
+    CellFiller filler(image, frame.pose, toPixels(request));
+    for (std::size_t c = 0; c < frame.rest->cells.size(); ++c)
+        filler.fill(frame.rest->cells[c], request.map ? colourOf(c) : request.fill.rgba());
 }
 
 void drawEdges(QPainter& painter, const RenderRequest& request) {
@@ -128,14 +132,13 @@ QImage RenderThread::render(const RenderRequest& request, std::stop_token stop) 
         image = QImage(request.size * request.ratio, QImage::Format_ARGB32_Premultiplied);
         image.fill(Qt::transparent);
     }
-    QPainter painter(&image);
-    painter.setTransform(request.view.matrix() * QTransform::fromScale(request.ratio, request.ratio));
-    if (request.map && request.picture) painter.setOpacity(0.82);
-    if (request.map || !request.picture) fillCells(painter, request);
-    painter.setOpacity(1);
-    painter.setRenderHint(QPainter::Antialiasing);
-    if (request.mesh) drawEdges(painter, request);
-    painter.end();
+    if (request.map || !request.picture) fillCells(image, request);
+    if (request.mesh) {
+        QPainter painter(&image);
+        painter.setTransform(toPixels(request));
+        painter.setRenderHint(QPainter::Antialiasing);
+        drawEdges(painter, request);
+    }
     image.setDevicePixelRatio(request.ratio);
     return image;
 }

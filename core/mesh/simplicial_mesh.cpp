@@ -2,8 +2,8 @@
 
 #include <Eigen/LU>
 #include <algorithm>
-#include <map>
 #include <numeric>
+#include <utility>
 
 #include "core/mesh/error.h"
 #include "core/mesh/quality.h"
@@ -102,20 +102,27 @@ double boundingBoxDiagonal(const Points<Dim>& points) {
     return (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
 }
 
+/// In the order in which the cells have them. Chained by their least vertex, which few facets share, so that
+/// a facet is found again at once: whole pictures wait for this.
 template <int Dim>
 std::vector<Facet<Dim>> facetsOf(const SimplicialMesh<Dim>& mesh) {
-    std::map<std::array<int, Dim>, int> known;
+    std::vector<int> latest(static_cast<std::size_t>(mesh.vertexCount()), -1), before;
+    std::vector<std::array<int, Dim>> keys;
     std::vector<Facet<Dim>> facets;
     facets.reserve(mesh.cells.size() * (Dim + 1) / 2 + 1);
     for (int c = 0; c < mesh.cellCount(); ++c) {
         for (int k = 0; k <= Dim; ++k) {
             const auto vertices = oppositeFacet<Dim>(mesh.cells[c], k);
-            const auto [entry, isNew] = known.try_emplace(sorted(vertices), static_cast<int>(facets.size()));
-            if (isNew) {
+            const auto key = sorted(vertices);
+            int known = latest[key[0]];
+            while (known >= 0 && keys[known] != key) known = before[known];
+            if (known < 0) {
+                before.push_back(std::exchange(latest[key[0]], static_cast<int>(facets.size())));
+                keys.push_back(key);
                 facets.push_back({vertices, {c, -1}});
                 continue;
             }
-            auto& facet = facets[entry->second];
+            auto& facet = facets[known];
             if (facet.interior())
                 throw InputError("cells " + std::to_string(facet.cells[0]) + ", " +
                                  std::to_string(facet.cells[1]) + " and " + std::to_string(c) +

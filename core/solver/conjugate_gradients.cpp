@@ -7,8 +7,6 @@ namespace wend {
 namespace {
 
 constexpr int kMost = 200;  // far beyond what ever pays; ends a run that rounding keeps from converging
-// A single lucky step is not believed: the next one is expected to gain a factor of 20 at most.
-constexpr double kBestContraction = 0.05;
 
 template <int Dim>
 double dot(const Points<Dim>& a, const Points<Dim>& b) {
@@ -48,8 +46,11 @@ typename ConjugateGradients<Dim>::Result ConjugateGradients<Dim>::run(BackEnd<Di
             break;
         }
         const bool first = result.iterations == 1;
-        const double contraction = first ? goal.contraction : std::max(kBestContraction, size / before);
-        if (result.iterations == 2) result.firstContraction = std::min(1.0, contraction);
+        const double contraction = first ? goal.contraction : std::max(goal.leastContraction, size / before);
+        if (result.iterations == 2)
+            result.firstContraction = result.worstContraction = std::min(1.0, contraction);
+        else if (!first)
+            result.worstContraction = std::min(1.0, std::max(result.worstContraction, contraction));
         if (first)
             m_p = m_z;
         else
@@ -62,7 +63,7 @@ typename ConjugateGradients<Dim>::Result ConjugateGradients<Dim>::run(BackEnd<Di
         if (!(pKp > 0 && rz > 0)) break;
         v += rz / pKp * m_lifted;
         const double allowed = goal.tolerance * v.cwiseAbs().maxCoeff();
-        if (size * contraction <= allowed) {
+        if (size * contraction <= allowed * (1 - contraction)) {
             result.end = Result::End::Converged;
             break;
         }

@@ -19,18 +19,23 @@ class ConjugateGradients {
     struct Goal {
         double tolerance = 0;    // error allowed, relative to the greatest nodal velocity
         double contraction = 1;  // by how much the first step is expected to reduce the error
+        // And by how much any step at best: z shows little of what the factor can hardly see, which is what a
+        // matrix of bad condition loses in single precision.
+        double leastContraction = 0.05;
         /// Whether to give up, if about so many iterations are still to do.
         std::function<bool(double iterations)> hopeless;
     };
     struct Result {
         enum class End { Converged, GaveUp } end = End::GaveUp;
         int iterations = 0;
-        double firstContraction = 1;  // measured; 1 if there was only one iteration
+        // Measured; 1 if there was only one iteration.
+        double firstContraction = 1, worstContraction = 1;
     };
 
-    /// v += Z y, from a v that meets the constraints. The error after a step is estimated as |z|·ρ: z the
-    /// preconditioned residual before it, ρ the last contraction of |z|, both in the maximum norm: the step
-    /// that would bring it under the tolerance is the last.
+    /// v += Z y, from a v that meets the constraints. The error after a step is estimated as what all further
+    /// ones would add, |z| (ρ + ρ² + …) = |z| ρ / (1 − ρ): z the preconditioned residual before the step, ρ
+    /// the last contraction of |z|, both in the maximum norm. The step that would bring it under the
+    /// tolerance is the last.
     Result run(BackEnd<Dim>& backEnd, const ReducedSystem<Dim>& system, const Preconditioner& precondition,
                const Goal& goal, Points<Dim>& v);
 

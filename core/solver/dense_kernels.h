@@ -2,11 +2,12 @@
 
 namespace wend::dense {
 
-/// Dense kernels of the single-precision factor. A panel holds the columns of a supernode: column-major, the
+/// Dense kernels of the supernodal factor. A panel holds the columns of a supernode: column-major, the
 /// leading dimension (rows, those at the end padding) a multiple of kPad, 64-byte aligned. Kernels work on
-/// whole groups of kPad rows and may read up to kSlack floats behind a panel, and write garbage above the
+/// whole groups of kPad rows and may read up to kSlack numbers behind a panel, and write garbage above the
 /// diagonal and into padding that stays within a panel.
-inline constexpr int kPad = 16;
+template <class Real>
+inline constexpr int kPad = 64 / sizeof(Real);
 inline constexpr int kSlack = 8192;
 
 /// [L11; L21] from [A11; A21] in place, A11 columns × columns: left-looking by blocks of columns. `inverse`
@@ -21,5 +22,11 @@ void forward(const float* panel, int leading, int columns, const float* inverse,
 
 /// x1 = L11⁻ᵀ (x1 − L21ᵀ w2) for w = [0; w2]; w1 becomes x1.
 void backward(const float* panel, int leading, int columns, const float* inverse, float* w, float* x);
+
+// The same in double precision.
+bool factorPanel(double* panel, int leading, int columns, double* inverse);
+void subtractSquare(const double* below, int leading, int columns, double* U, int leadingU, int rows);
+void forward(const double* panel, int leading, int columns, const double* inverse, double* w, double* x);
+void backward(const double* panel, int leading, int columns, const double* inverse, double* w, double* x);
 
 }  // namespace wend::dense

@@ -9,10 +9,10 @@
 #include "core/solver/cholesky.h"
 #include "core/solver/components.h"
 #include "core/solver/conjugate_gradients.h"
-#include "core/solver/float_factor.h"
 #include "core/solver/projection.h"
 #include "core/solver/reduced_system.h"
 #include "core/solver/refactor_policy.h"
+#include "core/solver/supernodal_factor.h"
 #include "core/solver/vertex_rotations.h"
 
 namespace wend {
@@ -27,8 +27,11 @@ constexpr double kResidual = 1e-10;
 constexpr int kRefinements = 3;
 // Below this iterations with a stale factor save nothing.
 constexpr double kLeastTolerance = 1e-8;
-// Of a first iteration with a factor of this very shape, in single and in double precision.
+// Of an iteration with a factor of this very shape: at best in single precision, where the condition of the
+// matrix decides (measured: 0.02 with 11 000 vertices in the plane, 0.2 with 40 000, 0.6 with 160 000), and
+// in double.
 constexpr double kFreshContraction = 1e-2, kFreshContractionDouble = 1e-6;
+constexpr double kBestContraction = 0.05;
 // Above this ratio w_r / w_q (EQUIA is 512) a factor does not last: hundreds of iterations.
 constexpr double kStiffestReuse = 20;
 // Above this ratio (METR is 2, AKVF 0) the factor is turned with the shape.
@@ -110,7 +113,9 @@ struct VelocitySolver<Dim>::Engine {
     Projection<Dim> projection;
     ReducedSystem<Dim> system;
     Cholesky cholesky;
-    std::optional<FloatFactor> floatFactor;  // made at the first use
+    // Made at the first use.
+    std::optional<SupernodalFactor<float>> singleFactor;
+    std::optional<SupernodalFactor<double>> doubleFactor;
 
     std::vector<double> blocks;  // of A
     SolverStatistics statistics;
@@ -123,8 +128,8 @@ struct VelocitySolver<Dim>::Engine {
     // Where the factor that serves was made and in which precision, if single is too little here, and the
     // contraction of a first iteration with the lag at which it was measured. Its counts are the policy's.
     FactorMemory<Dim> memory;
-    Nodal<Dim> held;           // where the factor at hand was made, in double or
-    bool heldInFloat = false;  // in single precision
+    Nodal<Dim> held;  // where the factor at hand was made
+    FactorKind heldKind = FactorKind::Reference;
     RefactorPolicy policy;
     ConjugateGradients<Dim> iteration;
     Points<Dim> last;  // v̂ of the last solve
@@ -137,10 +142,16 @@ struct VelocitySolver<Dim>::Engine {
                        const std::optional<Points<Dim>>& guess);
     bool reuses() const { return reusable && tolerance >= kLeastTolerance; }
     SolveOutcome factorize();
-    Cholesky::Status factorizeAt(const Nodal<Dim>& shape, bool single);
+    Cholesky::Status factorizeAt(const Nodal<Dim>& shape, FactorKind kind);
+    bool factorizes(FactorKind kind);
+    bool solveWithFactor(std::span<const double> b, std::span<double> x);
+    double expectedContraction(double lag) const;
+    double leastContraction() const;
+    void learnContraction(double lag, const typename ConjugateGradients<Dim>::Result& result);
     bool makeFactorAgain();
     bool precondition(std::span<const double> r, std::span<double> z);
     bool iterate(Points<Dim>& v);
+    SolveOutcome solveDirectly(Points<Dim>& v);
     SolveOutcome solveReduced(Points<Dim>& v);
 };
 
@@ -181,7 +192,8 @@ void VelocitySolver<Dim>::Engine::setConstraints(std::vector<ConstraintRow> newR
         cholesky.analyze(system.columnStart(), system.row(), Dim,
                          small ? Ordering::MinimumDegree : Ordering::NestedDissection);
     countCosts();
-    floatFactor.reset();
+    singleFactor.reset();
+    doubleFactor.reset();
     held.reset();
     memory = {};
     analyzed = true;
@@ -200,20 +212,42 @@ void VelocitySolver<Dim>::Engine::countCosts() {
 }
 
 template <int Dim>
+bool VelocitySolver<Dim>::Engine::solveWithFactor(std::span<const double> b, std::span<double> x) {
+    switch (heldKind) {
+        case FactorKind::Single:
+            return singleFactor->solve(b, x);
+        case FactorKind::Double:
+            return doubleFactor->solve(b, x);
+        case FactorKind::Reference:
+            break;
+    }
+    return cholesky.solve(b, x) == Cholesky::Status::Done;
+}
+
+template <int Dim>
 bool VelocitySolver<Dim>::Engine::precondition(std::span<const double> r, std::span<double> z) {
-    if (!turned)
-        return heldInFloat ? floatFactor->solve(r, z) : cholesky.solve(r, z) == Cholesky::Status::Done;
+    if (!turned) return solveWithFactor(r, z);
     turnedRight.assign(r.begin(), r.end());
     rotations->turnBack(system.unknowns(), turnedRight);
-    const bool done = heldInFloat ? floatFactor->solve(turnedRight, z)
-                                  : cholesky.solve(turnedRight, z) == Cholesky::Status::Done;
+    const bool done = solveWithFactor(turnedRight, z);
     rotations->turn(system.unknowns(), z);
     return done;
 }
 
-/// The back end is at that shape; null if the factor shall serve but once.
+/// A factor of our own, of the values that are there; false if a pivot is lost.
 template <int Dim>
-Cholesky::Status VelocitySolver<Dim>::Engine::factorizeAt(const Nodal<Dim>& shape, bool single) {
+bool VelocitySolver<Dim>::Engine::factorizes(FactorKind kind) {
+    const auto made = [&](auto& factor) {
+        if (!factor) factor.emplace(cholesky.supernodes(), system.columnStart(), system.row());
+        return factor->factorize(cholesky.values());
+    };
+    return kind == FactorKind::Single ? made(singleFactor) : made(doubleFactor);
+}
+
+/// The back end is at that shape; null if the factor shall serve but once. Where a factor loses a pivot, the
+/// next better one is tried.
+template <int Dim>
+Cholesky::Status VelocitySolver<Dim>::Engine::factorizeAt(const Nodal<Dim>& shape, FactorKind kind) {
     held.reset();
     {
         const Stopwatch watch(statistics.assemble);
@@ -222,19 +256,23 @@ Cholesky::Status VelocitySolver<Dim>::Engine::factorizeAt(const Nodal<Dim>& shap
     }
     const Stopwatch watch(statistics.factor);
     ++statistics.factorizations;
-    if (single && !floatFactor)
-        floatFactor.emplace(cholesky.supernodes(), system.columnStart(), system.row());
-    heldInFloat = single && floatFactor->factorize(cholesky.values());
-    const auto status = heldInFloat ? Cholesky::Status::Done : cholesky.factorize();
+    auto status = Cholesky::Status::Done;
+    heldKind = kind;
+    if (heldKind == FactorKind::Single && !factorizes(heldKind)) heldKind = FactorKind::Double;
+    if (heldKind == FactorKind::Double && !factorizes(heldKind)) heldKind = FactorKind::Reference;
+    if (heldKind == FactorKind::Reference) status = cholesky.factorize();
     if (status == Cholesky::Status::Done) held = shape;
     return status;
 }
 
 template <int Dim>
 SolveOutcome VelocitySolver<Dim>::Engine::factorize() {
-    const bool single = reuses() && !memory.floatFails;
-    const auto status = factorizeAt(reuses() ? backEnd->stages().shape() : nullptr, single);
-    memory = {held, heldInFloat, memory.floatFails || (single && !heldInFloat), 1, 0, {}};
+    const bool iterates = reuses();
+    const auto kind = iterates        ? memory.best
+                      : tolerance > 0 ? std::max(memory.best, FactorKind::Double)
+                                      : FactorKind::Reference;
+    const auto status = factorizeAt(iterates ? backEnd->stages().shape() : nullptr, kind);
+    memory = {held, heldKind, tolerance > 0 ? heldKind : memory.best, 1, 0, memory.freshContraction, {}};
     policy.factorized();
     switch (status) {
         case Cholesky::Status::Done:
@@ -251,7 +289,7 @@ template <int Dim>
 bool VelocitySolver<Dim>::Engine::makeFactorAgain() {
     if (held == memory.shape) return true;
     const bool done = backEnd->setShape(*memory.shape) < 0 &&
-                      factorizeAt(memory.shape, memory.inFloat) == Cholesky::Status::Done;
+                      factorizeAt(memory.shape, memory.kind) == Cholesky::Status::Done;
     backEnd->setStage();
     return done;
 }
@@ -271,16 +309,45 @@ SolveOutcome VelocitySolver<Dim>::Engine::solveReduced(Points<Dim>& v) {
         if (i > 0 && size <= kResidual * first) break;
         y.resize(Dim, right.cols());
         ++statistics.iterations;
-        if (cholesky.solve(flat<Dim>(right), flat<Dim>(y)) != Cholesky::Status::Done)
-            return {SolveOutcome::Kind::NotFinite, -1};
+        if (!solveWithFactor(flat<Dim>(right), flat<Dim>(y))) return {SolveOutcome::Kind::NotFinite, -1};
         system.expand(y, v);
     }
     return v.allFinite() ? SolveOutcome{} : SolveOutcome{SolveOutcome::Kind::NotFinite, -1};
 }
 
-/// Conjugate gradients with the factor at hand; false if a new one is the better way. The contraction of the
-/// first iteration cannot be measured within it: it is taken to grow with the distance from the factor's
-/// shape.
+/// The contraction of the first iteration cannot be measured within it. At the factor's own shape it is what
+/// single precision left of the matrix, measured at the last chance; farther away it is taken to grow with
+/// the distance. What is not known is taken to be 1, so that there is a second iteration, which measures it.
+template <int Dim>
+double VelocitySolver<Dim>::Engine::expectedContraction(double lag) const {
+    const double fresh =
+        memory.kind == FactorKind::Single ? memory.freshContraction : kFreshContractionDouble;
+    if (lag == 0) return fresh;
+    if (memory.contraction >= 1) return 1;
+    return std::min(1.0, std::max(fresh, memory.contraction * lag / memory.contractionLag));
+}
+
+/// A single lucky step is not believed: the next one is expected to gain a factor of 20 at most, and less
+/// with a factor that is known to be poor.
+template <int Dim>
+double VelocitySolver<Dim>::Engine::leastContraction() const {
+    const bool poor = memory.kind == FactorKind::Single && memory.freshContraction < 1;
+    return std::max(kBestContraction, poor ? memory.freshContraction : 0.0);
+}
+
+template <int Dim>
+void VelocitySolver<Dim>::Engine::learnContraction(double lag,
+                                                   const typename ConjugateGradients<Dim>::Result& result) {
+    if (result.iterations < 2) return;
+    if (lag > 0) {
+        memory.contraction = result.firstContraction;
+        memory.contractionLag = lag;
+    } else if (memory.kind == FactorKind::Single) {
+        memory.freshContraction = std::max(kFreshContraction, result.worstContraction);
+    }
+}
+
+/// Conjugate gradients with the factor at hand; false if a new one is the better way.
 template <int Dim>
 bool VelocitySolver<Dim>::Engine::iterate(Points<Dim>& v) {
     const Stopwatch watch(statistics.solve);
@@ -292,21 +359,26 @@ bool VelocitySolver<Dim>::Engine::iterate(Points<Dim>& v) {
     }
     typename ConjugateGradients<Dim>::Goal goal;
     goal.tolerance = tolerance;
-    goal.contraction = lag == 0 ? (memory.inFloat ? kFreshContraction : kFreshContractionDouble)
-                       : memory.contraction < 1
-                           ? std::min(1.0, memory.contraction * lag / memory.contractionLag)
-                           : 1.0;
+    goal.contraction = expectedContraction(lag);
+    goal.leastContraction = leastContraction();
     goal.hopeless = [&](double iterations) { return lag > 0 && policy.hopeless(iterations); };
     const auto result = iteration.run(
         *backEnd, system, [&](std::span<const double> r, std::span<double> z) { return precondition(r, z); },
         goal, v);
     statistics.iterations += result.iterations;
     policy.evaluated(result.iterations);
-    if (result.iterations > 1 && lag > 0) {
-        memory.contraction = result.firstContraction;
-        memory.contractionLag = lag;
-    }
+    learnContraction(lag, result);
     return result.end == ConjugateGradients<Dim>::Result::End::Converged && v.allFinite();
+}
+
+/// With a factor of this very shape; one in single precision is no longer enough then.
+template <int Dim>
+SolveOutcome VelocitySolver<Dim>::Engine::solveDirectly(Points<Dim>& v) {
+    if (heldKind == FactorKind::Single) {
+        memory.best = FactorKind::Double;
+        if (const auto outcome = factorize(); !outcome.done()) return outcome;
+    }
+    return solveReduced(v);
 }
 
 template <int Dim>
@@ -329,7 +401,7 @@ SolveOutcome VelocitySolver<Dim>::Engine::solve(const Points<Dim>& prescribed, P
             if (const auto outcome = factorize(); !outcome.done()) return outcome;
             if (!v.allFinite()) system.particular(prescribed, v);
             if (!iterates || !iterate(v))
-                if (const auto outcome = solveReduced(v); !outcome.done()) return outcome;
+                if (const auto outcome = solveDirectly(v); !outcome.done()) return outcome;
         }
     }
     last = v;

@@ -25,14 +25,18 @@ struct SolverStatistics {
     int analyses = 0, factorizations = 0, iterations = 0;     // iterations: pairs of triangular solves
 };
 
+/// In single and in double precision, and CHOLMOD's: each serves where the one before it loses a pivot.
+enum class FactorKind { Single, Double, Reference };
+
 /// What the next solves depend on beside their own arguments: at which shape the factor was made that they
 /// start from, and the counts by which it is kept. With it a solver goes on to the same bits as the one that
 /// it was taken from. Cheap to copy.
 template <int Dim>
 struct FactorMemory {
-    std::shared_ptr<const Points<Dim>> shape;  // null: the next solve factorizes
-    bool inFloat = false, floatFails = false;
+    Nodal<Dim> shape;                                                 // null: the next solve factorizes
+    FactorKind kind = FactorKind::Single, best = FactorKind::Single;  // best: that does not fail here
     double contraction = 1, contractionLag = 0;
+    double freshContraction = 1;  // of a factor in single precision at its own shape; 1: not known
     RefactorPolicy::Counts counts;
 };
 
@@ -81,8 +85,9 @@ class VelocitySolver {
                               const std::optional<Points<Dim>>& guess = std::nullopt);
     StageVectors<Dim>& stages();
 
-    /// The error of v̂ that is allowed, relative to its greatest nodal velocity. 0 (the default) or less than
-    /// 1e-8: every solve factorizes. So do materials on the way to EQUIA, whose factors do not last.
+    /// The error of v̂ that is allowed, relative to its greatest nodal velocity. 0 (the default): every solve
+    /// factorizes, by CHOLMOD. So does every one, by a factor of our own in double precision, with less than
+    /// 1e-8, and with materials on the way to EQUIA, whose factors do not last.
     void setVelocityTolerance(double tolerance);
     /// Whether a factor may serve for several solves: by the tolerance and the material.
     bool reuses() const;

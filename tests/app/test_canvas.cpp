@@ -4,6 +4,7 @@
 #include "app/document/handle_edits.h"
 #include "app/session/opening.h"
 #include "app/view/canvas.h"
+#include "app/view/cell_filler.h"
 #include "app/view/screen_picture.h"
 #include "tests/support/window_fixture.h"
 
@@ -24,6 +25,7 @@ class TestCanvas : public QObject {
     void everyDepthComesOutTheSame();
     void mapColoursAreOrdered_data();
     void mapColoursAreOrdered();
+    void cellsAreFilledOnce();
     void areaIsCentredOnOne();
     void pictureIsSeenBeforeItsMesh();
     void picturesOfMeshesAreDrawn_data();
@@ -159,6 +161,27 @@ void TestCanvas::mapColoursAreOrdered() {
         const double step = lightness(i / 5.0) - lightness((i + 1) / 5.0);
         QVERIFY2(step > 10 && step < 24, qPrintable(QString::number(step)));
     }
+}
+
+/// A fan of translucent triangles over a square: no pixel of it twice, none beside it; as QPainter would.
+void TestCanvas::cellsAreFilledOnce() {
+    QImage image(40, 30, QImage::Format_ARGB32_Premultiplied), expected = image;
+    for (QImage* one : {&image, &expected}) one->fill(qRgba(10, 200, 90, 255));
+    Points<2> points(2, 5);
+    points << -5, 4, 4, -5, 0.3, 2, 2, 8, 8, 4.7;  // to be doubled
+    CellFiller filler(image, points, QTransform::fromScale(2, 3));
+    for (const Cell<2>& cell : {Cell<2>{0, 1, 4}, Cell<2>{2, 1, 4}, Cell<2>{4, 2, 3}, Cell<2>{3, 0, 4}})
+        filler.fill(cell, qRgba(250, 20, 130, 209));
+    QPainter painter(&expected);
+    painter.fillRect(QRect(QPoint(0, 6), QPoint(7, 23)), QColor(250, 20, 130, 209));
+    painter.end();
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x) {
+            const QRgb a = image.pixel(x, y), b = expected.pixel(x, y);
+            for (const int difference :
+                 {qRed(a) - qRed(b), qGreen(a) - qGreen(b), qBlue(a) - qBlue(b), qAlpha(a) - qAlpha(b)})
+                QVERIFY2(std::abs(difference) <= 1, qPrintable(QString("pixel %1, %2").arg(x).arg(y)));
+        }
 }
 
 void TestCanvas::areaIsCentredOnOne() {

@@ -4,13 +4,14 @@
 
 #include "core/assembly/cpu_back_end.h"
 #include "core/solver/cholesky.h"
-#include "core/solver/float_factor.h"
 #include "core/solver/reduced_system.h"
 #include "core/solver/refactor_policy.h"
+#include "core/solver/supernodal_factor.h"
 #include "core/solver/velocity_history.h"
 #include "core/solver/velocity_solver.h"
 #include "core/solver/vertex_rotations.h"
 #include "tests/core/test_energy_samples.h"
+#include "tests/core/test_strip.h"
 
 using namespace wend;
 using namespace wend::test;
@@ -20,12 +21,13 @@ class TestSolverReuse : public QObject {
   private slots:
     void velocityIsWithinTolerance_data();
     void velocityIsWithinTolerance();
+    void toleranceHoldsWhereSinglePrecisionIsPoor();
     void equiaAlwaysFactorizes();
     void runsRepeat();
     void memoryGoesOnToTheSameBits();
     void rotationsAreThoseOfTheShape();
     void isotropicBackEndAgrees();
-    void floatFactorSolves();
+    void factorsSolve();
     void floatFactorRefuses();
     void historyExtrapolates();
     void historyFitsPrescribed();
@@ -134,10 +136,46 @@ void TestSolverReuse::velocityIsWithinTolerance() {
     QVERIFY2(run.statistics.factorizations <= 20, qPrintable(QString::number(run.statistics.factorizations)));
 }
 
+/// A strip sixty times as long as it is wide has a matrix as ill-conditioned as that of a hundred thousand
+/// vertices: of a smooth error a factor in single precision shows little, and leaves much. Good guesses must
+/// not pass for solved: here the guess is off by a field of the same kind.
+void TestSolverReuse::toleranceHoldsWhereSinglePrecisionIsPoor() {
+    SimplicialMesh<2> strip = samples::strip<2>(240, 4, 60);
+    strip.points /= boundingBoxDiagonal<2>(strip.points);
+    const auto mesh = std::make_shared<const SimplicialMesh<2>>(strip);
+    const auto material =
+        std::make_shared<const Material<2>>(Material<2>::uniform(mesh->cellCount(), phi::kMetr));
+    std::vector<ConstraintRow> rows;
+    for (int v = 0; v < mesh->vertexCount(); ++v)
+        if (mesh->points(0, v) < 1e-9 || v == mesh->vertexCount() - 1) rows.push_back({{{v, 1.0}}});
+    Points<2> up = Points<2>::Zero(2, static_cast<Eigen::Index>(rows.size())), slant = up, v, exact, other;
+    up.rightCols(1) << 0, 1;
+    slant.rightCols(1) << 0.5, 1;
+    VelocitySolver<2> direct(mesh, material, BackEndKind::Cpu, 1),
+        solver(mesh, material, BackEndKind::Cpu, 1);
+    direct.setConstraints(rows);
+    solver.setConstraints(rows);
+    QVERIFY(direct.solve(mesh->points, up, exact).done() && direct.solve(mesh->points, slant, other).done());
+    const double tolerance = 1e-4, size = exact.cwiseAbs().maxCoeff();
+    solver.setVelocityTolerance(tolerance);
+    QVERIFY(solver.solve(mesh->points, up, v).done());
+    QVERIFY((v - exact).cwiseAbs().maxCoeff() <= 3 * tolerance * size);
+    FactorMemory<2> memory = solver.remember();
+    QVERIFY(memory.kind == FactorKind::Single && memory.freshContraction > 0.2);
+    for (double off : {1e-2, 3e-3, 1e-3}) {
+        memory.shape = nullptr;  // a new factor
+        solver.recall(memory);
+        QVERIFY(solver.solve(mesh->points, up, v, Points<2>(exact + off * (other - exact))).done());
+        const double error = (v - exact).cwiseAbs().maxCoeff() / size;
+        QVERIFY2(error <= 3 * tolerance, qPrintable(QString::number(error)));
+    }
+}
+
 void TestSolverReuse::equiaAlwaysFactorizes() {
     const auto run = drive<2>(phi::kEquia, 1e-3, 1, 10);
     QCOMPARE(run.statistics.factorizations, 40);
-    QCOMPARE(run.worst, 0.0);
+    // Two factors in double precision of matrices of a condition of 1e6, refined to a residual of 1e-10.
+    QVERIFY2(run.worst < 1e-9, qPrintable(QString::number(run.worst)));
 }
 
 void TestSolverReuse::runsRepeat() {
@@ -283,7 +321,10 @@ struct Factored {
         backEnd->assemble(blocks);
         system.gather(blocks, cholesky.values());
     }
-    FloatFactor single() const { return {cholesky.supernodes(), system.columnStart(), system.row()}; }
+    template <class Real>
+    SupernodalFactor<Real> factor() const {
+        return {cholesky.supernodes(), system.columnStart(), system.row()};
+    }
 };
 
 /// Against the solve in double, for all shapes of supernodes that the orderings make.
@@ -291,7 +332,7 @@ template <int Dim>
 void compareFactors(int n) {
     for (const auto ordering : {Ordering::MinimumDegree, Ordering::NestedDissection}) {
         Factored<Dim> scene(n, phi::kAkvf, ordering);
-        auto single = scene.single();
+        auto single = scene.template factor<float>();
         QVERIFY(single.factorize(scene.cholesky.values()));
         QVERIFY(scene.cholesky.factorize() == Cholesky::Status::Done);
         std::mt19937 random(3);
@@ -303,21 +344,25 @@ void compareFactors(int n) {
         QVERIFY(scene.cholesky.solve(b, y) == Cholesky::Status::Done);
         const Eigen::Map<Eigen::VectorXd> X(x.data(), static_cast<Eigen::Index>(unknowns)),
             Y(y.data(), X.size());
-        // The condition of these small matrices is about 1e3 to 1e4, the precision 6e-8.
+        // The condition of these small matrices is about 1e3 to 1e4, the precision 6e-8 and 1e-16.
         QVERIFY2((X - Y).norm() <= 2e-3 * Y.norm(), qPrintable(QString::number((X - Y).norm() / Y.norm())));
+        auto twice = scene.template factor<double>();
+        QVERIFY(twice.factorize(scene.cholesky.values()));
+        QVERIFY(twice.solve(b, x));
+        QVERIFY2((X - Y).norm() <= 1e-11 * Y.norm(), qPrintable(QString::number((X - Y).norm() / Y.norm())));
     }
 }
 
 }  // namespace
 
-void TestSolverReuse::floatFactorSolves() {
+void TestSolverReuse::factorsSolve() {
     for (int n : {2, 3, 5, 24}) compareFactors<2>(n);
     for (int n : {2, 3, 6}) compareFactors<3>(n);
 }
 
 void TestSolverReuse::floatFactorRefuses() {
     Factored<2> scene(6, phi::kMetr, Ordering::MinimumDegree);
-    auto single = scene.single();
+    auto single = scene.factor<float>();
     for (auto& value : scene.cholesky.values()) value = -value;
     QVERIFY(!single.factorize(scene.cholesky.values()));
     for (auto& value : scene.cholesky.values()) value = std::nan("");

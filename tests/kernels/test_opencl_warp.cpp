@@ -19,6 +19,7 @@ class TestOpenClWarp : public QObject {
     void outsideAndFoldsAreTheProcessors_data();
     void outsideAndFoldsAreTheProcessors();
     void stripsAreTheWhole();
+    void thePictureGoesToTheDeviceOnce();
     void failingDeviceIsReplaced();
     void isChosenByNameOnly();
 };
@@ -153,6 +154,40 @@ void TestOpenClWarp::stripsAreTheWhole() {
     }
 }
 
+/// Of the later frames of a sequence only the cells' maps go to the device, and the pixels' cells; another
+/// picture takes the first one's place.
+void TestOpenClWarp::thePictureGoesToTheDeviceOnce() {
+    std::string why;
+    const auto picture = std::make_shared<OpenClPicture>(chooseOpenClDevice({}, why).value(), DeviceNotice());
+    const Image source = randomPicture(64, 48, 4, PixelType::UInt8, true),
+                other = randomPicture(64, 48, 4, PixelType::UInt8, false);
+    const auto mesh = rectangle({0, 0}, {64, 48}, 7);
+    WarpOptions options, onProcessor;
+    options.filter = onProcessor.filter = Filter::Bilinear;
+    options.makePainter = [&](const WarpJob& job) { return OpenClPicture::painter(picture, job); };
+    const Pyramid pyramid(std::make_shared<const Image>(source));
+    const auto frame = [&](double amount) {
+        const Points<2> pose = mesh.points + amount * (wave(mesh.points) - mesh.points);
+        const std::size_t before = picture->copied().toDevice;
+        const Image image = warpImage(pyramid, mesh, pose, kView, options);
+        if (!agree(warpImage(pyramid, mesh, pose, kView, onProcessor), image))
+            throw std::runtime_error("another picture");
+        return picture->copied().toDevice - before;
+    };
+    std::size_t texels = 0;
+    for (int k = 0; k < pyramid.levels(); ++k)
+        texels += pyramid.level(k).data.size() + 3 * sizeof(std::int64_t);
+    const std::size_t perCell = 9 * sizeof(double) + 4 * sizeof(float) + 4 * sizeof(int),
+                      perFrame = mesh.cells.size() * perCell + 64 * 48 * sizeof(int);
+    QCOMPARE(frame(0.2), texels + perFrame);
+    QCOMPARE(frame(0.4), perFrame);
+    QCOMPARE(frame(0.5), perFrame);
+    const Points<2> pose = wave(mesh.points);
+    QVERIFY(agree(warpImage(other, mesh, pose, kView, onProcessor),
+                  warpImage(other, mesh, pose, kView, options)));
+    QCOMPARE(frame(0.6), texels + perFrame);
+}
+
 void TestOpenClWarp::failingDeviceIsReplaced() {
     class Lost final : public CellPainter {
         bool paint(const WarpJob&, int, Image& strip) override {
@@ -171,10 +206,11 @@ void TestOpenClWarp::failingDeviceIsReplaced() {
     nowhere.platform = 99;
     nowhere.name = "nowhere";
     std::vector<std::string> notices;
-    options.makePainter = [&](const WarpJob& job) {
-        return makeOpenClPainter(nowhere, job, [&](const std::string& text) { notices.push_back(text); });
-    };
-    QVERIFY(warpImage(source, mesh, pose, kView, options).data == expected.data);
+    const auto picture =
+        std::make_shared<OpenClPicture>(nowhere, [&](const std::string& text) { notices.push_back(text); });
+    options.makePainter = [&](const WarpJob& job) { return OpenClPicture::painter(picture, job); };
+    for (int frame = 0; frame < 2; ++frame)  // it is said once
+        QVERIFY(warpImage(source, mesh, pose, kView, options).data == expected.data);
     QCOMPARE(notices.size(), std::size_t(1));
 }
 

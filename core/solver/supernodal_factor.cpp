@@ -1,4 +1,4 @@
-#include "core/solver/float_factor.h"
+#include "core/solver/supernodal_factor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,23 +9,25 @@
 namespace wend {
 namespace {
 
-constexpr std::size_t kLine = 16;  // floats of a cache line
-
+/// Up to a whole number of cache lines.
+template <class Real>
 std::size_t padded(std::size_t count) {
-    return (count + dense::kPad - 1) / dense::kPad * dense::kPad;
+    return (count + dense::kPad<Real> - 1) / dense::kPad<Real> * dense::kPad<Real>;
 }
 
 /// `count` zeros and slack behind them; returns the first that is aligned to a cache line.
-float* allocate(std::vector<float>& storage, std::size_t count) {
-    storage.assign(count + kLine + dense::kSlack, 0.0F);
+template <class Real>
+Real* allocate(std::vector<Real>& storage, std::size_t count) {
+    storage.assign(count + dense::kPad<Real> + dense::kSlack, Real(0));
     const auto address = reinterpret_cast<std::uintptr_t>(storage.data());
-    return storage.data() + (64 - address % 64) % 64 / sizeof(float);
+    return storage.data() + (64 - address % 64) % 64 / sizeof(Real);
 }
 
 }  // namespace
 
-FloatFactor::FloatFactor(Supernodes symbolic, const std::vector<int>& columnStart,
-                         const std::vector<int>& row)
+template <class Real>
+SupernodalFactor<Real>::SupernodalFactor(Supernodes symbolic, const std::vector<int>& columnStart,
+                                         const std::vector<int>& row)
     : m_symbolic(std::move(symbolic)) {
     layOut();
     placeUpdates();
@@ -33,16 +35,19 @@ FloatFactor::FloatFactor(Supernodes symbolic, const std::vector<int>& columnStar
     mapEntries(columnStart, row);
 }
 
-int FloatFactor::leading(int s) const {
-    return static_cast<int>(padded(m_symbolic.rowsOf(s)));
+template <class Real>
+int SupernodalFactor<Real>::leading(int s) const {
+    return static_cast<int>(padded<Real>(m_symbolic.rowsOf(s)));
 }
 
-int FloatFactor::updateLeading(int s) const {
-    return static_cast<int>(padded(updateRows(s)));
+template <class Real>
+int SupernodalFactor<Real>::updateLeading(int s) const {
+    return static_cast<int>(padded<Real>(updateRows(s)));
 }
 
 /// Panels one after another; the elimination tree: the parent holds the first row below.
-void FloatFactor::layOut() {
+template <class Real>
+void SupernodalFactor<Real>::layOut() {
     const int count = m_symbolic.count();
     const std::size_t unknowns = m_symbolic.order.size();
     std::vector<int> owner(unknowns);
@@ -64,11 +69,12 @@ void FloatFactor::layOut() {
     m_panels = allocate(m_storage, m_panelStart.back() + 8 * static_cast<std::size_t>(greatest));
     m_inverse.resize(unknowns);
     m_x.resize(unknowns);
-    m_w.resize(static_cast<std::size_t>(greatest) + dense::kPad);
+    m_w.resize(static_cast<std::size_t>(greatest) + dense::kPad<Real>);
 }
 
 /// Follows both stacks through a factorization.
-void FloatFactor::placeUpdates() {
+template <class Real>
+void SupernodalFactor<Real>::placeUpdates() {
     const int count = m_symbolic.count();
     m_depth.assign(count, 0);
     m_updateStart.assign(count, 0);
@@ -85,7 +91,8 @@ void FloatFactor::placeUpdates() {
     for (int i : {0, 1}) m_updates[i] = allocate(m_updateStorage[i], most[i]);
 }
 
-void FloatFactor::mapUpdates() {
+template <class Real>
+void SupernodalFactor<Real>::mapUpdates() {
     std::vector<int> place(m_symbolic.order.size());
     m_runStart.assign(1, 0);
     const auto& rows = m_symbolic.rows;
@@ -110,7 +117,8 @@ void FloatFactor::mapUpdates() {
 
 /// Where every value of the matrix goes. Those above the diagonal (the diagonal blocks are full) are left
 /// out.
-void FloatFactor::mapEntries(const std::vector<int>& columnStart, const std::vector<int>& row) {
+template <class Real>
+void SupernodalFactor<Real>::mapEntries(const std::vector<int>& columnStart, const std::vector<int>& row) {
     const int unknowns = static_cast<int>(m_symbolic.order.size());
     std::vector<int> step(unknowns), owner(unknowns), place(unknowns);
     for (int i = 0; i < unknowns; ++i) step[m_symbolic.order[i]] = i;
@@ -140,8 +148,9 @@ void FloatFactor::mapEntries(const std::vector<int>& columnStart, const std::vec
 
 /// The child's update matrix into the parent's front: its pivot columns lie in the panel, the others in its
 /// own update matrix, both with rows counted from the front's first.
-void FloatFactor::extendAdd(int child, int parent) {
-    const float* const from = update(child);
+template <class Real>
+void SupernodalFactor<Real>::extendAdd(int child, int parent) {
+    const Real* const from = update(child);
     const auto leadingFrom = static_cast<std::size_t>(updateLeading(child));
     const auto leadingPanel = static_cast<std::size_t>(leading(parent)),
                leadingUpdate = static_cast<std::size_t>(updateLeading(parent));
@@ -150,25 +159,26 @@ void FloatFactor::extendAdd(int child, int parent) {
                                                                     m_runs.data() + m_runStart[child + 1];
     for (const Run* columns = begin; columns != end; ++columns)
         for (int c = 0; c < columns->length; ++c) {
-            const float* const source = from + (columns->from + c) * leadingFrom;
+            const Real* const source = from + (columns->from + c) * leadingFrom;
             const int column = columns->to + c;
-            float* const target = column < pivots
-                                      ? panel(parent) + column * leadingPanel
-                                      : update(parent) + (column - pivots) * leadingUpdate - pivots;
+            Real* const target = column < pivots
+                                     ? panel(parent) + column * leadingPanel
+                                     : update(parent) + (column - pivots) * leadingUpdate - pivots;
             for (int i = c; i < columns->length; ++i) target[columns->to + i] += source[columns->from + i];
             for (const Run* rows = columns + 1; rows != end; ++rows)
                 for (int i = 0; i < rows->length; ++i) target[rows->to + i] += source[rows->from + i];
         }
 }
 
-bool FloatFactor::factorize(std::span<const double> values) {
+template <class Real>
+bool SupernodalFactor<Real>::factorize(std::span<const double> values) {
     for (int s = 0; s < m_symbolic.count(); ++s) {
-        float* const front = panel(s);
-        std::fill(front, m_panels + m_panelStart[s + 1], 0.0F);
+        Real* const front = panel(s);
+        std::fill(front, m_panels + m_panelStart[s + 1], Real(0));
         for (int i = m_entryStart[s]; i < m_entryStart[s + 1]; ++i)
-            front[m_entries[i].target] = static_cast<float>(values[m_entries[i].source]);
+            front[m_entries[i].target] = static_cast<Real>(values[m_entries[i].source]);
         const int below = updateRows(s), leadingUpdate = updateLeading(s), columns = m_symbolic.columnsOf(s);
-        std::fill_n(update(s), static_cast<std::size_t>(leadingUpdate) * below, 0.0F);
+        std::fill_n(update(s), static_cast<std::size_t>(leadingUpdate) * below, Real(0));
         for (int child : m_children[s]) extendAdd(child, s);
         if (!dense::factorPanel(front, leading(s), columns, m_inverse.data() + m_symbolic.first[s]))
             return false;
@@ -177,37 +187,40 @@ bool FloatFactor::factorize(std::span<const double> values) {
     return true;
 }
 
-void FloatFactor::forwardSolve() {
+template <class Real>
+void SupernodalFactor<Real>::forwardSolve() {
     for (int s = 0; s < m_symbolic.count(); ++s) {
         const int columns = m_symbolic.columnsOf(s), rows = m_symbolic.rowsOf(s), first = m_symbolic.first[s];
         const int* const index = m_symbolic.rows.data() + m_symbolic.rowStart[s];
         std::copy_n(m_x.begin() + first, columns, m_w.begin());
-        std::fill(m_w.begin() + columns, m_w.begin() + leading(s), 0.0F);
+        std::fill(m_w.begin() + columns, m_w.begin() + leading(s), Real(0));
         dense::forward(panel(s), leading(s), columns, m_inverse.data() + first, m_w.data(),
                        m_x.data() + first);
         for (int i = columns; i < rows; ++i) m_x[index[i]] += m_w[i];
     }
 }
 
-void FloatFactor::backwardSolve() {
+template <class Real>
+void SupernodalFactor<Real>::backwardSolve() {
     for (int s = m_symbolic.count() - 1; s >= 0; --s) {
         const int columns = m_symbolic.columnsOf(s), rows = m_symbolic.rowsOf(s), first = m_symbolic.first[s];
         const int* const index = m_symbolic.rows.data() + m_symbolic.rowStart[s];
-        std::fill_n(m_w.begin(), columns, 0.0F);
+        std::fill_n(m_w.begin(), columns, Real(0));
         for (int i = columns; i < rows; ++i) m_w[i] = m_x[index[i]];
-        std::fill(m_w.begin() + rows, m_w.begin() + leading(s), 0.0F);
+        std::fill(m_w.begin() + rows, m_w.begin() + leading(s), Real(0));
         dense::backward(panel(s), leading(s), columns, m_inverse.data() + first, m_w.data(),
                         m_x.data() + first);
     }
 }
 
 // Scaled to 1, so that the residuals of the last iterations stay in the range of single precision.
-bool FloatFactor::solve(std::span<const double> b, std::span<double> x) {
+template <class Real>
+bool SupernodalFactor<Real>::solve(std::span<const double> b, std::span<double> x) {
     double size = 0;
     for (double value : b) size = std::max(size, std::abs(value));
     const double scale = size > 0 ? 1 / size : 1.0;
     const auto& order = m_symbolic.order;
-    for (std::size_t i = 0; i < order.size(); ++i) m_x[i] = static_cast<float>(scale * b[order[i]]);
+    for (std::size_t i = 0; i < order.size(); ++i) m_x[i] = static_cast<Real>(scale * b[order[i]]);
     forwardSolve();
     backwardSolve();
     bool finite = std::isfinite(size);
@@ -217,5 +230,8 @@ bool FloatFactor::solve(std::span<const double> b, std::span<double> x) {
     }
     return finite;
 }
+
+template class SupernodalFactor<float>;
+template class SupernodalFactor<double>;
 
 }  // namespace wend

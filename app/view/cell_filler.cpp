@@ -1,0 +1,54 @@
+#include "app/view/cell_filler.h"
+
+#include <cmath>
+
+#include "warp/coverage.h"
+
+namespace wend {
+namespace {
+
+/// First pixel whose centre is at or after x.
+int firstCentre(double x, int size) {
+    return static_cast<int>(std::ceil(std::clamp(x - 0.5, 0.0, static_cast<double>(size))));
+}
+
+/// Two components of 8 bits at a time, times part / 255.
+QRgb scaled(QRgb pair, QRgb part) {
+    const QRgb product = (pair & 0xFF00FF) * part;
+    return ((product + ((product >> 8) & 0xFF00FF) + 0x800080) >> 8) & 0xFF00FF;
+}
+
+void blend(QRgb* begin, const QRgb* end, QRgb premultiplied) {
+    const QRgb rest = 255 - static_cast<QRgb>(qAlpha(premultiplied));
+    for (QRgb* pixel = begin; pixel != end; ++pixel)
+        *pixel = premultiplied + scaled(*pixel, rest) + (scaled(*pixel >> 8, rest) << 8);
+}
+
+}  // namespace
+
+CellFiller::CellFiller(QImage& image, const Points<2>& points, const QTransform& toPixels)
+    : m_first(reinterpret_cast<QRgb*>(image.bits())),
+      m_stride(image.bytesPerLine() / static_cast<std::ptrdiff_t>(sizeof(QRgb))),
+      m_width(image.width()),
+      m_height(image.height()),
+      m_points(points) {
+    Q_ASSERT(image.format() == QImage::Format_ARGB32_Premultiplied);
+    for (Eigen::Index i = 0; i < points.cols(); ++i) {
+        const QPointF p = toPixels.map(QPointF(points(0, i), points(1, i)));
+        m_points.col(i) = Vec<2>(p.x(), p.y());
+    }
+}
+
+void CellFiller::fill(const Cell<2>& cell, QRgb colour) {
+    const TriangleRows rows(m_points.col(cell[0]), m_points.col(cell[1]), m_points.col(cell[2]));
+    const QRgb premultiplied = qPremultiply(colour);
+    const int bottom = firstCentre(rows.bottom(), m_height);
+    for (int y = firstCentre(rows.top(), m_height); y < bottom; ++y) {
+        const Span span = rows.at(y + 0.5);
+        QRgb* const line = m_first + y * m_stride;
+        const int begin = firstCentre(span.begin, m_width), end = firstCentre(span.end, m_width);
+        if (begin < end) blend(line + begin, line + end, premultiplied);
+    }
+}
+
+}  // namespace wend

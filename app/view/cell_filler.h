@@ -1,0 +1,28 @@
+#pragma once
+
+#include <QImage>
+#include <QTransform>
+
+#include "core/mesh/simplicial_mesh.h"
+
+namespace wend {
+
+/// Fills triangles in one colour each, without smooth borders: every pixel whose centre a triangle covers, so
+/// that neighbours share none. QPainter makes a path of each triangle, which takes several times as long.
+class CellFiller {
+  public:
+    /// Onto an image of premultiplied colours, which must not be touched otherwise in its life; `points` are
+    /// brought to pixels by `toPixels`.
+    CellFiller(QImage& image, const Points<2>& points, const QTransform& toPixels);
+
+    /// Over what is there. The colour is not premultiplied.
+    void fill(const Cell<2>& cell, QRgb colour);
+
+  private:
+    QRgb* m_first;
+    std::ptrdiff_t m_stride;
+    int m_width, m_height;
+    Points<2> m_points;
+};
+
+}  // namespace wend

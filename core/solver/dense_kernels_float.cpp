@@ -1,0 +1,2 @@
+using Real = float;
+#include "core/solver/dense_kernels_body.h"
