@@ -147,9 +147,16 @@ typename CurveEditor<Dim>::Place CurveEditor<Dim>::placeAt(const QPointF& widget
 }
 
 template <int Dim>
-void CurveEditor<Dim>::begin(int point, const QPointF& widget) {
+void CurveEditor<Dim>::choose(int point) {
     forgetOthers();
-    m_dragged = m_chosen = point;
+    m_chosen = point;
+    m_place.reset();  // of a menu that was opened for something else
+}
+
+template <int Dim>
+void CurveEditor<Dim>::begin(int point, const QPointF& widget) {
+    choose(point);
+    m_dragged = point;
     m_freely = false;
     m_from = widget;
     m_by.setZero();

@@ -40,7 +40,7 @@ class CurveEditor : public CurveEditing {
     void cancel();
     /// A point where the curve is pointed at; false beside it.
     bool insertAt(const QPointF& widget);
-    void choose(int point) { m_chosen = point; }
+    void choose(int point);
     int chosen() const;
     /// What the menu is about: the point under the pointer, or the place on the curve. False beside both.
     bool pointAtForMenu(const QPointF& widget);
