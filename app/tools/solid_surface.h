@@ -19,6 +19,12 @@ struct SolidHit {
     Vec<3> point = Vec<3>::Zero();
 };
 
+/// Where a vertex is marked: on the surface that is drawn.
+struct VertexMark {
+    Vec<3> at;
+    bool hidden;
+};
+
 /// The view of a solid as tools see it.
 class SolidSurface {
   public:
@@ -37,6 +43,8 @@ class SolidSurface {
                                            bool visibleOnly) const = 0;
     /// True if the solid lies in front of the point.
     virtual bool isHidden(const Vec<3>& p) const = 0;
+    /// Of vertices that no cut has taken away.
+    virtual std::vector<VertexMark> marksOf(const std::vector<int>& vertices) const = 0;
     virtual void redraw() = 0;
 };
 

@@ -140,6 +140,11 @@ void Actions::setHasFile(bool has, bool hasPicture, bool isSolid) {
     enable(exportStMap, has && hasPicture, has ? tr("This project has no picture.") : why);
 }
 
+void Actions::resetView() {
+    for (QAction* action : {showMesh, showMap, hideOverlays}) action->setChecked(false);
+    pinTool->setChecked(true);
+}
+
 void Actions::setHasSelection(bool has) {
     enable(remove, has, tr("Select a pin first."));
 }

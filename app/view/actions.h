@@ -36,6 +36,8 @@ class Actions : public ActionMaker {
     /// What needs a shape, a selection, a motion.
     void setHasFile(bool has, bool hasPicture, bool isSolid);
     void setHasSelection(bool has);
+    /// What is shown of a document, and the tool, as at the start: another document is seen as it is.
+    void resetView();
     void setHasMotion(bool has);
 
   private:

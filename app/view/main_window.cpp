@@ -291,6 +291,8 @@ void MainWindow::openPath(const QString& path) {
 void MainWindow::showDocument() {
     const bool has = !m_session.document().isEmpty();
     const bool solid = m_session.document().dimension() == 3;
+    m_actions->resetView();
+    m_solids->actions().resetView();
     m_solids->setActive(solid);
     if (solid && m_pages->indexOf(m_solids->page()) < 0) m_pages->addWidget(m_solids->page());
     QWidget* shape = solid ? m_solids->page() : m_canvas;

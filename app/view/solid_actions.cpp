@@ -110,6 +110,11 @@ void SolidActions::makeMenu() {
     m_menu->addActions({detail, orthographic, flat, cut, arrows, ellipsoids});
 }
 
+void SolidActions::resetView() {
+    detail->setChecked(true);
+    for (QAction* action : {arrows, ellipsoids}) action->setChecked(false);
+}
+
 void SolidActions::setHasDetail(bool has) {
     enable(detail, has, tr("The solid has neither a detailed surface nor materials."));
 }

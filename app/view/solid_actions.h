@@ -27,6 +27,8 @@ class SolidActions : public ActionMaker {
     void setShown(bool shown);
     /// Whether the solid has a surface of its own, beside its tetrahedra.
     void setHasDetail(bool has);
+    /// What is shown of a solid, as at the start.
+    void resetView();
 
   private:
     void makeTools(QActionGroup& tools);

@@ -136,6 +136,7 @@ void SurfaceCheck::showSurface() {
     for (const auto& t : m_found->surface.triangles)
         facets->push_back({t, {static_cast<int>(facets->size()), -1}});
     picture.facets = facets;
+    picture.isOpen = true;
     picture.cellColours.assign(m_found->surface.triangles.size(), kFine);
     for (const int t : m_found->problems.triangles(m_found->surface)) picture.cellColours[t] = kWrong;
     m_canvas->setCutKind(CutKind::None);

@@ -20,6 +20,7 @@ in Vertex {
 uniform bool flatShading;
 uniform bool orthographic;
 uniform vec3 backColour;
+uniform float ownFromBehind;  // 0 … 1: of the colour in front
 uniform float dimming;  // 0 … 1: towards grey
 // The colours of the triangles, row by row; without them the vertices have their own.
 uniform bool coloursOfTriangles;
@@ -44,7 +45,7 @@ void main() {
     if (dot(n, toEye) < 0.0) n = -n;
     vec4 colour = surfaceColour();
     if (colour.a < 0.5) discard;  // cut-out leaves and feathers
-    vec3 base = gl_FrontFacing ? colour.rgb : backColour;
+    vec3 base = gl_FrontFacing ? colour.rgb : mix(backColour, colour.rgb, ownFromBehind);
     base = mix(base, vec3(0.5), dimming);
     // A key light over the left shoulder, a soft fill from the right, and a little of the sky.
     float key = max(dot(n, normalize(vec3(-0.45, 0.7, 0.9))), 0.0);

@@ -9,14 +9,16 @@
 #include "app/session/fields.h"
 #include "app/tools/solid_pin_tool.h"
 #include "app/view/volume/glyphs.h"
+#include "app/view/volume/skin_marks.h"
 #include "app/view/volume/solid_painter.h"
 
 namespace wend {
 
 namespace {
 
-constexpr int kDimAfter = 250;  // milliseconds
-constexpr double kClick = 4;    // pixels
+constexpr int kDimAfter = 250;           // milliseconds
+constexpr double kClick = 4;             // pixels
+constexpr std::size_t kMostRays = 4000;  // of one handle's vertices: beyond it all count as seen
 const QRgb kPlain = qRgb(199, 186, 164), kPlainDark = qRgb(176, 164, 146);
 const QRgb kArrowColour = qRgb(54, 84, 196), kGlyphColour = qRgb(226, 140, 44);
 
@@ -106,8 +108,7 @@ std::vector<int> SolidCanvas::verticesWhere(const std::function<bool(const QPoin
     const Points<3>& pose = shown().pose;
     for (Eigen::Index v = 0; v < pose.cols(); ++v) {
         const Vec<3> screen = camera().project(pose.col(v), size());
-        const bool isCutOff = cut() != CutKind::None && plane().height(pose.col(v)) > 1e-9;
-        if (std::abs(screen.z()) <= 1 && !isCutOff && inside({screen.x(), screen.y()}))
+        if (std::abs(screen.z()) <= 1 && !isCutOff(pose.col(v)) && inside({screen.x(), screen.y()}))
             found.push_back(static_cast<int>(v));
     }
     if (visibleOnly) keepVisible(found);
@@ -120,6 +121,41 @@ bool SolidCanvas::isHidden(const Vec<3>& p) const {
     const SolidHit hit = hitOf(sight);
     const double depth = (p - sight.origin).dot(sight.direction);
     return hit.cell >= 0 && (hit.point - sight.origin).norm() < depth - 2 * pixelSize(p);
+}
+
+std::vector<VertexMark> SolidCanvas::marksOf(const std::vector<int>& vertices) const {
+    const Points<3>& pose = shown().pose;
+    // Without a frame of this mesh yet: what is shown is a preview.
+    const bool riding = isRiding() && static_cast<Eigen::Index>(skinPoints().size()) == pose.cols();
+    const bool asks = vertices.size() <= kMostRays;
+    std::vector<VertexMark> marks;
+    for (const int v : vertices) {
+        if (v >= pose.cols()) continue;
+        const int point = riding ? skinPoints()[static_cast<std::size_t>(v)] : -1;
+        const Vec<3> at = point < 0 ? Vec<3>(pose.col(v)) : Vec<3>(ridden().col(point));
+        if (!isCutOff(at) && !isCutOff(pose.col(v))) marks.push_back({at, asks && isHidden(pose.col(v))});
+    }
+    return marks;
+}
+
+/// Once for each skin.
+const std::vector<int>& SolidCanvas::skinPoints() const {
+    const VolumePicture& picture = shown();
+    if (m_marked != picture.skin)
+        m_skinPoints = nearestSkinPoints(*picture.skin, picture.rest->points, *picture.facets);
+    m_marked = picture.skin;
+    return m_skinPoints;
+}
+
+Points<3> SolidCanvas::fitted() const {
+    const Points<3>& pose = shown().pose;
+    if (m_hidden || !m_session.frame<3>() || m_session.document().dimension() != 3) return pose;
+    const std::vector<Vec<3>> marked = pathPoints(m_session);
+    Points<3> all(3, pose.cols() + static_cast<Eigen::Index>(marked.size()));
+    all.leftCols(pose.cols()) = pose;
+    for (std::size_t i = 0; i < marked.size(); ++i)
+        all.col(pose.cols() + static_cast<Eigen::Index>(i)) = marked[i];
+    return all;
 }
 
 void SolidCanvas::redraw() {
@@ -176,6 +212,7 @@ void SolidCanvas::refresh() {
     const bool isNew = m_generation != m_session.document().generation();
     m_generation = m_session.document().generation();
     if (isNew) {
+        m_planeChosen = false;
         m_fitted = m_toFit = true;
         look(Camera::Axis::Isometric);
     }
@@ -284,12 +321,25 @@ void SolidCanvas::setMap(Measure measure, const MeasureRange& range) {
     if (m_map) refresh();
 }
 
+/// The near half goes: along the world's axis that points at the viewer most, or along the normal that was
+/// chosen in this document.
+Vec<3> SolidCanvas::normalToViewer() const {
+    const Vec<3> way = viewDirection();
+    Vec<3> normal = m_cutTool.plane().normal;
+    if (!m_planeChosen) {
+        int axis = 0;
+        way.cwiseAbs().maxCoeff(&axis);
+        normal = Vec<3>::Unit(axis);
+    }
+    return normal.dot(way) > 0 ? Vec<3>(-normal) : normal;
+}
+
 void SolidCanvas::setCutKind(CutKind kind) {
-    if (kind == cut() || !m_session.frame<3>()) {
+    if (kind == cut() || (kind != CutKind::None && !m_session.frame<3>())) {
         emit cutChanged();
         return;
     }
-    if (cut() == CutKind::None) m_cutTool.setPlane(middlePlane(m_cutTool.plane().normal));
+    if (cut() == CutKind::None) m_cutTool.setPlane(middlePlane(normalToViewer()));
     m_cutTool.setActive(kind != CutKind::None);
     setCut(kind, m_cutTool.plane());
     refresh();
@@ -297,6 +347,7 @@ void SolidCanvas::setCutKind(CutKind kind) {
 }
 
 void SolidCanvas::setCutPlane(const CutPlane& plane) {
+    m_planeChosen = true;
     m_cutTool.setPlane(plane);
     setCut(cut(), plane);
     refresh();

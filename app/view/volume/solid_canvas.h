@@ -32,6 +32,7 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     std::vector<int> verticesWhere(const std::function<bool(const QPointF&)>& inside,
                                    bool visibleOnly) const override;
     bool isHidden(const Vec<3>& p) const override;
+    std::vector<VertexMark> marksOf(const std::vector<int>& vertices) const override;
     void redraw() override;
 
     /// True if the solid has a surface of its own to show: a detailed one, or one with materials.
@@ -74,6 +75,7 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     void pointedAt(int cell, int vertex, const wend::Vec<3>& point);
 
   protected:
+    Points<3> fitted() const override;
     void resizeEvent(QResizeEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
@@ -95,6 +97,9 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     SolidTool* toolAt(const QPointF& at);
     void useTool(SolidTool* tool);
     void applyTheme();
+    Vec<3> normalToViewer() const;
+    bool isCutOff(const Vec<3>& p) const { return cut() != CutKind::None && plane().height(p) > 1e-9; }
+    const std::vector<int>& skinPoints() const;
 
     ShapeSession& m_session;
     SolidTool* m_tool = nullptr;
@@ -107,10 +112,13 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     bool m_map = false, m_arrows = false, m_values = false, m_glyphs = false, m_hidden = false,
          m_dimmed = false;
     bool m_detail = true;
-    bool m_toFit = false;   // the view has not been fitted to the whole motion's end yet
-    bool m_fitted = false;  // the view follows the window's size until the user changes it
+    bool m_planeChosen = false;  // the cut's, by the user in this document
+    bool m_toFit = false;        // the view has not been fitted to the whole motion's end yet
+    bool m_fitted = false;       // the view follows the window's size until the user changes it
     Measure m_measure = Measure::Length;
     MeasureRange m_range;
+    mutable std::shared_ptr<const Skin> m_marked;  // whose points m_skinPoints are
+    mutable std::vector<int> m_skinPoints;
 };
 
 }  // namespace wend

@@ -15,6 +15,23 @@ constexpr int kMostPathsOfOneHandle = 3;
 constexpr int kFramesAlongCurve = 9;
 const QColor kAxes[] = {QColor(214, 69, 65), QColor(72, 148, 60), QColor(58, 104, 214)};
 
+/// The points of a selected curve, which may lie far outside of it.
+void addDirections(const Handle<3>& handle, const PinPath<3>& path, std::vector<Vec<3>>& points) {
+    for (const Motion<3>& motion : handle.motions) {
+        const auto* curve = std::get_if<CurveMotion<3>>(&motion.kind);
+        const auto at = std::lower_bound(path.times.begin(), path.times.end(), motion.start);
+        if (!curve || curve->points.empty() || at == path.times.end()) continue;
+        const Vec<3> start = path.points[static_cast<std::size_t>(at - path.times.begin())];
+        for (const Vec<3>& p : curve->points) points.push_back(start + p - curve->points.front());
+    }
+}
+
+/// Many points of one handle have one path for all.
+std::vector<Vec<3>> shownStarts(const std::vector<Vec<3>>& starts) {
+    if (starts.size() <= kMostPathsOfOneHandle) return starts;
+    return {meanOf<3>(starts)};
+}
+
 }  // namespace
 
 QPolygonF SolidPainter::toWidget(const std::vector<Vec<3>>& points) const {
@@ -49,24 +66,42 @@ void SolidPainter::paths() {
         for (int h = 0; h < static_cast<int>(handles.size()); ++h) {
             if (handles[h].motions.empty() || session.selection().contains(h) != selected) continue;
             if (handles[h].activeTo <= session.playback().time()) continue;  // let go of
-            auto starts = session.pathStarts<3>(h);
+            const auto starts = shownStarts(session.pathStarts<3>(h));
             if (starts.empty()) continue;
-            if (starts.size() > kMostPathsOfOneHandle) starts = {meanOf<3>(starts)};  // one for all
             for (const PinPath<3>& one : pinPaths<3>(handles[h], starts))
                 m_marks.path(toWidget(one.points), one.times, selected, session.playback().time());
             if (selected) frames(handles[h], starts.front());
         }
 }
 
-/// What a handle of many vertices holds.
+std::vector<Vec<3>> pathPoints(ShapeSession& session) {
+    std::vector<Vec<3>> points;
+    for (const PinView<3>& view : session.pins<3>()) points.push_back(view.centre);
+    const auto& handles = session.document().design<3>().handles;
+    for (int h = 0; h < static_cast<int>(handles.size()); ++h) {
+        const auto starts = session.pathStarts<3>(h);
+        if (handles[h].motions.empty() || starts.empty()) continue;
+        for (const PinPath<3>& path : pinPaths<3>(handles[h], shownStarts(starts))) {
+            points.insert(points.end(), path.points.begin(), path.points.end());
+            if (session.selection().contains(h)) addDirections(handles[h], path, points);
+        }
+    }
+    return points;
+}
+
+/// What a handle of many vertices holds, where it is seen; of a selected one also what is hidden, faintly.
 void SolidPainter::spots(const PinView<3>& view, const QColor& colour) {
     const bool selected = m_surface.session().selection().contains(view.handle);
-    QColor fill = colour;
-    fill.setAlpha(selected ? 255 : 110);
-    m_painter.setPen(selected ? QPen(QColor(255, 255, 255, 190), 0.75) : QPen(Qt::NoPen));
-    m_painter.setBrush(fill);
     const double r = selected ? 2.3 : 1.7;
-    for (const Vec<3>& p : view.points) m_painter.drawEllipse(m_surface.toWidget(p), r, r);
+    for (const VertexMark& mark : m_surface.marksOf(m_surface.session().verticesOf(view.handle))) {
+        if (mark.hidden && !selected) continue;
+        QColor fill = colour;
+        fill.setAlpha(mark.hidden ? 70 : selected ? 255 : 110);
+        const bool ringed = selected && !mark.hidden;
+        m_painter.setPen(ringed ? QPen(QColor(255, 255, 255, 190), 0.75) : QPen(Qt::NoPen));
+        m_painter.setBrush(fill);
+        m_painter.drawEllipse(m_surface.toWidget(mark.at), r, r);
+    }
 }
 
 /// The outline of a selected handle's region, carried to where its vertices are now.

@@ -8,6 +8,9 @@
 
 namespace wend {
 
+/// The pins and their paths, as they are drawn.
+std::vector<Vec<3>> pathPoints(ShapeSession& session);
+
 /// Draws what lies over a solid: pins, their paths, the worst place, the axes of the world.
 class SolidPainter {
   public:

@@ -202,6 +202,7 @@ void SurfaceRenderer::setUniforms(QOpenGLShaderProgram& program, const Sight& si
     program.setUniformValue("flatShading", style.flat);
     program.setUniformValue("orthographic", sight.orthographic);
     program.setUniformValue("backColour", toVector(style.backColour));
+    program.setUniformValue("ownFromBehind", static_cast<float>(style.ownFromBehind));
     program.setUniformValue("edgeColour", toVector(style.edgeColour));
     program.setUniformValue("dimming", static_cast<float>(style.dimming));
     program.setUniformValue("colours", 0);
@@ -251,7 +252,8 @@ void SurfaceRenderer::draw(const Sight& sight, const SurfaceStyle& style, bool m
     if (clip) m_gl->glEnable(GL_CLIP_DISTANCE0);
     drawLayer(program, m_layers[Outer], materials);
     m_gl->glDisable(GL_CLIP_DISTANCE0);
-    program.setUniformValue("clipPlane", kNoClip);  // the section lies on the plane
+    program.setUniformValue("clipPlane", kNoClip);   // the section lies on the plane
+    program.setUniformValue("ownFromBehind", 1.0F);  // slivers of it may have either orientation
     drawLayer(program, m_layers[Section], false);
     if (m_glyphs.count > 0) {
         setUniforms(m_plain, sight, style, {});

@@ -30,6 +30,7 @@ struct SurfaceStyle {
     double dimming = 0;  // 0 … 1: towards grey
     QColor edgeColour = QColor(20, 24, 32);
     QColor backColour = QColor(150, 92, 86);
+    double ownFromBehind = 0;  // 0 … 1: how much of its own colour a face seen from behind keeps
 };
 
 /// From where a scene is seen.

@@ -17,7 +17,8 @@ namespace {
 constexpr double kRadiansPerPixel = 0.008;
 constexpr double kClickPixels = 4;
 constexpr int kSamples = 4;
-constexpr int kRestAfter = 160;  // milliseconds without motion
+constexpr int kRestAfter = 160;         // milliseconds without motion
+constexpr double kOwnFromBehind = 0.7;  // red is red from behind, and still told from the front
 const QRgb kPlainColour = qRgb(196, 178, 150);
 
 }  // namespace
@@ -57,6 +58,7 @@ void VolumeView::setPicture(VolumePicture picture, bool fitView) {
     const bool sameSurface = m_cut == CutKind::None && picture.facets == m_picture.facets;
     if (picture.cellColours.empty() && picture.rest)
         picture.cellColours.assign(picture.facets->size(), kPlainColour);  // more than there are cells
+    if (picture.skin != m_picture.skin || picture.pose != m_picture.pose) m_ridden.reset();
     if (picture.skin != m_picture.skin) m_meshStale = m_texturesStale = true;
     m_coloursStale = m_coloursStale || picture.cellColours != m_picture.cellColours ||
                      picture.materials != m_picture.materials;
@@ -80,7 +82,9 @@ void VolumeView::setCut(CutKind kind, const CutPlane& plane) {
 
 void VolumeView::fit() {
     if (m_picture.pose.cols() == 0) return;
-    m_camera.fit(m_picture.pose, size());
+    m_camera.fit(fitted(), size());
+    const Points<3>& pose = m_picture.pose;
+    m_camera.setPivot((pose.rowwise().minCoeff() + pose.rowwise().maxCoeff()) / 2);
     update();
     emit cameraChanged();
 }
@@ -124,6 +128,11 @@ const TriangleTree& VolumeView::tree() const {
     }
     m_treeStale = m_treePoseStale = false;
     return m_tree;
+}
+
+const Points<3>& VolumeView::ridden() const {
+    if (!m_ridden) m_ridden = m_picture.ride->carry(*m_picture.rest, m_picture.pose);
+    return *m_ridden;
 }
 
 SolidHit VolumeView::hitOf(const Ray& ray) const {
@@ -195,9 +204,7 @@ void VolumeView::uploadMeshes() {
 void VolumeView::uploadPose() {
     m_hasNormals = !m_style.flat;
     m_renderer.setPose(SurfaceRenderer::Outer, m_outer,
-                       isRiding() ? m_picture.ride->carry(*m_picture.rest, m_picture.pose)
-                                  : drawnPoints(m_outer, m_picture.pose),
-                       m_hasNormals);
+                       isRiding() ? ridden() : drawnPoints(m_outer, m_picture.pose), m_hasNormals);
     m_renderer.setPose(SurfaceRenderer::Section, m_section, drawnPoints(m_section, m_picture.pose),
                        m_hasNormals);
     m_glyphsStale = true;
@@ -233,7 +240,9 @@ void VolumeView::drawScene(const Sight& sight, const QColor& background) {
     upload();
     m_times.prepare = static_cast<double>(clock.nsecsElapsed()) * 1e-6;
     const bool clips = isRiding() && m_cut == CutKind::Exact;
-    m_renderer.draw(sight, m_style, isRiding() && m_picture.materials,
+    SurfaceStyle style = m_style;
+    if (m_picture.isOpen) style.ownFromBehind = kOwnFromBehind;
+    m_renderer.draw(sight, style, isRiding() && m_picture.materials,
                     clips ? std::optional(m_plane) : std::nullopt);
 }
 

@@ -24,6 +24,7 @@ struct VolumePicture {
     std::shared_ptr<const Skin> skin;
     std::shared_ptr<const Embedding<3>> ride;
     bool materials = false;  // the skin has the colours and pictures of its materials, not those of the cells
+    bool isOpen = false;     // bounds no solid: its colours tell something from behind, too
 };
 
 enum class CutKind { None, WholeCells, Exact };
@@ -105,6 +106,12 @@ class VolumeView : public QOpenGLWidget {
     const VolumePicture& shown() const { return m_picture; }
     void setBackground(const QColor& colour) { m_background = colour; }
 
+    /// True if a surface rides in the solid and is drawn in place of its border.
+    bool isRiding() const { return m_picture.skin && m_cut != CutKind::WholeCells; }
+    /// Where the points of that surface are.
+    const Points<3>& ridden() const;
+    /// What fit() brings into the view; the view turns around the middle of the solid all the same.
+    virtual Points<3> fitted() const { return m_picture.pose; }
     /// The nearest triangle of the solid that the ray meets.
     SolidHit hitOf(const Ray& ray) const;
     /// Drops the vertices that the solid hides.
@@ -112,7 +119,6 @@ class VolumeView : public QOpenGLWidget {
 
   private:
     void remakeSurface();
-    bool isRiding() const { return m_picture.skin && m_cut != CutKind::WholeCells; }
     void upload();
     void uploadMeshes();
     void uploadPose();
@@ -130,6 +136,7 @@ class VolumeView : public QOpenGLWidget {
     VolumePicture m_picture;
     CutSurface m_surface;
     DrawMesh m_outer, m_section;
+    mutable std::optional<Points<3>> m_ridden;      // until the pose changes
     mutable std::optional<CutPoints> m_treePoints;  // of m_surface
     mutable TriangleTree m_tree;
     mutable bool m_treeStale = true, m_treePoseStale = true;
