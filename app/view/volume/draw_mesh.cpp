@@ -193,7 +193,7 @@ CutSurface sectionOf(const CutSurface& surface) {
     return section;
 }
 
-DrawMesh drawMesh(const CutSurface& surface, const Points<3>& rest) {
+DrawMesh drawMesh(const CutSurface& surface, const Points<3>& rest, bool exact) {
     CutPoints cut(surface);
     DrawMesh mesh;
     mesh.triangles = std::move(cut.triangles);
@@ -202,6 +202,13 @@ DrawMesh drawMesh(const CutSurface& surface, const Points<3>& rest) {
     mesh.cells = surface.cells;
     mesh.parts = {{0, static_cast<int>(mesh.triangles.size()), -1}};
     setVertices(mesh, SmoothGroups(mesh.triangles, drawnPoints(mesh, rest), surface.onCut));
+    int shared = -1;
+    for (std::size_t t = 0; exact && t < mesh.corners.size(); ++t)
+        for (const int corner : mesh.corners[t])
+            if (surface.onCut[t]) {
+                if (shared < 0) shared = mesh.vertices[corner].normal;
+                mesh.vertices[corner].normal = shared;
+            }
     return mesh;
 }
 

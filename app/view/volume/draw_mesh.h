@@ -42,8 +42,9 @@ struct CutPoints {
 /// What of it lies on the cut.
 CutSurface sectionOf(const CutSurface& surface);
 
-/// The surface of a solid, cut or not. Creases are those of the rest shape; what lies on the cut is flat.
-DrawMesh drawMesh(const CutSurface& surface, const Points<3>& rest);
+/// The surface of a solid, cut or not. Creases are those of the rest shape; what lies on the cut is flat;
+/// of an exact cut it has one normal, whatever those of its slivers are.
+DrawMesh drawMesh(const CutSurface& surface, const Points<3>& rest, bool exact = false);
 /// A surface that rides in a solid, with its texture points and materials.
 DrawMesh drawMesh(const Skin& skin, const Embedding<3>& ride);
 

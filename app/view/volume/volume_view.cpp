@@ -193,8 +193,10 @@ void VolumeView::upload() {
 /// Where a detailed surface is cut, the section is the solid's.
 void VolumeView::uploadMeshes() {
     const Points<3>& rest = m_picture.rest->points.cols() > 0 ? m_picture.rest->points : m_picture.pose;
-    m_outer = isRiding() ? drawMesh(*m_picture.skin, *m_picture.ride) : drawMesh(m_surface, rest);
-    m_section = isRiding() && m_cut == CutKind::Exact ? drawMesh(sectionOf(m_surface), rest) : DrawMesh();
+    m_outer = isRiding() ? drawMesh(*m_picture.skin, *m_picture.ride)
+                         : drawMesh(m_surface, rest, m_cut == CutKind::Exact);
+    m_section =
+        isRiding() && m_cut == CutKind::Exact ? drawMesh(sectionOf(m_surface), rest, true) : DrawMesh();
     m_renderer.setMesh(SurfaceRenderer::Outer, m_outer);
     m_renderer.setMesh(SurfaceRenderer::Section, m_section);
     m_drawnTriangles = static_cast<int>(m_outer.triangles.size() + m_section.triangles.size());
