@@ -74,7 +74,10 @@ void SolidCanvas::applyTheme() {
 }
 
 void SolidCanvas::setTool(SolidTool* tool) {
-    if (m_tool) m_tool->cancel();
+    if (m_tool) {
+        m_tool->cancel();
+        m_tool->leave();
+    }
     m_tool = tool;
     m_active = nullptr;
     redraw();
@@ -436,6 +439,8 @@ void SolidCanvas::keyReleaseEvent(QKeyEvent* event) {
 }
 
 void SolidCanvas::leaveEvent(QEvent*) {
+    if (m_tool) m_tool->leave();
+    redraw();
     emit pointed({});
 }
 
