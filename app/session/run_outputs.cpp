@@ -23,7 +23,10 @@ void requireMeshName(const Project& project, const std::string& path, const std:
 
 void requirePicture(const Project& project, const std::string& path) {
     const Domain& domain = project.domain;
-    if (project.dimension() == 3) throw InputError(path, "a picture of a volume cannot be written here");
+    if (project.dimension() == 3)
+        throw InputError(path,
+                         "a picture of a solid is written by the window only; here its mesh can be, with "
+                         "--mesh or --frames");
     if (domain.kind == DomainKind::Mesh && domain.texture.empty())
         throw InputError(path, "there is no picture to warp: the project's domain has none");
 }

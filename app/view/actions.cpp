@@ -7,7 +7,7 @@
 namespace wend {
 
 Actions::Actions(QUndoStack& undoStack, QObject* parent)
-    : ActionMaker(parent), recent(new QMenu), samples(new QMenu) {
+    : ActionMaker(parent), recent(std::make_unique<QMenu>()), samples(std::make_unique<QMenu>()) {
     makeFile();
     makeEdit(undoStack);
     makeView();
@@ -100,8 +100,8 @@ void Actions::makeHelp() {
 void Actions::fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve) {
     QMenu* file = window.menuBar()->addMenu(tr("&File"));
     file->addAction(open);
-    file->addMenu(recent);
-    file->addMenu(samples);
+    file->addMenu(recent.get());
+    file->addMenu(samples.get());
     file->addSeparator();
     file->addActions({save, saveAs});
     file->addSeparator();

@@ -2,6 +2,7 @@
 
 #include <QActionGroup>
 #include <QMenu>
+#include <memory>
 
 #include "app/view/action_maker.h"
 
@@ -27,8 +28,7 @@ class Actions : public ActionMaker {
     QAction *systemLook, *lightLook, *darkLook;
     QAction *about, *shortcuts;
     QActionGroup* tools;  // one of them is chosen
-    QMenu* recent;
-    QMenu* samples;
+    const std::unique_ptr<QMenu> recent, samples;
 
     /// Menus of the whole program, in the order of the work.
     /// `more` stands between those of the view and of the motion; `curve` within that of the motion.

@@ -2,6 +2,7 @@
 
 #include <QActionGroup>
 #include <QMenu>
+#include <memory>
 
 #include "app/view/action_maker.h"
 
@@ -23,7 +24,7 @@ class SolidActions : public ActionMaker {
     QAction *wendKeys, *vtkKeys, *blenderKeys;
     QAction* cut;
 
-    QMenu* menu() const { return m_menu; }
+    QMenu* menu() const { return m_menu.get(); }
     void setShown(bool shown);
     /// Whether the solid has a surface of its own, beside its tetrahedra.
     void setHasDetail(bool has);
@@ -34,7 +35,7 @@ class SolidActions : public ActionMaker {
     void makeView();
     void makeMenu();
 
-    QMenu* m_menu;
+    std::unique_ptr<QMenu> m_menu;
 };
 
 }  // namespace wend

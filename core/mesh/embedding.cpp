@@ -1,10 +1,14 @@
 #include "core/mesh/embedding.h"
 
-#include <limits>
+#include <Eigen/LU>
+#include <cmath>
+#include <map>
+#include <optional>
 #include <string>
+#include <tuple>
 
-#include "core/mesh/cell_geometry.h"
 #include "core/mesh/error.h"
+#include "core/mesh/triangle_tree.h"
 
 namespace wend {
 namespace {
@@ -30,12 +34,71 @@ std::pair<std::vector<int>, std::vector<int>> cellsOfVertices(const SimplicialMe
     return {std::move(offsets), std::move(list)};
 }
 
+/// ∇ of the cell's hat functions, one column per vertex.
+template <int Dim>
+Eigen::Matrix<double, Dim, Dim + 1> hatGradients(const Points<Dim>& points, const Cell<Dim>& cell) {
+    Mat<Dim> edges;
+    for (int k = 0; k < Dim; ++k) edges.col(k) = points.col(cell[k + 1]) - points.col(cell[0]);
+    Eigen::Matrix<double, Dim, Dim + 1> gradients;
+    gradients.template rightCols<Dim>() = edges.inverse().transpose();
+    gradients.col(0) = -gradients.template rightCols<Dim>().rowwise().sum();
+    return gradients;
+}
+
 }  // namespace
+
+/// The border of the partition, and what points in front of it depend on.
+template <int Dim>
+class Embedding<Dim>::Outside {
+  public:
+    explicit Outside(const SimplicialMesh<Dim>& rest) : m_rest(rest) {
+        for (const auto& facet : facetsOf(rest)) {
+            if (facet.interior()) continue;
+            m_facets.push_back(facet.vertices);
+            m_cells.push_back(facet.cells[0]);
+        }
+        m_tree = TriangleTree(rest.points, m_facets);
+        std::tie(m_offsets, m_around) = cellsOfVertices(rest);
+    }
+
+    std::pair<int, Row> place(int point, const Vec<Dim>& p) const {
+        const TriangleTree::Nearest nearest = m_tree.nearest(p);
+        std::map<int, double> weights;
+        for (int k = 0; k < Dim; ++k) {
+            if (nearest.weights[k] == 0) continue;
+            const int vertex = m_facets[nearest.triangle][k];
+            weights[vertex] += nearest.weights[k];
+            addGradient(vertex, nearest.weights[k] * (p - m_rest.points.col(vertex)), weights);
+        }
+        return {m_cells[nearest.triangle], {point, {weights.begin(), weights.end()}}};
+    }
+
+  private:
+    /// The mean gradient at a vertex, times the offset.
+    void addGradient(int vertex, const Vec<Dim>& offset, std::map<int, double>& weights) const {
+        double volume = 0;
+        for (int i = m_offsets[vertex]; i < m_offsets[vertex + 1]; ++i)
+            volume += std::abs(cellMeasure<Dim>(m_rest.points, m_rest.cells[m_around[i]]));
+        for (int i = m_offsets[vertex]; i < m_offsets[vertex + 1]; ++i) {
+            const Cell<Dim>& cell = m_rest.cells[m_around[i]];
+            const double part = std::abs(cellMeasure<Dim>(m_rest.points, cell)) / volume;
+            const auto gradients = hatGradients<Dim>(m_rest.points, cell);
+            for (int k = 0; k <= Dim; ++k) weights[cell[k]] += part * gradients.col(k).dot(offset);
+        }
+    }
+
+    const SimplicialMesh<Dim>& m_rest;
+    std::vector<std::array<int, Dim>> m_facets;
+    std::vector<int> m_cells;  // behind them
+    TriangleTree m_tree;
+    std::vector<int> m_offsets, m_around;  // cells at the vertices
+};
 
 template <int Dim>
 Embedding<Dim>::Embedding(const SimplicialMesh<Dim>& rest, const Points<Dim>& points) {
     const PointLocator<Dim> locator(rest.points, rest.cells);
     const auto [offsets, cells] = cellsOfVertices(rest);
+    std::optional<Outside> outside;
     for (Eigen::Index i = 0; i < points.cols(); ++i) {
         const Vec<Dim> p = points.col(i);
         const int nearest = locator.nearestVertex(p);
@@ -43,22 +106,14 @@ Embedding<Dim>::Embedding(const SimplicialMesh<Dim>& rest, const Points<Dim>& po
             throw InputError("point " + std::to_string(i) + " has no place in the shape");
         if (rest.points.col(nearest) == p) {
             m_locations.push_back(atVertex(rest, cells[offsets[nearest]], nearest));
-            continue;
-        }
-        if (const auto inside = locator.find(p)) {
+        } else if (const auto inside = locator.find(p)) {
             m_locations.push_back(*inside);
-            continue;
+        } else {
+            if (!outside) outside.emplace(rest);
+            auto [cell, row] = outside->place(static_cast<int>(i), p);
+            m_locations.push_back({cell, Eigen::Matrix<double, Dim + 1, 1>::Zero()});
+            m_rows.push_back(std::move(row));
         }
-        ++m_outside;
-        Location<Dim> best;
-        double bestWeight = -std::numeric_limits<double>::infinity();
-        for (int k = offsets[nearest]; k < offsets[nearest + 1]; ++k) {
-            const Location<Dim> location{cells[k], barycentric<Dim>(rest.points, rest.cells[cells[k]], p)};
-            if (location.weights.minCoeff() <= bestWeight) continue;
-            bestWeight = location.weights.minCoeff();
-            best = location;
-        }
-        m_locations.push_back(best);
     }
 }
 
@@ -71,10 +126,11 @@ Points<Dim> Embedding<Dim>::carry(const SimplicialMesh<Dim>& rest, const Points<
         for (int k = 0; k <= Dim; ++k) p += m_locations[i].weights[k] * pose.col(cell[k]);
         carried.col(static_cast<Eigen::Index>(i)) = p;
     }
+    for (const Row& row : m_rows)
+        for (const auto& [vertex, weight] : row.weights) carried.col(row.point) += weight * pose.col(vertex);
     return carried;
 }
 
-template class Embedding<2>;
 template class Embedding<3>;
 
 }  // namespace wend

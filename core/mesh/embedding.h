@@ -5,8 +5,11 @@
 namespace wend {
 
 /// Points that ride in a partition: a detailed surface in a coarse volume. A point inside takes the
-/// barycentric combination of its cell, one at the place of a vertex is that vertex, bit for bit; one outside
-/// the affine map of the nearest vertex's cell that reaches out to it best.
+/// barycentric combination of its cell, one at the place of a vertex is that vertex, bit for bit. One outside
+/// stays in front of the nearest point of the border, x, as the material there turns and stretches:
+/// x + G (p − X), where G, the deformation gradient, is the mean of the cells around (by volume) at each of
+/// the border's vertices, interpolated between them. So neighbours outside stay neighbours, and affine maps
+/// are followed exactly. For Dim = 3.
 template <int Dim>
 class Embedding {
   public:
@@ -17,11 +20,16 @@ class Embedding {
     /// The cell that a point goes with.
     int cell(int point) const { return m_locations[static_cast<std::size_t>(point)].cell; }
     /// How many lie outside all cells.
-    int outside() const { return m_outside; }
+    int outside() const { return static_cast<int>(m_rows.size()); }
 
   private:
+    class Outside;
+    struct Row {  // of the combinations of vertices that points outside are
+        int point;
+        std::vector<std::pair<int, double>> weights;
+    };
     std::vector<Location<Dim>> m_locations;
-    int m_outside = 0;
+    std::vector<Row> m_rows;
 };
 
 }  // namespace wend

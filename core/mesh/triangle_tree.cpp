@@ -44,6 +44,41 @@ double entryOf(const Vec<3>& low, const Vec<3>& high, const Vec<3>& origin, cons
     return from <= to ? from : kNothing;
 }
 
+/// Weights of the point of the segment a b that is nearest to p.
+Eigen::Vector2d nearestOnEdge(const Vec<3>& p, const Vec<3>& a, const Vec<3>& b) {
+    const double length = (b - a).squaredNorm();
+    const double t = length > 0 ? std::clamp((p - a).dot(b - a) / length, 0.0, 1.0) : 0;
+    return {1 - t, t};
+}
+
+/// Weights of the point of the triangle that is nearest to p: its projection if that lies inside, else the
+/// nearest of the edges' points.
+Vec<3> nearestOnTriangle(const Vec<3>& p, const std::array<Vec<3>, 3>& x) {
+    const Vec<3> e1 = x[1] - x[0], e2 = x[2] - x[0], n = e1.cross(e2), q = p - x[0];
+    const double area = n.squaredNorm();
+    if (area > 0) {
+        const double w1 = q.cross(e2).dot(n) / area, w2 = e1.cross(q).dot(n) / area;
+        if (w1 >= 0 && w2 >= 0 && w1 + w2 <= 1) return {1 - w1 - w2, w1, w2};
+    }
+    Vec<3> best = Vec<3>::UnitX();
+    double least = kNothing;
+    for (int k = 0; k < 3; ++k) {
+        const int next = (k + 1) % 3;
+        const Eigen::Vector2d t = nearestOnEdge(p, x[k], x[next]);
+        const double distance = (t[0] * x[k] + t[1] * x[next] - p).squaredNorm();
+        if (distance >= least) continue;
+        least = distance;
+        best.setZero();
+        best[k] = t[0];
+        best[next] = t[1];
+    }
+    return best;
+}
+
+double squaredDistance(const Vec<3>& low, const Vec<3>& high, const Vec<3>& p) {
+    return (low - p).cwiseMax(p - high).cwiseMax(0).squaredNorm();
+}
+
 }  // namespace
 
 TriangleTree::TriangleTree(const Points<3>& points, std::vector<std::array<int, 3>> triangles)
@@ -143,6 +178,37 @@ TriangleTree::Hit TriangleTree::firstHit(const Vec<3>& origin, const Vec<3>& dir
         if (near.distance < kNothing) open.push_back(near);
     }
     return hit;
+}
+
+TriangleTree::Nearest TriangleTree::nearest(const Vec<3>& p) const {
+    Nearest best;
+    double least = kNothing;
+    std::vector<std::pair<int, double>> open;
+    if (!m_nodes.empty()) open.emplace_back(0, squaredDistance(m_nodes[0].low, m_nodes[0].high, p));
+    while (!open.empty()) {
+        const auto [index, distance] = open.back();
+        open.pop_back();
+        if (!(distance < least)) continue;
+        const Node& node = m_nodes[index];
+        for (int i = node.first; i < node.first + node.count; ++i) {
+            const auto& t = m_triangles[m_order[i]];
+            const std::array<Vec<3>, 3> x{m_points.col(t[0]), m_points.col(t[1]), m_points.col(t[2])};
+            const Vec<3> weights = nearestOnTriangle(p, x);
+            const double there =
+                (weights[0] * x[0] + weights[1] * x[1] + weights[2] * x[2] - p).squaredNorm();
+            if (!(there < least)) continue;
+            least = there;
+            best = {m_order[i], weights};
+        }
+        if (node.count > 0) continue;
+        std::pair<int, double> near{index + 1, 0}, far{node.right, 0};
+        for (auto* child : {&near, &far})
+            child->second = squaredDistance(m_nodes[child->first].low, m_nodes[child->first].high, p);
+        if (far.second < near.second) std::swap(near, far);
+        open.push_back(far);
+        open.push_back(near);
+    }
+    return best;
 }
 
 }  // namespace wend

@@ -25,6 +25,12 @@ class TriangleTree {
     void refit(const Points<3>& points);
     /// The nearest triangle that the ray meets, from either side. `direction` has length 1.
     Hit firstHit(const Vec<3>& origin, const Vec<3>& direction) const;
+    /// The nearest point of all triangles: which one, and the weights of its corners.
+    struct Nearest {
+        int triangle = -1;
+        Vec<3> weights = Vec<3>::Zero();
+    };
+    Nearest nearest(const Vec<3>& p) const;
     int triangleCount() const { return static_cast<int>(m_triangles.size()); }
 
   private:

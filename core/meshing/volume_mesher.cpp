@@ -17,8 +17,9 @@
 namespace wend {
 namespace {
 
-constexpr int kMegabytes = 8192;       // address space of the mesher
-constexpr double kAimTolerance = 0.1;  // inner than the 15 % promised
+constexpr int kMegabytes = 8192;         // address space of the mesher
+constexpr int kTrianglesInTime = 50000;  // see VolumeMeshOptions::timeLimit
+constexpr double kAimTolerance = 0.1;    // inner than the 15 % promised
 
 std::string number(double value) {
     std::array<char, 32> text{};
@@ -70,20 +71,29 @@ bool inside(const Surface& surface, const std::vector<int>& shells, const Vec<3>
     return enclosing % 2 == 1;
 }
 
+/// The triangles with the first of all vertices at one place: a soup of triangles hangs together, too.
+std::vector<std::array<int, 3>> joinedTriangles(const Surface& surface) {
+    const std::vector<int> canonical = canonicalVertices(surface.points);
+    std::vector<std::array<int, 3>> triangles = surface.triangles;
+    for (auto& triangle : triangles)
+        for (int& id : triangle) id = canonical[static_cast<std::size_t>(id)];
+    return triangles;
+}
+
 /// All neighbours must agree for the winding number of a shell to mean anything.
 Surface oriented(const Surface& surface) {
     RepairReport report;
-    Surface copy{surface.points, surface.triangles, surface.labels};
+    Surface copy{surface.points, joinedTriangles(surface), surface.labels};
     return checkSurface(copy, 0).misoriented.empty() ? copy : repairSurface(copy, 0, report);
 }
 
-std::string reasonOf(const ChildResult& result, const VolumeMeshOptions& options) {
+std::string reasonOf(const ChildResult& result, double timeLimit) {
     using End = ChildResult::End;
     switch (result.end) {
         case End::NotStarted:
             return "the volume mesher wend-tetgen is missing beside the program";
         case End::TimedOut:
-            return "the volume mesher did not finish within " + number(options.timeLimit) +
+            return "the volume mesher did not finish within " + number(timeLimit) +
                    " s of computing; a coarser quality or a larger maxVolume may help";
         case End::Stopped:
             throw Cancelled();
@@ -122,14 +132,18 @@ class VolumeMesher {
           m_labels(surface.labels.empty() ? std::vector<int>{0} : surface.labels) {
         std::ranges::sort(m_labels);
         m_labels.erase(std::unique(m_labels.begin(), m_labels.end()), m_labels.end());
+        for (const auto& triangle : joinedTriangles(surface))
+            m_sent.insert(m_sent.end(), triangle.begin(), triangle.end());
+        std::ranges::sort(m_sent);
+        m_sent.erase(std::unique(m_sent.begin(), m_sent.end()), m_sent.end());
     }
 
     VolumeMesh mesh(double maxVolume) const {
         // How busy the machine is should not decide what can be meshed: by the clock there is more time.
-        const double limit = m_options.timeLimit;
+        const double limit = m_options.timeLimit * (1 + m_surface.triangleCount() / kTrianglesInTime);
         const ChildResult result = runChild(siblingProgram("wend-tetgen"), pack(request(maxVolume)),
                                             10 * limit, kMegabytes, m_options.stop, limit);
-        const std::string reason = reasonOf(result, m_options);
+        const std::string reason = reasonOf(result, limit);
         if (!reason.empty()) throw InputError(reason);
         TetgenReply reply;
         if (!unpack(result.output, reply)) throw InputError("the volume mesher gave an incomplete answer");
@@ -154,10 +168,13 @@ class VolumeMesher {
             std::string("pAQ") + (m_options.keepSurface ? "Y" : "") + "q" + number(m_options.quality);
         if (m_options.sizes.empty() && maxVolume > 0) request.switches += "a" + number(maxVolume);
         if (!m_options.sizes.empty() && maxVolume > 0) addSizes(maxVolume, request);
-        request.points.assign(m_surface.points.data(), m_surface.points.data() + m_surface.points.size());
+        for (const int v : m_sent)
+            for (int k = 0; k < 3; ++k) request.points.push_back(m_surface.points(k, v));
+        const auto triangles = joinedTriangles(m_surface);
         for (int t = 0; t < m_surface.triangleCount(); ++t) {
-            request.triangles.insert(request.triangles.end(), m_surface.triangles[t].begin(),
-                                     m_surface.triangles[t].end());
+            for (const int v : triangles[t])
+                request.triangles.push_back(
+                    static_cast<int>(std::ranges::lower_bound(m_sent, v) - m_sent.begin()));
             request.labels.push_back(markerOf(t));
         }
         return request;
@@ -185,8 +202,26 @@ class VolumeMesher {
         request.sizeCounts.assign(sizes.counts.begin(), sizes.counts.end());
     }
 
+    /// All points of the surface, then those that the mesher has made, and its cells and border in terms of
+    /// them: it would drop points that no triangle has, and with them the numbers of the others.
+    TetgenReply renumbered(const TetgenReply& reply) const {
+        const auto sent = static_cast<std::ptrdiff_t>(m_sent.size());
+        if (static_cast<std::ptrdiff_t>(reply.points.size()) < 3 * sent)
+            throw InputError("the volume mesher lost points of the surface");
+        TetgenReply result = reply;
+        result.points.assign(m_surface.points.data(), m_surface.points.data() + m_surface.points.size());
+        result.points.insert(result.points.end(), reply.points.begin() + 3 * sent, reply.points.end());
+        const auto rename = [&](int& v) {
+            v = v < sent ? m_sent[v] : v - static_cast<int>(sent) + m_surface.vertexCount();
+        };
+        std::ranges::for_each(result.cells, rename);
+        std::ranges::for_each(result.boundary, rename);
+        return result;
+    }
+
     /// Keeps the regions that lie inside, one test per region, and drops vertices that only other cells had.
-    VolumeMesh read(const TetgenReply& reply) const {
+    VolumeMesh read(const TetgenReply& raw) const {
+        const TetgenReply reply = renumbered(raw);
         const Eigen::Map<const Points<3>> points(reply.points.data(), 3,
                                                  static_cast<Eigen::Index>(reply.points.size() / 3));
         std::map<int, bool> keep;
@@ -251,6 +286,7 @@ class VolumeMesher {
     const VolumeMeshOptions& m_options;
     Surface m_oriented;
     std::vector<int> m_shells;
+    std::vector<int> m_sent;    // vertices of the surface that its triangles need, increasing
     std::vector<int> m_labels;  // those that there are, each once, increasing
 };
 

@@ -31,7 +31,7 @@ struct VolumeMeshOptions {
         0;  // > 0: aim, met within 15 % if the kept surface allows it; maxVolume then does not count
     bool keepSurface = true;  // the input's vertices and triangles stay as they are (-Y)
     SizeGrid sizes;           // volumes go with the factor's cube
-    double timeLimit = 120;   // seconds of the processor's time for one run of the mesher
+    double timeLimit = 120;   // seconds of computing, for each 50 000 triangles of the surface that it begins
     std::stop_token stop;
 };
 

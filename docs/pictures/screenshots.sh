@@ -38,6 +38,7 @@ shot() { # NAME ARGUMENT…: opens the window, waits, sends the keys in KEYS, ta
 
 shot start.png
 shot window.png "$root/resources/samples/giraffe.wend"
+WAIT=20 KEYS="f" shot solid-detail.png "$root/resources/samples/eagle.wend"
 WAIT=20 KEYS="d f" shot solid-window.png "$root/resources/samples/eagle.wend"
 WAIT=20 KEYS="m d c" shot solid-cut.png "$root/resources/samples/eagle.wend"
 WAIT=15 KEYS="ctrl+a" shot solid-curve.png "$root/resources/samples/bar.wend"

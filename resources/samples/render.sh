@@ -13,14 +13,15 @@ if [ "${1-}" = --art ]; then
     solid() {  # NAME ANGLE TILT COLOUR
         python3 "art/solids/$1.py" "$1.obj"
         ../../wend run "$1.wend" --mesh "$work/$1.obj"
-        python3 art/solids/portrait.py "$work/$1.obj" "$work/$1.svg" "$2" "$3" "$4"
-        rsvg-convert "$work/$1.svg" -o "$1.png"
+        python3 art/solids/portrait.py "$work/$1.obj" "$1.png" "$2" "$3" "$4"
         optipng -quiet -o2 -strip all "$1.png"
     }
     work=$(mktemp -d)
+    cp eagle-feathers.mtl "$work"
     python3 art/solids/eagle_feathers.py eagle-feathers.obj
     python3 art/solids/plumage.py eagle-plumage.svg
     rsvg-convert eagle-plumage.svg -o eagle-plumage.png
+    cp eagle-plumage.png "$work"
     solid eagle -150 14 0.86,0.66,0.42
     solid bar 20 -20 0.45,0.62,0.78
     rm -r "$work"

@@ -2,13 +2,13 @@
 #include <QFileDialog>
 #include <QMessageBox>
 #include <QSignalSpy>
-#include <QTimer>
 
 #include "app/document/handle_edits.h"
 #include "app/session/opening.h"
 #include "app/view/file_workflow.h"
 #include "app/view/info_banner.h"
 #include "app/view/main_window.h"
+#include "tests/support/dialogs.h"
 #include "tests/support/window_fixture.h"
 
 using namespace wend;
@@ -41,13 +41,11 @@ class TestFileWorkflow : public QObject {
 namespace {
 
 /// Presses the button of this name in the next message box.
-void answerNext(const QString& name) {
-    QTimer::singleShot(100, [name] {
-        auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-        if (!box) return;
-        for (QAbstractButton* button : box->buttons())
+void answerNext(QObject* scope, const QString& name) {
+    withNext<QMessageBox>(scope, [name](QMessageBox& box) {
+        for (QAbstractButton* button : box.buttons())
             if (button->text().remove('&') == name) return button->click();
-        box->reject();
+        box.reject();
     });
 }
 
@@ -80,7 +78,7 @@ QString TestFileWorkflow::leaveLostWork(const QString& picture) {
 }
 
 bool TestFileWorkflow::guard(const QString& answer) {
-    answerNext(answer);
+    answerNext(m_window.get(), answer);
     return m_window->files().guardWork(m_copies);
 }
 
@@ -132,7 +130,7 @@ void TestFileWorkflow::changesDuringAReadingAreAskedFor() {
     QSignalSpy finished(&m_window->files(), &FileWorkflow::openingChanged);
     m_window->openPath(picture);  // nothing is changed yet: not asked
     document().change("Pin", withPin(*document().project(), {40, 20}, "Pin 1"));
-    answerNext("Cancel");
+    answerNext(m_window.get(), "Cancel");
     QVERIFY(QTest::qWaitFor([&] { return finished.size() == 2; }, 20000));
     QTest::qWait(300);
     QCOMPARE(document().generation(), generation);
@@ -146,11 +144,9 @@ void TestFileWorkflow::samplesOpenAsCopies() {
     QVERIFY(document().path().isEmpty());
     QVERIFY(!document().isModified());
     QString proposed;
-    QTimer::singleShot(100, [&] {
-        if (auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget())) {
-            proposed = dialog->selectedFiles().value(0);
-            dialog->reject();
-        }
+    withNext<QFileDialog>(m_window.get(), [&](QFileDialog& dialog) {
+        proposed = dialog.selectedFiles().value(0);
+        dialog.reject();
     });
     QVERIFY(!m_window->files().save());
     QVERIFY(!proposed.isEmpty());

@@ -27,6 +27,7 @@
 #include "app/view/info_banner.h"
 #include "app/view/main_window.h"
 #include "core/mesh/mesh_file.h"
+#include "tests/support/dialogs.h"
 #include "tests/support/window_fixture.h"
 
 using namespace wend;
@@ -122,12 +123,7 @@ void TestWindow::startsWithAStartPage() {
     QVERIFY(!m_window->actions().save->isEnabled());
     QVERIFY(m_window->actions().save->toolTip().contains(QStringLiteral("first")));
     const QString path = writeCutOut(*m_folder);
-    QTimer::singleShot(200, [path] {
-        auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-        if (!dialog) return;
-        dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->setText(path);
-        QTest::keyClick(dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit")), Qt::Key_Return);
-    });
+    nameNextFile(m_window.get(), path);
     QTest::mouseClick(button, Qt::LeftButton);
     QVERIFY(QTest::qWaitFor([&] { return m_window->canvas().isVisible(); }, 20000));
     QVERIFY(settle(m_window->session()));
@@ -328,18 +324,14 @@ void TestWindow::closingAsks() {
     click(40, 80);
     QVERIFY(m_window->isWindowModified());
     bool asked = false;
-    QTimer::singleShot(100, [&asked] {
-        auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-        if (!box) return;
+    withNext<QMessageBox>(m_window.get(), [&asked](QMessageBox& box) {
         asked = true;
-        box->button(QMessageBox::Cancel)->click();
+        box.button(QMessageBox::Cancel)->click();
     });
     QVERIFY(!m_window->close());
     QVERIFY(asked);
-    QTimer::singleShot(100, [] {
-        if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget()))
-            box->button(QMessageBox::Discard)->click();
-    });
+    withNext<QMessageBox>(m_window.get(),
+                          [](QMessageBox& box) { box.button(QMessageBox::Discard)->click(); });
     QVERIFY(m_window->close());
 }
 
@@ -398,13 +390,7 @@ void TestWindow::exportedPictureIsWhatIsShown() {
     QTest::mouseRelease(&m_window->canvas(), Qt::LeftButton, {}, at(200, 100));
     QVERIFY(settle(m_window->session()));
     const QString path = m_folder->filePath(QStringLiteral("out.png"));
-    QTimer::singleShot(200, [path] {
-        auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-        if (!dialog) return;
-        auto* name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
-        name->setText(path);
-        QTest::keyClick(name, Qt::Key_Return);
-    });
+    nameNextFile(m_window.get(), path);
     m_window->actions().exportPicture->trigger();
     QVERIFY(QTest::qWaitFor([&] { return QFile::exists(path); }, 20000));
     const auto& frame = *m_window->session().frame<2>();
@@ -520,13 +506,7 @@ void TestWindow::exportedMeshIsThatOfTheWindow() {
     QVERIFY(settle(m_window->session()));
     write("v 0 0 0\nv 3 0 0\nv 3 2 0\nf 1 2 3\n");
     const QString path = m_folder->filePath(QStringLiteral("out.obj"));
-    QTimer::singleShot(200, [path] {
-        auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-        if (!dialog) return;
-        auto* name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
-        name->setText(path);
-        QTest::keyClick(name, Qt::Key_Return);
-    });
+    nameNextFile(m_window.get(), path);
     m_window->actions().exportMesh->trigger();
     QVERIFY(QTest::qWaitFor([&] { return QFile::exists(path); }, 20000));
     QCOMPARE(readMeshFile(path.toStdString()).points.cols(), 4);

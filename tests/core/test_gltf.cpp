@@ -22,6 +22,7 @@ class TestGltf : public QObject {
     void skinHasPartsNormalsAndPictures();
     void missingFolderIsAnError();
     void embeddedPointsFollowAffineMaps();
+    void neighboursOutsideStayNeighbours();
 
   private:
     QTemporaryDir m_folder;
@@ -165,6 +166,31 @@ void TestGltf::embeddedPointsFollowAffineMaps() {
     QVERIFY((embedding.carry(mesh, pose) - ((A * points).colwise() + Vec<3>(1, 2, 3)).matrix())
                 .cwiseAbs()
                 .maxCoeff() < 1e-14);
+}
+
+/// However the cells are bent, a line of points in front of them is carried to a line without jumps.
+void TestGltf::neighboursOutsideStayNeighbours() {
+    SimplicialMesh<3> mesh;
+    mesh.points.resize(3, 6);
+    mesh.points << 0, 1, 0, 0, 1, 2, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 1, 1;
+    mesh.cells = {{0, 1, 2, 3}, {1, 2, 3, 4}, {1, 5, 4, 3}};
+    for (auto& cell : mesh.cells)
+        if (cellMeasure<3>(mesh.points, cell) < 0) std::swap(cell[2], cell[3]);
+    Points<3> pose = mesh.points;
+    pose.row(2) += 0.4 * mesh.points.row(0).array().square().matrix();
+    pose.row(1) -= 0.3 * (mesh.points.row(0).array() * mesh.points.row(2).array()).matrix();
+    constexpr int kCount = 2001;
+    Points<3> line(3, kCount);
+    for (int i = 0; i < kCount; ++i) line.col(i) << -1 + 4.0 * i / (kCount - 1), 0.7, 1.6;
+    const Embedding<3> embedding(mesh, line);
+    QCOMPARE(embedding.outside(), kCount);
+    const Points<3> carried = embedding.carry(mesh, pose);
+    double longest = 0;
+    for (int i = 1; i < kCount; ++i)
+        longest = std::max(longest, (carried.col(i) - carried.col(i - 1)).norm());
+    QVERIFY(longest < 10 * 4.0 / (kCount - 1));  // a jump would be some hundred times the step
+    QVERIFY(longest > 0.5 * 4.0 / (kCount - 1));
+    QVERIFY((embedding.carry(mesh, mesh.points) - line).cwiseAbs().maxCoeff() < 1e-13);
 }
 
 QTEST_APPLESS_MAIN(TestGltf)

@@ -15,6 +15,7 @@ class TestTriangleTree : public QObject {
     void sameAsLookingAtAll_data();
     void sameAsLookingAtAll();
     void followsThePose();
+    void nearestIsThatOfAll();
     void looksAtFew();
     void nothingAndDamage();
 };
@@ -121,6 +122,31 @@ void TestTriangleTree::followsThePose() {
     }
     tree.refit(shape.points);
     compare(tree, shape, 1.5);
+}
+
+/// The least distance to a fine sampling of every triangle, up to the sampling's step.
+void TestTriangleTree::nearestIsThatOfAll() {
+    const Shape shape = shapeOf(test::box({-1, -0.5, -0.25}, {1, 0.5, 0.25}, 3));
+    const TriangleTree tree(shape.points, shape.triangles);
+    std::mt19937 random(11);
+    constexpr int kSteps = 12;
+    for (int i = 0; i < 100; ++i) {
+        const Vec<3> p = randomPoint(random, 2);
+        const auto nearest = tree.nearest(p);
+        QVERIFY(nearest.triangle >= 0 && nearest.weights.minCoeff() >= 0);
+        QVERIFY(std::abs(nearest.weights.sum() - 1) < 1e-12);
+        const auto at = [&](const std::array<int, 3>& t, const Vec<3>& w) -> Vec<3> {
+            return w[0] * shape.points.col(t[0]) + w[1] * shape.points.col(t[1]) +
+                   w[2] * shape.points.col(t[2]);
+        };
+        const double distance = (at(shape.triangles[nearest.triangle], nearest.weights) - p).norm();
+        double least = 1e9;
+        for (const auto& t : shape.triangles)
+            for (int a = 0; a <= kSteps; ++a)
+                for (int b = 0; a + b <= kSteps; ++b)
+                    least = std::min(least, (at(t, Vec<3>(kSteps - a - b, a, b) / kSteps) - p).norm());
+        QVERIFY(distance <= least + 1e-12 && distance > least - 1.0 / kSteps);
+    }
 }
 
 /// A hundred times more triangles, and hardly more work.

@@ -24,6 +24,8 @@ class TestVolumeMesher : public QObject {
     void sizeFieldIsFollowed();
     void sizesDoNotMatter_data();
     void sizesDoNotMatter();
+    void soupOfTriangles();
+    void strayPoints();
     void badSurfaces_data();
     void badSurfaces();
     void repairs();
@@ -177,6 +179,32 @@ void TestVolumeMesher::sizesDoNotMatter() {
     const VolumeMesh result = meshVolume(surface, options);
     QVERIFY(std::abs(volumeOf(result.mesh) / (4 * size * size * size) - 1) < 1e-12);
     QVERIFY(result.aimMet);
+}
+
+/// Every triangle with vertices of its own, as many programs write them: it needs no repair.
+void TestVolumeMesher::soupOfTriangles() {
+    Surface soup;
+    soup.points.resize(3, 3 * kBox.triangleCount());
+    for (int t = 0; t < kBox.triangleCount(); ++t) {
+        for (int k = 0; k < 3; ++k) soup.points.col(3 * t + k) = kBox.points.col(kBox.triangles[t][k]);
+        soup.triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+    }
+    const VolumeMesh volume = meshVolume(soup, {});
+    QVERIFY(std::abs(volumeOf(volume.mesh) - 4) < 1e-12);
+    QVERIFY(volume.mesh.points.leftCols(soup.vertexCount()) == soup.points);  // in their order
+}
+
+/// Points that no triangle has, inside and outside, keep their numbers and disturb nobody.
+void TestVolumeMesher::strayPoints() {
+    Surface surface = kBox;
+    surface.points.conservativeResize(Eigen::NoChange, kBox.vertexCount() + 2);
+    surface.points.rightCols(2) << 50, 1, 50, 0.5, 50, 0.5;
+    std::swap(surface.triangles.front(), surface.triangles.back());
+    const VolumeMesh volume = meshVolume(surface, {});
+    QVERIFY(std::abs(volumeOf(volume.mesh) - 4) < 1e-12);
+    QVERIFY(volume.mesh.points.leftCols(surface.vertexCount()) == surface.points);
+    for (const auto& cell : volume.mesh.cells)
+        for (const int v : cell) QVERIFY(v < kBox.vertexCount() || v >= surface.vertexCount());
 }
 
 void TestVolumeMesher::badSurfaces_data() {

@@ -10,6 +10,7 @@
 namespace wend {
 namespace {
 
+const QVector4D kNoClip(0, 0, 0, -1);
 constexpr int kColourWidth = 2048;  // of the texture that holds the triangles' colours
 
 QMatrix4x4 toQt(const Eigen::Matrix4d& matrix) {
@@ -205,6 +206,7 @@ void SurfaceRenderer::setUniforms(QOpenGLShaderProgram& program, const Sight& si
     program.setUniformValue("dimming", static_cast<float>(style.dimming));
     program.setUniformValue("colours", 0);
     program.setUniformValue("picture", 1);
+    program.setUniformValue("clipPlane", kNoClip);
     if (!clip) return;
     const Vec<3> normal = turn * clip->normal, point = (turn * clip->point + shift) / m_scale;
     program.setUniformValue(
@@ -249,6 +251,7 @@ void SurfaceRenderer::draw(const Sight& sight, const SurfaceStyle& style, bool m
     if (clip) m_gl->glEnable(GL_CLIP_DISTANCE0);
     drawLayer(program, m_layers[Outer], materials);
     m_gl->glDisable(GL_CLIP_DISTANCE0);
+    program.setUniformValue("clipPlane", kNoClip);  // the section lies on the plane
     drawLayer(program, m_layers[Section], false);
     if (m_glyphs.count > 0) {
         setUniforms(m_plain, sight, style, {});

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <QApplication>
+#include <QFileDialog>
+#include <QLineEdit>
+#include <QTest>
+#include <QTimer>
+
+/// Answers of dialogs that a test is going to open.
+
+namespace wend::test {
+
+/// Does `act` with the next dialog of this kind, whenever it opens; no longer once `scope` is gone.
+template <typename Dialog, typename Act>
+void withNext(QObject* scope, Act act) {
+    auto* timer = new QTimer(scope);
+    QObject::connect(timer, &QTimer::timeout, scope, [timer, act] {
+        auto* dialog = qobject_cast<Dialog*>(QApplication::activeModalWidget());
+        if (!dialog) return;
+        timer->stop();
+        timer->deleteLater();
+        act(*dialog);
+    });
+    timer->start(50);
+}
+
+/// Types the path into the next file dialog and confirms.
+inline void nameNextFile(QObject* scope, const QString& path) {
+    withNext<QFileDialog>(scope, [path](QFileDialog& dialog) {
+        auto* name = dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+        name->setText(path);
+        QTest::keyClick(name, Qt::Key_Return);
+    });
+}
+
+}  // namespace wend::test
