@@ -1284,10 +1284,6 @@
         <source>&lt;h3&gt;Wend %1&lt;/h3&gt;&lt;p&gt;Bends pictures and solids by letting them flow.&lt;/p&gt;&lt;p&gt;After J. Martinez Esturo, C. Rössl, H. Theisel: Generalized Metric Energies for Continuous Shape Deformation, 2013.&lt;/p&gt;&lt;p&gt;Free software under the GNU Affero General Public License, version 3 or later.&lt;/p&gt;</source>
         <translation>&lt;h3&gt;Wend %1&lt;/h3&gt;&lt;p&gt;Biegt Bilder und Körper, indem es sie fließen lässt.&lt;/p&gt;&lt;p&gt;Nach J. Martinez Esturo, C. Rössl, H. Theisel: Generalized Metric Energies for Continuous Shape Deformation, 2013.&lt;/p&gt;&lt;p&gt;Freie Software unter der GNU Affero General Public License, Version 3 oder neuer.&lt;/p&gt;</translation>
     </message>
-    <message>
-        <source>Meshing %1 …</source>
-        <translation>%1 wird vernetzt …</translation>
-    </message>
 </context>
 <context>
     <name>wend::MaterialPanel</name>
@@ -1564,6 +1560,22 @@
         <source>%1 vertices, %2 tetrahedra</source>
         <translation>%1 Punkte, %2 Tetraeder</translation>
     </message>
+    <message>
+        <source>Refine &amp;surface</source>
+        <translation>Oberfläche ver&amp;feinern</translation>
+    </message>
+    <message>
+        <source>Refine surface</source>
+        <translation>Oberfläche verfeinern</translation>
+    </message>
+    <message>
+        <source>Lets the triangles of the surface be split where they are larger than the tetrahedra inside. Off, the surface is kept exactly as it is.</source>
+        <translation>Lässt Dreiecke der Oberfläche teilen, wo sie größer sind als die Tetraeder im Innern. Aus: die Oberfläche bleibt genau, wie sie ist.</translation>
+    </message>
+    <message>
+        <source>Keep surface</source>
+        <translation>Oberfläche behalten</translation>
+    </message>
 </context>
 <context>
     <name>wend::PaintPanel</name>
@@ -1719,10 +1731,6 @@
         <translation>&amp;Höhe</translation>
     </message>
     <message>
-        <source>&amp;Pins and axes</source>
-        <translation>&amp;Pins und Achsen</translation>
-    </message>
-    <message>
         <source>&amp;Legend of the map</source>
         <translation>&amp;Legende der Karte</translation>
     </message>
@@ -1745,6 +1753,26 @@
     <message>
         <source>Show a map first: only then there is something to explain.</source>
         <translation>Erst eine Karte zeigen: nur dann gibt es etwas zu erklären.</translation>
+    </message>
+    <message>
+        <source>&amp;Proportions of the view</source>
+        <translation>&amp;Seitenverhältnis der Ansicht</translation>
+    </message>
+    <message>
+        <source>P&amp;ins and axes</source>
+        <translation>P&amp;ins und Achsen</translation>
+    </message>
+    <message>
+        <source>Proportions of the view</source>
+        <translation>Seitenverhältnis der Ansicht</translation>
+    </message>
+    <message>
+        <source>Width and height follow each other, so that the picture shows what the view shows.</source>
+        <translation>Breite und Höhe folgen einander, sodass das Bild zeigt, was die Ansicht zeigt.</translation>
+    </message>
+    <message>
+        <source>Width and height must be between %1 and %2 pixels.</source>
+        <translation>Breite und Höhe müssen zwischen %1 und %2 Pixeln liegen.</translation>
     </message>
 </context>
 <context>
@@ -1907,6 +1935,22 @@
     <message>
         <source>Make a curve</source>
         <translation>Kurve machen</translation>
+    </message>
+    <message>
+        <source>Cancelled: everything is as it was before the last change.</source>
+        <translation>Abgebrochen: alles ist wie vor der letzten Änderung.</translation>
+    </message>
+    <message>
+        <source>Meshing was cancelled. Any change makes a mesh again, such as fewer vertices.</source>
+        <translation>Das Vernetzen wurde abgebrochen. Jede Änderung vernetzt neu, etwa weniger Punkte.</translation>
+    </message>
+    <message>
+        <source>The motion was cancelled. Any change computes it again.</source>
+        <translation>Die Bewegung wurde abgebrochen. Jede Änderung berechnet sie neu.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
     </message>
 </context>
 <context>
@@ -2317,6 +2361,10 @@
         <source>&lt;table cellspacing=&apos;6&apos;&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Click&lt;/b&gt;&lt;/td&gt;&lt;td&gt;sets a pin&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Drag a pin&lt;/b&gt;&lt;/td&gt;&lt;td&gt;moves it along the screen; Esc puts it back&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;G, R, S&lt;/b&gt;&lt;/td&gt;&lt;td&gt;arrows to move, rings to turn, a ring to scale&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;X, Y, Z while dragging&lt;/b&gt;&lt;/td&gt;&lt;td&gt;lock an axis&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Digits while dragging&lt;/b&gt;&lt;/td&gt;&lt;td&gt;set the amount, Enter takes it&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, O, U&lt;/b&gt;&lt;/td&gt;&lt;td&gt;hold by rectangle, lasso, brush; T: through the solid&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Shift+B, Shift+X, Shift+P&lt;/b&gt;&lt;/td&gt;&lt;td&gt;hold a ball, a box, a half-space&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Shift, Ctrl while holding&lt;/b&gt;&lt;/td&gt;&lt;td&gt;add to the selected handle, take away&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Shift+C&lt;/b&gt;&lt;/td&gt;&lt;td&gt;makes a curve of the last way; a double click on it inserts a point, Delete removes one&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Right or middle button&lt;/b&gt;&lt;/td&gt;&lt;td&gt;turns the view; with Shift it moves&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Middle click&lt;/b&gt;&lt;/td&gt;&lt;td&gt;sets the point to turn around&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Wheel&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zooms to the pointer&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;1, 3, 7, 0&lt;/b&gt;&lt;/td&gt;&lt;td&gt;from the front, right, top, side; Ctrl: from the other side&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;C&lt;/b&gt;&lt;/td&gt;&lt;td&gt;cuts the solid open&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Hold H&lt;/b&gt;&lt;/td&gt;&lt;td&gt;shows the bare solid&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</source>
         <translation>&lt;table cellspacing=&apos;6&apos;&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Klick&lt;/b&gt;&lt;/td&gt;&lt;td&gt;setzt einen Pin&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Pin ziehen&lt;/b&gt;&lt;/td&gt;&lt;td&gt;bewegt ihn am Bildschirm entlang; Esc stellt ihn zurück&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;G, R, S&lt;/b&gt;&lt;/td&gt;&lt;td&gt;Pfeile zum Bewegen, Ringe zum Drehen, ein Ring zum Skalieren&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;X, Y, Z beim Ziehen&lt;/b&gt;&lt;/td&gt;&lt;td&gt;halten eine Achse fest&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ziffern beim Ziehen&lt;/b&gt;&lt;/td&gt;&lt;td&gt;geben den Betrag, die Eingabetaste nimmt ihn&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, O, U&lt;/b&gt;&lt;/td&gt;&lt;td&gt;mit Rechteck, Lasso, Pinsel halten; T: durch den Körper&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Umschalt+B, Umschalt+X, Umschalt+P&lt;/b&gt;&lt;/td&gt;&lt;td&gt;Kugel, Quader, Halbraum halten&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Umschalt, Strg beim Halten&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zum gewählten Griff dazu, davon weg&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Umschalt+C&lt;/b&gt;&lt;/td&gt;&lt;td&gt;macht aus dem letzten Weg eine Kurve; ein Doppelklick darauf fügt einen Punkt ein, Entf löscht einen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Rechte oder mittlere Taste&lt;/b&gt;&lt;/td&gt;&lt;td&gt;dreht die Ansicht; mit Umschalt verschiebt sie&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Mittelklick&lt;/b&gt;&lt;/td&gt;&lt;td&gt;setzt den Drehpunkt&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Rad&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zoomt zum Zeiger&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;1, 3, 7, 0&lt;/b&gt;&lt;/td&gt;&lt;td&gt;von vorn, rechts, oben, schräg; Strg: von der anderen Seite&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;C&lt;/b&gt;&lt;/td&gt;&lt;td&gt;schneidet den Körper auf&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;H halten&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zeigt den bloßen Körper&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</translation>
     </message>
+    <message>
+        <source>“Refine surface” in the panel “Mesh” lets the surface&apos;s triangles be split.</source>
+        <translation>„Oberfläche verfeinern“ im Feld „Netz“ lässt die Dreiecke der Oberfläche teilen.</translation>
+    </message>
 </context>
 <context>
     <name>wend::StartPage</name>
@@ -2474,8 +2522,16 @@
         <translation>Fasst Punkte am selben Ort zusammen, entfernt entartete und doppelte Dreiecke, richtet sie aus und füllt kleine Löcher.</translation>
     </message>
     <message>
-        <source>The repair did not help; another program has to mend the surface.</source>
-        <translation>Die Reparatur hat nicht geholfen; ein anderes Programm muss die Oberfläche flicken.</translation>
+        <source>“Repair” can mend it.</source>
+        <translation>„Reparieren“ kann sie flicken.</translation>
+    </message>
+    <message>
+        <source>“Repair” cannot mend it: another program has to.</source>
+        <translation>„Reparieren“ kann sie nicht flicken: das muss ein anderes Programm tun.</translation>
+    </message>
+    <message>
+        <source>The simple repairs do not help; another program has to mend the surface.</source>
+        <translation>Die einfachen Reparaturen helfen nicht; ein anderes Programm muss die Oberfläche flicken.</translation>
     </message>
 </context>
 <context>
@@ -2510,6 +2566,32 @@
     <message>
         <source>The solid cannot be drawn: %1</source>
         <translation>Der Körper lässt sich nicht zeichnen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>wend::WorkNote</name>
+    <message>
+        <source>Cancel (Esc)</source>
+        <translation>Abbrechen (Esc)</translation>
+    </message>
+    <message>
+        <source>Ends what is being computed and goes back to the last state that is complete</source>
+        <translation>Beendet, was berechnet wird, und geht zum letzten vollständigen Stand zurück</translation>
+    </message>
+    <message>
+        <source>Computing the motion: %1 %</source>
+        <translation>Die Bewegung wird berechnet: %1 %</translation>
+    </message>
+    <message>
+        <source>Meshing %1 …</source>
+        <translation>%1 wird vernetzt …</translation>
+    </message>
+    <message numerus="yes">
+        <source>Meshing %1 with about %Ln vertices …</source>
+        <translation>
+            <numerusform>%1 wird mit etwa %Ln Punkt vernetzt …</numerusform>
+            <numerusform>%1 wird mit etwa %Ln Punkten vernetzt …</numerusform>
+        </translation>
     </message>
 </context>
 </TS>

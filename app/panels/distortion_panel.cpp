@@ -30,6 +30,7 @@ DistortionPanel::DistortionPanel(ShapeSession& session, QWidget* parent)
         takeFrame();
         emit mapChanged();
     });
+    connect(m_measure, &QComboBox::activated, this, &DistortionPanel::mapChosen);
     connect(m_lock, &QToolButton::toggled, this, &DistortionPanel::takeFrame);
     connect(m_find, &QToolButton::clicked, this, &DistortionPanel::showWorst);
     takeFrame();
@@ -106,6 +107,12 @@ void DistortionPanel::setDimension(int dimension) {
 
 Measure DistortionPanel::measure() const {
     return static_cast<Measure>(m_measure->currentData().toInt());
+}
+
+/// One that this dimension does not have changes nothing.
+void DistortionPanel::setMeasure(Measure measure) {
+    const int index = m_measure->findData(static_cast<int>(measure));
+    if (index >= 0) m_measure->setCurrentIndex(index);
 }
 
 void DistortionPanel::takeFrame() {

@@ -19,12 +19,15 @@ class DistortionPanel : public QWidget {
     explicit DistortionPanel(ShapeSession& session, QWidget* parent = nullptr);
 
     Measure measure() const;
+    void setMeasure(Measure measure);
     const MeasureRange& range() const { return m_range; }
 
   signals:
     /// The measure or its range changed.
     void mapChanged();
     void showWorst();
+    /// The user has chosen one.
+    void mapChosen();
 
   private:
     void makeControls();

@@ -1,5 +1,6 @@
 #include "app/panels/mesh_panel.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QLocale>
 #include <QSlider>
@@ -37,6 +38,7 @@ MeshPanel::MeshPanel(ShapeSession& session, QWidget* parent)
       m_vertices(new QSpinBox(this)),
       m_density(new QSlider(Qt::Horizontal, this)),
       m_quality(new QDoubleSpinBox(this)),
+      m_refine(new QCheckBox(tr("Refine &surface"), this)),
       m_counts(secondLabel({}, this)) {
     makeControls();
     arrange();
@@ -81,6 +83,10 @@ void MeshPanel::makeControls() {
         m_quality, tr("Roundness"),
         tr("How flat the tetrahedra may be: the greatest ratio of circumradius to shortest edge. Smaller "
            "is rounder and takes more of them."));
+    describe(
+        m_refine, tr("Refine surface"),
+        tr("Lets the triangles of the surface be split where they are larger than the tetrahedra inside. "
+           "Off, the surface is kept exactly as it is."));
     m_density->setRange(0, 1000);
     describe(m_density, tr("Mesh density"), m_vertices->statusTip());
 }
@@ -103,8 +109,9 @@ void MeshPanel::arrange() {
     QWidget* vertices = row(tr("&Vertices"), m_vertices);
     layout->addWidget(m_density);
     QWidget* quality = row(tr("R&oundness"), m_quality);
-    m_surfaceRows = {quality, vertices, m_density};
-    quality->hide();
+    layout->addWidget(m_refine);
+    m_solidRows = {quality, m_refine};
+    m_surfaceRows = {vertices, m_density};
     layout->addWidget(m_counts);
 }
 
@@ -123,6 +130,10 @@ void MeshPanel::connectControls() {
     });
     connect(m_quality, &QDoubleSpinBox::valueChanged, this, [this](double value) {
         edit(tr("Change roundness"), QStringLiteral("quality"), [value](Domain& d) { d.quality = value; });
+    });
+    connect(m_refine, &QCheckBox::clicked, this, [this](bool on) {
+        edit(on ? tr("Refine surface") : tr("Keep surface"), {},
+             [on](Domain& domain) { domain.refineSurface = on; });
     });
     const auto setVertices = [this](int count) {
         edit(tr("Change mesh density"), QStringLiteral("vertices %1").arg(m_gesture),
@@ -153,7 +164,7 @@ void MeshPanel::showProject() {
     const bool solid = m_session.document().dimension() == 3;
     for (QWidget* row : m_pictureRows) row->setVisible(!solid);
     for (QWidget* row : m_surfaceRows) row->setVisible(!solid);
-    m_surfaceRows.front()->hide();
+    for (QWidget* row : m_solidRows) row->hide();
     setEnabled(picture);
     if (solid) {
         showSolid(m_session.document().project()->domain);
@@ -183,10 +194,12 @@ void MeshPanel::showProject() {
 void MeshPanel::showSolid(const Domain& domain) {
     const bool surface = domain.kind == DomainKind::Surface;
     setEnabled(true);
-    for (QWidget* row : m_surfaceRows) row->setVisible(surface);
+    for (const auto& rows : {m_surfaceRows, m_solidRows})
+        for (QWidget* row : rows) row->setVisible(surface);
     setToolTip(surface ? QString() : tr("The mesh comes from a file and is used as it is."));
     const QSignalBlocker a(m_vertices), b(m_density), c(m_quality);
     m_quality->setValue(domain.quality);
+    m_refine->setChecked(domain.refineSurface);
     m_vertices->setValue(domain.vertices);
     if (!m_density->isSliderDown()) m_density->setValue(sliderOf(domain.vertices));
 }

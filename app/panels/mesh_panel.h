@@ -4,6 +4,7 @@
 
 #include "app/session/shape_session.h"
 
+class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
@@ -37,7 +38,8 @@ class MeshPanel : public QWidget {
     QSpinBox* m_vertices;
     QSlider* m_density;
     QDoubleSpinBox* m_quality;
-    std::vector<QWidget*> m_pictureRows, m_surfaceRows;
+    QCheckBox* m_refine;
+    std::vector<QWidget*> m_pictureRows, m_surfaceRows, m_solidRows;
     QLabel* m_counts;
     int m_gesture = 0;
 };

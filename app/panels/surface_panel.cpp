@@ -36,12 +36,14 @@ SurfacePanel::SurfacePanel(QWidget* parent)
 }
 
 void SurfacePanel::showProblems(const QStringList& problems, int triangles, bool mayRepair) {
-    m_text->setText(problems.join('\n'));
+    const QString repair =
+        mayRepair ? tr("“Repair” can mend it.") : tr("“Repair” cannot mend it: another program has to.");
+    m_text->setText(problems.join('\n') + QStringLiteral("\n\n") + repair);
     m_show->setEnabled(triangles > 0);
     m_repair->setEnabled(mayRepair);
-    m_repair->setStatusTip(mayRepair
-                               ? m_repair->accessibleDescription()
-                               : tr("The repair did not help; another program has to mend the surface."));
+    m_repair->setStatusTip(
+        mayRepair ? m_repair->accessibleDescription()
+                  : tr("The simple repairs do not help; another program has to mend the surface."));
 }
 
 }  // namespace wend

@@ -35,6 +35,7 @@ void ComputeThread::handle(const Request& request) {
     if (const auto* begin = std::get_if<BeginDrag>(&request)) m_engine->beginDrag(*begin);
     if (const auto* to = std::get_if<DragTo>(&request)) m_engine->dragTo(*to);
     if (std::holds_alternative<EndDrag>(request)) m_engine->endDrag();
+    if (std::holds_alternative<CancelWork>(request)) m_engine->giveUp();
     if (const auto* ask = std::get_if<AskVelocity>(&request)) m_engine->askVelocity(*ask);
 }
 

@@ -27,6 +27,11 @@ Amount DragGesture::amount() const {
     return m_stopped ? m_samples[m_followed].amount : m_samples.back().amount;
 }
 
+std::vector<Amount> DragGesture::straight() const {
+    const Amount end = amount();
+    return end == Amount::Zero() ? std::vector<Amount>{end} : std::vector<Amount>{Amount::Zero(), end};
+}
+
 std::vector<Amount> DragGesture::path(double tolerance) const {
     std::vector<Amount> points;
     for (int i = 0; i < static_cast<int>(m_samples.size()); ++i) {

@@ -24,6 +24,8 @@ class DragGesture {
     bool isStopped() const { return m_stopped; }
     /// What was really gone, simplified: begins with zero; a single point if nothing moved.
     std::vector<Amount> path(double tolerance) const;
+    /// The straight way to where it has come.
+    std::vector<Amount> straight() const;
 
   private:
     struct Sample {

@@ -33,7 +33,8 @@ struct AskVelocity {  // of a frame of the motion
     FramePtr frame;
     int revision = 0;
 };
-using Request = std::variant<SetShape, BeginDrag, DragTo, EndDrag, AskVelocity>;
+struct CancelWork {};  // what is being made is not wanted any more, and nothing else is
+using Request = std::variant<SetShape, BeginDrag, DragTo, EndDrag, AskVelocity, CancelWork>;
 
 /// What waits to be done, in order. Of shapes that follow each other only the newest is kept, and of
 /// questions for a velocity and targets of a drag as well: the preview goes straight to where the pointer is.

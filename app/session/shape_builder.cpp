@@ -72,7 +72,7 @@ bool ShapeBuilder<Dim>::materialIsCurrent(const ShapeInputs& inputs) const {
 
 template <>
 BuiltShape<3> ShapeBuilder<3>::makeMesh(const ShapeInputs& inputs, std::stop_token stop) {
-    Solid solid = loadSolid(*inputs.project, inputs.folder, stop);
+    Solid solid = loadSolid(*inputs.project, inputs.folder, stop, Advice::None);
     BuiltShape<3> shape;
     shape.rest = std::move(solid.rest);
     if (!shape.rest) return shape;
@@ -81,6 +81,7 @@ BuiltShape<3> ShapeBuilder<3>::makeMesh(const ShapeInputs& inputs, std::stop_tok
     shape.ride = std::move(solid.ride);
     shape.source = std::move(solid.source);
     shape.notices = std::move(solid.notices);
+    shape.refineHelps = solid.refineHelps;
     return shape;
 }
 

@@ -24,6 +24,7 @@ struct BuiltShape {
     std::shared_ptr<const Embedding<3>> ride;               // 3D only
     std::shared_ptr<const Texture> texture;                 // 2D only: the picture on a file's mesh
     std::shared_ptr<const MeshFile> source;                 // of a mesh domain: see Scene
+    bool refineHelps = false;                               // 3D only: see Solid
     std::vector<std::string> notices;                       // 3D only: what the user should hear of the mesh
 };
 

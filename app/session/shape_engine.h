@@ -38,7 +38,7 @@ class ShapeEngine {
     virtual void askVelocity(const AskVelocity& request) = 0;
     /// The mesh, or the motion on it; goes on where it was stopped.
     virtual void work(std::stop_token stop) = 0;
-    /// After a failure: forgets what it was doing.
+    /// After a failure, or when it is cancelled: forgets what it was doing.
     virtual void giveUp() = 0;
 };
 

@@ -49,6 +49,7 @@ void ShapeSession::reset() {
     cancelDrag();
     m_track.clear();
     m_shape.reset();
+    m_complete.reset();
     m_holds = {};
     m_preview.reset();
     m_trackIsCurrent = false;
@@ -120,6 +121,8 @@ void ShapeSession::takeLive(const FramePtr& frame) {
 
 void ShapeSession::takeFinished(double time, const QString& problem) {
     if (!m_trackIsCurrent) return;
+    m_complete = m_document.project();
+    m_completeAt = m_document.undoStack()->index();
     if (!problem.isEmpty()) emit notice(tr("The motion stops at %1: %2").arg(time, 0, 'f', 2).arg(problem));
     m_preview.reset();
     m_previewBefore.reset();
@@ -134,6 +137,36 @@ void ShapeSession::takeFailure(const QString& reason) {
     m_preview.reset();
     setBusy(false);
     emit problem(reason);
+}
+
+void ShapeSession::cancelWork() {
+    if (!m_busy) return;
+    cancelDrag();
+    const bool meshing = isMeshing();
+    if (m_complete && m_complete != m_document.project()) {
+        goBack();
+        emit notice(tr("Cancelled: everything is as it was before the last change."));
+        return;
+    }
+    if (meshing) ++m_revision;  // a shape that is just ready comes too late
+    m_compute.post(CancelWork{});
+    m_preview.reset();
+    setBusy(false);
+    showTime();
+    m_failed = meshing;
+    if (meshing)
+        emit problem(tr("Meshing was cancelled. Any change makes a mesh again, such as fewer vertices."));
+    else
+        emit notice(tr("The motion was cancelled. Any change computes it again."));
+}
+
+/// By undo steps if they lead there (and redo forth), otherwise by a change of its own: steps may have
+/// merged.
+void ShapeSession::goBack() {
+    const auto target = m_complete;
+    QUndoStack& undo = *m_document.undoStack();
+    if (m_completeAt < undo.index()) undo.setIndex(m_completeAt);
+    if (m_document.project() != target) m_document.change(tr("Cancel"), *target);
 }
 
 void ShapeSession::showTime() {
@@ -400,10 +433,16 @@ void ShapeSession::pushGesture(const DragGesture& drag, const std::vector<Amount
 }
 
 void ShapeSession::endDrag(double tolerance) {
-    if (!m_drag) return;
+    if (m_drag) endDrag(m_drag->path(tolerance));
+}
+
+void ShapeSession::endDragStraight() {
+    if (m_drag) endDrag(m_drag->straight());
+}
+
+void ShapeSession::endDrag(const std::vector<Amount>& path) {
     const DragGesture drag = std::move(*m_drag);
     m_drag.reset();
-    const auto path = drag.path(tolerance);
     m_compute.post(EndDrag{});
     if (path.size() < 2) {
         m_preview = m_previewBefore;

@@ -40,6 +40,11 @@ class ShapeSession : public QObject {
     bool isStale() const { return m_stale; }
     /// True while something is being computed.
     bool isBusy() const { return m_busy; }
+    /// True while that is the shape, or its material, rather than its motion.
+    bool isMeshing() const { return m_busy && !m_trackIsCurrent; }
+    /// Ends what is being computed. The document goes back to the last state whose motion was complete (redo
+    /// tries again); without one it stays, with as much as there is.
+    void cancelWork();
     /// The handles at the time that is shown; dragged ones are where the pointer has them.
     template <int Dim = 2>
     std::vector<PinView<Dim>> pins() const;
@@ -89,7 +94,10 @@ class ShapeSession : public QObject {
         dragBy(amountOf<Dim>(offset));
     }
     void dragBy(const Amount& amount);
+    /// Records the way as it was gone, within the tolerance.
     void endDrag(double tolerance);
+    /// Records the straight way to where it ended: its amount was given as a number.
+    void endDragStraight();
     void cancelDrag();
     /// The gesture that goes on: how far it has come.
     const DragGesture* gesture() const { return m_drag ? &*m_drag : nullptr; }
@@ -117,6 +125,7 @@ class ShapeSession : public QObject {
     void askVelocity();
     void takeVelocity(const FramePtr& frame, const VelocityPtr& velocity);
     void setBusy(bool busy);
+    void goBack();
     template <int Dim>
     const std::vector<PinPlace<Dim>>& places() const;
     void goToEnd();
@@ -127,6 +136,7 @@ class ShapeSession : public QObject {
     void takeHold(const std::vector<int>& handles);
     template <int Dim>
     void pushGesture(const DragGesture& drag, const std::vector<Amount>& path);
+    void endDrag(const std::vector<Amount>& path);
     template <int Dim>
     std::vector<Vec<Dim>> centresOf(const std::vector<int>& handles) const;
     int handleCount() const;
@@ -148,7 +158,9 @@ class ShapeSession : public QObject {
     int m_gesture = 0;          // number of the newest drag
     int m_revision = 0;         // of the newest request for a shape
     bool m_trackIsCurrent = false;
-    std::shared_ptr<const void> m_shape;  // the newest rest mesh
+    std::shared_ptr<const void> m_shape;        // the newest rest mesh
+    std::shared_ptr<const Project> m_complete;  // the last whose motion was computed to its end
+    int m_completeAt = 0;                       // its place among the undo steps
     template <int Dim>
     struct Hold {  // of the project's dimension; the other one is empty
         // the handles in the rest mesh of the frame that is shown

@@ -46,18 +46,27 @@ Surface mended(const Surface& surface, const Domain& domain, Solid& solid, std::
     return better;
 }
 
-std::string advice(const Domain& domain, const std::string& done) {
-    if (!domain.repair) return "; `wend info` lists them, `repair` may mend it";
+bool repairHelps(const Surface& surface, int largestHole) {
+    RepairReport report;
+    return checkSurface(repairSurface(surface, largestHole, report)).boundsVolume();
+}
+
+std::string help(const Surface& surface, const Domain& domain, const std::string& done, Advice advice) {
+    if (!domain.repair) {
+        if (advice == Advice::None) return {};
+        return std::string("; `wend info` lists them") +
+               (repairHelps(surface, domain.largestHole) ? ", `repair` may mend it" : "");
+    }
     return done.empty() ? "; the repair found nothing that it could mend"
                         : " (after the repair: " + done + ")";
 }
 
 VolumeMesh meshed(const Surface& surface, const VolumeMeshOptions& options, const Domain& domain,
-                  const std::string& done) {
+                  const std::string& done, Advice advice) {
     try {
         return meshVolume(surface, options);
     } catch (const SurfaceError& error) {
-        throw SurfaceError(error.reason() + advice(domain, done), error.problems);
+        throw SurfaceError(error.reason() + help(surface, domain, done, advice), error.problems);
     }
 }
 
@@ -81,7 +90,29 @@ std::shared_ptr<const MeshFile> fileOf(const VolumeMesh& volume, const Skin& ski
     return file;
 }
 
-Solid fromSurface(const Domain& domain, const std::string& folder, std::stop_token stop) {
+/// What the mesh could not be, and the key that helps.
+void tellOfMesh(const Domain& domain, const Surface& surface, const VolumeMesh& volume, Advice advice,
+                Solid& solid) {
+    const bool keys = advice == Advice::Keys;
+    if (!volume.aimMet) {
+        std::string why = "the quality asked for needs them";
+        if (!domain.refineSurface)
+            why = std::string("the surface is kept as it is") + (keys ? " (see `refineSurface`)" : "");
+        solid.notices.push_back("the mesh has " + std::to_string(volume.mesh.vertexCount()) +
+                                " vertices, where " + std::to_string(domain.vertices) +
+                                " were aimed at: " + why);
+    }
+    const bool coarse = !domain.refineSurface && surfaceIsTooCoarse(surface, volume.mesh);
+    if (coarse)
+        solid.notices.push_back(
+            std::string("the surface's triangles are far larger than the cells inside and are kept as they "
+                        "are, which makes uneven cells") +
+            (keys ? ": `refineSurface` splits them" : ""));
+    solid.refineHelps = coarse || (!volume.aimMet && !domain.refineSurface && domain.vertices > 0 &&
+                                   volume.mesh.vertexCount() < domain.vertices);
+}
+
+Solid fromSurface(const Domain& domain, const std::string& folder, std::stop_token stop, Advice advice) {
     Solid solid;
     auto skin = std::make_shared<Skin>(readSkin(pathIn(folder, domain.path)));
     Surface surface = surfaceOf(*skin);
@@ -89,18 +120,8 @@ Solid fromSurface(const Domain& domain, const std::string& folder, std::stop_tok
     const VolumeMeshOptions options = meshOptions(domain, folder, surface, stop);
     std::string done;
     if (domain.repair) surface = mended(surface, domain, solid, done);
-    const VolumeMesh volume = meshed(surface, options, domain, done);
-    if (!volume.aimMet)
-        solid.notices.push_back("the mesh has " + std::to_string(volume.mesh.vertexCount()) +
-                                " vertices, where " + std::to_string(domain.vertices) + " were aimed at: " +
-                                (domain.refineSurface
-                                     ? "the quality asked for needs them"
-                                     : "the surface is kept as it is (see `refineSurface`)"));
-    if (!domain.refineSurface && surfaceIsTooCoarse(surface, volume.mesh))
-        solid.notices.push_back(
-            "the surface's triangles are far larger than the cells inside and are kept as they are, which "
-            "makes "
-            "uneven cells: `refineSurface` splits them");
+    const VolumeMesh volume = meshed(surface, options, domain, done, advice);
+    tellOfMesh(domain, surface, volume, advice, solid);
     solid.rest = std::make_shared<const SimplicialMesh<3>>(volume.mesh);
     solid.source = fileOf(volume, *skin);
     solid.skin = skin;
@@ -131,13 +152,13 @@ Surface surfaceOf(const Skin& skin) {
     return {skin.points, skin.triangles, skin.labels};
 }
 
-Solid loadSolid(const Project& project, const std::string& folder, std::stop_token stop) {
+Solid loadSolid(const Project& project, const std::string& folder, std::stop_token stop, Advice advice) {
     const Domain& domain = project.domain;
     const std::string path = pathIn(folder, domain.path);
     Solid solid;
     try {
-        solid =
-            domain.kind == DomainKind::Surface ? fromSurface(domain, folder, stop) : fromMesh(domain, folder);
+        solid = domain.kind == DomainKind::Surface ? fromSurface(domain, folder, stop, advice)
+                                                   : fromMesh(domain, folder);
     } catch (const SurfaceError& error) {
         throw SurfaceError(error, path);
     } catch (const InputError& error) {

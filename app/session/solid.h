@@ -20,12 +20,17 @@ struct Solid {
     std::shared_ptr<const Skin> skin;          // the surface that is seen and exported
     std::shared_ptr<const Embedding<3>> ride;  // takes the skin's points along
     std::vector<std::string> notices;          // what the user should hear
+    bool refineHelps = false;                  // splitting the surface's triangles would help
 };
+
+/// Whether messages name the project's keys and the commands that help: the window has words of its own.
+enum class Advice { Keys, None };
 
 /// Reads and meshes the domain of a project in space (paths relative to `folder`). A surface that bounds no
 /// volume throws SurfaceError (also where the repairs did not help), everything else InputError, with the
 /// file's name; Cancelled when stopped.
-Solid loadSolid(const Project& project, const std::string& folder, std::stop_token stop = {});
+Solid loadSolid(const Project& project, const std::string& folder, std::stop_token stop = {},
+                Advice advice = Advice::Keys);
 
 /// The surface of a skin, with its labels.
 Surface surfaceOf(const Skin& skin);

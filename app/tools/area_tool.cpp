@@ -60,6 +60,7 @@ QString AreaTool::hint() const {
 
 void AreaTool::press(const QMouseEvent& event) {
     m_at = event.position();
+    m_over = true;
     m_line = {m_at};
     m_brushed.clear();
     m_caught.clear();
@@ -77,6 +78,7 @@ void AreaTool::press(const QMouseEvent& event) {
 
 void AreaTool::move(const QMouseEvent& event) {
     m_at = event.position();
+    m_over = true;
     if (m_active) m_line << m_at;
     if (m_active && m_shape == Shape::Brush) brush();
     if (m_active && (m_shape == Shape::Rectangle || m_shape == Shape::Lasso)) countCaught();
@@ -129,6 +131,7 @@ bool AreaTool::isClick() const {
 
 void AreaTool::release(const QMouseEvent& event) {
     m_at = event.position();
+    m_over = true;
     if (std::exchange(m_active, false) && session().frame<3>()) finish(event.modifiers());
     m_line.clear();
     m_brushed.clear();
@@ -215,7 +218,7 @@ void AreaTool::paint(QPainter& painter) const {
     painter.setPen(QPen(kLine, 1.25));
     painter.setBrush(fill);
     if (m_shape == Shape::Brush) {
-        painter.drawEllipse(m_at, m_radius, m_radius);
+        if (m_over || m_active) painter.drawEllipse(m_at, m_radius, m_radius);
         painter.setBrush(kLine);
         painter.setPen(QPen(Qt::white, 0.75));
         if (const auto frame = session().frame<3>(); frame && m_active)

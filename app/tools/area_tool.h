@@ -22,6 +22,7 @@ class AreaTool : public SolidTool {
     void release(const QMouseEvent& event) override;
     bool key(const QKeyEvent& event) override;
     void cancel() override;
+    void leave() override { m_over = false; }
     void paint(QPainter& painter) const override;
 
   private:
@@ -45,6 +46,7 @@ class AreaTool : public SolidTool {
     bool m_through = false, m_active = false, m_adds = false;
     QPolygonF m_line;
     QPointF m_at;
+    bool m_over = false;  // the pointer is over the view
     // where a region begins, in the pose and in the rest shape, and how the solid is turned there
     Vec<3> m_centre = Vec<3>::Zero(), m_restCentre = Vec<3>::Zero();
     Mat<3> m_turn = Mat<3>::Identity();

@@ -41,7 +41,8 @@ QString MeasureTool::hint() const {
 void MeasureTool::press(const QMouseEvent& event) {
     const SolidHit hit = surface().pick(event.position());
     const auto frame = session().frame<3>();
-    if (m_points.size() == 3 || hit.cell < 0 || (frame && frame->shape != m_shape)) m_points.clear();
+    // A click beside the solid drops only what is complete.
+    if (m_points.size() == 3 || (frame && frame->shape != m_shape)) m_points.clear();
     if (hit.cell >= 0 && hit.vertex >= 0 && frame) {
         m_shape = frame->shape;
         const Vec<3> vertex = frame->pose.col(hit.vertex);

@@ -69,6 +69,7 @@ std::vector<Vec<3>> PaintTool::axes() const {
 
 void PaintTool::press(const QMouseEvent& event) {
     m_at = event.position();
+    m_over = true;
     m_active = true;
     m_dabs.clear();
     dab();
@@ -77,6 +78,7 @@ void PaintTool::press(const QMouseEvent& event) {
 
 void PaintTool::move(const QMouseEvent& event) {
     m_at = event.position();
+    m_over = true;
     if (m_active) dab();
     surface().redraw();
 }
@@ -122,7 +124,7 @@ void PaintTool::paint(QPainter& painter) const {
     fill.setAlpha(60);
     painter.setPen(QPen(colour, 1.5));
     painter.setBrush(Qt::NoBrush);
-    painter.drawEllipse(m_at, m_radius, m_radius);
+    if (m_over || m_active) painter.drawEllipse(m_at, m_radius, m_radius);
     const auto frame = session().frame<3>();
     if (!frame) return;
     painter.setPen(Qt::NoPen);

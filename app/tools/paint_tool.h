@@ -21,6 +21,7 @@ class PaintTool : public SolidTool {
     void release(const QMouseEvent& event) override;
     bool key(const QKeyEvent& event) override;
     void cancel() override;
+    void leave() override { m_over = false; }
     void paint(QPainter& painter) const override;
 
   private:
@@ -34,6 +35,7 @@ class PaintTool : public SolidTool {
     bool m_active = false;
     double m_radius = 30;  // pixels
     QPointF m_at;
+    bool m_over = false;  // the pointer is over the view
     struct Dab {
         Location<3> place;
         Vec<3> rest;

@@ -192,7 +192,10 @@ bool SolidPinTool::typeKey(const QKeyEvent& event) {
 void SolidPinTool::finish() {
     m_gesture = Gesture::None;
     m_part.reset();
-    m_typed.clear();
+    if (!std::exchange(m_typed, {}).isEmpty()) {
+        session().endDragStraight();
+        return;
+    }
     const double pixel = surface().pixelSize(m_manipulator.centre());
     const bool moves = m_manipulator.part().kind == Grip::Kind::Move;
     session().endDrag(moves ? kStrokeDetail * pixel : 0.005);

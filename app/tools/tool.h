@@ -42,6 +42,8 @@ class Tool {
     virtual bool opensMenu(const QPointF&) { return false; }
     /// The curve that it edits; null if it edits none.
     virtual CurveEditing* curve() { return nullptr; }
+    /// The pointer is not over the view any more.
+    virtual void leave() {}
     /// Draws what it needs over the view.
     virtual void paint(QPainter&) const {}
 };

@@ -10,6 +10,7 @@
 #include <QSettings>
 #include <QStackedWidget>
 #include <QStatusBar>
+#include <QStatusTipEvent>
 #include <QToolBar>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -31,12 +32,14 @@
 #include "app/view/status_fields.h"
 #include "app/view/time_strip.h"
 #include "app/view/volume/solid_canvas.h"
+#include "app/view/work_note.h"
 
 namespace wend {
 
 namespace {
 
 constexpr int kSideWidth = 296;
+constexpr int kTold = 10000;  // milliseconds
 
 }  // namespace
 
@@ -54,6 +57,7 @@ MainWindow::MainWindow(QWidget* parent)
       m_distortion(new DistortionPanel(m_session)),
       m_pages(new QStackedWidget),
       m_note(new BusyNote(*m_pages)),
+      m_work(new WorkNote(m_session, *m_pages)),
       m_pinTool(std::make_unique<PinTool>(*m_canvas, true)),
       m_selectTool(std::make_unique<PinTool>(*m_canvas, false)),
       m_systemPalette(QApplication::palette()) {
@@ -175,14 +179,12 @@ void MainWindow::connectFiles() {
     });
     connect(m_solids, &SolidWorkshop::failed, m_banner, &InfoBanner::showText);
     connect(m_solids, &SolidWorkshop::told, m_banner, &InfoBanner::showText);
-    connect(m_solids, &SolidWorkshop::done, this,
-            [this](const QString& text) { statusBar()->showMessage(text, 6000); });
+    connect(m_solids, &SolidWorkshop::done, this, &MainWindow::tell);
     connect(a.exportMesh, &QAction::triggered, m_exporter, &Exporter::exportMesh);
     connect(a.exportFrames, &QAction::triggered, m_exporter, &Exporter::exportFrames);
     connect(a.exportStMap, &QAction::triggered, m_exporter, &Exporter::exportStMap);
     connect(m_exporter, &Exporter::failed, m_banner, &InfoBanner::showText);
-    connect(m_exporter, &Exporter::done, this,
-            [this](const QString& text) { statusBar()->showMessage(text, 6000); });
+    connect(m_exporter, &Exporter::done, this, &MainWindow::tell);
     connect(m_start, &StartPage::openRequested, m_files, &FileWorkflow::askOpen);
     connect(m_start, &StartPage::fileChosen, m_files, &FileWorkflow::open);
     connect(m_files, &FileWorkflow::failed, m_banner, &InfoBanner::showText);
@@ -191,8 +193,6 @@ void MainWindow::connectFiles() {
         m_opening = name;
         showWork();
     });
-    connect(&m_session, &ShapeSession::frameChanged, this, &MainWindow::showWork);
-    connect(&m_session, &ShapeSession::busyChanged, this, &MainWindow::showWork);
     const auto showRecent = [this] {
         m_files->fillRecent(*m_actions->recent);
         m_start->setRecent(m_files->recent());
@@ -203,8 +203,7 @@ void MainWindow::connectFiles() {
     connect(&m_session.document(), &Document::opened, this, &MainWindow::showDocument);
     connect(&m_session.document(), &Document::titleChanged, this, &MainWindow::showTitle);
     connect(&m_session, &ShapeSession::problem, m_banner, &InfoBanner::showText);
-    connect(&m_session, &ShapeSession::notice, this,
-            [this](const QString& text) { statusBar()->showMessage(text, 8000); });
+    connect(&m_session, &ShapeSession::notice, this, &MainWindow::tell);
 }
 
 void MainWindow::connectEdit() {
@@ -242,6 +241,8 @@ void MainWindow::connectView() {
         m_canvas->setMap(m_distortion->measure(), m_distortion->range());
         m_fields->setMeasure(m_distortion->measure());
     });
+    connect(m_distortion, &DistortionPanel::mapChosen, this,
+            [this] { m_actions->showMap->setChecked(true); });
     connect(m_distortion, &DistortionPanel::showWorst, this, [this] {
         m_actions->showMap->setChecked(true);
         m_canvas->showWorst();
@@ -304,18 +305,29 @@ void MainWindow::showDocument() {
     if (has && !solid)
         m_canvas->setTool(m_actions->pinTool->isChecked() ? m_pinTool.get() : m_selectTool.get());
     m_fields->setVisible(has);
+    m_toldUntil.setRemainingTime(0);
     showSelection();
     showTitle();
 }
 
-/// What one waits for before there is anything to work on.
+/// A file that is being read; what is computed then is told by the work note.
 void MainWindow::showWork() {
-    const Document& document = m_session.document();
-    const bool meshes = !document.isEmpty() && m_session.isBusy() && !m_session.frame();
-    if (!m_opening.isEmpty())
-        m_note->showText(tr("Opening %1 …").arg(m_opening));
-    else
-        m_note->showText(meshes ? tr("Meshing %1 …").arg(document.displayName()) : QString());
+    m_note->showText(m_opening.isEmpty() ? QString() : tr("Opening %1 …").arg(m_opening));
+}
+
+void MainWindow::tell(const QString& text) {
+    m_told = text;
+    m_toldUntil.setRemainingTime(kTold);
+    statusBar()->showMessage(text, kTold);
+}
+
+/// When the pointer leaves a button its hint goes, and what was told comes back.
+bool MainWindow::event(QEvent* event) {
+    const bool used = QMainWindow::event(event);
+    if (event->type() == QEvent::StatusTip && static_cast<QStatusTipEvent*>(event)->tip().isEmpty() &&
+        !m_toldUntil.hasExpired())
+        statusBar()->showMessage(m_told, static_cast<int>(m_toldUntil.remainingTime()));
+    return used;
 }
 
 void MainWindow::showTitle() {

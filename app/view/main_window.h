@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QDeadlineTimer>
 #include <QMainWindow>
 #include <memory>
 
@@ -26,6 +27,7 @@ class SolidWorkshop;
 class StartPage;
 class StatusFields;
 class TimeStrip;
+class WorkNote;
 
 /// The window: start page or workshop, with tools on the left, properties on the right and time below.
 class MainWindow : public QMainWindow {
@@ -46,6 +48,7 @@ class MainWindow : public QMainWindow {
     MaterialPanel& materialPanel() { return *m_material; }
     SolidWorkshop& solids() { return *m_solids; }
     DistortionPanel& distortionPanel() { return *m_distortion; }
+    WorkNote& work() { return *m_work; }
     InfoBanner& banner() { return *m_banner; }
 
   protected:
@@ -54,6 +57,7 @@ class MainWindow : public QMainWindow {
     void dragLeaveEvent(QDragLeaveEvent* event) override;
     void dropEvent(QDropEvent* event) override;
     void changeEvent(QEvent* event) override;
+    bool event(QEvent* event) override;
 
   private:
     void makeToolBars();
@@ -64,6 +68,7 @@ class MainWindow : public QMainWindow {
     void connectView();
     void connectMotion();
     void connectHelp();
+    void tell(const QString& text);
     void showDocument();
     void showWork();
     CurveEditing* currentCurve();
@@ -91,6 +96,9 @@ class MainWindow : public QMainWindow {
     SolidWorkshop* m_solids = nullptr;
     QStackedWidget* m_pages;
     BusyNote* m_note;
+    WorkNote* m_work;
+    QString m_told;  // in the status bar: stays a while, though hints of buttons come and go
+    QDeadlineTimer m_toldUntil;
     QString m_opening;  // the file that is being read
     QWidget* m_side = nullptr;
     QToolBar* m_topBar = nullptr;

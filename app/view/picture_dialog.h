@@ -3,6 +3,8 @@
 #include <QDialog>
 
 class QCheckBox;
+class QDialogButtonBox;
+class QLabel;
 class QSpinBox;
 
 namespace wend {
@@ -24,7 +26,14 @@ class PictureDialog : public QDialog {
     PictureChoice choice() const;
 
   private:
+    void tie(QSpinBox* changed);
+    void check();
+
+    QSize m_proportions;  // of the view
     QSpinBox *m_width, *m_height;
+    QCheckBox* m_tied;  // width and height, as in the view
+    QLabel* m_note;     // why it cannot be written
+    QDialogButtonBox* m_buttons;
     QCheckBox *m_transparent, *m_marks, *m_legend;
 };
 

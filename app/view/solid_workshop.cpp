@@ -48,7 +48,8 @@ SolidWorkshop::SolidWorkshop(const Surroundings& around, QWidget& window)
       m_measurePanel(new MeasurePanel(around.session)),
       m_paintPanel(new PaintPanel(around.session)),
       m_surfacePanel(new SurfacePanel),
-      m_check(new SurfaceCheck(around.session, *m_surfacePanel, window)) {}
+      m_check(new SurfaceCheck(around.session, *m_surfacePanel, window)),
+      m_paintMap(around.distortion, *around.actions.showMap) {}
 
 SolidWorkshop::~SolidWorkshop() {
     if (m_canvas) m_canvas->setTool(nullptr);
@@ -93,6 +94,7 @@ void SolidWorkshop::setActive(bool active) {
     const bool flatTool = m_around.actions.pinTool->isChecked() || m_around.actions.selectTool->isChecked();
     if (!active && !flatTool) m_around.actions.pinTool->setChecked(true);
     if (!active) m_paintPanel->hide();
+    if (!active) m_paintMap.end();
     if (!active) m_measurePanel->hide();
     if (!active || !m_canvas) return;
     m_canvas->setCutKind(CutKind::None);
@@ -201,7 +203,10 @@ void SolidWorkshop::connectTools() {
     auto brush = std::make_unique<PaintTool>(*m_canvas);
     brush->setColour(m_paintPanel->paint());
     connect(m_paintPanel, &PaintPanel::paintChanged, this,
-            [tool = brush.get()](const MaterialPaint& paint) { tool->setColour(paint); });
+            [this, tool = brush.get()](const MaterialPaint& paint) {
+                tool->setColour(paint);
+                if (m_actions->paint->isChecked()) m_paintMap.show(paint);
+            });
     connect(m_paintPanel, &PaintPanel::alongChanged, this,
             [tool = brush.get()](StiffAlong along) { tool->setAlong(along); });
     m_tools.emplace_back(a.paint, std::move(brush));
@@ -221,7 +226,9 @@ void SolidWorkshop::connectTools() {
 }
 
 void SolidWorkshop::chooseTool() {
-    m_paintPanel->setVisible(m_isActive && m_canvas && m_actions->paint->isChecked());
+    const bool paints = m_isActive && m_canvas && m_actions->paint->isChecked();
+    m_paintPanel->setVisible(paints);
+    paints ? m_paintMap.show(m_paintPanel->paint()) : m_paintMap.end();
     const bool measures = m_isActive && m_canvas && m_actions->measure->isChecked();
     m_measurePanel->setVisible(measures);
     if (m_canvas) m_canvas->setValuesShown(measures);
@@ -293,6 +300,8 @@ void SolidWorkshop::tellOfShape() {
     m_actions->setHasDetail(m_canvas->hasDetail());
     QStringList lines;
     for (const std::string& notice : frame->built->notices) lines << QString::fromStdString(notice);
+    if (frame->built->refineHelps)
+        lines << tr("“Refine surface” in the panel “Mesh” lets the surface's triangles be split.");
     if (!lines.isEmpty()) emit told(lines.join('\n'));
 }
 

@@ -4,6 +4,7 @@
 
 #include "app/tools/area_tool.h"
 #include "app/tools/solid_pin_tool.h"
+#include "app/view/paint_map.h"
 #include "app/view/solid_actions.h"
 
 class QLabel;
@@ -89,6 +90,7 @@ class SolidWorkshop : public QObject {
     int m_lastCut = 2;
     std::shared_ptr<const void> m_told;  // the rest mesh whose notices were told
     Manipulator m_manipulator;
+    PaintMap m_paintMap;
     std::vector<std::pair<QAction*, std::unique_ptr<SolidTool>>> m_tools;
 };
 

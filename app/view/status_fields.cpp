@@ -38,7 +38,9 @@ QLabel* StatusFields::add(const QString& name, const QString& help, const QStrin
     return label;
 }
 
+/// The bar hides the hint under a message only as long as nobody else shows it.
 void StatusFields::setVisible(bool visible) {
+    m_bar.clearMessage();
     for (QLabel* label : {m_hint, m_pointer, m_pinError, m_worst, m_area, m_time}) label->setVisible(visible);
 }
 

@@ -100,12 +100,15 @@ void SurfaceCheck::look() {
     const Document& document = m_session.document();
     const std::string path = pathIn(document.folder().toStdString(), document.project()->domain.path);
     const int generation = document.generation();
-    const auto check = [path]() -> std::shared_ptr<const Found> {
+    const int largestHole = document.project()->domain.largestHole;
+    const auto check = [path, largestHole]() -> std::shared_ptr<const Found> {
         auto found = std::make_shared<Found>();
         try {
             const MeshFile file = readMeshFile(path);
             found->surface = {file.points, file.triangles, {}};
             found->problems = checkSurface(found->surface);
+            RepairReport report;
+            found->mendable = checkSurface(repairSurface(found->surface, largestHole, report)).boundsVolume();
         } catch (const std::exception& error) {
             found->error = QString::fromUtf8(error.what());
         }
@@ -122,7 +125,7 @@ void SurfaceCheck::take(const std::shared_ptr<const Found>& found) {
     m_found = found;
     m_panel.showProblems(linesOf(found->problems),
                          static_cast<int>(found->problems.triangles(found->surface).size()),
-                         !m_session.document().project()->domain.repair);
+                         found->mendable && !m_session.document().project()->domain.repair);
     m_panel.show();
     showSurface();
 }

@@ -25,6 +25,7 @@ class SurfaceCheck : public QObject {
     struct Found {
         Surface surface;
         SurfaceProblems problems;
+        bool mendable = false;  // the repair would leave nothing of them
         QString error;
     };
     void preview();

@@ -10,9 +10,16 @@
 namespace wend {
 namespace {
 
+/// "3 open edges" of "open edge|s".
+std::string amount(std::size_t count, std::string what) {
+    const std::size_t mark = what.find('|');
+    if (mark != std::string::npos) what.erase(mark, count == 1 ? 2 : 1);
+    return std::to_string(count) + " " + what;
+}
+
 std::string counted(std::size_t count, const std::string& what, const std::string& first) {
     if (count == 0) return {};
-    return std::to_string(count) + " " + what + " (first: " + first + ")";
+    return amount(count, what) + " (first: " + first + ")";
 }
 
 std::string pair(const std::array<int, 2>& ids) {
@@ -162,16 +169,21 @@ std::string SurfaceProblems::summary() const {
         return ids.empty() ? std::string() : std::to_string(ids[0]);
     };
     const auto firstPair = [](const auto& pairs) { return pairs.empty() ? std::string() : pair(pairs[0]); };
-    append(list, counted(notFinite.size(), "vertices that are not finite", first(notFinite)));
-    append(list, counted(badIndex.size(), "triangles that name a missing vertex", first(badIndex)));
+    append(list, counted(notFinite.size(),
+                         notFinite.size() == 1 ? "vertex that is not finite" : "vertices that are not finite",
+                         first(notFinite)));
+    append(list, counted(badIndex.size(),
+                         badIndex.size() == 1 ? "triangle that names a missing vertex"
+                                              : "triangles that name a missing vertex",
+                         first(badIndex)));
     if (flat) append(list, "all points lie in one plane");
-    append(list, counted(openEdges.size(), "open edges", firstPair(openEdges)));
-    append(list,
-           counted(nonManifoldEdges.size(), "edges of more than two triangles", firstPair(nonManifoldEdges)));
-    append(list, counted(intersecting.size(), "pairs of triangles that intersect", firstPair(intersecting)));
-    append(list, counted(degenerate.size(), "triangles without area", first(degenerate)));
-    append(list, counted(duplicate.size(), "duplicate triangles", first(duplicate)));
-    append(list, counted(misoriented.size(), "edges where the orientation changes", firstPair(misoriented)));
+    append(list, counted(openEdges.size(), "open edge|s", firstPair(openEdges)));
+    append(list, counted(nonManifoldEdges.size(), "edge|s of more than two triangles",
+                         firstPair(nonManifoldEdges)));
+    append(list, counted(intersecting.size(), "pair|s of triangles that intersect", firstPair(intersecting)));
+    append(list, counted(degenerate.size(), "triangle|s without area", first(degenerate)));
+    append(list, counted(duplicate.size(), "duplicate triangle|s", first(duplicate)));
+    append(list, counted(misoriented.size(), "edge|s where the orientation changes", firstPair(misoriented)));
     return list;
 }
 
@@ -198,13 +210,13 @@ std::vector<int> SurfaceProblems::triangles(const Surface& surface) const {
 std::string RepairReport::summary() const {
     std::string list;
     const auto add = [&](int count, const std::string& what) {
-        if (count > 0) append(list, std::to_string(count) + " " + what);
+        if (count > 0) append(list, amount(count, what));
     };
-    add(mergedVertices, "coincident vertices merged");
-    add(droppedDegenerate, "triangles without area dropped");
-    add(droppedDuplicate, "duplicate triangles dropped");
-    add(flipped, "triangles turned over");
-    add(filledHoles, "holes filled");
+    add(mergedVertices, mergedVertices == 1 ? "coincident vertex merged" : "coincident vertices merged");
+    add(droppedDegenerate, "triangle|s without area dropped");
+    add(droppedDuplicate, "duplicate triangle|s dropped");
+    add(flipped, "triangle|s turned over");
+    add(filledHoles, "hole|s filled");
     return list;
 }
 

@@ -23,6 +23,9 @@ class TestCompute : public QObject {
     void nudgesMerge();
     void foldsStopTheHandle();
     void problemsAreTold();
+    void cancelGoesBack_data();
+    void cancelGoesBack();
+    void firstMeshIsCancelled();
     void newestTargetsStay();
     void closedMailboxStaysInterrupted();
     void samplesOpen();
@@ -209,6 +212,54 @@ void TestCompute::problemsAreTold() {
     m_session->document().undoStack()->undo();
     QVERIFY(settle(*m_session));
     QVERIFY(problems.last().first().toString().isEmpty());
+}
+
+void TestCompute::cancelGoesBack_data() {
+    QTest::addColumn<QString>("key");
+    QTest::newRow("a step of its own") << QString();
+    QTest::newRow("merged with the step before") << QStringLiteral("vertices");
+}
+
+/// To the mesh and the setting that were there, however the undo steps lie.
+void TestCompute::cancelGoesBack() {
+    QFETCH(QString, key);
+    open();
+    const auto vertices = [this](int count) {
+        Project next = *m_session->document().project();
+        next.domain.vertices = count;
+        return next;
+    };
+    m_session->document().change(QStringLiteral("A"), vertices(401), key);
+    QVERIFY(settle(*m_session));
+    const auto rest = m_session->frame<2>()->rest;
+    m_session->document().change(QStringLiteral("B"), vertices(90000), key);
+    QVERIFY(m_session->isBusy() && m_session->isMeshing());
+    m_session->cancelWork();
+    QCOMPARE(m_session->document().project()->domain.vertices, 401);
+    QVERIFY(settle(*m_session));
+    QVERIFY(m_session->frame<2>()->rest == rest);  // not made anew
+    QCOMPARE(m_session->document().undoStack()->canRedo(), key.isEmpty());
+    m_session->cancelWork();  // nothing is being done
+    QCOMPARE(m_session->document().project()->domain.vertices, 401);
+}
+
+/// There is nothing to go back to: the document stays, and any change makes a mesh.
+void TestCompute::firstMeshIsCancelled() {
+    OpenedFile file = openFile(writeCutOut(*m_folder));
+    auto project = std::make_shared<Project>(*file.project);
+    project->domain.vertices = 90000;
+    file.project = project;
+    QSignalSpy problems(m_session.get(), &ShapeSession::problem);
+    m_session->document().open(std::move(file));
+    m_session->cancelWork();
+    QVERIFY(!m_session->isBusy());
+    QCOMPARE(problems.count(), 1);
+    Project fewer = *m_session->document().project();
+    fewer.domain.vertices = 300;
+    m_session->document().change(QStringLiteral("Fewer"), fewer);
+    QVERIFY(settle(*m_session));
+    QVERIFY(std::abs(m_session->frame<2>()->rest->vertexCount() - 300) <= 40);
+    QCOMPARE(problems.last().first().toString(), QString());  // taken back
 }
 
 void TestCompute::newestTargetsStay() {

@@ -133,7 +133,7 @@ void TestSolid::repairIsAsked() {
     try {
         const Solid bar = solid(domain.toStdString() + ", 'vertices': 300");
         QVERIFY(reason.isEmpty());
-        QCOMPARE(bar.notices[0], std::string("the surface was mended: 1 holes filled"));
+        QCOMPARE(bar.notices[0], std::string("the surface was mended: 1 hole filled"));
     } catch (const SurfaceError& error) {
         QVERIFY2(!reason.isEmpty() && QString(error.what()).contains(reason), error.what());
         QVERIFY(!error.problems.triangles(kBar).empty());

@@ -129,7 +129,7 @@ void TestSolidCli::meshOptions() {
     write("holed.off", holed);
     const CliResult mended = run({"mesh", "holed.off", "--repair", "-o", "mended.vtu", "--vertices", "500"});
     QCOMPARE(mended.code, 0);
-    QCOMPARE(mended.error, QString("wend: holed.off: the surface was mended: 1 holes filled\n"));
+    QCOMPARE(mended.error, QString("wend: holed.off: the surface was mended: 1 hole filled\n"));
     put(path(), "paint.txt", std::string(2 * kBar.vertexCount(), ' ').replace(0, 1, "1"));
     QCOMPARE(run({"mesh", "bar.off", "--sizes", "paint.txt", "-o", "p.vtu"}).code, 3);
     QCOMPARE(run({"mesh", "bar.off", "--largest-hole", "3", "-o", "p.vtu"}).code, 2);
@@ -295,7 +295,7 @@ void TestSolidCli::badSurfaces_data() {
     row("flat", changed([](Surface& s) { s.points.row(1).setZero(); }), "all points lie in one plane");
     row("one-triangle", Surface{kBar.points, {kBar.triangles[0]}, {}}, "open edges");
     row("no-area", changed([](Surface& s) { s.triangles.push_back({0, 1, 0}); }), "1 triangles without area");
-    row("twice", changed([](Surface& s) { s.triangles.push_back(s.triangles[7]); }), "1 duplicate triangles");
+    row("twice", changed([](Surface& s) { s.triangles.push_back(s.triangles[7]); }), "1 duplicate triangle");
     textRow("nan.off", "OFF\n3 1 0\n0 0 0\nnan 0 0\n0 1 0\n3 0 1 2\n", "line 4");
     textRow("empty.stl", "", "is empty");
     textRow("picture.obj", "\x89PNG\r\n\x1a\n", "picture.obj: line 1");

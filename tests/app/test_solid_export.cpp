@@ -1,6 +1,10 @@
+#include <QDialogButtonBox>
 #include <QDir>
 #include <QFile>
+#include <QLabel>
+#include <QPushButton>
 #include <QSignalSpy>
+#include <QSpinBox>
 #include <algorithm>
 #include <cmath>
 
@@ -226,6 +230,13 @@ void TestSolidExport::legendAndMarksAreAtChoice() {
     m_window->actions().showMap->setChecked(false);
     PictureDialog dialog({320, 200}, false, nullptr);
     QCOMPARE(dialog.choice().size, QSize(320, 200));
+    auto* width = dialog.findChildren<QSpinBox*>().front();
+    width->setValue(640);  // the height follows
+    QCOMPARE(dialog.choice().size, QSize(640, 400));
+    QVERIFY(dialog.findChild<QLabel*>(QStringLiteral("sizeNote"))->text().isEmpty());
+    width->setValue(20001);
+    QVERIFY(!dialog.findChild<QLabel*>(QStringLiteral("sizeNote"))->text().isEmpty());
+    QVERIFY(!dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Save)->isEnabled());
     QVERIFY(dialog.choice().transparent && !dialog.choice().legend && !dialog.choice().marks);
 }
 

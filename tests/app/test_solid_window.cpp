@@ -1,6 +1,8 @@
+#include <QCheckBox>
 #include <QComboBox>
 #include <QFile>
 #include <QPushButton>
+#include <QStatusBar>
 #include <QTextStream>
 #include <cmath>
 
@@ -10,6 +12,7 @@
 #include "app/panels/distortion_panel.h"
 #include "app/panels/energy_slider.h"
 #include "app/panels/material_panel.h"
+#include "app/panels/mesh_panel.h"
 #include "app/panels/surface_panel.h"
 #include "app/session/opening.h"
 #include "app/tools/measure_tool.h"
@@ -18,6 +21,7 @@
 #include "app/view/main_window.h"
 #include "app/view/solid_workshop.h"
 #include "app/view/volume/solid_canvas.h"
+#include "app/view/work_note.h"
 #include "tests/support/surfaces.h"
 #include "tests/support/window_fixture.h"
 
@@ -34,6 +38,8 @@ class TestSolidWindow : public QObject {
     void clickPinsAndArrowMoves();
     void escapeRestoresAndUndoTakesBack();
     void typedNumbersAreExact();
+    void longWorkIsToldAndCancelled();
+    void surfaceIsRefinedByTheSwitch();
     void turningTwistsTheBar();
     void areasAreOneHandle();
     void shiftAndControlChangeAnArea();
@@ -212,12 +218,52 @@ void TestSolidWindow::typedNumbersAreExact() {
     session().selection().set({1});
     const Vec<3> pin = session().pins<3>()[1].centre;
     QTest::mousePress(&canvas(), Qt::LeftButton, {}, at(pin));
-    QTest::mouseMove(&canvas(), at(pin) + QPoint(9, 9));
+    for (const QPoint& wander : {QPoint(9, 9), QPoint(40, -5), QPoint(20, 30), QPoint(9, 9)})
+        QTest::mouseMove(&canvas(), at(pin) + wander);
     QTest::keyClicks(&canvas(), QStringLiteral("z0.25"));
     QTest::keyClick(&canvas(), Qt::Key_Return);
     QTest::mouseRelease(&canvas(), Qt::LeftButton, {}, at(pin) + QPoint(9, 9));
     QVERIFY(settle(session()));
     QVERIFY((session().pins<3>()[1].centre - pin - Vec<3>(0, 0, 0.25)).norm() < 1e-9);
+    // Who types a number wants the straight way, not the hand's.
+    const auto way = pinPaths<3>(handles()[1], {pin}).front().points;
+    for (const Vec<3>& p : way) QVERIFY((p - pin).head<2>().norm() < 1e-9);
+}
+
+void TestSolidWindow::longWorkIsToldAndCancelled() {
+    m_window->statusBar()->showMessage(QStringLiteral("a button's hint"));
+    open();
+    QVERIFY(m_window->statusBar()->currentMessage().isEmpty());  // the hint is not drawn over it
+    const auto rest = session().frame<3>()->rest;
+    for (const bool byKey : {true, false}) {
+        Project fine = *session().document().project();
+        fine.domain.vertices = 300000;
+        session().document().change(QStringLiteral("Fine"), fine);
+        QVERIFY(QTest::qWaitFor([&] { return m_window->work().isVisible(); }, 20000));
+        QVERIFY(m_window->work().text().contains(QStringLiteral("Meshing")));
+        picture(QStringLiteral("work"));
+        if (byKey)
+            QTest::keyClick(&canvas(), Qt::Key_Escape);
+        else
+            QTest::mouseClick(m_window->work().cancelButton(), Qt::LeftButton);
+        QCOMPARE(session().document().project()->domain.vertices, 300);
+        QVERIFY(settle(session()));
+        QVERIFY(session().frame<3>()->rest == rest);
+        QVERIFY(m_window->work().isHidden());
+    }
+}
+
+void TestSolidWindow::surfaceIsRefinedByTheSwitch() {
+    open(2000);
+    QVERIFY(!m_window->banner().text().contains('`'));  // no words of the command line
+    auto* refine = m_window->findChild<MeshPanel*>()->findChild<QCheckBox*>();
+    QVERIFY(refine && refine->isVisible() && !refine->isChecked());
+    refine->click();
+    QVERIFY(settle(session()));
+    QVERIFY(session().document().project()->domain.refineSurface);
+    m_window->actions().undo->trigger();
+    QVERIFY(!session().document().project()->domain.refineSurface && !refine->isChecked());
+    QVERIFY(settle(session()));
 }
 
 void TestSolidWindow::turningTwistsTheBar() {
@@ -427,9 +473,27 @@ void TestSolidWindow::paintingChangesTheMaterial() {
     QVERIFY(groups[0].count > 1);
     const auto& phi = session().frame<3>()->material->phi;
     QVERIFY(*std::max_element(phi.begin(), phi.end()) > phi::kMetr + 0.1);
-    m_window->actions().showMap->setChecked(true);
-    m_window->distortionPanel().findChild<QComboBox*>()->setCurrentIndex(3);
+    // What is painted is shown as long as the brush is chosen, then what was shown before.
+    QVERIFY(m_window->actions().showMap->isChecked());
+    QCOMPARE(m_window->distortionPanel().measure(), Measure::Phi);
     picture(QStringLiteral("paint"));
+    const auto isDrawn = [this] {
+        QImage image(canvas().size(), QImage::Format_RGB32);
+        image.fill(Qt::black);
+        QPainter painter(&image);
+        canvas().tool()->paint(painter);
+        painter.end();
+        QImage empty = image;
+        empty.fill(Qt::black);
+        return image != empty;
+    };
+    QVERIFY(isDrawn());  // the brush, where the pointer is
+    QEvent leave(QEvent::Leave);
+    QCoreApplication::sendEvent(&canvas(), &leave);
+    QVERIFY(!isDrawn());
+    m_window->actions().selectTool->trigger();
+    QVERIFY(!m_window->actions().showMap->isChecked());
+    QCOMPARE(m_window->distortionPanel().measure(), Measure::Length);
     m_window->actions().undo->trigger();
     QVERIFY(settle(session()));
     QVERIFY(regionGroups(*session().document().project()).empty());
@@ -445,6 +509,11 @@ void TestSolidWindow::measuresLengthAndAngle() {
     QTest::mouseClick(&canvas(), Qt::LeftButton, {}, at({1.99, -0.5, -0.49}));
     QVERIFY(tool.text().contains(QStringLiteral("angle 90°")));
     picture(QStringLiteral("measure"));
+    const QPoint beside(5, 5);
+    QTest::mouseClick(&canvas(), Qt::LeftButton, {}, at({-1.99, -0.5, 0.49}));
+    QTest::mouseClick(&canvas(), Qt::LeftButton, {}, at({-1.99, -0.5, -0.49}));
+    QTest::mouseClick(&canvas(), Qt::LeftButton, {}, beside);
+    QVERIFY(tool.text().contains(QStringLiteral("length 1,")));  // a missed click loses nothing
 }
 
 void TestSolidWindow::badSurfacesAreShownAndRepaired() {

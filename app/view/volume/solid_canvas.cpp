@@ -76,7 +76,10 @@ void SolidCanvas::applyTheme() {
 }
 
 void SolidCanvas::setTool(SolidTool* tool) {
-    if (m_tool) m_tool->cancel();
+    if (m_tool) {
+        m_tool->cancel();
+        m_tool->leave();
+    }
     m_tool = tool;
     m_active = nullptr;
     redraw();
@@ -487,6 +490,8 @@ void SolidCanvas::keyReleaseEvent(QKeyEvent* event) {
 }
 
 void SolidCanvas::leaveEvent(QEvent*) {
+    if (m_tool) m_tool->leave();
+    redraw();
     emit pointed({});
 }
 

@@ -1,0 +1,112 @@
+#include "app/view/work_note.h"
+
+#include <QApplication>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+
+namespace wend {
+
+namespace {
+
+constexpr int kDelay = 1000;      // milliseconds: what is done sooner needs no words
+constexpr int kFirstDelay = 200;  // as long as there is nothing else to look at
+constexpr int kBelow = 18;        // pixels left free under it
+
+}  // namespace
+
+WorkNote::WorkNote(ShapeSession& session, QWidget& over)
+    : QFrame(&over),
+      m_session(session),
+      m_text(new QLabel(this)),
+      m_cancel(new QPushButton(tr("Cancel (Esc)"), this)) {
+    setObjectName(QStringLiteral("workNote"));
+    m_cancel->setFocusPolicy(Qt::NoFocus);  // the view keeps its keys
+    m_cancel->setStatusTip(
+        tr("Ends what is being computed and goes back to the last state that is complete"));
+    m_cancel->setToolTip(m_cancel->statusTip());
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(16, 8, 8, 8);
+    row->setSpacing(16);
+    row->addWidget(m_text);
+    row->addWidget(m_cancel);
+    hide();
+    over.installEventFilter(this);
+    m_delay.setSingleShot(true);
+    connect(&m_delay, &QTimer::timeout, this, [this] {
+        showText();
+        show();
+        raise();
+        qApp->installEventFilter(this);
+    });
+    connect(m_cancel, &QPushButton::clicked, &session, &ShapeSession::cancelWork);
+    connect(&session, &ShapeSession::busyChanged, this, &WorkNote::follow);
+    connect(&session, &ShapeSession::frameChanged, this, &WorkNote::follow);
+    connect(&session, &ShapeSession::progress, this, [this](double time, double end) {
+        m_part = end > 0 ? time / end : 0;
+        follow();
+    });
+    connect(&session.document(), &Document::projectChanged, this, [this] {
+        m_part = 0;
+        follow();
+    });
+}
+
+/// Drags are shown by themselves; what they leave to be computed is waited for anew.
+void WorkNote::follow() {
+    const bool works = m_session.isBusy() && !m_session.isDragging();
+    if (!works) {
+        m_delay.stop();
+        hide();
+        qApp->removeEventFilter(this);
+    } else if (isHidden()) {
+        if (!m_delay.isActive()) m_delay.start(m_session.frame() ? kDelay : kFirstDelay);
+    } else {
+        showText();
+    }
+}
+
+QString WorkNote::text() const {
+    return isHidden() ? QString() : m_text->text();
+}
+
+QString WorkNote::words() const {
+    const Document& document = m_session.document();
+    if (document.isEmpty()) return {};
+    if (!m_session.isMeshing())
+        return tr("Computing the motion: %1 %").arg(QLocale().toString(static_cast<int>(100 * m_part)));
+    const Domain& domain = document.project()->domain;
+    if (domain.kind == DomainKind::Mesh || domain.maxVolume > 0 || domain.edge > 0)
+        return tr("Meshing %1 …").arg(document.displayName());
+    return tr("Meshing %1 with about %Ln vertices …", nullptr, domain.vertices).arg(document.displayName());
+}
+
+void WorkNote::showText() {
+    m_text->setText(words());
+    setAccessibleName(m_text->text());
+    place();
+}
+
+void WorkNote::place() {
+    resize(sizeHint().boundedTo(parentWidget()->size()));
+    move((parentWidget()->width() - width()) / 2, parentWidget()->height() - height() - kBelow);
+}
+
+/// Not while a gesture, a menu or a dialog is open: there the key has a meaning of its own.
+bool WorkNote::isCancelKey(QObject* watched, QEvent* event) const {
+    if (event->type() != QEvent::KeyPress || isHidden() || !watched->isWidgetType()) return false;
+    return static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape &&
+           QGuiApplication::mouseButtons() == Qt::NoButton && !QApplication::activeModalWidget() &&
+           !QApplication::activePopupWidget();
+}
+
+bool WorkNote::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == parentWidget() && event->type() == QEvent::Resize) place();
+    if (!isCancelKey(watched, event)) return QFrame::eventFilter(watched, event);
+    m_session.cancelWork();
+    return true;
+}
+
+}  // namespace wend

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <QFrame>
+#include <QTimer>
+
+#include "app/session/shape_session.h"
+
+class QLabel;
+class QPushButton;
+
+namespace wend {
+
+/// Says over the view what has been computed for a while, how far it is, and cancels it: by its button, or by
+/// Esc wherever the focus is.
+class WorkNote : public QFrame {
+    Q_OBJECT
+
+  public:
+    WorkNote(ShapeSession& session, QWidget& over);
+    QString text() const;
+    QPushButton* cancelButton() const { return m_cancel; }
+
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+  private:
+    void follow();
+    void showText();
+    void place();
+    QString words() const;
+    bool isCancelKey(QObject* watched, QEvent* event) const;
+
+    ShapeSession& m_session;
+    QLabel* m_text;
+    QPushButton* m_cancel;
+    QTimer m_delay;
+    double m_part = 0;  // of the motion that is there
+};
+
+}  // namespace wend
