@@ -100,20 +100,19 @@ void theyAreNowhereNear() {
 }
 
 /// A surface rides on the cells, also where its own points lie on spare vertices.
-template <int Dim>
 void surfacesRideOnCells() {
-    const auto mesh = withSpares<Dim>(samples::strip<Dim>(2, 1, 2), 0);
-    const Embedding<Dim> embedding(mesh, mesh.points);
-    Points<Dim> pose = 2 * mesh.points;
+    const auto mesh = withSpares<3>(samples::strip<3>(2, 1, 2), 0);
+    const Embedding<3> embedding(mesh, mesh.points);
+    Points<3> pose = 2 * mesh.points;
     pose.col(0).setConstant(77);  // nothing moves a spare vertex with the shape
-    const Points<Dim> carried = embedding.carry(mesh, pose);
+    const Points<3> carried = embedding.carry(mesh, pose);
     QVERIFY(carried.col(0) == pose.col(1));
     QCOMPARE(embedding.outside(), 1);
-    Points<Dim> nowhere = mesh.points;
+    Points<3> nowhere = mesh.points;
     nowhere(0, 0) = std::nan("");
-    QVERIFY_EXCEPTION_THROWN(Embedding<Dim>(mesh, nowhere), InputError);
-    const SimplicialMesh<Dim> empty;
-    QVERIFY_EXCEPTION_THROWN(Embedding<Dim>(empty, mesh.points), InputError);
+    QVERIFY_EXCEPTION_THROWN(Embedding<3>(mesh, nowhere), InputError);
+    const SimplicialMesh<3> empty;
+    QVERIFY_EXCEPTION_THROWN(Embedding<3>(empty, mesh.points), InputError);
 }
 
 }  // namespace
@@ -127,8 +126,7 @@ class TestUnusedVertices : public QObject {
     void handlesNeedVerticesOfCells3D() { handlesNeedVerticesOfCells<3>(); }
     void theyAreNowhereNear2D() { theyAreNowhereNear<2>(); }
     void theyAreNowhereNear3D() { theyAreNowhereNear<3>(); }
-    void surfacesRideOnCells2D() { surfacesRideOnCells<2>(); }
-    void surfacesRideOnCells3D() { surfacesRideOnCells<3>(); }
+    void surfacesRideOnCells3D() { surfacesRideOnCells(); }
 };
 
 QTEST_APPLESS_MAIN(TestUnusedVertices)
