@@ -294,7 +294,7 @@ void TestSolidCli::badSurfaces_data() {
     row("moebius", test::moebius(24), "open edges");
     row("flat", changed([](Surface& s) { s.points.row(1).setZero(); }), "all points lie in one plane");
     row("one-triangle", Surface{kBar.points, {kBar.triangles[0]}, {}}, "open edges");
-    row("no-area", changed([](Surface& s) { s.triangles.push_back({0, 1, 0}); }), "1 triangles without area");
+    row("no-area", changed([](Surface& s) { s.triangles.push_back({0, 1, 0}); }), "1 triangle without area");
     row("twice", changed([](Surface& s) { s.triangles.push_back(s.triangles[7]); }), "1 duplicate triangle");
     textRow("nan.off", "OFF\n3 1 0\n0 0 0\nnan 0 0\n0 1 0\n3 0 1 2\n", "line 4");
     textRow("empty.stl", "", "is empty");

@@ -182,18 +182,21 @@ Points<3> CutPoints::at(const Points<3>& pose) const {
     return placesIn(pose, points);
 }
 
-CutSurface sectionOf(const CutSurface& surface) {
-    CutSurface section;
+CutSurface partOf(const CutSurface& surface, bool onCut) {
+    CutSurface part;
     for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-        if (!surface.onCut[t]) continue;
-        section.triangles.push_back(surface.triangles[t]);
-        section.cells.push_back(surface.cells[t]);
-        section.onCut.push_back(true);
+        if (surface.onCut[t] != onCut) continue;
+        part.triangles.push_back(surface.triangles[t]);
+        part.cells.push_back(surface.cells[t]);
+        part.onCut.push_back(onCut);
     }
-    return section;
+    return part;
 }
 
-DrawMesh drawMesh(const CutSurface& surface, const Points<3>& rest, bool exact) {
+namespace {
+
+/// All but the vertices.
+DrawMesh unshaded(const CutSurface& surface) {
     CutPoints cut(surface);
     DrawMesh mesh;
     mesh.triangles = std::move(cut.triangles);
@@ -201,14 +204,22 @@ DrawMesh drawMesh(const CutSurface& surface, const Points<3>& rest, bool exact) 
     mesh.points = static_cast<int>(mesh.places.size());
     mesh.cells = surface.cells;
     mesh.parts = {{0, static_cast<int>(mesh.triangles.size()), -1}};
+    return mesh;
+}
+
+}  // namespace
+
+DrawMesh drawMesh(const CutSurface& surface, const Points<3>& rest) {
+    DrawMesh mesh = unshaded(surface);
     setVertices(mesh, SmoothGroups(mesh.triangles, drawnPoints(mesh, rest), surface.onCut));
-    int shared = -1;
-    for (std::size_t t = 0; exact && t < mesh.corners.size(); ++t)
-        for (const int corner : mesh.corners[t])
-            if (surface.onCut[t]) {
-                if (shared < 0) shared = mesh.vertices[corner].normal;
-                mesh.vertices[corner].normal = shared;
-            }
+    return mesh;
+}
+
+DrawMesh drawSection(const CutSurface& section) {
+    DrawMesh mesh = unshaded(section);
+    mesh.corners = mesh.triangles;
+    for (int point = 0; point < mesh.points; ++point) mesh.vertices.push_back({point, 0});
+    mesh.normals = 1;
     return mesh;
 }
 

@@ -39,12 +39,13 @@ struct CutPoints {
     Points<3> at(const Points<3>& pose) const;
 };
 
-/// What of it lies on the cut.
-CutSurface sectionOf(const CutSurface& surface);
+/// What of it lies on the cut, or the rest.
+CutSurface partOf(const CutSurface& surface, bool onCut);
 
-/// The surface of a solid, cut or not. Creases are those of the rest shape; what lies on the cut is flat;
-/// of an exact cut it has one normal, whatever those of its slivers are.
-DrawMesh drawMesh(const CutSurface& surface, const Points<3>& rest, bool exact = false);
+/// The surface of a solid, cut or not. Creases are those of the rest shape; what lies on the cut is flat.
+DrawMesh drawMesh(const CutSurface& surface, const Points<3>& rest);
+/// The section of an exact cut, a plane: one normal, whatever those of its slivers are.
+DrawMesh drawSection(const CutSurface& section);
 /// A surface that rides in a solid, with its texture points and materials.
 DrawMesh drawMesh(const Skin& skin, const Embedding<3>& ride);
 

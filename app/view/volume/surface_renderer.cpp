@@ -253,8 +253,13 @@ void SurfaceRenderer::draw(const Sight& sight, const SurfaceStyle& style, bool m
     drawLayer(program, m_layers[Outer], materials);
     m_gl->glDisable(GL_CLIP_DISTANCE0);
     program.setUniformValue("clipPlane", kNoClip);   // the section lies on the plane
-    program.setUniformValue("ownFromBehind", 1.0F);  // slivers of it may have either orientation
+    program.setUniformValue("ownFromBehind", 1.0F);  // slivers of it may have either orientation,
+    program.setUniformValue("flatShading", false);   // and any normal
+    m_gl->glEnable(
+        GL_POLYGON_OFFSET_FILL);  // a detailed surface ends on the section: it does not show through
+    m_gl->glPolygonOffset(-1, -1);
     drawLayer(program, m_layers[Section], false);
+    m_gl->glDisable(GL_POLYGON_OFFSET_FILL);
     if (m_glyphs.count > 0) {
         setUniforms(m_plain, sight, style, {});
         drawGlyphs();

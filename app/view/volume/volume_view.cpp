@@ -193,10 +193,12 @@ void VolumeView::upload() {
 /// Where a detailed surface is cut, the section is the solid's.
 void VolumeView::uploadMeshes() {
     const Points<3>& rest = m_picture.rest->points.cols() > 0 ? m_picture.rest->points : m_picture.pose;
-    m_outer = isRiding() ? drawMesh(*m_picture.skin, *m_picture.ride)
-                         : drawMesh(m_surface, rest, m_cut == CutKind::Exact);
-    m_section =
-        isRiding() && m_cut == CutKind::Exact ? drawMesh(sectionOf(m_surface), rest, true) : DrawMesh();
+    const bool exact = m_cut == CutKind::Exact;
+    if (isRiding())
+        m_outer = drawMesh(*m_picture.skin, *m_picture.ride);
+    else
+        m_outer = drawMesh(exact ? partOf(m_surface, false) : m_surface, rest);
+    m_section = exact ? drawSection(partOf(m_surface, true)) : DrawMesh();
     m_renderer.setMesh(SurfaceRenderer::Outer, m_outer);
     m_renderer.setMesh(SurfaceRenderer::Section, m_section);
     m_drawnTriangles = static_cast<int>(m_outer.triangles.size() + m_section.triangles.size());
@@ -207,8 +209,7 @@ void VolumeView::uploadPose() {
     m_hasNormals = !m_style.flat;
     m_renderer.setPose(SurfaceRenderer::Outer, m_outer,
                        isRiding() ? ridden() : drawnPoints(m_outer, m_picture.pose), m_hasNormals);
-    m_renderer.setPose(SurfaceRenderer::Section, m_section, drawnPoints(m_section, m_picture.pose),
-                       m_hasNormals);
+    m_renderer.setPose(SurfaceRenderer::Section, m_section, drawnPoints(m_section, m_picture.pose), true);
     m_glyphsStale = true;
 }
 
