@@ -881,6 +881,60 @@
     </message>
 </context>
 <context>
+    <name>wend::DetailChooser</name>
+    <message>
+        <source>Detail Surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Surfaces (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This surface cannot ride in the solid. %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose detail surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove detail surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>wend::DetailRow</name>
+    <message>
+        <source>Choose…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation type="unfinished">Entfernen</translation>
+    </message>
+    <message>
+        <source>Choose detail surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Takes a detailed, perhaps textured surface from a file: it rides in the solid, is what the view shows and what surface formats get.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove detail surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The solid is seen and exported with its own surface again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Detail surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>wend::DistortionPanel</name>
     <message>
         <source>Distortion map</source>
@@ -1575,6 +1629,42 @@
     <message>
         <source>Keep surface</source>
         <translation>Oberfläche behalten</translation>
+    </message>
+    <message>
+        <source>Greatest volume</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Aim</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What says how fine the mesh is: how many vertices it has in all, or how large a tetrahedron may be.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Larger tetrahedra are split; in cubed units of the file. Half of it makes about twice as many. At a surface that is kept some may stay larger.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A&amp;im at</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Greatest volume</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change greatest volume</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Aim at a volume</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Aim at vertices</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2322,6 +2412,26 @@
     <message>
         <source>Shift+P</source>
         <translation>Shift+P</translation>
+    </message>
+    <message>
+        <source>Choose Deta&amp;il Surface…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let a detailed, perhaps textured surface from a file ride in the solid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Re&amp;move Detail Surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>See and export the solid with its own surface again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No detailed surface was chosen for the solid.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

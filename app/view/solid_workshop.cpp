@@ -22,6 +22,7 @@
 #include "app/tools/measure_tool.h"
 #include "app/tools/paint_tool.h"
 #include "app/view/actions.h"
+#include "app/view/detail_chooser.h"
 #include "app/view/picture_dialog.h"
 #include "app/view/status_fields.h"
 #include "app/view/surface_check.h"
@@ -49,7 +50,10 @@ SolidWorkshop::SolidWorkshop(const Surroundings& around, QWidget& window)
       m_paintPanel(new PaintPanel(around.session)),
       m_surfacePanel(new SurfacePanel),
       m_check(new SurfaceCheck(around.session, *m_surfacePanel, window)),
-      m_paintMap(around.distortion, *around.actions.showMap) {}
+      m_detail(new DetailChooser(around.session.document(), window)),
+      m_paintMap(around.distortion, *around.actions.showMap) {
+    connectDetail();
+}
 
 SolidWorkshop::~SolidWorkshop() {
     if (m_canvas) m_canvas->setTool(nullptr);
@@ -103,6 +107,7 @@ void SolidWorkshop::setActive(bool active) {
     m_canvas->setMapShown(m_around.actions.showMap->isChecked());
     m_canvas->setDetailShown(m_actions->detail->isChecked());
     m_actions->setHasDetail(m_canvas->hasDetail());
+    showDetail();
     chooseTool();
     showCut();
 }
@@ -247,6 +252,19 @@ void SolidWorkshop::connectCut() {
     connect(m_cutPanel, &CutPanel::planeChosen, m_canvas, &SolidCanvas::setCutPlane);
     connect(m_canvas, &SolidCanvas::cutChanged, this, &SolidWorkshop::showCut);
     connect(&m_around.session, &ShapeSession::frameChanged, this, &SolidWorkshop::showCut);
+}
+
+void SolidWorkshop::connectDetail() {
+    connect(m_actions->chooseDetail, &QAction::triggered, m_detail, &DetailChooser::ask);
+    connect(m_actions->removeDetail, &QAction::triggered, m_detail, &DetailChooser::remove);
+    connect(&m_around.session.document(), &Document::projectChanged, this, &SolidWorkshop::showDetail);
+    connect(m_detail, &DetailChooser::failed, this, &SolidWorkshop::failed);
+    connect(m_detail, &DetailChooser::chosen, this, [this] { m_actions->detail->setChecked(true); });
+}
+
+void SolidWorkshop::showDetail() {
+    const Document& document = m_around.session.document();
+    m_actions->setHasChosenDetail(document.dimension() == 3 && !document.project()->domain.detail.empty());
 }
 
 QString SolidWorkshop::keys() {

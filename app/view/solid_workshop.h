@@ -15,6 +15,7 @@ namespace wend {
 
 class Actions;
 class CutPanel;
+class DetailChooser;
 class DistortionPanel;
 class HandlePanel;
 class MeasurePanel;
@@ -68,6 +69,8 @@ class SolidWorkshop : public QObject {
     void connectView();
     void connectTools();
     void connectCut();
+    void connectDetail();
+    void showDetail();
     void chooseTool();
     void showCut();
     void holdBeyondCut();
@@ -83,6 +86,7 @@ class SolidWorkshop : public QObject {
     PaintPanel* m_paintPanel;
     SurfacePanel* m_surfacePanel;
     SurfaceCheck* m_check;
+    DetailChooser* m_detail;
     std::vector<QWidget*> m_panels;
     QWidget* m_page = nullptr;
     SolidCanvas* m_canvas = nullptr;
