@@ -884,54 +884,54 @@
     <name>wend::DetailChooser</name>
     <message>
         <source>Detail Surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Feine Oberfläche</translation>
     </message>
     <message>
         <source>Surfaces (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Oberflächen (%1)</translation>
     </message>
     <message>
         <source>This surface cannot ride in the solid. %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Oberfläche kann im Körper nicht mitreiten. %1</translation>
     </message>
     <message>
         <source>Choose detail surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Feine Oberfläche wählen</translation>
     </message>
     <message>
         <source>Remove detail surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Feine Oberfläche entfernen</translation>
     </message>
 </context>
 <context>
     <name>wend::DetailRow</name>
     <message>
         <source>Choose…</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen …</translation>
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished">Entfernen</translation>
+        <translation>Entfernen</translation>
     </message>
     <message>
         <source>Choose detail surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Feine Oberfläche wählen</translation>
     </message>
     <message>
         <source>Takes a detailed, perhaps textured surface from a file: it rides in the solid, is what the view shows and what surface formats get.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nimmt eine feine, vielleicht texturierte Oberfläche aus einer Datei: Sie reitet im Körper mit, die Ansicht zeigt sie, und Flächenformate erhalten sie.</translation>
     </message>
     <message>
         <source>Remove detail surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Feine Oberfläche entfernen</translation>
     </message>
     <message>
         <source>The solid is seen and exported with its own surface again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Körper wird wieder mit seiner eigenen Oberfläche gezeigt und exportiert.</translation>
     </message>
     <message>
         <source>Detail surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Feine Oberfläche</translation>
     </message>
 </context>
 <context>
@@ -1632,39 +1632,39 @@
     </message>
     <message>
         <source>Greatest volume</source>
-        <translation type="unfinished"></translation>
+        <translation>Größtes Volumen</translation>
     </message>
     <message>
         <source>Aim</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziel</translation>
     </message>
     <message>
         <source>What says how fine the mesh is: how many vertices it has in all, or how large a tetrahedron may be.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was sagt, wie fein das Netz ist: wie viele Punkte es im Ganzen hat, oder wie groß ein Tetraeder sein darf.</translation>
     </message>
     <message>
         <source>Larger tetrahedra are split; in cubed units of the file. Half of it makes about twice as many. At a surface that is kept some may stay larger.</source>
-        <translation type="unfinished"></translation>
+        <translation>Größere Tetraeder werden geteilt; in Einheiten der Datei hoch drei. Die Hälfte ergibt etwa doppelt so viele. An einer Oberfläche, die bleibt, können einige größer bleiben.</translation>
     </message>
     <message>
         <source>A&amp;im at</source>
-        <translation type="unfinished"></translation>
+        <translation>Z&amp;iel</translation>
     </message>
     <message>
         <source>&amp;Greatest volume</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Größtes Volumen</translation>
     </message>
     <message>
         <source>Change greatest volume</source>
-        <translation type="unfinished"></translation>
+        <translation>Größtes Volumen ändern</translation>
     </message>
     <message>
         <source>Aim at a volume</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumen als Ziel</translation>
     </message>
     <message>
         <source>Aim at vertices</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahl der Punkte als Ziel</translation>
     </message>
 </context>
 <context>
@@ -2415,23 +2415,23 @@
     </message>
     <message>
         <source>Choose Deta&amp;il Surface…</source>
-        <translation type="unfinished"></translation>
+        <translation>Fe&amp;ine Oberfläche wählen …</translation>
     </message>
     <message>
         <source>Let a detailed, perhaps textured surface from a file ride in the solid</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine feine, vielleicht texturierte Oberfläche aus einer Datei im Körper mitreiten lassen</translation>
     </message>
     <message>
         <source>Re&amp;move Detail Surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Feine Oberfläche &amp;entfernen</translation>
     </message>
     <message>
         <source>See and export the solid with its own surface again</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Körper wieder mit seiner eigenen Oberfläche zeigen und exportieren</translation>
     </message>
     <message>
         <source>No detailed surface was chosen for the solid.</source>
-        <translation type="unfinished"></translation>
+        <translation>Für den Körper wurde keine feine Oberfläche gewählt.</translation>
     </message>
 </context>
 <context>

@@ -30,9 +30,9 @@ DetailChooser::DetailChooser(Document& document, QWidget& window)
 
 void DetailChooser::ask() {
     QSettings settings;
-    const QString path = QFileDialog::getOpenFileName(
-        &m_window, tr("Detail Surface"), settings.value("folder").toString(),
-        tr("Surfaces (%1)").arg(QStringLiteral("*.obj *.ply *.stl *.off")));
+    const QString path =
+        QFileDialog::getOpenFileName(&m_window, tr("Detail Surface"), settings.value("folder").toString(),
+                                     tr("Surfaces (%1)").arg(QStringLiteral("*.obj *.ply *.stl *.off")));
     if (path.isEmpty()) return;
     settings.setValue("folder", QFileInfo(path).absolutePath());
     read(QFileInfo(path).absoluteFilePath());
@@ -41,18 +41,19 @@ void DetailChooser::ask() {
 /// In the background: it may be large.
 void DetailChooser::read(const QString& path) {
     const int ticket = ++m_ticket, generation = m_document.generation();
-    QtConcurrent::run([path] { return problemOf(path); })
-        .then(this, [this, path, ticket, generation](const QString& problem) {
-            if (ticket != m_ticket || generation != m_document.generation()) return;
-            if (!problem.isEmpty()) {
-                emit failed(tr("This surface cannot ride in the solid. %1").arg(problem));
-                return;
-            }
-            Project next = *m_document.project();
-            next.domain.detail = path.toStdString();
-            m_document.change(tr("Choose detail surface"), std::move(next));
-            emit chosen();
-        });
+    QtConcurrent::run([path] {
+        return problemOf(path);
+    }).then(this, [this, path, ticket, generation](const QString& problem) {
+        if (ticket != m_ticket || generation != m_document.generation()) return;
+        if (!problem.isEmpty()) {
+            emit failed(tr("This surface cannot ride in the solid. %1").arg(problem));
+            return;
+        }
+        Project next = *m_document.project();
+        next.domain.detail = path.toStdString();
+        m_document.change(tr("Choose detail surface"), std::move(next));
+        emit chosen();
+    });
 }
 
 void DetailChooser::remove() {
