@@ -310,7 +310,7 @@ void SolidWorkshop::exportPicture() {
     }
 }
 
-/// Once for every mesh.
+/// Once for every mesh; what was told of the last one goes.
 void SolidWorkshop::tellOfShape() {
     const auto frame = m_around.session.frame<3>();
     if (!frame || frame->shape == m_told) return;
@@ -320,7 +320,8 @@ void SolidWorkshop::tellOfShape() {
     for (const std::string& notice : frame->built->notices) lines << QString::fromStdString(notice);
     if (frame->built->refineHelps)
         lines << tr("“Refine surface” in the panel “Mesh” lets the surface's triangles be split.");
-    if (!lines.isEmpty()) emit told(lines.join('\n'));
+    if (!lines.isEmpty() || m_hasTold) emit told(lines.join('\n'));
+    m_hasTold = !lines.isEmpty();
 }
 
 void SolidWorkshop::showCut() {

@@ -93,6 +93,7 @@ class SolidWorkshop : public QObject {
     bool m_isActive = false;
     int m_lastCut = 2;
     std::shared_ptr<const void> m_told;  // the rest mesh whose notices were told
+    bool m_hasTold = false;              // and there were some
     Manipulator m_manipulator;
     PaintMap m_paintMap;
     std::vector<std::pair<QAction*, std::unique_ptr<SolidTool>>> m_tools;
