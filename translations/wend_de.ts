@@ -2491,6 +2491,10 @@
         <source>“Refine surface” in the panel “Mesh” lets the surface&apos;s triangles be split.</source>
         <translation>„Oberfläche verfeinern“ im Feld „Netz“ lässt die Dreiecke der Oberfläche teilen.</translation>
     </message>
+    <message>
+        <source>These pictures of the surface cannot be read: %1</source>
+        <translation>Diese Bilder der Oberfläche sind nicht zu lesen: %1</translation>
+    </message>
 </context>
 <context>
     <name>wend::StartPage</name>

@@ -11,7 +11,8 @@ namespace wend {
 
 namespace {
 
-constexpr double kSpacing = 0.6;  // of the radius
+constexpr double kSpacing = 0.6;       // of the radius
+constexpr double kLargestBrush = 300;  // pixels
 
 }  // namespace
 
@@ -106,9 +107,9 @@ bool PaintTool::key(const QKeyEvent& event) {
         surface().redraw();
         return true;
     }
-    const double factor = event.text() == "[" ? 0.8 : event.text() == "]" ? 1.25 : 1;
-    if (factor == 1) return false;
-    m_radius = std::clamp(m_radius * factor, 4.0, 300.0);
+    const auto radius = brushAfter(event, m_radius, kLargestBrush);
+    if (!radius) return false;
+    m_radius = *radius;
     surface().redraw();
     return true;
 }
