@@ -881,6 +881,60 @@
     </message>
 </context>
 <context>
+    <name>wend::DetailChooser</name>
+    <message>
+        <source>Detail Surface</source>
+        <translation>Feine Oberfläche</translation>
+    </message>
+    <message>
+        <source>Surfaces (%1)</source>
+        <translation>Oberflächen (%1)</translation>
+    </message>
+    <message>
+        <source>This surface cannot ride in the solid. %1</source>
+        <translation>Diese Oberfläche kann im Körper nicht mitreiten. %1</translation>
+    </message>
+    <message>
+        <source>Choose detail surface</source>
+        <translation>Feine Oberfläche wählen</translation>
+    </message>
+    <message>
+        <source>Remove detail surface</source>
+        <translation>Feine Oberfläche entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>wend::DetailRow</name>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen …</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Choose detail surface</source>
+        <translation>Feine Oberfläche wählen</translation>
+    </message>
+    <message>
+        <source>Takes a detailed, perhaps textured surface from a file: it rides in the solid, is what the view shows and what surface formats get.</source>
+        <translation>Nimmt eine feine, vielleicht texturierte Oberfläche aus einer Datei: Sie reitet im Körper mit, die Ansicht zeigt sie, und Flächenformate erhalten sie.</translation>
+    </message>
+    <message>
+        <source>Remove detail surface</source>
+        <translation>Feine Oberfläche entfernen</translation>
+    </message>
+    <message>
+        <source>The solid is seen and exported with its own surface again.</source>
+        <translation>Der Körper wird wieder mit seiner eigenen Oberfläche gezeigt und exportiert.</translation>
+    </message>
+    <message>
+        <source>Detail surface</source>
+        <translation>Feine Oberfläche</translation>
+    </message>
+</context>
+<context>
     <name>wend::DistortionPanel</name>
     <message>
         <source>Distortion map</source>
@@ -1575,6 +1629,42 @@
     <message>
         <source>Keep surface</source>
         <translation>Oberfläche behalten</translation>
+    </message>
+    <message>
+        <source>Greatest volume</source>
+        <translation>Größtes Volumen</translation>
+    </message>
+    <message>
+        <source>Aim</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>What says how fine the mesh is: how many vertices it has in all, or how large a tetrahedron may be.</source>
+        <translation>Was sagt, wie fein das Netz ist: wie viele Punkte es im Ganzen hat, oder wie groß ein Tetraeder sein darf.</translation>
+    </message>
+    <message>
+        <source>Larger tetrahedra are split; in cubed units of the file. Half of it makes about twice as many. At a surface that is kept some may stay larger.</source>
+        <translation>Größere Tetraeder werden geteilt; in Einheiten der Datei hoch drei. Die Hälfte ergibt etwa doppelt so viele. An einer Oberfläche, die bleibt, können einige größer bleiben.</translation>
+    </message>
+    <message>
+        <source>A&amp;im at</source>
+        <translation>Z&amp;iel</translation>
+    </message>
+    <message>
+        <source>&amp;Greatest volume</source>
+        <translation>&amp;Größtes Volumen</translation>
+    </message>
+    <message>
+        <source>Change greatest volume</source>
+        <translation>Größtes Volumen ändern</translation>
+    </message>
+    <message>
+        <source>Aim at a volume</source>
+        <translation>Volumen als Ziel</translation>
+    </message>
+    <message>
+        <source>Aim at vertices</source>
+        <translation>Zahl der Punkte als Ziel</translation>
     </message>
 </context>
 <context>
@@ -2322,6 +2412,26 @@
     <message>
         <source>Shift+P</source>
         <translation>Shift+P</translation>
+    </message>
+    <message>
+        <source>Choose Deta&amp;il Surface…</source>
+        <translation>Fe&amp;ine Oberfläche wählen …</translation>
+    </message>
+    <message>
+        <source>Let a detailed, perhaps textured surface from a file ride in the solid</source>
+        <translation>Eine feine, vielleicht texturierte Oberfläche aus einer Datei im Körper mitreiten lassen</translation>
+    </message>
+    <message>
+        <source>Re&amp;move Detail Surface</source>
+        <translation>Feine Oberfläche &amp;entfernen</translation>
+    </message>
+    <message>
+        <source>See and export the solid with its own surface again</source>
+        <translation>Den Körper wieder mit seiner eigenen Oberfläche zeigen und exportieren</translation>
+    </message>
+    <message>
+        <source>No detailed surface was chosen for the solid.</source>
+        <translation>Für den Körper wurde keine feine Oberfläche gewählt.</translation>
     </message>
 </context>
 <context>

@@ -8,6 +8,8 @@
 #include <cmath>
 
 #include "app/document/options.h"
+#include "app/panels/detail_row.h"
+#include "app/panels/magnitude_box.h"
 #include "app/panels/panel_parts.h"
 
 namespace wend {
@@ -27,6 +29,17 @@ int verticesOf(int slider) {
     return static_cast<int>(std::lround(exact / unit) * unit);
 }
 
+enum Aim { kVertices, kVolume };
+
+/// The greatest cell that there is now, to two digits.
+double greatestVolume(const PosedFrame<3>& frame) {
+    double greatest = 0;
+    for (const Cell<3>& cell : frame.rest->cells)
+        greatest = std::max(greatest, std::abs(cellMeasure<3>(frame.rest->points, cell)));
+    const double unit = std::pow(10, std::floor(std::log10(greatest)) - 1);
+    return std::ceil(greatest / unit) * unit;
+}
+
 }  // namespace
 
 MeshPanel::MeshPanel(ShapeSession& session, QWidget* parent)
@@ -39,10 +52,15 @@ MeshPanel::MeshPanel(ShapeSession& session, QWidget* parent)
       m_density(new QSlider(Qt::Horizontal, this)),
       m_quality(new QDoubleSpinBox(this)),
       m_refine(new QCheckBox(tr("Refine &surface"), this)),
+      m_aim(new QComboBox(this)),
+      m_volume(new MagnitudeBox(this)),
+      m_detail(new DetailRow(this)),
       m_counts(secondLabel({}, this)) {
     makeControls();
+    makeSolidControls();
     arrange();
     connectControls();
+    connectSolidControls();
     connect(&m_session.document(), &Document::projectChanged, this, &MeshPanel::showProject);
     connect(&m_session, &ShapeSession::frameChanged, this, &MeshPanel::showCounts);
     showProject();
@@ -74,6 +92,20 @@ void MeshPanel::makeControls() {
     m_vertices->setFixedWidth(116);
     describe(m_vertices, tr("Vertices"),
              tr("How fine the mesh is. More vertices bend more smoothly and take longer."));
+    m_density->setRange(0, 1000);
+    describe(m_density, tr("Mesh density"), m_vertices->statusTip());
+}
+
+void MeshPanel::makeSolidControls() {
+    m_aim->addItems({tr("Vertices"), tr("Greatest volume")});
+    m_aim->setFixedWidth(150);
+    describe(m_aim, tr("Aim"),
+             tr("What says how fine the mesh is: how many vertices it has in all, or how large a "
+                "tetrahedron may be."));
+    m_volume->setFixedWidth(116);
+    describe(m_volume, tr("Greatest volume"),
+             tr("Larger tetrahedra are split; in cubed units of the file. Half of it makes about twice as "
+                "many. At a surface that is kept some may stay larger."));
     m_quality->setRange(1.2, 4);
     m_quality->setDecimals(2);
     m_quality->setSingleStep(0.1);
@@ -87,8 +119,6 @@ void MeshPanel::makeControls() {
         m_refine, tr("Refine surface"),
         tr("Lets the triangles of the surface be split where they are larger than the tetrahedra inside. "
            "Off, the surface is kept exactly as it is."));
-    m_density->setRange(0, 1000);
-    describe(m_density, tr("Mesh density"), m_vertices->statusTip());
 }
 
 void MeshPanel::arrange() {
@@ -106,12 +136,16 @@ void MeshPanel::arrange() {
     };
     m_pictureRows = {row(tr("&Outline"), m_outline), row(tr("&Threshold"), m_threshold),
                      row(tr("Ma&rgin"), m_margin)};
+    QWidget* aim = row(tr("A&im at"), m_aim);
     QWidget* vertices = row(tr("&Vertices"), m_vertices);
     layout->addWidget(m_density);
+    QWidget* volume = row(tr("&Greatest volume"), m_volume);
     QWidget* quality = row(tr("R&oundness"), m_quality);
     layout->addWidget(m_refine);
-    m_solidRows = {quality, m_refine};
+    layout->addWidget(m_detail);
+    m_solidRows = {aim, quality, m_refine};
     m_surfaceRows = {vertices, m_density};
+    m_volumeRows = {volume};
     layout->addWidget(m_counts);
 }
 
@@ -128,13 +162,6 @@ void MeshPanel::connectControls() {
     connect(m_margin, &QDoubleSpinBox::valueChanged, this, [this](double value) {
         edit(tr("Change margin"), QStringLiteral("margin"), [value](Domain& d) { d.alpha.margin = value; });
     });
-    connect(m_quality, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-        edit(tr("Change roundness"), QStringLiteral("quality"), [value](Domain& d) { d.quality = value; });
-    });
-    connect(m_refine, &QCheckBox::clicked, this, [this](bool on) {
-        edit(on ? tr("Refine surface") : tr("Keep surface"), {},
-             [on](Domain& domain) { domain.refineSurface = on; });
-    });
     const auto setVertices = [this](int count) {
         edit(tr("Change mesh density"), QStringLiteral("vertices %1").arg(m_gesture),
              [count](Domain& domain) {
@@ -147,6 +174,37 @@ void MeshPanel::connectControls() {
     connect(m_density, &QSlider::sliderPressed, this, [this] { ++m_gesture; });
     connect(m_density, &QSlider::valueChanged, this,
             [setVertices](int value) { setVertices(verticesOf(value)); });
+}
+
+void MeshPanel::connectSolidControls() {
+    connect(m_quality, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+        edit(tr("Change roundness"), QStringLiteral("quality"), [value](Domain& d) { d.quality = value; });
+    });
+    connect(m_refine, &QCheckBox::clicked, this, [this](bool on) {
+        edit(on ? tr("Refine surface") : tr("Keep surface"), {},
+             [on](Domain& domain) { domain.refineSurface = on; });
+    });
+    connect(m_aim, &QComboBox::activated, this, [this](int aim) { setAim(aim == kVolume); });
+    connect(m_volume, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+        edit(tr("Change greatest volume"), QStringLiteral("maxVolume"),
+             [value](Domain& d) { d.maxVolume = value; });
+    });
+    connect(m_detail, &DetailRow::wanted, this, &MeshPanel::detailWanted);
+    connect(m_detail, &DetailRow::removed, this, &MeshPanel::detailRemoved);
+}
+
+/// Begins with the volume that the mesh has now, so that it stays about as fine.
+void MeshPanel::setAim(bool volume) {
+    const bool isVolume = m_session.document().project()->domain.maxVolume > 0;
+    if (volume == isVolume) return;
+    const auto frame = m_session.frame<3>();
+    if (volume && !frame) {
+        showProject();
+        return;
+    }
+    const double greatest = volume ? greatestVolume(*frame) : 0;
+    edit(volume ? tr("Aim at a volume") : tr("Aim at vertices"), {},
+         [greatest](Domain& domain) { domain.maxVolume = greatest; });
 }
 
 template <class Edit>
@@ -164,7 +222,9 @@ void MeshPanel::showProject() {
     const bool solid = m_session.document().dimension() == 3;
     for (QWidget* row : m_pictureRows) row->setVisible(!solid);
     for (QWidget* row : m_surfaceRows) row->setVisible(!solid);
-    for (QWidget* row : m_solidRows) row->hide();
+    for (const auto& rows : {m_solidRows, m_volumeRows})
+        for (QWidget* row : rows) row->hide();
+    m_detail->setVisible(solid);
     setEnabled(picture);
     if (solid) {
         showSolid(m_session.document().project()->domain);
@@ -194,10 +254,15 @@ void MeshPanel::showProject() {
 void MeshPanel::showSolid(const Domain& domain) {
     const bool surface = domain.kind == DomainKind::Surface;
     setEnabled(true);
-    for (const auto& rows : {m_surfaceRows, m_solidRows})
-        for (QWidget* row : rows) row->setVisible(surface);
+    const bool volume = domain.maxVolume > 0;
+    for (QWidget* row : m_solidRows) row->setVisible(surface);
+    for (QWidget* row : m_surfaceRows) row->setVisible(surface && !volume);
+    for (QWidget* row : m_volumeRows) row->setVisible(surface && volume);
     setToolTip(surface ? QString() : tr("The mesh comes from a file and is used as it is."));
-    const QSignalBlocker a(m_vertices), b(m_density), c(m_quality);
+    const QSignalBlocker a(m_vertices), b(m_density), c(m_quality), d(m_volume);
+    m_aim->setCurrentIndex(volume ? kVolume : kVertices);
+    if (volume) m_volume->setValue(domain.maxVolume);
+    m_detail->showDomain(domain);
     m_quality->setValue(domain.quality);
     m_refine->setChecked(domain.refineSurface);
     m_vertices->setValue(domain.vertices);

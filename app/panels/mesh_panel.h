@@ -13,6 +13,9 @@ class QSpinBox;
 
 namespace wend {
 
+class DetailRow;
+class MagnitudeBox;
+
 /// Where the shape's outline comes from and how fine the mesh is.
 class MeshPanel : public QWidget {
     Q_OBJECT
@@ -20,10 +23,18 @@ class MeshPanel : public QWidget {
   public:
     explicit MeshPanel(ShapeSession& session, QWidget* parent = nullptr);
 
+  signals:
+    /// A detailed surface for the solid is to be chosen, or taken away.
+    void detailWanted();
+    void detailRemoved();
+
   private:
     void makeControls();
+    void makeSolidControls();
     void arrange();
     void connectControls();
+    void connectSolidControls();
+    void setAim(bool volume);
     void showProject();
     void showSolid(const Domain& domain);
     void showCounts();
@@ -39,7 +50,11 @@ class MeshPanel : public QWidget {
     QSlider* m_density;
     QDoubleSpinBox* m_quality;
     QCheckBox* m_refine;
-    std::vector<QWidget*> m_pictureRows, m_surfaceRows, m_solidRows;
+    QComboBox* m_aim;
+    MagnitudeBox* m_volume;
+    DetailRow* m_detail;
+    // of pictures; of all that is meshed; of surfaces; of surfaces by their aim
+    std::vector<QWidget*> m_pictureRows, m_surfaceRows, m_solidRows, m_volumeRows;
     QLabel* m_counts;
     int m_gesture = 0;
 };

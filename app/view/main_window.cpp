@@ -180,6 +180,8 @@ void MainWindow::connectFiles() {
     connect(m_solids, &SolidWorkshop::failed, m_banner, &InfoBanner::showText);
     connect(m_solids, &SolidWorkshop::told, m_banner, &InfoBanner::showText);
     connect(m_solids, &SolidWorkshop::done, this, &MainWindow::tell);
+    connect(m_mesh, &MeshPanel::detailWanted, m_solids->actions().chooseDetail, &QAction::trigger);
+    connect(m_mesh, &MeshPanel::detailRemoved, m_solids->actions().removeDetail, &QAction::trigger);
     connect(a.exportMesh, &QAction::triggered, m_exporter, &Exporter::exportMesh);
     connect(a.exportFrames, &QAction::triggered, m_exporter, &Exporter::exportFrames);
     connect(a.exportStMap, &QAction::triggered, m_exporter, &Exporter::exportStMap);

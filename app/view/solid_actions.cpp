@@ -68,6 +68,11 @@ void SolidActions::makeView() {
                       "the tetrahedra, which bend")},
                   QKeySequence(tr("Shift+D")));
     detail->setChecked(true);
+    chooseDetail = add({tr("Choose Deta&il Surface…"),
+                        tr("Let a detailed, perhaps textured surface from a file ride in the solid")},
+                       {});
+    removeDetail =
+        add({tr("Re&move Detail Surface"), tr("See and export the solid with its own surface again")}, {});
     flat = addToggle({tr("&Flat Faces"), tr("Shade every triangle by itself instead of smoothly")},
                      QKeySequence(tr("Shift+F")));
     orthographic = addToggle({tr("&Parallel View"), tr("See without perspective")}, QKeySequence(tr("5")));
@@ -108,6 +113,8 @@ void SolidActions::makeMenu() {
     m_menu->addMenu(tr("L&ook from"))->addActions({front, back, right, left, top, bottom, oblique});
     m_menu->addMenu(tr("&Navigation"))->addActions({wendKeys, vtkKeys, blenderKeys});
     m_menu->addActions({detail, orthographic, flat, cut, arrows, ellipsoids});
+    m_menu->addSeparator();
+    m_menu->addActions({chooseDetail, removeDetail});
 }
 
 void SolidActions::resetView() {
@@ -117,6 +124,10 @@ void SolidActions::resetView() {
 
 void SolidActions::setHasDetail(bool has) {
     enable(detail, has, tr("The solid has neither a detailed surface nor materials."));
+}
+
+void SolidActions::setHasChosenDetail(bool has) {
+    enable(removeDetail, has, tr("No detailed surface was chosen for the solid."));
 }
 
 void SolidActions::setShown(bool shown) {

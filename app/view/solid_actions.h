@@ -23,11 +23,14 @@ class SolidActions : public ActionMaker {
     QAction *front, *back, *right, *left, *top, *bottom, *oblique;
     QAction *wendKeys, *vtkKeys, *blenderKeys;
     QAction* cut;
+    QAction *chooseDetail, *removeDetail;
 
     QMenu* menu() const { return m_menu.get(); }
     void setShown(bool shown);
     /// Whether the solid has a surface of its own, beside its tetrahedra.
     void setHasDetail(bool has);
+    /// Whether that is one that was chosen for it.
+    void setHasChosenDetail(bool has);
     /// What is shown of a solid, as at the start.
     void resetView();
 

@@ -22,6 +22,7 @@
 #include "app/tools/measure_tool.h"
 #include "app/tools/paint_tool.h"
 #include "app/view/actions.h"
+#include "app/view/detail_chooser.h"
 #include "app/view/picture_dialog.h"
 #include "app/view/status_fields.h"
 #include "app/view/surface_check.h"
@@ -49,7 +50,10 @@ SolidWorkshop::SolidWorkshop(const Surroundings& around, QWidget& window)
       m_paintPanel(new PaintPanel(around.session)),
       m_surfacePanel(new SurfacePanel),
       m_check(new SurfaceCheck(around.session, *m_surfacePanel, window)),
-      m_paintMap(around.distortion, *around.actions.showMap) {}
+      m_detail(new DetailChooser(around.session.document(), window)),
+      m_paintMap(around.distortion, *around.actions.showMap) {
+    connectDetail();
+}
 
 SolidWorkshop::~SolidWorkshop() {
     if (m_canvas) m_canvas->setTool(nullptr);
@@ -103,6 +107,7 @@ void SolidWorkshop::setActive(bool active) {
     m_canvas->setMapShown(m_around.actions.showMap->isChecked());
     m_canvas->setDetailShown(m_actions->detail->isChecked());
     m_actions->setHasDetail(m_canvas->hasDetail());
+    showDetail();
     chooseTool();
     showCut();
 }
@@ -249,6 +254,19 @@ void SolidWorkshop::connectCut() {
     connect(&m_around.session, &ShapeSession::frameChanged, this, &SolidWorkshop::showCut);
 }
 
+void SolidWorkshop::connectDetail() {
+    connect(m_actions->chooseDetail, &QAction::triggered, m_detail, &DetailChooser::ask);
+    connect(m_actions->removeDetail, &QAction::triggered, m_detail, &DetailChooser::remove);
+    connect(&m_around.session.document(), &Document::projectChanged, this, &SolidWorkshop::showDetail);
+    connect(m_detail, &DetailChooser::failed, this, &SolidWorkshop::failed);
+    connect(m_detail, &DetailChooser::chosen, this, [this] { m_actions->detail->setChecked(true); });
+}
+
+void SolidWorkshop::showDetail() {
+    const Document& document = m_around.session.document();
+    m_actions->setHasChosenDetail(document.dimension() == 3 && !document.project()->domain.detail.empty());
+}
+
 QString SolidWorkshop::keys() {
     return tr(
         "<table cellspacing='6'>"
@@ -292,7 +310,7 @@ void SolidWorkshop::exportPicture() {
     }
 }
 
-/// Once for every mesh.
+/// Once for every mesh; what was told of the last one goes.
 void SolidWorkshop::tellOfShape() {
     const auto frame = m_around.session.frame<3>();
     if (!frame || frame->shape == m_told) return;
@@ -302,7 +320,8 @@ void SolidWorkshop::tellOfShape() {
     for (const std::string& notice : frame->built->notices) lines << QString::fromStdString(notice);
     if (frame->built->refineHelps)
         lines << tr("“Refine surface” in the panel “Mesh” lets the surface's triangles be split.");
-    if (!lines.isEmpty()) emit told(lines.join('\n'));
+    if (!lines.isEmpty() || m_hasTold) emit told(lines.join('\n'));
+    m_hasTold = !lines.isEmpty();
 }
 
 void SolidWorkshop::showCut() {

@@ -15,6 +15,7 @@ namespace wend {
 
 class Actions;
 class CutPanel;
+class DetailChooser;
 class DistortionPanel;
 class HandlePanel;
 class MeasurePanel;
@@ -68,6 +69,8 @@ class SolidWorkshop : public QObject {
     void connectView();
     void connectTools();
     void connectCut();
+    void connectDetail();
+    void showDetail();
     void chooseTool();
     void showCut();
     void holdBeyondCut();
@@ -83,12 +86,14 @@ class SolidWorkshop : public QObject {
     PaintPanel* m_paintPanel;
     SurfacePanel* m_surfacePanel;
     SurfaceCheck* m_check;
+    DetailChooser* m_detail;
     std::vector<QWidget*> m_panels;
     QWidget* m_page = nullptr;
     SolidCanvas* m_canvas = nullptr;
     bool m_isActive = false;
     int m_lastCut = 2;
     std::shared_ptr<const void> m_told;  // the rest mesh whose notices were told
+    bool m_hasTold = false;              // and there were some
     Manipulator m_manipulator;
     PaintMap m_paintMap;
     std::vector<std::pair<QAction*, std::unique_ptr<SolidTool>>> m_tools;

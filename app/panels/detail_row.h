@@ -1,0 +1,29 @@
+#pragma once
+
+#include <QWidget>
+
+#include "app/document/project.h"
+
+class QLabel;
+class QToolButton;
+
+namespace wend {
+
+/// Which detailed surface rides in a solid; a button to choose one and one to take it away.
+class DetailRow : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit DetailRow(QWidget* parent = nullptr);
+    void showDomain(const Domain& domain);
+
+  signals:
+    void wanted();
+    void removed();
+
+  private:
+    QLabel* m_name;
+    QToolButton *m_choose, *m_remove;
+};
+
+}  // namespace wend

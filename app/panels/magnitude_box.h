@@ -1,0 +1,19 @@
+#pragma once
+
+#include <QDoubleSpinBox>
+
+namespace wend {
+
+/// A positive number of any size, with six digits that count; a step changes it by a tenth.
+class MagnitudeBox : public QDoubleSpinBox {
+    Q_OBJECT
+
+  public:
+    explicit MagnitudeBox(QWidget* parent = nullptr);
+    QString textFromValue(double value) const override;
+    double valueFromText(const QString& text) const override;
+    QValidator::State validate(QString& text, int& at) const override;
+    void stepBy(int steps) override;
+};
+
+}  // namespace wend

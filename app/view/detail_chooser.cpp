@@ -1,0 +1,67 @@
+#include "app/view/detail_chooser.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QSettings>
+#include <QtConcurrent>
+
+#include "core/mesh/error.h"
+#include "core/mesh/skin_file.h"
+
+namespace wend {
+
+namespace {
+
+/// What is wrong with the file; empty if nothing is.
+QString problemOf(const QString& path) try {
+    const Skin skin = readSkin(path.toStdString());
+    if (skin.triangles.empty()) throw InputError(path.toStdString(), "has no triangle");
+    if (!skin.points.allFinite())
+        throw InputError(path.toStdString(), "has coordinates that are not finite numbers");
+    return {};
+} catch (const std::exception& error) {
+    return QString::fromUtf8(error.what());
+}
+
+}  // namespace
+
+DetailChooser::DetailChooser(Document& document, QWidget& window)
+    : QObject(&window), m_document(document), m_window(window) {}
+
+void DetailChooser::ask() {
+    QSettings settings;
+    const QString path =
+        QFileDialog::getOpenFileName(&m_window, tr("Detail Surface"), settings.value("folder").toString(),
+                                     tr("Surfaces (%1)").arg(QStringLiteral("*.obj *.ply *.stl *.off")));
+    if (path.isEmpty()) return;
+    settings.setValue("folder", QFileInfo(path).absolutePath());
+    read(QFileInfo(path).absoluteFilePath());
+}
+
+/// In the background: it may be large.
+void DetailChooser::read(const QString& path) {
+    const int ticket = ++m_ticket, generation = m_document.generation();
+    QtConcurrent::run([path] {
+        return problemOf(path);
+    }).then(this, [this, path, ticket, generation](const QString& problem) {
+        if (ticket != m_ticket || generation != m_document.generation()) return;
+        if (!problem.isEmpty()) {
+            emit failed(tr("This surface cannot ride in the solid. %1").arg(problem));
+            return;
+        }
+        Project next = *m_document.project();
+        next.domain.detail = path.toStdString();
+        m_document.change(tr("Choose detail surface"), std::move(next));
+        emit chosen();
+    });
+}
+
+void DetailChooser::remove() {
+    if (m_document.isEmpty() || m_document.project()->domain.detail.empty()) return;
+    ++m_ticket;
+    Project next = *m_document.project();
+    next.domain.detail.clear();
+    m_document.change(tr("Remove detail surface"), std::move(next));
+}
+
+}  // namespace wend
