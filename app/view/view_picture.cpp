@@ -30,7 +30,7 @@ Image imageOf(const QImage& picture) {
     image.height = straight.height();
     image.channels = 4;
     image.alpha = image.unassociated = true;
-    image.data.resize(image.rowBytes() * static_cast<std::size_t>(image.height));
+    image.makePixels();
     for (int y = 0; y < image.height; ++y)
         std::memcpy(image.row(y), straight.constScanLine(y), image.rowBytes());
     return image;
