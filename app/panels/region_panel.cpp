@@ -1,9 +1,11 @@
 #include "app/panels/region_panel.h"
 
 #include <QComboBox>
+#include <algorithm>
 #include <cmath>
 
 #include "app/document/handle_edits.h"
+#include "app/panels/exact_box.h"
 #include "app/panels/panel_parts.h"
 #include "app/session/solid_places.h"
 
@@ -12,16 +14,19 @@ namespace wend {
 namespace {
 
 enum Kind { kBall, kBox, kHalf };
+constexpr int kDirectionDigits = 6;
 
-Vec<3> valuesOf(const std::array<QDoubleSpinBox*, 3>& boxes) {
-    return {boxes[0]->value(), boxes[1]->value(), boxes[2]->value()};
+Vec<3> valuesOf(const std::array<ExactBox*, 3>& boxes) {
+    return {boxes[0]->exact(), boxes[1]->exact(), boxes[2]->exact()};
 }
 
-void put(const std::array<QDoubleSpinBox*, 3>& boxes, const Vec<3>& values) {
-    for (int k = 0; k < 3; ++k) {
-        const QSignalBlocker quiet(boxes[k]);
-        boxes[k]->setValue(values[k]);
-    }
+void put(const std::array<ExactBox*, 3>& boxes, const Vec<3>& values) {
+    for (int k = 0; k < 3; ++k) boxes[k]->put(values[k]);
+}
+
+/// Behind the point, so that lengths are shown to a ten-thousandth of the shape at least.
+int digitsFor(double diagonal) {
+    return diagonal > 0 ? std::clamp(4 - static_cast<int>(std::floor(std::log10(diagonal))), 1, 12) : 4;
 }
 
 /// The middle and the reach of any of the three.
@@ -43,22 +48,22 @@ RegionPanel::RegionPanel(ShapeSession& session, QWidget* parent)
       m_secondName(secondLabel({}, this)),
       m_count(secondLabel({}, this)),
       m_radiusRow(new QWidget(this)),
-      m_radius(new QDoubleSpinBox(this)) {
+      m_radius(new ExactBox(this)) {
     makeControls();
     arrange();
     connect(m_kind, &QComboBox::activated, this, &RegionPanel::chooseKind);
     connect(m_radius, &QDoubleSpinBox::valueChanged, this, [this] { apply(numbers()); });
-    for (QDoubleSpinBox* box : {m_first[0], m_first[1], m_first[2], m_second[0], m_second[1], m_second[2]})
+    for (ExactBox* box : {m_first[0], m_first[1], m_first[2], m_second[0], m_second[1], m_second[2]})
         connect(box, &QDoubleSpinBox::valueChanged, this, [this] { apply(numbers()); });
     connect(&m_session, &ShapeSession::pinsChanged, this, &RegionPanel::showHandle);
-    connect(&m_session, &ShapeSession::frameChanged, this, &RegionPanel::showHandle);
+    connect(&m_session, &ShapeSession::frameChanged, this, &RegionPanel::takeFrame);
     showHandle();
 }
 
 RegionPanel::Numbers RegionPanel::makeNumbers() {
     Numbers boxes;
-    for (QDoubleSpinBox*& box : boxes) {
-        box = new QDoubleSpinBox(this);
+    for (ExactBox*& box : boxes) {
+        box = new ExactBox(this);
         box->setRange(-1e9, 1e9);
         box->setDecimals(4);
         box->setKeyboardTracking(false);
@@ -94,7 +99,7 @@ void RegionPanel::arrange() {
     for (const auto& [name, boxes] : {std::pair{m_firstName, m_first}, {m_secondName, m_second}}) {
         layout->addWidget(name);
         auto* row = new QHBoxLayout;
-        for (QDoubleSpinBox* box : boxes) row->addWidget(box);
+        for (ExactBox* box : boxes) row->addWidget(box);
         layout->addLayout(row);
     }
     auto* radius = panelRow(tr("Ra&dius"), m_radius, m_radiusRow);
@@ -115,7 +120,7 @@ const Region<3>* RegionPanel::region() const {
 
 Region<3> RegionPanel::numbers() const {
     const Vec<3> a = valuesOf(m_first), b = valuesOf(m_second);
-    if (m_kind->currentIndex() == kBall) return Ball<3>{a, m_radius->value()};
+    if (m_kind->currentIndex() == kBall) return Ball<3>{a, m_radius->exact()};
     if (m_kind->currentIndex() == kBox) return Box<3>{a.cwiseMin(b), a.cwiseMax(b)};
     return HalfSpace<3>{a, b};
 }
@@ -144,7 +149,7 @@ void RegionPanel::apply(const Region<3>& next) {
 }
 
 void RegionPanel::showNumbers(const Region<3>& region) {
-    const QSignalBlocker a(m_kind), b(m_radius);
+    const QSignalBlocker quiet(m_kind);
     const int kind = std::holds_alternative<Ball<3>>(region)  ? kBall
                      : std::holds_alternative<Box<3>>(region) ? kBox
                                                               : kHalf;
@@ -152,11 +157,12 @@ void RegionPanel::showNumbers(const Region<3>& region) {
     m_firstName->setText(kind == kBall ? tr("centre") : kind == kBox ? tr("from") : tr("point of the plane"));
     m_secondName->setText(kind == kBox ? tr("to") : tr("direction into it"));
     m_secondName->setVisible(kind != kBall);
-    for (QDoubleSpinBox* box : m_second) box->setVisible(kind != kBall);
+    for (ExactBox* box : m_second) box->setVisible(kind != kBall);
     m_radiusRow->setVisible(kind == kBall);
+    showDigits(kind == kHalf);
     if (const auto* ball = std::get_if<Ball<3>>(&region)) {
         put(m_first, ball->centre);
-        m_radius->setValue(ball->radius);
+        m_radius->put(ball->radius);
     } else if (const auto* box = std::get_if<Box<3>>(&region)) {
         put(m_first, box->min);
         put(m_second, box->max);
@@ -166,9 +172,26 @@ void RegionPanel::showNumbers(const Region<3>& region) {
     }
 }
 
+/// As the shape is large; a direction has no length.
+void RegionPanel::showDigits(bool direction) {
+    const int digits = digitsFor(m_session.frame() ? m_session.frame()->diagonal : 0);
+    for (ExactBox* box : m_first) box->showDigits(digits);
+    for (ExactBox* box : m_second) box->showDigits(direction ? kDirectionDigits : digits);
+    m_radius->showDigits(digits);
+    const QSignalBlocker quiet(m_radius);
+    m_radius->setMinimum(std::pow(0.1, digits));
+}
+
+/// Poses change nothing here.
+void RegionPanel::takeFrame() {
+    const auto frame = m_session.frame<3>();
+    if (!frame || frame->shape != m_mesh || isHidden()) showHandle();
+}
+
 void RegionPanel::showHandle() {
     const Region<3>* now = region();
     const auto frame = m_session.frame<3>();
+    m_mesh = frame ? frame->shape : nullptr;
     setVisible(now && frame);
     if (!now || !frame) return;
     showNumbers(*now);

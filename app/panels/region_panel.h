@@ -5,10 +5,11 @@
 #include "app/session/shape_session.h"
 
 class QComboBox;
-class QDoubleSpinBox;
 class QLabel;
 
 namespace wend {
+
+class ExactBox;
 
 /// The region that the one selected handle of a solid holds, in numbers of the rest shape, and how many
 /// vertices that are. Only there for such a handle.
@@ -19,11 +20,13 @@ class RegionPanel : public QWidget {
     explicit RegionPanel(ShapeSession& session, QWidget* parent = nullptr);
 
   private:
-    using Numbers = std::array<QDoubleSpinBox*, 3>;
+    using Numbers = std::array<ExactBox*, 3>;
     void makeControls();
     Numbers makeNumbers();
     void arrange();
     void showHandle();
+    void takeFrame();
+    void showDigits(bool direction);
     void showNumbers(const Region<3>& region);
     void chooseKind(int kind);
     void apply(const Region<3>& region);
@@ -34,8 +37,9 @@ class RegionPanel : public QWidget {
     QComboBox* m_kind;
     QLabel *m_firstName, *m_secondName, *m_count;
     Numbers m_first, m_second;
+    std::shared_ptr<const void> m_mesh;  // whose vertices were counted
     QWidget* m_radiusRow;
-    QDoubleSpinBox* m_radius;
+    ExactBox* m_radius;
 };
 
 }  // namespace wend
