@@ -169,7 +169,8 @@ std::unique_ptr<BackEnd<Dim>> makeFailsafe(std::unique_ptr<BackEnd<Dim>> primary
 template <int Dim>
 BackEndFactory<Dim> backEndFactory(BackEndKind kind, const std::string& device, DeviceNotice notice,
                                    const SharedDevice& shared) {
-    return [=](std::shared_ptr<const AssemblyPlan<Dim>> plan, const SimplicialMesh<Dim>& rest,
+    return [kind, device, notice = std::move(notice), shared](
+               std::shared_ptr<const AssemblyPlan<Dim>> plan, const SimplicialMesh<Dim>& rest,
                const Material<Dim>& material, int threads) -> std::unique_ptr<BackEnd<Dim>> {
         const auto info = deviceFor(kind, device, Dim * rest.vertexCount());
         const auto makeCpu = [plan, rest, material, threads] {
@@ -194,7 +195,7 @@ DistortionOf<Dim> distortionOf(BackEndKind kind, const SimplicialMesh<Dim>& rest
     const auto onProcessor = [&rest](const Points<Dim>& pose) { return distortion(rest, pose); };
     const auto info = kind == BackEndKind::OpenCl ? deviceFor(kind, device, 0) : std::nullopt;
     if (!info) return onProcessor;
-    return [onProcessor, &rest, notice, place = shared.at(*info),
+    return [onProcessor, &rest, notice = std::move(notice), place = shared.at(*info),
             onDevice = std::shared_ptr<OpenClDistortion<Dim>>()](const Points<Dim>& pose) mutable {
         try {
             if (!onDevice) onDevice = std::make_shared<OpenClDistortion<Dim>>(place, rest);

@@ -15,6 +15,7 @@ constexpr int kChunk = 1024;  // cells per work item of the sums
 template <int Dim>
 std::vector<double> weightsOf(const SimplicialMesh<Dim>& rest) {
     std::vector<double> weights;
+    weights.reserve(rest.cells.size());
     for (const auto& cell : rest.cells)
         weights.push_back(std::abs(edgeMatrix<Dim>(rest.points, cell).determinant()));
     return weights;

@@ -56,7 +56,7 @@ Image converted(const Image& image, const PixelLayout& layout) {
     result.width = image.width, result.height = image.height, result.channels = layout.channels;
     result.type = layout.type, result.alpha = layout.alpha, result.unassociated = layout.unassociated;
     result.metadata = image.metadata;
-    result.data.resize(result.rowBytes() * static_cast<std::size_t>(result.height));
+    result.makePixels();
     const std::size_t width = static_cast<std::size_t>(image.width);
     std::vector<float> in(width * static_cast<std::size_t>(image.channels));
     std::vector<float> out(width * static_cast<std::size_t>(layout.channels));

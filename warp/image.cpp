@@ -1,5 +1,11 @@
 #include "warp/image.h"
 
+#if defined(__linux__)
+#include <sys/mman.h>
+#endif
+
+#include <cstdint>
+
 #include "warp/image_metadata.h"
 
 namespace wend {
@@ -18,7 +24,32 @@ std::size_t sampleBytes(PixelType type) {
     return 0;
 }
 
+/// Advice that may be refused, and changes nothing but the speed.
+void wantLargePages(std::byte* data, std::size_t bytes) {
+#if defined(__linux__) && defined(MADV_HUGEPAGE)
+    constexpr std::uintptr_t kLargePage = 2 << 20;
+    const auto begin = reinterpret_cast<std::uintptr_t>(data);
+    const std::uintptr_t first = (begin + kLargePage - 1) / kLargePage * kLargePage,
+                         last = (begin + bytes) / kLargePage * kLargePage;
+    if (first < last) madvise(data + (first - begin), last - first, MADV_HUGEPAGE);
+#else
+    static_cast<void>(data), static_cast<void>(bytes);
+#endif
+}
+
 }  // namespace
+
+void Image::reservePixels() {
+    const std::size_t bytes = rowBytes() * static_cast<std::size_t>(height);
+    data.reserve(bytes);
+    wantLargePages(data.data(), bytes);
+}
+
+void Image::makePixels() {
+    data.clear();
+    reservePixels();
+    data.resize(rowBytes() * static_cast<std::size_t>(height));
+}
 
 std::size_t Image::pixelBytes() const {
     return sampleBytes(type) * static_cast<std::size_t>(channels);

@@ -27,6 +27,11 @@ struct Image {
     std::size_t rowBytes() const { return pixelBytes() * static_cast<std::size_t>(width); }
     int colours() const { return alpha ? channels - 1 : channels; }
     const std::byte* row(int y) const { return data.data() + rowBytes() * static_cast<std::size_t>(y); }
+    /// Zeros for pixels.
+    void makePixels();
+    /// Room for them and no pixels yet: of a large picture in large pages of memory, where the system has
+    /// them on request. To bring in small ones would take longer than to paint them.
+    void reservePixels();
     std::byte* row(int y) { return data.data() + rowBytes() * static_cast<std::size_t>(y); }
     /// The ICC profile's bytes; empty without one.
     std::vector<std::byte> iccProfile() const;

@@ -141,7 +141,7 @@ void requireSuccess(const std::string& path, OIIO::ImageInput& input, bool succe
 void readStrips(const std::string& path, OIIO::ImageInput& input, Image& image) {
     const OIIO::ImageSpec spec = input.spec();
     const int strip = 64;
-    image.data.reserve(image.rowBytes() * static_cast<std::size_t>(image.height));
+    image.reservePixels();
     for (int y = 0; y < image.height; y += strip) {
         const int end = std::min(y + strip, image.height);
         image.data.resize(image.rowBytes() * static_cast<std::size_t>(end));
@@ -157,7 +157,7 @@ void readPixels(const std::string& path, OIIO::ImageInput& input, Image& image) 
         image.unassociated = false;  // OpenImageIO's frames of animations are associated
     }
     if (input.spec().tile_width == 0) return readStrips(path, input, image);
-    image.data.resize(image.rowBytes() * static_cast<std::size_t>(image.height));
+    image.makePixels();
     const bool success = input.read_image(0, 0, 0, image.channels, typeDesc(image.type), image.data.data());
     requireSuccess(path, input, success);
 }

@@ -178,7 +178,7 @@ class Strips {
     Image made(int top) const {
         Image strip = m_picture;
         strip.height = std::min(m_rows, m_picture.height - top);
-        strip.data.resize(strip.rowBytes() * static_cast<std::size_t>(strip.height));
+        strip.makePixels();
         m_makeRows(top, strip);
         return m_layout == layoutOf(strip) ? std::move(strip) : converted(strip, m_layout);
     }

@@ -51,7 +51,7 @@ std::shared_ptr<const Image> halved(const Image& image) {
                                               image.unassociated,
                                               {},
                                               image.metadata});
-    half->data.resize(static_cast<std::size_t>(half->width) * half->height * half->pixelBytes());
+    half->makePixels();
     withPixelType(image.type, [&](auto t) { halve<decltype(t)>(image, *half); });
     return half;
 }

@@ -12,7 +12,7 @@ namespace {
 
 Image floatImage(int width, int height) {
     Image image{width, height, 4, PixelType::Float, true, false, {}, nullptr};
-    image.data.resize(static_cast<std::size_t>(width) * height * image.pixelBytes());
+    image.makePixels();
     return image;
 }
 

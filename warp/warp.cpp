@@ -8,7 +8,7 @@ namespace {
 Image painted(const WarpedPicture& picture) {
     Image image = picture.header();
     if (image.width <= 0 || image.height <= 0) return image;
-    image.data.resize(image.rowBytes() * static_cast<std::size_t>(image.height));
+    image.makePixels();
     return picture.paint(0, image) ? std::move(image) : Image();
 }
 

@@ -1,15 +1,17 @@
 #include "app/bench/test_picture.h"
 
+#include "warp/convert.h"
+
 namespace wend {
 
-Image testPicture(int width, int height) {
+Image testPicture(int width, int height, PixelType type) {
     Image image;
     image.width = width;
     image.height = height;
     image.channels = 4;
     image.alpha = true;
     image.type = PixelType::UInt8;
-    image.data.resize(static_cast<std::size_t>(width) * height * 4);
+    image.makePixels();
     auto* out = reinterpret_cast<unsigned char*>(image.data.data());
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
@@ -18,7 +20,7 @@ Image testPicture(int width, int height) {
             *out++ = static_cast<unsigned char>(y >> 4);
             *out++ = 255;
         }
-    return image;
+    return converted(image, {type, image.channels, image.alpha, image.unassociated});
 }
 
 }  // namespace wend

@@ -4,7 +4,7 @@
 
 namespace wend {
 
-/// A picture of 8 bit and four channels with waves of all lengths, so that no filter has it easy.
-Image testPicture(int width, int height);
+/// A picture of four channels with waves of all lengths, so that no filter has it easy: the same in any type.
+Image testPicture(int width, int height, PixelType type = PixelType::UInt8);
 
 }  // namespace wend

@@ -1,6 +1,10 @@
 #include "app/bench/warp_rows.h"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
 
 #include "app/bench/test_picture.h"
 #include "core/meshing/planar_mesher.h"
@@ -24,6 +28,36 @@ Points<2> bent(const Points<2>& rest) {
     return pose;
 }
 
+struct Depth {
+    const char* name;  // behind that of the row
+    PixelType type;
+    std::vector<Filter> filters;
+};
+
+const char* nameOf(Filter filter) {
+    constexpr const char* kNames[] = {"nearest", "bilinear", "bicubic", "EWA"};
+    return kNames[static_cast<int>(filter)];
+}
+
+void addRow(BenchRecorder& recorder, const std::string& name, int threads,
+            const std::function<void()>& work) {
+    const Timing timing = measure(recorder.repeats(0.5), work);
+    const double megapixels = 1e-6 * kWidth * kHeight;
+    recorder.add(
+        {name,
+         threads,
+         timing,
+         {{"Mpixel/s", megapixels / timing.median}, {"Mpixel/s and core", megapixels / timing.processor}}});
+}
+
+/// As a warp's result is made: new memory, and every pixel written once.
+void copyOf(const Image& image) {
+    Image copy{image.width, image.height, image.channels, image.type, image.alpha, image.unassociated, {},
+               {}};
+    copy.makePixels();
+    std::copy(image.data.begin(), image.data.end(), copy.data.begin());
+}
+
 }  // namespace
 
 void addWarpRows(BenchRecorder& recorder) {
@@ -32,25 +66,23 @@ void addWarpRows(BenchRecorder& recorder) {
     const SimplicialMesh<2> rest =
         meshOutline(Outline{{{{0, 0}, {kWidth, 0}, {kWidth, kHeight}, {0, kHeight}}}}, options);
     const Points<2> pose = bent(rest.points);
-    const Pyramid pyramid(std::make_shared<const Image>(testPicture(kWidth, kHeight)));
     const View view{kWidth, kHeight, Vec<2>::Zero(), 1};
-    for (const auto& [name, filter] : {std::pair{"nearest", Filter::Nearest},
-                                       {"bilinear", Filter::Bilinear},
-                                       {"bicubic", Filter::Bicubic},
-                                       {"EWA", Filter::Ewa}})
-        for (int threads : {1, 0}) {
-            WarpOptions warp;
-            warp.filter = filter;
-            warp.threads = threads;
-            const Timing timing =
-                measure(recorder.repeats(0.5), [&] { warpImage(pyramid, rest, pose, view, warp); });
-            const double megapixels = 1e-6 * kWidth * kHeight;
-            recorder.add({std::string("warp, ") + name,
-                          threads,
-                          timing,
-                          {{"Mpixel/s", megapixels / timing.median},
-                           {"Mpixel/s and core", megapixels / timing.processor}}});
-        }
+    const Depth depths[] = {
+        {"", PixelType::UInt8, {Filter::Nearest, Filter::Bilinear, Filter::Bicubic, Filter::Ewa}},
+        {", 16 bit", PixelType::UInt16, {Filter::Bilinear, Filter::Ewa}},
+        {", float", PixelType::Float, {Filter::Bilinear, Filter::Ewa}}};
+    for (const Depth& depth : depths) {
+        const Pyramid pyramid(std::make_shared<const Image>(testPicture(kWidth, kHeight, depth.type)));
+        addRow(recorder, std::string("copy") + depth.name, 1, [&] { copyOf(pyramid.base()); });
+        for (const Filter filter : depth.filters)
+            for (int threads : {1, 0}) {
+                WarpOptions warp;
+                warp.filter = filter;
+                warp.threads = threads;
+                addRow(recorder, std::string("warp, ") + nameOf(filter) + depth.name, threads,
+                       [&] { warpImage(pyramid, rest, pose, view, warp); });
+            }
+    }
 }
 
 }  // namespace wend

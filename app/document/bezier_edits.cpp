@@ -32,7 +32,7 @@ void setArms(std::vector<Vec<Dim>>& points, int joint, const Arms<Dim>& arms) {
 
 template <int Dim>
 Arms<Dim> automaticArms(const std::vector<Vec<Dim>>& points, int joint) {
-    const Vec<Dim> before = points[3 * joint - 3], at = points[3 * joint], after = points[3 * joint + 3];
+    const Vec<Dim>&before = points[3 * joint - 3], &at = points[3 * joint], &after = points[3 * joint + 3];
     const double way = (after - before).norm();
     const Vec<Dim> along = way > 0 ? Vec<Dim>((after - before) / way) : Vec<Dim>(Vec<Dim>::Zero());
     return {along * (at - before).norm() / 3, along * (after - at).norm() / 3};

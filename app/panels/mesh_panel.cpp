@@ -29,7 +29,7 @@ int verticesOf(int slider) {
     return static_cast<int>(std::lround(exact / unit) * unit);
 }
 
-enum Aim { kVertices, kVolume };
+enum Aim { ByVertices, ByVolume };
 
 /// The greatest cell that there is now, to two digits.
 double greatestVolume(const PosedFrame<3>& frame) {
@@ -184,7 +184,7 @@ void MeshPanel::connectSolidControls() {
         edit(on ? tr("Refine surface") : tr("Keep surface"), {},
              [on](Domain& domain) { domain.refineSurface = on; });
     });
-    connect(m_aim, &QComboBox::activated, this, [this](int aim) { setAim(aim == kVolume); });
+    connect(m_aim, &QComboBox::activated, this, [this](int aim) { setAim(aim == ByVolume); });
     connect(m_volume, &QDoubleSpinBox::valueChanged, this, [this](double value) {
         edit(tr("Change greatest volume"), QStringLiteral("maxVolume"),
              [value](Domain& d) { d.maxVolume = value; });
@@ -260,7 +260,7 @@ void MeshPanel::showSolid(const Domain& domain) {
     for (QWidget* row : m_volumeRows) row->setVisible(surface && volume);
     setToolTip(surface ? QString() : tr("The mesh comes from a file and is used as it is."));
     const QSignalBlocker a(m_vertices), b(m_density), c(m_quality), d(m_volume);
-    m_aim->setCurrentIndex(volume ? kVolume : kVertices);
+    m_aim->setCurrentIndex(volume ? ByVolume : ByVertices);
     if (volume) m_volume->setValue(domain.maxVolume);
     m_detail->showDomain(domain);
     m_quality->setValue(domain.quality);

@@ -13,7 +13,7 @@ namespace wend {
 
 namespace {
 
-enum Kind { kBall, kBox, kHalf };
+enum Kind { BallKind, BoxKind, HalfKind };
 constexpr int kDirectionDigits = 6;
 
 Vec<3> valuesOf(const std::array<ExactBox*, 3>& boxes) {
@@ -120,8 +120,8 @@ const Region<3>* RegionPanel::region() const {
 
 Region<3> RegionPanel::numbers() const {
     const Vec<3> a = valuesOf(m_first), b = valuesOf(m_second);
-    if (m_kind->currentIndex() == kBall) return Ball<3>{a, m_radius->exact()};
-    if (m_kind->currentIndex() == kBox) return Box<3>{a.cwiseMin(b), a.cwiseMax(b)};
+    if (m_kind->currentIndex() == BallKind) return Ball<3>{a, m_radius->exact()};
+    if (m_kind->currentIndex() == BoxKind) return Box<3>{a.cwiseMin(b), a.cwiseMax(b)};
     return HalfSpace<3>{a, b};
 }
 
@@ -129,8 +129,8 @@ void RegionPanel::chooseKind(int kind) {
     if (!region() || !m_session.frame()) return;
     const auto [centre, reach] = extentOf(*region(), 0.1 * m_session.frame()->diagonal);
     Region<3> next = Ball<3>{centre, reach};
-    if (kind == kBox) next = Box<3>{centre.array() - reach, centre.array() + reach};
-    if (kind == kHalf) next = HalfSpace<3>{centre, Vec<3>::UnitX()};
+    if (kind == BoxKind) next = Box<3>{centre.array() - reach, centre.array() + reach};
+    if (kind == HalfKind) next = HalfSpace<3>{centre, Vec<3>::UnitX()};
     apply(next);
 }
 
@@ -150,16 +150,18 @@ void RegionPanel::apply(const Region<3>& next) {
 
 void RegionPanel::showNumbers(const Region<3>& region) {
     const QSignalBlocker quiet(m_kind);
-    const int kind = std::holds_alternative<Ball<3>>(region)  ? kBall
-                     : std::holds_alternative<Box<3>>(region) ? kBox
-                                                              : kHalf;
+    const int kind = std::holds_alternative<Ball<3>>(region)  ? BallKind
+                     : std::holds_alternative<Box<3>>(region) ? BoxKind
+                                                              : HalfKind;
     m_kind->setCurrentIndex(kind);
-    m_firstName->setText(kind == kBall ? tr("centre") : kind == kBox ? tr("from") : tr("point of the plane"));
-    m_secondName->setText(kind == kBox ? tr("to") : tr("direction into it"));
-    m_secondName->setVisible(kind != kBall);
-    for (ExactBox* box : m_second) box->setVisible(kind != kBall);
-    m_radiusRow->setVisible(kind == kBall);
-    showDigits(kind == kHalf);
+    m_firstName->setText(kind == BallKind  ? tr("centre")
+                         : kind == BoxKind ? tr("from")
+                                           : tr("point of the plane"));
+    m_secondName->setText(kind == BoxKind ? tr("to") : tr("direction into it"));
+    m_secondName->setVisible(kind != BallKind);
+    for (ExactBox* box : m_second) box->setVisible(kind != BallKind);
+    m_radiusRow->setVisible(kind == BallKind);
+    showDigits(kind == HalfKind);
     if (const auto* ball = std::get_if<Ball<3>>(&region)) {
         put(m_first, ball->centre);
         m_radius->put(ball->radius);

@@ -62,6 +62,7 @@ bool MeasureTool::key(const QKeyEvent& event) {
 
 std::vector<Vec<3>> MeasureTool::pointsIn(const PosedFrame<3>& frame, const Points<3>& points) const {
     std::vector<Vec<3>> result;
+    result.reserve(m_points.size());
     for (const Location<3>& location : m_points)
         result.push_back(positionOf<3>(location, *frame.rest, points));
     return result;

@@ -24,6 +24,12 @@ double iterationsTo(double goal, double size, double contraction) {
     return std::max(0.0, std::log(goal / size) / std::log(contraction));
 }
 
+template <class Result>
+void record(double contraction, Result& result) {
+    if (!result.firstContraction) result.firstContraction = contraction;
+    result.worstContraction = std::max(result.worstContraction.value_or(contraction), contraction);
+}
+
 }  // namespace
 
 template <int Dim>
@@ -46,11 +52,11 @@ typename ConjugateGradients<Dim>::Result ConjugateGradients<Dim>::run(BackEnd<Di
             break;
         }
         const bool first = result.iterations == 1;
+        if (!first) {
+            record(size / before, result);
+            if (size / before > goal.poorestContraction) break;
+        }
         const double contraction = first ? goal.contraction : std::max(goal.leastContraction, size / before);
-        if (result.iterations == 2)
-            result.firstContraction = result.worstContraction = std::min(1.0, contraction);
-        else if (!first)
-            result.worstContraction = std::min(1.0, std::max(result.worstContraction, contraction));
         if (first)
             m_p = m_z;
         else

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <functional>
+#include <limits>
+#include <optional>
 #include <span>
 
 #include "core/assembly/back_end.h"
@@ -22,20 +24,22 @@ class ConjugateGradients {
         // And by how much any step at best: z shows little of what the factor can hardly see, which is what a
         // matrix of bad condition loses in single precision.
         double leastContraction = 0.05;
+        // A step that leaves more ends the run: such a factor is not to be trusted.
+        double poorestContraction = std::numeric_limits<double>::infinity();
         /// Whether to give up, if about so many iterations are still to do.
         std::function<bool(double iterations)> hopeless;
     };
     struct Result {
         enum class End { Converged, GaveUp } end = End::GaveUp;
         int iterations = 0;
-        // Measured; 1 if there was only one iteration.
-        double firstContraction = 1, worstContraction = 1;
+        // As measured, which may be 1 or more: |z| need not fall in every step. None of one iteration alone.
+        std::optional<double> firstContraction, worstContraction;
     };
 
     /// v += Z y, from a v that meets the constraints. The error after a step is estimated as what all further
     /// ones would add, |z| (ρ + ρ² + …) = |z| ρ / (1 − ρ): z the preconditioned residual before the step, ρ
-    /// the last contraction of |z|, both in the maximum norm. The step that would bring it under the
-    /// tolerance is the last.
+    /// the last contraction of |z|, both in the maximum norm, but no less than goal.leastContraction. The
+    /// step that would bring it under the tolerance is the last.
     Result run(BackEnd<Dim>& backEnd, const ReducedSystem<Dim>& system, const Preconditioner& precondition,
                const Goal& goal, Points<Dim>& v);
 

@@ -27,11 +27,13 @@ constexpr double kResidual = 1e-10;
 constexpr int kRefinements = 3;
 // Below this iterations with a stale factor save nothing.
 constexpr double kLeastTolerance = 1e-8;
-// Of an iteration with a factor of this very shape: at best in single precision, where the condition of the
-// matrix decides (measured: 0.02 with 11 000 vertices in the plane, 0.2 with 40 000, 0.6 with 160 000), and
-// in double.
-constexpr double kFreshContraction = 1e-2, kFreshContractionDouble = 1e-6;
+// Of an iteration with a factor of this very shape in double precision. In single the condition of the matrix
+// decides: 0.02 with 11 000 vertices in the plane, 0.2 with 40 000, 0.6 with 160 000.
+constexpr double kFreshContractionDouble = 1e-6;
 constexpr double kBestContraction = 0.05;
+// Above this, at its own shape, a factor in single precision costs more iterations than one in double would,
+// and they show so little of the error that they would end too early.
+constexpr double kPoorestContraction = 0.5;
 // Above this ratio w_r / w_q (EQUIA is 512) a factor does not last: hundreds of iterations.
 constexpr double kStiffestReuse = 20;
 // Above this ratio (METR is 2, AKVF 0) the factor is turned with the shape.
@@ -272,7 +274,10 @@ SolveOutcome VelocitySolver<Dim>::Engine::factorize() {
                       : tolerance > 0 ? std::max(memory.best, FactorKind::Double)
                                       : FactorKind::Reference;
     const auto status = factorizeAt(iterates ? backEnd->stages().shape() : nullptr, kind);
-    memory = {held, heldKind, tolerance > 0 ? heldKind : memory.best, 1, 0, memory.freshContraction, {}};
+    memory.shape = held;
+    memory.kind = heldKind;
+    if (tolerance > 0) memory.best = heldKind;
+    memory.contraction.reset();
     policy.factorized();
     switch (status) {
         case Cholesky::Status::Done:
@@ -287,7 +292,7 @@ SolveOutcome VelocitySolver<Dim>::Engine::factorize() {
 /// The factor of the memory, if another was made since. False if it cannot be had, as with other constraints.
 template <int Dim>
 bool VelocitySolver<Dim>::Engine::makeFactorAgain() {
-    if (held == memory.shape) return true;
+    if (held == memory.shape && heldKind == memory.kind) return true;
     const bool done = backEnd->setShape(*memory.shape) < 0 &&
                       factorizeAt(memory.shape, memory.kind) == Cholesky::Status::Done;
     backEnd->setStage();
@@ -320,30 +325,32 @@ SolveOutcome VelocitySolver<Dim>::Engine::solveReduced(Points<Dim>& v) {
 /// the distance. What is not known is taken to be 1, so that there is a second iteration, which measures it.
 template <int Dim>
 double VelocitySolver<Dim>::Engine::expectedContraction(double lag) const {
-    const double fresh =
-        memory.kind == FactorKind::Single ? memory.freshContraction : kFreshContractionDouble;
+    const double least = leastContraction();
+    const double fresh = memory.kind == FactorKind::Single
+                             ? std::max(least, memory.freshContraction.value_or(1))
+                             : kFreshContractionDouble;
     if (lag == 0) return fresh;
-    if (memory.contraction >= 1) return 1;
-    return std::min(1.0, std::max(fresh, memory.contraction * lag / memory.contractionLag));
+    if (memory.contraction.value_or(1) >= 1) return 1;
+    return std::min(1.0, std::max(fresh, std::max(least, *memory.contraction) * lag / memory.contractionLag));
 }
 
 /// A single lucky step is not believed: the next one is expected to gain a factor of 20 at most, and less
 /// with a factor that is known to be poor.
 template <int Dim>
 double VelocitySolver<Dim>::Engine::leastContraction() const {
-    const bool poor = memory.kind == FactorKind::Single && memory.freshContraction < 1;
-    return std::max(kBestContraction, poor ? memory.freshContraction : 0.0);
+    const bool single = memory.kind == FactorKind::Single;
+    return std::max(kBestContraction, single ? memory.freshContraction.value_or(0) : 0.0);
 }
 
 template <int Dim>
 void VelocitySolver<Dim>::Engine::learnContraction(double lag,
                                                    const typename ConjugateGradients<Dim>::Result& result) {
-    if (result.iterations < 2) return;
+    if (!result.firstContraction) return;
     if (lag > 0) {
         memory.contraction = result.firstContraction;
         memory.contractionLag = lag;
     } else if (memory.kind == FactorKind::Single) {
-        memory.freshContraction = std::max(kFreshContraction, result.worstContraction);
+        memory.freshContraction = result.worstContraction;
     }
 }
 
@@ -361,6 +368,7 @@ bool VelocitySolver<Dim>::Engine::iterate(Points<Dim>& v) {
     goal.tolerance = tolerance;
     goal.contraction = expectedContraction(lag);
     goal.leastContraction = leastContraction();
+    if (lag == 0 && memory.kind == FactorKind::Single) goal.poorestContraction = kPoorestContraction;
     goal.hopeless = [&](double iterations) { return lag > 0 && policy.hopeless(iterations); };
     const auto result = iteration.run(
         *backEnd, system, [&](std::span<const double> r, std::span<double> z) { return precondition(r, z); },

@@ -35,8 +35,11 @@ template <int Dim>
 struct FactorMemory {
     Nodal<Dim> shape;                                                 // null: the next solve factorizes
     FactorKind kind = FactorKind::Single, best = FactorKind::Single;  // best: that does not fail here
-    double contraction = 1, contractionLag = 0;
-    double freshContraction = 1;  // of a factor in single precision at its own shape; 1: not known
+    // Measured contractions of an iteration, if they were: with the factor so far from its shape, and with
+    // one in single precision at its own shape.
+    std::optional<double> contraction;
+    double contractionLag = 0;
+    std::optional<double> freshContraction;
     RefactorPolicy::Counts counts;
 };
 

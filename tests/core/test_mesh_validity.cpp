@@ -3,6 +3,8 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <map>
+#include <numbers>
 #include <set>
 
 #include "core/mesh/error.h"
@@ -156,6 +158,53 @@ void facetsAreRight() {
     QCOMPARE(2 * static_cast<int>(facets.size()) - border, (Dim + 1) * mesh.cellCount());
 }
 
+/// All cells round one vertex, in space round one edge.
+template <int Dim>
+SimplicialMesh<Dim> fan(int cells) {
+    constexpr int kHub = Dim - 1;
+    SimplicialMesh<Dim> mesh;
+    mesh.points = Points<Dim>::Zero(Dim, kHub + cells);
+    if constexpr (Dim == 3) mesh.points(2, 1) = 1;
+    for (int i = 0; i < cells; ++i) {
+        const double angle = 2 * std::numbers::pi * i / cells;
+        mesh.points(0, kHub + i) = std::cos(angle), mesh.points(1, kHub + i) = std::sin(angle);
+        Cell<Dim> cell;
+        for (int k = 0; k < kHub; ++k) cell[k] = k;
+        cell[kHub] = kHub + i, cell[kHub + 1] = kHub + (i + 1) % cells;
+        mesh.cells.push_back(cell);
+    }
+    return mesh;
+}
+
+/// A common way to make a disc; a search through the facets of its hub would take minutes.
+template <int Dim>
+void facetsOfFan() {
+    const int cells = 200000;
+    const auto mesh = fan<Dim>(cells);
+    const auto facets = facetsOf<Dim>(mesh);
+    QCOMPARE(static_cast<int>(facets.size()), Dim * cells);
+    std::map<std::array<int, Dim>, std::size_t> placeOf;
+    std::vector<std::array<int, 2>> cellsOf;
+    for (int c = 0; c < cells; ++c)
+        for (int k = 0; k <= Dim; ++k) {
+            std::array<int, Dim> key;
+            for (int i = 0, at = 0; i <= Dim; ++i)
+                if (i != k) key[at++] = mesh.cells[c][i];
+            std::sort(key.begin(), key.end());
+            const auto [place, isNew] = placeOf.insert({key, cellsOf.size()});
+            if (isNew)
+                cellsOf.push_back({c, -1});
+            else
+                cellsOf[place->second][1] = c;
+        }
+    for (const auto& facet : facets) {
+        auto key = facet.vertices;
+        std::sort(key.begin(), key.end());
+        QCOMPARE(placeOf.at(key), static_cast<std::size_t>(&facet - facets.data()));
+        QVERIFY(facet.cells == cellsOf[placeOf.at(key)]);
+    }
+}
+
 }  // namespace
 
 class TestMeshValidity : public QObject {
@@ -177,6 +226,8 @@ class TestMeshValidity : public QObject {
     void good3D() { acceptsGoodMeshes<3>(); }
     void facets2D() { facetsAreRight<2>(); }
     void facets3D() { facetsAreRight<3>(); }
+    void fan2D() { facetsOfFan<2>(); }
+    void fan3D() { facetsOfFan<3>(); }
     void measures() {
         QCOMPARE(cellMeasure<2>(samples::grid<2>(1).points, {0, 1, 2}), 0.5);
         QCOMPARE(cellMeasure<3>(samples::grid<3>(1).points, {0, 1, 2, 4}), 1.0 / 6);

@@ -92,6 +92,20 @@ class TestImage : public QObject {
     std::string path(const QString& name) const { return m_folder.filePath(name).toStdString(); }
 
   private slots:
+    /// Large enough for large pages, whose borders lie within; the second time over what was there.
+    void madePixelsAreZero() {
+        Image image{1500, 1100, 4, PixelType::Float, true, false, {}, nullptr};
+        for (int i = 0; i < 2; ++i) {
+            image.makePixels();
+            QCOMPARE(image.data.size(), std::size_t(1500) * 1100 * 16);
+            QVERIFY(std::all_of(image.data.begin(), image.data.end(),
+                                [](std::byte b) { return b == std::byte(0); }));
+            std::fill(image.data.begin(), image.data.end(), std::byte(7));
+        }
+        image.height = 0;
+        image.makePixels();
+        QVERIFY(image.data.empty());
+    }
     void roundTripIsExact_data() {
         QTest::addColumn<QString>("extension");
         QTest::addColumn<int>("type");

@@ -44,7 +44,8 @@ struct Sight {
 class SurfaceRenderer {
   public:
     /// The outer surface, and the section where it is cut open.
-    enum Layer { Outer, Section, kLayers };
+    enum Layer { Outer, Section };
+    static constexpr int kLayers = 2;
 
     /// False, with the reason in error(), if the context cannot run the shaders.
     bool initialize();
