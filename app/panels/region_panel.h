@@ -4,11 +4,11 @@
 
 #include "app/session/shape_session.h"
 
-class QComboBox;
-class QDoubleSpinBox;
 class QLabel;
 
 namespace wend {
+
+class RegionNumbers;
 
 /// The region that the one selected handle of a solid holds, in numbers of the rest shape, and how many
 /// vertices that are. Only there for such a handle.
@@ -19,23 +19,13 @@ class RegionPanel : public QWidget {
     explicit RegionPanel(ShapeSession& session, QWidget* parent = nullptr);
 
   private:
-    using Numbers = std::array<QDoubleSpinBox*, 3>;
-    void makeControls();
-    Numbers makeNumbers();
-    void arrange();
     void showHandle();
-    void showNumbers(const Region<3>& region);
-    void chooseKind(int kind);
     void apply(const Region<3>& region);
-    Region<3> numbers() const;
     const Region<3>* region() const;
 
     ShapeSession& m_session;
-    QComboBox* m_kind;
-    QLabel *m_firstName, *m_secondName, *m_count;
-    Numbers m_first, m_second;
-    QWidget* m_radiusRow;
-    QDoubleSpinBox* m_radius;
+    RegionNumbers* m_numbers;
+    QLabel* m_count;
 };
 
 }  // namespace wend
