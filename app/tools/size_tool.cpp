@@ -11,8 +11,7 @@ namespace wend {
 QString SizeTool::hint() const {
     return QCoreApplication::translate(
         "SizeTool",
-        "Paint where the mesh is to be finer or coarser, as the panel says; with Ctrl the other way round; [ "
-        "and ] change the brush, Esc gives up the stroke");
+        "Paint finer or coarser cells; Ctrl the other way round, [ and ] change the size, Esc gives up");
 }
 
 void SizeTool::take(const std::vector<Dab>& dabs, Qt::KeyboardModifiers modifiers) {
