@@ -1131,6 +1131,14 @@
         <source>Another export is still being written. Try again in a moment.</source>
         <translation>Ein anderer Export wird noch geschrieben. Bitte gleich noch einmal versuchen.</translation>
     </message>
+    <message>
+        <source>the velocity field cannot be solved for</source>
+        <translation>das Geschwindigkeitsfeld ist nicht zu berechnen</translation>
+    </message>
+    <message>
+        <source>Written without velocities: %1 (%2)</source>
+        <translation>Geschrieben ohne Geschwindigkeiten: %1 (%2)</translation>
+    </message>
 </context>
 <context>
     <name>wend::FileWorkflow</name>
@@ -2608,6 +2616,14 @@
     <message>
         <source>the memory does not suffice for a picture of %1 x %2 pixels</source>
         <translation>der Speicher reicht nicht für ein Bild von %1 x %2 Pixeln</translation>
+    </message>
+    <message>
+        <source>Writing the picture …</source>
+        <translation>Das Bild wird geschrieben …</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
     </message>
 </context>
 <context>

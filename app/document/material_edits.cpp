@@ -28,10 +28,12 @@ std::vector<RegionGroup> regionGroups(const Project& project) {
             std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.name == region.name; });
         if (it != groups.end()) {
             ++it->count;
-            const auto& first = it->paint.stiffness;
-            if (first && region.stiffness && first->axis != region.stiffness->axis) it->oneAxis = false;
+            if (!region.stiffness) continue;
+            if (!it->axis) it->axis = region.stiffness->axis;
+            if (*it->axis != region.stiffness->axis) it->oneAxis = false;
         } else {
-            groups.push_back({region.name, 1, {region.phi, region.stiffness}});
+            groups.push_back({region.name, 1, {region.phi, region.stiffness}, {}});
+            if (region.stiffness) groups.back().axis = region.stiffness->axis;
         }
     }
     return groups;

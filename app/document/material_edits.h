@@ -21,8 +21,9 @@ enum class StiffAlong { Axis, View, Stroke, Way };
 struct RegionGroup {
     std::string name;
     int count = 0;
-    MaterialPaint paint;  // of the first
-    bool oneAxis = true;  // all that are stiff are so along the same direction
+    MaterialPaint paint;         // of the first
+    std::optional<Vec<3>> axis;  // of the first that is stiff
+    bool oneAxis = true;         // all that are stiff are so along it
 };
 std::vector<RegionGroup> regionGroups(const Project& project);
 

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "app/document/curve_edits.h"
+#include "app/panels/exact_box.h"
 #include "app/panels/panel_parts.h"
 #include "app/session/curve_making.h"
 
@@ -23,13 +24,13 @@ CurvePanel::CurvePanel(ShapeSession& session, int dimension, bool titled, QWidge
       m_make(new QPushButton(tr("Make a curve of it"), this)),
       m_curve(new QWidget(this)),
       m_frame(new QComboBox(this)),
-      m_twist(new QDoubleSpinBox(this)),
-      m_scale(new QDoubleSpinBox(this)) {
+      m_twist(new ExactBox(this)),
+      m_scale(new ExactBox(this)) {
     makeControls();
     arrange(titled);
     connect(m_make, &QPushButton::clicked, this, [this] { makeCurve(m_session); });
     connect(m_frame, &QComboBox::activated, this, &CurvePanel::change);
-    for (QDoubleSpinBox* box : {m_twist, m_scale})
+    for (ExactBox* box : {m_twist, m_scale})
         connect(box, &QDoubleSpinBox::valueChanged, this, &CurvePanel::change);
     connect(&m_session, &ShapeSession::pinsChanged, this, &CurvePanel::showCurve);
     connect(&m_session, &ShapeSession::frameChanged, this, &CurvePanel::showCurve);
@@ -94,8 +95,10 @@ void CurvePanel::changeOf() {
     Project next = *m_session.document().project();
     CurveMotion<Dim>* curve = lastCurve<Dim>(next, single());
     if (!curve) return;
-    if (Dim == 3) curve->twist = m_twist->value() / kDegrees;
-    curve->scale = m_scale->value();
+    // What was not touched keeps its bits.
+    const double twist = m_twist->exact();
+    if (Dim == 3 && twist != curve->twist * kDegrees) curve->twist = twist / kDegrees;
+    curve->scale = m_scale->exact();
     curve->frame = static_cast<FrameKind>(m_frame->currentIndex());
     if (curve->twist != 0 && curve->frame == FrameKind::None) curve->frame = FrameKind::Minimal;
     m_session.document().change(tr("Change curve"), std::move(next),
@@ -117,10 +120,9 @@ void CurvePanel::show() {
     m_curve->setVisible(curve);
     m_make->setVisible(canMake);
     if (!curve) return;
-    const QSignalBlocker a(m_twist), b(m_scale);
     m_frame->setCurrentIndex(static_cast<int>(curve->frame));
-    m_twist->setValue(curve->twist * kDegrees);
-    m_scale->setValue(curve->scale);
+    m_twist->put(curve->twist * kDegrees);
+    m_scale->put(curve->scale);
 }
 
 }  // namespace wend

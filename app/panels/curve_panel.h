@@ -5,10 +5,11 @@
 #include "app/session/shape_session.h"
 
 class QComboBox;
-class QDoubleSpinBox;
 class QPushButton;
 
 namespace wend {
+
+class ExactBox;
 
 /// The curve that the one selected handle follows last: the frame that turns along it, its twist (in space)
 /// and its scale; or the button that makes a curve of the last way. Only there when there is one of them.
@@ -35,8 +36,8 @@ class CurvePanel : public QWidget {
     QPushButton* m_make;
     QWidget* m_curve;
     QComboBox* m_frame;
-    QDoubleSpinBox* m_twist;
-    QDoubleSpinBox* m_scale;
+    ExactBox* m_twist;
+    ExactBox* m_scale;
 };
 
 }  // namespace wend

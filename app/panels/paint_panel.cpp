@@ -4,8 +4,10 @@
 #include <QComboBox>
 #include <QListWidget>
 #include <QToolButton>
+#include <cmath>
 
 #include "app/panels/energy_slider.h"
+#include "app/panels/exact_box.h"
 #include "app/panels/panel_parts.h"
 
 namespace wend {
@@ -21,7 +23,7 @@ PaintPanel::PaintPanel(ShapeSession& session, QWidget* parent)
       m_session(session),
       m_hasPhi(new QCheckBox(tr("&Keep here"), this)),
       m_phi(new EnergySlider(this)),
-      m_stiffness(new QDoubleSpinBox(this)),
+      m_stiffness(new ExactBox(this)),
       m_axis(new QComboBox(this)),
       m_list(new QListWidget(this)),
       m_remove(new QToolButton(this)) {
@@ -32,9 +34,9 @@ PaintPanel::PaintPanel(ShapeSession& session, QWidget* parent)
     connect(m_phi, &EnergySlider::phiChosen, this, &PaintPanel::changeGroup);
     connect(m_stiffness, &QDoubleSpinBox::valueChanged, this, &PaintPanel::changeGroup);
     connect(m_axis, &QComboBox::activated, this, &PaintPanel::chooseAxis);
-    for (QDoubleSpinBox* box : m_numbers)
+    for (ExactBox* box : m_numbers)
         connect(box, &QDoubleSpinBox::valueChanged, this, [this] {
-            showAxis({m_numbers[0]->value(), m_numbers[1]->value(), m_numbers[2]->value()});
+            showAxis({m_numbers[0]->exact(), m_numbers[1]->exact(), m_numbers[2]->exact()});
             m_ownAxes = false;
             emit alongChanged(along());
             changeGroup();
@@ -57,7 +59,7 @@ void PaintPanel::makeControls() {
     m_phi->setPhi(phi::kAkvf);
     m_stiffness->setRange(1, 1000);
     m_stiffness->setDecimals(1);
-    m_stiffness->setValue(1);
+    m_stiffness->put(1);
     m_stiffness->setPrefix(QStringLiteral("×"));
     m_stiffness->setFixedWidth(116);
     m_stiffness->setKeyboardTracking(false);
@@ -69,8 +71,8 @@ void PaintPanel::makeControls() {
     describe(m_axis, tr("Stiff direction"),
              tr("The direction at rest, which turns with the material: an axis, numbers, the direction of "
                 "view, the stroke's own, or the way of the selected pin where it is nearest."));
-    for (QDoubleSpinBox*& box : m_numbers) {
-        box = new QDoubleSpinBox(this);
+    for (ExactBox*& box : m_numbers) {
+        box = new ExactBox(this);
         box->setRange(-1e6, 1e6);
         box->setDecimals(3);
         box->setSingleStep(0.1);
@@ -80,7 +82,7 @@ void PaintPanel::makeControls() {
         box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
         describe(box, tr("Direction in numbers"), tr("As x, y and z at rest; its length does not matter."));
     }
-    m_numbers[0]->setValue(1);
+    m_numbers[0]->put(1);
     m_list->setFixedHeight(84);
     describe(m_list, tr("Regions"),
              tr("Where the material is another; a click shows its values for changing."));
@@ -99,7 +101,7 @@ void PaintPanel::arrange() {
     layout->addLayout(panelRow(tr("St&iffness"), m_stiffness, this));
     layout->addLayout(panelRow(tr("Direc&tion"), m_axis, this));
     auto* numbers = new QHBoxLayout;
-    for (QDoubleSpinBox* box : m_numbers) numbers->addWidget(box);
+    for (ExactBox* box : m_numbers) numbers->addWidget(box);
     layout->addLayout(numbers);
     layout->addWidget(m_list);
     layout->addWidget(m_remove, 0, Qt::AlignLeft);
@@ -108,12 +110,15 @@ void PaintPanel::arrange() {
 MaterialPaint PaintPanel::paint() const {
     MaterialPaint paint;
     if (m_hasPhi->isChecked()) paint.phi = m_phi->phi();
-    if (m_stiffness->value() > 1)
-        paint.stiffness = Stiffness<3>{
-            Vec<3>(m_numbers[0]->value(), m_numbers[1]->value(), m_numbers[2]->value()).normalized(),
-            m_stiffness->value()};
-    if (paint.stiffness && paint.stiffness->axis.norm() < 0.5) paint.stiffness->axis = Vec<3>::UnitX();
+    if (m_stiffness->exact() != 1) paint.stiffness = Stiffness<3>{axis(), m_stiffness->exact()};
     return paint;
+}
+
+/// Of length 1; what has that already keeps its bits.
+Vec<3> PaintPanel::axis() const {
+    const Vec<3> axis(m_numbers[0]->exact(), m_numbers[1]->exact(), m_numbers[2]->exact());
+    if (axis.isZero(0)) return Vec<3>::UnitX();
+    return std::abs(axis.norm() - 1) < 1e-12 ? axis : axis.normalized();
 }
 
 StiffAlong PaintPanel::along() const {
@@ -132,8 +137,7 @@ void PaintPanel::chooseAxis(int index) {
 void PaintPanel::showAxis(const Vec<3>& axis) {
     int index = kNumbers;
     for (int k = 0; k < 3; ++k) {
-        const QSignalBlocker quiet(m_numbers[k]);
-        m_numbers[k]->setValue(axis[k]);
+        m_numbers[k]->put(axis[k]);
         if (axis == Vec<3>::Unit(k)) index = k;
     }
     m_axis->setCurrentIndex(index);
@@ -159,12 +163,11 @@ void PaintPanel::showGroup() {
     if (selectedGroup().isEmpty() || m_session.document().dimension() != 3) return;
     for (const RegionGroup& group : regionGroups(*m_session.document().project())) {
         if (group.name != selectedGroup().toStdString()) continue;
-        const QSignalBlocker a(m_stiffness);
         m_hasPhi->setChecked(group.paint.phi.has_value());
         if (group.paint.phi) m_phi->setPhi(*group.paint.phi);
-        m_stiffness->setValue(group.paint.stiffness ? group.paint.stiffness->ratio : 1);
+        m_stiffness->put(group.paint.stiffness ? group.paint.stiffness->ratio : 1);
         m_ownAxes = !group.oneAxis;
-        if (group.paint.stiffness) showAxis(group.paint.stiffness->axis);
+        if (group.axis) showAxis(*group.axis);
     }
     emit alongChanged(along());
     emit paintChanged(paint());

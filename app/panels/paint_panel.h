@@ -8,13 +8,13 @@
 
 class QCheckBox;
 class QComboBox;
-class QDoubleSpinBox;
 class QListWidget;
 class QToolButton;
 
 namespace wend {
 
 class EnergySlider;
+class ExactBox;
 
 /// What the brush paints into a solid, and the regions that are there: a click on one shows its values, which
 /// then can be changed, or removes it.
@@ -38,14 +38,15 @@ class PaintPanel : public QWidget {
     void changeGroup();
     void chooseAxis(int index);
     void showAxis(const Vec<3>& axis);
+    Vec<3> axis() const;
     QString selectedGroup() const;
 
     ShapeSession& m_session;
     QCheckBox* m_hasPhi;
     EnergySlider* m_phi;
-    QDoubleSpinBox* m_stiffness;
+    ExactBox* m_stiffness;
     QComboBox* m_axis;
-    std::array<QDoubleSpinBox*, 3> m_numbers;
+    std::array<ExactBox*, 3> m_numbers;
     bool m_ownAxes = false;  // the chosen group's regions are stiff along directions of their own
     QListWidget* m_list;
     QToolButton* m_remove;

@@ -1,11 +1,10 @@
 #include "app/panels/region_numbers.h"
 
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <algorithm>
 #include <cmath>
 
-#include "app/panels/magnitude_box.h"
+#include "app/panels/exact_box.h"
 #include "app/panels/panel_parts.h"
 
 namespace wend {
@@ -13,16 +12,19 @@ namespace wend {
 namespace {
 
 enum Kind { kBall, kBox, kHalf };
+constexpr int kDirectionDigits = 6;
 
-Vec<3> valuesOf(const std::array<QDoubleSpinBox*, 3>& boxes) {
-    return {boxes[0]->value(), boxes[1]->value(), boxes[2]->value()};
+Vec<3> valuesOf(const std::array<ExactBox*, 3>& boxes) {
+    return {boxes[0]->exact(), boxes[1]->exact(), boxes[2]->exact()};
 }
 
-void put(const std::array<QDoubleSpinBox*, 3>& boxes, const Vec<3>& values) {
-    for (int k = 0; k < 3; ++k) {
-        const QSignalBlocker quiet(boxes[k]);
-        boxes[k]->setValue(values[k]);
-    }
+void put(const std::array<ExactBox*, 3>& boxes, const Vec<3>& values) {
+    for (int k = 0; k < 3; ++k) boxes[k]->put(values[k]);
+}
+
+/// Behind the point, so that lengths are shown to a ten-thousandth of the shape at least.
+int digitsFor(double diagonal) {
+    return diagonal > 0 ? std::clamp(4 - static_cast<int>(std::floor(std::log10(diagonal))), 1, 12) : 4;
 }
 
 /// The middle and the reach of any of the three.
@@ -42,19 +44,19 @@ RegionNumbers::RegionNumbers(QWidget* parent)
       m_firstName(secondLabel({}, this)),
       m_secondName(secondLabel({}, this)),
       m_radiusRow(new QWidget(this)),
-      m_radius(new MagnitudeBox(this)) {
+      m_radius(new ExactBox(this)) {
     makeControls();
     arrange();
     connect(m_kind, &QComboBox::activated, this, &RegionNumbers::chooseKind);
-    for (QDoubleSpinBox* box :
+    for (ExactBox* box :
          {m_radius, m_first[0], m_first[1], m_first[2], m_second[0], m_second[1], m_second[2]})
         connect(box, &QDoubleSpinBox::valueChanged, this, [this] { emit changed(numbers()); });
 }
 
 RegionNumbers::Numbers RegionNumbers::makeNumbers() {
     Numbers boxes;
-    for (QDoubleSpinBox*& box : boxes) {
-        box = new QDoubleSpinBox(this);
+    for (ExactBox*& box : boxes) {
+        box = new ExactBox(this);
         box->setRange(-1e9, 1e9);
         box->setDecimals(4);
         box->setKeyboardTracking(false);
@@ -73,6 +75,9 @@ void RegionNumbers::makeControls() {
     describe(m_kind, tr("Kind of region"), tr("What the region is; another kind keeps its place."));
     m_first = makeNumbers();
     m_second = makeNumbers();
+    m_radius->setRange(1e-9, 1e9);
+    m_radius->setDecimals(4);
+    m_radius->setKeyboardTracking(false);
     m_radius->setFixedWidth(116);
     describe(m_radius, tr("Radius"), tr("The radius of the ball."));
 }
@@ -85,7 +90,7 @@ void RegionNumbers::arrange() {
     for (const auto& [name, boxes] : {std::pair{m_firstName, m_first}, {m_secondName, m_second}}) {
         layout->addWidget(name);
         auto* row = new QHBoxLayout;
-        for (QDoubleSpinBox* box : boxes) row->addWidget(box);
+        for (ExactBox* box : boxes) row->addWidget(box);
         layout->addLayout(row);
     }
     auto* radius = panelRow(tr("Ra&dius"), m_radius, m_radiusRow);
@@ -96,30 +101,24 @@ void RegionNumbers::arrange() {
 
 Region<3> RegionNumbers::numbers() const {
     const Vec<3> a = valuesOf(m_first), b = valuesOf(m_second);
-    if (m_kind->currentIndex() == kBall) return Ball<3>{a, m_radius->value()};
+    if (m_kind->currentIndex() == kBall) return Ball<3>{a, m_radius->exact()};
     if (m_kind->currentIndex() == kBox) return Box<3>{a.cwiseMin(b), a.cwiseMax(b)};
     return HalfSpace<3>{a, b};
 }
 
 /// Another kind at the same place.
 void RegionNumbers::chooseKind(int kind) {
-    const auto [centre, reach] = extentOf(m_region, m_reach);
+    const auto [centre, reach] = extentOf(m_region, 0.1 * m_diagonal);
     Region<3> next = Ball<3>{centre, reach};
     if (kind == kBox) next = Box<3>{centre.array() - reach, centre.array() + reach};
     if (kind == kHalf) next = HalfSpace<3>{centre, Vec<3>::UnitX()};
     emit changed(next);
 }
 
-void RegionNumbers::showRegion(const Region<3>& region, double reach) {
+void RegionNumbers::showRegion(const Region<3>& region, double diagonal) {
     m_region = region;
-    m_reach = reach;
-    const int decimals = std::clamp(3 - static_cast<int>(std::floor(std::log10(reach))), 4, 15);
-    for (const auto& boxes : {m_first, m_second})
-        for (QDoubleSpinBox* box : boxes) {
-            const QSignalBlocker quiet(box);
-            box->setDecimals(decimals);
-        }
-    const QSignalBlocker a(m_kind), b(m_radius);
+    m_diagonal = diagonal;
+    const QSignalBlocker quiet(m_kind);
     const int kind = std::holds_alternative<Ball<3>>(region)  ? kBall
                      : std::holds_alternative<Box<3>>(region) ? kBox
                                                               : kHalf;
@@ -127,11 +126,12 @@ void RegionNumbers::showRegion(const Region<3>& region, double reach) {
     m_firstName->setText(kind == kBall ? tr("centre") : kind == kBox ? tr("from") : tr("point of the plane"));
     m_secondName->setText(kind == kBox ? tr("to") : tr("direction into it"));
     m_secondName->setVisible(kind != kBall);
-    for (QDoubleSpinBox* box : m_second) box->setVisible(kind != kBall);
+    for (ExactBox* box : m_second) box->setVisible(kind != kBall);
     m_radiusRow->setVisible(kind == kBall);
+    showDigits(kind == kHalf);
     if (const auto* ball = std::get_if<Ball<3>>(&region)) {
         put(m_first, ball->centre);
-        m_radius->setValue(ball->radius);
+        m_radius->put(ball->radius);
     } else if (const auto* box = std::get_if<Box<3>>(&region)) {
         put(m_first, box->min);
         put(m_second, box->max);
@@ -139,6 +139,16 @@ void RegionNumbers::showRegion(const Region<3>& region, double reach) {
         put(m_first, half->point);
         put(m_second, half->normal);
     }
+}
+
+/// As the shape is large; a direction has no length.
+void RegionNumbers::showDigits(bool direction) {
+    const int digits = digitsFor(m_diagonal);
+    for (ExactBox* box : m_first) box->showDigits(digits);
+    for (ExactBox* box : m_second) box->showDigits(direction ? kDirectionDigits : digits);
+    m_radius->showDigits(digits);
+    const QSignalBlocker quiet(m_radius);
+    m_radius->setMinimum(std::pow(0.1, digits));
 }
 
 }  // namespace wend

@@ -6,10 +6,11 @@
 #include "core/mesh/region.h"
 
 class QComboBox;
-class QDoubleSpinBox;
 class QLabel;
 
 namespace wend {
+
+class ExactBox;
 
 /// A ball, a box or a half-space in numbers.
 class RegionNumbers : public QWidget {
@@ -17,8 +18,8 @@ class RegionNumbers : public QWidget {
 
   public:
     explicit RegionNumbers(QWidget* parent = nullptr);
-    /// `reach`: how large what a half-space becomes is.
-    void showRegion(const Region<3>& region, double reach);
+    /// `diagonal` of the shape: so fine are the numbers.
+    void showRegion(const Region<3>& region, double diagonal);
     /// Of a kind that has numbers here.
     static bool canShow(const Region<3>& region) { return !std::holds_alternative<Blend<3>>(region); }
 
@@ -26,20 +27,21 @@ class RegionNumbers : public QWidget {
     void changed(const wend::Region<3>& region);
 
   private:
-    using Numbers = std::array<QDoubleSpinBox*, 3>;
+    using Numbers = std::array<ExactBox*, 3>;
     void makeControls();
     Numbers makeNumbers();
     void arrange();
     void chooseKind(int kind);
     Region<3> numbers() const;
+    void showDigits(bool direction);
 
     Region<3> m_region;
-    double m_reach = 1;
+    double m_diagonal = 1;
     QComboBox* m_kind;
     QLabel *m_firstName, *m_secondName;
     Numbers m_first, m_second;
     QWidget* m_radiusRow;
-    QDoubleSpinBox* m_radius;
+    ExactBox* m_radius;
 };
 
 }  // namespace wend

@@ -21,7 +21,7 @@ RegionPanel::RegionPanel(ShapeSession& session, QWidget* parent)
     m_count->setObjectName(QStringLiteral("regionCount"));
     connect(m_numbers, &RegionNumbers::changed, this, &RegionPanel::apply);
     connect(&m_session, &ShapeSession::pinsChanged, this, &RegionPanel::showHandle);
-    connect(&m_session, &ShapeSession::frameChanged, this, &RegionPanel::showHandle);
+    connect(&m_session, &ShapeSession::frameChanged, this, &RegionPanel::takeFrame);
     showHandle();
 }
 
@@ -48,12 +48,19 @@ void RegionPanel::apply(const Region<3>& next) {
                                 QStringLiteral("handle region %1").arg(handle));
 }
 
+/// Poses change nothing here.
+void RegionPanel::takeFrame() {
+    const auto frame = m_session.frame<3>();
+    if (!frame || frame->shape != m_mesh || isHidden()) showHandle();
+}
+
 void RegionPanel::showHandle() {
     const Region<3>* now = region();
     const auto frame = m_session.frame<3>();
+    m_mesh = frame ? frame->shape : nullptr;
     setVisible(now && frame);
     if (!now || !frame) return;
-    m_numbers->showRegion(*now, 0.1 * frame->diagonal);
+    m_numbers->showRegion(*now, frame->diagonal);
     m_count->setText(tr("%n vertices", nullptr, static_cast<int>(verticesIn(*now, *frame->rest).size())));
 }
 

@@ -20,12 +20,14 @@ class RegionPanel : public QWidget {
 
   private:
     void showHandle();
+    void takeFrame();
     void apply(const Region<3>& region);
     const Region<3>* region() const;
 
     ShapeSession& m_session;
     RegionNumbers* m_numbers;
     QLabel* m_count;
+    std::shared_ptr<const void> m_mesh;  // whose vertices were counted
 };
 
 }  // namespace wend

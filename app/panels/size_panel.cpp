@@ -218,7 +218,7 @@ void SizePanel::showGroup() {
         has && groups[group()].entries.size() == 1 && RegionNumbers::canShow(groups[group()].first.shape);
     m_shape->setVisible(one);
     const double diagonal = m_session.frame() ? m_session.frame()->diagonal : 1;
-    if (one) m_numbers->showRegion(groups[group()].first.shape, kReach * diagonal);
+    if (one) m_numbers->showRegion(groups[group()].first.shape, diagonal);
     if (one) m_feather->setValue(groups[group()].first.feather);
     std::vector<Region<3>> regions;
     if (has)

@@ -127,20 +127,14 @@ void MotionPass<Dim>::run(const Sink& sink, std::stop_token stop) {
 }
 
 template <int Dim>
-Points<Dim> MotionPass<Dim>::velocity(double time, const Points<Dim>& pose) {
-    if (!m_project) return Points<Dim>(Dim, 0);
-    if (!m_probe)
-        m_probe.emplace(m_shape.rest, m_shape.material, designOf<Dim>(*m_project).handles,
-                        integrationOf(*m_project), backEndFactory<Dim>(BackEndKind::Automatic));
-    State<Dim> state;
-    state.time = time;
-    state.points = pose;
-    if (const State<Dim>* before = m_cache.upTo(time)) {  // what handles took hold of, and where
-        state.anchors = before->anchors;
-        state.constrained = before->constrained;
-    }
-    m_probe->restore(state);
-    return m_probe->velocity();
+Points<Dim> MotionPass<Dim>::velocity(double time, const Points<Dim>& pose, std::stop_token stop) try {
+    const Points<Dim> none(Dim, 0);
+    if (!m_project || stop.stop_requested()) return none;
+    if (!m_probe) m_probe.emplace(m_shape.rest, m_shape.material, *m_project);
+    return stop.stop_requested() ? none : m_probe->at(time, pose);
+} catch (...) {
+    m_probe.reset();
+    throw;
 }
 
 template class MotionPass<2>;

@@ -4,6 +4,7 @@
 
 #include "app/session/pose_cache.h"
 #include "app/session/shape_builder.h"
+#include "app/session/velocity_probe.h"
 
 namespace wend {
 
@@ -31,9 +32,9 @@ class MotionPass {
 
     /// Goes on until the end, a fold or a stop; frames come in the order of time.
     void run(const Sink& sink, std::stop_token stop);
-    /// v̂ for a pose of this motion (method.md, Field and energy), solved for exactly; no columns if that
-    /// fails. Does not touch the motion.
-    Points<Dim> velocity(double time, const Points<Dim>& pose);
+    /// v̂ for a pose of this motion, solved for exactly; no columns if that fails, or if it was stopped before
+    /// the solver began. Does not touch the motion, whatever it throws.
+    Points<Dim> velocity(double time, const Points<Dim>& pose, std::stop_token stop);
 
   private:
     void begin(const Sink& sink);
@@ -43,7 +44,7 @@ class MotionPass {
     BuiltShape<Dim> m_shape;
     std::shared_ptr<const Project> m_project;
     std::optional<Deformer<Dim>> m_deformer;
-    std::optional<Deformer<Dim>> m_probe;  // for velocities that are asked for
+    std::optional<VelocityProbe<Dim>> m_probe;  // once a velocity was asked for
     PoseCache<Dim> m_cache;
     std::optional<AdvanceResult> m_result;
     double m_end = 0;

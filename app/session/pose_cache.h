@@ -15,11 +15,6 @@ class PoseCache {
     void keepUpTo(double time) { m_states.erase(m_states.upper_bound(time), m_states.end()); }
     /// The newest state, or null.
     const State<Dim>* last() const { return m_states.empty() ? nullptr : &m_states.rbegin()->second; }
-    /// The newest state that is no later than `time`, or null.
-    const State<Dim>* upTo(double time) const {
-        const auto next = m_states.upper_bound(time);
-        return next == m_states.begin() ? nullptr : &std::prev(next)->second;
-    }
     std::size_t size() const { return m_states.size(); }
 
   private:

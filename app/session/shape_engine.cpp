@@ -47,7 +47,12 @@ void ShapeEngineOf<Dim>::setShape(const SetShape& request) {
 
 template <int Dim>
 void ShapeEngineOf<Dim>::work(std::stop_token stop) {
-    m_wanted ? build(stop) : runPass(stop);
+    if (m_wanted)
+        build(stop);
+    else if (m_asked)
+        answer(stop);
+    else
+        runPass(stop);
 }
 
 template <int Dim>
@@ -162,22 +167,29 @@ void ShapeEngineOf<Dim>::runPass(std::stop_token stop) {
     }
 }
 
+/// Whatever goes wrong here, the motion is what counts; what is wrong with it is told there.
 template <int Dim>
-void ShapeEngineOf<Dim>::askVelocity(const AskVelocity& request) {
-    const auto frame = posed<Dim>(request.frame);
-    if (!frame || request.revision != m_revision || m_wanted || m_dragging || !m_shape) return;
-    if (frame->rest != m_shape->rest || !m_pass.isSet()) return;
+void ShapeEngineOf<Dim>::answer(std::stop_token stop) {
+    const AskVelocity question = *m_asked;
+    const auto frame = posed<Dim>(question.frame);
+    const bool isCurrent =
+        frame && question.revision == m_revision && m_shape && frame->rest == m_shape->rest && m_pass.isSet();
+    Points<Dim> field;
     try {
-        const Points<Dim> field = m_pass.velocity(frame->time, frame->pose);
-        if (field.cols() == frame->pose.cols())
-            m_sink.velocityReady(request.frame, std::make_shared<const Eigen::MatrixXd>(field));
-    } catch (const InputError&) {  // told by the motion itself
+        if (isCurrent) field = m_pass.velocity(frame->time, frame->pose, stop);
+    } catch (const std::exception&) {
+        field.resize(Dim, 0);
     }
+    if (isCurrent && field.cols() == 0 && stop.stop_requested()) return;  // again, when there is time
+    m_asked.reset();
+    if (isCurrent && field.cols() == frame->pose.cols())
+        m_sink.velocityReady(question.frame, std::make_shared<const Eigen::MatrixXd>(field));
 }
 
 template <int Dim>
 void ShapeEngineOf<Dim>::giveUp() {
     m_wanted.reset();
+    m_asked.reset();
     m_pass.clear();
     m_live.reset();
     m_dragging = false;

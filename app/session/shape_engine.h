@@ -34,9 +34,9 @@ class ShapeEngine {
     virtual void beginDrag(const BeginDrag& request) = 0;
     virtual void dragTo(const DragTo& request) = 0;
     virtual void endDrag() = 0;
-    /// Answers at once, unless the frame is of another shape or motion.
+    /// Is answered by work(), before the motion goes on, unless the frame is of another shape or motion.
     virtual void askVelocity(const AskVelocity& request) = 0;
-    /// The mesh, or the motion on it; goes on where it was stopped.
+    /// The mesh, or an answer, or the motion; goes on where it was stopped.
     virtual void work(std::stop_token stop) = 0;
     /// After a failure, or when it is cancelled: forgets what it was doing.
     virtual void giveUp() = 0;
@@ -49,13 +49,13 @@ class ShapeEngineOf : public ShapeEngine {
 
     int dimension() const override { return Dim; }
     bool isIdle() const override {
-        return m_dragging || (!m_wanted && (!m_pass.isSet() || m_pass.isFinished()));
+        return m_dragging || (!m_wanted && !m_asked && (!m_pass.isSet() || m_pass.isFinished()));
     }
     void setShape(const SetShape& request) override;
     void beginDrag(const BeginDrag& request) override;
     void dragTo(const DragTo& request) override;
     void endDrag() override { m_dragging = false; }
-    void askVelocity(const AskVelocity& request) override;
+    void askVelocity(const AskVelocity& request) override { m_asked = request; }
     void work(std::stop_token stop) override;
     void giveUp() override;
 
@@ -71,6 +71,7 @@ class ShapeEngineOf : public ShapeEngine {
     void prepareDrag(const BuiltPtr& shape);
     void build(std::stop_token stop);
     void runPass(std::stop_token stop);
+    void answer(std::stop_token stop);
     void tellFinished();
     std::shared_ptr<PosedFrame<Dim>> makeFrame(const BuiltPtr& shape, double time, const Points<Dim>& pose,
                                                double pinError) const;
@@ -80,7 +81,8 @@ class ShapeEngineOf : public ShapeEngine {
     BuiltPtr m_shape;
     std::shared_ptr<const Project> m_project;  // the newest, of m_revision: its mesh may be yet to come
     int m_revision = 0;
-    std::optional<SetShape> m_wanted;  // to be built
+    std::optional<SetShape> m_wanted;    // to be built
+    std::optional<AskVelocity> m_asked;  // to be answered
     MotionPass<Dim> m_pass;
     std::optional<LiveDrag<Dim>> m_live;  // made ahead of the next drag
     bool m_dragging = false;

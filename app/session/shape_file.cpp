@@ -111,11 +111,16 @@ void writeShape(const std::string& path, const Scene<Dim>& scene, const Points<D
     if constexpr (Dim == 3)
         if (isSkinFile(path)) {
             std::vector<MeshField> carried;
-            if (lowerExtension(path) == ".ply")  // the others hold none
+            if (holdsFields(path))
                 for (const MeshField& field : fields) carried.push_back(onSkin(scene, field));
             return writeSkin(path, *scene.skin, scene.ride->carry(*scene.rest, pose), carried, options);
         }
     writeMeshFile(path, poseFile(scene, pose, fields), options);
+}
+
+/// Of those that get the skin, one.
+bool holdsFields(const std::string& path) {
+    return !isSkinFile(path) || lowerExtension(path) == ".ply";
 }
 
 bool isSkinFile(const std::string& path) {

@@ -28,6 +28,9 @@ template <int Dim>
 void writeShape(const std::string& path, const Scene<Dim>& scene, const Points<Dim>& pose,
                 const std::vector<MeshField>& fields = {}, const MeshWriteOptions& options = {});
 
+/// True for formats of solids that keep shapeFields().
+bool holdsFields(const std::string& path);
+
 /// True for formats that get the skin of a solid.
 bool isSkinFile(const std::string& path);
 

@@ -114,7 +114,7 @@ void ShapeSession::takeLive(const FramePtr& frame) {
     m_drag->follow(*frame);
     m_preview = frame;
     show(frame, false);
-    if (frame->stopped && !wasStopped)
+    if (m_drag && frame->stopped && !wasStopped)  // who sees the frame may have ended the drag
         emit notice(tr("%1 cannot go further: %2")
                         .arg(nameOf(m_drag->handles()), QString::fromStdString(frame->message)));
 }

@@ -58,7 +58,7 @@ class ShapeSession : public QObject {
     /// setVelocityWanted), until then the difference of the neighbouring frames.
     template <int Dim>
     Points<Dim> velocity() const;
-    bool hasVelocity() const { return m_velocity && m_velocityOf == m_frame; }
+    bool hasVelocity() const { return m_frame && m_velocity && m_velocityOf == m_frame; }
     /// From now on v̂ is solved for at the time that is shown, unless it plays; `frameChanged` tells when it
     /// is there.
     void setVelocityWanted(bool wanted);

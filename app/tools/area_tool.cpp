@@ -125,8 +125,17 @@ Region<3> AreaTool::region() const {
     return Box<3>{m_restCentre.array() - radius, m_restCentre.array() + radius};
 }
 
+/// The whole line stayed where it began: a lasso comes back there. A region is as large as the way to the
+/// pointer is now.
 bool AreaTool::isClick() const {
-    return !m_line.isEmpty() && QLineF(m_line.first(), m_at).length() < 4;
+    const auto stays = [this](const QPointF& p) { return QLineF(m_line.first(), p).length() < 4; };
+    return !m_line.isEmpty() && stays(m_at) &&
+           (isSolidShape() || std::all_of(m_line.begin(), m_line.end(), stays));
+}
+
+/// Adding to nothing makes a new handle; there is nothing to take away from it.
+void AreaTool::tellNothingToTakeFrom() const {
+    emit session().notice(said(QT_TRANSLATE_NOOP("AreaTool", "Select one handle to take away from.")));
 }
 
 void AreaTool::release(const QMouseEvent& event) {
@@ -147,7 +156,9 @@ void AreaTool::finishRegion(bool changes) {
         emit session().notice(said(QT_TRANSLATE_NOOP("AreaTool", "There is no vertex in this region.")));
     else if (changes && one)
         changeSelected(vertices, m_adds);
-    else if (!changes || m_adds)
+    else if (changes && !m_adds)
+        tellNothingToTakeFrom();
+    else
         session().addHandle<3>(region(), said(QT_TRANSLATE_NOOP("AreaTool", "Region")).toStdString());
 }
 
@@ -165,7 +176,7 @@ void AreaTool::finish(Qt::KeyboardModifiers modifiers) {
     if (changes && one)
         changeSelected(vertices, m_adds);
     else if (changes && !m_adds)
-        emit session().notice(said(QT_TRANSLATE_NOOP("AreaTool", "Select one handle to take away from.")));
+        tellNothingToTakeFrom();
     else if (!vertices.empty())
         session().addSolidHandle(vertices, said(QT_TRANSLATE_NOOP("AreaTool", "Area")).toStdString());
     else

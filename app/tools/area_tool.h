@@ -40,6 +40,7 @@ class AreaTool : public SolidTool {
     void paintRegion(QPainter& painter) const;
     void paintCaught(QPainter& painter, const std::vector<int>& vertices) const;
     void countCaught();
+    void tellNothingToTakeFrom() const;
     void changeSelected(std::vector<int> vertices, bool add);
 
     Shape m_shape;

@@ -50,7 +50,8 @@ std::optional<CurveMotion<Dim>> CurveEditor<Dim>::curve() const {
 template <int Dim>
 typename CurveEditor<Dim>::Chosen CurveEditor<Dim>::identity() const {
     const auto own = curve();
-    return {own ? handle() : -1, own ? static_cast<int>(own->points.size()) : 0};
+    if (!own) return {};
+    return {handle(), static_cast<int>(own->points.size()), own->points.front()};
 }
 
 template <int Dim>
@@ -85,7 +86,7 @@ std::vector<JointKind> CurveEditor<Dim>::kinds(const CurveMotion<Dim>& curve) co
     auto kinds = jointKinds<Dim>(curve.points);
     for (const int joint : m_free)
         if (joint < static_cast<int>(kinds.size())) kinds[joint] = JointKind::Free;
-    if (m_freely && m_dragged >= 0) kinds[jointOf(m_dragged)] = JointKind::Free;
+    if (m_freely && isDragging()) kinds[jointOf(m_dragged)] = JointKind::Free;
     return kinds;
 }
 
@@ -93,7 +94,7 @@ std::vector<JointKind> CurveEditor<Dim>::kinds(const CurveMotion<Dim>& curve) co
 template <int Dim>
 std::vector<Vec<Dim>> CurveEditor<Dim>::moved(const CurveMotion<Dim>& curve) const {
     std::vector<Vec<Dim>> points = curve.points;
-    if (m_dragged <= 0 || m_dragged >= static_cast<int>(points.size())) return points;
+    if (!isDragging() || m_dragged >= static_cast<int>(points.size())) return points;
     if (curve.interpolation == Interpolation::Bezier)
         return withMovedPoint<Dim>(std::move(points), kinds(curve), m_dragged, m_by);
     points[m_dragged] += m_by;
@@ -157,6 +158,7 @@ template <int Dim>
 void CurveEditor<Dim>::begin(int point, const QPointF& widget) {
     choose(point);
     m_dragged = point;
+    m_draggedOf = m_session.document().project();
     m_freely = false;
     m_from = widget;
     m_by.setZero();
@@ -166,7 +168,7 @@ void CurveEditor<Dim>::begin(int point, const QPointF& widget) {
 template <int Dim>
 void CurveEditor<Dim>::drag(const QPointF& widget, bool freely) {
     const auto own = curve();
-    if (!own || m_dragged < 0 || m_dragged >= static_cast<int>(own->points.size())) return;
+    if (!own || !isDragging() || m_dragged >= static_cast<int>(own->points.size())) return;
     m_freely = freely;
     m_by = m_view.way(own->points[m_dragged] + shift(), m_from, widget);
     m_view.redraw();
@@ -183,7 +185,7 @@ void CurveEditor<Dim>::change(const QString& name, CurveMotion<Dim> next) {
 template <int Dim>
 void CurveEditor<Dim>::finish() {
     auto own = curve();
-    if (own && m_dragged >= 0 && !m_by.isZero()) {
+    if (own && isDragging() && !m_by.isZero()) {
         own->points = moved(*own);
         m_dragged = -1;
         change(said(QT_TRANSLATE_NOOP("CurveEditor", "Change curve")), *own);
@@ -194,6 +196,7 @@ void CurveEditor<Dim>::finish() {
 template <int Dim>
 void CurveEditor<Dim>::cancel() {
     m_dragged = -1;
+    m_draggedOf.reset();
     m_freely = false;
     m_by.setZero();
 }

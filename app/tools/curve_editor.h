@@ -30,7 +30,7 @@ class CurveEditor : public CurveEditing {
     int pointAt(const QPointF& widget) const;
     /// True if the curve itself is within reach.
     bool isOnCurve(const QPointF& widget) const { return placeAt(widget).piece >= 0; }
-    bool isDragging() const { return m_dragged >= 0; }
+    bool isDragging() const { return m_dragged >= 0 && m_draggedOf == m_session.document().project(); }
     /// Chooses the point and drags it.
     void begin(int point, const QPointF& widget);
     /// `freely`: the other direction of the joint stays as it is.
@@ -78,9 +78,11 @@ class CurveEditor : public CurveEditing {
     bool m_freely = false;
     QPointF m_from;
     Vec<Dim> m_by = Vec<Dim>::Zero();
-    // of one handle's curve, as long as it has that many points
+    std::shared_ptr<const Project> m_draggedOf;  // whose point is dragged: any change ends that
+    // of one handle's curve, as long as it has that many points and begins there
     struct Chosen {
         int handle = -1, count = 0;
+        Vec<Dim> start = Vec<Dim>::Zero();
         bool operator==(const Chosen&) const = default;
     };
     Chosen identity() const;

@@ -153,8 +153,10 @@ void PinTool::selectInside(const QRectF& rectangle, Qt::KeyboardModifiers modifi
 }
 
 void PinTool::doubleClick(const QMouseEvent& event) {
-    const bool left = event.button() == Qt::LeftButton;
-    if (!left || curvePointAt(event.position()) > 0 || !m_curve.insertAt(event.position())) press(event);
+    const QPointF at = event.position();
+    const bool onCurve =
+        event.button() == Qt::LeftButton && curvePointAt(at) <= 0 && handleAt(at) < 0;  // pins come first
+    if (!onCurve || !m_curve.insertAt(at)) press(event);
 }
 
 bool PinTool::ownsKey(const QKeyEvent& event) const {

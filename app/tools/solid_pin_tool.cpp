@@ -256,8 +256,10 @@ void SolidPinTool::selectInside(Qt::KeyboardModifiers modifiers) {
 }
 
 void SolidPinTool::doubleClick(const QMouseEvent& event) {
-    const bool left = event.button() == Qt::LeftButton;
-    if (!left || m_curve.pointAt(event.position()) > 0 || !m_curve.insertAt(event.position())) press(event);
+    const QPointF at = event.position();
+    const bool taken = m_curve.pointAt(at) > 0 || handleAt(at) >= 0 ||
+                       (placeManipulator() && m_manipulator.partAt(surface(), at));
+    if (event.button() != Qt::LeftButton || taken || !m_curve.insertAt(at)) press(event);
 }
 
 bool SolidPinTool::ownsKey(const QKeyEvent& event) const {

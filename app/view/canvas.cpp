@@ -3,6 +3,7 @@
 #include <QWheelEvent>
 #include <QtConcurrent>
 #include <cmath>
+#include <utility>
 
 #include "app/session/shape_builder.h"
 #include "app/view/overlay_painter.h"
@@ -266,6 +267,7 @@ void ShapeCanvas::resizeEvent(QResizeEvent*) {
 
 void ShapeCanvas::mousePressEvent(QMouseEvent* event) {
     setFocus(Qt::MouseFocusReason);
+    m_menuPressed = event->buttons() == Qt::RightButton;  // alone
     if (event->button() == Qt::MiddleButton || (event->button() == Qt::LeftButton && m_spaceDown)) {
         m_panning = true;
         m_lastPan = event->position();
@@ -305,7 +307,9 @@ void ShapeCanvas::mouseReleaseEvent(QMouseEvent* event) {
         endPan();
     else if (m_tool) {
         m_tool->release(*event);
-        const bool menu = event->button() == Qt::RightButton && m_tool->opensMenu(event->position());
+        // A menu takes the pointer: not in the middle of a gesture.
+        const bool alone = std::exchange(m_menuPressed, false) && event->buttons() == Qt::NoButton;
+        const bool menu = alone && event->button() == Qt::RightButton && m_tool->opensMenu(event->position());
         if (menu) emit menuWanted(event->globalPosition().toPoint());
         emit hintChanged(m_tool->hint());
     }

@@ -92,6 +92,7 @@ class ShapeCanvas : public QWidget, public ToolSurface {
     bool m_mesh = false, m_map = false, m_hidden = false, m_dimmed = false;
     bool m_fitted = false;  // the view follows the window's size until the user changes it
     bool m_spaceDown = false, m_panning = false;
+    bool m_menuPressed = false;  // the right button, and no other
     QPointF m_lastPan;
     Measure m_measure = Measure::Length;
     MeasureRange m_range;

@@ -11,7 +11,7 @@
 #include "app/session/opening.h"
 #include "app/session/run.h"
 #include "app/session/shape_file.h"
-#include "core/integration/deformer.h"
+#include "app/session/velocity_probe.h"
 #include "core/mesh/error.h"
 #include "core/mesh/mesh_file.h"
 #include "warp/warped_picture.h"
@@ -58,18 +58,16 @@ void writePicture(const std::string& path, const Pixels& pixels, int restMargin,
     writeWarped(path, WarpedPicture(*pixels.picture, *pixels.rest, pixels.pose, pixels.view(), options));
 }
 
-/// The velocity field at a frame, solved for as `wend run` does; empty where it cannot be.
-Points<3> velocityAt(const Project& project, const PosedFrame<3>& frame) try {
-    IntegrationOptions options = project.integration;
-    options.end = project.end;
-    Deformer<3> deformer(frame.rest, frame.material, std::get<Design<3>>(project.design).handles, options);
-    State<3> state;
-    state.time = frame.time;
-    state.points = frame.pose;
-    deformer.restore(state);
-    return deformer.velocity();
-} catch (const InputError&) {
-    return {};
+/// The velocity field at a frame; empty, with a remark, where it cannot be had.
+Points<3> velocityAt(const Project& project, const PosedFrame<3>& frame, QString& remark) {
+    Points<3> velocity;
+    try {
+        velocity = VelocityProbe<3>(frame.rest, frame.material, project).at(frame.time, frame.pose);
+        if (velocity.cols() == 0) remark = Exporter::tr("the velocity field cannot be solved for");
+    } catch (const InputError& error) {
+        remark = QString::fromUtf8(error.what());
+    }
+    return velocity;
 }
 
 /// What went wrong, or nothing. (Futures would slice the exception.)
@@ -120,7 +118,8 @@ FramePtr Exporter::shownFrame() {
     return {};
 }
 
-void Exporter::run(const QString& what, const QString& path, Job job) {
+void Exporter::run(const QString& what, const QString& path, Job job,
+                   const std::shared_ptr<const QString>& remark) {
     if (!isFree()) return;
     auto* dialog = new QProgressDialog(what, tr("Cancel"), 0, 1000, &m_window);
     dialog->setWindowModality(Qt::WindowModal);
@@ -141,12 +140,15 @@ void Exporter::run(const QString& what, const QString& path, Job job) {
     };
     m_running = QtConcurrent::run(
         [job = std::move(job), progress, source] { return errorOf(job, progress, source->get_token()); });
-    m_running.then(this, [this, finish, source, path](const QString& error) {
+    m_running.then(this, [this, finish, source, path, remark](const QString& error) {
         finish();
+        const QString name = QDir::toNativeSeparators(path);
         if (!error.isEmpty())
             emit failed(tr("Nothing was written. %1").arg(error));
         else if (!source->stop_requested())
-            emit done(tr("Written: %1").arg(QDir::toNativeSeparators(path)));
+            emit done(remark && !remark->isEmpty()
+                          ? tr("Written without velocities: %1 (%2)").arg(name, *remark)
+                          : tr("Written: %1").arg(name));
     });
 }
 
@@ -201,11 +203,15 @@ void Exporter::writeSolid(const QString& path, const PosedPtr<3>& frame, const M
     scene.skin = frame->built->skin;
     scene.ride = frame->built->ride;
     const auto project = m_session.document().project();
-    run(tr("Writing the mesh …"), path, [=](const Progress&, std::stop_token) {
-        const Points<3> velocity = velocityAt(*project, *frame);
-        writeShape<3>(path.toStdString(), scene, frame->pose, shapeFields<3>(scene, frame->pose, velocity),
-                      options);
-    });
+    const auto remark = std::make_shared<QString>();
+    const auto job = [=](const Progress&, std::stop_token stop) {
+        std::vector<MeshField> fields;
+        if (holdsFields(path.toStdString()))
+            fields = shapeFields<3>(scene, frame->pose, velocityAt(*project, *frame, *remark));
+        if (stop.stop_requested()) throw Cancelled();
+        writeShape<3>(path.toStdString(), scene, frame->pose, fields, options);
+    };
+    run(tr("Writing the mesh …"), path, job, remark);
 }
 
 void Exporter::exportFrames() {

@@ -45,7 +45,9 @@ class Exporter : public QObject {
     /// `chosen` gets the filter.
     QString askName(const QString& title, const QString& suffix, const QString& filters,
                     QString* chosen = nullptr);
-    void run(const QString& what, const QString& path, Job job);
+    /// `remark`: what the job has to say about what it wrote.
+    void run(const QString& what, const QString& path, Job job,
+             const std::shared_ptr<const QString>& remark = {});
     FramePtr shownFrame();
     bool isFree();
     void writeFlat(const QString& path, const PosedPtr<2>& frame);

@@ -339,9 +339,9 @@ void SolidWorkshop::exportPicture() {
     if (path.isEmpty()) return;
     if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".png");
     try {
-        writeViewPicture(path, *m_canvas, dialog.choice());
-        emit done(tr("Written: %1").arg(QDir::toNativeSeparators(path)));
-    } catch (const InputError& error) {
+        if (writeViewPicture(path, *m_canvas, dialog.choice()))
+            emit done(tr("Written: %1").arg(QDir::toNativeSeparators(path)));
+    } catch (const std::exception& error) {
         emit failed(tr("Nothing was written. %1").arg(QString::fromUtf8(error.what())));
     }
 }

@@ -1,8 +1,17 @@
 #include "app/view/view_picture.h"
 
 #include <QFileInfo>
+#include <QFutureWatcher>
 #include <QPainter>
+#include <QPointer>
+#include <QProgressDialog>
+#include <QtConcurrent>
 #include <cstring>
+#include <exception>
+#include <functional>
+#include <future>
+#include <new>
+#include <stop_token>
 
 #include "app/view/volume/solid_canvas.h"
 #include "core/mesh/error.h"
@@ -12,49 +21,150 @@ namespace wend {
 
 namespace {
 
+constexpr int kStripRows = 512;
+
 /// What lies over the view, as large against the solid as in the window: there the height decides.
-void paintMarks(QImage& image, SolidCanvas& canvas, const PictureChoice& choice) {
-    QPainter painter(&image);
+void paintMarks(QImage& rows, int top, SolidCanvas& canvas, const PictureChoice& choice) {
+    QPainter painter(&rows);
     painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
     const double scale = choice.size.height() / static_cast<double>(canvas.height());
+    painter.translate(0, -top);
     painter.scale(scale, scale);
     if (choice.legend) canvas.paintLegend(painter);
     painter.translate((choice.size.width() / scale - canvas.width()) / 2, 0);
     if (choice.marks) canvas.paintMarks(painter);
 }
 
-Image imageOf(const QImage& picture) {
-    const QImage straight = picture.convertToFormat(QImage::Format_RGBA8888);
-    Image image;
-    image.width = straight.width();
-    image.height = straight.height();
-    image.channels = 4;
-    image.alpha = image.unassociated = true;
-    image.data.resize(image.rowBytes() * static_cast<std::size_t>(image.height));
-    for (int y = 0; y < image.height; ++y)
-        std::memcpy(image.row(y), straight.constScanLine(y), image.rowBytes());
+QImage viewRows(SolidCanvas& canvas, const PictureChoice& choice, int top, int rows) {
+    QImage image = canvas.pictureRows(choice.size, top, rows, choice.transparent);
+    if (!image.isNull() && (choice.marks || choice.legend)) paintMarks(image, top, canvas, choice);
     return image;
 }
+
+Image headerOf(const PictureChoice& choice) {
+    Image image;
+    image.width = choice.size.width();
+    image.height = choice.size.height();
+    image.channels = 4;
+    image.alpha = image.unassociated = true;
+    return image;
+}
+
+/// Null rows: there was no memory for them.
+void copyRows(QImage rows, Image& strip) {
+    rows.convertTo(QImage::Format_RGBA8888);
+    if (rows.width() != strip.width || rows.height() != strip.height) throw std::bad_alloc();
+    for (int y = 0; y < strip.height; ++y) std::memcpy(strip.row(y), rows.constScanLine(y), strip.rowBytes());
+}
+
+/// Asks the view's thread, which is not this one, for rows.
+class RowsOfView {
+  public:
+    RowsOfView(SolidCanvas& canvas, const PictureChoice& choice, QProgressDialog& dialog)
+        : m_canvas(canvas), m_choice(choice), m_dialog(dialog) {}
+
+    QImage wait(int top, int rows) const {
+        auto promise = std::make_shared<std::promise<QImage>>();
+        auto answer = promise->get_future();
+        QMetaObject::invokeMethod(&m_canvas, [this, top, rows, promise = std::move(promise)] {
+            try {
+                m_dialog.setValue(top);
+                promise->set_value(viewRows(m_canvas, m_choice, top, rows));
+            } catch (...) {
+                promise->set_exception(std::current_exception());
+            }
+        });
+        return answer.get();  // throws if the view is gone
+    }
+
+  private:
+    SolidCanvas& m_canvas;
+    PictureChoice m_choice;
+    QProgressDialog& m_dialog;
+};
+
+QString tooLittleMemory(const PictureChoice& choice) {
+    return SolidCanvas::tr("the memory does not suffice for a picture of %1 x %2 pixels")
+        .arg(choice.size.width())
+        .arg(choice.size.height());
+}
+
+/// What went wrong, if anything did. (Futures would slice the exception.)
+std::exception_ptr failureOf(const std::function<void()>& job) {
+    try {
+        job();
+        return {};
+    } catch (...) {
+        return std::current_exception();
+    }
+}
+
+/// In another thread, while this one goes on with events; throws what the job throws.
+void runBeside(const std::function<void()>& job) {
+    QFutureWatcher<std::exception_ptr> watcher;  // its event wakes the loop at the end
+    watcher.setFuture(QtConcurrent::run([&job] { return failureOf(job); }));
+    while (!watcher.isFinished()) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+    if (const std::exception_ptr failure = watcher.result()) std::rethrow_exception(failure);
+}
+
+/// Modal from the start: while rows are drawn nobody turns the view.
+void prepare(QProgressDialog& dialog, const PictureChoice& choice) {
+    dialog.setWindowModality(Qt::WindowModal);
+    dialog.setMinimumDuration(0);
+    dialog.setAutoReset(false);
+    dialog.setAutoClose(false);
+    dialog.setRange(0, choice.size.height());
+    dialog.show();
+}
+
+void writeStrips(const std::string& path, SolidCanvas& canvas, const PictureChoice& choice) {
+    QProgressDialog dialog(SolidCanvas::tr("Writing the picture …"), SolidCanvas::tr("Cancel"), 0, 1,
+                           canvas.window());
+    std::stop_source stop;
+    QObject::connect(&dialog, &QProgressDialog::canceled, [&stop] { stop.request_stop(); });
+    QObject::connect(&canvas, &QObject::destroyed, &dialog, [&stop] { stop.request_stop(); });
+    prepare(dialog, choice);
+    const RowsOfView rows(canvas, choice, dialog);
+    const MakeRows makeRows = [&](int top, Image& strip) {
+        if (stop.stop_requested()) throw Cancelled();
+        copyRows(rows.wait(top, strip.height), strip);
+    };
+    runBeside([&] { writeImage(path, headerOf(choice), kStripRows, makeRows); });
+}
+
+/// What is seen stays as it is while this lives.
+class Hold {
+  public:
+    explicit Hold(SolidCanvas& canvas) : m_canvas(&canvas) { canvas.setHeld(true); }
+    ~Hold() {
+        if (m_canvas) m_canvas->setHeld(false);
+    }
+
+  private:
+    QPointer<SolidCanvas> m_canvas;
+};
 
 }  // namespace
 
 QImage viewPicture(SolidCanvas& canvas, const PictureChoice& choice) {
-    QImage image = canvas.picture(choice.size, choice.transparent);
-    if (!image.isNull() && (choice.marks || choice.legend)) paintMarks(image, canvas, choice);
-    return image;
+    return viewRows(canvas, choice, 0, choice.size.height());
 }
 
-void writeViewPicture(const QString& path, SolidCanvas& canvas, PictureChoice choice) {
+bool writeViewPicture(const QString& path, SolidCanvas& canvas, PictureChoice choice) {
     const QString kind = QFileInfo(path).suffix().toLower();
     if (kind == QStringLiteral("jpg") || kind == QStringLiteral("jpeg")) choice.transparent = false;
-    const QImage picture = viewPicture(canvas, choice);
-    if (picture.isNull())
-        throw InputError(path.toStdString(),
-                         SolidCanvas::tr("the memory does not suffice for a picture of %1 x %2 pixels")
-                             .arg(choice.size.width())
-                             .arg(choice.size.height())
-                             .toStdString());
-    writeImage(path.toStdString(), imageOf(picture));
+    const std::string name = path.toStdString();
+    if (const QString obstacle = canvas.obstacle(); !obstacle.isEmpty())
+        throw InputError(name, obstacle.toStdString());
+    const Hold hold(canvas);
+    try {
+        writeStrips(name, canvas, choice);
+        return true;
+    } catch (const Cancelled&) {
+        return false;
+    } catch (const std::bad_alloc&) {
+        throw InputError(name, tooLittleMemory(choice).toStdString());
+    }
 }
 
 }  // namespace wend

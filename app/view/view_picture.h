@@ -12,7 +12,9 @@ class SolidCanvas;
 /// The view as a picture with what was chosen. Null where the memory does not suffice.
 QImage viewPicture(SolidCanvas& canvas, const PictureChoice& choice);
 
-/// The same as a file, by extension; formats without alpha get the view's background. Throws InputError.
-void writeViewPicture(const QString& path, SolidCanvas& canvas, PictureChoice choice);
+/// The same as a file, by extension; formats without alpha get the view's background. Drawn and written strip
+/// by strip, the writing in another thread, with progress and a way to cancel; returns when it is done, false
+/// if it was cancelled. Throws InputError, also where the memory does not suffice.
+bool writeViewPicture(const QString& path, SolidCanvas& canvas, PictureChoice choice);
 
 }  // namespace wend

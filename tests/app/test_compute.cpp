@@ -3,6 +3,7 @@
 #include "app/document/handle_edits.h"
 #include "app/session/opening.h"
 #include "app/session/scene.h"
+#include "app/session/shape_engine.h"
 #include "tests/support/window_fixture.h"
 
 using namespace wend;
@@ -26,6 +27,7 @@ class TestCompute : public QObject {
     void cancelGoesBack_data();
     void cancelGoesBack();
     void firstMeshIsCancelled();
+    void velocitiesWaitForRequests();
     void newestTargetsStay();
     void closedMailboxStaysInterrupted();
     void samplesOpen();
@@ -260,6 +262,41 @@ void TestCompute::firstMeshIsCancelled() {
     QVERIFY(settle(*m_session));
     QVERIFY(std::abs(m_session->frame<2>()->rest->vertexCount() - 300) <= 40);
     QCOMPARE(problems.last().first().toString(), QString());  // taken back
+}
+
+/// A question is answered when nothing else is wanted, and not lost.
+void TestCompute::velocitiesWaitForRequests() {
+    open();
+    m_session->addPin({40, 80});
+    m_session->addPin({200, 80});
+    drag(1, {{0, 6}, {0, 20}});
+    FramePtr last;
+    int answers = 0;
+    ShapeEngine::Sink sink;
+    sink.shapeReady = [](int, const std::shared_ptr<const void>&, double) {};
+    sink.progress = [](double, double) {};
+    sink.finished = [](double, const std::string&) {};
+    sink.frameReady = [&](const FramePtr& frame) { last = frame; };
+    sink.velocityReady = [&](const FramePtr& frame, const VelocityPtr& velocity) {
+        QVERIFY(frame == last && velocity->cols() == frame->vertices && !velocity->isZero(0));
+        ++answers;
+    };
+    const auto engine = ShapeEngine::make(2, sink);
+    const Document& document = m_session->document();
+    engine->setShape({{document.generation(), 1, document.project(), document.picture(),
+                       document.folder().toStdString()}});
+    while (!engine->isIdle()) engine->work({});
+    QVERIFY(last);
+    engine->askVelocity({last, 1});
+    std::stop_source stop;
+    stop.request_stop();
+    engine->work(stop.get_token());
+    QVERIFY(answers == 0 && !engine->isIdle());
+    engine->work({});
+    QVERIFY(answers == 1 && engine->isIdle());
+    engine->askVelocity({last, 2});  // of another shape
+    engine->work({});
+    QVERIFY(answers == 1 && engine->isIdle());
 }
 
 void TestCompute::newestTargetsStay() {

@@ -97,7 +97,7 @@ void TestGestures::newPinIsThereAfterACancelledDrag() {
 }
 
 void TestGestures::newPinFollowsBeforeItsMeshIsMade() {
-    open();
+    open(6000);  // so that the mesh takes longer than the request
     const auto before = m_session->frame<2>()->rest;
     const int added = m_session->addPin<2>({120.25, 80.5});
     begin(added);

@@ -2,9 +2,11 @@
 #include <QDir>
 #include <QFile>
 #include <QLabel>
+#include <QProgressDialog>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSpinBox>
+#include <QTimer>
 #include <algorithm>
 #include <cmath>
 
@@ -34,6 +36,8 @@ class TestSolidExport : public QObject {
     void sequenceIsThatOfTheCommandLine();
     void animationIsThatOfTheCommandLine();
     void picturesAreAsChosen();
+    void picturesAreWrittenInStrips();
+    void picturesAreCancelled();
     void legendAndMarksAreAtChoice();
     void badPlacesAreTold();
 
@@ -205,6 +209,35 @@ void TestSolidExport::picturesAreAsChosen() {
     // The skin's material is what one sees.
     const QColor middle = clear.pixelColor(320, 240);
     QVERIFY(middle.blue() > 2 * middle.red());
+}
+
+/// Several of them, with what lies over the view: no seams.
+void TestSolidExport::picturesAreWrittenInStrips() {
+    SolidCanvas& canvas = *m_window->solids().canvas();
+    PictureChoice choice;
+    choice.size = {700, 1300};
+    choice.marks = true;
+    QVERIFY(writeViewPicture(file(QStringLiteral("strips.png")), canvas, choice));
+    const QImage whole = viewPicture(canvas, choice).convertToFormat(QImage::Format_RGBA8888);
+    const QImage strips = QImage(file(QStringLiteral("strips.png"))).convertToFormat(QImage::Format_RGBA8888);
+    QCOMPARE(strips.size(), choice.size);
+    int off = 0;  // smoothed lines may end in another grey where a strip ends
+    for (int y = 0; y < 1300; ++y)
+        for (int x = 0; x < 700; ++x)
+            off += std::abs(qAlpha(strips.pixel(x, y)) - qAlpha(whole.pixel(x, y))) > 8;
+    QVERIFY2(off < 20, qPrintable(QString::number(off)));
+}
+
+void TestSolidExport::picturesAreCancelled() {
+    SolidCanvas& canvas = *m_window->solids().canvas();
+    PictureChoice choice;
+    choice.size = {3000, 6000};
+    QTimer::singleShot(0, [this] {
+        if (auto* dialog = m_window->findChild<QProgressDialog*>())
+            dialog->findChild<QPushButton*>()->click();
+    });
+    QVERIFY(!writeViewPicture(file(QStringLiteral("never.png")), canvas, choice));
+    QVERIFY(!QFile::exists(file(QStringLiteral("never.png"))));
 }
 
 void TestSolidExport::legendAndMarksAreAtChoice() {

@@ -1,9 +1,11 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
 #include <cmath>
 
 #include "app/view/volume/volume_view.h"
+#include "core/mesh/cell_geometry.h"
 #include "core/meshing/volume_mesher.h"
 #include "tests/support/surfaces.h"
 
@@ -25,6 +27,9 @@ class TestVolumeView : public QObject {
     void ridingSurfaceFollowsAndIsCut();
     void hugeAndTinySolidsLookTheSame();
     void picturesOfTilesAreWhole();
+    void surfacesAloneAreNotCut_data();
+    void surfacesAloneAreNotCut();
+    void anotherSolidMayHaveFewerPoints();
     void manyTrianglesAreDrawn();
 
   private:
@@ -263,6 +268,50 @@ void TestVolumeView::picturesOfTilesAreWhole() {
     const QImage wide = m_view->picture({9000, 40}, false);  // more than renderers can draw at once
     QCOMPARE(wide.size(), QSize(9000, 40));
     QVERIFY(wide.pixel(4500, 20) != wide.pixel(2, 2));
+}
+
+void TestVolumeView::surfacesAloneAreNotCut_data() {
+    QTest::addColumn<int>("kind");
+    QTest::newRow("whole cells") << int(CutKind::WholeCells);
+    QTest::newRow("exact") << int(CutKind::Exact);
+}
+
+/// A file's triangles without tetrahedra, shown where the last solid was cut.
+void TestVolumeView::surfacesAloneAreNotCut() {
+    QFETCH(int, kind);
+    VolumeView view;
+    view.resize(200, 200);
+    view.setPicture(m_picture, true);
+    view.setCut(static_cast<CutKind>(kind), {Vec<3>::Zero(), Vec<3>::UnitX()});
+    QVERIFY(!view.surface().triangles.empty());
+    VolumePicture picture = m_picture;
+    picture.rest = std::make_shared<const SimplicialMesh<3>>();
+    picture.facets = std::make_shared<const std::vector<Facet<3>>>(
+        std::vector<Facet<3>>{{{0, 1, 2}, {0, -1}}, {{0, 1, 3}, {1, -1}}});
+    view.setPicture(picture, true);
+    QCOMPARE(view.surface().triangles.size(), std::size_t(2));
+}
+
+/// Those that it has may be the same.
+void TestVolumeView::anotherSolidMayHaveFewerPoints() {
+    VolumeView view;
+    view.resize(200, 200);
+    view.setPicture(m_picture, true);
+    VolumePicture picture = m_picture;
+    const Cell<3> first = m_picture.rest->cells.front();
+    auto one = std::make_shared<SimplicialMesh<3>>();
+    one->points = m_picture.rest->points.leftCols(*std::max_element(first.begin(), first.end()) + 1);
+    one->cells = {first};
+    picture.rest = one;
+    picture.facets = std::make_shared<const std::vector<Facet<3>>>(facetsOf(*one));
+    picture.pose = one->points;
+    view.setPicture(picture, true);
+    const Vec<3> middle = centroid<3>(one->points, first);
+    view.camera().lookAt(middle);
+    const Vec<3> screen = view.camera().project(middle, view.size());
+    QCOMPARE(view.pick({screen.x(), screen.y()}).cell, 0);
+    view.setPicture(m_picture, true);
+    QCOMPARE(view.surface().triangles.size(), wholeSurface(*m_picture.facets).triangles.size());
 }
 
 void TestVolumeView::manyTrianglesAreDrawn() {

@@ -10,6 +10,7 @@
 #include <QMimeData>
 #include <QPushButton>
 #include <QScreen>
+#include <QSignalSpy>
 #include <QSlider>
 #include <QStatusBar>
 #include <QTimer>
@@ -65,6 +66,8 @@ class TestWindow : public QObject {
     void exportedMeshIsThatOfTheWindow();
     void exportsFollowEachOther();
     void curvesAreEdited();
+    void doublePressTakesThePinOnItsCurve();
+    void menusWaitForTheGesture();
 
   private:
     void open();
@@ -537,6 +540,52 @@ void TestWindow::exportsFollowEachOther() {
     QVERIFY(m_window->banner().text().contains(QStringLiteral("Another export")));
     QVERIFY(QTest::qWaitFor([&] { return QFile::exists(m_folder->filePath(QStringLiteral("f_0036.png"))); },
                             60000));
+}
+
+/// Below a selected pin lies its curve.
+void TestWindow::doublePressTakesThePinOnItsCurve() {
+    open();
+    click(40, 80);
+    click(200, 80);
+    dragPin(200, 80, -30, 30);
+    QTest::mouseRelease(&m_window->canvas(), Qt::LeftButton, {}, at(170, 110));
+    QVERIFY(settle(m_window->session()));
+    m_window->curves().make->trigger();
+    m_window->session().playback().setTime(0.5);
+    QVERIFY(settle(m_window->session()));
+    const Vec<2> pin = m_window->session().pins()[1].centre;
+    QTest::mouseDClick(&m_window->canvas(), Qt::LeftButton, {}, at(pin.x(), pin.y()));
+    QVERIFY(settle(m_window->session()));
+    QCOMPARE(lastCurve<2>(*m_window->session().document().project(), 1)->points.size(), std::size_t(4));
+}
+
+/// A right click on the curve opens its menu, but not while the left button drags.
+void TestWindow::menusWaitForTheGesture() {
+    open();
+    click(40, 80);
+    click(200, 80);
+    dragPin(200, 80, -30, 30);
+    QTest::mouseRelease(&m_window->canvas(), Qt::LeftButton, {}, at(170, 110));
+    QVERIFY(settle(m_window->session()));
+    m_window->curves().make->trigger();
+    QVERIFY(settle(m_window->session()));
+    const Vec<2> inner = lastCurve<2>(*m_window->session().document().project(), 1)->points[1];
+    ShapeCanvas& canvas = m_window->canvas();
+    canvas.disconnect(SIGNAL(menuWanted(QPoint)));  // a menu would wait for an answer
+    QSignalSpy menus(&canvas, &ShapeCanvas::menuWanted);
+    const QPointF where = at(inner.x(), inner.y());
+    const auto send = [&](QEvent::Type type, Qt::MouseButton button, Qt::MouseButtons held) {
+        QMouseEvent event(type, where, canvas.mapToGlobal(where), button, held, {});
+        QCoreApplication::sendEvent(&canvas, &event);
+    };
+    send(QEvent::MouseButtonPress, Qt::LeftButton, Qt::LeftButton);
+    send(QEvent::MouseButtonPress, Qt::RightButton, Qt::LeftButton | Qt::RightButton);
+    send(QEvent::MouseButtonRelease, Qt::RightButton, Qt::LeftButton);
+    QCOMPARE(menus.count(), 0);
+    send(QEvent::MouseButtonRelease, Qt::LeftButton, Qt::NoButton);
+    send(QEvent::MouseButtonPress, Qt::RightButton, Qt::RightButton);
+    send(QEvent::MouseButtonRelease, Qt::RightButton, Qt::NoButton);
+    QCOMPARE(menus.count(), 1);
 }
 
 /// A dragged pin's way becomes a curve; its points are dragged, inserted and deleted.

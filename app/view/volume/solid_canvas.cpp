@@ -4,6 +4,7 @@
 #include <QMouseEvent>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/panels/legend.h"
 #include "app/session/fields.h"
@@ -108,6 +109,7 @@ QPointF SolidCanvas::toWidget(const Vec<3>& p) const {
 std::vector<int> SolidCanvas::verticesWhere(const std::function<bool(const QPointF&)>& inside,
                                             bool visibleOnly) const {
     std::vector<int> found;
+    if (!showsFrame()) return found;
     const Points<3>& pose = shown().pose;
     for (Eigen::Index v = 0; v < pose.cols(); ++v) {
         const Vec<3> screen = camera().project(pose.col(v), size());
@@ -116,6 +118,17 @@ std::vector<int> SolidCanvas::verticesWhere(const std::function<bool(const QPoin
     }
     if (visibleOnly) keepVisible(found);
     return found;
+}
+
+/// What is seen may be the surface of a file, or the mesh before: its cells and vertices are not those of the
+/// frame.
+bool SolidCanvas::showsFrame() const {
+    const auto frame = m_session.frame<3>();
+    return frame && shown().rest == frame->rest;
+}
+
+SolidHit SolidCanvas::pick(const QPointF& widget) const {
+    return showsFrame() ? VolumeView::pick(widget) : SolidHit{};
 }
 
 bool SolidCanvas::isHidden(const Vec<3>& p) const {
@@ -165,7 +178,17 @@ void SolidCanvas::redraw() {
     m_overlay->update();
 }
 
+/// What a gesture has gathered are cells and vertices of the mesh that it began on.
+void SolidCanvas::endGestureOnOtherMesh() {
+    const auto frame = m_session.frame<3>();
+    const std::shared_ptr<const void> mesh = frame ? frame->shape : nullptr;
+    if (std::exchange(m_mesh, mesh) == mesh || !m_active) return;
+    std::exchange(m_active, nullptr)->cancel();
+    redraw();
+}
+
 void SolidCanvas::takeFrame() {
+    endGestureOnOtherMesh();
     if (m_session.isStale() && !m_dimmed) {
         if (!m_dim.isActive()) m_dim.start();
     } else if (!m_session.isStale()) {
@@ -196,7 +219,8 @@ bool SolidCanvas::hasDetail() const {
 /// A new solid is seen whole: first as it comes, then, when its motion is known, as it is shown then.
 void SolidCanvas::refresh() {
     const auto frame = m_session.frame<3>();
-    if (!frame) return;
+    m_missed = m_held;
+    if (!frame || m_held) return;
     VolumePicture picture;
     picture.rest = frame->rest;
     picture.facets = frame->facets;
@@ -224,6 +248,11 @@ void SolidCanvas::refresh() {
     m_toFit = m_toFit && m_session.isStale();
     showGlyphs(*frame);
     redraw();
+}
+
+void SolidCanvas::setHeld(bool held) {
+    m_held = held;
+    if (!held && m_missed) refresh();
 }
 
 void SolidCanvas::showPreview(const std::shared_ptr<const Skin>& skin) {
@@ -371,7 +400,7 @@ void SolidCanvas::showWorst() {
 void SolidCanvas::resizeEvent(QResizeEvent* event) {
     VolumeView::resizeEvent(event);
     m_overlay->setGeometry(rect());
-    if (m_fitted) fit();
+    if (m_fitted && !m_held) fit();
 }
 
 SolidTool* SolidCanvas::toolAt(const QPointF& at) {

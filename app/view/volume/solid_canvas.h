@@ -28,7 +28,7 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     QPointF toWidget(const Vec<3>& p) const override;
     double pixelSize(const Vec<3>& at) const override { return camera().pixelSize(size(), at); }
     Vec<3> viewDirection() const override { return camera().direction(); }
-    SolidHit pick(const QPointF& widget) const override { return VolumeView::pick(widget); }
+    SolidHit pick(const QPointF& widget) const override;
     std::vector<int> verticesWhere(const std::function<bool(const QPointF&)>& inside,
                                    bool visibleOnly) const override;
     bool isHidden(const Vec<3>& p) const override;
@@ -44,6 +44,8 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     /// Of that, what is not the tools': pins, paths, the worst place, the axes.
     void paintMarks(QPainter& painter);
     bool hasLegend() const { return m_map && !m_hidden; }
+    /// While held, what is shown stays as it is, whatever is computed: rows of one picture are drawn.
+    void setHeld(bool held);
     /// The map's, at the top left.
     void paintLegend(QPainter& painter) const;
 
@@ -89,6 +91,8 @@ class SolidCanvas : public VolumeView, public SolidSurface {
 
   private:
     void takeFrame();
+    void endGestureOnOtherMesh();
+    bool showsFrame() const;
     void refresh();
     void showGlyphs(const PosedFrame<3>& frame);
     void wantVelocity();
@@ -103,14 +107,15 @@ class SolidCanvas : public VolumeView, public SolidSurface {
 
     ShapeSession& m_session;
     SolidTool* m_tool = nullptr;
-    SolidTool* m_active = nullptr;  // the one that has the pointer
+    SolidTool* m_active = nullptr;       // the one that has the pointer
+    std::shared_ptr<const void> m_mesh;  // of the last frame
     CutTool m_cutTool;
     QWidget* m_overlay;
     SurfaceStyle m_style;
     QTimer m_dim;
     int m_generation = -1;  // of the document that the view was fitted to
     bool m_map = false, m_arrows = false, m_values = false, m_glyphs = false, m_hidden = false,
-         m_dimmed = false;
+         m_dimmed = false, m_held = false, m_missed = false;
     bool m_detail = true;
     bool m_planeChosen = false;  // the cut's, by the user in this document
     bool m_toFit = false;        // the view has not been fitted to the whole motion's end yet

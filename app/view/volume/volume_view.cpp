@@ -21,6 +21,17 @@ constexpr int kRestAfter = 160;         // milliseconds without motion
 constexpr double kOwnFromBehind = 0.7;  // red is red from behind, and still told from the front
 const QRgb kPlainColour = qRgb(196, 178, 150);
 
+void putTile(QImage& image, const QPoint& at, const QImage& tile) {
+    QPainter painter(&image);
+    painter.setCompositionMode(QPainter::CompositionMode_Source);
+    painter.drawImage(at, tile);
+}
+
+/// Eigen compares matrices of one size only.
+bool isSame(const Points<3>& a, const Points<3>& b) {
+    return a.cols() == b.cols() && a == b;
+}
+
 }  // namespace
 
 VolumeView::VolumeView(QWidget* parent) : QOpenGLWidget(parent) {
@@ -58,11 +69,12 @@ void VolumeView::setPicture(VolumePicture picture, bool fitView) {
     const bool sameSurface = m_cut == CutKind::None && picture.facets == m_picture.facets;
     if (picture.cellColours.empty() && picture.rest)
         picture.cellColours.assign(picture.facets->size(), kPlainColour);  // more than there are cells
-    if (picture.skin != m_picture.skin || picture.pose != m_picture.pose) m_ridden.reset();
+    const bool samePose = isSame(picture.pose, m_picture.pose);
+    if (picture.skin != m_picture.skin || !samePose) m_ridden.reset();
     if (picture.skin != m_picture.skin) m_meshStale = m_texturesStale = true;
     m_coloursStale = m_coloursStale || picture.cellColours != m_picture.cellColours ||
                      picture.materials != m_picture.materials;
-    if (picture.pose != m_picture.pose) m_poseStale = m_treePoseStale = true;
+    if (!samePose) m_poseStale = m_treePoseStale = true;
     m_picture = std::move(picture);
     if (!sameSurface) remakeSurface();
     update();
@@ -101,9 +113,10 @@ void VolumeView::setOrthographic(bool on) {
     emit cameraChanged();
 }
 
+/// A surface without tetrahedra has no inside that a cut could show.
 void VolumeView::remakeSurface() {
     if (!m_picture.rest) return;
-    switch (m_cut) {
+    switch (m_picture.rest->cells.empty() ? CutKind::None : m_cut) {
         case CutKind::None:
             m_surface = wholeSurface(*m_picture.facets);
             break;
@@ -256,8 +269,7 @@ QColor VolumeView::background() const {
 /// Smoothed edges cost a processor that draws far more than the rest: they come when nothing moves.
 void VolumeView::paintGL() {
     if (!m_ready) {
-        QPainter(this).drawText(rect(), Qt::AlignCenter,
-                                tr("The solid cannot be drawn: %1").arg(m_renderer.error()));
+        QPainter(this).drawText(rect(), Qt::AlignCenter, obstacle());
         return;
     }
     const Sight sight{m_camera.view(), m_camera.projection(size()), m_camera.orthographic()};
@@ -302,27 +314,29 @@ QImage VolumeView::tile(const QRect& part, const QSize& whole, const QColor& bac
     return image;
 }
 
-QImage VolumeView::picture(const QSize& size, bool transparent) {
+QString VolumeView::obstacle() const {
+    return m_ready ? QString() : tr("The solid cannot be drawn: %1").arg(m_renderer.error());
+}
+
+QImage VolumeView::pictureRows(const QSize& size, int top, int rows, bool transparent) {
+    if (!m_ready) return {};
+    QImage image(size.width(), rows, QImage::Format_ARGB32_Premultiplied);
+    if (image.isNull()) return {};
     makeCurrent();
     GLint most = m_largestTile;
-    if (m_ready) context()->functions()->glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &most);
+    context()->functions()->glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &most);
     const int step = std::min<int>(m_largestTile, most);
-    QImage image(size, QImage::Format_ARGB32_Premultiplied);
-    for (int y = 0; m_ready && y < size.height() && !image.isNull(); y += step)
+    for (int y = 0; y < rows && !image.isNull(); y += step)
         for (int x = 0; x < size.width() && !image.isNull(); x += step) {
-            const QRect part = QRect(x, y, step, step) & QRect({0, 0}, size);
-            const QImage piece = tile(part, size, transparent ? QColor(0, 0, 0, 0) : background());
-            if (piece.isNull()) {
-                image = {};
-                break;
-            }
-            QPainter painter(&image);
-            painter.setCompositionMode(QPainter::CompositionMode_Source);
-            painter.drawImage(part.topLeft(), piece);
+            const QRect part = QRect(x, y, step, step) & image.rect();
+            const QImage piece =
+                tile(part.translated(0, top), size, transparent ? QColor(0, 0, 0, 0) : background());
+            if (!piece.isNull()) putTile(image, part.topLeft(), piece);
+            if (piece.isNull()) image = {};
         }
     doneCurrent();
     update();
-    return m_ready ? image : QImage();
+    return image;
 }
 
 VolumeView::Drag VolumeView::dragFor(const QMouseEvent& event) const {

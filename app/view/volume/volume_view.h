@@ -59,7 +59,13 @@ class VolumeView : public QOpenGLWidget {
     const CutSurface& surface() const { return m_surface; }
     /// The view as a picture of any size, drawn in tiles where it is larger than the renderer can; the
     /// background may be left transparent. Null if the memory does not suffice.
-    QImage picture(const QSize& size, bool transparent);
+    QImage picture(const QSize& size, bool transparent) {
+        return pictureRows(size, 0, size.height(), transparent);
+    }
+    /// Some rows of it.
+    QImage pictureRows(const QSize& size, int top, int rows, bool transparent);
+    /// Why there can be no picture; empty if there can.
+    QString obstacle() const;
     /// Tiles of a picture are at most so large, also where the renderer could do more.
     void setLargestTile(int pixels) { m_largestTile = pixels; }
     /// Something moves and will be drawn again soon: where the processor draws, edges are not smoothed until

@@ -1,0 +1,25 @@
+#include "app/session/velocity_probe.h"
+
+#include "kernels/back_end_choice.h"
+
+namespace wend {
+
+template <int Dim>
+VelocityProbe<Dim>::VelocityProbe(std::shared_ptr<const SimplicialMesh<Dim>> rest,
+                                  std::shared_ptr<const Material<Dim>> material, const Project& project)
+    : m_deformer(std::move(rest), std::move(material), std::get<Design<Dim>>(project.design).handles,
+                 integrationOf(project), backEndFactory<Dim>(BackEndKind::Automatic)) {}
+
+template <int Dim>
+Points<Dim> VelocityProbe<Dim>::at(double time, const Points<Dim>& pose) {
+    State<Dim> state;
+    state.time = time;
+    state.points = pose;
+    m_deformer.restore(state);
+    return m_deformer.velocity();
+}
+
+template class VelocityProbe<2>;
+template class VelocityProbe<3>;
+
+}  // namespace wend
