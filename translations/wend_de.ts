@@ -1518,6 +1518,18 @@
         <source>Tetrahedron %1</source>
         <translation>Tetraeder %1</translation>
     </message>
+    <message>
+        <source>dihedral angles</source>
+        <translation>Winkel zwischen Seiten</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>circumradius to shortest edge</source>
+        <translation>Umkreisradius zu kürzester Kante</translation>
+    </message>
 </context>
 <context>
     <name>wend::MeshPanel</name>
@@ -2624,6 +2636,10 @@
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Cell %1</source>
+        <translation>Zelle %1</translation>
     </message>
 </context>
 <context>
