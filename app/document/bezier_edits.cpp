@@ -158,13 +158,24 @@ Curve<Dim> curveOf(const CurveMotion<Dim>& motion) {
 }
 
 template <int Dim>
+int pieceBehind(const CurveMotion<Dim>& motion, int point) {
+    const int last = static_cast<int>(curveOf<Dim>(motion).pieces.size()) - 1;
+    if (motion.interpolation == Interpolation::Bezier) return std::clamp(point / 3, 0, last);
+    const auto kept = distinctPoints<Dim>(motion.points);
+    const auto behind = std::upper_bound(kept.begin(), kept.end(), std::max(point, 0)) - kept.begin();
+    return std::clamp(static_cast<int>(behind) - 1, 0, last);
+}
+
+template <int Dim>
 CurveMotion<Dim> withPointOn(CurveMotion<Dim> motion, int piece, double v) {
     if (motion.interpolation == Interpolation::Bezier) {
         motion.points = splitBezier<Dim>(motion.points, piece, v);
     } else {
         const Vec<Dim> p = curveOf<Dim>(motion).pieces[piece].value(v);
-        motion.points.erase(std::unique(motion.points.begin(), motion.points.end()), motion.points.end());
-        motion.points.insert(motion.points.begin() + piece + 1, p);
+        std::vector<Vec<Dim>> points;  // the pieces are between these
+        for (const int i : distinctPoints<Dim>(motion.points)) points.push_back(motion.points[i]);
+        points.insert(points.begin() + piece + 1, p);
+        motion.points = std::move(points);
     }
     return motion;
 }
@@ -191,6 +202,7 @@ std::optional<CurveMotion<Dim>> withoutPoint(CurveMotion<Dim> motion, int point)
     template std::vector<Vec<Dim>> splitBezier<Dim>(const std::vector<Vec<Dim>>&, int, double);            \
     template std::vector<Vec<Dim>> withoutJoint<Dim>(std::vector<Vec<Dim>>, int);                          \
     template Curve<Dim> curveOf<Dim>(const CurveMotion<Dim>&);                                             \
+    template int pieceBehind<Dim>(const CurveMotion<Dim>&, int);                                           \
     template CurveMotion<Dim> withPointOn<Dim>(CurveMotion<Dim>, int, double);                             \
     template std::optional<CurveMotion<Dim>> withoutPoint<Dim>(CurveMotion<Dim>, int)
 // clang-format on

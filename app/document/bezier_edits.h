@@ -48,6 +48,9 @@ std::vector<Vec<Dim>> withoutJoint(std::vector<Vec<Dim>> points, int joint);
 /// The curve that a motion follows, as pieces in the order of its points.
 template <int Dim>
 Curve<Dim> curveOf(const CurveMotion<Dim>& motion);
+/// The piece that begins at a point, or that it lies in; the last one for the end.
+template <int Dim>
+int pieceBehind(const CurveMotion<Dim>& motion, int point);
 /// A point more at v of a piece: exactly on the curve; a spline's shape changes a little.
 template <int Dim>
 CurveMotion<Dim> withPointOn(CurveMotion<Dim> motion, int piece, double v);

@@ -79,11 +79,7 @@ void CurvePanel::arrange(bool titled) {
 }
 
 int CurvePanel::single() const {
-    const auto& selected = m_session.selection().handles();
-    if (m_session.document().dimension() != m_dimension || selected.size() != 1) return -1;
-    const auto count = std::visit([](const auto& design) { return design.handles.size(); },
-                                  m_session.document().project()->design);
-    return selected.front() < static_cast<int>(count) ? selected.front() : -1;
+    return m_session.document().dimension() == m_dimension ? m_session.singleHandle() : -1;
 }
 
 void CurvePanel::change() {

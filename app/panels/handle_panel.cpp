@@ -91,8 +91,7 @@ void HandlePanel::arrange() {
 }
 
 int HandlePanel::single() const {
-    const auto& handles = m_session.selection().handles();
-    return m_session.document().dimension() == 3 && handles.size() == 1 ? handles.front() : -1;
+    return m_session.document().dimension() == 3 ? m_session.singleHandle() : -1;
 }
 
 Vec<3> HandlePanel::middle() const {

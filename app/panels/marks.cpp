@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "app/session/accent.h"
+
 namespace wend {
 
 void Marks::line(const QPolygonF& line, const QColor& colour, double width, Qt::PenStyle style) {
@@ -16,7 +18,7 @@ void Marks::line(const QPolygonF& line, const QColor& colour, double width, Qt::
 }
 
 void Marks::path(const QPolygonF& line, const std::vector<double>& times, bool selected, double now) {
-    QColor colour = selected ? QColor(0x4a5bd4) : kInk;
+    QColor colour = selected ? QColor(kAccent) : kInk;
     if (!selected) colour.setAlpha(150);
     this->line(line, colour, selected ? 2 : 1.25, Qt::CustomDashLine);
     m_painter.setPen(QPen(colour, 1));
@@ -39,7 +41,7 @@ void Marks::pin(const QPointF& at, bool selected, bool hovered, bool square) {
     m_painter.drawEllipse(at, r + 1, r + 1);
     m_painter.setBrush(Qt::white);
     m_painter.drawEllipse(at, r, r);
-    m_painter.setBrush(selected ? QColor(0x4a5bd4) : QColor(0x3a3d47));
+    m_painter.setBrush(selected ? QColor(kAccent) : QColor(0x3a3d47));
     const double inner = selected ? r - 2.2 : r - 3.6;
     if (square)
         m_painter.drawRoundedRect(QRectF(at.x() - inner, at.y() - inner, 2 * inner, 2 * inner), 1, 1);

@@ -5,6 +5,8 @@
 #include <QPixmap>
 #include <QSvgRenderer>
 
+#include "app/session/accent.h"
+
 namespace wend {
 
 namespace {
@@ -22,7 +24,7 @@ QPalette lightPalette() {
     p.setColor(QPalette::Midlight, QColor(0xe3e4e8));
     p.setColor(QPalette::Dark, QColor(0xa4a6af));
     p.setColor(QPalette::Shadow, QColor(0x6b6e78));
-    p.setColor(QPalette::Highlight, QColor(0x4a5bd4));
+    p.setColor(QPalette::Highlight, QColor(kAccent));
     p.setColor(QPalette::HighlightedText, QColor(0xffffff));
     p.setColor(QPalette::Link, QColor(0x3f4fc4));
     p.setColor(QPalette::PlaceholderText, QColor(0x80838d));

@@ -7,11 +7,7 @@ namespace wend {
 namespace {
 
 int single(const ShapeSession& session) {
-    const auto& handles = session.selection().handles();
-    if (handles.size() != 1 || !session.frame()) return -1;
-    const auto count = std::visit([](const auto& design) { return design.handles.size(); },
-                                  session.document().project()->design);
-    return handles.front() < static_cast<int>(count) ? handles.front() : -1;
+    return session.frame() ? session.singleHandle() : -1;
 }
 
 template <int Dim>

@@ -241,6 +241,12 @@ int ShapeSession::handleCount() const {
         std::visit([](const auto& design) { return design.handles.size(); }, m_document.project()->design));
 }
 
+int ShapeSession::singleHandle() const {
+    const auto& selected = m_selection.handles();
+    if (m_document.isEmpty() || selected.size() != 1) return -1;
+    return selected.front() < handleCount() ? selected.front() : -1;
+}
+
 template <int Dim>
 std::vector<PinView<Dim>> ShapeSession::views(bool holding) const {
     const auto shape = frame<Dim>();

@@ -28,6 +28,9 @@ class ShapeSession : public QObject {
     const Selection& selection() const { return m_selection; }
     Playback& playback() { return m_playback; }
     const FrameTrack& track() const { return m_track; }
+    /// The handle if one alone is selected, else −1. (In the middle of an undo the selection may be that of
+    /// the project before.)
+    int singleHandle() const;
 
     /// The frame to show now: of the drag, or of the time that is shown; null before the first mesh.
     const FramePtr& frame() const { return m_frame; }

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <algorithm>
 
+#include "app/session/accent.h"
 #include "app/session/solid_places.h"
 #include "app/tools/region_outline.h"
 
@@ -10,7 +11,8 @@ namespace wend {
 
 namespace {
 
-const QColor kLine(0x4a5bd4);
+const QColor kLine(kAccent);
+constexpr double kLargestBrush = 200;  // pixels
 constexpr std::size_t kMostLooked = 4000;
 
 QString said(const char* text) {
@@ -109,16 +111,10 @@ std::vector<int> AreaTool::verticesInside() const {
     return m_shape == Shape::Brush ? m_brushed : surface().verticesWhere(insideTest(), !m_through);
 }
 
-/// Where the screen's plane through the centre is under the pointer.
-Vec<3> AreaTool::across(const QPointF& widget) const {
-    const Ray ray = surface().ray(widget);
-    const Vec<3> normal = surface().viewDirection();
-    return ray.origin + normal.dot(m_centre - ray.origin) / normal.dot(ray.direction) * ray.direction;
-}
-
 /// Around the place in the rest shape, as large as it was drawn in the pose.
 Region<3> AreaTool::region() const {
-    const Vec<3> way = m_turn.transpose() * (across(m_at) - across(m_line.first()));
+    const Vec<3> way = m_turn.transpose() * (acrossTheScreen(surface(), m_centre, m_at) -
+                                             acrossTheScreen(surface(), m_centre, m_line.first()));
     const double radius = way.norm();
     if (m_shape == Shape::Ball) return Ball<3>{m_restCentre, radius};
     if (m_shape == Shape::Half) return HalfSpace<3>{m_restCentre, way.normalized()};
@@ -209,9 +205,9 @@ bool AreaTool::key(const QKeyEvent& event) {
         surface().redraw();
         return true;
     }
-    const double factor = event.text() == "[" ? 0.8 : event.text() == "]" ? 1.25 : 1;
-    if (factor == 1 || m_shape != Shape::Brush) return false;
-    m_radius = std::clamp(m_radius * factor, 4.0, 200.0);
+    const auto radius = brushAfter(event, m_radius, kLargestBrush);
+    if (!radius || m_shape != Shape::Brush) return false;
+    m_radius = *radius;
     surface().redraw();
     return true;
 }

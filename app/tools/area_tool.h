@@ -35,7 +35,6 @@ class AreaTool : public SolidTool {
     void brush();
     void finish(Qt::KeyboardModifiers modifiers);
     Region<3> region() const;
-    Vec<3> across(const QPointF& widget) const;
     void finishRegion(bool changes);
     void paintRegion(QPainter& painter) const;
     void paintCaught(QPainter& painter, const std::vector<int>& vertices) const;

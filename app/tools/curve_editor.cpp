@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/session/accent.h"
+
 namespace wend {
 
 namespace {
@@ -32,11 +34,7 @@ QString curveHint(bool onPoint) {
 
 template <int Dim>
 int CurveEditor<Dim>::handle() const {
-    const auto& selected = m_session.selection().handles();
-    if (m_session.document().dimension() != Dim || selected.size() != 1) return -1;
-    // In the middle of an undo the selection may be that of the project before.
-    const auto count = m_session.document().template design<Dim>().handles.size();
-    return selected.front() < static_cast<int>(count) ? selected.front() : -1;
+    return m_session.document().dimension() == Dim ? m_session.singleHandle() : -1;
 }
 
 template <int Dim>
@@ -254,10 +252,8 @@ template <int Dim>
 void CurveEditor<Dim>::insertPoint() {
     const auto own = curve();
     if (!own) return;
-    const int pieces = static_cast<int>(curveOf<Dim>(*own).pieces.size());
-    const int step = own->interpolation == Interpolation::Bezier ? 3 : 1;
-    const int behind = std::min(std::max(chosen(), 0) / step, pieces - 1);
-    insertOn(std::exchange(m_place, std::nullopt).value_or(Place{behind, 0.5, 0}));
+    const Place behind{pieceBehind<Dim>(*own, chosen()), 0.5, 0};
+    insertOn(std::exchange(m_place, std::nullopt).value_or(behind));
 }
 
 template <int Dim>
@@ -317,7 +313,7 @@ void CurveEditor<Dim>::paint(QPainter& painter, const QPointF& pointer) const {
     for (int i = 1; i < screen.size(); ++i) {
         const double r = distance(screen[i], pointer) < kReach ? 5.5 : 4.5;
         painter.setPen(
-            QPen(i == chosen() ? QColor(0x4a5bd4) : QColor(Qt::white), i == chosen() ? 2.25 : 1.25));
+            QPen(i == chosen() ? QColor(kAccent) : QColor(Qt::white), i == chosen() ? 2.25 : 1.25));
         painter.setBrush(i == chosen() ? QColor(Qt::white) : kLine);
         if (bezier && i % 3 == 0)
             painter.drawRect(QRectF(screen[i].x() - r, screen[i].y() - r, 2 * r, 2 * r));

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include "app/session/accent.h"
+
 namespace wend {
 
 namespace {
@@ -12,6 +14,7 @@ namespace {
 constexpr double kReach = 9;           // pixels of the screen
 constexpr double kPointReach = 5;      // of single points of a handle of many
 constexpr double kStrokeDetail = 0.5;  // pixels of the screen that a recorded path may deviate
+constexpr double kLargestBrush = 200;  // pixels
 
 QString said(const char* text) {
     return QCoreApplication::translate("SolidPinTool", text);
@@ -19,13 +22,6 @@ QString said(const char* text) {
 
 double distance(const QPointF& a, const QPointF& b) {
     return QLineF(a, b).length();
-}
-
-/// Where the screen's plane through a point is under the pointer.
-Vec<3> acrossTheScreen(const SolidSurface& surface, const Vec<3>& p, const QPointF& widget) {
-    const Ray ray = surface.ray(widget);
-    const Vec<3> normal = surface.viewDirection();
-    return ray.origin + normal.dot(p - ray.origin) / normal.dot(ray.direction) * ray.direction;
 }
 
 }  // namespace
@@ -287,9 +283,9 @@ bool SolidPinTool::key(const QKeyEvent& event) {
         m_curve.removePoint();
         return true;
     }
-    const double factor = event.text() == "[" ? 0.8 : event.text() == "]" ? 1.25 : 1;
-    if (factor != 1 && m_outline == Outline::Brush && m_gesture != Gesture::Drag) {
-        m_radius = std::clamp(m_radius * factor, 4.0, 200.0);
+    const auto radius = brushAfter(event, m_radius, kLargestBrush);
+    if (radius && m_outline == Outline::Brush && m_gesture != Gesture::Drag) {
+        m_radius = *radius;
         surface().redraw();
         return true;
     }
@@ -338,7 +334,7 @@ QString SolidPinTool::numbers() const {
 }
 
 void SolidPinTool::paintOutline(QPainter& painter) const {
-    const QColor line(0x4a5bd4), fill(0x4a, 0x5b, 0xd4, 40);
+    const QColor line(kAccent), fill(line.red(), line.green(), line.blue(), 40);
     painter.setPen(QPen(line, 1));
     painter.setBrush(fill);
     if (m_outline == Outline::Rectangle) painter.drawRect(QRectF(m_from, m_at).normalized());

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <QPointF>
+#include <algorithm>
 #include <functional>
+#include <optional>
 
 #include "app/session/shape_session.h"
 #include "app/tools/tool.h"
@@ -47,6 +49,19 @@ class SolidSurface {
     virtual std::vector<VertexMark> marksOf(const std::vector<int>& vertices) const = 0;
     virtual void redraw() = 0;
 };
+
+/// Where the screen's plane through a point is under the pointer.
+inline Vec<3> acrossTheScreen(const SolidSurface& surface, const Vec<3>& p, const QPointF& widget) {
+    const Ray ray = surface.ray(widget);
+    const Vec<3> normal = surface.viewDirection();
+    return ray.origin + normal.dot(p - ray.origin) / normal.dot(ray.direction) * ray.direction;
+}
+
+/// A brush whose size [ and ] change: its radius after the key, in pixels; nothing for another key.
+inline std::optional<double> brushAfter(const QKeyEvent& key, double radius, double largest) {
+    if (key.text() != QStringLiteral("[") && key.text() != QStringLiteral("]")) return {};
+    return std::clamp(radius * (key.text() == QStringLiteral("[") ? 0.8 : 1.25), 4.0, largest);
+}
 
 /// A tool in space.
 class SolidTool : public Tool {

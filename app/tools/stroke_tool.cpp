@@ -8,7 +8,8 @@ namespace wend {
 
 namespace {
 
-constexpr double kSpacing = 0.6;  // of the radius
+constexpr double kSpacing = 0.6;       // of the radius
+constexpr double kLargestBrush = 300;  // pixels
 
 }  // namespace
 
@@ -60,9 +61,9 @@ bool StrokeTool::key(const QKeyEvent& event) {
         surface().redraw();
         return true;
     }
-    const double factor = event.text() == "[" ? 0.8 : event.text() == "]" ? 1.25 : 1;
-    if (factor == 1) return false;
-    m_radius = std::clamp(m_radius * factor, 4.0, 300.0);
+    const auto radius = brushAfter(event, m_radius, kLargestBrush);
+    if (!radius) return false;
+    m_radius = *radius;
     surface().redraw();
     return true;
 }

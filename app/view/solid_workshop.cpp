@@ -181,6 +181,11 @@ void SolidWorkshop::connectView() {
     });
     connect(m_canvas, &SolidCanvas::hintChanged, &m_around.fields, &StatusFields::setHint);
     connect(m_canvas, &SolidCanvas::hintChanged, this, &SolidWorkshop::hintChanged);
+    const auto tellMissing = [this](const QStringList& files) {
+        emit m_around.session.notice(
+            tr("These pictures of the surface cannot be read: %1").arg(files.join(", ")));
+    };
+    connect(m_canvas, &VolumeView::picturesMissing, this, tellMissing, Qt::QueuedConnection);
     connect(m_canvas, &SolidCanvas::menuWanted, this, &SolidWorkshop::menuWanted);
     connect(m_canvas, &SolidCanvas::pointedAt, m_measurePanel, &MeasurePanel::setPointed);
     connect(m_canvas, &SolidCanvas::pointed, &m_around.fields, &StatusFields::setPointerText);

@@ -132,20 +132,15 @@ void SurfaceCheck::take(const std::shared_ptr<const Found>& found) {
 
 void SurfaceCheck::showSurface() {
     if (!m_found || !m_canvas) return;
-    VolumePicture picture;
-    picture.rest = std::make_shared<const SimplicialMesh<3>>();
-    picture.pose = m_found->surface.points;
-    auto facets = std::make_shared<std::vector<Facet<3>>>();
-    for (const auto& t : m_found->surface.triangles)
-        facets->push_back({t, {static_cast<int>(facets->size()), -1}});
-    picture.facets = facets;
+    const Surface& surface = m_found->surface;
+    const auto wrong = m_found->problems.triangles(surface);
+    std::vector<QRgb> colours(surface.triangles.size(), kFine);
+    for (const int t : wrong) colours[t] = kWrong;
+    VolumePicture picture = pictureOfSurface(surface.points, surface.triangles, std::move(colours));
     picture.isOpen = true;
-    picture.cellColours.assign(m_found->surface.triangles.size(), kFine);
-    for (const int t : m_found->problems.triangles(m_found->surface)) picture.cellColours[t] = kWrong;
     m_canvas->setCutKind(CutKind::None);
     m_canvas->setEdgesShown(true);
-    const auto wrong = m_found->problems.triangles(m_found->surface);
-    if (!wrong.empty()) m_canvas->camera().lookAlong(intoTriangle(m_found->surface, wrong.front()));
+    if (!wrong.empty()) m_canvas->camera().lookAlong(intoTriangle(surface, wrong.front()));
     m_canvas->setPicture(std::move(picture), true);
 }
 

@@ -45,16 +45,10 @@ CurvePiece<Dim> linearPiece(double from, double to, const Vec<Dim>& a, const Vec
     return piece;
 }
 
-/// Without points that repeat their predecessor: a chord of length zero has no share of the time.
 template <int Dim>
 std::vector<Vec<Dim>> distinct(const std::vector<Vec<Dim>>& points) {
-    double length = 0;
-    for (size_t i = 1; i < points.size(); ++i) length += (points[i] - points[i - 1]).norm();
-    std::vector<Vec<Dim>> kept = {points.front()};
-    for (const Vec<Dim>& p : points) {
-        if ((p - kept.back()).norm() > 1e-12 * length) kept.push_back(p);
-    }
-    if (kept.size() == 1) kept.push_back(kept.front());
+    std::vector<Vec<Dim>> kept;
+    for (const int i : distinctPoints<Dim>(points)) kept.push_back(points[i]);
     return kept;
 }
 
@@ -90,6 +84,18 @@ std::vector<Vec<Dim>> naturalCurvatures(const std::vector<double>& t, const std:
 }
 
 }  // namespace
+
+/// A chord of length zero has no share of the time.
+template <int Dim>
+std::vector<int> distinctPoints(const std::vector<Vec<Dim>>& points) {
+    double length = 0;
+    for (size_t i = 1; i < points.size(); ++i) length += (points[i] - points[i - 1]).norm();
+    std::vector<int> kept = {0};
+    for (int i = 1; i < static_cast<int>(points.size()); ++i)
+        if ((points[i] - points[kept.back()]).norm() > 1e-12 * length) kept.push_back(i);
+    if (kept.size() == 1) kept.push_back(0);
+    return kept;
+}
 
 template <int Dim>
 Curve<Dim> bezierCurve(const std::vector<Vec<Dim>>& points) {
@@ -153,12 +159,14 @@ Curve<3> inSpace(const Curve<2>& curve) {
     return result;
 }
 
+template std::vector<int> distinctPoints<2>(const std::vector<Vec<2>>&);
 template struct CurvePiece<2>;
 template struct Curve<2>;
 template Curve<2> bezierCurve<2>(const std::vector<Vec<2>>&);
 template Curve<2> splineCurve<2>(const std::vector<Vec<2>>&);
 template Curve<2> polylineCurve<2>(const std::vector<Vec<2>>&);
 template Curve<2> timedCurve<2>(const std::vector<double>&, const std::vector<Vec<2>>&);
+template std::vector<int> distinctPoints<3>(const std::vector<Vec<3>>&);
 template struct CurvePiece<3>;
 template struct Curve<3>;
 template Curve<3> bezierCurve<3>(const std::vector<Vec<3>>&);

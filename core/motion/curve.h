@@ -33,6 +33,10 @@ struct Curve {
 /// A chain of cubics over 3k + 1 control points, each taking the same share of u.
 template <int Dim>
 Curve<Dim> bezierCurve(const std::vector<Vec<Dim>>& points);
+/// The points that splines and polylines go through, by their numbers: without those that repeat their
+/// predecessor up to 1e-12 of the length, two at least. Piece k lies between the k-th and the next.
+template <int Dim>
+std::vector<int> distinctPoints(const std::vector<Vec<Dim>>& points);
 /// The C² interpolating cubic spline with natural ends (γ″ = 0) over chord lengths.
 template <int Dim>
 Curve<Dim> splineCurve(const std::vector<Vec<Dim>>& points);

@@ -23,6 +23,15 @@ Real* allocate(std::vector<Real>& storage, std::size_t count) {
     return storage.data() + (64 - address % 64) % 64 / sizeof(Real);
 }
 
+/// to += from.
+template <class Real>
+inline void add(Real* to, const Real* from, int count) {
+    int i = 0;
+    for (; i + 4 <= count; i += 4)
+        for (int k = 0; k < 4; ++k) to[i + k] += from[i + k];
+    for (; i < count; ++i) to[i] += from[i];
+}
+
 }  // namespace
 
 template <class Real>
@@ -147,7 +156,8 @@ void SupernodalFactor<Real>::mapEntries(const std::vector<int>& columnStart, con
 }
 
 /// The child's update matrix into the parent's front: its pivot columns lie in the panel, the others in its
-/// own update matrix, both with rows counted from the front's first.
+/// own update matrix, both with rows counted from the front's first. Block by block, so that one length of
+/// runs serves many columns: most are short, and a mispredicted end costs more than their sums.
 template <class Real>
 void SupernodalFactor<Real>::extendAdd(int child, int parent) {
     const Real* const from = update(child);
@@ -155,19 +165,21 @@ void SupernodalFactor<Real>::extendAdd(int child, int parent) {
     const auto leadingPanel = static_cast<std::size_t>(leading(parent)),
                leadingUpdate = static_cast<std::size_t>(updateLeading(parent));
     const int pivots = m_symbolic.columnsOf(parent);
+    Real *const panelFront = panel(parent), *const updateFront = update(parent) - pivots;
+    const auto column = [&](int c) {
+        return c < pivots ? panelFront + c * leadingPanel : updateFront + (c - pivots) * leadingUpdate;
+    };
     const Run *const begin = m_runs.data() + m_runStart[child], *const end =
                                                                     m_runs.data() + m_runStart[child + 1];
-    for (const Run* columns = begin; columns != end; ++columns)
-        for (int c = 0; c < columns->length; ++c) {
-            const Real* const source = from + (columns->from + c) * leadingFrom;
-            const int column = columns->to + c;
-            Real* const target = column < pivots
-                                     ? panel(parent) + column * leadingPanel
-                                     : update(parent) + (column - pivots) * leadingUpdate - pivots;
-            for (int i = c; i < columns->length; ++i) target[columns->to + i] += source[columns->from + i];
-            for (const Run* rows = columns + 1; rows != end; ++rows)
-                for (int i = 0; i < rows->length; ++i) target[rows->to + i] += source[rows->from + i];
-        }
+    for (const Run* columns = begin; columns != end; ++columns) {
+        const Real* const source = from + columns->from * leadingFrom;
+        for (int c = 0; c < columns->length; ++c)
+            add(column(columns->to + c) + columns->to + c, source + c * leadingFrom + columns->from + c,
+                columns->length - c);
+        for (const Run* rows = columns + 1; rows != end; ++rows)
+            for (int c = 0; c < columns->length; ++c)
+                add(column(columns->to + c) + rows->to, source + c * leadingFrom + rows->from, rows->length);
+    }
 }
 
 template <class Real>

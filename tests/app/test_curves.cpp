@@ -22,6 +22,8 @@ class TestCurves : public QObject {
     void jointsTakeTheirDirectionsAlong();
     void pointsOnOtherCurves_data() { dimensions(); }
     void pointsOnOtherCurves();
+    void repeatedPointsCountOnce_data() { dimensions(); }
+    void repeatedPointsCountOnce();
 
   private:
     static void dimensions() {
@@ -179,6 +181,24 @@ void TestCurves::pointsOnOtherCurves() {
             QVERIFY(more.points[4] == p);
             QVERIFY(withoutPoint<Dim>(more, 4)->points == chain<Dim>());
         }
+    });
+}
+
+/// Points that are one up to rounding have no piece between them.
+void TestCurves::repeatedPointsCountOnce() {
+    inBoth([](auto dim) {
+        constexpr int Dim = dim();
+        const auto x = [](double value) -> Vec<Dim> { return value * Vec<Dim>::UnitX(); };
+        CurveMotion<Dim> motion;
+        motion.interpolation = Interpolation::Polyline;
+        motion.points = {x(0), x(1), x(1 + 1e-14), x(2), x(2), x(4)};
+        QCOMPARE(curveOf<Dim>(motion).pieces.size(), std::size_t(3));
+        const std::vector<int> pieces = {0, 1, 1, 2, 2, 2};
+        for (int i = 0; i < 6; ++i) QCOMPARE(pieceBehind<Dim>(motion, i), pieces[i]);
+        QCOMPARE(pieceBehind<Dim>(motion, -1), 0);
+        const auto next = withPointOn<Dim>(motion, 2, 0.5);
+        const std::vector<Vec<Dim>> expected = {x(0), x(1), x(2), x(3), x(4)};
+        QVERIFY(next.points == expected);
     });
 }
 

@@ -30,6 +30,8 @@ class TestVolumeView : public QObject {
     void surfacesAloneAreNotCut_data();
     void surfacesAloneAreNotCut();
     void anotherSolidMayHaveFewerPoints();
+    void viewMovesToAnotherWindow();
+    void missingPicturesAreToldOnce();
     void manyTrianglesAreDrawn();
 
   private:
@@ -312,6 +314,53 @@ void TestVolumeView::anotherSolidMayHaveFewerPoints() {
     QCOMPARE(view.pick({screen.x(), screen.y()}).cell, 0);
     view.setPicture(m_picture, true);
     QCOMPARE(view.surface().triangles.size(), wholeSurface(*m_picture.facets).triangles.size());
+}
+
+/// Which has an OpenGL context of its own.
+void TestVolumeView::viewMovesToAnotherWindow() {
+    QWidget first, second;
+    for (QWidget* window : {&first, &second}) window->resize(300, 200);
+    auto* view = new VolumeView(&first);
+    view->setGeometry(0, 0, 300, 200);
+    view->setPicture(m_picture, true);
+    first.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&first));
+    const QImage before = view->grabFramebuffer();
+    QVERIFY(before.pixelColor(150, 100) != before.pixelColor(2, 2));
+    second.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&second));
+    view->setParent(&second);
+    view->show();
+    QTest::qWait(50);
+    QVERIFY(view->grabFramebuffer() == before);
+    QVERIFY(view->picture({64, 64}, true).pixelColor(32, 32).alpha() == 255);
+}
+
+void TestVolumeView::missingPicturesAreToldOnce() {
+    VolumeView view;
+    view.resize(200, 200);
+    QSignalSpy missing(&view, &VolumeView::picturesMissing);
+    auto skin = std::make_shared<Skin>();
+    skin->points = m_picture.rest->points;
+    skin->triangles = {{0, 1, 2}};
+    skin->materials.resize(1);
+    skin->materials[0].texture = "/nowhere/wood.png";
+    skin->materialOf = {0};
+    VolumePicture riding = m_picture;
+    riding.skin = skin;
+    riding.ride = std::make_shared<Embedding<3>>(*m_picture.rest, skin->points);
+    riding.materials = true;
+    view.setPicture(riding, true);
+    view.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&view));
+    view.grabFramebuffer();
+    QCOMPARE(missing.count(), 1);
+    QCOMPARE(missing.front().front().toStringList(), QStringList{"/nowhere/wood.png"});
+    view.setPicture(m_picture, false);  // the border, and the surface again
+    view.grabFramebuffer();
+    view.setPicture(riding, false);
+    view.grabFramebuffer();
+    QCOMPARE(missing.count(), 1);
 }
 
 void TestVolumeView::manyTrianglesAreDrawn() {

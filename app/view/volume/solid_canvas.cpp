@@ -257,16 +257,11 @@ void SolidCanvas::setHeld(bool held) {
 
 void SolidCanvas::showPreview(const std::shared_ptr<const Skin>& skin) {
     if (m_session.frame<3>() || skin->points.cols() == 0 || !skin->points.allFinite()) return;
-    VolumePicture picture;
-    picture.rest = std::make_shared<const SimplicialMesh<3>>();
-    picture.pose = skin->points;
-    auto facets = std::make_shared<std::vector<Facet<3>>>();
-    for (const auto& t : skin->triangles) facets->push_back({t, {static_cast<int>(facets->size()), -1}});
     const QRgb plain = Theme::of(palette()).dark ? kPlainDark : kPlain;
-    picture.cellColours.assign(facets->size(), dimmed(plain));
-    picture.facets = std::move(facets);
     look(Camera::Axis::Isometric);
-    setPicture(std::move(picture), true);
+    setPicture(pictureOfSurface(skin->points, skin->triangles,
+                                std::vector<QRgb>(skin->triangles.size(), dimmed(plain))),
+               true);
 }
 
 void SolidCanvas::showGlyphs(const PosedFrame<3>& frame) {

@@ -53,7 +53,10 @@ bool SurfaceRenderer::initialize() {
     }
     const QByteArray name(reinterpret_cast<const char*>(m_gl->glGetString(GL_RENDERER)));
     m_isSoftware = name.contains("llvmpipe") || name.contains("softpipe") || name.contains("Software");
-    if (!link(m_plain, false) || !link(m_edged, true)) return false;
+    // A program belongs to the context that it was made in.
+    m_plain = std::make_unique<QOpenGLShaderProgram>();
+    m_edged = std::make_unique<QOpenGLShaderProgram>();
+    if (!link(*m_plain, false) || !link(*m_edged, true)) return false;
     for (Triangles& layer : m_layers) create(layer);
     createGlyphs();
     m_noTexture = std::make_unique<QOpenGLTexture>(QImage(1, 1, QImage::Format_RGBA8888));
@@ -99,8 +102,8 @@ void SurfaceRenderer::release() {
     }
     m_textures.clear();
     m_noTexture.reset();
-    m_plain.removeAllShaders();
-    m_edged.removeAllShaders();
+    m_plain.reset();
+    m_edged.reset();
 }
 
 void SurfaceRenderer::setMesh(Layer layer, const DrawMesh& mesh) {
@@ -238,16 +241,16 @@ void SurfaceRenderer::drawGlyphs() {
     const QOpenGLVertexArrayObject::Binder binder(&m_glyphs.array);
     m_noTexture->bind(0);
     m_noTexture->bind(1);
-    m_plain.setUniformValue("coloursOfTriangles", false);
-    m_plain.setUniformValue("flatShading", false);
-    m_plain.setUniformValue("dimming", 0.0F);
+    m_plain->setUniformValue("coloursOfTriangles", false);
+    m_plain->setUniformValue("flatShading", false);
+    m_plain->setUniformValue("dimming", 0.0F);
     m_gl->glDrawArrays(GL_TRIANGLES, 0, 3 * m_glyphs.count);
 }
 
 void SurfaceRenderer::draw(const Sight& sight, const SurfaceStyle& style, bool materials,
                            const std::optional<CutPlane>& clip) {
     m_gl->glEnable(GL_DEPTH_TEST);
-    QOpenGLShaderProgram& program = style.edges ? m_edged : m_plain;
+    QOpenGLShaderProgram& program = style.edges ? *m_edged : *m_plain;
     setUniforms(program, sight, style, clip);
     if (clip) m_gl->glEnable(GL_CLIP_DISTANCE0);
     drawLayer(program, m_layers[Outer], materials);
@@ -261,7 +264,7 @@ void SurfaceRenderer::draw(const Sight& sight, const SurfaceStyle& style, bool m
     drawLayer(program, m_layers[Section], false);
     m_gl->glDisable(GL_POLYGON_OFFSET_FILL);
     if (m_glyphs.count > 0) {
-        setUniforms(m_plain, sight, style, {});
+        setUniforms(*m_plain, sight, style, {});
         drawGlyphs();
     }
     m_gl->glUseProgram(0);

@@ -91,7 +91,7 @@ class SurfaceRenderer {
     Eigen::Vector3f normalized(const Vec<3>& p) const { return ((p - m_centre) / m_scale).cast<float>(); }
 
     QOpenGLFunctions_3_3_Core* m_gl = nullptr;
-    QOpenGLShaderProgram m_plain, m_edged;
+    std::unique_ptr<QOpenGLShaderProgram> m_plain, m_edged;
     std::array<Triangles, kLayers> m_layers;
     Triangles m_glyphs;
     std::vector<std::unique_ptr<QOpenGLTexture>> m_textures;

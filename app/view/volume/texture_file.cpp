@@ -21,10 +21,14 @@ QImage textureOf(const SkinMaterial& material) {
 
 }  // namespace
 
-std::vector<QImage> texturesOf(const Skin* skin) {
+std::vector<QImage> texturesOf(const Skin* skin, QStringList* unread) {
     std::vector<QImage> pictures;
-    if (skin)
-        for (const SkinMaterial& material : skin->materials) pictures.push_back(textureOf(material));
+    if (!skin) return pictures;
+    for (const SkinMaterial& material : skin->materials) {
+        pictures.push_back(textureOf(material));
+        const QString file = QString::fromStdString(material.texture);
+        if (unread && !file.isEmpty() && pictures.back().isNull() && !unread->contains(file)) *unread << file;
+    }
     return pictures;
 }
 

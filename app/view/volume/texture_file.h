@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QImage>
+#include <QStringList>
 #include <vector>
 
 #include "core/mesh/skin.h"
@@ -8,7 +9,7 @@
 namespace wend {
 
 /// The pictures of the skin's materials, null where there is none or it cannot be read; no larger than what
-/// every graphics card takes. No skin has none.
-std::vector<QImage> texturesOf(const Skin* skin);
+/// every graphics card takes. No skin has none. `unread` gets the files that cannot be read.
+std::vector<QImage> texturesOf(const Skin* skin, QStringList* unread = nullptr);
 
 }  // namespace wend

@@ -34,6 +34,18 @@ bool isSame(const Points<3>& a, const Points<3>& b) {
 
 }  // namespace
 
+VolumePicture pictureOfSurface(const Points<3>& points, const std::vector<std::array<int, 3>>& triangles,
+                               std::vector<QRgb> colours) {
+    VolumePicture picture;
+    picture.rest = std::make_shared<const SimplicialMesh<3>>();
+    picture.pose = points;
+    auto facets = std::make_shared<std::vector<Facet<3>>>();
+    for (const auto& t : triangles) facets->push_back({t, {static_cast<int>(facets->size()), -1}});
+    picture.facets = std::move(facets);
+    picture.cellColours = std::move(colours);
+    return picture;
+}
+
 VolumeView::VolumeView(QWidget* parent) : QOpenGLWidget(parent) {
     QSurfaceFormat format;
     format.setVersion(3, 3);
@@ -50,9 +62,16 @@ VolumeView::VolumeView(QWidget* parent) : QOpenGLWidget(parent) {
 }
 
 VolumeView::~VolumeView() {
+    if (context()) disconnect(context(), nullptr, this, nullptr);
+    releaseGl();
+}
+
+void VolumeView::releaseGl() {
     makeCurrent();
     m_renderer.release();
     m_fine.reset();
+    m_textured.reset();
+    m_ready = false;
     doneCurrent();
 }
 
@@ -71,7 +90,8 @@ void VolumeView::setPicture(VolumePicture picture, bool fitView) {
         picture.cellColours.assign(picture.facets->size(), kPlainColour);  // more than there are cells
     const bool samePose = isSame(picture.pose, m_picture.pose);
     if (picture.skin != m_picture.skin || !samePose) m_ridden.reset();
-    if (picture.skin != m_picture.skin) m_meshStale = m_texturesStale = true;
+    if (picture.skin != m_picture.skin) m_meshStale = true;
+    if (picture.skin && picture.skin != m_textured) m_texturesStale = true;
     m_coloursStale = m_coloursStale || picture.cellColours != m_picture.cellColours ||
                      picture.materials != m_picture.materials;
     if (!samePose) m_poseStale = m_treePoseStale = true;
@@ -180,8 +200,12 @@ std::vector<int> VolumeView::verticesIn(const QRectF& rectangle, bool visibleOnl
     return found;
 }
 
+/// Again with every context: another window brings another one, which has nothing yet.
 void VolumeView::initializeGL() {
+    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &VolumeView::releaseGl,
+            static_cast<Qt::ConnectionType>(Qt::DirectConnection | Qt::UniqueConnection));
     m_ready = m_renderer.initialize();
+    m_meshStale = m_poseStale = m_coloursStale = m_texturesStale = m_glyphsStale = true;
 }
 
 void VolumeView::resizeGL(int, int) {
@@ -198,9 +222,18 @@ void VolumeView::upload() {
     if (m_style.flat == m_hasNormals) m_poseStale = true;
     if (m_poseStale) uploadPose();
     if (m_coloursStale) uploadColours();
-    if (m_texturesStale) m_renderer.setTextures(texturesOf(m_picture.skin.get()));
+    if (m_texturesStale) uploadTextures();
     if (m_glyphsStale) m_renderer.setGlyphs(m_glyphs);
     m_meshStale = m_poseStale = m_coloursStale = m_texturesStale = m_glyphsStale = false;
+}
+
+/// They stay while their skin is not shown: reading them takes time.
+void VolumeView::uploadTextures() {
+    if (!m_picture.skin) return;
+    QStringList unread;
+    m_renderer.setTextures(texturesOf(m_picture.skin.get(), &unread));
+    m_textured = m_picture.skin;
+    if (!unread.isEmpty()) emit picturesMissing(unread);
 }
 
 /// Where a detailed surface is cut, the section is the solid's.
@@ -266,6 +299,21 @@ QColor VolumeView::background() const {
     return m_background.isValid() ? m_background : palette().color(QPalette::Base).darker(104);
 }
 
+/// As large as the view's own buffer, which another screen may change without a resize. False where there is
+/// no memory for it.
+bool VolumeView::bindFine() {
+    const QSize pixels = size() * devicePixelRatioF();
+    if (!m_fine || m_fine->size() != pixels) {
+        QOpenGLFramebufferObjectFormat format;
+        format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
+        format.setSamples(kSamples);
+        m_fine = std::make_unique<QOpenGLFramebufferObject>(pixels, format);
+    }
+    if (m_fine->isValid() && m_fine->bind()) return true;
+    QOpenGLFramebufferObject::bindDefault();
+    return false;
+}
+
 /// Smoothed edges cost a processor that draws far more than the rest: they come when nothing moves.
 void VolumeView::paintGL() {
     if (!m_ready) {
@@ -278,16 +326,10 @@ void VolumeView::paintGL() {
     if (m_renderer.isSoftware() && m_rest.isActive()) {
         drawScene(sight, background());
     } else {
-        if (!m_fine) {
-            QOpenGLFramebufferObjectFormat format;
-            format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
-            format.setSamples(kSamples);
-            m_fine = std::make_unique<QOpenGLFramebufferObject>(size() * devicePixelRatioF(), format);
-        }
-        m_fine->bind();
+        const bool isFine = bindFine();
         drawScene(sight, background());
-        QOpenGLFramebufferObject::bindDefault();
-        QOpenGLFramebufferObject::blitFramebuffer(nullptr, m_fine.get());
+        if (isFine) QOpenGLFramebufferObject::bindDefault();
+        if (isFine) QOpenGLFramebufferObject::blitFramebuffer(nullptr, m_fine.get());
     }
     if (m_renderer.isSoftware()) context()->functions()->glFinish();
     m_times.draw = static_cast<double>(clock.nsecsElapsed()) * 1e-6 - m_times.prepare;

@@ -4,6 +4,7 @@
 #include <QOpenGLWidget>
 #include <QPoint>
 #include <QTimer>
+#include <array>
 #include <memory>
 #include <optional>
 
@@ -26,6 +27,10 @@ struct VolumePicture {
     bool materials = false;  // the skin has the colours and pictures of its materials, not those of the cells
     bool isOpen = false;     // bounds no solid: its colours tell something from behind, too
 };
+
+/// A surface alone, without tetrahedra; one colour per triangle.
+VolumePicture pictureOfSurface(const Points<3>& points, const std::vector<std::array<int, 3>>& triangles,
+                               std::vector<QRgb> colours);
 
 enum class CutKind { None, WholeCells, Exact };
 /// Which buttons turn, move and zoom. Wend: right or middle turns, with Shift moves, with Ctrl zooms.
@@ -93,6 +98,9 @@ class VolumeView : public QOpenGLWidget {
     void hovered(const SolidHit& hit);
     void picked(const SolidHit& hit, Qt::KeyboardModifiers modifiers);
     void cameraChanged();
+    /// Pictures of the surface's materials that cannot be read; told while it is drawn, once for each
+    /// surface.
+    void picturesMissing(const QStringList& files);
 
   protected:
     void initializeGL() override;
@@ -127,6 +135,9 @@ class VolumeView : public QOpenGLWidget {
     void remakeSurface();
     void upload();
     void uploadMeshes();
+    void uploadTextures();
+    void releaseGl();
+    bool bindFine();
     void uploadPose();
     void uploadColours();
     std::vector<QRgb> coloursOf(const DrawMesh& mesh, bool riding) const;
@@ -140,6 +151,7 @@ class VolumeView : public QOpenGLWidget {
     SurfaceRenderer m_renderer;
     SurfaceStyle m_style;
     VolumePicture m_picture;
+    std::shared_ptr<const Skin> m_textured;  // whose pictures the renderer has
     CutSurface m_surface;
     DrawMesh m_outer, m_section;
     mutable std::optional<Points<3>> m_ridden;      // until the pose changes
