@@ -179,6 +179,10 @@
         <source>area ×%1</source>
         <translation>Fläche ×%1</translation>
     </message>
+    <message>
+        <source>Cell size</source>
+        <translation>Zellgröße</translation>
+    </message>
 </context>
 <context>
     <name>MeasureTool</name>
@@ -231,6 +235,25 @@
     <message>
         <source>%1: does not hold now</source>
         <translation>%1: hält jetzt nicht</translation>
+    </message>
+</context>
+<context>
+    <name>SizeTool</name>
+    <message>
+        <source>Paint finer or coarser cells; Ctrl the other way round, [ and ] change the size, Esc gives up</source>
+        <translation>Feinere oder gröbere Zellen malen; Strg umgekehrt, [ und ] ändern die Größe, Esc verwirft</translation>
+    </message>
+    <message>
+        <source>Paint finer cells</source>
+        <translation>Feinere Zellen malen</translation>
+    </message>
+    <message>
+        <source>Paint coarser cells</source>
+        <translation>Gröbere Zellen malen</translation>
+    </message>
+    <message>
+        <source>Paint plain cells</source>
+        <translation>Gewöhnliche Zellen malen</translation>
     </message>
 </context>
 <context>
@@ -1009,16 +1032,16 @@
         <translation>Summe von det F + 1/det F − 2 über die Form: null, wenn alle Volumen erhalten sind.</translation>
     </message>
     <message>
-        <source>What is coloured over the solid: the error of lengths, volumes or angles, the material, or how fast it moves.</source>
-        <translation>Was auf dem Körper gefärbt ist: der Fehler der Längen, Volumen oder Winkel, das Material, oder wie schnell er sich bewegt.</translation>
-    </message>
-    <message>
         <source>The tetrahedron that is farthest from rest by what the map shows.</source>
         <translation>Das Tetraeder, das nach dem, was die Karte zeigt, am weitesten von der Ruhe entfernt ist.</translation>
     </message>
     <message>
         <source>The triangle that is farthest from rest by what the map shows.</source>
         <translation>Das Dreieck, das nach dem, was die Karte zeigt, am weitesten von der Ruhe entfernt ist.</translation>
+    </message>
+    <message>
+        <source>What is coloured over the solid: the error of lengths, volumes or angles, the material, how fast it moves, or how fine its mesh is.</source>
+        <translation>Was über dem Körper farbig ist: der Fehler von Längen, Volumen oder Winkeln, das Material, wie schnell er sich bewegt, oder wie fein sein Netz ist.</translation>
     </message>
 </context>
 <context>
@@ -1495,6 +1518,18 @@
         <source>Tetrahedron %1</source>
         <translation>Tetraeder %1</translation>
     </message>
+    <message>
+        <source>dihedral angles</source>
+        <translation>Winkel zwischen Seiten</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>circumradius to shortest edge</source>
+        <translation>Umkreisradius zu kürzester Kante</translation>
+    </message>
 </context>
 <context>
     <name>wend::MeshPanel</name>
@@ -1673,6 +1708,22 @@
     <message>
         <source>Aim at vertices</source>
         <translation>Zahl der Punkte als Ziel</translation>
+    </message>
+    <message>
+        <source>Paint…</source>
+        <translation>Malen …</translation>
+    </message>
+    <message>
+        <source>Cell sizes</source>
+        <translation>Zellgrößen</translation>
+    </message>
+    <message>
+        <source>Paints where the mesh is to be finer or coarser, or says it by regions in numbers.</source>
+        <translation>Malt, wo das Netz feiner oder gröber sein soll, oder sagt es durch Gebiete in Zahlen.</translation>
+    </message>
+    <message>
+        <source>Finer and coarser</source>
+        <translation>Feiner und gröber</translation>
     </message>
 </context>
 <context>
@@ -1874,7 +1925,7 @@
     </message>
 </context>
 <context>
-    <name>wend::RegionPanel</name>
+    <name>wend::RegionNumbers</name>
     <message>
         <source>Numbers of the region</source>
         <translation>Zahlen des Gebiets</translation>
@@ -1912,24 +1963,12 @@
         <translation>Der Radius der Kugel.</translation>
     </message>
     <message>
-        <source>Region</source>
-        <translation>Gebiet</translation>
-    </message>
-    <message>
         <source>&amp;Region</source>
         <translation>&amp;Gebiet</translation>
     </message>
     <message>
         <source>Ra&amp;dius</source>
         <translation>Ra&amp;dius</translation>
-    </message>
-    <message>
-        <source>There is no vertex in this region: nothing was changed.</source>
-        <translation>In diesem Gebiet liegt kein Punkt: nichts wurde geändert.</translation>
-    </message>
-    <message>
-        <source>Change region</source>
-        <translation>Gebiet ändern</translation>
     </message>
     <message>
         <source>centre</source>
@@ -1950,6 +1989,21 @@
     <message>
         <source>direction into it</source>
         <translation>Richtung hinein</translation>
+    </message>
+</context>
+<context>
+    <name>wend::RegionPanel</name>
+    <message>
+        <source>Region</source>
+        <translation>Gebiet</translation>
+    </message>
+    <message>
+        <source>There is no vertex in this region: nothing was changed.</source>
+        <translation>In diesem Gebiet liegt kein Punkt: nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>Change region</source>
+        <translation>Gebiet ändern</translation>
     </message>
     <message numerus="yes">
         <source>%n vertices</source>
@@ -2049,6 +2103,117 @@
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>wend::SizePanel</name>
+    <message>
+        <source>Length of edges</source>
+        <translation>Länge der Kanten</translation>
+    </message>
+    <message>
+        <source>How long edges are there, against elsewhere: 0.5 is half as long, which is finer; 2 is twice as long, which is coarser.</source>
+        <translation>Wie lang Kanten dort sind, gegen anderswo: 0,5 ist halb so lang, also feiner; 2 ist doppelt so lang, also gröber.</translation>
+    </message>
+    <message>
+        <source>Where cells are finer or coarser</source>
+        <translation>Wo Zellen feiner oder gröber sind</translation>
+    </message>
+    <message>
+        <source>What the next stroke does, and the strokes and regions that are there; of two at one place the lower one counts. A click shows the numbers, for changing.</source>
+        <translation>Was der nächste Strich tut, und die Striche und Gebiete, die es gibt; von zweien an einer Stelle gilt das untere. Ein Klick zeigt die Zahlen zum Ändern.</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Add region</source>
+        <translation>Gebiet hinzufügen</translation>
+    </message>
+    <message>
+        <source>A ball, a box or a half-space in the middle, or what the selected handle holds as a region; its numbers can be changed then.</source>
+        <translation>Eine Kugel, ein Quader oder ein Halbraum in der Mitte, oder das Gebiet, das der gewählte Griff hält; die Zahlen lassen sich dann ändern.</translation>
+    </message>
+    <message>
+        <source>Remove sizes</source>
+        <translation>Größen entfernen</translation>
+    </message>
+    <message>
+        <source>Takes the chosen stroke or region away.</source>
+        <translation>Nimmt den gewählten Strich oder das Gebiet weg.</translation>
+    </message>
+    <message>
+        <source>Soft edge</source>
+        <translation>Weicher Rand</translation>
+    </message>
+    <message>
+        <source>Over what width the size goes over into that around, in units of the file.</source>
+        <translation>Über welche Breite die Größe in die ringsum übergeht, in Einheiten der Datei.</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Quader</translation>
+    </message>
+    <message>
+        <source>Half-space</source>
+        <translation>Halbraum</translation>
+    </message>
+    <message>
+        <source>Region of the selected handle</source>
+        <translation>Gebiet des gewählten Griffs</translation>
+    </message>
+    <message>
+        <source>Cell sizes</source>
+        <translation>Zellgrößen</translation>
+    </message>
+    <message>
+        <source>&amp;Edges</source>
+        <translation>&amp;Kanten</translation>
+    </message>
+    <message>
+        <source>Soft ed&amp;ge</source>
+        <translation>Weicher &amp;Rand</translation>
+    </message>
+    <message>
+        <source>Change size</source>
+        <translation>Größe ändern</translation>
+    </message>
+    <message>
+        <source>Change region</source>
+        <translation>Gebiet ändern</translation>
+    </message>
+    <message>
+        <source>Add size region</source>
+        <translation>Größengebiet hinzufügen</translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>%1: edges %2</source>
+        <translation>%1: Kanten %2</translation>
+    </message>
+    <message>
+        <source>Next stroke</source>
+        <translation>Nächster Strich</translation>
+    </message>
+    <message>
+        <source>Beneath them: the factors in %1.</source>
+        <translation>Darunter: die Faktoren in %1.</translation>
+    </message>
+    <message>
+        <source>The surface&apos;s triangles are kept, and only what is inside changes. “Refine surface” in the panel “Mesh” lets them be split, too.</source>
+        <translation>Die Dreiecke der Oberfläche bleiben, und nur das Innere ändert sich. „Oberfläche verfeinern“ im Feld „Netz“ lässt auch sie teilen.</translation>
     </message>
 </context>
 <context>
@@ -2441,6 +2606,22 @@
         <source>No detailed surface was chosen for the solid.</source>
         <translation>Für den Körper wurde keine feine Oberfläche gewählt.</translation>
     </message>
+    <message>
+        <source>Paint Cell Si&amp;zes</source>
+        <translation>&amp;Zellgrößen malen</translation>
+    </message>
+    <message>
+        <source>Brush where the mesh is to be finer or coarser</source>
+        <translation>Aufmalen, wo das Netz feiner oder gröber sein soll</translation>
+    </message>
+    <message>
+        <source>Shift+A</source>
+        <translation>Shift+A</translation>
+    </message>
+    <message>
+        <source>The mesh comes from a file and is used as it is.</source>
+        <translation>Das Netz kommt aus einer Datei und wird verwendet, wie es ist.</translation>
+    </message>
 </context>
 <context>
     <name>wend::SolidCanvas</name>
@@ -2455,6 +2636,10 @@
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Cell %1</source>
+        <translation>Zelle %1</translation>
     </message>
 </context>
 <context>
@@ -2484,12 +2669,12 @@
         <translation>Gebiet</translation>
     </message>
     <message>
-        <source>&lt;table cellspacing=&apos;6&apos;&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Click&lt;/b&gt;&lt;/td&gt;&lt;td&gt;sets a pin&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Drag a pin&lt;/b&gt;&lt;/td&gt;&lt;td&gt;moves it along the screen; Esc puts it back&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;G, R, S&lt;/b&gt;&lt;/td&gt;&lt;td&gt;arrows to move, rings to turn, a ring to scale&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;X, Y, Z while dragging&lt;/b&gt;&lt;/td&gt;&lt;td&gt;lock an axis&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Digits while dragging&lt;/b&gt;&lt;/td&gt;&lt;td&gt;set the amount, Enter takes it&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, O, U&lt;/b&gt;&lt;/td&gt;&lt;td&gt;hold by rectangle, lasso, brush; T: through the solid&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Shift+B, Shift+X, Shift+P&lt;/b&gt;&lt;/td&gt;&lt;td&gt;hold a ball, a box, a half-space&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Shift, Ctrl while holding&lt;/b&gt;&lt;/td&gt;&lt;td&gt;add to the selected handle, take away&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Shift+C&lt;/b&gt;&lt;/td&gt;&lt;td&gt;makes a curve of the last way; a double click on it inserts a point, Delete removes one&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Right or middle button&lt;/b&gt;&lt;/td&gt;&lt;td&gt;turns the view; with Shift it moves&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Middle click&lt;/b&gt;&lt;/td&gt;&lt;td&gt;sets the point to turn around&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Wheel&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zooms to the pointer&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;1, 3, 7, 0&lt;/b&gt;&lt;/td&gt;&lt;td&gt;from the front, right, top, side; Ctrl: from the other side&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;C&lt;/b&gt;&lt;/td&gt;&lt;td&gt;cuts the solid open&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Hold H&lt;/b&gt;&lt;/td&gt;&lt;td&gt;shows the bare solid&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</source>
-        <translation>&lt;table cellspacing=&apos;6&apos;&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Klick&lt;/b&gt;&lt;/td&gt;&lt;td&gt;setzt einen Pin&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Pin ziehen&lt;/b&gt;&lt;/td&gt;&lt;td&gt;bewegt ihn am Bildschirm entlang; Esc stellt ihn zurück&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;G, R, S&lt;/b&gt;&lt;/td&gt;&lt;td&gt;Pfeile zum Bewegen, Ringe zum Drehen, ein Ring zum Skalieren&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;X, Y, Z beim Ziehen&lt;/b&gt;&lt;/td&gt;&lt;td&gt;halten eine Achse fest&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ziffern beim Ziehen&lt;/b&gt;&lt;/td&gt;&lt;td&gt;geben den Betrag, die Eingabetaste nimmt ihn&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, O, U&lt;/b&gt;&lt;/td&gt;&lt;td&gt;mit Rechteck, Lasso, Pinsel halten; T: durch den Körper&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Umschalt+B, Umschalt+X, Umschalt+P&lt;/b&gt;&lt;/td&gt;&lt;td&gt;Kugel, Quader, Halbraum halten&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Umschalt, Strg beim Halten&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zum gewählten Griff dazu, davon weg&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Umschalt+C&lt;/b&gt;&lt;/td&gt;&lt;td&gt;macht aus dem letzten Weg eine Kurve; ein Doppelklick darauf fügt einen Punkt ein, Entf löscht einen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Rechte oder mittlere Taste&lt;/b&gt;&lt;/td&gt;&lt;td&gt;dreht die Ansicht; mit Umschalt verschiebt sie&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Mittelklick&lt;/b&gt;&lt;/td&gt;&lt;td&gt;setzt den Drehpunkt&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Rad&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zoomt zum Zeiger&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;1, 3, 7, 0&lt;/b&gt;&lt;/td&gt;&lt;td&gt;von vorn, rechts, oben, schräg; Strg: von der anderen Seite&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;C&lt;/b&gt;&lt;/td&gt;&lt;td&gt;schneidet den Körper auf&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;H halten&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zeigt den bloßen Körper&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</translation>
-    </message>
-    <message>
         <source>“Refine surface” in the panel “Mesh” lets the surface&apos;s triangles be split.</source>
         <translation>„Oberfläche verfeinern“ im Feld „Netz“ lässt die Dreiecke der Oberfläche teilen.</translation>
+    </message>
+    <message>
+        <source>&lt;table cellspacing=&apos;6&apos;&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Click&lt;/b&gt;&lt;/td&gt;&lt;td&gt;sets a pin&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Drag a pin&lt;/b&gt;&lt;/td&gt;&lt;td&gt;moves it along the screen; Esc puts it back&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;G, R, S&lt;/b&gt;&lt;/td&gt;&lt;td&gt;arrows to move, rings to turn, a ring to scale&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;X, Y, Z while dragging&lt;/b&gt;&lt;/td&gt;&lt;td&gt;lock an axis&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Digits while dragging&lt;/b&gt;&lt;/td&gt;&lt;td&gt;set the amount, Enter takes it&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, O, U&lt;/b&gt;&lt;/td&gt;&lt;td&gt;hold by rectangle, lasso, brush; T: through the solid&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Shift+B, Shift+X, Shift+P&lt;/b&gt;&lt;/td&gt;&lt;td&gt;hold a ball, a box, a half-space&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;A, Shift+A&lt;/b&gt;&lt;/td&gt;&lt;td&gt;paint material, paint how fine the mesh is&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Shift, Ctrl while holding&lt;/b&gt;&lt;/td&gt;&lt;td&gt;add to the selected handle, take away&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Shift+C&lt;/b&gt;&lt;/td&gt;&lt;td&gt;makes a curve of the last way; a double click on it inserts a point, Delete removes one&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Right or middle button&lt;/b&gt;&lt;/td&gt;&lt;td&gt;turns the view; with Shift it moves&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Middle click&lt;/b&gt;&lt;/td&gt;&lt;td&gt;sets the point to turn around&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Wheel&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zooms to the pointer&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;1, 3, 7, 0&lt;/b&gt;&lt;/td&gt;&lt;td&gt;from the front, right, top, side; Ctrl: from the other side&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;C&lt;/b&gt;&lt;/td&gt;&lt;td&gt;cuts the solid open&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Hold H&lt;/b&gt;&lt;/td&gt;&lt;td&gt;shows the bare solid&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</source>
+        <translation>&lt;table cellspacing=&apos;6&apos;&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Klick&lt;/b&gt;&lt;/td&gt;&lt;td&gt;setzt einen Pin&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Pin ziehen&lt;/b&gt;&lt;/td&gt;&lt;td&gt;bewegt ihn am Bildschirm entlang; Esc stellt ihn zurück&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;G, R, S&lt;/b&gt;&lt;/td&gt;&lt;td&gt;Pfeile zum Bewegen, Ringe zum Drehen, ein Ring zum Skalieren&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;X, Y, Z beim Ziehen&lt;/b&gt;&lt;/td&gt;&lt;td&gt;halten eine Achse fest&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ziffern beim Ziehen&lt;/b&gt;&lt;/td&gt;&lt;td&gt;geben den Betrag, die Eingabetaste nimmt ihn&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, O, U&lt;/b&gt;&lt;/td&gt;&lt;td&gt;mit Rechteck, Lasso, Pinsel halten; T: durch den Körper&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Umschalt+B, Umschalt+X, Umschalt+P&lt;/b&gt;&lt;/td&gt;&lt;td&gt;Kugel, Quader, Halbraum halten&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;A, Umschalt+A&lt;/b&gt;&lt;/td&gt;&lt;td&gt;Material malen, malen, wie fein das Netz ist&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Umschalt, Strg beim Halten&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zum gewählten Griff dazu, davon weg&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Umschalt+C&lt;/b&gt;&lt;/td&gt;&lt;td&gt;macht aus dem letzten Weg eine Kurve; ein Doppelklick darauf fügt einen Punkt ein, Entf löscht einen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Rechte oder mittlere Taste&lt;/b&gt;&lt;/td&gt;&lt;td&gt;dreht die Ansicht; mit Umschalt verschiebt sie&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Mittelklick&lt;/b&gt;&lt;/td&gt;&lt;td&gt;setzt den Drehpunkt&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Rad&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zoomt zum Zeiger&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;1, 3, 7, 0&lt;/b&gt;&lt;/td&gt;&lt;td&gt;von vorn, rechts, oben, schräg; Strg: von der anderen Seite&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;C&lt;/b&gt;&lt;/td&gt;&lt;td&gt;schneidet den Körper auf&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;H halten&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zeigt den bloßen Körper&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</translation>
     </message>
     <message>
         <source>These pictures of the surface cannot be read: %1</source>

@@ -19,6 +19,7 @@ enum class OutlineKind { Frame, Alpha, Polygons };
 
 /// Where cells are to be finer or coarser than elsewhere.
 struct SizeRegion {
+    std::string name;  // regions of one name were painted together; may be empty
     Region<3> shape;
     double feather = 0;
     double factor = 1;  // of the length of edges

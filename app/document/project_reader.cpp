@@ -80,6 +80,7 @@ void readImageDomain(JsonObject& object, Domain& domain) {
 SizeRegion readSizeRegion(const JsonValue& owner) {
     SizeRegion region;
     JsonObject object(owner.ownedBy(region.extras));
+    if (auto name = object.find("name")) region.name = name->text();
     region.shape = readRegion<3>(object.require("shape"));
     if (auto feather = object.find("feather")) region.feather = feather->number("material.regions[].feather");
     region.factor = object.require("factor").number("domain.sizes[].factor");

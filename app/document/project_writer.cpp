@@ -108,7 +108,9 @@ void addSurfaceKeys(Json& json, const Domain& domain) {
         json["repair"] = true;
     if (!domain.sizesFile.empty()) json["sizes"].push_back({{"values", domain.sizesFile}});
     for (const SizeRegion& region : domain.sizes) {
-        Json one{{"shape", regionJson<3>(region.shape)}};
+        Json one = Json::object();
+        if (!region.name.empty()) one["name"] = region.name;
+        one["shape"] = regionJson<3>(region.shape);
         if (region.feather != 0) one["feather"] = number(region.feather);
         one["factor"] = number(region.factor);
         json["sizes"].push_back(withExtras(std::move(one), region.extras));

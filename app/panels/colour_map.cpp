@@ -30,6 +30,10 @@ QRgb between(const Stops& stops, double position) {
     return qRgb(mix(0), mix(1), mix(2));
 }
 
+bool isLogarithmic(Measure measure) {
+    return measure == Measure::Area || measure == Measure::CellSize;
+}
+
 }  // namespace
 
 bool isDistortion(Measure measure) {
@@ -53,6 +57,7 @@ template <int Dim>
 std::vector<double> designValues(const ShapeSession& session, const PosedFrame<Dim>& frame, Measure measure) {
     if (measure == Measure::Phi) return phiOf<Dim>(frame);
     if (measure == Measure::Stiffness) return stiffnessOf<Dim>(frame);
+    if (measure == Measure::CellSize) return sizesOf<Dim>(frame);
     return speedOf<Dim>(frame, session.velocity<Dim>());
 }
 
@@ -71,6 +76,10 @@ MeasureRange rangeOf(const std::vector<double>& values, Measure measure) {
         const auto [low, high] = std::minmax_element(values.begin(), values.end());
         return {*low, std::max(*high, *low + 0.01)};
     }
+    if (measure == Measure::CellSize) {
+        const auto [low, high] = std::minmax_element(values.begin(), values.end());
+        return {std::max(*low, 1e-300), std::max(*high, 1.01 * std::max(*low, 1e-300))};
+    }
     std::vector<double> sizes;
     sizes.reserve(values.size());
     for (const double v : values)
@@ -85,13 +94,13 @@ MeasureRange rangeOf(const std::vector<double>& values, Measure measure) {
 }
 
 double positionIn(const MeasureRange& range, Measure measure, double value) {
-    if (measure != Measure::Area) return (value - range.low) / (range.high - range.low);
+    if (!isLogarithmic(measure)) return (value - range.low) / (range.high - range.low);
     const double low = std::log(range.low), high = std::log(range.high);
-    return (std::log(std::max(value, 1e-9)) - low) / (high - low);
+    return (std::log(std::max(value, 1e-9 * range.low)) - low) / (high - low);
 }
 
 double valueAt(const MeasureRange& range, Measure measure, double position) {
-    if (measure != Measure::Area) return range.low + position * (range.high - range.low);
+    if (!isLogarithmic(measure)) return range.low + position * (range.high - range.low);
     return range.low * std::pow(range.high / range.low, position);
 }
 
@@ -112,6 +121,8 @@ QString measureName(Measure measure, int dimension) {
             return QCoreApplication::translate("Measure", "Stiffness");
         case Measure::Speed:
             return QCoreApplication::translate("Measure", "Speed");
+        case Measure::CellSize:
+            return QCoreApplication::translate("Measure", "Cell size");
         case Measure::Length:
             break;
     }

@@ -10,8 +10,8 @@
 namespace wend {
 
 /// What is coloured over the shape: a measure of distortion; of a solid also its material (φ, and how many
-/// times stiffer than elsewhere) or how fast it moves.
-enum class Measure { Angle, Area, Length, Phi, Stiffness, Speed };
+/// times stiffer than elsewhere), how fast it moves, or how fine its mesh is.
+enum class Measure { Angle, Area, Length, Phi, Stiffness, Speed, CellSize };
 
 /// True for those that tell how far the shape is from rest.
 bool isDistortion(Measure measure);
@@ -28,7 +28,8 @@ const std::vector<double>& valuesOf(const Distortion& distortion, Measure measur
 std::vector<double> shownValues(const ShapeSession& session, Measure measure);
 /// From the values that occur, the greatest hundredth left out; never empty.
 MeasureRange rangeOf(const std::vector<double>& values, Measure measure);
-/// Where a value stands in the range, in [0, 1]; area on a logarithmic scale with 1 in the middle.
+/// Where a value stands in the range, in [0, 1]; area and the size of cells on a logarithmic scale, area with
+/// 1 in the middle.
 double positionIn(const MeasureRange& range, Measure measure, double value);
 double valueAt(const MeasureRange& range, Measure measure, double position);
 

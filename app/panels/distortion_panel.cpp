@@ -88,7 +88,9 @@ void DistortionPanel::setDimension(int dimension) {
     const QSignalBlocker quiet(m_measure);
     m_measure->clear();
     std::vector<Measure> measures = {Measure::Length, Measure::Area, Measure::Angle};
-    if (dimension == 3) measures.insert(measures.end(), {Measure::Phi, Measure::Stiffness, Measure::Speed});
+    if (dimension == 3)
+        measures.insert(measures.end(),
+                        {Measure::Phi, Measure::Stiffness, Measure::Speed, Measure::CellSize});
     for (const Measure measure : measures)
         m_measure->addItem(measureName(measure, dimension), static_cast<int>(measure));
     const bool solid = dimension == 3;
@@ -101,7 +103,7 @@ void DistortionPanel::setDimension(int dimension) {
                               : tr("The triangle that is farthest from rest by what the map shows."));
     describe(m_measure, tr("Distortion map"),
              solid ? tr("What is coloured over the solid: the error of lengths, volumes or angles, the "
-                        "material, or how fast it moves.")
+                        "material, how fast it moves, or how fine its mesh is.")
                    : tr("Which error is coloured over the shape: of lengths, of areas or of angles."));
 }
 

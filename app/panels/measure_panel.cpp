@@ -4,12 +4,14 @@
 #include <QLabel>
 #include <QLocale>
 #include <cmath>
+#include <numbers>
 #include <set>
 
 #include "app/panels/colour_map.h"
 #include "app/panels/legend.h"
 #include "app/panels/panel_parts.h"
 #include "app/session/solid_places.h"
+#include "core/mesh/quality.h"
 
 namespace wend {
 
@@ -28,6 +30,19 @@ QString place(const Vec<3>& p, double diagonal) {
 
 QString line(const QString& name, const QString& value) {
     return QStringLiteral("<tr><td>%1 &nbsp;</td><td>%2</td></tr>").arg(name.toHtmlEscaped(), value);
+}
+
+/// How well one cell is shaped.
+QualitySummary shapeOf(const Points<3>& points, const Cell<3>& cell) {
+    SimplicialMesh<3> one;
+    one.points.resize(3, 4);
+    for (int k = 0; k < 4; ++k) one.points.col(k) = points.col(cell[k]);
+    one.cells = {{0, 1, 2, 3}};
+    return qualityOf<3>(one);
+}
+
+QString degrees(double radians) {
+    return QLocale().toString(radians * 180 / std::numbers::pi, 'f', 1) + QStringLiteral("°");
 }
 
 /// Of one cell; see shownValues().
@@ -136,6 +151,9 @@ void MeasurePanel::showPointed() {
     QString rows = line(tr("volume"), tr("%1, at rest %2")
                                           .arg(number(std::abs(cellMeasure<3>(frame->pose, cell))),
                                                number(std::abs(cellMeasure<3>(frame->rest->points, cell)))));
+    const QualitySummary shape = shapeOf(frame->pose, cell);
+    rows += line(tr("dihedral angles"), tr("%1 to %2").arg(degrees(shape.minAngle), degrees(shape.maxAngle)));
+    rows += line(tr("circumradius to shortest edge"), number(shape.maxRadiusEdgeRatio));
     for (const Measure measure :
          {Measure::Length, Measure::Area, Measure::Angle, Measure::Phi, Measure::Stiffness, Measure::Speed}) {
         rows += line(measureName(measure, 3),

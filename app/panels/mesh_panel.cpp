@@ -5,6 +5,7 @@
 #include <QLocale>
 #include <QSlider>
 #include <QStandardItemModel>
+#include <QToolButton>
 #include <cmath>
 
 #include "app/document/options.h"
@@ -54,6 +55,7 @@ MeshPanel::MeshPanel(ShapeSession& session, QWidget* parent)
       m_refine(new QCheckBox(tr("Refine &surface"), this)),
       m_aim(new QComboBox(this)),
       m_volume(new MagnitudeBox(this)),
+      m_sizes(new QToolButton(this)),
       m_detail(new DetailRow(this)),
       m_counts(secondLabel({}, this)) {
     makeControls();
@@ -106,6 +108,11 @@ void MeshPanel::makeSolidControls() {
     describe(m_volume, tr("Greatest volume"),
              tr("Larger tetrahedra are split; in cubed units of the file. Half of it makes about twice as "
                 "many. At a surface that is kept some may stay larger."));
+    m_sizes->setText(tr("Paint…"));
+    m_sizes->setObjectName(QStringLiteral("paintSizes"));
+    m_sizes->setProperty("role", "chip");
+    describe(m_sizes, tr("Cell sizes"),
+             tr("Paints where the mesh is to be finer or coarser, or says it by regions in numbers."));
     m_quality->setRange(1.2, 4);
     m_quality->setDecimals(2);
     m_quality->setSingleStep(0.1);
@@ -142,8 +149,9 @@ void MeshPanel::arrange() {
     QWidget* volume = row(tr("&Greatest volume"), m_volume);
     QWidget* quality = row(tr("R&oundness"), m_quality);
     layout->addWidget(m_refine);
+    QWidget* sizes = row(tr("Finer and coarser"), m_sizes);
     layout->addWidget(m_detail);
-    m_solidRows = {aim, quality, m_refine};
+    m_solidRows = {aim, quality, m_refine, sizes};
     m_surfaceRows = {vertices, m_density};
     m_volumeRows = {volume};
     layout->addWidget(m_counts);
@@ -189,6 +197,7 @@ void MeshPanel::connectSolidControls() {
         edit(tr("Change greatest volume"), QStringLiteral("maxVolume"),
              [value](Domain& d) { d.maxVolume = value; });
     });
+    connect(m_sizes, &QToolButton::clicked, this, &MeshPanel::sizesWanted);
     connect(m_detail, &DetailRow::wanted, this, &MeshPanel::detailWanted);
     connect(m_detail, &DetailRow::removed, this, &MeshPanel::detailRemoved);
 }

@@ -10,6 +10,7 @@ class QDoubleSpinBox;
 class QLabel;
 class QSlider;
 class QSpinBox;
+class QToolButton;
 
 namespace wend {
 
@@ -27,6 +28,8 @@ class MeshPanel : public QWidget {
     /// A detailed surface for the solid is to be chosen, or taken away.
     void detailWanted();
     void detailRemoved();
+    /// Cell sizes are to be painted.
+    void sizesWanted();
 
   private:
     void makeControls();
@@ -52,6 +55,7 @@ class MeshPanel : public QWidget {
     QCheckBox* m_refine;
     QComboBox* m_aim;
     MagnitudeBox* m_volume;
+    QToolButton* m_sizes;
     DetailRow* m_detail;
     // of pictures; of all that is meshed; of surfaces; of surfaces by their aim
     std::vector<QWidget*> m_pictureRows, m_surfaceRows, m_solidRows, m_volumeRows;

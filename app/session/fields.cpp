@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <cmath>
 
 namespace wend {
 
@@ -19,6 +20,19 @@ std::vector<double> stiffnessOf(const PosedFrame<Dim>& frame) {
             Eigen::SelfAdjointEigenSolver<Mat<Dim>>(frame.material->anisotropy[c], Eigen::EigenvaluesOnly)
                 .eigenvalues()
                 .maxCoeff();
+    return values;
+}
+
+/// The area of an equilateral triangle is √3/4 a², the volume of a regular tetrahedron a³/(6√2).
+template <int Dim>
+std::vector<double> sizesOf(const PosedFrame<Dim>& frame) {
+    std::vector<double> values;
+    values.reserve(frame.rest->cells.size());
+    for (const Cell<Dim>& cell : frame.rest->cells) {
+        const double measure = std::abs(cellMeasure<Dim>(frame.rest->points, cell));
+        values.push_back(Dim == 2 ? std::sqrt(4 / std::sqrt(3.0) * measure)
+                                  : std::cbrt(6 * std::sqrt(2.0) * measure));
+    }
     return values;
 }
 
@@ -49,6 +63,7 @@ std::vector<double> speedOf(const PosedFrame<Dim>& frame, const Points<Dim>& vel
 #define WEND_INSTANTIATE(Dim)                                                             \
     template std::vector<double> phiOf<Dim>(const PosedFrame<Dim>&);                      \
     template std::vector<double> stiffnessOf<Dim>(const PosedFrame<Dim>&);                \
+    template std::vector<double> sizesOf<Dim>(const PosedFrame<Dim>&);                    \
     template Points<Dim> velocityBetween<Dim>(const FrameTrack&, const PosedFrame<Dim>&); \
     template std::vector<double> speedOf<Dim>(const PosedFrame<Dim>&, const Points<Dim>&)
 

@@ -12,6 +12,10 @@ std::vector<double> phiOf(const PosedFrame<Dim>& frame);
 template <int Dim>
 std::vector<double> stiffnessOf(const PosedFrame<Dim>& frame);
 
+/// How large every cell is at rest: the edge of a regular one of its area or volume.
+template <int Dim>
+std::vector<double> sizesOf(const PosedFrame<Dim>& frame);
+
 /// About how the vertices move at the frame's time, per unit of time: the difference of its neighbours in the
 /// track. Zero where nothing moves.
 template <int Dim>

@@ -80,6 +80,15 @@ Carrying carryingOf(const std::vector<Vec<3>>& rest, const std::vector<Vec<3>>& 
     return carrying;
 }
 
+Carrying carryingOf(const PosedFrame<3>& frame, const std::vector<int>& vertices) {
+    std::vector<Vec<3>> rest, posed;
+    for (const int v : vertices) {
+        rest.push_back(frame.rest->points.col(v));
+        posed.push_back(frame.pose.col(v));
+    }
+    return carryingOf(rest, posed);
+}
+
 SolidSize sizeOf(const PosedFrame<3>& frame, const Points<3>& points) {
     return sizeWhere(frame, points, std::vector<bool>(frame.rest->vertexCount(), true));
 }

@@ -27,6 +27,9 @@ struct Carrying {
 /// or lie in a plane. Points that a handle has moved as one are met exactly.
 Carrying carryingOf(const std::vector<Vec<3>>& rest, const std::vector<Vec<3>>& posed);
 
+/// The same for vertices of a frame; from rest to its pose.
+Carrying carryingOf(const PosedFrame<3>& frame, const std::vector<int>& vertices);
+
 /// How large a solid is, or the part of it whose vertices are given: the volume of the cells and the area of
 /// the outer triangles all of whose vertices are among them.
 struct SolidSize {

@@ -181,6 +181,7 @@ void MainWindow::connectFiles() {
     connect(m_solids, &SolidWorkshop::told, m_banner, &InfoBanner::showText);
     connect(m_solids, &SolidWorkshop::done, this, &MainWindow::tell);
     connect(m_mesh, &MeshPanel::detailWanted, m_solids->actions().chooseDetail, &QAction::trigger);
+    connect(m_mesh, &MeshPanel::sizesWanted, m_solids->actions().sizes, &QAction::trigger);
     connect(m_mesh, &MeshPanel::detailRemoved, m_solids->actions().removeDetail, &QAction::trigger);
     connect(a.exportMesh, &QAction::triggered, m_exporter, &Exporter::exportMesh);
     connect(a.exportFrames, &QAction::triggered, m_exporter, &Exporter::exportFrames);

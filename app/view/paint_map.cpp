@@ -2,8 +2,7 @@
 
 namespace wend {
 
-void PaintMap::show(const MaterialPaint& paint) {
-    const Measure wanted = paint.stiffness ? Measure::Stiffness : Measure::Phi;
+void PaintMap::show(Measure wanted) {
     if (m_before && wanted == m_painted) return;
     if (!m_before) m_before = Before{m_panel.measure(), m_showMap.isChecked()};
     m_painted = wanted;

@@ -8,12 +8,16 @@
 
 namespace wend {
 
-/// As long as the brush is chosen the map of what it paints is shown, afterwards what was shown before,
+/// As long as a brush is chosen the map of what it paints is shown, afterwards what was shown before,
 /// unless the user has chosen something else meanwhile.
 class PaintMap {
   public:
     PaintMap(DistortionPanel& panel, QAction& showMap) : m_panel(panel), m_showMap(showMap) {}
-    void show(const MaterialPaint& paint);
+    void show(Measure wanted);
+    /// What shows this paint.
+    static Measure measureOf(const MaterialPaint& paint) {
+        return paint.stiffness ? Measure::Stiffness : Measure::Phi;
+    }
     void end();
 
   private:

@@ -31,9 +31,12 @@ void SolidActions::makeTools(QActionGroup& tools) {
                      QKeySequence(tr("Shift+P")), "area-half");
     paint = addToggle({tr("&Paint Material"), tr("Brush another stiffness and energy into the solid")},
                       QKeySequence(tr("A")), "brush");
+    sizes = addToggle({tr("Paint Cell Si&zes"), tr("Brush where the mesh is to be finer or coarser")},
+                      QKeySequence(tr("Shift+A")), "sizes");
     measure = addToggle({tr("M&easure"), tr("Measure lengths and angles between points of the solid")},
                         QKeySequence(tr("E")), "measure");
-    for (QAction* tool : {rectangle, lasso, brush, ball, box, half, paint, measure}) tools.addAction(tool);
+    for (QAction* tool : {rectangle, lasso, brush, ball, box, half, paint, sizes, measure})
+        tools.addAction(tool);
     through = addToggle(
         {tr("Through the &Solid"), tr("Rectangle, lasso and brush also take or select what is hidden")},
         QKeySequence(tr("T")), "through");
@@ -106,7 +109,7 @@ void SolidActions::makeMenu() {
     m_menu->setTitle(tr("&Solid"));
     m_menu->addActions({rectangle, lasso, brush, ball, box, half, through, holdBeyond});
     m_menu->addMenu(tr("Select &Pins"))->addActions({selectRectangle, selectLasso, selectBrush});
-    m_menu->addActions({paint, measure});
+    m_menu->addActions({paint, sizes, measure});
     m_menu->addSeparator();
     m_menu->addActions({move, turn, grow});
     m_menu->addSeparator();
@@ -128,6 +131,10 @@ void SolidActions::setHasDetail(bool has) {
 
 void SolidActions::setHasChosenDetail(bool has) {
     enable(removeDetail, has, tr("No detailed surface was chosen for the solid."));
+}
+
+void SolidActions::setMeshed(bool meshed) {
+    enable(sizes, meshed, tr("The mesh comes from a file and is used as it is."));
 }
 
 void SolidActions::setShown(bool shown) {

@@ -15,7 +15,7 @@ class SolidActions : public ActionMaker {
   public:
     SolidActions(QActionGroup& tools, QObject* parent);
 
-    QAction *rectangle, *lasso, *brush, *ball, *box, *half, *paint, *measure;
+    QAction *rectangle, *lasso, *brush, *ball, *box, *half, *paint, *sizes, *measure;
     QAction *move, *turn, *grow;
     QAction *through, *holdBeyond;
     QAction *selectRectangle, *selectLasso, *selectBrush;
@@ -31,6 +31,8 @@ class SolidActions : public ActionMaker {
     void setHasDetail(bool has);
     /// Whether that is one that was chosen for it.
     void setHasChosenDetail(bool has);
+    /// Whether its tetrahedra are made here.
+    void setMeshed(bool meshed);
     /// What is shown of a solid, as at the start.
     void resetView();
 

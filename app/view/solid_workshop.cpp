@@ -16,11 +16,13 @@
 #include "app/panels/paint_panel.h"
 #include "app/panels/panel_parts.h"
 #include "app/panels/region_panel.h"
+#include "app/panels/size_panel.h"
 #include "app/panels/surface_panel.h"
 #include "app/session/opening.h"
 #include "app/session/solid_places.h"
 #include "app/tools/measure_tool.h"
 #include "app/tools/paint_tool.h"
+#include "app/tools/size_tool.h"
 #include "app/view/actions.h"
 #include "app/view/detail_chooser.h"
 #include "app/view/picture_dialog.h"
@@ -48,6 +50,7 @@ SolidWorkshop::SolidWorkshop(const Surroundings& around, QWidget& window)
       m_regionPanel(new RegionPanel(around.session)),
       m_measurePanel(new MeasurePanel(around.session)),
       m_paintPanel(new PaintPanel(around.session)),
+      m_sizePanel(new SizePanel(around.session)),
       m_surfacePanel(new SurfacePanel),
       m_check(new SurfaceCheck(around.session, *m_surfacePanel, window)),
       m_detail(new DetailChooser(around.session.document(), window)),
@@ -63,7 +66,7 @@ void SolidWorkshop::furnish(QToolBar& tools, QVBoxLayout& panels) {
     QAction* before = m_around.actions.remove;
     SolidActions& a = *m_actions;
     for (QAction* action :
-         {a.rectangle, a.lasso, a.brush, a.ball, a.box, a.half, a.through, a.paint, a.measure})
+         {a.rectangle, a.lasso, a.brush, a.ball, a.box, a.half, a.through, a.paint, a.sizes, a.measure})
         tools.insertAction(before, action);
     QAction* line = tools.insertSeparator(before);
     for (QAction* action : {a.move, a.turn, a.grow}) tools.insertAction(before, action);
@@ -81,8 +84,10 @@ void SolidWorkshop::furnish(QToolBar& tools, QVBoxLayout& panels) {
     }
     panels.insertWidget(0, m_surfacePanel);
     m_surfacePanel->hide();
-    panels.insertWidget(kFirstPanel + 1, m_paintPanel);  // in place of the energy while painting
-    m_paintPanel->hide();
+    for (QWidget* brush : {static_cast<QWidget*>(m_paintPanel), static_cast<QWidget*>(m_sizePanel)}) {
+        panels.insertWidget(kFirstPanel + 1, brush);  // while it is painted
+        brush->hide();
+    }
     // Both are there only when there is something to show.
     panels.insertWidget(panels.indexOf(m_handlePanel) + 1, m_regionPanel);
     m_regionPanel->hide();
@@ -98,6 +103,7 @@ void SolidWorkshop::setActive(bool active) {
     const bool flatTool = m_around.actions.pinTool->isChecked() || m_around.actions.selectTool->isChecked();
     if (!active && !flatTool) m_around.actions.pinTool->setChecked(true);
     if (!active) m_paintPanel->hide();
+    if (!active) m_sizePanel->hide();
     if (!active) m_paintMap.end();
     if (!active) m_measurePanel->hide();
     if (!active || !m_canvas) return;
@@ -107,7 +113,7 @@ void SolidWorkshop::setActive(bool active) {
     m_canvas->setMapShown(m_around.actions.showMap->isChecked());
     m_canvas->setDetailShown(m_actions->detail->isChecked());
     m_actions->setHasDetail(m_canvas->hasDetail());
-    showDetail();
+    showDomain();
     chooseTool();
     showCut();
 }
@@ -210,16 +216,7 @@ void SolidWorkshop::connectTools() {
         connect(a.through, &QAction::toggled, this, [area = tool.get()](bool on) { area->setThrough(on); });
         m_tools.emplace_back(action, std::move(tool));
     }
-    auto brush = std::make_unique<PaintTool>(*m_canvas);
-    brush->setColour(m_paintPanel->paint());
-    connect(m_paintPanel, &PaintPanel::paintChanged, this,
-            [this, tool = brush.get()](const MaterialPaint& paint) {
-                tool->setColour(paint);
-                if (m_actions->paint->isChecked()) m_paintMap.show(paint);
-            });
-    connect(m_paintPanel, &PaintPanel::alongChanged, this,
-            [tool = brush.get()](StiffAlong along) { tool->setAlong(along); });
-    m_tools.emplace_back(a.paint, std::move(brush));
+    makeBrushes();
     m_tools.emplace_back(a.measure, std::make_unique<MeasureTool>(*m_canvas));
     connect(m_around.actions.tools, &QActionGroup::triggered, this, &SolidWorkshop::chooseTool);
     const auto setMode = [this](Manipulator::Mode mode) {
@@ -236,15 +233,48 @@ void SolidWorkshop::connectTools() {
 }
 
 void SolidWorkshop::chooseTool() {
-    const bool paints = m_isActive && m_canvas && m_actions->paint->isChecked();
-    m_paintPanel->setVisible(paints);
-    paints ? m_paintMap.show(m_paintPanel->paint()) : m_paintMap.end();
+    m_paintPanel->setVisible(m_isActive && m_canvas && m_actions->paint->isChecked());
+    m_sizePanel->setVisible(m_isActive && m_canvas && m_actions->sizes->isChecked());
+    showMaps();
     const bool measures = m_isActive && m_canvas && m_actions->measure->isChecked();
     m_measurePanel->setVisible(measures);
     if (m_canvas) m_canvas->setValuesShown(measures);
     if (!m_isActive || !m_canvas) return;
     for (const auto& [action, tool] : m_tools)
         if (action->isChecked()) m_canvas->setTool(tool.get());
+}
+
+void SolidWorkshop::makeBrushes() {
+    auto brush = std::make_unique<PaintTool>(*m_canvas);
+    brush->setColour(m_paintPanel->paint());
+    connect(m_paintPanel, &PaintPanel::paintChanged, this,
+            [this, tool = brush.get()](const MaterialPaint& paint) {
+                tool->setColour(paint);
+                showMaps();
+            });
+    connect(m_paintPanel, &PaintPanel::alongChanged, this,
+            [tool = brush.get()](StiffAlong along) { tool->setAlong(along); });
+    m_tools.emplace_back(m_actions->paint, std::move(brush));
+    auto sizes = std::make_unique<SizeTool>(*m_canvas);
+    connect(m_sizePanel, &SizePanel::brushChanged, this,
+            [tool = sizes.get()](double factor) { tool->setFactor(factor); });
+    connect(m_sizePanel, &SizePanel::chosen, this,
+            [this, tool = sizes.get()](const std::vector<Region<3>>& regions) {
+                tool->setShown(regions);
+                m_canvas->redraw();
+            });
+    m_tools.emplace_back(m_actions->sizes, std::move(sizes));
+}
+
+/// The map of what is painted.
+void SolidWorkshop::showMaps() {
+    const bool active = m_isActive && m_canvas;
+    if (active && m_actions->paint->isChecked())
+        m_paintMap.show(PaintMap::measureOf(m_paintPanel->paint()));
+    else if (active && m_actions->sizes->isChecked())
+        m_paintMap.show(Measure::CellSize);
+    else
+        m_paintMap.end();
 }
 
 void SolidWorkshop::connectCut() {
@@ -262,14 +292,19 @@ void SolidWorkshop::connectCut() {
 void SolidWorkshop::connectDetail() {
     connect(m_actions->chooseDetail, &QAction::triggered, m_detail, &DetailChooser::ask);
     connect(m_actions->removeDetail, &QAction::triggered, m_detail, &DetailChooser::remove);
-    connect(&m_around.session.document(), &Document::projectChanged, this, &SolidWorkshop::showDetail);
+    connect(&m_around.session.document(), &Document::projectChanged, this, &SolidWorkshop::showDomain);
     connect(m_detail, &DetailChooser::failed, this, &SolidWorkshop::failed);
     connect(m_detail, &DetailChooser::chosen, this, [this] { m_actions->detail->setChecked(true); });
 }
 
-void SolidWorkshop::showDetail() {
+void SolidWorkshop::showDomain() {
     const Document& document = m_around.session.document();
-    m_actions->setHasChosenDetail(document.dimension() == 3 && !document.project()->domain.detail.empty());
+    if (document.dimension() != 3) return;
+    const Domain& domain = document.project()->domain;
+    m_actions->setHasChosenDetail(!domain.detail.empty());
+    m_actions->setMeshed(domain.kind == DomainKind::Surface);
+    if (domain.kind != DomainKind::Surface && m_actions->sizes->isChecked())
+        m_around.actions.pinTool->setChecked(true);
 }
 
 QString SolidWorkshop::keys() {
@@ -282,6 +317,7 @@ QString SolidWorkshop::keys() {
         "<tr><td><b>Digits while dragging</b></td><td>set the amount, Enter takes it</td></tr>"
         "<tr><td><b>B, O, U</b></td><td>hold by rectangle, lasso, brush; T: through the solid</td></tr>"
         "<tr><td><b>Shift+B, Shift+X, Shift+P</b></td><td>hold a ball, a box, a half-space</td></tr>"
+        "<tr><td><b>A, Shift+A</b></td><td>paint material, paint how fine the mesh is</td></tr>"
         "<tr><td><b>Shift, Ctrl while holding</b></td><td>add to the selected handle, take away</td></tr>"
         "<tr><td><b>Shift+C</b></td><td>makes a curve of the last way; a double click on it inserts a point, "
         "Delete removes one</td></tr>"

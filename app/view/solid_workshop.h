@@ -21,6 +21,7 @@ class HandlePanel;
 class MeasurePanel;
 class PaintPanel;
 class RegionPanel;
+class SizePanel;
 class SolidCanvas;
 class StatusFields;
 class SurfaceCheck;
@@ -68,9 +69,11 @@ class SolidWorkshop : public QObject {
     void makePage();
     void connectView();
     void connectTools();
+    void makeBrushes();
     void connectCut();
     void connectDetail();
-    void showDetail();
+    void showDomain();
+    void showMaps();
     void chooseTool();
     void showCut();
     void holdBeyondCut();
@@ -84,6 +87,7 @@ class SolidWorkshop : public QObject {
     RegionPanel* m_regionPanel;
     MeasurePanel* m_measurePanel;
     PaintPanel* m_paintPanel;
+    SizePanel* m_sizePanel;
     SurfacePanel* m_surfacePanel;
     SurfaceCheck* m_check;
     DetailChooser* m_detail;

@@ -11,7 +11,7 @@ server=$!
 trap 'kill $program $server 2>/dev/null; rm -rf "$HOME" "$XDG_RUNTIME_DIR"' EXIT
 sleep 1
 
-shot() { # NAME ARGUMENT…: opens the window, waits, sends the keys in KEYS, takes a picture of it
+shot() { # NAME ARGUMENT…: opens the window, waits, sends the keys in KEYS, drags along DRAG (x y x y), takes a picture of it
     local name=$1
     shift
     [ -z "$only" ] || [ "$only" = "$name" ] || return 0
@@ -29,6 +29,16 @@ shot() { # NAME ARGUMENT…: opens the window, waits, sends the keys in KEYS, ta
         xdotool key "$key"
         sleep 0.5
     done
+    if [ -n "$DRAG" ]; then
+        local from_x from_y to_x to_y
+        read -r from_x from_y to_x to_y <<<"$DRAG"
+        xdotool mousemove "$from_x" "$from_y" mousedown 1
+        for i in $(seq 1 20); do
+            xdotool mousemove $((from_x + (to_x - from_x) * i / 20)) $((from_y + (to_y - from_y) * i / 20))
+        done
+        xdotool mouseup 1
+        sleep "${WAIT:-8}"
+    fi
     xdotool mousemove 700 880
     sleep 1
     import -window root "$here/$name"
@@ -42,3 +52,5 @@ WAIT=20 KEYS="f" shot solid-detail.png "$root/resources/samples/eagle.wend"
 WAIT=20 KEYS="d f" shot solid-window.png "$root/resources/samples/eagle.wend"
 WAIT=20 KEYS="m d c" shot solid-cut.png "$root/resources/samples/eagle.wend"
 WAIT=15 KEYS="ctrl+a" shot solid-curve.png "$root/resources/samples/bar.wend"
+echo '{"format": "wend", "version": 1, "domain": {"surface": "'"$root"'/resources/samples/bar.obj", "vertices": 3000, "refineSurface": true}}' >"$HOME/bar.wend"
+WAIT=15 KEYS="shift+a m f bracketright bracketright" DRAG="310 400 620 505" shot solid-sizes.png "$HOME/bar.wend"

@@ -180,13 +180,15 @@ class TestProject : public QObject {
             "'domain': {'surface': 'bar.obj', 'vertices': 900, 'refineSurface': true, 'repair': "
             "{'largestHole': 12}, 'sizes': [{'values': 'paint.txt'}, {'shape': {'sphere': {'centre': [0, 0, "
             "0], "
-            "'radius': 1}}, 'feather': 0.5, 'factor': 0.25, 'hue': 3}], 'detail': 'fine.obj'}");
+            "'radius': 1}}, 'name': 'tip', 'feather': 0.5, 'factor': 0.25, 'hue': 3}], 'detail': "
+            "'fine.obj'}");
         const LoadedProject loaded = parseProject(text, "p.wend");
         const Domain& domain = loaded.project.domain;
         QVERIFY(domain.refineSurface && domain.repair);
         QCOMPARE(domain.largestHole, 12);
         QCOMPARE(domain.sizesFile, std::string("paint.txt"));
         QCOMPARE(domain.sizes.at(0).factor, 0.25);
+        QCOMPARE(domain.sizes.at(0).name, std::string("tip"));
         QCOMPARE(domain.detail, std::string("fine.obj"));
         QCOMPARE(loaded.warnings.size(), std::size_t(1));
         const std::string once = toJson(loaded.project);

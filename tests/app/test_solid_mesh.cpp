@@ -1,9 +1,11 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDir>
+#include <QLabel>
 #include <QToolButton>
 
 #include "app/panels/magnitude_box.h"
+#include "app/panels/measure_panel.h"
 #include "app/panels/mesh_panel.h"
 #include "app/session/opening.h"
 #include "app/view/info_banner.h"
@@ -23,6 +25,7 @@ class TestSolidMesh : public QObject {
     void magnitudesOfAnySize();
     void greatestVolumeByThePanel();
     void detailSurfaceIsChosenAndRemoved();
+    void pointedCellTellsItsShape();
     void badDetailSurfacesAreRefused_data();
     void badDetailSurfacesAreRefused();
 
@@ -138,6 +141,31 @@ void TestSolidMesh::detailSurfaceIsChosenAndRemoved() {
     m_f->window().actions().undo->trigger();
     QVERIFY(settle(m_f->session()));
     QVERIFY(m_f->project().domain.detail.empty());
+}
+
+/// Without a map, and on a cut.
+void TestSolidMesh::pointedCellTellsItsShape() {
+    m_f->actions().measure->trigger();
+    const auto pointed = [this](const Vec<3>& p) {
+        const QPoint at = m_f->at(p);
+        QTest::mouseMove(&m_f->canvas(), at + QPoint(3, 0));
+        QTest::mouseMove(&m_f->canvas(), at);
+        return m_f->canvas().pick(at);
+    };
+    const auto text = [this] {
+        return m_f->window().findChild<QLabel*>(QStringLiteral("measureCell"))->text();
+    };
+    const SolidHit outside = pointed({0.3, -0.5, 0.1});
+    QVERIFY(outside.cell >= 0 && std::abs(outside.point.y() + 0.5) < 1e-6);
+    QVERIFY(QTest::qWaitFor(
+        [&] { return text().contains(MeasurePanel::tr("Tetrahedron %1").arg(outside.cell)); }));
+    QVERIFY(text().contains(MeasurePanel::tr("dihedral angles")) && text().contains(QStringLiteral("°")));
+    m_f->actions().cut->trigger();  // across y in the middle: seen from the front
+    const SolidHit inside = pointed({0.3, 0, 0.1});
+    QVERIFY(inside.cell >= 0 && inside.cell != outside.cell && inside.point.y() > -0.4);
+    QVERIFY(QTest::qWaitFor(
+        [&] { return text().contains(MeasurePanel::tr("Tetrahedron %1").arg(inside.cell)); }));
+    m_f->picture(QStringLiteral("pointed-cell"));
 }
 
 void TestSolidMesh::badDetailSurfacesAreRefused_data() {

@@ -484,6 +484,7 @@ void SolidCanvas::tellPointed(const QPointF& at) {
     const auto number = [&](double x) { return locale.toString(std::abs(x) < least ? 0.0 : x, 'g', 4); };
     QString text =
         QStringLiteral("%1, %2, %3").arg(number(hit.point.x()), number(hit.point.y()), number(hit.point.z()));
+    text = tr("Cell %1").arg(hit.cell) + QStringLiteral("   ") + text;
     if (m_map) {
         const auto values = shownValues(m_session, m_measure);
         text = measureName(m_measure, 3) + ' ' + measureText(m_measure, values[hit.cell]) +

@@ -1,0 +1,76 @@
+#include "app/document/size_edits.h"
+
+#include <algorithm>
+
+namespace wend {
+
+namespace {
+
+std::string freeName(const Domain& domain, const std::string& kind) {
+    for (int i = 1;; ++i) {
+        const std::string name = kind + ' ' + std::to_string(i);
+        if (std::none_of(domain.sizes.begin(), domain.sizes.end(),
+                         [&](const SizeRegion& region) { return region.name == name; }))
+            return name;
+    }
+}
+
+std::vector<int> entriesOf(const Project& project, int group) {
+    const auto groups = sizeGroups(project.domain);
+    return group >= 0 && group < static_cast<int>(groups.size()) ? groups[group].entries : std::vector<int>();
+}
+
+}  // namespace
+
+std::vector<SizeGroup> sizeGroups(const Domain& domain) {
+    std::vector<SizeGroup> groups;
+    for (int i = 0; i < static_cast<int>(domain.sizes.size()); ++i) {
+        const SizeRegion& region = domain.sizes[i];
+        const auto it = std::find_if(groups.begin(), groups.end(), [&](const SizeGroup& group) {
+            return !region.name.empty() && group.name == region.name;
+        });
+        if (it != groups.end())
+            it->entries.push_back(i);
+        else
+            groups.push_back({region.name, {i}, region});
+    }
+    return groups;
+}
+
+Project withSizeStroke(const Project& project, const std::vector<Ball<3>>& balls, double factor) {
+    Project next = project;
+    const std::string name = freeName(project.domain, "Stroke");
+    for (const Ball<3>& ball : balls) next.domain.sizes.push_back({name, ball, 0.5 * ball.radius, factor});
+    return next;
+}
+
+Project withSizeRegion(const Project& project, const Region<3>& shape, double factor) {
+    Project next = project;
+    next.domain.sizes.push_back({freeName(project.domain, "Region"), shape, 0, factor});
+    return next;
+}
+
+Project withSizeFactor(const Project& project, int group, double factor) {
+    Project next = project;
+    for (const int i : entriesOf(project, group)) next.domain.sizes[i].factor = factor;
+    return next;
+}
+
+Project withSizeShape(const Project& project, int group, const Region<3>& shape, double feather) {
+    Project next = project;
+    const auto entries = entriesOf(project, group);
+    if (entries.empty()) return next;
+    next.domain.sizes[entries.front()].shape = shape;
+    next.domain.sizes[entries.front()].feather = feather;
+    return next;
+}
+
+Project withoutSizes(const Project& project, int group) {
+    Project next = project;
+    auto entries = entriesOf(project, group);
+    std::reverse(entries.begin(), entries.end());
+    for (const int i : entries) next.domain.sizes.erase(next.domain.sizes.begin() + i);
+    return next;
+}
+
+}  // namespace wend

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/document/project.h"
+
+namespace wend {
+
+/// Size regions of one name belong together: a stroke. One without a name stands alone.
+struct SizeGroup {
+    std::string name;
+    std::vector<int> entries;  // of domain.sizes
+    SizeRegion first;
+};
+std::vector<SizeGroup> sizeGroups(const Domain& domain);
+
+/// Soft balls (feathered by half of their radius) on top of all others, named "Stroke 1", "Stroke 2" …
+Project withSizeStroke(const Project& project, const std::vector<Ball<3>>& balls, double factor);
+/// One region on top of all others, named "Region 1", "Region 2" …
+Project withSizeRegion(const Project& project, const Region<3>& shape, double factor);
+/// The group of that place in sizeGroups() with another factor; the first of it with another shape.
+Project withSizeFactor(const Project& project, int group, double factor);
+Project withSizeShape(const Project& project, int group, const Region<3>& shape, double feather);
+Project withoutSizes(const Project& project, int group);
+
+}  // namespace wend

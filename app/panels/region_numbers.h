@@ -1,0 +1,47 @@
+#pragma once
+
+#include <QWidget>
+#include <array>
+
+#include "core/mesh/region.h"
+
+class QComboBox;
+class QLabel;
+
+namespace wend {
+
+class ExactBox;
+
+/// A ball, a box or a half-space in numbers.
+class RegionNumbers : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit RegionNumbers(QWidget* parent = nullptr);
+    /// `diagonal` of the shape: so fine are the numbers.
+    void showRegion(const Region<3>& region, double diagonal);
+    /// Of a kind that has numbers here.
+    static bool canShow(const Region<3>& region) { return !std::holds_alternative<Blend<3>>(region); }
+
+  signals:
+    void changed(const wend::Region<3>& region);
+
+  private:
+    using Numbers = std::array<ExactBox*, 3>;
+    void makeControls();
+    Numbers makeNumbers();
+    void arrange();
+    void chooseKind(int kind);
+    Region<3> numbers() const;
+    void showDigits(bool direction);
+
+    Region<3> m_region;
+    double m_diagonal = 1;
+    QComboBox* m_kind;
+    QLabel *m_firstName, *m_secondName;
+    Numbers m_first, m_second;
+    QWidget* m_radiusRow;
+    ExactBox* m_radius;
+};
+
+}  // namespace wend

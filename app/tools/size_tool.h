@@ -1,0 +1,27 @@
+#pragma once
+
+#include "app/tools/stroke_tool.h"
+
+namespace wend {
+
+/// Paints how fine the mesh is: a stroke makes the edges under it longer or shorter by a factor, with Ctrl
+/// the other way round. Draws the regions that the panel has chosen.
+class SizeTool : public StrokeTool {
+  public:
+    explicit SizeTool(SolidSurface& surface) : StrokeTool(surface, QColor(0x2a, 0x8a, 0x7a)) {}
+
+    void setFactor(double factor) { m_factor = factor; }
+    void setShown(const std::vector<Region<3>>& regions) { m_shown = regions; }
+
+    QString hint() const override;
+    void paint(QPainter& painter) const override;
+
+  protected:
+    void take(const std::vector<Dab>& dabs, Qt::KeyboardModifiers modifiers) override;
+
+  private:
+    double m_factor = 0.5;
+    std::vector<Region<3>> m_shown;
+};
+
+}  // namespace wend
