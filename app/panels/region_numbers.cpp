@@ -123,7 +123,9 @@ void RegionNumbers::showRegion(const Region<3>& region, double diagonal) {
                      : std::holds_alternative<Box<3>>(region) ? BoxKind
                                                               : HalfKind;
     m_kind->setCurrentIndex(kind);
-    m_firstName->setText(kind == BallKind ? tr("centre") : kind == BoxKind ? tr("from") : tr("point of the plane"));
+    m_firstName->setText(kind == BallKind  ? tr("centre")
+                         : kind == BoxKind ? tr("from")
+                                           : tr("point of the plane"));
     m_secondName->setText(kind == BoxKind ? tr("to") : tr("direction into it"));
     m_secondName->setVisible(kind != BallKind);
     for (ExactBox* box : m_second) box->setVisible(kind != BallKind);
