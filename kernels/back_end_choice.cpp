@@ -29,6 +29,7 @@ class FailsafeBackEnd final : public BackEnd<Dim> {
 
     std::string name() const override { return m_active->name(); }
     std::string device() const override { return m_active->device(); }
+    WorkerPool& workers() override { return m_active->workers(); }
 
     void setInertia(std::vector<double> epsilon) override {
         m_inertia = epsilon;

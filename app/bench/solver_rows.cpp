@@ -102,22 +102,28 @@ class SolverBench {
                         factor,
                         {{"Gflop/s", 1e-9 * flops / factor.median}, {"entries (million)", 1e-6 * entries}}});
         addSolve("solve, CHOLMOD, double", 0, entries * sizeof(double), [&] { cholesky.solve(b, x); });
-        SupernodalFactor<float> single(cholesky.supernodes(), system.columnStart(), system.row());
-        const Timing singleFactor = measure(repeats, [&] { single.factorize(cholesky.values()); });
-        m_recorder.add({"factor, single precision",
-                        1,
-                        singleFactor,
-                        {{"Gflop/s", 1e-9 * flops / singleFactor.median},
-                         {"times CHOLMOD's speed", factor.median / singleFactor.median}}});
-        SupernodalFactor<double> twice(cholesky.supernodes(), system.columnStart(), system.row());
-        const Timing doubleFactor = measure(repeats, [&] { twice.factorize(cholesky.values()); });
-        m_recorder.add({"factor, double precision",
-                        1,
-                        doubleFactor,
-                        {{"Gflop/s", 1e-9 * flops / doubleFactor.median},
-                         {"times CHOLMOD's speed", factor.median / doubleFactor.median}}});
-        addSolve("solve, double precision", 1, entries * sizeof(double), [&] { twice.solve(b, x); });
-        addSolve("solve, single precision", 1, entries * sizeof(float), [&] { single.solve(b, x); });
+        for (int threads : {1, 0}) {
+            addOwnFactor<double>("double precision", threads, cholesky, system, factor.median);
+            addOwnFactor<float>("single precision", threads, cholesky, system, factor.median);
+        }
+    }
+
+    template <class Real>
+    void addOwnFactor(const std::string& precision, int threads, Cholesky& cholesky,
+                      const ReducedSystem<Dim>& system, double cholmod) {
+        WorkerPool workers(threads);
+        SupernodalFactor<Real> factor(cholesky.supernodes(), system.columnStart(), system.row());
+        const double flops = cholesky.factorFlops();
+        const Timing timing =
+            measure(m_recorder.repeats(flops / 2e10), [&] { factor.factorize(cholesky.values(), workers); });
+        m_recorder.add({"factor, " + precision,
+                        threads,
+                        timing,
+                        {{"Gflop/s", 1e-9 * flops / timing.median},
+                         {"times CHOLMOD's speed", cholmod / timing.median}}});
+        std::vector<double> b(system.columnStart().size() - 1, 1.0), x(b.size());
+        addSolve("solve, " + precision, threads, cholesky.factorEntries() * sizeof(Real),
+                 [&] { factor.solve(b, x, workers); });
     }
 
     /// A solve reads the factor twice.

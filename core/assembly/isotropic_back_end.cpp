@@ -29,6 +29,7 @@ class IsotropicBackEnd final : public BackEnd<Dim> {
     std::string device() const override {
         return m_pool.threads() == 1 ? "1 thread" : std::to_string(m_pool.threads()) + " threads";
     }
+    WorkerPool& workers() override { return m_pool; }
     void setInertia(std::vector<double> epsilon) override { m_inertia = std::move(epsilon); }
     int setShape(const Points<Dim>& shape) override;
     void assemble(std::span<double> values) override;

@@ -18,6 +18,8 @@ namespace wend::dense {
 namespace {
 
 constexpr int kBlock = 8;  // columns of a block
+// Together half a megabyte: what every block of columns reads again.
+constexpr int kDepth = 256, kRows = 16 * kPad<Real> * 2;
 constexpr int kLanes = kPad<Real>;
 
 const Lanes& at(const Real* p) {
@@ -115,34 +117,42 @@ bool factorDiagonal(const Real* block, int leading, int columns, Real (&T)[kBloc
     return true;
 }
 
-/// Rows of a block of eight columns times T⁻ᵀ, kLanes rows at a time.
+/// Rows of a block of eight columns times T⁻ᵀ, kLanes rows at a time. Missing columns are read as the first.
 WEND_CLONES void solveRows(Real* first, int leading, int rows, int columns, const Real (&T)[kBlock][kBlock],
                            const Real (&inverse)[kBlock]) {
-    const std::ptrdiff_t n = leading;
+    std::ptrdiff_t o[kBlock];
+    for (int j = 0; j < kBlock; ++j) o[j] = j < columns ? j * static_cast<std::ptrdiff_t>(leading) : 0;
     for (int r = 0; r < rows; r += kLanes) {
         Real* c = first + r;
         const Lanes x0 = at(c) * inverse[0];
-        const Lanes x1 = (at(c + n) - x0 * T[1][0]) * inverse[1];
-        const Lanes x2 = (at(c + 2 * n) - x0 * T[2][0] - x1 * T[2][1]) * inverse[2];
-        const Lanes x3 = (at(c + 3 * n) - x0 * T[3][0] - x1 * T[3][1] - x2 * T[3][2]) * inverse[3];
+        const Lanes x1 = (at(c + o[1]) - x0 * T[1][0]) * inverse[1];
+        const Lanes x2 = (at(c + o[2]) - x0 * T[2][0] - x1 * T[2][1]) * inverse[2];
+        const Lanes x3 = (at(c + o[3]) - x0 * T[3][0] - x1 * T[3][1] - x2 * T[3][2]) * inverse[3];
         at(c) = x0;
-        if (columns > 1) at(c + n) = x1;
-        if (columns > 2) at(c + 2 * n) = x2;
-        if (columns > 3) at(c + 3 * n) = x3;
+        if (columns > 1) at(c + o[1]) = x1;
+        if (columns > 2) at(c + o[2]) = x2;
+        if (columns > 3) at(c + o[3]) = x3;
         if (columns <= 4) continue;
-        const Lanes y4 = at(c + 4 * n) - x0 * T[4][0] - x1 * T[4][1] - x2 * T[4][2] - x3 * T[4][3];
-        const Lanes y5 = at(c + 5 * n) - x0 * T[5][0] - x1 * T[5][1] - x2 * T[5][2] - x3 * T[5][3];
-        const Lanes y6 = at(c + 6 * n) - x0 * T[6][0] - x1 * T[6][1] - x2 * T[6][2] - x3 * T[6][3];
-        const Lanes y7 = at(c + 7 * n) - x0 * T[7][0] - x1 * T[7][1] - x2 * T[7][2] - x3 * T[7][3];
+        const Lanes y4 = at(c + o[4]) - x0 * T[4][0] - x1 * T[4][1] - x2 * T[4][2] - x3 * T[4][3];
+        const Lanes y5 = at(c + o[5]) - x0 * T[5][0] - x1 * T[5][1] - x2 * T[5][2] - x3 * T[5][3];
+        const Lanes y6 = at(c + o[6]) - x0 * T[6][0] - x1 * T[6][1] - x2 * T[6][2] - x3 * T[6][3];
+        const Lanes y7 = at(c + o[7]) - x0 * T[7][0] - x1 * T[7][1] - x2 * T[7][2] - x3 * T[7][3];
         const Lanes x4 = y4 * inverse[4];
         const Lanes x5 = (y5 - x4 * T[5][4]) * inverse[5];
         const Lanes x6 = (y6 - x4 * T[6][4] - x5 * T[6][5]) * inverse[6];
         const Lanes x7 = (y7 - x4 * T[7][4] - x5 * T[7][5] - x6 * T[7][6]) * inverse[7];
-        at(c + 4 * n) = x4;
-        if (columns > 5) at(c + 5 * n) = x5;
-        if (columns > 6) at(c + 6 * n) = x6;
-        if (columns > 7) at(c + 7 * n) = x7;
+        at(c + o[4]) = x4;
+        if (columns > 5) at(c + o[5]) = x5;
+        if (columns > 6) at(c + o[6]) = x6;
+        if (columns > 7) at(c + o[7]) = x7;
     }
+}
+
+/// What factorDiagonal() made, from the panel.
+void readDiagonal(const Real* block, int leading, int columns, Real (&T)[kBlock][kBlock]) {
+    for (int i = 0; i < kBlock; ++i)
+        for (int j = 0; j < i; ++j)
+            T[i][j] = i < columns ? block[j * static_cast<std::ptrdiff_t>(leading) + i] : Real(0);
 }
 
 Real sumOf(const Lanes& lanes) {
@@ -155,17 +165,17 @@ Real sumOf(const Lanes& lanes) {
 
 }  // namespace
 
-bool factorPanel(Real* panel, int leading, int columns, Real* inverse) {
+bool factorColumns(Real* panel, int leading, int from, int to, int rowEnd, Real* inverse) {
     const bool wide = wideRegisters();
     Real T[kBlock][kBlock], inverses[kBlock];
-    for (int c = 0; c < columns; c += kBlock) {
-        const int count = std::min(kBlock, columns - c), top = c & ~(kLanes - 1);
+    for (int c = from; c < to; c += kBlock) {
+        const int count = std::min(kBlock, to - c), top = c & ~(kLanes - 1);
         Real* block = panel + static_cast<std::ptrdiff_t>(c) * leading;
         if (c > 0)
-            subtractProduct(wide, leading - top, count, c, panel + top, panel + c, leading, block + top,
+            subtractProduct(wide, rowEnd - top, count, c, panel + top, panel + c, leading, block + top,
                             leading);
         if (!factorDiagonal(block + c, leading, count, T, inverses)) return false;
-        solveRows(block + top, leading, leading - top, count, T, inverses);
+        solveRows(block + top, leading, rowEnd - top, count, T, inverses);
         for (int j = 0; j < count; ++j) {
             inverse[c + j] = inverses[j];
             std::fill(block + static_cast<std::ptrdiff_t>(j) * leading + top,
@@ -175,16 +185,41 @@ bool factorPanel(Real* panel, int leading, int columns, Real* inverse) {
     return true;
 }
 
-void subtractSquare(const Real* below, int leading, int columns, Real* U, int leadingU, int rows) {
+void continueColumns(Real* panel, int leading, int from, int to, int rowBegin, int rowEnd,
+                     const Real* inverse) {
     const bool wide = wideRegisters();
-    for (int c = 0; c < rows; c += kBlock) {
-        const int top = c & ~(kLanes - 1);
-        subtractProduct(wide, leadingU - top, std::min(kBlock, rows - c), columns, below + top, below + c,
-                        leading, U + static_cast<std::ptrdiff_t>(c) * leadingU + top, leadingU);
+    const int rows = rowEnd - rowBegin;
+    Real T[kBlock][kBlock], inverses[kBlock];
+    for (int c = from; c < to; c += kBlock) {
+        const int count = std::min(kBlock, to - c);
+        Real* block = panel + static_cast<std::ptrdiff_t>(c) * leading;
+        if (c > 0)
+            subtractProduct(wide, rows, count, c, panel + rowBegin, panel + c, leading, block + rowBegin,
+                            leading);
+        readDiagonal(block + c, leading, count, T);
+        for (int j = 0; j < kBlock; ++j) inverses[j] = j < count ? inverse[c + j] : Real(1);
+        solveRows(block + rowBegin, leading, rows, count, T, inverses);
     }
 }
 
-WEND_CLONES void forward(const Real* panel, int leading, int columns, const Real* inverse, Real* w, Real* x) {
+// By blocks of rows and of the depth, so that what the columns of U share stays in the second-level cache.
+void subtractSquare(const Real* below, int leading, int columns, Real* U, int leadingU, int from, int to) {
+    const bool wide = wideRegisters();
+    for (int k = 0; k < columns; k += kDepth)
+        for (int r = from; r < leadingU; r += kRows) {
+            const Real* const A = below + static_cast<std::ptrdiff_t>(k) * leading;
+            const int rowEnd = std::min(leadingU, r + kRows);
+            for (int c = from; c < std::min(to, rowEnd); c += kBlock) {
+                const int top = std::max(r, c & ~(kLanes - 1));
+                subtractProduct(wide, rowEnd - top, std::min(kBlock, to - c), std::min(kDepth, columns - k),
+                                A + top, A + c, leading, U + static_cast<std::ptrdiff_t>(c) * leadingU + top,
+                                leadingU);
+            }
+        }
+}
+
+WEND_CLONES void forward(const Real* panel, int leading, int columns, int rowEnd, const Real* inverse,
+                         Real* w, Real* x) {
     const std::ptrdiff_t n = leading;
     int c = 0;
     for (; c + 4 <= columns; c += 4) {
@@ -195,31 +230,71 @@ WEND_CLONES void forward(const Real* panel, int leading, int columns, const Real
         const Real x3 =
             (w[c + 3] - a[c + 3] * x0 - a[n + c + 3] * x1 - a[2 * n + c + 3] * x2) * inverse[c + 3];
         x[c] = x0, x[c + 1] = x1, x[c + 2] = x2, x[c + 3] = x3;
-        for (int r = (c + 4) & ~(kLanes - 1); r < leading; r += kLanes)
+        for (int r = (c + 4) & ~(kLanes - 1); r < rowEnd; r += kLanes)
             at(w + r) -=
                 at(a + r) * x0 + at(a + n + r) * x1 + (at(a + 2 * n + r) * x2 + at(a + 3 * n + r) * x3);
     }
     for (; c < columns; ++c) {
         const Real* const a = panel + c * n;
         x[c] = w[c] * inverse[c];
-        for (int r = (c + 1) & ~(kLanes - 1); r < leading; r += kLanes) at(w + r) -= at(a + r) * x[c];
+        for (int r = (c + 1) & ~(kLanes - 1); r < rowEnd; r += kLanes) at(w + r) -= at(a + r) * x[c];
     }
 }
 
-WEND_CLONES void backward(const Real* panel, int leading, int columns, const Real* inverse, Real* w,
-                          Real* x) {
+WEND_CLONES void continueForward(const Real* panel, int leading, int columns, int rowBegin, int rowEnd,
+                                 const Real* x, Real* w) {
+    const std::ptrdiff_t n = leading;
+    int c = 0;
+    for (; c + 4 <= columns; c += 4) {
+        const Real* const a = panel + c * n;
+        const Real x0 = x[c], x1 = x[c + 1], x2 = x[c + 2], x3 = x[c + 3];
+        for (int r = rowBegin; r < rowEnd; r += kLanes)
+            at(w + r) -=
+                at(a + r) * x0 + at(a + n + r) * x1 + (at(a + 2 * n + r) * x2 + at(a + 3 * n + r) * x3);
+    }
+    for (; c < columns; ++c) {
+        const Real* const a = panel + c * n;
+        for (int r = rowBegin; r < rowEnd; r += kLanes) at(w + r) -= at(a + r) * x[c];
+    }
+}
+
+WEND_CLONES void prepareBackward(const Real* panel, int leading, int from, int to, int rowBegin,
+                                 const Real* w, Real* x) {
+    const std::ptrdiff_t n = leading;
+    int c = from;
+    for (; c + 4 <= to; c += 4) {
+        const Real* const a = panel + c * n;
+        Lanes s0{}, s1{}, s2{}, s3{};
+        for (int r = rowBegin; r < leading; r += kLanes) {
+            const Lanes y = at(w + r);
+            s0 += at(a + r) * y;
+            s1 += at(a + n + r) * y;
+            s2 += at(a + 2 * n + r) * y;
+            s3 += at(a + 3 * n + r) * y;
+        }
+        x[c] -= sumOf(s0), x[c + 1] -= sumOf(s1), x[c + 2] -= sumOf(s2), x[c + 3] -= sumOf(s3);
+    }
+    for (; c < to; ++c) {
+        Lanes s{};
+        for (int r = rowBegin; r < leading; r += kLanes) s += at(panel + c * n + r) * at(w + r);
+        x[c] -= sumOf(s);
+    }
+}
+
+WEND_CLONES void backward(const Real* panel, int leading, int columns, int rowEnd, const Real* inverse,
+                          Real* w, Real* x) {
     const std::ptrdiff_t n = leading;
     int c = columns;
     for (; c % 4 != 0; --c) {
         const Real* const a = panel + (c - 1) * n;
         Lanes s{};
-        for (int r = (c - 1) & ~(kLanes - 1); r < leading; r += kLanes) s += at(a + r) * at(w + r);
+        for (int r = (c - 1) & ~(kLanes - 1); r < rowEnd; r += kLanes) s += at(a + r) * at(w + r);
         x[c - 1] = w[c - 1] = (x[c - 1] - sumOf(s)) * inverse[c - 1];
     }
     for (c -= 4; c >= 0; c -= 4) {
         const Real* const a = panel + c * n;
         Lanes s0{}, s1{}, s2{}, s3{};
-        for (int r = c & ~(kLanes - 1); r < leading; r += kLanes) {
+        for (int r = c & ~(kLanes - 1); r < rowEnd; r += kLanes) {
             const Lanes y = at(w + r);
             s0 += at(a + r) * y;
             s1 += at(a + n + r) * y;

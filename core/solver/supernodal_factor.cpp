@@ -1,8 +1,9 @@
 #include "core/solver/supernodal_factor.h"
 
 #include <algorithm>
-#include <cmath>
+#include <atomic>
 #include <cstdint>
+#include <numeric>
 
 #include "core/solver/dense_kernels.h"
 
@@ -15,13 +16,17 @@ std::size_t padded(std::size_t count) {
     return (count + dense::kPad<Real> - 1) / dense::kPad<Real> * dense::kPad<Real>;
 }
 
-/// `count` zeros and slack behind them; returns the first that is aligned to a cache line.
+/// `count` zeros and a cache line behind them; returns the first that is aligned to a cache line.
 template <class Real>
 Real* allocate(std::vector<Real>& storage, std::size_t count) {
-    storage.assign(count + dense::kPad<Real> + dense::kSlack, Real(0));
+    storage.assign(count + 2 * dense::kPad<Real>, Real(0));
     const auto address = reinterpret_cast<std::uintptr_t>(storage.data());
     return storage.data() + (64 - address % 64) % 64 / sizeof(Real);
 }
+
+// A front with less work is left to one thread: the hand-over takes some microseconds.
+constexpr double kSharedWork = 2e6;
+constexpr int kPanelColumns = 64, kUpdateColumns = 64;  // of a piece
 
 /// to += from.
 template <class Real>
@@ -37,9 +42,10 @@ inline void add(Real* to, const Real* from, int count) {
 template <class Real>
 SupernodalFactor<Real>::SupernodalFactor(Supernodes symbolic, const std::vector<int>& columnStart,
                                          const std::vector<int>& row)
-    : m_symbolic(std::move(symbolic)) {
-    layOut();
+    : m_symbolic(std::move(symbolic)), m_tree(makeEliminationTree(m_symbolic)) {
+    placePanels();
     placeUpdates();
+    placeWorkspaces();
     mapUpdates();
     mapEntries(columnStart, row);
 }
@@ -54,50 +60,50 @@ int SupernodalFactor<Real>::updateLeading(int s) const {
     return static_cast<int>(padded<Real>(updateRows(s)));
 }
 
-/// Panels one after another; the elimination tree: the parent holds the first row below.
+/// One after another, with a cache line between them for the kernels to look at.
 template <class Real>
-void SupernodalFactor<Real>::layOut() {
-    const int count = m_symbolic.count();
-    const std::size_t unknowns = m_symbolic.order.size();
-    std::vector<int> owner(unknowns);
-    m_parent.assign(count, -1);
-    m_children.resize(count);
-    for (int s = 0; s < count; ++s)
-        std::fill(owner.begin() + m_symbolic.first[s], owner.begin() + m_symbolic.first[s + 1], s);
+void SupernodalFactor<Real>::placePanels() {
     m_panelStart.assign(1, 0);
-    int greatest = 0;
-    for (int s = 0; s < count; ++s) {
-        m_panelStart.push_back(m_panelStart.back() +
+    for (int s = 0; s < m_symbolic.count(); ++s)
+        m_panelStart.push_back(m_panelStart.back() + dense::kPad<Real> +
                                static_cast<std::size_t>(leading(s)) * m_symbolic.columnsOf(s));
-        greatest = std::max(greatest, leading(s));
-        if (updateRows(s) == 0) continue;
-        m_parent[s] = owner[m_symbolic.rows[m_symbolic.rowStart[s] + m_symbolic.columnsOf(s)]];
-        m_children[m_parent[s]].push_back(s);
-    }
-    // Kernels may look at eight columns from any place of the last panel.
-    m_panels = allocate(m_storage, m_panelStart.back() + 8 * static_cast<std::size_t>(greatest));
-    m_inverse.resize(unknowns);
-    m_x.resize(unknowns);
-    m_w.resize(static_cast<std::size_t>(greatest) + dense::kPad<Real>);
+    m_panels = allocate(m_storage, m_panelStart.back());
+    m_inverse.resize(m_symbolic.order.size());
 }
 
-/// Follows both stacks through a factorization.
 template <class Real>
 void SupernodalFactor<Real>::placeUpdates() {
-    const int count = m_symbolic.count();
-    m_depth.assign(count, 0);
-    m_updateStart.assign(count, 0);
+    m_updateStart.assign(m_symbolic.count(), 0);
+    std::size_t end = 0;
+    std::vector<int> group;
+    for (const auto& branch : m_tree.branches) {
+        group.resize(branch.end - branch.begin);
+        std::iota(group.begin(), group.end(), branch.begin);
+        end = placeUpdates(group, end);
+    }
+    m_updates = allocate(m_updateStorage, placeUpdates(m_tree.trunk, end));
+}
+
+/// Update matrices wait for their parent on two stacks of their group, by the parity of their depth: a front
+/// can then be built on one stack while its children lie on top of the other. Returns the end of the stacks.
+template <class Real>
+std::size_t SupernodalFactor<Real>::placeUpdates(std::span<const int> group, std::size_t base) {
+    std::vector<int> stack(m_symbolic.count());
     std::size_t top[2] = {0, 0}, most[2] = {0, 0};
-    for (int s = count - 1; s >= 0; --s)
-        if (m_parent[s] >= 0) m_depth[s] = m_depth[m_parent[s]] + 1;
-    for (int s = 0; s < count; ++s) {
-        const int own = m_depth[s] % 2;
+    for (auto s = group.rbegin(); s != group.rend(); ++s)
+        if (const int parent = m_tree.parent[*s]; parent >= 0) stack[*s] = 1 - stack[parent];
+    const auto inGroup = [&](int child) { return std::binary_search(group.begin(), group.end(), child); };
+    for (const int s : group) {
+        const int own = stack[s];
         m_updateStart[s] = top[own];
         top[own] += static_cast<std::size_t>(updateLeading(s)) * updateRows(s);
         most[own] = std::max(most[own], top[own]);
-        if (!m_children[s].empty()) top[1 - own] = m_updateStart[m_children[s].front()];
+        const auto& children = m_tree.children[s];
+        const auto first = std::find_if(children.begin(), children.end(), inGroup);
+        if (first != children.end()) top[1 - own] = m_updateStart[*first];
     }
-    for (int i : {0, 1}) m_updates[i] = allocate(m_updateStorage[i], most[i]);
+    for (const int s : group) m_updateStart[s] += base + (stack[s] == 0 ? 0 : most[0]);
+    return base + most[0] + most[1];
 }
 
 template <class Real>
@@ -106,7 +112,7 @@ void SupernodalFactor<Real>::mapUpdates() {
     m_runStart.assign(1, 0);
     const auto& rows = m_symbolic.rows;
     for (int s = 0; s < m_symbolic.count(); ++s) {
-        const int p = m_parent[s];
+        const int p = m_tree.parent[s];
         if (p >= 0) {
             for (int i = m_symbolic.rowStart[p]; i < m_symbolic.rowStart[p + 1]; ++i)
                 place[rows[i]] = i - m_symbolic.rowStart[p];
@@ -155,92 +161,107 @@ void SupernodalFactor<Real>::mapEntries(const std::vector<int>& columnStart, con
     }
 }
 
-/// The child's update matrix into the parent's front: its pivot columns lie in the panel, the others in its
-/// own update matrix, both with rows counted from the front's first. Block by block, so that one length of
-/// runs serves many columns: most are short, and a mispredicted end costs more than their sums.
+/// The child's update matrix into the columns [begin, end) of the parent's front: pivot columns lie in the
+/// panel, the others in its own update matrix, both with rows counted from the front's first. Block by block,
+/// so that one length of runs serves many columns: most are short, and a mispredicted end costs more than
+/// their sums.
 template <class Real>
-void SupernodalFactor<Real>::extendAdd(int child, int parent) {
+void SupernodalFactor<Real>::extendAdd(int child, int parent, int begin, int end) {
     const Real* const from = update(child);
     const auto leadingFrom = static_cast<std::size_t>(updateLeading(child));
-    const auto leadingPanel = static_cast<std::size_t>(leading(parent)),
-               leadingUpdate = static_cast<std::size_t>(updateLeading(parent));
     const int pivots = m_symbolic.columnsOf(parent);
-    Real *const panelFront = panel(parent), *const updateFront = update(parent) - pivots;
-    const auto column = [&](int c) {
-        return c < pivots ? panelFront + c * leadingPanel : updateFront + (c - pivots) * leadingUpdate;
-    };
-    const Run *const begin = m_runs.data() + m_runStart[child], *const end =
+    const bool inPanel = begin < pivots;
+    Real* const front = inPanel ? panel(parent) : update(parent) - pivots;
+    const auto leadingFront = static_cast<std::size_t>(inPanel ? leading(parent) : updateLeading(parent));
+    const auto column = [&](int c) { return front + (inPanel ? c : c - pivots) * leadingFront; };
+    const Run *const first = m_runs.data() + m_runStart[child], *const last =
                                                                     m_runs.data() + m_runStart[child + 1];
-    for (const Run* columns = begin; columns != end; ++columns) {
+    const auto before = [&](const Run& run) { return run.to + run.length <= begin; };
+    for (const Run* columns = std::partition_point(first, last, before); columns != last; ++columns) {
+        if (columns->to >= end) break;
+        const int cBegin = std::max(0, begin - columns->to),
+                  cEnd = std::min(columns->length, end - columns->to);
         const Real* const source = from + columns->from * leadingFrom;
-        for (int c = 0; c < columns->length; ++c)
+        for (int c = cBegin; c < cEnd; ++c)
             add(column(columns->to + c) + columns->to + c, source + c * leadingFrom + columns->from + c,
                 columns->length - c);
-        for (const Run* rows = columns + 1; rows != end; ++rows)
-            for (int c = 0; c < columns->length; ++c)
+        for (const Run* rows = columns + 1; rows != last; ++rows)
+            for (int c = cBegin; c < cEnd; ++c)
                 add(column(columns->to + c) + rows->to, source + c * leadingFrom + rows->from, rows->length);
     }
 }
 
 template <class Real>
-bool SupernodalFactor<Real>::factorize(std::span<const double> values) {
-    for (int s = 0; s < m_symbolic.count(); ++s) {
-        Real* const front = panel(s);
-        std::fill(front, m_panels + m_panelStart[s + 1], Real(0));
-        for (int i = m_entryStart[s]; i < m_entryStart[s + 1]; ++i)
-            front[m_entries[i].target] = static_cast<Real>(values[m_entries[i].source]);
-        const int below = updateRows(s), leadingUpdate = updateLeading(s), columns = m_symbolic.columnsOf(s);
-        std::fill_n(update(s), static_cast<std::size_t>(leadingUpdate) * below, Real(0));
-        for (int child : m_children[s]) extendAdd(child, s);
-        if (!dense::factorPanel(front, leading(s), columns, m_inverse.data() + m_symbolic.first[s]))
-            return false;
-        dense::subtractSquare(front + columns, leading(s), columns, update(s), leadingUpdate, below);
+void SupernodalFactor<Real>::assemblePanel(int s, std::span<const double> values) {
+    Real* const front = panel(s);
+    const int columns = m_symbolic.columnsOf(s);
+    std::fill_n(front, static_cast<std::size_t>(leading(s)) * columns, Real(0));
+    for (int i = m_entryStart[s]; i < m_entryStart[s + 1]; ++i)
+        front[m_entries[i].target] = static_cast<Real>(values[m_entries[i].source]);
+}
+
+/// Columns [begin, end) of the update matrix, of a panel that is done.
+template <class Real>
+void SupernodalFactor<Real>::makeUpdate(int s, int begin, int end) {
+    const auto leadingUpdate = static_cast<std::size_t>(updateLeading(s));
+    const int columns = m_symbolic.columnsOf(s);
+    std::fill(update(s) + begin * leadingUpdate, update(s) + end * leadingUpdate, Real(0));
+    for (int child : m_tree.children[s]) extendAdd(child, s, columns + begin, columns + end);
+    dense::subtractSquare(panel(s) + columns, leading(s), columns, update(s), updateLeading(s), begin, end);
+}
+
+template <class Real>
+bool SupernodalFactor<Real>::factorFront(int s, std::span<const double> values) {
+    const int columns = m_symbolic.columnsOf(s);
+    assemblePanel(s, values);
+    for (int child : m_tree.children[s]) extendAdd(child, s, 0, columns);
+    if (!dense::factorColumns(panel(s), leading(s), 0, columns, leading(s),
+                              m_inverse.data() + m_symbolic.first[s]))
+        return false;
+    makeUpdate(s, 0, updateRows(s));
+    return true;
+}
+
+/// In blocks of columns: one thread does a block's triangle, all of them the rows below.
+template <class Real>
+bool SupernodalFactor<Real>::factorPanel(int s, WorkerPool& workers) {
+    const int columns = m_symbolic.columnsOf(s), rows = leading(s);
+    Real *const front = panel(s), *const inverse = m_inverse.data() + m_symbolic.first[s];
+    for (int from = 0; from < columns; from += kPanelColumns) {
+        const int to = std::min(columns, from + kPanelColumns), below = static_cast<int>(padded<Real>(to));
+        if (!dense::factorColumns(front, rows, from, to, below, inverse)) return false;
+        workers.forPieces(rows - below, 16 * dense::kPad<Real>, [&](int begin, int end) {
+            dense::continueColumns(front, rows, from, to, below + begin, below + end, inverse);
+        });
     }
     return true;
 }
 
 template <class Real>
-void SupernodalFactor<Real>::forwardSolve() {
-    for (int s = 0; s < m_symbolic.count(); ++s) {
-        const int columns = m_symbolic.columnsOf(s), rows = m_symbolic.rowsOf(s), first = m_symbolic.first[s];
-        const int* const index = m_symbolic.rows.data() + m_symbolic.rowStart[s];
-        std::copy_n(m_x.begin() + first, columns, m_w.begin());
-        std::fill(m_w.begin() + columns, m_w.begin() + leading(s), Real(0));
-        dense::forward(panel(s), leading(s), columns, m_inverse.data() + first, m_w.data(),
-                       m_x.data() + first);
-        for (int i = columns; i < rows; ++i) m_x[index[i]] += m_w[i];
-    }
+bool SupernodalFactor<Real>::factorFront(int s, std::span<const double> values, WorkerPool& workers) {
+    const int columns = m_symbolic.columnsOf(s), below = updateRows(s);
+    const double rows = m_symbolic.rowsOf(s);
+    if (columns * rows * rows < kSharedWork) return factorFront(s, values);
+    assemblePanel(s, values);
+    workers.forPieces(columns, kPanelColumns, [&](int begin, int end) {
+        for (int child : m_tree.children[s]) extendAdd(child, s, begin, end);
+    });
+    if (!factorPanel(s, workers)) return false;
+    workers.forPieces(below, kUpdateColumns, [&](int begin, int end) { makeUpdate(s, begin, end); });
+    return true;
 }
 
 template <class Real>
-void SupernodalFactor<Real>::backwardSolve() {
-    for (int s = m_symbolic.count() - 1; s >= 0; --s) {
-        const int columns = m_symbolic.columnsOf(s), rows = m_symbolic.rowsOf(s), first = m_symbolic.first[s];
-        const int* const index = m_symbolic.rows.data() + m_symbolic.rowStart[s];
-        std::fill_n(m_w.begin(), columns, Real(0));
-        for (int i = columns; i < rows; ++i) m_w[i] = m_x[index[i]];
-        std::fill(m_w.begin() + rows, m_w.begin() + leading(s), Real(0));
-        dense::backward(panel(s), leading(s), columns, m_inverse.data() + first, m_w.data(),
-                        m_x.data() + first);
-    }
-}
-
-// Scaled to 1, so that the residuals of the last iterations stay in the range of single precision.
-template <class Real>
-bool SupernodalFactor<Real>::solve(std::span<const double> b, std::span<double> x) {
-    double size = 0;
-    for (double value : b) size = std::max(size, std::abs(value));
-    const double scale = size > 0 ? 1 / size : 1.0;
-    const auto& order = m_symbolic.order;
-    for (std::size_t i = 0; i < order.size(); ++i) m_x[i] = static_cast<Real>(scale * b[order[i]]);
-    forwardSolve();
-    backwardSolve();
-    bool finite = std::isfinite(size);
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        finite = finite && std::isfinite(m_x[i]);
-        x[order[i]] = m_x[i] / scale;
-    }
-    return finite;
+bool SupernodalFactor<Real>::factorize(std::span<const double> values, WorkerPool& workers) {
+    std::atomic<bool> positive = true;
+    workers.forPieces(static_cast<int>(m_tree.branches.size()), 1, [&](int i, int) {
+        const auto& branch = m_tree.branches[i];
+        for (int s = branch.begin; s < branch.end && positive; ++s)
+            if (!factorFront(s, values)) positive = false;
+    });
+    if (!positive) return false;
+    return std::all_of(m_tree.trunk.begin(), m_tree.trunk.end(),
+                       [&](int s) { return factorFront(s, values, workers); });
 }
 
 template class SupernodalFactor<float>;

@@ -3,6 +3,8 @@
 #include <span>
 #include <vector>
 
+#include "core/assembly/worker_pool.h"
+#include "core/solver/elimination_tree.h"
 #include "core/solver/supernodes.h"
 
 namespace wend {
@@ -10,7 +12,8 @@ namespace wend {
 /// A supernodal multifrontal Cholesky factorization. In double precision it solves, on small fronts, in half
 /// of CHOLMOD's time; in single precision in half of that again (half the bytes, twice the lanes), as a
 /// preconditioner: of a matrix of condition κ it solves to about κ · 1e-7. Where a pivot is lost to rounding
-/// it says so; then a better factor must serve. One thread; the same input gives the same bits.
+/// it says so; then a better factor must serve. The threads do the branches of the elimination tree at the
+/// same time, then share the great fronts of its trunk; their number does not change a bit of the result.
 template <class Real>
 class SupernodalFactor {
   public:
@@ -19,9 +22,9 @@ class SupernodalFactor {
     SupernodalFactor(Supernodes symbolic, const std::vector<int>& columnStart, const std::vector<int>& row);
 
     /// From the values of the pattern; false if a pivot is not positive.
-    bool factorize(std::span<const double> values);
+    bool factorize(std::span<const double> values, WorkerPool& workers);
     /// x ≈ K⁻¹ b; false if that is not finite.
-    bool solve(std::span<const double> b, std::span<double> x);
+    bool solve(std::span<const double> b, std::span<double> x, WorkerPool& workers);
 
   private:
     struct Run {  // rows of an update matrix that are consecutive in the parent's front, too
@@ -31,32 +34,49 @@ class SupernodalFactor {
         int source;       // in the values
         unsigned target;  // in the panel
     };
-    void layOut();
+    void placePanels();
     void placeUpdates();
+    std::size_t placeUpdates(std::span<const int> group, std::size_t base);
+    void placeWorkspaces();
     void mapUpdates();
     void mapEntries(const std::vector<int>& columnStart, const std::vector<int>& row);
+
     int leading(int s) const;
     int updateRows(int s) const { return m_symbolic.rowsOf(s) - m_symbolic.columnsOf(s); }
     int updateLeading(int s) const;
     Real* panel(int s) { return m_panels + m_panelStart[s]; }
-    Real* update(int s) { return m_updates[m_depth[s] % 2] + m_updateStart[s]; }
-    void extendAdd(int child, int parent);
-    void forwardSolve();
-    void backwardSolve();
+    Real* update(int s) { return m_updates + m_updateStart[s]; }
+
+    bool factorFront(int s, std::span<const double> values);
+    bool factorFront(int s, std::span<const double> values, WorkerPool& workers);
+    void assemblePanel(int s, std::span<const double> values);
+    bool factorPanel(int s, WorkerPool& workers);
+    void makeUpdate(int s, int begin, int end);
+    void extendAdd(int child, int parent, int begin, int end);
+
+    void forwardSolve(WorkerPool& workers);
+    void forwardBranch(int branch);
+    void forwardFront(int s, Real* w, WorkerPool* workers);
+    void backwardSolve(WorkerPool& workers);
+    void backwardFront(int s, Real* w, WorkerPool* workers);
 
     Supernodes m_symbolic;
-    std::vector<int> m_parent, m_depth;        // per supernode; parent −1: a root
-    std::vector<std::vector<int>> m_children;  // in elimination order
+    EliminationTree m_tree;
     std::vector<std::size_t> m_panelStart, m_updateStart;
     std::vector<int> m_runStart;  // per supernode: into m_runs, for its update matrix
     std::vector<Run> m_runs;
     std::vector<int> m_entryStart;  // per supernode: into m_entries
     std::vector<Entry> m_entries;
 
-    // Update matrices wait for their parent on two stacks, by the parity of their depth: a front can then be
-    // built on one stack while its children lie on top of the other.
-    std::vector<Real> m_storage, m_updateStorage[2], m_inverse, m_w, m_x;
-    Real *m_panels = nullptr, *m_updates[2] = {};
+    std::vector<Real> m_storage, m_updateStorage, m_inverse;
+    Real *m_panels = nullptr, *m_updates = nullptr;
+
+    // Of a solve: x, and behind it for every branch what it adds to the rows above it.
+    std::vector<Real> m_x;
+    std::vector<int> m_target;                // per row of a supernode: its place in m_x
+    std::vector<std::size_t> m_contribution;  // per branch: where its sums begin
+    std::vector<Real> m_w;                 // a front's part of x: one for every branch and one for the trunk
+    std::vector<std::size_t> m_workspace;  // per branch, and for the trunk
 };
 
 extern template class SupernodalFactor<float>;

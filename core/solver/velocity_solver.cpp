@@ -217,9 +217,9 @@ template <int Dim>
 bool VelocitySolver<Dim>::Engine::solveWithFactor(std::span<const double> b, std::span<double> x) {
     switch (heldKind) {
         case FactorKind::Single:
-            return singleFactor->solve(b, x);
+            return singleFactor->solve(b, x, backEnd->workers());
         case FactorKind::Double:
-            return doubleFactor->solve(b, x);
+            return doubleFactor->solve(b, x, backEnd->workers());
         case FactorKind::Reference:
             break;
     }
@@ -241,7 +241,7 @@ template <int Dim>
 bool VelocitySolver<Dim>::Engine::factorizes(FactorKind kind) {
     const auto made = [&](auto& factor) {
         if (!factor) factor.emplace(cholesky.supernodes(), system.columnStart(), system.row());
-        return factor->factorize(cholesky.values());
+        return factor->factorize(cholesky.values(), backEnd->workers());
     };
     return kind == FactorKind::Single ? made(singleFactor) : made(doubleFactor);
 }
@@ -362,7 +362,7 @@ bool VelocitySolver<Dim>::Engine::iterate(Points<Dim>& v) {
     turned = turns && lag > 0;
     if (turned) {
         if (!rotations) rotations.emplace(*plan);
-        rotations->compute(*memory.shape, *backEnd->stages().shape());
+        rotations->compute(*memory.shape, *backEnd->stages().shape(), backEnd->workers());
     }
     typename ConjugateGradients<Dim>::Goal goal;
     goal.tolerance = tolerance;

@@ -10,6 +10,7 @@ namespace {
 // Rough rotations cost more iterations than none.
 constexpr int kSweeps = 3;
 constexpr int kNewtonSteps = 6;
+constexpr int kGrain = 512;  // vertices of a piece
 
 /// The rotation nearest to a matrix; the identity where there is none.
 Mat<2> nearestRotation(const Mat<2>& A) {
@@ -55,32 +56,33 @@ VertexRotations<Dim>::VertexRotations(const AssemblyPlan<Dim>& plan)
 
 /// argmin Σ_j ‖(y_j − y) − R (x_j − x)‖²: the rotation of Σ_j (y_j − y) (x_j − x)ᵀ.
 template <int Dim>
-void VertexRotations<Dim>::fitEdges(const Points<Dim>& from, const Points<Dim>& to) {
-    for (std::size_t v = 0; v < m_rotations.size(); ++v) {
-        const auto column = static_cast<Eigen::Index>(v);
-        Mat<Dim> sum = Mat<Dim>::Zero();
-        for (int i = m_start[v]; i < m_start[v + 1]; ++i)
-            sum += (to.col(m_neighbours[i]) - to.col(column)) *
-                   (from.col(m_neighbours[i]) - from.col(column)).transpose();
-        m_rotations[v] = nearestRotation(sum);
-    }
+Mat<Dim> VertexRotations<Dim>::edgeFit(int vertex, const Points<Dim>& from, const Points<Dim>& to) const {
+    Mat<Dim> sum = Mat<Dim>::Zero();
+    for (int i = m_start[vertex]; i < m_start[vertex + 1]; ++i)
+        sum += (to.col(m_neighbours[i]) - to.col(vertex)) *
+               (from.col(m_neighbours[i]) - from.col(vertex)).transpose();
+    return nearestRotation(sum);
 }
 
 template <int Dim>
-void VertexRotations<Dim>::average() {
-    for (std::size_t v = 0; v < m_rotations.size(); ++v) {
-        Mat<Dim> sum = m_rotations[v];
-        for (int i = m_start[v]; i < m_start[v + 1]; ++i) sum += m_rotations[m_neighbours[i]];
-        m_other[v] = sum / (1 + m_start[v + 1] - m_start[v]);
-    }
-    m_rotations.swap(m_other);
+Mat<Dim> VertexRotations<Dim>::average(int vertex) const {
+    Mat<Dim> sum = m_rotations[vertex];
+    for (int i = m_start[vertex]; i < m_start[vertex + 1]; ++i) sum += m_rotations[m_neighbours[i]];
+    return sum / (1 + m_start[vertex + 1] - m_start[vertex]);
 }
 
 template <int Dim>
-void VertexRotations<Dim>::compute(const Points<Dim>& from, const Points<Dim>& to) {
-    fitEdges(from, to);
-    for (int i = 0; i < kSweeps; ++i) average();
-    for (auto& R : m_rotations) R = nearestRotation(R);
+void VertexRotations<Dim>::compute(const Points<Dim>& from, const Points<Dim>& to, WorkerPool& workers) {
+    const int count = static_cast<int>(m_rotations.size());
+    const auto forAll = [&](auto&& make) {
+        workers.forPieces(count, kGrain, [&](int begin, int end) {
+            for (int v = begin; v < end; ++v) m_other[v] = make(v);
+        });
+        m_rotations.swap(m_other);
+    };
+    forAll([&](int v) { return edgeFit(v, from, to); });
+    for (int i = 0; i < kSweeps; ++i) forAll([&](int v) { return average(v); });
+    forAll([&](int v) { return nearestRotation(m_rotations[v]); });
 }
 
 template <int Dim>

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/assembly/assembly_plan.h"
+#include "core/assembly/worker_pool.h"
 
 namespace wend {
 
@@ -17,15 +18,15 @@ class VertexRotations {
     explicit VertexRotations(const AssemblyPlan<Dim>& plan);
 
     /// Of the best rigid fit of the edges at every vertex, averaged over neighbours.
-    void compute(const Points<Dim>& from, const Points<Dim>& to);
+    void compute(const Points<Dim>& from, const Points<Dim>& to, WorkerPool& workers);
 
     /// b ← Rᵀ b and b ← R b, a vector of some vertices each.
     void turnBack(const std::vector<int>& vertices, std::span<double> b) const;
     void turn(const std::vector<int>& vertices, std::span<double> b) const;
 
   private:
-    void fitEdges(const Points<Dim>& from, const Points<Dim>& to);
-    void average();
+    Mat<Dim> edgeFit(int vertex, const Points<Dim>& from, const Points<Dim>& to) const;
+    Mat<Dim> average(int vertex) const;
 
     std::vector<int> m_start, m_neighbours;      // per vertex
     std::vector<Mat<Dim>> m_rotations, m_other;  // per vertex

@@ -1,5 +1,5 @@
-// The velocity solver with the factors of earlier shapes against the direct solve; the single-precision
-// factor and the vectorized back end against their references.
+// The velocity solver with the factors of earlier shapes against the direct solve; the vectorized back end
+// against its reference.
 #include <QTest>
 
 #include "core/assembly/cpu_back_end.h"
@@ -7,7 +7,6 @@
 #include "core/solver/conjugate_gradients.h"
 #include "core/solver/reduced_system.h"
 #include "core/solver/refactor_policy.h"
-#include "core/solver/supernodal_factor.h"
 #include "core/solver/velocity_history.h"
 #include "core/solver/velocity_solver.h"
 #include "core/solver/vertex_rotations.h"
@@ -30,8 +29,6 @@ class TestSolverReuse : public QObject {
     void memoryGoesOnToTheSameBits();
     void rotationsAreThoseOfTheShape();
     void isotropicBackEndAgrees();
-    void factorsSolve();
-    void floatFactorRefuses();
     void historyExtrapolates();
     void historyFitsPrescribed();
     void policyRefactorizes();
@@ -323,7 +320,8 @@ void compareRotations() {
     R(0, 0) = R(1, 1) = std::cos(2.0);
     R(1, 0) = std::sin(2.0), R(0, 1) = -R(1, 0);
     VertexRotations<Dim> rotations(makeAssemblyPlan(mesh, false));
-    rotations.compute(mesh.points, 1.3 * R * mesh.points);
+    WorkerPool workers(2);
+    rotations.compute(mesh.points, 1.3 * R * mesh.points, workers);
     std::vector<int> vertices = {3, 0, 7};
     std::vector<double> b(vertices.size() * Dim);
     for (auto& value : b) value = uniform(random, -1, 1);
@@ -387,74 +385,6 @@ void compareBackEnds() {
 void TestSolverReuse::isotropicBackEndAgrees() {
     compareBackEnds<2>();
     compareBackEnds<3>();
-}
-
-namespace {
-
-/// The scene's matrix in a Cholesky object, with its pattern.
-template <int Dim>
-struct Factored {
-    ReducedSystem<Dim> system;
-    Cholesky cholesky;
-
-    Factored(int n, double phi, Ordering ordering) {
-        const Turn<Dim> turn(n);
-        const auto plan = std::make_shared<const AssemblyPlan<Dim>>(makeAssemblyPlan(*turn.mesh, true));
-        const auto backEnd =
-            makeCpuBackEnd<Dim>(plan, *turn.mesh, Material<Dim>::uniform(turn.mesh->cellCount(), phi), 1);
-        system = ReducedSystem<Dim>(*plan, eliminate(turn.rows));
-        cholesky.analyze(system.columnStart(), system.row(), Dim, ordering);
-        backEnd->setShape(turn.mesh->points);
-        std::vector<double> blocks(static_cast<std::size_t>(plan->blockCount()) * Dim * Dim);
-        backEnd->assemble(blocks);
-        system.gather(blocks, cholesky.values());
-    }
-    template <class Real>
-    SupernodalFactor<Real> factor() const {
-        return {cholesky.supernodes(), system.columnStart(), system.row()};
-    }
-};
-
-/// Against the solve in double, for all shapes of supernodes that the orderings make.
-template <int Dim>
-void compareFactors(int n) {
-    for (const auto ordering : {Ordering::MinimumDegree, Ordering::NestedDissection}) {
-        Factored<Dim> scene(n, phi::kAkvf, ordering);
-        auto single = scene.template factor<float>();
-        QVERIFY(single.factorize(scene.cholesky.values()));
-        QVERIFY(scene.cholesky.factorize() == Cholesky::Status::Done);
-        std::mt19937 random(3);
-        const auto unknowns = scene.system.columnStart().size() - 1;
-        std::vector<double> b(unknowns), x(unknowns), y(unknowns);
-        // Tiny numbers: the residuals of late iterations.
-        for (auto& value : b) value = 1e-60 * uniform(random, -1, 1);
-        QVERIFY(single.solve(b, x));
-        QVERIFY(scene.cholesky.solve(b, y) == Cholesky::Status::Done);
-        const Eigen::Map<Eigen::VectorXd> X(x.data(), static_cast<Eigen::Index>(unknowns)),
-            Y(y.data(), X.size());
-        // The condition of these small matrices is about 1e3 to 1e4, the precision 6e-8 and 1e-16.
-        QVERIFY2((X - Y).norm() <= 2e-3 * Y.norm(), qPrintable(QString::number((X - Y).norm() / Y.norm())));
-        auto twice = scene.template factor<double>();
-        QVERIFY(twice.factorize(scene.cholesky.values()));
-        QVERIFY(twice.solve(b, x));
-        QVERIFY2((X - Y).norm() <= 1e-11 * Y.norm(), qPrintable(QString::number((X - Y).norm() / Y.norm())));
-    }
-}
-
-}  // namespace
-
-void TestSolverReuse::factorsSolve() {
-    for (int n : {2, 3, 5, 24}) compareFactors<2>(n);
-    for (int n : {2, 3, 6}) compareFactors<3>(n);
-}
-
-void TestSolverReuse::floatFactorRefuses() {
-    Factored<2> scene(6, phi::kMetr, Ordering::MinimumDegree);
-    auto single = scene.factor<float>();
-    for (auto& value : scene.cholesky.values()) value = -value;
-    QVERIFY(!single.factorize(scene.cholesky.values()));
-    for (auto& value : scene.cholesky.values()) value = std::nan("");
-    QVERIFY(!single.factorize(scene.cholesky.values()));
 }
 
 void TestSolverReuse::historyExtrapolates() {

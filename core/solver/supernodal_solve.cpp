@@ -1,0 +1,133 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/solver/dense_kernels.h"
+#include "core/solver/supernodal_factor.h"
+
+namespace wend {
+namespace {
+
+// A panel of fewer numbers is left to one thread.
+constexpr std::size_t kSharedPanel = 100000;
+constexpr int kRows = 512, kColumns = 32;  // of a piece
+
+}  // namespace
+
+/// Rows above a branch have places of its own, so that branches may be done at the same time; they are added
+/// up in a fixed order.
+template <class Real>
+void SupernodalFactor<Real>::placeWorkspaces() {
+    const auto greatest = [&](auto begin, auto end) {
+        std::size_t most = 0;
+        for (; begin != end; ++begin) most = std::max(most, static_cast<std::size_t>(leading(*begin)));
+        return most + dense::kPad<Real>;
+    };
+    m_target = m_symbolic.rows;
+    std::size_t x = m_symbolic.order.size(), w = 0;
+    std::vector<int> place(x), group;
+    for (const auto& branch : m_tree.branches) {
+        group.clear();
+        for (int s = branch.begin; s < branch.end; ++s) group.push_back(s);
+        m_workspace.push_back(w);
+        w += greatest(group.begin(), group.end());
+        m_contribution.push_back(x);
+        const int root = branch.root(), end = m_symbolic.first[branch.end];
+        for (int i = m_symbolic.rowStart[root] + m_symbolic.columnsOf(root);
+             i < m_symbolic.rowStart[root + 1]; ++i)
+            place[m_symbolic.rows[i]] = static_cast<int>(x++);
+        for (int i = m_symbolic.rowStart[branch.begin]; i < m_symbolic.rowStart[branch.end]; ++i)
+            if (m_target[i] >= end) m_target[i] = place[m_target[i]];
+    }
+    m_workspace.push_back(w);
+    m_w.resize(w + greatest(m_tree.trunk.begin(), m_tree.trunk.end()));
+    m_x.resize(x);
+}
+
+template <class Real>
+void SupernodalFactor<Real>::forwardFront(int s, Real* w, WorkerPool* workers) {
+    const int columns = m_symbolic.columnsOf(s), rows = m_symbolic.rowsOf(s), n = leading(s);
+    const int* const target = m_target.data() + m_symbolic.rowStart[s];
+    Real* const x = m_x.data() + m_symbolic.first[s];
+    std::copy_n(x, columns, w);
+    std::fill(w + columns, w + n, Real(0));
+    const bool shared = workers && static_cast<std::size_t>(n) * columns >= kSharedPanel;
+    const int below = shared ? std::min(n, (columns + dense::kPad<Real> - 1) & -dense::kPad<Real>) : n;
+    dense::forward(panel(s), n, columns, below, m_inverse.data() + m_symbolic.first[s], w, x);
+    if (shared)
+        workers->forPieces(n - below, kRows, [&](int begin, int end) {
+            dense::continueForward(panel(s), n, columns, below + begin, below + end, x, w);
+        });
+    for (int i = columns; i < rows; ++i) m_x[target[i]] += w[i];
+}
+
+template <class Real>
+void SupernodalFactor<Real>::backwardFront(int s, Real* w, WorkerPool* workers) {
+    const int columns = m_symbolic.columnsOf(s), rows = m_symbolic.rowsOf(s), n = leading(s);
+    const int* const index = m_symbolic.rows.data() + m_symbolic.rowStart[s];
+    Real* const x = m_x.data() + m_symbolic.first[s];
+    std::fill_n(w, columns, Real(0));
+    for (int i = columns; i < rows; ++i) w[i] = m_x[index[i]];
+    std::fill(w + rows, w + n, Real(0));
+    const bool shared = workers && static_cast<std::size_t>(n) * columns >= kSharedPanel;
+    const int below = shared ? std::min(n, (columns + dense::kPad<Real> - 1) & -dense::kPad<Real>) : n;
+    if (shared)
+        workers->forPieces(columns, kColumns, [&](int begin, int end) {
+            dense::prepareBackward(panel(s), n, begin, end, below, w, x);
+        });
+    dense::backward(panel(s), n, columns, below, m_inverse.data() + m_symbolic.first[s], w, x);
+}
+
+template <class Real>
+void SupernodalFactor<Real>::forwardBranch(int i) {
+    const auto& branch = m_tree.branches[i];
+    std::fill_n(m_x.begin() + static_cast<std::ptrdiff_t>(m_contribution[i]), updateRows(branch.root()),
+                Real(0));
+    for (int s = branch.begin; s < branch.end; ++s) forwardFront(s, m_w.data() + m_workspace[i], nullptr);
+}
+
+template <class Real>
+void SupernodalFactor<Real>::forwardSolve(WorkerPool& workers) {
+    const int branches = static_cast<int>(m_tree.branches.size());
+    workers.forPieces(branches, 1, [&](int i, int) { forwardBranch(i); });
+    for (int i = 0; i < branches; ++i) {
+        const int root = m_tree.branches[i].root();
+        const int* const row =
+            m_symbolic.rows.data() + m_symbolic.rowStart[root] + m_symbolic.columnsOf(root);
+        for (int k = 0; k < updateRows(root); ++k) m_x[row[k]] += m_x[m_contribution[i] + k];
+    }
+    for (const int s : m_tree.trunk) forwardFront(s, m_w.data() + m_workspace.back(), &workers);
+}
+
+template <class Real>
+void SupernodalFactor<Real>::backwardSolve(WorkerPool& workers) {
+    for (auto s = m_tree.trunk.rbegin(); s != m_tree.trunk.rend(); ++s)
+        backwardFront(*s, m_w.data() + m_workspace.back(), &workers);
+    workers.forPieces(static_cast<int>(m_tree.branches.size()), 1, [&](int i, int) {
+        const auto& branch = m_tree.branches[i];
+        for (int s = branch.root(); s >= branch.begin; --s)
+            backwardFront(s, m_w.data() + m_workspace[i], nullptr);
+    });
+}
+
+// Scaled to 1, so that the residuals of the last iterations stay in the range of single precision.
+template <class Real>
+bool SupernodalFactor<Real>::solve(std::span<const double> b, std::span<double> x, WorkerPool& workers) {
+    double size = 0;
+    for (double value : b) size = std::max(size, std::abs(value));
+    const double scale = size > 0 ? 1 / size : 1.0;
+    const auto& order = m_symbolic.order;
+    for (std::size_t i = 0; i < order.size(); ++i) m_x[i] = static_cast<Real>(scale * b[order[i]]);
+    forwardSolve(workers);
+    backwardSolve(workers);
+    bool finite = std::isfinite(size);
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        finite = finite && std::isfinite(m_x[i]);
+        x[order[i]] = m_x[i] / scale;
+    }
+    return finite;
+}
+
+template class SupernodalFactor<float>;
+template class SupernodalFactor<double>;
+
+}  // namespace wend
