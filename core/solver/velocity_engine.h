@@ -10,7 +10,8 @@
 
 namespace wend {
 
-/// What the velocity solver keeps from one solve to the next: the parts of the method, and the factor at hand.
+/// What the velocity solver keeps from one solve to the next: the parts of the method, and the factor at
+/// hand.
 template <int Dim>
 struct VelocitySolver<Dim>::Engine {
     std::shared_ptr<const SimplicialMesh<Dim>> rest;
