@@ -9,6 +9,7 @@
 #include "core/meshing/outline_check.h"
 #include "core/meshing/outline_simplify.h"
 #include "core/meshing/planar_refinement.h"
+#include "core/meshing/spatial_order.h"
 
 namespace wend {
 namespace {
@@ -168,12 +169,13 @@ SimplicialMesh<2> meshOutline(const Outline& outline, const PlanarMeshOptions& o
     requireOptions(options);
     const Outline clean = cleanedOutline(outline);
     auto mesh = meshExactly(clean, options);
-    if (options.edge > 0) return mesh;
-    for (double part = 0.125;
-         options.simplify > 0 && part <= 1 && mesh.vertexCount() > 1.1 * options.vertices; part *= 2) {
+    const bool mayBeCoarser = options.edge <= 0 && options.simplify > 0;
+    for (double part = 0.125; mayBeCoarser && part <= 1 && mesh.vertexCount() > 1.1 * options.vertices;
+         part *= 2) {
         auto coarser = meshSimplified(clean, part * options.simplify, options);
         if (coarser && coarser->vertexCount() < mesh.vertexCount()) mesh = *std::move(coarser);
     }
+    sortSpatially(mesh, static_cast<int>(options.points.size()));
     return mesh;
 }
 

@@ -11,6 +11,7 @@
 
 #include "core/mesh/child_process.h"
 #include "core/mesh/error.h"
+#include "core/meshing/spatial_order.h"
 #include "core/meshing/surface_edges.h"
 #include "core/meshing/tetgen_protocol.h"
 
@@ -240,8 +241,13 @@ class VolumeMesher {
         }
         if (result.mesh.cells.empty()) throw InputError("the surface encloses no volume");
         result.mesh.points = points;
-        const std::vector<int> newId = dropUnused(result.mesh);
+        std::vector<int> newId = dropUnused(result.mesh);
         orientPositive(result.mesh);
+        const auto ofSurface = newId.begin() + m_surface.vertexCount();
+        const auto first = std::count_if(newId.begin(), ofSurface, [](int id) { return id >= 0; });
+        const auto number = sortSpatially(result.mesh, static_cast<int>(first));
+        for (int& id : newId)
+            if (id >= 0) id = number[id];
         readBoundary(reply, newId, result);
         requireValid(result.mesh);
         return result;

@@ -1,0 +1,77 @@
+#include "core/meshing/spatial_order.h"
+
+#include <CGAL/Hilbert_sort_median_2.h>
+#include <CGAL/Hilbert_sort_median_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Spatial_sort_traits_adapter_2.h>
+#include <CGAL/Spatial_sort_traits_adapter_3.h>
+#include <CGAL/property_map.h>
+
+#include <numeric>
+
+namespace wend {
+namespace {
+
+using Kernel = CGAL::Simple_cartesian<double>;
+
+std::vector<Kernel::Point_2> places(const Points<2>& points) {
+    std::vector<Kernel::Point_2> result;
+    for (const auto& p : points.colwise()) result.emplace_back(p.x(), p.y());
+    return result;
+}
+
+std::vector<Kernel::Point_3> places(const Points<3>& points) {
+    std::vector<Kernel::Point_3> result;
+    for (const auto& p : points.colwise()) result.emplace_back(p.x(), p.y(), p.z());
+    return result;
+}
+
+/// Indices in the order of the curve; those before `first` stay.
+template <int Dim>
+std::vector<int> curveOrder(const Points<Dim>& points, int first) {
+    const auto at = places(points);
+    const auto map = CGAL::make_property_map(at);
+    std::vector<int> order(at.size());
+    std::iota(order.begin(), order.end(), 0);
+    if constexpr (Dim == 2) {
+        using Traits = CGAL::Spatial_sort_traits_adapter_2<Kernel, decltype(map)>;
+        CGAL::Hilbert_sort_median_2<Traits, CGAL::Sequential_tag> sort{Traits(map)};
+        sort(order.begin() + first, order.end());
+    } else {
+        using Traits = CGAL::Spatial_sort_traits_adapter_3<Kernel, decltype(map)>;
+        CGAL::Hilbert_sort_median_3<Traits, CGAL::Sequential_tag> sort{Traits(map)};
+        sort(order.begin() + first, order.end());
+    }
+    return order;
+}
+
+template <int Dim>
+Points<Dim> centroids(const SimplicialMesh<Dim>& mesh) {
+    Points<Dim> result = Points<Dim>::Zero(Dim, mesh.cellCount());
+    for (int c = 0; c < mesh.cellCount(); ++c)
+        for (int v : mesh.cells[c]) result.col(c) += mesh.points.col(v) / (Dim + 1);
+    return result;
+}
+
+}  // namespace
+
+template <int Dim>
+std::vector<int> sortSpatially(SimplicialMesh<Dim>& mesh, int first) {
+    const auto vertices = curveOrder<Dim>(mesh.points, first), cells = curveOrder<Dim>(centroids(mesh), 0);
+    const SimplicialMesh<Dim> old = mesh;
+    std::vector<int> number(vertices.size());
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        number[vertices[i]] = static_cast<int>(i);
+        mesh.points.col(static_cast<Eigen::Index>(i)) = old.points.col(vertices[i]);
+    }
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        mesh.cells[i] = old.cells[cells[i]];
+        for (int& v : mesh.cells[i]) v = number[v];
+    }
+    return number;
+}
+
+template std::vector<int> sortSpatially<2>(SimplicialMesh<2>&, int);
+template std::vector<int> sortSpatially<3>(SimplicialMesh<3>&, int);
+
+}  // namespace wend
