@@ -46,7 +46,7 @@ Input openPicture(const std::string& path) {
     return input;
 }
 
-PixelType pixelType(OIIO::TypeDesc format) {
+PixelType pixelType(const OIIO::TypeDesc& format) {
     switch (format.basetype) {
         case OIIO::TypeDesc::UINT8:
             return PixelType::UInt8;

@@ -411,13 +411,13 @@ class TestProject : public QObject {
         QTemporaryDir folder;
         const std::string base = folder.path().toStdString();
         const Project project = parseProject(kFull, "p.wend").project;
-        QVERIFY_EXCEPTION_THROWN(readProject(base + "/none.wend"), InputError);
-        QVERIFY_EXCEPTION_THROWN(readProject(base), InputError);
-        QVERIFY_EXCEPTION_THROWN(writeProject(base + "/no/folder.wend", project), InputError);
+        QVERIFY_THROWS_EXCEPTION(InputError, readProject(base + "/none.wend"));
+        QVERIFY_THROWS_EXCEPTION(InputError, readProject(base));
+        QVERIFY_THROWS_EXCEPTION(InputError, writeProject(base + "/no/folder.wend", project));
         writeProject(base + "/kept.wend", project);
         Project broken = project;
         broken.end = std::numeric_limits<double>::quiet_NaN();
-        QVERIFY_EXCEPTION_THROWN(writeProject(base + "/kept.wend", broken), InputError);
+        QVERIFY_THROWS_EXCEPTION(InputError, writeProject(base + "/kept.wend", broken));
         QCOMPARE(toJson(readProject(base + "/kept.wend").project), toJson(project));
         QCOMPARE(std::distance(fs::directory_iterator(base), fs::directory_iterator{}),
                  1);  // no temporary is left
@@ -433,7 +433,7 @@ class TestProject : public QObject {
         QCOMPARE(spec.cellPhi[1], phi::conformal(2));
         QCOMPARE(spec.cellB[1](1, 1), 2.0);
         writeTextFile(path, json("{'phi': [0.5, 7]}"));
-        QVERIFY_EXCEPTION_THROWN(readCells<2>(path, spec), InputError);
+        QVERIFY_THROWS_EXCEPTION(InputError, readCells<2>(path, spec));
     }
 
     void numbers_data() {

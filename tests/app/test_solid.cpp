@@ -159,8 +159,8 @@ void TestSolid::sizesFollowRegionsAndPaint() {
 void TestSolid::wrongPaintIsRefused() {
     put(m_folder.path(), "short.txt", "1 1 1\n");
     put(m_folder.path(), "word.txt", "1 1 one\n");
-    QVERIFY_EXCEPTION_THROWN(solid("'surface': 'bar.obj', 'sizes': [{'values': 'short.txt'}]"), InputError);
-    QVERIFY_EXCEPTION_THROWN(solid("'surface': 'bar.obj', 'sizes': [{'values': 'word.txt'}]"), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, solid("'surface': 'bar.obj', 'sizes': [{'values': 'short.txt'}]"));
+    QVERIFY_THROWS_EXCEPTION(InputError, solid("'surface': 'bar.obj', 'sizes': [{'values': 'word.txt'}]"));
 }
 
 void TestSolid::detailRides() {

@@ -233,7 +233,7 @@ void TestSolidCli::infoOfVolume() {
     const auto info = QJsonDocument::fromJson(run({"info", "info.vtu", "--json"}).out.toUtf8());
     const auto sum = [&](const char* name) {
         int total = 0;
-        for (const QJsonValue& count : info["quality"][name]["counts"].toArray()) total += count.toInt();
+        for (const QJsonValue count : info["quality"][name]["counts"].toArray()) total += count.toInt();
         return total;
     };
     const int cells = info["cells"].toInt();
@@ -253,7 +253,7 @@ void TestSolidCli::infoOfBadSurface() {
     succeed({"info", "crossing.off", "--problems", "wrong.ply"});
     const auto info = QJsonDocument::fromJson(run({"info", "crossing.off", "--json"}).out.toUtf8());
     QHash<QString, QJsonObject> problems;
-    for (const QJsonValue& problem : info["problems"].toArray())
+    for (const QJsonValue problem : info["problems"].toArray())
         problems[problem["what"].toString()] = problem.toObject();
     QCOMPARE(problems["triangles without area"]["where"].toArray(), (QJsonArray{bad.triangleCount() - 1}));
     const QJsonArray pairs = problems["pairs of triangles that intersect"]["where"].toArray();
@@ -261,8 +261,8 @@ void TestSolidCli::infoOfBadSurface() {
     const MeshFile wrong = readMeshFile(file("wrong.ply"));
     const MeshField* cells = find(wrong, "cell");
     QVERIFY(cells != nullptr);
-    for (const QJsonValue& pair : pairs)
-        for (const QJsonValue& t : pair.toArray()) QVERIFY(std::ranges::count(cells->values, t.toInt()) == 1);
+    for (const QJsonValue pair : pairs)
+        for (const QJsonValue t : pair.toArray()) QVERIFY(std::ranges::count(cells->values, t.toInt()) == 1);
     for (std::size_t i = 0; i < wrong.triangles.size(); ++i) {  // the same corners as in the file
         const auto& original = bad.triangles[static_cast<std::size_t>(cells->values[i])];
         for (int k = 0; k < 3; ++k)

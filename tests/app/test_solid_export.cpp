@@ -280,7 +280,7 @@ void TestSolidExport::badPlacesAreTold() {
     PictureChoice choice;
     choice.size = {64, 64};
     SolidCanvas& canvas = *m_window->solids().canvas();
-    QVERIFY_EXCEPTION_THROWN(writeViewPicture(file(QStringLiteral("view.xyz")), canvas, choice), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, writeViewPicture(file(QStringLiteral("view.xyz")), canvas, choice));
     QVERIFY(!QFile::exists(file(QStringLiteral("shape.xyz"))));
 }
 

@@ -118,6 +118,7 @@ void TestSpaceUpsets::whatIsNoFrameIsNotHeld() {
     picture.rest = std::make_shared<const SimplicialMesh<3>>();
     picture.pose = ball.points;
     std::vector<Facet<3>> facets;
+    facets.reserve(ball.triangles.size());
     for (const auto& t : ball.triangles) facets.push_back({t, {static_cast<int>(facets.size()), -1}});
     picture.facets = std::make_shared<const std::vector<Facet<3>>>(facets);
     m_f->canvas().setPicture(picture, true);
@@ -262,7 +263,7 @@ void TestSpaceUpsets::untouchedNumbersKeepTheirDigits() {
 
 void TestSpaceUpsets::untouchedAxesKeepTheirDigits() {
     const Vec<3> axis = Vec<3>(0.31234567, 0.6, -0.2).normalized(), other = Vec<3>::UnitY();
-    const auto regions = [&](std::vector<std::optional<Stiffness<3>>> all) {
+    const auto regions = [&](const std::vector<std::optional<Stiffness<3>>>& all) {
         Project next = m_f->project();
         auto& own = std::get<Design<3>>(next.design).material.regions;
         own.clear();

@@ -235,7 +235,7 @@ void TestSolverReuse::contractionsAreToldAsMeasured() {
                             .maxCoeff());
         return true;
     };
-    const auto run = [&](ConjugateGradients<2>::Goal goal) {
+    const auto run = [&](const ConjugateGradients<2>::Goal& goal) {
         ConjugateGradients<2> iteration;
         Points<2> v;
         system.particular(strip.up, v);

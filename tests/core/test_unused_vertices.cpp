@@ -9,7 +9,6 @@
 #include "tests/core/test_strip.h"
 
 using namespace wend;
-using samples::Bend;
 
 namespace {
 
@@ -110,9 +109,9 @@ void surfacesRideOnCells() {
     QCOMPARE(embedding.outside(), 1);
     Points<3> nowhere = mesh.points;
     nowhere(0, 0) = std::nan("");
-    QVERIFY_EXCEPTION_THROWN(Embedding<3>(mesh, nowhere), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, Embedding<3>(mesh, nowhere));
     const SimplicialMesh<3> empty;
-    QVERIFY_EXCEPTION_THROWN(Embedding<3>(empty, mesh.points), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, Embedding<3>(empty, mesh.points));
 }
 
 }  // namespace

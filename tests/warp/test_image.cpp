@@ -34,7 +34,7 @@ Image smoothChart(int width, int height, PixelLayout layout) {
     std::vector<float> row(static_cast<std::size_t>(width * layout.channels));
     for (int y = 0; y < height; ++y) {
         for (int i = 0; i < width * layout.channels; ++i) {
-            const double x = i / layout.channels, c = i % layout.channels;
+            const int x = i / layout.channels, c = i % layout.channels;
             row[static_cast<std::size_t>(i)] =
                 static_cast<float>(0.5 + 0.4 * std::sin(0.05 * x + c) * std::cos(0.06 * y - c));
         }
@@ -406,15 +406,15 @@ class TestImage : public QObject {
         QVERIFY(reasonOf(path("missing.png")).ends_with("does not exist"));
         QVERIFY(reasonOf(m_folder.path().toStdString()).ends_with("is a folder"));
         QVERIFY(canWriteImage("a.JPG") && !canWriteImage("a.dpx") && !canWriteImage("tif"));
-        QVERIFY_EXCEPTION_THROWN(writeImage(path("a.xyz"), blank(2, 2, {})), InputError);
-        QVERIFY_EXCEPTION_THROWN(writeImage(path("a"), blank(2, 2, {})), InputError);
-        QVERIFY_EXCEPTION_THROWN(writeImage(path("none/a.png"), blank(2, 2, {})), InputError);
-        QVERIFY_EXCEPTION_THROWN(writeImage(path("a.png"), Image()), InputError);
+        QVERIFY_THROWS_EXCEPTION(InputError, writeImage(path("a.xyz"), blank(2, 2, {})));
+        QVERIFY_THROWS_EXCEPTION(InputError, writeImage(path("a"), blank(2, 2, {})));
+        QVERIFY_THROWS_EXCEPTION(InputError, writeImage(path("none/a.png"), blank(2, 2, {})));
+        QVERIFY_THROWS_EXCEPTION(InputError, writeImage(path("a.png"), Image()));
     }
 
     void hugeClaimsAreRefused() {
         writeImage(path("small.png"), blank(100, 100, {PixelType::UInt8, 1, false, false}));
-        QVERIFY_EXCEPTION_THROWN(readImage(path("small.png"), 0.001), InputError);
+        QVERIFY_THROWS_EXCEPTION(InputError, readImage(path("small.png"), 0.001));
         QByteArray bytes = contents(m_folder.filePath("small.png"));
         const QByteArray header("\0\0\x4e\x20\0\0\x4e\x20",
                                 8);  // 20000 x 20000: within the limit, not within the file
@@ -430,7 +430,7 @@ class TestImage : public QObject {
         const Image image = chart(20, 20, {PixelType::UInt8, 3, false, false});
         writeImage(path("old.png"), image);
         const QByteArray before = contents(m_folder.filePath("old.png"));
-        QVERIFY_EXCEPTION_THROWN(writeImage(path("old.png"), Image()), InputError);
+        QVERIFY_THROWS_EXCEPTION(InputError, writeImage(path("old.png"), Image()));
         QCOMPARE(contents(m_folder.filePath("old.png")), before);
     }
 
