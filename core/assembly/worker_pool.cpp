@@ -6,7 +6,8 @@ namespace wend {
 namespace {
 
 constexpr std::uint32_t kClosed = 0xffffffffU;
-constexpr int kSpins = 2000;  // a few microseconds: the gap between two loops of one evaluation
+constexpr int kSpins =
+    10000;  // a fraction of a millisecond: longer than what one thread does between two loops
 
 std::uint64_t ticketOf(std::uint32_t job, std::uint32_t next) {
     return (std::uint64_t{job} << 32U) | next;

@@ -10,8 +10,8 @@ namespace wend {
 
 /// A few threads that share loops over independent items. The caller works too and never waits for a thread
 /// that the system has not woken: chunks are claimed one by one, so a busy machine slows nothing down. Which
-/// thread does which chunk must not matter to the result. Idle threads spin for some microseconds, then
-/// sleep.
+/// thread does which chunk must not matter to the result. Idle threads spin for a fraction of a millisecond,
+/// then sleep.
 class WorkerPool {
   public:
     /// threads counts the caller; 0: as many as the machine has.
