@@ -32,6 +32,29 @@ def table(case):
     return lines + [""]
 
 
+def glance(cases):
+    """What the parts come to: ratios to the paper's scheme in the same run, and the frame of a drag."""
+    lines = ["### At a glance", "",
+             "| case | vertices | ten RK4 steps, 1 thread | all | soonest at 1e-4, all threads | a drag's frame | at EQUIA |",
+             "| --- | --- | --- | --- | --- | --- | --- |"]
+    for case in cases:
+        rows = case["rows"]
+        faster = {(row["what"], row["threads"]): row["figures"]["times the paper's speed"]
+                  for row in rows if "times the paper's speed" in row.get("figures", {})}
+        ends = [(ratio, what) for (what, threads), ratio in faster.items() if what.startswith("to 1e-4") and threads > 1]
+        if not ends:
+            continue
+        ten = [ratio for (what, _), ratio in sorted(faster.items(), key=lambda row: row[0][1]) if what == "ten RK4 steps"]
+        best, name = max(ends)
+        frames = {row["what"]: duration(row["seconds"]) for row in rows
+                  if row["what"].startswith("drag frame, with") and row["threads"] > 1}
+        plain, equia = (next((time for what, time in frames.items() if what.endswith("EQUIA") == near), "")
+                        for near in (False, True))
+        lines.append(f"| {case['name']} | {case['vertices']} | {ten[0]:.1f} × | {ten[-1]:.1f} × | "
+                     f"{best:.1f} × ({name.removeprefix('to 1e-4 by ')}) | {plain} | {equia} |")
+    return lines + ["", "Ratios: how many times faster than the paper's scheme.", ""]
+
+
 def growth(rows):
     lines = ["### Growth", "", "Time grows as the number of vertices to the power p:", "",
              "| what | dimension | threads | p |", "| --- | --- | --- | --- |"]
@@ -42,6 +65,7 @@ def growth(rows):
 def main():
     results = json.loads(pathlib.Path(sys.argv[1]).read_text(encoding="utf-8"))
     text = [BEGIN, f"Machine: {results['machine']}, {results['cores']} cores.", ""]
+    text += glance(results["cases"])
     for case in results["cases"]:
         text += table(case)
     text += growth(results.get("growth", [])) + [END]

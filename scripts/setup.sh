@@ -45,5 +45,6 @@ build() { # TARGET…
     if [ ! -e "$build_dir/build.ninja" ] || ! grep -q "^WEND_WERROR:BOOL=$werror\$" "$build_dir/CMakeCache.txt"; then
         (cd "$root" && cmake --preset release -DWEND_WERROR="$werror" >&2) || return 1
     fi
-    ninja -C "$build_dir" --quiet "$@" >&2
+    ninja -C "$build_dir" --quiet "$@" | { grep -v '^ninja: no work to do' || true; } >&2
+    return "${PIPESTATUS[0]}"
 }

@@ -83,7 +83,7 @@ Json qualityInfo(const QualitySummary& quality) {
             {"smallestCell", quality.minMeasure},
             {"largestCell", quality.maxMeasure},
             {"worstCell", quality.worstCell},
-            {"leastAnglesPer5Degrees", quality.angleHistogram},
+            {"leastAngles", histogram(0, 5, quality.angleHistogram)},
             {"greatestAngle", quality.maxAngle * degrees},
             {"angles", histogram(0, 5, quality.allAngles)},
             {"radiusEdgeRatios", histogram(0.5, 0.25, quality.ratios)},
@@ -144,16 +144,31 @@ void addDesign(Json& json, const Design<Dim>& design) {
     json["handles"] = handlesInfo(design);
 }
 
-Json projectInfo(const std::string& path) {
+/// The file that is warped, and what is asked of its mesh where Wend makes it.
+Json domainInfo(const Domain& domain) {
     static const char* const kinds[] = {"image", "mesh", "surface"};
+    Json json{{"kind", kinds[static_cast<int>(domain.kind)]}, {"file", domain.path}};
+    if (domain.kind != DomainKind::Mesh) {
+        if (domain.edge > 0)
+            json["edge"] = domain.edge;
+        else if (domain.maxVolume > 0)
+            json["maxVolume"] = domain.maxVolume;
+        else
+            json["vertices"] = domain.vertices;
+    }
+    if (!domain.texture.empty()) json["texture"] = domain.texture;
+    if (!domain.detail.empty()) json["detail"] = domain.detail;
+    return json;
+}
+
+Json projectInfo(const std::string& path) {
     const LoadedProject loaded = readProject(path);
     const Project& project = loaded.project;
     const std::string file = pathIn(folderOf(path), project.domain.path);
-    Json json{
-        {"kind", "project"},
-        {"dimension", project.dimension()},
-        {"domain", {{"kind", kinds[static_cast<int>(project.domain.kind)]}, {"file", project.domain.path}}},
-        {"end", project.end}};
+    Json json{{"kind", "project"},
+              {"dimension", project.dimension()},
+              {"domain", domainInfo(project.domain)},
+              {"end", project.end}};
     std::visit([&](const auto& design) { addDesign(json, design); }, project.design);
     json["warnings"] = loaded.warnings;
     std::error_code error;

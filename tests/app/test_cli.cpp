@@ -370,6 +370,12 @@ void TestCli::infoOfBadMesh() {
     QVERIFY(good["problems"].toArray().isEmpty());
     QVERIFY(std::abs(good["volume"].toDouble() - 24) < 1e-12);
     QCOMPARE(good["parts"].toInt(), 1);
+    int angles = 0;
+    for (const QJsonValue count : good["quality"]["leastAngles"]["counts"].toArray()) angles += count.toInt();
+    QCOMPARE(angles, good["cells"].toInt());
+    const QString text = run({"info", "bar.mesh"}).out;
+    QVERIFY(text.contains("least angles:\n"));
+    QVERIFY(text.contains("█\n"));
 }
 
 void TestCli::infoOfProject() {
@@ -377,6 +383,12 @@ void TestCli::infoOfProject() {
     QCOMPARE(info["dimension"].toInt(), 2);
     QCOMPARE(info["handles"].toArray().size(), 2);
     QCOMPARE(info["phi"].toString(), QString("metr"));
+    QVERIFY(info["domain"]["vertices"].isUndefined());  // the mesh is what it is
+    put(path(), "solid.wend",
+        R"({"format": "wend", "version": 1, "domain": {"surface": "cube.off", "vertices": 700, "detail": "skin.obj"}})");
+    const auto solid = QJsonDocument::fromJson(run({"info", "solid.wend", "--json"}).out.toUtf8());
+    QCOMPARE(solid["domain"]["vertices"].toInt(), 700);
+    QCOMPARE(solid["domain"]["detail"].toString(), QString("skin.obj"));
 }
 
 void TestCli::devices() {
