@@ -21,13 +21,14 @@ void ComputeThread::loop(std::stop_token stop) {
                 m_engine->work(m_mailbox.interruption());
         } catch (const std::exception& error) {
             if (m_engine) m_engine->giveUp();
-            emit failed(QString::fromUtf8(error.what()));
+            emit failed(m_revision, QString::fromUtf8(error.what()));
         }
     }
 }
 
 void ComputeThread::handle(const Request& request) {
     if (const auto* shape = std::get_if<SetShape>(&request)) {
+        m_revision = shape->inputs.revision;
         requireEngine(shape->inputs.project->dimension());
         m_engine->setShape(*shape);
     }

@@ -28,7 +28,7 @@ class ComputeThread : public QObject {
     /// The whole motion is there; `problem` is empty, or says what could not be completed.
     void finished(double time, QString problem);
     /// The project makes no sense as it is; the last shape stays.
-    void failed(QString reason);
+    void failed(int revision, QString reason);
 
   private:
     void loop(std::stop_token stop);
@@ -37,7 +37,8 @@ class ComputeThread : public QObject {
     ShapeEngine::Sink sink();
 
     Mailbox m_mailbox;
-    std::unique_ptr<ShapeEngine> m_engine;  // of the thread alone
+    std::unique_ptr<ShapeEngine> m_engine;  // of the thread alone,
+    int m_revision = 0;                     // and this: of the newest shape that was asked for
     std::jthread m_thread;                  // the last member: it stops before the others go
 };
 

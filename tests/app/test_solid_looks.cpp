@@ -26,6 +26,8 @@ class TestSolidLooks : public QObject {
     void marksAreWhereVerticesAreSeen();
     void fitShowsPathsToo();
     void anotherDocumentIsSeenAsItIs();
+    void movedSolidsAreClosed();
+    void solidAfterAMovedOneIsSeenWhole();
 
   private:
     QString file(const char* name, const QByteArray& text);
@@ -241,6 +243,36 @@ void TestSolidLooks::anotherDocumentIsSeenAsItIs() {
     QVERIFY(!common.showMap->isChecked() && !common.showMesh->isChecked());
     QVERIFY(a.detail->isChecked() && common.pinTool->isChecked());
     QVERIFY(isRed(colourAt({0.3, -0.4, 0.1})));
+}
+
+/// Every panel and the view hear of it while the solid stands at the end of its motion.
+void TestSolidLooks::movedSolidsAreClosed() {
+    open(project("inside.obj"));
+    m_window->actions().showMap->setChecked(true);
+    solids().actions().arrows->setChecked(true);
+    session().selection().set({0});
+    session().playback().setTime(session().playback().end());
+    QVERIFY(settle(session()));
+    m_window->actions().closeFile->trigger();
+    QVERIFY(session().document().isEmpty() && !session().frame());
+    QVERIFY(!canvas().isVisible());
+    open(project("inside.obj"));
+    QVERIFY(canvas().isVisible());
+}
+
+/// It is not taken for the one before, whose motion ends another way.
+void TestSolidLooks::solidAfterAMovedOneIsSeenWhole() {
+    open(project({}));
+    session().playback().setTime(1);
+    QVERIFY(settle(session()));
+    const QString large = file("large.obj", boxText({40, 10, 10}, 4));
+    const int before = session().document().generation();
+    m_window->openPath(large);
+    QVERIFY(QTest::qWaitFor([&] { return session().document().generation() > before; }, 20000));
+    QVERIFY(settle(session()));
+    for (const double x : {-40.0, 40.0})
+        QVERIFY(canvas().rect().contains(canvas().toWidget({x, 10, 10}).toPoint()));
+    QVERIFY(canvas().toWidget({40, 0, 0}).x() - canvas().toWidget({-40, 0, 0}).x() > canvas().width() / 4);
 }
 
 QTEST_MAIN(TestSolidLooks)
