@@ -163,14 +163,15 @@ const std::vector<int>& SolidCanvas::skinPoints() const {
     return m_skinPoints;
 }
 
+/// Pins and paths as well.
 Points<3> SolidCanvas::fitted() const {
-    const Points<3>& pose = shown().pose;
-    if (m_hidden || !m_session.frame<3>() || m_session.document().dimension() != 3) return pose;
+    const Points<3> drawn = VolumeView::fitted();
+    if (m_hidden || !m_session.frame<3>()) return drawn;
     const std::vector<Vec<3>> marked = pathPoints(m_session);
-    Points<3> all(3, pose.cols() + static_cast<Eigen::Index>(marked.size()));
-    all.leftCols(pose.cols()) = pose;
+    Points<3> all(3, drawn.cols() + static_cast<Eigen::Index>(marked.size()));
+    all.leftCols(drawn.cols()) = drawn;
     for (std::size_t i = 0; i < marked.size(); ++i)
-        all.col(pose.cols() + static_cast<Eigen::Index>(i)) = marked[i];
+        all.col(drawn.cols() + static_cast<Eigen::Index>(i)) = marked[i];
     return all;
 }
 
