@@ -27,12 +27,14 @@ class ComputeThread : public QObject {
     void progress(double time, double end);
     /// The whole motion is there; `problem` is empty, or says what could not be completed.
     void finished(double time, QString problem);
-    /// The project makes no sense as it is; the last shape stays.
-    void failed(int revision, QString reason);
+    /// The project makes no sense as it is. The last shape stays, unless `shapeless`: its surface bounds no
+    /// solid.
+    void failed(int revision, QString reason, bool shapeless);
 
   private:
     void loop(std::stop_token stop);
     void handle(const Request& request);
+    void giveUp(const std::exception& error, bool shapeless);
     void requireEngine(int dimension);
     ShapeEngine::Sink sink();
 

@@ -62,6 +62,11 @@ void ShapeSession::dropAll() {
     m_drag.reset();
     ++m_gesture;   // frames of a drag that are under way are void,
     ++m_revision;  // and so is a shape
+    m_complete.reset();
+    dropShape();
+}
+
+void ShapeSession::dropShape() {
     m_track.clear();
     m_frame.reset();
     m_preview.reset();
@@ -70,7 +75,6 @@ void ShapeSession::dropAll() {
     m_askedFor.reset();
     m_velocity.reset();
     m_shape.reset();
-    m_complete.reset();
     m_holds = {};
     m_trackIsCurrent = m_stale = m_sameShape = false;
 }
@@ -145,11 +149,15 @@ void ShapeSession::takeFinished(double time, const QString& problem) {
     showTime();
 }
 
-void ShapeSession::takeFailure(int revision, const QString& reason) {
+void ShapeSession::takeFailure(int revision, const QString& reason, bool shapeless) {
     if (revision != m_revision) return;  // of what is not wanted any more
     m_failed = true;
     cancelDrag();
     m_preview.reset();
+    if (shapeless) {
+        dropShape();
+        show({}, false);
+    }
     setBusy(false);
     emit problem(reason);
 }

@@ -121,12 +121,13 @@ class ShapeSession : public QObject {
   private:
     void reset();
     void dropAll();
+    void dropShape();
     void postShape();
     void takeShape(int revision, const std::shared_ptr<const void>& shape, double keptUpTo);
     void takeFrame(const FramePtr& frame);
     void takeLive(const FramePtr& frame);
     void takeFinished(double time, const QString& problem);
-    void takeFailure(int revision, const QString& reason);
+    void takeFailure(int revision, const QString& reason, bool shapeless);
     void showTime();
     void show(const FramePtr& frame, bool stale);
     void askVelocity();

@@ -370,7 +370,10 @@ void SolidWorkshop::showCut() {
     const QSignalBlocker quiet(m_actions->cut);
     m_actions->cut->setChecked(m_canvas->cut() != CutKind::None);
     const auto frame = m_around.session.frame<3>();
-    if (!frame) return;
+    if (!frame) {
+        m_cutPanel->showNothing();
+        return;
+    }
     m_cutPanel->show(static_cast<int>(m_canvas->cut()), m_canvas->cutTool().plane(),
                      frame->pose.rowwise().minCoeff(), frame->pose.rowwise().maxCoeff());
 }

@@ -86,7 +86,12 @@ void SolidCanvas::setTool(SolidTool* tool) {
     redraw();
     if (!tool) return;
     setCursor(tool->cursor());
-    emit hintChanged(tool->hint());
+    tellHint(*tool);
+}
+
+/// Without a solid there is nothing that a tool could do.
+void SolidCanvas::tellHint(const SolidTool& tool) {
+    emit hintChanged(m_session.frame<3>() ? tool.hint() : QString());
 }
 
 CutPlane SolidCanvas::middlePlane(const Vec<3>& normal) const {
@@ -190,6 +195,8 @@ void SolidCanvas::endGestureOnOtherMesh() {
 
 void SolidCanvas::takeFrame() {
     endGestureOnOtherMesh();
+    const bool hasSolid = m_session.frame<3>() != nullptr;
+    if (std::exchange(m_hasSolid, hasSolid) != hasSolid && m_tool) tellHint(*m_tool);
     if (m_session.isStale() && !m_dimmed) {
         if (!m_dim.isActive()) m_dim.start();
     } else if (!m_session.isStale()) {
@@ -221,6 +228,7 @@ bool SolidCanvas::hasDetail() const {
 void SolidCanvas::refresh() {
     const auto frame = m_session.frame<3>();
     m_missed = m_held;
+    if (!frame) setGlyphs({});  // those of the last solid
     if (!frame || m_held) return;
     VolumePicture picture;
     picture.rest = frame->rest;
@@ -405,7 +413,7 @@ SolidTool* SolidCanvas::toolAt(const QPointF& at) {
 
 void SolidCanvas::useTool(SolidTool* tool) {
     setCursor(tool->cursor());
-    emit hintChanged(tool->hint());
+    tellHint(*tool);
     redraw();
 }
 
