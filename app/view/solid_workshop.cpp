@@ -98,6 +98,8 @@ void SolidWorkshop::furnish(QToolBar& tools, QVBoxLayout& panels) {
 void SolidWorkshop::setActive(bool active) {
     if (active && !m_page) makePage();
     m_isActive = active;
+    m_told.reset();
+    m_hasTold = false;
     m_actions->setShown(active && m_canvas);
     for (QWidget* panel : m_panels) panel->setVisible(active && m_canvas);
     const bool flatTool = m_around.actions.pinTool->isChecked() || m_around.actions.selectTool->isChecked();

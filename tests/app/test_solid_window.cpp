@@ -617,6 +617,8 @@ void TestSolidWindow::detailedSurfaceIsShownAndTellsItsNotices() {
     m_window->solids().actions().cut->trigger();  // the section is the solid's
     canvas().grabFramebuffer();
     QVERIFY(canvas().drawnTriangles() > 2);
+    m_window->actions().closeFile->trigger();
+    QVERIFY(session().document().isEmpty() && !m_window->banner().isVisible());
 }
 
 void TestSolidWindow::presetsTurnTheView() {
