@@ -144,6 +144,22 @@ bool SolidCanvas::isHidden(const Vec<3>& p) const {
     return hit.cell >= 0 && (hit.point - sight.origin).norm() < depth - 2 * pixelSize(p);
 }
 
+/// Asks through its middle and those of its sides.
+std::optional<Vec<3>> SolidCanvas::placeOf(int cell) const {
+    if (!showsFrame()) return {};
+    const Points<3>& pose = shown().pose;
+    const Cell<3>& corners = shown().rest->cells[cell];
+    Vec<3> sum = Vec<3>::Zero();
+    for (const int v : corners) sum += pose.col(v);
+    std::vector<Vec<3>> middles = {sum / 4};
+    for (const int v : corners) middles.push_back((sum - pose.col(v)) / 3);
+    for (const Vec<3>& middle : middles) {
+        const SolidHit hit = hitOf(ray(toWidget(middle)));
+        if (hit.cell == cell) return hit.point;
+    }
+    return {};
+}
+
 std::vector<VertexMark> SolidCanvas::marksOf(const std::vector<int>& vertices) const {
     const Points<3>& pose = shown().pose;
     // Without a frame of this mesh yet: what is shown is a preview.

@@ -32,6 +32,7 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     std::vector<int> verticesWhere(const std::function<bool(const QPointF&)>& inside,
                                    bool visibleOnly) const override;
     bool isHidden(const Vec<3>& p) const override;
+    std::optional<Vec<3>> placeOf(int cell) const override;
     std::vector<VertexMark> marksOf(const std::vector<int>& vertices) const override;
     void redraw() override;
 
