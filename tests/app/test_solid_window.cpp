@@ -537,8 +537,15 @@ void TestSolidWindow::badSurfacesAreShownAndRepaired() {
     QTest::qWait(100);
     picture(QStringLiteral("bad"));
     QVERIFY(saysThatThereIsNoSolid());
+    QPushButton* repair = nullptr;
     for (QPushButton* button : panel->findChildren<QPushButton*>())
-        if (button->text() == QStringLiteral("Repair")) QTest::mouseClick(button, Qt::LeftButton);
+        if (button->text() == QStringLiteral("Repair")) repair = button;
+    QVERIFY(repair && repair->isEnabled());
+    const QImage enabled = repair->grab().toImage();
+    repair->setEnabled(false);
+    QVERIFY(repair->grab().toImage() != enabled);  // is seen to do nothing
+    repair->setEnabled(true);
+    QTest::mouseClick(repair, Qt::LeftButton);
     QVERIFY(session().document().project()->domain.repair);
     QVERIFY(settle(session()));
     QVERIFY(QTest::qWaitFor([&] { return !panel->isVisible(); }, 20000));
