@@ -30,7 +30,8 @@ std::vector<Side> sidesOf(const Surface& surface) {
         const bool along = runsAlong(surface.triangles[edge.triangles[0]], low, high);
         sides.push_back(along ? Side{high, low} : Side{low, high});
     }
-    std::stable_sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.from < b.from; });
+    std::stable_sort(sides.begin(), sides.end(),
+                     [](const Side& a, const Side& b) { return a.from < b.from; });
     return sides;
 }
 
@@ -60,7 +61,10 @@ Points<3> vertexNormals(const Surface& surface) {
 class Followers {
   public:
     Followers(const Surface& surface, const std::vector<Side>& sides)
-        : m_surface(surface), m_sides(sides), m_normals(vertexNormals(surface)), m_taken(sides.size(), false) {}
+        : m_surface(surface),
+          m_sides(sides),
+          m_normals(vertexNormals(surface)),
+          m_taken(sides.size(), false) {}
 
     std::vector<int> all() {
         std::vector<int> next;
@@ -136,7 +140,8 @@ std::vector<std::vector<int>> holeLoops(const Surface& surface) {
     const std::vector<Side> sides = sidesOf(surface);
     const std::vector<int> next = Followers(surface, sides).all();
     std::vector<bool> used(sides.size(), false);
-    std::vector<int> place(static_cast<std::size_t>(surface.vertexCount()), -1);  // in the path, −1: not in it
+    std::vector<int> place(static_cast<std::size_t>(surface.vertexCount()),
+                           -1);  // in the path, −1: not in it
     std::vector<std::vector<int>> loops;
     for (std::size_t start = 0; start < sides.size(); ++start) {
         std::vector<int> path;

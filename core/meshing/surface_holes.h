@@ -7,8 +7,8 @@
 namespace wend {
 
 /// The borders of the holes as loops of vertices, in the direction in which triangles that fill them run; no
-/// loop passes a vertex twice. Where several holes meet at a vertex, each has its own loop. The triangles must
-/// be oriented consistently.
+/// loop passes a vertex twice. Where several holes meet at a vertex, each has its own loop. The triangles
+/// must be oriented consistently.
 std::vector<std::vector<int>> holeLoops(const Surface& surface);
 
 /// Closes holes of at most `largest` edges: a triangle, or a fan around the centre of the border. Returns how

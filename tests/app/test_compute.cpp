@@ -379,8 +379,9 @@ void TestCompute::nothingOutlivesItsDocument() {
     QFETCH(int, dimension);
     QFETCH(bool, closes);
     QFETCH(QString, state);
-    const auto check = [this, dimension](auto&& use) { dimension == 2 ? use.template operator()<2>()
-                                                                      : use.template operator()<3>(); };
+    const auto check = [this, dimension](auto&& use) {
+        dimension == 2 ? use.template operator()<2>() : use.template operator()<3>();
+    };
     check([this]<int Dim>() { openMoved<Dim>(); });
     const FramePtr last = m_session->frame();
     QVERIFY(last);
@@ -433,7 +434,8 @@ void TestCompute::closingEndsTheWork() {
     m_session->moveSelected<2>({}, {0, 40, 0});
     Project wrong = withPin(*m_session->document().project(), {5, 5}, "stray");
     m_session->document().change(QStringLiteral("Bad pin"), wrong);
-    QSignalSpy problems(m_session.get(), &ShapeSession::problem), notices(m_session.get(), &ShapeSession::notice);
+    QSignalSpy problems(m_session.get(), &ShapeSession::problem),
+        notices(m_session.get(), &ShapeSession::notice);
     m_session->document().close();
     QVERIFY(!m_session->isBusy());
     QTest::qWait(300);

@@ -338,8 +338,7 @@ void TestVolumeMesher::holesThatMeet() {
 /// Holes that meet at two vertices, around two squares that hang there: the border of the one does not go on
 /// along the other.
 void TestVolumeMesher::bordersFollowTheHoles() {
-    const Surface surface =
-        plateWithout({{3, 1}, {4, 2}, {4, 3}, {4, 4}, {3, 4}, {2, 4}, {2, 3}, {2, 2}});
+    const Surface surface = plateWithout({{3, 1}, {4, 2}, {4, 3}, {4, 4}, {3, 4}, {2, 4}, {2, 3}, {2, 2}});
     std::vector<std::size_t> sizes;
     for (const auto& loop : holeLoops(surface)) sizes.push_back(loop.size());
     std::sort(sizes.begin(), sizes.end());
