@@ -902,6 +902,10 @@
         <source>&amp;Distance</source>
         <translation>&amp;Abstand</translation>
     </message>
+    <message>
+        <source>There is no solid yet that could be cut.</source>
+        <translation>Es gibt noch keinen Körper, der sich schneiden ließe.</translation>
+    </message>
 </context>
 <context>
     <name>wend::DetailChooser</name>

@@ -24,6 +24,7 @@ CutPanel::CutPanel(QWidget* parent)
       m_numbers(new QWidget(this)) {
     makeControls();
     arrange();
+    showNothing();
     connect(m_kind, &QComboBox::activated, this, &CutPanel::kindChosen);
     connect(m_slider, &QSlider::valueChanged, this, [this](int value) {
         CutPlane plane = m_plane;
@@ -38,7 +39,6 @@ CutPanel::CutPanel(QWidget* parent)
 void CutPanel::makeControls() {
     m_kind->addItems({tr("Not cut"), tr("Whole cells"), tr("Exact")});
     m_kind->setFixedWidth(150);
-    describe(m_kind, tr("Cut"), tr("Looks inside: by whole tetrahedra, or along the exact plane."));
     const std::array<QString, 4> names = {tr("X"), tr("Y"), tr("Z"), tr("Flip")};
     for (int k = 0; k < 4; ++k) {
         m_ways[k] = new QToolButton(this);
@@ -114,10 +114,20 @@ void CutPanel::chooseNumbers() {
     emit planeChosen(plane);
 }
 
+void CutPanel::showNothing() {
+    m_kind->setCurrentIndex(0);
+    m_kind->setEnabled(false);
+    describe(m_kind, tr("Cut"), tr("There is no solid yet that could be cut."));
+    m_numbers->hide();
+}
+
 void CutPanel::show(int kind, const CutPlane& plane, const Vec<3>& low, const Vec<3>& high) {
     m_plane = plane;
     m_low = low;
     m_high = high;
+    if (!m_kind->isEnabled())
+        describe(m_kind, tr("Cut"), tr("Looks inside: by whole tetrahedra, or along the exact plane."));
+    m_kind->setEnabled(true);
     m_kind->setCurrentIndex(kind);
     m_numbers->setVisible(kind != 0);
     for (int k = 0; k < 3; ++k) {

@@ -20,6 +20,8 @@ class CutPanel : public QWidget {
 
     /// 0: none, 1: whole cells, 2: exact; the box that the solid lies in gives the range.
     void show(int kind, const CutPlane& plane, const Vec<3>& low, const Vec<3>& high);
+    /// There is no solid yet.
+    void showNothing();
 
   signals:
     void kindChosen(int kind);

@@ -60,14 +60,19 @@ void Marks::name(const QPointF& at, const QString& text) {
     m_painter.drawText(box, Qt::AlignCenter, text);
 }
 
-void Marks::worst(const QPointF& at) {
+void Marks::worst(const QPointF& at, bool hidden) {
     m_painter.setBrush(Qt::NoBrush);
-    for (const QPen& pen : {QPen(Qt::white, 4.5), QPen(kInk, 2)}) {
+    QPen ink(kInk, 2);
+    if (hidden) ink.setDashPattern({2, 2});
+    if (hidden) m_painter.setOpacity(0.4);
+    for (const QPen& pen : {QPen(Qt::white, 4.5), ink}) {
         m_painter.setPen(pen);
         m_painter.drawEllipse(at, 11, 11);
+        if (hidden) continue;
         for (const QPointF& way : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)})
             m_painter.drawLine(at + 8 * way, at + 17 * way);
     }
+    m_painter.setOpacity(1);
 }
 
 }  // namespace wend

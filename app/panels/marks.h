@@ -20,7 +20,8 @@ class Marks {
     /// `square`: of a whole region.
     void pin(const QPointF& at, bool selected, bool hovered, bool square);
     void name(const QPointF& at, const QString& text);
-    void worst(const QPointF& at);
+    /// A cross of hairs; of a hidden place a faint ring alone: what is seen there is something else.
+    void worst(const QPointF& at, bool hidden = false);
 
   private:
     QPainter& m_painter;

@@ -126,6 +126,7 @@ QString wendStyleSheet(const QPalette& palette) {
     set("@base", palette.color(QPalette::Base));
     set("@button", palette.color(QPalette::Button));
     set("@text", palette.color(QPalette::WindowText));
+    set("@disabled", palette.color(QPalette::Disabled, QPalette::ButtonText));
     set("@mid", palette.color(QPalette::Mid));
     set("@groove", palette.color(QPalette::Midlight));
     return sheet;

@@ -1,5 +1,7 @@
 #include "app/session/compute_thread.h"
 
+#include "core/meshing/volume_mesher.h"
+
 namespace wend {
 
 ComputeThread::ComputeThread(QObject* parent)
@@ -19,15 +21,22 @@ void ComputeThread::loop(std::stop_token stop) {
                 handle(*request);
             else if (!idle)
                 m_engine->work(m_mailbox.interruption());
+        } catch (const SurfaceError& error) {
+            giveUp(error, true);
         } catch (const std::exception& error) {
-            if (m_engine) m_engine->giveUp();
-            emit failed(QString::fromUtf8(error.what()));
+            giveUp(error, false);
         }
     }
 }
 
+void ComputeThread::giveUp(const std::exception& error, bool shapeless) {
+    if (m_engine) m_engine->giveUp();
+    emit failed(m_revision, QString::fromUtf8(error.what()), shapeless);
+}
+
 void ComputeThread::handle(const Request& request) {
     if (const auto* shape = std::get_if<SetShape>(&request)) {
+        m_revision = shape->inputs.revision;
         requireEngine(shape->inputs.project->dimension());
         m_engine->setShape(*shape);
     }

@@ -27,17 +27,20 @@ class ComputeThread : public QObject {
     void progress(double time, double end);
     /// The whole motion is there; `problem` is empty, or says what could not be completed.
     void finished(double time, QString problem);
-    /// The project makes no sense as it is; the last shape stays.
-    void failed(QString reason);
+    /// The project makes no sense as it is. The last shape stays, unless `shapeless`: its surface bounds no
+    /// solid.
+    void failed(int revision, QString reason, bool shapeless);
 
   private:
     void loop(std::stop_token stop);
     void handle(const Request& request);
+    void giveUp(const std::exception& error, bool shapeless);
     void requireEngine(int dimension);
     ShapeEngine::Sink sink();
 
     Mailbox m_mailbox;
-    std::unique_ptr<ShapeEngine> m_engine;  // of the thread alone
+    std::unique_ptr<ShapeEngine> m_engine;  // of the thread alone,
+    int m_revision = 0;                     // and this: of the newest shape that was asked for
     std::jthread m_thread;                  // the last member: it stops before the others go
 };
 

@@ -13,6 +13,7 @@ namespace wend {
 /// The shape at one time, as the compute thread hands it to the view: what does not depend on the dimension.
 /// Immutable and shared.
 struct ShapeFrame {
+    int generation = 0;  // of the document whose shape it is
     double time = 0;
     bool live = false;  // a preview while dragging; otherwise of final quality
     int dimension = 0;

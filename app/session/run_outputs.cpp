@@ -5,21 +5,13 @@
 #include "app/document/options.h"
 #include "app/session/output_set.h"
 #include "app/session/run.h"
+#include "app/session/shape_file.h"
 #include "core/mesh/error.h"
 #include "core/mesh/file_name.h"
 #include "core/mesh/number_text.h"
 
 namespace wend {
 namespace {
-
-void requireMeshName(const Project& project, const std::string& path, const std::string& extension) {
-    std::vector<std::string> known = meshFileExtensions();
-    if (project.dimension() == 3) known.push_back(".glb");
-    if (std::ranges::find(known, extension) != known.end()) return;
-    std::string list;
-    for (const std::string& one : known) list += " " + one;
-    throw InputError(path, "is in no known mesh format; known are" + list);
-}
 
 void requirePicture(const Project& project, const std::string& path) {
     const Domain& domain = project.domain;
@@ -36,11 +28,11 @@ bool isOneOf(const std::string& word, std::initializer_list<const char*> words) 
 }
 
 void requireFrames(const Project& project, const std::string& path) {
-    if (isAnimation(path)) return requireMeshName(project, path, lowerExtension(path));
+    if (isAnimation(path)) return requireShapeFormat(path, lowerExtension(path), project.dimension());
     if (path.find('#') == std::string::npos)
         throw InputError(path, "the name of a sequence needs #### in the place of the number");
     if (canWriteImage(path)) return requirePicture(project, path);
-    requireMeshName(project, path, lowerExtension(path));
+    requireShapeFormat(path, lowerExtension(path), project.dimension());
 }
 
 std::string canonical(const std::string& path) {
@@ -83,7 +75,8 @@ void requirePossible(const Project& project, const RunOutputs& outputs) {
         if (outputs.image != "-" && !canWriteImage(outputs.image))
             throw InputError(outputs.image, "is in no picture format that can be written");
     }
-    if (!outputs.mesh.empty()) requireMeshName(project, outputs.mesh, extensionOf(outputs.mesh, ".vtu"));
+    if (!outputs.mesh.empty())
+        requireShapeFormat(outputs.mesh, extensionOf(outputs.mesh, ".vtu"), project.dimension());
     if (!outputs.velocity.empty() && !isOneOf(extensionOf(outputs.velocity, ".csv"), {".csv", ".vtu"}))
         throw InputError(outputs.velocity, "a velocity field is written as .csv or .vtu");
     if (!outputs.stMap.empty()) {

@@ -41,6 +41,7 @@ template <int Dim>
 void ShapeEngineOf<Dim>::setShape(const SetShape& request) {
     m_wanted = request;
     m_project = request.inputs.project;
+    m_generation = request.inputs.generation;
     m_revision = request.inputs.revision;
     m_dragging = false;
 }
@@ -206,6 +207,7 @@ std::shared_ptr<PosedFrame<Dim>> ShapeEngineOf<Dim>::makeFrame(const BuiltPtr& s
                                                                double pinError) const {
     const SimplicialMesh<Dim>& rest = *shape->rest;
     auto frame = std::make_shared<PosedFrame<Dim>>();
+    frame->generation = m_generation;
     frame->time = time;
     frame->dimension = Dim;
     frame->shape = shape->rest;

@@ -80,7 +80,7 @@ class ShapeEngineOf : public ShapeEngine {
     ShapeBuilder<Dim> m_builder;
     BuiltPtr m_shape;
     std::shared_ptr<const Project> m_project;  // the newest, of m_revision: its mesh may be yet to come
-    int m_revision = 0;
+    int m_generation = 0, m_revision = 0;
     std::optional<SetShape> m_wanted;    // to be built
     std::optional<AskVelocity> m_asked;  // to be answered
     MotionPass<Dim> m_pass;

@@ -118,6 +118,15 @@ void writeShape(const std::string& path, const Scene<Dim>& scene, const Points<D
     writeMeshFile(path, poseFile(scene, pose, fields), options);
 }
 
+void requireShapeFormat(const std::string& path, const std::string& extension, int dimension) {
+    std::vector<std::string> known = meshFileExtensions();
+    if (dimension == 3) known.push_back(".glb");
+    if (std::ranges::find(known, extension) != known.end()) return;
+    std::string list;
+    for (const std::string& one : known) list += " " + one;
+    throw InputError(path, "is in no known mesh format; known are" + list);
+}
+
 /// Of those that get the skin, one.
 bool holdsFields(const std::string& path) {
     return !isSkinFile(path) || lowerExtension(path) == ".ply";

@@ -28,6 +28,10 @@ template <int Dim>
 void writeShape(const std::string& path, const Scene<Dim>& scene, const Points<Dim>& pose,
                 const std::vector<MeshField>& fields = {}, const MeshWriteOptions& options = {});
 
+/// Throws InputError that lists the formats that a shape of this dimension can be written in if `extension`,
+/// lower case with its dot, is of none. `path` is what the user named.
+void requireShapeFormat(const std::string& path, const std::string& extension, int dimension);
+
 /// True for formats of solids that keep shapeFields().
 bool holdsFields(const std::string& path);
 

@@ -44,21 +44,39 @@ ShapeSession::ShapeSession(QObject* parent) : QObject(parent) {
     connect(&m_compute, &ComputeThread::progress, this, &ShapeSession::progress);
 }
 
-/// For another file: what went on with the last one ends.
+/// For another file: what went on with the last one ends. First everything of it goes, only then others hear
+/// of it: nobody sees the last file's shape, selection or drag beside the new one's project.
 void ShapeSession::reset() {
-    cancelDrag();
-    m_track.clear();
-    m_shape.reset();
-    m_complete.reset();
-    m_holds = {};
-    m_preview.reset();
-    m_trackIsCurrent = false;
-    ++m_revision;
+    dropAll();
     m_selection.clear();
     m_playback.setPlaying(false);
     m_playback.setEnd(0);
     show({}, false);
+    emit pinsChanged();
     if (m_document.isEmpty()) setBusy(false);
+}
+
+void ShapeSession::dropAll() {
+    if (m_drag) m_compute.post(EndDrag{});
+    if (m_document.isEmpty()) m_compute.post(CancelWork{});
+    m_drag.reset();
+    ++m_gesture;   // frames of a drag that are under way are void,
+    ++m_revision;  // and so is a shape
+    m_complete.reset();
+    dropShape();
+}
+
+void ShapeSession::dropShape() {
+    m_track.clear();
+    m_frame.reset();
+    m_preview.reset();
+    m_previewBefore.reset();
+    m_velocityOf.reset();
+    m_askedFor.reset();
+    m_velocity.reset();
+    m_shape.reset();
+    m_holds = {};
+    m_trackIsCurrent = m_stale = m_sameShape = false;
 }
 
 void ShapeSession::postShape() {
@@ -131,10 +149,15 @@ void ShapeSession::takeFinished(double time, const QString& problem) {
     showTime();
 }
 
-void ShapeSession::takeFailure(const QString& reason) {
+void ShapeSession::takeFailure(int revision, const QString& reason, bool shapeless) {
+    if (revision != m_revision) return;  // of what is not wanted any more
     m_failed = true;
     cancelDrag();
     m_preview.reset();
+    if (shapeless) {
+        dropShape();
+        show({}, false);
+    }
     setBusy(false);
     emit problem(reason);
 }

@@ -32,12 +32,15 @@ class ShapeSession : public QObject {
     /// the project before.)
     int singleHandle() const;
 
-    /// The frame to show now: of the drag, or of the time that is shown; null before the first mesh.
-    const FramePtr& frame() const { return m_frame; }
+    /// The frame to show now: of the drag, or of the time that is shown; null before the first mesh. Never
+    /// that of another file: where there is a frame, the document is the one that it was made for.
+    FramePtr frame() const {
+        return m_frame && m_frame->generation == m_document.generation() ? m_frame : FramePtr();
+    }
     /// The same with its shape; null if that has another dimension.
     template <int Dim>
     PosedPtr<Dim> frame() const {
-        return posed<Dim>(m_frame);
+        return posed<Dim>(frame());
     }
     /// True while the frame does not yet show what the document says.
     bool isStale() const { return m_stale; }
@@ -117,12 +120,14 @@ class ShapeSession : public QObject {
 
   private:
     void reset();
+    void dropAll();
+    void dropShape();
     void postShape();
     void takeShape(int revision, const std::shared_ptr<const void>& shape, double keptUpTo);
     void takeFrame(const FramePtr& frame);
     void takeLive(const FramePtr& frame);
     void takeFinished(double time, const QString& problem);
-    void takeFailure(const QString& reason);
+    void takeFailure(int revision, const QString& reason, bool shapeless);
     void showTime();
     void show(const FramePtr& frame, bool stale);
     void askVelocity();

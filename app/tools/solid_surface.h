@@ -45,6 +45,8 @@ class SolidSurface {
                                            bool visibleOnly) const = 0;
     /// True if the solid lies in front of the point.
     virtual bool isHidden(const Vec<3>& p) const = 0;
+    /// Where a cell is seen; nothing if others lie in front of it, or a cut has taken it away.
+    virtual std::optional<Vec<3>> placeOf(int cell) const = 0;
     /// Of vertices that no cut has taken away.
     virtual std::vector<VertexMark> marksOf(const std::vector<int>& vertices) const = 0;
     virtual void redraw() = 0;

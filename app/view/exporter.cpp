@@ -13,6 +13,7 @@
 #include "app/session/shape_file.h"
 #include "app/session/velocity_probe.h"
 #include "core/mesh/error.h"
+#include "core/mesh/file_name.h"
 #include "core/mesh/mesh_file.h"
 #include "warp/warped_picture.h"
 
@@ -179,6 +180,13 @@ void Exporter::exportMesh() {
 
 void Exporter::writeMesh(const QString& path, const MeshWriteOptions& options) {
     const FramePtr shown = shownFrame();
+    if (!shown) return;
+    try {
+        requireShapeFormat(path.toStdString(), lowerExtension(path.toStdString()), shown->dimension);
+    } catch (const InputError& error) {
+        emit failed(tr("Nothing was written. %1").arg(QString::fromUtf8(error.what())));
+        return;
+    }
     if (const auto solid = posed<3>(shown)) writeSolid(path, solid, options);
     if (const auto flat = posed<2>(shown)) writeFlat(path, flat);
 }

@@ -117,7 +117,6 @@ void FileWorkflow::take(OpenedFile file) {
     m_recoveredFrom = file.recoveredFrom;
     m_document.open(std::move(file));
     if (m_recoveredFrom.isEmpty()) addRecent(source);
-    emit opened();
     if (!warnings.isEmpty()) emit failed(warnings.join('\n'));
 }
 

@@ -38,7 +38,6 @@ class FileWorkflow : public QObject {
   signals:
     void failed(QString text);
     void openingChanged(QString fileName);
-    void opened();
     void recentChanged();
 
   private:

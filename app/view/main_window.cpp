@@ -191,7 +191,7 @@ void MainWindow::connectFiles() {
     connect(m_start, &StartPage::openRequested, m_files, &FileWorkflow::askOpen);
     connect(m_start, &StartPage::fileChosen, m_files, &FileWorkflow::open);
     connect(m_files, &FileWorkflow::failed, m_banner, &InfoBanner::showText);
-    connect(m_files, &FileWorkflow::opened, m_banner, &QWidget::hide);
+    connect(&m_session.document(), &Document::opened, m_banner, &QWidget::hide);
     connect(m_files, &FileWorkflow::openingChanged, this, [this](const QString& name) {
         m_opening = name;
         showWork();

@@ -98,6 +98,8 @@ void SolidWorkshop::furnish(QToolBar& tools, QVBoxLayout& panels) {
 void SolidWorkshop::setActive(bool active) {
     if (active && !m_page) makePage();
     m_isActive = active;
+    m_told.reset();
+    m_hasTold = false;
     m_actions->setShown(active && m_canvas);
     for (QWidget* panel : m_panels) panel->setVisible(active && m_canvas);
     const bool flatTool = m_around.actions.pinTool->isChecked() || m_around.actions.selectTool->isChecked();
@@ -370,7 +372,10 @@ void SolidWorkshop::showCut() {
     const QSignalBlocker quiet(m_actions->cut);
     m_actions->cut->setChecked(m_canvas->cut() != CutKind::None);
     const auto frame = m_around.session.frame<3>();
-    if (!frame) return;
+    if (!frame) {
+        m_cutPanel->showNothing();
+        return;
+    }
     m_cutPanel->show(static_cast<int>(m_canvas->cut()), m_canvas->cutTool().plane(),
                      frame->pose.rowwise().minCoeff(), frame->pose.rowwise().maxCoeff());
 }

@@ -6,6 +6,7 @@
 #include <queue>
 
 #include "core/meshing/surface_edges.h"
+#include "core/meshing/surface_holes.h"
 
 namespace wend {
 namespace {
@@ -108,54 +109,6 @@ void orient(Surface& surface, RepairReport& report) {
     }
 }
 
-/// Closed loops of open edges that no vertex passes twice.
-std::vector<std::vector<int>> holeLoops(const Surface& surface) {
-    std::vector<int> next(static_cast<std::size_t>(surface.vertexCount()), -1);
-    std::vector<bool> ambiguous(next.size(), false);
-    for (const auto& edge : edgesOf(surface)) {
-        if (edge.triangles.size() != 1) continue;
-        const auto& triangle = surface.triangles[edge.triangles[0]];
-        const bool along = runsAlong(triangle, edge.vertices[0], edge.vertices[1]);
-        const int from = edge.vertices[along ? 1 : 0], to = edge.vertices[along ? 0 : 1];
-        if (next[from] >= 0) ambiguous[from] = true;
-        next[from] = to;
-    }
-    std::vector<std::vector<int>> loops;
-    std::vector<bool> used(next.size(), false);
-    for (std::size_t start = 0; start < next.size(); ++start) {
-        std::vector<int> loop;
-        int at = static_cast<int>(start);
-        while (at >= 0 && next[at] >= 0 && !used[at] && !ambiguous[at]) {
-            used[at] = true;
-            loop.push_back(at);
-            at = next[at];
-        }
-        if (loop.size() >= 3 && at == static_cast<int>(start)) loops.push_back(std::move(loop));
-    }
-    return loops;
-}
-
-void fillHoles(Surface& surface, int largestHole, RepairReport& report) {
-    for (const auto& loop : holeLoops(surface)) {
-        if (static_cast<int>(loop.size()) > largestHole) continue;
-        ++report.filledHoles;
-        int apex = loop[0];
-        if (loop.size() > 3) {
-            Vec<3> centre = Vec<3>::Zero();
-            for (int id : loop) centre += surface.points.col(id) / static_cast<double>(loop.size());
-            apex = surface.vertexCount();
-            surface.points.conservativeResize(Eigen::NoChange, apex + 1);
-            surface.points.col(apex) = centre;
-        }
-        for (std::size_t k = 0; k < loop.size(); ++k) {
-            const int a = loop[k], b = loop[(k + 1) % loop.size()];
-            if (a == apex || b == apex) continue;
-            surface.triangles.push_back({apex, a, b});
-            if (!surface.labels.empty()) surface.labels.push_back(0);
-        }
-    }
-}
-
 }  // namespace
 
 bool SurfaceProblems::boundsVolume() const {
@@ -229,7 +182,7 @@ Surface repairSurface(const Surface& input, int largestHole, RepairReport& repor
             if (id >= 0 && id < static_cast<int>(newId.size())) id = newId[id];
     dropTriangles(surface, checkSurface(surface, 0), report);
     orient(surface, report);
-    fillHoles(surface, largestHole, report);
+    report.filledHoles = fillHoles(surface, largestHole);
     return surface;
 }
 

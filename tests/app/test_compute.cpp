@@ -4,6 +4,7 @@
 #include "app/session/opening.h"
 #include "app/session/scene.h"
 #include "app/session/shape_engine.h"
+#include "tests/app/cli_harness.h"
 #include "tests/support/window_fixture.h"
 
 using namespace wend;
@@ -30,11 +31,18 @@ class TestCompute : public QObject {
     void velocitiesWaitForRequests();
     void newestTargetsStay();
     void closedMailboxStaysInterrupted();
+    void nothingOutlivesItsDocument_data();
+    void nothingOutlivesItsDocument();
+    void closingEndsTheWork();
     void samplesOpen();
     void hullGoesRound();
 
   private:
     void open();
+    template <int Dim>
+    void openMoved();
+    template <int Dim>
+    QString whatIsLeft(const FramePtr& last) const;
     void drag(int handle, const std::vector<Vec<2>>& way);
     Points<2> commandLinePose() const;
 
@@ -319,6 +327,119 @@ void TestCompute::closedMailboxStaysInterrupted() {
     mailbox.close();
     QVERIFY(mailbox.interruption().stop_requested());
     QVERIFY(mailbox.interruption().stop_requested());
+}
+
+/// A mesh from a file, held at one end and moved at the other, shown at the end of its motion.
+template <int Dim>
+void TestCompute::openMoved() {
+    const std::string name = m_folder->path().toStdString() + (Dim == 2 ? "/strip.obj" : "/bar.mesh");
+    if constexpr (Dim == 2)
+        writeMeshFile(name, toMeshFile<2>(stripMesh(6, 2)));
+    else
+        writeMeshFile(name, toMeshFile<3>(barMesh(4)));
+    m_session->document().open(openFile(QString::fromStdString(name)));
+    QVERIFY(settle(*m_session));
+    const auto frame = m_session->frame<Dim>();
+    m_session->addHandle<Dim>(std::vector<int>{0, 1}, "Pin");
+    m_session->addHandle<Dim>(std::vector<int>{frame->vertices - 2, frame->vertices - 1}, "Pin");
+    m_session->moveSelected<Dim>({}, {0.3, 0.2, 0});
+    QVERIFY(settle(*m_session));
+    QCOMPARE(m_session->playback().time(), 1.0);
+}
+
+/// What a view that asks for everything sees of the document before; empty if nothing.
+template <int Dim>
+QString TestCompute::whatIsLeft(const FramePtr& last) const {
+    const Document& document = m_session->document();
+    if (m_session->frame() && document.isEmpty()) return QStringLiteral("a shape of no document");
+    if (m_session->frame() && m_session->frame()->shape == last->shape) return QStringLiteral("the shape");
+    if (m_session->frame<Dim>() && document.dimension() != Dim) return QStringLiteral("its dimension");
+    if (!m_session->frame() && m_session->isStale()) return QStringLiteral("a stale frame");
+    if (m_session->isDragging()) return QStringLiteral("the drag");
+    if (!m_session->selection().isEmpty()) return QStringLiteral("the selection");
+    if (!m_session->pins<Dim>().empty()) return QStringLiteral("pins");
+    if (!m_session->frame() && m_session->velocity<Dim>().cols() > 0) return QStringLiteral("the velocity");
+    return {};
+}
+
+void TestCompute::nothingOutlivesItsDocument_data() {
+    QTest::addColumn<int>("dimension");
+    QTest::addColumn<bool>("closes");
+    QTest::addColumn<QString>("state");
+    for (const int dimension : {2, 3})
+        for (const bool closes : {true, false})
+            for (const char* state : {"standing", "playing", "dragging"})
+                QTest::addRow("%dD, %s, %s", dimension, closes ? "closed" : "another file", state)
+                    << dimension << closes << state;
+}
+
+/// Whatever is told while another document, or none, takes the place of one with a motion, and in whatever
+/// order: at no time is anything of the last one to be seen.
+void TestCompute::nothingOutlivesItsDocument() {
+    QFETCH(int, dimension);
+    QFETCH(bool, closes);
+    QFETCH(QString, state);
+    const auto check = [this, dimension](auto&& use) {
+        dimension == 2 ? use.template operator()<2>() : use.template operator()<3>();
+    };
+    check([this]<int Dim>() { openMoved<Dim>(); });
+    const FramePtr last = m_session->frame();
+    QVERIFY(last);
+    if (state == QStringLiteral("dragging")) {
+        m_session->beginDrag();
+        m_session->dragBy({0.1, 0, 0});
+        QVERIFY(QTest::qWaitFor([this] { return m_session->frame()->live; }, 20000));
+    }
+    m_session->playback().setPlaying(state == QStringLiteral("playing"));
+    QStringList left;
+    int told = 0;
+    const auto look = [&] {
+        if (m_session->document().generation() == last->generation) return;
+        ++told;
+        check([&]<int Dim>() { left << whatIsLeft<Dim>(last); });
+    };
+    QObject here;
+    const ShapeSession& session = *m_session;
+    QObject::connect(&session, &ShapeSession::frameChanged, &here, look);
+    QObject::connect(&session, &ShapeSession::pinsChanged, &here, look);
+    QObject::connect(&session, &ShapeSession::busyChanged, &here, look);
+    QObject::connect(&session.selection(), &Selection::changed, &here, look);
+    QObject::connect(&m_session->playback(), &Playback::timeChanged, &here, look);
+    QObject::connect(&m_session->playback(), &Playback::endChanged, &here, look);
+    QObject::connect(&m_session->playback(), &Playback::playingChanged, &here, look);
+    QObject::connect(&session.document(), &Document::opened, &here, look);
+    QObject::connect(&session.document(), &Document::projectChanged, &here, look);
+    QObject::connect(&session.document(), &Document::titleChanged, &here, look);
+    if (closes)
+        m_session->document().close();
+    else
+        m_session->document().open(openFile(writeCutOut(*m_folder)));
+    left.removeAll(QString());
+    QVERIFY2(left.isEmpty(), qPrintable(left.join(", ")));
+    QVERIFY(told > 4);
+    QTest::qWait(50);  // what was under way
+    if (!closes) QVERIFY(settle(*m_session));
+    left.removeAll(QString());
+    QVERIFY2(left.isEmpty(), qPrintable(left.join(", ")));
+    QCOMPARE(m_session->playback().end(), 0.0);
+    QCOMPARE(m_session->frame() == nullptr, closes);
+}
+
+/// Nothing is computed for nobody, and nothing is told of it.
+void TestCompute::closingEndsTheWork() {
+    open();
+    m_session->addPin({40, 80});
+    m_session->addPin({200, 80});
+    QVERIFY(settle(*m_session));
+    m_session->moveSelected<2>({}, {0, 40, 0});
+    Project wrong = withPin(*m_session->document().project(), {5, 5}, "stray");
+    m_session->document().change(QStringLiteral("Bad pin"), wrong);
+    QSignalSpy problems(m_session.get(), &ShapeSession::problem),
+        notices(m_session.get(), &ShapeSession::notice);
+    m_session->document().close();
+    QVERIFY(!m_session->isBusy());
+    QTest::qWait(300);
+    QVERIFY(problems.isEmpty() && notices.isEmpty() && !m_session->isBusy() && !m_session->frame());
 }
 
 void TestCompute::samplesOpen() {

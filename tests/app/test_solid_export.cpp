@@ -277,6 +277,8 @@ void TestSolidExport::badPlacesAreTold() {
     QVERIFY(!finish([&] { m_window->exporter().writeMesh(file(QStringLiteral("missing/shape.vtu"))); }));
     QVERIFY(m_failure.contains(QStringLiteral("missing")));
     QVERIFY(!finish([&] { m_window->exporter().writeMesh(file(QStringLiteral("shape.xyz"))); }));
+    for (const char* known : {".glb", ".vtu", ".obj"}) QVERIFY(m_failure.contains(QLatin1String(known)));
+    QVERIFY(m_failure.contains(QStringLiteral("shape.xyz")));
     PictureChoice choice;
     choice.size = {64, 64};
     SolidCanvas& canvas = *m_window->solids().canvas();

@@ -1,6 +1,9 @@
 #include <QFile>
+#include <QLineF>
+#include <QPainter>
 #include <QTextStream>
 
+#include "app/panels/distortion_panel.h"
 #include "app/view/actions.h"
 #include "app/view/main_window.h"
 #include "app/view/solid_workshop.h"
@@ -25,7 +28,11 @@ class TestSolidLooks : public QObject {
     void wrongTrianglesAreRedFromBehind();
     void marksAreWhereVerticesAreSeen();
     void fitShowsPathsToo();
+    void fitShowsDetailToo();
+    void worstPlaceIsMarkedWhereItIsSeen();
     void anotherDocumentIsSeenAsItIs();
+    void movedSolidsAreClosed();
+    void solidAfterAMovedOneIsSeenWhole();
 
   private:
     QString file(const char* name, const QByteArray& text);
@@ -228,6 +235,86 @@ void TestSolidLooks::fitShowsPathsToo() {
     QVERIFY(canvas().camera().pivot().norm() < 1e-9);  // turned around the solid all the same
 }
 
+/// What rides far out of the tetrahedra, and only while it is shown.
+void TestSolidLooks::fitShowsDetailToo() {
+    QVERIFY(!project({}).isEmpty());
+    file("wide.obj", boxText({14, 0.4, 0.4}, 6));
+    open(project("wide.obj"));
+    QAction* fit = m_window->actions().fit;
+    const auto showsTips = [&] {
+        fit->trigger();
+        const QRect view = canvas().rect();
+        return view.contains(canvas().toWidget({14, -0.4, 0.4}).toPoint()) &&
+               view.contains(canvas().toWidget({-14, -0.4, -0.4}).toPoint());
+    };
+    QVERIFY(showsTips());
+    solids().actions().top->trigger();
+    QVERIFY(showsTips());
+    canvas().setCutKind(CutKind::Exact);
+    QVERIFY(showsTips());
+    canvas().setCutKind(CutKind::None);
+    solids().actions().detail->setChecked(false);
+    QVERIFY(!showsTips());
+}
+
+/// The worst cell of a bar that is pulled lies inside: there is a faint ring only, without the hairs that
+/// would point at what is seen. A cut through it shows it, from the one side.
+void TestSolidLooks::worstPlaceIsMarkedWhereItIsSeen() {
+    file("bar.obj", boxText({2, 0.5, 0.5}, 2));
+    const int before = session().document().generation();
+    m_window->openPath(
+        file("pulled.wend", R"({"format": "wend", "version": 1, "domain": {"surface": "bar.obj",
+        "vertices": 26}, "handles": [{"name": "end", "at": {"region": {"box": {"min": [-3, -1, -1],
+        "max": [-1.9, 1, 1]}}}}, {"name": "other end", "at": {"region": {"box": {"min": [1.9, -1, -1],
+        "max": [3, 1, 1]}}}}, {"name": "pull", "at": {"points": [[0, -0.5, 0]]}, "motion": [{"kind":
+        "translate", "by": [0, -0.2, 0], "time": [0, 1]}]}], "time": {"end": 1}})"));
+    QVERIFY(QTest::qWaitFor([&] { return session().document().generation() > before; }, 20000));
+    QVERIFY(settle(session()));
+    m_window->actions().showMap->setChecked(true);
+    const auto frame = session().frame<3>();
+    const int worst = worstOf(frame->distortion, m_window->findChild<DistortionPanel*>()->measure()).cell;
+    Vec<3> centre = Vec<3>::Zero();
+    for (const int v : frame->rest->cells[worst]) centre += frame->pose.col(v) / 4;
+    // The picture of the marks with and without the map differs by that of the worst place.
+    const auto marks = [&](bool map) {
+        m_window->actions().showMap->setChecked(map);
+        QImage image(canvas().size(), QImage::Format_ARGB32_Premultiplied);
+        image.fill(Qt::transparent);
+        QPainter painter(&image);
+        painter.setRenderHint(QPainter::Antialiasing);
+        canvas().paintMarks(painter);
+        return image;
+    };
+    const auto reach = [&](const QPointF& at) {
+        const QImage with = marks(true), without = marks(false);
+        double farthest = 0;
+        for (int y = 0; y < with.height(); ++y)
+            for (int x = 0; x < with.width(); ++x)
+                if (with.pixel(x, y) != without.pixel(x, y))
+                    farthest = std::max(farthest, QLineF(QPointF(x + 0.5, y + 0.5), at).length());
+        return farthest;
+    };
+    const auto sizeOfMark = [&] {
+        const auto place = canvas().placeOf(worst);
+        return reach(canvas().toWidget(place ? *place : centre));
+    };
+    const auto isCross = [](double size) { return size > 15 && size < 22; };
+    const auto isRing = [](double size) { return size > 9 && size < 15; };
+    solids().actions().front->trigger();
+    canvas().fit();
+    QVERIFY(!canvas().placeOf(worst));
+    QVERIFY(isRing(sizeOfMark()));
+    canvas().setCutKind(CutKind::Exact);
+    canvas().setCutPlane({centre, -Vec<3>::UnitY()});
+    const auto seen = canvas().placeOf(worst);
+    QVERIFY(seen && std::abs(seen->y() - centre.y()) < 1e-9);  // on the section
+    QVERIFY(isCross(sizeOfMark()));
+    solids().actions().back->trigger();
+    canvas().fit();
+    QVERIFY(!canvas().placeOf(worst));
+    QVERIFY(isRing(sizeOfMark()));
+}
+
 void TestSolidLooks::anotherDocumentIsSeenAsItIs() {
     open(project("inside.obj"));
     Actions& common = m_window->actions();
@@ -241,6 +328,36 @@ void TestSolidLooks::anotherDocumentIsSeenAsItIs() {
     QVERIFY(!common.showMap->isChecked() && !common.showMesh->isChecked());
     QVERIFY(a.detail->isChecked() && common.pinTool->isChecked());
     QVERIFY(isRed(colourAt({0.3, -0.4, 0.1})));
+}
+
+/// Every panel and the view hear of it while the solid stands at the end of its motion.
+void TestSolidLooks::movedSolidsAreClosed() {
+    open(project("inside.obj"));
+    m_window->actions().showMap->setChecked(true);
+    solids().actions().arrows->setChecked(true);
+    session().selection().set({0});
+    session().playback().setTime(session().playback().end());
+    QVERIFY(settle(session()));
+    m_window->actions().closeFile->trigger();
+    QVERIFY(session().document().isEmpty() && !session().frame());
+    QVERIFY(!canvas().isVisible());
+    open(project("inside.obj"));
+    QVERIFY(canvas().isVisible());
+}
+
+/// It is not taken for the one before, whose motion ends another way.
+void TestSolidLooks::solidAfterAMovedOneIsSeenWhole() {
+    open(project({}));
+    session().playback().setTime(1);
+    QVERIFY(settle(session()));
+    const QString large = file("large.obj", boxText({40, 10, 10}, 4));
+    const int before = session().document().generation();
+    m_window->openPath(large);
+    QVERIFY(QTest::qWaitFor([&] { return session().document().generation() > before; }, 20000));
+    QVERIFY(settle(session()));
+    for (const double x : {-40.0, 40.0})
+        QVERIFY(canvas().rect().contains(canvas().toWidget({x, 10, 10}).toPoint()));
+    QVERIFY(canvas().toWidget({40, 0, 0}).x() - canvas().toWidget({-40, 0, 0}).x() > canvas().width() / 4);
 }
 
 QTEST_MAIN(TestSolidLooks)

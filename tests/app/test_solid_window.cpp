@@ -1,6 +1,8 @@
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QFile>
+#include <QLabel>
 #include <QPushButton>
 #include <QStatusBar>
 #include <QTextStream>
@@ -65,6 +67,7 @@ class TestSolidWindow : public QObject {
     QPoint at(const Vec<3>& p) { return canvas().toWidget(p).toPoint(); }
     void drag(const QPoint& from, const QPoint& to, Qt::KeyboardModifiers modifiers = {});
     void holdEnds();
+    bool saysThatThereIsNoSolid();
     const std::vector<Handle<3>>& handles() { return session().document().design<3>().handles; }
     void picture(const QString& name);
 
@@ -533,12 +536,43 @@ void TestSolidWindow::badSurfacesAreShownAndRepaired() {
     QVERIFY(m_window->banner().isVisible());
     QTest::qWait(100);
     picture(QStringLiteral("bad"));
+    QVERIFY(saysThatThereIsNoSolid());
+    QPushButton* repair = nullptr;
     for (QPushButton* button : panel->findChildren<QPushButton*>())
-        if (button->text() == QStringLiteral("Repair")) QTest::mouseClick(button, Qt::LeftButton);
+        if (button->text() == QStringLiteral("Repair")) repair = button;
+    QVERIFY(repair && repair->isEnabled());
+    const QImage enabled = repair->grab().toImage();
+    repair->setEnabled(false);
+    QVERIFY(repair->grab().toImage() != enabled);  // is seen to do nothing
+    repair->setEnabled(true);
+    QTest::mouseClick(repair, Qt::LeftButton);
     QVERIFY(session().document().project()->domain.repair);
     QVERIFY(settle(session()));
     QVERIFY(QTest::qWaitFor([&] { return !panel->isVisible(); }, 20000));
     QVERIFY(session().frame<3>()->cells > 100);
+    QVERIFY(!saysThatThereIsNoSolid());
+    m_window->actions().undo->trigger();
+    QVERIFY(QTest::qWaitFor([&] { return panel->isVisible(); }, 20000));
+    QVERIFY(saysThatThereIsNoSolid());
+    session().playback().setTime(0);  // nothing brings the mended one back
+    canvas().setEdgesShown(false);
+    QVERIFY(saysThatThereIsNoSolid());
+    m_window->actions().redo->trigger();
+    QVERIFY(settle(session()));
+    QVERIFY(!saysThatThereIsNoSolid());
+}
+
+/// Controls, hints and counts of a solid; false if any speaks of one.
+bool TestSolidWindow::saysThatThereIsNoSolid() {
+    auto* cut = m_window->findChild<CutPanel*>();
+    for (const auto* box : cut->findChildren<QDoubleSpinBox*>())
+        if (box->isVisible()) return false;
+    if (cut->findChild<QComboBox*>()->isEnabled()) return false;
+    for (const auto* label : m_window->statusBar()->findChildren<QLabel*>())
+        if (label->text().contains(QStringLiteral("Click"))) return false;
+    for (const auto* label : m_window->findChild<MeshPanel*>()->findChildren<QLabel*>())
+        if (label->text().contains(QStringLiteral("tetrahedra"))) return false;
+    return !session().frame();
 }
 
 void TestSolidWindow::pictureHasItsSizeAndNoBackground() {
@@ -590,6 +624,8 @@ void TestSolidWindow::detailedSurfaceIsShownAndTellsItsNotices() {
     m_window->solids().actions().cut->trigger();  // the section is the solid's
     canvas().grabFramebuffer();
     QVERIFY(canvas().drawnTriangles() > 2);
+    m_window->actions().closeFile->trigger();
+    QVERIFY(session().document().isEmpty() && !m_window->banner().isVisible());
 }
 
 void TestSolidWindow::presetsTurnTheView() {

@@ -32,6 +32,7 @@ class TestVolumeView : public QObject {
     void anotherSolidMayHaveFewerPoints();
     void viewMovesToAnotherWindow();
     void missingPicturesAreToldOnce();
+    void fitShowsGlyphs();
     void manyTrianglesAreDrawn();
 
   private:
@@ -361,6 +362,23 @@ void TestVolumeView::missingPicturesAreToldOnce() {
     view.setPicture(riding, false);
     view.grabFramebuffer();
     QCOMPARE(missing.count(), 1);
+}
+
+void TestVolumeView::fitShowsGlyphs() {
+    m_view->look(Camera::Axis::Front);
+    m_view->setPicture(m_picture, true);
+    const Vec<3> tip(6, 0, 0);
+    const auto isInView = [&] {
+        m_view->fit();
+        return m_view->camera().project(tip, m_view->size()).x() < m_view->width();
+    };
+    QVERIFY(!isInView());
+    DrawVertex corner;
+    corner.position = {6, 0, 0};
+    m_view->setGlyphs({corner, corner, corner});
+    QVERIFY(isInView());
+    m_view->setGlyphs({});
+    QVERIFY(!isInView());
 }
 
 void TestVolumeView::manyTrianglesAreDrawn() {

@@ -1,10 +1,12 @@
 #include <Eigen/Geometry>
 #include <QTest>
+#include <cmath>
 #include <functional>
 #include <map>
 #include <thread>
 
 #include "core/mesh/error.h"
+#include "core/meshing/surface_holes.h"
 #include "core/meshing/volume_mesher.h"
 #include "tests/support/surfaces.h"
 
@@ -29,6 +31,9 @@ class TestVolumeMesher : public QObject {
     void badSurfaces_data();
     void badSurfaces();
     void repairs();
+    void holesThatMeet_data();
+    void holesThatMeet();
+    void bordersFollowTheHoles();
     void timeLimitEnds();
     void cancelEnds();
 };
@@ -263,6 +268,81 @@ void TestVolumeMesher::repairs() {
     QCOMPARE(report.droppedDuplicate, 1);
     QCOMPARE(report.droppedDegenerate, 1);
     QVERIFY(std::abs(volumeOf(meshVolume(mended, {}).mesh) - 4) < 1e-12);
+}
+
+namespace {
+
+/// A plate of 7 × 7 × 1 with unit squares on top, (0, 0) to (6, 6), of which some triangles are taken away:
+/// of a square both, or the one below or above its diagonal.
+struct Taken {
+    int x, y;
+    bool below = true, above = true;
+};
+
+Surface plateWithout(const std::vector<Taken>& taken) {
+    Surface plate = box({0, 0, 0}, {7, 7, 1}, 7);
+    std::erase_if(plate.triangles, [&](const std::array<int, 3>& t) {
+        const Vec<3> a = plate.points.col(t[0]), b = plate.points.col(t[1]), c = plate.points.col(t[2]);
+        const Vec<3> middle = (a + b + c) / 3;
+        if (middle.z() < 1 - 1e-9) return false;
+        const double x = std::floor(middle.x()), y = std::floor(middle.y());
+        const bool below = middle.y() - y < middle.x() - x;
+        return std::any_of(taken.begin(), taken.end(), [&](const Taken& s) {
+            return s.x == x && s.y == y && (below ? s.below : s.above);
+        });
+    });
+    return plate;
+}
+
+}  // namespace
+
+void TestVolumeMesher::holesThatMeet_data() {
+    QTest::addColumn<Surface>("surface");
+    QTest::addColumn<int>("holes");
+    QTest::newRow("one") << plateWithout({{3, 3}}) << 1;
+    QTest::newRow("two triangles") << plateWithout({{2, 2, true, false}, {3, 3, true, false}}) << 2;
+    QTest::newRow("two squares") << plateWithout({{2, 2}, {3, 3}}) << 2;
+    QTest::newRow("a chain of squares") << plateWithout({{1, 1}, {2, 2}, {3, 1}, {4, 2}, {5, 1}}) << 5;
+    QTest::newRow("three triangles and one")
+        << plateWithout({{3, 3, true, false}, {2, 3}, {2, 2, false, true}}) << 2;
+    // Every other one of the six triangles around (3, 3).
+    QTest::newRow("every other triangle")
+        << plateWithout({{3, 3, true, false}, {2, 3, true, false}, {2, 2, true, false}}) << 3;
+    // A triangle that hangs at a corner of a hole is no hole.
+    Surface hanging = plateWithout({{3, 3}});
+    hanging.points.conservativeResize(Eigen::NoChange, hanging.vertexCount() + 2);
+    hanging.points.rightCols(2) << 3.5, 3.2, 3.2, 3.5, 3, 3;
+    for (int v = 0; v < hanging.vertexCount(); ++v)
+        if (hanging.points.col(v) == Vec<3>(3, 3, 1))
+            hanging.triangles.push_back({v, hanging.vertexCount() - 2, hanging.vertexCount() - 1});
+    QTest::newRow("a hanging triangle") << hanging << 1;
+}
+
+/// Each is filled for itself, so that the plate is whole again.
+void TestVolumeMesher::holesThatMeet() {
+    QFETCH(Surface, surface);
+    QFETCH(int, holes);
+    QVERIFY(!checkSurface(surface).boundsVolume());
+    RepairReport report;
+    const Surface mended = repairSurface(surface, 30, report);
+    QCOMPARE(report.filledHoles, holes);
+    const SurfaceProblems left = checkSurface(mended);
+    if (qstrcmp(QTest::currentDataTag(), "a hanging triangle") == 0) {
+        QCOMPARE(left.openEdges.size(), std::size_t(3));  // its own
+        return;
+    }
+    QVERIFY2(left.boundsVolume() && left.misoriented.empty(), left.summary().c_str());
+    QVERIFY(std::abs(volumeOf(meshVolume(mended, {}).mesh) - 49) < 1e-12);
+}
+
+/// Holes that meet at two vertices, around two squares that hang there: the border of the one does not go on
+/// along the other.
+void TestVolumeMesher::bordersFollowTheHoles() {
+    const Surface surface = plateWithout({{3, 1}, {4, 2}, {4, 3}, {4, 4}, {3, 4}, {2, 4}, {2, 3}, {2, 2}});
+    std::vector<std::size_t> sizes;
+    for (const auto& loop : holeLoops(surface)) sizes.push_back(loop.size());
+    std::sort(sizes.begin(), sizes.end());
+    QCOMPARE(sizes, (std::vector<std::size_t>{4, 16}));
 }
 
 void TestVolumeMesher::timeLimitEnds() {

@@ -86,7 +86,12 @@ void SolidCanvas::setTool(SolidTool* tool) {
     redraw();
     if (!tool) return;
     setCursor(tool->cursor());
-    emit hintChanged(tool->hint());
+    tellHint(*tool);
+}
+
+/// Without a solid there is nothing that a tool could do.
+void SolidCanvas::tellHint(const SolidTool& tool) {
+    emit hintChanged(m_session.frame<3>() ? tool.hint() : QString());
 }
 
 CutPlane SolidCanvas::middlePlane(const Vec<3>& normal) const {
@@ -139,6 +144,22 @@ bool SolidCanvas::isHidden(const Vec<3>& p) const {
     return hit.cell >= 0 && (hit.point - sight.origin).norm() < depth - 2 * pixelSize(p);
 }
 
+/// Asks through its middle and those of its sides.
+std::optional<Vec<3>> SolidCanvas::placeOf(int cell) const {
+    if (!showsFrame()) return {};
+    const Points<3>& pose = shown().pose;
+    const Cell<3>& corners = shown().rest->cells[cell];
+    Vec<3> sum = Vec<3>::Zero();
+    for (const int v : corners) sum += pose.col(v);
+    std::vector<Vec<3>> middles = {sum / 4};
+    for (const int v : corners) middles.push_back((sum - pose.col(v)) / 3);
+    for (const Vec<3>& middle : middles) {
+        const SolidHit hit = hitOf(ray(toWidget(middle)));
+        if (hit.cell == cell) return hit.point;
+    }
+    return {};
+}
+
 std::vector<VertexMark> SolidCanvas::marksOf(const std::vector<int>& vertices) const {
     const Points<3>& pose = shown().pose;
     // Without a frame of this mesh yet: what is shown is a preview.
@@ -163,14 +184,15 @@ const std::vector<int>& SolidCanvas::skinPoints() const {
     return m_skinPoints;
 }
 
+/// Pins and paths as well.
 Points<3> SolidCanvas::fitted() const {
-    const Points<3>& pose = shown().pose;
-    if (m_hidden || !m_session.frame<3>() || m_session.document().dimension() != 3) return pose;
+    const Points<3> drawn = VolumeView::fitted();
+    if (m_hidden || !m_session.frame<3>()) return drawn;
     const std::vector<Vec<3>> marked = pathPoints(m_session);
-    Points<3> all(3, pose.cols() + static_cast<Eigen::Index>(marked.size()));
-    all.leftCols(pose.cols()) = pose;
+    Points<3> all(3, drawn.cols() + static_cast<Eigen::Index>(marked.size()));
+    all.leftCols(drawn.cols()) = drawn;
     for (std::size_t i = 0; i < marked.size(); ++i)
-        all.col(pose.cols() + static_cast<Eigen::Index>(i)) = marked[i];
+        all.col(drawn.cols() + static_cast<Eigen::Index>(i)) = marked[i];
     return all;
 }
 
@@ -189,6 +211,8 @@ void SolidCanvas::endGestureOnOtherMesh() {
 
 void SolidCanvas::takeFrame() {
     endGestureOnOtherMesh();
+    const bool hasSolid = m_session.frame<3>() != nullptr;
+    if (std::exchange(m_hasSolid, hasSolid) != hasSolid && m_tool) tellHint(*m_tool);
     if (m_session.isStale() && !m_dimmed) {
         if (!m_dim.isActive()) m_dim.start();
     } else if (!m_session.isStale()) {
@@ -220,6 +244,7 @@ bool SolidCanvas::hasDetail() const {
 void SolidCanvas::refresh() {
     const auto frame = m_session.frame<3>();
     m_missed = m_held;
+    if (!frame) setGlyphs({});  // those of the last solid
     if (!frame || m_held) return;
     VolumePicture picture;
     picture.rest = frame->rest;
@@ -404,7 +429,7 @@ SolidTool* SolidCanvas::toolAt(const QPointF& at) {
 
 void SolidCanvas::useTool(SolidTool* tool) {
     setCursor(tool->cursor());
-    emit hintChanged(tool->hint());
+    tellHint(*tool);
     redraw();
 }
 

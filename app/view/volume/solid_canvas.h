@@ -32,6 +32,7 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     std::vector<int> verticesWhere(const std::function<bool(const QPointF&)>& inside,
                                    bool visibleOnly) const override;
     bool isHidden(const Vec<3>& p) const override;
+    std::optional<Vec<3>> placeOf(int cell) const override;
     std::vector<VertexMark> marksOf(const std::vector<int>& vertices) const override;
     void redraw() override;
 
@@ -100,6 +101,7 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     std::vector<QRgb> colours(const PosedFrame<3>& frame) const;
     SolidTool* toolAt(const QPointF& at);
     void useTool(SolidTool* tool);
+    void tellHint(const SolidTool& tool);
     void applyTheme();
     Vec<3> normalToViewer() const;
     bool isCutOff(const Vec<3>& p) const { return cut() != CutKind::None && plane().height(p) > 1e-9; }
@@ -115,7 +117,7 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     QTimer m_dim;
     int m_generation = -1;  // of the document that the view was fitted to
     bool m_map = false, m_arrows = false, m_values = false, m_glyphs = false, m_hidden = false,
-         m_dimmed = false, m_held = false, m_missed = false;
+         m_dimmed = false, m_held = false, m_missed = false, m_hasSolid = false;
     bool m_detail = true;
     bool m_planeChosen = false;  // the cut's, by the user in this document
     bool m_toFit = false;        // the view has not been fitted to the whole motion's end yet

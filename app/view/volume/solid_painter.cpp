@@ -32,6 +32,12 @@ std::vector<Vec<3>> shownStarts(const std::vector<Vec<3>>& starts) {
     return {meanOf<3>(starts)};
 }
 
+Vec<3> centreOf(const PosedFrame<3>& frame, int cell) {
+    Vec<3> centre = Vec<3>::Zero();
+    for (const int v : frame.rest->cells[cell]) centre += frame.pose.col(v) / 4;
+    return centre;
+}
+
 }  // namespace
 
 QPolygonF SolidPainter::toWidget(const std::vector<Vec<3>>& points) const {
@@ -142,9 +148,8 @@ void SolidPainter::pins(int hovered) {
 
 void SolidPainter::worst(const PosedFrame<3>& frame, int cell) {
     if (cell < 0) return;
-    Vec<3> centre = Vec<3>::Zero();
-    for (const int v : frame.rest->cells[cell]) centre += frame.pose.col(v) / 4;
-    m_marks.worst(m_surface.toWidget(centre));
+    const auto seen = m_surface.placeOf(cell);
+    m_marks.worst(m_surface.toWidget(seen ? *seen : centreOf(frame, cell)), !seen);
 }
 
 void SolidPainter::compass(const QPointF& at, const Mat<3>& worldToScreen) {

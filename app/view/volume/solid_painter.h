@@ -19,6 +19,7 @@ class SolidPainter {
 
     void paths();
     void pins(int hovered);
+    /// The cross where the worst cell is seen, or a faint ring over where it is hidden.
     void worst(const PosedFrame<3>& frame, int cell);
     /// A small cross of axes in the corner.
     void compass(const QPointF& at, const Mat<3>& worldToScreen);

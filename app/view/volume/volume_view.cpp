@@ -112,6 +112,20 @@ void VolumeView::setCut(CutKind kind, const CutPlane& plane) {
     remakeSurface();
 }
 
+/// A surface that rides in the solid hides it, unless a section is filled with its cells.
+Points<3> VolumeView::fitted() const {
+    const Points<3> none(3, 0);
+    const Points<3>& riding = isRiding() ? ridden() : none;
+    const Points<3>& solid = isRiding() && m_cut == CutKind::None ? none : m_picture.pose;
+    Points<3> all(3, riding.cols() + solid.cols() + static_cast<Eigen::Index>(m_glyphs.size()));
+    all.leftCols(riding.cols()) = riding;
+    all.middleCols(riding.cols(), solid.cols()) = solid;
+    Eigen::Index next = riding.cols() + solid.cols();
+    for (const DrawVertex& vertex : m_glyphs)
+        all.col(next++) = Vec<3>(vertex.position[0], vertex.position[1], vertex.position[2]);
+    return all;
+}
+
 void VolumeView::fit() {
     if (m_picture.pose.cols() == 0) return;
     m_camera.fit(fitted(), size());

@@ -124,8 +124,9 @@ class VolumeView : public QOpenGLWidget {
     bool isRiding() const { return m_picture.skin && m_cut != CutKind::WholeCells; }
     /// Where the points of that surface are.
     const Points<3>& ridden() const;
-    /// What fit() brings into the view; the view turns around the middle of the solid all the same.
-    virtual Points<3> fitted() const { return m_picture.pose; }
+    /// What fit() brings into the view: all that is drawn. The view turns around the middle of the solid all
+    /// the same.
+    virtual Points<3> fitted() const;
     /// The nearest triangle of the solid that the ray meets.
     SolidHit hitOf(const Ray& ray) const;
     /// Drops the vertices that the solid hides.

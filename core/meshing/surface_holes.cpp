@@ -1,0 +1,184 @@
+#include "core/meshing/surface_holes.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/meshing/surface_edges.h"
+
+namespace wend {
+namespace {
+
+/// A side of a hole: an edge of one triangle, run through against it.
+struct Side {
+    int from, to;
+};
+
+bool runsAlong(const std::array<int, 3>& triangle, int from, int to) {
+    for (int k = 0; k < 3; ++k)
+        if (triangle[k] == from && triangle[(k + 1) % 3] == to) return true;
+    return false;
+}
+
+/// In increasing order of where they begin.
+std::vector<Side> sidesOf(const Surface& surface) {
+    std::vector<Side> sides;
+    for (const SurfaceEdge& edge : edgesOf(surface)) {
+        if (edge.triangles.size() != 1) continue;
+        const auto [low, high] = edge.vertices;
+        const bool along = runsAlong(surface.triangles[edge.triangles[0]], low, high);
+        sides.push_back(along ? Side{high, low} : Side{low, high});
+    }
+    std::stable_sort(sides.begin(), sides.end(),
+                     [](const Side& a, const Side& b) { return a.from < b.from; });
+    return sides;
+}
+
+Vec<3> areaNormal(const Surface& surface, const std::array<int, 3>& t) {
+    const Vec<3> a = surface.points.col(t[0]), b = surface.points.col(t[1]), c = surface.points.col(t[2]);
+    return (b - a).cross(c - a) / 2;
+}
+
+bool indicesGood(const Surface& surface, const std::array<int, 3>& triangle) {
+    return std::all_of(triangle.begin(), triangle.end(),
+                       [&](int id) { return id >= 0 && id < surface.vertexCount(); });
+}
+
+/// The sums of the normals of the triangles around each vertex, weighted by area.
+Points<3> vertexNormals(const Surface& surface) {
+    Points<3> normals = Points<3>::Zero(3, surface.vertexCount());
+    for (const auto& triangle : surface.triangles) {
+        if (!indicesGood(surface, triangle)) continue;
+        const Vec<3> normal = areaNormal(surface, triangle);
+        for (const int id : triangle) normals.col(id) += normal;
+    }
+    return normals;
+}
+
+/// Which side follows which. Where several begin at one vertex, a hole goes on with the first of them
+/// clockwise around the vertex' normal: beyond it are the next triangles.
+class Followers {
+  public:
+    Followers(const Surface& surface, const std::vector<Side>& sides)
+        : m_surface(surface),
+          m_sides(sides),
+          m_normals(vertexNormals(surface)),
+          m_taken(sides.size(), false) {}
+
+    std::vector<int> all() {
+        std::vector<int> next;
+        next.reserve(m_sides.size());
+        for (const Side& side : m_sides) next.push_back(after(side));
+        return next;
+    }
+
+  private:
+    /// −1 if there is none that does not follow another one already.
+    int after(const Side& side) {
+        const auto first = std::lower_bound(m_sides.begin(), m_sides.end(), side.to,
+                                            [](const Side& s, int vertex) { return s.from < vertex; });
+        int best = -1;
+        double least = 0;
+        for (auto it = first; it != m_sides.end() && it->from == side.to; ++it) {
+            const int candidate = static_cast<int>(it - m_sides.begin());
+            if (m_taken[candidate]) continue;
+            const double turn = clockwise(side, *it);
+            if (best >= 0 && turn >= least) continue;
+            best = candidate;
+            least = turn;
+        }
+        if (best >= 0) m_taken[best] = true;
+        return best;
+    }
+
+    /// The angle from where a side comes from to where the next one goes to, in [0, 2π).
+    double clockwise(const Side& in, const Side& out) const {
+        const Vec<3> at = m_surface.points.col(in.to), n = m_normals.col(in.to).normalized();
+        const Vec<3> from = m_surface.points.col(in.from) - at, to = m_surface.points.col(out.to) - at;
+        const Vec<3> a = from - from.dot(n) * n, b = to - to.dot(n) * n;
+        const double angle = std::atan2(b.cross(a).dot(n), a.dot(b));
+        return angle < 0 ? angle + 2 * M_PI : angle;
+    }
+
+    const Surface& m_surface;
+    const std::vector<Side>& m_sides;
+    const Points<3> m_normals;
+    std::vector<bool> m_taken;
+};
+
+/// The triangles of a surface, whichever way they are turned.
+class Known {
+  public:
+    explicit Known(const Surface& surface) : m_triangles(surface.triangles) {
+        for (auto& triangle : m_triangles) std::sort(triangle.begin(), triangle.end());
+        std::sort(m_triangles.begin(), m_triangles.end());
+    }
+    bool has(std::array<int, 3> triangle) const {
+        std::sort(triangle.begin(), triangle.end());
+        return std::binary_search(m_triangles.begin(), m_triangles.end(), triangle);
+    }
+
+  private:
+    std::vector<std::array<int, 3>> m_triangles;
+};
+
+/// The vertex that the fan is made around: one of a triangle's, or a new one.
+int apexOf(Surface& surface, const std::vector<int>& loop) {
+    if (loop.size() == 3) return loop[0];
+    Vec<3> centre = Vec<3>::Zero();
+    for (const int id : loop) centre += surface.points.col(id) / static_cast<double>(loop.size());
+    const int apex = surface.vertexCount();
+    surface.points.conservativeResize(Eigen::NoChange, apex + 1);
+    surface.points.col(apex) = centre;
+    return apex;
+}
+
+}  // namespace
+
+std::vector<std::vector<int>> holeLoops(const Surface& surface) {
+    const std::vector<Side> sides = sidesOf(surface);
+    const std::vector<int> next = Followers(surface, sides).all();
+    std::vector<bool> used(sides.size(), false);
+    std::vector<int> place(static_cast<std::size_t>(surface.vertexCount()),
+                           -1);  // in the path, −1: not in it
+    std::vector<std::vector<int>> loops;
+    for (std::size_t start = 0; start < sides.size(); ++start) {
+        std::vector<int> path;
+        for (int s = static_cast<int>(start); s >= 0 && !used[s]; s = next[s]) {
+            used[s] = true;
+            place[sides[s].from] = static_cast<int>(path.size());
+            path.push_back(sides[s].from);
+            const int back = place[sides[s].to];
+            if (back < 0) continue;
+            loops.emplace_back(path.begin() + back, path.end());  // came back: what lies between is a hole
+            for (const int id : loops.back()) place[id] = -1;
+            path.resize(static_cast<std::size_t>(back));
+        }
+        for (const int id : path) place[id] = -1;
+    }
+    return loops;
+}
+
+int fillHoles(Surface& surface, int largest) {
+    const auto loops = holeLoops(surface);
+    if (loops.empty()) return 0;
+    const Known known(surface);
+    int filled = 0;
+    for (const auto& loop : loops) {
+        if (static_cast<int>(loop.size()) > largest) continue;
+        // A triangle that hangs at one vertex only has the same border.
+        if (loop.size() == 3 && known.has({loop[0], loop[1], loop[2]})) continue;
+        ++filled;
+        const int apex = apexOf(surface, loop);
+        for (std::size_t k = 0; k < loop.size(); ++k) {
+            const int a = loop[k], b = loop[(k + 1) % loop.size()];
+            if (a == apex || b == apex) continue;
+            surface.triangles.push_back({apex, a, b});
+            if (!surface.labels.empty()) surface.labels.push_back(0);
+        }
+    }
+    return filled;
+}
+
+}  // namespace wend
