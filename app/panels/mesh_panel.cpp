@@ -90,7 +90,6 @@ void MeshPanel::makeControls() {
     m_vertices->setSingleStep(500);
     m_vertices->setGroupSeparatorShown(true);
     m_vertices->setAccelerated(true);
-    m_vertices->setKeyboardTracking(false);
     m_vertices->setFixedWidth(116);
     describe(m_vertices, tr("Vertices"),
              tr("How fine the mesh is. More vertices bend more smoothly and take longer."));
@@ -116,7 +115,6 @@ void MeshPanel::makeSolidControls() {
     m_quality->setRange(1.2, 4);
     m_quality->setDecimals(2);
     m_quality->setSingleStep(0.1);
-    m_quality->setKeyboardTracking(false);
     m_quality->setFixedWidth(116);
     describe(
         m_quality, tr("Roundness"),

@@ -19,6 +19,7 @@
 #include "app/panels/distortion_panel.h"
 #include "app/panels/material_panel.h"
 #include "app/panels/mesh_panel.h"
+#include "app/panels/panel_fields.h"
 #include "app/panels/panel_parts.h"
 #include "app/view/actions.h"
 #include "app/view/busy_note.h"
@@ -136,6 +137,7 @@ QWidget* MainWindow::makeSidePanel() {
     column->addWidget(m_distortion);
     m_solids->furnish(*m_toolBar, *column);
     column->addStretch(1);
+    new PanelFields(*content);
     auto* scroll = new QScrollArea;
     scroll->setObjectName(QStringLiteral("sideScroll"));
     scroll->setWidget(content);
