@@ -227,12 +227,8 @@ void MeshPanel::showProject() {
     const bool empty = m_session.document().isEmpty();
     const bool picture = !empty && m_session.document().project()->domain.kind == DomainKind::Image;
     const bool solid = m_session.document().dimension() == 3;
-    for (QWidget* row : m_pictureRows) row->setVisible(!solid);
-    for (QWidget* row : m_surfaceRows) row->setVisible(!solid);
-    for (const auto& rows : {m_solidRows, m_volumeRows})
-        for (QWidget* row : rows) row->hide();
-    m_detail->setVisible(solid);
-    setEnabled(picture);
+    showRows();
+    setEnabled(solid || picture);
     if (solid) {
         showSolid(m_session.document().project()->domain);
         return;
@@ -258,13 +254,25 @@ void MeshPanel::showProject() {
     if (!m_density->isSliderDown()) m_density->setValue(sliderOf(domain.vertices));
 }
 
+/// What stays is not hidden in between, since its field would lose the keyboard.
+void MeshPanel::showRows() {
+    const Document& document = m_session.document();
+    const bool solid = document.dimension() == 3;
+    const bool surface = solid && document.project()->domain.kind == DomainKind::Surface;
+    const bool volume = surface && document.project()->domain.maxVolume > 0;
+    const auto show = [](const std::vector<QWidget*>& rows, bool visible) {
+        for (QWidget* row : rows) row->setVisible(visible);
+    };
+    show(m_pictureRows, !solid);
+    show(m_surfaceRows, !solid || (surface && !volume));
+    show(m_solidRows, surface);
+    show(m_volumeRows, volume);
+    m_detail->setVisible(solid);
+}
+
 void MeshPanel::showSolid(const Domain& domain) {
     const bool surface = domain.kind == DomainKind::Surface;
-    setEnabled(true);
     const bool volume = domain.maxVolume > 0;
-    for (QWidget* row : m_solidRows) row->setVisible(surface);
-    for (QWidget* row : m_surfaceRows) row->setVisible(surface && !volume);
-    for (QWidget* row : m_volumeRows) row->setVisible(surface && volume);
     setToolTip(surface ? QString() : tr("The mesh comes from a file and is used as it is."));
     const QSignalBlocker a(m_vertices), b(m_density), c(m_quality), d(m_volume);
     m_aim->setCurrentIndex(volume ? ByVolume : ByVertices);

@@ -2,17 +2,29 @@
 
 #include <QObject>
 
+class QKeyEvent;
 class QWidget;
 
 namespace wend {
 
-/// How the fields of the panels take keys, all alike.
+/// How the fields of the panels take keys, all alike: a number that is typed counts when it is complete, and
+/// Enter then gives the keyboard back.
 class PanelFields : public QObject {
     Q_OBJECT
 
   public:
     /// For all fields that are in `panels` by now.
     explicit PanelFields(QWidget& panels);
+
+  signals:
+    /// A field has taken what was typed: the keyboard is for the view again.
+    void done();
+
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+  private:
+    void takeEnter(QObject& field, QKeyEvent& key);
 };
 
 }  // namespace wend

@@ -137,7 +137,8 @@ QWidget* MainWindow::makeSidePanel() {
     column->addWidget(m_distortion);
     m_solids->furnish(*m_toolBar, *column);
     column->addStretch(1);
-    new PanelFields(*content);
+    connect(new PanelFields(*content), &PanelFields::done, this,
+            [this] { m_pages->currentWidget()->setFocus(); });
     auto* scroll = new QScrollArea;
     scroll->setObjectName(QStringLiteral("sideScroll"));
     scroll->setWidget(content);

@@ -1,4 +1,5 @@
 #include <QAbstractSpinBox>
+#include <QApplication>
 #include <QDoubleSpinBox>
 #include <QScrollArea>
 
@@ -16,10 +17,16 @@ class TestPanelFields : public QObject {
     void numbersCanBeTyped_data();
     void numbersCanBeTyped();
     void framesLeaveTheCutsNumbers();
+    void enterGivesTheKeyboardBack_data();
+    void enterGivesTheKeyboardBack();
+    void stepsKeepTheKeyboard_data();
+    void stepsKeepTheKeyboard();
 
   private:
     bool open(bool solid);
     QWidget& view();
+    QWidget& side();
+    static void pictureAndSolid();
     QAbstractSpinBox* box(const QString& name);
     void type(QAbstractSpinBox& box, const QString& text);
 
@@ -34,6 +41,21 @@ void TestPanelFields::init() {
 
 bool TestPanelFields::open(bool solid) {
     return solid ? m_f->open() : m_f->openPicture();
+}
+
+QWidget& TestPanelFields::view() {
+    return m_f->session().document().dimension() == 3 ? static_cast<QWidget&>(m_f->canvas())
+                                                      : m_f->window().canvas();
+}
+
+QWidget& TestPanelFields::side() {
+    return *m_f->window().findChild<QScrollArea*>(QStringLiteral("sideScroll"));
+}
+
+void TestPanelFields::pictureAndSolid() {
+    QTest::addColumn<bool>("solid");
+    QTest::newRow("picture") << false;
+    QTest::newRow("solid") << true;
 }
 
 QAbstractSpinBox* TestPanelFields::box(const QString& name) {
@@ -100,6 +122,52 @@ void TestPanelFields::framesLeaveTheCutsNumbers() {
     QCOMPARE(place->text(), QStringLiteral("0.2500"));
     const CutPlane& plane = m_f->canvas().plane();
     QCOMPARE(plane.normal.dot(plane.point), 0.25);
+}
+
+void TestPanelFields::enterGivesTheKeyboardBack_data() {
+    pictureAndSolid();
+}
+
+/// All of them, whether they are shown just then or not; the next key is for the view.
+void TestPanelFields::enterGivesTheKeyboardBack() {
+    QFETCH(bool, solid);
+    QVERIFY(open(solid));
+    if (solid) m_f->session().addHandle<3>(Ball<3>{{2, 0, 0}, 0.6}, "Region");
+    QVERIFY(settle(m_f->session()));
+    int seen = 0;
+    for (QWidget* field : side().findChildren<QWidget*>()) {
+        if (!field->inherits("QAbstractSpinBox") && !field->inherits("QLineEdit")) continue;
+        view().clearFocus();
+        field->setFocus();
+        QTest::keyClick(field, Qt::Key_Return);
+        QVERIFY2(view().hasFocus(), qPrintable(field->accessibleName()));
+        seen += field->isVisible();
+    }
+    QVERIFY(seen >= (solid ? 10 : 5));
+    QAbstractSpinBox* phi = box(QStringLiteral("Energy φ"));
+    type(*phi, QStringLiteral("1.257"));
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_1);
+    QCOMPARE(phi->text(), QStringLiteral("1.257 rad"));
+    const int steps = m_f->session().document().undoStack()->index();
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(m_f->session().document().undoStack()->index(), steps - 1);
+}
+
+void TestPanelFields::stepsKeepTheKeyboard_data() {
+    pictureAndSolid();
+}
+
+/// What a change shows anew is not hidden in between.
+void TestPanelFields::stepsKeepTheKeyboard() {
+    QFETCH(bool, solid);
+    QVERIFY(open(solid));
+    for (auto* field : side().findChildren<QAbstractSpinBox*>()) {
+        if (!field->isVisible() || !field->isEnabled()) continue;
+        field->setFocus();
+        const QString before = field->text();
+        for (int i = 0; i < 2; ++i) QTest::keyClick(QApplication::focusWidget(), Qt::Key_Up);
+        QVERIFY2(field->hasFocus() && field->text() != before, qPrintable(field->accessibleName()));
+    }
 }
 
 QTEST_MAIN(TestPanelFields)
