@@ -1,8 +1,10 @@
 #include "app/panels/panel_fields.h"
 
 #include <QAbstractSpinBox>
+#include <QComboBox>
 #include <QKeyEvent>
 #include <QLineEdit>
+#include <QSlider>
 
 namespace wend {
 
@@ -14,20 +16,37 @@ bool isEnter(const QEvent& event) {
     return key == Qt::Key_Return || key == Qt::Key_Enter;
 }
 
+bool isTyped(const QObject& widget) {
+    return qobject_cast<const QAbstractSpinBox*>(&widget) || qobject_cast<const QLineEdit*>(&widget);
+}
+
+bool isField(const QObject& widget) {
+    return isTyped(widget) || qobject_cast<const QComboBox*>(&widget) ||
+           qobject_cast<const QSlider*>(&widget);
+}
+
 }  // namespace
 
 PanelFields::PanelFields(QWidget& panels) : QObject(&panels) {
-    for (auto* box : panels.findChildren<QAbstractSpinBox*>()) {
+    for (auto* box : panels.findChildren<QAbstractSpinBox*>())
         box->setKeyboardTracking(false);  // a change is shown again, and not while the number is being typed
-        box->installEventFilter(this);
+    for (auto* widget : panels.findChildren<QWidget*>()) {
+        if (!isField(*widget)) continue;
+        widget->installEventFilter(this);
+        if (widget->focusPolicy() == Qt::WheelFocus) widget->setFocusPolicy(Qt::StrongFocus);
     }
-    for (auto* text : panels.findChildren<QLineEdit*>()) text->installEventFilter(this);
 }
 
 bool PanelFields::eventFilter(QObject* watched, QEvent* event) {
-    if (!isEnter(*event)) return QObject::eventFilter(watched, event);
-    takeEnter(*watched, static_cast<QKeyEvent&>(*event));
-    return true;
+    if (isTyped(*watched) && isEnter(*event)) {
+        takeEnter(*watched, static_cast<QKeyEvent&>(*event));
+        return true;
+    }
+    if (event->type() == QEvent::Wheel && !static_cast<QWidget*>(watched)->hasFocus()) {
+        event->ignore();  // the panels get it then
+        return true;
+    }
+    return QObject::eventFilter(watched, event);
 }
 
 /// The field first, so that it knows its number.

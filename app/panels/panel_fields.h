@@ -7,8 +7,9 @@ class QWidget;
 
 namespace wend {
 
-/// How the fields of the panels take keys, all alike: a number that is typed counts when it is complete, and
-/// Enter then gives the keyboard back.
+/// How the fields of the panels take keys and the wheel, all alike: a number that is typed counts when it is
+/// complete, and Enter then gives the keyboard back; the wheel changes what was clicked before and scrolls
+/// the panels elsewhere.
 class PanelFields : public QObject {
     Q_OBJECT
 

@@ -1,7 +1,11 @@
 #include <QAbstractSpinBox>
 #include <QApplication>
-#include <QDoubleSpinBox>
+#include <QComboBox>
 #include <QScrollArea>
+#include <QScrollBar>
+#include <QSlider>
+#include <QWheelEvent>
+#include <QWindow>
 
 #include "app/panels/cut_panel.h"
 #include "tests/support/solid_fixture.h"
@@ -21,12 +25,16 @@ class TestPanelFields : public QObject {
     void enterGivesTheKeyboardBack();
     void stepsKeepTheKeyboard_data();
     void stepsKeepTheKeyboard();
+    void wheelScrollsThePanels_data();
+    void wheelScrollsThePanels();
 
   private:
     bool open(bool solid);
     QWidget& view();
     QWidget& side();
     static void pictureAndSolid();
+    static QString valueOf(const QWidget& field);
+    void turnWheel(const QWidget& over, int notches);
     QAbstractSpinBox* box(const QString& name);
     void type(QAbstractSpinBox& box, const QString& text);
 
@@ -56,6 +64,24 @@ void TestPanelFields::pictureAndSolid() {
     QTest::addColumn<bool>("solid");
     QTest::newRow("picture") << false;
     QTest::newRow("solid") << true;
+}
+
+/// Null where the widget is no field.
+QString TestPanelFields::valueOf(const QWidget& field) {
+    if (const auto* box = qobject_cast<const QAbstractSpinBox*>(&field)) return box->text();
+    if (const auto* slider = qobject_cast<const QSlider*>(&field)) return QString::number(slider->value());
+    if (const auto* list = qobject_cast<const QComboBox*>(&field)) return list->currentText();
+    return {};
+}
+
+/// As it comes from the screen: the window finds out what is under the pointer, and who gets the keyboard.
+void TestPanelFields::turnWheel(const QWidget& over, int notches) {
+    MainWindow& window = m_f->window();
+    const QPoint global = over.mapToGlobal(over.rect().center());
+    QWheelEvent event(window.mapFromGlobal(global), global, {}, {0, 120 * notches}, Qt::NoButton, {},
+                      Qt::NoScrollPhase, false);
+    QSpontaneKeyEvent::setSpontaneous(&event);
+    qApp->notify(window.windowHandle(), &event);
 }
 
 QAbstractSpinBox* TestPanelFields::box(const QString& name) {
@@ -168,6 +194,49 @@ void TestPanelFields::stepsKeepTheKeyboard() {
         for (int i = 0; i < 2; ++i) QTest::keyClick(QApplication::focusWidget(), Qt::Key_Up);
         QVERIFY2(field->hasFocus() && field->text() != before, qPrintable(field->accessibleName()));
     }
+}
+
+void TestPanelFields::wheelScrollsThePanels_data() {
+    pictureAndSolid();
+}
+
+/// What was clicked takes the wheel, and nothing else does.
+void TestPanelFields::wheelScrollsThePanels() {
+    QFETCH(bool, solid);
+    QVERIFY(open(solid));
+    if (solid) m_f->session().addHandle<3>(Ball<3>{{2, 0, 0}, 0.6}, "Region");
+    QVERIFY(settle(m_f->session()));
+    if (solid) m_f->actions().cut->trigger();
+    m_f->window().resize(1000, 520);
+    QTest::qWait(50);
+    auto& scroll = static_cast<QScrollArea&>(side());
+    QScrollBar& bar = *scroll.verticalScrollBar();
+    QVERIFY(bar.maximum() > 0);
+    int seen = 0;
+    for (QWidget* field : side().findChildren<QWidget*>()) {
+        if (!field->isVisible() || valueOf(*field).isNull()) continue;
+        scroll.ensureWidgetVisible(field);
+        QCoreApplication::processEvents();
+        const QByteArray name = field->accessibleName().toUtf8();
+        view().setFocus();
+        for (const int way : {-1, 1}) {
+            const QString before = valueOf(*field);
+            const bool room = way > 0 ? bar.value() > 0 : bar.value() < bar.maximum();
+            const int at = bar.value();
+            turnWheel(*field, way);
+            QVERIFY2(valueOf(*field) == before && view().hasFocus(), name);
+            QVERIFY2(!room || bar.value() != at, name);
+            bar.setValue(at);
+        }
+        ++seen;
+        if (!field->isEnabled() || qobject_cast<QComboBox*>(field)) continue;
+        field->setFocus();
+        const QString before = valueOf(*field);
+        turnWheel(*field, 1);
+        if (valueOf(*field) == before) turnWheel(*field, -1);  // it was at its end
+        QVERIFY2(valueOf(*field) != before, name);
+    }
+    QVERIFY(seen >= (solid ? 15 : 8));
 }
 
 QTEST_MAIN(TestPanelFields)
