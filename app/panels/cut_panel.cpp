@@ -2,11 +2,11 @@
 
 #include <Eigen/Geometry>
 #include <QComboBox>
-#include <QSlider>
 #include <QToolButton>
 #include <cmath>
 
 #include "app/panels/exact_box.h"
+#include "app/panels/jump_slider.h"
 #include "app/panels/panel_parts.h"
 
 namespace wend {
@@ -20,7 +20,7 @@ constexpr int kSteps = 1000;
 CutPanel::CutPanel(QWidget* parent)
     : QWidget(parent),
       m_kind(new QComboBox(this)),
-      m_slider(new QSlider(Qt::Horizontal, this)),
+      m_slider(new JumpSlider(this)),
       m_place(new ExactBox(this)),
       m_numbers(new QWidget(this)) {
     makeControls();

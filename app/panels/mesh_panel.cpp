@@ -3,13 +3,13 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLocale>
-#include <QSlider>
 #include <QStandardItemModel>
 #include <QToolButton>
 #include <cmath>
 
 #include "app/document/options.h"
 #include "app/panels/detail_row.h"
+#include "app/panels/jump_slider.h"
 #include "app/panels/magnitude_box.h"
 #include "app/panels/panel_parts.h"
 
@@ -50,7 +50,7 @@ MeshPanel::MeshPanel(ShapeSession& session, QWidget* parent)
       m_threshold(new QDoubleSpinBox(this)),
       m_margin(new QDoubleSpinBox(this)),
       m_vertices(new QSpinBox(this)),
-      m_density(new QSlider(Qt::Horizontal, this)),
+      m_density(new JumpSlider(this)),
       m_quality(new QDoubleSpinBox(this)),
       m_refine(new QCheckBox(tr("Refine &surface"), this)),
       m_aim(new QComboBox(this)),

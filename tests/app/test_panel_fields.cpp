@@ -8,6 +8,7 @@
 #include <QWindow>
 
 #include "app/panels/cut_panel.h"
+#include "app/view/time_strip.h"
 #include "tests/support/solid_fixture.h"
 
 using namespace wend;
@@ -27,9 +28,13 @@ class TestPanelFields : public QObject {
     void stepsKeepTheKeyboard();
     void wheelScrollsThePanels_data();
     void wheelScrollsThePanels();
+    void clicksOnTheStripGoToTheirTime_data();
+    void clicksOnTheStripGoToTheirTime();
+    void clicksOnSlidersAreStepsOfTheirOwn();
 
   private:
     bool open(bool solid);
+    bool bend(bool solid);
     QWidget& view();
     QWidget& side();
     static void pictureAndSolid();
@@ -49,6 +54,24 @@ void TestPanelFields::init() {
 
 bool TestPanelFields::open(bool solid) {
     return solid ? m_f->open() : m_f->openPicture();
+}
+
+/// One end stands, the other is moved.
+bool TestPanelFields::bend(bool solid) {
+    ShapeSession& session = m_f->session();
+    if (solid) {
+        if (!m_f->holdEnds()) return false;
+        m_f->drag(m_f->at(m_f->pin(1)), m_f->at(m_f->pin(1)) + QPoint(0, 60));
+    } else {
+        ShapeCanvas& canvas = m_f->window().canvas();
+        const auto at = [&](double x, double y) { return canvas.toWidget({x, y}).toPoint(); };
+        for (const double x : {40, 200}) QTest::mouseClick(&canvas, Qt::LeftButton, {}, at(x, 80));
+        if (!settle(session)) return false;
+        QTest::mousePress(&canvas, Qt::LeftButton, {}, at(200, 80));
+        for (int i = 1; i <= 5; ++i) QTest::mouseMove(&canvas, at(200, 80 + 5 * i));
+        QTest::mouseRelease(&canvas, Qt::LeftButton, {}, at(200, 105));
+    }
+    return settle(session) && session.playback().end() > 0;
 }
 
 QWidget& TestPanelFields::view() {
@@ -237,6 +260,52 @@ void TestPanelFields::wheelScrollsThePanels() {
         QVERIFY2(valueOf(*field) != before, name);
     }
     QVERIFY(seen >= (solid ? 15 : 8));
+}
+
+void TestPanelFields::clicksOnTheStripGoToTheirTime_data() {
+    pictureAndSolid();
+}
+
+void TestPanelFields::clicksOnTheStripGoToTheirTime() {
+    QFETCH(bool, solid);
+    QVERIFY(open(solid) && bend(solid));
+    Playback& playback = m_f->session().playback();
+    auto* slider = m_f->window().findChild<TimeStrip*>()->slider();
+    const int handle = 16;  // pixels; its middle goes from one half of it to the other
+    const auto at = [&](double part) {
+        return QPoint(handle / 2 + qRound(part * (slider->width() - handle)), slider->height() / 2);
+    };
+    const auto shows = [&](double part) {
+        return std::abs(playback.time() / playback.end() - part) < 2.0 / slider->width();
+    };
+    QVERIFY(playback.isAtEnd());
+    QTest::mouseClick(slider, Qt::LeftButton, {}, at(0.3));
+    QVERIFY2(shows(0.3), qPrintable(QString::number(playback.time())));
+    playback.setPlaying(true);
+    QTest::mousePress(slider, Qt::LeftButton, {}, at(0.8));
+    QVERIFY(shows(0.8) && !playback.isPlaying());
+    for (const double part : {0.7, 0.6, 0.5}) QTest::mouseMove(slider, at(part));
+    QVERIFY(shows(0.5));
+    QTest::mouseRelease(slider, Qt::LeftButton, {}, at(0.5));
+    QVERIFY(shows(0.5));
+    QTest::mouseClick(slider, Qt::LeftButton, {}, QPoint(slider->width() - 1, 1));  // beyond, and above it
+    QVERIFY(playback.isAtEnd());
+    QVERIFY(settle(m_f->session()));
+}
+
+void TestPanelFields::clicksOnSlidersAreStepsOfTheirOwn() {
+    QVERIFY(open(false));
+    QSlider* density = nullptr;
+    for (auto* one : side().findChildren<QSlider*>())
+        if (one->accessibleName() == QStringLiteral("Mesh density")) density = one;
+    QVERIFY(density);
+    const int steps = m_f->session().document().undoStack()->count();
+    for (const int third : {1, 2}) {
+        QTest::mouseClick(density, Qt::LeftButton, {}, QPoint(density->width() * third / 6, 4));
+        QVERIFY(std::abs(density->value() - 1000 * third / 6) < 50);
+    }
+    QCOMPARE(m_f->session().document().undoStack()->count(), steps + 2);
+    QVERIFY(settle(m_f->session()));
 }
 
 QTEST_MAIN(TestPanelFields)
