@@ -30,11 +30,19 @@ bool isField(const QObject& widget) {
 PanelFields::PanelFields(QWidget& panels) : QObject(&panels) {
     for (auto* box : panels.findChildren<QAbstractSpinBox*>())
         box->setKeyboardTracking(false);  // a change is shown again, and not while the number is being typed
+    for (auto* text : panels.findChildren<QLineEdit*>()) selectOnlyWithKeyboard(*text);
     for (auto* widget : panels.findChildren<QWidget*>()) {
         if (!isField(*widget)) continue;
         widget->installEventFilter(this);
         if (widget->focusPolicy() == Qt::WheelFocus) widget->setFocusPolicy(Qt::StrongFocus);
     }
+}
+
+/// A field may lose the keyboard while it takes its number, and would then select it.
+void PanelFields::selectOnlyWithKeyboard(QLineEdit& text) {
+    connect(&text, &QLineEdit::selectionChanged, this, [&text] {
+        if (text.hasSelectedText() && !text.hasFocus()) text.deselect();
+    });
 }
 
 bool PanelFields::eventFilter(QObject* watched, QEvent* event) {

@@ -3,6 +3,7 @@
 #include <QObject>
 
 class QKeyEvent;
+class QLineEdit;
 class QWidget;
 
 namespace wend {
@@ -25,6 +26,7 @@ class PanelFields : public QObject {
     bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
+    void selectOnlyWithKeyboard(QLineEdit& text);
     void takeEnter(QObject& field, QKeyEvent& key);
 };
 

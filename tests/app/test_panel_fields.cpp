@@ -1,6 +1,7 @@
 #include <QAbstractSpinBox>
 #include <QApplication>
 #include <QComboBox>
+#include <QLineEdit>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSlider>
@@ -26,6 +27,8 @@ class TestPanelFields : public QObject {
     void enterGivesTheKeyboardBack();
     void stepsKeepTheKeyboard_data();
     void stepsKeepTheKeyboard();
+    void nothingStaysSelected_data();
+    void nothingStaysSelected();
     void wheelScrollsThePanels_data();
     void wheelScrollsThePanels();
     void clicksOnTheStripGoToTheirTime_data();
@@ -217,6 +220,33 @@ void TestPanelFields::stepsKeepTheKeyboard() {
         for (int i = 0; i < 2; ++i) QTest::keyClick(QApplication::focusWidget(), Qt::Key_Up);
         QVERIFY2(field->hasFocus() && field->text() != before, qPrintable(field->accessibleName()));
     }
+}
+
+void TestPanelFields::nothingStaysSelected_data() {
+    pictureAndSolid();
+}
+
+void TestPanelFields::nothingStaysSelected() {
+    QFETCH(bool, solid);
+    QVERIFY(open(solid));
+    const auto selected = [&] {
+        QStringList names;
+        for (auto* text : side().findChildren<QLineEdit*>())
+            if (text->hasSelectedText()) names << text->parentWidget()->accessibleName();
+        return names.join(QStringLiteral(", "));
+    };
+    for (auto* field : side().findChildren<QAbstractSpinBox*>()) {
+        if (!field->isVisible() || !field->isEnabled()) continue;
+        field->setFocus(Qt::TabFocusReason);
+        QTest::keyClick(field, Qt::Key_Up);
+        QVERIFY(!selected().isEmpty());  // for typing over it
+        QTest::keyClick(field, Qt::Key_Return);
+        QCOMPARE(selected(), QString());
+        field->selectAll();
+        QCOMPARE(selected(), QString());
+    }
+    QVERIFY(settle(m_f->session()));
+    QCOMPARE(selected(), QString());
 }
 
 void TestPanelFields::wheelScrollsThePanels_data() {
