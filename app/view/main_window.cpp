@@ -301,7 +301,7 @@ void MainWindow::showDocument() {
     m_actions->resetView();
     m_solids->actions().resetView();
     m_solids->setActive(solid);
-    if (solid && m_pages->indexOf(m_solids->page()) < 0) m_pages->addWidget(m_solids->page());
+    if (solid && m_pages->indexOf(m_solids->page()) < 0) addSolidPage();
     QWidget* shape = solid ? m_solids->page() : m_canvas;
     m_pages->setCurrentWidget(has ? shape : m_start);
     for (QWidget* widget : {static_cast<QWidget*>(m_side), static_cast<QWidget*>(m_time),
@@ -314,6 +314,12 @@ void MainWindow::showDocument() {
     m_toldUntil.setRemainingTime(0);
     showSelection();
     showTitle();
+}
+
+/// With OpenGL in it the window is made anew, by Qt: it says where it is, so that it is not placed afresh.
+void MainWindow::addSolidPage() {
+    setAttribute(Qt::WA_Moved);
+    m_pages->addWidget(m_solids->page());
 }
 
 /// A file that is being read; what is computed then is told by the work note.

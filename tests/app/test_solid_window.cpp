@@ -4,6 +4,7 @@
 #include <QPushButton>
 #include <QStatusBar>
 #include <QTextStream>
+#include <QWindow>
 #include <cmath>
 
 #include "app/document/curve_edits.h"
@@ -35,6 +36,7 @@ class TestSolidWindow : public QObject {
     void init();
     void cleanup();
     void opensSurfacesAndTetrahedra();
+    void windowKeepsItsPlace();
     void clickPinsAndArrowMoves();
     void escapeRestoresAndUndoTakesBack();
     void typedNumbersAreExact();
@@ -162,6 +164,18 @@ void TestSolidWindow::opensSurfacesAndTetrahedra() {
                             20000));
     QVERIFY(settle(session()));
     QCOMPARE(session().frame()->vertices, mesh.vertexCount());
+}
+
+/// Moved as from outside. Qt makes it anew when the first solid comes.
+void TestSolidWindow::windowKeepsItsPlace() {
+    const QPoint place(61, 73);
+    m_window->windowHandle()->setPosition(place);
+    QTRY_COMPARE(m_window->geometry().topLeft(), place);
+    const QSize size = m_window->size();
+    open();
+    QTest::qWait(200);
+    QCOMPARE(m_window->geometry().topLeft(), place);
+    QCOMPARE(m_window->size(), size);
 }
 
 void TestSolidWindow::clickPinsAndArrowMoves() {
