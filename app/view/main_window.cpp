@@ -333,13 +333,14 @@ void MainWindow::tell(const QString& text) {
     statusBar()->showMessage(text, kTold);
 }
 
-/// When the pointer leaves a button its hint goes, and what was told comes back.
+/// Hints of buttons and fields come and go. When the pointer leaves one, what was told comes back.
 bool MainWindow::event(QEvent* event) {
-    const bool used = QMainWindow::event(event);
-    if (event->type() == QEvent::StatusTip && static_cast<QStatusTipEvent*>(event)->tip().isEmpty() &&
-        !m_toldUntil.hasExpired())
-        statusBar()->showMessage(m_told, static_cast<int>(m_toldUntil.remainingTime()));
-    return used;
+    if (event->type() != QEvent::StatusTip) return QMainWindow::event(event);
+    const QString hint = static_cast<QStatusTipEvent*>(event)->tip();
+    const bool told = hint.isEmpty() && !m_toldUntil.hasExpired();
+    statusBar()->showMessage(told ? m_told : m_fields->fitting(hint),
+                             told ? static_cast<int>(m_toldUntil.remainingTime()) : 0);
+    return true;
 }
 
 void MainWindow::showTitle() {

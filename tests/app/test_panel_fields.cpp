@@ -1,10 +1,13 @@
 #include <QAbstractSpinBox>
 #include <QApplication>
 #include <QComboBox>
+#include <QLabel>
 #include <QLineEdit>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSlider>
+#include <QStatusBar>
+#include <QStatusTipEvent>
 #include <QWheelEvent>
 #include <QWindow>
 
@@ -34,6 +37,7 @@ class TestPanelFields : public QObject {
     void clicksOnTheStripGoToTheirTime_data();
     void clicksOnTheStripGoToTheirTime();
     void clicksOnSlidersAreStepsOfTheirOwn();
+    void hintsEndWhereTheNumbersBegin();
 
   private:
     bool open(bool solid);
@@ -336,6 +340,34 @@ void TestPanelFields::clicksOnSlidersAreStepsOfTheirOwn() {
     }
     QCOMPARE(m_f->session().document().undoStack()->count(), steps + 2);
     QVERIFY(settle(m_f->session()));
+}
+
+/// Not in the midst of a sentence where there is room for a part of it; the tooltip has the whole.
+void TestPanelFields::hintsEndWhereTheNumbersBegin() {
+    QVERIFY(open(true));
+    const QStatusBar& bar = *m_f->window().statusBar();
+    int room = bar.width();
+    for (const auto* label : bar.findChildren<QLabel*>())
+        if (label->isVisible() && label->x() > 0) room = std::min(room, label->x());
+    QVERIFY(room < bar.width());
+    int cut = 0;
+    for (const auto* widget : side().findChildren<QWidget*>()) {
+        const QString hint = widget->statusTip();
+        if (hint.isEmpty()) continue;
+        QStatusTipEvent tip(hint);
+        QCoreApplication::sendEvent(&m_f->window(), &tip);
+        const QString shown = bar.currentMessage();
+        QVERIFY(hint.startsWith(shown.chopped(1)) && shown.size() > 10);
+        QVERIFY2(bar.fontMetrics().horizontalAdvance(shown) < room, qPrintable(shown));
+        cut += shown != hint;
+    }
+    QVERIFY(cut > 0);
+    QStatusTipEvent sizes(m_f->window().findChild<QWidget*>(QStringLiteral("sizeList"))->statusTip());
+    QCoreApplication::sendEvent(&m_f->window(), &sizes);
+    QVERIFY2(bar.currentMessage().endsWith('.'), qPrintable(bar.currentMessage()));
+    QStatusTipEvent none{QString()};
+    QCoreApplication::sendEvent(&m_f->window(), &none);
+    QCOMPARE(bar.currentMessage(), QString());
 }
 
 QTEST_MAIN(TestPanelFields)
