@@ -122,7 +122,8 @@ void CutPanel::show(int kind, const CutPlane& plane, const Vec<3>& low, const Ve
     m_numbers->setVisible(kind != 0);
     for (int k = 0; k < 3; ++k) m_normal[k]->put(plane.normal[k]);
     const double diagonal = (high - low).norm(), height = plane.normal.dot(plane.point);
-    m_place->setSingleStep(diagonal > 0 ? diagonal / 100 : 0.01);
+    if (!m_place->hasFocus())  // what is being typed would be lost
+        m_place->setSingleStep(diagonal > 0 ? diagonal / 100 : 0.01);
     m_place->put(height);
     const QSignalBlocker quiet(m_slider);
     const double span = greatest() - least();
