@@ -47,7 +47,6 @@ void CurvePanel::makeControls() {
     m_twist->setDecimals(1);
     m_twist->setSingleStep(15);
     m_twist->setSuffix(QStringLiteral(" °"));
-    m_twist->setKeyboardTracking(false);
     m_twist->setFixedWidth(116);
     describe(m_twist, tr("Twist"),
              tr("How far it turns around the curve's direction, over the whole curve."));
@@ -55,7 +54,6 @@ void CurvePanel::makeControls() {
     m_scale->setDecimals(3);
     m_scale->setSingleStep(0.05);
     m_scale->setPrefix(QStringLiteral("×"));
-    m_scale->setKeyboardTracking(false);
     m_scale->setFixedWidth(116);
     describe(m_scale, tr("Scale"), tr("How large it has become at the end of the curve."));
 }

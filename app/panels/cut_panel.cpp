@@ -2,10 +2,11 @@
 
 #include <Eigen/Geometry>
 #include <QComboBox>
-#include <QSlider>
 #include <QToolButton>
 #include <cmath>
 
+#include "app/panels/exact_box.h"
+#include "app/panels/jump_slider.h"
 #include "app/panels/panel_parts.h"
 
 namespace wend {
@@ -19,8 +20,8 @@ constexpr int kSteps = 1000;
 CutPanel::CutPanel(QWidget* parent)
     : QWidget(parent),
       m_kind(new QComboBox(this)),
-      m_slider(new QSlider(Qt::Horizontal, this)),
-      m_place(new QDoubleSpinBox(this)),
+      m_slider(new JumpSlider(this)),
+      m_place(new ExactBox(this)),
       m_numbers(new QWidget(this)) {
     makeControls();
     arrange();
@@ -32,7 +33,7 @@ CutPanel::CutPanel(QWidget* parent)
         plane.point += (height - plane.normal.dot(plane.point)) * plane.normal;
         emit planeChosen(plane);
     });
-    for (QDoubleSpinBox* box : {m_normal[0], m_normal[1], m_normal[2], m_place})
+    for (ExactBox* box : {m_normal[0], m_normal[1], m_normal[2], m_place})
         connect(box, &QDoubleSpinBox::valueChanged, this, &CutPanel::chooseNumbers);
 }
 
@@ -52,19 +53,18 @@ void CutPanel::makeControls() {
     }
     m_slider->setRange(0, kSteps);
     describe(m_slider, tr("Place of the cut"), tr("Moves the plane through the solid."));
-    for (QDoubleSpinBox*& box : m_normal) {
-        box = new QDoubleSpinBox(this);
+    for (ExactBox*& box : m_normal) {
+        box = new ExactBox(this);
         box->setRange(-1, 1);
         box->setDecimals(3);
         box->setSingleStep(0.05);
-        box->setKeyboardTracking(false);
         box->setButtonSymbols(QAbstractSpinBox::NoButtons);
         box->setMinimumWidth(56);
         box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
         describe(box, tr("Normal of the cut"), tr("The direction that the plane looks in, as x, y and z."));
     }
     m_place->setDecimals(4);
-    m_place->setKeyboardTracking(false);
+    m_place->setRange(-1e9, 1e9);
     m_place->setFixedWidth(116);
     describe(m_place, tr("Distance of the cut"),
              tr("How far the plane is from the origin, along its normal."));
@@ -85,7 +85,7 @@ void CutPanel::arrange() {
     inner->addLayout(ways);
     inner->addWidget(m_slider);
     auto* normal = new QHBoxLayout;
-    for (QDoubleSpinBox* box : m_normal) normal->addWidget(box);
+    for (ExactBox* box : m_normal) normal->addWidget(box);
     inner->addLayout(normal);
     inner->addLayout(panelRow(tr("&Distance"), m_place, m_numbers));
     layout->addWidget(m_numbers);
@@ -107,10 +107,10 @@ void CutPanel::chooseNormal(const Vec<3>& normal) {
 
 void CutPanel::chooseNumbers() {
     CutPlane plane;
-    const Vec<3> normal(m_normal[0]->value(), m_normal[1]->value(), m_normal[2]->value());
+    const Vec<3> normal(m_normal[0]->exact(), m_normal[1]->exact(), m_normal[2]->exact());
     if (normal.norm() < 1e-3) return;
     plane.normal = normal.normalized();
-    plane.point = m_plane.point + (m_place->value() - plane.normal.dot(m_plane.point)) * plane.normal;
+    plane.point = m_plane.point + (m_place->exact() - plane.normal.dot(m_plane.point)) * plane.normal;
     emit planeChosen(plane);
 }
 
@@ -130,15 +130,12 @@ void CutPanel::show(int kind, const CutPlane& plane, const Vec<3>& low, const Ve
     m_kind->setEnabled(true);
     m_kind->setCurrentIndex(kind);
     m_numbers->setVisible(kind != 0);
-    for (int k = 0; k < 3; ++k) {
-        const QSignalBlocker quiet(m_normal[k]);
-        m_normal[k]->setValue(plane.normal[k]);
-    }
+    for (int k = 0; k < 3; ++k) m_normal[k]->put(plane.normal[k]);
     const double diagonal = (high - low).norm(), height = plane.normal.dot(plane.point);
-    const QSignalBlocker a(m_place), b(m_slider);
-    m_place->setRange(-1e9, 1e9);
-    m_place->setSingleStep(diagonal > 0 ? diagonal / 100 : 0.01);
-    m_place->setValue(height);
+    if (!m_place->hasFocus())  // what is being typed would be lost
+        m_place->setSingleStep(diagonal > 0 ? diagonal / 100 : 0.01);
+    m_place->put(height);
+    const QSignalBlocker quiet(m_slider);
     const double span = greatest() - least();
     if (!m_slider->isSliderDown() && span > 0)
         m_slider->setValue(static_cast<int>(std::lround(kSteps * (height - least()) / span)));

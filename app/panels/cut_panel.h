@@ -5,11 +5,12 @@
 #include "core/mesh/cut_plane.h"
 
 class QComboBox;
-class QDoubleSpinBox;
 class QSlider;
 class QToolButton;
 
 namespace wend {
+
+class ExactBox;
 
 /// The plane that cuts a solid open, in numbers.
 class CutPanel : public QWidget {
@@ -38,8 +39,8 @@ class CutPanel : public QWidget {
     QComboBox* m_kind;
     std::array<QToolButton*, 4> m_ways;
     QSlider* m_slider;
-    std::array<QDoubleSpinBox*, 3> m_normal;
-    QDoubleSpinBox* m_place;
+    std::array<ExactBox*, 3> m_normal;
+    ExactBox* m_place;
     QWidget* m_numbers;
     CutPlane m_plane;
     Vec<3> m_low = Vec<3>::Zero(), m_high = Vec<3>::Ones();

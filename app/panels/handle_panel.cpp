@@ -112,6 +112,7 @@ void HandlePanel::showStep() {
 }
 
 void HandlePanel::apply() {
+    for (QDoubleSpinBox* box : m_numbers) box->interpretText();
     const int kind = m_kind->currentIndex();
     Grip grip;
     grip.kind = static_cast<Grip::Kind>(kind);

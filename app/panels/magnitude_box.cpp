@@ -14,7 +14,6 @@ constexpr int kPlaces = 40;  // behind the point, so that nothing small is round
 MagnitudeBox::MagnitudeBox(QWidget* parent) : QDoubleSpinBox(parent) {
     setDecimals(kPlaces);
     setRange(1e-30, 1e30);
-    setKeyboardTracking(false);
 }
 
 QString MagnitudeBox::textFromValue(double value) const {

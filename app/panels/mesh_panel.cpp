@@ -3,13 +3,13 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLocale>
-#include <QSlider>
 #include <QStandardItemModel>
 #include <QToolButton>
 #include <cmath>
 
 #include "app/document/options.h"
 #include "app/panels/detail_row.h"
+#include "app/panels/jump_slider.h"
 #include "app/panels/magnitude_box.h"
 #include "app/panels/panel_parts.h"
 
@@ -50,7 +50,7 @@ MeshPanel::MeshPanel(ShapeSession& session, QWidget* parent)
       m_threshold(new QDoubleSpinBox(this)),
       m_margin(new QDoubleSpinBox(this)),
       m_vertices(new QSpinBox(this)),
-      m_density(new QSlider(Qt::Horizontal, this)),
+      m_density(new JumpSlider(this)),
       m_quality(new QDoubleSpinBox(this)),
       m_refine(new QCheckBox(tr("Refine &surface"), this)),
       m_aim(new QComboBox(this)),
@@ -90,7 +90,6 @@ void MeshPanel::makeControls() {
     m_vertices->setSingleStep(500);
     m_vertices->setGroupSeparatorShown(true);
     m_vertices->setAccelerated(true);
-    m_vertices->setKeyboardTracking(false);
     m_vertices->setFixedWidth(116);
     describe(m_vertices, tr("Vertices"),
              tr("How fine the mesh is. More vertices bend more smoothly and take longer."));
@@ -116,7 +115,6 @@ void MeshPanel::makeSolidControls() {
     m_quality->setRange(1.2, 4);
     m_quality->setDecimals(2);
     m_quality->setSingleStep(0.1);
-    m_quality->setKeyboardTracking(false);
     m_quality->setFixedWidth(116);
     describe(
         m_quality, tr("Roundness"),
@@ -229,12 +227,8 @@ void MeshPanel::showProject() {
     const bool empty = m_session.document().isEmpty();
     const bool picture = !empty && m_session.document().project()->domain.kind == DomainKind::Image;
     const bool solid = m_session.document().dimension() == 3;
-    for (QWidget* row : m_pictureRows) row->setVisible(!solid);
-    for (QWidget* row : m_surfaceRows) row->setVisible(!solid);
-    for (const auto& rows : {m_solidRows, m_volumeRows})
-        for (QWidget* row : rows) row->hide();
-    m_detail->setVisible(solid);
-    setEnabled(picture);
+    showRows();
+    setEnabled(solid || picture);
     if (solid) {
         showSolid(m_session.document().project()->domain);
         return;
@@ -260,13 +254,25 @@ void MeshPanel::showProject() {
     if (!m_density->isSliderDown()) m_density->setValue(sliderOf(domain.vertices));
 }
 
+/// What stays is not hidden in between, since its field would lose the keyboard.
+void MeshPanel::showRows() {
+    const Document& document = m_session.document();
+    const bool solid = document.dimension() == 3;
+    const bool surface = solid && document.project()->domain.kind == DomainKind::Surface;
+    const bool volume = surface && document.project()->domain.maxVolume > 0;
+    const auto show = [](const std::vector<QWidget*>& rows, bool visible) {
+        for (QWidget* row : rows) row->setVisible(visible);
+    };
+    show(m_pictureRows, !solid);
+    show(m_surfaceRows, !solid || (surface && !volume));
+    show(m_solidRows, surface);
+    show(m_volumeRows, volume);
+    m_detail->setVisible(solid);
+}
+
 void MeshPanel::showSolid(const Domain& domain) {
     const bool surface = domain.kind == DomainKind::Surface;
-    setEnabled(true);
     const bool volume = domain.maxVolume > 0;
-    for (QWidget* row : m_solidRows) row->setVisible(surface);
-    for (QWidget* row : m_surfaceRows) row->setVisible(surface && !volume);
-    for (QWidget* row : m_volumeRows) row->setVisible(surface && volume);
     setToolTip(surface ? QString() : tr("The mesh comes from a file and is used as it is."));
     const QSignalBlocker a(m_vertices), b(m_density), c(m_quality), d(m_volume);
     m_aim->setCurrentIndex(volume ? ByVolume : ByVertices);

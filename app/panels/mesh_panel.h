@@ -39,6 +39,7 @@ class MeshPanel : public QWidget {
     void connectSolidControls();
     void setAim(bool volume);
     void showProject();
+    void showRows();
     void showSolid(const Domain& domain);
     void showCounts();
     /// One undo step of the domain; steps of the same key merge.

@@ -62,7 +62,6 @@ void PaintPanel::makeControls() {
     m_stiffness->put(1);
     m_stiffness->setPrefix(QStringLiteral("×"));
     m_stiffness->setFixedWidth(116);
-    m_stiffness->setKeyboardTracking(false);
     describe(m_stiffness, tr("Stiffness"),
              tr("How many times stiffer the painted part is along the axis; ×1 is as everywhere."));
     m_axis->addItems({tr("along X"), tr("along Y"), tr("along Z"), tr("as numbers"), tr("along the view"),
@@ -76,7 +75,6 @@ void PaintPanel::makeControls() {
         box->setRange(-1e6, 1e6);
         box->setDecimals(3);
         box->setSingleStep(0.1);
-        box->setKeyboardTracking(false);
         box->setButtonSymbols(QAbstractSpinBox::NoButtons);
         box->setMinimumWidth(56);
         box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);

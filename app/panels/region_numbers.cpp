@@ -59,7 +59,6 @@ RegionNumbers::Numbers RegionNumbers::makeNumbers() {
         box = new ExactBox(this);
         box->setRange(-1e9, 1e9);
         box->setDecimals(4);
-        box->setKeyboardTracking(false);
         box->setButtonSymbols(QAbstractSpinBox::NoButtons);
         box->setMinimumWidth(56);
         box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
@@ -77,7 +76,6 @@ void RegionNumbers::makeControls() {
     m_second = makeNumbers();
     m_radius->setRange(1e-9, 1e9);
     m_radius->setDecimals(4);
-    m_radius->setKeyboardTracking(false);
     m_radius->setFixedWidth(116);
     describe(m_radius, tr("Radius"), tr("The radius of the ball."));
 }

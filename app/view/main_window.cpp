@@ -19,6 +19,7 @@
 #include "app/panels/distortion_panel.h"
 #include "app/panels/material_panel.h"
 #include "app/panels/mesh_panel.h"
+#include "app/panels/panel_fields.h"
 #include "app/panels/panel_parts.h"
 #include "app/view/actions.h"
 #include "app/view/busy_note.h"
@@ -136,6 +137,8 @@ QWidget* MainWindow::makeSidePanel() {
     column->addWidget(m_distortion);
     m_solids->furnish(*m_toolBar, *column);
     column->addStretch(1);
+    connect(new PanelFields(*content), &PanelFields::done, this,
+            [this] { m_pages->currentWidget()->setFocus(); });
     auto* scroll = new QScrollArea;
     scroll->setObjectName(QStringLiteral("sideScroll"));
     scroll->setWidget(content);
@@ -298,7 +301,7 @@ void MainWindow::showDocument() {
     m_actions->resetView();
     m_solids->actions().resetView();
     m_solids->setActive(solid);
-    if (solid && m_pages->indexOf(m_solids->page()) < 0) m_pages->addWidget(m_solids->page());
+    if (solid && m_pages->indexOf(m_solids->page()) < 0) addSolidPage();
     QWidget* shape = solid ? m_solids->page() : m_canvas;
     m_pages->setCurrentWidget(has ? shape : m_start);
     for (QWidget* widget : {static_cast<QWidget*>(m_side), static_cast<QWidget*>(m_time),
@@ -313,6 +316,12 @@ void MainWindow::showDocument() {
     showTitle();
 }
 
+/// With OpenGL in it the window is made anew, by Qt: it says where it is, so that it is not placed afresh.
+void MainWindow::addSolidPage() {
+    setAttribute(Qt::WA_Moved);
+    m_pages->addWidget(m_solids->page());
+}
+
 /// A file that is being read; what is computed then is told by the work note.
 void MainWindow::showWork() {
     m_note->showText(m_opening.isEmpty() ? QString() : tr("Opening %1 …").arg(m_opening));
@@ -324,13 +333,14 @@ void MainWindow::tell(const QString& text) {
     statusBar()->showMessage(text, kTold);
 }
 
-/// When the pointer leaves a button its hint goes, and what was told comes back.
+/// Hints of buttons and fields come and go. When the pointer leaves one, what was told comes back.
 bool MainWindow::event(QEvent* event) {
-    const bool used = QMainWindow::event(event);
-    if (event->type() == QEvent::StatusTip && static_cast<QStatusTipEvent*>(event)->tip().isEmpty() &&
-        !m_toldUntil.hasExpired())
-        statusBar()->showMessage(m_told, static_cast<int>(m_toldUntil.remainingTime()));
-    return used;
+    if (event->type() != QEvent::StatusTip) return QMainWindow::event(event);
+    const QString hint = static_cast<QStatusTipEvent*>(event)->tip();
+    const bool told = hint.isEmpty() && !m_toldUntil.hasExpired();
+    statusBar()->showMessage(told ? m_told : m_fields->fitting(hint),
+                             told ? static_cast<int>(m_toldUntil.remainingTime()) : 0);
+    return true;
 }
 
 void MainWindow::showTitle() {

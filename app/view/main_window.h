@@ -70,6 +70,7 @@ class MainWindow : public QMainWindow {
     void connectHelp();
     void tell(const QString& text);
     void showDocument();
+    void addSolidPage();
     void showWork();
     CurveEditing* currentCurve();
     void fitToScreen();

@@ -6,6 +6,25 @@
 
 namespace wend {
 
+namespace {
+
+constexpr int kMessageMargin = 18;  // pixels that the bar leaves free beside a message
+
+/// The longest beginning of the text that fits and ends where one of the marks stands; empty if there is
+/// none.
+QString beginningTo(const QString& text, const QStringList& marks, const QFontMetrics& metrics, int room) {
+    QString longest;
+    for (const QString& mark : marks)
+        for (qsizetype at = text.indexOf(mark); at >= 0; at = text.indexOf(mark, at + 1)) {
+            const QString beginning = text.left(at) + QLatin1Char('.');
+            if (beginning.size() > longest.size() && metrics.horizontalAdvance(beginning) <= room)
+                longest = beginning;
+        }
+    return longest;
+}
+
+}  // namespace
+
 StatusFields::StatusFields(QStatusBar& bar, ShapeSession& session)
     : QObject(&bar), m_bar(bar), m_session(session), m_hint(new QLabel(&bar)) {
     bar.setSizeGripEnabled(false);
@@ -42,6 +61,16 @@ QLabel* StatusFields::add(const QString& name, const QString& help, const QStrin
 void StatusFields::setVisible(bool visible) {
     m_bar.clearMessage();
     for (QLabel* label : {m_hint, m_pointer, m_pinError, m_worst, m_area, m_time}) label->setVisible(visible);
+}
+
+QString StatusFields::fitting(const QString& hint) const {
+    const QFontMetrics metrics = m_bar.fontMetrics();
+    const int room = (m_pointer->isVisible() ? m_pointer->x() : m_bar.width()) - kMessageMargin;
+    if (metrics.horizontalAdvance(hint) <= room) return hint;
+    const QString sentences = beginningTo(hint, {QStringLiteral(". ")}, metrics, room);
+    if (!sentences.isEmpty()) return sentences;
+    const QString part = beginningTo(hint, {QStringLiteral(": "), QStringLiteral("; ")}, metrics, room);
+    return part.isEmpty() ? metrics.elidedText(hint, Qt::ElideRight, room) : part;
 }
 
 void StatusFields::setHint(const QString& hint) {

@@ -17,6 +17,8 @@ class StatusFields : public QObject {
     StatusFields(QStatusBar& bar, ShapeSession& session);
 
     void setVisible(bool visible);
+    /// Of a hint, what there is room for beside the numbers: whole sentences, or the beginning of one.
+    QString fitting(const QString& hint) const;
 
   public slots:
     void setHint(const QString& hint);

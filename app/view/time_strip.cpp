@@ -4,10 +4,10 @@
 #include <QLabel>
 #include <QLocale>
 #include <QPainter>
-#include <QSlider>
 #include <QToolButton>
 #include <cmath>
 
+#include "app/panels/jump_slider.h"
 #include "app/panels/panel_parts.h"
 #include "app/panels/theme.h"
 
@@ -24,7 +24,7 @@ TimeStrip::TimeStrip(ShapeSession& session, QWidget* parent)
       m_session(session),
       m_play(new QToolButton(this)),
       m_loop(new QToolButton(this)),
-      m_slider(new QSlider(Qt::Horizontal, this)),
+      m_slider(new JumpSlider(this)),
       m_label(new QLabel(this)) {
     setObjectName(QStringLiteral("timeStrip"));
     setAttribute(Qt::WA_StyledBackground);

@@ -1,12 +1,17 @@
+#include <xcb/xcb.h>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFile>
 #include <QLabel>
+#include <QGuiApplication>
 #include <QPushButton>
 #include <QStatusBar>
 #include <QTextStream>
+
+#include <array>
 #include <cmath>
+#include <cstdlib>
 
 #include "app/document/curve_edits.h"
 #include "app/document/material_edits.h"
@@ -37,6 +42,7 @@ class TestSolidWindow : public QObject {
     void init();
     void cleanup();
     void opensSurfacesAndTetrahedra();
+    void windowKeepsItsPlace();
     void clickPinsAndArrowMoves();
     void escapeRestoresAndUndoTakesBack();
     void typedNumbersAreExact();
@@ -88,6 +94,26 @@ QString writeBar(const QTemporaryDir& folder) {
         out << "v " << bar.points(0, i) << ' ' << bar.points(1, i) << ' ' << bar.points(2, i) << '\n';
     for (const auto& t : bar.triangles) out << "f " << t[0] + 1 << ' ' << t[1] + 1 << ' ' << t[2] + 1 << '\n';
     return path;
+}
+
+xcb_connection_t* screenServer() {
+    return qGuiApp->nativeInterface<QNativeInterface::QX11Application>()->connection();
+}
+
+/// As a window manager does it, of which Qt is only told.
+void moveFromOutside(const QWidget& window, const QPoint& place) {
+    const std::array<int, 2> values = {place.x(), place.y()};
+    const auto id = static_cast<xcb_window_t>(window.winId());
+    xcb_configure_window(screenServer(), id, XCB_CONFIG_WINDOW_X | XCB_CONFIG_WINDOW_Y, values.data());
+    xcb_flush(screenServer());
+}
+
+/// Where it really is, whatever Qt believes.
+QPoint placeOf(const QWidget& window) {
+    const auto request = xcb_get_geometry(screenServer(), static_cast<xcb_window_t>(window.winId()));
+    const std::unique_ptr<xcb_get_geometry_reply_t, decltype(&std::free)> reply(
+        xcb_get_geometry_reply(screenServer(), request, nullptr), &std::free);
+    return reply ? QPoint(reply->x, reply->y) : QPoint(-1, -1);
 }
 
 }  // namespace
@@ -165,6 +191,18 @@ void TestSolidWindow::opensSurfacesAndTetrahedra() {
                             20000));
     QVERIFY(settle(session()));
     QCOMPARE(session().frame()->vertices, mesh.vertexCount());
+}
+
+/// Where the user has moved it. Qt makes it anew when the first solid comes.
+void TestSolidWindow::windowKeepsItsPlace() {
+    const QPoint place(61, 73);
+    moveFromOutside(*m_window, place);
+    QTRY_COMPARE(m_window->geometry().topLeft(), place);
+    const QSize size = m_window->size();
+    open();
+    QTest::qWait(200);
+    QCOMPARE(placeOf(*m_window), place);
+    QCOMPARE(m_window->geometry(), QRect(place, size));
 }
 
 void TestSolidWindow::clickPinsAndArrowMoves() {

@@ -4,6 +4,7 @@
 #include <QTextStream>
 
 #include "app/view/actions.h"
+#include "app/view/canvas.h"
 #include "app/view/main_window.h"
 #include "app/view/solid_workshop.h"
 #include "app/view/volume/solid_canvas.h"
@@ -34,6 +35,19 @@ class SolidFixture {
         const bool active = QTest::qWaitForWindowActive(&m_window);
         actions().front->trigger();
         canvas().setFocus();
+        return settled && active;
+    }
+    /// A picture instead, as in the window's other tests.
+    bool openPicture() {
+        m_window.openPath(writeCutOut(m_folder));
+        if (!QTest::qWaitFor([&] { return !session().document().isEmpty(); }, 20000)) return false;
+        Project coarse = *session().document().project();
+        coarse.domain.vertices = 400;
+        session().document().change(QStringLiteral("Coarse"), coarse);
+        const bool settled = settle(session());
+        m_window.activateWindow();
+        const bool active = QTest::qWaitForWindowActive(&m_window);
+        m_window.canvas().setFocus();
         return settled && active;
     }
     /// Both ends as handles 0 and 1, the second selected.

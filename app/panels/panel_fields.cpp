@@ -1,0 +1,67 @@
+#include "app/panels/panel_fields.h"
+
+#include <QAbstractSpinBox>
+#include <QComboBox>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QSlider>
+
+namespace wend {
+
+namespace {
+
+bool isEnter(const QEvent& event) {
+    if (event.type() != QEvent::KeyPress) return false;
+    const int key = static_cast<const QKeyEvent&>(event).key();
+    return key == Qt::Key_Return || key == Qt::Key_Enter;
+}
+
+bool isTyped(const QObject& widget) {
+    return qobject_cast<const QAbstractSpinBox*>(&widget) || qobject_cast<const QLineEdit*>(&widget);
+}
+
+bool isField(const QObject& widget) {
+    return isTyped(widget) || qobject_cast<const QComboBox*>(&widget) ||
+           qobject_cast<const QSlider*>(&widget);
+}
+
+}  // namespace
+
+PanelFields::PanelFields(QWidget& panels) : QObject(&panels) {
+    for (auto* box : panels.findChildren<QAbstractSpinBox*>())
+        box->setKeyboardTracking(false);  // a change is shown again, and not while the number is being typed
+    for (auto* text : panels.findChildren<QLineEdit*>()) selectOnlyWithKeyboard(*text);
+    for (auto* widget : panels.findChildren<QWidget*>()) {
+        if (!isField(*widget)) continue;
+        widget->installEventFilter(this);
+        if (widget->focusPolicy() == Qt::WheelFocus) widget->setFocusPolicy(Qt::StrongFocus);
+    }
+}
+
+/// A field may lose the keyboard while it takes its number, and would then select it.
+void PanelFields::selectOnlyWithKeyboard(QLineEdit& text) {
+    connect(&text, &QLineEdit::selectionChanged, this, [&text] {
+        if (text.hasSelectedText() && !text.hasFocus()) text.deselect();
+    });
+}
+
+bool PanelFields::eventFilter(QObject* watched, QEvent* event) {
+    if (isTyped(*watched) && isEnter(*event)) {
+        takeEnter(*watched, static_cast<QKeyEvent&>(*event));
+        return true;
+    }
+    if (event->type() == QEvent::Wheel && !static_cast<QWidget*>(watched)->hasFocus()) {
+        event->ignore();  // the panels get it then
+        return true;
+    }
+    return QObject::eventFilter(watched, event);
+}
+
+/// The field first, so that it knows its number.
+void PanelFields::takeEnter(QObject& field, QKeyEvent& key) {
+    field.event(&key);
+    key.accept();
+    emit done();
+}
+
+}  // namespace wend

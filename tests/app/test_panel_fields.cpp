@@ -1,0 +1,377 @@
+#include <QAbstractSpinBox>
+#include <QApplication>
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QSlider>
+#include <QStatusBar>
+#include <QStatusTipEvent>
+#include <QWheelEvent>
+#include <QWindow>
+
+#include "app/panels/cut_panel.h"
+#include "app/view/time_strip.h"
+#include "tests/support/solid_fixture.h"
+
+using namespace wend;
+using namespace wend::test;
+
+/// Fields of the panels, by keys and the wheel, in a window with a picture or a solid.
+class TestPanelFields : public QObject {
+    Q_OBJECT
+  private slots:
+    void init();
+    void numbersCanBeTyped_data();
+    void numbersCanBeTyped();
+    void framesLeaveTheCutsNumbers();
+    void enterGivesTheKeyboardBack_data();
+    void enterGivesTheKeyboardBack();
+    void stepsKeepTheKeyboard_data();
+    void stepsKeepTheKeyboard();
+    void nothingStaysSelected_data();
+    void nothingStaysSelected();
+    void wheelScrollsThePanels_data();
+    void wheelScrollsThePanels();
+    void clicksOnTheStripGoToTheirTime_data();
+    void clicksOnTheStripGoToTheirTime();
+    void clicksOnSlidersAreStepsOfTheirOwn();
+    void hintsEndWhereTheNumbersBegin();
+
+  private:
+    bool open(bool solid);
+    bool bend(bool solid);
+    QWidget& view();
+    QWidget& side();
+    static void pictureAndSolid();
+    static QString valueOf(const QWidget& field);
+    void turnWheel(const QWidget& over, int notches);
+    QAbstractSpinBox* box(const QString& name);
+    void type(QAbstractSpinBox& box, const QString& text);
+
+    std::unique_ptr<SolidFixture> m_f;
+};
+
+void TestPanelFields::init() {
+    if (!VolumeView::available()) QSKIP("needs OpenGL (run under xvfb-run)");
+    m_f = std::make_unique<SolidFixture>();
+    QVERIFY(QTest::qWaitForWindowActive(&m_f->window()));
+}
+
+bool TestPanelFields::open(bool solid) {
+    return solid ? m_f->open() : m_f->openPicture();
+}
+
+/// One end stands, the other is moved.
+bool TestPanelFields::bend(bool solid) {
+    ShapeSession& session = m_f->session();
+    if (solid) {
+        if (!m_f->holdEnds()) return false;
+        m_f->drag(m_f->at(m_f->pin(1)), m_f->at(m_f->pin(1)) + QPoint(0, 60));
+    } else {
+        ShapeCanvas& canvas = m_f->window().canvas();
+        const auto at = [&](double x, double y) { return canvas.toWidget({x, y}).toPoint(); };
+        for (const double x : {40, 200}) QTest::mouseClick(&canvas, Qt::LeftButton, {}, at(x, 80));
+        if (!settle(session)) return false;
+        QTest::mousePress(&canvas, Qt::LeftButton, {}, at(200, 80));
+        for (int i = 1; i <= 5; ++i) QTest::mouseMove(&canvas, at(200, 80 + 5 * i));
+        QTest::mouseRelease(&canvas, Qt::LeftButton, {}, at(200, 105));
+    }
+    return settle(session) && session.playback().end() > 0;
+}
+
+QWidget& TestPanelFields::view() {
+    return m_f->session().document().dimension() == 3 ? static_cast<QWidget&>(m_f->canvas())
+                                                      : m_f->window().canvas();
+}
+
+QWidget& TestPanelFields::side() {
+    return *m_f->window().findChild<QScrollArea*>(QStringLiteral("sideScroll"));
+}
+
+void TestPanelFields::pictureAndSolid() {
+    QTest::addColumn<bool>("solid");
+    QTest::newRow("picture") << false;
+    QTest::newRow("solid") << true;
+}
+
+/// Null where the widget is no field.
+QString TestPanelFields::valueOf(const QWidget& field) {
+    if (const auto* box = qobject_cast<const QAbstractSpinBox*>(&field)) return box->text();
+    if (const auto* slider = qobject_cast<const QSlider*>(&field)) return QString::number(slider->value());
+    if (const auto* list = qobject_cast<const QComboBox*>(&field)) return list->currentText();
+    return {};
+}
+
+/// As it comes from the screen: the window finds out what is under the pointer, and who gets the keyboard.
+void TestPanelFields::turnWheel(const QWidget& over, int notches) {
+    MainWindow& window = m_f->window();
+    const QPoint global = over.mapToGlobal(over.rect().center());
+    QWheelEvent event(window.mapFromGlobal(global), global, {}, {0, 120 * notches}, Qt::NoButton, {},
+                      Qt::NoScrollPhase, false);
+    QSpontaneKeyEvent::setSpontaneous(&event);
+    qApp->notify(window.windowHandle(), &event);
+}
+
+QAbstractSpinBox* TestPanelFields::box(const QString& name) {
+    for (auto* one : m_f->window().findChildren<QAbstractSpinBox*>())
+        if (one->isVisible() && one->accessibleName() == name) return one;
+    return nullptr;
+}
+
+void TestPanelFields::type(QAbstractSpinBox& box, const QString& text) {
+    box.setFocus();
+    box.selectAll();
+    QTest::keyClicks(&box, text);
+    QTest::keyClick(&box, Qt::Key_Return);
+}
+
+void TestPanelFields::numbersCanBeTyped_data() {
+    pictureAndSolid();
+}
+
+/// What is typed is not shown anew before it is complete, and is one step then.
+void TestPanelFields::numbersCanBeTyped() {
+    QFETCH(bool, solid);
+    QVERIFY(open(solid));
+    const QUndoStack& undo = *m_f->session().document().undoStack();
+    const auto check = [&](const char* name, const char* typed, const char* shown) {
+        QAbstractSpinBox* field = box(QString::fromUtf8(name));
+        QVERIFY2(field, name);
+        const QString before = field->text();
+        const int steps = undo.count();
+        type(*field, QString::fromUtf8(typed));
+        QCOMPARE(field->text(), QString::fromUtf8(shown));
+        QVERIFY2(before != field->text() && undo.count() <= steps + 1, name);
+    };
+    check("Energy φ", "1.257", "1.257 rad");
+    check("Smoothing length", "0.03", "0.030");
+    check("Smoothing length", "0", "none");
+    check("Smoothing length", "0.04", "0.040");
+    check("Vertices", "450", "450");
+    if (!solid) check("Threshold", "25", "25 %");
+    if (!solid) check("Margin", "0.5", "0.5 px");
+    if (solid) check("Roundness", "2.25", "2.25");
+    QVERIFY(settle(m_f->session()));
+    const Project& project = *m_f->session().document().project();
+    std::visit(
+        [](const auto& design) {
+            QCOMPARE(design.material.phi, 1.257);
+            QCOMPARE(design.material.smoothing.length, 0.04);
+        },
+        project.design);
+    QCOMPARE(project.domain.vertices, 450);
+}
+
+/// A motion that plays, or is being computed, brings frames all the time.
+void TestPanelFields::framesLeaveTheCutsNumbers() {
+    QVERIFY(open(true));
+    m_f->actions().cut->trigger();
+    QAbstractSpinBox* place = box(QStringLiteral("Distance of the cut"));
+    QVERIFY(place);
+    place->setFocus();
+    place->selectAll();
+    QTest::keyClicks(place, QStringLiteral("0.25"));
+    m_f->window().findChild<CutPanel*>()->show(2, m_f->canvas().plane(), Vec<3>(-3, -3, -3), Vec<3>(3, 3, 3));
+    QTest::keyClick(place, Qt::Key_Return);
+    QCOMPARE(place->text(), QStringLiteral("0.2500"));
+    const CutPlane& plane = m_f->canvas().plane();
+    QCOMPARE(plane.normal.dot(plane.point), 0.25);
+}
+
+void TestPanelFields::enterGivesTheKeyboardBack_data() {
+    pictureAndSolid();
+}
+
+/// All of them, whether they are shown just then or not; the next key is for the view.
+void TestPanelFields::enterGivesTheKeyboardBack() {
+    QFETCH(bool, solid);
+    QVERIFY(open(solid));
+    if (solid) m_f->session().addHandle<3>(Ball<3>{{2, 0, 0}, 0.6}, "Region");
+    QVERIFY(settle(m_f->session()));
+    int seen = 0;
+    for (QWidget* field : side().findChildren<QWidget*>()) {
+        if (!field->inherits("QAbstractSpinBox") && !field->inherits("QLineEdit")) continue;
+        view().clearFocus();
+        field->setFocus();
+        QTest::keyClick(field, Qt::Key_Return);
+        QVERIFY2(view().hasFocus(), qPrintable(field->accessibleName()));
+        seen += field->isVisible();
+    }
+    QVERIFY(seen >= (solid ? 10 : 5));
+    QAbstractSpinBox* phi = box(QStringLiteral("Energy φ"));
+    type(*phi, QStringLiteral("1.257"));
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_1);
+    QCOMPARE(phi->text(), QStringLiteral("1.257 rad"));
+    const int steps = m_f->session().document().undoStack()->index();
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(m_f->session().document().undoStack()->index(), steps - 1);
+}
+
+void TestPanelFields::stepsKeepTheKeyboard_data() {
+    pictureAndSolid();
+}
+
+/// What a change shows anew is not hidden in between.
+void TestPanelFields::stepsKeepTheKeyboard() {
+    QFETCH(bool, solid);
+    QVERIFY(open(solid));
+    for (auto* field : side().findChildren<QAbstractSpinBox*>()) {
+        if (!field->isVisible() || !field->isEnabled()) continue;
+        field->setFocus();
+        const QString before = field->text();
+        for (int i = 0; i < 2; ++i) QTest::keyClick(QApplication::focusWidget(), Qt::Key_Up);
+        QVERIFY2(field->hasFocus() && field->text() != before, qPrintable(field->accessibleName()));
+    }
+}
+
+void TestPanelFields::nothingStaysSelected_data() {
+    pictureAndSolid();
+}
+
+void TestPanelFields::nothingStaysSelected() {
+    QFETCH(bool, solid);
+    QVERIFY(open(solid));
+    const auto selected = [&] {
+        QStringList names;
+        for (auto* text : side().findChildren<QLineEdit*>())
+            if (text->hasSelectedText()) names << text->parentWidget()->accessibleName();
+        return names.join(QStringLiteral(", "));
+    };
+    for (auto* field : side().findChildren<QAbstractSpinBox*>()) {
+        if (!field->isVisible() || !field->isEnabled()) continue;
+        field->setFocus(Qt::TabFocusReason);
+        QTest::keyClick(field, Qt::Key_Up);
+        QVERIFY(!selected().isEmpty());  // for typing over it
+        QTest::keyClick(field, Qt::Key_Return);
+        QCOMPARE(selected(), QString());
+        field->selectAll();
+        QCOMPARE(selected(), QString());
+    }
+    QVERIFY(settle(m_f->session()));
+    QCOMPARE(selected(), QString());
+}
+
+void TestPanelFields::wheelScrollsThePanels_data() {
+    pictureAndSolid();
+}
+
+/// What was clicked takes the wheel, and nothing else does.
+void TestPanelFields::wheelScrollsThePanels() {
+    QFETCH(bool, solid);
+    QVERIFY(open(solid));
+    if (solid) m_f->session().addHandle<3>(Ball<3>{{2, 0, 0}, 0.6}, "Region");
+    QVERIFY(settle(m_f->session()));
+    if (solid) m_f->actions().cut->trigger();
+    m_f->window().resize(1000, 520);
+    QTest::qWait(50);
+    auto& scroll = static_cast<QScrollArea&>(side());
+    QScrollBar& bar = *scroll.verticalScrollBar();
+    QVERIFY(bar.maximum() > 0);
+    int seen = 0;
+    for (QWidget* field : side().findChildren<QWidget*>()) {
+        if (!field->isVisible() || valueOf(*field).isNull()) continue;
+        scroll.ensureWidgetVisible(field);
+        QCoreApplication::processEvents();
+        const QByteArray name = field->accessibleName().toUtf8();
+        view().setFocus();
+        for (const int way : {-1, 1}) {
+            const QString before = valueOf(*field);
+            const bool room = way > 0 ? bar.value() > 0 : bar.value() < bar.maximum();
+            const int at = bar.value();
+            turnWheel(*field, way);
+            QVERIFY2(valueOf(*field) == before && view().hasFocus(), name);
+            QVERIFY2(!room || bar.value() != at, name);
+            bar.setValue(at);
+        }
+        ++seen;
+        // A direction keeps its length, and so one number of it.
+        if (!field->isEnabled() || qobject_cast<QComboBox*>(field) || name.startsWith("Normal")) continue;
+        field->setFocus();
+        const QString before = valueOf(*field);
+        turnWheel(*field, 1);
+        if (valueOf(*field) == before) turnWheel(*field, -1);  // it was at its end
+        QVERIFY2(valueOf(*field) != before, name);
+    }
+    QVERIFY(seen >= (solid ? 15 : 8));
+}
+
+void TestPanelFields::clicksOnTheStripGoToTheirTime_data() {
+    pictureAndSolid();
+}
+
+void TestPanelFields::clicksOnTheStripGoToTheirTime() {
+    QFETCH(bool, solid);
+    QVERIFY(open(solid) && bend(solid));
+    Playback& playback = m_f->session().playback();
+    auto* slider = m_f->window().findChild<TimeStrip*>()->slider();
+    const int handle = 16;  // pixels; its middle goes from one half of it to the other
+    const auto at = [&](double part) {
+        return QPoint(handle / 2 + qRound(part * (slider->width() - handle)), slider->height() / 2);
+    };
+    const auto shows = [&](double part) {
+        return std::abs(playback.time() / playback.end() - part) < 2.0 / slider->width();
+    };
+    QVERIFY(playback.isAtEnd());
+    QTest::mouseClick(slider, Qt::LeftButton, {}, at(0.3));
+    QVERIFY2(shows(0.3), qPrintable(QString::number(playback.time())));
+    playback.setPlaying(true);
+    QTest::mousePress(slider, Qt::LeftButton, {}, at(0.8));
+    QVERIFY(shows(0.8) && !playback.isPlaying());
+    for (const double part : {0.7, 0.6, 0.5}) QTest::mouseMove(slider, at(part));
+    QVERIFY(shows(0.5));
+    QTest::mouseRelease(slider, Qt::LeftButton, {}, at(0.5));
+    QVERIFY(shows(0.5));
+    QTest::mouseClick(slider, Qt::LeftButton, {}, QPoint(slider->width() - 1, 1));  // beyond, and above it
+    QVERIFY(playback.isAtEnd());
+    QVERIFY(settle(m_f->session()));
+}
+
+void TestPanelFields::clicksOnSlidersAreStepsOfTheirOwn() {
+    QVERIFY(open(false));
+    QSlider* density = nullptr;
+    for (auto* one : side().findChildren<QSlider*>())
+        if (one->accessibleName() == QStringLiteral("Mesh density")) density = one;
+    QVERIFY(density);
+    const int steps = m_f->session().document().undoStack()->count();
+    for (const int sixth : {2, 3}) {
+        QTest::mouseClick(density, Qt::LeftButton, {}, QPoint(density->width() * sixth / 6, 4));
+        QVERIFY(std::abs(density->value() - 1000 * sixth / 6) < 50);
+    }
+    QCOMPARE(m_f->session().document().undoStack()->count(), steps + 2);
+    QVERIFY(settle(m_f->session()));
+}
+
+/// Not in the midst of a sentence where there is room for a part of it; the tooltip has the whole.
+void TestPanelFields::hintsEndWhereTheNumbersBegin() {
+    QVERIFY(open(true));
+    const QStatusBar& bar = *m_f->window().statusBar();
+    int room = bar.width();
+    QStatusTipEvent any(QStringLiteral("Any"));
+    QCoreApplication::sendEvent(&m_f->window(), &any);  // the tool's hint gives way
+    for (const auto* label : bar.findChildren<QLabel*>())
+        if (label->isVisible() && label->x() > 0) room = std::min(room, label->x());
+    QVERIFY(room < bar.width());
+    int cut = 0;
+    for (const auto* widget : side().findChildren<QWidget*>()) {
+        const QString hint = widget->statusTip();
+        if (hint.isEmpty()) continue;
+        QStatusTipEvent tip(hint);
+        QCoreApplication::sendEvent(&m_f->window(), &tip);
+        const QString shown = bar.currentMessage();
+        QVERIFY(hint.startsWith(shown.chopped(1)) && shown.size() > 10);
+        QVERIFY2(bar.fontMetrics().horizontalAdvance(shown) < room, qPrintable(shown));
+        cut += shown != hint;
+    }
+    QVERIFY(cut > 0);
+    QStatusTipEvent sizes(m_f->window().findChild<QWidget*>(QStringLiteral("sizeList"))->statusTip());
+    QCoreApplication::sendEvent(&m_f->window(), &sizes);
+    QVERIFY2(bar.currentMessage().endsWith('.'), qPrintable(bar.currentMessage()));
+    QStatusTipEvent none{QString()};
+    QCoreApplication::sendEvent(&m_f->window(), &none);
+    QCOMPARE(bar.currentMessage(), QString());
+}
+
+QTEST_MAIN(TestPanelFields)
+#include "test_panel_fields.moc"
