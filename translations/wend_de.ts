@@ -1143,6 +1143,10 @@
         <source>Written without velocities: %1 (%2)</source>
         <translation>Geschrieben ohne Geschwindigkeiten: %1 (%2)</translation>
     </message>
+    <message>
+        <source>There is no shape to export: it could not be computed.</source>
+        <translation>Es gibt keine Form zum Exportieren: sie konnte nicht berechnet werden.</translation>
+    </message>
 </context>
 <context>
     <name>wend::FileWorkflow</name>

@@ -115,7 +115,8 @@ bool Exporter::isFree() {
 FramePtr Exporter::shownFrame() {
     if (!isFree()) return {};
     if (m_session.frame() && !m_session.isBusy() && !m_session.isStale()) return m_session.frame();
-    emit failed(tr("The shape is still being computed. Try again in a moment."));
+    emit failed(m_session.isBusy() ? tr("The shape is still being computed. Try again in a moment.")
+                                   : tr("There is no shape to export: it could not be computed."));
     return {};
 }
 

@@ -6,6 +6,7 @@
 #include <QGuiApplication>
 #include <QLabel>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QStatusBar>
 #include <QTextStream>
 
@@ -24,6 +25,7 @@
 #include "app/session/opening.h"
 #include "app/tools/measure_tool.h"
 #include "app/view/actions.h"
+#include "app/view/exporter.h"
 #include "app/view/info_banner.h"
 #include "app/view/main_window.h"
 #include "app/view/solid_workshop.h"
@@ -595,6 +597,9 @@ void TestSolidWindow::badSurfacesAreShownAndRepaired() {
     session().playback().setTime(0);  // nothing brings the mended one back
     canvas().setEdgesShown(false);
     QVERIFY(saysThatThereIsNoSolid());
+    QSignalSpy refusal(&m_window->exporter(), &Exporter::failed);
+    m_window->exporter().writeMesh(m_folder->filePath(QStringLiteral("none.vtu")));
+    QVERIFY(refusal.count() == 1 && refusal[0][0].toString().contains(QStringLiteral("no shape")));
     m_window->actions().redo->trigger();
     QVERIFY(settle(session()));
     QVERIFY(!saysThatThereIsNoSolid());
