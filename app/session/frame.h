@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <type_traits>
 
 #include "app/document/grip.h"
 #include "core/energy/distortion.h"
@@ -56,6 +57,16 @@ template <int Dim>
 PosedPtr<Dim> posed(const FramePtr& frame) {
     if (!frame || frame->dimension != Dim) return {};
     return std::static_pointer_cast<const PosedFrame<Dim>>(frame);
+}
+
+/// The same shape, standing for another time.
+inline FramePtr atTime(const FramePtr& frame, double time) {
+    const auto copy = [time](const auto& own) -> FramePtr {
+        auto other = std::make_shared<std::decay_t<decltype(own)>>(own);
+        other->time = time;
+        return other;
+    };
+    return frame->dimension == 2 ? copy(*posed<2>(frame)) : copy(*posed<3>(frame));
 }
 
 }  // namespace wend

@@ -1,13 +1,10 @@
 #include "app/view/volume/solid_canvas.h"
 
-#include <QLocale>
-#include <QMouseEvent>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "app/panels/legend.h"
-#include "app/session/fields.h"
 #include "app/tools/solid_pin_tool.h"
 #include "app/view/volume/glyphs.h"
 #include "app/view/volume/skin_marks.h"
@@ -18,7 +15,6 @@ namespace wend {
 namespace {
 
 constexpr int kDimAfter = 250;           // milliseconds
-constexpr double kClick = 4;             // pixels
 constexpr std::size_t kMostRays = 4000;  // of one handle's vertices: beyond it all count as seen
 const QRgb kPlain = qRgb(199, 186, 164), kPlainDark = qRgb(176, 164, 146);
 const QRgb kArrowColour = qRgb(54, 84, 196), kGlyphColour = qRgb(226, 140, 44);
@@ -421,153 +417,6 @@ void SolidCanvas::resizeEvent(QResizeEvent* event) {
     VolumeView::resizeEvent(event);
     m_overlay->setGeometry(rect());
     if (m_fitted && !m_held) fit();
-}
-
-SolidTool* SolidCanvas::toolAt(const QPointF& at) {
-    return m_cutTool.wants(at) && !m_hidden ? &m_cutTool : m_tool;
-}
-
-void SolidCanvas::useTool(SolidTool* tool) {
-    setCursor(tool->cursor());
-    tellHint(*tool);
-    redraw();
-}
-
-/// A button that turns the view does so, unless it was pressed on what the tool holds.
-void SolidCanvas::mousePressEvent(QMouseEvent* event) {
-    setFocus(Qt::MouseFocusReason);
-    SolidTool* tool = toolAt(event->position());
-    const bool left = event->button() == Qt::LeftButton;
-    if (left && tool && !m_active && (dragFor(*event) == Drag::None || tool->wants(event->position()))) {
-        m_active = tool;
-        tool->press(*event);
-        useTool(tool);
-    } else if (!m_active) {
-        VolumeView::mousePressEvent(event);
-    }
-}
-
-/// The second press of a double click, unless the tool has a meaning for the two.
-void SolidCanvas::mouseDoubleClickEvent(QMouseEvent* event) {
-    SolidTool* tool = toolAt(event->position());
-    const bool left = event->button() == Qt::LeftButton;
-    if (!left || !tool || m_active || (dragFor(*event) != Drag::None && !tool->wants(event->position()))) {
-        mousePressEvent(event);
-        return;
-    }
-    m_active = tool;
-    tool->doubleClick(*event);
-    useTool(tool);
-}
-
-void SolidCanvas::mouseMoveEvent(QMouseEvent* event) {
-    tellPointed(event->position());
-    if (!m_active && isNavigating()) {
-        m_fitted = false;
-        VolumeView::mouseMoveEvent(event);
-        return;
-    }
-    SolidTool* tool = m_active ? m_active : toolAt(event->position());
-    if (!m_active && tool != &m_cutTool) m_cutTool.move(*event);
-    if (!tool) return;
-    tool->move(*event);
-    useTool(tool);
-}
-
-void SolidCanvas::mouseReleaseEvent(QMouseEvent* event) {
-    if (m_active && event->button() == Qt::LeftButton) {
-        SolidTool* tool = std::exchange(m_active, nullptr);
-        tool->release(*event);
-        useTool(tool);
-        return;
-    }
-    const bool turned = isNavigating();
-    const bool click = (event->position() - pressedAt()).manhattanLength() <= kClick;
-    if (click && event->button() == Qt::RightButton && m_tool && !m_active &&
-        m_tool->opensMenu(event->position())) {
-        endNavigation();
-        emit menuWanted(event->globalPosition().toPoint());
-        return;
-    }
-    VolumeView::mouseReleaseEvent(event);
-    if (!turned || !click || event->button() != Qt::LeftButton || !m_tool) return;
-    m_tool->press(*event);  // where the left button turns the view, a click is still the tool's
-    m_tool->release(*event);
-    useTool(m_tool);
-}
-
-void SolidCanvas::tellPointed(const QPointF& at) {
-    const bool busy = isNavigating() || m_session.isDragging() || !m_session.frame<3>();
-    const SolidHit hit = busy ? SolidHit{} : pick(at);
-    if (!busy) emit pointedAt(hit.cell, hit.vertex, hit.point);
-    if (hit.cell < 0) {
-        emit pointed({});
-        return;
-    }
-    const QLocale locale;
-    const double least = 1e-9 * m_session.frame()->diagonal;
-    const auto number = [&](double x) { return locale.toString(std::abs(x) < least ? 0.0 : x, 'g', 4); };
-    QString text =
-        QStringLiteral("%1, %2, %3").arg(number(hit.point.x()), number(hit.point.y()), number(hit.point.z()));
-    text = tr("Cell %1").arg(hit.cell) + QStringLiteral("   ") + text;
-    if (m_map) {
-        const auto values = shownValues(m_session, m_measure);
-        text = measureName(m_measure, 3) + ' ' + measureText(m_measure, values[hit.cell]) +
-               QStringLiteral("   ") + text;
-    }
-    emit pointed(text);
-}
-
-void SolidCanvas::keyPressEvent(QKeyEvent* event) {
-    if (event->key() == Qt::Key_H && !event->modifiers()) {
-        if (!event->isAutoRepeat()) setOverlaysHidden(true);
-        return;
-    }
-    if (m_active && m_active->key(*event)) {
-        useTool(m_active);
-        if (m_tool == m_active && event->key() == Qt::Key_Escape) m_active = nullptr;
-        return;
-    }
-    if (!m_active && m_tool && m_tool->key(*event)) {
-        useTool(m_tool);
-        return;
-    }
-    VolumeView::keyPressEvent(event);
-}
-
-void SolidCanvas::keyReleaseEvent(QKeyEvent* event) {
-    if (event->key() == Qt::Key_H && !event->isAutoRepeat()) setOverlaysHidden(false);
-}
-
-void SolidCanvas::leaveEvent(QEvent*) {
-    if (m_tool) m_tool->leave();
-    redraw();
-    emit pointed({});
-}
-
-void SolidCanvas::changeEvent(QEvent* event) {
-    if (event->type() == QEvent::PaletteChange) {
-        applyTheme();
-        refresh();
-    }
-    VolumeView::changeEvent(event);
-}
-
-/// During a gesture all plain keys are the tool's; arrows, Escape and digits belong to the view as long as it
-/// has the focus.
-bool SolidCanvas::event(QEvent* event) {
-    if (event->type() == QEvent::ShortcutOverride) {
-        const auto* keys = static_cast<QKeyEvent*>(event);
-        const int key = keys->key();
-        const bool plain = !(keys->modifiers() & (Qt::ControlModifier | Qt::AltModifier));
-        const bool owned = m_tool && m_tool->ownsKey(*keys);
-        if (owned || (m_active && plain) || (key >= Qt::Key_Left && key <= Qt::Key_Down) ||
-            key == Qt::Key_Escape) {
-            event->accept();
-            return true;
-        }
-    }
-    return VolumeView::event(event);
 }
 
 }  // namespace wend

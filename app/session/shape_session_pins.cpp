@@ -1,0 +1,295 @@
+// Pins: where they are, how they come and go, and how they are dragged.
+#include <algorithm>
+
+#include "app/document/handle_edits.h"
+#include "app/session/shape_session.h"
+
+namespace wend {
+
+template <int Dim>
+const std::vector<PinPlace<Dim>>& ShapeSession::places() const {
+    auto& hold = std::get<Hold<Dim>>(m_holds);
+    const auto shape = frame<Dim>();
+    if (hold.rest != shape->rest || hold.project != m_document.project()) {
+        const PointLocator<Dim> locator(shape->rest->points, shape->rest->cells);
+        hold.rest = shape->rest;
+        hold.project = m_document.project();
+        hold.places = placePins<Dim>(m_document.design<Dim>().handles, *shape->rest, locator);
+    }
+    return hold.places;
+}
+
+int ShapeSession::handleCount() const {
+    return static_cast<int>(
+        std::visit([](const auto& design) { return design.handles.size(); }, m_document.project()->design));
+}
+
+int ShapeSession::singleHandle() const {
+    const auto& selected = m_selection.handles();
+    if (m_document.isEmpty() || selected.size() != 1) return -1;
+    return selected.front() < handleCount() ? selected.front() : -1;
+}
+
+template <int Dim>
+std::vector<PinView<Dim>> ShapeSession::views(bool holding) const {
+    const auto shape = frame<Dim>();
+    if (!shape || m_document.dimension() != Dim) return {};
+    const double time = m_drag ? motionEnd(*m_document.project()) : m_playback.time();
+    return viewPins<Dim>(m_document.design<Dim>().handles, places<Dim>(), *shape->rest, shape->pose, time,
+                         holding);
+}
+
+template <int Dim>
+std::vector<PinView<Dim>> ShapeSession::ghosts() const {
+    return views<Dim>(false);
+}
+
+template <int Dim>
+std::vector<PinView<Dim>> ShapeSession::pins() const {
+    auto views = this->views<Dim>(true);
+    if (!m_drag) return views;
+    // The handle follows at once, the shape catches up.
+    const Amount amount = m_drag->amount();
+    for (const PinView<Dim>& start : std::get<Hold<Dim>>(m_holds).grabbed)
+        for (PinView<Dim>& view : views) {
+            if (view.handle != start.handle) continue;
+            view = start;
+            for (Vec<Dim>& p : view.points) p = carried<Dim>(m_drag->grip(), amount, p);
+            view.centre = carried<Dim>(m_drag->grip(), amount, start.centre);
+        }
+    return views;
+}
+
+template <int Dim>
+std::vector<Vec<Dim>> ShapeSession::pathStarts(int handle) const {
+    std::vector<Vec<Dim>> starts;
+    const auto shown = frame<Dim>();
+    if (!shown || m_document.dimension() != Dim) return starts;
+    const double from = m_document.design<Dim>().handles.at(handle).activeFrom;
+    const auto first = posed<Dim>(from > 0 ? m_track.at(from) : FramePtr());
+    const SimplicialMesh<Dim>& rest = *shown->rest;
+    const Points<Dim>& pose = first && first->rest == shown->rest ? first->pose : rest.points;
+    for (const auto& location : places<Dim>()[handle].points)
+        starts.push_back(positionOf<Dim>(location, rest, pose));
+    return starts;
+}
+
+double ShapeSession::pixel() const {
+    return m_document.picture() || !m_frame ? 1 : m_frame->diagonal / 2000;
+}
+
+template <int Dim>
+int ShapeSession::addPin(const Vec<Dim>& p) {
+    if (!m_frame || m_document.dimension() != Dim) return -1;
+    const auto shape = frame<Dim>();
+    const auto rest = shape ? restPoint<Dim>(*shape->rest, shape->pose, p) : std::nullopt;
+    if (!rest) emit notice(tr("There is no pin: this place lies outside of the shape."));
+    return rest ? addHandle<Dim>(std::vector<Vec<Dim>>{*rest}, "Pin") : -1;
+}
+
+template <int Dim>
+int ShapeSession::addHandle(Placement<Dim> at, const std::string& kind) {
+    if (!m_frame || m_document.dimension() != Dim) return -1;
+    goToEnd();
+    m_addsHandle = true;
+    const std::string name = freePinName(m_document.design<Dim>(), kind);
+    m_document.change(tr("Add %1").arg(QString::fromStdString(name)),
+                      withHandle<Dim>(*m_document.project(), std::move(at), name));
+    m_addsHandle = false;
+    const int handle = handleCount() - 1;
+    m_selection.set({handle});
+    return handle;
+}
+
+Placement<3> ShapeSession::placementOf(const std::vector<int>& vertices) const {
+    const auto shape = frame<3>();
+    if (!shape || m_document.project()->domain.kind == DomainKind::Mesh) return vertices;
+    std::vector<Vec<3>> points;
+    points.reserve(vertices.size());
+    for (const int v : vertices) points.push_back(shape->rest->points.col(v));
+    return points;
+}
+
+int ShapeSession::addSolidHandle(const std::vector<int>& vertices, const std::string& kind) {
+    return vertices.empty() ? -1 : addHandle<3>(placementOf(vertices), kind);
+}
+
+void ShapeSession::changeHandle(int handle, const std::vector<int>& vertices) {
+    m_document.change(tr("Change %1").arg(nameOf({handle})),
+                      withHandlePlace<3>(*m_document.project(), handle, placementOf(vertices)));
+}
+
+std::vector<int> ShapeSession::verticesOf(int handle) const {
+    const auto shape = frame<3>();
+    std::vector<int> vertices;
+    if (!shape) return vertices;
+    for (const auto& location : places<3>()[handle].points) {
+        int corner = 0;
+        location.weights.maxCoeff(&corner);
+        vertices.push_back(shape->rest->cells[location.cell][corner]);
+    }
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    return vertices;
+}
+
+void ShapeSession::removeSelected() {
+    if (m_selection.isEmpty() || m_drag) return;
+    const auto handles = m_selection.handles();
+    const QString name = tr("Remove %1").arg(nameOf(handles));
+    m_selection.clear();
+    m_document.change(name, withoutHandles(*m_document.project(), handles));
+}
+
+template <int Dim>
+void ShapeSession::nudgeSelected(const Vec<Dim>& by) {
+    const auto handles = movableHandles();
+    if (handles.empty()) return;
+    QString key = QStringLiteral("nudge");
+    for (const int h : handles) key += QStringLiteral(" %1").arg(h);
+    const Project& project = *m_document.project();
+    m_document.change(tr("Move %1").arg(nameOf(handles)),
+                      m_document.merges(key) ? withLongerStroke<Dim>(project, handles, by)
+                                             : withStroke<Dim>(project, handles, centresOf<Dim>(handles),
+                                                               {Vec<Dim>::Zero(), by}),
+                      key);
+}
+
+template <int Dim>
+void ShapeSession::moveSelected(const Grip& grip, const Amount& amount) {
+    if (amount == Amount::Zero()) return;
+    const auto handles = movableHandles();
+    if (handles.empty()) return;
+    takeHold<Dim>(handles);
+    pushGesture<Dim>(DragGesture(handles, grip), {Amount::Zero(), amount});
+}
+
+/// The selected handles that hold the shape at the end, where gestures go on; goes there.
+std::vector<int> ShapeSession::movableHandles() {
+    if (m_selection.isEmpty() || m_drag || !m_frame) return {};
+    goToEnd();
+    std::vector<int> handles = m_selection.handles();
+    const double end = motionEnd(*m_document.project());
+    std::visit(
+        [&](const auto& design) {
+            std::erase_if(handles, [&](int h) { return !isActive(design.handles.at(h), end); });
+        },
+        m_document.project()->design);
+    if (handles.empty())
+        emit notice(tr("%1 does not hold the shape at the end any more.").arg(nameOf(m_selection.handles())));
+    return handles;
+}
+
+/// Remembers where the handles are.
+template <int Dim>
+void ShapeSession::takeHold(const std::vector<int>& handles) {
+    auto& grabbed = std::get<Hold<Dim>>(m_holds).grabbed;
+    grabbed = pins<Dim>();
+    std::erase_if(grabbed, [&](const auto& view) {
+        return std::find(handles.begin(), handles.end(), view.handle) == handles.end();
+    });
+}
+
+void ShapeSession::beginDrag(const Grip& grip) {
+    m_playback.setPlaying(false);
+    const auto handles = movableHandles();
+    if (handles.empty()) return;
+    if (m_frame->dimension == 2)
+        takeHold<2>(handles);
+    else
+        takeHold<3>(handles);
+    m_previewBefore = m_preview;
+    m_drag.emplace(handles, grip);
+    m_compute.post(BeginDrag{handles, grip, ++m_gesture, m_revision, m_frame});
+}
+
+void ShapeSession::dragBy(const Amount& amount) {
+    if (!m_drag) return;
+    const int sample = m_drag->add(amount);
+    m_compute.post(DragTo{amount, sample});
+    emit pinsChanged();
+}
+
+template <int Dim>
+void ShapeSession::pushGesture(const DragGesture& drag, const std::vector<Amount>& path) {
+    const QString what = drag.grip().kind == Grip::Kind::Turn   ? tr("Turn %1")
+                         : drag.grip().kind == Grip::Kind::Grow ? tr("Scale %1")
+                                                                : tr("Move %1");
+    std::vector<Vec<Dim>> starts;
+    for (const auto& view : std::get<Hold<Dim>>(m_holds).grabbed) starts.push_back(view.centre);
+    m_document.change(what.arg(nameOf(drag.handles())),
+                      withGesture<Dim>(*m_document.project(), drag.handles(), starts, drag.grip(), path));
+}
+
+void ShapeSession::endDrag(double tolerance) {
+    if (m_drag) endDrag(m_drag->path(tolerance));
+}
+
+void ShapeSession::endDragStraight() {
+    if (m_drag) endDrag(m_drag->straight());
+}
+
+void ShapeSession::endDrag(const std::vector<Amount>& path) {
+    const DragGesture drag = std::move(*m_drag);
+    m_drag.reset();
+    m_compute.post(EndDrag{});
+    if (path.size() < 2) {
+        m_preview = m_previewBefore;
+        showTime();
+        return;
+    }
+    // From now on it stands for the end of the longer motion; its last frames may be yet to come.
+    m_preview = atTime(m_preview ? m_preview : m_frame, motionEnd(*m_document.project()) + 1);
+    if (m_document.dimension() == 2)
+        pushGesture<2>(drag, path);
+    else
+        pushGesture<3>(drag, path);
+}
+
+void ShapeSession::cancelDrag() {
+    if (!m_drag) return;
+    m_drag.reset();
+    m_preview = m_previewBefore;
+    ++m_gesture;  // frames of it that are under way are void
+    m_compute.post(EndDrag{});
+    showTime();
+    emit pinsChanged();
+}
+
+void ShapeSession::goToEnd() {
+    m_playback.setTime(m_playback.end());
+}
+
+template <int Dim>
+std::vector<Vec<Dim>> ShapeSession::centresOf(const std::vector<int>& handles) const {
+    std::vector<Vec<Dim>> centres;
+    const auto views = pins<Dim>();
+    for (const int h : handles) {
+        const auto it =
+            std::find_if(views.begin(), views.end(), [h](const auto& view) { return view.handle == h; });
+        centres.push_back(it == views.end() ? Vec<Dim>(Vec<Dim>::Zero()) : it->centre);
+    }
+    return centres;
+}
+
+QString ShapeSession::nameOf(const std::vector<int>& handles) const {
+    if (handles.size() != 1) return tr("%n pins", nullptr, static_cast<int>(handles.size()));
+    return QString::fromStdString(
+        std::visit([&](const auto& design) { return design.handles.at(handles[0]).name; },
+                   m_document.project()->design));
+}
+
+#define WEND_INSTANTIATE(Dim)                                                      \
+    template std::vector<PinView<Dim>> ShapeSession::pins<Dim>() const;            \
+    template std::vector<PinView<Dim>> ShapeSession::ghosts<Dim>() const;          \
+    template std::vector<Vec<Dim>> ShapeSession::pathStarts<Dim>(int) const;       \
+    template int ShapeSession::addPin<Dim>(const Vec<Dim>&);                       \
+    template int ShapeSession::addHandle<Dim>(Placement<Dim>, const std::string&); \
+    template void ShapeSession::nudgeSelected<Dim>(const Vec<Dim>&);               \
+    template void ShapeSession::moveSelected<Dim>(const Grip&, const Amount&)
+
+WEND_INSTANTIATE(2);
+WEND_INSTANTIATE(3);
+#undef WEND_INSTANTIATE
+
+}  // namespace wend
