@@ -180,7 +180,12 @@ bool VelocitySolver<Dim>::Engine::factorizes(FactorKind kind) {
         if (!factor) factor.emplace(cholesky.supernodes(), system.columnStart(), system.row());
         return factor->factorize(cholesky.values(), backEnd->workers());
     };
-    return kind == FactorKind::Single ? made(singleFactor) : made(doubleFactor);
+    if (kind == FactorKind::Single) {
+        doubleFactor.reset();  // a factor is most of the memory: never two
+        return made(singleFactor);
+    }
+    singleFactor.reset();
+    return made(doubleFactor);
 }
 
 /// The back end is at that shape; null if the factor shall serve but once. Where a factor loses a pivot, the
