@@ -74,20 +74,26 @@ void SupernodalFactor<Real>::placePanels() {
 template <class Real>
 void SupernodalFactor<Real>::placeUpdates() {
     m_updateStart.assign(m_symbolic.count(), 0);
-    std::size_t end = 0;
+    m_isBranch.assign(m_symbolic.count(), 0);
+    for (const auto& branch : m_tree.branches) {
+        const int root = branch.root();
+        m_isBranch[root] = 1;
+        m_updateStart[root] = m_trunkStacks;
+        m_trunkStacks += static_cast<std::size_t>(updateLeading(root)) * updateRows(root);
+    }
     std::vector<int> group;
     for (const auto& branch : m_tree.branches) {
-        group.resize(branch.end - branch.begin);
+        group.resize(branch.root() - branch.begin);
         std::iota(group.begin(), group.end(), branch.begin);
-        end = placeUpdates(group, end);
+        m_stackSize = std::max(m_stackSize, placeUpdates(group));
     }
-    m_updates = allocate(m_updateStorage, placeUpdates(m_tree.trunk, end));
+    m_threadStacks = m_trunkStacks + placeUpdates(m_tree.trunk);
 }
 
 /// Update matrices wait for their parent on two stacks of their group, by the parity of their depth: a front
-/// can then be built on one stack while its children lie on top of the other. Returns the end of the stacks.
+/// can then be built on one stack while its children lie on top of the other. Returns the size of both.
 template <class Real>
-std::size_t SupernodalFactor<Real>::placeUpdates(std::span<const int> group, std::size_t base) {
+std::size_t SupernodalFactor<Real>::placeUpdates(std::span<const int> group) {
     std::vector<int> stack(m_symbolic.count());
     std::size_t top[2] = {0, 0}, most[2] = {0, 0};
     for (auto s = group.rbegin(); s != group.rend(); ++s)
@@ -102,8 +108,16 @@ std::size_t SupernodalFactor<Real>::placeUpdates(std::span<const int> group, std
         const auto first = std::find_if(children.begin(), children.end(), inGroup);
         if (first != children.end()) top[1 - own] = m_updateStart[*first];
     }
-    for (const int s : group) m_updateStart[s] += base + (stack[s] == 0 ? 0 : most[0]);
-    return base + most[0] + most[1];
+    for (const int s : group)
+        if (stack[s] == 1) m_updateStart[s] += most[0];
+    return most[0] + most[1];
+}
+
+template <class Real>
+void SupernodalFactor<Real>::reserveStacks(int threads) {
+    if (threads <= m_threads) return;
+    m_threads = threads;
+    m_updates = allocate(m_updateStorage, m_threadStacks + static_cast<std::size_t>(threads) * m_stackSize);
 }
 
 template <class Real>
@@ -166,12 +180,12 @@ void SupernodalFactor<Real>::mapEntries(const std::vector<int>& columnStart, con
 /// so that one length of runs serves many columns: most are short, and a mispredicted end costs more than
 /// their sums.
 template <class Real>
-void SupernodalFactor<Real>::extendAdd(int child, int parent, int begin, int end) {
-    const Real* const from = update(child);
+void SupernodalFactor<Real>::extendAdd(int child, int parent, int begin, int end, Real* stacks) {
+    const Real* const from = update(child, stacks);
     const auto leadingFrom = static_cast<std::size_t>(updateLeading(child));
     const int pivots = m_symbolic.columnsOf(parent);
     const bool inPanel = begin < pivots;
-    Real* const front = inPanel ? panel(parent) : update(parent) - pivots;
+    Real* const front = inPanel ? panel(parent) : update(parent, stacks) - pivots;
     const auto leadingFront = static_cast<std::size_t>(inPanel ? leading(parent) : updateLeading(parent));
     const auto column = [&](int c) { return front + (inPanel ? c : c - pivots) * leadingFront; };
     const Run *const first = m_runs.data() + m_runStart[child], *const last =
@@ -202,23 +216,24 @@ void SupernodalFactor<Real>::assemblePanel(int s, std::span<const double> values
 
 /// Columns [begin, end) of the update matrix, of a panel that is done.
 template <class Real>
-void SupernodalFactor<Real>::makeUpdate(int s, int begin, int end) {
+void SupernodalFactor<Real>::makeUpdate(int s, int begin, int end, Real* stacks) {
     const auto leadingUpdate = static_cast<std::size_t>(updateLeading(s));
     const int columns = m_symbolic.columnsOf(s);
-    std::fill(update(s) + begin * leadingUpdate, update(s) + end * leadingUpdate, Real(0));
-    for (int child : m_tree.children[s]) extendAdd(child, s, columns + begin, columns + end);
-    dense::subtractSquare(panel(s) + columns, leading(s), columns, update(s), updateLeading(s), begin, end);
+    Real* const own = update(s, stacks);
+    std::fill(own + begin * leadingUpdate, own + end * leadingUpdate, Real(0));
+    for (int child : m_tree.children[s]) extendAdd(child, s, columns + begin, columns + end, stacks);
+    dense::subtractSquare(panel(s) + columns, leading(s), columns, own, updateLeading(s), begin, end);
 }
 
 template <class Real>
-bool SupernodalFactor<Real>::factorFront(int s, std::span<const double> values) {
+bool SupernodalFactor<Real>::factorFront(int s, std::span<const double> values, Real* stacks) {
     const int columns = m_symbolic.columnsOf(s);
     assemblePanel(s, values);
-    for (int child : m_tree.children[s]) extendAdd(child, s, 0, columns);
+    for (int child : m_tree.children[s]) extendAdd(child, s, 0, columns, stacks);
     if (!dense::factorColumns(panel(s), leading(s), 0, columns, leading(s),
                               m_inverse.data() + m_symbolic.first[s]))
         return false;
-    makeUpdate(s, 0, updateRows(s));
+    makeUpdate(s, 0, updateRows(s), stacks);
     return true;
 }
 
@@ -238,30 +253,42 @@ bool SupernodalFactor<Real>::factorPanel(int s, WorkerPool& workers) {
 }
 
 template <class Real>
-bool SupernodalFactor<Real>::factorFront(int s, std::span<const double> values, WorkerPool& workers) {
+bool SupernodalFactor<Real>::factorFront(int s, std::span<const double> values, Real* stacks,
+                                         WorkerPool& workers) {
     const int columns = m_symbolic.columnsOf(s), below = updateRows(s);
     const double rows = m_symbolic.rowsOf(s);
-    if (columns * rows * rows < kSharedWork) return factorFront(s, values);
+    if (columns * rows * rows < kSharedWork) return factorFront(s, values, stacks);
     assemblePanel(s, values);
     workers.forPieces(columns, kPanelColumns, [&](int begin, int end) {
-        for (int child : m_tree.children[s]) extendAdd(child, s, begin, end);
+        for (int child : m_tree.children[s]) extendAdd(child, s, begin, end, stacks);
     });
     if (!factorPanel(s, workers)) return false;
-    workers.forPieces(below, kUpdateColumns, [&](int begin, int end) { makeUpdate(s, begin, end); });
+    workers.forPieces(below, kUpdateColumns, [&](int begin, int end) { makeUpdate(s, begin, end, stacks); });
     return true;
+}
+
+/// Every thread takes one branch after another, with stacks of its own.
+template <class Real>
+bool SupernodalFactor<Real>::factorBranches(std::span<const double> values, WorkerPool& workers) {
+    std::atomic<std::size_t> next = 0;
+    std::atomic<bool> positive = true;
+    workers.forPieces(m_threads, 1, [&](int thread, int) {
+        Real* const stacks = m_updates + m_threadStacks + thread * m_stackSize;
+        for (std::size_t i = next++; i < m_tree.branches.size(); i = next++) {
+            const auto& branch = m_tree.branches[i];
+            for (int s = branch.begin; s < branch.end && positive; ++s)
+                if (!factorFront(s, values, stacks)) positive = false;
+        }
+    });
+    return positive;
 }
 
 template <class Real>
 bool SupernodalFactor<Real>::factorize(std::span<const double> values, WorkerPool& workers) {
-    std::atomic<bool> positive = true;
-    workers.forPieces(static_cast<int>(m_tree.branches.size()), 1, [&](int i, int) {
-        const auto& branch = m_tree.branches[i];
-        for (int s = branch.begin; s < branch.end && positive; ++s)
-            if (!factorFront(s, values)) positive = false;
-    });
-    if (!positive) return false;
-    return std::all_of(m_tree.trunk.begin(), m_tree.trunk.end(),
-                       [&](int s) { return factorFront(s, values, workers); });
+    reserveStacks(workers.threads());
+    return factorBranches(values, workers) &&
+           std::all_of(m_tree.trunk.begin(), m_tree.trunk.end(),
+                       [&](int s) { return factorFront(s, values, m_updates + m_trunkStacks, workers); });
 }
 
 template class SupernodalFactor<float>;

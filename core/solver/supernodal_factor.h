@@ -36,7 +36,8 @@ class SupernodalFactor {
     };
     void placePanels();
     void placeUpdates();
-    std::size_t placeUpdates(std::span<const int> group, std::size_t base);
+    std::size_t placeUpdates(std::span<const int> group);
+    void reserveStacks(int threads);
     void placeWorkspaces();
     void mapUpdates();
     void mapEntries(const std::vector<int>& columnStart, const std::vector<int>& row);
@@ -45,14 +46,16 @@ class SupernodalFactor {
     int updateRows(int s) const { return m_symbolic.rowsOf(s) - m_symbolic.columnsOf(s); }
     int updateLeading(int s) const;
     Real* panel(int s) { return m_panels + m_panelStart[s]; }
-    Real* update(int s) { return m_updates + m_updateStart[s]; }
+    /// `stacks`: of the thread that does the branch, or of the trunk.
+    Real* update(int s, Real* stacks) { return (m_isBranch[s] ? m_updates : stacks) + m_updateStart[s]; }
 
-    bool factorFront(int s, std::span<const double> values);
-    bool factorFront(int s, std::span<const double> values, WorkerPool& workers);
+    bool factorBranches(std::span<const double> values, WorkerPool& workers);
+    bool factorFront(int s, std::span<const double> values, Real* stacks);
+    bool factorFront(int s, std::span<const double> values, Real* stacks, WorkerPool& workers);
     void assemblePanel(int s, std::span<const double> values);
     bool factorPanel(int s, WorkerPool& workers);
-    void makeUpdate(int s, int begin, int end);
-    void extendAdd(int child, int parent, int begin, int end);
+    void makeUpdate(int s, int begin, int end, Real* stacks);
+    void extendAdd(int child, int parent, int begin, int end, Real* stacks);
 
     void forwardSolve(WorkerPool& workers);
     void forwardBranch(int branch);
@@ -68,8 +71,15 @@ class SupernodalFactor {
     std::vector<int> m_entryStart;  // per supernode: into m_entries
     std::vector<Entry> m_entries;
 
-    std::vector<Real> m_storage, m_updateStorage, m_inverse;
-    Real *m_panels = nullptr, *m_updates = nullptr;
+    std::vector<Real> m_storage, m_inverse;
+    Real* m_panels = nullptr;
+
+    // Update matrices: those of the branches' roots, then the stacks of the trunk and of every thread.
+    std::vector<char> m_isBranch;  // per supernode: the root of a branch
+    std::vector<Real> m_updateStorage;
+    Real* m_updates = nullptr;
+    std::size_t m_trunkStacks = 0, m_threadStacks = 0, m_stackSize = 0;  // where they begin; of one thread
+    int m_threads = 0;                                                   // that there are stacks for
 
     // Of a solve: x, and behind it for every branch what it adds to the rows above it.
     std::vector<Real> m_x;
