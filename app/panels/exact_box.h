@@ -1,14 +1,14 @@
 #pragma once
 
-#include <QDoubleSpinBox>
+#include "app/panels/number_box.h"
 
 namespace wend {
 
 /// A box for a number that has more digits than it shows: until the user writes another one, exact() is the
 /// number as it was put. What is being typed stays as long as the number does.
-class ExactBox : public QDoubleSpinBox {
+class ExactBox : public NumberBox {
   public:
-    using QDoubleSpinBox::QDoubleSpinBox;
+    using NumberBox::NumberBox;
 
     /// Tells nobody.
     void put(double number);

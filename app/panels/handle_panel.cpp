@@ -8,6 +8,7 @@
 
 #include "app/document/handle_edits.h"
 #include "app/panels/curve_panel.h"
+#include "app/panels/number_box.h"
 #include "app/panels/panel_parts.h"
 
 namespace wend {
@@ -51,7 +52,7 @@ void HandlePanel::makeControls() {
     m_kind->addItems({tr("Move by"), tr("Turn by"), tr("Scale by")});
     describe(m_kind, tr("Exact step"), tr("Moves, turns or scales what is selected by exact numbers."));
     for (QDoubleSpinBox*& box : m_numbers) {
-        box = new QDoubleSpinBox(this);
+        box = new NumberBox(this);
         box->setRange(-1e9, 1e9);
         box->setDecimals(3);
         box->setButtonSymbols(QAbstractSpinBox::NoButtons);

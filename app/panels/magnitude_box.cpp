@@ -11,7 +11,7 @@ constexpr int kPlaces = 40;  // behind the point, so that nothing small is round
 
 }  // namespace
 
-MagnitudeBox::MagnitudeBox(QWidget* parent) : QDoubleSpinBox(parent) {
+MagnitudeBox::MagnitudeBox(QWidget* parent) : NumberBox(parent) {
     setDecimals(kPlaces);
     setRange(1e-30, 1e30);
 }
@@ -27,6 +27,7 @@ double MagnitudeBox::valueFromText(const QString& text) const {
 }
 
 QValidator::State MagnitudeBox::validate(QString& text, int&) const {
+    takeEitherPoint(text);
     const double number = valueFromText(text);
     return number >= minimum() && number <= maximum() ? QValidator::Acceptable : QValidator::Intermediate;
 }

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <QDoubleSpinBox>
+#include "app/panels/number_box.h"
 
 namespace wend {
 
 /// A positive number of any size, with six digits that count; a step changes it by a tenth.
-class MagnitudeBox : public QDoubleSpinBox {
+class MagnitudeBox : public NumberBox {
     Q_OBJECT
 
   public:

@@ -1,6 +1,7 @@
 #include "app/panels/material_panel.h"
 
 #include "app/document/options.h"
+#include "app/panels/number_box.h"
 #include "app/panels/panel_parts.h"
 
 namespace wend {
@@ -25,8 +26,8 @@ MaterialPanel::MaterialPanel(ShapeSession& session, QWidget* parent)
       m_session(session),
       m_slider(new EnergySlider(this)),
       m_help(secondLabel({}, this)),
-      m_phi(new QDoubleSpinBox(this)),
-      m_smoothing(new QDoubleSpinBox(this)) {
+      m_phi(new NumberBox(this)),
+      m_smoothing(new NumberBox(this)) {
     makeControls();
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(16, 14, 16, 14);

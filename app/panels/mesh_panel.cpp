@@ -11,6 +11,7 @@
 #include "app/panels/detail_row.h"
 #include "app/panels/jump_slider.h"
 #include "app/panels/magnitude_box.h"
+#include "app/panels/number_box.h"
 #include "app/panels/panel_parts.h"
 
 namespace wend {
@@ -47,11 +48,11 @@ MeshPanel::MeshPanel(ShapeSession& session, QWidget* parent)
     : QWidget(parent),
       m_session(session),
       m_outline(new QComboBox(this)),
-      m_threshold(new QDoubleSpinBox(this)),
-      m_margin(new QDoubleSpinBox(this)),
+      m_threshold(new NumberBox(this)),
+      m_margin(new NumberBox(this)),
       m_vertices(new QSpinBox(this)),
       m_density(new JumpSlider(this)),
-      m_quality(new QDoubleSpinBox(this)),
+      m_quality(new NumberBox(this)),
       m_refine(new QCheckBox(tr("Refine &surface"), this)),
       m_aim(new QComboBox(this)),
       m_volume(new MagnitudeBox(this)),

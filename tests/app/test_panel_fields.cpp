@@ -12,6 +12,8 @@
 #include <QWindow>
 
 #include "app/panels/cut_panel.h"
+#include "app/panels/magnitude_box.h"
+#include "app/panels/number_box.h"
 #include "app/view/time_strip.h"
 #include "tests/support/solid_fixture.h"
 
@@ -25,6 +27,8 @@ class TestPanelFields : public QObject {
     void init();
     void numbersCanBeTyped_data();
     void numbersCanBeTyped();
+    void eitherPointCanBeTyped_data();
+    void eitherPointCanBeTyped();
     void framesLeaveTheCutsNumbers();
     void enterGivesTheKeyboardBack_data();
     void enterGivesTheKeyboardBack();
@@ -165,6 +169,36 @@ void TestPanelFields::numbersCanBeTyped() {
 }
 
 /// A motion that plays, or is being computed, brings frames all the time.
+void TestPanelFields::eitherPointCanBeTyped_data() {
+    QTest::addColumn<QLocale>("locale");
+    QTest::addColumn<QString>("text");
+    for (const char* name : {"en_US", "de_DE"})
+        for (const char* text : {"1234.5", "1234,5"})
+            QTest::addRow("%s %s", name, text) << QLocale(QLatin1String(name)) << text;
+}
+
+/// Numbers of documents have points, those of the language may have commas; what the box then shows can be
+/// typed again.
+void TestPanelFields::eitherPointCanBeTyped() {
+    QFETCH(QLocale, locale);
+    QFETCH(QString, text);
+    const QLocale before;
+    QLocale::setDefault(locale);
+    NumberBox plain;
+    MagnitudeBox magnitude;
+    QLocale::setDefault(before);
+    plain.setRange(0, 1e6);
+    for (QDoubleSpinBox* box :
+         {static_cast<QDoubleSpinBox*>(&plain), static_cast<QDoubleSpinBox*>(&magnitude)}) {
+        type(*box, text);
+        QCOMPARE(box->value(), 1234.5);
+        const QString shown = box->cleanText();
+        box->setValue(2);
+        type(*box, shown);
+        QCOMPARE(box->value(), 1234.5);
+    }
+}
+
 void TestPanelFields::framesLeaveTheCutsNumbers() {
     QVERIFY(open(true));
     m_f->actions().cut->trigger();
