@@ -23,10 +23,42 @@ QString beginningTo(const QString& text, const QStringList& marks, const QFontMe
     return longest;
 }
 
+/// Whole sentences, or the part before a colon or semicolon, or what there is room for and dots.
+QString fittedTo(int room, const QString& hint, const QFontMetrics& metrics) {
+    if (metrics.horizontalAdvance(hint) <= room) return hint;
+    const QString sentences = beginningTo(hint, {QStringLiteral(". ")}, metrics, room);
+    if (!sentences.isEmpty()) return sentences;
+    const QString part = beginningTo(hint, {QStringLiteral(": "), QStringLiteral("; ")}, metrics, room);
+    return part.isEmpty() ? metrics.elidedText(hint, Qt::ElideRight, room) : part;
+}
+
 }  // namespace
 
+/// A hint as far as there is room; the tooltip has all of it.
+class StatusFields::HintLabel : public QLabel {
+  public:
+    using QLabel::QLabel;
+
+    void setHint(const QString& hint) {
+        m_hint = hint;
+        setToolTip(hint);
+        fit();
+    }
+
+  protected:
+    void resizeEvent(QResizeEvent* event) override {
+        QLabel::resizeEvent(event);
+        fit();
+    }
+
+  private:
+    void fit() { setText(fittedTo(contentsRect().width(), m_hint, fontMetrics())); }
+
+    QString m_hint;
+};
+
 StatusFields::StatusFields(QStatusBar& bar, ShapeSession& session)
-    : QObject(&bar), m_bar(bar), m_session(session), m_hint(new QLabel(&bar)) {
+    : QObject(&bar), m_bar(bar), m_session(session), m_hint(new HintLabel(&bar)) {
     bar.setSizeGripEnabled(false);
     m_hint->setContentsMargins(8, 0, 0, 0);
     m_hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // the window may be narrow
@@ -60,22 +92,17 @@ QLabel* StatusFields::add(const QString& name, const QString& help, const QStrin
 /// The bar hides the hint under a message only as long as nobody else shows it.
 void StatusFields::setVisible(bool visible) {
     m_bar.clearMessage();
-    for (QLabel* label : {m_hint, m_pointer, m_pinError, m_worst, m_area, m_time}) label->setVisible(visible);
+    m_hint->setVisible(visible);
+    for (QLabel* label : {m_pointer, m_pinError, m_worst, m_area, m_time}) label->setVisible(visible);
 }
 
 QString StatusFields::fitting(const QString& hint) const {
-    const QFontMetrics metrics = m_bar.fontMetrics();
     const int room = (m_pointer->isVisible() ? m_pointer->x() : m_bar.width()) - kMessageMargin;
-    if (metrics.horizontalAdvance(hint) <= room) return hint;
-    const QString sentences = beginningTo(hint, {QStringLiteral(". ")}, metrics, room);
-    if (!sentences.isEmpty()) return sentences;
-    const QString part = beginningTo(hint, {QStringLiteral(": "), QStringLiteral("; ")}, metrics, room);
-    return part.isEmpty() ? metrics.elidedText(hint, Qt::ElideRight, room) : part;
+    return fittedTo(room, hint, m_bar.fontMetrics());
 }
 
 void StatusFields::setHint(const QString& hint) {
-    m_hint->setText(hint);
-    m_hint->setToolTip(hint);
+    m_hint->setHint(hint);
 }
 
 void StatusFields::setPointer(double x, double y, bool inside) {

@@ -29,13 +29,15 @@ class StatusFields : public QObject {
     void setMeasure(Measure measure);
 
   private:
+    class HintLabel;
     QLabel* add(const QString& name, const QString& help, const QString& widest);
     void showFrame();
 
     QStatusBar& m_bar;
     ShapeSession& m_session;
     Measure m_measure = Measure::Length;
-    QLabel *m_hint, *m_pointer, *m_pinError, *m_worst, *m_area, *m_time;
+    HintLabel* m_hint;
+    QLabel *m_pointer, *m_pinError, *m_worst, *m_area, *m_time;
 };
 
 }  // namespace wend

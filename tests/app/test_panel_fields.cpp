@@ -404,6 +404,13 @@ void TestPanelFields::hintsEndWhereTheNumbersBegin() {
     QVERIFY2(bar.currentMessage().endsWith('.'), qPrintable(bar.currentMessage()));
     QStatusTipEvent none{QString()};
     QCoreApplication::sendEvent(&m_f->window(), &none);
+    m_f->window().resize(m_f->window().minimumSizeHint());
+    const auto labels = bar.findChildren<QLabel*>();
+    const auto* tool =
+        *std::min_element(labels.begin(), labels.end(), [](auto* a, auto* b) { return a->x() < b->x(); });
+    QVERIFY(QTest::qWaitFor([&] { return tool->isVisible() && tool->text() != tool->toolTip(); }));
+    QVERIFY(tool->text().endsWith(QChar(0x2026)) || tool->text().endsWith('.'));
+    QVERIFY(tool->fontMetrics().horizontalAdvance(tool->text()) <= tool->contentsRect().width());
     QCOMPARE(bar.currentMessage(), QString());
 }
 
