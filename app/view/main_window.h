@@ -78,6 +78,7 @@ class MainWindow : public QMainWindow {
     void showSelection();
     void setAppearance(Appearance appearance);
     void updateIcons();
+    void showMoreArrows();
     void showKeys();
     void showAbout();
 
