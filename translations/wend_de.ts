@@ -653,6 +653,10 @@
         <source>Open a picture, a mesh, a surface or a project</source>
         <translation>Ein Bild, ein Netz, eine Oberfläche oder ein Projekt öffnen</translation>
     </message>
+    <message>
+        <source>Write the view as a picture, as large as you like</source>
+        <translation>Die Ansicht als Bild schreiben, so groß wie gewünscht</translation>
+    </message>
 </context>
 <context>
     <name>wend::CurveActions</name>
