@@ -1591,11 +1591,11 @@
     </message>
     <message>
         <source>Vertices</source>
-        <translation>Ecken</translation>
+        <translation>Punkte</translation>
     </message>
     <message>
         <source>How fine the mesh is. More vertices bend more smoothly and take longer.</source>
-        <translation>Wie fein das Netz ist. Mehr Ecken biegen sich glatter und brauchen länger.</translation>
+        <translation>Wie fein das Netz ist. Mehr Punkte biegen sich glatter und brauchen länger.</translation>
     </message>
     <message>
         <source>Mesh density</source>
@@ -1619,7 +1619,7 @@
     </message>
     <message>
         <source>&amp;Vertices</source>
-        <translation>E&amp;cken</translation>
+        <translation>Pu&amp;nkte</translation>
     </message>
     <message>
         <source>Change outline</source>
@@ -1651,7 +1651,7 @@
     </message>
     <message>
         <source>%1 vertices, %2 triangles</source>
-        <translation>%1 Ecken, %2 Dreiecke</translation>
+        <translation>%1 Punkte, %2 Dreiecke</translation>
     </message>
     <message>
         <source>Roundness</source>
@@ -2756,7 +2756,7 @@
     </message>
     <message>
         <source>worst %1</source>
-        <translation>größte %1</translation>
+        <translation>größter %1</translation>
     </message>
     <message>
         <source>Area change</source>
@@ -2797,6 +2797,11 @@
     <message>
         <source>How far the worst place is from rest, by what the map shows</source>
         <translation>Wie weit die schlimmste Stelle von der Ruhe entfernt ist, nach dem, was die Karte zeigt</translation>
+    </message>
+    <message>
+        <source>worst %1</source>
+        <comment>a ratio</comment>
+        <translation>am stärksten: %1</translation>
     </message>
 </context>
 <context>
