@@ -653,6 +653,10 @@
         <source>Open a picture, a mesh, a surface or a project</source>
         <translation>Ein Bild, ein Netz, eine Oberfläche oder ein Projekt öffnen</translation>
     </message>
+    <message>
+        <source>Write the view as a picture, as large as you like</source>
+        <translation>Die Ansicht als Bild schreiben, so groß wie gewünscht</translation>
+    </message>
 </context>
 <context>
     <name>wend::CurveActions</name>
@@ -1377,6 +1381,10 @@
         <source>&lt;h3&gt;Wend %1&lt;/h3&gt;&lt;p&gt;Bends pictures and solids by letting them flow.&lt;/p&gt;&lt;p&gt;After J. Martinez Esturo, C. Rössl, H. Theisel: Generalized Metric Energies for Continuous Shape Deformation, 2013.&lt;/p&gt;&lt;p&gt;Free software under the GNU Affero General Public License, version 3 or later.&lt;/p&gt;</source>
         <translation>&lt;h3&gt;Wend %1&lt;/h3&gt;&lt;p&gt;Biegt Bilder und Körper, indem es sie fließen lässt.&lt;/p&gt;&lt;p&gt;Nach J. Martinez Esturo, C. Rössl, H. Theisel: Generalized Metric Energies for Continuous Shape Deformation, 2013.&lt;/p&gt;&lt;p&gt;Freie Software unter der GNU Affero General Public License, Version 3 oder neuer.&lt;/p&gt;</translation>
     </message>
+    <message>
+        <source>More</source>
+        <translation>Mehr</translation>
+    </message>
 </context>
 <context>
     <name>wend::MaterialPanel</name>
@@ -1583,11 +1591,11 @@
     </message>
     <message>
         <source>Vertices</source>
-        <translation>Ecken</translation>
+        <translation>Punkte</translation>
     </message>
     <message>
         <source>How fine the mesh is. More vertices bend more smoothly and take longer.</source>
-        <translation>Wie fein das Netz ist. Mehr Ecken biegen sich glatter und brauchen länger.</translation>
+        <translation>Wie fein das Netz ist. Mehr Punkte biegen sich glatter und brauchen länger.</translation>
     </message>
     <message>
         <source>Mesh density</source>
@@ -1611,7 +1619,7 @@
     </message>
     <message>
         <source>&amp;Vertices</source>
-        <translation>E&amp;cken</translation>
+        <translation>Pu&amp;nkte</translation>
     </message>
     <message>
         <source>Change outline</source>
@@ -1643,7 +1651,7 @@
     </message>
     <message>
         <source>%1 vertices, %2 triangles</source>
-        <translation>%1 Ecken, %2 Dreiecke</translation>
+        <translation>%1 Punkte, %2 Dreiecke</translation>
     </message>
     <message>
         <source>Roundness</source>
@@ -2748,7 +2756,7 @@
     </message>
     <message>
         <source>worst %1</source>
-        <translation>größte %1</translation>
+        <translation>größter %1</translation>
     </message>
     <message>
         <source>Area change</source>
@@ -2789,6 +2797,11 @@
     <message>
         <source>How far the worst place is from rest, by what the map shows</source>
         <translation>Wie weit die schlimmste Stelle von der Ruhe entfernt ist, nach dem, was die Karte zeigt</translation>
+    </message>
+    <message>
+        <source>worst %1</source>
+        <comment>a ratio</comment>
+        <translation>am stärksten: %1</translation>
     </message>
 </context>
 <context>

@@ -16,6 +16,7 @@ namespace {
 constexpr int kStepsPerStop = 1000;
 constexpr int kSnap = 45;
 constexpr int kHandle = 16;
+constexpr int kLabelGap = 3;
 
 int nearestStop(int value) {
     return static_cast<int>(std::lround(static_cast<double>(value) / kStepsPerStop));
@@ -40,6 +41,7 @@ EnergySlider::EnergySlider(QWidget* parent)
         auto* label = new QToolButton(this);
         label->setText(m_scale.stops()[i].name);
         label->setCheckable(true);
+        label->setProperty("role", QStringLiteral("stop"));
         label->setFocusPolicy(Qt::TabFocus);
         describe(label, m_scale.stops()[i].name, m_scale.stops()[i].shortHelp);
         connect(label, &QToolButton::clicked, this, [this, i] {
@@ -106,12 +108,21 @@ int EnergySlider::stopX(int stop) const {
     return static_cast<int>(std::lround(kHandle / 2.0 + span * stop / (EnergyScale::kStops - 1)));
 }
 
+/// Below their stops, but apart from each other: long names push the next one on, and the last ones back.
 void EnergySlider::placeLabels() {
     m_slider->setGeometry(0, 0, width(), kHandle + 4);
+    int from = 0;
     for (int i = 0; i < EnergyScale::kStops; ++i) {
         const QSize size = m_labels[i]->sizeHint();
-        const int x = std::clamp(stopX(i) - size.width() / 2, 0, std::max(0, width() - size.width()));
-        m_labels[i]->setGeometry(x, kHandle + 8, size.width(), size.height());
+        m_labels[i]->setGeometry(std::max(stopX(i) - size.width() / 2, from), kHandle + 8, size.width(),
+                                 size.height());
+        from = m_labels[i]->geometry().right() + 1 + kLabelGap;
+    }
+    int to = width();
+    for (int i = EnergyScale::kStops - 1; i >= 0; --i) {
+        const int x = std::max(0, std::min(m_labels[i]->x(), to - m_labels[i]->width()));
+        m_labels[i]->move(x, m_labels[i]->y());
+        to = x - kLabelGap;
     }
 }
 

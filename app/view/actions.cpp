@@ -135,6 +135,8 @@ void Actions::setHasFile(bool has, bool hasPicture, bool isSolid) {
                             showMesh, showMap, hideOverlays, fit, zoomIn, zoomOut})
         enable(action, has, why);
     enable(actualSize, has && !isSolid, has ? tr("A solid has no pixels.") : why);
+    exportPicture->setProperty("help", isSolid ? tr("Write the view as a picture, as large as you like")
+                                               : tr("Write the picture as it is bent now, at its full size"));
     enable(exportPicture, has && (hasPicture || isSolid), has ? tr("This project has no picture.") : why);
     enable(exportFrames, has && (hasPicture || isSolid), has ? tr("This project has no picture.") : why);
     enable(exportStMap, has && hasPicture, has ? tr("This project has no picture.") : why);

@@ -1,5 +1,7 @@
 #include "app/view/file_workflow.h"
 
+#include <QCoreApplication>
+#include <QDeadlineTimer>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -7,6 +9,7 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QSettings>
+#include <QWindow>
 #include <QtConcurrent>
 
 #include "app/session/opening.h"
@@ -91,8 +94,18 @@ bool FileWorkflow::guardWork(const QString& folder, const QString& instead) {
     return !lost.isEmpty() && offer(lost.first(), instead);
 }
 
+/// Only when a window is shown does the window manager place it: what is asked later stands in its middle.
+void FileWorkflow::waitForPlace() const {
+    const QDeadlineTimer patience(1000);
+    const auto waits = [this] { return m_window.windowHandle() && !m_window.windowHandle()->isExposed(); };
+    while (m_window.isVisible() && waits() && !patience.hasExpired())
+        QCoreApplication::processEvents(QEventLoop::AllEvents, 20);
+    QCoreApplication::processEvents();
+}
+
 /// One at a time: others are offered at the next start.
 bool FileWorkflow::offer(const LostWork& work, const QString& instead) {
+    waitForPlace();
     const QString name = QFileInfo(work.path.isEmpty() ? work.source : work.path).fileName();
     QMessageBox box(QMessageBox::NoIcon, tr("Wend"), tr("Recover unsaved changes to “%1”?").arg(name),
                     QMessageBox::NoButton, &m_window);

@@ -44,6 +44,7 @@ class FileWorkflow : public QObject {
     QString proposedPath() const;
     bool saveTo(const QString& path);
     void addRecent(const QString& path);
+    void waitForPlace() const;
     bool offer(const LostWork& work, const QString& instead);
     void read(const QString& name, std::function<OpenedFile()> reader);
     void take(OpenedFile file);

@@ -333,11 +333,13 @@ void MainWindow::tell(const QString& text) {
     statusBar()->showMessage(text, kTold);
 }
 
-/// Hints of buttons and fields come and go. When the pointer leaves one, what was told comes back.
+/// Hints of buttons and fields come and go. When the pointer leaves one, what was told comes back; so it does
+/// when the hint is the one that stood there before, of the button that was pressed.
 bool MainWindow::event(QEvent* event) {
     if (event->type() != QEvent::StatusTip) return QMainWindow::event(event);
     const QString hint = static_cast<QStatusTipEvent*>(event)->tip();
-    const bool told = hint.isEmpty() && !m_toldUntil.hasExpired();
+    const bool told = (hint.isEmpty() || hint == m_hint) && !m_toldUntil.hasExpired();
+    if (!hint.isEmpty()) m_hint = hint;
     statusBar()->showMessage(told ? m_told : m_fields->fitting(hint),
                              told ? static_cast<int>(m_toldUntil.remainingTime()) : 0);
     return true;
@@ -375,7 +377,20 @@ void MainWindow::setAppearance(Appearance appearance) {
 void MainWindow::updateIcons() {
     m_actions->setIcons(palette());
     m_solids->actions().setIcons(palette());
+    showMoreArrows();
     m_start->setRecent(m_files->recent());
+}
+
+/// Where a tool bar is too short Qt shows a button of its own for what is left out.
+void MainWindow::showMoreArrows() {
+    for (QToolBar* bar : {m_topBar, m_toolBar})
+        if (auto* more = bar->findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button"))) {
+            const bool down = bar->orientation() == Qt::Vertical;
+            more->setIcon(
+                wendIcon(down ? QStringLiteral("more-down") : QStringLiteral("more-right"), palette()));
+            more->setToolTip(tr("More"));
+            more->setAccessibleName(tr("More"));
+        }
 }
 
 void MainWindow::changeEvent(QEvent* event) {

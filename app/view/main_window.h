@@ -78,6 +78,7 @@ class MainWindow : public QMainWindow {
     void showSelection();
     void setAppearance(Appearance appearance);
     void updateIcons();
+    void showMoreArrows();
     void showKeys();
     void showAbout();
 
@@ -100,6 +101,7 @@ class MainWindow : public QMainWindow {
     WorkNote* m_work;
     QString m_told;  // in the status bar: stays a while, though hints of buttons come and go
     QDeadlineTimer m_toldUntil;
+    QString m_hint;     // the last one of a button or field
     QString m_opening;  // the file that is being read
     QWidget* m_side = nullptr;
     QToolBar* m_topBar = nullptr;

@@ -38,6 +38,14 @@ namespace {
 
 constexpr int kFirstPanel = 2;  // behind that of the energy and its line
 
+/// A remark as a sentence. One that begins with a file's path keeps its beginning.
+QString sentence(const QString& remark) {
+    QString result = remark;
+    if (result.startsWith(QStringLiteral("the "))) result[0] = result[0].toUpper();
+    if (!result.endsWith('.')) result += '.';
+    return result;
+}
+
 }  // namespace
 
 SolidWorkshop::SolidWorkshop(const Surroundings& around, QWidget& window)
@@ -360,7 +368,7 @@ void SolidWorkshop::tellOfShape() {
     m_told = frame->shape;
     m_actions->setHasDetail(m_canvas->hasDetail());
     QStringList lines;
-    for (const std::string& notice : frame->built->notices) lines << QString::fromStdString(notice);
+    for (const std::string& notice : frame->built->notices) lines << sentence(QString::fromStdString(notice));
     if (frame->built->refineHelps)
         lines << tr("“Refine surface” in the panel “Mesh” lets the surface's triangles be split.");
     if (!lines.isEmpty() || m_hasTold) emit told(lines.join('\n'));

@@ -132,7 +132,8 @@ void StatusFields::showFrame() {
     const bool picture = m_session.document().picture() != nullptr;
     const QString error = locale.toString(frame->pinError, 'f', 2);
     m_pinError->setText(picture ? tr("pin error %1 px").arg(error) : tr("pin error %1").arg(error));
-    m_worst->setText(tr("worst %1").arg(worstText(frame->distortion, m_measure, frame->dimension)));
+    const QString place = worstText(frame->distortion, m_measure, frame->dimension);
+    m_worst->setText((m_measure == Measure::Area ? tr("worst %1", "a ratio") : tr("worst %1")).arg(place));
     const double change = 100 * (frame->growth - 1);
     const QString percent = (change >= 0.05 ? QStringLiteral("+") : QString()) +
                             locale.toString(std::abs(change) < 0.05 ? 0.0 : change, 'f', 1);

@@ -23,6 +23,7 @@ class TestFileWorkflow : public QObject {
     void recoveredWorkOpensAsUnsaved();
     void theCopyStaysUntilThereIsANewOne();
     void aFailedRecoveryKeepsTheCopy();
+    void theQuestionStandsInTheMiddle();
     void laterKeepsAndDiscardDiscards();
     void changesDuringAReadingAreAskedFor();
     void samplesOpenAsCopies();
@@ -111,6 +112,25 @@ void TestFileWorkflow::aFailedRecoveryKeepsTheCopy() {
     document().change("Pin", withPin(*document().project(), {40, 20}, "Pin 1"));
     QVERIFY(QTest::qWaitFor([&] { return QDir(m_copies).entryList({"*.wend"}).size() == 2; }, 20000));
     QVERIFY(QFile::exists(copy));
+}
+
+/// Window managers place a window when it is shown already.
+void TestFileWorkflow::theQuestionStandsInTheMiddle() {
+    leaveLostWork(writeCutOut(*m_folder));
+    MainWindow window;
+    window.resize(600, 400);
+    window.move(0, 0);
+    window.show();
+    const auto place = [&window] { window.move(170, 90); };
+    QMetaObject::invokeMethod(&window, place, Qt::QueuedConnection);
+    QPoint off(1000, 1000);
+    withNext<QMessageBox>(&window, [&](QMessageBox& box) {
+        off = box.geometry().center() - window.geometry().center();
+        box.reject();
+    });
+    QVERIFY(!window.files().guardWork(m_copies));
+    constexpr int kFrame = 20;  // Qt guesses how wide it will be
+    QVERIFY2(std::abs(off.x()) <= kFrame, qPrintable(QString::number(off.x())));
 }
 
 void TestFileWorkflow::laterKeepsAndDiscardDiscards() {

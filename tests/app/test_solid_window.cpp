@@ -299,6 +299,9 @@ void TestSolidWindow::longWorkIsToldAndCancelled() {
 void TestSolidWindow::surfaceIsRefinedByTheSwitch() {
     open(2000);
     QVERIFY(!m_window->banner().text().contains('`'));  // no words of the command line
+    for (const QString& line : m_window->banner().text().split('\n'))
+        QVERIFY2(!line[0].isLower() && line.endsWith('.'), qPrintable(line));
+    QVERIFY(m_window->actions().exportPicture->toolTip().contains(QStringLiteral("view")));
     auto* refine = m_window->findChild<MeshPanel*>()->findChild<QCheckBox*>();
     QVERIFY(refine && refine->isVisible() && !refine->isChecked());
     refine->click();
@@ -591,6 +594,8 @@ void TestSolidWindow::badSurfacesAreShownAndRepaired() {
     QVERIFY(QTest::qWaitFor([&] { return !panel->isVisible(); }, 20000));
     QVERIFY(session().frame<3>()->cells > 100);
     QVERIFY(!saysThatThereIsNoSolid());
+    const QString told = m_window->banner().text().section('\n', 0, 0);
+    QCOMPARE(told, QStringLiteral("The surface was mended: 1 hole filled."));
     m_window->actions().undo->trigger();
     QVERIFY(QTest::qWaitFor([&] { return panel->isVisible(); }, 20000));
     QVERIFY(saysThatThereIsNoSolid());

@@ -13,12 +13,15 @@
 #include <QSignalSpy>
 #include <QSlider>
 #include <QStatusBar>
+#include <QStatusTipEvent>
 #include <QTimer>
+#include <QToolBar>
 #include <QToolButton>
 
 #include "app/document/curve_edits.h"
 #include "app/panels/curve_panel.h"
 #include "app/panels/distortion_panel.h"
+#include "app/panels/energy_slider.h"
 #include "app/panels/material_panel.h"
 #include "app/session/opening.h"
 #include "app/view/actions.h"
@@ -51,6 +54,10 @@ class TestWindow : public QObject {
     void deleteRemoves();
     void energySliderIsOneStep();
     void stopLabelsChooseTheNamedEnergies();
+    void stopLabelsStayApart_data();
+    void stopLabelsStayApart();
+    void whatIsToldOutlastsTheHintOfItsButton();
+    void moreToolsAreToBeSeen();
     void saveAndLoadGiveTheSameShape();
     void closingAsks();
     void unreadableFilesLeaveALine();
@@ -298,6 +305,62 @@ void TestWindow::stopLabelsChooseTheNamedEnergies() {
     }
     QCOMPARE(found, 4);
     for (double x = 0; x <= 3; x += 0.125) QVERIFY(std::abs(scale.positionOf(scale.phiAt(x)) - x) < 1e-12);
+}
+
+void TestWindow::stopLabelsStayApart_data() {
+    QTest::addColumn<QStringList>("names");  // none: those that it has
+    QTest::newRow("English") << QStringList();
+    QTest::newRow("German") << QStringList{"Volumen", QStringLiteral("Länge"), "Starr", "Winkel"};
+}
+void TestWindow::stopLabelsStayApart() {
+    QFETCH(QStringList, names);
+    EnergySlider& slider = *m_window->materialPanel().energySlider();
+    slider.setDimension(3);
+    QList<QToolButton*> labels = slider.findChildren<QToolButton*>();
+    QCOMPARE(labels.size(), 4);
+    for (int i = 0; i < names.size(); ++i) labels[i]->setText(names[i]);
+    constexpr int kWidthInTheWindow = 249;
+    slider.resize(300, slider.height());
+    slider.resize(kWidthInTheWindow, slider.height());
+    QResizeEvent resized(slider.size(), slider.size());
+    QCoreApplication::sendEvent(&slider, &resized);  // hidden widgets hear of it later
+    QVERIFY(labels.front()->x() >= 0 && labels.back()->geometry().right() < kWidthInTheWindow);
+    for (int i = 0; i < 4; ++i) {
+        QVERIFY(labels[i]->width() >= labels[i]->fontMetrics().horizontalAdvance(labels[i]->text()) + 4);
+        if (i > 0) QVERIFY(labels[i]->x() > labels[i - 1]->geometry().right() + 2);
+    }
+}
+
+void TestWindow::whatIsToldOutlastsTheHintOfItsButton() {
+    open();
+    const auto hint = [this](const QString& text) {
+        QStatusTipEvent tip(text);
+        QCoreApplication::sendEvent(m_window.get(), &tip);
+        return m_window->statusBar()->currentMessage();
+    };
+    QCOMPARE(hint("Write"), QString("Write"));
+    hint({});
+    emit m_window->session().notice("Written");
+    QCOMPARE(hint("Write"), QString("Written"));  // the pointer is on the button still
+    QCOMPARE(hint("Open"), QString("Open"));
+    QCOMPARE(hint("Write"), QString("Write"));
+    QCOMPARE(hint({}), QString("Written"));
+}
+
+/// A low window leaves tools out: the button for them has an arrow of more than a few pixels.
+void TestWindow::moreToolsAreToBeSeen() {
+    open();
+    auto* bar = m_window->findChild<QToolBar*>(QStringLiteral("toolBar"));
+    auto* more = bar->findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button"));
+    QVERIFY(more);
+    for (int i = 0; i < 12; ++i) bar->addAction(m_window->actions().open->icon(), QStringLiteral("Tool"));
+    m_window->resize(m_window->minimumSizeHint());
+    QVERIFY(QTest::qWaitFor([&] { return more->isVisible(); }, 5000));
+    const QImage drawn = more->grab().toImage();
+    int arrow = 0;
+    for (int y = 0; y < drawn.height(); ++y)
+        for (int x = 0; x < drawn.width(); ++x) arrow += drawn.pixelColor(x, y).alpha() > 128;
+    QVERIFY2(arrow > 20 && arrow < 100, qPrintable(QString::number(arrow)));
 }
 
 void TestWindow::saveAndLoadGiveTheSameShape() {
