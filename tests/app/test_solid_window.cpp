@@ -78,6 +78,7 @@ class TestSolidWindow : public QObject {
     bool saysThatThereIsNoSolid();
     const std::vector<Handle<3>>& handles() { return session().document().design<3>().handles; }
     bool edgesAreAsTheButtonSays();
+    bool axesAreSeen();
     void picture(const QString& name);
 
     std::unique_ptr<QTemporaryDir> m_folder;
@@ -587,6 +588,7 @@ void TestSolidWindow::badSurfacesAreShownAndRepaired() {
     QVERIFY(repair->grab().toImage() != enabled);  // is seen to do nothing
     repair->setEnabled(true);
     QVERIFY(edgesAreAsTheButtonSays());
+    QVERIFY(axesAreSeen());
     QTest::mousePress(&canvas(), Qt::RightButton, {}, QPoint(300, 300));
     QTest::mouseMove(&canvas(), QPoint(340, 280));
     QTest::mouseRelease(&canvas(), Qt::RightButton, {}, QPoint(340, 280));
@@ -613,6 +615,16 @@ void TestSolidWindow::badSurfacesAreShownAndRepaired() {
     QVERIFY(settle(session()));
     QVERIFY(!saysThatThereIsNoSolid());
     QVERIFY(canvas().camera().view() == view);
+}
+
+/// In the lower left corner, over whatever is shown.
+bool TestSolidWindow::axesAreSeen() {
+    QImage over(canvas().size(), QImage::Format_ARGB32_Premultiplied);
+    over.fill(Qt::transparent);
+    QPainter painter(&over);
+    canvas().paintOver(painter);
+    painter.end();
+    return qAlpha(over.pixel(46, over.height() - 46)) > 0;
 }
 
 /// They are off, and the button brings them.

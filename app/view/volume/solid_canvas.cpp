@@ -318,22 +318,21 @@ void SolidCanvas::showGlyphs(const PosedFrame<3>& frame) {
 }
 
 void SolidCanvas::paintOver(QPainter& painter) {
-    if (!m_session.frame<3>()) return;
     paintMarks(painter);
-    if (m_hidden) return;
+    if (m_hidden || !m_session.frame<3>()) return;
     m_cutTool.paint(painter);
     if (m_tool) m_tool->paint(painter);
 }
 
 void SolidCanvas::paintMarks(QPainter& painter) {
     const auto frame = m_session.frame<3>();
-    if (!frame) return;
+    if (shown().pose.cols() == 0) return;
     const Theme theme = Theme::of(palette());
     SolidPainter painterOfSolid(painter, *this, theme);
     painter.save();
     painterOfSolid.compass(QPointF(46, height() - 46), camera().view().topLeftCorner<3, 3>());
     painter.restore();
-    if (m_hidden) return;
+    if (m_hidden || !frame) return;
     if (m_map && isDistortion(m_measure))
         painterOfSolid.worst(*frame, worstOf(frame->distortion, m_measure).cell);
     painterOfSolid.paths();
