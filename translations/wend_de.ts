@@ -278,6 +278,22 @@
         <source>Click, or draw beside pins, to select; Shift adds, Ctrl takes away; drag or arrow keys move</source>
         <translation>Klicken oder neben Pins aufziehen wählt aus; Umschalt dazu, Strg ab; Ziehen oder Pfeiltasten bewegen</translation>
     </message>
+    <message>
+        <source>Click on the solid to set a pin, or draw around pins to select them</source>
+        <translation>Klick auf den Körper setzt einen Pin, Pins umfahren wählt sie aus</translation>
+    </message>
+    <message>
+        <source>Draw around pins to select them; Shift adds, Ctrl takes away</source>
+        <translation>Pins umfahren wählt sie aus; Umschalt dazu, Strg ab</translation>
+    </message>
+    <message>
+        <source>Click on the solid to set a pin, or brush over pins to select them; [ and ] change the size</source>
+        <translation>Klick auf den Körper setzt einen Pin, über Pins pinseln wählt sie aus; [ und ] ändern die Größe</translation>
+    </message>
+    <message>
+        <source>Brush over pins to select them, [ and ] change the size; Shift adds, Ctrl takes away</source>
+        <translation>Über Pins pinseln wählt sie aus, [ und ] ändern die Größe; Umschalt dazu, Strg ab</translation>
+    </message>
 </context>
 <context>
     <name>wend::Actions</name>

@@ -50,6 +50,25 @@ QString SolidPinTool::hint() const {
         return said(
             QT_TRANSLATE_NOOP("SolidPinTool", "Drag to move along the screen, Shift-click to select more"));
     if (m_gesture == Gesture::None && m_curve.isOnCurve(m_at)) return curveHint(false);
+    return outlineHint();
+}
+
+/// What a press beside all pins would begin.
+QString SolidPinTool::outlineHint() const {
+    if (m_outline == Outline::Lasso)
+        return m_adds ? said(QT_TRANSLATE_NOOP(
+                            "SolidPinTool",
+                            "Click on the solid to set a pin, or draw around pins to select them"))
+                      : said(QT_TRANSLATE_NOOP(
+                            "SolidPinTool", "Draw around pins to select them; Shift adds, Ctrl takes away"));
+    if (m_outline == Outline::Brush)
+        return m_adds ? said(QT_TRANSLATE_NOOP(
+                            "SolidPinTool",
+                            "Click on the solid to set a pin, or brush over pins to select them; [ and ] "
+                            "change the size"))
+                      : said(QT_TRANSLATE_NOOP("SolidPinTool",
+                                               "Brush over pins to select them, [ and ] change the size; "
+                                               "Shift adds, Ctrl takes away"));
     if (m_adds)
         return said(
             QT_TRANSLATE_NOOP("SolidPinTool", "Click on the solid to set a pin, then drag pins to bend it"));
@@ -101,6 +120,7 @@ void SolidPinTool::press(const QMouseEvent& event) {
     if (event.button() != Qt::LeftButton || m_gesture != Gesture::None) return;
     m_gesture = Gesture::Pressed;
     m_from = m_at = event.position();
+    m_over = true;
     if (const int point = m_curve.pointAt(m_from); point > 0) {
         m_gesture = Gesture::Curve;
         m_curve.begin(point, m_from);
@@ -121,6 +141,7 @@ void SolidPinTool::press(const QMouseEvent& event) {
 
 void SolidPinTool::move(const QMouseEvent& event) {
     m_at = event.position();
+    m_over = true;
     if (m_gesture == Gesture::None) {
         m_hovered = handleAt(m_at);
         m_part = placeManipulator() ? m_manipulator.partAt(surface(), m_at) : std::nullopt;
@@ -258,6 +279,10 @@ void SolidPinTool::doubleClick(const QMouseEvent& event) {
     if (event.button() != Qt::LeftButton || taken || !m_curve.insertAt(at)) press(event);
 }
 
+void SolidPinTool::leave() {
+    m_over = false;
+}
+
 bool SolidPinTool::ownsKey(const QKeyEvent& event) const {
     return event.key() == Qt::Key_Delete && !event.modifiers() && m_curve.chosen() > 0;
 }
@@ -343,7 +368,12 @@ void SolidPinTool::paintOutline(QPainter& painter) const {
     painter.setPen(QPen(fill, 2 * m_radius, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.setBrush(Qt::NoBrush);
     painter.drawPolyline(m_line);
-    painter.setPen(QPen(line, 1));
+    paintBrush(painter);
+}
+
+void SolidPinTool::paintBrush(QPainter& painter) const {
+    painter.setPen(QPen(QColor(kAccent), 1));
+    painter.setBrush(Qt::NoBrush);
     painter.drawEllipse(m_at, m_radius, m_radius);
 }
 
@@ -352,6 +382,9 @@ void SolidPinTool::paint(QPainter& painter) const {
         paintOutline(painter);
         return;
     }
+    const bool beside = m_hovered < 0 && !m_part;
+    const bool waits = m_gesture == Gesture::None || m_gesture == Gesture::Pressed;
+    if (m_outline == Outline::Brush && m_over && waits && beside) paintBrush(painter);
     m_curve.paint(painter, m_at);
     if (!placeManipulator()) return;
     if (m_gesture != Gesture::Drag) {

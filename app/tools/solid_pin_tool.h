@@ -27,6 +27,7 @@ class SolidPinTool : public SolidTool {
     void cancel() override;
     void paint(QPainter& painter) const override;
     void doubleClick(const QMouseEvent& event) override;
+    void leave() override;
     bool ownsKey(const QKeyEvent& event) const override;
     bool opensMenu(const QPointF& at) override { return m_curve.pointAtForMenu(at); }
     CurveEditing* curve() override { return &m_curve; }
@@ -38,6 +39,7 @@ class SolidPinTool : public SolidTool {
   private:
     enum class Gesture { None, Pressed, Drag, Marquee, Curve, OnCurve };
 
+    QString outlineHint() const;
     bool placeManipulator() const;
     void begin(const QPointF& at);
     void drag(const QPointF& at);
@@ -50,12 +52,14 @@ class SolidPinTool : public SolidTool {
     bool isTaken(const PinView<3>& pin) const;
     void selectInside(Qt::KeyboardModifiers modifiers);
     void paintOutline(QPainter& painter) const;
+    void paintBrush(QPainter& painter) const;
     QString numbers() const;
 
     Manipulator& m_manipulator;
     CurveEditor<3> m_curve;
     bool m_adds;
     bool m_through = false;
+    bool m_over = false;  // the pointer is over the view
     Outline m_outline = Outline::Rectangle;
     QPolygonF m_line;      // of the lasso or brush
     double m_radius = 18;  // of the brush, in pixels

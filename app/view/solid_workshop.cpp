@@ -215,6 +215,9 @@ void SolidWorkshop::connectTools() {
         connect(a.through, &QAction::toggled, this, [pins = tool.get()](bool on) { pins->setThrough(on); });
         m_tools.emplace_back(adds ? m_around.actions.pinTool : m_around.actions.selectTool, std::move(tool));
     }
+    // Who chooses how to select wants to select.
+    for (QAction* action : {a.selectRectangle, a.selectLasso, a.selectBrush})
+        connect(action, &QAction::triggered, m_around.actions.selectTool, &QAction::trigger);
     using Shape = AreaTool::Shape;
     for (const auto& [action, shape] : {std::pair{a.rectangle, Shape::Rectangle},
                                         {a.lasso, Shape::Lasso},

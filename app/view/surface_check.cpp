@@ -17,6 +17,7 @@ namespace wend {
 
 namespace {
 
+const Vec<3> kAskew(-1, 1.4, -0.8);
 const QRgb kFine = qRgb(199, 186, 164), kWrong = qRgb(214, 44, 60);
 
 QStringList linesOf(const SurfaceProblems& problems) {
@@ -28,7 +29,7 @@ Vec<3> intoTriangle(const Surface& surface, int triangle) {
     const auto& t = surface.triangles[triangle];
     const Vec<3> a = surface.points.col(t[0]);
     const Vec<3> normal = (surface.points.col(t[1]) - a).cross(surface.points.col(t[2]) - a);
-    if (!normal.allFinite() || normal.norm() == 0) return {-1, 1.4, -0.8};
+    if (!normal.allFinite() || normal.norm() == 0) return kAskew;
     return -normal.normalized() + Vec<3>(0.15, 0.25, -0.3);
 }
 
@@ -68,7 +69,7 @@ SurfaceCheck::SurfaceCheck(ShapeSession& session, SurfacePanel& panel, QWidget& 
         hide();
         preview();
     });
-    connect(&panel, &SurfacePanel::showRequested, this, &SurfaceCheck::showSurface);
+    connect(&panel, &SurfacePanel::showRequested, this, &SurfaceCheck::lookAtWrong);
     connect(&panel, &SurfacePanel::saveRequested, this, &SurfaceCheck::saveList);
     connect(&panel, &SurfacePanel::repairRequested, this, &SurfaceCheck::repair);
 }
@@ -139,9 +140,19 @@ void SurfaceCheck::showSurface() {
     VolumePicture picture = pictureOfSurface(surface.points, surface.triangles, std::move(colours));
     picture.isOpen = true;
     m_canvas->setCutKind(CutKind::None);
-    m_canvas->setEdgesShown(true);
-    if (!wrong.empty()) m_canvas->camera().lookAlong(intoTriangle(surface, wrong.front()));
-    m_canvas->setPicture(std::move(picture), true);
+    m_canvas->showRefused(std::move(picture), directionToWrong());
+}
+
+/// From where the first wrong triangle is seen.
+Vec<3> SurfaceCheck::directionToWrong() const {
+    const auto wrong = m_found->problems.triangles(m_found->surface);
+    return wrong.empty() ? kAskew : intoTriangle(m_found->surface, wrong.front());
+}
+
+void SurfaceCheck::lookAtWrong() {
+    if (!m_found || !m_canvas) return;
+    showSurface();
+    m_canvas->lookAlong(directionToWrong());
 }
 
 void SurfaceCheck::saveList() {

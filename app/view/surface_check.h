@@ -32,6 +32,8 @@ class SurfaceCheck : public QObject {
     void look();
     void take(const std::shared_ptr<const Found>& found);
     void showSurface();
+    Vec<3> directionToWrong() const;
+    void lookAtWrong();
     void saveList();
     void repair();
 

@@ -77,6 +77,8 @@ class TestSolidWindow : public QObject {
     void holdEnds();
     bool saysThatThereIsNoSolid();
     const std::vector<Handle<3>>& handles() { return session().document().design<3>().handles; }
+    bool edgesAreAsTheButtonSays();
+    bool axesAreSeen();
     void picture(const QString& name);
 
     std::unique_ptr<QTemporaryDir> m_folder;
@@ -588,6 +590,12 @@ void TestSolidWindow::badSurfacesAreShownAndRepaired() {
     repair->setEnabled(false);
     QVERIFY(repair->grab().toImage() != enabled);  // is seen to do nothing
     repair->setEnabled(true);
+    QVERIFY(edgesAreAsTheButtonSays());
+    QVERIFY(axesAreSeen());
+    QTest::mousePress(&canvas(), Qt::RightButton, {}, QPoint(300, 300));
+    QTest::mouseMove(&canvas(), QPoint(340, 280));
+    QTest::mouseRelease(&canvas(), Qt::RightButton, {}, QPoint(340, 280));
+    const Eigen::Matrix4d view = canvas().camera().view();
     QTest::mouseClick(repair, Qt::LeftButton);
     QVERIFY(session().document().project()->domain.repair);
     QVERIFY(settle(session()));
@@ -596,11 +604,14 @@ void TestSolidWindow::badSurfacesAreShownAndRepaired() {
     QVERIFY(!saysThatThereIsNoSolid());
     const QString told = m_window->banner().text().section('\n', 0, 0);
     QCOMPARE(told, QStringLiteral("The surface was mended: 1 hole filled."));
+    QVERIFY(canvas().camera().view() == view);
+    QVERIFY(edgesAreAsTheButtonSays());
     m_window->actions().undo->trigger();
     QVERIFY(QTest::qWaitFor([&] { return panel->isVisible(); }, 20000));
     QVERIFY(saysThatThereIsNoSolid());
+    QVERIFY(canvas().camera().view() == view);
+    QVERIFY(edgesAreAsTheButtonSays());
     session().playback().setTime(0);  // nothing brings the mended one back
-    canvas().setEdgesShown(false);
     QVERIFY(saysThatThereIsNoSolid());
     QSignalSpy refusal(&m_window->exporter(), &Exporter::failed);
     m_window->exporter().writeMesh(m_folder->filePath(QStringLiteral("none.vtu")));
@@ -608,6 +619,27 @@ void TestSolidWindow::badSurfacesAreShownAndRepaired() {
     m_window->actions().redo->trigger();
     QVERIFY(settle(session()));
     QVERIFY(!saysThatThereIsNoSolid());
+    QVERIFY(canvas().camera().view() == view);
+}
+
+/// In the lower left corner, over whatever is shown.
+bool TestSolidWindow::axesAreSeen() {
+    QImage over(canvas().size(), QImage::Format_ARGB32_Premultiplied);
+    over.fill(Qt::transparent);
+    QPainter painter(&over);
+    canvas().paintOver(painter);
+    painter.end();
+    return qAlpha(over.pixel(46, over.height() - 46)) > 0;
+}
+
+/// They are off, and the button brings them.
+bool TestSolidWindow::edgesAreAsTheButtonSays() {
+    QAction* button = m_window->actions().showMesh;
+    const QImage before = canvas().grabFramebuffer();
+    button->trigger();
+    const QImage with = canvas().grabFramebuffer();
+    button->trigger();
+    return !button->isChecked() && with != before && canvas().grabFramebuffer() == before;
 }
 
 /// Controls, hints and counts of a solid; false if any speaks of one.

@@ -22,6 +22,7 @@ class TestSpaceTools : public QObject {
     void twistAndScaleByThePanel();
     void outlinesSelectByAnyPoint_data();
     void outlinesSelectByAnyPoint();
+    void outlinesShowTheirMode();
     void hiddenPinsAreSelectedThrough();
 
   private:
@@ -202,6 +203,40 @@ void TestSpaceTools::outlinesSelectByAnyPoint() {
     QCOMPARE(m_f->session().selection().handles(), std::vector<int>({0, 1}));
     around(-2, Qt::ControlModifier);
     QCOMPARE(m_f->session().selection().handles(), std::vector<int>({1}));
+}
+
+/// By shortcuts, from another tool.
+void TestSpaceTools::outlinesShowTheirMode() {
+    QAction* select = m_f->window().actions().selectTool;
+    const QPoint over = m_f->at({0, -0.5, 0});
+    const auto choose = [&](Qt::Key key) {
+        m_f->actions().ball->trigger();
+        QTest::keyClick(&m_f->canvas(), key, Qt::ShiftModifier);
+        QTest::mouseMove(&m_f->canvas(), over + QPoint(3, 0));
+        QTest::mouseMove(&m_f->canvas(), over);
+        return m_f->canvas().tool()->hint();
+    };
+    const auto painted = [this] {
+        QImage image(m_f->canvas().size(), QImage::Format_ARGB32_Premultiplied);
+        image.fill(Qt::transparent);
+        QPainter painter(&image);
+        m_f->canvas().tool()->paint(painter);
+        return image;
+    };
+    QStringList hints;
+    for (const Qt::Key key : {Qt::Key_R, Qt::Key_O, Qt::Key_U}) {
+        hints << choose(key);
+        QVERIFY(select->isChecked());
+    }
+    hints.removeDuplicates();
+    QCOMPARE(hints.size(), 3);
+    QVERIFY(hints.last().contains('[') && hints.last().contains(']'));
+    const QImage ring = painted();
+    QVERIFY(qAlpha(ring.pixel(over + QPoint(18, 0))) > 0 && qAlpha(ring.pixel(over)) == 0);
+    QTest::keyClick(&m_f->canvas(), Qt::Key_BracketRight);
+    QVERIFY(painted() != ring);
+    m_f->canvas().tool()->leave();
+    QCOMPARE(qAlpha(painted().pixel(over + QPoint(22, 0))), 0);
 }
 
 void TestSpaceTools::hiddenPinsAreSelectedThrough() {

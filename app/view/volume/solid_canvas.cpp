@@ -236,6 +236,15 @@ bool SolidCanvas::hasDetail() const {
     return !m_session.document().project()->domain.detail.empty() || !frame->built->skin->materials.empty();
 }
 
+/// True once for each document: its view is still to be found.
+bool SolidCanvas::meetsNewDocument() {
+    const int generation = m_session.document().generation();
+    if (std::exchange(m_generation, generation) == generation) return false;
+    m_planeChosen = false;
+    m_fitted = true;
+    return true;
+}
+
 /// A new solid is seen whole: first as it comes, then, when its motion is known, as it is shown then.
 void SolidCanvas::refresh() {
     const auto frame = m_session.frame<3>();
@@ -257,11 +266,8 @@ void SolidCanvas::refresh() {
     }
     m_style.dimming = m_dimmed && picture.materials ? 0.5 : 0;
     setStyle(m_style);
-    const bool isNew = m_generation != m_session.document().generation();
-    m_generation = m_session.document().generation();
-    if (isNew) {
-        m_planeChosen = false;
-        m_fitted = m_toFit = true;
+    if (meetsNewDocument()) {
+        m_toFit = true;
         look(Camera::Axis::Isometric);
     }
     if (frame->live || m_session.playback().isPlaying()) hurry();
@@ -283,6 +289,21 @@ void SolidCanvas::showPreview(const std::shared_ptr<const Skin>& skin) {
     setPicture(pictureOfSurface(skin->points, skin->triangles,
                                 std::vector<QRgb>(skin->triangles.size(), dimmed(plain))),
                true);
+    redraw();
+}
+
+void SolidCanvas::showRefused(VolumePicture picture, const Vec<3>& direction) {
+    const bool isNew = meetsNewDocument();
+    m_toFit = false;
+    setPicture(std::move(picture), false);
+    if (isNew) lookAlong(direction);
+    redraw();
+}
+
+void SolidCanvas::lookAlong(const Vec<3>& direction) {
+    camera().lookAlong(direction);
+    m_fitted = true;
+    fit();
 }
 
 void SolidCanvas::showGlyphs(const PosedFrame<3>& frame) {
@@ -297,22 +318,21 @@ void SolidCanvas::showGlyphs(const PosedFrame<3>& frame) {
 }
 
 void SolidCanvas::paintOver(QPainter& painter) {
-    if (!m_session.frame<3>()) return;
     paintMarks(painter);
-    if (m_hidden) return;
+    if (m_hidden || !m_session.frame<3>()) return;
     m_cutTool.paint(painter);
     if (m_tool) m_tool->paint(painter);
 }
 
 void SolidCanvas::paintMarks(QPainter& painter) {
     const auto frame = m_session.frame<3>();
-    if (!frame) return;
+    if (shown().pose.cols() == 0) return;
     const Theme theme = Theme::of(palette());
     SolidPainter painterOfSolid(painter, *this, theme);
     painter.save();
     painterOfSolid.compass(QPointF(46, height() - 46), camera().view().topLeftCorner<3, 3>());
     painter.restore();
-    if (m_hidden) return;
+    if (m_hidden || !frame) return;
     if (m_map && isDistortion(m_measure))
         painterOfSolid.worst(*frame, worstOf(frame->distortion, m_measure).cell);
     painterOfSolid.paths();

@@ -40,6 +40,10 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     bool hasDetail() const;
     /// The surface of a file while its tetrahedra are being made.
     void showPreview(const std::shared_ptr<const Skin>& skin);
+    /// A surface that bounds no solid: seen along the direction at first in a document, then as the view is.
+    void showRefused(VolumePicture picture, const Vec<3>& direction);
+    /// Turns the view.
+    void lookAlong(const Vec<3>& direction);
     /// What lies over the view.
     void paintOver(QPainter& painter);
     /// Of that, what is not the tools': pins, paths, the worst place, the axes.
@@ -94,6 +98,7 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     void takeFrame();
     void endGestureOnOtherMesh();
     bool showsFrame() const;
+    bool meetsNewDocument();
     void refresh();
     void showGlyphs(const PosedFrame<3>& frame);
     void wantVelocity();
