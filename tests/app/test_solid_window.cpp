@@ -9,6 +9,7 @@
 #include <QSignalSpy>
 #include <QStatusBar>
 #include <QTextStream>
+#include <QWheelEvent>
 
 #include <array>
 #include <cmath>
@@ -66,6 +67,7 @@ class TestSolidWindow : public QObject {
     void pictureHasItsSizeAndNoBackground();
     void detailedSurfaceIsShownAndTellsItsNotices();
     void presetsTurnTheView();
+    void zoomedViewIsKept();
     void backToAPicture();
 
   private:
@@ -727,6 +729,20 @@ void TestSolidWindow::presetsTurnTheView() {
         m_window->solids().actions().blenderKeys->trigger();
         QVERIFY(turns(Qt::MiddleButton, from) && !turns(Qt::RightButton, from));
     }
+}
+
+/// Whatever appears beside it.
+void TestSolidWindow::zoomedViewIsKept() {
+    open();
+    const QPointF place(200, 200);
+    QWheelEvent wheel(place, canvas().mapToGlobal(place), {}, QPoint(0, 240), Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(&canvas(), &wheel);
+    const Eigen::Matrix4d view = canvas().camera().view();
+    const int height = canvas().height();
+    m_window->resize(1200, 700);
+    QVERIFY(QTest::qWaitFor([&] { return canvas().height() != height; }));
+    QVERIFY(canvas().camera().view() == view);
 }
 
 void TestSolidWindow::backToAPicture() {

@@ -1,6 +1,7 @@
 // What the pointer and the keys do on a solid.
 #include <QLocale>
 #include <QMouseEvent>
+#include <QWheelEvent>
 
 #include "app/panels/legend.h"
 #include "app/session/fields.h"
@@ -107,6 +108,11 @@ void SolidCanvas::tellPointed(const QPointF& at) {
                QStringLiteral("   ") + text;
     }
     emit pointed(text);
+}
+
+void SolidCanvas::wheelEvent(QWheelEvent* event) {
+    m_fitted = false;
+    VolumeView::wheelEvent(event);
 }
 
 void SolidCanvas::keyPressEvent(QKeyEvent* event) {
