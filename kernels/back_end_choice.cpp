@@ -179,8 +179,8 @@ BackEndFactory<Dim> backEndFactory(BackEndKind kind, const std::string& device, 
         };
         if (!info) return makeCpu();
         try {
-            return makeFailsafe<Dim>(makeOpenClBackEnd<Dim>(shared.at(*info), plan, rest, material), makeCpu,
-                                     notice);
+            return makeFailsafe<Dim>(makeOpenClBackEnd<Dim>(shared.at(*info), plan, rest, material, threads),
+                                     makeCpu, notice);
         } catch (const DeviceFailure& failure) {
             if (kind == BackEndKind::OpenCl)
                 throw InputError("the OpenCL back end cannot be used: " + std::string(failure.what()));

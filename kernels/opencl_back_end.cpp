@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/assembly/cpu_back_end.h"
 #include "core/energy/cell_energy.h"
 #include "kernels/opencl_context.h"
 #include "kernels/opencl_stages.h"
@@ -18,11 +19,12 @@ template <int Dim>
 class OpenClBackEnd final : public BackEnd<Dim> {
   public:
     OpenClBackEnd(const OpenClPlace& device, std::shared_ptr<const AssemblyPlan<Dim>> plan,
-                  const SimplicialMesh<Dim>& rest, const Material<Dim>& material)
+                  const SimplicialMesh<Dim>& rest, const Material<Dim>& material, int threads)
         : m_cl(device),
           m_plan(std::move(plan)),
           m_anisotropic(!material.anisotropy.empty()),
-          m_stages(m_cl, m_plan->vertexCount) {
+          m_stages(m_cl, m_plan->vertexCount),
+          m_workers(usefulThreads(threads, Dim * rest.vertexCount())) {
         buildKernels();
         uploadPlan();
         uploadMaterial(rest, material);
@@ -31,6 +33,7 @@ class OpenClBackEnd final : public BackEnd<Dim> {
 
     std::string name() const override { return "opencl"; }
     std::string device() const override { return m_cl.info().name; }
+    WorkerPool& workers() override { return m_workers; }
 
     void setInertia(std::vector<double> epsilon) override {
         guarded([&] {
@@ -196,6 +199,7 @@ class OpenClBackEnd final : public BackEnd<Dim> {
     std::shared_ptr<const AssemblyPlan<Dim>> m_plan;
     bool m_anisotropic;
     OpenClStages<Dim> m_stages;
+    WorkerPool m_workers;
     int m_chunks = 0;
     cl_int m_invariant = 0;
     cl_double m_smoothingFactor = 0;
@@ -215,15 +219,16 @@ template <int Dim>
 std::unique_ptr<BackEnd<Dim>> makeOpenClBackEnd(const OpenClPlace& device,
                                                 std::shared_ptr<const AssemblyPlan<Dim>> plan,
                                                 const SimplicialMesh<Dim>& rest,
-                                                const Material<Dim>& material) {
-    return guarded(
-        [&] { return std::make_unique<OpenClBackEnd<Dim>>(device, std::move(plan), rest, material); });
+                                                const Material<Dim>& material, int threads) {
+    return guarded([&] {
+        return std::make_unique<OpenClBackEnd<Dim>>(device, std::move(plan), rest, material, threads);
+    });
 }
 
 #define WEND_INSTANTIATE(Dim)                                                                     \
     template std::unique_ptr<BackEnd<Dim>> makeOpenClBackEnd(                                     \
         const OpenClPlace&, std::shared_ptr<const AssemblyPlan<Dim>>, const SimplicialMesh<Dim>&, \
-        const Material<Dim>&);
+        const Material<Dim>&, int);
 WEND_INSTANTIATE(2)
 WEND_INSTANTIATE(3)
 

@@ -6,11 +6,12 @@
 
 namespace wend {
 
-/// A back end on an OpenCL device. Throws DeviceFailure here and from every call.
+/// A back end on an OpenCL device; `threads` of the processor do what it does not, as in BackEndFactory.
+/// Throws DeviceFailure here and from every call.
 template <int Dim>
 std::unique_ptr<BackEnd<Dim>> makeOpenClBackEnd(const OpenClPlace& device,
                                                 std::shared_ptr<const AssemblyPlan<Dim>> plan,
                                                 const SimplicialMesh<Dim>& rest,
-                                                const Material<Dim>& material);
+                                                const Material<Dim>& material, int threads);
 
 }  // namespace wend

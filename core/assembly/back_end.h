@@ -50,10 +50,7 @@ class BackEnd {
     /// setShape() at the shape of stages().
     virtual int setStage() { return setShape(*stages().shape()); }
     /// The processor's threads that share the loops of this back end; the factor's take them, too.
-    virtual WorkerPool& workers() {
-        if (!m_workers) m_workers = std::make_unique<WorkerPool>(0);
-        return *m_workers;
-    }
+    virtual WorkerPool& workers() = 0;
     /// All that was copied so far, plan and material included; nothing without a device.
     virtual CopiedBytes copied() const { return {}; }
 
@@ -66,9 +63,7 @@ class BackEnd {
     virtual double energy(const Points<Dim>& v) = 0;
 
   private:
-    // Where the back end has none of its own; made at the first use.
-    std::unique_ptr<StageVectors<Dim>> m_hostStages;
-    std::unique_ptr<WorkerPool> m_workers;
+    std::unique_ptr<StageVectors<Dim>> m_hostStages;  // where no device has them; made at the first use
 };
 
 /// Makes a back end for a plan, the rest mesh that it was made of (normalized) and a valid material; threads

@@ -10,6 +10,12 @@ namespace wend::dense {
 template <class Real>
 inline constexpr int kPad = 64 / sizeof(Real);
 
+/// Up to whole groups of them.
+template <class Real>
+constexpr int padded(int rows) {
+    return (rows + kPad<Real> - 1) / kPad<Real> * kPad<Real>;
+}
+
 /// Of [L11; L21] from [A11; A21] in place: columns [from, to), when those before are done, in their rows
 /// below the diagonal up to `rowEnd`. `inverse` gets 1 / diagonal. False at a pivot that is not positive.
 /// Zero above the diagonal afterwards.

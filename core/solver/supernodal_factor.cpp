@@ -10,12 +10,6 @@
 namespace wend {
 namespace {
 
-/// Up to a whole number of cache lines.
-template <class Real>
-std::size_t padded(std::size_t count) {
-    return (count + dense::kPad<Real> - 1) / dense::kPad<Real> * dense::kPad<Real>;
-}
-
 /// `count` zeros and a cache line behind them; returns the first that is aligned to a cache line.
 template <class Real>
 Real* allocate(std::vector<Real>& storage, std::size_t count) {
@@ -52,12 +46,12 @@ SupernodalFactor<Real>::SupernodalFactor(Supernodes symbolic, const std::vector<
 
 template <class Real>
 int SupernodalFactor<Real>::leading(int s) const {
-    return static_cast<int>(padded<Real>(m_symbolic.rowsOf(s)));
+    return dense::padded<Real>(m_symbolic.rowsOf(s));
 }
 
 template <class Real>
 int SupernodalFactor<Real>::updateLeading(int s) const {
-    return static_cast<int>(padded<Real>(updateRows(s)));
+    return dense::padded<Real>(updateRows(s));
 }
 
 /// One after another, with a cache line between them for the kernels to look at.
@@ -243,7 +237,7 @@ bool SupernodalFactor<Real>::factorPanel(int s, WorkerPool& workers) {
     const int columns = m_symbolic.columnsOf(s), rows = leading(s);
     Real *const front = panel(s), *const inverse = m_inverse.data() + m_symbolic.first[s];
     for (int from = 0; from < columns; from += kPanelColumns) {
-        const int to = std::min(columns, from + kPanelColumns), below = static_cast<int>(padded<Real>(to));
+        const int to = std::min(columns, from + kPanelColumns), below = dense::padded<Real>(to);
         if (!dense::factorColumns(front, rows, from, to, below, inverse)) return false;
         workers.forPieces(rows - below, 16 * dense::kPad<Real>, [&](int begin, int end) {
             dense::continueColumns(front, rows, from, to, below + begin, below + end, inverse);

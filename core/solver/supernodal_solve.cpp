@@ -11,6 +11,10 @@ namespace {
 constexpr std::size_t kSharedPanel = 100000;
 constexpr int kRows = 512, kColumns = 32;  // of a piece
 
+bool isShared(int leading, int columns) {
+    return static_cast<std::size_t>(leading) * columns >= kSharedPanel;
+}
+
 }  // namespace
 
 /// Rows above a branch have places of its own, so that branches may be done at the same time; they are added
@@ -50,8 +54,8 @@ void SupernodalFactor<Real>::forwardFront(int s, Real* w, WorkerPool* workers) {
     Real* const x = m_x.data() + m_symbolic.first[s];
     std::copy_n(x, columns, w);
     std::fill(w + columns, w + n, Real(0));
-    const bool shared = workers && static_cast<std::size_t>(n) * columns >= kSharedPanel;
-    const int below = shared ? std::min(n, (columns + dense::kPad<Real> - 1) & -dense::kPad<Real>) : n;
+    const bool shared = workers && isShared(n, columns);
+    const int below = shared ? dense::padded<Real>(columns) : n;
     dense::forward(panel(s), n, columns, below, m_inverse.data() + m_symbolic.first[s], w, x);
     if (shared)
         workers->forPieces(n - below, kRows, [&](int begin, int end) {
@@ -68,8 +72,8 @@ void SupernodalFactor<Real>::backwardFront(int s, Real* w, WorkerPool* workers) 
     std::fill_n(w, columns, Real(0));
     for (int i = columns; i < rows; ++i) w[i] = m_x[index[i]];
     std::fill(w + rows, w + n, Real(0));
-    const bool shared = workers && static_cast<std::size_t>(n) * columns >= kSharedPanel;
-    const int below = shared ? std::min(n, (columns + dense::kPad<Real> - 1) & -dense::kPad<Real>) : n;
+    const bool shared = workers && isShared(n, columns);
+    const int below = shared ? dense::padded<Real>(columns) : n;
     if (shared)
         workers->forPieces(columns, kColumns, [&](int begin, int end) {
             dense::prepareBackward(panel(s), n, begin, end, below, w, x);

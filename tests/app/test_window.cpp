@@ -80,6 +80,7 @@ class TestWindow : public QObject {
     void open();
     QPoint at(double x, double y) const;
     void click(double x, double y, Qt::KeyboardModifiers modifiers = {});
+    bool openWithCurve();
     void dragPin(double x, double y, double dx, double dy);
     std::size_t pinCount() { return m_window->session().document().design().handles.size(); }
 
@@ -605,15 +606,21 @@ void TestWindow::exportsFollowEachOther() {
                             60000));
 }
 
-/// Below a selected pin lies its curve.
-void TestWindow::doublePressTakesThePinOnItsCurve() {
+/// Two pins, the right one moved along a curve.
+bool TestWindow::openWithCurve() {
     open();
     click(40, 80);
     click(200, 80);
     dragPin(200, 80, -30, 30);
     QTest::mouseRelease(&m_window->canvas(), Qt::LeftButton, {}, at(170, 110));
-    QVERIFY(settle(m_window->session()));
+    const bool moved = settle(m_window->session());
     m_window->curves().make->trigger();
+    return moved;
+}
+
+/// Below a selected pin lies its curve.
+void TestWindow::doublePressTakesThePinOnItsCurve() {
+    QVERIFY(openWithCurve());
     m_window->session().playback().setTime(0.5);
     QVERIFY(settle(m_window->session()));
     const Vec<2> pin = m_window->session().pins()[1].centre;
@@ -624,13 +631,7 @@ void TestWindow::doublePressTakesThePinOnItsCurve() {
 
 /// A right click on the curve opens its menu, but not while the left button drags.
 void TestWindow::menusWaitForTheGesture() {
-    open();
-    click(40, 80);
-    click(200, 80);
-    dragPin(200, 80, -30, 30);
-    QTest::mouseRelease(&m_window->canvas(), Qt::LeftButton, {}, at(170, 110));
-    QVERIFY(settle(m_window->session()));
-    m_window->curves().make->trigger();
+    QVERIFY(openWithCurve());
     QVERIFY(settle(m_window->session()));
     const Vec<2> inner = lastCurve<2>(*m_window->session().document().project(), 1)->points[1];
     ShapeCanvas& canvas = m_window->canvas();

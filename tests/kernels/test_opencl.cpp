@@ -22,6 +22,7 @@ class TestOpenCl : public QObject {
     void firstInvertedCellIsFound();
     void runsRepeat();
     void failingDeviceIsReplaced();
+    void threadsAreAsWished();
     void missingDeviceIsAnErrorOnlyByName();
 };
 
@@ -56,7 +57,7 @@ struct Pair {
         if (!anisotropic) material.anisotropy.clear();
         plan = std::make_shared<const AssemblyPlan<Dim>>(makeAssemblyPlan(rest, kind != SmoothingKind::None));
         cpu = makeCpuBackEnd<Dim>(plan, rest, material, 1);
-        opencl = makeOpenClBackEnd<Dim>(device(), plan, rest, material);
+        opencl = makeOpenClBackEnd<Dim>(device(), plan, rest, material, 1);
         std::vector<double> inertia(static_cast<std::size_t>(rest.cellCount()), 0.0);
         inertia[0] = 1e-4;
         cpu->setInertia(inertia);
@@ -158,6 +159,7 @@ class LostDevice final : public BackEnd<Dim> {
         : m_device(std::move(device)), m_calls(calls) {}
     std::string name() const override { return m_device->name(); }
     std::string device() const override { return m_device->device(); }
+    WorkerPool& workers() override { return m_device->workers(); }
     void setInertia(std::vector<double> epsilon) override { use().setInertia(std::move(epsilon)); }
     int setShape(const Points<Dim>& shape) override { return use().setShape(shape); }
     void assemble(std::span<double> values) override { use().assemble(values); }
@@ -173,6 +175,16 @@ class LostDevice final : public BackEnd<Dim> {
     int m_calls;
 };
 
+/// The processor's share of the work, the factor, keeps to the threads that were asked for.
+void TestOpenCl::threadsAreAsWished() {
+    std::mt19937 random(3);
+    const auto mesh = unitGrid<2>(75, 0.1, random);
+    const auto plan = std::make_shared<const AssemblyPlan<2>>(makeAssemblyPlan(mesh, true));
+    const auto material = Material<2>::uniform(mesh.cellCount(), phi::kMetr);
+    for (int threads : {1, 3})
+        QCOMPARE(makeOpenClBackEnd<2>(device(), plan, mesh, material, threads)->workers().threads(), threads);
+}
+
 void TestOpenCl::failingDeviceIsReplaced() {
     for (int calls = 0; calls <= 4; ++calls) {
         Pair<2> pair(false, SmoothingKind::Invariant, 9);
@@ -180,7 +192,7 @@ void TestOpenCl::failingDeviceIsReplaced() {
         const Material<2> material = Material<2>::uniform(pair.rest.cellCount(), phi::kMetr);
         const auto makeCpu = [&] { return makeCpuBackEnd<2>(pair.plan, pair.rest, material, 1); };
         auto lost = std::make_unique<LostDevice<2>>(
-            makeOpenClBackEnd<2>(device(), pair.plan, pair.rest, material), calls);
+            makeOpenClBackEnd<2>(device(), pair.plan, pair.rest, material, 1), calls);
         const auto failsafe = makeFailsafe<2>(std::move(lost), makeCpu,
                                               [&](const std::string& text) { notices.push_back(text); });
         const auto reference = makeCpu();

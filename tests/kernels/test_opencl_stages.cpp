@@ -91,9 +91,9 @@ struct Bending {
             bend.mesh, bend.material, bend.handles, options,
             BackEndFactory<Dim>([this](std::shared_ptr<const AssemblyPlan<Dim>> used,
                                        const SimplicialMesh<Dim>& rest, const Material<Dim>& material,
-                                       int) -> std::unique_ptr<BackEnd<Dim>> {
+                                       int threads) -> std::unique_ptr<BackEnd<Dim>> {
                 plan = used;
-                return makeOpenClBackEnd<Dim>(device(), used, rest, material);
+                return makeOpenClBackEnd<Dim>(device(), used, rest, material, threads);
             }));
     }
     std::size_t vector() const { return static_cast<std::size_t>(plan->vertexCount) * Dim * sizeof(double); }
@@ -218,6 +218,7 @@ class LostDevice final : public BackEnd<Dim> {
         : m_device(std::move(device)), m_calls(calls) {}
     std::string name() const override { return m_device->name(); }
     std::string device() const override { return m_device->device(); }
+    WorkerPool& workers() override { return m_device->workers(); }
     void setInertia(std::vector<double> epsilon) override { use().setInertia(std::move(epsilon)); }
     int setShape(const Points<Dim>& shape) override { return use().setShape(shape); }
     StageVectors<Dim>& stages() override { return m_stages; }
@@ -353,9 +354,9 @@ void TestOpenClStages::aDeviceIsLostAnywhere() {
         const auto factory = [&](std::shared_ptr<const AssemblyPlan<2>> plan, const SimplicialMesh<2>& rest,
                                  const Material<2>& material, int threads) {
             const auto makeCpu = [=] { return makeCpuBackEnd<2>(plan, rest, material, threads); };
-            return makeFailsafe<2>(
-                std::make_unique<LostDevice<2>>(makeOpenClBackEnd<2>(device(), plan, rest, material), calls),
-                makeCpu, [&](const std::string&) { ++notices; });
+            return makeFailsafe<2>(std::make_unique<LostDevice<2>>(
+                                       makeOpenClBackEnd<2>(device(), plan, rest, material, threads), calls),
+                                   makeCpu, [&](const std::string&) { ++notices; });
         };
         const Points<2> result = bent<2>(options, factory);
         QVERIFY2(samples::distance(result, expected) < 1e-9 * boundingBoxDiagonal<2>(expected),
