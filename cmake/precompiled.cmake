@@ -1,0 +1,36 @@
+# Precompiled headers: most of the time that a file takes to compile goes into the same headers of Eigen, Qt and the standard
+# library. Three sets, since what links Qt is compiled with other options. -DWEND_PCH=OFF builds without them, and so finds a
+# file that forgot an include.
+option(WEND_PCH "Compile the headers that most files include once" ON)
+
+set(WEND_PCH_STANDARD <algorithm> <array> <atomic> <cmath> <cstddef> <cstdint> <cstring> <filesystem> <fstream> <functional> <iterator>
+    <limits> <map> <memory> <mutex> <numbers> <numeric> <optional> <set> <span> <sstream> <stdexcept> <stop_token> <string>
+    <string_view> <thread> <utility> <variant> <vector> <Eigen/Core> <Eigen/Geometry> <Eigen/LU>)
+
+function(wend_precompile name)
+    add_library(${name} OBJECT ${PROJECT_SOURCE_DIR}/cmake/precompiled.cpp)
+    target_link_libraries(${name} PRIVATE wend_options Eigen3::Eigen ${ARGN})
+endfunction()
+
+if(WEND_PCH)
+    wend_precompile(wend_pch_core)
+    target_precompile_headers(wend_pch_core PRIVATE ${WEND_PCH_STANDARD})
+    wend_precompile(wend_pch_qt Qt6::Core)
+    target_precompile_headers(wend_pch_qt PRIVATE ${WEND_PCH_STANDARD} <QtCore>)
+    wend_precompile(wend_pch_widgets Qt6::Widgets)
+    target_precompile_headers(wend_pch_widgets PRIVATE ${WEND_PCH_STANDARD} <QtCore> <QtGui> <QtWidgets>)
+endif()
+
+# wend_use_pch(target LIBRARIES…): the set that fits what the target links.
+function(wend_use_pch target)
+    if(NOT WEND_PCH)
+        return()
+    endif()
+    set(kind core)
+    if(ARGN MATCHES "Qt6::Widgets|wend::(tools|panels|view|volume_view|bench)")
+        set(kind widgets)
+    elseif(ARGN MATCHES "Qt6::|wend::(workspace|window_session)")
+        set(kind qt)
+    endif()
+    target_precompile_headers(${target} REUSE_FROM wend_pch_${kind})
+endfunction()

@@ -1,0 +1,1 @@
+// Made only so that the headers are compiled; see precompiled.cmake.
