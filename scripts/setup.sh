@@ -3,6 +3,7 @@
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build_dir=$root/build/release
+. "$root/scripts/progress.sh"
 
 packages_for() { # PURPOSE…
     local purposes=" $* "
@@ -40,11 +41,30 @@ setup() { # PURPOSE…
         $sudo env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "${missing[@]}" >&2
 }
 
-build() { # TARGET…
-    local werror=${WEND_WERROR:-OFF}
-    if [ ! -e "$build_dir/build.ninja" ] || ! grep -q "^WEND_WERROR:BOOL=$werror\$" "$build_dir/CMakeCache.txt"; then
-        (cd "$root" && cmake --preset release -DWEND_WERROR="$werror" >&2) || return 1
+configure() { # PRESET OPTION…: quietly; all that cmake said where it failed
+    local log
+    log=$(mktemp)
+    echo "Configuring." >&2
+    if ! (cd "$root" && cmake --preset "$@") >"$log" 2>&1; then
+        cat "$log" >&2
+        rm -f "$log"
+        return 1
     fi
-    ninja -C "$build_dir" --quiet "$@" | { grep -v '^ninja: no work to do' || true; } >&2
+    rm -f "$log"
+}
+
+steps_of() { # TARGET…: how many steps ninja has before it
+    ninja -C "$build_dir" -n "$@" 2>/dev/null | sed -n 's/^\[[0-9]*\/\([0-9]*\)\].*/\1/p' | tail -n 1
+}
+
+build() { # TARGET…
+    local werror=${WEND_WERROR:-OFF} steps when=again
+    [ -e "$build_dir/.ninja_log" ] || when=first
+    if [ ! -e "$build_dir/build.ninja" ] || ! grep -q "^WEND_WERROR:BOOL=$werror\$" "$build_dir/CMakeCache.txt"; then
+        configure release -DWEND_WERROR="$werror" || return 1
+    fi
+    steps=$(steps_of "$@")
+    announce_build "${steps:-0}" "$when" >&2
+    NINJA_STATUS='[%f/%t] ' ninja -C "$build_dir" "$@" 2>&1 | narrate_build >&2
     return "${PIPESTATUS[0]}"
 }

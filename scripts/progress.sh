@@ -1,0 +1,68 @@
+# Sourced by setup.sh. Tells what a build does: in one changing line on a terminal, in a line for every tenth of it elsewhere.
+# The clock is only for what is told; nothing depends on it.
+
+seconds_per_step=1.2 # of one core, measured without ccache; an estimate for the first line
+
+minutes_of() { # STEPS: what they take on this machine, in whole minutes
+    awk -v steps="$1" -v each="$seconds_per_step" -v cores="$(nproc)" \
+        'BEGIN {m = steps * each / cores / 60; print (m > 1 ? int(m + 0.5) : 1)}'
+}
+
+announce_build() { # STEPS FIRST: one line before anything happens; none for a few files
+    local minutes cores what="Building what changed"
+    [ "$1" -lt 20 ] && return
+    minutes=$(minutes_of "$1")
+    cores=$(nproc)
+    [ "$2" = first ] && what="First build"
+    echo "$what: $1 steps, about $minutes minute$([ "$minutes" = 1 ] || echo s) on $cores core$([ "$cores" = 1 ] || echo s)" \
+        "(less where ccache has seen them)."
+}
+
+step_name() { # DESCRIPTION of ninja: what a person calls it
+    local text=$1
+    case "$text" in
+    "Building CXX object "*cmake_pch*) text="headers that most files include" ;;
+    "Building CXX object "*)
+        text=${text#Building CXX object }
+        text=${text%.o}
+        text=${text/CMakeFiles\/*.dir\//} ;;
+    "Linking CXX executable "*) text="linking ${text#Linking CXX executable }" ;;
+    "Linking CXX static library "*) text="linking ${text##*/}" ;;
+    "Automatic MOC"*) text="Qt's code for ${text##* }" ;;
+    esac
+    echo "$text"
+}
+
+time_left() { # SECONDS DONE TOTAL: nothing until the pace is known
+    [ "$2" -lt 20 ] || [ "$2" -ge "$3" ] && return
+    local left=$(($1 * ($3 - $2) / $2))
+    [ "$left" -lt 5 ] && return
+    if [ "$left" -ge 90 ]; then echo ", about $(((left + 30) / 60)) minutes left"; else echo ", about $left seconds left"; fi
+}
+
+# Reads what ninja prints. Lines of "[n/m] what" become progress; all others (warnings, errors) stay as they are.
+narrate_build() {
+    local line done_ total tenth=0 now begin=$SECONDS width=80 changing=
+    if [ -t 2 ]; then
+        changing=1
+        width=$(stty size <&2 2>/dev/null | cut -d ' ' -f 2)
+        [ "${width:-0}" -gt 20 ] || width=80
+    fi
+    while IFS= read -r line; do
+        if [[ $line =~ ^\[([0-9]+)/([0-9]+)\]\ (.*)$ ]]; then
+            done_=${BASH_REMATCH[1]} total=${BASH_REMATCH[2]}
+            if [ -n "$changing" ]; then
+                now="[$done_/$total] $(step_name "${BASH_REMATCH[3]}")$(time_left $((SECONDS - begin)) "$done_" "$total")"
+                printf '\r\033[K%s' "${now:0:$((width - 1))}"
+            elif [ "$((10 * done_ / total))" -gt "$tenth" ] && [ "$total" -ge 20 ]; then
+                tenth=$((10 * done_ / total))
+                echo "Built $done_ of $total$(time_left $((SECONDS - begin)) "$done_" "$total")."
+            fi
+        elif [ "$line" != "ninja: no work to do." ] && [[ $line != "ninja: Entering directory"* ]]; then
+            [ -n "$changing" ] && printf '\r\033[K'
+            printf '%s\n' "$line"
+        fi
+    done
+    [ -n "$changing" ] && printf '\r\033[K'
+    return 0
+}
