@@ -10,8 +10,12 @@
 namespace wend {
 namespace {
 
-constexpr double kProbeSeconds = 60;  // a cold PoCL compiles for seconds
+constexpr double kProbeSeconds = 60;  // on a busy machine; a cold PoCL compiles for seconds
+constexpr double kProbeWork = 10;     // seconds of the processor's time
+constexpr double kProbeIdle = 4;      // seconds without a sign of life: the driver hangs
 constexpr int kProbeMegabytes = 0;    // GPU drivers reserve hundreds of gigabytes of addresses: no limit
+
+constexpr const char* kNoAnswer = "the device failed at a first small kernel";
 
 std::vector<std::string> split(const std::string& line, char separator) {
     std::vector<std::string> fields;
@@ -38,7 +42,7 @@ OpenClDeviceInfo parseDevice(const std::vector<std::string>& fields) {
     info.computeUnits = std::atoi(fields[7].c_str());
     info.memoryMegabytes = std::atol(fields[8].c_str());
     info.doublePrecision = fields[9] == "1";
-    info.problem = "the device failed at a first small kernel";
+    info.problem = kNoAnswer;
     return info;
 }
 
@@ -50,10 +54,20 @@ void parseOutcome(const std::vector<std::string>& fields, std::vector<OpenClDevi
     }
 }
 
+/// What to tell of a driver that had to be stopped; empty for others.
+std::string hangOf(const ChildResult& child) {
+    const std::string after = child.end == ChildResult::End::Idle
+                                  ? std::to_string(static_cast<int>(kProbeIdle)) + " seconds"
+                                  : std::to_string(static_cast<int>(kProbeWork)) + " seconds of computing";
+    if (child.end != ChildResult::End::Idle && child.end != ChildResult::End::TimedOut) return {};
+    return "an OpenCL driver gave no answer within " + after +
+           " and was stopped (drivers are named in /etc/OpenCL/vendors, or where OCL_ICD_VENDORS says)";
+}
+
 OpenClDevices probe() {
     OpenClDevices result;
-    const ChildResult child =
-        runChild(siblingProgram("wend-clprobe"), {}, kProbeSeconds, kProbeMegabytes, {});
+    const ChildResult child = runChild(siblingProgram("wend-clprobe"), {}, kProbeSeconds, kProbeMegabytes, {},
+                                       kProbeWork, kProbeIdle);
     for (const std::string& line : split(child.output, '\n')) {
         const auto fields = split(line, '\t');
         if (fields.size() >= 10 && fields[0] == "device")
@@ -62,6 +76,11 @@ OpenClDevices probe() {
             parseOutcome(fields, result.devices);
         else if (fields.size() >= 2 && fields[0] == "none")
             result.problem = fields[1];
+    }
+    if (const std::string hang = hangOf(child); !hang.empty()) {
+        for (auto& info : result.devices)
+            if (!info.works && info.problem == kNoAnswer) info.problem = hang;
+        if (result.devices.empty()) result.problem = hang;
     }
     if (child.end == ChildResult::End::NotStarted)
         result.problem = "wend-clprobe is missing beside the program";

@@ -1,8 +1,14 @@
 // wend-clprobe: lists the OpenCL devices on standard output and tries each with a small kernel. A program of
 // its own because drivers abort the process when something on the machine is missing.
 
+#include <sys/prctl.h>
+#include <sys/resource.h>
+
+#include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <numeric>
 #include <string>
 
@@ -99,7 +105,16 @@ void probeAll() {
 
 }  // namespace
 
-int main() {
+/// Seconds of the processor's time: a driver may loop.
+void limitTime(const char* seconds) {
+    const rlim_t soft = static_cast<rlim_t>(std::max(1, std::atoi(seconds)));
+    const rlimit limit{soft, soft + 1};
+    setrlimit(RLIMIT_CPU, &limit);
+}
+
+int main(int argc, char** argv) {
+    prctl(PR_SET_PDEATHSIG, SIGKILL);  // nobody waits for the answer when the program is gone
+    if (argc > 2) limitTime(argv[2]);
     try {
         probeAll();
     } catch (const cl::Error& error) {

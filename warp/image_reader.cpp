@@ -1,30 +1,60 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <new>
 #include <sstream>
 
 #include "core/mesh/error.h"
 #include "warp/image_metadata.h"
 #include "warp/orientation.h"
+#include "warp/picture_format.h"
 #include "warp/png_check.h"
 #include "warp/webp.h"
 
+// As in OpenImageIO's imageioplugin.cpp: no header of its declares them.
+OIIO_NAMESPACE_BEGIN
+// NOLINTBEGIN(readability-identifier-naming)
+OIIO_API ImageInput* png_input_imageio_create();
+OIIO_API ImageInput* jpeg_input_imageio_create();
+OIIO_API ImageInput* tiff_input_imageio_create();
+OIIO_API ImageInput* openexr_input_imageio_create();
+OIIO_API ImageInput* webp_input_imageio_create();
+OIIO_API ImageInput* hdr_input_imageio_create();
+OIIO_API ImageInput* bmp_input_imageio_create();
+OIIO_API ImageInput* targa_input_imageio_create();
+OIIO_API ImageInput* pnm_input_imageio_create();
+// NOLINTEND(readability-identifier-naming)
+OIIO_NAMESPACE_END
+
 namespace wend {
 namespace {
-namespace fs = std::filesystem;
 
 using Input = std::unique_ptr<OIIO::ImageInput>;
 
-void requireReadable(const std::string& path) {
-    std::error_code error;
-    if (!fs::exists(path, error)) throw InputError(path, "does not exist");
-    if (fs::is_directory(path, error)) throw InputError(path, "is a folder");
-    if (fs::is_regular_file(path, error) && fs::file_size(path, error) == 0)
-        throw InputError(path, "is empty");
-    if (!std::ifstream(path)) throw InputError(path, "cannot be opened: no permission to read it");
+/// OpenImageIO's readers are made one by one: its own search looks for plug-ins, and when a reader fails, it
+/// tries all the others, of which some write where they must not.
+Input readerOf(PictureFormat format) {
+    switch (format) {
+        case PictureFormat::Png:
+            return Input(OIIO::png_input_imageio_create());
+        case PictureFormat::Jpeg:
+            return Input(OIIO::jpeg_input_imageio_create());
+        case PictureFormat::Tiff:
+            return Input(OIIO::tiff_input_imageio_create());
+        case PictureFormat::Exr:
+            return Input(OIIO::openexr_input_imageio_create());
+        case PictureFormat::Webp:
+            return Input(OIIO::webp_input_imageio_create());
+        case PictureFormat::Hdr:
+            return Input(OIIO::hdr_input_imageio_create());
+        case PictureFormat::Bmp:
+            return Input(OIIO::bmp_input_imageio_create());
+        case PictureFormat::Tga:
+            return Input(OIIO::targa_input_imageio_create());
+        case PictureFormat::Pnm:
+            return Input(OIIO::pnm_input_imageio_create());
+    }
+    return {};
 }
 
 /// The first line, which is the cause; what follows repeats it.
@@ -37,12 +67,15 @@ bool isWebp(const OIIO::ImageInput& input) {
 }
 
 Input openPicture(const std::string& path) {
-    requireReadable(path);
-    if (const std::string problem = pngProblem(path); !problem.empty()) throw InputError(path, problem);
-    OIIO::ImageSpec hints;
+    const InputFile file(path);
+    const PictureFormat format = pictureFormat(file);
+    if (format == PictureFormat::Png)
+        if (const std::string problem = pngProblem(file); !problem.empty()) throw InputError(path, problem);
+    OIIO::ImageSpec hints, spec;
     hints.attribute("oiio:UnassociatedAlpha", 1);
-    Input input = OIIO::ImageInput::open(path, &hints);
-    if (!input) throw InputError(path, "cannot be read as a picture: " + firstLine(OIIO::geterror()));
+    Input input = readerOf(format);
+    if (!input->open(path, spec, hints))
+        throw InputError(path, "cannot be read as a picture: " + firstLine(input->geterror()));
     return input;
 }
 
@@ -143,6 +176,7 @@ void readStrips(const std::string& path, OIIO::ImageInput& input, Image& image) 
     const int strip = 64;
     image.reservePixels();
     for (int y = 0; y < image.height; y += strip) {
+        requireReading();
         const int end = std::min(y + strip, image.height);
         image.data.resize(image.rowBytes() * static_cast<std::size_t>(end));
         const bool success = input.read_scanlines(0, 0, spec.y + y, spec.y + end, spec.z, 0, image.channels,

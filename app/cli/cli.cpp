@@ -3,13 +3,14 @@
 #include <array>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <functional>
 #include <new>
 
 #include "app/cli/commands.h"
 #include "app/cli/terminal.h"
-#include "core/mesh/error.h"
+#include "core/mesh/printable.h"
 
 namespace wend {
 namespace {
@@ -82,16 +83,28 @@ ExitCode dispatch(const std::vector<std::string>& words) {
     return command->run(Arguments(command->name, rest));
 }
 
+/// What the system says of a folder or a link.
+std::string said(const std::filesystem::filesystem_error& error) {
+    const char* folder = std::getenv("TMPDIR");
+    const std::string place = error.path1().string();
+    if (folder && (place.empty() || place == folder))
+        return std::string(folder) + ": cannot take the temporary files (TMPDIR): " + error.code().message();
+    return place + ": " + error.code().message();
+}
+
 /// Runs, and turns whatever is thrown into its one line and exit code.
 ExitCode guarded(const std::function<ExitCode()>& run) try { return run(); } catch (const UsageError& error) {
     Terminal::error(error.what());
     return ExitCode::Usage;
 } catch (const InputError& error) {
-    Terminal::error(error.what());
+    Terminal::error(messageOf(error));
     return ExitCode::Input;
 } catch (const Cancelled&) {
     Terminal::error("cancelled; nothing was written");
     return ExitCode::Incomplete;
+} catch (const std::filesystem::filesystem_error& error) {
+    Terminal::error(said(error));
+    return ExitCode::Input;
 } catch (const std::bad_alloc&) {
     Terminal::error("internal error: there is not enough memory");
     return ExitCode::Internal;

@@ -11,6 +11,7 @@
 #include "app/session/output_set.h"
 #include "core/mesh/error.h"
 #include "core/mesh/file_name.h"
+#include "core/mesh/printable.h"
 #include "core/mesh/segments.h"
 #include "warp/outline.h"
 
@@ -190,7 +191,7 @@ Json infoOf(const std::string& path, const std::string& problemsFile) {
 // --- As text ---
 
 std::string text(const Json& value) {
-    if (value.is_string()) return value.get<std::string>();
+    if (value.is_string()) return printable(value.get<std::string>());
     if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
     return value.is_number_float() ? shortNumber(value.get<double>()) : value.dump();
 }
@@ -257,7 +258,7 @@ std::string entryText(const Json& value, const std::string& indent) {
 std::string asText(const Json& json, const std::string& indent) {
     std::string lines;
     for (const auto& [key, value] : json.items())
-        lines += indent + words(key) + ":" + entryText(value, indent);
+        lines += indent + printable(words(key)) + ":" + entryText(value, indent);
     return lines;
 }
 

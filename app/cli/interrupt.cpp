@@ -6,6 +6,8 @@
 #include <csignal>
 #include <stdexcept>
 
+#include "core/mesh/input_file.h"
+
 namespace wend {
 namespace {
 
@@ -15,6 +17,7 @@ std::atomic<int> interruptCount = 0;
 
 extern "C" void onInterrupt(int) {
     if (++interruptCount >= 3) _exit(1);
+    stopReading(true);
     const char signalled = 's';
     if (write(interruptPipe, &signalled, 1) < 0) _exit(1);
 }
@@ -35,6 +38,7 @@ Interrupt::Interrupt() {
 Interrupt::~Interrupt() {
     std::signal(SIGINT, SIG_DFL);
     std::signal(SIGTERM, SIG_DFL);
+    stopReading(false);
     const char ended = 'e';
     if (write(m_pipe[1], &ended, 1) == 1) m_waiter.join();
     close(m_pipe[0]);

@@ -5,14 +5,10 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "core/mesh/printable.h"
+
 namespace wend {
 namespace {
-
-std::string oneLine(std::string text) {
-    std::ranges::replace_if(
-        text, [](char c) { return c == '\n' || c == '\r'; }, ' ');
-    return text;
-}
 
 void say(const std::string& text) {
     std::fputs(text.c_str(), stderr);
@@ -37,7 +33,7 @@ void Terminal::progress(const std::string& work, double fraction) {
     if (!m_shown || (percent == m_lastPercent && work == m_lastWork)) return;
     m_lastPercent = percent;
     m_lastWork = work;
-    const std::string line = work + " " + std::to_string(percent) + " %";
+    const std::string line = printable(work) + " " + std::to_string(percent) + " %";
     if (!m_interactive) return say(line + "\n");
     say("\r" + line + std::string(m_width > line.size() ? m_width - line.size() : 0, ' '));
     m_width = line.size();
@@ -47,11 +43,11 @@ void Terminal::warn(const std::string& text) {
     const std::scoped_lock lock(m_mutex);
     if (m_quiet) return;
     clearLine();
-    say("wend: " + oneLine(text) + "\n");
+    say("wend: " + printable(text) + "\n");
 }
 
 void Terminal::error(const std::string& text) {
-    say("wend: " + oneLine(text) + "\n");
+    say("wend: " + printable(text) + "\n");
 }
 
 void Terminal::clearLine() {

@@ -1,24 +1,36 @@
 #include "app/document/text_file.h"
 
+#include <array>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
-#include <filesystem>
 #include <fstream>
-#include <sstream>
 
 #include "core/mesh/error.h"
+#include "core/mesh/input_file.h"
 #include "core/mesh/safe_file.h"
 
 namespace wend {
 
-std::string readTextFile(const std::string& path) {
-    std::error_code error;
-    if (std::filesystem::is_directory(path, error)) throw InputError(path, "is a folder");
-    std::ifstream stream(path, std::ios::binary);
-    if (!stream) throw InputError(path, std::string("cannot be read: ") + std::strerror(errno));
-    std::string text{std::istreambuf_iterator<char>(stream), {}};
-    if (stream.bad()) throw InputError(path, "cannot be read to its end");
+namespace {
+
+constexpr std::size_t kLongest = std::size_t(256) << 20;  // a stream may never end
+
+std::string standardInput() {
+    std::string text;
+    std::array<char, 65536> piece{};
+    while (const std::size_t got = std::fread(piece.data(), 1, piece.size(), stdin)) {
+        text.append(piece.data(), got);
+        if (text.size() > kLongest) throw InputError("-", "is longer than 256 MB");
+    }
+    if (std::ferror(stdin) != 0) throw InputError("-", "standard input cannot be read");
     return text;
+}
+
+}  // namespace
+
+std::string readTextFile(const std::string& path) {
+    return path == "-" ? standardInput() : readInput(path);
 }
 
 void writeTextFile(const std::string& path, const std::string& text) {

@@ -4,7 +4,7 @@
 
 namespace wend {
 
-/// The whole file. Throws InputError(path, why).
+/// The whole file; `-` is standard input. Throws InputError(path, why).
 std::string readTextFile(const std::string& path);
 /// Written whole or not at all. Throws InputError(path, why).
 void writeTextFile(const std::string& path, const std::string& text);

@@ -81,6 +81,7 @@ MeasurePanel::MeasurePanel(ShapeSession& session, QWidget* parent)
     m_cell->setObjectName(QStringLiteral("measureCell"));
     for (QLabel* label : {m_whole, m_part, m_point, m_cell}) {
         label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+        label->setTextFormat(Qt::RichText);
         layout->addWidget(label);
     }
     describe(m_whole, tr("Size of the solid"), tr("Volume and area of the surface, now and at rest."));

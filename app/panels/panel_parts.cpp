@@ -13,6 +13,7 @@ QLabel* panelTitle(const QString& text, QWidget* parent) {
 QLabel* secondLabel(const QString& text, QWidget* parent) {
     auto* label = new QLabel(text, parent);
     label->setProperty("role", "second");
+    label->setTextFormat(Qt::PlainText);  // it may hold names from files
     label->setWordWrap(true);
     return label;
 }

@@ -1,5 +1,6 @@
 #include "app/session/compute_thread.h"
 
+#include "core/mesh/printable.h"
 #include "core/meshing/volume_mesher.h"
 
 namespace wend {
@@ -31,7 +32,7 @@ void ComputeThread::loop(std::stop_token stop) {
 
 void ComputeThread::giveUp(const std::exception& error, bool shapeless) {
     if (m_engine) m_engine->giveUp();
-    emit failed(m_revision, QString::fromUtf8(error.what()), shapeless);
+    emit failed(m_revision, QString::fromStdString(messageOf(error)), shapeless);
 }
 
 void ComputeThread::handle(const Request& request) {

@@ -9,6 +9,7 @@
 #include "core/mesh/error.h"
 #include "core/mesh/mesh_file.h"
 #include "core/mesh/segments.h"
+#include "warp/picture_format.h"
 
 namespace wend {
 
@@ -102,8 +103,10 @@ QString sampleFolder() {
 }  // namespace
 
 QString pictureExtensions() {
-    return QStringLiteral(
-        "*.png *.tif *.tiff *.exr *.jpg *.jpeg *.webp *.bmp *.tga *.psd *.hdr *.gif *.ppm *.pgm");
+    QStringList patterns;
+    for (const std::string& extension : pictureFileExtensions())
+        patterns << '*' + QString::fromStdString(extension);
+    return patterns.join(' ');
 }
 
 QString meshExtensions() {

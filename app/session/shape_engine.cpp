@@ -4,7 +4,7 @@
 #include <chrono>
 
 #include "app/document/handle_edits.h"
-#include "core/mesh/error.h"
+#include "core/mesh/printable.h"
 #include "core/mesh/used_vertices.h"
 
 namespace wend {
@@ -98,7 +98,7 @@ void ShapeEngineOf<Dim>::beginDrag(const BeginDrag& request) try {
     prepareDrag(m_held.shape);
     m_live->begin(std::move(dragged), request.grip, m_held.pose);
 } catch (const InputError& error) {
-    m_refusal = error.what();
+    m_refusal = messageOf(error);
     m_live.reset();
 }
 
@@ -131,7 +131,7 @@ void ShapeEngineOf<Dim>::dragTo(const DragTo& request) {
     try {
         if (m_live) step = m_live->follow(request.amount);
     } catch (const InputError& error) {
-        m_refusal = error.what();
+        m_refusal = messageOf(error);
         m_live.reset();
     }
     if (!m_live) step = {Amount::Zero(), true, m_refusal};

@@ -15,6 +15,7 @@ BusyNote::BusyNote(QWidget& over) : QLabel(&over) {
     setAttribute(Qt::WA_TransparentForMouseEvents);
     setAlignment(Qt::AlignCenter);
     setMargin(14);
+    setTextFormat(Qt::PlainText);
     hide();
     over.installEventFilter(this);
     m_delay.setSingleShot(true);

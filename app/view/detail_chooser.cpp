@@ -5,7 +5,7 @@
 #include <QSettings>
 #include <QtConcurrent>
 
-#include "core/mesh/error.h"
+#include "core/mesh/printable.h"
 #include "core/mesh/skin_file.h"
 
 namespace wend {
@@ -20,7 +20,7 @@ QString problemOf(const QString& path) try {
         throw InputError(path.toStdString(), "has coordinates that are not finite numbers");
     return {};
 } catch (const std::exception& error) {
-    return QString::fromUtf8(error.what());
+    return QString::fromStdString(messageOf(error));
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 #include <QtConcurrent>
 
 #include "app/session/opening.h"
-#include "core/mesh/error.h"
+#include "core/mesh/printable.h"
 
 namespace wend {
 
@@ -22,7 +22,7 @@ namespace {
 constexpr int kMostRecent = 10;
 
 QString said(const std::exception& error) {
-    return QString::fromUtf8(error.what());
+    return QString::fromStdString(messageOf(error));
 }
 
 /// What came of reading a file in the background. (Futures would slice the exception.)
@@ -109,6 +109,7 @@ bool FileWorkflow::offer(const LostWork& work, const QString& instead) {
     const QString name = QFileInfo(work.path.isEmpty() ? work.source : work.path).fileName();
     QMessageBox box(QMessageBox::NoIcon, tr("Wend"), tr("Recover unsaved changes to “%1”?").arg(name),
                     QMessageBox::NoButton, &m_window);
+    box.setTextFormat(Qt::PlainText);
     QString more = tr("Wend was not closed properly. The last change was on %1.")
                        .arg(QLocale().toString(work.time, QLocale::ShortFormat));
     if (!instead.isEmpty()) more += ' ' + tr("“%1” is not opened then.").arg(QFileInfo(instead).fileName());
@@ -175,6 +176,7 @@ bool FileWorkflow::mayLeave() {
     QMessageBox box(QMessageBox::NoIcon, tr("Wend"),
                     tr("Save the changes to “%1”?").arg(m_document.displayName()),
                     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &m_window);
+    box.setTextFormat(Qt::PlainText);
     box.setInformativeText(tr("If you do not save, they are lost."));
     box.setDefaultButton(QMessageBox::Save);
     const int answer = box.exec();

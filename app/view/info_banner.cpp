@@ -4,12 +4,15 @@
 #include <QLabel>
 #include <QToolButton>
 
+#include "core/mesh/printable.h"
+
 namespace wend {
 
 InfoBanner::InfoBanner(QWidget* parent) : QWidget(parent), m_text(new QLabel(this)) {
     setObjectName(QStringLiteral("infoBanner"));
     setAttribute(Qt::WA_StyledBackground);
     m_text->setWordWrap(true);
+    m_text->setTextFormat(Qt::PlainText);  // names from files are no HTML
     m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
     auto* close = new QToolButton(this);
     close->setText(QStringLiteral("✕"));
@@ -24,8 +27,10 @@ InfoBanner::InfoBanner(QWidget* parent) : QWidget(parent), m_text(new QLabel(thi
 }
 
 void InfoBanner::showText(const QString& text) {
-    m_text->setText(text);
-    m_text->setAccessibleName(text);
+    QStringList lines = text.split('\n');
+    for (QString& line : lines) line = QString::fromStdString(printable(line.toStdString()));
+    m_text->setText(lines.join('\n'));
+    m_text->setAccessibleName(m_text->text());
     setVisible(!text.isEmpty());
 }
 

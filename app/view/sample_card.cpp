@@ -1,12 +1,12 @@
 #include "app/view/sample_card.h"
 
 #include <QFileInfo>
-#include <QImageReader>
 #include <QPainter>
 #include <QtConcurrent>
 
 #include "app/panels/theme.h"
 #include "app/session/opening.h"
+#include "app/session/picture_file.h"
 
 namespace wend {
 
@@ -25,7 +25,7 @@ QRect opaquePart(const QImage& image) {
 }
 
 QImage thumbnail(const QString& project) {
-    const QImage image = QImageReader(picturePathOf(project)).read();
+    const QImage image = pictureOfFile(picturePathOf(project).toStdString());
     if (image.isNull()) return {};
     const QImage small = image.scaled(720, 720, Qt::KeepAspectRatio, Qt::SmoothTransformation);
     const QImage part = small.copy(opaquePart(small));

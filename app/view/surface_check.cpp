@@ -11,6 +11,7 @@
 #include "app/panels/surface_panel.h"
 #include "app/view/volume/solid_canvas.h"
 #include "core/mesh/mesh_file.h"
+#include "core/mesh/printable.h"
 #include "core/mesh/skin_file.h"
 
 namespace wend {
@@ -111,7 +112,7 @@ void SurfaceCheck::look() {
             RepairReport report;
             found->mendable = checkSurface(repairSurface(found->surface, largestHole, report)).boundsVolume();
         } catch (const std::exception& error) {
-            found->error = QString::fromUtf8(error.what());
+            found->error = QString::fromStdString(messageOf(error));
         }
         return found;
     };

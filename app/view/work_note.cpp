@@ -23,6 +23,7 @@ WorkNote::WorkNote(ShapeSession& session, QWidget& over)
       m_text(new QLabel(this)),
       m_cancel(new QPushButton(tr("Cancel (Esc)"), this)) {
     setObjectName(QStringLiteral("workNote"));
+    m_text->setTextFormat(Qt::PlainText);
     m_cancel->setFocusPolicy(Qt::NoFocus);  // the view keeps its keys
     m_cancel->setStatusTip(
         tr("Ends what is being computed and goes back to the last state that is complete"));

@@ -14,11 +14,15 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <sstream>
 
 extern char** environ;
 
 namespace wend {
 namespace {
+
+using Clock = std::chrono::steady_clock;
 
 /// A file descriptor that closes itself.
 class Descriptor {
@@ -123,7 +127,12 @@ class Child {
         return got > 0 || (got < 0 && errno == EINTR);
     }
 
-    void kill() const { ::kill(m_pid, SIGKILL); }
+    /// With all that it has started: it leads a group of its own.
+    void kill() const {
+        ::kill(-m_pid, SIGKILL);
+        ::kill(m_pid, SIGKILL);
+    }
+    pid_t id() const { return m_pid; }
 
     int wait() const {
         int status = 0;
@@ -142,15 +151,68 @@ class Child {
     Descriptor m_in, m_out;
 };
 
+/// What the processes of a group have computed so far, and whether one of them is about to, or waits for the
+/// disk.
+struct Pulse {
+    unsigned long ticks = 0;
+    bool awake = false;
+};
+
+Pulse pulseOf(pid_t wanted) {
+    Pulse pulse;
+    std::error_code error;
+    for (const auto& entry : std::filesystem::directory_iterator("/proc", error)) {
+        std::ifstream file(entry.path() / "stat");
+        std::string line;
+        if (!std::getline(file, line)) continue;
+        // "(name) state parent group …"; user and system time are the 9th and 10th after the group.
+        std::istringstream fields(line.substr(std::min(line.rfind(')') + 1, line.size())));
+        char state = 0;
+        pid_t parent = 0, group = 0;
+        fields >> state >> parent >> group;
+        if (group != wanted) continue;
+        std::string skipped;
+        for (int k = 0; k < 8; ++k) fields >> skipped;
+        unsigned long user = 0, system = 0;
+        fields >> user >> system;
+        pulse.ticks += user + system;
+        pulse.awake = pulse.awake || state == 'R' || state == 'D';
+    }
+    return pulse;
+}
+
+/// Tells whether a child has come to a standstill.
+class IdleWatch {
+  public:
+    IdleWatch(pid_t group, double seconds) : m_group(group), m_seconds(seconds) {}
+
+    bool isIdle(std::size_t said) {
+        const auto now = Clock::now();
+        if (m_seconds <= 0 || now < m_next) return false;
+        m_next = now + std::chrono::milliseconds(200);
+        const Pulse pulse = pulseOf(m_group);
+        const std::pair state(pulse.ticks, said);
+        if (state != m_state || pulse.awake) m_since = now;
+        m_state = state;
+        return std::chrono::duration<double>(now - m_since).count() > m_seconds;
+    }
+
+  private:
+    pid_t m_group;
+    double m_seconds;
+    std::pair<unsigned long, std::size_t> m_state;
+    Clock::time_point m_since = Clock::now(), m_next = m_since;
+};
+
 }  // namespace
 
 ChildResult runChild(const std::string& path, const std::string& input, double seconds, int megabytes,
-                     const std::stop_token& stop, double processorSeconds) {
-    using Clock = std::chrono::steady_clock;
+                     const std::stop_token& stop, double processorSeconds, double idleSeconds) {
     const IgnoreBrokenPipe guard;
     ChildResult result;
     Child child;
     if (!child.start(path, megabytes, processorSeconds)) return {ChildResult::End::NotStarted, errno, {}};
+    IdleWatch watch(child.id(), idleSeconds);
     const auto end = Clock::now() + std::chrono::duration<double>(seconds);
     std::size_t sent = 0;
     auto reason = ChildResult::End::Exited;
@@ -159,6 +221,8 @@ ChildResult runChild(const std::string& path, const std::string& input, double s
             reason = ChildResult::End::Stopped;
         else if (Clock::now() > end)
             reason = ChildResult::End::TimedOut;
+        else if (watch.isIdle(result.output.size()))
+            reason = ChildResult::End::Idle;
         if (reason == ChildResult::End::Exited) continue;
         child.kill();
         break;

@@ -3,10 +3,10 @@
 #include <array>
 #include <cstdint>
 #include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "core/mesh/error.h"
+#include "core/mesh/input_file.h"
 #include "core/mesh/safe_file.h"
 
 namespace wend {
@@ -98,10 +98,13 @@ bool isJpeg(const std::string& bytes) {
     return bytes.rfind("\xFF\xD8\xFF", 0) == 0;
 }
 
+std::string bytesOrNone(const std::string& path) try { return readInput(path); } catch (const InputError&) {
+    return {};
+}
+
 /// The picture as a texture; −1 if it is missing or of another format.
 int addTexture(Json& gltf, Buffer& buffer, const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    const std::string bytes = bytesOrNone(path);
     if (!isPng(bytes) && !isJpeg(bytes)) return -1;
     gltf["images"].push_back({{"bufferView", buffer.view(bytes.data(), bytes.size(), 0)},
                               {"mimeType", isPng(bytes) ? "image/png" : "image/jpeg"}});

@@ -7,6 +7,7 @@
 #include "core/mesh/error.h"
 #include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/formats/scanner.h"
+#include "core/mesh/input_file.h"
 #include "core/mesh/safe_file.h"
 
 namespace wend {
@@ -17,15 +18,7 @@ using formats::MeshSource;
 namespace {
 
 std::string bytesOf(const std::string& path) {
-    std::error_code error;
-    const auto status = fs::status(path, error);
-    if (!fs::exists(status)) throw InputError(path, "does not exist");
-    if (!fs::is_regular_file(status))
-        throw InputError(path, fs::is_directory(status) ? "is a folder" : "is no file");
-    std::ifstream file(path, std::ios::binary);
-    std::string bytes(fs::file_size(path), '\0');
-    if (!file || !file.read(bytes.data(), static_cast<std::streamsize>(bytes.size())))
-        throw InputError(path, "cannot be read");
+    std::string bytes = readInput(path);
     if (bytes.empty()) throw InputError(path, "is empty");
     return bytes;
 }

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 
 #include "core/mesh/error.h"
 #include "core/mesh/formats/cell_collector.h"
@@ -12,6 +11,7 @@
 #include "core/mesh/formats/obj_skin.h"
 #include "core/mesh/formats/scanner.h"
 #include "core/mesh/gltf.h"
+#include "core/mesh/input_file.h"
 #include "core/mesh/safe_file.h"
 
 namespace wend {
@@ -21,12 +21,6 @@ namespace {
 
 bool hasExtension(const std::string& path, std::string_view extension) {
     return formats::sameWord(fs::path(path).extension().string(), extension);
-}
-
-std::string bytesOf(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file) throw InputError(path, "cannot be read");
-    return {std::istreambuf_iterator<char>(file), {}};
 }
 
 /// Fields of the cells are those of the tetrahedra if there are any: then the triangles have none.
@@ -72,7 +66,7 @@ Skin readSkin(const std::string& path) {
     skin.points = file.points;
     skin.triangles = file.triangles;
     if (hasExtension(path, ".obj")) {
-        formats::addObjLook(bytesOf(path), skin);
+        formats::addObjLook(readInput(path), skin);
         return skin;
     }
     if (file.uv.cols() > 0) {
@@ -88,7 +82,7 @@ void writeSkin(const std::string& path, const Skin& skin, const Points<3>& point
     if (hasExtension(path, ".glb")) return writeGltf(path, gltfScene(skin, points));
     if (!hasExtension(path, ".obj") || !hasExtension(skin.path, ".obj"))
         return writeMeshFile(path, toMeshFile(skin, points, fields), options);
-    put(path, formats::withVertices(bytesOf(skin.path), points, fs::path(skin.path).parent_path().string(),
+    put(path, formats::withVertices(readInput(skin.path), points, fs::path(skin.path).parent_path().string(),
                                     fs::path(path).parent_path().string()));
 }
 

@@ -94,6 +94,7 @@ std::string reasonOf(const ChildResult& result, double timeLimit) {
         case End::NotStarted:
             return "the volume mesher wend-tetgen is missing beside the program";
         case End::TimedOut:
+        case End::Idle:
             return "the volume mesher did not finish within " + number(timeLimit) +
                    " s of computing; a coarser quality or a larger maxVolume may help";
         case End::Stopped:

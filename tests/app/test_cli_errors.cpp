@@ -146,7 +146,7 @@ void TestCliErrors::badInput_data() {
     const auto pictureRow = [&](const char* name, const std::string& file, const char* message) {
         row(name, "'domain': {'image': '" + file + "', 'outline': {'from': 'alpha'}}", message);
     };
-    QTest::newRow("no project") << "" << QStringList{"run", "none.wend"} << "none.wend: cannot be read";
+    QTest::newRow("no project") << "" << QStringList{"run", "none.wend"} << "none.wend: does not exist";
     QTest::newRow("folder") << "" << QStringList{"run", "."} << ".: is a folder";
     QTest::newRow("empty") << " " << QStringList{"run", "p.wend"} << "p.wend: is empty";
     QTest::newRow("broken") << "{\n \"format\": \"wend\",\n}" << QStringList{"run", "p.wend"}
@@ -159,7 +159,7 @@ void TestCliErrors::badInput_data() {
         "p.wend: material.cells.B[0]: B is not positive definite");
     row("cell count", kStrip + ", 'material': {'cells': {'phi': [1, 1]}}",
         "p.wend: material.cells.phi: has 2 entries, but the mesh has 40 cells");
-    row("cells file", kStrip + ", 'material': {'cells': 'none.json'}", "none.json: cannot be read");
+    row("cells file", kStrip + ", 'material': {'cells': 'none.json'}", "none.json: does not exist");
     row("outside", kDisc + ", 'handles': [{'name': 'far', 'at': {'points': [[-50, 10]]}}]", "far");
     row("contradiction",
         kStrip +

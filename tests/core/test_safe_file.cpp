@@ -23,6 +23,7 @@ class TestSafeFile : public QObject {
     void leavesNoTrace();
     void followsNobodysLink();
     void childStandsAlone();
+    void idleChildIsEnded();
 
   private:
     std::string file(const char* name) const { return m_folder.filePath(name).toStdString(); }
@@ -109,6 +110,23 @@ void TestSafeFile::childStandsAlone() {
     QCOMPARE(lines[1], lines[0]);
     const qulonglong pipe = 1ULL << (SIGPIPE - 1);
     for (int k : {2, 3}) QCOMPARE(lines[k].section('\t', 1).toULongLong(nullptr, 16) & pipe, 0ULL);
+}
+
+/// A child that only sleeps is ended early, with what it has started; one that computes is not.
+void TestSafeFile::idleChildIsEnded() {
+    const std::string script = file("idle.sh"), busy = file("busy.sh");
+    put(script, "#!/bin/sh\nsleep 1000 &\necho $!\nsleep 1000\n");
+    put(busy, "#!/bin/sh\nk=0\nwhile [ $k -lt 400000 ]; do k=$((k+1)); done\necho done\n");
+    for (const std::string& name : {script, busy}) fs::permissions(name, fs::perms::owner_all);
+    const ChildResult idle = runChild(script, {}, 600, 1000, {}, 0, 1);
+    QVERIFY(idle.end == ChildResult::End::Idle);
+    const std::string stat = "/proc/" + std::to_string(std::stoi(idle.output)) + "/stat";
+    QVERIFY(QTest::qWaitFor([&] {  // gone, or not yet waited for by whoever adopted it
+        const QByteArray state = QByteArray::fromStdString(fs::exists(stat) ? get(stat) : "");
+        return state.isEmpty() || state.contains(") Z ");
+    }));
+    const ChildResult other = runChild(busy, {}, 600, 1000, {}, 0, 1);
+    QVERIFY(other.end == ChildResult::End::Exited && other.output == "done\n");
 }
 
 QTEST_GUILESS_MAIN(TestSafeFile)

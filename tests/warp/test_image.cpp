@@ -54,6 +54,15 @@ float greatestDifference(const Image& a, const Image& b) {
     return greatest;
 }
 
+/// The bytes that OpenImageIO finds in an 8-bit file, whatever its format.
+std::vector<std::byte> decoded(const std::string& path) {
+    const auto input = OIIO::ImageInput::open(path);
+    if (!input) return {};
+    std::vector<std::byte> bytes(input->spec().image_bytes());
+    input->read_image(0, 0, 0, -1, OIIO::TypeDesc::UINT8, bytes.data());
+    return bytes;
+}
+
 std::string reasonOf(const std::string& path) {
     try {
         readImage(path);
@@ -138,6 +147,10 @@ class TestImage : public QObject {
         const PixelLayout layout{PixelType(type), channels, channels % 2 == 0, unassociated};
         const Image written = chart(61, 43, layout);
         writeImage(path("a." + extension), written);
+        if (extension == "jp2") {  // written, but not read again
+            QVERIFY(decoded(path("a.jp2")) == written.data);
+            return;
+        }
         const Image read = readImage(path("a." + extension));
         QVERIFY(layoutOf(read) == layout);
         QCOMPARE(read.width, 61);

@@ -1,7 +1,8 @@
 #include "app/view/volume/texture_file.h"
 
-#include <QImageReader>
 #include <algorithm>
+
+#include "app/session/picture_file.h"
 
 namespace wend {
 
@@ -11,12 +12,10 @@ constexpr int kLargest = 4096;  // pixels
 
 QImage textureOf(const SkinMaterial& material) {
     if (material.texture.empty()) return {};
-    QImageReader reader(QString::fromStdString(material.texture));
-    reader.setAutoTransform(true);
-    const QSize size = reader.size();
-    if (size.isValid() && std::max(size.width(), size.height()) > kLargest)
-        reader.setScaledSize(size.scaled(kLargest, kLargest, Qt::KeepAspectRatio));
-    return reader.read().convertToFormat(QImage::Format_RGBA8888);
+    const QImage image = pictureOfFile(material.texture);
+    if (std::max(image.width(), image.height()) <= kLargest) return image;
+    return image.scaled(kLargest, kLargest, Qt::KeepAspectRatio, Qt::SmoothTransformation)
+        .convertToFormat(QImage::Format_RGBA8888);
 }
 
 }  // namespace

@@ -4,12 +4,12 @@
 
 #include <charconv>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <map>
 
+#include "core/mesh/error.h"
 #include "core/mesh/formats/scanner.h"
 #include "core/mesh/formats/text_writer.h"
+#include "core/mesh/input_file.h"
 
 namespace wend::formats {
 namespace fs = std::filesystem;
@@ -68,12 +68,14 @@ std::string textureName(std::string_view rest) {
 }
 
 void readMaterials(const fs::path& path, Skin& skin, std::map<std::string, int, std::less<>>& known) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file) {
-        skin.warnings.push_back("the material file " + path.string() + " cannot be read");
+    std::string bytes;
+    try {
+        bytes = readInput(path.string());
+    } catch (const InputError& error) {
+        skin.warnings.push_back("the material file " + path.string() + " cannot be read: it " +
+                                error.reason());
         return;
     }
-    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
     SkinMaterial* material = nullptr;
     eachLine(bytes, [&](std::string_view line) {
         const auto keyword = takeWord(line);

@@ -1,0 +1,91 @@
+#include "core/mesh/input_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+#include <new>
+#include <utility>
+
+#include "core/mesh/error.h"
+
+namespace wend {
+namespace {
+
+constexpr std::uint64_t kPiece = 1 << 20;  // bytes between two looks at whether to go on
+
+std::atomic<bool> readingStops = false;
+
+/// What the thing is instead of a file; null for a file.
+const char* oddKind(mode_t mode) {
+    if (S_ISREG(mode)) return nullptr;
+    if (S_ISDIR(mode)) return "is a folder";
+    if (S_ISFIFO(mode)) return "is a pipe, not a file";
+    if (S_ISSOCK(mode)) return "is a socket, not a file";
+    return "is a device, not a file";
+}
+
+void requireRegular(const std::string& path, const struct stat& status) {
+    if (const char* kind = oddKind(status.st_mode)) throw InputError(path, kind);
+}
+
+std::string reasonOf(int error) {
+    if (error == ENOENT) return "does not exist";
+    if (error == ELOOP) return "is a symbolic link that leads back to itself";
+    return std::string("cannot be read: ") + std::strerror(error);
+}
+
+}  // namespace
+
+InputFile::InputFile(std::string path) : m_path(std::move(path)) {
+    if (m_path.find('\0') != std::string::npos) throw InputError(m_path, "has a NUL character in its name");
+    struct stat status {};
+    if (stat(m_path.c_str(), &status) != 0) throw InputError(m_path, reasonOf(errno));
+    requireRegular(m_path, status);  // before it is opened, which some devices take for an order
+    m_descriptor = open(m_path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+    if (m_descriptor < 0) throw InputError(m_path, reasonOf(errno));
+    const bool known = fstat(m_descriptor, &status) == 0;
+    const char* kind = known ? oddKind(status.st_mode) : "cannot be read";
+    m_size = static_cast<std::uint64_t>(status.st_size);
+    if (!kind) return;
+    close(m_descriptor);
+    throw InputError(m_path, kind);
+}
+
+InputFile::~InputFile() {
+    close(m_descriptor);
+}
+
+std::string InputFile::bytes(std::uint64_t offset, std::uint64_t count) const {
+    std::string bytes(std::min(count, m_size - std::min(offset, m_size)), '\0');
+    std::uint64_t done = 0;
+    while (done < bytes.size()) {
+        requireReading();
+        const ssize_t got = pread(m_descriptor, bytes.data() + done, std::min(bytes.size() - done, kPiece),
+                                  static_cast<off_t>(offset + done));
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) throw InputError(m_path, reasonOf(errno));
+        if (got == 0) break;  // somebody has cut it off meanwhile
+        done += static_cast<std::uint64_t>(got);
+    }
+    bytes.resize(done);
+    return bytes;
+}
+
+std::string readInput(const std::string& path) {
+    return InputFile(path).bytes();
+}
+
+void stopReading(bool stop) noexcept {
+    readingStops = stop;
+}
+
+void requireReading() {
+    if (readingStops) throw Cancelled();
+}
+
+}  // namespace wend

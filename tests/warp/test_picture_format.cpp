@@ -1,0 +1,162 @@
+// Which reader a file gets: by what is in it, never by its name or by trial.
+
+#include <dlfcn.h>
+
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QtEndian>
+
+#include "core/mesh/error.h"
+#include "warp/image.h"
+#include "warp/picture_format.h"
+
+using namespace wend;
+
+namespace {
+
+/// 3 × 2 pixels of RGB, by hand from the format's description.
+QByteArray tga() {
+    QByteArray bytes("\0\0\2\0\0\0\0\0\0\0\0\0\3\0\2\0\x18\x20", 18);
+    return bytes + QByteArray(18, '\x40');
+}
+QByteArray ppm() {
+    return "P6\n3 2\n255\n" + QByteArray(18, '\x40');
+}
+QByteArray bmp() {
+    QByteArray bytes("BM", 2);
+    const auto number = [&](quint32 value, int size) {
+        const quint32 little = qToLittleEndian(value);
+        bytes.append(reinterpret_cast<const char*>(&little), size);
+    };
+    for (quint32 value : {78U, 0U, 54U, 40U, 3U, 2U}) number(value, 4);
+    number(1, 2), number(24, 2);
+    for (quint32 value : {0U, 24U, 0U, 0U, 0U, 0U}) number(value, 4);
+    return bytes + QByteArray(24, '\x40');
+}
+
+}  // namespace
+
+class TestPictureFormat : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void pluginsAreNotLoaded();
+    void nameHasNoSay_data();
+    void nameHasNoSay();
+    void notRead_data();
+    void notRead();
+    void notTga_data();
+    void notTga();
+
+  private:
+    std::string put(const QString& name, const QByteArray& bytes) {
+        QFile file(m_folder.filePath(name));
+        if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size()) qFatal("disk full");
+        return file.fileName().toStdString();
+    }
+    QTemporaryDir m_folder;
+};
+
+/// First of all: the library looks for plug-ins once, when it looks for a reader.
+void TestPictureFormat::pluginsAreNotLoaded() {
+    const QByteArray folder = QFileInfo(WEND_TEST_TRAP).path().toLocal8Bit();
+    qputenv("OIIO_LIBRARY_PATH", folder);
+    qputenv("LD_LIBRARY_PATH", folder);
+    const std::string text = put("text.png", "no picture");
+    QVERIFY_THROWS_EXCEPTION(InputError, readImage(text));
+    QCOMPARE(readImage(put("a.ppm", ppm())).width, 3);
+    QCOMPARE(qgetenv("WEND_TEST_PLUGIN"), QByteArray());
+    void* trap = dlopen(WEND_TEST_TRAP, RTLD_NOW);  // that it would have been heard
+    QVERIFY2(trap, dlerror());
+    QCOMPARE(qgetenv("WEND_TEST_PLUGIN"), QByteArray("loaded"));
+}
+
+void TestPictureFormat::nameHasNoSay_data() {
+    QTest::addColumn<QByteArray>("bytes");
+    QTest::newRow("TGA") << tga();
+    QTest::newRow("TGA with its footer")
+        << tga() + QByteArray(8, '\0') + "TRUEVISION-XFILE." + QByteArray(1, '\0');
+    QTest::newRow("PPM") << ppm();
+    QTest::newRow("BMP") << bmp();
+}
+
+void TestPictureFormat::nameHasNoSay() {
+    QFETCH(QByteArray, bytes);
+    for (const char* name : {"a.png", "a.iff", "a.gif", "a", "a.tga", "a.exr", "a.jpg"}) {
+        const Image image = readImage(put(name, bytes));
+        QCOMPARE(image.width, 3);
+        QCOMPARE(image.height, 2);
+        QCOMPARE(image.channels, 3);
+        for (std::byte value : image.data) QCOMPARE(std::to_integer<int>(value), 0x40);
+    }
+}
+
+void TestPictureFormat::notRead_data() {
+    QTest::addColumn<QByteArray>("bytes");
+    QTest::addColumn<QString>("what");
+    const auto row = [](const QByteArray& bytes, const char* what) { QTest::newRow(what) << bytes << what; };
+    const QByteArray zeros(64, '\0');
+    row("GIF89a" + zeros, "a GIF picture");
+    row("8BPS" + QByteArray("\0\1", 2) + zeros, "a Photoshop picture (PSD)");
+    row(QByteArray("\0\0\0\x18", 4) + "ftypheic" + zeros, "a HEIC picture");
+    row(QByteArray("\0\0\0\x20", 4) + "ftypavif" + zeros, "an AVIF picture");
+    row(QByteArray("\0\0\0\x20", 4) + "ftypisom" + zeros, "a film");
+    row("FORM" + QByteArray("\0\0\1\0", 4) + "CIMG" + zeros, "an IFF file");
+    row("FOR4" + QByteArray("\0\0\1\0", 4) + "CIMG" + zeros, "an IFF file");
+    row(QByteArray("\0\0\0\x0cjP  \r\n\x87\n", 12) + zeros, "a JPEG 2000 picture");
+    row("\xff\x4f\xff\x51" + zeros, "a JPEG 2000 picture");
+    row("DDS |" + zeros, "a DDS texture");
+    row("<svg xmlns='http://www.w3.org/2000/svg'/>", "an SVG drawing");
+    row("<?xml version='1.0'?>\n<!-- drawn -->\n<svg/>", "an SVG drawing");
+    row("%PDF-1.4\n" + zeros, "a PDF document");
+    row("gimp xcf v011" + zeros, "a GIMP picture (XCF)");
+    row("P7\nWIDTH 4\n", "a PAM picture");
+    row(QByteArray("\0\0\1\0\1\0\x10\x10\0\0\1\0\x18\0", 14) + zeros + zeros, "a Windows icon");
+    row(QByteArray("\x01\xda\x01\x01\0\3", 6) + zeros, "an SGI picture");
+    row("SDPX" + zeros, "a DPX picture");
+    row("RIFF" + QByteArray("\0\0\1\0", 4) + "AVI LIST" + zeros, "a film");
+    row("once upon a time\nthere was no picture", "a text file");
+    row(QByteArray(64, '\x03'), "no picture that Wend knows");
+    row("FAKE" + QByteArray("\0\0\1\0", 4) + "WEBP" + zeros, "no picture that Wend knows");
+}
+
+void TestPictureFormat::notRead() {
+    QFETCH(QByteArray, bytes);
+    QFETCH(QString, what);
+    for (const char* name : {"b.png", "b.iff", "b.tga", "b"}) try {
+            readImage(put(name, bytes));
+            QFAIL("was read");
+        } catch (const InputError& error) {
+            const QString reason = QString::fromStdString(error.reason());
+            QVERIFY2(reason.startsWith("is " + what + "; pictures are read from PNG"), qPrintable(reason));
+        }
+}
+
+/// Each breaks one rule of the header of a good file.
+void TestPictureFormat::notTga_data() {
+    QTest::addColumn<QByteArray>("bytes");
+    const auto row = [](const char* name, int at, const QByteArray& value) {
+        QTest::newRow(name) << tga().replace(at, value.size(), value);
+    };
+    row("palette that is none", 1, "\2");
+    row("unknown type", 2, "\4");
+    row("palette asked for", 2, "\1");
+    row("palette left over", 5, "\7");
+    row("no width", 12, QByteArray(2, '\0'));
+    row("no height", 14, QByteArray(2, '\0'));
+    row("depth", 16, "\x11");
+    row("interleaved", 17, "\x40");
+    row("more pixels than it holds", 12, "\4");
+    QTest::newRow("cut off") << tga().left(35);
+    QTest::newRow("no header") << tga().left(17);
+}
+
+void TestPictureFormat::notTga() {
+    QFETCH(QByteArray, bytes);
+    const std::string path = put("c.tga", bytes);
+    QVERIFY_THROWS_EXCEPTION(InputError, pictureFormat(InputFile(path)));
+}
+
+QTEST_GUILESS_MAIN(TestPictureFormat)
+#include "test_picture_format.moc"
