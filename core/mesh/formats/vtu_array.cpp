@@ -3,6 +3,7 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <numeric>
 #include <vector>
 
 #include "core/mesh/error.h"
@@ -12,7 +13,7 @@ namespace wend::formats {
 namespace {
 
 constexpr std::size_t blockSize = 1 << 15;   // VTK's
-constexpr std::size_t greatestRatio = 1100;  // zlib cannot compress by more than about 1030
+constexpr std::size_t greatestRatio = 1032;  // zlib compresses by no more
 
 /// Takes pieces off the front of the data, each of which is base64 for itself or raw.
 class Pieces {
@@ -33,10 +34,11 @@ class Pieces {
         return bytes;
     }
 
-    /// True if the first piece is encoded for itself although more follows: its padding tells.
+    /// True if the first piece is encoded for itself although more follows: its padding leaves room for no
+    /// more. (Padding alone does not tell: it may belong to the data that stands in the same piece.)
     bool closedAfter(std::size_t size) const {
         const auto length = lengthOf(size);
-        return m_base64 && m_text.size() > length && length > 0 && m_text[length - 1] == '=';
+        return m_base64 && m_text.size() > length && decodeBase64(m_text.substr(0, length)).size() == size;
     }
 
   private:
@@ -65,21 +67,42 @@ std::string inflated(std::string_view compressed, std::size_t size) {
     return bytes;
 }
 
-std::string decodeCompressed(Pieces pieces, std::size_t textSize, const VtuEncoding& encoding) {
+struct Block {
+    std::size_t packed, size;  // in bytes
+};
+
+/// The compressed blocks that follow the header, which is taken.
+std::vector<Block> takeBlocks(Pieces& pieces, std::size_t textSize, const VtuEncoding& encoding) {
     const auto word = sizeOf(encoding.header);
-    const auto blocks = headerNumber(pieces.peek(word), 0, encoding);
-    if (blocks == 0) return {};
-    if (blocks > textSize) throw InputError("the data's header makes no sense");
-    const auto header = pieces.take((3 + blocks) * word);
+    const auto count = headerNumber(pieces.peek(word), 0, encoding);
+    if (count > textSize) throw InputError("the data's header makes no sense");
+    if (count == 0) return {};
+    const auto header = pieces.take((3 + count) * word);
     const auto full = headerNumber(header, 1, encoding), partial = headerNumber(header, 2, encoding);
-    std::size_t total = 0;
-    for (std::size_t b = 0; b < blocks; ++b) total += headerNumber(header, 3 + b, encoding);
-    const std::string data = pieces.take(std::min(total, textSize + 1));
-    std::string bytes;
-    for (std::size_t b = 0, at = 0; b < blocks; ++b) {
+    std::vector<Block> blocks;
+    std::size_t room = textSize;
+    for (std::size_t b = 0; b < count; ++b) {
         const auto packed = headerNumber(header, 3 + b, encoding);
-        const auto size = b + 1 == blocks && partial ? partial : full;
+        const auto size = b + 1 == count && partial ? partial : full;
+        if (packed > room) throw InputError("the data ends too early");
         if (size > greatestRatio * (packed + 1)) throw InputError("the data's header makes no sense");
+        blocks.push_back({packed, size});
+        room -= packed;
+    }
+    return blocks;
+}
+
+std::size_t packedSize(const std::vector<Block>& blocks) {
+    return std::accumulate(blocks.begin(), blocks.end(), std::size_t(0),
+                           [](std::size_t sum, const Block& block) { return sum + block.packed; });
+}
+
+std::string decodeCompressed(Pieces pieces, std::size_t textSize, const VtuEncoding& encoding) {
+    const std::vector<Block> blocks = takeBlocks(pieces, textSize, encoding);
+    const std::string data = pieces.take(packedSize(blocks));
+    std::string bytes;
+    std::size_t at = 0;
+    for (const auto& [packed, size] : blocks) {
         bytes += inflated(std::string_view(data).substr(at, packed), size);
         at += packed;
     }
@@ -113,6 +136,14 @@ std::optional<Scalar> vtuScalarNamed(std::string_view name) {
     for (const auto& [known, type] : names)
         if (known == name) return type;
     return std::nullopt;
+}
+
+std::size_t vtuArraySize(std::string_view text, const VtuEncoding& encoding) {
+    Pieces pieces(text, encoding.base64);
+    if (!encoding.compressed) return headerNumber(pieces.peek(sizeOf(encoding.header)), 0, encoding);
+    std::size_t size = 0;
+    for (const Block& block : takeBlocks(pieces, text.size(), encoding)) size += block.size;
+    return size;
 }
 
 std::string decodeVtuArray(std::string_view text, const VtuEncoding& encoding) {

@@ -20,6 +20,9 @@ struct VtuEncoding {
 
 std::optional<Scalar> vtuScalarNamed(std::string_view name);
 
+/// How many bytes an array says that it has, checked against what `text` can hold. Nothing is expanded.
+std::size_t vtuArraySize(std::string_view text, const VtuEncoding& encoding);
+
 /// The bytes of one array. `text` begins with it and may go on. Throws InputError for anything damaged,
 /// without ever allocating what the data cannot be.
 std::string decodeVtuArray(std::string_view text, const VtuEncoding& encoding);

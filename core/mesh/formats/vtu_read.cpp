@@ -37,9 +37,15 @@ Split split(std::string_view bytes) {
     return {std::move(xml), data.substr(underscore + 1)};
 }
 
+/// Compressed data can claim a thousand times its size, and as numbers eight times that. Meshes are not so
+/// empty: all numbers together may take so many bytes, or so many for each of the file.
+constexpr std::size_t kSmall = std::size_t(64) << 20;
+constexpr std::size_t kExpansion = 400;
+
 class VtuReader {
   public:
-    explicit VtuReader(std::string_view bytes) : m_parts(split(bytes)) {}
+    explicit VtuReader(std::string_view bytes)
+        : m_parts(split(bytes)), m_room(kSmall + kExpansion * bytes.size()) {}
 
     MeshFile read() {
         parse();
@@ -59,6 +65,11 @@ class VtuReader {
     }
 
   private:
+    struct Count {
+        std::int64_t tuples;
+        int components;
+    };
+
     void parse() {
         const auto result = m_document.load_buffer(m_parts.xml.data(), m_parts.xml.size());
         if (!result) throw InputError(lineOf(result.offset) + ": not valid XML: " + result.description());
@@ -117,15 +128,26 @@ class VtuReader {
         if (!type) fail(array, inQuotes(name) + " is no type of numbers");
         return *type;
     }
-    std::string bytesOf(pugi::xml_node array, bool appended) const {
-        auto encoding = m_encoding;
-        if (!appended) return decodeVtuArray(trimmed(array.text().get()), encoding);
+    /// Where a binary array begins.
+    std::string_view startOf(pugi::xml_node array, bool appended) const {
+        if (!appended) return trimmed(array.text().get());
         const auto offset = attribute(array, "offset");
-        if (!m_parts.appended) fail(array, "there is no <AppendedData> in the file");
+        if (!m_parts.appended) throw InputError("there is no <AppendedData> in the file");
         if (offset < 0 || static_cast<std::size_t>(offset) >= m_parts.appended->size())
-            fail(array, "its offset is beyond the appended data");
-        encoding.base64 = !m_appendedRaw;
-        return decodeVtuArray(m_parts.appended->substr(static_cast<std::size_t>(offset)), encoding);
+            throw InputError("its offset is beyond the appended data");
+        return m_parts.appended->substr(static_cast<std::size_t>(offset));
+    }
+    /// The bytes of a binary array, once their number is known to be right.
+    std::string bytesOf(pugi::xml_node array, bool appended, Scalar type, std::optional<Count> wanted) {
+        auto encoding = m_encoding;
+        encoding.base64 = !appended || !m_appendedRaw;
+        const std::string_view start = startOf(array, appended);
+        const std::size_t size = vtuArraySize(start, encoding), numbers = size / sizeOf(type);
+        if (size % sizeOf(type)) throw InputError("a part of a number is left over");
+        if (wanted) requireCount(numbers, *wanted);
+        if (8 * numbers > m_room) throw InputError("it claims more numbers than such a file can hold");
+        m_room -= 8 * numbers;
+        return decodeVtuArray(start, encoding);
     }
     static std::string_view trimmed(std::string_view text) {
         const auto first = text.find_first_not_of(" \t\r\n");
@@ -133,34 +155,37 @@ class VtuReader {
     }
     /// All numbers of an array, each made by take(reader, type).
     template <class T, class Take>
-    std::vector<T> numbersOf(pugi::xml_node array, const Take& take) const {
+    std::vector<T> numbersOf(pugi::xml_node array, std::optional<Count> wanted, const Take& take) {
         const auto type = scalarOf(array);
         const std::string_view format = array.attribute("format").as_string("ascii");
         std::vector<T> numbers;
         try {
             const bool binary = format != "ascii";
-            const std::string bytes = binary ? bytesOf(array, format == "appended") : array.text().get();
+            const std::string bytes =
+                binary ? bytesOf(array, format == "appended", type, wanted) : array.text().get();
             Scanner scanner(bytes);
             NumberReader reader(scanner, binary, m_encoding.order);
-            if (binary && bytes.size() % sizeOf(type)) throw InputError("a part of a number is left over");
+            if (binary) numbers.reserve(bytes.size() / sizeOf(type));
             while (binary ? scanner.remaining() > 0 : !scanner.atEnd()) numbers.push_back(take(reader, type));
+            if (wanted) requireCount(numbers.size(), *wanted);
         } catch (const InputError& error) {
             fail(array, error.reason());
         }
         return numbers;
     }
-    std::vector<double> reals(pugi::xml_node array) const {
-        return numbersOf<double>(array,
+    std::vector<double> reals(pugi::xml_node array, Count wanted) {
+        return numbersOf<double>(array, wanted,
                                  [](auto& reader, Scalar type) { return reader.real(type, "a number"); });
     }
-    std::vector<std::int64_t> integers(pugi::xml_node array) const {
+    std::vector<std::int64_t> integers(pugi::xml_node array, std::optional<Count> wanted) {
         return numbersOf<std::int64_t>(
-            array, [](auto& reader, Scalar type) { return reader.integer(type, "a whole number"); });
+            array, wanted, [](auto& reader, Scalar type) { return reader.integer(type, "a whole number"); });
     }
-    void requireCount(pugi::xml_node array, std::size_t found, std::int64_t tuples, int components) const {
+    static void requireCount(std::size_t found, Count wanted) {
+        const auto [tuples, components] = wanted;
         if (tuples < 0 || found % components || found / components != static_cast<std::size_t>(tuples))
-            fail(array, "has " + std::to_string(found) + " numbers where " + std::to_string(tuples) +
-                            " times " + std::to_string(components) + " are needed");
+            throw InputError("has " + std::to_string(found) + " numbers where " + std::to_string(tuples) +
+                             " times " + std::to_string(components) + " are needed");
     }
     pugi::xml_node namedArray(pugi::xml_node parent, const char* name) const {
         const auto array = parent.find_child_by_attribute("DataArray", "Name", name);
@@ -170,19 +195,16 @@ class VtuReader {
 
     void readPoints(pugi::xml_node piece, std::int64_t count) {
         const auto array = child(child(piece, "Points"), "DataArray");
-        const auto coordinates = reals(array);
-        requireCount(array, coordinates.size(), count, 3);
+        const auto coordinates = reals(array, Count{count, 3});
         m_file.points =
             Eigen::Map<const Eigen::Matrix3Xd>(coordinates.data(), 3, static_cast<Eigen::Index>(count));
     }
-    VtkCells readCells(pugi::xml_node piece, std::int64_t count) const {
+    VtkCells readCells(pugi::xml_node piece, std::int64_t count) {
         const auto node = child(piece, "Cells");
         VtkCells cells;
-        cells.connectivity = integers(namedArray(node, "connectivity"));
-        cells.offsets = integers(namedArray(node, "offsets"));
-        cells.types = integers(namedArray(node, "types"));
-        requireCount(namedArray(node, "offsets"), cells.offsets.size(), count, 1);
-        requireCount(namedArray(node, "types"), cells.types.size(), count, 1);
+        cells.offsets = integers(namedArray(node, "offsets"), Count{count, 1});
+        cells.types = integers(namedArray(node, "types"), Count{count, 1});
+        cells.connectivity = integers(namedArray(node, "connectivity"), std::nullopt);
         cells.offsets.insert(cells.offsets.begin(), 0);
         return cells;
     }
@@ -190,8 +212,9 @@ class VtuReader {
         const std::string_view texture = data.attribute("TCoords").value();
         for (const auto array : data.children("DataArray")) {
             if (std::string_view(array.attribute("type").value()) == "String") continue;
-            MeshField field{array.attribute("Name").value(), perCell, componentsOf(array), reals(array)};
-            requireCount(array, field.values.size(), tuples, field.components);
+            const int components = componentsOf(array);
+            MeshField field{array.attribute("Name").value(), perCell, components,
+                            reals(array, Count{tuples, components})};
             if (isVtkLabels(field)) {
                 takeVtkLabels(field, collector, m_file);
                 continue;
@@ -213,6 +236,7 @@ class VtuReader {
     }
 
     Split m_parts;
+    std::size_t m_room;  // bytes that binary arrays may still take as numbers
     pugi::xml_document m_document;
     VtuEncoding m_encoding;
     bool m_appendedRaw = false;
