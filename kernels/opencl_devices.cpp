@@ -70,6 +70,12 @@ OpenClDevices probe() {
     return result;
 }
 
+#ifdef WEND_HAS_OPENCL
+constexpr bool kIsBuiltIn = true;
+#else
+constexpr bool kIsBuiltIn = false;
+#endif
+
 bool matches(const OpenClDeviceInfo& info, const std::string& wanted) {
     return wanted == std::to_string(info.platform) + ":" + std::to_string(info.device) ||
            lower(info.name).find(lower(wanted)) != std::string::npos ||
@@ -85,7 +91,7 @@ void prepareOpenClEnvironment() {
 }
 
 const OpenClDevices& openClDevices() {
-    static const OpenClDevices devices = probe();
+    static const OpenClDevices devices = kIsBuiltIn ? probe() : OpenClDevices{{}, "built without OpenCL"};
     return devices;
 }
 
