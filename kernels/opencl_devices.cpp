@@ -70,10 +70,10 @@ OpenClDevices probe() {
     return result;
 }
 
-#ifdef WEND_HAS_OPENCL
-constexpr bool kIsBuiltIn = true;
-#else
+#ifdef WEND_WITHOUT_OPENCL
 constexpr bool kIsBuiltIn = false;
+#else
+constexpr bool kIsBuiltIn = true;
 #endif
 
 bool matches(const OpenClDeviceInfo& info, const std::string& wanted) {
