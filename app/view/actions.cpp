@@ -86,8 +86,8 @@ void Actions::makeMotion() {
     loop = addToggle({tr("&Loop"), tr("Begin again at the end")}, QKeySequence(tr("L")), "loop");
     toStart =
         add({tr("To the &Start"), tr("Show the shape at rest")}, QKeySequence(Qt::Key_Home), "first-frame");
-    toEnd = add({tr("To the &End"), tr("Show the end of the motion, where dragging goes on")},
-                QKeySequence(Qt::Key_End), "last-frame");
+    toEnd =
+        add({tr("To the &End"), tr("Show the end of the motion")}, QKeySequence(Qt::Key_End), "last-frame");
 }
 
 void Actions::makeHelp() {

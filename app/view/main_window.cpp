@@ -24,6 +24,7 @@
 #include "app/view/actions.h"
 #include "app/view/busy_note.h"
 #include "app/view/canvas.h"
+#include "app/view/context_menu.h"
 #include "app/view/curve_actions.h"
 #include "app/view/exporter.h"
 #include "app/view/file_workflow.h"
@@ -69,6 +70,7 @@ MainWindow::MainWindow(QWidget* parent)
     m_solids = new SolidWorkshop({m_session, *m_actions, *m_distortion, *m_fields}, *this);
     m_curves = new CurveActions(
         m_session, [this] { return currentCurve(); }, this);
+    m_menu = new ContextMenu({m_session, *m_actions, *m_curves, m_solids->actions()}, this);
     m_actions->fillMenuBar(*this, m_solids->actions().menu(), m_curves->menu());
     makeToolBars();
     makeCentre();
@@ -137,8 +139,9 @@ QWidget* MainWindow::makeSidePanel() {
     column->addWidget(m_distortion);
     m_solids->furnish(*m_toolBar, *column);
     column->addStretch(1);
-    connect(new PanelFields(*content), &PanelFields::done, this,
-            [this] { m_pages->currentWidget()->setFocus(); });
+    for (QWidget* fields : {content, static_cast<QWidget*>(m_time)})
+        connect(new PanelFields(*fields), &PanelFields::done, this,
+                [this] { m_pages->currentWidget()->setFocus(); });
     auto* scroll = new QScrollArea;
     scroll->setObjectName(QStringLiteral("sideScroll"));
     scroll->setWidget(content);
@@ -255,9 +258,9 @@ void MainWindow::connectView() {
     });
     connect(m_canvas, &ShapeCanvas::hintChanged, m_fields, &StatusFields::setHint);
     connect(m_canvas, &ShapeCanvas::hintChanged, m_curves, &CurveActions::refresh);
-    connect(m_canvas, &ShapeCanvas::menuWanted, m_curves, &CurveActions::popUp);
+    connect(m_canvas, &ShapeCanvas::menuWanted, m_menu, &ContextMenu::popUp);
     connect(m_solids, &SolidWorkshop::hintChanged, m_curves, &CurveActions::refresh);
-    connect(m_solids, &SolidWorkshop::menuWanted, m_curves, &CurveActions::popUp);
+    connect(m_solids, &SolidWorkshop::menuWanted, m_menu, &ContextMenu::popUp);
     connect(m_canvas, &ShapeCanvas::pointed, m_fields, &StatusFields::setPointer);
     m_canvas->setTool(m_pinTool.get());
 }
@@ -426,6 +429,9 @@ void MainWindow::showKeys() {
                     : tr("<table cellspacing='6'>"
                          "<tr><td><b>Click</b></td><td>sets a pin</td></tr>"
                          "<tr><td><b>Drag a pin</b></td><td>moves it; Esc puts it back</td></tr>"
+                         "<tr><td><b>Alt-drag a pin</b></td><td>widens it to a circle</td></tr>"
+                         "<tr><td><b>Drag the ring's dot or square</b></td><td>rotates or scales; digits set "
+                         "the number, Shift snaps to 15°</td></tr>"
                          "<tr><td><b>Shift-click</b></td><td>selects several pins</td></tr>"
                          "<tr><td><b>Drag beside pins</b></td><td>selects by rectangle</td></tr>"
                          "<tr><td><b>Arrow keys</b></td><td>nudge by a pixel, with Shift by ten</td></tr>"
