@@ -14,6 +14,7 @@ namespace wend {
 
 class Actions;
 class BusyNote;
+class ContextMenu;
 class CurveActions;
 class CurveEditing;
 class ShapeCanvas;
@@ -85,6 +86,7 @@ class MainWindow : public QMainWindow {
     ShapeSession m_session;
     Actions* m_actions;
     CurveActions* m_curves = nullptr;
+    ContextMenu* m_menu = nullptr;
     FileWorkflow* m_files;
     Exporter* m_exporter;
     ShapeCanvas* m_canvas;
