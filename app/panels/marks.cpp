@@ -1,10 +1,19 @@
 #include "app/panels/marks.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "app/session/accent.h"
 
 namespace wend {
+
+QColor pinColour(int handle) {
+    static const std::array<QColor, 8> kColours = {QColor(0x2e77ae), QColor(0xd9822b), QColor(0x0b7a5b),
+                                                   QColor(0xb3261e), QColor(0x7a4fb5), QColor(0x8a5a00),
+                                                   QColor(0x12a594), QColor(0x54267f)};
+    return kColours[static_cast<std::size_t>(std::max(handle, 0)) % kColours.size()];
+}
 
 /// Light with a dark rim: to be seen on any ground.
 void Marks::halo(const QPolygonF& line, double width) {

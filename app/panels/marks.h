@@ -8,6 +8,9 @@ namespace wend {
 inline constexpr double kPinRadius = 6.5;
 inline const QColor kInk(20, 22, 30);
 
+/// By which a pin is known in the list and on the shape; told apart by lightness too.
+QColor pinColour(int handle);
+
 /// The marks that lie over pictures and solids alike, at places of the widget: light-rimmed, so that they
 /// show on any ground.
 class Marks {

@@ -6,6 +6,7 @@
 
 #include "app/panels/theme.h"
 #include "app/session/shape_session.h"
+#include "app/tools/hold_tool.h"
 #include "app/tools/pin_tool.h"
 
 class QStackedWidget;
@@ -24,6 +25,7 @@ class FileWorkflow;
 class InfoBanner;
 class MaterialPanel;
 class MeshPanel;
+class PinList;
 class SolidWorkshop;
 class StartPage;
 class StatusFields;
@@ -75,6 +77,8 @@ class MainWindow : public QMainWindow {
     void showWork();
     CurveEditing* currentCurve();
     void fitToScreen();
+    void makeHoldTools();
+    void choosePictureTool();
     void showTitle();
     void showSelection();
     void setAppearance(Appearance appearance);
@@ -96,6 +100,7 @@ class MainWindow : public QMainWindow {
     MaterialPanel* m_material;
     MeshPanel* m_mesh;
     DistortionPanel* m_distortion;
+    PinList* m_pins;
     StatusFields* m_fields = nullptr;
     SolidWorkshop* m_solids = nullptr;
     QStackedWidget* m_pages;
@@ -109,6 +114,7 @@ class MainWindow : public QMainWindow {
     QToolBar* m_topBar = nullptr;
     QToolBar* m_toolBar = nullptr;
     std::unique_ptr<PinTool> m_pinTool, m_selectTool;
+    std::vector<std::pair<QAction*, std::unique_ptr<HoldTool>>> m_holdTools;
     QPalette m_systemPalette;
 };
 

@@ -142,7 +142,7 @@ void OverlayPainter::pins(ShapeSession& session, int hovered) {
     for (const PinView<2>& view : pins)
         m_marks.pin(m_view.toWidget(view.centre),
                     {session.selection().contains(view.handle), view.handle == hovered, view.region,
-                     !handles[view.handle].motions.empty() || session.isDragging()});
+                     !handles[view.handle].motions.empty() || session.isDragging(), pinColour(view.handle)});
     for (const PinView<2>& view : pins)
         if (view.handle == hovered) m_marks.name(m_view.toWidget(view.centre), view.name);
 }

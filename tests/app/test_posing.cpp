@@ -1,9 +1,12 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QLineEdit>
+#include <QListWidget>
 #include <QMenu>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QStatusBar>
+#include <numbers>
 
 #include "app/document/curve_edits.h"
 #include "app/document/handle_edits.h"
@@ -13,6 +16,7 @@
 #include "app/view/curve_actions.h"
 #include "app/view/file_workflow.h"
 #include "app/view/main_window.h"
+#include "app/view/solid_workshop.h"
 #include "app/view/time_strip.h"
 #include "tests/support/window_fixture.h"
 
@@ -37,6 +41,10 @@ class TestPosing : public QObject {
     void pointsHaveADottedRing();
     void menusOfferWhatLiesThere();
     void waysAreSelectedByAClick();
+    void partsAreHeldByOutlines_data();
+    void partsAreHeldByOutlines();
+    void partsGrowAndShrink();
+    void pinsByKeyboard();
 
   private:
     void open();
@@ -354,6 +362,104 @@ void TestPosing::waysAreSelectedByAClick() {
     click(middle);
     QCOMPARE(session().selection().handles(), std::vector<int>{1});
     QCOMPARE(handles().size(), std::size_t(2));
+}
+
+void TestPosing::partsAreHeldByOutlines_data() {
+    QTest::addColumn<int>("key");
+    QTest::addColumn<int>("modifier");
+    QTest::newRow("rectangle") << int(Qt::Key_B) << int(Qt::ShiftModifier);
+    QTest::newRow("lasso") << int(Qt::Key_L) << 0;
+    QTest::newRow("brush") << int(Qt::Key_U) << 0;
+}
+
+/// What lies in it is one handle from then on, which a drag from inside moves as it is.
+void TestPosing::partsAreHeldByOutlines() {
+    QFETCH(int, key);
+    QFETCH(int, modifier);
+    QTest::keyClick(m_window.get(), static_cast<Qt::Key>(key), Qt::KeyboardModifiers(modifier));
+    const std::vector<Vec<2>> corners = {{100, 66}, {140, 66}, {140, 96}, {100, 96}};
+    QTest::mousePress(&canvas(), Qt::LeftButton, {}, at(corners[0]));
+    if (key != Qt::Key_B)
+        for (int i = 1; i < 4; ++i) QTest::mouseMove(&canvas(), at(corners[i]));
+    QTest::mouseMove(&canvas(), at(corners[2]));
+    release(at(corners[2]));
+    QCOMPARE(handles().size(), std::size_t(3));
+    QVERIFY(std::holds_alternative<Polygon>(std::get<Region<2>>(handles()[2].at)));
+    QVERIFY(m_window->actions().selectTool->isChecked());
+    const auto before = session().pins()[2].points;
+    QVERIFY(before.size() > 5);
+    const Vec<2> inside(120, 84);
+    drag(inside, inside + Vec<2>(0, 9));
+    const auto after = session().pins()[2].points;
+    for (std::size_t i = 0; i < before.size(); ++i)
+        QVERIFY((after[i] - before[i] - Vec<2>(0, 9)).norm() < 2 * pixel());
+    const std::string text = toJson(project());
+    QUndoStack& undo = *session().document().undoStack();
+    undo.undo();
+    undo.undo();
+    QCOMPARE(handles().size(), std::size_t(2));
+    undo.redo();
+    undo.redo();
+    QVERIFY(settle(session()));
+    QCOMPARE(toJson(project()), text);
+}
+
+void TestPosing::partsGrowAndShrink() {
+    const auto box = [this](const Vec<2>& from, const Vec<2>& to, Qt::KeyboardModifiers modifiers) {
+        m_window->solids().actions().rectangle->trigger();
+        QTest::mousePress(&canvas(), Qt::LeftButton, modifiers, at(from));
+        QTest::mouseMove(&canvas(), at(to));
+        release(at(to), modifiers);
+        return session().pins()[2].points.size();
+    };
+    const std::size_t first = box({100, 66}, {130, 94}, {});
+    QVERIFY(box({125, 66}, {155, 94}, Qt::ShiftModifier) > first);
+    QCOMPARE(handles().size(), std::size_t(3));
+    QVERIFY(box({90, 50}, {140, 110}, Qt::ControlModifier) < first);
+    QCOMPARE(handles().size(), std::size_t(3));
+    session().selection().clear();
+    m_window->solids().actions().rectangle->trigger();
+    QTest::mousePress(&canvas(), Qt::LeftButton, {}, at({2, 2}));
+    QTest::mouseMove(&canvas(), at({12, 12}));
+    release(at({12, 12}));
+    QCOMPARE(handles().size(), std::size_t(3));
+    QVERIFY(m_window->statusBar()->currentMessage().contains(QStringLiteral("nothing of the shape")));
+}
+
+/// Chosen in the list, moved by the arrows, renamed and removed.
+void TestPosing::pinsByKeyboard() {
+    auto* list = m_window->findChild<QListWidget*>(QStringLiteral("pinList"));
+    QVERIFY(list && list->isVisible());
+    QCOMPARE(list->count(), 2);
+    list->setFocus();
+    list->setCurrentRow(0);
+    QCOMPARE(session().selection().handles(), std::vector<int>{0});
+    QTest::keyClick(list, Qt::Key_Down);
+    QCOMPARE(session().selection().handles(), std::vector<int>{1});
+    QTest::keyClick(list, Qt::Key_Return);
+    QVERIFY(canvas().hasFocus());
+    QTest::keyClick(&canvas(), Qt::Key_Down, Qt::ShiftModifier);
+    QTest::keyClick(&canvas(), Qt::Key_Left);
+    QVERIFY(settle(session()));
+    QVERIFY((pin(1) - Vec<2>(199, 90)).norm() < 2 * pixel());
+    QCOMPARE(project().end, 1.0);
+    list->setFocus();
+    QTest::keyClick(list, Qt::Key_F2);
+    auto* editor = list->findChild<QLineEdit*>();
+    QVERIFY(editor);
+    editor->setText(QStringLiteral("hand"));
+    QTest::keyClick(editor, Qt::Key_Return);
+    QCOMPARE(handles()[1].name, std::string("hand"));
+    session().document().undoStack()->undo();
+    QCOMPARE(list->item(1)->text(), QStringLiteral("Pin 2"));
+    click(pin(0));
+    QVERIFY(list->item(0)->isSelected() && !list->item(1)->isSelected());
+    list->setFocus();
+    QTest::keyClick(list, Qt::Key_Delete);  // it held while the other one moved
+    QVERIFY(settle(session()));
+    QCOMPARE(session().pins().size(), std::size_t(1));
+    QCOMPARE(list->count(), 2);
+    QVERIFY(list->item(0)->font().italic());
 }
 
 QTEST_MAIN(TestPosing)

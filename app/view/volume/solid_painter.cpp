@@ -136,7 +136,7 @@ void SolidPainter::pins(int hovered) {
         m_painter.setOpacity(!area && m_surface.isHidden(view.centre) ? 0.4 : 1);
         m_marks.pin(m_surface.toWidget(view.centre),
                     {session.selection().contains(view.handle), view.handle == hovered, area,
-                     !handles[view.handle].motions.empty() || session.isDragging()});
+                     !handles[view.handle].motions.empty() || session.isDragging(), pinColour(view.handle)});
     }
     m_painter.setOpacity(1);
     for (const PinView<3>& view : pins)
