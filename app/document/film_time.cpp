@@ -160,6 +160,7 @@ void mapTimes(Project& project, const Map& map) {
             }
         },
         project.design);
+    for (SettleWindow& window : project.settle) window = {map(window.start), map(window.end)};
 }
 
 }  // namespace
@@ -209,6 +210,9 @@ Project endedAt(const Project& project, double time) {
             }
         },
         next.design);
+    std::erase_if(next.settle,
+                  [time](const SettleWindow& w) { return w.start >= time || sameTime(w.start, time); });
+    for (SettleWindow& window : next.settle) window.end = std::min(window.end, time);
     return next;
 }
 

@@ -6,7 +6,7 @@
 
 #include "app/document/handle_comparison.h"
 #include "app/document/handle_edits.h"
-#include "core/mesh/used_vertices.h"
+#include "core/mesh/shape_size.h"
 #include "kernels/back_end_choice.h"
 
 namespace wend {
@@ -20,6 +20,16 @@ constexpr int kMostFrames = 480;
 template <int Dim>
 const Design<Dim>& designOf(const Project& project) {
     return std::get<Design<Dim>>(project.design);
+}
+
+/// The time by the clock of `b` from which on two lists of windows differ, where the times of `a` are
+/// multiplied by the scale; or +infinity.
+double firstDifference(const std::vector<SettleWindow>& a, const std::vector<SettleWindow>& b, double scale) {
+    const auto same = [scale](const SettleWindow& x, const SettleWindow& y) {
+        return scale == 1 ? x == y : sameTime(scale * x.start, y.start) && sameTime(scale * x.end, y.end);
+    };
+    const auto [i, j] = std::mismatch(a.begin(), a.end(), b.begin(), b.end(), same);
+    return std::min(i == a.end() ? kInfinity : scale * i->start, j == b.end() ? kInfinity : j->start);
 }
 
 bool sameIntegration(const IntegrationOptions& a, const IntegrationOptions& b) {
@@ -50,7 +60,8 @@ KeptFrames MotionPass<Dim>::set(const BuiltShape<Dim>& shape, std::shared_ptr<co
         const double scale = timeScale<Dim>(before, after);
         // Steps of fixed number lie elsewhere on the way when the clock changes.
         if (scale == 1 || project->integration.steps == 0)
-            kept = {scale, firstDifference(before, after, scale)};
+            kept = {scale, std::min(firstDifference(before, after, scale),
+                                    firstDifference(m_project->settle, project->settle, scale))};
     }
     const bool same = kept.upTo == kInfinity && kept.timeScale == 1 && end == m_end;
     m_shape = shape;
@@ -124,6 +135,8 @@ std::vector<double> MotionPass<Dim>::borders() const {
         for (const Motion<Dim>& motion : handle.motions)
             times.insert(times.end(), {motion.start, motion.end});
     }
+    for (const SettleWindow& window : m_project->settle)
+        times.insert(times.end(), {window.start, window.end});
     std::erase_if(times, [this](double t) { return !(t >= 0 && t <= m_end); });
     return times;
 }
@@ -153,10 +166,10 @@ std::vector<double> MotionPass<Dim>::frameTimes(double from, double to) const {
 template <int Dim>
 void MotionPass<Dim>::run(const Sink& sink, std::stop_token stop) {
     if (!m_deformer) begin(sink);
-    const double diagonal = extentOf<Dim>(m_shape.rest->points, m_shape.rest->cells).diagonal();
+    const double size = shapeSize<Dim>(m_shape.rest->points, m_shape.rest->cells).size;
     const auto send = [&](const State<Dim>& state) {
         m_sent.push_back(state.time);
-        sink.onFrame(state, m_deformer->statistics().constraintError * diagonal);
+        sink.onFrame(state, m_deformer->statistics().constraintError * size);
     };
     while (m_deformer->state().time < m_end) {
         typename Deformer<Dim>::Watch watch;

@@ -5,6 +5,7 @@
 #include "app/session/shape_session.h"
 
 class QLabel;
+class QPainter;
 class QSlider;
 class QToolButton;
 
@@ -34,6 +35,7 @@ class TimeStrip : public QWidget {
     void showLength();
     void changeLength();
     void showTime();
+    void paintSettling(QPainter& painter, double end);
     void showPlaying(bool playing);
 
     ShapeSession& m_session;
