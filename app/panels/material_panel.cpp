@@ -35,8 +35,8 @@ MaterialPanel::MaterialPanel(ShapeSession& session, QWidget* parent)
     layout->addWidget(panelTitle(tr("Keep"), this));
     layout->addWidget(m_slider);
     layout->addWidget(m_help);
-    layout->addLayout(panelRow(tr("&Energy φ"), m_phi, this));
-    layout->addLayout(panelRow(tr("S&moothing"), m_smoothing, this));
+    layout->addLayout(panelRow(tr("Energ&y φ"), m_phi, this));
+    layout->addLayout(panelRow(tr("Smoothi&ng"), m_smoothing, this));
     connect(m_slider, &EnergySlider::phiChosen, this, &MaterialPanel::choosePhi);
     connect(m_phi, &QDoubleSpinBox::valueChanged, this, [this](double value) { choosePhi(value, -1); });
     connect(m_smoothing, &QDoubleSpinBox::valueChanged, this, &MaterialPanel::chooseSmoothing);
