@@ -231,6 +231,45 @@
     </message>
 </context>
 <context>
+    <name>Options</name>
+    <message>
+        <source>number of frames, at equal times from the start to the last time</source>
+        <translation>Zahl der Bilder, zu gleichen Abständen vom Anfang bis zur letzten Zeit</translation>
+    </message>
+    <message>
+        <source>frames per second of an animated .glb</source>
+        <translation>Bilder je Sekunde eines bewegten .glb</translation>
+    </message>
+    <message>
+        <source>whether distortion, φ, directions and velocity go with meshes, in formats that carry values</source>
+        <translation>ob Verzerrung, φ, Richtungen und Geschwindigkeit mit Netzen gehen, in Formaten, die Werte tragen</translation>
+    </message>
+    <message>
+        <source>how numbers stand in mesh files that know several ways (ply, stl, msh, vtk, vtu)</source>
+        <translation>wie Zahlen in Netzdateien stehen, die mehrere Arten kennen (ply, stl, msh, vtk, vtu)</translation>
+    </message>
+    <message>
+        <source>version of .msh files</source>
+        <translation>Version von .msh-Dateien</translation>
+    </message>
+    <message>
+        <source>how the picture is sampled</source>
+        <translation>wie das Bild abgetastet wird</translation>
+    </message>
+    <message>
+        <source>pixels that pictures show: those of the source, or as many as the shape needs</source>
+        <translation>Pixel, die Bilder zeigen: die des Originals, oder so viele, wie die Form braucht</translation>
+    </message>
+    <message>
+        <source>bits of a channel in pictures: as in the source, 8 or 16, or a half or full floating-point number; values stay what they are</source>
+        <translation>Bits eines Kanals in Bildern: wie im Original, 8 oder 16, oder eine halbe oder ganze Gleitkommazahl; Werte bleiben, was sie sind</translation>
+    </message>
+    <message>
+        <source>what pictures show beside the shape: nothing, its border drawn out, the source as it was, or a colour</source>
+        <translation>was Bilder neben der Form zeigen: nichts, ihren fortgesetzten Rand, das Original, wie es war, oder eine Farbe</translation>
+    </message>
+</context>
+<context>
     <name>PaintTool</name>
     <message>
         <source>Paint the material chosen on the right; [ and ] change the size, Esc gives up the stroke</source>
@@ -361,10 +400,6 @@
         <translation>Das Projekt unter anderem Namen speichern</translation>
     </message>
     <message>
-        <source>Export &amp;Picture…</source>
-        <translation>&amp;Bild exportieren …</translation>
-    </message>
-    <message>
         <source>Write the picture as it is bent now, at its full size</source>
         <translation>Das Bild, wie es jetzt gebogen ist, in voller Größe schreiben</translation>
     </message>
@@ -373,28 +408,12 @@
         <translation>Ctrl+E</translation>
     </message>
     <message>
-        <source>Export &amp;Mesh…</source>
-        <translation>&amp;Netz exportieren …</translation>
-    </message>
-    <message>
         <source>Write the bent mesh as OBJ, PLY, VTU …</source>
         <translation>Das gebogene Netz als OBJ, PLY, VTU … schreiben</translation>
     </message>
     <message>
-        <source>Export &amp;Frames…</source>
-        <translation>Bild&amp;folge exportieren …</translation>
-    </message>
-    <message>
-        <source>Write the motion as a sequence of pictures</source>
-        <translation>Die Bewegung als Folge von Bildern schreiben</translation>
-    </message>
-    <message>
         <source>Ctrl+Shift+E</source>
         <translation>Ctrl+Shift+E</translation>
-    </message>
-    <message>
-        <source>Export S&amp;T Map…</source>
-        <translation>S&amp;T-Karte exportieren …</translation>
     </message>
     <message>
         <source>Write where each pixel comes from, for compositing programs</source>
@@ -724,6 +743,42 @@
         <source>Let the shape relax towards its rest at the end, with the pins where they are</source>
         <translation>Die Form am Ende zur Ruhe hin entspannen, mit den Pins, wo sie sind</translation>
     </message>
+    <message>
+        <source>&amp;Picture…</source>
+        <translation>&amp;Bild …</translation>
+    </message>
+    <message>
+        <source>&amp;Sequence…</source>
+        <translation>&amp;Bildfolge …</translation>
+    </message>
+    <message>
+        <source>Write the motion as a sequence of pictures or meshes</source>
+        <translation>Die Bewegung als Folge von Bildern oder Netzen schreiben</translation>
+    </message>
+    <message>
+        <source>S&amp;T Map…</source>
+        <translation>S&amp;T-Map …</translation>
+    </message>
+    <message>
+        <source>&amp;Mesh…</source>
+        <translation>&amp;Netz …</translation>
+    </message>
+    <message>
+        <source>&amp;View…</source>
+        <translation>&amp;Ansicht …</translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>E&amp;xportieren</translation>
+    </message>
+    <message>
+        <source>A solid has no pixels: export the view.</source>
+        <translation>Ein Körper hat keine Pixel: exportieren Sie die Ansicht.</translation>
+    </message>
+    <message>
+        <source>Of a picture, export the picture itself.</source>
+        <translation>Exportieren Sie von einem Bild das Bild selbst.</translation>
+    </message>
 </context>
 <context>
     <name>wend::ContextMenu</name>
@@ -881,12 +936,8 @@
         <translation>Kurve</translation>
     </message>
     <message>
-        <source>Fra&amp;me</source>
-        <translation>Rah&amp;men</translation>
-    </message>
-    <message>
         <source>T&amp;wist</source>
-        <translation>&amp;Drall</translation>
+        <translation>D&amp;rall</translation>
     </message>
     <message>
         <source>S&amp;cale</source>
@@ -903,6 +954,10 @@
     <message>
         <source>A point cannot rotate or grow: hold more vertices.</source>
         <translation>Ein Punkt kann sich nicht drehen oder wachsen: mehr Punkte greifen.</translation>
+    </message>
+    <message>
+        <source>Fr&amp;ame</source>
+        <translation>Rah&amp;men</translation>
     </message>
 </context>
 <context>
@@ -985,11 +1040,11 @@
     </message>
     <message>
         <source>&amp;Look inside</source>
-        <translation>&amp;Hineinsehen</translation>
+        <translation>Hinein&amp;sehen</translation>
     </message>
     <message>
         <source>&amp;Distance</source>
-        <translation>&amp;Abstand</translation>
+        <translation>Abs&amp;tand</translation>
     </message>
     <message>
         <source>There is no solid yet that could be cut.</source>
@@ -1086,7 +1141,7 @@
     </message>
     <message>
         <source>Ma&amp;p of</source>
-        <translation>&amp;Karte der</translation>
+        <translation>Kar&amp;te der</translation>
     </message>
     <message>
         <source>Angle error</source>
@@ -1153,6 +1208,130 @@
     </message>
 </context>
 <context>
+    <name>wend::ExportDialog</name>
+    <message>
+        <source>Export Picture</source>
+        <translation>Bild exportieren</translation>
+    </message>
+    <message>
+        <source>Export Sequence</source>
+        <translation>Bildfolge exportieren</translation>
+    </message>
+    <message>
+        <source>Export ST Map</source>
+        <translation>ST-Map exportieren</translation>
+    </message>
+    <message>
+        <source>Export Mesh</source>
+        <translation>Netz exportieren</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>What kind of file is written.</source>
+        <translation>Welche Art von Datei geschrieben wird.</translation>
+    </message>
+    <message>
+        <source>Fit the &amp;Canvas</source>
+        <translation>&amp;Leinwand anpassen</translation>
+    </message>
+    <message>
+        <source>Fit the canvas</source>
+        <translation>Leinwand anpassen</translation>
+    </message>
+    <message>
+        <source>Make the canvas as large as the shape needs, so that nothing is cut off.</source>
+        <translation>Die Leinwand so groß machen, wie die Form es braucht, damit nichts abgeschnitten wird.</translation>
+    </message>
+    <message>
+        <source>F&amp;ormat</source>
+        <translation>F&amp;ormat</translation>
+    </message>
+    <message>
+        <source>E&amp;xport…</source>
+        <translation>E&amp;xportieren …</translation>
+    </message>
+    <message>
+        <source>As in the picture</source>
+        <translation>Wie im Bild</translation>
+    </message>
+    <message>
+        <source>As the format holds it best</source>
+        <translation>Wie das Format es am besten hält</translation>
+    </message>
+    <message>
+        <source>%1 px on the left</source>
+        <translation>%1 px links</translation>
+    </message>
+    <message>
+        <source>%1 px at the top</source>
+        <translation>%1 px oben</translation>
+    </message>
+    <message>
+        <source>%1 px on the right</source>
+        <translation>%1 px rechts</translation>
+    </message>
+    <message>
+        <source>%1 px at the bottom</source>
+        <translation>%1 px unten</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>On its way the shape leaves the picture and is cut off there: %1.</source>
+        <translation>Unterwegs verlässt die Form das Bild und wird dort abgeschnitten: %1.</translation>
+    </message>
+    <message>
+        <source>The shape reaches beyond the picture and is cut off there: %1.</source>
+        <translation>Die Form reicht über das Bild hinaus und wird dort abgeschnitten: %1.</translation>
+    </message>
+    <message>
+        <source>%1 vertices</source>
+        <translation>%1 Punkte</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n shapes of %1</source>
+        <translation>
+            <numerusform>%n Form mit %1</numerusform>
+            <numerusform>%n Formen mit %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels</source>
+        <translation>%1 × %2 Pixel</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pictures of %1</source>
+        <translation>
+            <numerusform>%n Bild von %1</numerusform>
+            <numerusform>%n Bilder von %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 (measured)</source>
+        <translation>%1 (gemessen)</translation>
+    </message>
+    <message>
+        <source>about %1 (estimated)</source>
+        <translation>etwa %1 (geschätzt)</translation>
+    </message>
+</context>
+<context>
+    <name>wend::ExportPreview</name>
+    <message>
+        <source>Preview</source>
+        <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>What will be written, smaller</source>
+        <translation>Was geschrieben wird, kleiner</translation>
+    </message>
+</context>
+<context>
     <name>wend::Exporter</name>
     <message>
         <source>The shape is still being computed. Try again in a moment.</source>
@@ -1187,17 +1366,6 @@
         <translation>Das Netz wird geschrieben …</translation>
     </message>
     <message>
-        <source>Export Frames</source>
-        <translation>Bildfolge exportieren</translation>
-    </message>
-    <message numerus="yes">
-        <source>Writing %n pictures …</source>
-        <translation>
-            <numerusform>%n Bild wird geschrieben …</numerusform>
-            <numerusform>%n Bilder werden geschrieben …</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>Export ST Map</source>
         <translation>ST-Karte exportieren</translation>
     </message>
@@ -1206,27 +1374,8 @@
         <translation>Die Karte wird geschrieben …</translation>
     </message>
     <message>
-        <source>How many pictures, from the start to the end?</source>
-        <translation>Wie viele Bilder, vom Anfang bis zum Ende?</translation>
-    </message>
-    <message>
-        <source>How many shapes, from the start to the end?</source>
-        <translation>Wie viele Formen, vom Anfang bis zum Ende?</translation>
-    </message>
-    <message numerus="yes">
-        <source>Writing %n shapes …</source>
-        <translation>
-            <numerusform>%n Form wird geschrieben …</numerusform>
-            <numerusform>%n Formen werden geschrieben …</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>Another export is still being written. Try again in a moment.</source>
         <translation>Ein anderer Export wird noch geschrieben. Bitte gleich noch einmal versuchen.</translation>
-    </message>
-    <message>
-        <source>the velocity field cannot be solved for</source>
-        <translation>das Geschwindigkeitsfeld ist nicht zu berechnen</translation>
     </message>
     <message>
         <source>Written without velocities: %1 (%2)</source>
@@ -1235,6 +1384,56 @@
     <message>
         <source>There is no shape to export: it could not be computed.</source>
         <translation>Es gibt keine Form zum Exportieren: sie konnte nicht berechnet werden.</translation>
+    </message>
+    <message>
+        <source>Export Sequence</source>
+        <translation>Bildfolge exportieren</translation>
+    </message>
+    <message numerus="yes">
+        <source>Writing %n frames …</source>
+        <translation>
+            <numerusform>%n Bild wird geschrieben …</numerusform>
+            <numerusform>%n Bilder werden geschrieben …</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>“%1” is this project itself. Replace it?</source>
+        <translation>„%1“ ist dieses Projekt selbst. Ersetzen?</translation>
+    </message>
+    <message>
+        <source>“%1” is the picture that this project bends. Replace it?</source>
+        <translation>„%1“ ist das Bild, das dieses Projekt biegt. Ersetzen?</translation>
+    </message>
+    <message>
+        <source>“%1” is the mesh that this project bends. Replace it?</source>
+        <translation>„%1“ ist das Netz, das dieses Projekt biegt. Ersetzen?</translation>
+    </message>
+    <message>
+        <source>“%1” belongs to this project. Replace it?</source>
+        <translation>„%1“ gehört zu diesem Projekt. Ersetzen?</translation>
+    </message>
+    <message>
+        <source>Wend</source>
+        <translation>Wend</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of these frames exist. Replace them?</source>
+        <translation>
+            <numerusform>%n dieser Bilder gibt es schon. Ersetzen?</numerusform>
+            <numerusform>%n dieser Bilder gibt es schon. Ersetzen?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>What it holds now is lost, and the project will not open as it is any more.</source>
+        <translation>Was sie jetzt enthält, geht verloren, und das Projekt öffnet sich nicht mehr so, wie es ist.</translation>
+    </message>
+    <message>
+        <source>What they hold now is lost.</source>
+        <translation>Was sie jetzt enthalten, geht verloren.</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
     </message>
 </context>
 <context>
@@ -1310,6 +1509,66 @@
     <message>
         <source>“%1” is not opened then.</source>
         <translation>„%1“ wird dann nicht geöffnet.</translation>
+    </message>
+    <message>
+        <source>%1 has moved.</source>
+        <translation>%1 ist nicht mehr da, wo es war.</translation>
+    </message>
+    <message>
+        <source>Find It…</source>
+        <translation>Suchen …</translation>
+    </message>
+    <message>
+        <source>Nothing to see in this picture.</source>
+        <translation>In diesem Bild ist nichts zu sehen.</translation>
+    </message>
+    <message>
+        <source>Use Whole Frame</source>
+        <translation>Ganze Fläche nehmen</translation>
+    </message>
+    <message>
+        <source>Open Another…</source>
+        <translation>Ein anderes öffnen …</translation>
+    </message>
+    <message>
+        <source>All files</source>
+        <translation>Alle Dateien</translation>
+    </message>
+    <message>
+        <source>Find %1</source>
+        <translation>%1 suchen</translation>
+    </message>
+    <message>
+        <source>“%1” was changed by another program or window.</source>
+        <translation>„%1“ wurde von einem anderen Programm oder Fenster geändert.</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>Neu laden</translation>
+    </message>
+    <message>
+        <source>Keep Mine</source>
+        <translation>Meines behalten</translation>
+    </message>
+    <message>
+        <source>Save As…</source>
+        <translation>Speichern unter …</translation>
+    </message>
+    <message>
+        <source>Reload “%1”?</source>
+        <translation>„%1“ neu laden?</translation>
+    </message>
+    <message>
+        <source>Your changes since it was saved are lost.</source>
+        <translation>Ihre Änderungen seit dem Speichern gehen verloren.</translation>
+    </message>
+    <message>
+        <source>Saving replaces those changes; reloading drops yours.</source>
+        <translation>Speichern ersetzt jene Änderungen; neu laden verwirft Ihre.</translation>
+    </message>
+    <message>
+        <source>The project was not saved: it needs the file “%1” itself. Choose another name.</source>
+        <translation>Das Projekt wurde nicht gespeichert: Es braucht die Datei „%1“ selbst. Wählen Sie einen anderen Namen.</translation>
     </message>
 </context>
 <context>
@@ -1470,20 +1729,16 @@
         <source>&lt;table cellspacing=&apos;6&apos;&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Click&lt;/b&gt;&lt;/td&gt;&lt;td&gt;sets a pin&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Drag a pin&lt;/b&gt;&lt;/td&gt;&lt;td&gt;moves it; Esc puts it back&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Alt-drag a pin&lt;/b&gt;&lt;/td&gt;&lt;td&gt;widens it to a circle&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Drag the ring&apos;s dot or square&lt;/b&gt;&lt;/td&gt;&lt;td&gt;rotates or scales; digits set the number, Shift snaps to 15°&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Shift-click&lt;/b&gt;&lt;/td&gt;&lt;td&gt;selects several pins&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Drag beside pins&lt;/b&gt;&lt;/td&gt;&lt;td&gt;selects by rectangle&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Arrow keys&lt;/b&gt;&lt;/td&gt;&lt;td&gt;nudge by a pixel, with Shift by ten&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Delete&lt;/b&gt;&lt;/td&gt;&lt;td&gt;removes the selected pins&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Shift+B, L, U&lt;/b&gt;&lt;/td&gt;&lt;td&gt;hold a part by rectangle, lasso, brush&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Wheel&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zooms to the pointer&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Space or middle button&lt;/b&gt;&lt;/td&gt;&lt;td&gt;pans&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Hold H&lt;/b&gt;&lt;/td&gt;&lt;td&gt;shows the bare picture&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</source>
         <translation>&lt;table cellspacing=&apos;6&apos;&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Klick&lt;/b&gt;&lt;/td&gt;&lt;td&gt;setzt einen Pin&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Pin ziehen&lt;/b&gt;&lt;/td&gt;&lt;td&gt;bewegt ihn; Esc setzt ihn zurück&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Pin mit Alt ziehen&lt;/b&gt;&lt;/td&gt;&lt;td&gt;weitet ihn zu einem Kreis&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Punkt oder Quadrat des Rings ziehen&lt;/b&gt;&lt;/td&gt;&lt;td&gt;dreht oder skaliert; Ziffern setzen die Zahl, Umschalt rastet bei 15° ein&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Umschalt-Klick&lt;/b&gt;&lt;/td&gt;&lt;td&gt;wählt mehrere Pins&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Neben Pins ziehen&lt;/b&gt;&lt;/td&gt;&lt;td&gt;wählt mit einem Rechteck&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Pfeiltasten&lt;/b&gt;&lt;/td&gt;&lt;td&gt;rücken um ein Pixel, mit Umschalt um zehn&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Entf&lt;/b&gt;&lt;/td&gt;&lt;td&gt;entfernt die gewählten Pins&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Umschalt+B, L, U&lt;/b&gt;&lt;/td&gt;&lt;td&gt;greifen einen Teil mit Rechteck, Lasso, Pinsel&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Mausrad&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zoomt zum Zeiger&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Leertaste oder mittlere Taste&lt;/b&gt;&lt;/td&gt;&lt;td&gt;verschiebt&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;H halten&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zeigt das bloße Bild&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</translation>
     </message>
+    <message>
+        <source>Write what is shown: as picture, sequence, ST map, mesh or view</source>
+        <translation>Schreiben, was zu sehen ist: als Bild, Bildfolge, ST-Map, Netz oder Ansicht</translation>
+    </message>
 </context>
 <context>
     <name>wend::MaterialPanel</name>
     <message>
         <source>Keep</source>
         <translation>Halten</translation>
-    </message>
-    <message>
-        <source>&amp;Energy φ</source>
-        <translation>&amp;Energie φ</translation>
-    </message>
-    <message>
-        <source>S&amp;moothing</source>
-        <translation>&amp;Glättung</translation>
     </message>
     <message>
         <source> rad</source>
@@ -1544,6 +1799,14 @@
     <message>
         <source>Change memory</source>
         <translation>Erinnerung ändern</translation>
+    </message>
+    <message>
+        <source>Energ&amp;y φ</source>
+        <translation>&amp;Energie φ</translation>
+    </message>
+    <message>
+        <source>Smoothi&amp;ng</source>
+        <translation>&amp;Glättung</translation>
     </message>
 </context>
 <context>
@@ -1738,10 +2001,6 @@
         <translation>&amp;Rand</translation>
     </message>
     <message>
-        <source>&amp;Vertices</source>
-        <translation>Pu&amp;nkte</translation>
-    </message>
-    <message>
         <source>Change outline</source>
         <translation>Umriss ändern</translation>
     </message>
@@ -1792,10 +2051,6 @@
     <message>
         <source>%1 vertices, %2 tetrahedra</source>
         <translation>%1 Punkte, %2 Tetraeder</translation>
-    </message>
-    <message>
-        <source>Refine &amp;surface</source>
-        <translation>Oberfläche ver&amp;feinern</translation>
     </message>
     <message>
         <source>Refine surface</source>
@@ -1860,6 +2115,137 @@
     <message>
         <source>Finer and coarser</source>
         <translation>Feiner und gröber</translation>
+    </message>
+    <message>
+        <source>Refine s&amp;urface</source>
+        <translation>Oberfläche ver&amp;feinern</translation>
+    </message>
+    <message>
+        <source>Verti&amp;ces</source>
+        <translation>Pu&amp;nkte</translation>
+    </message>
+</context>
+<context>
+    <name>wend::OptionField</name>
+    <message>
+        <source>Fil&amp;ter</source>
+        <translation>&amp;Filter</translation>
+    </message>
+    <message>
+        <source>Nearest – hard pixels</source>
+        <translation>Nächster – harte Pixel</translation>
+    </message>
+    <message>
+        <source>Bilinear – quick</source>
+        <translation>Bilinear – schnell</translation>
+    </message>
+    <message>
+        <source>Bicubic – sharp</source>
+        <translation>Bikubisch – scharf</translation>
+    </message>
+    <message>
+        <source>EWA – best</source>
+        <translation>EWA – am besten</translation>
+    </message>
+    <message>
+        <source>&amp;Canvas</source>
+        <translation>&amp;Leinwand</translation>
+    </message>
+    <message>
+        <source>As large as the picture</source>
+        <translation>So groß wie das Bild</translation>
+    </message>
+    <message>
+        <source>Fit to the shape</source>
+        <translation>An die Form angepasst</translation>
+    </message>
+    <message>
+        <source>&amp;Depth</source>
+        <translation>Farb&amp;tiefe</translation>
+    </message>
+    <message>
+        <source>As in the picture</source>
+        <translation>Wie im Bild</translation>
+    </message>
+    <message>
+        <source>8 bit</source>
+        <translation>8 Bit</translation>
+    </message>
+    <message>
+        <source>16 bit</source>
+        <translation>16 Bit</translation>
+    </message>
+    <message>
+        <source>16 bit floating point (half)</source>
+        <translation>16 Bit Gleitkomma (half)</translation>
+    </message>
+    <message>
+        <source>32 bit floating point</source>
+        <translation>32 Bit Gleitkomma</translation>
+    </message>
+    <message>
+        <source>&amp;Background</source>
+        <translation>&amp;Hintergrund</translation>
+    </message>
+    <message>
+        <source>Transparent</source>
+        <translation>Durchsichtig</translation>
+    </message>
+    <message>
+        <source>The border, drawn out</source>
+        <translation>Der fortgesetzte Rand</translation>
+    </message>
+    <message>
+        <source>The picture as it was</source>
+        <translation>Das Bild, wie es war</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>Weiß</translation>
+    </message>
+    <message>
+        <source>Black</source>
+        <translation>Schwarz</translation>
+    </message>
+    <message>
+        <source>&amp;Values</source>
+        <translation>&amp;Werte</translation>
+    </message>
+    <message>
+        <source>Errors, material, velocity</source>
+        <translation>Fehler, Material, Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>The shape alone</source>
+        <translation>Nur die Form</translation>
+    </message>
+    <message>
+        <source>&amp;Numbers</source>
+        <translation>&amp;Zahlen</translation>
+    </message>
+    <message>
+        <source>As text</source>
+        <translation>Als Text</translation>
+    </message>
+    <message>
+        <source>Binary</source>
+        <translation>Binär</translation>
+    </message>
+    <message>
+        <source>Binary, compressed</source>
+        <translation>Binär, gepackt</translation>
+    </message>
+    <message>
+        <source>&amp;Gmsh version</source>
+        <translation>&amp;Gmsh-Version</translation>
+    </message>
+    <message>
+        <source>F&amp;rames</source>
+        <translation>&amp;Bilder</translation>
+    </message>
+    <message>
+        <source>Frames per &amp;second</source>
+        <translation>Bilder je &amp;Sekunde</translation>
     </message>
 </context>
 <context>
@@ -1976,10 +2362,6 @@
         <translation>&amp;Durchsichtiger Hintergrund</translation>
     </message>
     <message>
-        <source>Export Picture</source>
-        <translation>Bild exportieren</translation>
-    </message>
-    <message>
         <source> px</source>
         <translation> px</translation>
     </message>
@@ -2058,6 +2440,34 @@
     <message>
         <source>Width and height must be between %1 and %2 pixels.</source>
         <translation>Breite und Höhe müssen zwischen %1 und %2 Pixeln liegen.</translation>
+    </message>
+    <message>
+        <source>Export View</source>
+        <translation>Ansicht exportieren</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>What kind of file is written.</source>
+        <translation>Welche Art von Datei geschrieben wird.</translation>
+    </message>
+    <message>
+        <source>F&amp;ormat</source>
+        <translation>F&amp;ormat</translation>
+    </message>
+    <message>
+        <source>E&amp;xport…</source>
+        <translation>E&amp;xportieren …</translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels</source>
+        <translation>%1 × %2 Pixel</translation>
+    </message>
+    <message>
+        <source>about %1 (estimated)</source>
+        <translation>etwa %1 (geschätzt)</translation>
     </message>
 </context>
 <context>
@@ -2347,10 +2757,6 @@
         <translation>Zellgrößen</translation>
     </message>
     <message>
-        <source>&amp;Edges</source>
-        <translation>&amp;Kanten</translation>
-    </message>
-    <message>
         <source>Soft ed&amp;ge</source>
         <translation>Weicher &amp;Rand</translation>
     </message>
@@ -2385,6 +2791,10 @@
     <message>
         <source>The surface&apos;s triangles are kept, and only what is inside changes. “Refine surface” in the panel “Mesh” lets them be split, too.</source>
         <translation>Die Dreiecke der Oberfläche bleiben, und nur das Innere ändert sich. „Oberfläche verfeinern“ im Feld „Netz“ lässt auch sie teilen.</translation>
+    </message>
+    <message>
+        <source>E&amp;dges</source>
+        <translation>&amp;Kanten</translation>
     </message>
 </context>
 <context>
@@ -2824,10 +3234,6 @@
         <translation>Körper brauchen OpenGL 3.3, das dieses System nicht hat. Die Befehlszeile (wend run) arbeitet trotzdem mit ihnen.</translation>
     </message>
     <message>
-        <source>Export Picture</source>
-        <translation>Bild exportieren</translation>
-    </message>
-    <message>
         <source>Written: %1</source>
         <translation>Geschrieben: %1</translation>
     </message>
@@ -2854,6 +3260,10 @@
     <message>
         <source>These pictures of the surface cannot be read: %1</source>
         <translation>Diese Bilder der Oberfläche sind nicht zu lesen: %1</translation>
+    </message>
+    <message>
+        <source>Export View</source>
+        <translation>Ansicht exportieren</translation>
     </message>
 </context>
 <context>

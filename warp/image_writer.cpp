@@ -10,6 +10,7 @@
 #include "core/mesh/safe_file.h"
 #include "warp/checked_file.h"
 #include "warp/convert.h"
+#include "warp/image_formats.h"
 #include "warp/image_metadata.h"
 #include "warp/webp.h"
 
@@ -273,6 +274,16 @@ Image withLayout(const Image& header, const PixelLayout& layout) {
 
 bool canWriteImage(const std::string& path) {
     return findFormat(lowerExtension(path)) != nullptr;
+}
+
+bool holdsType(const std::string& path, PixelType type) {
+    const Format* format = findFormat(lowerExtension(path));
+    return format && format->types[static_cast<std::size_t>(type)];
+}
+
+bool holdsAlpha(const std::string& path) {
+    const Format* format = findFormat(lowerExtension(path));
+    return format && format->alpha;
 }
 
 void writeImage(const std::string& path, const Image& header, int stripRows, const MakeRows& makeRows) {

@@ -7,6 +7,7 @@
 
 #include "core/mesh/error.h"
 #include "warp/at_rest.h"
+#include "warp/convert.h"
 #include "warp/warp_job.h"
 
 namespace wend {
@@ -216,9 +217,16 @@ bool WarpedPicture::paint(int top, Image& strip) const {
     return !job.options.stop.stop_requested();
 }
 
-void writeWarped(const std::string& path, const WarpedPicture& picture) {
-    writeImage(path, picture.header(), WarpedPicture::kRows, [&](int top, Image& strip) {
-        if (!picture.paint(top, strip)) throw Cancelled();
+void writeWarped(const std::string& path, const WarpedPicture& picture, std::optional<PixelType> type) {
+    Image header = picture.header();
+    header.type = type.value_or(header.type);
+    const bool own = header.type == picture.header().type;
+    writeImage(path, header, WarpedPicture::kRows, [&](int top, Image& strip) {
+        Image painted = own ? std::move(strip) : strip;
+        painted.type = picture.header().type;
+        if (!own) painted.makePixels();
+        if (!picture.paint(top, painted)) throw Cancelled();
+        strip = own ? std::move(painted) : converted(painted, layoutOf(strip));
     });
 }
 

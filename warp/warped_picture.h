@@ -43,7 +43,9 @@ class WarpedPicture {
 };
 
 /// Warps and writes strip by strip: beside the source, a few strips are in memory (formats without scan
-/// lines: the whole picture). Throws InputError, and Cancelled when stopped; nothing is written then.
-void writeWarped(const std::string& path, const WarpedPicture& picture);
+/// lines: the whole picture). `type`: instead of the source's, as far as the format holds it; values stay
+/// what they are. Throws InputError, and Cancelled when stopped; nothing is written then.
+void writeWarped(const std::string& path, const WarpedPicture& picture,
+                 std::optional<PixelType> type = std::nullopt);
 
 }  // namespace wend

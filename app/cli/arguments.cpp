@@ -1,6 +1,5 @@
 #include "app/cli/arguments.h"
 
-#include <charconv>
 #include <cmath>
 
 #include "core/energy/material.h"
@@ -70,14 +69,6 @@ std::string remark(const Option& option) {
 
 }  // namespace
 
-std::optional<double> finiteNumber(const std::string& text) {
-    double value = 0;
-    const char* end = text.data() + text.size();
-    const auto done = std::from_chars(text.data(), end, value);
-    if (done.ec != std::errc() || done.ptr != end || !std::isfinite(value)) return std::nullopt;
-    return value;
-}
-
 Arguments::Arguments(const std::string& command, const std::vector<std::string>& words) : m_command(command) {
     bool onlyFiles = false;
     for (std::size_t at = 0; at < words.size(); ++at) {
@@ -101,30 +92,12 @@ void Arguments::take(const std::string& flag, const std::optional<std::string>& 
     if (has(flag)) throw UsageError(flag + " is given twice");
     if (option->kind == OptionKind::Flag) {
         if (attached) throw UsageError(flag + " takes no value");
-        m_values[flag] = "";
+        m_values.set(flag, "");
         return;
     }
     if (!attached && at + 1 == words.size()) throw UsageError(flag + " needs a value");
-    m_values[flag] = attached ? *attached : words[++at];
-    check(*option, m_values[flag]);
-}
-
-std::string Arguments::text(const std::string& flag) const {
-    const auto it = m_values.find(flag);
-    return it != m_values.end() ? it->second : std::string(option(flag).fallback);
-}
-
-double Arguments::number(const std::string& flag) const {
-    return given(flag).value_or(defaultOf(flag));
-}
-
-int Arguments::integer(const std::string& flag) const {
-    return static_cast<int>(number(flag));
-}
-
-std::optional<double> Arguments::given(const std::string& flag) const {
-    if (!has(flag)) return std::nullopt;
-    return finiteNumber(m_values.at(flag));
+    m_values.set(flag, attached ? *attached : words[++at]);
+    check(*option, m_values.text(flag));
 }
 
 double Arguments::phi(const std::string& flag, int dim) const {

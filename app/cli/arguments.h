@@ -1,11 +1,10 @@
 #pragma once
 
-#include <map>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "app/document/option_values.h"
 #include "app/document/options.h"
 
 namespace wend {
@@ -24,12 +23,12 @@ class Arguments {
     Arguments(const std::string& command, const std::vector<std::string>& words);
 
     const std::vector<std::string>& files() const { return m_files; }
-    bool has(const std::string& flag) const { return m_values.contains(flag); }
-    /// As written, or the table's default.
-    std::string text(const std::string& flag) const;
-    double number(const std::string& flag) const;
-    int integer(const std::string& flag) const;
-    std::optional<double> given(const std::string& flag) const;
+    const OptionValues& values() const { return m_values; }
+    bool has(const std::string& flag) const { return m_values.has(flag); }
+    std::string text(const std::string& flag) const { return m_values.text(flag); }
+    double number(const std::string& flag) const { return m_values.number(flag); }
+    int integer(const std::string& flag) const { return m_values.integer(flag); }
+    std::optional<double> given(const std::string& flag) const { return m_values.given(flag); }
     /// φ of a name or number, in the range of that dimension.
     double phi(const std::string& flag, int dim) const;
 
@@ -39,11 +38,8 @@ class Arguments {
 
     std::string m_command;
     std::vector<std::string> m_files;
-    std::map<std::string, std::string> m_values;
+    OptionValues m_values;
 };
-
-/// A number as it must stand on the command line: all of it, in the C locale.
-std::optional<double> finiteNumber(const std::string& text);
 
 /// `--tolerance X  …` for each option that the subcommand takes.
 std::string optionHelp(const std::string& command);

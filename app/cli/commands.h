@@ -2,7 +2,6 @@
 
 #include "app/cli/arguments.h"
 #include "app/cli/cli.h"
-#include "core/mesh/mesh_file.h"
 
 namespace wend {
 
@@ -16,9 +15,6 @@ ExitCode runReference(const Arguments& arguments);
 
 /// On standard output. Throws InputError if that is full or closed.
 ExitCode print(const std::string& text);
-
-/// --encoding and --msh.
-MeshWriteOptions meshOptionsFrom(const Arguments& arguments);
 
 /// The only file on the line; throws UsageError if there is none or there are several.
 std::string onlyFile(const Arguments& arguments, const std::string& what);

@@ -5,7 +5,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/terminal.h"
 #include "app/session/output_set.h"
-#include "app/session/run.h"
+#include "app/session/run_options.h"
 #include "app/session/shape_file.h"
 #include "core/mesh/error.h"
 #include "core/mesh/file_name.h"
@@ -140,8 +140,9 @@ ExitCode runMesh(const Arguments& arguments) try {
     terminal.progress("meshing", 0);
     const MeshFile mesh = meshOf(input, path, interrupt.token(), terminal);
     OutputSet files;
-    files.add(output, ".vtu",
-              [&](const std::string& file) { writeMeshFile(file, mesh, meshOptionsFrom(arguments)); });
+    files.add(output, ".vtu", [&](const std::string& file) {
+        writeMeshFile(file, mesh, meshOptionsFrom(arguments.values()));
+    });
     files.commit();
     return ExitCode::Done;
 } catch (const InputError& error) {

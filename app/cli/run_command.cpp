@@ -3,7 +3,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/terminal.h"
-#include "app/session/run.h"
+#include "app/session/run_options.h"
 #include "core/mesh/error.h"
 
 namespace wend {
@@ -40,19 +40,10 @@ bool asksForAnything(const RunOutputs& outputs) {
 RunOptions optionsFrom(const Arguments& arguments) {
     static const std::map<std::string, BackEndKind> backEnds{
         {"auto", BackEndKind::Automatic}, {"opencl", BackEndKind::OpenCl}, {"cpu", BackEndKind::Cpu}};
-    static const std::map<std::string, Filter> filters{{"nearest", Filter::Nearest},
-                                                       {"bilinear", Filter::Bilinear},
-                                                       {"bicubic", Filter::Bicubic},
-                                                       {"ewa", Filter::Ewa}};
-    RunOptions options;
+    RunOptions options = runOptionsFrom(arguments.values());
     options.outputs = outputsFrom(arguments);
     options.at = arguments.given("--at");
     options.backEnd = backEnds.at(arguments.text("--backend"));
-    options.filter = filters.at(arguments.text("--filter"));
-    options.canvas = arguments.text("--canvas") == "fit" ? Canvas::Fit : Canvas::Picture;
-    options.partial = arguments.has("--partial");
-    options.fields = arguments.text("--fields") == "all";
-    options.meshes = meshOptionsFrom(arguments);
     return options;
 }
 
@@ -80,16 +71,6 @@ void override(Project& project, const Arguments& arguments) {
 }
 
 }  // namespace
-
-MeshWriteOptions meshOptionsFrom(const Arguments& arguments) {
-    using Encoding = MeshWriteOptions::Encoding;
-    static const std::map<std::string, Encoding> encodings{
-        {"text", Encoding::Text}, {"binary", Encoding::Binary}, {"compressed", Encoding::Compressed}};
-    MeshWriteOptions options;
-    options.encoding = encodings.at(arguments.text("--encoding"));
-    options.gmshVersion = arguments.text("--msh") == "2.2" ? 2 : 4;
-    return options;
-}
 
 ExitCode runRun(const Arguments& arguments) {
     const std::string path = onlyFile(arguments, "project");

@@ -7,6 +7,11 @@
 
 #include "core/energy/material.h"
 
+// Marks the texts that the window shows, for its translations; nothing here is translated.
+#ifndef QT_TRANSLATE_NOOP
+#define QT_TRANSLATE_NOOP(context, text) text
+#endif
+
 namespace wend {
 namespace {
 
@@ -122,20 +127,36 @@ constexpr std::array kOptions{
            "beside; "
            "a .glb without #### holds all frames of a solid as an animation"},
     Option{"", "--count", Integer, "25", kFrames, "", "", "run",
-           "number of frames, at equal times from the start to the last time"},
-    Option{"", "--fps", Number, "24", kPositive, "1/s", "", "run", "frames per second of an animated .glb"},
-    Option{"", "--fields", Choice, "all", kAny, "", "all|none", "run",
-           "whether distortion, φ, directions and velocity go with meshes, in formats that carry values"},
-    Option{"", "--encoding", Choice, "text", kAny, "", "text|binary|compressed", "run mesh",
-           "how numbers stand in mesh files that know several ways (ply, stl, msh, vtk, vtu)"},
-    Option{"", "--msh", Choice, "4.1", kAny, "", "4.1|2.2", "run mesh", "version of .msh files"},
+           QT_TRANSLATE_NOOP("Options", "number of frames, at equal times from the start to the last time")},
+    Option{"", "--fps", Number, "24", kPositive, "1/s", "", "run",
+           QT_TRANSLATE_NOOP("Options", "frames per second of an animated .glb")},
+    Option{
+        "", "--fields", Choice, "all", kAny, "", "all|none", "run",
+        QT_TRANSLATE_NOOP(
+            "Options",
+            "whether distortion, φ, directions and velocity go with meshes, in formats that carry values")},
+    Option{
+        "", "--encoding", Choice, "text", kAny, "", "text|binary|compressed", "run mesh",
+        QT_TRANSLATE_NOOP(
+            "Options", "how numbers stand in mesh files that know several ways (ply, stl, msh, vtk, vtu)")},
+    Option{"", "--msh", Choice, "4.1", kAny, "", "4.1|2.2", "run mesh",
+           QT_TRANSLATE_NOOP("Options", "version of .msh files")},
     Option{"", "--report", File, "", kAny, "", "", "run", "write figures about the run (json)"},
     Option{"", "--at", Number, "", kNotNegative, "time", "", "run",
            "stop at this time instead of the project's end"},
     Option{"", "--filter", Choice, "ewa", kAny, "", "nearest|bilinear|bicubic|ewa", "run",
-           "how the picture is sampled"},
+           QT_TRANSLATE_NOOP("Options", "how the picture is sampled")},
     Option{"", "--canvas", Choice, "picture", kAny, "", "picture|fit", "run",
-           "pixels that pictures show: those of the source, or as many as the shape needs"},
+           QT_TRANSLATE_NOOP(
+               "Options", "pixels that pictures show: those of the source, or as many as the shape needs")},
+    Option{"", "--depth", Choice, "picture", kAny, "", "picture|8|16|half|float", "run",
+           QT_TRANSLATE_NOOP("Options",
+                             "bits of a channel in pictures: as in the source, 8 or 16, or a half or full "
+                             "floating-point number; values stay what they are")},
+    Option{"", "--outside", Choice, "transparent", kAny, "", "transparent|clamp|original|white|black", "run",
+           QT_TRANSLATE_NOOP("Options",
+                             "what pictures show beside the shape: nothing, its border drawn out, the source "
+                             "as it was, or a colour")},
     Option{"", "--partial", Flag, "", kAny, "", "", "run",
            "if the deformation stops early, write the last good shape all the same"},
     Option{"", "--backend", Choice, "auto", kAny, "", "auto|opencl|cpu", "run",

@@ -69,7 +69,7 @@ void CurvePanel::arrange(bool titled) {
     auto* curve = new QVBoxLayout(m_curve);
     curve->setContentsMargins(0, 0, 0, 0);
     curve->setSpacing(10);
-    curve->addLayout(panelRow(tr("Fra&me"), m_frame, m_curve));
+    curve->addLayout(panelRow(tr("Fr&ame"), m_frame, m_curve));
     if (m_dimension == 3)
         curve->addLayout(panelRow(tr("T&wist"), m_twist, m_curve));
     else

@@ -40,8 +40,8 @@ MaterialPanel::MaterialPanel(ShapeSession& session, QWidget* parent)
     layout->addWidget(panelTitle(tr("Keep"), this));
     layout->addWidget(m_slider);
     layout->addWidget(m_help);
-    layout->addLayout(panelRow(tr("&Energy φ"), m_phi, this));
-    layout->addLayout(panelRow(tr("S&moothing"), m_smoothing, this));
+    layout->addLayout(panelRow(tr("Energ&y φ"), m_phi, this));
+    layout->addLayout(panelRow(tr("Smoothi&ng"), m_smoothing, this));
     layout->addSpacing(6);
     layout->addWidget(panelTitle(tr("Remembers its shape"), this));
     layout->addWidget(m_memory);

@@ -53,7 +53,7 @@ MeshPanel::MeshPanel(ShapeSession& session, QWidget* parent)
       m_vertices(new QSpinBox(this)),
       m_density(new JumpSlider(this)),
       m_quality(new NumberBox(this)),
-      m_refine(new QCheckBox(tr("Refine &surface"), this)),
+      m_refine(new QCheckBox(tr("Refine s&urface"), this)),
       m_aim(new QComboBox(this)),
       m_volume(new MagnitudeBox(this)),
       m_sizes(new QToolButton(this)),
@@ -143,7 +143,7 @@ void MeshPanel::arrange() {
     m_pictureRows = {row(tr("&Outline"), m_outline), row(tr("&Threshold"), m_threshold),
                      row(tr("Ma&rgin"), m_margin)};
     QWidget* aim = row(tr("A&im at"), m_aim);
-    QWidget* vertices = row(tr("&Vertices"), m_vertices);
+    QWidget* vertices = row(tr("Verti&ces"), m_vertices);
     layout->addWidget(m_density);
     QWidget* volume = row(tr("&Greatest volume"), m_volume);
     QWidget* quality = row(tr("R&oundness"), m_quality);

@@ -92,7 +92,7 @@ void SizePanel::arrange() {
     layout->setContentsMargins(16, 14, 16, 14);
     layout->setSpacing(10);
     layout->addWidget(panelTitle(tr("Cell sizes"), this));
-    layout->addLayout(panelRow(tr("&Edges"), m_factor, this));
+    layout->addLayout(panelRow(tr("E&dges"), m_factor, this));
     layout->addWidget(m_list);
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(m_add);

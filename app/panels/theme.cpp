@@ -121,6 +121,7 @@ QString wendStyleSheet(const QPalette& palette) {
     set("@pressed", pressed);
     set("@line", theme.line);
     set("@second", theme.secondText);
+    set("@warning", theme.warning);
     set("@window", palette.color(QPalette::Window));
     set("@handle", theme.dark ? QColor(0xd5d7e0) : QColor(0xffffff));
     set("@base", palette.color(QPalette::Base));

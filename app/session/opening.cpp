@@ -9,6 +9,7 @@
 #include "core/mesh/error.h"
 #include "core/mesh/mesh_file.h"
 #include "core/mesh/segments.h"
+#include "warp/convert.h"
 #include "warp/picture_format.h"
 
 namespace wend {
@@ -23,17 +24,23 @@ std::string absolute(const QString& folder, const std::string& file) {
     return file.empty() ? file : QDir(folder).absoluteFilePath(QString::fromStdString(file)).toStdString();
 }
 
-OpenedFile openProject(const QString& path) {
+/// The places in a project that name files.
+std::vector<std::string*> filesOf(Project& project) {
+    Domain& domain = project.domain;
+    std::string& cells =
+        std::visit([](auto& design) -> std::string& { return design.material.cellsFile; }, project.design);
+    return {&domain.path, &domain.texture, &domain.sizesFile, &domain.detail, &cells};
+}
+
+OpenedFile openProject(const QString& path, const QMap<QString, QString>& found = {}) {
     OpenedFile file;
     LoadedProject loaded = readProject(path.toStdString());
     Project& project = loaded.project;
     const QString folder = QFileInfo(path).absolutePath();
-    project.domain.path = absolute(folder, project.domain.path);
-    project.domain.texture = absolute(folder, project.domain.texture);
-    project.domain.sizesFile = absolute(folder, project.domain.sizesFile);
-    project.domain.detail = absolute(folder, project.domain.detail);
-    std::visit([&](auto& design) { design.material.cellsFile = absolute(folder, design.material.cellsFile); },
-               project.design);
+    for (std::string* own : filesOf(project)) {
+        const QString name = QString::fromStdString(absolute(folder, *own));
+        *own = found.value(name, name).toStdString();
+    }
     for (const std::string& warning : loaded.warnings) file.warnings << QString::fromStdString(warning);
     if (project.domain.kind == DomainKind::Image) file.picture = loadPicture(project, folder.toStdString());
     file.project = std::make_shared<const Project>(std::move(project));
@@ -54,9 +61,25 @@ bool hasTransparency(const Image& image) {
     }
 }
 
-OpenedFile openPicture(const QString& path) {
+/// No pixel shows more than a trace of colour.
+bool isBlank(const Image& image) {
+    constexpr float kTrace = 1.5F / 255;
+    if (!image.alpha) return false;
+    const auto channels = static_cast<std::size_t>(image.channels);
+    std::vector<float> row(static_cast<std::size_t>(image.width) * channels);
+    for (int y = 0; y < image.height; ++y) {
+        loadRow(image, y, row.data());
+        for (std::size_t i = channels - 1; i < row.size(); i += channels)
+            if (row[i] > kTrace) return false;
+    }
+    return true;
+}
+
+OpenedFile openPicture(const QString& path, bool evenIfBlank) {
     OpenedFile file;
     auto picture = std::make_shared<const Image>(readImage(path.toStdString()));
+    if (!evenIfBlank && isBlank(*picture))
+        throw NothingToSee(path.toStdString(), "is transparent everywhere");
     Project project;
     project.domain.kind = DomainKind::Image;
     project.domain.path = path.toStdString();
@@ -113,7 +136,7 @@ QString meshExtensions() {
     return QStringLiteral("*.obj *.ply *.off *.stl *.mesh *.msh *.node *.ele *.vtk *.vtu");
 }
 
-OpenedFile openFile(const QString& path) {
+OpenedFile openFile(const QString& path, bool evenIfBlank) {
     const QString absolutePath = QFileInfo(path).absoluteFilePath();
     OpenedFile file;
     if (hasExtension(path, QStringLiteral("*.wend")))
@@ -121,9 +144,32 @@ OpenedFile openFile(const QString& path) {
     else if (hasExtension(path, meshExtensions()))
         file = openMesh(absolutePath);
     else
-        file = openPicture(absolutePath);
+        file = openPicture(absolutePath, evenIfBlank);
     file.source = absolutePath;
     if (samplePaths().contains(absolutePath)) file.path.clear();  // samples are there to be changed and kept
+    return file;
+}
+
+QStringList missingFiles(const QString& project) {
+    QStringList missing;
+    try {
+        Project read = readProject(project.toStdString()).project;
+        const QString folder = QFileInfo(project).absolutePath();
+        for (const std::string* own : filesOf(read)) {
+            const QString file = QString::fromStdString(absolute(folder, *own));
+            if (!file.isEmpty() && !QFileInfo::exists(file)) missing << file;
+        }
+    } catch (const InputError&) {
+        return {};  // reading it says what is wrong
+    }
+    return missing;
+}
+
+OpenedFile openMoved(const QString& project, const QMap<QString, QString>& found) {
+    const QString path = QFileInfo(project).absoluteFilePath();
+    OpenedFile file = openProject(path, found);
+    file.source = path;
+    if (samplePaths().contains(path)) file.path.clear();
     return file;
 }
 

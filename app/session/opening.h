@@ -1,15 +1,28 @@
 #pragma once
 
+#include <QMap>
 #include <QStringList>
 
 #include "app/document/recovery.h"
+#include "core/mesh/error.h"
 
 namespace wend {
 
+/// A picture that is transparent everywhere.
+class NothingToSee : public InputError {
+  public:
+    using InputError::InputError;
+};
+
 /// Reads a project, a picture or a mesh, told apart by the file's extension, and makes a project of it; a
 /// mesh in space becomes a project in space: tetrahedra its mesh, a surface its surface. Runs
-/// in any thread. Throws InputError with what to do about it.
-OpenedFile openFile(const QString& path);
+/// in any thread. Throws InputError with what to do about it, NothingToSee unless `evenIfBlank`.
+OpenedFile openFile(const QString& path, bool evenIfBlank = false);
+
+/// The files that a project needs and that are not there, by their absolute paths.
+QStringList missingFiles(const QString& project);
+/// The project with other files in the place of those.
+OpenedFile openMoved(const QString& project, const QMap<QString, QString>& found);
 
 /// Work that was lost in a crash, as changes that are not saved yet. Throws as openFile().
 OpenedFile openLost(const LostWork& work);

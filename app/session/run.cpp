@@ -7,6 +7,7 @@
 #include "app/document/text_file.h"
 #include "app/session/output_set.h"
 #include "app/session/pose_file.h"
+#include "app/session/run_options.h"
 #include "app/session/shape_file.h"
 #include "core/mesh/error.h"
 #include "core/mesh/file_name.h"
@@ -127,14 +128,12 @@ class Run {
     void writePicture(const std::string& file, const Points<2>& pixels, const View& view,
                       const std::function<void(double)>& progress) {
         if (!m_painters) m_painters = cellPainters(m_options.backEnd, {}, m_watch.notice, m_device);
-        WarpOptions options;
-        options.filter = m_options.filter;
-        options.restMargin = restMarginOf(m_project.domain);
-        options.threads = m_project.integration.threads;
+        WarpOptions options = warpOptionsOf(m_project, m_options);
         options.makePainter = m_painters;
         options.stop = m_watch.stop;
         options.progress = progress;
-        writeWarped(file, WarpedPicture(*m_scene.picture, *m_scene.texture.rest, pixels, view, options));
+        writeWarped(file, WarpedPicture(*m_scene.picture, *m_scene.texture.rest, pixels, view, options),
+                    m_options.depth);
     }
 
     /// Tells what is between the fractions `from` and `to` of the warping.
@@ -276,6 +275,8 @@ AdvanceResult runProject(const Project& project, const std::string& path, const 
                          const RunWatch& watch) try {
     const Clock::time_point start = Clock::now();
     requirePossible(project, options.outputs);
+    for (const std::string& picture : {options.outputs.image, options.outputs.frames})
+        requireDepth(picture, options);
     if (watch.progress) watch.progress("reading", 0);
     AnyScene scene = loadScene(project, folderOf(path), watch.stop);
     return std::visit(

@@ -29,6 +29,9 @@ struct RunOptions {
     BackEndKind backEnd = BackEndKind::Automatic;
     Filter filter = Filter::Ewa;
     Canvas canvas = Canvas::Picture;
+    std::optional<PixelType> depth;  // of pictures; without: the source's
+    Outside outside = Outside::Transparent;
+    std::array<float, 4> colour = {0, 0, 0, 0};  // of Outside::Colour
     bool fields = true;  // distortion, φ, B and velocity go with meshes, where the format carries them
     MeshWriteOptions meshes;
     bool partial = false;  // if the deformation stops early, write the last good shape all the same

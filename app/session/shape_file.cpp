@@ -132,6 +132,15 @@ bool holdsFields(const std::string& path) {
     return !isSkinFile(path) || lowerExtension(path) == ".ply";
 }
 
+bool carriesValues(const std::string& path) {
+    static const std::vector<std::string> formats{".vtu", ".vtk", ".msh", ".ply"};
+    return std::ranges::count(formats, lowerExtension(path)) > 0;
+}
+
+bool knowsEncodings(const std::string& path) {
+    return carriesValues(path) || lowerExtension(path) == ".stl";
+}
+
 bool isSkinFile(const std::string& path) {
     return std::ranges::count(skinFileExtensions(), lowerExtension(path)) > 0;
 }

@@ -35,6 +35,11 @@ void requireShapeFormat(const std::string& path, const std::string& extension, i
 /// True for formats of solids that keep shapeFields().
 bool holdsFields(const std::string& path);
 
+/// True for formats in which shapeFields() are to be found again by other programs.
+bool carriesValues(const std::string& path);
+/// True for formats whose numbers can be text or binary.
+bool knowsEncodings(const std::string& path);
+
 /// True for formats that get the skin of a solid.
 bool isSkinFile(const std::string& path);
 

@@ -7,7 +7,10 @@
 namespace wend {
 
 Actions::Actions(QUndoStack& undoStack, QObject* parent)
-    : ActionMaker(parent), recent(std::make_unique<QMenu>()), samples(std::make_unique<QMenu>()) {
+    : ActionMaker(parent),
+      recent(std::make_unique<QMenu>()),
+      samples(std::make_unique<QMenu>()),
+      exports(std::make_unique<QMenu>()) {
     makeFile();
     makeEdit(undoStack);
     makeView();
@@ -23,13 +26,16 @@ void Actions::makeFile() {
         add({tr("&Open…"), tr("Open a picture, a mesh, a surface or a project")}, QKeySequence::Open, "open");
     save = add({tr("&Save"), tr("Save the project")}, QKeySequence::Save, "save");
     saveAs = add({tr("Save &As…"), tr("Save the project under another name")}, QKeySequence::SaveAs);
-    exportPicture = add({tr("Export &Picture…"), tr("Write the picture as it is bent now, at its full size")},
+    exportPicture = add({tr("&Picture…"), tr("Write the picture as it is bent now, at its full size")},
                         QKeySequence(tr("Ctrl+E")), "export");
-    exportMesh = add({tr("Export &Mesh…"), tr("Write the bent mesh as OBJ, PLY, VTU …")}, {});
-    exportFrames = add({tr("Export &Frames…"), tr("Write the motion as a sequence of pictures")},
+    exportFrames = add({tr("&Sequence…"), tr("Write the motion as a sequence of pictures or meshes")},
                        QKeySequence(tr("Ctrl+Shift+E")), "frames");
     exportStMap =
-        add({tr("Export S&T Map…"), tr("Write where each pixel comes from, for compositing programs")}, {});
+        add({tr("S&T Map…"), tr("Write where each pixel comes from, for compositing programs")}, {});
+    exportMesh = add({tr("&Mesh…"), tr("Write the bent mesh as OBJ, PLY, VTU …")}, {});
+    exportView = add({tr("&View…"), tr("Write the view as a picture, as large as you like")}, {});
+    exports->setTitle(tr("&Export"));
+    exports->addActions({exportPicture, exportFrames, exportStMap, exportMesh, exportView});
     closeFile = add({tr("&Close"), tr("Close the file and go back to the start page")}, QKeySequence::Close);
     quit = add({tr("&Quit"), tr("Leave Wend")}, QKeySequence::Quit);
     quit->setMenuRole(QAction::QuitRole);
@@ -108,7 +114,7 @@ void Actions::fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve, const 
     file->addSeparator();
     file->addActions({save, saveAs});
     file->addSeparator();
-    file->addActions({exportPicture, exportMesh, exportFrames, exportStMap});
+    file->addMenu(exports.get());
     file->addSeparator();
     file->addActions({closeFile, quit});
     QMenu* edit = window.menuBar()->addMenu(tr("&Edit"));
@@ -140,11 +146,15 @@ void Actions::setHasFile(bool has, bool hasPicture, bool isSolid) {
                             showMesh, showMap, hideOverlays, fit, zoomIn, zoomOut})
         enable(action, has, why);
     enable(actualSize, has && !isSolid, has ? tr("A solid has no pixels.") : why);
-    exportPicture->setProperty("help", isSolid ? tr("Write the view as a picture, as large as you like")
-                                               : tr("Write the picture as it is bent now, at its full size"));
-    enable(exportPicture, has && (hasPicture || isSolid), has ? tr("This project has no picture.") : why);
-    enable(exportFrames, has && (hasPicture || isSolid), has ? tr("This project has no picture.") : why);
-    enable(exportStMap, has && hasPicture, has ? tr("This project has no picture.") : why);
+    const QString noPicture = tr("This project has no picture.");
+    enable(exportPicture, has && hasPicture && !isSolid,
+           isSolid ? tr("A solid has no pixels: export the view.") : (has ? noPicture : why));
+    enable(exportView, has && isSolid, has ? tr("Of a picture, export the picture itself.") : why);
+    enable(exportFrames, has, why);
+    enable(exportStMap, has && hasPicture, has ? noPicture : why);
+    const QKeySequence key(tr("Ctrl+E"));  // what one sees
+    exportPicture->setShortcut(isSolid ? QKeySequence() : key);
+    exportView->setShortcut(isSolid ? key : QKeySequence());
 }
 
 void Actions::resetView() {

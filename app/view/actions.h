@@ -20,7 +20,7 @@ class Actions : public ActionMaker {
     Actions(QUndoStack& undo, QObject* parent);
 
     QAction *open, *save, *saveAs, *closeFile, *quit;
-    QAction *exportPicture, *exportMesh, *exportFrames, *exportStMap;
+    QAction *exportPicture, *exportMesh, *exportFrames, *exportStMap, *exportView;
     QAction *undo, *redo, *selectAll, *selectNone, *remove;
     QAction *selectTool, *pinTool;
     QAction *showMesh, *showMap, *hideOverlays, *fit, *actualSize, *zoomIn, *zoomOut, *fullScreen;
@@ -28,7 +28,7 @@ class Actions : public ActionMaker {
     QAction *systemLook, *lightLook, *darkLook;
     QAction *about, *shortcuts;
     QActionGroup* tools;  // one of them is chosen
-    const std::unique_ptr<QMenu> recent, samples;
+    const std::unique_ptr<QMenu> recent, samples, exports;
 
     /// Menus of the whole program, in the order of the work.
     /// `more` stands between those of the view and of the motion; `curve` within that of the motion, `hold`

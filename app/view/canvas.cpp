@@ -338,8 +338,6 @@ void ShapeCanvas::keyPressEvent(QKeyEvent* event) {
     if (event->key() == Qt::Key_Space) {
         m_spaceDown = m_spaceDown || !event->isAutoRepeat();
         updateCursor();
-    } else if (event->key() == Qt::Key_H && !event->modifiers()) {
-        if (!event->isAutoRepeat()) setOverlaysHidden(true);
     } else if (!m_tool || !m_tool->key(*event)) {
         QWidget::keyPressEvent(event);
     }
@@ -348,13 +346,11 @@ void ShapeCanvas::keyPressEvent(QKeyEvent* event) {
 void ShapeCanvas::keyReleaseEvent(QKeyEvent* event) {
     if (event->isAutoRepeat()) return;
     if (event->key() == Qt::Key_Space) m_spaceDown = false;
-    if (event->key() == Qt::Key_H) setOverlaysHidden(false);
     updateCursor();
 }
 
 void ShapeCanvas::focusOutEvent(QFocusEvent*) {
     m_spaceDown = false;
-    if (m_hidden) setOverlaysHidden(false);
     updateCursor();
 }
 

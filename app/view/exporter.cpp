@@ -1,87 +1,83 @@
 #include "app/view/exporter.h"
 
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
-#include <QInputDialog>
+#include <QMessageBox>
 #include <QProgressDialog>
+#include <QPushButton>
 #include <QtConcurrent>
-#include <cmath>
 
 #include "app/session/opening.h"
-#include "app/session/run.h"
+#include "app/session/own_files.h"
+#include "app/session/run_options.h"
 #include "app/session/shape_file.h"
-#include "app/session/velocity_probe.h"
+#include "app/view/export_dialog.h"
+#include "app/view/save_dialog.h"
 #include "core/mesh/error.h"
-#include "core/mesh/file_name.h"
-#include "core/mesh/mesh_file.h"
-#include "warp/warped_picture.h"
 
 namespace wend {
 
 namespace {
 
-const char* const kSolidFilter =
-    "VTU (*.vtu);;VTK (*.vtk);;Medit (*.mesh);;Gmsh 4.1 (*.msh);;Gmsh 2.2 (*.msh);;TetGen (*.node);;glTF "
-    "(*.glb);;Wavefront OBJ "
-    "(*.obj);;PLY (*.ply);;STL (*.stl);;OFF (*.off)";
-const char* const kFlatFilter = "Wavefront OBJ (*.obj);;PLY (*.ply);;OFF (*.off);;VTU (*.vtu);;VTK (*.vtk)";
-const char* const kSolidFramesFilter =
-    "glTF (*.glb);;VTU (*.vtu);;Wavefront OBJ (*.obj);;PLY (*.ply);;STL (*.stl);;Medit (*.mesh);;VTK (*.vtk)";
-const char* const kPictureFilter = "PNG (*.png);;TIFF (*.tif);;OpenEXR (*.exr);;JPEG (*.jpg);;WebP (*.webp)";
+constexpr QSize kSolidPreview(360, 300);
 
-/// A frame in the pixels of its picture: the document's, or that of a file's mesh.
-struct Pixels {
-    std::shared_ptr<const Image> picture;
-    std::shared_ptr<const SimplicialMesh<2>> rest;
-    Points<2> pose;
-
-    Pixels(const Document& document, const PosedPtr<2>& frame) {
-        if (!frame) return;
-        picture = document.picture();
-        rest = frame->rest;
-        pose = frame->pose;
-        const auto& texture = frame->built->texture;
-        if (picture || !texture) return;
-        picture = texture->picture;
-        rest = texture->rest;
-        pose = texture->toPixels(frame->pose);
-    }
-    View view() const { return {picture->width, picture->height, Vec<2>::Zero(), 1}; }
-};
-
-void writePicture(const std::string& path, const Pixels& pixels, int restMargin,
-                  const std::function<void(double)>& progress, std::stop_token stop) {
-    WarpOptions options;
-    options.restMargin = restMargin;
-    options.stop = stop;
-    options.progress = progress;
-    writeWarped(path, WarpedPicture(*pixels.picture, *pixels.rest, pixels.pose, pixels.view(), options));
+QString suffixOf(ExportKind kind, const QString& extension) {
+    if (kind == ExportKind::StMap) return QStringLiteral("-stmap") + extension;
+    const bool numbered = kind == ExportKind::Frames && extension != QStringLiteral(".glb");
+    return (numbered ? QStringLiteral("_####") : QStringLiteral("-bent")) + extension;
 }
 
-/// The velocity field at a frame; empty, with a remark, where it cannot be had.
-Points<3> velocityAt(const Project& project, const PosedFrame<3>& frame, QString& remark) {
-    Points<3> velocity;
-    try {
-        velocity = VelocityProbe<3>(frame.rest, frame.material, project).at(frame.time, frame.pose);
-        if (velocity.cols() == 0) remark = Exporter::tr("the velocity field cannot be solved for");
-    } catch (const InputError& error) {
-        remark = QString::fromUtf8(error.what());
-    }
-    return velocity;
+/// With a place for the number of every frame, unless one file holds them all.
+QString withNumber(ExportKind kind, QString path) {
+    const QString suffix = QFileInfo(path).suffix();
+    const bool isFilm = suffix.toLower() == QStringLiteral("glb");
+    if (kind == ExportKind::Frames && !QFileInfo(path).fileName().contains('#') && !isFilm && !path.isEmpty())
+        path.insert(path.size() - suffix.size() - 1, QStringLiteral("_####"));
+    return path;
 }
 
-/// What went wrong, or nothing. (Futures would slice the exception.)
-template <class Job, class Progress>
-QString errorOf(const Job& job, const Progress& progress, std::stop_token stop) {
-    try {
-        job(progress, stop);
-        return {};
-    } catch (const Cancelled&) {
-        return {};
-    } catch (const std::exception& error) {
-        return QString::fromUtf8(error.what());
+QString titleOf(ExportKind kind) {
+    switch (kind) {
+        case ExportKind::Picture:
+            return Exporter::tr("Export Picture");
+        case ExportKind::Frames:
+            return Exporter::tr("Export Sequence");
+        case ExportKind::StMap:
+            return Exporter::tr("Export ST Map");
+        case ExportKind::Mesh:
+            break;
     }
+    return Exporter::tr("Export Mesh");
+}
+
+QString workOf(ExportKind kind, int count) {
+    switch (kind) {
+        case ExportKind::Picture:
+            return Exporter::tr("Writing the picture …");
+        case ExportKind::Frames:
+            return Exporter::tr("Writing %n frames …", nullptr, count);
+        case ExportKind::StMap:
+            return Exporter::tr("Writing the map …");
+        case ExportKind::Mesh:
+            break;
+    }
+    return Exporter::tr("Writing the mesh …");
+}
+
+QString questionOf(OwnFile own, const QString& name) {
+    switch (own) {
+        case OwnFile::Project:
+            return Exporter::tr("“%1” is this project itself. Replace it?").arg(name);
+        case OwnFile::Picture:
+            return Exporter::tr("“%1” is the picture that this project bends. Replace it?").arg(name);
+        case OwnFile::Mesh:
+            return Exporter::tr("“%1” is the mesh that this project bends. Replace it?").arg(name);
+        case OwnFile::Sizes:
+        case OwnFile::Detail:
+        case OwnFile::Material:
+            break;
+    }
+    return Exporter::tr("“%1” belongs to this project. Replace it?").arg(name);
 }
 
 }  // namespace
@@ -93,16 +89,6 @@ Exporter::Exporter(ShapeSession& session, QWidget& window)
 Exporter::~Exporter() {
     if (m_stop) m_stop->request_stop();
     m_running.waitForFinished();
-}
-
-QString Exporter::askName(const QString& title, const QString& suffix, const QString& filters,
-                          QString* chosen) {
-    const Document& document = m_session.document();
-    const QString base = QFileInfo(document.displayName()).completeBaseName();
-    const QString proposal = QDir(proposedFolder(document)).filePath(base + suffix);
-    QString path = QFileDialog::getSaveFileName(&m_window, title, proposal, filters, chosen);
-    if (!path.isEmpty() && QFileInfo(path).suffix().isEmpty()) path += '.' + QFileInfo(suffix).suffix();
-    return path;
 }
 
 /// One at a time: the window is not blocked before the progress has been shown for a while.
@@ -120,9 +106,66 @@ FramePtr Exporter::shownFrame() {
     return {};
 }
 
-void Exporter::run(const QString& what, const QString& path, Job job,
-                   const std::shared_ptr<const QString>& remark) {
-    if (!isFree()) return;
+std::shared_ptr<const FrameExport> Exporter::shownShape() {
+    const FramePtr frame = shownFrame();
+    if (!frame) return {};
+    const double seconds = m_session.playback().end() * Playback::kSecondsPerUnit;
+    return std::make_shared<const FrameExport>(m_session.document(), frame, m_session.track().frames(),
+                                               seconds);
+}
+
+void Exporter::ask(ExportKind kind) {
+    const auto shape = shownShape();
+    if (!shape) return;
+    const bool needsPicture = kind == ExportKind::Picture || kind == ExportKind::StMap;
+    if (needsPicture && !shape->picture()) return;
+    emit begun();
+    const bool solid = shape->dimension() == 3 && m_solidView;
+    ExportDialog dialog(kind, shape, solid ? m_solidView(kSolidPreview) : QImage(), &m_window);
+    while (dialog.exec() == QDialog::Accepted) {
+        const RunOptions options = runOptionsFrom(dialog.values());
+        const QString path = askName(kind, dialog.extension(), dialog.filter());
+        if (path.isEmpty() || !mayReplace(kind, path, options.outputs.count)) continue;
+        return write(kind, path, options);
+    }
+}
+
+QString Exporter::askName(ExportKind kind, const QString& extension, const QString& filter) {
+    const Document& document = m_session.document();
+    const QString base = QFileInfo(document.displayName()).completeBaseName();
+    const QString proposal = QDir(proposedFolder(document)).filePath(base + suffixOf(kind, extension));
+    return withNumber(kind, askFileToWrite(&m_window, titleOf(kind), proposal, filter));
+}
+
+bool Exporter::mayReplace(ExportKind kind, const QString& path, int count) {
+    const auto own = ownFileAt(m_session.document(), path, count);
+    const int frames = kind == ExportKind::Frames ? existingFrames(path, count) : 0;
+    if (!own && frames == 0) return true;
+    const QString name = QFileInfo(path).fileName();
+    QMessageBox box(
+        QMessageBox::Warning, tr("Wend"),
+        own ? questionOf(*own, name) : tr("%n of these frames exist. Replace them?", nullptr, frames),
+        QMessageBox::Cancel, &m_window);
+    box.setInformativeText(
+        own ? tr("What it holds now is lost, and the project will not open as it is any more.")
+            : tr("What they hold now is lost."));
+    QPushButton* replace = box.addButton(tr("Replace"), QMessageBox::DestructiveRole);
+    box.setDefaultButton(QMessageBox::Cancel);
+    box.exec();
+    return box.clickedButton() == replace;
+}
+
+void Exporter::write(ExportKind kind, QString path, const RunOptions& options) {
+    const auto shape = shownShape();
+    if (!shape) return;
+    path = withNumber(kind, path);
+    emit begun();
+    run(workOf(kind, options.outputs.count), path, [=](const RunWatch& watch, std::string& remark) {
+        shape->write(kind, path.toStdString(), options, watch, remark);
+    });
+}
+
+void Exporter::run(const QString& what, const QString& path, Job job) {
     auto* dialog = new QProgressDialog(what, tr("Cancel"), 0, 1000, &m_window);
     dialog->setWindowModality(Qt::WindowModal);
     dialog->setMinimumDuration(400);
@@ -132,149 +175,37 @@ void Exporter::run(const QString& what, const QString& path, Job job,
     auto source = std::make_shared<std::stop_source>();
     m_stop = source;
     connect(dialog, &QProgressDialog::canceled, this, [source] { source->request_stop(); });
-    const Progress progress = [this, dialog = QPointer<QProgressDialog>(dialog)](double part) {
-        QMetaObject::invokeMethod(this, [dialog, part] {
-            if (dialog) dialog->setValue(static_cast<int>(1000 * part));
+    const auto show = [this, shown = QPointer<QProgressDialog>(dialog)](const std::string&, double part) {
+        QMetaObject::invokeMethod(this, [shown, part] {
+            if (shown) shown->setValue(static_cast<int>(1000 * part));
         });
     };
-    const auto finish = [dialog = QPointer<QProgressDialog>(dialog)] {
-        if (dialog) dialog->deleteLater();
-    };
-    m_running = QtConcurrent::run(
-        [job = std::move(job), progress, source] { return errorOf(job, progress, source->get_token()); });
-    m_running.then(this, [this, finish, source, path, remark](const QString& error) {
-        finish();
-        const QString name = QDir::toNativeSeparators(path);
-        if (!error.isEmpty())
-            emit failed(tr("Nothing was written. %1").arg(error));
-        else if (!source->stop_requested())
-            emit done(remark && !remark->isEmpty()
-                          ? tr("Written without velocities: %1 (%2)").arg(name, *remark)
-                          : tr("Written: %1").arg(name));
+    // Futures would slice an exception.
+    m_running = QtConcurrent::run([job = std::move(job), show, source]() -> Result {
+        std::string remark;
+        try {
+            job({show, {}, source->get_token()}, remark);
+            return {{}, QString::fromStdString(remark), source->stop_requested()};
+        } catch (const Cancelled&) {
+            return {{}, {}, true};
+        } catch (const std::exception& error) {
+            return {QString::fromUtf8(error.what()), {}, false};
+        }
+    });
+    m_running.then(this, [this, shown = QPointer<QProgressDialog>(dialog), path](const Result& result) {
+        if (shown) shown->deleteLater();
+        tell(result, path);
     });
 }
 
-void Exporter::exportPicture() {
-    const Pixels pixels(m_session.document(), posed<2>(shownFrame()));
-    if (!pixels.picture) return;
-    const QString path =
-        askName(tr("Export Picture"), QStringLiteral("-bent.png"), QString::fromLatin1(kPictureFilter));
-    if (path.isEmpty()) return;
-    const int restMargin = restMarginOf(m_session.document().project()->domain);
-    run(tr("Writing the picture …"), path, [=](const Progress& progress, std::stop_token stop) {
-        writePicture(path.toStdString(), pixels, restMargin, progress, stop);
-    });
-}
-
-void Exporter::exportMesh() {
-    const FramePtr shown = shownFrame();
-    if (!shown) return;
-    const bool solid = shown->dimension == 3;
-    QString chosen;
-    const QString path =
-        askName(tr("Export Mesh"), solid ? QStringLiteral("-bent.vtu") : QStringLiteral("-bent.obj"),
-                QString::fromLatin1(solid ? kSolidFilter : kFlatFilter), &chosen);
-    MeshWriteOptions options;
-    options.gmshVersion = chosen.contains(QStringLiteral("2.2")) ? 2 : 4;
-    if (!path.isEmpty()) writeMesh(path, options);
-}
-
-void Exporter::writeMesh(const QString& path, const MeshWriteOptions& options) {
-    const FramePtr shown = shownFrame();
-    if (!shown) return;
-    try {
-        requireShapeFormat(path.toStdString(), lowerExtension(path.toStdString()), shown->dimension);
-    } catch (const InputError& error) {
-        emit failed(tr("Nothing was written. %1").arg(QString::fromUtf8(error.what())));
-        return;
-    }
-    if (const auto solid = posed<3>(shown)) writeSolid(path, solid, options);
-    if (const auto flat = posed<2>(shown)) writeFlat(path, flat);
-}
-
-void Exporter::writeFlat(const QString& path, const PosedPtr<2>& frame) {
-    Scene<2> scene;
-    scene.rest = frame->rest;
-    scene.source = frame->built->source;
-    scene.picture = m_session.document().picture();
-    if (scene.picture) scene.texture = textureOf(scene.picture, scene.rest, {});
-    run(tr("Writing the mesh …"), path, [=](const Progress&, std::stop_token) {
-        writeMeshFile(path.toStdString(), poseFile<2>(scene, frame->pose));
-    });
-}
-
-/// Tetrahedra with all fields, or their surface where the format has only triangles: what `wend run` writes.
-void Exporter::writeSolid(const QString& path, const PosedPtr<3>& frame, const MeshWriteOptions& options) {
-    Scene<3> scene;
-    scene.rest = frame->rest;
-    scene.material = frame->material;
-    scene.source = frame->built->source;
-    scene.skin = frame->built->skin;
-    scene.ride = frame->built->ride;
-    const auto project = m_session.document().project();
-    const auto remark = std::make_shared<QString>();
-    const auto job = [=](const Progress&, std::stop_token stop) {
-        std::vector<MeshField> fields;
-        if (holdsFields(path.toStdString()))
-            fields = shapeFields<3>(scene, frame->pose, velocityAt(*project, *frame, *remark));
-        if (stop.stop_requested()) throw Cancelled();
-        writeShape<3>(path.toStdString(), scene, frame->pose, fields, options);
-    };
-    run(tr("Writing the mesh …"), path, job, remark);
-}
-
-void Exporter::exportFrames() {
-    const Document& document = m_session.document();
-    const bool solid = document.dimension() == 3;
-    const FramePtr frame = shownFrame();
-    if (!frame || !(solid || Pixels(document, posed<2>(frame)).picture)) return;
-    const double seconds = m_session.playback().end() * Playback::kSecondsPerUnit;
-    bool ok = false;
-    const int count =
-        QInputDialog::getInt(&m_window, tr("Export Frames"),
-                             solid ? tr("How many shapes, from the start to the end?")
-                                   : tr("How many pictures, from the start to the end?"),
-                             static_cast<int>(std::lround(24 * seconds)) + 1, 2, 100000, 1, &ok);
-    if (!ok) return;
-    const QString path =
-        askName(tr("Export Frames"), solid ? QStringLiteral("-bent.glb") : QStringLiteral("_####.png"),
-                QString::fromLatin1(solid ? kSolidFramesFilter : kPictureFilter));
-    if (!path.isEmpty()) writeFrames(path, count);
-}
-
-void Exporter::writeFrames(QString path, int count) {
-    const Document& document = m_session.document();
-    const double seconds = m_session.playback().end() * Playback::kSecondsPerUnit;
-    const bool animation = QFileInfo(path).suffix().toLower() == QStringLiteral("glb");
-    if (!path.contains('#') && !animation)
-        path.insert(path.size() - QFileInfo(path).suffix().size() - 1, QStringLiteral("_####"));
-    RunOptions options;
-    options.outputs.frames = path.toStdString();
-    options.outputs.count = count;
-    options.outputs.framesPerSecond = seconds > 0 ? (count - 1) / seconds : 24;
-    const auto project = document.project();
-    const std::string name = QDir(document.folder()).filePath(document.displayName()).toStdString();
-    const QString what = document.dimension() == 3 ? tr("Writing %n shapes …", nullptr, count)
-                                                   : tr("Writing %n pictures …", nullptr, count);
-    run(what, path, [=](const Progress& progress, std::stop_token stop) {
-        RunWatch watch;
-        watch.progress = [&progress](const std::string&, double fraction) { progress(fraction); };
-        watch.stop = stop;
-        const AdvanceResult result = runProject(*project, name, options, watch);
-        if (result.outcome != Outcome::Done) throw InputError(result.message);
-    });
-}
-
-void Exporter::exportStMap() {
-    const Pixels pixels(m_session.document(), posed<2>(shownFrame()));
-    if (!pixels.picture) return;
-    const QString path = askName(tr("Export ST Map"), QStringLiteral("-stmap.exr"),
-                                 QStringLiteral("OpenEXR (*.exr);;TIFF (*.tif)"));
-    if (path.isEmpty()) return;
-    run(tr("Writing the map …"), path, [=](const Progress&, std::stop_token) {
-        writeImage(path.toStdString(), stMap(*pixels.rest, pixels.pose, pixels.view(), pixels.picture->width,
-                                             pixels.picture->height));
-    });
+void Exporter::tell(const Result& result, const QString& path) {
+    const QString name = QDir::toNativeSeparators(path);
+    if (!result.error.isEmpty())
+        emit failed(tr("Nothing was written. %1").arg(result.error));
+    else if (!result.stopped && !result.remark.isEmpty())
+        emit done(tr("Written without velocities: %1 (%2)").arg(name, result.remark));
+    else if (!result.stopped)
+        emit done(tr("Written: %1").arg(name));
 }
 
 }  // namespace wend

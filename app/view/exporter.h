@@ -1,19 +1,20 @@
 #pragma once
 
 #include <QFuture>
+#include <QImage>
 #include <QObject>
 #include <functional>
 #include <memory>
 #include <stop_token>
 
+#include "app/session/frame_export.h"
 #include "app/session/shape_session.h"
-#include "core/mesh/mesh_file.h"
 
 class QWidget;
 
 namespace wend {
 
-/// Asks for a file name and writes what is shown, in the background, with progress and a way to cancel.
+/// Asks how and where, and writes what is shown, in the background, with progress and a way to cancel.
 class Exporter : public QObject {
     Q_OBJECT
 
@@ -21,42 +22,48 @@ class Exporter : public QObject {
     Exporter(ShapeSession& session, QWidget& window);
     ~Exporter() override;
 
-    /// What the slots write once they have a name: the shape that is shown, by extension. Tells with failed()
-    /// or done(), later.
-    void writeMesh(const QString& path, const MeshWriteOptions& options = {});
-    /// `count` shapes or pictures from the start to the end: a sequence (#### in the name, added if it is
-    /// missing), or one .glb.
-    void writeFrames(QString path, int count);
+    /// A picture of the solid that is shown, for previews.
+    void setSolidView(std::function<QImage(const QSize&)> view) { m_solidView = std::move(view); }
+
+    /// What the slots write once all is chosen, by extension. Of a sequence the name has ####, which is added
+    /// if it is missing, or it is one .glb. Tells with failed() or done(), later.
+    void write(ExportKind kind, QString path, const RunOptions& options = {});
+    /// Whether this may be written there: asks if it would replace one of the document's own files, or frames
+    /// that are there.
+    bool mayReplace(ExportKind kind, const QString& path, int count);
 
   public slots:
-    void exportPicture();
-    void exportMesh();
-    void exportFrames();
-    void exportStMap();
+    void exportPicture() { ask(ExportKind::Picture); }
+    void exportMesh() { ask(ExportKind::Mesh); }
+    void exportFrames() { ask(ExportKind::Frames); }
+    void exportStMap() { ask(ExportKind::StMap); }
 
   signals:
     void failed(QString text);
+    /// Something else is to be done, or has been: what failed before no longer counts.
+    void begun();
     void done(QString text);
 
   private:
-    using Progress = std::function<void(double)>;
-    /// Writes the file; throws InputError.
-    using Job = std::function<void(const Progress&, std::stop_token)>;
-    /// `chosen` gets the filter.
-    QString askName(const QString& title, const QString& suffix, const QString& filters,
-                    QString* chosen = nullptr);
-    /// `remark`: what the job has to say about what it wrote.
-    void run(const QString& what, const QString& path, Job job,
-             const std::shared_ptr<const QString>& remark = {});
+    /// Throws InputError.
+    using Job = std::function<void(const RunWatch&, std::string& remark)>;
+    struct Result {
+        QString error, remark;
+        bool stopped = false;
+    };
+    void ask(ExportKind kind);
+    QString askName(ExportKind kind, const QString& extension, const QString& filter);
+    void run(const QString& what, const QString& path, Job job);
+    void tell(const Result& result, const QString& path);
+    std::shared_ptr<const FrameExport> shownShape();
     FramePtr shownFrame();
     bool isFree();
-    void writeFlat(const QString& path, const PosedPtr<2>& frame);
-    void writeSolid(const QString& path, const PosedPtr<3>& frame, const MeshWriteOptions& options);
 
     ShapeSession& m_session;
     QWidget& m_window;
+    std::function<QImage(const QSize&)> m_solidView;
     std::shared_ptr<std::stop_source> m_stop;  // of what runs
-    QFuture<QString> m_running;
+    QFuture<Result> m_running;
 };
 
 }  // namespace wend

@@ -13,36 +13,63 @@
 #include <QtConcurrent>
 
 #include "app/session/opening.h"
+#include "app/session/own_files.h"
+#include "app/view/project_watch.h"
+#include "app/view/save_dialog.h"
+#include "core/mesh/error.h"
 #include "core/mesh/printable.h"
 
 namespace wend {
 
 namespace {
 
+using Topic = InfoBanner::Topic;
+
 constexpr int kMostRecent = 10;
 
-QString said(const std::exception& error) {
+QString words(const std::exception& error) {
     return QString::fromStdString(messageOf(error));
 }
 
+}  // namespace
+
 /// What came of reading a file in the background. (Futures would slice the exception.)
 struct Reading {
+    QString path;
     OpenedFile file;
+    QByteArray stamp;  // of the file as it was read
     QString error;
+    QStringList missing;   // what the project names and is not there
+    bool isBlank = false;  // the picture is transparent everywhere
 };
 
-Reading tryToRead(const std::function<OpenedFile()>& reader) {
+namespace {
+
+Reading tryToRead(const QString& path, const QMap<QString, QString>& found,
+                  const std::function<OpenedFile()>& reader) {
+    Reading reading{path, {}, stampOf(path), {}, {}, false};
+    if (path.endsWith(QStringLiteral(".wend"), Qt::CaseInsensitive))
+        for (const QString& missing : missingFiles(path))
+            if (!found.contains(missing)) reading.missing << missing;
     try {
-        return {reader(), {}};
+        if (reading.missing.isEmpty()) reading.file = reader();
+    } catch (const NothingToSee& error) {
+        reading.isBlank = true;
+        reading.error = words(error);
     } catch (const std::exception& error) {
-        return {{}, said(error)};
+        reading.error = words(error);
     }
+    return reading;
 }
 
 }  // namespace
 
 FileWorkflow::FileWorkflow(Document& document, QWidget& window)
-    : QObject(&window), m_document(document), m_window(window) {}
+    : QObject(&window), m_document(document), m_window(window), m_watch(new ProjectWatch(this)) {
+    connect(&document, &Document::opened, this, [this] { m_watch->watch({}, {}); });
+    connect(&document, &Document::saved, this, &FileWorkflow::takeBackSaved);
+    connect(m_watch, &ProjectWatch::changed, this, &FileWorkflow::watchDisk);
+}
 
 void FileWorkflow::askOpen() {
     const QString all = QStringLiteral("*.wend ") + pictureExtensions() + ' ' + meshExtensions();
@@ -57,32 +84,63 @@ void FileWorkflow::askOpen() {
 }
 
 void FileWorkflow::open(const QString& path) {
-    if (mayLeave()) read(QFileInfo(path).fileName(), [path] { return openFile(path); });
+    if (!mayLeave()) return;
+    m_found.clear();
+    read(path, [path] { return openFile(path); });
 }
 
-void FileWorkflow::read(const QString& name, std::function<OpenedFile()> reader) {
+void FileWorkflow::read(const QString& path, std::function<OpenedFile()> reader) {
     const int ticket = ++m_ticket;
-    emit openingChanged(name);
+    say(Topic::Opening, {});
+    emit openingChanged(QFileInfo(path).fileName());
     const auto before = m_document.project();
-    QtConcurrent::run([reader = std::move(reader)] {
-        return tryToRead(reader);
+    QtConcurrent::run([path, found = m_found, reader = std::move(reader)] {
+        return tryToRead(path, found, reader);
     }).then(this, [this, ticket, before](const Reading& reading) {
         emit openingChanged({});
-        if (!reading.error.isEmpty()) {
-            emit failed(tr("This file cannot be opened. %1").arg(reading.error));
+        if (!reading.error.isEmpty() || !reading.missing.isEmpty()) {
+            tellOf(reading);
         } else if (ticket == m_ticket) {
             const bool changedMeanwhile = m_document.project() != before;
-            if (!changedMeanwhile || mayLeave()) take(reading.file);
+            if (!changedMeanwhile || mayLeave()) take(reading);
         }
     });
+}
+
+/// Why it could not be opened, with what the user can do about it.
+void FileWorkflow::tellOf(const Reading& reading) {
+    const QString path = reading.path;
+    if (!reading.missing.isEmpty()) {
+        const QString missing = reading.missing.first();
+        return say(Topic::Opening, tr("%1 has moved.").arg(QFileInfo(missing).fileName()),
+                   {{tr("Find It…"), [this, path, missing] { openFound(path, missing); }}});
+    }
+    if (!reading.isBlank) return say(Topic::Opening, tr("This file cannot be opened. %1").arg(reading.error));
+    const auto whole = [this, path] {
+        if (mayLeave()) read(path, [path] { return openFile(path, true); });
+    };
+    say(Topic::Opening, tr("Nothing to see in this picture."),
+        {{tr("Use Whole Frame"), whole}, {tr("Open Another…"), [this] { askOpen(); }}});
+}
+
+void FileWorkflow::openFound(const QString& project, const QString& missing) {
+    const QString name = QFileInfo(missing).fileName();
+    const QString filter = QStringLiteral("%1 (%1);;%2 (*)").arg(name, tr("All files"));
+    const QString found = QFileDialog::getOpenFileName(&m_window, tr("Find %1").arg(name),
+                                                       QFileInfo(project).absolutePath(), filter);
+    if (found.isEmpty() || !mayLeave()) return;
+    m_found[missing] = found;
+    read(project, [project, all = m_found] { return openMoved(project, all); });
 }
 
 bool FileWorkflow::guardWork(const QString& folder, const QString& instead) {
     m_recovery = new Recovery(m_document, folder);
     m_recovery->setParent(this);
     connect(m_recovery, &Recovery::failed, this, [this](const QString& why) {
-        emit failed(tr("There is no copy of your changes if the program crashes: please save. %1").arg(why));
+        say(Topic::Copy,
+            tr("There is no copy of your changes if the program crashes: please save. %1").arg(why));
     });
+    connect(m_recovery, &Recovery::written, this, [this] { say(Topic::Copy, {}); });
     // The copy that was recovered goes when there is a new one, or when the work is saved.
     const auto discardRecovered = [this] {
         if (!m_recoveredFrom.isEmpty()) Recovery::discard(m_recoveredFrom);
@@ -121,17 +179,77 @@ bool FileWorkflow::offer(const LostWork& work, const QString& instead) {
     box.exec();
     if (box.clickedButton() == discard) Recovery::discard(work.copy);
     if (box.clickedButton() != recover) return false;
-    read(name, [work] { return openLost(work); });
+    m_found.clear();
+    read(work.path.isEmpty() ? work.source : work.path, [work] { return openLost(work); });
     return true;
 }
 
-void FileWorkflow::take(OpenedFile file) {
-    const QStringList warnings = file.warnings;
-    const QString source = file.source;
+void FileWorkflow::take(const Reading& reading) {
+    const OpenedFile& file = reading.file;
     m_recoveredFrom = file.recoveredFrom;
-    m_document.open(std::move(file));
-    if (m_recoveredFrom.isEmpty()) addRecent(source);
-    if (!warnings.isEmpty()) emit failed(warnings.join('\n'));
+    m_document.open(file);
+    if (!m_found.isEmpty()) m_document.undoStack()->resetClean();  // its file names the old places
+    if (!file.path.isEmpty()) m_watch->watch(file.path, reading.stamp);
+    if (m_recoveredFrom.isEmpty()) addRecent(file.source);
+    if (!file.warnings.isEmpty()) say(Topic::Opening, file.warnings.join('\n'));
+}
+
+/// What was said of saving, or for want of it, holds no more.
+void FileWorkflow::takeBackSaved() {
+    m_watch->watch(m_document.path(), stampOf(m_document.path()));
+    for (const Topic topic : {Topic::Saving, Topic::Disk, Topic::Copy}) say(topic, {});
+}
+
+void FileWorkflow::watchDisk(bool isOther) {
+    if (!isOther) return say(Topic::Disk, {});
+    const auto keep = [this] {
+        m_watch->accept();
+        m_document.undoStack()->resetClean();  // there is something to save
+        say(Topic::Disk, {});
+    };
+    say(Topic::Disk, tr("“%1” was changed by another program or window.").arg(m_document.displayName()),
+        {{tr("Reload"), [this] { reload(); }}, {tr("Keep Mine"), keep}, {tr("Save As…"), [this] {
+                                                                             saveAs();
+                                                                         }}});
+}
+
+void FileWorkflow::reload() {
+    const QString path = m_document.path();
+    if (m_document.isModified()) {
+        QMessageBox box(QMessageBox::NoIcon, tr("Wend"), tr("Reload “%1”?").arg(m_document.displayName()),
+                        QMessageBox::Cancel, &m_window);
+        box.setInformativeText(tr("Your changes since it was saved are lost."));
+        QPushButton* yes = box.addButton(tr("Reload"), QMessageBox::DestructiveRole);
+        box.exec();
+        if (box.clickedButton() != yes) return;
+    }
+    m_found.clear();
+    read(path, [path] { return openFile(path); });
+}
+
+/// The project's file holds what somebody else wrote.
+bool FileWorkflow::mayOverwrite() {
+    QMessageBox box(QMessageBox::NoIcon, tr("Wend"),
+                    tr("“%1” was changed by another program or window.").arg(m_document.displayName()),
+                    QMessageBox::Cancel, &m_window);
+    box.setInformativeText(tr("Saving replaces those changes; reloading drops yours."));
+    QPushButton* keep = box.addButton(tr("Keep Mine"), QMessageBox::DestructiveRole);
+    QPushButton* other = box.addButton(tr("Reload"), QMessageBox::DestructiveRole);
+    QPushButton* as = box.addButton(tr("Save As…"), QMessageBox::AcceptRole);
+    box.setDefaultButton(as);
+    box.exec();
+    if (box.clickedButton() == other) reload();
+    if (box.clickedButton() == as) saveAs();
+    return box.clickedButton() == keep;
+}
+
+/// A project does not take the place of the picture or mesh that it bends.
+bool FileWorkflow::mayTakePlace(const QString& path) {
+    const auto own = ownFileAt(m_document, path);
+    if (!own || *own == OwnFile::Project) return true;
+    say(Topic::Saving, tr("The project was not saved: it needs the file “%1” itself. Choose another name.")
+                           .arg(QFileInfo(path).fileName()));
+    return false;
 }
 
 bool FileWorkflow::save() {
@@ -147,18 +265,22 @@ QString FileWorkflow::proposedPath() const {
 }
 
 bool FileWorkflow::saveAs() {
-    QString path =
-        QFileDialog::getSaveFileName(&m_window, tr("Save Project"), proposedPath(), tr("Projects (*.wend)"));
-    if (path.isEmpty()) return false;
-    if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".wend");
-    return saveTo(path);
+    const QString path =
+        askFileToWrite(&m_window, tr("Save Project"), proposedPath(), tr("Projects (*.wend)"));
+    return !path.isEmpty() && mayTakePlace(path) && write(path);
 }
 
+/// False while something is unsaved.
 bool FileWorkflow::saveTo(const QString& path) {
+    if (m_watch->isChanged() && !mayOverwrite()) return !m_document.isModified();
+    return write(path);
+}
+
+bool FileWorkflow::write(const QString& path) {
     try {
         m_document.save(path);
     } catch (const InputError& error) {
-        emit failed(tr("The project was not saved. %1").arg(said(error)));
+        say(Topic::Saving, tr("The project was not saved. %1").arg(words(error)));
         return false;
     }
     addRecent(path);

@@ -1,14 +1,19 @@
 #pragma once
 
+#include <QMap>
 #include <QObject>
 #include <functional>
 
 #include "app/document/recovery.h"
+#include "app/view/info_banner.h"
 
 class QMenu;
 class QWidget;
 
 namespace wend {
+
+class ProjectWatch;
+struct Reading;
 
 /// Opening, saving and closing with all their questions: files are read in the background, changes are never
 /// lost unasked.
@@ -36,21 +41,35 @@ class FileWorkflow : public QObject {
     bool mayLeave();
 
   signals:
-    void failed(QString text);
+    /// For the banner; an empty text takes back what was said of that.
+    void said(wend::InfoBanner::Topic topic, QString text, QList<wend::InfoBanner::Remedy> remedies);
     void openingChanged(QString fileName);
     void recentChanged();
 
   private:
     QString proposedPath() const;
     bool saveTo(const QString& path);
+    bool write(const QString& path);
+    bool mayOverwrite();
+    bool mayTakePlace(const QString& path);
+    void reload();
+    void watchDisk(bool isOther);
+    void say(InfoBanner::Topic topic, const QString& text, const QList<InfoBanner::Remedy>& remedies = {}) {
+        emit said(topic, text, remedies);
+    }
+    void takeBackSaved();
+    void tellOf(const Reading& reading);
+    void openFound(const QString& project, const QString& missing);
     void addRecent(const QString& path);
     void waitForPlace() const;
     bool offer(const LostWork& work, const QString& instead);
-    void read(const QString& name, std::function<OpenedFile()> reader);
-    void take(OpenedFile file);
+    void read(const QString& path, std::function<OpenedFile()> reader);
+    void take(const Reading& reading);
 
     Document& m_document;
     QWidget& m_window;
+    ProjectWatch* m_watch;
+    QMap<QString, QString> m_found;  // files that a project missed, and where they are
     Recovery* m_recovery = nullptr;
     QString m_recoveredFrom;  // the copy that the document came from, until there is a new one
     int m_ticket = 0;         // of the newest opening; older ones come too late

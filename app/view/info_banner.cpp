@@ -2,13 +2,25 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QToolButton>
 
 #include "core/mesh/printable.h"
 
 namespace wend {
 
-InfoBanner::InfoBanner(QWidget* parent) : QWidget(parent), m_text(new QLabel(this)) {
+namespace {
+
+QString readable(const QString& text) {
+    QStringList lines = text.split('\n');
+    for (QString& line : lines) line = QString::fromStdString(printable(line.toStdString()));
+    return lines.join('\n');
+}
+
+}  // namespace
+
+InfoBanner::InfoBanner(QWidget* parent)
+    : QWidget(parent), m_text(new QLabel(this)), m_buttons(new QHBoxLayout) {
     setObjectName(QStringLiteral("infoBanner"));
     setAttribute(Qt::WA_StyledBackground);
     m_text->setWordWrap(true);
@@ -18,24 +30,48 @@ InfoBanner::InfoBanner(QWidget* parent) : QWidget(parent), m_text(new QLabel(thi
     close->setText(QStringLiteral("✕"));
     close->setToolTip(tr("Close this message"));
     close->setAccessibleName(tr("Close this message"));
-    connect(close, &QToolButton::clicked, this, &QWidget::hide);
+    connect(close, &QToolButton::clicked, this, [this] {
+        if (!m_lines.isEmpty()) m_lines.removeLast();
+        showNewest();
+    });
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(16, 8, 8, 8);
     row->addWidget(m_text, 1);
+    row->addLayout(m_buttons);
     row->addWidget(close, 0, Qt::AlignTop);
     hide();
 }
 
-void InfoBanner::showText(const QString& text) {
-    QStringList lines = text.split('\n');
-    for (QString& line : lines) line = QString::fromStdString(printable(line.toStdString()));
-    m_text->setText(lines.join('\n'));
-    m_text->setAccessibleName(m_text->text());
-    setVisible(!text.isEmpty());
+void InfoBanner::tell(Topic topic, const QString& text, const QList<Remedy>& remedies) {
+    m_lines.removeIf([topic](const Line& line) { return line.topic == topic; });
+    if (!text.isEmpty()) m_lines << Line{topic, readable(text), remedies};
+    showNewest();
+}
+
+void InfoBanner::clear() {
+    m_lines.clear();
+    showNewest();
+}
+
+void InfoBanner::showNewest() {
+    while (QLayoutItem* item = m_buttons->takeAt(0)) {
+        item->widget()->hide();
+        item->widget()->deleteLater();  // it may be the one that was pressed
+        delete item;
+    }
+    const Line newest = m_lines.isEmpty() ? Line{} : m_lines.last();
+    m_text->setText(newest.text);
+    m_text->setAccessibleName(newest.text);
+    for (const Remedy& remedy : newest.remedies) {
+        auto* button = new QPushButton(remedy.text, this);
+        m_buttons->addWidget(button);
+        connect(button, &QPushButton::clicked, this, remedy.act);
+    }
+    setVisible(!m_lines.isEmpty());
 }
 
 QString InfoBanner::text() const {
-    return isHidden() ? QString() : m_text->text();
+    return m_lines.isEmpty() ? QString() : m_lines.last().text;
 }
 
 }  // namespace wend

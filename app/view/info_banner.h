@@ -1,23 +1,47 @@
 #pragma once
 
+#include <QList>
 #include <QWidget>
+#include <functional>
 
+class QHBoxLayout;
 class QLabel;
 
 namespace wend {
 
-/// A line above the canvas that says what went wrong and what to do; it goes away by itself when that is
-/// done, or on a click.
+/// Lines above the canvas that say what went wrong and what to do. Each belongs to a topic and holds until
+/// that is put right, or on a click: the newest of those that hold is seen.
 class InfoBanner : public QWidget {
     Q_OBJECT
 
   public:
+    /// What a line is about, and with that when it goes.
+    enum class Topic { Opening, Saving, Copy, Disk, Export, Shape, Mesh };
+    /// A button that puts it right.
+    struct Remedy {
+        QString text;
+        std::function<void()> act;
+    };
+
     explicit InfoBanner(QWidget* parent = nullptr);
-    void showText(const QString& text);
+    /// An empty text takes the line of that topic back.
+    void tell(Topic topic, const QString& text, const QList<Remedy>& remedies = {});
+    void clear(Topic topic) { tell(topic, {}); }
+    void clear();
+    /// What is seen; empty if nothing is.
     QString text() const;
 
   private:
+    struct Line {
+        Topic topic;
+        QString text;
+        QList<Remedy> remedies;
+    };
+    void showNewest();
+
+    QList<Line> m_lines;
     QLabel* m_text;
+    QHBoxLayout* m_buttons;
 };
 
 }  // namespace wend

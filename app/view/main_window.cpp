@@ -30,6 +30,7 @@
 #include "app/view/curve_actions.h"
 #include "app/view/exporter.h"
 #include "app/view/file_workflow.h"
+#include "app/view/held_key.h"
 #include "app/view/info_banner.h"
 #include "app/view/solid_workshop.h"
 #include "app/view/start_page.h"
@@ -41,6 +42,8 @@
 namespace wend {
 
 namespace {
+
+using Topic = InfoBanner::Topic;
 
 constexpr int kSideWidth = 296;
 constexpr int kTold = 10000;  // milliseconds
@@ -121,15 +124,23 @@ void MainWindow::makeToolBars() {
     auto* space = new QWidget(m_topBar);
     space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     m_topBar->addWidget(space);
-    m_topBar->addAction(a.exportPicture);
-    if (auto* button = qobject_cast<QToolButton*>(m_topBar->widgetForAction(a.exportPicture)))
-        button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    a.exportPicture->setIconText(tr("Export"));
+    m_topBar->addWidget(makeExportButton());
     m_toolBar = make(Qt::LeftToolBarArea, tr("Tools"), "toolBar");
     m_toolBar->addActions({a.pinTool, a.selectTool});
     m_toolBar->addSeparator();
     m_toolBar->addAction(a.remove);
     setContextMenuPolicy(Qt::NoContextMenu);
+}
+
+QWidget* MainWindow::makeExportButton() {
+    auto* button = new QToolButton(m_topBar);
+    button->setObjectName(QStringLiteral("exportButton"));
+    button->setText(tr("Export"));
+    button->setMenu(m_actions->exports.get());
+    button->setPopupMode(QToolButton::InstantPopup);
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    describe(button, tr("Export"), tr("Write what is shown: as picture, sequence, ST map, mesh or view"));
+    return m_exportButton = button;
 }
 
 QWidget* MainWindow::makeSidePanel() {
@@ -180,32 +191,35 @@ void MainWindow::makeCentre() {
 
 void MainWindow::connectFiles() {
     Actions& a = *m_actions;
+    const auto tellIn = [this](Topic topic) {
+        return [this, topic](const QString& text) { m_banner->tell(topic, text); };
+    };
     connect(a.open, &QAction::triggered, m_files, &FileWorkflow::askOpen);
     connect(a.save, &QAction::triggered, m_files, &FileWorkflow::save);
     connect(a.saveAs, &QAction::triggered, m_files, &FileWorkflow::saveAs);
     connect(a.closeFile, &QAction::triggered, m_files, &FileWorkflow::close);
     connect(a.quit, &QAction::triggered, this, &QWidget::close);
-    connect(a.exportPicture, &QAction::triggered, this, [this] {
-        if (m_solids->isActive())
-            m_solids->exportPicture();
-        else
-            m_exporter->exportPicture();
-    });
-    connect(m_solids, &SolidWorkshop::failed, m_banner, &InfoBanner::showText);
-    connect(m_solids, &SolidWorkshop::told, m_banner, &InfoBanner::showText);
-    connect(m_solids, &SolidWorkshop::done, this, &MainWindow::tell);
+    connect(a.exportPicture, &QAction::triggered, m_exporter, &Exporter::exportPicture);
+    connect(a.exportView, &QAction::triggered, m_solids, &SolidWorkshop::exportView);
+    m_exporter->setSolidView([this](const QSize& size) { return m_solids->smallView(size); });
+    m_solids->setMayReplace(
+        [this](const QString& path) { return m_exporter->mayReplace(ExportKind::Picture, path, 0); });
+    connect(m_solids, &SolidWorkshop::failed, this, tellIn(Topic::Export));
+    connect(m_solids, &SolidWorkshop::told, this, tellIn(Topic::Mesh));
+    connect(m_solids, &SolidWorkshop::done, this, &MainWindow::tellDone);
     connect(m_mesh, &MeshPanel::detailWanted, m_solids->actions().chooseDetail, &QAction::trigger);
     connect(m_mesh, &MeshPanel::sizesWanted, m_solids->actions().sizes, &QAction::trigger);
     connect(m_mesh, &MeshPanel::detailRemoved, m_solids->actions().removeDetail, &QAction::trigger);
     connect(a.exportMesh, &QAction::triggered, m_exporter, &Exporter::exportMesh);
     connect(a.exportFrames, &QAction::triggered, m_exporter, &Exporter::exportFrames);
     connect(a.exportStMap, &QAction::triggered, m_exporter, &Exporter::exportStMap);
-    connect(m_exporter, &Exporter::failed, m_banner, &InfoBanner::showText);
-    connect(m_exporter, &Exporter::done, this, &MainWindow::tell);
+    connect(m_exporter, &Exporter::failed, this, tellIn(Topic::Export));
+    connect(m_exporter, &Exporter::begun, this, [this] { m_banner->clear(Topic::Export); });
+    connect(m_exporter, &Exporter::done, this, &MainWindow::tellDone);
     connect(m_start, &StartPage::openRequested, m_files, &FileWorkflow::askOpen);
     connect(m_start, &StartPage::fileChosen, m_files, &FileWorkflow::open);
-    connect(m_files, &FileWorkflow::failed, m_banner, &InfoBanner::showText);
-    connect(&m_session.document(), &Document::opened, m_banner, &QWidget::hide);
+    connect(m_files, &FileWorkflow::said, m_banner, &InfoBanner::tell);
+    connect(&m_session.document(), &Document::opened, m_banner, qOverload<>(&InfoBanner::clear));
     connect(m_files, &FileWorkflow::openingChanged, this, [this](const QString& name) {
         m_opening = name;
         showWork();
@@ -219,7 +233,7 @@ void MainWindow::connectFiles() {
     m_files->fillSamples(*a.samples);
     connect(&m_session.document(), &Document::opened, this, &MainWindow::showDocument);
     connect(&m_session.document(), &Document::titleChanged, this, &MainWindow::showTitle);
-    connect(&m_session, &ShapeSession::problem, m_banner, &InfoBanner::showText);
+    connect(&m_session, &ShapeSession::problem, this, tellIn(Topic::Shape));
     connect(&m_session, &ShapeSession::notice, this, &MainWindow::tell);
 }
 
@@ -242,7 +256,14 @@ void MainWindow::connectView() {
     Actions& a = *m_actions;
     connect(a.showMesh, &QAction::toggled, m_canvas, &ShapeCanvas::setMeshShown);
     connect(a.showMap, &QAction::toggled, m_canvas, &ShapeCanvas::setMapShown);
-    connect(a.hideOverlays, &QAction::toggled, m_canvas, &ShapeCanvas::setOverlaysHidden);
+    auto* held = new HeldKey(Qt::Key_H, *this);
+    const auto hideOrShow = [this, held] {
+        const bool hidden = m_actions->hideOverlays->isChecked() || held->isHeld();
+        m_canvas->setOverlaysHidden(hidden);
+        if (SolidCanvas* solid = m_solids->canvas()) solid->setOverlaysHidden(hidden);
+    };
+    connect(a.hideOverlays, &QAction::toggled, this, hideOrShow);
+    connect(held, &HeldKey::heldChanged, this, hideOrShow);
     connect(a.fit, &QAction::triggered, m_canvas, &ShapeCanvas::fit);
     connect(a.actualSize, &QAction::triggered, this,
             [this] { m_canvas->zoomTo(1 / m_canvas->devicePixelRatioF()); });
@@ -355,6 +376,12 @@ void MainWindow::showWork() {
     m_note->showText(m_opening.isEmpty() ? QString() : tr("Opening %1 …").arg(m_opening));
 }
 
+/// An export that failed before has its file now.
+void MainWindow::tellDone(const QString& text) {
+    m_banner->clear(Topic::Export);
+    tell(text);
+}
+
 void MainWindow::tell(const QString& text) {
     m_told = text;
     m_toldUntil.setRemainingTime(kTold);
@@ -404,6 +431,7 @@ void MainWindow::setAppearance(Appearance appearance) {
 
 void MainWindow::updateIcons() {
     m_actions->setIcons(palette());
+    m_exportButton->setIcon(wendIcon(QStringLiteral("export"), palette()));
     m_solids->actions().setIcons(palette());
     showMoreArrows();
     m_start->setRecent(m_files->recent());

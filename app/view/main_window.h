@@ -10,6 +10,7 @@
 #include "app/tools/pin_tool.h"
 
 class QStackedWidget;
+class QToolButton;
 
 namespace wend {
 
@@ -64,6 +65,7 @@ class MainWindow : public QMainWindow {
 
   private:
     void makeToolBars();
+    QWidget* makeExportButton();
     QWidget* makeSidePanel();
     void makeCentre();
     void connectFiles();
@@ -72,6 +74,7 @@ class MainWindow : public QMainWindow {
     void connectMotion();
     void connectHelp();
     void tell(const QString& text);
+    void tellDone(const QString& text);
     void showDocument();
     void addSolidPage();
     void showWork();
@@ -111,6 +114,7 @@ class MainWindow : public QMainWindow {
     QString m_hint;     // the last one of a button or field
     QString m_opening;  // the file that is being read
     QWidget* m_side = nullptr;
+    QToolButton* m_exportButton = nullptr;
     QToolBar* m_topBar = nullptr;
     QToolBar* m_toolBar = nullptr;
     std::unique_ptr<PinTool> m_pinTool, m_selectTool;

@@ -1,6 +1,7 @@
 #include "app/view/picture_dialog.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QLabel>
@@ -8,9 +9,13 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSpinBox>
+#include <QtConcurrent>
 #include <cmath>
 
 #include "app/panels/panel_parts.h"
+#include "app/view/export_preview.h"
+#include "app/view/view_picture.h"
+#include "warp/image_formats.h"
 
 namespace wend {
 
@@ -19,9 +24,13 @@ namespace {
 constexpr int kSmallest = 16, kLargest = 20000;  // pixels; drawn in tiles
 constexpr int kTyped = 9999999;                  // what may be written and is then told to be too large
 
+bool fits(const QSpinBox* box) {
+    return box->value() >= kSmallest && box->value() <= kLargest;
+}
+
 }  // namespace
 
-PictureDialog::PictureDialog(const QSize& proposal, bool hasLegend, QWidget* parent)
+PictureDialog::PictureDialog(const QSize& proposal, bool hasLegend, QWidget* parent, Draw draw)
     : QDialog(parent),
       m_proportions(proposal),
       m_width(new QSpinBox(this)),
@@ -29,10 +38,14 @@ PictureDialog::PictureDialog(const QSize& proposal, bool hasLegend, QWidget* par
       m_tied(new QCheckBox(tr("&Proportions of the view"), this)),
       m_note(new QLabel(this)),
       m_buttons(new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel, this)),
+      m_preview(new ExportPreview(this)),
+      m_format(new QComboBox(this)),
+      m_facts(new QLabel(this)),
+      m_draw(std::move(draw)),
       m_transparent(new QCheckBox(tr("&Transparent background"), this)),
       m_marks(new QCheckBox(tr("P&ins and axes"), this)),
       m_legend(new QCheckBox(tr("&Legend of the map"), this)) {
-    setWindowTitle(tr("Export Picture"));
+    setWindowTitle(tr("Export View"));
     for (QSpinBox* box : {m_width, m_height}) {
         box->setRange(1, kTyped);
         box->setSuffix(tr(" px"));
@@ -41,6 +54,15 @@ PictureDialog::PictureDialog(const QSize& proposal, bool hasLegend, QWidget* par
     m_height->setValue(proposal.height());
     m_transparent->setChecked(true);
     m_tied->setChecked(true);
+    for (const auto& [name, extension] : {std::pair{"PNG", ".png"},
+                                          {"TIFF", ".tif"},
+                                          {"OpenEXR", ".exr"},
+                                          {"JPEG", ".jpg"},
+                                          {"WebP", ".webp"}})
+        m_format->addItem(QString::fromLatin1(name), QString::fromLatin1(extension));
+    m_legend->setEnabled(hasLegend);
+    m_legend->setChecked(hasLegend);
+    describe(m_format, tr("Format"), tr("What kind of file is written."));
     describe(m_tied, tr("Proportions of the view"),
              tr("Width and height follow each other, so that the picture shows what the view shows."));
     describe(m_width, tr("Width"), tr("Width of the picture in pixels."));
@@ -51,21 +73,50 @@ PictureDialog::PictureDialog(const QSize& proposal, bool hasLegend, QWidget* par
     describe(m_legend, tr("Legend of the map"),
              hasLegend ? tr("The colours of the map and their values.")
                        : tr("Show a map first: only then there is something to explain."));
-    m_legend->setEnabled(hasLegend);
-    m_legend->setChecked(hasLegend);
-    auto* layout = new QFormLayout(this);
-    layout->addRow(tr("&Width"), m_width);
-    layout->addRow(tr("&Height"), m_height);
-    for (QCheckBox* box : {m_transparent, m_marks, m_legend}) layout->addRow(box);
-    m_note->setObjectName(QStringLiteral("sizeNote"));
-    m_note->setWordWrap(true);
-    layout->insertRow(2, m_tied);
-    layout->insertRow(3, m_note);
-    layout->addRow(m_buttons);
+    lay();
+    m_timer.setSingleShot(true);
+    m_timer.setInterval(60);
+    connect(&m_timer, &QTimer::timeout, this, &PictureDialog::showPreview);
     for (QSpinBox* box : {m_width, m_height})
         connect(box, &QSpinBox::valueChanged, this, [this, box] { tie(box); });
     connect(m_tied, &QCheckBox::toggled, this, [this] { tie(m_width); });
+    connect(m_format, &QComboBox::currentIndexChanged, this, &PictureDialog::check);
+    for (QCheckBox* box : {m_transparent, m_marks, m_legend})
+        connect(box, &QCheckBox::toggled, this, &PictureDialog::check);
     check();
+}
+
+void PictureDialog::lay() {
+    auto* form = new QFormLayout;
+    form->setVerticalSpacing(10);
+    form->addRow(tr("F&ormat"), m_format);
+    form->addRow(tr("&Width"), m_width);
+    form->addRow(tr("&Height"), m_height);
+    for (QCheckBox* box : {m_tied, m_transparent, m_marks, m_legend}) form->addRow(box);
+    for (QWidget* control : {static_cast<QWidget*>(m_format), static_cast<QWidget*>(m_width)})
+        control->setMinimumWidth(180);
+    m_note->setObjectName(QStringLiteral("sizeNote"));
+    m_note->setProperty("role", "warning");
+    m_note->setWordWrap(true);
+    m_facts->setObjectName(QStringLiteral("facts"));
+    auto* right = new QVBoxLayout;
+    right->addLayout(form);
+    right->addStretch(1);
+    auto* top = new QHBoxLayout;
+    top->setSpacing(20);
+    top->addWidget(m_preview, 1);
+    top->addLayout(right);
+    auto* all = new QVBoxLayout(this);
+    all->setContentsMargins(16, 16, 16, 16);
+    all->setSpacing(12);
+    all->addLayout(top, 1);
+    all->addWidget(m_facts);
+    all->addWidget(m_note);
+    all->addWidget(m_buttons);
+    QPushButton* save = m_buttons->button(QDialogButtonBox::Save);
+    save->setText(tr("E&xport…"));
+    save->setIcon({});
+    save->setProperty("role", "primary");
     connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
 }
@@ -84,9 +135,6 @@ void PictureDialog::tie(QSpinBox* changed) {
 }
 
 void PictureDialog::check() {
-    const auto fits = [](const QSpinBox* box) {
-        return box->value() >= kSmallest && box->value() <= kLargest;
-    };
     const bool good = fits(m_width) && fits(m_height);
     const QLocale locale;
     m_note->setText(good ? QString()
@@ -94,13 +142,60 @@ void PictureDialog::check() {
                                .arg(locale.toString(kSmallest), locale.toString(kLargest)));
     m_note->setVisible(!good);
     m_buttons->button(QDialogButtonBox::Save)->setEnabled(good);
+    m_transparent->setEnabled(holdsAlpha("view" + extension().toStdString()));
+    m_facts->setText(pixels());
+    ++m_asked;
+    if (good && m_draw) m_timer.start();
+}
+
+QString PictureDialog::extension() const {
+    return m_format->currentData().toString();
+}
+
+QString PictureDialog::filter() const {
+    return QStringLiteral("%1 (*%2)").arg(m_format->currentText(), extension());
 }
 
 PictureChoice PictureDialog::choice() const {
     return {{m_width->value(), m_height->value()},
-            m_transparent->isChecked(),
+            m_transparent->isChecked() && m_transparent->isEnabled(),
             m_marks->isChecked(),
             m_legend->isChecked()};
+}
+
+QString PictureDialog::pixels() const {
+    const QLocale locale;
+    return tr("%1 × %2 pixels").arg(locale.toString(m_width->value()), locale.toString(m_height->value()));
+}
+
+/// Drawn here, where OpenGL is; only the file's size is found beside it.
+void PictureDialog::showPreview() {
+    PictureChoice small = choice();
+    const double pixels = static_cast<double>(small.size.width()) * small.size.height();
+    if (small.size.width() > m_preview->room().width() || small.size.height() > m_preview->room().height())
+        small.size = small.size.scaled(m_preview->room(), Qt::KeepAspectRatio).expandedTo({1, 1});
+    QImage image = m_draw(small);
+    if (image.isNull()) return;
+    const auto work = [image, pixels, extension = extension().toStdString()] {
+        try {
+            return viewFileSize(image, extension, pixels);
+        } catch (const std::exception&) {
+            return 0.0;  // the export itself will say what is wrong
+        }
+    };
+    QtConcurrent::run(work).then(this, [this, asked = m_asked](double bytes) {
+        if (asked != m_asked || bytes <= 0) return;
+        const QString text =
+            QLocale().formattedDataSize(static_cast<qint64>(bytes), 1, QLocale::DataSizeSIFormat);
+        m_facts->setText(this->pixels() + QStringLiteral("  ·  ") + tr("about %1 (estimated)").arg(text));
+    });
+    image.setDevicePixelRatio(devicePixelRatioF());
+    m_preview->setImage(image);
+}
+
+void PictureDialog::resizeEvent(QResizeEvent* event) {
+    QDialog::resizeEvent(event);
+    if (m_draw) m_timer.start();
 }
 
 }  // namespace wend

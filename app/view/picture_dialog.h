@@ -1,9 +1,13 @@
 #pragma once
 
 #include <QDialog>
+#include <QTimer>
+#include <functional>
 
 class QCheckBox;
+class QComboBox;
 class QDialogButtonBox;
+class QImage;
 class QLabel;
 class QSpinBox;
 
@@ -17,23 +21,44 @@ struct PictureChoice {
     bool legend = false;  // of the map, if one is shown
 };
 
-/// How large the picture of a view shall be, and what is in it.
+class ExportPreview;
+
+/// How large the picture of a view shall be, and what is in it; shows it, smaller, and about how large the
+/// file will be.
 class PictureDialog : public QDialog {
     Q_OBJECT
 
   public:
-    PictureDialog(const QSize& proposal, bool hasLegend, QWidget* parent);
+    using Draw = std::function<QImage(const PictureChoice&)>;
+
+    PictureDialog(const QSize& proposal, bool hasLegend, QWidget* parent, Draw draw = {});
     PictureChoice choice() const;
+    /// Of the format, with its dot.
+    QString extension() const;
+    /// For a file dialog.
+    QString filter() const;
+
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
 
   private:
+    void lay();
     void tie(QSpinBox* changed);
     void check();
+    void showPreview();
+    QString pixels() const;
 
     QSize m_proportions;  // of the view
     QSpinBox *m_width, *m_height;
     QCheckBox* m_tied;  // width and height, as in the view
     QLabel* m_note;     // why it cannot be written
     QDialogButtonBox* m_buttons;
+    ExportPreview* m_preview;
+    QComboBox* m_format;
+    QLabel* m_facts;
+    Draw m_draw;
+    QTimer m_timer;
+    int m_asked = 0;  // the newest question for a size
     QCheckBox *m_transparent, *m_marks, *m_legend;
 };
 

@@ -1,7 +1,6 @@
 #include "app/view/solid_workshop.h"
 
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QLabel>
 #include <QSaveFile>
@@ -26,6 +25,7 @@
 #include "app/view/actions.h"
 #include "app/view/detail_chooser.h"
 #include "app/view/picture_dialog.h"
+#include "app/view/save_dialog.h"
 #include "app/view/status_fields.h"
 #include "app/view/surface_check.h"
 #include "app/view/view_picture.h"
@@ -150,7 +150,6 @@ void SolidWorkshop::connectView() {
     Actions& common = m_around.actions;
     connect(common.showMesh, &QAction::toggled, m_canvas, &SolidCanvas::setEdgesShown);
     connect(common.showMap, &QAction::toggled, m_canvas, &SolidCanvas::setMapShown);
-    connect(common.hideOverlays, &QAction::toggled, m_canvas, &SolidCanvas::setOverlaysHidden);
     connect(common.fit, &QAction::triggered, m_canvas, &VolumeView::fit);
     const auto zoom = [this](double factor) {
         m_canvas->camera().zoom(factor, {m_canvas->width() / 2.0, m_canvas->height() / 2.0},
@@ -344,24 +343,31 @@ QString SolidWorkshop::keys() {
         "</table>");
 }
 
-void SolidWorkshop::exportPicture() {
+void SolidWorkshop::exportView() {
     if (!m_canvas) return;
-    PictureDialog dialog(m_canvas->size() * m_canvas->devicePixelRatioF(), m_canvas->hasLegend(), &m_window);
-    if (dialog.exec() != QDialog::Accepted) return;
-    const Document& document = m_around.session.document();
-    const QString base = QFileInfo(document.displayName()).completeBaseName();
-    QString path = QFileDialog::getSaveFileName(
-        &m_window, tr("Export Picture"),
-        QDir(proposedFolder(document)).filePath(base + QStringLiteral(".png")),
-        QStringLiteral("PNG (*.png);;TIFF (*.tif);;OpenEXR (*.exr);;JPEG (*.jpg);;WebP (*.webp)"));
-    if (path.isEmpty()) return;
-    if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".png");
+    PictureDialog dialog(m_canvas->size() * m_canvas->devicePixelRatioF(), m_canvas->hasLegend(), &m_window,
+                         [this](const PictureChoice& choice) { return viewPicture(*m_canvas, choice); });
+    QString path;
+    while (path.isEmpty()) {
+        if (dialog.exec() != QDialog::Accepted) return;
+        const Document& document = m_around.session.document();
+        const QString name = QFileInfo(document.displayName()).completeBaseName() + dialog.extension();
+        path = askFileToWrite(&m_window, tr("Export View"), QDir(proposedFolder(document)).filePath(name),
+                              dialog.filter());
+        if (!path.isEmpty() && m_mayReplace && !m_mayReplace(path)) path.clear();
+    }
     try {
         if (writeViewPicture(path, *m_canvas, dialog.choice()))
             emit done(tr("Written: %1").arg(QDir::toNativeSeparators(path)));
     } catch (const std::exception& error) {
         emit failed(tr("Nothing was written. %1").arg(QString::fromUtf8(error.what())));
     }
+}
+
+QImage SolidWorkshop::smallView(const QSize& size) {
+    PictureChoice choice;
+    choice.size = size;
+    return m_canvas ? viewPicture(*m_canvas, choice) : QImage();
 }
 
 /// Once for every mesh; what was told of the last one goes.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include "app/tools/area_tool.h"
@@ -51,7 +52,11 @@ class SolidWorkshop : public QObject {
     /// What pointer and keys do, as rich text.
     static QString keys();
     /// Asks for size and name and writes the view as a picture.
-    void exportPicture();
+    void exportView();
+    /// The view without what lies over it; null without one.
+    QImage smallView(const QSize& size);
+    /// Asked before a file is written.
+    void setMayReplace(std::function<bool(const QString&)> may) { m_mayReplace = std::move(may); }
     /// The page of the window; null before the first solid.
     QWidget* page() const { return m_page; }
     /// Null where OpenGL is missing.
@@ -94,6 +99,7 @@ class SolidWorkshop : public QObject {
     std::vector<QWidget*> m_panels;
     QWidget* m_page = nullptr;
     SolidCanvas* m_canvas = nullptr;
+    std::function<bool(const QString&)> m_mayReplace;
     bool m_isActive = false;
     int m_lastCut = 2;
     std::shared_ptr<const void> m_told;  // the rest mesh whose notices were told

@@ -8,6 +8,7 @@
 #include <QtConcurrent>
 #include <cstring>
 #include <exception>
+#include <filesystem>
 #include <functional>
 #include <future>
 #include <new>
@@ -15,6 +16,7 @@
 
 #include "app/view/volume/solid_canvas.h"
 #include "core/mesh/error.h"
+#include "core/mesh/safe_file.h"
 #include "warp/image.h"
 
 namespace wend {
@@ -148,6 +150,18 @@ class Hold {
 
 QImage viewPicture(SolidCanvas& canvas, const PictureChoice& choice) {
     return viewRows(canvas, choice, 0, choice.size.height());
+}
+
+double viewFileSize(const QImage& small, const std::string& extension, double pixels) {
+    const TemporaryFolder folder(std::filesystem::temp_directory_path().string());
+    const std::string path = folder.path() + "/size" + extension;
+    PictureChoice choice;
+    choice.size = small.size();
+    writeImage(path, headerOf(choice), kStripRows, [&](int top, Image& strip) {
+        copyRows(small.copy(0, top, small.width(), strip.height), strip);
+    });
+    const double drawn = static_cast<double>(small.width()) * small.height();
+    return static_cast<double>(std::filesystem::file_size(path)) * pixels / drawn;
 }
 
 bool writeViewPicture(const QString& path, SolidCanvas& canvas, PictureChoice choice) {

@@ -29,6 +29,7 @@ class TestCanvas : public QObject {
     void mapColoursAreOrdered();
     void cellsAreFilledOnce();
     void areaIsCentredOnOne();
+    void rangesReachTheGreatestValuesButAHundredth();
     void pictureIsSeenBeforeItsMesh();
     void nothingIsSeenBeforeItsPicture();
     void picturesOfMeshesAreDrawn_data();
@@ -217,6 +218,19 @@ void TestCanvas::areaIsCentredOnOne() {
     QVERIFY(std::abs(range.low * range.high - 1) < 1e-12);
     QVERIFY(std::abs(positionIn(range, Measure::Area, 1) - 0.5) < 1e-12);
     QVERIFY(std::abs(valueAt(range, Measure::Area, 0.5) - 1) < 1e-12);
+}
+
+/// The greatest hundredth of the values is left out, and no more.
+void TestCanvas::rangesReachTheGreatestValuesButAHundredth() {
+    std::vector<double> values;
+    for (int i = 0; i <= 1000; ++i) values.push_back(0.002 * i);
+    for (const Measure measure : {Measure::Length, Measure::Angle, Measure::Speed}) {
+        const MeasureRange range = rangeOf(values, measure);
+        QCOMPARE(range.low, 0.0);
+        QVERIFY(std::abs(range.high - 1.98) < 1e-12);
+    }
+    for (double& value : values) value = std::exp(value);
+    QVERIFY(std::abs(std::log(rangeOf(values, Measure::Area).high) - 1.98) < 1e-12);
 }
 
 /// A picture whose project cannot be meshed.

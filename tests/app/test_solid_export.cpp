@@ -138,9 +138,10 @@ void TestSolidExport::meshIsThatOfTheCommandLine() {
     QFETCH(QString, extension);
     QFETCH(int, gmsh);
     const QString name = QStringLiteral("window.") + extension, other = QStringLiteral("line.") + extension;
-    MeshWriteOptions options;
-    options.gmshVersion = gmsh;
-    QVERIFY2(finish([&] { m_window->exporter().writeMesh(file(name), options); }), qPrintable(m_failure));
+    RunOptions options;
+    options.meshes.gmshVersion = gmsh;
+    QVERIFY2(finish([&] { m_window->exporter().write(ExportKind::Mesh, file(name), options); }),
+             qPrintable(m_failure));
     const CliResult run = runCli(m_folder->path(), {"run", "bar.wend", "--quiet", "--mesh", other, "--msh",
                                                     gmsh == 2 ? "2.2" : "4.1"});
     QVERIFY2(run.code == 0, qPrintable(run.error));
@@ -157,7 +158,11 @@ void TestSolidExport::meshIsThatOfTheCommandLine() {
 void TestSolidExport::sequenceIsThatOfTheCommandLine() {
     QDir(m_folder->path()).mkdir(QStringLiteral("w"));
     QDir(m_folder->path()).mkdir(QStringLiteral("c"));
-    QVERIFY2(finish([&] { m_window->exporter().writeFrames(file(QStringLiteral("w/f.vtu")), 4); }),
+    RunOptions four;
+    four.outputs.count = 4;
+    QVERIFY2(finish([&] {
+                 m_window->exporter().write(ExportKind::Frames, file(QStringLiteral("w/f.vtu")), four);
+             }),
              qPrintable(m_failure));
     QCOMPARE(
         runCli(m_folder->path(), {"run", "bar.wend", "--quiet", "--frames", "c/f_####.vtu", "--count", "4"})
@@ -173,10 +178,15 @@ void TestSolidExport::sequenceIsThatOfTheCommandLine() {
 }
 
 void TestSolidExport::animationIsThatOfTheCommandLine() {
-    QVERIFY2(finish([&] { m_window->exporter().writeFrames(file(QStringLiteral("film.glb")), 5); }),
-             qPrintable(m_failure));
-    // The window's film lasts as long as its playback.
+    // A film that lasts as long as the playback.
     const double rate = 4 / (m_window->session().playback().end() * Playback::kSecondsPerUnit);
+    RunOptions five;
+    five.outputs.count = 5;
+    five.outputs.framesPerSecond = rate;
+    QVERIFY2(finish([&] {
+                 m_window->exporter().write(ExportKind::Frames, file(QStringLiteral("film.glb")), five);
+             }),
+             qPrintable(m_failure));
     QCOMPARE(runCli(m_folder->path(), {"run", "bar.wend", "--quiet", "--frames", "line.glb", "--count", "5",
                                        "--fps", QString::number(rate, 'g', 17)})
                  .code,
@@ -274,9 +284,11 @@ void TestSolidExport::legendAndMarksAreAtChoice() {
 }
 
 void TestSolidExport::badPlacesAreTold() {
-    QVERIFY(!finish([&] { m_window->exporter().writeMesh(file(QStringLiteral("missing/shape.vtu"))); }));
+    QVERIFY(!finish(
+        [&] { m_window->exporter().write(ExportKind::Mesh, file(QStringLiteral("missing/shape.vtu"))); }));
     QVERIFY(m_failure.contains(QStringLiteral("missing")));
-    QVERIFY(!finish([&] { m_window->exporter().writeMesh(file(QStringLiteral("shape.xyz"))); }));
+    QVERIFY(
+        !finish([&] { m_window->exporter().write(ExportKind::Mesh, file(QStringLiteral("shape.xyz"))); }));
     for (const char* known : {".glb", ".vtu", ".obj"}) QVERIFY(m_failure.contains(QLatin1String(known)));
     QVERIFY(m_failure.contains(QStringLiteral("shape.xyz")));
     PictureChoice choice;

@@ -616,7 +616,7 @@ void TestSolidWindow::badSurfacesAreShownAndRepaired() {
     session().playback().setTime(0);  // nothing brings the mended one back
     QVERIFY(saysThatThereIsNoSolid());
     QSignalSpy refusal(&m_window->exporter(), &Exporter::failed);
-    m_window->exporter().writeMesh(m_folder->filePath(QStringLiteral("none.vtu")));
+    m_window->exporter().write(ExportKind::Mesh, m_folder->filePath(QStringLiteral("none.vtu")));
     QVERIFY(refusal.count() == 1 && refusal[0][0].toString().contains(QStringLiteral("no shape")));
     m_window->actions().redo->trigger();
     QVERIFY(settle(session()));

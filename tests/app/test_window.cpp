@@ -2,7 +2,6 @@
 #include <QDoubleSpinBox>
 #include <QDragEnterEvent>
 #include <QFileDialog>
-#include <QInputDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenuBar>
@@ -27,6 +26,7 @@
 #include "app/view/actions.h"
 #include "app/view/canvas.h"
 #include "app/view/curve_actions.h"
+#include "app/view/export_dialog.h"
 #include "app/view/file_workflow.h"
 #include "app/view/info_banner.h"
 #include "app/view/main_window.h"
@@ -81,6 +81,11 @@ class TestWindow : public QObject {
     QPoint at(double x, double y) const;
     void click(double x, double y, Qt::KeyboardModifiers modifiers = {});
     bool openWithCurve();
+    /// As the next dialog proposes it, in that file.
+    void exportNextTo(const QString& path) {
+        withNext<ExportDialog>(m_window.get(), [](ExportDialog& dialog) { dialog.accept(); });
+        nameNextFile(m_window.get(), path);
+    }
     void dragPin(double x, double y, double dx, double dy);
     std::size_t pinCount() { return m_window->session().document().design().handles.size(); }
 
@@ -457,7 +462,7 @@ void TestWindow::exportedPictureIsWhatIsShown() {
     QTest::mouseRelease(&m_window->canvas(), Qt::LeftButton, {}, at(200, 100));
     QVERIFY(settle(m_window->session()));
     const QString path = m_folder->filePath(QStringLiteral("out.png"));
-    nameNextFile(m_window.get(), path);
+    exportNextTo(path);
     m_window->actions().exportPicture->trigger();
     QVERIFY(QTest::qWaitFor([&] { return QFile::exists(path); }, 20000));
     const auto& frame = *m_window->session().frame<2>();
@@ -573,7 +578,7 @@ void TestWindow::exportedMeshIsThatOfTheWindow() {
     QVERIFY(settle(m_window->session()));
     write("v 0 0 0\nv 3 0 0\nv 3 2 0\nf 1 2 3\n");
     const QString path = m_folder->filePath(QStringLiteral("out.obj"));
-    nameNextFile(m_window.get(), path);
+    exportNextTo(path);
     m_window->actions().exportMesh->trigger();
     QVERIFY(QTest::qWaitFor([&] { return QFile::exists(path); }, 20000));
     QCOMPARE(readMeshFile(path.toStdString()).points.cols(), 4);
@@ -588,17 +593,7 @@ void TestWindow::exportsFollowEachOther() {
     QTest::mouseRelease(&m_window->canvas(), Qt::LeftButton, {}, at(200, 100));
     QVERIFY(settle(m_window->session()));
     const QString path = m_folder->filePath(QStringLiteral("f_####.png"));
-    QTimer answer;
-    connect(&answer, &QTimer::timeout, this, [&] {
-        QWidget* asks = QApplication::activeModalWidget();
-        if (auto* count = qobject_cast<QInputDialog*>(asks)) count->accept();
-        if (!qobject_cast<QFileDialog*>(asks)) return;
-        answer.stop();
-        auto* name = asks->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
-        name->setText(path);
-        QTest::keyClick(name, Qt::Key_Return);
-    });
-    answer.start(50);
+    exportNextTo(path);
     m_window->actions().exportFrames->trigger();
     m_window->actions().exportMesh->trigger();  // without a dialog
     QVERIFY(m_window->banner().text().contains(QStringLiteral("Another export")));

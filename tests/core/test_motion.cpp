@@ -243,6 +243,24 @@ class TestMotion : public QObject {
         QVERIFY(std::abs(trajectory.breakTimes()[0] - 3.0 / 7) < 1e-15);
     }
 
+    /// The manual's formulas: in t², out the same from the other end, both 3t² − 2t³.
+    void easesAreTheManuals() {
+        for (int k = 0; k <= 16; ++k) {
+            const double t = k / 16.0;
+            const std::pair<Ease, double> expected[] = {{Ease::Linear, t},
+                                                        {Ease::In, t * t},
+                                                        {Ease::Out, 1 - (1 - t) * (1 - t)},
+                                                        {Ease::InOut, 3 * t * t - 2 * t * t * t}};
+            for (const auto& [easing, way] : expected) {
+                Motion<2> motion{Translate<2>{{10, -4}}};
+                motion.ease = easing;
+                motion.start = 2, motion.end = 4;
+                const AffineMap<2> place = Trajectory<2>(motion).at(2 + 2 * t).position;
+                QVERIFY((place.b - way * Vec<2>(10, -4)).norm() < 1e-14);
+            }
+        }
+    }
+
     void sidesOfBreaks_data() {
         QTest::addColumn<int>("ease");
         for (const Ease easing : {Ease::Linear, Ease::In, Ease::Out, Ease::InOut}) {

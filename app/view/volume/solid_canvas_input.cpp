@@ -116,10 +116,6 @@ void SolidCanvas::wheelEvent(QWheelEvent* event) {
 }
 
 void SolidCanvas::keyPressEvent(QKeyEvent* event) {
-    if (event->key() == Qt::Key_H && !event->modifiers()) {
-        if (!event->isAutoRepeat()) setOverlaysHidden(true);
-        return;
-    }
     if (m_active && m_active->key(*event)) {
         useTool(m_active);
         if (m_tool == m_active && event->key() == Qt::Key_Escape) m_active = nullptr;
@@ -130,10 +126,6 @@ void SolidCanvas::keyPressEvent(QKeyEvent* event) {
         return;
     }
     VolumeView::keyPressEvent(event);
-}
-
-void SolidCanvas::keyReleaseEvent(QKeyEvent* event) {
-    if (event->key() == Qt::Key_H && !event->isAutoRepeat()) setOverlaysHidden(false);
 }
 
 void SolidCanvas::leaveEvent(QEvent*) {

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+namespace wend {
+
+/// Values of options by their flags, as they are written on the command line: it fills them, and so do the
+/// window's dialogs. What is not set is as the table of options says.
+class OptionValues {
+  public:
+    void set(const std::string& flag, std::string value) { m_values[flag] = std::move(value); }
+    bool has(const std::string& flag) const { return m_values.contains(flag); }
+    /// As written, or the table's default.
+    std::string text(const std::string& flag) const;
+    double number(const std::string& flag) const;
+    int integer(const std::string& flag) const;
+    /// What was set, and no default.
+    std::optional<double> given(const std::string& flag) const;
+
+    bool operator==(const OptionValues&) const = default;
+
+  private:
+    std::map<std::string, std::string> m_values;
+};
+
+/// A number as it must stand on the command line: all of it, in the C locale.
+std::optional<double> finiteNumber(const std::string& text);
+
+}  // namespace wend

@@ -1,0 +1,247 @@
+#include "app/session/frame_export.h"
+
+#include <QDir>
+#include <cmath>
+#include <filesystem>
+
+#include "app/session/run_options.h"
+#include "app/session/shape_builder.h"
+#include "app/session/shape_file.h"
+#include "app/session/velocity_probe.h"
+#include "core/mesh/error.h"
+#include "core/mesh/file_name.h"
+#include "core/mesh/safe_file.h"
+#include "warp/warped_picture.h"
+
+namespace wend {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kMeasured = 2e6;  // pixels: a picture up to here is written once to tell its size
+constexpr int kBands = 4;          // of a larger one, as many pixels in strips
+
+Points<2> inPixels(const PosedFrame<2>& frame) {
+    const auto& texture = frame.built->texture;
+    return texture ? texture->toPixels(frame.pose) : frame.pose;
+}
+
+/// Bytes of what `write` leaves in a folder of its own, which goes.
+double bytesOf(const std::string& extension, const std::function<void(const std::string&)>& write) {
+    const TemporaryFolder folder(fs::temp_directory_path().string());
+    write((fs::path(folder.path()) / ("size" + extension)).string());
+    double bytes = 0;
+    for (const auto& entry : fs::directory_iterator(folder.path()))
+        bytes += static_cast<double>(entry.file_size());
+    return bytes;
+}
+
+/// Strips of the view, equally far from each other.
+std::vector<View> bandsOf(const View& view) {
+    std::vector<View> bands;
+    const int rows = std::max(1, static_cast<int>(kMeasured / kBands / view.width));
+    for (int k = 0; k < kBands; ++k) {
+        View band = view;
+        band.height = std::min(rows, view.height);
+        band.origin.y() += std::floor((view.height - band.height) * (k + 0.5) / kBands) * view.scale;
+        bands.push_back(band);
+    }
+    return bands;
+}
+
+/// The velocity field at a frame; empty, with a remark, where it cannot be had.
+template <int Dim>
+Points<Dim> velocityAt(const Project& project, const PosedFrame<Dim>& frame, std::string& remark) {
+    Points<Dim> velocity;
+    try {
+        velocity = VelocityProbe<Dim>(frame.rest, frame.material, project).at(frame.time, frame.pose);
+        if (velocity.cols() == 0) remark = "the velocity field cannot be solved for";
+    } catch (const InputError& error) {
+        remark = error.what();
+    }
+    return velocity;
+}
+
+}  // namespace
+
+FrameExport::FrameExport(const Document& document, FramePtr frame, std::vector<FramePtr> motion,
+                         double seconds)
+    : m_project(document.project()),
+      m_name(QDir(document.folder()).filePath(document.displayName()).toStdString()),
+      m_frame(std::move(frame)),
+      m_motion(std::move(motion)),
+      m_seconds(seconds),
+      m_documentPicture(document.picture()) {
+    const auto flat = posed<2>(m_frame);
+    if (!flat) return;
+    const auto& texture = flat->built->texture;
+    m_picture = m_documentPicture || !texture ? m_documentPicture : texture->picture;
+    m_rest = texture ? texture->rest : flat->rest;
+    m_pose = inPixels(*flat);
+}
+
+Extent<2> FrameExport::extent(ExportKind kind) const {
+    Extent<2> all = extentOf<2>(m_pose, m_rest->cells);
+    if (kind != ExportKind::Frames) return all;
+    for (const FramePtr& frame : m_motion)
+        if (const auto flat = posed<2>(frame)) {
+            const Extent<2> one = extentOf<2>(inPixels(*flat), m_rest->cells);
+            all.low = all.low.cwiseMin(one.low);
+            all.high = all.high.cwiseMax(one.high);
+        }
+    return all;
+}
+
+View FrameExport::view(ExportKind kind, Canvas canvas) const {
+    return canvasView(*m_picture, extent(kind), canvas);
+}
+
+/// The outline is grown beyond what is seen: so much may lie outside without a loss.
+Overhang FrameExport::overhang(ExportKind kind) const {
+    if (!m_picture) return {};
+    const double free = restMarginOf(m_project->domain) + 0.5;
+    const Extent<2> shape = extent(kind);
+    const auto beyond = [free](double by) {
+        return by > free ? static_cast<int>(std::ceil(std::min(by, 1e9))) : 0;
+    };
+    return {beyond(-shape.low.x()), beyond(-shape.low.y()), beyond(shape.high.x() - m_picture->width),
+            beyond(shape.high.y() - m_picture->height)};
+}
+
+WarpOptions FrameExport::warpOptions(const RunOptions& options) const {
+    return warpOptionsOf(*m_project, options);
+}
+
+template <>
+Scene<2> FrameExport::scene<2>() const {
+    const auto flat = posed<2>(m_frame);
+    Scene<2> scene;
+    scene.rest = flat->rest;
+    scene.material = flat->material;
+    scene.source = flat->built->source;
+    scene.picture = m_documentPicture;
+    if (scene.picture) scene.texture = textureOf(scene.picture, scene.rest, {});
+    return scene;
+}
+
+template <>
+Scene<3> FrameExport::scene<3>() const {
+    const auto solid = posed<3>(m_frame);
+    Scene<3> scene;
+    scene.rest = solid->rest;
+    scene.material = solid->material;
+    scene.source = solid->built->source;
+    scene.skin = solid->built->skin;
+    scene.ride = solid->built->ride;
+    return scene;
+}
+
+void FrameExport::writePicture(const std::string& path, const View& view, const RunOptions& options,
+                               const RunWatch& watch) const {
+    WarpOptions warp = warpOptions(options);
+    warp.stop = watch.stop;
+    if (watch.progress) warp.progress = [&watch](double done) { watch.progress("warping", done); };
+    requireDepth(path, options);
+    writeWarped(path, WarpedPicture(*m_picture, *m_rest, m_pose, view, warp), options.depth);
+}
+
+void FrameExport::writeStMap(const std::string& path, const View& view) const {
+    writeImage(path, stMap(*m_rest, m_pose, view, m_picture->width, m_picture->height));
+}
+
+template <int Dim>
+void FrameExport::writeMesh(const std::string& path, const RunOptions& options, bool inSequence,
+                            const RunWatch& watch, std::string& remark) const {
+    const auto frame = posed<Dim>(m_frame);
+    const Scene<Dim> own = scene<Dim>();
+    std::vector<MeshField> fields;
+    if (options.fields && holdsFields(path)) {
+        const Points<Dim> none;
+        fields = shapeFields<Dim>(own, frame->pose,
+                                  inSequence ? none : velocityAt<Dim>(*m_project, *frame, remark));
+    }
+    if (watch.stop.stop_requested()) throw Cancelled();
+    writeShape<Dim>(path, own, frame->pose, fields, options.meshes);
+}
+
+/// Tetrahedra with all fields, or their surface where the format has only triangles.
+void FrameExport::writeMesh(const std::string& path, const RunOptions& options, bool inSequence,
+                            const RunWatch& watch, std::string& remark) const {
+    if (dimension() == 3)
+        writeMesh<3>(path, options, inSequence, watch, remark);
+    else
+        writeMesh<2>(path, options, inSequence, watch, remark);
+}
+
+void FrameExport::writeFrames(const std::string& path, const RunOptions& options,
+                              const RunWatch& watch) const {
+    RunOptions all = options;
+    all.outputs.frames = path;
+    const AdvanceResult result = runProject(*m_project, m_name, all, watch);
+    if (result.outcome != Outcome::Done) throw InputError(result.message);
+}
+
+void FrameExport::write(ExportKind kind, const std::string& path, const RunOptions& options,
+                        const RunWatch& watch, std::string& remark) const {
+    if (kind == ExportKind::Mesh) {
+        requireShapeFormat(path, lowerExtension(path), dimension());
+        writeMesh(path, options, false, watch, remark);
+    } else if (kind == ExportKind::Frames) {
+        writeFrames(path, options, watch);
+    } else if (kind == ExportKind::StMap) {
+        writeStMap(path, view(kind, options.canvas));
+    } else {
+        writePicture(path, view(kind, options.canvas), options, watch);
+    }
+}
+
+FileSize FrameExport::size(ExportKind kind, const std::string& extension, const RunOptions& options,
+                           std::stop_token stop) const {
+    const double count = kind == ExportKind::Frames ? options.outputs.count : 1;
+    if (canWriteImage("size" + extension)) {
+        const FileSize one = pictureSize(kind, extension, options, stop);
+        return {count * one.bytes, one.measured && kind != ExportKind::Frames};
+    }
+    if (kind == ExportKind::Frames && isAnimation("size" + extension)) return {filmSize(options), false};
+    RunWatch watch;
+    watch.stop = stop;
+    std::string remark;
+    const double one = bytesOf(extension, [&](const std::string& file) {
+        writeMesh(file, options, kind == ExportKind::Frames, watch, remark);
+    });
+    return {count * one, kind != ExportKind::Frames};
+}
+
+FileSize FrameExport::pictureSize(ExportKind kind, const std::string& extension, const RunOptions& options,
+                                  std::stop_token stop) const {
+    const View whole = view(kind, options.canvas);
+    const double pixels = static_cast<double>(whole.width) * whole.height;
+    const bool measured = pixels <= kMeasured;
+    double bytes = 0, rows = 0;
+    RunWatch watch;
+    watch.stop = stop;
+    for (const View& part : measured ? std::vector<View>{whole} : bandsOf(whole)) {
+        if (stop.stop_requested()) throw Cancelled();
+        rows += part.height;
+        bytes += bytesOf(extension, [&](const std::string& file) {
+            if (kind == ExportKind::StMap) return writeStMap(file, part);
+            writePicture(file, part, options, watch);
+        });
+    }
+    return {bytes * whole.height / rows, measured};
+}
+
+/// A film in one file grows by the same with every frame.
+double FrameExport::filmSize(const RunOptions& options) const {
+    const Scene<3> own = scene<3>();
+    const auto bytes = [&](int count) {
+        const std::vector<Points<3>> poses(static_cast<std::size_t>(count), posed<3>(m_frame)->pose);
+        return bytesOf(".glb", [&](const std::string& file) {
+            writeAnimation(file, own, poses, options.outputs.framesPerSecond);
+        });
+    };
+    const double two = bytes(2), three = bytes(3);
+    return two + (options.outputs.count - 2) * (three - two);
+}
+
+}  // namespace wend

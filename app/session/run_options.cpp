@@ -1,0 +1,75 @@
+#include "app/session/run_options.h"
+
+#include "core/mesh/error.h"
+#include "warp/image_formats.h"
+
+namespace wend {
+namespace {
+
+std::optional<PixelType> depthOf(const std::string& name) {
+    static const std::map<std::string, PixelType> depths{{"8", PixelType::UInt8},
+                                                         {"16", PixelType::UInt16},
+                                                         {"half", PixelType::Half},
+                                                         {"float", PixelType::Float}};
+    const auto found = depths.find(name);
+    return found == depths.end() ? std::nullopt : std::optional(found->second);
+}
+
+void takeOutside(const std::string& name, RunOptions& options) {
+    static const std::map<std::string, Outside> kinds{{"transparent", Outside::Transparent},
+                                                      {"clamp", Outside::Clamp},
+                                                      {"original", Outside::Original},
+                                                      {"white", Outside::Colour},
+                                                      {"black", Outside::Colour}};
+    options.outside = kinds.at(name);
+    const float light = name == "white" ? 1 : 0;
+    options.colour = {light, light, light, 1};
+}
+
+}  // namespace
+
+MeshWriteOptions meshOptionsFrom(const OptionValues& values) {
+    using Encoding = MeshWriteOptions::Encoding;
+    static const std::map<std::string, Encoding> encodings{
+        {"text", Encoding::Text}, {"binary", Encoding::Binary}, {"compressed", Encoding::Compressed}};
+    MeshWriteOptions options;
+    options.encoding = encodings.at(values.text("--encoding"));
+    options.gmshVersion = values.text("--msh") == "2.2" ? 2 : 4;
+    return options;
+}
+
+RunOptions runOptionsFrom(const OptionValues& values) {
+    static const std::map<std::string, Filter> filters{{"nearest", Filter::Nearest},
+                                                       {"bilinear", Filter::Bilinear},
+                                                       {"bicubic", Filter::Bicubic},
+                                                       {"ewa", Filter::Ewa}};
+    RunOptions options;
+    options.outputs.count = values.integer("--count");
+    options.outputs.framesPerSecond = values.number("--fps");
+    options.filter = filters.at(values.text("--filter"));
+    options.canvas = values.text("--canvas") == "fit" ? Canvas::Fit : Canvas::Picture;
+    options.depth = depthOf(values.text("--depth"));
+    takeOutside(values.text("--outside"), options);
+    options.partial = values.has("--partial");
+    options.fields = values.text("--fields") == "all";
+    options.meshes = meshOptionsFrom(values);
+    return options;
+}
+
+WarpOptions warpOptionsOf(const Project& project, const RunOptions& options) {
+    WarpOptions warp;
+    warp.filter = options.filter;
+    warp.outside = options.outside;
+    warp.colour = options.colour;
+    warp.restMargin = restMarginOf(project.domain);
+    warp.threads = project.integration.threads;
+    return warp;
+}
+
+void requireDepth(const std::string& path, const RunOptions& options) {
+    if (!options.depth || path.empty() || path == "-" || !canWriteImage(path)) return;
+    if (!holdsType(path, *options.depth))
+        throw InputError(path, "the format does not hold pictures of this depth (--depth)");
+}
+
+}  // namespace wend

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <QImage>
+#include <QWidget>
+#include <stop_token>
+
+#include "app/panels/theme.h"
+#include "app/session/frame_export.h"
+#include "warp/pyramid.h"
+
+namespace wend {
+
+/// A small picture of what an export will write, on paper or, where it is transparent, on squares.
+class ExportPreview : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit ExportPreview(QWidget* parent = nullptr);
+    void setImage(const QImage& image);
+    const QImage& image() const { return m_image; }
+    /// In pixels of the screen.
+    QSize room() const;
+    QSize sizeHint() const override { return {400, 320}; }
+
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+
+  private:
+    QImage m_image;
+};
+
+/// What that picture is made of.
+struct PreviewRequest {
+    ExportKind kind = ExportKind::Picture;
+    std::string extension;
+    RunOptions options;
+    QSize room;
+    double ratio = 1;
+    QColor fill, line;  // of a mesh
+};
+
+/// Drawn by the code that exports, smaller. For any thread; null if stopped. `pyramid`: of the picture, as
+/// the screen shows it. Throws InputError for what cannot be written.
+QImage exportPreview(const FrameExport& shape, const std::shared_ptr<const Pyramid>& pyramid,
+                     const PreviewRequest& request, std::stop_token stop);
+
+}  // namespace wend

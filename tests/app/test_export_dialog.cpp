@@ -1,0 +1,373 @@
+#include <QComboBox>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QSignalSpy>
+
+#include "app/session/run_options.h"
+#include "app/view/actions.h"
+#include "app/view/canvas.h"
+#include "app/view/export_dialog.h"
+#include "app/view/exporter.h"
+#include "app/view/main_window.h"
+#include "app/view/option_field.h"
+#include "tests/support/window_fixture.h"
+
+using namespace wend;
+using namespace wend::test;
+
+/// The dialogs that ask how something is written, and what is written then.
+class TestExportDialog : public QObject {
+    Q_OBJECT
+  private slots:
+    void init();
+    void cleanup();
+    void optionsComeFromTheTable();
+    void everyOptionOfARunIsThere();
+    void formatsDecideWhatIsAsked();
+    void cropIsToldAndFits();
+    void previewIsWhatIsWritten();
+    void sizeIsThatOfTheFile();
+    void depthsAreWritten_data();
+    void depthsAreWritten();
+    void backgroundsAreWritten();
+    void softEdgesAtRestAreTheSourcesOwn();
+    void framesFollowTheirRate();
+
+  private:
+    void open(const QString& picture);
+    void bend(double dx, double dy);
+    std::unique_ptr<ExportDialog> dialog(ExportKind kind);
+    std::shared_ptr<const FrameExport> shape();
+    bool written(ExportKind kind, const QString& path, const OptionValues& values);
+    QString file(const char* name) const { return m_folder->filePath(QString::fromLatin1(name)); }
+    ShapeSession& session() { return m_window->session(); }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<MainWindow> m_window;
+};
+
+namespace {
+
+const ExportKind kKinds[] = {ExportKind::Picture, ExportKind::Frames, ExportKind::StMap, ExportKind::Mesh};
+
+OptionValues with(const std::string& flag, const std::string& value) {
+    OptionValues values;
+    values.set(flag, value);
+    return values;
+}
+
+bool waitForSize(ExportDialog& dialog) {
+    const auto* facts = dialog.findChild<QLabel*>(QStringLiteral("facts"));
+    return QTest::qWaitFor([&] { return facts->text().contains(QStringLiteral("·")); }, 30000);
+}
+
+void choose(ExportDialog& dialog, const char* extension) {
+    auto* format = dialog.findChild<QComboBox*>(QStringLiteral("format"));
+    format->setCurrentIndex(format->findData(QString::fromLatin1(extension)));
+}
+
+/// For looking at.
+void keepPicture(QWidget& widget, const char* name) {
+    if (qEnvironmentVariableIsSet("WEND_TEST_PICTURES"))
+        widget.grab().save(qEnvironmentVariable("WEND_TEST_PICTURES") + '/' + QLatin1String(name));
+}
+
+}  // namespace
+
+void TestExportDialog::init() {
+    m_folder = std::make_unique<QTemporaryDir>();
+    isolateSettings(*m_folder);
+    m_window = std::make_unique<MainWindow>();
+    if (qEnvironmentVariableIsSet("WEND_TEST_DARK")) m_window->actions().darkLook->trigger();
+    m_window->resize(1100, 760);
+    m_window->show();
+}
+
+void TestExportDialog::cleanup() {
+    if (!session().document().isEmpty()) session().document().undoStack()->setClean();
+    m_window.reset();
+}
+
+void TestExportDialog::open(const QString& picture) {
+    m_window->openPath(picture);
+    QVERIFY(QTest::qWaitFor([&] { return !session().document().isEmpty(); }, 20000));
+    Project coarse = *session().document().project();
+    coarse.domain.vertices = 300;
+    session().document().change(QStringLiteral("Coarse"), coarse);
+    QVERIFY(settle(session()));
+}
+
+/// Two pins, the right one dragged.
+void TestExportDialog::bend(double dx, double dy) {
+    session().addPin({40, 80});
+    session().addPin({200, 80});
+    QVERIFY(settle(session()));
+    session().beginDrag();
+    session().dragTo<2>({dx, dy});
+    session().endDrag(0.5);
+    QVERIFY(settle(session()));
+}
+
+std::shared_ptr<const FrameExport> TestExportDialog::shape() {
+    const double seconds = session().playback().end() * Playback::kSecondsPerUnit;
+    return std::make_shared<const FrameExport>(session().document(), session().frame(),
+                                               session().track().frames(), seconds);
+}
+
+std::unique_ptr<ExportDialog> TestExportDialog::dialog(ExportKind kind) {
+    auto made = std::make_unique<ExportDialog>(kind, shape(), QImage(), m_window.get());
+    made->show();
+    return made;
+}
+
+bool TestExportDialog::written(ExportKind kind, const QString& path, const OptionValues& values) {
+    QSignalSpy done(&m_window->exporter(), &Exporter::done), failed(&m_window->exporter(), &Exporter::failed);
+    m_window->exporter().write(kind, path, runOptionsFrom(values));
+    return QTest::qWaitFor([&] { return done.count() + failed.count() > 0; }, 60000) && done.count() == 1;
+}
+
+/// Choices, ranges and defaults are those of the command line, not a list of their own.
+void TestExportDialog::optionsComeFromTheTable() {
+    open(writeCutOut(*m_folder));
+    bend(0, 10);
+    int seen = 0;
+    for (const ExportKind kind : kKinds) {
+        const auto asked = dialog(kind);
+        for (const OptionField* field : asked->findChildren<OptionField*>()) {
+            ++seen;
+            const Option& known = option(field->flag());
+            QVERIFY2(!field->label().isEmpty(), known.flag.data());
+            QVERIFY2(!field->focusProxy()->toolTip().isEmpty(), known.flag.data());
+            if (known.kind != OptionKind::Choice) continue;
+            for (const QString& choice : field->choices())
+                QVERIFY2(isChoice(known, choice.toStdString()), known.flag.data());
+            if (field->flag() != "--depth")  // formats hold some depths only
+                QCOMPARE(field->choices().join('|').toStdString(), std::string(known.choices));
+            QCOMPARE(field->value(), std::string(known.fallback));
+        }
+    }
+    QVERIFY(seen >= 20);
+}
+
+/// What `wend run` can be told about outputs, a dialog can be told.
+void TestExportDialog::everyOptionOfARunIsThere() {
+    // The project's own settings, and what only a command line needs.
+    const QStringList others{"--phi",      "--method", "--tolerance", "--steps",   "--at",
+                             "--partial",  "--memory", "--settle",    "--backend", "--threads",
+                             "--progress", "--quiet",  "--velocity",  "--report"};
+    open(writeCutOut(*m_folder));
+    bend(0, 10);
+    QStringList asked;
+    for (const ExportKind kind : kKinds) {
+        const auto one = dialog(kind);
+        auto* format = one->findChild<QComboBox*>(QStringLiteral("format"));
+        for (int i = 0; i < format->count(); ++i) {
+            format->setCurrentIndex(i);
+            for (const OptionField* field : one->findChildren<OptionField*>())
+                if (field->isVisible()) asked << QString::fromStdString(field->flag());
+        }
+    }
+    for (const Option& one : options()) {
+        const QString flag = QString::fromUtf8(one.flag.data(), static_cast<qsizetype>(one.flag.size()));
+        const bool ofRun = (' ' + std::string(one.commands) + ' ').find(" run ") != std::string::npos;
+        if (!ofRun || one.kind == OptionKind::File || others.contains(flag)) continue;
+        QVERIFY2(asked.contains(flag), qPrintable(flag + " is to be had on the command line only"));
+    }
+}
+
+void TestExportDialog::formatsDecideWhatIsAsked() {
+    open(writeCutOut(*m_folder));
+    const auto picture = dialog(ExportKind::Picture);
+    const auto depths = [&] { return picture->field("--depth")->choices(); };
+    QCOMPARE(depths(), QStringList({"picture", "8", "16"}));
+    choose(*picture, ".exr");
+    QCOMPARE(depths(), QStringList({"picture", "half", "float"}));
+    choose(*picture, ".jpg");
+    QCOMPARE(depths(), QStringList({"picture", "8"}));
+    const auto mesh = dialog(ExportKind::Mesh);
+    QVERIFY(!mesh->field("--encoding")->isVisible() && !mesh->field("--canvas")->isVisible());
+    choose(*mesh, ".msh");
+    QVERIFY(mesh->field("--encoding")->isVisible() && mesh->field("--msh")->isVisible());
+    mesh->field("--msh")->setValue("2.2");
+    QCOMPARE(runOptionsFrom(mesh->values()).meshes.gmshVersion, 2);
+    choose(*mesh, ".vtu");
+    QVERIFY(mesh->field("--fields")->isVisible() && !mesh->field("--msh")->isVisible());
+    QCOMPARE(runOptionsFrom(mesh->values()).meshes.gmshVersion, 4);  // what is hidden says nothing
+    if (waitForSize(*mesh)) keepPicture(*mesh, "export-mesh.png");
+}
+
+void TestExportDialog::cropIsToldAndFits() {
+    open(writeCutOut(*m_folder));
+    auto still = dialog(ExportKind::Picture);
+    QVERIFY(!still->findChild<QWidget*>(QStringLiteral("cropNote"))->isVisible());
+    still.reset();
+    bend(60, 30);  // beyond the right border at 240
+    const auto asked = dialog(ExportKind::Picture);
+    auto* note = asked->findChild<QWidget*>(QStringLiteral("cropNote"));
+    QVERIFY(note->isVisible());
+    QVERIFY(note->findChild<QLabel*>()->text().contains(QStringLiteral("right")));
+    QVERIFY(!note->findChild<QLabel*>()->text().contains(QStringLiteral("left")));
+    if (waitForSize(*asked)) keepPicture(*asked, "export-crop.png");
+    note->findChild<QPushButton*>()->click();
+    QVERIFY(!note->isVisible());
+    QCOMPARE(asked->values().text("--canvas"), std::string("fit"));
+    QVERIFY(waitForSize(*asked));
+    keepPicture(*asked, "export-fit.png");
+    const QString path = file("fit.png");
+    QVERIFY(written(ExportKind::Picture, path, asked->values()));
+    const QImage all(path);
+    const QString told = asked->findChild<QLabel*>(QStringLiteral("facts"))->text();
+    QVERIFY2(told.startsWith(QStringLiteral("%1 × %2 pixels").arg(all.width()).arg(all.height())),
+             qPrintable(told));
+    // The bar's right end is whole: 40 high in the middle, and nothing of it touches the border.
+    for (int y = 0; y < all.height(); ++y)
+        QVERIFY(qAlpha(all.pixel(0, y)) < 128 && qAlpha(all.pixel(all.width() - 1, y)) < 128);
+    QVERIFY(written(ExportKind::Picture, file("crop.png"), {}));
+    const QImage cut(file("crop.png"));
+    QCOMPARE(cut.size(), QSize(240, 160));
+    int touching = 0;
+    for (int y = 0; y < cut.height(); ++y) touching += qAlpha(cut.pixel(239, y)) > 128;
+    QVERIFY(touching > 20);
+}
+
+/// At its own size, decoded by Qt.
+void TestExportDialog::previewIsWhatIsWritten() {
+    open(writeCutOut(*m_folder));
+    bend(-10, 25);
+    const auto asked = dialog(ExportKind::Picture);
+    asked->field("--filter")->setValue("nearest");  // before the first preview
+    auto* preview = asked->findChild<ExportPreview*>();
+    QVERIFY(QTest::qWaitFor([&] { return preview->image().width() == 240; }, 30000));
+    const QString path = file("out.png");
+    QVERIFY(written(ExportKind::Picture, path, asked->values()));
+    const QImage seen = preview->image().convertToFormat(QImage::Format_ARGB32_Premultiplied);
+    const QImage is = QImage(path).convertToFormat(QImage::Format_ARGB32_Premultiplied);
+    QCOMPARE(seen.size(), is.size());
+    int off = 0;
+    for (int y = 0; y < is.height(); ++y)
+        for (int x = 0; x < is.width(); ++x) {
+            const QRgb a = seen.pixel(x, y), b = is.pixel(x, y);
+            off += std::abs(qAlpha(a) - qAlpha(b)) > 2 || std::abs(qRed(a) - qRed(b)) > 2;
+        }
+    QCOMPARE(off, 0);
+}
+
+void TestExportDialog::sizeIsThatOfTheFile() {
+    open(writeCutOut(*m_folder));
+    bend(-10, 25);
+    const std::pair<ExportKind, const char*> kinds[] = {{ExportKind::Picture, ".png"},
+                                                        {ExportKind::Picture, ".exr"},
+                                                        {ExportKind::StMap, ".exr"},
+                                                        {ExportKind::Mesh, ".vtu"},
+                                                        {ExportKind::Mesh, ".obj"}};
+    for (const auto& [kind, extension] : kinds) {
+        const FileSize size = shape()->size(kind, extension, {}, {});
+        const QString path = file("size") + QLatin1String(extension);
+        QVERIFY2(written(kind, path, {}), extension);
+        QVERIFY2(size.measured, extension);
+        QCOMPARE(size.bytes, double(QFileInfo(path).size()));
+    }
+    const auto asked = dialog(ExportKind::StMap);
+    QVERIFY(waitForSize(*asked));
+    const QString told = asked->findChild<QLabel*>(QStringLiteral("facts"))->text();
+    QVERIFY2(told.contains(QStringLiteral("measured")), qPrintable(told));
+    keepPicture(*asked, "export-stmap.png");
+    // All of a sequence is reckoned from one.
+    RunOptions ten;
+    ten.outputs.count = 10;
+    const FileSize film = shape()->size(ExportKind::Frames, ".png", ten, {});
+    const FileSize one = shape()->size(ExportKind::Picture, ".png", {}, {});
+    QVERIFY(!film.measured && film.bytes == 10 * one.bytes);
+}
+
+void TestExportDialog::depthsAreWritten_data() {
+    QTest::addColumn<QString>("extension");
+    QTest::addColumn<QString>("depth");
+    QTest::addColumn<int>("type");
+    QTest::newRow("png 8") << ".png"
+                           << "8" << int(PixelType::UInt8);
+    QTest::newRow("png 16") << ".png"
+                            << "16" << int(PixelType::UInt16);
+    QTest::newRow("tif float") << ".tif"
+                               << "float" << int(PixelType::Float);
+    QTest::newRow("exr half") << ".exr"
+                              << "half" << int(PixelType::Half);
+    QTest::newRow("exr float") << ".exr"
+                               << "float" << int(PixelType::Float);
+}
+
+/// The same picture in another depth: each value to the half step of eight bits.
+void TestExportDialog::depthsAreWritten() {
+    QFETCH(QString, extension);
+    QFETCH(QString, depth);
+    QFETCH(int, type);
+    open(writeCutOut(*m_folder));
+    bend(-10, 25);
+    const QString path = file("deep") + extension;
+    QVERIFY(written(ExportKind::Picture, path, with("--depth", depth.toStdString())));
+    QVERIFY(written(ExportKind::Picture, file("plain.png"), {}));
+    const Image deep = readImage(path.toStdString());
+    QCOMPARE(int(deep.type), type);
+    const QImage plain = QImage(file("plain.png")).convertToFormat(QImage::Format_RGBA8888);
+    QCOMPARE(QSize(deep.width, deep.height), plain.size());
+    if (depth == "16") {
+        const QImage sixteen(path);  // Qt's own reader
+        QCOMPARE(sixteen.format(), QImage::Format_RGBA64);
+        QVERIFY(sixteen.convertToFormat(QImage::Format_RGBA8888) == plain);
+    }
+}
+
+void TestExportDialog::backgroundsAreWritten() {
+    open(writeCutOut(*m_folder));
+    bend(-10, 25);
+    const std::pair<const char*, QRgb> kinds[] = {
+        {"transparent", qRgba(0, 0, 0, 0)}, {"white", qRgb(255, 255, 255)}, {"black", qRgb(0, 0, 0)}};
+    for (const auto& [name, colour] : kinds) {
+        QVERIFY(written(ExportKind::Picture, file("ground.png"), with("--outside", name)));
+        const QImage image = QImage(file("ground.png")).convertToFormat(QImage::Format_ARGB32);
+        QCOMPARE(image.pixel(2, 2), colour);
+    }
+}
+
+/// Two soft discs close to each other: the outline leaves a gap between them, and cuts their edges off. Where
+/// nothing has moved, what is written is the source all the same.
+void TestExportDialog::softEdgesAtRestAreTheSourcesOwn() {
+    QImage image(164, 90, QImage::Format_ARGB32);
+    for (int y = 0; y < 90; ++y)
+        for (int x = 0; x < 164; ++x) {
+            const double left = std::hypot(x - 47.5, y - 44.5), right = std::hypot(x - 115.5, y - 44.5);
+            const double edge = 33 - std::min(left, right);  // soft over 24 pixels
+            image.setPixel(x, y, qRgba(200, 90, 40, std::clamp(int(255 * edge / 24), 0, 255)));
+        }
+    image.save(file("soft.png"));
+    open(file("soft.png"));
+    QVERIFY(session().document().project()->domain.outline == OutlineKind::Alpha);
+    QVERIFY(written(ExportKind::Picture, file("rest.png"), {}));
+    const QImage rest = QImage(file("rest.png")).convertToFormat(QImage::Format_ARGB32);
+    int off = 0;
+    for (int y = 0; y < 90; ++y)
+        for (int x = 0; x < 164; ++x) off += qAlpha(rest.pixel(x, y)) != qAlpha(image.pixel(x, y));
+    QCOMPARE(off, 0);
+}
+
+/// The film lasts as long as the motion.
+void TestExportDialog::framesFollowTheirRate() {
+    open(writeCutOut(*m_folder));
+    bend(-10, 25);
+    const auto asked = dialog(ExportKind::Frames);
+    OptionField *count = asked->field("--count"), *rate = asked->field("--fps");
+    const double seconds = session().playback().end() * Playback::kSecondsPerUnit;
+    QCOMPARE(rate->number(), defaultOf("--fps"));
+    QCOMPARE(count->number(), std::lround(24 * seconds) + 1.0);
+    count->setNumber(11);
+    emit count->changed();
+    QCOMPARE(rate->number(), 10 / seconds);
+    rate->setNumber(30);
+    emit rate->changed();
+    QCOMPARE(count->number(), std::lround(30 * seconds) + 1.0);
+    if (waitForSize(*asked)) keepPicture(*asked, "export-frames.png");
+}
+
+QTEST_MAIN(TestExportDialog)
+#include "test_export_dialog.moc"
