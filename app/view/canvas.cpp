@@ -69,6 +69,7 @@ bool ShapeCanvas::isSettled() const {
 }
 
 void ShapeCanvas::takeOpened() {
+    m_refine.stop();  // it would draw the new document without its picture
     m_picture.reset();
     m_unbent.reset();
     m_source.reset();
@@ -134,6 +135,7 @@ void ShapeCanvas::takeFrame() {
 
 RenderRequest ShapeCanvas::request(Filter filter) const {
     RenderRequest request;
+    request.document = m_session.document().generation();
     request.picture = m_picture;
     request.frame = drawnFrame();
     if (request.frame && request.frame->built) request.texture = request.frame->built->texture;
@@ -160,7 +162,8 @@ void ShapeCanvas::render() {
 }
 
 void ShapeCanvas::takeRendered(const std::shared_ptr<const RenderResult>& result) {
-    if (!drawnFrame() || result->request.picture != m_picture) return;
+    const bool isOld = result->request.document != m_session.document().generation();
+    if (isOld || !drawnFrame() || result->request.picture != m_picture) return;
     m_drawn = result;
     update();
 }

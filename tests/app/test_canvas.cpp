@@ -1,4 +1,6 @@
 #include <QPainter>
+#include <QSemaphore>
+#include <QThreadPool>
 #include <QWheelEvent>
 
 #include "app/document/handle_edits.h"
@@ -28,14 +30,40 @@ class TestCanvas : public QObject {
     void cellsAreFilledOnce();
     void areaIsCentredOnOne();
     void pictureIsSeenBeforeItsMesh();
+    void nothingIsSeenBeforeItsPicture();
     void picturesOfMeshesAreDrawn_data();
     void picturesOfMeshesAreDrawn();
     void worstPlaceIsThatOfTheMap();
 
   private:
+    OpenedFile shapeless();
+    void checkThatThePictureIsSeen();
+
     std::unique_ptr<QTemporaryDir> m_folder;
     std::unique_ptr<ShapeSession> m_session;
     std::unique_ptr<ShapeCanvas> m_canvas;
+};
+
+/// Keeps all threads of the pool from work until it goes.
+class BusyPool {
+  public:
+    BusyPool() {
+        for (int i = 0; i < m_threads; ++i) {
+            QThreadPool::globalInstance()->start([gate = m_gate, started = m_started] {
+                started->release();
+                gate->acquire();
+            });
+        }
+        m_started->acquire(m_threads);
+    }
+    ~BusyPool() { m_gate->release(m_threads); }
+    BusyPool(const BusyPool&) = delete;
+    BusyPool& operator=(const BusyPool&) = delete;
+
+  private:
+    int m_threads = QThreadPool::globalInstance()->maxThreadCount();
+    std::shared_ptr<QSemaphore> m_gate = std::make_shared<QSemaphore>(),
+                                m_started = std::make_shared<QSemaphore>();
 };
 
 void TestCanvas::init() {
@@ -191,11 +219,14 @@ void TestCanvas::areaIsCentredOnOne() {
     QVERIFY(std::abs(valueAt(range, Measure::Area, 0.5) - 1) < 1e-12);
 }
 
-/// Also where the project cannot be meshed at all.
-void TestCanvas::pictureIsSeenBeforeItsMesh() {
+/// A picture whose project cannot be meshed.
+OpenedFile TestCanvas::shapeless() {
     OpenedFile file = openFile(writeCutOut(*m_folder));
     file.project = std::make_shared<Project>(withPin<2>(*file.project, {5, 5}, "outside"));
-    m_session->document().open(std::move(file));
+    return file;
+}
+
+void TestCanvas::checkThatThePictureIsSeen() {
     QVERIFY(QTest::qWaitFor([&] { return m_canvas->drawn() != nullptr; }, 20000));
     QVERIFY(!m_session->frame());
     const QPoint left = m_canvas->toWidget({40, 80}).toPoint(),
@@ -203,6 +234,24 @@ void TestCanvas::pictureIsSeenBeforeItsMesh() {
     const QImage shown = m_canvas->grab().toImage();
     QVERIFY(qRed(shown.pixel(left)) > 180 && qBlue(shown.pixel(left)) < 100);
     QVERIFY(qRed(shown.pixel(right)) < 100 && qBlue(shown.pixel(right)) > 150);
+}
+
+void TestCanvas::pictureIsSeenBeforeItsMesh() {
+    m_session->document().open(shapeless());
+    checkThatThePictureIsSeen();
+}
+
+/// However long the picture takes to prepare, and although the last document's was about to be refined.
+void TestCanvas::nothingIsSeenBeforeItsPicture() {
+    QVERIFY(QTest::qWaitFor([&] { return m_canvas->isSettled(); }, 20000));
+    {
+        const BusyPool held;
+        m_canvas->zoomBy(1.1);
+        m_session->document().open(shapeless());
+        QTest::qWait(400);  // longer than the canvas waits before it draws more finely
+        QVERIFY(!m_canvas->drawn());
+    }
+    checkThatThePictureIsSeen();
 }
 
 void TestCanvas::picturesOfMeshesAreDrawn_data() {
