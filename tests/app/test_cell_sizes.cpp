@@ -45,7 +45,7 @@ class TestCellSizes : public QObject {
 void TestCellSizes::init() {
     if (!VolumeView::available()) QSKIP("needs OpenGL (run under xvfb-run)");
     m_f = std::make_unique<SolidFixture>();
-    QVERIFY(QTest::qWaitForWindowActive(&m_f->window()));
+    QVERIFY(QTest::qWaitForWindowActive(&m_f->window(), 20000));
     QVERIFY(m_f->open(900));
     Project refined = m_f->project();
     refined.domain.refineSurface = true;

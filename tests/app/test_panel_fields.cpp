@@ -60,7 +60,7 @@ class TestPanelFields : public QObject {
 void TestPanelFields::init() {
     if (!VolumeView::available()) QSKIP("needs OpenGL (run under xvfb-run)");
     m_f = std::make_unique<SolidFixture>();
-    QVERIFY(QTest::qWaitForWindowActive(&m_f->window()));
+    QVERIFY(QTest::qWaitForWindowActive(&m_f->window(), 20000));
 }
 
 bool TestPanelFields::open(bool solid) {
@@ -299,10 +299,10 @@ void TestPanelFields::wheelScrollsThePanels() {
     QVERIFY(settle(m_f->session()));
     if (solid) m_f->actions().cut->trigger();
     m_f->window().resize(1000, 520);
-    QTest::qWait(50);
     auto& scroll = static_cast<QScrollArea&>(side());
     QScrollBar& bar = *scroll.verticalScrollBar();
-    QVERIFY(bar.maximum() > 0);
+    QVERIFY(QTest::qWaitFor([&] { return bar.maximum() > 0; }, 20000));
+    settleLayout(scroll);
     int seen = 0;
     for (QWidget* field : side().findChildren<QWidget*>()) {
         if (!field->isVisible() || valueOf(*field).isNull()) continue;
@@ -408,7 +408,7 @@ void TestPanelFields::hintsEndWhereTheNumbersBegin() {
     const auto labels = bar.findChildren<QLabel*>();
     const auto* tool =
         *std::min_element(labels.begin(), labels.end(), [](auto* a, auto* b) { return a->x() < b->x(); });
-    QVERIFY(QTest::qWaitFor([&] { return tool->isVisible() && tool->text() != tool->toolTip(); }));
+    QVERIFY(QTest::qWaitFor([&] { return tool->isVisible() && tool->text() != tool->toolTip(); }, 20000));
     QVERIFY(tool->text().endsWith(QChar(0x2026)) || tool->text().endsWith('.'));
     QVERIFY(tool->fontMetrics().horizontalAdvance(tool->text()) <= tool->contentsRect().width());
     QCOMPARE(bar.currentMessage(), QString());

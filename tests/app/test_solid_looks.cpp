@@ -73,7 +73,7 @@ void TestSolidLooks::init() {
     m_window = std::make_unique<MainWindow>();
     m_window->resize(1200, 800);
     m_window->show();
-    QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+    QVERIFY(QTest::qWaitForWindowExposed(m_window.get(), 20000));
 }
 
 void TestSolidLooks::cleanup() {

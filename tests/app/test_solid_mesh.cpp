@@ -43,7 +43,7 @@ class TestSolidMesh : public QObject {
 void TestSolidMesh::init() {
     if (!VolumeView::available()) QSKIP("needs OpenGL (run under xvfb-run)");
     m_f = std::make_unique<SolidFixture>();
-    QVERIFY(QTest::qWaitForWindowActive(&m_f->window()));
+    QVERIFY(QTest::qWaitForWindowActive(&m_f->window(), 20000));
     QVERIFY(m_f->open());
 }
 
@@ -122,7 +122,7 @@ void TestSolidMesh::detailSurfaceIsChosenAndRemoved() {
     const auto border = drawn();
     nameNextFile(this, plate);
     QTest::mouseClick(&button("chooseDetail"), Qt::LeftButton);
-    QVERIFY(QTest::qWaitFor([&] { return !m_f->project().domain.detail.empty(); }, 10000));
+    QVERIFY(QTest::qWaitFor([&] { return !m_f->project().domain.detail.empty(); }, 20000));
     QVERIFY(settle(m_f->session()));
     QCOMPARE(drawn(), 2);
     QVERIFY(button("removeDetail").isVisible());
@@ -182,7 +182,7 @@ void TestSolidMesh::badDetailSurfacesAreRefused() {
     const auto before = m_f->session().document().project();
     nameNextFile(this, write(QStringLiteral("bad.obj"), text));
     m_f->actions().chooseDetail->trigger();
-    QVERIFY(QTest::qWaitFor([&] { return m_f->window().banner().isVisible(); }, 10000));
+    QVERIFY(QTest::qWaitFor([&] { return m_f->window().banner().isVisible(); }, 20000));
     QVERIFY2(m_f->window().banner().text().contains(QStringLiteral("bad.obj")),
              qPrintable(m_f->window().banner().text()));
     QCOMPARE(m_f->session().document().project(), before);

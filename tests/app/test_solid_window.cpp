@@ -132,7 +132,7 @@ void TestSolidWindow::init() {
     m_window->resize(1200, 800);
     m_window->show();
     m_window->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+    QVERIFY(QTest::qWaitForWindowActive(m_window.get(), 20000));
 }
 
 void TestSolidWindow::cleanup() {
@@ -150,7 +150,7 @@ void TestSolidWindow::open(int vertices) {
     session().document().change(QStringLiteral("Coarse"), coarse);
     QVERIFY(settle(session()));
     m_window->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+    QVERIFY(QTest::qWaitForWindowActive(m_window.get(), 20000));
     m_window->solids().actions().front->trigger();
     canvas().setFocus();
 }
@@ -203,7 +203,7 @@ void TestSolidWindow::opensSurfacesAndTetrahedra() {
 void TestSolidWindow::windowKeepsItsPlace() {
     const QPoint place(61, 73);
     moveFromOutside(*m_window, place);
-    QTRY_COMPARE(m_window->geometry().topLeft(), place);
+    QVERIFY(QTest::qWaitFor([&] { return m_window->geometry().topLeft() == place; }, 20000));
     const QSize size = m_window->size();
     open();
     QTest::qWait(200);
@@ -741,7 +741,7 @@ void TestSolidWindow::zoomedViewIsKept() {
     const Eigen::Matrix4d view = canvas().camera().view();
     const int height = canvas().height();
     m_window->resize(1200, 700);
-    QVERIFY(QTest::qWaitFor([&] { return canvas().height() != height; }));
+    QVERIFY(QTest::qWaitFor([&] { return canvas().height() != height; }, 20000));
     QVERIFY(canvas().camera().view() == view);
 }
 

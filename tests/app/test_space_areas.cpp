@@ -42,7 +42,7 @@ class TestSpaceAreas : public QObject {
 void TestSpaceAreas::init() {
     if (!VolumeView::available()) QSKIP("needs OpenGL (run under xvfb-run)");
     m_f = std::make_unique<SolidFixture>();
-    QVERIFY(QTest::qWaitForWindowActive(&m_f->window()));
+    QVERIFY(QTest::qWaitForWindowActive(&m_f->window(), 20000));
     QVERIFY(m_f->open());
 }
 
@@ -267,11 +267,13 @@ void TestSpaceAreas::sizesAndValuesAreTold() {
     QVERIFY(text("measureWhole").contains(QStringLiteral("18, at rest 18")));
     QVERIFY2(text("measurePart").contains(QStringLiteral("2, at rest 2")), qPrintable(text("measurePart")));
     QTest::mouseMove(&m_f->canvas(), m_f->at({0.3, -0.5, 0.1}));
-    QTRY_VERIFY(text("measureCell").contains(QStringLiteral("Stiffness")));
+    QVERIFY(
+        QTest::qWaitFor([&] { return text("measureCell").contains(QStringLiteral("Stiffness")); }, 20000));
     QVERIFY(text("measurePoint").contains(QStringLiteral("-0.5")));
     m_f->picture(QStringLiteral("measures"));
     QTest::mouseMove(&m_f->canvas(), QPoint(4, 4));
-    QTRY_VERIFY(text("measureCell").isEmpty());  // the pointer is the server's
+    // The pointer is the server's.
+    QVERIFY(QTest::qWaitFor([&] { return text("measureCell").isEmpty(); }, 20000));
 }
 
 /// At a time between frames' neighbours the difference of poses is off; the field is not.

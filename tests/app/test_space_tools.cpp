@@ -35,7 +35,7 @@ class TestSpaceTools : public QObject {
 void TestSpaceTools::init() {
     if (!VolumeView::available()) QSKIP("needs OpenGL (run under xvfb-run)");
     m_f = std::make_unique<SolidFixture>();
-    QVERIFY(QTest::qWaitForWindowActive(&m_f->window()));
+    QVERIFY(QTest::qWaitForWindowActive(&m_f->window(), 20000));
     QVERIFY(m_f->open());
 }
 
@@ -135,7 +135,7 @@ void TestSpaceTools::rightClickOpensTheCurvesMenu() {
     QVERIFY(makeCurve());
     QMenu* menu = m_f->window().curves().menu();
     QTest::mouseClick(&m_f->canvas(), Qt::RightButton, {}, onCurve(0.5));
-    QVERIFY(QTest::qWaitFor([&] { return menu->isVisible(); }, 2000));
+    QVERIFY(QTest::qWaitFor([&] { return menu->isVisible(); }, 20000));
     QVERIFY(m_f->window().curves().insert->isEnabled());
     QVERIFY(!m_f->window().curves().remove->isEnabled());
     menu->close();

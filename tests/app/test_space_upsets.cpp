@@ -45,7 +45,7 @@ class TestSpaceUpsets : public QObject {
 void TestSpaceUpsets::init() {
     if (!VolumeView::available()) QSKIP("needs OpenGL (run under xvfb-run)");
     m_f = std::make_unique<SolidFixture>();
-    QVERIFY(QTest::qWaitForWindowActive(&m_f->window()));
+    QVERIFY(QTest::qWaitForWindowActive(&m_f->window(), 20000));
     QVERIFY(m_f->open());
 }
 
@@ -102,7 +102,7 @@ void TestSpaceUpsets::anotherMeshEndsTheGesture() {
     QTest::mouseRelease(&m_f->canvas(), Qt::LeftButton, {}, to);
     QVERIFY(m_f->handles().empty());
     QVERIFY(regionGroups(m_f->project()).empty());
-    QTest::qWait(100);  // what is told of the mesh changes the size of the view
+    settleLayout(m_f->canvas());  // what is told of the mesh changes the size of the view
     m_f->drag(m_f->at({1.9, -0.5, 0.4}),
               m_f->at({0.5, -0.5, -0.4}));  // the next one is whole; a lasso needs more than a line
     QVERIFY(tool == "lasso" || m_f->handles().size() + regionGroups(m_f->project()).size() == 1);

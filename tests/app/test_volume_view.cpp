@@ -52,7 +52,7 @@ void TestVolumeView::initTestCase() {
     m_view->resize(800, 600);
     m_view->setPicture(m_picture, true);
     m_view->show();
-    QVERIFY(QTest::qWaitForWindowExposed(m_view.get()));
+    QVERIFY(QTest::qWaitForWindowExposed(m_view.get(), 20000));
 }
 
 void TestVolumeView::drawsTheSolid() {
@@ -325,11 +325,11 @@ void TestVolumeView::viewMovesToAnotherWindow() {
     view->setGeometry(0, 0, 300, 200);
     view->setPicture(m_picture, true);
     first.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&first));
+    QVERIFY(QTest::qWaitForWindowExposed(&first, 20000));
     const QImage before = view->grabFramebuffer();
     QVERIFY(before.pixelColor(150, 100) != before.pixelColor(2, 2));
     second.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&second));
+    QVERIFY(QTest::qWaitForWindowExposed(&second, 20000));
     view->setParent(&second);
     view->show();
     QTest::qWait(50);
@@ -353,7 +353,7 @@ void TestVolumeView::missingPicturesAreToldOnce() {
     riding.materials = true;
     view.setPicture(riding, true);
     view.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&view));
+    QVERIFY(QTest::qWaitForWindowExposed(&view, 20000));
     view.grabFramebuffer();
     QCOMPARE(missing.count(), 1);
     QCOMPARE(missing.front().front().toStringList(), QStringList{"/nowhere/wood.png"});

@@ -95,7 +95,7 @@ void TestWindow::init() {
     m_window->resize(1100, 760);
     m_window->show();
     m_window->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+    QVERIFY(QTest::qWaitForWindowActive(m_window.get(), 20000));
 }
 
 void TestWindow::cleanup() {
@@ -356,7 +356,7 @@ void TestWindow::moreToolsAreToBeSeen() {
     QVERIFY(more);
     for (int i = 0; i < 12; ++i) bar->addAction(m_window->actions().open->icon(), QStringLiteral("Tool"));
     m_window->resize(m_window->minimumSizeHint());
-    QVERIFY(QTest::qWaitFor([&] { return more->isVisible(); }, 5000));
+    QVERIFY(QTest::qWaitFor([&] { return more->isVisible(); }, 20000));
     const QImage drawn = more->grab().toImage();
     int arrow = 0;
     for (int y = 0; y < drawn.height(); ++y)

@@ -13,6 +13,16 @@
 
 namespace wend::test {
 
+/// Waits until what has been told has its room: layouts that follow from one another.
+inline void settleLayout(const QWidget& widget) {
+    QRect before;
+    do {
+        before = widget.geometry();
+        QCoreApplication::sendPostedEvents();
+        QCoreApplication::processEvents();
+    } while (widget.geometry() != before);
+}
+
 /// The window with a bar along x from −2 to 2, one thick, seen from the front: x runs to the right and z up.
 class SolidFixture {
   public:
