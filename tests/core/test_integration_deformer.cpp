@@ -393,20 +393,6 @@ class TestIntegrationDeformer : public QObject {
         QVERIFY(deformer.statistics().constraintError <= 1e-12);
     }
 
-    template <int Dim>
-    void threadsChangeNothing() {
-        const Bend<Dim> bend(Dim == 2 ? 60 : 16, Dim == 2 ? 15 : 4, 4, 2);
-        IntegrationOptions options;
-        Points<Dim> expected;
-        for (const int threads : {1, 2, 3}) {
-            options.threads = threads;
-            Deformer<Dim> deformer = bend.deformer(options);
-            const Points<Dim> end = runTo(deformer, 1);
-            if (threads == 1) expected = end;
-            QVERIFY(identical(end, expected));
-        }
-    }
-
     /// The velocity field is the derivative of the poses.
     template <int Dim>
     void velocityIsDerivative() {
@@ -529,8 +515,6 @@ class TestIntegrationDeformer : public QObject {
         QFETCH(double, phi);
         dim == 2 ? halfTurnOfAnEnd<2>(phi) : halfTurnOfAnEnd<3>(phi);
     }
-    void threadsChangeNothing2() { threadsChangeNothing<2>(); }
-    void threadsChangeNothing3() { threadsChangeNothing<3>(); }
     void velocityIsDerivative2() { velocityIsDerivative<2>(); }
     void velocityIsDerivative3() { velocityIsDerivative<3>(); }
     void partTimeHandles2() { partTimeHandles<2>(); }

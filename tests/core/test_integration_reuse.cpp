@@ -138,12 +138,13 @@ class TestIntegrationReuse : public QObject {
         const Bend<Dim> bend(Dim == 2 ? 144 : 60, Dim == 2 ? 36 : 7, 4, 0.5);
         QVERIFY(Dim * bend.mesh->vertexCount() > 10000);
         Points<Dim> expected;
-        for (const int threads : {1, 2}) {
+        for (const int threads : {1, 2, 3}) {
             IntegrationOptions options = optionsFor(method, 1e-3);
             if (options.steps > 0) options.steps = 2;
             options.threads = threads;
             Deformer<Dim> deformer = bend.deformer(options);
             const Points<Dim> end = runTo(deformer, 1);
+            QVERIFY(deformer.deviceName().starts_with(std::to_string(threads)));
             if (threads == 1) expected = end;
             QVERIFY(identical(end, expected));
         }

@@ -190,12 +190,14 @@ class TestMeshRoundtrip : public QObject {
             std::string do_grouping() const override { return "\3"; }
         };
         const std::locale oldCpp = std::locale::global(std::locale(std::locale::classic(), new Comma));
-        for (const char* name : {"de_DE.UTF-8", "de_DE.utf8", "fr_FR.UTF-8"})
-            if (std::setlocale(LC_ALL, name)) break;
+        qputenv("LOCPATH", WEND_LOCALES);
+        const bool isGerman = std::setlocale(LC_ALL, "de_DE.UTF-8");
+        const std::string point = std::localeconv()->decimal_point;
         writeMeshFile(folder.path(encoding.file), file, encoding.options);
         const auto back = readMeshFile(folder.path(encoding.file));
         std::locale::global(oldCpp);
         std::setlocale(LC_ALL, old.c_str());
+        QVERIFY(isGerman && point == ",");
         QCOMPARE(folder.get(encoding.file), before);
         QCOMPARE(back.triangles.size(), file.triangles.size());
         if (encoding.exact && !isStl(encoding)) QVERIFY(samples::sameBits(file.points, back.points));
