@@ -89,6 +89,12 @@ OpenClDevices probe() {
     return result;
 }
 
+#ifdef WEND_WITHOUT_OPENCL
+constexpr bool kIsBuiltIn = false;
+#else
+constexpr bool kIsBuiltIn = true;
+#endif
+
 bool matches(const OpenClDeviceInfo& info, const std::string& wanted) {
     return wanted == std::to_string(info.platform) + ":" + std::to_string(info.device) ||
            lower(info.name).find(lower(wanted)) != std::string::npos ||
@@ -104,7 +110,7 @@ void prepareOpenClEnvironment() {
 }
 
 const OpenClDevices& openClDevices() {
-    static const OpenClDevices devices = probe();
+    static const OpenClDevices devices = kIsBuiltIn ? probe() : OpenClDevices{{}, "built without OpenCL"};
     return devices;
 }
 
