@@ -3,8 +3,12 @@
 add_library(wend_options INTERFACE)
 target_include_directories(wend_options INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_options(wend_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
-    -Woverloaded-virtual -Wno-unknown-pragmas -Wno-restrict
-    -Wno-stringop-overread -Wno-stringop-overflow -Wno-array-bounds -Wno-maybe-uninitialized $<$<BOOL:${WEND_WERROR}>:-Werror>)
+    -Woverloaded-virtual -Wno-unknown-pragmas)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    target_compile_options(wend_options INTERFACE -Wno-restrict
+        -Wno-stringop-overread -Wno-stringop-overflow -Wno-array-bounds -Wno-maybe-uninitialized)
+endif()
+target_compile_options(wend_options INTERFACE $<$<BOOL:${WEND_WERROR}>:-Werror>)
 if(WEND_SANITIZE)
     # Not where a target says UNSANITIZED: sanitizers need more address space than a limited process gets.
     set(plain $<BOOL:$<TARGET_PROPERTY:UNSANITIZED>>)

@@ -1,0 +1,54 @@
+# Sourced by .ci/run and scripts/check-all: the tests under a sanitizer, group by group as scripts/sanitized.txt says.
+
+export ASAN_OPTIONS=detect_leaks=0:abort_on_error=0:allocator_may_return_null=1
+export UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1
+export TSAN_OPTIONS=ignore_noninstrumented_modules=1:halt_on_error=1:second_deadlock_stack=1
+
+listed() { # KIND: the names on the lines of that kind
+    sed -n "s/^$1 //p" "$root/scripts/sanitized.txt"
+}
+
+tests_of() { # BUILD-FOLDER: the names of all tests
+    ctest --test-dir "$1" -N | sed -n 's/^ *Test *#[0-9]*: //p'
+}
+
+# Groups, one a line; what no line names is the last one, what is left out is in none.
+groups_of() { # BUILD-FOLDER
+    local all named
+    all=$(tests_of "$1")
+    named=" $(listed group | tr '\n' ' ') $(listed not | sed 's/ .*//' | tr '\n' ' ') "
+    while read -r -a group; do
+        for name in "${group[@]}"; do grep -qx "$name" <<<"$all" && printf '%s ' "$name"; done
+        echo
+    done < <(listed group)
+    for name in $all; do case "$named" in *" $name "*) ;; *) printf '%s ' "$name" ;; esac; done
+    echo
+}
+
+run_group() { # BUILD-FOLDER NAME…: builds and runs these; sets passed and failed
+    local folder=$1 targets=()
+    shift
+    for name in "$@"; do
+        case "$name" in test_window_xcb | style | test_build_progress | test_totals) ;; *) targets+=("$name") ;; esac
+    done
+    passed=0 failed=1
+    NINJA_STATUS='[%f/%t] ' ninja -C "$folder" wend wend-tetgen "${targets[@]}" 2>&1 | narrate_build >&2
+    [ "${PIPESTATUS[0]}" -eq 0 ] || return
+    run_tests "$folder" -R "^($(IFS='|'; echo "$*"))\$"
+}
+
+# What has no time left is named and not run: a slow machine must not take what it has shown for nothing.
+sanitize() { # PRESET LAST-MINUTE: sets all_passed and all_failed
+    local folder=$root/build/$1 group late=()
+    all_passed=0 all_failed=0
+    configure "$1" || { all_failed=1; return; }
+    while read -r -a group; do
+        [ "${#group[@]}" -eq 0 ] && continue
+        if [ "$SECONDS" -ge $((60 * $2)) ]; then late+=("${group[@]}"); continue; fi
+        run_group "$folder" "${group[@]}"
+        all_passed=$((all_passed + passed)) all_failed=$((all_failed + failed))
+        echo "$1: $all_passed passed, $all_failed failed after $((SECONDS / 60)) minutes: ${group[*]}"
+    done < <(groups_of "$folder")
+    [ "${#late[@]}" -gt 0 ] && echo "$1: not run, for lack of time: ${late[*]}"
+    listed not | sed "s/^/$1: left out: /"
+}
