@@ -5,7 +5,8 @@
 namespace wend {
 namespace {
 
-// Enough branches for several threads to end at about the same time; more of them would make the trunk long.
+// Enough subtrees for several threads to end at about the same time; more of them would make the separator
+// long.
 constexpr double kGreatestShare = 0.15;
 // An entry of a front is moved about as often as this many multiplications are done.
 constexpr double kEntryCost = 32;
@@ -49,11 +50,11 @@ void split(const std::vector<double>& work, EliminationTree& tree) {
     for (int s = 0; s < count; ++s) {
         const int parent = tree.parent[s];
         if (work[s] > greatest)
-            tree.trunk.push_back(s);
+            tree.separator.push_back(s);
         else if (parent < 0 || work[parent] > greatest)
-            tree.branches.push_back({first[s], s + 1});
+            tree.subtrees.push_back({first[s], s + 1});
     }
-    std::stable_sort(tree.branches.begin(), tree.branches.end(),
+    std::stable_sort(tree.subtrees.begin(), tree.subtrees.end(),
                      [&](const auto& a, const auto& b) { return work[a.root()] > work[b.root()]; });
 }
 

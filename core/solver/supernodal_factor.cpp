@@ -68,20 +68,20 @@ void SupernodalFactor<Real>::placePanels() {
 template <class Real>
 void SupernodalFactor<Real>::placeUpdates() {
     m_updateStart.assign(m_symbolic.count(), 0);
-    m_isBranch.assign(m_symbolic.count(), 0);
-    for (const auto& branch : m_tree.branches) {
-        const int root = branch.root();
-        m_isBranch[root] = 1;
-        m_updateStart[root] = m_trunkStacks;
-        m_trunkStacks += static_cast<std::size_t>(updateLeading(root)) * updateRows(root);
+    m_isSubtreeRoot.assign(m_symbolic.count(), 0);
+    for (const auto& subtree : m_tree.subtrees) {
+        const int root = subtree.root();
+        m_isSubtreeRoot[root] = 1;
+        m_updateStart[root] = m_separatorStacks;
+        m_separatorStacks += static_cast<std::size_t>(updateLeading(root)) * updateRows(root);
     }
     std::vector<int> group;
-    for (const auto& branch : m_tree.branches) {
-        group.resize(branch.root() - branch.begin);
-        std::iota(group.begin(), group.end(), branch.begin);
+    for (const auto& subtree : m_tree.subtrees) {
+        group.resize(subtree.root() - subtree.begin);
+        std::iota(group.begin(), group.end(), subtree.begin);
         m_stackSize = std::max(m_stackSize, placeUpdates(group));
     }
-    m_threadStacks = m_trunkStacks + placeUpdates(m_tree.trunk);
+    m_threadStacks = m_separatorStacks + placeUpdates(m_tree.separator);
 }
 
 /// Update matrices wait for their parent on two stacks of their group, by the parity of their depth: a front
@@ -261,16 +261,16 @@ bool SupernodalFactor<Real>::factorFront(int s, std::span<const double> values, 
     return true;
 }
 
-/// Every thread takes one branch after another, with stacks of its own.
+/// Every thread takes one subtree after another, with stacks of its own.
 template <class Real>
-bool SupernodalFactor<Real>::factorBranches(std::span<const double> values, WorkerPool& workers) {
+bool SupernodalFactor<Real>::factorSubtrees(std::span<const double> values, WorkerPool& workers) {
     std::atomic<std::size_t> next = 0;
     std::atomic<bool> positive = true;
     workers.forPieces(m_threads, 1, [&](int thread, int) {
         Real* const stacks = m_updates + m_threadStacks + thread * m_stackSize;
-        for (std::size_t i = next++; i < m_tree.branches.size(); i = next++) {
-            const auto& branch = m_tree.branches[i];
-            for (int s = branch.begin; s < branch.end && positive; ++s)
+        for (std::size_t i = next++; i < m_tree.subtrees.size(); i = next++) {
+            const auto& subtree = m_tree.subtrees[i];
+            for (int s = subtree.begin; s < subtree.end && positive; ++s)
                 if (!factorFront(s, values, stacks)) positive = false;
         }
     });
@@ -280,9 +280,9 @@ bool SupernodalFactor<Real>::factorBranches(std::span<const double> values, Work
 template <class Real>
 bool SupernodalFactor<Real>::factorize(std::span<const double> values, WorkerPool& workers) {
     reserveStacks(workers.threads());
-    return factorBranches(values, workers) &&
-           std::all_of(m_tree.trunk.begin(), m_tree.trunk.end(),
-                       [&](int s) { return factorFront(s, values, m_updates + m_trunkStacks, workers); });
+    return factorSubtrees(values, workers) &&
+           std::all_of(m_tree.separator.begin(), m_tree.separator.end(),
+                       [&](int s) { return factorFront(s, values, m_updates + m_separatorStacks, workers); });
 }
 
 template class SupernodalFactor<float>;

@@ -12,8 +12,8 @@ namespace wend {
 /// A supernodal multifrontal Cholesky factorization. In double precision it solves, on small fronts, in half
 /// of CHOLMOD's time; in single precision in half of that again (half the bytes, twice the lanes), as a
 /// preconditioner: of a matrix of condition κ it solves to about κ · 1e-7. Where a pivot is lost to rounding
-/// it says so; then a better factor must serve. The threads do the branches of the elimination tree at the
-/// same time, then share the great fronts of its trunk; their number does not change a bit of the result.
+/// it says so; then a better factor must serve. The threads do the subtrees of the elimination tree at the
+/// same time, then share the great fronts of its separator; their number does not change a bit of the result.
 template <class Real>
 class SupernodalFactor {
   public:
@@ -46,10 +46,10 @@ class SupernodalFactor {
     int updateRows(int s) const { return m_symbolic.rowsOf(s) - m_symbolic.columnsOf(s); }
     int updateLeading(int s) const;
     Real* panel(int s) { return m_panels + m_panelStart[s]; }
-    /// `stacks`: of the thread that does the branch, or of the trunk.
-    Real* update(int s, Real* stacks) { return (m_isBranch[s] ? m_updates : stacks) + m_updateStart[s]; }
+    /// `stacks`: of the thread that does the subtree, or of the separator.
+    Real* update(int s, Real* stacks) { return (m_isSubtreeRoot[s] ? m_updates : stacks) + m_updateStart[s]; }
 
-    bool factorBranches(std::span<const double> values, WorkerPool& workers);
+    bool factorSubtrees(std::span<const double> values, WorkerPool& workers);
     bool factorFront(int s, std::span<const double> values, Real* stacks);
     bool factorFront(int s, std::span<const double> values, Real* stacks, WorkerPool& workers);
     void assemblePanel(int s, std::span<const double> values);
@@ -58,7 +58,7 @@ class SupernodalFactor {
     void extendAdd(int child, int parent, int begin, int end, Real* stacks);
 
     void forwardSolve(WorkerPool& workers);
-    void forwardBranch(int branch);
+    void forwardSubtree(int subtree);
     void forwardFront(int s, Real* w, WorkerPool* workers);
     void backwardSolve(WorkerPool& workers);
     void backwardFront(int s, Real* w, WorkerPool* workers);
@@ -74,19 +74,20 @@ class SupernodalFactor {
     std::vector<Real> m_storage, m_inverse;
     Real* m_panels = nullptr;
 
-    // Update matrices: those of the branches' roots, then the stacks of the trunk and of every thread.
-    std::vector<char> m_isBranch;  // per supernode: the root of a branch
+    // Update matrices: those of the subtrees' roots, then the stacks of the separator and of every thread.
+    std::vector<char> m_isSubtreeRoot;  // per supernode: the root of a subtree
     std::vector<Real> m_updateStorage;
     Real* m_updates = nullptr;
-    std::size_t m_trunkStacks = 0, m_threadStacks = 0, m_stackSize = 0;  // where they begin; of one thread
-    int m_threads = 0;                                                   // that there are stacks for
+    std::size_t m_separatorStacks = 0, m_threadStacks = 0,
+                m_stackSize = 0;  // where they begin; of one thread
+    int m_threads = 0;            // that there are stacks for
 
-    // Of a solve: x, and behind it for every branch what it adds to the rows above it.
+    // Of a solve: x, and behind it for every subtree what it adds to the rows above it.
     std::vector<Real> m_x;
     std::vector<int> m_target;                // per row of a supernode: its place in m_x
-    std::vector<std::size_t> m_contribution;  // per branch: where its sums begin
-    std::vector<Real> m_w;                 // a front's part of x: one for every branch and one for the trunk
-    std::vector<std::size_t> m_workspace;  // per branch, and for the trunk
+    std::vector<std::size_t> m_contribution;  // per subtree: where its sums begin
+    std::vector<Real> m_w;  // a front's part of x: one for every subtree and one for the separator
+    std::vector<std::size_t> m_workspace;  // per subtree, and for the separator
 };
 
 extern template class SupernodalFactor<float>;

@@ -17,7 +17,7 @@ bool isShared(int leading, int columns) {
 
 }  // namespace
 
-/// Rows above a branch have places of its own, so that branches may be done at the same time; they are added
+/// Rows above a subtree have places of its own, so that subtrees may be done at the same time; they are added
 /// up in a fixed order.
 template <class Real>
 void SupernodalFactor<Real>::placeWorkspaces() {
@@ -29,21 +29,21 @@ void SupernodalFactor<Real>::placeWorkspaces() {
     m_target = m_symbolic.rows;
     std::size_t x = m_symbolic.order.size(), w = 0;
     std::vector<int> place(x), group;
-    for (const auto& branch : m_tree.branches) {
+    for (const auto& subtree : m_tree.subtrees) {
         group.clear();
-        for (int s = branch.begin; s < branch.end; ++s) group.push_back(s);
+        for (int s = subtree.begin; s < subtree.end; ++s) group.push_back(s);
         m_workspace.push_back(w);
         w += greatest(group.begin(), group.end());
         m_contribution.push_back(x);
-        const int root = branch.root(), end = m_symbolic.first[branch.end];
+        const int root = subtree.root(), end = m_symbolic.first[subtree.end];
         for (int i = m_symbolic.rowStart[root] + m_symbolic.columnsOf(root);
              i < m_symbolic.rowStart[root + 1]; ++i)
             place[m_symbolic.rows[i]] = static_cast<int>(x++);
-        for (int i = m_symbolic.rowStart[branch.begin]; i < m_symbolic.rowStart[branch.end]; ++i)
+        for (int i = m_symbolic.rowStart[subtree.begin]; i < m_symbolic.rowStart[subtree.end]; ++i)
             if (m_target[i] >= end) m_target[i] = place[m_target[i]];
     }
     m_workspace.push_back(w);
-    m_w.resize(w + greatest(m_tree.trunk.begin(), m_tree.trunk.end()));
+    m_w.resize(w + greatest(m_tree.separator.begin(), m_tree.separator.end()));
     m_x.resize(x);
 }
 
@@ -82,33 +82,33 @@ void SupernodalFactor<Real>::backwardFront(int s, Real* w, WorkerPool* workers) 
 }
 
 template <class Real>
-void SupernodalFactor<Real>::forwardBranch(int i) {
-    const auto& branch = m_tree.branches[i];
-    std::fill_n(m_x.begin() + static_cast<std::ptrdiff_t>(m_contribution[i]), updateRows(branch.root()),
+void SupernodalFactor<Real>::forwardSubtree(int i) {
+    const auto& subtree = m_tree.subtrees[i];
+    std::fill_n(m_x.begin() + static_cast<std::ptrdiff_t>(m_contribution[i]), updateRows(subtree.root()),
                 Real(0));
-    for (int s = branch.begin; s < branch.end; ++s) forwardFront(s, m_w.data() + m_workspace[i], nullptr);
+    for (int s = subtree.begin; s < subtree.end; ++s) forwardFront(s, m_w.data() + m_workspace[i], nullptr);
 }
 
 template <class Real>
 void SupernodalFactor<Real>::forwardSolve(WorkerPool& workers) {
-    const int branches = static_cast<int>(m_tree.branches.size());
-    workers.forPieces(branches, 1, [&](int i, int) { forwardBranch(i); });
-    for (int i = 0; i < branches; ++i) {
-        const int root = m_tree.branches[i].root();
+    const int subtrees = static_cast<int>(m_tree.subtrees.size());
+    workers.forPieces(subtrees, 1, [&](int i, int) { forwardSubtree(i); });
+    for (int i = 0; i < subtrees; ++i) {
+        const int root = m_tree.subtrees[i].root();
         const int* const row =
             m_symbolic.rows.data() + m_symbolic.rowStart[root] + m_symbolic.columnsOf(root);
         for (int k = 0; k < updateRows(root); ++k) m_x[row[k]] += m_x[m_contribution[i] + k];
     }
-    for (const int s : m_tree.trunk) forwardFront(s, m_w.data() + m_workspace.back(), &workers);
+    for (const int s : m_tree.separator) forwardFront(s, m_w.data() + m_workspace.back(), &workers);
 }
 
 template <class Real>
 void SupernodalFactor<Real>::backwardSolve(WorkerPool& workers) {
-    for (auto s = m_tree.trunk.rbegin(); s != m_tree.trunk.rend(); ++s)
+    for (auto s = m_tree.separator.rbegin(); s != m_tree.separator.rend(); ++s)
         backwardFront(*s, m_w.data() + m_workspace.back(), &workers);
-    workers.forPieces(static_cast<int>(m_tree.branches.size()), 1, [&](int i, int) {
-        const auto& branch = m_tree.branches[i];
-        for (int s = branch.root(); s >= branch.begin; --s)
+    workers.forPieces(static_cast<int>(m_tree.subtrees.size()), 1, [&](int i, int) {
+        const auto& subtree = m_tree.subtrees[i];
+        for (int s = subtree.root(); s >= subtree.begin; --s)
             backwardFront(s, m_w.data() + m_workspace[i], nullptr);
     });
 }

@@ -10,8 +10,8 @@
 namespace wend {
 namespace {
 
-// Weight of the mass matrix in parts with too few constraints: 1e-8 is off by 1 %, 1 by 2 % (method.md,
-// Constraints).
+// Weight of the mass matrix in parts with too few constraints: 1e-8 is off by 1 %, 1 by 2 % (docs/method.md
+// (15), Constraints).
 constexpr double kInertia = 1e-4;
 // Refine while the residual, relative to the right-hand side, is above this: only the stiffest materials need
 // it.

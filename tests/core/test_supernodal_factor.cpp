@@ -103,32 +103,32 @@ void compareThreads(int n) {
     }
 }
 
-/// Every supernode is in the trunk or in one branch, a branch holds all that is below its root and none of it
-/// is the whole; the trunk is closed upwards.
+/// Every supernode is in the separator or in one subtree, a subtree holds all that is below its root and none
+/// of it is the whole; the separator is closed upwards.
 template <int Dim>
 void checkTree(int n) {
     const Factored<Dim> scene(n, phi::kMetr, Ordering::NestedDissection);
     const auto symbolic = scene.cholesky.supernodes();
     const auto tree = makeEliminationTree(symbolic);
-    std::vector<int> owner(symbolic.count(), -2), inTrunk(symbolic.count(), 0);
-    for (int s : tree.trunk) inTrunk[s] = 1;
-    for (int i = 0; i < static_cast<int>(tree.branches.size()); ++i)
-        for (int s = tree.branches[i].begin; s < tree.branches[i].end; ++s) {
+    std::vector<int> owner(symbolic.count(), -2), inSeparator(symbolic.count(), 0);
+    for (int s : tree.separator) inSeparator[s] = 1;
+    for (int i = 0; i < static_cast<int>(tree.subtrees.size()); ++i)
+        for (int s = tree.subtrees[i].begin; s < tree.subtrees[i].end; ++s) {
             QCOMPARE(owner[s], -2);
             owner[s] = i;
         }
-    QVERIFY(tree.branches.size() >= 4);
-    QVERIFY(!tree.trunk.empty());
+    QVERIFY(tree.subtrees.size() >= 4);
+    QVERIFY(!tree.separator.empty());
     for (int s = 0; s < symbolic.count(); ++s) {
         const int parent = tree.parent[s];
-        QVERIFY(inTrunk[s] == (owner[s] == -2));
+        QVERIFY(inSeparator[s] == (owner[s] == -2));
         QVERIFY(parent == -1 || parent > s);
-        if (inTrunk[s])
-            QVERIFY(parent == -1 || inTrunk[parent]);
-        else if (s != tree.branches[owner[s]].root())
+        if (inSeparator[s])
+            QVERIFY(parent == -1 || inSeparator[parent]);
+        else if (s != tree.subtrees[owner[s]].root())
             QCOMPARE(owner[parent], owner[s]);
         else
-            QVERIFY(parent == -1 || inTrunk[parent]);
+            QVERIFY(parent == -1 || inSeparator[parent]);
     }
 }
 
