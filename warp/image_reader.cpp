@@ -226,7 +226,7 @@ Image readImage(const std::string& path, double maxMegapixels) {
         readPixels(path, *input, image);
         return upright(std::move(image), orientation);
     } catch (const std::bad_alloc&) {
-        throw InputError(path, "does not fit into memory");
+        throw OutOfMemory(path);
     }
 }
 

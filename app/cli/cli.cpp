@@ -1,15 +1,20 @@
 #include "app/cli/cli.h"
 
+#include <unistd.h>
+
 #include <array>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <exception>
 #include <filesystem>
 #include <functional>
 #include <new>
+#include <system_error>
 
 #include "app/cli/commands.h"
 #include "app/cli/terminal.h"
+#include "core/mesh/input_file.h"
 #include "core/mesh/printable.h"
 
 namespace wend {
@@ -83,6 +88,22 @@ ExitCode dispatch(const std::vector<std::string>& words) {
     return command->run(Arguments(command->name, rest));
 }
 
+constexpr const char* kNoMemory = "there is not enough memory";
+
+/// What threads throw comes here, and what is thrown while there is no memory to throw it.
+void endInOneLine() {
+    try {
+        if (const auto error = std::current_exception()) std::rethrow_exception(error);
+    } catch (const std::bad_alloc&) {
+        Terminal::lastWord(kNoMemory);
+    } catch (const std::system_error&) {
+        Terminal::lastWord(kNoMemory);
+    } catch (const std::exception& error) {
+        Terminal::lastWord(error.what());
+    }
+    Terminal::lastWord("internal error");
+}
+
 /// What the system says of a folder or a link.
 std::string said(const std::filesystem::filesystem_error& error) {
     const char* folder = std::getenv("TMPDIR");
@@ -105,8 +126,14 @@ ExitCode guarded(const std::function<ExitCode()>& run) try { return run(); } cat
 } catch (const std::filesystem::filesystem_error& error) {
     Terminal::error(said(error));
     return ExitCode::Input;
+} catch (const OutOfMemory& error) {
+    Terminal::error(error.what());
+    return ExitCode::Internal;
 } catch (const std::bad_alloc&) {
-    Terminal::error("internal error: there is not enough memory");
+    Terminal::lastWord(kNoMemory);
+} catch (const std::system_error& error) {
+    if (error.code() == std::errc::resource_unavailable_try_again) Terminal::lastWord(kNoMemory);  // a thread
+    Terminal::error("internal error: " + std::string(error.what()));
     return ExitCode::Internal;
 } catch (const std::exception& error) {
     Terminal::error("internal error: " + std::string(error.what()));
@@ -125,6 +152,7 @@ std::string onlyFile(const Arguments& arguments, const std::string& what) {
     if (arguments.files().empty()) throw UsageError("no " + what + " is named");
     if (arguments.files().size() > 1)
         throw UsageError("only one " + what + " can be named, but there is also " + arguments.files()[1]);
+    Terminal::setFile(arguments.files()[0]);
     return arguments.files()[0];
 }
 
@@ -138,8 +166,12 @@ bool isCommand(const std::string& word) {
 int runCommand(int argc, char** argv) {
     std::signal(SIGPIPE, SIG_IGN);  // a closed pipe and a file too large are errors like a full disk
     std::signal(SIGXFSZ, SIG_IGN);
+    std::set_terminate(endInOneLine);
     const std::vector<std::string> words(argv + 1, argv + argc);
-    return static_cast<int>(guarded([&] { return dispatch(words); }));
+    const ExitCode code = guarded([&] { return dispatch(words); });
+    // Not exit(): the libraries wait there for threads that, without memory, never began.
+    std::fflush(nullptr);
+    _exit(static_cast<int>(code));
 }
 
 }  // namespace wend

@@ -3,12 +3,17 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cstdio>
+#include <cstring>
 
 #include "core/mesh/printable.h"
 
 namespace wend {
 namespace {
+
+std::array<char, 512> currentFile{};  // no memory is needed to read it
 
 void say(const std::string& text) {
     std::fputs(text.c_str(), stderr);
@@ -48,6 +53,21 @@ void Terminal::warn(const std::string& text) {
 
 void Terminal::error(const std::string& text) {
     say("wend: " + printable(text) + "\n");
+}
+
+void Terminal::setFile(const std::string& path) {
+    const std::string name = printable(path).substr(0, currentFile.size() - 1);
+    *std::ranges::copy(name, currentFile.begin()).out = '\0';
+}
+
+void Terminal::lastWord(const char* what) noexcept {
+    static std::atomic_flag said;  // several threads may find out at once
+    while (said.test_and_set()) pause();
+    const char* separator = currentFile[0] != 0 ? ": " : "";
+    const std::array<const char*, 5> parts{"wend: ", currentFile.data(), separator, what, "\n"};
+    for (const char* part : parts)
+        if (write(STDERR_FILENO, part, std::strlen(part)) < 0) break;
+    _exit(1);
 }
 
 void Terminal::clearLine() {

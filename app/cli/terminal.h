@@ -20,6 +20,12 @@ class Terminal {
 
     /// "wend: text" as one line, whatever the text holds.
     static void error(const std::string& text);
+    /// What is worked on: lastWord() names it.
+    static void setFile(const std::string& path);
+    /// For when there is no memory left, from any thread: one line about the file, and the end, with exit
+    /// code
+    /// 1. Nothing is cleaned up; what was being written was not yet in its place.
+    [[noreturn]] static void lastWord(const char* what) noexcept;
 
   private:
     void clearLine();

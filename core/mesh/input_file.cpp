@@ -39,6 +39,12 @@ std::string reasonOf(int error) {
     return std::string("cannot be read: ") + std::strerror(error);
 }
 
+std::string room(std::uint64_t size, const std::string& path) try {
+    return std::string(size, '\0');
+} catch (const std::exception&) {  // too long for a string, or for what memory there is
+    throw OutOfMemory(path);
+}
+
 }  // namespace
 
 InputFile::InputFile(std::string path) : m_path(std::move(path)) {
@@ -61,7 +67,7 @@ InputFile::~InputFile() {
 }
 
 std::string InputFile::bytes(std::uint64_t offset, std::uint64_t count) const {
-    std::string bytes(std::min(count, m_size - std::min(offset, m_size)), '\0');
+    std::string bytes = room(std::min(count, m_size - std::min(offset, m_size)), m_path);
     std::uint64_t done = 0;
     while (done < bytes.size()) {
         requireReading();

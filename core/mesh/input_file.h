@@ -1,9 +1,20 @@
 #pragma once
 
 #include <cstdint>
+#include <new>
 #include <string>
 
 namespace wend {
+
+/// There is not enough memory for a file. what() is "FILE: does not fit into memory".
+class OutOfMemory : public std::bad_alloc {
+  public:
+    explicit OutOfMemory(const std::string& file) : m_what(file + ": does not fit into memory") {}
+    const char* what() const noexcept override { return m_what.c_str(); }
+
+  private:
+    std::string m_what;
+};
 
 /// A file of somebody else's, opened for reading: the one way in for everything that Wend reads. Only regular
 /// files come through. A pipe, a device or a socket might never answer or never end, so these and folders are
@@ -18,8 +29,8 @@ class InputFile {
 
     const std::string& path() const { return m_path; }
     std::uint64_t size() const { return m_size; }
-    /// The bytes from `offset` on, fewer where the file ends. Throws InputError(path, reason), and Cancelled
-    /// after stopReading().
+    /// The bytes from `offset` on, fewer where the file ends. Throws InputError(path, reason), OutOfMemory,
+    /// and Cancelled after stopReading().
     std::string bytes(std::uint64_t offset, std::uint64_t count) const;
     std::string bytes() const { return bytes(0, m_size); }
 
