@@ -25,6 +25,7 @@ void PinRing::place(const QPointF& widget, const Vec<2>& shape, bool canTurn) {
     m_at = widget;
     m_centre = shape;
     m_canTurn = canTurn;
+    m_turned = 0;
 }
 
 /// The dot is at the upper right at rest, the square at the lower right.
@@ -67,7 +68,8 @@ Amount PinRing::drag(const QPointF& widget, const ToShape& toShape, bool snaps) 
     const double angle = std::atan2(arm.y(), arm.x());
     m_angle += std::remainder(angle - m_lastAngle, 2 * std::numbers::pi);
     m_lastAngle = angle;
-    return {snaps ? kSnap * std::round(m_angle / kSnap) : m_angle, 0, 0};
+    m_turned = snaps ? kSnap * std::round(m_angle / kSnap) : m_angle;
+    return {m_turned, 0, 0};
 }
 
 Amount PinRing::typed(double number) const {

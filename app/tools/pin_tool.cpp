@@ -294,6 +294,7 @@ void PinTool::doubleClick(const QMouseEvent& event) {
 }
 
 bool PinTool::ownsKey(const QKeyEvent& event) const {
+    if (m_gesture == Gesture::Ring) return !(event.modifiers() & (Qt::ControlModifier | Qt::AltModifier));
     return event.key() == Qt::Key_Delete && !event.modifiers() && m_curve.chosen() > 0;
 }
 

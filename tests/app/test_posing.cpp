@@ -64,6 +64,7 @@ class TestPosing : public QObject {
     void widen(int handle, double radius);
     QPoint ringSpot(int handle, int dx, int dy);
     QMenu* menuAt(const Vec<2>& p);
+    void picture(const QString& name);
 
     std::unique_ptr<QTemporaryDir> m_folder;
     std::unique_ptr<MainWindow> m_window;
@@ -144,6 +145,13 @@ QMenu* TestPosing::menuAt(const Vec<2>& p) {
     return qobject_cast<QMenu*>(QApplication::activePopupWidget());
 }
 
+/// For looking at.
+void TestPosing::picture(const QString& name) {
+    if (!qEnvironmentVariableIsSet("WEND_TEST_PICTURES")) return;
+    QVERIFY(QTest::qWaitFor([&] { return canvas().isSettled(); }, 20000));
+    m_window->grab().save(qEnvironmentVariable("WEND_TEST_PICTURES") + "/posing-" + name + ".png");
+}
+
 void TestPosing::posingKeepsTheLength() {
     auto* length = m_window->findChild<TimeStrip*>()->length();
     QCOMPARE(length->value(), 1.0);
@@ -158,6 +166,7 @@ void TestPosing::posingKeepsTheLength() {
     const double ratio = handles()[1].motions[0].end / handles()[1].motions[1].end;
     QVERIFY(std::abs(ratio - std::hypot(10, 30) / (std::hypot(10, 30) + std::hypot(5, 10))) < 0.05);
     QCOMPARE(handles()[0].motions[0].end, 1.0);
+    picture(QStringLiteral("ways"));
 }
 
 void TestPosing::dragAfterScrubbingGoesOnFromThere() {
@@ -174,7 +183,7 @@ void TestPosing::dragAfterScrubbingGoesOnFromThere() {
     QVERIFY(QLineF(at(pin(1)), to).length() < 3);  // it stays under the pointer
     release(to);
     QVERIFY(QLineF(at(pin(1)), to).length() < 3);
-    QVERIFY((pin(0) - Vec<2>(40, 80)).norm() < 1e-6);
+    QVERIFY((pin(0) - Vec<2>(40, 80)).norm() < 2 * pixel());
     QVERIFY(m_window->statusBar()->currentMessage().contains(QStringLiteral("replaced")));
     QCOMPARE(project().end, 1.0);
     const std::string after = toJson(project());
@@ -196,7 +205,8 @@ void TestPosing::pinsAreSetAtTheTimeThatIsShown() {
     QVERIFY(settle(session()));
     QCOMPARE(handles().size(), std::size_t(3));
     QVERIFY(std::abs(handles()[2].activeFrom - 0.5) < 0.03);
-    QVERIFY(session().frame<2>()->pose == shown);
+    // The integrator begins anew there: it is the same but for its error.
+    QVERIFY((session().frame<2>()->pose - shown).colwise().norm().maxCoeff() < 0.05);
     const Vec<2> added = pin(2);
     QVERIFY((added - Vec<2>(120, 82)).norm() < 2 * pixel());
     m_window->actions().toEnd->trigger();
@@ -277,6 +287,7 @@ void TestPosing::regionsVeilNothing() {
     QTest::mouseMove(&canvas(), spot);
     const QColor hovered = colour();
     QVERIFY(hovered != shown);
+    picture(QStringLiteral("region"));
     QTest::mouseMove(&canvas(), QPoint(5, 5));
     m_window->actions().hideOverlays->setChecked(true);
     QVERIFY(QTest::qWaitFor([&] { return canvas().isSettled(); }, 20000));
@@ -304,6 +315,8 @@ void TestPosing::ringRotatesAndScales() {
     QCOMPARE(project().end, 1.0);
     press(ringSpot(1, 31, -31), ringSpot(1, 40, -18));
     moveWithShift(ringSpot(1, 42, -10));
+    QTest::qWait(300);
+    picture(QStringLiteral("ring"));
     QVERIFY(session().gesture());
     const double steps = session().gesture()->amount()[0] / (std::numbers::pi / 12);
     QVERIFY(std::abs(steps - std::round(steps)) < 1e-9 && std::round(steps) == 2);
@@ -317,17 +330,18 @@ void TestPosing::ringRotatesAndScales() {
 void TestPosing::ringTakesNumbers() {
     widen(1, 18);
     press(ringSpot(1, 31, -31), ringSpot(1, 40, -18));
-    QTest::keyClicks(&canvas(), QStringLiteral("30"));
+    QTest::keyClicks(&canvas(), QStringLiteral("10"));  // of which 1 is a shortcut elsewhere
     QTest::keyClick(&canvas(), Qt::Key_Return);
     release(ringSpot(1, 40, -18));
     const auto* turn = std::get_if<Rotate<2>>(&handles()[1].motions.at(0).kind);
-    QVERIFY(turn && std::abs(turn->angle - std::numbers::pi / 6) < 1e-9);
+    QVERIFY(turn && std::abs(turn->angle - std::numbers::pi / 18) < 1e-9);
     QCOMPARE(handles()[1].motions.size(), std::size_t(1));
 }
 
 void TestPosing::pointsHaveADottedRing() {
     QTest::mouseMove(&canvas(), ringSpot(1, -44, 0));
     QVERIFY(canvas().tool()->hint().contains(QStringLiteral("cannot rotate")));
+    picture(QStringLiteral("point"));
     const std::size_t count = handles().size();
     drag(pin(1), pin(1) + Vec<2>(0.9, 0), Qt::AltModifier);  // smaller than the mesh
     QVERIFY(m_window->statusBar()->currentMessage().contains(QStringLiteral("smaller than the mesh")) ||
@@ -378,17 +392,16 @@ void TestPosing::partsAreHeldByOutlines() {
     QFETCH(int, modifier);
     QTest::keyClick(m_window.get(), static_cast<Qt::Key>(key), Qt::KeyboardModifiers(modifier));
     const std::vector<Vec<2>> corners = {{100, 66}, {140, 66}, {140, 96}, {100, 96}};
+    const bool box = key == Qt::Key_B;
     QTest::mousePress(&canvas(), Qt::LeftButton, {}, at(corners[0]));
-    if (key != Qt::Key_B)
-        for (int i = 1; i < 4; ++i) QTest::mouseMove(&canvas(), at(corners[i]));
-    QTest::mouseMove(&canvas(), at(corners[2]));
-    release(at(corners[2]));
+    for (int i = box ? 2 : 1; i < (box ? 3 : 4); ++i) QTest::mouseMove(&canvas(), at(corners[i]));
+    release(at(corners[box ? 2 : 3]));
     QCOMPARE(handles().size(), std::size_t(3));
     QVERIFY(std::holds_alternative<Polygon>(std::get<Region<2>>(handles()[2].at)));
     QVERIFY(m_window->actions().selectTool->isChecked());
     const auto before = session().pins()[2].points;
     QVERIFY(before.size() > 5);
-    const Vec<2> inside(120, 84);
+    const Vec<2> inside(138, 80);  // where the brush was, too
     drag(inside, inside + Vec<2>(0, 9));
     const auto after = session().pins()[2].points;
     for (std::size_t i = 0; i < before.size(); ++i)
