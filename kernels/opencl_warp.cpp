@@ -1,6 +1,7 @@
 #include "kernels/opencl_warp.h"
 
 #include "kernels/opencl_context.h"
+#include "warp/pixel_cells.h"
 #include "warp/warp_job.h"
 
 namespace wend {
@@ -106,22 +107,22 @@ class OpenClPainter final : public CellPainter {
         m_filters = m_cl.copyOf(filters.data(), filters.size());
     }
 
-    /// The cell on top of every pixel of the strip, −1 where there is none.
+    /// The cells of every pixel of the strip, as the kernel reads them.
     void findCells(const WarpJob& job, int top, int rows) {
-        const auto width = static_cast<std::ptrdiff_t>(job.view.width);
-        m_cellAt.assign(static_cast<std::size_t>(width * rows), -1);
+        PixelCells cells(job.view.width, top, rows);
         for (int band = top / kBandRows; band * kBandRows < top + rows; ++band)
-            for (int place : job.cellsOfBand[static_cast<std::size_t>(band)]) {
-                const TriangleRows& cell = job.cells[static_cast<std::size_t>(place)].rows;
-                const int begin = band * kBandRows, end = std::min(top + rows, begin + kBandRows);
-                for (int y = std::max(begin, firstPixel(cell.top(), end)); y < end && y + 0.5 < cell.bottom();
-                     ++y) {
-                    const Span span = cell.at(y + 0.5);
-                    const int from = firstPixel(span.begin, job.view.width),
-                              to = firstPixel(span.end, job.view.width);
-                    if (from < to) std::fill_n(m_cellAt.data() + (y - top) * width + from, to - from, place);
-                }
-            }
+            for (int place : job.cellsOfBand[static_cast<std::size_t>(band)])
+                forRuns(job.cells[static_cast<std::size_t>(place)].rows, band * kBandRows,
+                        std::min(top + rows, (band + 1) * kBandRows), job.view.width,
+                        [&](int y, int from, int to) { cells.cover(y, from, to, place); });
+        m_cellAt = cells.onTop();
+        m_layers.clear();
+        if (job.source->opaque()) return;
+        cells.forOverlaps([&](int pixel, std::span<const int> found) {
+            m_cellAt[static_cast<std::size_t>(pixel)] = -2 - static_cast<int>(m_layers.size());
+            m_layers.push_back(static_cast<int>(found.size()));
+            m_layers.insert(m_layers.end(), found.begin(), found.end());
+        });
     }
 
     void paintStrip(const WarpJob& job, int top, Image& strip) {
@@ -131,11 +132,17 @@ class OpenClPainter final : public CellPainter {
             m_cellsOnDevice = m_cl.buffer<int>(m_capacity);
             m_output = m_cl.buffer<std::byte>(strip.data.size());
         }
+        if (m_layerCapacity < m_layers.size() || m_layerCapacity == 0) {
+            m_layerCapacity = std::max<std::size_t>(1, m_layers.size());
+            m_layersOnDevice = m_cl.buffer<int>(m_layerCapacity);
+        }
         m_device.hold(*job.source);  // another painter's picture may lie there
         m_cl.write(m_cellsOnDevice, m_cellAt.data(), m_cellAt.size());
+        if (!m_layers.empty()) m_cl.write(m_layersOnDevice, m_layers.data(), m_layers.size());
         launch(m_cl.queue(), m_device.kernelFor(m_options), static_cast<int>(m_cellAt.size()),
-               m_cellsOnDevice, m_maps, m_ellipses, m_filters, m_device.texels, m_device.levels,
-               job.view.width, top, job.view.origin.x(), job.view.origin.y(), job.view.scale, m_output);
+               m_cellsOnDevice, m_layersOnDevice, m_maps, m_ellipses, m_filters, m_device.texels,
+               m_device.levels, job.view.width, top, job.view.origin.x(), job.view.origin.y(), job.view.scale,
+               m_output);
         m_cl.read(m_output, strip.data.data(), strip.data.size());
     }
 
@@ -143,9 +150,9 @@ class OpenClPainter final : public CellPainter {
     OpenClPicture::Device& m_device;
     OpenClContext& m_cl;
     std::string m_options;
-    cl::Buffer m_maps, m_ellipses, m_filters, m_cellsOnDevice, m_output;
-    std::vector<int> m_cellAt;
-    std::size_t m_capacity = 0;
+    cl::Buffer m_maps, m_ellipses, m_filters, m_cellsOnDevice, m_layersOnDevice, m_output;
+    std::vector<int> m_cellAt, m_layers;
+    std::size_t m_capacity = 0, m_layerCapacity = 0;
 };
 
 OpenClPicture::OpenClPicture(OpenClPlace place, DeviceNotice notice)

@@ -37,6 +37,11 @@ typedef float number;
 #else
 #define LAST(v) (v).x
 #endif
+#if defined(ALPHA)
+#define OPACITY(v) clamp(LAST(v) / FULL, 0.0f, 1.0f)
+#else
+#define OPACITY(v) 1.0f
+#endif
 
 typedef struct {
     global const number* first;
@@ -172,26 +177,44 @@ float4 colourAt(level_t level, double2 at, float4 ellipse, int reachX, int reach
 #endif
 }
 
-// `cellAt`: the cell of every pixel, or −1. Per cell: `maps` anchor, displacement, its gradient's columns and the
-// level's shrinking; `ellipses` xx, xy, yy, blend; `filters` level and reach. `levels`: first number, width, height.
-kernel void warp(int count, global const int* cellAt, global const double* maps, global const float4* ellipses,
-                 global const int4* filters, global const number* texels, global const long* levels, int width,
-                 int top, double left, double upper, double scale, global number* output) {
+// --- cells -------------------------------------------------------------------------------------------------------
+
+// Per cell: `maps` anchor, displacement, its gradient's columns and the level's shrinking; `ellipses` xx, xy, yy, blend;
+// `filters` level and reach. `levels`: first number, width, height.
+float4 colourOfCell(int cell, double x, double y, global const double* maps, global const float4* ellipses,
+                    global const int4* filters, global const number* texels, global const long* levels) {
+    global const double* map = maps + 9 * (size_t)cell;
+    const int4 filter = filters[cell];
+    global const long* l = levels + 3 * filter.x;
+    const level_t level = {texels + l[0], (int)l[1], (int)l[2]};
+    const double stepX = x - map[0], stepY = y - map[1];
+    const double2 source = (double2)(x - (map[2] + map[6] * stepY + map[4] * stepX),
+                                     y - (map[3] + map[7] * stepY + map[5] * stepX));
+    return colourAt(level, source * map[8], ellipses[cell], filter.y, filter.z);
+}
+
+// `cellAt`: the cell of every pixel; −1 where there is none; −2 − k where there are several, listed from place k of
+// `layers` on: how many, then from the top one down. They lie over one another.
+kernel void warp(int count, global const int* cellAt, global const int* layers, global const double* maps,
+                 global const float4* ellipses, global const int4* filters, global const number* texels,
+                 global const long* levels, int width, int top, double left, double upper, double scale,
+                 global number* output) {
     const int p = get_global_id(0);
     if (p >= count) return;
     const size_t at = (size_t)p * (N + ADDS);
-    float4 colour = (float4)(0.0f);
     const int cell = cellAt[p];
-    if (cell >= 0) {
-        global const double* map = maps + 9 * (size_t)cell;
-        const int4 filter = filters[cell];
-        global const long* l = levels + 3 * filter.x;
-        const level_t level = {texels + l[0], (int)l[1], (int)l[2]};
-        const double x = left + scale * (p % width + 0.5), y = upper + scale * (top + p / width + 0.5);
-        const double stepX = x - map[0], stepY = y - map[1];
-        const double2 source = (double2)(x - (map[2] + map[6] * stepY + map[4] * stepX),
-                                         y - (map[3] + map[7] * stepY + map[5] * stepX));
-        colour = colourAt(level, source * map[8], ellipses[cell], filter.y, filter.z);
+    const double x = left + scale * (p % width + 0.5), y = upper + scale * (top + p / width + 0.5);
+    float4 colour = (float4)(0.0f);
+    if (cell >= 0) colour = colourOfCell(cell, x, y, maps, ellipses, filters, texels, levels);
+    if (cell < -1) {
+        global const int* list = layers + (-2 - cell);
+        float through = 1.0f;
+        for (int k = 1; k <= list[0] && through > 0.0f; ++k) {
+            const float4 layer = colourOfCell(list[k], x, y, maps, ellipses, filters, texels, levels);
+            colour += through * associated(layer);
+            through *= 1.0f - OPACITY(layer);
+        }
+        colour = colourOf(colour);
     }
     STORE(colour.x, output, at);
 #if N > 1
@@ -204,6 +227,6 @@ kernel void warp(int count, global const int* cellAt, global const double* maps,
     STORE(colour.w, output, at + 3);
 #endif
 #if ADDS
-    STORE(cell >= 0 ? FULL : 0.0f, output, at + N);
+    STORE(cell != -1 ? FULL : 0.0f, output, at + N);
 #endif
 }

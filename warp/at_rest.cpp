@@ -18,12 +18,8 @@ std::vector<std::uint8_t> nearTheShape(const WarpJob& job, int margin, int top, 
     std::vector<std::uint8_t> near(static_cast<std::size_t>(strip.width) * strip.height);
     const int begin = std::max(top - margin, 0), end = std::min(top + strip.height + margin, job.view.height);
     for (const VisibleCell& cell : job.cells)
-        for (int y = std::max(begin, firstPixel(cell.rows.top(), end));
-             y < end && y + 0.5 < cell.rows.bottom(); ++y) {
-            const Span span = cell.rows.at(y + 0.5);
-            const int from = firstPixel(span.begin, strip.width), to = firstPixel(span.end, strip.width);
-            if (from < to) mark(near, strip, top, y, from, to, margin);
-        }
+        forRuns(cell.rows, begin, end, strip.width,
+                [&](int y, int from, int to) { mark(near, strip, top, y, from, to, margin); });
     return near;
 }
 

@@ -1,15 +1,14 @@
 #pragma once
 
-#include <array>
-#include <bit>
-
+#include "warp/layers.h"
+#include "warp/pixel_cells.h"
 #include "warp/span_painters.h"
 #include "warp/warp_job.h"
 
 namespace wend {
 
-/// Paints the rows of one band of a picture of numbers of type T: the cells, then the outline's pixels, then
-/// what no cell covers.
+/// Paints the rows of one band of a picture of numbers of type T: the cells, each over those before it; what
+/// no cell covers; what shows through where the shape covers itself; the outline's pixels.
 template <typename T>
 class BandPainter {
   public:
@@ -26,23 +25,20 @@ class BandPainter {
               spanFunctionsOf<T>(job.source->base().channels, job.options.filter, job.options.wideVectors)) {
         m_task.left = job.view.origin.x(), m_task.scale = job.view.scale, m_task.addsAlpha = job.addsAlpha;
         for (int k = 0; k < job.source->levels(); ++k) m_levels.push_back(level(job.source->level(k)));
-        if (job.options.outside != Outside::Transparent)
-            m_covered.resize(static_cast<std::size_t>(m_end - m_begin) *
-                             static_cast<std::size_t>(job.view.width));
+        const bool shinesThrough = part == BandPart::All && !job.source->opaque();
+        if (shinesThrough || job.options.outside != Outside::Transparent)
+            m_cells = PixelCells(job.view.width, m_begin, m_end - m_begin);
     }
 
     void paint() {
-        if (m_part == BandPart::All || !m_covered.empty())
-            for (int cell : m_job.cellsOfBand[static_cast<std::size_t>(m_band)])
-                paintCell(m_job.cells[static_cast<std::size_t>(cell)]);
+        if (m_part == BandPart::All || !m_cells.empty())
+            for (int cell : m_job.cellsOfBand[static_cast<std::size_t>(m_band)]) paintCell(cell);
         fillOutside();
+        if (m_part == BandPart::All && !m_job.source->opaque()) resolveOverlaps();
         resolveOutline();
     }
 
   private:
-    /// A colour of the output: the picture's own channels, then alpha if one is added.
-    using OutColour = std::array<float, 5>;
-
     T* target(int x, int y) {
         return reinterpret_cast<T*>(m_strip.row(y - m_top)) + static_cast<std::ptrdiff_t>(x) * m_channels;
     }
@@ -68,22 +64,18 @@ class BandPainter {
                high.y() * filter.shrink + reach.y() + 3 < level.height;
     }
 
-    void paintCell(const VisibleCell& cell) {
+    void paintCell(int place) {
+        const VisibleCell& cell = m_job.cells[static_cast<std::size_t>(place)];
         m_task.level = levelOf(cell.filter);
         m_task.setCell(cell.map, cell.filter);
         const bool allInner = cell.map.exact && inner(cell.low, cell.high, cell.filter);
-        for (int y = std::max(m_begin, firstPixel(cell.rows.top(), m_end));
-             y < m_end && y + 0.5 < cell.rows.bottom(); ++y) {
-            const Span span = cell.rows.at(y + 0.5);
-            m_task.begin = firstPixel(span.begin, m_job.view.width);
-            m_task.end = firstPixel(span.end, m_job.view.width);
-            if (m_task.begin >= m_task.end) continue;
+        forRuns(cell.rows, m_begin, m_end, m_job.view.width, [&](int y, int from, int to) {
+            m_task.begin = from, m_task.end = to;
             m_task.setRow(cell.map, m_job.plane(0, y + 0.5).y());
             m_task.inner = allInner || (cell.map.exact && innerSpan(cell, y));
-            if (m_part == BandPart::All) m_spans.paint(m_task, target(m_task.begin, y));
-            if (!m_covered.empty())
-                std::fill_n(covered(m_task.begin, y), m_task.end - m_task.begin, std::uint8_t(1));
-        }
+            if (m_part == BandPart::All) m_spans.paint(m_task, target(from, y));
+            if (!m_cells.empty()) m_cells.cover(y, from, to, place);
+        });
     }
 
     bool innerSpan(const VisibleCell& cell, int y) const {
@@ -110,10 +102,6 @@ class BandPainter {
 
     // --- outside the shape
     // ---------------------------------------------------------------------------------------
-
-    std::uint8_t* covered(int x, int y) {
-        return m_covered.data() + static_cast<std::ptrdiff_t>(y - m_begin) * m_job.view.width + x;
-    }
 
     bool inPicture(const Vec<2>& p) const {
         const Image& image = m_job.source->base();
@@ -148,10 +136,34 @@ class BandPainter {
 
     /// The strip came with zeros: transparent.
     void fillOutside() {
-        if (m_covered.empty()) return;
+        if (m_job.options.outside == Outside::Transparent) return;
+        const int* cell = m_cells.onTop().data();
         for (int y = m_begin; y < m_end; ++y)
             for (int x = 0; x < m_job.view.width; ++x)
-                if (*covered(x, y) == 0) putOut(outsideColour(x, y), target(x, y));
+                if (*cell++ < 0) putOut(outsideColour(x, y), target(x, y));
+    }
+
+    // --- cells over cells
+    // ---------------------------------------------------------------------------------------------
+
+    Layers layers() const { return {m_job.header, kFull<T>}; }
+
+    void put(int place, int x, int y, std::uint64_t places, Layers& layers) const {
+        if ((places & layers.open()) == 0) return;
+        const VisibleCell& cell = m_job.cells[static_cast<std::size_t>(place)];
+        layers.put(sample(cell.map, cell.filter, x, y), places);
+    }
+
+    /// The cells' colours were painted over one another; where the last one is not opaque, the others show.
+    void resolveOverlaps() {
+        m_cells.forOverlaps([&](int pixel, std::span<const int> cells) {
+            const int x = pixel % m_job.view.width, y = m_begin + pixel / m_job.view.width;
+            T* const to = target(x, y);
+            if (!(static_cast<float>(to[m_channels - 1]) < kFull<T>)) return;
+            Layers seen = layers();
+            for (int cell : cells) put(cell, x, y, Layers::kAll, seen);
+            putOut(seen.colour(), to);
+        });
     }
 
     // --- the outline
@@ -185,54 +197,12 @@ class BandPainter {
         }
     }
 
-    /// A weighted sum of colours in associated form; exact where it has one colour only.
-    class Mix {
-      public:
-        Mix(int channels, bool unassociated) : m_channels(channels), m_unassociated(unassociated) {}
-
-        void add(const OutColour& colour, int samples) {
-            if (samples == 0) return;
-            m_same = m_same && (!m_any || colour == m_first);
-            if (!m_any) m_first = colour;
-            m_any = true;
-            const double weight = samples / 64.0;
-            const double alpha = m_unassociated ? static_cast<double>(colour[last()]) / kFull<T> : 1;
-            for (std::size_t c = 0; c <= last(); ++c)
-                m_sum[c] += weight * static_cast<double>(colour[c]) * (isAlpha(c) ? 1 : alpha);
-        }
-
-        OutColour colour() const {
-            if (m_same) return m_first;
-            OutColour colour{};
-            const double alpha = m_unassociated ? m_sum[last()] / static_cast<double>(kFull<T>) : 1;
-            for (std::size_t c = 0; c <= last(); ++c)
-                colour[c] = static_cast<float>(isAlpha(c) || !(alpha > 0) ? m_sum[c] : m_sum[c] / alpha);
-            return colour;
-        }
-
-      private:
-        std::size_t last() const { return static_cast<std::size_t>(m_channels - 1); }
-        bool isAlpha(std::size_t c) const { return m_unassociated && c == last(); }
-
-        int m_channels;
-        bool m_unassociated, m_same = true, m_any = false;
-        std::array<double, 5> m_sum{};
-        OutColour m_first{};
-    };
-
-    /// Mixes what shows of each cell, from the top one down, and what is left of the outside.
+    /// What shows of each cell, from the top one down, and of the outside where there is none.
     void resolve(int x, int y, const Piece* begin, const Piece* end) {
-        Mix mix(m_channels, m_job.header.unassociated);
-        std::uint64_t left = ~std::uint64_t{0};
-        for (const Piece* piece = end; piece-- != begin && left != 0;) {
-            const std::uint64_t shown = piece->samples & left;
-            if (shown == 0) continue;
-            const VisibleCell& cell = m_job.cells[static_cast<std::size_t>(piece->cell)];
-            mix.add(sample(cell.map, cell.filter, x, y), std::popcount(shown));
-            left &= ~shown;
-        }
-        if (left != 0) mix.add(outsideColour(x, y), std::popcount(left));
-        putOut(mix.colour(), target(x, y));
+        Layers seen = layers();
+        for (const Piece* piece = end; piece-- != begin;) put(piece->cell, x, y, piece->samples, seen);
+        if (seen.bare() != 0) seen.put(outsideColour(x, y), seen.bare());
+        putOut(seen.colour(), target(x, y));
     }
 
     const WarpJob& m_job;
@@ -242,7 +212,7 @@ class BandPainter {
     SpanFunctions m_spans;
     SpanTask m_task;
     std::vector<TexelLevel> m_levels;
-    std::vector<std::uint8_t> m_covered;  // pixels of the band, if the outside is not transparent
+    PixelCells m_cells;  // if some of them show through others, or the outside is not transparent
 };
 
 template <typename T>

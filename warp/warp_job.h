@@ -22,6 +22,17 @@ inline int firstPixel(double x, int size) {
     return whole + (whole < bounded ? 1 : 0);
 }
 
+/// Calls visit(y, from, to) for the runs of pixels, in the rows from `begin` to before `end` of a picture of
+/// that width, whose centres the triangle covers.
+template <typename Visit>
+void forRuns(const TriangleRows& rows, int begin, int end, int width, Visit&& visit) {
+    for (int y = std::max(begin, firstPixel(rows.top(), end)); y < end && y + 0.5 < rows.bottom(); ++y) {
+        const Span span = rows.at(y + 0.5);
+        const int from = firstPixel(span.begin, width), to = firstPixel(span.end, width);
+        if (from < to) visit(y, from, to);
+    }
+}
+
 /// A cell that the view may see.
 struct VisibleCell {
     TriangleRows rows;

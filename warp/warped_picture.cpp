@@ -96,13 +96,9 @@ bool covered(const WarpJob& job, int band) {
         job.outline.visit(band, rows, [&](int pixel, std::uint64_t found) {
             samples[static_cast<std::size_t>(pixel)] |= found;
         });
-        for (int y = std::max(begin, firstPixel(rows.top(), end)); y < end && y + 0.5 < rows.bottom(); ++y) {
-            const Span span = rows.at(y + 0.5);
-            const int from = firstPixel(span.begin, job.view.width),
-                      to = firstPixel(span.end, job.view.width);
-            if (from < to)
-                std::fill_n(centres.data() + (y - begin) * width + from, to - from, std::uint8_t(1));
-        }
+        forRuns(rows, begin, end, job.view.width, [&](int y, int from, int to) {
+            std::fill_n(centres.data() + (y - begin) * width + from, to - from, std::uint8_t(1));
+        });
     }
     for (const auto& pixel : outline)
         centres[static_cast<std::size_t>((pixel.y - begin) * width + pixel.x)] =

@@ -31,12 +31,12 @@ Motion<Dim> sampleMotion(int i) {
 }
 
 /// The picture on the screen, with the colour map of the distortion over it, by the window's own painter.
-class ScreenPicture {
+class Screen {
   public:
-    explicit ScreenPicture(const SimplicialMesh<2>& rest)
+    explicit Screen(const SimplicialMesh<2>& rest)
         : m_rest(std::make_shared<const SimplicialMesh<2>>(
               SimplicialMesh<2>{kScale * rest.points, rest.cells})) {
-        m_request.picture = std::make_shared<const Pyramid>(
+        m_request.picture = std::make_shared<const ScreenPicture>(
             std::make_shared<const Image>(testPicture(kWindowWidth, kWindowHeight)));
         m_request.size = QSize(kWindowWidth, kWindowHeight);
         m_request.view.pan(QPointF(0.1 * kWindowWidth, 0.3 * kWindowHeight));
@@ -65,7 +65,7 @@ struct FrameTimes {
 
 template <int Dim>
 FrameTimes dragOnce(DragFlow<Dim>& flow, const Body<Dim>& body) {
-    std::optional<ScreenPicture> picture;
+    std::optional<Screen> picture;
     if constexpr (Dim == 2) picture.emplace(*body.rest);
     FrameTimes times;
     for (int i = 0; i < kFrames; ++i) {

@@ -7,7 +7,6 @@
 
 #include "app/session/shape_builder.h"
 #include "app/view/overlay_painter.h"
-#include "app/view/screen_picture.h"
 
 namespace wend {
 
@@ -87,12 +86,13 @@ void ShapeCanvas::takeOpened() {
 
 void ShapeCanvas::preparePicture(const std::shared_ptr<const Image>& picture) {
     m_source = picture;
-    const auto prepare = [picture] { return std::make_shared<const Pyramid>(screenPicture(picture)); };
-    QtConcurrent::run(prepare).then(this, [this, picture](const std::shared_ptr<const Pyramid>& prepared) {
-        if (m_source != picture) return;
-        m_picture = prepared;
-        render();
-    });
+    const auto prepare = [picture] { return std::make_shared<const ScreenPicture>(picture); };
+    QtConcurrent::run(prepare).then(this,
+                                    [this, picture](const std::shared_ptr<const ScreenPicture>& prepared) {
+                                        if (m_source != picture) return;
+                                        m_picture = prepared;
+                                        render();
+                                    });
 }
 
 /// A mesh may bring its picture; y points down where its coordinates are pixels.

@@ -83,7 +83,7 @@ class ShapeCanvas : public QWidget, public ToolSurface {
     ShapeSession& m_session;
     Tool* m_tool = nullptr;
     std::shared_ptr<const Image> m_source;  // the document's picture, or that of a file's mesh
-    std::shared_ptr<const Pyramid> m_picture;
+    std::shared_ptr<const ScreenPicture> m_picture;
     PosedPtr<2> m_unbent;  // the picture as it is, before the first mesh
     ViewTransform m_view;
     std::shared_ptr<const RenderResult> m_drawn;

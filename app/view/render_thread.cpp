@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "app/view/cell_filler.h"
-#include "app/view/screen_picture.h"
 
 namespace wend {
 
@@ -39,8 +38,7 @@ QImage warped(const RenderRequest& request, std::stop_token stop) {
         view.origin.setZero();
         view.scale = 1;
     }
-    const Image image = warpImage(*request.picture, restOf(request), poseOf(request), view, options);
-    return stop.stop_requested() ? QImage() : toQImage(image);
+    return request.picture->warped(restOf(request), poseOf(request), view, options);
 }
 
 constexpr double kMapOpacity = 0.82;  // over a picture

@@ -10,16 +10,15 @@
 #include "app/panels/colour_map.h"
 #include "app/session/frame.h"
 #include "app/session/scene.h"
+#include "app/view/screen_picture.h"
 #include "app/view/view_transform.h"
-#include "warp/pyramid.h"
-#include "warp/warp.h"
 
 namespace wend {
 
 /// What the canvas wants drawn: the picture carried by a frame, and what lies over it.
 struct RenderRequest {
     int document = 0;                        // its generation: what is drawn of another one comes too late
-    std::shared_ptr<const Pyramid> picture;  // as the screen needs it; may be null
+    std::shared_ptr<const ScreenPicture> picture;  // may be null
     std::shared_ptr<const Texture> texture;  // of a file's mesh: where that lies in the picture; or null
     PosedPtr<2> frame;
     ViewTransform view;

@@ -7,7 +7,6 @@
 #include "app/session/opening.h"
 #include "app/view/canvas.h"
 #include "app/view/cell_filler.h"
-#include "app/view/screen_picture.h"
 #include "tests/support/window_fixture.h"
 
 using namespace wend;
@@ -136,7 +135,10 @@ void TestCanvas::pictureIsWhatAnExportWrites() {
     view.scale = 1 / m_canvas->view().zoom();
     const Image exported = warpImage(*m_session->document().picture(), *m_session->frame<2>()->rest,
                                      m_session->frame<2>()->pose, view);
-    QVERIFY(m_canvas->drawn()->image == toQImage(exported));
+    QVERIFY(exported.channels == 4 && exported.unassociated);
+    const QImage expected(reinterpret_cast<const uchar*>(exported.data.data()), 640, 480,
+                          QImage::Format_RGBA8888);
+    QVERIFY(m_canvas->drawn()->image == expected.convertToFormat(QImage::Format_ARGB32_Premultiplied));
 }
 
 void TestCanvas::everyDepthComesOutTheSame_data() {
@@ -161,11 +163,11 @@ void TestCanvas::everyDepthComesOutTheSame() {
         image.data.push_back(std::byte(value));
         if (image.type == PixelType::UInt16) image.data.push_back(std::byte(value));  // 257 times the value
     }
-    const auto screen = screenPicture(std::make_shared<const Image>(image));
-    QCOMPARE(screen->unassociated, unassociated);
+    const ScreenPicture screen(std::make_shared<const Image>(image));
+    QCOMPARE(screen.image().unassociated, unassociated);
     for (int c = 0; c < 4; ++c) {
         const int expected = unassociated ? own[c] : associated[c];
-        QVERIFY(std::abs(std::to_integer<int>(screen->data[c]) - expected) <= 1);
+        QVERIFY(std::abs(std::to_integer<int>(screen.image().data[c]) - expected) <= 1);
     }
 }
 

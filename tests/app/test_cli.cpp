@@ -6,6 +6,7 @@
 
 #include "app/document/options.h"
 #include "tests/app/cli_harness.h"
+#include "tests/support/pictures.h"
 
 using namespace wend;
 
@@ -28,6 +29,7 @@ class TestCli : public QObject {
     void meshFrames();
     void picture();
     void pictureFits();
+    void fittedPictureHasItsLastRowAndColumn();
     void texturedMesh();
     void twistedBar();
     void volumeFormats_data();
@@ -251,6 +253,26 @@ void TestCli::picture() {
     QCOMPARE(mesh.uv.cols(), mesh.points.cols());
     QCOMPARE(mesh.points.col(1).head<2>(), Vec<2>(160, 110));  // the handle, to the last bit
     QVERIFY((mesh.uv.col(1) - Vec<2>(140.0 / 200, 1 - 100.0 / 200)).norm() < 1e-15);
+}
+
+/// An opaque picture that has moved by half a pixel: a row and a column more, of which a part is covered.
+void TestCli::fittedPictureHasItsLastRowAndColumn() {
+    putProject(
+        path(), "half.wend",
+        "'domain': {'image': 'opaque.png', 'outline': {'from': 'frame'}, 'vertices': 100}, 'handles': ["
+        "{'at': {'region': {'box': {'min': [0, 0], 'max': [200, 200]}}}, 'motion': [{'kind': 'translate',"
+        "'by': [300.5, -40.25], 'time': [0, 1]}]}]");
+    writeImage(file("opaque.png"), test::plainPicture(200, 160, {90, 180, 30}));
+    succeed({"run", "half.wend", "--image", "half.png", "--canvas", "fit"});
+    const Image fitted = readImage(file("half.png"));
+    QCOMPARE(fitted.width, 201);
+    QCOMPARE(fitted.height, 161);
+    const auto alphaAt = [&](int x, int y) { return std::to_integer<int>(fitted.row(y)[4 * x + 3]); };
+    QCOMPARE(alphaAt(100, 80), 255);
+    QCOMPARE(alphaAt(0, 80), 128);
+    QCOMPARE(alphaAt(200, 80), 128);
+    QCOMPARE(alphaAt(100, 0), 64);  // a quarter
+    QCOMPARE(alphaAt(100, 160), 191);
 }
 
 void TestCli::pictureFits() {

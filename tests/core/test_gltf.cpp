@@ -141,6 +141,15 @@ void TestGltf::skinHasPartsNormalsAndPictures() {
     const QJsonObject attributes = parts[0].toObject()["attributes"].toObject();
     const auto normals = floats(glb, attributes["NORMAL"].toInt(), 3);
     QCOMPARE(normals.size(), std::size_t(scene.points.size()));
+    const auto texture = floats(glb, attributes["TEXCOORD_0"].toInt(), 2);
+    QCOMPARE(texture.size(), std::size_t(2 * scene.points.cols()));
+    std::array<int, 3> seen{};
+    for (std::size_t i = 0; i < texture.size(); i += 2)
+        for (int k = 0; k < 3; ++k)  // glTF counts v from the upper border
+            seen[static_cast<std::size_t>(k)] += texture[i] == static_cast<float>(skin.uv(0, k)) &&
+                                                 texture[i + 1] == static_cast<float>(1 - skin.uv(1, k));
+    QCOMPARE(seen[0] + seen[1] + seen[2], int(scene.points.cols()));
+    QVERIFY(seen[0] > 0 && seen[1] > 0 && seen[2] > 0);
     const QJsonObject last = parts[0].toObject()["targets"].toArray()[1].toObject();
     for (float x : floats(glb, last["NORMAL"].toInt(), 3)) QVERIFY(std::abs(x) < 1e-6F);  // only larger
     QVERIFY(gltfScene(skin, box.points).poses.empty());

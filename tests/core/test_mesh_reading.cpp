@@ -205,6 +205,10 @@ class TestMeshReading : public QObject {
         auto file = readAs("a.obj", vs + vts + "vn 0 0 1\nf 1/1 2/2 3/3\nf 1/1/1 3/-2/1 4/4/1\n");
         QVERIFY((flat(file.uv) ==
                  std::vector<double>{.5, .25, 1, 0, 1, 1, 0, 1, 0, 0}));  // the first of a seam counts
+        file = readAs("a.obj",
+                      vs + "vt .5 .25\nvt 1 0\nvt 1 1\nf 1/-3 2/-2 3/-1\nvt 0 1\nf 1/1 3/-2 4/-1\nvt 7 7\n");
+        QVERIFY((flat(file.uv) ==
+                 std::vector<double>{.5, .25, 1, 0, 1, 1, 0, 1, 0, 0}));  // counted from the latest
         file = readAs("a.obj", vs + vts + "f 1/1 2/2 3/3\nf 1 3 4\n");
         QCOMPARE(file.uv.cols(), 0);  // not everywhere
         QVERIFY_THROWS_EXCEPTION(InputError, readAs("a.obj", vs + vts + "f 1/1 2/2 3/6\n"));
@@ -258,6 +262,16 @@ class TestMeshReading : public QObject {
         QVERIFY(valuesOf(file, "physical") == std::vector<double>{6});
         QVERIFY(valuesOf(file, "entity") == std::vector<double>{5});
         QCOMPARE(file.triangles.size(), std::size_t(1));
+    }
+    void gmshEntityOfTwoGroupsIsOfTheFirst() {
+        const auto file =
+            readAs("a.msh",
+                   "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Entities\n0 0 0 1\n4 0 0 0 1 1 1 3 8 9 7 "
+                   "0\n$EndEntities\n"
+                   "$Nodes\n1 4 1 4\n3 4 0 4\n1\n2\n3\n4\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n$EndNodes\n"
+                   "$Elements\n1 1 1 1\n3 4 4 1\n1 1 2 3 4\n$EndElements\n");
+        QVERIFY(valuesOf(file, "physical") == std::vector<double>{8});
+        QVERIFY(valuesOf(file, "entity") == std::vector<double>{4});
     }
     void meditReferences() {
         const auto file =

@@ -15,6 +15,7 @@ class TestSkin : public QObject {
   private slots:
     void init();
     void objLookIsRead();
+    void negativeTextureNumbersCountFromTheLatest();
     void missingFilesAreWarnings();
     void groupsAreLabels();
     void seamsUnfold();
@@ -62,6 +63,15 @@ void TestSkin::objLookIsRead() {
     QVERIFY(skin.labels == (std::vector{1, 1, 2}));
     QVERIFY(skin.labelNames == (std::vector<std::string>{"red", "wood"}));
     QVERIFY(skin.warnings.empty());
+}
+
+void TestSkin::negativeTextureNumbersCountFromTheLatest() {
+    put("back.obj",
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/-3 2/-2 3/-1\nvt 1 1\nvt .5 .5\n"
+        "f 1/-2/-1 2/-5 4/5\nvt 7 7\n");
+    const Skin skin = readSkin(file("back.obj"));
+    QVERIFY(skin.uvCorners.at(0) == (std::array{0, 1, 2}));
+    QVERIFY(skin.uvCorners.at(1) == (std::array{3, 0, 4}));
 }
 
 void TestSkin::missingFilesAreWarnings() {

@@ -1,10 +1,12 @@
 // The texture warp on every kind of OpenCL device against the processor's.
+#include <QTemporaryDir>
 #include <QTest>
 #include <cmath>
 
 #include "kernels/back_end_choice.h"
 #include "kernels/opencl_warp.h"
 #include "tests/support/pictures.h"
+#include "warp/convert.h"
 #include "warp/warped_picture.h"
 
 using namespace wend;
@@ -18,6 +20,8 @@ class TestOpenClWarp : public QObject {
     void identityKeepsEveryBit();
     void outsideAndFoldsAreTheProcessors_data();
     void outsideAndFoldsAreTheProcessors();
+    void overlapsAreOneOnScreenInFilesAndOnDevices_data();
+    void overlapsAreOneOnScreenInFilesAndOnDevices();
     void stripsAreTheWhole();
     void thePictureGoesToTheDeviceOnce();
     void failingDeviceIsReplaced();
@@ -40,10 +44,10 @@ MakeCellPainter devicePainter() {
                         [](const std::string& text) { qWarning("%s", text.c_str()); });
 }
 
-Image onDevice(const Image& source, const SimplicialMesh<2>& mesh, const Points<2>& pose,
-               WarpOptions options) {
+Image onDevice(const Image& source, const SimplicialMesh<2>& mesh, const Points<2>& pose, WarpOptions options,
+               const View& view = kView) {
     options.makePainter = devicePainter();
-    const WarpedPicture picture(source, mesh, pose, kView, options);
+    const WarpedPicture picture(source, mesh, pose, view, options);
     if (!picture.hasPainter()) throw std::runtime_error("no device paints");
     Image image = picture.header();
     image.data.resize(image.rowBytes() * static_cast<std::size_t>(image.height));
@@ -135,6 +139,46 @@ void TestOpenClWarp::outsideAndFoldsAreTheProcessors() {
     options.colour = {0.2F, 0.4F, 0.1F, 0.5F};
     for (int c = 0; c < mesh.cellCount(); ++c) options.depth.push_back(static_cast<float>(c % 3));
     QVERIFY(agree(warpImage(source, mesh, pose, kView, options), onDevice(source, mesh, pose, options)));
+}
+
+void TestOpenClWarp::overlapsAreOneOnScreenInFilesAndOnDevices_data() {
+    QTest::addColumn<int>("type");
+    QTest::addColumn<int>("channels");
+    QTest::addColumn<bool>("unassociated");
+    QTest::addColumn<QString>("extension");
+    QTest::newRow("8 bits") << static_cast<int>(PixelType::UInt8) << 4 << true << "png";
+    QTest::newRow("grey, 8 bits") << static_cast<int>(PixelType::UInt8) << 2 << true << "png";
+    QTest::newRow("16 bits") << static_cast<int>(PixelType::UInt16) << 4 << true << "png";
+    QTest::newRow("8 bits, associated") << static_cast<int>(PixelType::UInt8) << 4 << false << "tif";
+    QTest::newRow("half, associated") << static_cast<int>(PixelType::Half) << 4 << false << "exr";
+    QTest::newRow("float, associated") << static_cast<int>(PixelType::Float) << 4 << false << "exr";
+    QTest::newRow("float") << static_cast<int>(PixelType::Float) << 4 << true << "tif";
+}
+
+/// A strip of many alphas that is rolled up, as the window draws it (at both of its qualities), as it is
+/// exported, and as a device paints it.
+void TestOpenClWarp::overlapsAreOneOnScreenInFilesAndOnDevices() {
+    QFETCH(int, type);
+    QFETCH(int, channels);
+    QFETCH(bool, unassociated);
+    QFETCH(QString, extension);
+    Image source = randomPicture(91, 37, channels, static_cast<PixelType>(type), true);
+    source.unassociated = true;
+    source = converted(source, {source.type, channels, true, unassociated});
+    const auto mesh = rectangle({0, 0}, {91, 37}, 24);
+    const Points<2> pose = rolledUp(mesh.points, {91, 37});
+    const View view{160, 160, Vec<2>::Zero(), 1};
+    const Pyramid pyramid(std::make_shared<const Image>(source));
+    QTemporaryDir folder;
+    const std::string path = folder.filePath("rolled." + extension).toStdString();
+    for (const Filter filter : {Filter::Bilinear, Filter::Ewa}) {
+        WarpOptions options;
+        options.filter = filter;
+        const Image screen = warpImage(pyramid, mesh, pose, view, options);
+        QVERIFY(agree(screen, onDevice(source, mesh, pose, options, view)));
+        writeWarped(path, WarpedPicture(source, mesh, pose, view, options));
+        QVERIFY(readImage(path).data == screen.data);
+    }
 }
 
 void TestOpenClWarp::stripsAreTheWhole() {

@@ -62,4 +62,27 @@ inline SimplicialMesh<2> rectangle(const Vec<2>& low, const Vec<2>& high, int n)
     return mesh;
 }
 
+/// Two parts of one shape; the second one lies over the first.
+inline SimplicialMesh<2> joined(SimplicialMesh<2> mesh, const SimplicialMesh<2>& other) {
+    const int first = mesh.vertexCount();
+    mesh.points.conservativeResize(2, first + other.vertexCount());
+    mesh.points.rightCols(other.vertexCount()) = other.points;
+    for (Cell<2> cell : other.cells) {
+        for (int& v : cell) v += first;
+        mesh.cells.push_back(cell);
+    }
+    return mesh;
+}
+
+/// A strip bent into 1.3 turns of a ring about (80, 80), from radius 40 to 64: it covers itself for 0.3 of
+/// one.
+inline Points<2> rolledUp(const Points<2>& rest, const Vec<2>& size) {
+    Points<2> pose = rest;
+    for (Eigen::Index i = 0; i < rest.cols(); ++i) {
+        const double angle = 2 * M_PI * 1.3 * rest(0, i) / size.x(), radius = 64 - 24 * rest(1, i) / size.y();
+        pose.col(i) = Vec<2>(80 + radius * std::cos(angle), 80 + radius * std::sin(angle));
+    }
+    return pose;
+}
+
 }  // namespace wend::test

@@ -5,6 +5,7 @@
 
 #include "core/mesh/error.h"
 #include "tests/support/pictures.h"
+#include "warp/convert.h"
 #include "warp/warped_picture.h"
 
 using namespace wend;
@@ -24,6 +25,9 @@ class TestWarp : public QObject {
     void slantedEdgeIsAntialiased();
     void halfPixelShiftIsTheMean();
     void nearerCellsHideOthers();
+    void partsAreLaidOverOneAnother_data();
+    void partsAreLaidOverOneAnother();
+    void sheetOverItselfHasNoHairlines();
     void outsideModes();
     void pictureWithoutAlphaGetsOneWhereNeeded();
     void threadsDoNotMatter();
@@ -32,6 +36,8 @@ class TestWarp : public QObject {
     void viewIsACropOfTheExportInEveryFilter();
     void transparentColoursDoNotBleed_data();
     void transparentColoursDoNotBleed();
+    void halvingsWeightColoursByAlpha_data();
+    void halvingsWeightColoursByAlpha();
     void colourStaysBelowItsAlpha();
     void minifiedFinePatternTurnsGrey();
     void collapsedShapeEnds();
@@ -114,15 +120,7 @@ void TestWarp::nothingIsCutWhereNothingHasMoved_data() {
 void TestWarp::nothingIsCutWhereNothingHasMoved() {
     QFETCH(int, type);
     const Image source = randomPicture(64, 600, 4, static_cast<PixelType>(type), true);
-    auto mesh = rectangle({4, 3.3}, {20.5, 590}, 3);
-    const auto other = rectangle({22.2, 3.3}, {40, 590}, 3);
-    const int first = mesh.vertexCount();
-    mesh.points.conservativeResize(2, first + other.vertexCount());
-    mesh.points.rightCols(other.vertexCount()) = other.points;
-    for (Cell<2> cell : other.cells) {
-        for (int& v : cell) v += first;
-        mesh.cells.push_back(cell);
-    }
+    const auto mesh = joined(rectangle({4, 3.3}, {20.5, 590}, 3), rectangle({22.2, 3.3}, {40, 590}, 3));
     const View view{64, 600, Vec<2>::Zero(), 1};
     WarpOptions options;
     options.restMargin = 4;
@@ -233,13 +231,9 @@ void TestWarp::nearerCellsHideOthers() {
     Image source = plainPicture(40, 20, {10, 20, 30, 255});
     for (int y = 0; y < 20; ++y)
         for (int x = 20; x < 40; ++x) source.row(y)[4 * x] = static_cast<std::byte>(250);
-    SimplicialMesh<2> mesh = rectangle({0, 0}, {20, 20}, 2);
-    const SimplicialMesh<2> right = rectangle({20, 0}, {40, 20}, 2);
-    const int count = mesh.vertexCount(), cells = mesh.cellCount();
-    Points<2> all(2, 2 * count);
-    all << mesh.points, right.points;
-    mesh.points = all;
-    for (auto cell : right.cells) mesh.cells.push_back({cell[0] + count, cell[1] + count, cell[2] + count});
+    const SimplicialMesh<2> left = rectangle({0, 0}, {20, 20}, 2);
+    const SimplicialMesh<2> mesh = joined(left, rectangle({20, 0}, {40, 20}, 2));
+    const int count = left.vertexCount(), cells = left.cellCount();
     Points<2> pose = mesh.points;
     pose.rightCols(count).row(0).array() -= 20;
     WarpOptions options;
@@ -251,6 +245,111 @@ void TestWarp::nearerCellsHideOthers() {
     const Image first = warpImage(source, mesh, pose, view, options);
     QCOMPARE(valueAt<std::uint8_t>(first, 10, 10, 0), std::uint8_t(10));
     QCOMPARE(valueAt<std::uint8_t>(first, 0, 10, 3), std::uint8_t(255));
+}
+
+void TestWarp::partsAreLaidOverOneAnother_data() {
+    QTest::addColumn<int>("type");
+    QTest::addColumn<int>("channels");
+    QTest::addColumn<bool>("unassociated");
+    for (int type = 0; type < 4; ++type)
+        for (int channels : {2, 4})
+            for (bool unassociated : {false, true})
+                QTest::addRow("type %d channels %d %s", type, channels,
+                              unassociated ? "unassociated" : "associated")
+                    << type << channels << unassociated;
+}
+
+/// Two squares of one colour each, the upper one at [30¼, 42¼] over the lower one at [24, 36]: by the formula
+/// of Porter and Duff, also along the upper one's border, of which pixel 30 has three quarters.
+void TestWarp::partsAreLaidOverOneAnother() {
+    QFETCH(int, type);
+    QFETCH(int, channels);
+    QFETCH(bool, unassociated);
+    const auto mesh = joined(rectangle({24, 4}, {36, 16}, 3), rectangle({4, 4}, {16, 16}, 2));
+    Points<2> pose = mesh.points;
+    for (Eigen::Index i = 0; i < pose.cols(); ++i) pose(0, i) += mesh.points(0, i) < 20 ? 26.25 : 0;
+    const double tolerance = type == 0 ? 0.6 / 255 : type == 1 ? 0.6 / 65535 : type == 2 ? 1e-3 : 1e-6;
+    for (const double opacity : {0.0, 0.5, 1.0}) {
+        const Eigen::Array4d upper(0.3, 0.9, 0.6, opacity), lower(0.8, 0.2, 0.4, 0.75);
+        const auto pixel = [&](const Eigen::Array4d& colour) {
+            std::vector<float> values;
+            for (int c = 0; c + 1 < channels; ++c)
+                values.push_back(static_cast<float>(colour[c] * (unassociated ? 1 : colour[3])));
+            values.push_back(static_cast<float>(colour[3]));
+            return values;
+        };
+        Image source{40, 20, channels, static_cast<PixelType>(type), true, unassociated, {}, nullptr};
+        source.makePixels();
+        std::vector<float> row;
+        for (int x = 0; x < 40; ++x)
+            for (float value : pixel(x < 20 ? upper : lower)) row.push_back(value);
+        for (int y = 0; y < 20; ++y) storeRow(source, y, row.data());
+        // What the number type made of the two colours, associated.
+        loadRow(source, 0, row.data());
+        const auto held = [&](int x) {
+            Eigen::ArrayXd colour(channels);
+            for (int c = 0; c < channels; ++c) colour[c] = static_cast<double>(row[x * channels + c]);
+            if (unassociated) colour.head(channels - 1) *= colour[channels - 1];
+            return colour;
+        };
+        const Eigen::ArrayXd above = held(0), below = held(30);
+        const Eigen::ArrayXd both = above + (1 - above[channels - 1]) * below;
+        for (Filter filter : {Filter::Nearest, Filter::Bilinear, Filter::Bicubic, Filter::Ewa}) {
+            WarpOptions options;
+            options.filter = filter;
+            const Image warped = warpImage(source, mesh, pose, {48, 20, Vec<2>::Zero(), 1}, options);
+            std::vector<float> found(48 * static_cast<std::size_t>(channels));
+            loadRow(warped, 10, found.data());
+            const std::pair<int, Eigen::ArrayXd> places[] = {
+                {25, below}, {29, below}, {30, 0.75 * both + 0.25 * below}, {31, both}, {35, both},
+                {36, above}, {41, above}};
+            for (auto [x, expected] : places) {
+                const double alpha = expected[channels - 1];
+                if (unassociated && alpha > 0) expected.head(channels - 1) /= alpha;
+                for (int c = 0; c < channels; ++c) {
+                    const double value =
+                        static_cast<double>(found[static_cast<std::size_t>(x * channels + c)]);
+                    if (unassociated && alpha == 0 && c < channels - 1) continue;  // of no colour
+                    QVERIFY2(std::abs(value - expected[c]) <= tolerance,
+                             qPrintable(QString("pixel %1 channel %2: %3 instead of %4")
+                                            .arg(x)
+                                            .arg(c)
+                                            .arg(value)
+                                            .arg(expected[c])));
+                }
+            }
+        }
+    }
+}
+
+/// A translucent strip that is rolled up: between its borders it has one alpha where it lies alone, and that
+/// of two layers where it covers itself, whatever borders of triangles run there.
+void TestWarp::sheetOverItselfHasNoHairlines() {
+    const Image source = plainPicture(64, 48, {200, 100, 50, 128});
+    const auto mesh = rectangle({0, 0}, {64, 48}, 48);
+    const Points<2> pose = rolledUp(mesh.points, {64, 48});
+    for (Filter filter : {Filter::Nearest, Filter::Bilinear, Filter::Bicubic, Filter::Ewa}) {
+        WarpOptions options;
+        options.filter = filter;
+        const Image warped = warpImage(source, mesh, pose, {160, 160, Vec<2>::Zero(), 1}, options);
+        int seen[3] = {0, 0, 0};
+        for (int y = 0; y < 160; ++y)
+            for (int x = 0; x < 160; ++x) {
+                const Vec<2> p = Vec<2>(x + 0.5, y + 0.5) - Vec<2>(80, 80);
+                const double radius = p.norm(),
+                             turn = std::remainder(std::atan2(p.y(), p.x()) / (2 * M_PI) - 0.5, 1) + 0.5;
+                const double near = 1.5 / (2 * M_PI * radius);
+                if (std::abs(radius - 52) > 11 || turn < near || turn > 1 - near ||
+                    std::abs(turn - 0.3) < near)
+                    continue;
+                const int layers = turn < 0.3 ? 2 : 1;
+                ++seen[layers];
+                QCOMPARE(int(valueAt<std::uint8_t>(warped, x, y, 3)), layers == 1 ? 128 : 192);
+                for (int c = 0; c < 3; ++c)
+                    QCOMPARE(valueAt<std::uint8_t>(warped, x, y, c), valueAt<std::uint8_t>(source, 0, 0, c));
+            }
+        QVERIFY(seen[1] > 3000 && seen[2] > 1500);
+    }
 }
 
 void TestWarp::outsideModes() {
@@ -346,10 +445,10 @@ void TestWarp::transparentColoursDoNotBleed() {
     options.filter = static_cast<Filter>(filter);
     Image source = plainPicture(64, 48, {40, 90, 200, 255});
     for (int y = 0; y < 48; ++y)
-        for (int x = 0; x < 32; ++x)  // transparent, and glaring if it were seen
+        for (int x = 0; x < 31; ++x)  // transparent, and glaring if it were seen; halves are mixed
             for (int c = 0; c < 4; ++c) source.row(y)[4 * x + c] = static_cast<std::byte>(c == 0 ? 255 : 0);
     const auto mesh = wholePicture();
-    for (double scale : {1.0, 1.2, 2.7}) {
+    for (double scale : {1.0, 1.2, 2.7, 6.0}) {
         const Points<2> pose = (mesh.points.colwise() + Vec<2>(0.37, 0.21)) / scale;
         const Image warped = warpImage(source, mesh, pose, kView, options);
         int mixed = 0;
@@ -363,6 +462,43 @@ void TestWarp::transparentColoursDoNotBleed() {
                 QCOMPARE(valueAt<std::uint8_t>(warped, x, y, 2), std::uint8_t(200));
             }
         QVERIFY(mixed > 0);
+    }
+}
+
+void TestWarp::halvingsWeightColoursByAlpha_data() {
+    QTest::addColumn<int>("type");
+    for (int type = 0; type < 4; ++type) QTest::addRow("type %d", type) << type;
+}
+
+/// The mean of up to four pixels: of alpha, and of colours times alpha. Odd sizes have fewer at their
+/// borders.
+void TestWarp::halvingsWeightColoursByAlpha() {
+    QFETCH(int, type);
+    const Image source = randomPicture(13, 7, 4, static_cast<PixelType>(type), true);
+    const Pyramid pyramid(std::make_shared<const Image>(source), 1);
+    const Image& halved = pyramid.level(1);
+    QCOMPARE(halved.width, 7);
+    QCOMPARE(halved.height, 4);
+    const double tolerance = type == 0 ? 0.51 / 255 : type == 1 ? 0.51 / 65535 : type == 2 ? 1e-3 : 1e-6;
+    std::vector<std::vector<float>> rows(7, std::vector<float>(13 * 4));
+    for (int y = 0; y < 7; ++y) loadRow(source, y, rows[static_cast<std::size_t>(y)].data());
+    std::vector<float> found(7 * 4);
+    for (int y = 0; y < 4; ++y) {
+        loadRow(halved, y, found.data());
+        for (int x = 0; x < 7; ++x) {
+            Eigen::Array4d sum = Eigen::Array4d::Zero();
+            int count = 0;
+            for (int j = 2 * y; j < std::min(2 * y + 2, 7); ++j)
+                for (int i = 2 * x; i < std::min(2 * x + 2, 13); ++i, ++count) {
+                    const float* p = rows[static_cast<std::size_t>(j)].data() + 4 * i;
+                    const auto alpha = static_cast<double>(p[3]);
+                    sum += Eigen::Array4d(p[0] * alpha, p[1] * alpha, p[2] * alpha, alpha);
+                }
+            const float* p = found.data() + 4 * x;
+            QVERIFY(std::abs(static_cast<double>(p[3]) - sum[3] / count) <= tolerance);
+            for (int c = 0; c < 3 && sum[3] > 0; ++c)
+                QVERIFY(std::abs(static_cast<double>(p[c]) - sum[c] / sum[3]) <= tolerance);
+        }
     }
 }
 
