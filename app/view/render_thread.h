@@ -17,7 +17,7 @@ namespace wend {
 
 /// What the canvas wants drawn: the picture carried by a frame, and what lies over it.
 struct RenderRequest {
-    int document = 0;                        // its generation: what is drawn of another one comes too late
+    int document = 0;  // its generation: what is drawn of another one comes too late
     std::shared_ptr<const ScreenPicture> picture;  // may be null
     std::shared_ptr<const Texture> texture;  // of a file's mesh: where that lies in the picture; or null
     PosedPtr<2> frame;

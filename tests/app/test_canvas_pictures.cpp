@@ -409,15 +409,12 @@ void TestCanvasPictures::partsAndHolesAreBentAndExported() {
               other = m_session->addPin({265, 95});
     QVERIFY(left >= 0 && right >= 0 && other >= 0);
     drag({left, right, other}, {20, 31});
-    QVERIFY2(difference({20, 31}, {20, 31}) < 3,
-             qPrintable(QString::number(difference({20, 31}, {20, 31}))));
+    QVERIFY2(difference({20, 31}, {20, 31}) < 3, qPrintable(QString::number(difference({20, 31}, {20, 31}))));
     canvasIsExported();
     drag({left, right}, {-9, -40});
-    QVERIFY2(difference({11, -9}, {20, 31}) < 3,
-             qPrintable(QString::number(difference({11, -9}, {20, 31}))));
+    QVERIFY2(difference({11, -9}, {20, 31}) < 3, qPrintable(QString::number(difference({11, -9}, {20, 31}))));
     drag({other}, {14, 20});
-    QVERIFY2(difference({11, -9}, {34, 51}) < 3,
-             qPrintable(QString::number(difference({11, -9}, {34, 51}))));
+    QVERIFY2(difference({11, -9}, {34, 51}) < 3, qPrintable(QString::number(difference({11, -9}, {34, 51}))));
     QCOMPARE(qAlpha(exported(whole).pixel(90 + 11, 100 - 9)), 0);  // in the hole
     canvasIsExported();
 }
