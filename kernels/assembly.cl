@@ -1,5 +1,5 @@
 // From a shape to the values of the matrix of the generalized metric energy (ARCHITECTURE.md; method.md). Built with
-//   -DDIM=2|3, and -DANISOTROPIC if any cell has B ≠ I.
+//   -DDIM=2|3, -DANISOTROPIC if any cell has B ≠ I, and -DPAPER for the paper's smoothness: jumps of stress.
 // A vector is a double2 or a double4 with w = 0; a matrix is its rows. Corner = cell · (DIM + 1) + local index.
 // Every sum runs in the plan's fixed order: no atomics, no local memory, the same bits whatever the device's parallelism.
 
@@ -89,14 +89,34 @@ mat product(mat a, mat b) {
 // --- energy ---------------------------------------------------------------------------------------------------------
 
 // Stress of a strain S = J + Jᵀ: P = 2 w_q (SB + BS) + w_r (d / Tr B) Tr(BS) B; for B = I 4 w_q S + w_r Tr(S) I.
-mat stressOf(mat S, double2 weights, int cell, global const double* B) {
+mat stressOf(mat S, double2 weights, mat b) {
 #ifdef ANISOTROPIC
-    const mat b = loadMat(B, cell);
     const mat SB = product(S, b);
     return add(scaled(2 * weights.x, add(SB, 1.0, transposed(SB))), weights.y * (DIM / trace(b)) * frobenius(b, S), b);
 #else
     return add(scaled(4 * weights.x, S), weights.y * trace(S), identity(1.0));
 #endif
+}
+
+// B of a cell, and the mean of two.
+mat anisotropyOf(global const double* B, int cell) {
+#ifdef ANISOTROPIC
+    return loadMat(B, cell);
+#else
+    return identity(1.0);
+#endif
+}
+mat meanAnisotropy(global const double* B, int i, int j) {
+#ifdef ANISOTROPIC
+    return scaled(0.5, add(loadMat(B, i), 1.0, loadMat(B, j)));
+#else
+    return identity(1.0);
+#endif
+}
+
+// The weights of q between two cells: their means, without a positive part of dilation.
+double2 jumpWeights(double2 i, double2 j) {
+    return (double2)(0.5 * (i.x + j.x), fmin(0.5 * (i.y + j.y), 0.0));
 }
 
 // The edges x_k − x_0 of a cell as rows.
@@ -174,9 +194,9 @@ vec centroid(global const int* cells, global const double* shape, int cell) {
     return sum / (double)CORNERS;
 }
 
-// Weight of ‖P_j − P_i‖² per interior facet: factor · B_ij / h_ij (invariant) or factor · B_ij (paper).
+// Weight of the jump per interior facet: factor · B_ij / h_ij (invariant) or factor · B_ij (paper).
 kernel void setFacets(int count, global const int* cells, global const int* facets, global const double* shape,
-                      double factor, int invariant, global double* weight) {
+                      double factor, global double* weight) {
     const int facet = get_global_id(0);
     if (facet >= count) return;
     global const int* f = facets + (DIM + 2) * facet;  // vertices, then the two cells
@@ -186,46 +206,112 @@ kernel void setFacets(int count, global const int* cells, global const int* face
 #else
     const double size = 0.5 * length(cross(a, load(shape, f[2]) - load(shape, f[0])));
 #endif
-    const double distance = length(centroid(cells, shape, f[DIM + 1]) - centroid(cells, shape, f[DIM]));
-    weight[facet] = invariant ? factor * size / distance : factor * size;
+#ifdef PAPER
+    weight[facet] = factor * size;
+#else
+    weight[facet] = factor * size / length(centroid(cells, shape, f[DIM + 1]) - centroid(cells, shape, f[DIM]));
+#endif
 }
 
-// β, the sum of a cell's facet weights.
-kernel void setBeta(int count, global const int* facetOfCorner, global const double* weight, global double* beta) {
+int across(global const int* facets, int facet, int cell) {
+    global const int* sides = facets + (DIM + 2) * facet + DIM;
+    return sides[0] == cell ? sides[1] : sides[0];
+}
+
+// Of a cell's facets: Σ weight, or with B = I, but for the paper's kind, Σ weight · (q, r) of the jump.
+kernel void setBeta(int count, global const int* facetOfCorner, global const int* facets, global const double2* weights,
+                    global const double* weight, global double2* beta) {
     const int cell = get_global_id(0);
     if (cell >= count) return;
-    double sum = 0;
+    double2 sum = 0;
     for (int k = 0; k < CORNERS; ++k) {
         const int facet = facetOfCorner[CORNERS * cell + k];
-        if (facet >= 0) sum += weight[facet];
+        if (facet < 0) continue;
+#ifdef PAPER
+        sum.x += weight[facet];
+#else
+        sum += weight[facet] * jumpWeights(weights[cell], weights[across(facets, facet, cell)]);
+#endif
     }
     beta[cell] = sum;
 }
 
 // --- the matrix -----------------------------------------------------------------------------------------------------
 
-// Column j of 2 R g for R = the stress that e_j at the right corner brings to the left corner's cell.
-#ifdef ANISOTROPIC
+// Column j of a block, 2 R g for R = the stress that e_j at the right corner brings to the left corner's cell:
+// scale · 4 w_q ((Bh) gᵀ + (g·h) B + (g·Bh) I + h (Bg)ᵀ) + scale · 4 w_r (d / Tr B) (Bg) (Bh)ᵀ.
+vec blockColumn(int j, vec g, vec h, double scale, double2 w, mat b) {
+    const vec bg = times(b, g), bh = times(b, h);
+    const vec shear = GET(g, j) * bh + dot(g, h) * times(b, UNIT(j)) + dot(g, bh) * UNIT(j) + GET(bg, j) * h;
+    return 4 * scale * (w.x * shear + w.y * (DIM / trace(b)) * GET(bh, j) * bg);
+}
+// The paper's kind: the stress of a stress.
 mat strainOf(int j, vec h) { const mat m = outer(UNIT(j), h); return add(m, 1.0, transposed(m)); }
-vec ownColumn(int j, vec g, vec h, double quarter, double beta, double2 w, int cell, global const double* B) {
-    const mat P = stressOf(strainOf(j, h), w, cell, B);
-    return 2 * times(add(scaled(quarter, P), beta, stressOf(P, w, cell, B)), g);
+vec twiceColumn(int j, vec g, vec h, double weight, double2 wl, mat bl, double2 wr, mat br) {
+    return 2 * weight * times(stressOf(stressOf(strainOf(j, h), wr, br), wl, bl), g);
 }
-vec crossColumn(int j, vec g, vec h, double weight, double2 wl, int left, double2 wr, int right, global const double* B) {
-    return -2 * weight * times(stressOf(stressOf(strainOf(j, h), wr, right, B), wl, left, B), g);
-}
-#else
-// 2 a ((g·h) e_j + h g_j) + 4 b g h_j, the same in closed form: D = α I + ρ 1 1ᵀ with α = 4 w_q, ρ = w_r.
+// 2 a ((g·h) e_j + h g_j) + 4 b g h_j, the same in closed form for B = I: D = α I + ρ 1 1ᵀ with α = 4 w_q, ρ = w_r.
 vec closedColumn(int j, vec g, vec h, double a, double b) {
     return 2 * a * (dot(g, h) * UNIT(j) + GET(g, j) * h) + 4 * b * GET(h, j) * g;
 }
+
+// Column j of what a cell brings to the block of two of its corners: ¼ V D, and of its facets.
+vec ownColumn(int j, vec g, vec h, int cell, double quarter, double2 w, double2 beta, global const double* B,
+              global const int* facetOfCorner, global const int* facets, global const double* facetWeight,
+              global const double2* weights) {
+#ifdef ANISOTROPIC
+    const mat b = loadMat(B, cell);
+    vec column = blockColumn(j, g, h, quarter, w, b);
+#ifdef PAPER
+    return column + twiceColumn(j, g, h, beta.x, w, b, w, b);
+#else
+    for (int k = 0; k < CORNERS; ++k) {
+        const int facet = facetOfCorner[CORNERS * cell + k];
+        if (facet < 0) continue;
+        const int other = across(facets, facet, cell);
+        column += blockColumn(j, g, h, 0.25 * facetWeight[facet], jumpWeights(w, weights[other]),
+                              meanAnisotropy(B, cell, other));
+    }
+    return column;
 #endif
+#else
+    const double alpha = 4 * w.x, rho = w.y;
+#ifdef PAPER
+    return closedColumn(j, g, h, quarter * alpha + beta.x * alpha * alpha,
+                        quarter * rho + beta.x * (2 * alpha * rho + DIM * rho * rho));
+#else
+    return closedColumn(j, g, h, quarter * alpha + beta.x, quarter * rho + 0.25 * beta.y);
+#endif
+#endif
+}
+
+// Column j of what a facet brings to the block of corners of its two cells.
+vec crossColumn(int j, vec g, vec h, double weight, int left, int right, global const double* B,
+                global const double2* weights) {
+    const double2 wl = weights[left], wr = weights[right];
+#ifdef PAPER
+#ifdef ANISOTROPIC
+    return twiceColumn(j, g, h, -weight, wl, loadMat(B, left), wr, loadMat(B, right));
+#else
+    const double al = 4 * wl.x, ar = 4 * wr.x, rl = wl.y, rr = wr.y;
+    return closedColumn(j, g, h, -weight * al * ar, -weight * (al * rr + rl * ar + DIM * rl * rr));
+#endif
+#else
+    const double2 w = jumpWeights(wl, wr);
+#ifdef ANISOTROPIC
+    return blockColumn(j, g, h, -0.25 * weight, w, meanAnisotropy(B, left, right));
+#else
+    return closedColumn(j, g, h, -weight * w.x, -0.25 * weight * w.y);
+#endif
+#endif
+}
 
 // Blocks (column-major) of the lower triangle, each gathered from its contributions.
 kernel void assemble(int count, global const int* ownStart, global const int2* own, global const int* crossStart,
-                     global const int* crossContributions, global const double* gradients, global const double* measure,
-                     global const double2* weights, global const double* beta, global const double* facetWeight,
-                     global const double* inertia, global const double* B, global double* values) {
+                     global const int* crossContributions, global const int* facetOfCorner, global const int* facets,
+                     global const double* gradients, global const double* measure, global const double2* weights,
+                     global const double2* beta, global const double* facetWeight, global const double* inertia,
+                     global const double* B, global double* values) {
     const int block = get_global_id(0);
     if (block >= count) return;
     vec c0 = ZERO, c1 = ZERO, c2 = ZERO;
@@ -233,45 +319,23 @@ kernel void assemble(int count, global const int* ownStart, global const int2* o
         const int2 corners = own[k];
         const int cell = corners.x / CORNERS;
         const vec g = load(gradients, corners.x), h = load(gradients, corners.y);
-        const double quarter = 0.25 * measure[cell], b = beta[cell];
-        const double2 w = weights[cell];
+        const double quarter = 0.25 * measure[cell];
+        const double2 w = weights[cell], b = beta[cell];
         const double mass = inertia[cell] * measure[cell] * (corners.x == corners.y ? 2.0 : 1.0) / ((DIM + 1) * (DIM + 2));
-#ifdef ANISOTROPIC
-        c0 += ownColumn(0, g, h, quarter, b, w, cell, B) + mass * UNIT(0);
-        c1 += ownColumn(1, g, h, quarter, b, w, cell, B) + mass * UNIT(1);
+        c0 += ownColumn(0, g, h, cell, quarter, w, b, B, facetOfCorner, facets, facetWeight, weights) + mass * UNIT(0);
+        c1 += ownColumn(1, g, h, cell, quarter, w, b, B, facetOfCorner, facets, facetWeight, weights) + mass * UNIT(1);
 #if DIM == 3
-        c2 += ownColumn(2, g, h, quarter, b, w, cell, B) + mass * UNIT(2);
-#endif
-#else
-        const double alpha = 4 * w.x, rho = w.y;
-        const double p = quarter * alpha + b * alpha * alpha;
-        const double q = quarter * rho + b * (2 * alpha * rho + DIM * rho * rho);
-        c0 += closedColumn(0, g, h, p, q) + mass * UNIT(0);
-        c1 += closedColumn(1, g, h, p, q) + mass * UNIT(1);
-#if DIM == 3
-        c2 += closedColumn(2, g, h, p, q) + mass * UNIT(2);
-#endif
+        c2 += ownColumn(2, g, h, cell, quarter, w, b, B, facetOfCorner, facets, facetWeight, weights) + mass * UNIT(2);
 #endif
     }
     for (int k = crossStart[block]; k < crossStart[block + 1]; ++k) {
         const int left = crossContributions[3 * k], right = crossContributions[3 * k + 1];
         const double weight = facetWeight[crossContributions[3 * k + 2]];
         const vec g = load(gradients, left), h = load(gradients, right);
-        const double2 wl = weights[left / CORNERS], wr = weights[right / CORNERS];
-#ifdef ANISOTROPIC
-        c0 += crossColumn(0, g, h, weight, wl, left / CORNERS, wr, right / CORNERS, B);
-        c1 += crossColumn(1, g, h, weight, wl, left / CORNERS, wr, right / CORNERS, B);
+        c0 += crossColumn(0, g, h, weight, left / CORNERS, right / CORNERS, B, weights);
+        c1 += crossColumn(1, g, h, weight, left / CORNERS, right / CORNERS, B, weights);
 #if DIM == 3
-        c2 += crossColumn(2, g, h, weight, wl, left / CORNERS, wr, right / CORNERS, B);
-#endif
-#else
-        const double al = 4 * wl.x, ar = 4 * wr.x, rl = wl.y, rr = wr.y;
-        const double p = -weight * al * ar, q = -weight * (al * rr + rl * ar + DIM * rl * rr);
-        c0 += closedColumn(0, g, h, p, q);
-        c1 += closedColumn(1, g, h, p, q);
-#if DIM == 3
-        c2 += closedColumn(2, g, h, p, q);
-#endif
+        c2 += crossColumn(2, g, h, weight, left / CORNERS, right / CORNERS, B, weights);
 #endif
     }
     store(values, DIM * block, c0);
@@ -283,7 +347,7 @@ kernel void assemble(int count, global const int* ownStart, global const int2* o
 
 // --- products without the matrix ------------------------------------------------------------------------------------
 
-// P = D S of a nodal field, per cell.
+// S and P = D S of a nodal field, per cell.
 kernel void cellStress(int count, global const int* cells, global const double* gradients, global const double2* weights,
                        global const double* B, global const double* v, global double* strain, global double* stress) {
     const int cell = get_global_id(0);
@@ -293,32 +357,40 @@ kernel void cellStress(int count, global const int* cells, global const double* 
         J = add(J, 1.0, outer(load(v, cells[CORNERS * cell + k]), load(gradients, CORNERS * cell + k)));
     const mat S = add(J, 1.0, transposed(J));
     storeMat(strain, cell, S);
-    storeMat(stress, cell, stressOf(S, weights[cell], cell, B));
+    storeMat(stress, cell, stressOf(S, weights[cell], anisotropyOf(B, cell)));
 }
 
-int across(global const int* facets, int facet, int cell) {
-    global const int* sides = facets + (DIM + 2) * facet + DIM;
-    return sides[0] == cell ? sides[1] : sides[0];
-}
-
-// R = ¼ V P + D Σ weight (P − P_neighbour), and the cell's energy ¼ V S : P + ½ Σ weight ‖P − P_neighbour‖².
+// R = ¼ V P + ¼ Σ weight D_facet (S − S_neighbour), and the cell's energy ¼ V S : P + half that of its facets; with the
+// paper's kind R = ¼ V P + D Σ weight (P − P_neighbour).
 kernel void cellForce(int count, global const int* facetOfCorner, global const int* facets, global const double* facetWeight,
                       global const double* measure, global const double2* weights, global const double* B,
                       global const double* strain, global const double* stress, global double* force,
                       global double* cellEnergy) {
     const int cell = get_global_id(0);
     if (cell >= count) return;
-    const mat P = loadMat(stress, cell);
+    const mat S = loadMat(strain, cell), P = loadMat(stress, cell);
     mat jump = identity(0.0);
-    double energy = 0.25 * measure[cell] * frobenius(loadMat(strain, cell), P);
+    double energy = 0.25 * measure[cell] * frobenius(S, P);
     for (int k = 0; k < CORNERS; ++k) {
         const int facet = facetOfCorner[CORNERS * cell + k];
         if (facet < 0) continue;
-        const mat difference = add(P, -1.0, loadMat(stress, across(facets, facet, cell)));
+        const int other = across(facets, facet, cell);
+#ifdef PAPER
+        const mat difference = add(P, -1.0, loadMat(stress, other));
         jump = add(jump, facetWeight[facet], difference);
         energy += 0.5 * facetWeight[facet] * frobenius(difference, difference);
+#else
+        const mat difference = add(S, -1.0, loadMat(strain, other));
+        const double2 w = jumpWeights(weights[cell], weights[other]);
+        const mat D = stressOf(difference, w, meanAnisotropy(B, cell, other));
+        jump = add(jump, 0.25 * facetWeight[facet], D);
+        energy += 0.125 * facetWeight[facet] * frobenius(difference, D);
+#endif
     }
-    storeMat(force, cell, add(stressOf(jump, weights[cell], cell, B), 0.25 * measure[cell], P));
+#ifdef PAPER
+    jump = stressOf(jump, weights[cell], anisotropyOf(B, cell));
+#endif
+    storeMat(force, cell, add(jump, 0.25 * measure[cell], P));
     cellEnergy[cell] = energy;
 }
 

@@ -23,6 +23,7 @@ class OpenClBackEnd final : public BackEnd<Dim> {
         : m_cl(device),
           m_plan(std::move(plan)),
           m_anisotropic(!material.anisotropy.empty()),
+          m_paper(material.smoothing.kind == SmoothingKind::Paper),
           m_stages(m_cl, m_plan->vertexCount),
           m_workers(usefulThreads(threads, Dim * rest.vertexCount())) {
         buildKernels();
@@ -57,7 +58,8 @@ class OpenClBackEnd final : public BackEnd<Dim> {
     void assemble(std::span<double> values) override {
         guarded([&] {
             launch(m_cl.queue(), m_assemble, m_plan->blockCount(), m_ownStart, m_own, m_crossStart, m_cross,
-                   m_gradients, m_measure, m_weights, m_beta, m_facetWeight, m_inertia, m_B, m_values);
+                   m_facetOfCorner, m_facets, m_gradients, m_measure, m_weights, m_beta, m_facetWeight,
+                   m_inertia, m_B, m_values);
             m_cl.read(m_values, values.data(), values.size());
         });
     }
@@ -92,6 +94,7 @@ class OpenClBackEnd final : public BackEnd<Dim> {
     void buildKernels() {
         std::string options = "-cl-std=CL1.2 -DDIM=" + std::to_string(Dim);
         if (m_anisotropic) options += " -DANISOTROPIC";
+        if (m_paper) options += " -DPAPER";
         const cl::Program program = m_cl.build("assembly.cl", options);
         m_setCells = cl::Kernel(program, "setCells");
         m_firstBad = cl::Kernel(program, "firstBad");
@@ -134,8 +137,7 @@ class OpenClBackEnd final : public BackEnd<Dim> {
         m_restB = upload(B);
         m_restInverse = m_anisotropic ? upload(restInverses(rest)) : upload(std::vector<double>());
         const Smoothing& smoothing = material.smoothing;
-        m_invariant = smoothing.kind == SmoothingKind::Invariant ? 1 : 0;
-        m_smoothingFactor = m_invariant != 0 ? smoothing.length * smoothing.length / 16 : smoothing.lambda;
+        m_smoothingFactor = m_paper ? smoothing.lambda : smoothing.length * smoothing.length;
     }
 
     void allocate() {
@@ -146,7 +148,7 @@ class OpenClBackEnd final : public BackEnd<Dim> {
         m_product = m_cl.buffer<double>(nodal);
         m_gradients = m_cl.buffer<double>(count * (Dim + 1) * Dim);
         m_measure = m_cl.buffer<double>(count);
-        m_beta = m_cl.buffer<double>(count);
+        m_beta = m_cl.buffer<double>(2 * count);
         m_bad = m_cl.buffer<int>(count);
         m_chunks = static_cast<int>((count + kChunk - 1) / kChunk);
         m_first = m_cl.buffer<int>(static_cast<std::size_t>(m_chunks));
@@ -164,9 +166,8 @@ class OpenClBackEnd final : public BackEnd<Dim> {
         auto& queue = m_cl.queue();
         launch(queue, m_setCells, cells(), m_cells, shape, m_restMeasure, m_restInverse, m_restB, m_gradients,
                m_measure, m_B, m_bad);
-        launch(queue, m_setFacets, facets(), m_cells, m_facets, shape, m_smoothingFactor, m_invariant,
-               m_facetWeight);
-        launch(queue, m_setBeta, cells(), m_facetOfCorner, m_facetWeight, m_beta);
+        launch(queue, m_setFacets, facets(), m_cells, m_facets, shape, m_smoothingFactor, m_facetWeight);
+        launch(queue, m_setBeta, cells(), m_facetOfCorner, m_facets, m_weights, m_facetWeight, m_beta);
         return firstBad();
     }
 
@@ -197,11 +198,10 @@ class OpenClBackEnd final : public BackEnd<Dim> {
 
     OpenClContext m_cl;
     std::shared_ptr<const AssemblyPlan<Dim>> m_plan;
-    bool m_anisotropic;
+    bool m_anisotropic, m_paper;
     OpenClStages<Dim> m_stages;
     WorkerPool m_workers;
     int m_chunks = 0;
-    cl_int m_invariant = 0;
     cl_double m_smoothingFactor = 0;
     cl::Kernel m_setCells, m_firstBad, m_setFacets, m_setBeta, m_assemble, m_cellStress, m_cellForce,
         m_vertexForce;

@@ -673,6 +673,14 @@
         <source>Write the view as a picture, as large as you like</source>
         <translation>Die Ansicht als Bild schreiben, so groß wie gewünscht</translation>
     </message>
+    <message>
+        <source>S&amp;ettle</source>
+        <translation>&amp;Entspannen</translation>
+    </message>
+    <message>
+        <source>Let the shape relax towards its rest at the end, with the pins where they are</source>
+        <translation>Die Form am Ende zur Ruhe hin entspannen, mit den Pins, wo sie sind</translation>
+    </message>
 </context>
 <context>
     <name>wend::CurveActions</name>
@@ -1437,10 +1445,6 @@
         <translation>Glättungslänge</translation>
     </message>
     <message>
-        <source>How far a pin&apos;s pull is spread, as a part of the shape&apos;s diagonal. Small: close to the pin, sharp. Large: soft and wide.</source>
-        <translation>Wie weit der Zug eines Pins verteilt wird, als Teil der Diagonale der Form. Klein: nah am Pin, scharf. Groß: weich und weit.</translation>
-    </message>
-    <message>
         <source>This project smooths as in the paper, with λ; its file says how much.</source>
         <translation>Dieses Projekt glättet wie im Aufsatz mit λ; seine Datei sagt, wie viel.</translation>
     </message>
@@ -1459,6 +1463,26 @@
     <message>
         <source>The same choice as a number, as it stands in the project file: 0.002 keeps volume, 0.464 length, 1.571 is rigid, 2.498 keeps angles.</source>
         <translation>Dieselbe Wahl als Zahl, wie sie in der Projektdatei steht: 0,002 erhält das Volumen, 0,464 die Länge, 1,571 ist starr, 2,498 erhält Winkel.</translation>
+    </message>
+    <message>
+        <source>Settle</source>
+        <translation>Entspannen</translation>
+    </message>
+    <message>
+        <source>Remembers its shape</source>
+        <translation>Erinnert sich an ihre Form</translation>
+    </message>
+    <message>
+        <source>How far a pin&apos;s pull is spread, as a part of the shape&apos;s size. Small: close to the pin, sharp. Large: soft and wide.</source>
+        <translation>Wie weit der Zug eines Pins verteilt wird, als Teil der Größe der Form. Klein: nah am Pin, scharf. Groß: weich und weit.</translation>
+    </message>
+    <message>
+        <source>Let the shape relax with the pins where they are, until it is as near to its rest as it can be. This takes a moment at the end of the motion.</source>
+        <translation>Die Form entspannt sich mit den Pins, wo sie sind, bis sie ihrer Ruhe so nah ist, wie sie kann. Das nimmt einen Augenblick am Ende der Bewegung ein.</translation>
+    </message>
+    <message>
+        <source>Change memory</source>
+        <translation>Erinnerung ändern</translation>
     </message>
 </context>
 <context>
@@ -1561,6 +1585,25 @@
     <message>
         <source>circumradius to shortest edge</source>
         <translation>Umkreisradius zu kürzester Kante</translation>
+    </message>
+</context>
+<context>
+    <name>wend::MemorySlider</name>
+    <message>
+        <source>Remembers its shape</source>
+        <translation>Erinnert sich an ihre Form</translation>
+    </message>
+    <message>
+        <source>How strongly the shape is drawn back to its rest while a pin moves. Not at all: where it ends depends on the way that the pin has gone. Fully: a pin that comes back brings the shape back.</source>
+        <translation>Wie stark die Form zu ihrer Ruhe zurückgezogen wird, während sich ein Pin bewegt. Gar nicht: wo sie endet, hängt vom Weg ab, den der Pin gegangen ist. Ganz: kommt ein Pin zurück, dann auch die Form.</translation>
+    </message>
+    <message>
+        <source>not at all</source>
+        <translation>gar nicht</translation>
+    </message>
+    <message>
+        <source>fully</source>
+        <translation>ganz</translation>
     </message>
 </context>
 <context>
@@ -2135,6 +2178,10 @@
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Settle</source>
+        <translation>Entspannen</translation>
     </message>
 </context>
 <context>

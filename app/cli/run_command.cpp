@@ -74,6 +74,9 @@ void override(Project& project, const Arguments& arguments) {
         const double phi = arguments.phi("--phi", project.dimension());
         std::visit([phi](auto& design) { design.material.phi = phi; }, project.design);
     }
+    if (const auto memory = arguments.given("--memory"))
+        std::visit([&](auto& design) { design.material.memory = *memory; }, project.design);
+    if (arguments.has("--settle")) appendSettling(project, project.end);
 }
 
 }  // namespace

@@ -321,6 +321,7 @@ MaterialSpec<Dim> readMaterial(const JsonValue& value) {
     JsonObject object(value);
     if (auto phi = object.find("phi")) spec.phi = readPhi(*phi, Dim);
     if (auto smoothing = object.find("smoothing")) spec.smoothing = readSmoothing(*smoothing);
+    if (auto memory = object.find("memory")) spec.memory = memory->number("material.memory");
     if (auto regions = object.find("regions"))
         for (const JsonValue& element : regions->elements())
             spec.regions.push_back(readMaterialRegion<Dim>(element));

@@ -70,10 +70,11 @@ constexpr std::array kOptions{
            "φ_CONF]"},
     Option{"material.smoothing.kind", "", Choice, "invariant", kAny, "", "invariant|paper|none", "",
            "weight of the smoothness term: independent of the mesh, as in the paper, or none"},
-    Option{
-        "material.smoothing.length", "", Number, "0.02", kUnitAboveZero, "diagonals", "", "",
-        "length over which the invariant kind smooths, relative to the diagonal of the shape's bounding box"},
+    Option{"material.smoothing.length", "", Number, "1/75", kUnitAboveZero, "sizes", "", "",
+           "length over which the invariant kind smooths, relative to the size of the shape"},
     Option{"material.smoothing.lambda", "", Number, "0.1", kNotNegative, "", "", "", "λ of the paper's kind"},
+    Option{"material.memory", "--memory", Number, "0", kNotNegative, "", "", "run",
+           "how strongly the shape is drawn back to its rest while handles move; 0: not at all, 10: much"},
     Option{"material.regions[].feather", "", Number, "0", kNotNegative, "units", "", "",
            "width of a region's smooth edge"},
     Option{"material.regions[].stiffness.ratio", "", Number, "1", kRatio, "", "", "",
@@ -93,11 +94,15 @@ constexpr std::array kOptions{
            "how the motion starts and stops"},
     Option{"time.end", "", Number, "1", kPositive, "time", "", "",
            "time at which the deformation is complete"},
+    Option{"settle[].time", "", Number, "", kNotNegative, "time", "", "",
+           "two times between which the shape relaxes towards its rest, with the handles as they are"},
+    Option{"", "--settle", Flag, "", kAny, "", "", "run",
+           "let the shape settle after the end: one more unit of time in which it relaxes towards its rest"},
     Option{"integration.method", "--method", Choice, "adams", kAny, "", "dopri5|rk4|midpoint|adams", "run",
            "Dormand–Prince or Adams with error control, or classical Runge–Kutta or midpoint with equal "
            "steps"},
-    Option{"integration.tolerance", "--tolerance", Number, "0.0001", kTolerance, "diagonals", "", "run",
-           "error allowed in a step, relative to the diagonal of the shape's bounding box"},
+    Option{"integration.tolerance", "--tolerance", Number, "0.0001", kTolerance, "sizes", "", "run",
+           "error allowed in a step, relative to the size of the shape"},
     Option{"integration.steps", "--steps", Integer, "0", kSteps, "", "", "run",
            "number of equal steps over the whole time; 0: chosen by the error"},
     Option{"integration.smallestStep", "", Number, "1e-6", kSmallestStep, "time spans", "", "",
@@ -190,8 +195,11 @@ const Option& option(std::string_view keyOrFlag) {
 double defaultOf(std::string_view keyOrFlag) {
     const std::string_view text = option(keyOrFlag).fallback;
     double value = 0;
-    std::from_chars(text.data(), text.data() + text.size(), value);
-    return value;
+    const char* const end = text.data() + text.size();
+    const auto done = std::from_chars(text.data(), end, value);
+    double divisor = 1;  // of a fraction, 1/75
+    if (done.ptr != end && *done.ptr == '/') std::from_chars(done.ptr + 1, end, divisor);
+    return value / divisor;
 }
 
 std::string rangeProblem(const Option& option, double value) {

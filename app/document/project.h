@@ -66,6 +66,7 @@ template <int Dim>
 struct MaterialSpec {
     double phi = phi::kMetr;
     Smoothing smoothing;
+    double memory = 0;                         // ρ
     std::vector<MaterialRegion<Dim>> regions;  // later ones win
     std::vector<double> cellPhi;               // material.cells, if given
     std::vector<Mat<Dim>> cellB;
@@ -82,16 +83,24 @@ struct Project {
     Domain domain;
     std::variant<Design<2>, Design<3>> design;
     double end = 1;
-    IntegrationOptions integration;  // its end is not looked at: see integrationOf()
-    Extras extras = {};              // of everything but regions, handles and motions, which keep their own
+    std::vector<SettleWindow> settle;  // in the order of time; none ends after `end`
+    IntegrationOptions integration;    // end and settle are not looked at: see integrationOf()
+    Extras extras = {};                // of everything but regions, handles and motions, which keep their own
 
     int dimension() const { return design.index() == 0 ? 2 : 3; }
 };
+
+/// Adds a window of settling, which `end` covers then.
+inline void appendSettling(Project& project, double from, double length = 1) {
+    project.settle.push_back({from, from + length});
+    project.end = std::max(project.end, from + length);
+}
 
 /// How the project is integrated, with its end: for every deformer of it.
 inline IntegrationOptions integrationOf(const Project& project) {
     IntegrationOptions options = project.integration;
     options.end = project.end;
+    options.settle = project.settle;
     return options;
 }
 

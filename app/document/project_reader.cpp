@@ -218,6 +218,19 @@ void readTime(const JsonValue& value, Project& project) {
     time.finish();
 }
 
+/// The end of time covers them.
+void readSettling(const JsonValue& value, Project& project) {
+    for (const JsonValue& element : value.elements()) {
+        JsonObject object(element);
+        const std::vector<double> times = object.require("time").numbers();
+        if (times.size() != 2) element.fail("`time` must be two times, [from, to]");
+        object.finish();
+        appendSettling(project, times[0], times[1] - times[0]);
+        project.settle.back().end = times[1];
+    }
+    if (const std::string problem = problemOf(project.settle); !problem.empty()) value.fail(problem);
+}
+
 LoadedProject readRoot(const Json& json, const std::string& folder) {
     LoadedProject loaded;
     Project& project = loaded.project;
@@ -230,6 +243,7 @@ LoadedProject readRoot(const Json& json, const std::string& folder) {
         project.design = readDesign<2>(root, project.end);
     else
         project.design = readDesign<3>(root, project.end);
+    if (auto settle = root.find("settle")) readSettling(*settle, project);
     root.finish();
     return loaded;
 }

@@ -178,6 +178,7 @@ Json cellsJson(const MaterialSpec<Dim>& spec) {
 template <int Dim>
 Json materialJson(const MaterialSpec<Dim>& spec) {
     Json json{{"phi", phiJson(spec.phi, Dim)}, {"smoothing", smoothingJson(spec.smoothing)}};
+    if (spec.memory != 0) json["memory"] = number(spec.memory);
     for (const auto& region : spec.regions) json["regions"].push_back(materialRegionJson(region));
     if (!spec.cellsFile.empty())
         json["cells"] = spec.cellsFile;
@@ -310,6 +311,8 @@ Project rebased(Project project, const std::string& path, const std::string& fol
 std::string toJson(const Project& project) {
     Json json{{"format", "wend"}, {"version", 1}, {"domain", domainJson(project.domain)}};
     std::visit([&](const auto& design) { addDesign(json, design); }, project.design);
+    for (const SettleWindow& window : project.settle)
+        json["settle"].push_back({{"time", Json::array({number(window.start), number(window.end)})}});
     json["time"] = {{"end", number(project.end)}};
     json["integration"] = integrationJson(project.integration);
     return prettyJson(withExtras(std::move(json), project.extras));

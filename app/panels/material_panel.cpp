@@ -1,8 +1,11 @@
 #include "app/panels/material_panel.h"
 
+#include <QPushButton>
+
 #include "app/document/options.h"
 #include "app/panels/number_box.h"
 #include "app/panels/panel_parts.h"
+#include "app/session/settle_step.h"
 
 namespace wend {
 
@@ -27,7 +30,9 @@ MaterialPanel::MaterialPanel(ShapeSession& session, QWidget* parent)
       m_slider(new EnergySlider(this)),
       m_help(secondLabel({}, this)),
       m_phi(new NumberBox(this)),
-      m_smoothing(new NumberBox(this)) {
+      m_smoothing(new NumberBox(this)),
+      m_memory(new MemorySlider(this)),
+      m_settle(new QPushButton(tr("Settle"), this)) {
     makeControls();
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(16, 14, 16, 14);
@@ -37,6 +42,12 @@ MaterialPanel::MaterialPanel(ShapeSession& session, QWidget* parent)
     layout->addWidget(m_help);
     layout->addLayout(panelRow(tr("&Energy φ"), m_phi, this));
     layout->addLayout(panelRow(tr("S&moothing"), m_smoothing, this));
+    layout->addSpacing(6);
+    layout->addWidget(panelTitle(tr("Remembers its shape"), this));
+    layout->addWidget(m_memory);
+    layout->addWidget(m_settle);
+    connect(m_settle, &QPushButton::clicked, this, [this] { settleAtEnd(m_session); });
+    connect(m_memory, &MemorySlider::memoryChosen, this, &MaterialPanel::chooseMemory);
     connect(m_slider, &EnergySlider::phiChosen, this, &MaterialPanel::choosePhi);
     connect(m_phi, &QDoubleSpinBox::valueChanged, this, [this](double value) { choosePhi(value, -1); });
     connect(m_smoothing, &QDoubleSpinBox::valueChanged, this, &MaterialPanel::chooseSmoothing);
@@ -52,14 +63,19 @@ void MaterialPanel::makeControls() {
     m_phi->setFixedWidth(116);
     describe(m_phi, tr("Energy φ"), phiHelp(2));
     m_smoothing->setRange(0, option("material.smoothing.length").range.max);
-    m_smoothing->setDecimals(3);
+    m_smoothing->setDecimals(4);
     m_smoothing->setSingleStep(0.005);
     m_smoothing->setFixedWidth(116);
     m_smoothing->setSpecialValueText(tr("none"));
     describe(m_smoothing, tr("Smoothing length"),
-             tr("How far a pin's pull is spread, as a part of the shape's diagonal. Small: close to the pin, "
+             tr("How far a pin's pull is spread, as a part of the shape's size. Small: close to the pin, "
                 "sharp. Large: soft and "
                 "wide."));
+    m_settle->setObjectName(QStringLiteral("settle"));
+    describe(
+        m_settle, tr("Settle"),
+        tr("Let the shape relax with the pins where they are, until it is as near to its rest as it can be. "
+           "This takes a moment at the end of the motion."));
     m_help->setMinimumHeight(3 * m_help->fontMetrics().lineSpacing());
     m_help->setAlignment(Qt::AlignTop);
 }
@@ -78,6 +94,9 @@ void MaterialPanel::showProject() {
     m_slider->setPhi(phi);
     m_phi->setValue(phi);
     m_smoothing->setValue(smoothing.kind == SmoothingKind::None ? 0 : smoothing.length);
+    m_settle->setEnabled(canSettle(m_session.document()));
+    m_memory->setMemory(
+        std::visit([](const auto& design) { return design.material.memory; }, project.design));
     const bool paper = smoothing.kind == SmoothingKind::Paper;
     m_smoothing->setEnabled(!paper);
     if (paper)
@@ -108,6 +127,14 @@ void MaterialPanel::chooseSmoothing(double length) {
     smoothing.kind = length > 0 ? SmoothingKind::Invariant : SmoothingKind::None;
     if (length > 0) smoothing.length = length;
     document.change(tr("Change smoothing"), std::move(next), QStringLiteral("smoothing"));
+}
+
+void MaterialPanel::chooseMemory(double memory, int gesture) {
+    Document& document = m_session.document();
+    if (document.isEmpty()) return;
+    Project next = *document.project();
+    std::visit([&](auto& design) { design.material.memory = memory; }, next.design);
+    document.change(tr("Change memory"), std::move(next), QStringLiteral("memory %1").arg(gesture));
 }
 
 }  // namespace wend

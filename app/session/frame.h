@@ -20,7 +20,7 @@ struct ShapeFrame {
     int dimension = 0;
     std::shared_ptr<const void> shape;  // the rest mesh, to tell shapes apart
     int vertices = 0, cells = 0;
-    double diagonal = 0;  // of the rest mesh's bounding box
+    double diagonal = 0;  // the rest shape's size: of a box its diagonal (ShapeSize)
     Distortion distortion;
     double growth = 1;        // area or volume against that at rest
     double pinError = 0;      // greatest distance of a pin from where it should be, in the domain's units

@@ -4,23 +4,23 @@
 #include <cmath>
 
 #include "app/document/handle_edits.h"
-#include "core/mesh/used_vertices.h"
+#include "core/mesh/shape_size.h"
 #include "kernels/back_end_choice.h"
 
 namespace wend {
 
 namespace {
 
-constexpr double kLongestPiece = 0.06;  // of the diagonal
+constexpr double kLongestPiece = 0.06;  // of the size
 constexpr double kMostPieces = 2;       // per sample: the pointer is more urgent than the path
-constexpr double kArm = 0.25;           // of the diagonal: what turning and growing are measured at
+constexpr double kArm = 0.25;           // of the size: what turning and growing are measured at
 
 }  // namespace
 
 template <int Dim>
 LiveDrag<Dim>::LiveDrag(const BuiltShape<Dim>& shape, std::vector<Handle<Dim>> handles)
     : m_shape(shape),
-      m_diagonal(extentOf<Dim>(shape.rest->points, shape.rest->cells).diagonal()),
+      m_size(shapeSize<Dim>(shape.rest->points, shape.rest->cells).size),
       m_handles(std::move(handles)),
       m_flow(shape.rest, shape.material, m_handles, backEndFactory<Dim>(BackEndKind::Automatic)) {}
 
@@ -41,14 +41,14 @@ void LiveDrag<Dim>::begin(std::vector<int> dragged, const Grip& grip, const Poin
 /// Of a way in the domain's units, as far as it can be told.
 template <int Dim>
 double LiveDrag<Dim>::length(const Amount& way) const {
-    return m_grip.kind == Grip::Kind::Move ? way.norm() : kArm * m_diagonal * std::abs(way[0]);
+    return m_grip.kind == Grip::Kind::Move ? way.norm() : kArm * m_size * std::abs(way[0]);
 }
 
 template <int Dim>
 typename LiveDrag<Dim>::Step LiveDrag<Dim>::follow(const Amount& amount) {
     Step step;
     const Amount from = m_amount, way = amount - m_amount;
-    const double pieces = std::clamp(std::ceil(length(way) / (kLongestPiece * m_diagonal)), 1.0, kMostPieces);
+    const double pieces = std::clamp(std::ceil(length(way) / (kLongestPiece * m_size)), 1.0, kMostPieces);
     for (int i = 0; i < pieces && !step.stopped && way != Amount::Zero(); ++i) {
         const Amount next = from + (i + 1) / pieces * way;
         const auto led = m_flow.lead(m_dragged, motionBetween<Dim>(m_grip, m_amount, next));

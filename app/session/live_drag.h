@@ -35,7 +35,7 @@ class LiveDrag {
     double length(const Amount& way) const;
 
     BuiltShape<Dim> m_shape;
-    double m_diagonal;
+    double m_size;
     std::vector<Handle<Dim>> m_handles;
     std::vector<int> m_dragged;
     DragFlow<Dim> m_flow;

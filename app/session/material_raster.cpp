@@ -58,6 +58,7 @@ std::shared_ptr<const Material<Dim>> rasterizeMaterial(const MaterialSpec<Dim>& 
     const MaterialSpec<Dim> spec = withCells(given, folder, rest.cellCount());
     auto material =
         std::make_shared<Material<Dim>>(Material<Dim>::uniform(rest.cellCount(), spec.phi, spec.smoothing));
+    material->memory = spec.memory;
     if (!spec.cellPhi.empty()) material->phi = spec.cellPhi;
     material->anisotropy = spec.cellB;
     for (const auto& region : spec.regions)

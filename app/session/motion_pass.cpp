@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "app/document/handle_edits.h"
-#include "core/mesh/used_vertices.h"
+#include "core/mesh/shape_size.h"
 #include "kernels/back_end_choice.h"
 
 namespace wend {
@@ -19,6 +19,12 @@ constexpr int kMostFrames = 480;
 template <int Dim>
 const Design<Dim>& designOf(const Project& project) {
     return std::get<Design<Dim>>(project.design);
+}
+
+/// The time from which on two lists of windows differ, or +infinity.
+double firstDifference(const std::vector<SettleWindow>& a, const std::vector<SettleWindow>& b) {
+    const auto [i, j] = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
+    return std::min(i == a.end() ? kInfinity : i->start, j == b.end() ? kInfinity : j->start);
 }
 
 bool sameIntegration(const IntegrationOptions& a, const IntegrationOptions& b) {
@@ -43,7 +49,8 @@ double MotionPass<Dim>::set(const BuiltShape<Dim>& shape, std::shared_ptr<const 
     double kept = -kInfinity;
     if (m_project && shape.rest == m_shape.rest && shape.material == m_shape.material &&
         sameIntegration(integrationOf(*m_project), integrationOf(*project)))
-        kept = firstDifference(designOf<Dim>(*m_project).handles, designOf<Dim>(*project).handles);
+        kept = std::min(firstDifference(designOf<Dim>(*m_project).handles, designOf<Dim>(*project).handles),
+                        firstDifference(m_project->settle, project->settle));
     const double end = motionEnd(*project);
     const bool same = kept == kInfinity && end == m_end;
     m_shape = shape;
@@ -88,6 +95,7 @@ double MotionPass<Dim>::nextBorder(double time) const {
         consider(handle.activeTo);
         for (const Motion<Dim>& motion : handle.motions) consider(motion.start), consider(motion.end);
     }
+    for (const SettleWindow& window : m_project->settle) consider(window.start), consider(window.end);
     return next;
 }
 
@@ -103,10 +111,10 @@ std::vector<double> MotionPass<Dim>::frameTimes(double from, double to) const {
 template <int Dim>
 void MotionPass<Dim>::run(const Sink& sink, std::stop_token stop) {
     if (!m_deformer) begin(sink);
-    const double diagonal = extentOf<Dim>(m_shape.rest->points, m_shape.rest->cells).diagonal();
+    const double size = shapeSize<Dim>(m_shape.rest->points, m_shape.rest->cells).size;
     const auto send = [&](const State<Dim>& state) {
         m_lastFrame = state.time;
-        sink.onFrame(state, m_deformer->statistics().constraintError * diagonal);
+        sink.onFrame(state, m_deformer->statistics().constraintError * size);
     };
     while (m_deformer->state().time < m_end) {
         typename Deformer<Dim>::Watch watch;

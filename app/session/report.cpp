@@ -22,6 +22,8 @@ std::string reportJson(const RunFigures& figures) {
     json["evaluations"] = counts.evaluations;
     json["factorizations"] = counts.factorizations;
     json["solverIterations"] = counts.solverIterations;
+    json["restEnergy"] = figures.restEnergy;
+    json["restForce"] = figures.restForce;
     json["seconds"] = {{"analyze", counts.analyze},     {"assemble", counts.assemble},
                        {"factor", counts.factor},       {"solve", counts.solve},
                        {"integrate", counts.integrate}, {"total", figures.total}};

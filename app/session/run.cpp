@@ -245,7 +245,9 @@ class Run {
             m_deformer.backEndName(),
             m_deformer.deviceName(),
             distortionOf<Dim>(m_options.backEnd, *m_scene.rest, {}, m_watch.notice, m_device)(pose),
-            m_deformer.statistics()};
+            m_deformer.statistics(),
+            m_deformer.restEnergy(),
+            m_deformer.restForce()};
         m_files.add(path, ".json",
                     [&](const std::string& file) { writeTextFile(file, reportJson(figures)); });
     }

@@ -72,6 +72,7 @@ struct RunFigures {
     std::string backEnd, device;
     Distortion distortion;
     Statistics statistics;
+    double restEnergy = 0, restForce = 0;  // W, and how far the shape is from settled
 };
 std::string reportJson(const RunFigures& figures);
 

@@ -48,8 +48,8 @@ bool sameMaterial(const MaterialSpec<Dim>& a, const MaterialSpec<Dim>& b) {
         return p.feather == q.feather && p.phi == q.phi && sameStiffness<Dim>(p.stiffness, q.stiffness) &&
                p.shape == q.shape;
     };
-    return a.phi == b.phi && sameSmoothing(a.smoothing, b.smoothing) && a.cellsFile == b.cellsFile &&
-           a.cellPhi == b.cellPhi && a.cellB == b.cellB &&
+    return a.phi == b.phi && sameSmoothing(a.smoothing, b.smoothing) && a.memory == b.memory &&
+           a.cellsFile == b.cellsFile && a.cellPhi == b.cellPhi && a.cellB == b.cellB &&
            std::equal(a.regions.begin(), a.regions.end(), b.regions.begin(), b.regions.end(), same);
 }
 

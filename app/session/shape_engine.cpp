@@ -5,7 +5,7 @@
 
 #include "app/document/handle_edits.h"
 #include "core/mesh/printable.h"
-#include "core/mesh/used_vertices.h"
+#include "core/mesh/shape_size.h"
 
 namespace wend {
 
@@ -213,7 +213,7 @@ std::shared_ptr<PosedFrame<Dim>> ShapeEngineOf<Dim>::makeFrame(const BuiltPtr& s
     frame->shape = shape->rest;
     frame->vertices = rest.vertexCount();
     frame->cells = rest.cellCount();
-    frame->diagonal = extentOf<Dim>(rest.points, rest.cells).diagonal();
+    frame->diagonal = shapeSize<Dim>(rest.points, rest.cells).size;
     frame->built = shape;
     frame->rest = shape->rest;
     frame->facets = shape->facets;

@@ -88,6 +88,9 @@ void Actions::makeMotion() {
         add({tr("To the &Start"), tr("Show the shape at rest")}, QKeySequence(Qt::Key_Home), "first-frame");
     toEnd = add({tr("To the &End"), tr("Show the end of the motion, where dragging goes on")},
                 QKeySequence(Qt::Key_End), "last-frame");
+    settle = add(
+        {tr("S&ettle"), tr("Let the shape relax towards its rest at the end, with the pins where they are")},
+        {});
 }
 
 void Actions::makeHelp() {
@@ -123,8 +126,9 @@ void Actions::fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve) {
     view->addAction(fullScreen);
     window.menuBar()->addMenu(more);
     QMenu* motion = window.menuBar()->addMenu(tr("&Motion"));
-    motion->addActions({play, loop, toStart, toEnd});
+    motion->addActions({play, loop, toStart, toEnd, settle});
     motion->addSeparator();
+    motion->addAction(settle);
     motion->addMenu(curve);
     window.menuBar()->addMenu(tr("&Help"))->addActions({shortcuts, about});
 }

@@ -24,7 +24,7 @@ class Actions : public ActionMaker {
     QAction *undo, *redo, *selectAll, *selectNone, *remove;
     QAction *selectTool, *pinTool;
     QAction *showMesh, *showMap, *hideOverlays, *fit, *actualSize, *zoomIn, *zoomOut, *fullScreen;
-    QAction *play, *loop, *toStart, *toEnd;
+    QAction *play, *loop, *toStart, *toEnd, *settle;
     QAction *systemLook, *lightLook, *darkLook;
     QAction *about, *shortcuts;
     QActionGroup* tools;  // one of them is chosen

@@ -21,6 +21,7 @@
 #include "app/panels/mesh_panel.h"
 #include "app/panels/panel_fields.h"
 #include "app/panels/panel_parts.h"
+#include "app/session/settle_step.h"
 #include "app/view/actions.h"
 #include "app/view/busy_note.h"
 #include "app/view/canvas.h"
@@ -271,6 +272,7 @@ void MainWindow::connectMotion() {
             [&playback] { playback.setPlaying(!playback.isPlaying()); });
     connect(a.loop, &QAction::toggled, &playback, &Playback::setLoops);
     connect(a.toStart, &QAction::triggered, &playback, [&playback] { playback.setTime(0); });
+    connect(a.settle, &QAction::triggered, this, [this] { settleAtEnd(m_session); });
     connect(a.toEnd, &QAction::triggered, &playback, [&playback] { playback.setTime(playback.end()); });
     connect(&playback, &Playback::playingChanged, this, [this](bool playing) {
         m_actions->play->setIcon(

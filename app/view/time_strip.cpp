@@ -92,10 +92,24 @@ void TimeStrip::showPlaying(bool playing) {
 
 void TimeStrip::paintEvent(QPaintEvent*) {
     const double end = m_session.playback().end();
-    if (!m_session.isBusy() || end <= 0) return;
+    if (end <= 0 || m_session.document().isEmpty()) return;
     QPainter painter(this);
+    paintSettling(painter, end);
+    if (!m_session.isBusy()) return;
     const double part = std::clamp(m_computed / end, 0.0, 1.0);
     painter.fillRect(QRectF(0, 0, width() * part, 2), Theme::of(palette()).accent);
+}
+
+/// Where the shape settles, a band behind the slider.
+void TimeStrip::paintSettling(QPainter& painter, double end) {
+    QColor band = Theme::of(palette()).accent;
+    band.setAlphaF(0.25);
+    const QRectF groove = QRectF(m_slider->geometry()).adjusted(6, 0, -6, 0);
+    for (const SettleWindow& window : m_session.document().project()->settle) {
+        const double from = groove.width() * window.start / end, to = groove.width() * window.end / end;
+        painter.fillRect(QRectF(groove.left() + from, groove.top() + 2, to - from, groove.height() - 4),
+                         band);
+    }
 }
 
 }  // namespace wend

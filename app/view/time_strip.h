@@ -5,6 +5,7 @@
 #include "app/session/shape_session.h"
 
 class QLabel;
+class QPainter;
 class QSlider;
 class QToolButton;
 
@@ -28,6 +29,7 @@ class TimeStrip : public QWidget {
   private:
     void showEnd(double end);
     void showTime();
+    void paintSettling(QPainter& painter, double end);
     void showPlaying(bool playing);
 
     ShapeSession& m_session;

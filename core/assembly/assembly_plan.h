@@ -13,8 +13,9 @@ namespace wend {
 ///
 /// With G_a the strain operator of corner a (strainColumns) and T_a = D G_a its stress, in Mandel
 /// coordinates:
-///   A_pq = Σ_own G_leftᵀ (¼ V D + β D²) G_right − Σ_cross weight · T_leftᵀ T_right,   β = Σ of the cell's
-///   facet weights.
+///   A_pq = ¼ (Σ_own G_leftᵀ (V D + Σ_facets weight D_f) G_right − Σ_cross weight G_leftᵀ D_f G_right),
+/// D_f the stress matrix of q over a facet; with the paper's smoothness
+///   A_pq = Σ_own G_leftᵀ (¼ V D + Σ_facets weight D²) G_right − Σ_cross weight T_leftᵀ T_right.
 template <int Dim>
 struct AssemblyPlan {
     static constexpr int kCorners = Dim + 1;

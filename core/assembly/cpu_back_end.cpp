@@ -34,11 +34,13 @@ class CpuBackEnd final : public BackEnd<Dim> {
                const Material<Dim>& material, int threads)
         : m_plan(std::move(plan)),
           m_material(material),
-          m_pool(usefulThreads(threads, Dim * rest.vertexCount())) {
+          m_pool(usefulThreads(threads, Dim * rest.vertexCount())),
+          m_B(material.anisotropy) {
         const auto cells = static_cast<std::size_t>(m_plan->cellCount());
         m_geometry.resize(cells);
         m_D.resize(cells);
         m_orientation.resize(cells);
+        m_strain.resize(cells);
         m_stress.resize(cells);
         m_load.resize(cells);
         m_facetWeight.resize(m_plan->facets.size());
@@ -62,10 +64,18 @@ class CpuBackEnd final : public BackEnd<Dim> {
     void updateStressMatrix(const Points<Dim>& shape, int c);
     void computeCornerTerms(int c);
     Mat<Dim> block(int index) const;
+    Mat<Dim> crossBlock(const typename Plan::Cross& pair) const;
+    /// B of a cell, or I.
+    Mat<Dim> anisotropy(int c) const { return m_B.empty() ? Mat<Dim>(Mat<Dim>::Identity()) : m_B[c]; }
+    EnergyWeights facetWeights(int f) const;
+    Mat<Dim> facetAnisotropy(int f) const;
+    Strain<Dim> facetStress(int f, const Strain<Dim>& jump) const;
+    void computeFields(const Points<Dim>& v);
     Mat<Dim> massBlock(const typename Plan::Own& pair) const;
     Strain<Dim> strain(const Points<Dim>& v, int c) const;
     Strain<Dim> load(int c) const;
     Vec<Dim> massTimes(const Points<Dim>& v, int c, int vertex) const;
+    bool isPaper() const { return m_material.smoothing.kind == SmoothingKind::Paper; }
     double inertia(int c) const { return m_inertia.empty() ? 0.0 : m_inertia[c]; }
     Vec<Dim> gradient(int corner) const {
         return m_geometry[corner / kCorners].gradients.col(corner % kCorners);
@@ -81,20 +91,21 @@ class CpuBackEnd final : public BackEnd<Dim> {
     std::vector<double> m_orientation;          // sign of the measure at rest
     std::vector<Mat<Dim>> m_restInverse;        // inverse edge matrix at rest; only with anisotropy
     std::vector<CellGeometry<Dim>> m_geometry;  // of the current shape; measure is positive here
+    std::vector<EnergyWeights> m_weights;
+    std::vector<Mat<Dim>> m_B;  // of the current shape; only with anisotropy
     std::vector<StressMatrix<Dim>> m_D;
     std::vector<double> m_inertia;
-    std::vector<Strain<Dim>> m_stress, m_load;  // of the field in apply() and energy()
-    std::vector<double> m_facetWeight;          // per facet
-    std::vector<Columns> m_T, m_U;              // per corner: D G_a and (¼ V D + β D²) G_a
+    std::vector<Strain<Dim>> m_strain, m_stress, m_load;  // of the field in apply() and energy()
+    std::vector<double> m_facetWeight;                    // per facet
+    std::vector<Columns> m_T, m_U;                        // per corner: D G_a, and what own blocks need
 };
 
 template <int Dim>
 void CpuBackEnd<Dim>::prepareCell(const SimplicialMesh<Dim>& rest, int c) {
-    const auto weights = EnergyWeights::of(m_material.phi[c]);
-    const bool uniform = m_material.anisotropy.empty();
+    m_weights.push_back(EnergyWeights::of(m_material.phi[c]));
     m_orientation[c] = cellMeasure<Dim>(rest.points, rest.cells[c]) < 0 ? -1.0 : 1.0;
-    m_D[c] = stressMatrix<Dim>(weights, uniform ? Mat<Dim>(Mat<Dim>::Identity()) : m_material.anisotropy[c]);
-    if (!uniform) m_restInverse.push_back(edgeMatrix<Dim>(rest.points, rest.cells[c]).inverse());
+    m_D[c] = stressMatrix<Dim>(m_weights[c], anisotropy(c));
+    if (!m_B.empty()) m_restInverse.push_back(edgeMatrix<Dim>(rest.points, rest.cells[c]).inverse());
 }
 
 /// B(t) = R B₀ Rᵀ with R the rotation of the cell's map from rest (method.md, Field and energy).
@@ -104,7 +115,8 @@ void CpuBackEnd<Dim>::updateStressMatrix(const Points<Dim>& shape, int c) {
     if (isIsotropic<Dim>(B0)) return;
     const Mat<Dim> F = edgeMatrix<Dim>(shape, m_plan->cells[c]) * m_restInverse[c];
     const Mat<Dim> R = polarRotation<Dim>(F);
-    m_D[c] = stressMatrix<Dim>(EnergyWeights::of(m_material.phi[c]), R * B0 * R.transpose());
+    m_B[c] = R * B0 * R.transpose();
+    m_D[c] = stressMatrix<Dim>(m_weights[c], m_B[c]);
 }
 
 template <int Dim>
@@ -135,18 +147,56 @@ int CpuBackEnd<Dim>::setShape(const Points<Dim>& shape) {
     return -1;
 }
 
-/// T_a = D G_a and U_a = (¼ V D + β D²) G_a, β the sum of the weights of the cell's facets.
+/// Of q between the facet's two cells (method.md, Smoothness).
+template <int Dim>
+EnergyWeights CpuBackEnd<Dim>::facetWeights(int f) const {
+    const auto [i, j] = m_plan->facets[f].cells;
+    return jumpWeights(m_weights[i], m_weights[j]);
+}
+
+template <int Dim>
+Mat<Dim> CpuBackEnd<Dim>::facetAnisotropy(int f) const {
+    const auto [i, j] = m_plan->facets[f].cells;
+    return 0.5 * (anisotropy(i) + anisotropy(j));
+}
+
+/// D_f S for a jump S of the strain, q = ¼ S : D_f S.
+template <int Dim>
+Strain<Dim> CpuBackEnd<Dim>::facetStress(int f, const Strain<Dim>& jump) const {
+    const EnergyWeights w = facetWeights(f);
+    const Mat<Dim> B = facetAnisotropy(f), S = fromMandel<Dim>(jump), SB = S * B;
+    const double dilation = w.r * (Dim / B.trace()) * SB.trace();
+    return toMandel<Dim>(2 * w.q * (SB + Mat<Dim>(SB.transpose())) + dilation * B);
+}
+
+/// T_a = D G_a and U_a = M G_a: M = ¼ (V D + Σ_facets weight D_f), or ¼ V D + Σ_facets weight D² with the
+/// paper's kind.
 template <int Dim>
 void CpuBackEnd<Dim>::computeCornerTerms(int c) {
-    double beta = 0;
-    for (int f : m_plan->facetOfCorner[c])
-        if (f >= 0) beta += m_facetWeight[f];
+    StressMatrix<Dim> M = 0.25 * m_geometry[c].measure * m_D[c];
+    for (int f : m_plan->facetOfCorner[c]) {
+        if (f < 0) continue;
+        if (isPaper())
+            M += m_facetWeight[f] * m_D[c] * m_D[c];
+        else
+            M += 0.25 * m_facetWeight[f] * stressMatrix<Dim>(facetWeights(f), facetAnisotropy(f));
+    }
     for (int k = 0; k < kCorners; ++k) {
         const int corner = c * kCorners + k;
-        m_T[corner].noalias() = m_D[c] * strainColumns<Dim>(gradient(corner));
-        m_U[corner].noalias() = beta * (m_D[c] * m_T[corner]);
-        m_U[corner] += 0.25 * m_geometry[c].measure * m_T[corner];
+        const Columns G = strainColumns<Dim>(gradient(corner));
+        m_T[corner].noalias() = m_D[c] * G;
+        m_U[corner].noalias() = M * G;
     }
+}
+
+/// Across a facet: −¼ weight G_leftᵀ D_f G_right, or −weight T_leftᵀ T_right with the paper's kind.
+template <int Dim>
+Mat<Dim> CpuBackEnd<Dim>::crossBlock(const typename Plan::Cross& pair) const {
+    const double weight = -m_facetWeight[pair.facet];
+    if (isPaper()) return weight * m_T[pair.left].transpose().lazyProduct(m_T[pair.right]);
+    return 0.25 * weight *
+           stressBlock<Dim>(facetWeights(pair.facet), facetAnisotropy(pair.facet), gradient(pair.left),
+                            gradient(pair.right));
 }
 
 /// ε V (1 + δ_ab) / ((d + 1)(d + 2)) I: the consistent mass of linear hat functions.
@@ -165,10 +215,8 @@ Mat<Dim> CpuBackEnd<Dim>::block(int index) const {
         A += strainColumns<Dim>(gradient(pair.left)).transpose().lazyProduct(m_U[pair.right]);
         if (!m_inertia.empty()) A += massBlock(pair);
     }
-    for (int i = m_plan->crossStart[index]; i < m_plan->crossStart[index + 1]; ++i) {
-        const auto& pair = m_plan->cross[i];
-        A -= m_facetWeight[pair.facet] * m_T[pair.left].transpose().lazyProduct(m_T[pair.right]);
-    }
+    for (int i = m_plan->crossStart[index]; i < m_plan->crossStart[index + 1]; ++i)
+        A += crossBlock(m_plan->cross[i]);
     return A;
 }
 
@@ -196,13 +244,31 @@ Strain<Dim> CpuBackEnd<Dim>::strain(const Points<Dim>& v, int c) const {
     return S;
 }
 
-/// ½ ∂E/∂S of a cell times 2: ¼ V P + D Σ_facets weight (P − P_neighbour), so that A v = Σ_cells Gᵀ load.
+/// ½ ∂E/∂S of a cell: ¼ V P + ¼ Σ_facets weight D_f (S − S_neighbour), so that A v = Σ_cells Gᵀ load; with
+/// the paper's kind ¼ V P + D Σ_facets weight (P − P_neighbour).
 template <int Dim>
 Strain<Dim> CpuBackEnd<Dim>::load(int c) const {
-    Strain<Dim> jumps = Strain<Dim>::Zero();
-    for (int f : m_plan->facetOfCorner[c])
-        if (f >= 0) jumps += m_facetWeight[f] * (m_stress[c] - m_stress[m_plan->across(f, c)]);
-    return 0.25 * m_geometry[c].measure * m_stress[c] + m_D[c] * jumps;
+    Strain<Dim> load = 0.25 * m_geometry[c].measure * m_stress[c];
+    for (int f : m_plan->facetOfCorner[c]) {
+        if (f < 0) continue;
+        const int other = m_plan->across(f, c);
+        if (isPaper())
+            load += m_facetWeight[f] * (m_D[c] * (m_stress[c] - m_stress[other]));
+        else
+            load += 0.25 * m_facetWeight[f] * facetStress(f, m_strain[c] - m_strain[other]);
+    }
+    return load;
+}
+
+/// Strain and stress of a field on every cell.
+template <int Dim>
+void CpuBackEnd<Dim>::computeFields(const Points<Dim>& v) {
+    m_pool.forPieces(m_plan->cellCount(), kGrain, [&](int begin, int end) {
+        for (int c = begin; c < end; ++c) {
+            m_strain[c] = strain(v, c);
+            m_stress[c] = m_D[c] * m_strain[c];
+        }
+    });
 }
 
 template <int Dim>
@@ -215,9 +281,7 @@ Vec<Dim> CpuBackEnd<Dim>::massTimes(const Points<Dim>& v, int c, int vertex) con
 template <int Dim>
 void CpuBackEnd<Dim>::apply(const Points<Dim>& v, Points<Dim>& Av) {
     Av.resize(Dim, m_plan->vertexCount);
-    m_pool.forPieces(m_plan->cellCount(), kGrain, [&](int begin, int end) {
-        for (int c = begin; c < end; ++c) m_stress[c] = m_D[c] * strain(v, c);
-    });
+    computeFields(v);
     m_pool.forPieces(m_plan->cellCount(), kGrain, [&](int begin, int end) {
         for (int c = begin; c < end; ++c) m_load[c] = load(c);
     });
@@ -248,14 +312,15 @@ double CpuBackEnd<Dim>::sum(int count, Item&& item) {
 
 template <int Dim>
 double CpuBackEnd<Dim>::energy(const Points<Dim>& v) {
+    computeFields(v);
     const double inside = sum(m_plan->cellCount(), [&](int c) {
-        const Strain<Dim> S = strain(v, c);
-        m_stress[c] = m_D[c] * S;
-        return 0.25 * m_geometry[c].measure * S.dot(m_stress[c]);
+        return 0.25 * m_geometry[c].measure * m_strain[c].dot(m_stress[c]);
     });
     const double across = sum(static_cast<int>(m_plan->facets.size()), [&](int f) {
         const auto [i, j] = m_plan->facets[f].cells;
-        return m_facetWeight[f] * (m_stress[j] - m_stress[i]).squaredNorm();
+        if (isPaper()) return m_facetWeight[f] * (m_stress[j] - m_stress[i]).squaredNorm();
+        const Strain<Dim> jump = m_strain[j] - m_strain[i];
+        return 0.25 * m_facetWeight[f] * jump.dot(facetStress(f, jump));
     });
     return inside + across;
 }

@@ -7,7 +7,7 @@
 #include "core/assembly/cpu_back_end.h"
 #include "core/assembly/isotropic_kernels.h"
 #include "core/assembly/worker_pool.h"
-#include "core/energy/cell_energy.h"
+#include "core/energy/smoothness.h"
 
 namespace wend {
 namespace {
@@ -41,6 +41,7 @@ class IsotropicBackEnd final : public BackEnd<Dim> {
     void prepareFacets();
     void listContributions();
     void connect();
+    isotropic::Jump kindOfJump() const;
     void spreadWeights(int begin, int end);
     void cellTerms(int begin, int end);
     void facetTerms(int begin, int end);
@@ -56,8 +57,9 @@ class IsotropicBackEnd final : public BackEnd<Dim> {
     int m_cellCount, m_facetCount;
     // Structures of arrays, see isotropic_kernels.h.
     std::vector<int> m_vertices, m_facets, m_neighbours, m_facetVertices, m_facetCells;
-    std::vector<double> m_q, m_r, m_orientation, m_measure, m_gradients, m_centroids, m_weights, m_stress,
-        m_facetWeight;
+    std::vector<double> m_q, m_r, m_orientation, m_measure, m_gradients, m_centroids, m_shear, m_dilation,
+        m_tensor, m_facetWeight, m_facetQ, m_facetR;
+    isotropic::Jump m_jump = isotropic::Jump::Shear;
     isotropic::Cells<Dim> m_cells;
     isotropic::Facets<Dim> m_facetArrays;
 
@@ -103,8 +105,9 @@ void IsotropicBackEnd<Dim>::prepareCells(const SimplicialMesh<Dim>& rest, const 
     m_measure.resize(n);
     m_gradients.resize(n * Dim * Dim);
     m_centroids.resize(n * Dim);
-    m_weights.assign(n * kCorners, 0.0);
-    m_stress.resize(n * kTensor);
+    m_shear.assign(n * kCorners, 0.0);
+    m_dilation.assign(n * kCorners, 0.0);
+    m_tensor.resize(n * kTensor);
     m_force.resize(n * kForces);
 }
 
@@ -116,15 +119,29 @@ void IsotropicBackEnd<Dim>::prepareFacets() {
     m_facetWeight.assign(n, 0.0);
     for (int f = 0; f < m_facetCount; ++f) {
         for (int k = 0; k < Dim; ++k) m_facetVertices[k * n + f] = m_plan->facets[f].vertices[k];
-        for (int k : {0, 1}) m_facetCells[k * n + f] = m_plan->facets[f].cells[k];
+        const auto [i, j] = m_plan->facets[f].cells;
+        m_facetCells[f] = i;
+        m_facetCells[n + f] = j;
+        const auto w = jumpWeights({m_q[i], m_r[i]}, {m_q[j], m_r[j]});
+        m_facetQ.push_back(w.q);
+        m_facetR.push_back(w.r);
     }
+    m_jump = kindOfJump();
+}
+
+template <int Dim>
+isotropic::Jump IsotropicBackEnd<Dim>::kindOfJump() const {
+    if (m_smoothing.kind == SmoothingKind::Paper) return isotropic::Jump::Stress;
+    const bool swells = std::any_of(m_facetR.begin(), m_facetR.end(), [](double r) { return r < 0; });
+    return swells ? isotropic::Jump::Strain : isotropic::Jump::Shear;
 }
 
 template <int Dim>
 void IsotropicBackEnd<Dim>::connect() {
     m_cells = {m_cellCount,          m_vertices.data(),  m_q.data(),          m_r.data(),
                m_orientation.data(), m_facets.data(),    m_neighbours.data(), m_measure.data(),
-               m_gradients.data(),   m_centroids.data(), m_weights.data(),    m_stress.data()};
+               m_gradients.data(),   m_centroids.data(), m_shear.data(),      m_dilation.data(),
+               m_tensor.data()};
     m_facetArrays = {m_facetCount, m_facetVertices.data(), m_facetCells.data(), m_facetWeight.data()};
 }
 
@@ -139,7 +156,7 @@ int IsotropicBackEnd<Dim>::setShape(const Points<Dim>& shape) {
         if (first < m_cellCount) return first;
     if (m_smoothing.kind == SmoothingKind::None) return -1;
     const bool invariant = m_smoothing.kind == SmoothingKind::Invariant;
-    const double factor = invariant ? m_smoothing.length * m_smoothing.length / 16 : m_smoothing.lambda;
+    const double factor = invariant ? m_smoothing.length * m_smoothing.length : m_smoothing.lambda;
     m_pool.forPieces(m_facetCount, kGrain, [&](int begin, int end) {
         isotropic::facetWeights<Dim>(m_facetArrays, m_cells, begin, end, shape.data(), factor, invariant);
     });
@@ -150,20 +167,24 @@ int IsotropicBackEnd<Dim>::setShape(const Points<Dim>& shape) {
 template <int Dim>
 void IsotropicBackEnd<Dim>::spreadWeights(int begin, int end) {
     const auto n = static_cast<std::size_t>(m_cellCount);
+    const bool stress = m_jump == isotropic::Jump::Stress;
     for (int k = 0; k < kCorners; ++k)
         for (int c = begin; c < end; ++c) {
             const int facet = m_facets[k * n + c];
-            m_weights[k * n + c] = facet >= 0 ? m_facetWeight[facet] : 0.0;
+            if (facet < 0) continue;
+            m_shear[k * n + c] = m_facetWeight[facet] * (stress ? 1 : m_facetQ[facet]);
+            m_dilation[k * n + c] = stress ? 0 : m_facetWeight[facet] * m_facetR[facet];
         }
 }
 
 template <int Dim>
 void IsotropicBackEnd<Dim>::apply(const Points<Dim>& v, Points<Dim>& Av) {
     Av.resize(Dim, m_plan->vertexCount);
-    m_pool.forPieces(m_cellCount, kGrain,
-                     [&](int begin, int end) { isotropic::stress<Dim>(m_cells, begin, end, v.data()); });
     m_pool.forPieces(m_cellCount, kGrain, [&](int begin, int end) {
-        isotropic::forces<Dim>(m_cells, begin, end, m_force.data());
+        isotropic::tensors<Dim>(m_jump, m_cells, begin, end, v.data());
+    });
+    m_pool.forPieces(m_cellCount, kGrain, [&](int begin, int end) {
+        isotropic::forces<Dim>(m_jump, m_cells, begin, end, m_force.data());
     });
     m_pool.forPieces(m_plan->vertexCount, kGrain, [&](int begin, int end) {
         for (int p = begin; p < end; ++p) {
@@ -214,30 +235,41 @@ void IsotropicBackEnd<Dim>::listContributions() {
     m_coefficients.resize(2 * static_cast<std::size_t>(m_cellCount + m_facetCount));
 }
 
-/// Own: ½ ∂²(¼ V D + β D²) with D² X = 16 q² X + (8 q r + d r²) Tr(X) I: a = 2 (V q + 16 β q²),
-/// b = V r + 4 β (8 q r + d r²), β the sum of the weights of the cell's facets.
+/// Own: ¼ (V D + Σ weight D_facet), so a = 2 (V q + Σ weight q_facet), b = V r + Σ weight r_facet. With
+/// stress jumps ¼ V D + β D², D² X = 16 q² X + (8 q r + d r²) Tr(X) I, β the sum of the weights: a = 2 (V q +
+/// 16 β q²), b = V r + 4 β (8 q r + d r²).
 template <int Dim>
 void IsotropicBackEnd<Dim>::cellTerms(int begin, int end) {
     const auto n = static_cast<std::size_t>(m_cellCount);
     for (int c = begin; c < end; ++c) {
         const double q = m_q[c], r = m_r[c], V = m_measure[c];
-        double beta = 0;
+        double shear = 0, dilation = 0;
         for (int k = 0; k < kCorners; ++k) {
-            beta += m_weights[k * n + c];
+            shear += m_shear[k * n + c];
+            dilation += m_dilation[k * n + c];
             for (int a = 0; a < Dim; ++a)
                 m_cornerGradients[4 * (static_cast<std::size_t>(c) * kCorners + k) + a] =
                     gradient(c * kCorners + k, a);
         }
-        m_coefficients[2 * c] = 2 * (V * q + 16 * beta * q * q);
-        m_coefficients[2 * c + 1] = V * r + 4 * beta * (8 * q * r + Dim * r * r);
+        if (m_jump == isotropic::Jump::Stress) {
+            dilation = 4 * shear * (8 * q * r + Dim * r * r);
+            shear *= 16 * q * q;
+        }
+        m_coefficients[2 * c] = 2 * (V * q + shear);
+        m_coefficients[2 * c + 1] = V * r + dilation;
     }
 }
 
-/// Across a facet: −weight D_i D_j.
+/// Across a facet: −¼ weight D_facet, with stress jumps −weight D_i D_j.
 template <int Dim>
 void IsotropicBackEnd<Dim>::facetTerms(int begin, int end) {
     double* const pairs = m_coefficients.data() + 2 * static_cast<std::size_t>(m_cellCount);
     for (int f = begin; f < end; ++f) {
+        if (m_jump != isotropic::Jump::Stress) {
+            pairs[2 * f] = -2 * m_facetWeight[f] * m_facetQ[f];
+            pairs[2 * f + 1] = -m_facetWeight[f] * m_facetR[f];
+            continue;
+        }
         const auto [i, j] = m_plan->facets[f].cells;
         pairs[2 * f] = -32 * m_facetWeight[f] * m_q[i] * m_q[j];
         pairs[2 * f + 1] =
@@ -269,29 +301,29 @@ void IsotropicBackEnd<Dim>::addInertia(std::span<double> values) {
         }
 }
 
-/// Σ V ½ J : P + Σ weight ‖P_j − P_i‖²; the off-diagonal entries count twice.
+/// Σ V (q ‖S‖² + r (½ Tr S)²) and the same of the jumps of S, weighted; with stress jumps Σ weight ‖P_j −
+/// P_i‖².
 template <int Dim>
 double IsotropicBackEnd<Dim>::energy(const Points<Dim>& v) {
-    isotropic::stress<Dim>(m_cells, 0, m_cellCount, v.data());
     const auto n = static_cast<std::size_t>(m_cellCount);
+    const auto density = [](double q, double r, const Strain<Dim>& S) {
+        const double trace = 0.5 * S.template head<Dim>().sum();
+        return q * S.squaredNorm() + r * trace * trace;
+    };
+    const auto tensor = [&](int c) {
+        Strain<Dim> T;
+        for (int t = 0; t < kTensor; ++t) T[t] = (t < Dim ? 1 : std::numbers::sqrt2) * m_tensor[t * n + c];
+        return T;
+    };
+    isotropic::tensors<Dim>(isotropic::Jump::Shear, m_cells, 0, m_cellCount, v.data());
     double total = 0;
-    for (int c = 0; c < m_cellCount; ++c) {
-        Mat<Dim> J = Mat<Dim>::Zero(), P;
-        for (int k = 0; k < kCorners; ++k)
-            for (int b = 0; b < Dim; ++b)
-                J.col(b) += gradient(c * kCorners + k, b) * v.col(m_plan->cells[c][k]);
-        for (int a = 0, at = Dim; a < Dim; ++a) {
-            P(a, a) = m_stress[a * n + c];
-            for (int b = a + 1; b < Dim; ++b) P(a, b) = P(b, a) = m_stress[at++ * n + c];
-        }
-        total += m_measure[c] * 0.5 * J.cwiseProduct(P).sum();
-    }
+    for (int c = 0; c < m_cellCount; ++c) total += m_measure[c] * density(m_q[c], m_r[c], tensor(c));
+    const bool stress = m_jump == isotropic::Jump::Stress;
+    if (stress) isotropic::tensors<Dim>(m_jump, m_cells, 0, m_cellCount, v.data());
     for (int f = 0; f < m_facetCount; ++f) {
         const auto [i, j] = m_plan->facets[f].cells;
-        for (int t = 0; t < kTensor; ++t) {
-            const double jump = m_stress[t * n + j] - m_stress[t * n + i];
-            total += (t < Dim ? 1 : 2) * m_facetWeight[f] * jump * jump;
-        }
+        const Strain<Dim> jump = tensor(j) - tensor(i);
+        total += m_facetWeight[f] * (stress ? jump.squaredNorm() : density(m_facetQ[f], m_facetR[f], jump));
     }
     return total;
 }

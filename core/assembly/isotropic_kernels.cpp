@@ -84,10 +84,10 @@ template <int Dim>
     }
 }
 
-template <int Dim>
-[[gnu::always_inline]] inline void stressBody(const Cells<Dim>& s, int begin, int end, const double* v) {
+template <int Dim, Jump kJump>
+[[gnu::always_inline]] inline void tensorsBody(const Cells<Dim>& s, int begin, int end, const double* v) {
     const int n = s.count;
-    double* const stress = s.stress;
+    double* const tensor = s.tensor;
     const double* const gradients = s.gradients;
     WEND_INDEPENDENT
     for (int c = begin; c < end; ++c) {
@@ -104,49 +104,64 @@ template <int Dim>
             }
             trace += J[a][a];
         }
-        const double q = 4 * s.q[c], dilation = 2 * s.r[c] * trace;
+        const double q = kJump == Jump::Stress ? 4 * s.q[c] : 1;
+        const double dilation = kJump == Jump::Stress ? 2 * s.r[c] * trace : 0;
 #pragma GCC unroll 3
-        for (int a = 0; a < Dim; ++a) stress[a * n + c] = 2 * q * J[a][a] + dilation;
-        stress[Dim * n + c] = q * (J[0][1] + J[1][0]);
+        for (int a = 0; a < Dim; ++a) tensor[a * n + c] = 2 * q * J[a][a] + dilation;
+        tensor[Dim * n + c] = q * (J[0][1] + J[1][0]);
         if constexpr (Dim == 3) {
-            stress[4 * n + c] = q * (J[0][2] + J[2][0]);
-            stress[5 * n + c] = q * (J[1][2] + J[2][1]);
+            tensor[4 * n + c] = q * (J[0][2] + J[2][0]);
+            tensor[5 * n + c] = q * (J[1][2] + J[2][1]);
         }
     }
 }
 
-/// The forces of cells [begin, end), at most kChunk, as [Dim · corner + axis][cell − begin].
-template <int Dim>
+/// The forces of cells [begin, end), at most kChunk, as [Dim · corner + axis][cell − begin]: 2 L = f T + g X
+/// + h I with the cell's tensor T and the sum X of the weighted jumps.
+template <int Dim, Jump kJump>
 [[gnu::always_inline]] inline void chunkForces(const Cells<Dim>& s, int begin, int end, double (*f)[kChunk]) {
     constexpr int kTensor = Dim * (Dim + 1) / 2;
     const int n = s.count;
-    const double *const stress = s.stress, *const gradients = s.gradients;
+    const double *const tensor = s.tensor, *const gradients = s.gradients;
     WEND_INDEPENDENT
     for (int c = begin; c < end; ++c) {
-        double own[kTensor], X[kTensor];
+        double own[kTensor], X[kTensor], ownTrace = 0, XTrace = 0, swelling = 0;
 #pragma GCC unroll 6
         for (int i = 0; i < kTensor; ++i) {
-            own[i] = stress[i * n + c];
+            own[i] = tensor[i * n + c];
             X[i] = 0;
         }
+#pragma GCC unroll 3
+        for (int a = 0; a < Dim; ++a) ownTrace += own[a];
 #pragma GCC unroll 4
         for (int k = 0; k <= Dim; ++k) {
             const int other = s.neighbours[k * n + c];
-            const double weight = s.weights[k * n + c];
+            const double weight = s.shear[k * n + c];
+            double jump[kTensor];
 #pragma GCC unroll 6
-            for (int i = 0; i < kTensor; ++i) X[i] += weight * (own[i] - stress[i * n + other]);
+            for (int i = 0; i < kTensor; ++i) {
+                jump[i] = own[i] - tensor[i * n + other];
+                X[i] += weight * jump[i];
+            }
+            if constexpr (kJump == Jump::Strain) {
+                double trace = 0;
+#pragma GCC unroll 3
+                for (int a = 0; a < Dim; ++a) trace += jump[a];
+                swelling += s.dilation[k * n + c] * trace;
+            }
         }
-        const double quarter = 0.5 * s.measure[c], q = 8 * s.q[c];
-        double trace = 0, L[Dim][Dim];
 #pragma GCC unroll 3
-        for (int a = 0; a < Dim; ++a) trace += X[a];
-        const double dilation = 2 * s.r[c] * trace;
+        for (int a = 0; a < Dim; ++a) XTrace += X[a];
+        constexpr bool kStress = kJump == Jump::Stress;
+        const double V = s.measure[c], F = kStress ? 0.5 * V : 2 * V * s.q[c], G = kStress ? 8 * s.q[c] : 2;
+        const double H = kStress ? 2 * s.r[c] * XTrace : 0.5 * (V * s.r[c] * ownTrace + swelling);
+        double L[Dim][Dim];
 #pragma GCC unroll 3
-        for (int a = 0; a < Dim; ++a) L[a][a] = quarter * own[a] + q * X[a] + dilation;
-        L[0][1] = L[1][0] = quarter * own[Dim] + q * X[Dim];
+        for (int a = 0; a < Dim; ++a) L[a][a] = F * own[a] + G * X[a] + H;
+        L[0][1] = L[1][0] = F * own[Dim] + G * X[Dim];
         if constexpr (Dim == 3) {
-            L[0][2] = L[2][0] = quarter * own[4] + q * X[4];
-            L[1][2] = L[2][1] = quarter * own[5] + q * X[5];
+            L[0][2] = L[2][0] = F * own[4] + G * X[4];
+            L[1][2] = L[2][1] = F * own[5] + G * X[5];
         }
 #pragma GCC unroll 3
         for (int a = 0; a < Dim; ++a) {
@@ -164,13 +179,13 @@ template <int Dim>
     }
 }
 
-template <int Dim>
+template <int Dim, Jump kJump>
 [[gnu::always_inline]] inline void forcesBody(const Cells<Dim>& s, int begin, int end, double* force) {
     constexpr int kForces = Dim * (Dim + 1);
     alignas(64) double f[kForces][kChunk];
     for (int c = begin; c < end; c += kChunk) {
         const int stop = std::min(end, c + kChunk);
-        chunkForces<Dim>(s, c, stop, f);
+        chunkForces<Dim, kJump>(s, c, stop, f);
         double* out = force + static_cast<std::ptrdiff_t>(c) * kForces;
         for (int i = 0; i < stop - c; ++i, out += kForces)
 #pragma GCC unroll 12
@@ -217,15 +232,28 @@ template <int Dim>
     WEND_CLONES void weights##Dim(const Facets<Dim>& s, const Cells<Dim>& cells, int begin, int end, \
                                   const double* x, double factor, bool overDistance) {               \
         weightsBody<Dim>(s, cells, begin, end, x, factor, overDistance);                             \
+    }
+#define WEND_CLONED_JUMPS(Dim, kJump)                                                                \
+    WEND_CLONES void tensors##Dim##kJump(const Cells<Dim>& s, int begin, int end, const double* v) { \
+        tensorsBody<Dim, Jump::kJump>(s, begin, end, v);                                             \
     }                                                                                                \
-    WEND_CLONES void stress##Dim(const Cells<Dim>& s, int begin, int end, const double* v) {         \
-        stressBody<Dim>(s, begin, end, v);                                                           \
-    }                                                                                                \
-    WEND_CLONES void forces##Dim(const Cells<Dim>& s, int begin, int end, double* force) {           \
-        forcesBody<Dim>(s, begin, end, force);                                                       \
+    WEND_CLONES void forces##Dim##kJump(const Cells<Dim>& s, int begin, int end, double* force) {    \
+        forcesBody<Dim, Jump::kJump>(s, begin, end, force);                                          \
     }
 WEND_CLONED(2)
 WEND_CLONED(3)
+WEND_CLONED_JUMPS(2, Shear)
+WEND_CLONED_JUMPS(3, Shear)
+WEND_CLONED_JUMPS(2, Strain)
+WEND_CLONED_JUMPS(3, Strain)
+WEND_CLONED_JUMPS(2, Stress)
+WEND_CLONED_JUMPS(3, Stress)
+
+/// One of the clones, by the kind of jump.
+template <typename Function>
+Function* chosen(Jump jump, Function* shear, Function* strain, Function* stress) {
+    return jump == Jump::Shear ? shear : jump == Jump::Strain ? strain : stress;
+}
 
 }  // namespace
 
@@ -250,27 +278,27 @@ void facetWeights(const Facets<Dim>& facets, const Cells<Dim>& cells, int begin,
 }
 
 template <int Dim>
-void stress(const Cells<Dim>& cells, int begin, int end, const double* v) {
+void tensors(Jump jump, const Cells<Dim>& cells, int begin, int end, const double* v) {
     if constexpr (Dim == 2)
-        stress2(cells, begin, end, v);
+        chosen(jump, tensors2Shear, tensors2Strain, tensors2Stress)(cells, begin, end, v);
     else
-        stress3(cells, begin, end, v);
+        chosen(jump, tensors3Shear, tensors3Strain, tensors3Stress)(cells, begin, end, v);
 }
 
 template <int Dim>
-void forces(const Cells<Dim>& cells, int begin, int end, double* force) {
+void forces(Jump jump, const Cells<Dim>& cells, int begin, int end, double* force) {
     if constexpr (Dim == 2)
-        forces2(cells, begin, end, force);
+        chosen(jump, forces2Shear, forces2Strain, forces2Stress)(cells, begin, end, force);
     else
-        forces3(cells, begin, end, force);
+        chosen(jump, forces3Shear, forces3Strain, forces3Stress)(cells, begin, end, force);
 }
 
 #define WEND_INSTANTIATE(Dim)                                                                          \
     template int geometry(const Cells<Dim>&, int, int, const double*);                                 \
     template void facetWeights(const Facets<Dim>&, const Cells<Dim>&, int, int, const double*, double, \
                                bool);                                                                  \
-    template void stress(const Cells<Dim>&, int, int, const double*);                                  \
-    template void forces(const Cells<Dim>&, int, int, double*);
+    template void tensors(Jump, const Cells<Dim>&, int, int, const double*);                           \
+    template void forces(Jump, const Cells<Dim>&, int, int, double*);
 WEND_INSTANTIATE(2)
 WEND_INSTANTIATE(3)
 

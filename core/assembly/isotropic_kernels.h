@@ -4,9 +4,12 @@
 
 namespace wend::isotropic {
 
+/// Which jump over a facet is weighted: that of the strain S = J + Jᵀ without or with its dilation
+/// (invariant), or that of the stress (paper; method.md, Smoothness).
+enum class Jump { Shear, Strain, Stress };
+
 /// The loops of the back end for B = I over cells and facets, as structures of arrays: entry i of item c lies
-/// at [i · count + c]. With q = w_q, r = w_r of a cell and tensors S = J + Jᵀ, X:
-///   P = 4 q S + r Tr(S) I,   the same map D again: D X = 4 q X + r Tr(X) I.
+/// at [i · count + c]. With q = w_q, r = w_r of a cell or facet: D X = 4 q X + r Tr(X) I, P = D S.
 /// Symmetric tensors as their diagonal, then the entries above it by rows.
 template <int Dim>
 struct Cells {
@@ -20,8 +23,10 @@ struct Cells {
     double* gradients =
         nullptr;  // Dim × Dim: [Dim · (k − 1) + a] of corners k ≥ 1; corner 0 has minus their sum
     double* centroids = nullptr;  // Dim
-    double* weights = nullptr;    // Dim + 1: of the facet opposite to the corner, 0 where there is none
-    double* stress = nullptr;     // Dim (Dim + 1) / 2
+    // Dim + 1: weight · q and weight · r of the facet opposite to the corner, 0 where there is none; with
+    // stress jumps the weight alone.
+    double *shear = nullptr, *dilation = nullptr;
+    double* tensor = nullptr;  // Dim (Dim + 1) / 2: S, with stress jumps P
 };
 
 template <int Dim>
@@ -41,13 +46,13 @@ template <int Dim>
 void facetWeights(const Facets<Dim>& facets, const Cells<Dim>& cells, int begin, int end,
                   const double* points, double factor, bool overDistance);
 
-/// P of a nodal field.
+/// The tensor of a nodal field.
 template <int Dim>
-void stress(const Cells<Dim>& cells, int begin, int end, const double* v);
+void tensors(Jump jump, const Cells<Dim>& cells, int begin, int end, const double* v);
 
-/// The forces of a cell on its corners, 2 L g_k with L = ¼ V P + D Σ weight (P − P_neighbour): [corner][axis]
-/// per cell.
+/// The forces of a cell on its corners, 2 L g_k with L = ¼ V P + ¼ Σ weight D_facet (S − S_neighbour), or
+/// ¼ V P + D Σ weight (P − P_neighbour): [corner][axis] per cell.
 template <int Dim>
-void forces(const Cells<Dim>& cells, int begin, int end, double* force);
+void forces(Jump jump, const Cells<Dim>& cells, int begin, int end, double* force);
 
 }  // namespace wend::isotropic

@@ -65,6 +65,15 @@ StressMatrix<Dim> stressMatrix(EnergyWeights w, const Mat<Dim>& B) {
     return 0.5 * plusTranspose<kStrainCount<Dim>>(D);  // symmetric to the last bit
 }
 
+template <int Dim>
+Mat<Dim> stressBlock(EnergyWeights w, const Mat<Dim>& B, const Vec<Dim>& g, const Vec<Dim>& h) {
+    const Vec<Dim> Bg = B * g, Bh = B * h;
+    Mat<Dim> K = 4 * w.q * (Bh * g.transpose() + g.dot(h) * B + h * Bg.transpose());
+    K.diagonal().array() += 4 * w.q * g.dot(Bh);
+    if (w.r != 0) K += 4 * w.r * (Dim / B.trace()) * Bg * Bh.transpose();
+    return K;
+}
+
 namespace {
 
 Mat<2> rotationOf(const Mat<2>& F) {
@@ -95,12 +104,13 @@ Mat<Dim> polarRotation(const Mat<Dim>& F) {
     return rotationOf(F);
 }
 
-#define WEND_INSTANTIATE(Dim)                                                            \
-    template Mat<Dim> edgeMatrix<Dim>(const Points<Dim>&, const Cell<Dim>&);             \
-    template CellGeometry<Dim> cellGeometry<Dim>(const Points<Dim>&, const Cell<Dim>&);  \
-    template double energyDensity<Dim>(EnergyWeights, const Mat<Dim>&, const Mat<Dim>&); \
-    template Mat<Dim> stress<Dim>(EnergyWeights, const Mat<Dim>&, const Mat<Dim>&);      \
-    template StressMatrix<Dim> stressMatrix<Dim>(EnergyWeights, const Mat<Dim>&);        \
+#define WEND_INSTANTIATE(Dim)                                                                             \
+    template Mat<Dim> edgeMatrix<Dim>(const Points<Dim>&, const Cell<Dim>&);                              \
+    template CellGeometry<Dim> cellGeometry<Dim>(const Points<Dim>&, const Cell<Dim>&);                   \
+    template double energyDensity<Dim>(EnergyWeights, const Mat<Dim>&, const Mat<Dim>&);                  \
+    template Mat<Dim> stress<Dim>(EnergyWeights, const Mat<Dim>&, const Mat<Dim>&);                       \
+    template StressMatrix<Dim> stressMatrix<Dim>(EnergyWeights, const Mat<Dim>&);                         \
+    template Mat<Dim> stressBlock<Dim>(EnergyWeights, const Mat<Dim>&, const Vec<Dim>&, const Vec<Dim>&); \
     template Mat<Dim> polarRotation<Dim>(const Mat<Dim>&);
 WEND_INSTANTIATE(2)
 WEND_INSTANTIATE(3)

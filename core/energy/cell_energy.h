@@ -37,6 +37,12 @@ Mat<Dim> stress(EnergyWeights w, const Mat<Dim>& B, const Mat<Dim>& J);
 template <int Dim>
 StressMatrix<Dim> stressMatrix(EnergyWeights w, const Mat<Dim>& B);
 
+/// The block of 4 e's matrix between two corners with hat gradients g and h: uᵀ K v = S(u gᵀ) : D S(v hᵀ)
+/// with S(A) = A + Aᵀ, that is
+///   4 w_q ((Bh) gᵀ + (g·h) B + (g·Bh) I + h (Bg)ᵀ) + 4 w_r (d / Tr B) (Bg) (Bh)ᵀ.
+template <int Dim>
+Mat<Dim> stressBlock(EnergyWeights w, const Mat<Dim>& B, const Vec<Dim>& g, const Vec<Dim>& h);
+
 /// The rotation of the polar decomposition F = R U of a map with det F > 0, to rounding.
 template <int Dim>
 Mat<Dim> polarRotation(const Mat<Dim>& F);

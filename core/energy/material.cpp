@@ -64,7 +64,7 @@ std::string phi::problem(double phi, int dim) {
 
 template <int Dim>
 Material<Dim> Material<Dim>::uniform(int cellCount, double phi, Smoothing smoothing) {
-    return {std::vector<double>(cellCount, phi), {}, smoothing};
+    return {std::vector<double>(cellCount, phi), {}, smoothing, 0};
 }
 
 template <int Dim>
@@ -77,6 +77,8 @@ void requireValid(const Material<Dim>& material, int cellCount) {
     for (std::size_t c = 0; c < material.anisotropy.size(); ++c)
         requirePositiveDefinite<Dim>(material.anisotropy[c], c);
     requireSmoothing(material.smoothing);
+    if (!(std::isfinite(material.memory) && material.memory >= 0))
+        throw InputError("the memory " + number(material.memory) + " is not a number ≥ 0");
 }
 
 #define WEND_INSTANTIATE(Dim)                                              \

@@ -23,12 +23,11 @@ std::string problem(double phi, int dim);
 
 enum class SmoothingKind { Invariant, Paper, None };
 
-/// The weight of the jump of stress over a facet, in the frame where the rest diagonal is 1 (method.md,
-/// Smoothness).
+/// How jumps over facets are weighted, in the frame where the rest shape has size 1 (method.md, Smoothness).
 struct Smoothing {
     SmoothingKind kind = SmoothingKind::Invariant;
-    double length = 0.02;  // s, Invariant: weight = (s²/16) B/h
-    double lambda = 0.1;   // λ, Paper: weight = λ B
+    double length = 1.0 / 75;  // s, Invariant: s² (B/h) q(J_j − J_i)
+    double lambda = 0.1;       // λ, Paper: λ B ‖P_j − P_i‖²
 };
 
 /// What every cell keeps: the energy parameter φ and the anisotropy B₀ at rest, which turns with the
@@ -38,6 +37,7 @@ struct Material {
     std::vector<double> phi;           // one per cell, in ]0, φ_CONF(Dim)]
     std::vector<Mat<Dim>> anisotropy;  // one symmetric positive definite B₀ per cell, or empty: all identity
     Smoothing smoothing;
+    double memory = 0;  // ρ ≥ 0: how strongly the shape is drawn back to its rest (method.md, Memory)
 
     static Material uniform(int cellCount, double phi, Smoothing smoothing = {});
 };

@@ -30,7 +30,7 @@ double smoothnessWeight(const Smoothing& smoothing, const Points<Dim>& points,
     const double B = facetMeasure<Dim>(points, facet);
     if (smoothing.kind == SmoothingKind::Paper) return smoothing.lambda * B;
     const double h = (centroid<Dim>(points, j) - centroid<Dim>(points, i)).norm();
-    return smoothing.length * smoothing.length / 16 * B / h;
+    return smoothing.length * smoothing.length * B / h;
 }
 
 #define WEND_INSTANTIATE(Dim)                                                                                \

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+
+#include "core/energy/cell_energy.h"
 #include "core/energy/material.h"
 #include "core/mesh/simplicial_mesh.h"
 
@@ -9,11 +12,19 @@ namespace wend {
 template <int Dim>
 double facetMeasure(const Points<Dim>& points, const std::array<int, Dim>& facet);
 
-/// The weight of ‖P_j − P_i‖²_F over the interior facet between the cells i and j (method.md, Smoothness):
-/// (s²/16) B_ij / h_ij, λ B_ij (paper, Eq. 13) or 0, with B_ij the measure of the facet and h_ij the distance
-/// of the centroids. `points` are in the frame where the rest diagonal is 1.
+/// The weight of the jump over the interior facet between the cells i and j (method.md, Smoothness):
+/// s² B_ij / h_ij of q(J_j − J_i), λ B_ij of ‖P_j − P_i‖²_F (paper, Eq. 13) or 0, with B_ij the measure of
+/// the facet and h_ij the distance of the centroids. `points` are in the frame where the rest shape has
+/// size 1.
 template <int Dim>
 double smoothnessWeight(const Smoothing& smoothing, const Points<Dim>& points,
                         const std::array<int, Dim>& facet, const Cell<Dim>& i, const Cell<Dim>& j);
+
+/// The weights of q between two cells: their means, without the part that would oppose a jump of dilation.
+/// q(J) is the energy density with these and the mean of the cells' B, and not negative: means of admissible
+/// weights are admissible.
+inline EnergyWeights jumpWeights(EnergyWeights i, EnergyWeights j) {
+    return {0.5 * (i.q + j.q), std::min(0.5 * (i.r + j.r), 0.0)};
+}
 
 }  // namespace wend

@@ -8,7 +8,7 @@ namespace wend {
 
 namespace {
 
-// The first step of a stretch: the fastest constrained point goes this far, as a part of the diagonal, at a
+// The first step of a stretch: the fastest constrained point goes this far, as a part of the size, at a
 // tolerance of 1; the error of order 1 grows with the square of the step.
 constexpr double kFirstMove = 1;
 // Of the tolerance: what the control aims at. A whole deformation then ends with about the tolerance's error,

@@ -15,7 +15,7 @@ std::string IntegrationOptions::problem() const {
     if (!(smallestStep > 0 && smallestStep <= 0.1)) return "the smallest step must be in ]0, 0.1]";
     if (!(velocityTolerance <= 0.1)) return "the velocity tolerance must not be greater than 0.1";
     if (threads < 0) return "the number of threads must not be negative";
-    return {};
+    return problemOf(settle);
 }
 
 template <int Dim>
@@ -66,6 +66,16 @@ AdvanceResult Deformer<Dim>::advance(double time, const Watch& watch) {
 template <int Dim>
 Points<Dim> Deformer<Dim>::velocity() {
     return m_engine->velocity();
+}
+
+template <int Dim>
+double Deformer<Dim>::restEnergy() const {
+    return m_engine->velocitySolver().restEnergy(m_engine->state.normalized);
+}
+
+template <int Dim>
+double Deformer<Dim>::restForce() {
+    return m_engine->restForce();
 }
 
 template <int Dim>

@@ -9,6 +9,7 @@
 #include "core/assembly/back_end.h"
 #include "core/energy/distortion.h"
 #include "core/energy/material.h"
+#include "core/integration/settling.h"
 #include "core/integration/step_method.h"
 #include "core/motion/constraints.h"
 #include "core/solver/velocity_history.h"
@@ -18,7 +19,7 @@ namespace wend {
 
 struct IntegrationOptions {
     Method method = Method::Adams;
-    double tolerance = 1e-4;  // error per step allowed, relative to the rest diagonal
+    double tolerance = 1e-4;  // error per step allowed, relative to the size
     int steps = 0;   // > 0: this many equal steps over the whole time [0, end], cut at borders of motions;
                      // 0: adaptive (Dormand–Prince and Adams only). Adams, which cannot start with a long
                      // step, then leaves them to Dormand–Prince.
@@ -28,6 +29,7 @@ struct IntegrationOptions {
     /// Error of a velocity field that is allowed, relative to the greatest velocity; < 0: as the tolerance
     /// needs. 0: every field is solved for directly with a factorization of its own, as in the paper.
     double velocityTolerance = -1;
+    std::vector<SettleWindow> settle;  // in the order of time
 
     /// Empty if all is in range, else the reason.
     std::string problem() const;
@@ -46,7 +48,7 @@ struct Statistics {
     int steps = 0, rejected = 0, evaluations = 0, factorizations = 0, solverIterations = 0;
     double analyze = 0, assemble = 0, factor = 0, solve = 0, integrate = 0;  // seconds
     double constraintError =
-        0;  // greatest distance of a constrained point from its trajectory, relative to the diagonal
+        0;               // greatest distance of a constrained point from its trajectory, relative to the size
     double energy = 0;   // E(v̂) at the last evaluation, in normalized units
     CopiedBytes copied;  // to and from a device, since the deformer was made
 };
@@ -111,6 +113,10 @@ class Deformer {
     /// motions the one that begins counts; if nothing moves from here on, the one that ends. No columns if
     /// the solver fails.
     Points<Dim> velocity();
+    /// W of the current state, the energy of its map from rest, and how far it is from settled: ‖∇W‖ without
+    /// what the constraints hold (method.md, Memory and settling), both in normalized units.
+    double restEnergy() const;
+    double restForce();
     const Statistics& statistics() const;
     /// "cpu" or "opencl", and the device's name.
     std::string backEndName() const;

@@ -11,12 +11,14 @@ namespace wend {
 
 namespace {
 
-// Of the greatest velocity: after a drag over the whole diagonal the shape is off by less than a pixel in a
+// Of the greatest velocity: after a drag over the whole size the shape is off by less than a pixel in a
 // thousand.
 constexpr double kVelocityTolerance = 1e-3;
 // A guess whose handles miss the way by more than this, relatively, is no guess of the middle.
 constexpr double kGoodGuess = 0.1;
 constexpr int kMostAttempts = 8;
+// Of the exponent by which memory lets a deviation decay in one step, and the most parts of a way.
+constexpr double kMostDrawn = 0.5, kMostParts = 4;
 constexpr double kSmallestPart = 1.0 / 64;
 
 template <int Dim>
@@ -74,7 +76,8 @@ DragFlow<Dim>::DragFlow(std::shared_ptr<const SimplicialMesh<Dim>> rest,
       m_rest(normalized(*m_domainRest, m_units)),
       m_orientation(m_rest),
       m_constraints(*m_rest, still(handles, m_units), m_units),
-      m_solver(m_rest, material, backEnd, threads) {
+      m_solver(m_rest, material, backEnd, threads),
+      m_memory(material->memory) {
     requireValid<Dim>(*material, m_rest->cellCount());
     m_solver.setVelocityTolerance(kVelocityTolerance);
     m_solver.setConstraints(rowsOf(m_constraints, allOf(m_constraints)));
@@ -98,7 +101,7 @@ void DragFlow<Dim>::begin(const Points<Dim>& pose) {
                          std::to_string(m_rest->vertexCount()));
     }
     m_pose = pose;
-    m_shape = m_rest->points + (pose - m_domainRest->points) / m_units.diagonal;
+    m_shape = m_rest->points + (pose - m_domainRest->points) / m_units.size;
     const auto& points = m_constraints.points();
     m_targets.resize(Dim, static_cast<Eigen::Index>(points.size()));
     for (std::size_t i = 0; i < points.size(); ++i)
@@ -115,7 +118,7 @@ typename DragFlow<Dim>::Led DragFlow<Dim>::lead(const std::vector<int>& handles,
         led.push_back(std::find(handles.begin(), handles.end(), point.handle) != handles.end());
     const Targets start = m_targets;
     SolveOutcome failure;
-    double done = 0, part = 1;
+    double done = 0, part = firstPart(moved<Dim>(start, led, path.at(1, Side::Before).position) - start);
     for (int attempts = 0; done < 1; ++attempts) {
         if (part < kSmallestPart || attempts == kMostAttempts) break;
         const double to = std::min(1.0, done + part);
@@ -128,10 +131,17 @@ typename DragFlow<Dim>::Led DragFlow<Dim>::lead(const std::vector<int>& handles,
     return done < 1 ? Led{done, describe(failure)} : Led{};
 }
 
+/// The whole way, unless the memory would draw the shape back so strongly that the midpoint rule overshoots.
+template <int Dim>
+double DragFlow<Dim>::firstPart(const Targets& way) const {
+    return 1 / std::clamp(std::ceil(m_memory * largestColumn<Dim>(way) / kMostDrawn), 1.0, kMostParts);
+}
+
 /// The prescribed velocities are the way of the whole step, taken in a unit of time.
 template <int Dim>
 bool DragFlow<Dim>::solve(const Points<Dim>& shape, const Targets& way, Points<Dim>& field) {
     const bool reuses = m_solver.reuses();
+    m_solver.setMemoryRate(m_memory * largestColumn<Dim>(way));
     m_failure = m_solver.solve(shape, way, field, reuses ? m_history.fitting(way) : std::nullopt);
     ++m_evaluations;
     if (m_failure.done()) m_history.record(m_evaluations, way, field);
@@ -171,11 +181,11 @@ bool DragFlow<Dim>::step(const Targets& targets) {
 
 template <int Dim>
 void DragFlow<Dim>::publish() {
-    m_pose = m_domainRest->points + m_units.diagonal * (m_shape - m_rest->points);
+    m_pose = m_domainRest->points + m_units.size * (m_shape - m_rest->points);
     m_constraintError = 0;
     for (Eigen::Index i = 0; i < m_targets.cols(); ++i) {
         const Vec<Dim> p = m_constraints.points()[i].template in<Dim>(m_shape);
-        m_constraintError = std::max(m_constraintError, m_units.diagonal * (p - m_targets.col(i)).norm());
+        m_constraintError = std::max(m_constraintError, m_units.size * (p - m_targets.col(i)).norm());
     }
 }
 

@@ -31,7 +31,7 @@ class DragFlow {
         std::string problem;  // why it ended early: one line
     };
     /// Leads some handles (by index) through a whole motion, whose window does not matter, in one step: a
-    /// few percent of the diagonal. The others hold still. Where cells would fold over, as far as is
+    /// few percent of the size. The others hold still. Where cells would fold over, as far as is
     /// possible.
     Led lead(const std::vector<int>& handles, const Motion<Dim>& motion);
 
@@ -43,6 +43,7 @@ class DragFlow {
 
   private:
     using Targets = Points<Dim>;  // one column per constrained point
+    double firstPart(const Targets& way) const;
     bool step(const Targets& targets);
     bool solve(const Points<Dim>& shape, const Targets& way, Points<Dim>& field);
     bool moves(const Points<Dim>& field, const Targets& way) const;
@@ -56,6 +57,7 @@ class DragFlow {
     Constraints<Dim> m_constraints;
     VelocitySolver<Dim> m_solver;
     VelocityHistory<Dim> m_history;
+    double m_memory;  // ρ
     Points<Dim> m_shape, m_pose;
     Targets m_targets;
     SolveOutcome m_failure;

@@ -36,7 +36,11 @@ Deformer<Dim>::Engine::Engine(
       m_domainRest(std::move(rest)),
       m_rest(normalized(*m_domainRest, m_units)),
       m_orientation(m_rest),
+      m_settling(options.settle),
+      m_memory(material->memory),
       m_method(StepMethod<Dim>::of(options.method, options.steps > 0 ? 0 : options.tolerance)) {
+    if (options.method == Method::Adams && options.steps == 0)
+        m_settlingMethod = StepMethod<Dim>::of(Method::DormandPrince, options.tolerance);
     if (const std::string problem = options.problem(); !problem.empty()) throw InputError(problem);
     requireValid<Dim>(*material, m_rest->cellCount());
     state.points = m_domainRest->points;
@@ -67,7 +71,7 @@ void Deformer<Dim>::Engine::restore(const State<Dim>& from) {
     }
     state = from;
     if (state.normalized.cols() != state.points.cols()) {
-        state.normalized = m_rest->points + (state.points - m_domainRest->points) / m_units.diagonal;
+        state.normalized = m_rest->points + (state.points - m_domainRest->points) / m_units.size;
         startAnew();
     }
     const auto points =
@@ -76,7 +80,7 @@ void Deformer<Dim>::Engine::restore(const State<Dim>& from) {
     state.anchors = m_constraints->adopt(from.constrained ? *from.constrained : none, from.anchors,
                                          state.normalized, state.time);
     state.constrained = points;
-    if (m_constraints->lastBorder(state.time) == state.time) startAnew();
+    if (lastBorder(state.time) == state.time) startAnew();
 }
 
 template <int Dim>
@@ -102,7 +106,7 @@ void Deformer<Dim>::Engine::remember() {
 /// Rest plus displacement: what does not move keeps its bits.
 template <int Dim>
 void Deformer<Dim>::Engine::publish() {
-    state.points = m_domainRest->points + m_units.diagonal * (state.normalized - m_rest->points);
+    state.points = m_domainRest->points + m_units.size * (state.normalized - m_rest->points);
 }
 
 /// The constraints that hold on one side of the current time.
@@ -110,6 +114,36 @@ template <int Dim>
 void Deformer<Dim>::Engine::activate(Side side) {
     m_ids = m_constraints->activePoints(state.time, side);
     m_solver->setConstraints(rowsOf(*m_constraints, m_ids));
+}
+
+/// Whether anything moves: a handle, or the shape that settles.
+template <int Dim>
+bool Deformer<Dim>::Engine::flows(double t, Side side) const {
+    return m_constraints->moving(t, side) || m_settling.rate(t, side) > 0;
+}
+
+template <int Dim>
+double Deformer<Dim>::Engine::nextBorder(double t) const {
+    return std::min(m_constraints->nextBorder(t), m_settling.nextBorder(t));
+}
+
+template <int Dim>
+double Deformer<Dim>::Engine::lastBorder(double t) const {
+    return std::max(m_constraints->lastBorder(t), m_settling.lastBorder(t));
+}
+
+/// Of the step that begins at the current time. Settling is stiff: of Adams' methods too little is stable.
+template <int Dim>
+StepMethod<Dim>& Deformer<Dim>::Engine::method() const {
+    return m_settlingMethod && m_settling.rate(state.time, Side::After) > 0 ? *m_settlingMethod : *m_method;
+}
+
+/// Of the gradient of W: while settling that of the window, else ρ times the greatest speed of a constrained
+/// point (method.md, Memory and settling), which m_prescribed holds.
+template <int Dim>
+double Deformer<Dim>::Engine::memoryRate(double t, Side side) const {
+    const double settling = m_settling.rate(t, side);
+    return settling > 0 ? settling : m_memory * largestColumn<Dim>(m_prescribed);
 }
 
 /// dx/dt = v̂(x, t) at the stages' shape (method.md, Integration), constrained points as all others.
@@ -122,6 +156,7 @@ bool Deformer<Dim>::Engine::evaluate(double t, Side side, Points<Dim>& velocity)
         return false;
     }
     m_constraints->evaluate(m_ids, state.anchors, t, side, m_targets, m_prescribed);
+    m_solver->setMemoryRate(memoryRate(t, side));
     ++statistics.evaluations;
     const bool reuses = m_solver->reuses();
     m_failure.outcome =
@@ -139,15 +174,16 @@ void Deformer<Dim>::Engine::project(double t, Points<Dim>& shape) {
 /// The next time after the current one where a step has to end.
 template <int Dim>
 double Deformer<Dim>::Engine::nextStop(double time) const {
-    double stop = std::min(time, m_constraints->nextBorder(state.time));
-    if (m_options.steps == 0 || !m_constraints->moving(state.time, Side::After)) return stop;
+    double stop = std::min(time, nextBorder(state.time));
+    if (m_options.steps == 0 || !flows(state.time, Side::After)) return stop;
     const double width = m_options.end / m_options.steps;
     const double number = std::floor(state.time / width * (1 + 1e-14) + 1e-9) + 1;
     const double grid = number == m_options.steps ? m_options.end : number * width;
     return grid > stop - 1e-9 * width ? stop : grid;  // no sliver of a step before a border
 }
 
-/// From the greatest speed of the constrained points up to the next border: a motion eases in from rest.
+/// From the greatest speed of the constrained points up to the next border (a motion eases in from rest), and
+/// from the rate at which the shape is drawn back.
 template <int Dim>
 double Deformer<Dim>::Engine::startStep(double to) const {
     constexpr int kSamples = 16;
@@ -161,8 +197,10 @@ double Deformer<Dim>::Engine::startStep(double to) const {
         if (!std::isfinite(speed)) return 0;  // no step is small enough
         fastest = std::max(fastest, speed);
     }
-    if (fastest == 0) return to - state.time;
-    return m_method->firstStep(fastest);
+    const double settling = m_settling.rate(state.time, Side::After),
+                 rate = settling > 0 ? settling : m_memory * fastest;
+    const double step = fastest > 0 ? method().firstStep(fastest) : to - state.time;
+    return rate > 0 ? std::min(step, 1 / rate) : step;
 }
 
 /// Where to go next on the way to a stop: no sliver of a step before it.
@@ -177,8 +215,8 @@ double Deformer<Dim>::Engine::proposedStep(double stop) const {
 
 template <int Dim>
 double Deformer<Dim>::Engine::smallestStep() const {
-    const double from = std::max(0.0, m_constraints->lastBorder(state.time));
-    return m_options.smallestStep * (m_constraints->nextBorder(state.time) - from);
+    const double from = std::max(0.0, lastBorder(state.time));
+    return m_options.smallestStep * (nextBorder(state.time) - from);
 }
 
 /// Tries to step from the current state to a time. The error over the tolerance (0 for fixed steps), or
@@ -188,10 +226,10 @@ std::optional<double> Deformer<Dim>::Engine::attempt(const Nodal<Dim>& start, do
     const auto rhs = [this](double t, Side side, StageVectors<Dim>&, Points<Dim>& v) {
         return evaluate(t, side, v);
     };
-    if (!m_method->attempt(rhs, m_solver->stages(), state.time, to, start, state.pace)) return {};
-    const double error = m_method->error();
+    if (!method().attempt(rhs, m_solver->stages(), state.time, to, start, state.pace)) return {};
+    const double error = method().error();
     if (!(error <= 1)) return error;
-    m_next = *m_method->result();
+    m_next = *method().result();
     project(to, m_next);
     const int inverted = m_orientation.firstInverted(m_next);
     if (inverted < 0) return error;
@@ -221,7 +259,7 @@ void Deformer<Dim>::Engine::failForSmallStep(double to) {
 template <int Dim>
 bool Deformer<Dim>::Engine::step(double stop) {
     const Pace<Dim> before = state.pace;
-    if (state.pace.step == 0) state.pace.step = startStep(m_constraints->nextBorder(state.time));
+    if (state.pace.step == 0) state.pace.step = startStep(nextBorder(state.time));
     if (!(state.pace.step >= smallestStep()) && m_options.steps == 0) {
         failForSmallStep(state.time);
         state.pace = before;
@@ -244,7 +282,7 @@ bool Deformer<Dim>::Engine::step(double stop) {
         }
         ++statistics.rejected;
         if (error)
-            m_method->retry(state.pace);
+            method().retry(state.pace);
         else
             state.pace.step = 0.5 * (to - state.time);
         const double h = state.pace.step;
@@ -263,7 +301,7 @@ void Deformer<Dim>::Engine::accept(double to, bool shortened, bool cut) {
     remember();  // frames may need a field of their own
     emitFrames(state.time, to);
     state.normalized = m_next;
-    m_method->accept(state.pace, shortened, cut);
+    method().accept(state.pace, shortened, cut);
     arrive(to);
 }
 
@@ -286,7 +324,7 @@ void Deformer<Dim>::Engine::arrive(double to) {
     state.time = to;
     publish();
     measureError(to);
-    if (m_constraints->lastBorder(to) == to) {
+    if (lastBorder(to) == to) {
         m_constraints->crossBorder(to, state.normalized, state.anchors);
         startAnew();
     }
@@ -312,17 +350,17 @@ void Deformer<Dim>::Engine::emitFrames(double from, double to) {
     Points<Dim> endField;
     // The step is done: a wish to stop does not count before the frames in it are out.
     const Watch* const watch = std::exchange(m_watch, nullptr);
-    if (m_method->needsEndField()) {
+    if (method().needsEndField()) {
         m_solver->stages().combine(std::make_shared<const Points<Dim>>(m_next), {});
         if (!evaluate(to, Side::Before, endField)) endField = (m_next - state.normalized) / (to - from);
     }
     m_watch = watch;
     for (; m_frame < times.size() && times[m_frame] < to; ++m_frame) {
-        Points<Dim> shape = m_method->at(times[m_frame], endField);
+        Points<Dim> shape = method().at(times[m_frame], endField);
         project(times[m_frame], shape);
         State<Dim> frame;
         frame.time = times[m_frame];
-        frame.points = m_domainRest->points + m_units.diagonal * (shape - m_rest->points);
+        frame.points = m_domainRest->points + m_units.size * (shape - m_rest->points);
         m_watch->onFrame(frame);
     }
 }
@@ -344,7 +382,7 @@ AdvanceResult Deformer<Dim>::Engine::advance(double time, const Watch& watch) {
         if (watch.stop.stop_requested()) {
             m_failure.cancelled = true;
             good = false;
-        } else if (m_constraints->moving(state.time, Side::After)) {
+        } else if (flows(state.time, Side::After)) {
             recall();
             good = step(nextStop(time));
         } else {
@@ -368,7 +406,10 @@ AdvanceResult Deformer<Dim>::Engine::stopped() const {
         message << "cancelled";
     } else if (m_failure.stepTooSmall) {
         result.outcome = Outcome::StepTooSmall;
-        message << "the motion is too fast, or the tolerance too small: the steps would be too short";
+        const bool settles = m_settling.rate(state.time, Side::After) > 0;
+        message << (settles ? "the shape is too stiff to settle further"
+                            : "the motion is too fast, or the tolerance too small")
+                << ": the steps would be too short";
     } else if (m_failure.outcome.kind == SolveOutcome::Kind::CellInverted) {
         result.outcome = Outcome::CellInverted;
         result.cell = m_failure.outcome.cell;
@@ -385,8 +426,8 @@ AdvanceResult Deformer<Dim>::Engine::stopped() const {
 
 template <int Dim>
 Points<Dim> Deformer<Dim>::Engine::velocity() {
-    const bool begins = m_constraints->moving(state.time, Side::After);
-    const Side side = begins || !m_constraints->moving(state.time, Side::Before) ? Side::After : Side::Before;
+    const bool begins = flows(state.time, Side::After);
+    const Side side = begins || !flows(state.time, Side::Before) ? Side::After : Side::Before;
     activate(side);
     const auto anchors =
         std::exchange(state.anchors, m_constraints->anchors(state.normalized, state.time, side));
@@ -397,7 +438,14 @@ Points<Dim> Deformer<Dim>::Engine::velocity() {
     m_solver->setVelocityTolerance(velocityTolerance(m_options));
     state.anchors = anchors;
     collectStatistics();
-    return good ? Points<Dim>(m_units.diagonal * v) : Points<Dim>(Dim, 0);
+    return good ? Points<Dim>(m_units.size * v) : Points<Dim>(Dim, 0);
+}
+
+/// With the constraints that led to the current time.
+template <int Dim>
+double Deformer<Dim>::Engine::restForce() {
+    activate(flows(state.time, Side::Before) ? Side::Before : Side::After);
+    return m_solver->restForce(state.normalized);
 }
 
 template <int Dim>

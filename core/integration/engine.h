@@ -7,14 +7,14 @@
 
 namespace wend {
 
-/// The integration of one deformation in the frame where the rest shape has diagonal 1 (method.md,
+/// The integration of one deformation in the frame where the rest shape has size 1 (method.md,
 /// Integration).
 ///
-/// Time is cut at the borders of the constraints: windows, jumps of a trajectory's velocity, active ranges. A
-/// step never crosses one, and at each the step control starts anew, so that a run that begins there takes
-/// the same steps. A step depends on the state alone: before each, the solver and the guesses are brought to
-/// what the state says, so that a run goes on to the same bits after a rejection, a cancellation, a question
-/// in between, and in another deformer.
+/// Time is cut at the borders of the constraints: windows, jumps of a trajectory's velocity, active ranges,
+/// and at those of settling. A step never crosses one, and at each the step control starts anew, so that a
+/// run that begins there takes the same steps. A step depends on the state alone: before each, the solver and
+/// the guesses are brought to what the state says, so that a run goes on to the same bits after a rejection,
+/// a cancellation, a question in between, and in another deformer.
 template <int Dim>
 struct Deformer<Dim>::Engine {
     Engine(std::shared_ptr<const SimplicialMesh<Dim>> rest, std::shared_ptr<const Material<Dim>> material,
@@ -25,6 +25,7 @@ struct Deformer<Dim>::Engine {
     void restore(const State<Dim>& state);
     AdvanceResult advance(double time, const Watch& watch);
     Points<Dim> velocity();
+    double restForce();
 
     State<Dim> state;
     Statistics statistics;
@@ -47,10 +48,14 @@ struct Deformer<Dim>::Engine {
     void recall();
     void remember();
     bool evaluate(double t, Side side, Points<Dim>& velocity);
+    double memoryRate(double t, Side side) const;
     void project(double t, Points<Dim>& shape);
 
     // Steps
-    double border(double t) const;
+    bool flows(double t, Side side) const;
+    double nextBorder(double t) const;
+    double lastBorder(double t) const;
+    StepMethod<Dim>& method() const;
     double nextStop(double time) const;
     double startStep(double to) const;
     double proposedStep(double to) const;
@@ -74,7 +79,9 @@ struct Deformer<Dim>::Engine {
     Orientation<Dim> m_orientation;
     std::unique_ptr<VelocitySolver<Dim>> m_solver;
     std::shared_ptr<const Constraints<Dim>> m_constraints;
-    std::unique_ptr<StepMethod<Dim>> m_method;
+    Settling m_settling;
+    double m_memory;  // ρ
+    std::unique_ptr<StepMethod<Dim>> m_method, m_settlingMethod;
     VelocityHistory<Dim> m_history;
 
     std::vector<int> m_ids;  // the active constrained points, as the solver has them

@@ -9,7 +9,7 @@ namespace wend {
 
 namespace {
 
-// The first step of a stretch: the fastest constrained point goes this far, as a part of the diagonal, at a
+// The first step of a stretch: the fastest constrained point goes this far, as a part of the size, at a
 // tolerance of 1e-4.
 constexpr double kFirstMove = 0.3;
 

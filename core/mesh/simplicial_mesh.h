@@ -21,7 +21,7 @@ struct SimplicialMesh {
 template <int Dim>
 double cellMeasure(const Points<Dim>& points, const Cell<Dim>& cell);
 
-/// Length of the diagonal of the axis-aligned bounding box: the unit of every dimensionless setting.
+/// Length of the diagonal of the axis-aligned bounding box.
 template <int Dim>
 double boundingBoxDiagonal(const Points<Dim>& points);
 

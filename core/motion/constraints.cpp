@@ -188,7 +188,7 @@ template <int Dim>
 auto Constraints<Dim>::adopt(const std::vector<ConstrainedPoint>& others, const Anchors& theirs,
                              const Points<Dim>& shape, double t) const -> Anchors {
     constexpr double kSameTrajectory =
-        1e-9;  // relative to the diagonal, which is 1 in the frame of the computation
+        1e-9;  // relative to the size, which is 1 in the frame of the computation
     std::multimap<std::vector<std::pair<int, double>>, size_t> known;
     for (size_t i = 0; i < std::min(others.size(), theirs.size()); ++i) known.emplace(others[i].terms, i);
     const std::vector<MovingMap<Dim>> after = maps(t, Side::After);

@@ -4,13 +4,14 @@
 #include <cmath>
 
 #include "core/mesh/error.h"
+#include "core/mesh/shape_size.h"
 #include "core/mesh/used_vertices.h"
 
 namespace wend {
 
 namespace {
 
-// Relative to the diagonal: a point this near to a vertex is the vertex; a vertex this near to a region is
+// Relative to the size: a point this near to a vertex is the vertex; a vertex this near to a region is
 // inside.
 constexpr double kSameVertex = 1e-12;
 constexpr double kRegionBorder = 1e-9;
@@ -25,7 +26,7 @@ template <int Dim>
 HandlePlacer<Dim>::HandlePlacer(const SimplicialMesh<Dim>& rest, const Normalization<Dim>& units)
     : m_rest(rest),
       m_units(units),
-      m_diagonal(extentOf<Dim>(rest.points, rest.cells).diagonal()),
+      m_size(shapeSize<Dim>(rest.points, rest.cells).size),
       m_used(usedVertices<Dim>(rest.vertexCount(), rest.cells)),
       m_locator(rest.points, rest.cells) {}
 
@@ -71,7 +72,7 @@ template <int Dim>
 auto HandlePlacer<Dim>::termsOf(const Region<Dim>& region) const -> std::vector<Terms> {
     std::vector<Terms> result;
     for (int v = 0; v < m_rest.vertexCount(); ++v) {
-        if (m_used[v] && signedDistance<Dim>(region, m_rest.points.col(v)) <= kRegionBorder * m_diagonal)
+        if (m_used[v] && signedDistance<Dim>(region, m_rest.points.col(v)) <= kRegionBorder * m_size)
             result.push_back({{v, 1.0}});
     }
     if (result.empty()) throw InputError("its region holds no vertex");
@@ -81,7 +82,7 @@ auto HandlePlacer<Dim>::termsOf(const Region<Dim>& region) const -> std::vector<
 template <int Dim>
 auto HandlePlacer<Dim>::termsOf(const Vec<Dim>& p) const -> Terms {
     const int nearest = m_locator.nearestVertex(p);
-    if (nearest >= 0 && (m_rest.points.col(nearest) - p).norm() <= kSameVertex * m_diagonal)
+    if (nearest >= 0 && (m_rest.points.col(nearest) - p).norm() <= kSameVertex * m_size)
         return {{nearest, 1.0}};
     const auto location = m_locator.find(p, kOutside);
     if (!location) throw InputError("point " + describe<Dim>(m_units.domain(p)) + " lies outside the shape");

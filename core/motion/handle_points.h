@@ -23,7 +23,7 @@ class HandlePlacer {
 
     const SimplicialMesh<Dim>& m_rest;
     const Normalization<Dim>& m_units;
-    double m_diagonal;
+    double m_size;
     std::vector<bool> m_used;  // by a cell
     PointLocator<Dim> m_locator;
 };

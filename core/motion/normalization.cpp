@@ -1,13 +1,13 @@
 #include "core/motion/normalization.h"
 
-#include "core/mesh/used_vertices.h"
+#include "core/mesh/shape_size.h"
 
 namespace wend {
 
 template <int Dim>
 Normalization<Dim> Normalization<Dim>::of(const SimplicialMesh<Dim>& rest) {
-    const Extent<Dim> extent = extentOf<Dim>(rest.points, rest.cells);
-    return {extent.centre(), extent.diagonal()};
+    const ShapeSize<Dim> shape = shapeSize<Dim>(rest.points, rest.cells);
+    return {shape.centroid, shape.size};
 }
 
 namespace {
@@ -27,7 +27,7 @@ struct Mover {
     }
     void operator()(Ball<Dim>& ball) const {
         ball.centre = frame.normal(ball.centre);
-        ball.radius /= frame.diagonal;
+        ball.radius /= frame.size;
     }
     void operator()(Box<Dim>& box) const {
         box.min = frame.normal(box.min);
@@ -38,7 +38,7 @@ struct Mover {
         blend.from = frame.normal(blend.from);
         blend.to = frame.normal(blend.to);
     }
-    void operator()(Translate<Dim>& motion) const { motion.by /= frame.diagonal; }
+    void operator()(Translate<Dim>& motion) const { motion.by /= frame.size; }
     void operator()(Rotate<Dim>& motion) const { motion.centre = frame.normal(motion.centre); }
     void operator()(CurveMotion<Dim>& motion) const { (*this)(motion.points); }
     void operator()(Recorded<Dim>& motion) const { (*this)(motion.points); }

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <numeric>
 
-#include "core/mesh/used_vertices.h"
+#include "core/mesh/shape_size.h"
 
 namespace wend {
 namespace {
 
-// Points nearer than this, relative to the diagonal, count as one; angles likewise.
+// Points nearer than this, relative to the size, count as one; angles likewise.
 constexpr double kDistinct = 1e-6;
 
 template <int Dim>
@@ -21,14 +21,14 @@ Vec<Dim> pointOf(const ConstraintRow& row, const Points<Dim>& points) {
 
 /// The points span Dim − 1 dimensions: two distinct ones in 2D, three that are not on a line in 3D.
 template <int Dim>
-bool spanEnough(const std::vector<Vec<Dim>>& points, double diagonal) {
+bool spanEnough(const std::vector<Vec<Dim>>& points, double size) {
     if (points.size() < static_cast<std::size_t>(Dim)) return false;
     Mat<Dim> scatter = Mat<Dim>::Zero();
     Vec<Dim> mean = Vec<Dim>::Zero();
     for (const auto& p : points) mean += p / static_cast<double>(points.size());
     for (const auto& p : points) scatter += (p - mean) * (p - mean).transpose();
     const Vec<Dim> squares = Eigen::JacobiSVD<Mat<Dim>>(scatter).singularValues();
-    return squares[Dim - 2] > kDistinct * kDistinct * diagonal * diagonal;
+    return squares[Dim - 2] > kDistinct * kDistinct * size * size;
 }
 
 /// The components of every vertex, ascending, each once.
@@ -89,9 +89,9 @@ std::vector<bool> wellConstrained(const SimplicialMesh<Dim>& mesh, const std::ve
     for (const auto& row : rows)
         for (int component : componentsOfRow(row, ofVertex))
             points[component].push_back(pointOf<Dim>(row, mesh.points));
-    const double diagonal = extentOf<Dim>(mesh.points, mesh.cells).diagonal();
+    const double size = shapeSize<Dim>(mesh.points, mesh.cells).size;
     std::vector<bool> result(count);
-    for (int i = 0; i < count; ++i) result[i] = spanEnough<Dim>(points[i], diagonal);
+    for (int i = 0; i < count; ++i) result[i] = spanEnough<Dim>(points[i], size);
     return result;
 }
 

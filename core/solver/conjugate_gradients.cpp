@@ -33,12 +33,12 @@ void record(double contraction, Result& result) {
 }  // namespace
 
 template <int Dim>
-typename ConjugateGradients<Dim>::Result ConjugateGradients<Dim>::run(BackEnd<Dim>& backEnd,
-                                                                      const ReducedSystem<Dim>& system,
-                                                                      const Preconditioner& precondition,
-                                                                      const Goal& goal, Points<Dim>& v) {
+typename ConjugateGradients<Dim>::Result ConjugateGradients<Dim>::run(
+    BackEnd<Dim>& backEnd, const ReducedSystem<Dim>& system, const Preconditioner& precondition,
+    const Goal& goal, const Points<Dim>* load, Points<Dim>& v) {
     Result result;
     backEnd.apply(v, m_Alifted);
+    if (load) m_Alifted += *load;
     system.restrict(m_Alifted, m_r);
     m_r = -m_r;
     m_z.resizeLike(m_r);

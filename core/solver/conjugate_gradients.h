@@ -10,9 +10,9 @@
 
 namespace wend {
 
-/// Conjugate gradients for K y = −Zᵀ A v, K = Zᵀ A Z applied without the matrix, with a Cholesky factor of an
-/// earlier K as preconditioner: the factor of a nearby shape is spectrally
-/// close, so a few iterations do. Keeps its vectors between runs.
+/// Conjugate gradients for K y = −Zᵀ (A v + f), K = Zᵀ A Z applied without the matrix, with a Cholesky factor
+/// of an earlier K as preconditioner: the factor of a nearby shape is spectrally close, so a few iterations
+/// do. Keeps its vectors between runs.
 template <int Dim>
 class ConjugateGradients {
   public:
@@ -40,8 +40,9 @@ class ConjugateGradients {
     /// ones would add, |z| (ρ + ρ² + …) = |z| ρ / (1 − ρ): z the preconditioned residual before the step, ρ
     /// the last contraction of |z|, both in the maximum norm, but no less than goal.leastContraction. The
     /// step that would bring it under the tolerance is the last.
+    /// `load` is f, one column per vertex; null: none.
     Result run(BackEnd<Dim>& backEnd, const ReducedSystem<Dim>& system, const Preconditioner& precondition,
-               const Goal& goal, Points<Dim>& v);
+               const Goal& goal, const Points<Dim>* load, Points<Dim>& v);
 
   private:
     Points<Dim> m_r, m_z, m_p, m_q;   // per unknown vertex

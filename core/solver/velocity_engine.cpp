@@ -91,10 +91,11 @@ bool mayTurn(const Material<Dim>& material) {
 
 template <int Dim>
 VelocitySolver<Dim>::Engine::Engine(std::shared_ptr<const SimplicialMesh<Dim>> mesh,
-                                    const Material<Dim>& material, const BackEndFactory<Dim>& makeBackEnd,
+                                    const Material<Dim>& stuff, const BackEndFactory<Dim>& makeBackEnd,
                                     int threads)
     : rest(std::move(mesh)),
       components(cellComponents(*rest)),
+      material(stuff),
       reusable(mayReuse(material)),
       turns(mayTurn(material)) {
     const Stopwatch watch(statistics.analyze);
@@ -241,7 +242,27 @@ bool VelocitySolver<Dim>::Engine::makeFactorAgain() {
     return done;
 }
 
-/// v = v_p on entry. Solves K y = −Zᵀ A v and adds Z y; again with the new residual while that is large.
+template <int Dim>
+RestEnergy<Dim>& VelocitySolver<Dim>::Engine::rested() {
+    if (!restEnergy) restEnergy.emplace(plan, *rest, material);
+    return *restEnergy;
+}
+
+/// E(v) + rate ⟨∇W, v⟩ is least where A v + ½ rate ∇W vanishes on all fields that the constraints allow.
+template <int Dim>
+void VelocitySolver<Dim>::Engine::computeLoad() {
+    load.resize(Dim, 0);
+    if (memoryRate == 0) return;
+    const Stopwatch watch(statistics.assemble);
+    rested().gradient(*backEnd->stages().shape(), load, backEnd->workers());
+    if (load.isZero(0))
+        load.resize(Dim, 0);
+    else
+        load *= 0.5 * memoryRate;
+}
+
+/// v = v_p on entry. Solves K y = −Zᵀ (A v + f) and adds Z y; again with the new residual while that is
+/// large.
 template <int Dim>
 SolveOutcome VelocitySolver<Dim>::Engine::solveReduced(Points<Dim>& v) {
     const Stopwatch watch(statistics.solve);
@@ -249,6 +270,7 @@ SolveOutcome VelocitySolver<Dim>::Engine::solveReduced(Points<Dim>& v) {
     double first = 0;
     for (int i = 0; i <= kRefinements; ++i) {
         backEnd->apply(v, Av);
+        if (loadOrNull()) Av += load;
         system.restrict(Av, right);
         right = -right;
         const double size = right.cwiseAbs().maxCoeff();
@@ -314,7 +336,7 @@ bool VelocitySolver<Dim>::Engine::iterate(Points<Dim>& v) {
     goal.hopeless = [&](double iterations) { return lag > 0 && policy.hopeless(iterations); };
     const auto result = iteration.run(
         *backEnd, system, [&](std::span<const double> r, std::span<double> z) { return precondition(r, z); },
-        goal, v);
+        goal, loadOrNull(), v);
     statistics.iterations += result.iterations;
     policy.evaluated(result.iterations);
     learnContraction(lag, result);
@@ -342,7 +364,8 @@ SolveOutcome VelocitySolver<Dim>::Engine::solve(const Points<Dim>& prescribed, P
         if (const int cell = backEnd->setStage(); cell >= 0) return {SolveOutcome::Kind::CellInverted, cell};
     }
     system.particular(prescribed, v);
-    if (v.isZero(0)) return {};  // nothing moves
+    computeLoad();
+    if (v.isZero(0) && !loadOrNull()) return {};  // nothing moves
     if (!system.unknowns().empty()) {
         const bool iterates = reuses();
         if (iterates && guess && guess->allFinite()) system.adopt(*guess, v);

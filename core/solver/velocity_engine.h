@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/assembly/rest_energy.h"
 #include "core/solver/cholesky.h"
 #include "core/solver/conjugate_gradients.h"
 #include "core/solver/projection.h"
@@ -29,6 +30,11 @@ struct VelocitySolver<Dim>::Engine {
     std::optional<SupernodalFactor<float>> singleFactor;
     std::optional<SupernodalFactor<double>> doubleFactor;
 
+    Material<Dim> material;
+    std::optional<RestEnergy<Dim>> restEnergy;  // made at the first use
+    double memoryRate = 0;
+    Points<Dim> load;  // ½ memoryRate ∇W of the solve that goes on; no columns: none
+
     std::vector<double> blocks;  // of A
     SolverStatistics statistics;
 
@@ -46,10 +52,13 @@ struct VelocitySolver<Dim>::Engine {
     ConjugateGradients<Dim> iteration;
     Points<Dim> last;  // v̂ of the last solve
 
-    Engine(std::shared_ptr<const SimplicialMesh<Dim>> mesh, const Material<Dim>& material,
+    Engine(std::shared_ptr<const SimplicialMesh<Dim>> mesh, const Material<Dim>& stuff,
            const BackEndFactory<Dim>& makeBackEnd, int threads);
     void setConstraints(std::vector<ConstraintRow> newRows);
     void countCosts();
+    RestEnergy<Dim>& rested();
+    void computeLoad();
+    const Points<Dim>* loadOrNull() const { return load.cols() > 0 ? &load : nullptr; }
     SolveOutcome solve(const Points<Dim>& prescribed, Points<Dim>& v,
                        const std::optional<Points<Dim>>& guess);
     bool reuses() const;

@@ -61,6 +61,24 @@ void VelocitySolver<Dim>::setVelocityTolerance(double tolerance) {
 }
 
 template <int Dim>
+void VelocitySolver<Dim>::setMemoryRate(double rate) {
+    m_engine->memoryRate = rate;
+}
+
+template <int Dim>
+double VelocitySolver<Dim>::restEnergy(const Points<Dim>& shape) const {
+    return m_engine->rested().energy(shape);
+}
+
+template <int Dim>
+double VelocitySolver<Dim>::restForce(const Points<Dim>& shape) const {
+    Points<Dim> gradient;
+    m_engine->rested().gradient(shape, gradient, m_engine->backEnd->workers());
+    project(gradient, Points<Dim>::Zero(Dim, static_cast<Eigen::Index>(m_engine->rows.size())));
+    return gradient.norm();
+}
+
+template <int Dim>
 bool VelocitySolver<Dim>::reuses() const {
     return m_engine->reuses();
 }

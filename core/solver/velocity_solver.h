@@ -44,13 +44,13 @@ struct FactorMemory {
 };
 
 /// The velocity tolerance that keeps the solver's part of the error of an integration well below the
-/// integration's own tolerance (both relative: to the greatest velocity, to the diagonal).
+/// integration's own tolerance (both relative: to the greatest velocity, to the size).
 double velocityToleranceFor(double integrationTolerance);
 
 /// The velocity field v̂ of least energy that takes the prescribed velocities of the constrained points
 /// (method.md, Field and energy, Smoothness, Constraints): min vᵀ A v subject to the rows. Constraints are
 /// eliminated exactly: v = Z y + v_p, and K y = −Zᵀ A v_p with K = Zᵀ A Z sparse, symmetric, positive
-/// definite. All lengths are in the frame where the rest diagonal is 1: the caller passes normalized
+/// definite. All lengths are in the frame where the rest shape has size 1: the caller passes normalized
 /// coordinates. Deterministic: the same input gives the same bits for any number of threads. One thread uses
 /// it at a time.
 template <int Dim>
@@ -87,6 +87,14 @@ class VelocitySolver {
     SolveOutcome solveAtStage(const Points<Dim>& prescribed, Points<Dim>& velocity,
                               const std::optional<Points<Dim>>& guess = std::nullopt);
     StageVectors<Dim>& stages();
+
+    /// The rate at which the shape is drawn back to its rest (method.md, Memory and settling): from now on v̂
+    /// minimizes E(v) + rate ⟨∇W(x), v⟩. 0, the default: the paper's field.
+    void setMemoryRate(double rate);
+    /// W of a shape; infinite if a cell is inverted.
+    double restEnergy(const Points<Dim>& shape) const;
+    /// ‖∇W‖ of a shape, without what the constraints hold: 0 where it has settled.
+    double restForce(const Points<Dim>& shape) const;
 
     /// The error of v̂ that is allowed, relative to its greatest nodal velocity. 0 (the default): every solve
     /// factorizes, by CHOLMOD. So does every one, by a factor of our own in double precision, with less than

@@ -20,6 +20,7 @@ class TestCli : public QObject {
     void velocityTable();
     void velocityOnTheMesh();
     void reportKeys();
+    void remembersAndSettles();
     void standardOutput();
     void stopsEarlier();
     void frames();
@@ -144,7 +145,7 @@ void TestCli::reportKeys() {
     QStringList expected{"vertices", "cells",    "dimension",   "time",           "backend",
                          "device",   "errors",   "flips",       "minDet",         "constraintError",
                          "steps",    "rejected", "evaluations", "factorizations", "solverIterations",
-                         "seconds",  "energy"};
+                         "seconds",  "energy",   "restEnergy",  "restForce"};
     QStringList keys = report.keys();
     expected.sort();
     keys.sort();
@@ -161,6 +162,28 @@ void TestCli::reportKeys() {
     QVERIFY(report["constraintError"].toDouble() <= 1e-12);
     QVERIFY(report["energy"].toDouble() > 0);
     QVERIFY(report["steps"].toInt() > 0);
+}
+
+/// Memory and settling from the command line and from the project are the same; both bring the shape nearer
+/// to its rest.
+void TestCli::remembersAndSettles() {
+    const auto report = [&](const QStringList& options) {
+        succeed(QStringList{"run", "bend.wend", "--report", "r.json", "--mesh", "m.obj"} + options);
+        return jsonFile("r.json").object();
+    };
+    const double plain = report({})["restEnergy"].toDouble();
+    const double remembered = report({"--memory", "10"})["restEnergy"].toDouble();
+    QVERIFY(0 < remembered && remembered < plain);
+    const QJsonObject settled = report({"--settle"});
+    QCOMPARE(settled["time"].toDouble(), 2.0);
+    QVERIFY(settled["restEnergy"].toDouble() < remembered);
+    QVERIFY(settled["restForce"].toDouble() < 1e-3 * report({})["restForce"].toDouble());
+    QVERIFY(settled["constraintError"].toDouble() < 1e-12);
+    const std::string bend = readTextFile(file("bend.wend"));
+    put(path(), "settled.wend", bend.substr(0, bend.rfind('}')) + ", \"settle\": [{\"time\": [1, 2]}]}");
+    succeed({"run", "settled.wend", "--report", "r.json"});
+    QCOMPARE(jsonFile("r.json").object()["restEnergy"], settled["restEnergy"]);
+    QCOMPARE(run({"run", "bend.wend", "--memory", "-1", "--report", "-"}).code, 2);
 }
 
 void TestCli::standardOutput() {

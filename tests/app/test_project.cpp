@@ -38,7 +38,7 @@ const std::string kFull = projectText(
     "'domain': {'image': 'frog.png', 'outline': {'from': 'alpha', 'threshold': 0.25, 'margin': 3, "
     "'smallest': 10}, 'edge': 2.5}, "
     "'material': { "
-    "'phi': 'akvf', 'smoothing': {'kind': 'paper', 'lambda': 0.3}, "
+    "'phi': 'akvf', 'smoothing': {'kind': 'paper', 'lambda': 0.3}, 'memory': 2.5, "
     "'regions': [ "
     "{'name': 'leg', 'shape': {'polygon': [[10, 20], [90, 20], [90, 80]]}, 'feather': 12, 'phi': 2.2}, "
     "{'name': 'bone', 'shape': {'circle': {'centre': [50, 50], 'radius': 20}}, 'stiffness': {'axis': [1, 0], "
@@ -59,6 +59,7 @@ const std::string kFull = projectText(
     "'frame': 'minimal', 'scale': 1.5, 'time': [1, 1.5]}, "
     "{'kind': 'recorded', 'times': [0, 0.1, 0.4], 'points': [[0, 0], [1, 1], [2, 1.000000000000001]], "
     "'time': [1.5, 2]}]}], "
+    "'settle': [{'time': [0.25, 0.5]}, {'time': [1.9, 2.7]}], "
     "'time': {'end': 2}, "
     "'integration': {'method': 'rk4', 'tolerance': 1e-5, 'steps': 12}");
 
@@ -90,7 +91,9 @@ class TestProject : public QObject {
         QCOMPARE(project.domain.outline, OutlineKind::Frame);
         QCOMPARE(project.domain.vertices, 5000);
         QCOMPARE(planar(project).material.phi, phi::kMetr);
-        QCOMPARE(planar(project).material.smoothing.length, 0.02);
+        QCOMPARE(planar(project).material.smoothing.length, 1.0 / 75);
+        QCOMPARE(planar(project).material.memory, 0.0);
+        QVERIFY(project.settle.empty());
         QCOMPARE(project.end, 1.0);
         QCOMPARE(project.integration.tolerance, 1e-4);
     }
@@ -132,6 +135,7 @@ class TestProject : public QObject {
         const auto& material = planar(project).material;
         QCOMPARE(material.phi, std::numbers::pi / 2);
         QCOMPARE(material.smoothing.kind, SmoothingKind::Paper);
+        QCOMPARE(material.memory, 2.5);
         QCOMPARE(material.regions.size(), std::size_t(5));
         QCOMPARE(material.regions[0].feather, 12.0);
         QCOMPARE(material.regions[1].stiffness->ratio, 20.0);
@@ -146,7 +150,9 @@ class TestProject : public QObject {
         QCOMPARE(std::get<CurveMotion<2>>(handles[2].motions[2].kind).scale, 1.5);
         QCOMPARE(std::get<Recorded<2>>(handles[2].motions[3].kind).points[2].y(), 1.000000000000001);
         QCOMPARE(project.integration.method, Method::RungeKutta4);
-        QCOMPARE(integrationOf(project).end, 2.0);
+        QVERIFY((project.settle == std::vector<SettleWindow>{{0.25, 0.5}, {1.9, 2.7}}));
+        QVERIFY(integrationOf(project).settle == project.settle);
+        QCOMPARE(integrationOf(project).end, 2.7);  // covers them
     }
 
     void writingKeepsEverything() {
@@ -300,6 +306,19 @@ class TestProject : public QObject {
             "material.smoothing.kind: unknown value \"cubic\"");
         row("smoothing length", withMaterial("'smoothing': {'kind': 'invariant', 'length': -1}"),
             "in ]0, 1]");
+        row("memory", withMaterial("'memory': -1"),
+            "material.memory: -1 is out of range: it must be in [0, ∞[");
+        const auto withSettling = [](const std::string& windows) {
+            return projectText(kImage + ", 'settle': [" + windows + "]");
+        };
+        row("settle window", withSettling("{'time': [1]}"),
+            "settle[0]: `time` must be two times, [from, to]");
+        row("settle reversed", withSettling("{'time': [2, 1]}"),
+            "settle: settle window 1 is reversed or empty");
+        row("settle overlapping", withSettling("{'time': [1, 2]}, {'time': [1.5, 3]}"),
+            "settle: settle window 2 begins before window 1 has ended");
+        row("settle early", withSettling("{'time': [-1, 2]}"),
+            "settle: settle window 1 begins before time 0");
         row("ratio",
             withMaterial("'regions': [{'shape': {'circle': {'centre': [0, 0], 'radius': 1}}, "
                          "'stiffness': {'axis': [1, 0], 'ratio': 0.5}}]"),

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "core/mesh/error.h"
+#include "core/mesh/shape_size.h"
 #include "test_mesh_samples.h"
 
 using namespace wend;
@@ -205,6 +206,30 @@ void facetsOfFan() {
     }
 }
 
+/// A box's diagonal, however it is turned, moved, scaled, and cut into cells; spare vertices do not count.
+template <int Dim>
+void sizeIsOfTheShape() {
+    for (int n : {1, 3}) {
+        auto mesh = samples::grid<Dim>(n);
+        Vec<Dim> sides = Vec<Dim>::Constant(2);
+        sides[0] = 5, sides[Dim - 1] = 0.5;
+        mesh.points = sides.asDiagonal() * mesh.points;
+        const auto box = shapeSize<Dim>(mesh.points, mesh.cells);
+        QVERIFY(std::abs(box.size - sides.norm()) < 1e-14);
+        QVERIFY((box.centroid - 0.5 * sides).norm() < 1e-14);
+        Mat<Dim> turn = Mat<Dim>::Identity();
+        turn.template topLeftCorner<2, 2>() << std::cos(0.6), -std::sin(0.6), std::sin(0.6), std::cos(0.6);
+        const Vec<Dim> offset = Vec<Dim>::Constant(1e5);
+        Points<Dim> moved(Dim, mesh.vertexCount() + 1);
+        moved << (40 * turn * mesh.points).colwise() + offset, Vec<Dim>::Constant(-1e7);
+        std::swap(mesh.cells[0][0], mesh.cells[0][1]);  // the orientation does not count
+        const auto other = shapeSize<Dim>(moved, mesh.cells);
+        QVERIFY(std::abs(other.size - 40 * sides.norm()) < 1e-9);
+        QVERIFY((other.centroid - offset - 20 * turn * sides).norm() < 1e-9);
+    }
+    QCOMPARE(shapeSize<Dim>({}, {}).size, 0.0);
+}
+
 }  // namespace
 
 class TestMeshValidity : public QObject {
@@ -233,6 +258,21 @@ class TestMeshValidity : public QObject {
         QCOMPARE(cellMeasure<3>(samples::grid<3>(1).points, {0, 1, 2, 4}), 1.0 / 6);
         QCOMPARE(boundingBoxDiagonal<3>(samples::grid<3>(2).points), std::sqrt(3.0));
         QCOMPARE(boundingBoxDiagonal<2>(Points<2>(2, 0)), 0.0);
+    }
+    void size2D() { sizeIsOfTheShape<2>(); }
+    void size3D() { sizeIsOfTheShape<3>(); }
+    /// Of a regular polygon with n corners the moments are known.
+    void sizeOfPolygon() {
+        constexpr int kCorners = 12;
+        Points<2> points = Points<2>::Zero(2, kCorners + 1);
+        std::vector<Cell<2>> cells;
+        for (int i = 0; i < kCorners; ++i) {
+            const double angle = 2 * std::numbers::pi * i / kCorners;
+            points.col(i + 1) = 3 * Vec<2>(std::cos(angle), std::sin(angle));
+            cells.push_back({0, i + 1, 1 + (i + 1) % kCorners});
+        }
+        const double c = std::cos(2 * std::numbers::pi / kCorners);
+        QVERIFY(std::abs(shapeSize<2>(points, cells).size - std::sqrt(12 * 9 * (2 + c) / 6)) < 1e-13);
     }
 };
 

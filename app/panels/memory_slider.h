@@ -1,0 +1,41 @@
+#pragma once
+
+#include <QWidget>
+
+class QSlider;
+
+namespace wend {
+
+/// How strongly the shape is drawn back to its rest: a slider from "not at all" to "fully", and above it a
+/// picture of what it does: where a strip ends whose pin was led around in a circle.
+class MemorySlider : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit MemorySlider(QWidget* parent = nullptr);
+
+    /// ρ; a value beyond the slider's end shows as its end and is kept.
+    double memory() const { return m_memory; }
+    void setMemory(double memory);
+    QSlider* slider() const { return m_slider; }
+    QSize sizeHint() const override;
+
+  signals:
+    /// The user chose another one; the number is the same for all values of one gesture.
+    void memoryChosen(double memory, int gesture);
+
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+  private:
+    void choose(int value);
+    int lineHeight() const;
+
+    QSlider* m_slider;
+    double m_memory = 0;
+    int m_gesture = 0;
+};
+
+}  // namespace wend

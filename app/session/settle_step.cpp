@@ -1,0 +1,20 @@
+#include "app/session/settle_step.h"
+
+#include "app/document/handle_edits.h"
+
+namespace wend {
+
+bool canSettle(const Document& document) {
+    return !document.isEmpty() && motionEnd(*document.project()) > 0;
+}
+
+void settleAtEnd(ShapeSession& session) {
+    Document& document = session.document();
+    if (!canSettle(document)) return;
+    Project next = *document.project();
+    appendSettling(next, motionEnd(next));
+    document.change(ShapeSession::tr("Settle"), std::move(next));
+    session.playback().setTime(session.playback().end());
+}
+
+}  // namespace wend
