@@ -40,8 +40,9 @@ struct Image {
 /// The largest picture that is read or made, in millions of pixels.
 inline constexpr double kMaxMegapixels = 400;
 
-/// Reads any format of OpenImageIO, first picture of several, upright as its orientation tag says. Throws
-/// InputError(path, why) for missing, empty, truncated, corrupt files and for more than `maxMegapixels`.
+/// Reads the formats of pictureFormat(), first picture of several, upright as its orientation tag says.
+/// Throws InputError(path, why) for missing, empty, truncated, corrupt files and for more than
+/// `maxMegapixels`.
 Image readImage(const std::string& path, double maxMegapixels = kMaxMegapixels);
 
 /// Writes by extension (png, tif, exr, jpg, webp …), whole or not at all; depth is converted to the nearest

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -154,8 +155,10 @@ class Walk {
   private:
     void take(const std::string& name, std::uint64_t position, std::uint64_t length) {
         if (!m_header && name != "IHDR") throw Problem("does not begin with its header");
+        if (!std::ranges::all_of(name, [](unsigned char c) { return std::isalpha(c) != 0; }))
+            throw Problem("has a chunk " + name + ", which is no name of one");
         if (std::islower(static_cast<unsigned char>(name[0]))) {
-            m_dataEnded = m_compressed > 0;  // what may be missing is not looked at
+            m_dataEnded = m_dataBegan;  // what may be missing is not looked at
             return;
         }
         requireChecksum(name, position, length);
@@ -186,11 +189,12 @@ class Walk {
         const bool sound = length > 0 && length <= 768 && length % 3 == 0;
         if (m_palette || (m_header->type == 3 && !sound)) throw Problem("has a palette that makes no sense");
         m_palette = true;
-        m_dataEnded = m_compressed > 0;
+        m_dataEnded = m_dataBegan;
     }
     void takeData(std::uint64_t position, std::uint64_t length) {
         if (m_header->type == 3 && !m_palette) throw Problem("has no palette");
         if (m_dataEnded) throw Problem("has its pixels in pieces apart from each other");
+        m_dataBegan = true;
         m_compressed += static_cast<double>(length);
         for (std::uint64_t at = 0; m_trial && at < length; at += kPart)
             m_trial->feed(m_file.bytes(position + 8 + at, std::min(length - at, kPart)));
@@ -202,7 +206,7 @@ class Walk {
     std::optional<Header> m_header;
     std::optional<Trial> m_trial;
     double m_compressed = 0;
-    bool m_palette = false, m_dataEnded = false, m_ended = false;
+    bool m_palette = false, m_dataBegan = false, m_dataEnded = false, m_ended = false;
 };
 
 }  // namespace

@@ -46,7 +46,7 @@ MaterialPanel::MaterialPanel(ShapeSession& session, QWidget* parent)
     layout->addWidget(panelTitle(tr("Remembers its shape"), this));
     layout->addWidget(m_memory);
     layout->addWidget(m_settle);
-    connect(m_settle, &QPushButton::clicked, this, [this] { settle(m_session); });
+    connect(m_settle, &QPushButton::clicked, this, [this] { settleAtEnd(m_session); });
     connect(m_memory, &MemorySlider::memoryChosen, this, &MaterialPanel::chooseMemory);
     connect(m_slider, &EnergySlider::phiChosen, this, &MaterialPanel::choosePhi);
     connect(m_phi, &QDoubleSpinBox::valueChanged, this, [this](double value) { choosePhi(value, -1); });

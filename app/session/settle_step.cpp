@@ -8,7 +8,7 @@ bool canSettle(const Document& document) {
     return !document.isEmpty() && motionEnd(*document.project()) > 0;
 }
 
-void settle(ShapeSession& session) {
+void settleAtEnd(ShapeSession& session) {
     Document& document = session.document();
     if (!canSettle(document)) return;
     Project next = *document.project();

@@ -7,6 +7,6 @@ namespace wend {
 /// Whether there is a shape that has moved and may settle.
 bool canSettle(const Document& document);
 /// One undo step: a window of settling after all that moves, and the time goes to its end.
-void settle(ShapeSession& session);
+void settleAtEnd(ShapeSession& session);
 
 }  // namespace wend

@@ -301,7 +301,7 @@ void MainWindow::connectMotion() {
             [&playback] { playback.setPlaying(!playback.isPlaying()); });
     connect(a.loop, &QAction::toggled, &playback, &Playback::setLoops);
     connect(a.toStart, &QAction::triggered, &playback, [&playback] { playback.setTime(0); });
-    connect(a.settle, &QAction::triggered, this, [this] { wend::settle(m_session); });
+    connect(a.settle, &QAction::triggered, this, [this] { settleAtEnd(m_session); });
     connect(a.toEnd, &QAction::triggered, &playback, [&playback] { playback.setTime(playback.end()); });
     connect(&playback, &Playback::playingChanged, this, [this](bool playing) {
         m_actions->play->setIcon(

@@ -167,6 +167,14 @@ void TestCliErrors::badInput_data() {
             "{'points': [[5, 1]]},"
             "'motion': [{'kind': 'translate', 'by': [1, 0], 'time': [0, 1]}]}]",
         "moving");
+    // by a ten-thousandth of the way: more than rounding, less than one sees
+    row("small contradiction",
+        kStrip +
+            ", 'handles': [{'name': 'one', 'at': {'points': [[5, 1]]}, 'motion': [{'kind': 'translate', "
+            "'by': "
+            "[1, 0], 'time': [0, 1]}]}, {'name': 'other', 'at': {'points': [[5, 1]]}, 'motion': [{'kind': "
+            "'translate', 'by': [1.0001, 0], 'time': [0, 1]}]}]",
+        "in different ways");
     row("vertex", kStrip + ", 'handles': [{'name': 'tip', 'at': {'vertices': [9999]}}]", "9999");
     row("crossing",
         "'domain': {'image': 'disc.png', 'outline': {'polygons': [[[0, 0], [90, 90], [90, 0], [0, 90]]]}}",

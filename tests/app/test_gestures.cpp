@@ -3,6 +3,7 @@
 #include "app/document/handle_edits.h"
 #include "app/session/opening.h"
 #include "app/session/scene.h"
+#include "app/session/settle_step.h"
 #include "tests/support/window_fixture.h"
 
 using namespace wend;
@@ -27,6 +28,7 @@ class TestGestures : public QObject {
     void clicksBesideTheShapeAreTold();
     void fixedStepsGoOnAsInTheFile();
     void newPinDoesNotDim();
+    void settlingIsAStepOfItsOwn();
 
   private:
     void open(int vertices = 400);
@@ -292,6 +294,30 @@ void TestGestures::newPinDoesNotDim() {
     edit(finer);
     QVERIFY(m_session->isStale());
     QVERIFY(settled());
+}
+
+/// After the motion, as part of it, and taken back in one step; the shape is nearer to its rest then.
+void TestGestures::settlingIsAStepOfItsOwn() {
+    open();
+    QVERIFY(!canSettle(m_session->document()));
+    drag(1, {-20, 50});
+    QVERIFY(canSettle(m_session->document()));
+    const double end = project().end, before = m_session->frame()->distortion.totalMetric;
+    const int steps = m_session->document().undoStack()->index();
+    m_session->playback().setTime(0.3 * end);
+    settleAtEnd(*m_session);
+    QVERIFY(settled());
+    QCOMPARE(m_session->document().undoStack()->index(), steps + 1);
+    QVERIFY((project().settle == std::vector<SettleWindow>{{end, end + 1}}));
+    QCOMPARE(project().end, end + 1);
+    QCOMPARE(m_session->playback().time(), end + 1);
+    QVERIFY(m_session->frame()->distortion.totalMetric < before);
+    QVERIFY(m_session->frame()->pinError < 1e-9);
+    QVERIFY(m_session->frame<2>()->pose == poseOf(project()));  // as the command line's
+    m_session->document().undoStack()->undo();
+    QVERIFY(settled());
+    QVERIFY(project().settle.empty());
+    QCOMPARE(m_session->playback().end(), end);
 }
 
 QTEST_GUILESS_MAIN(TestGestures)

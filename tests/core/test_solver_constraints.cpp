@@ -81,6 +81,17 @@ void countsDependentRows() {
     for (const auto& d : dependentRows(rows)) QVERIFY(d.row != Dim + 3);  // single vertices come first
 }
 
+/// Points a millionth of an edge apart are two; what differs by rounding alone is one.
+void nearRowsAreTold() {
+    const auto pointNear = [](double weight) {
+        return ConstraintRow{{{0, 1 - 2 * weight}, {1, weight}, {2, weight}}};
+    };
+    QCOMPARE(dependentRows({pointNear(0.3), pointNear(0.3 + 1e-6)}).size(), std::size_t{0});
+    QCOMPARE(dependentRows({fixed(0), pointNear(1e-6)}).size(), std::size_t{0});
+    QCOMPARE(dependentRows({pointNear(0.3), pointNear(0.3 + 1e-14)}).size(), std::size_t{1});
+    QCOMPARE(dependentRows({fixed(0), pointNear(1e-14)}).size(), std::size_t{1});
+}
+
 template <int Dim>
 void dependentRowsDoNoHarm() {
     std::mt19937 random(2);
@@ -265,6 +276,7 @@ class TestSolverConstraints : public QObject {
     void dependence() {
         countsDependentRows<2>();
         countsDependentRows<3>();
+        nearRowsAreTold();
         dependentRowsDoNoHarm<2>();
         dependentRowsDoNoHarm<3>();
     }

@@ -425,6 +425,42 @@ class TestImage : public QObject {
         QVERIFY_THROWS_EXCEPTION(InputError, writeImage(path("a.png"), Image()));
     }
 
+    /// Each damaged in one way, with checksums that fit: refused before libpng would print a line of its own.
+    void brokenPngStructure_data() {
+        QTest::addColumn<QByteArray>("bytes");
+        QTest::addColumn<QString>("reason");
+        const auto header = [](int depth, int type) {
+            QByteArray data("\0\0\0\2\0\0\0\2", 8);
+            data.append(char(depth)).append(char(type)).append(QByteArray(3, '\0'));
+            return chunk("IHDR", data);
+        };
+        const QByteArray start("\x89PNG\r\n\x1a\n"), end = chunk("IEND", {});
+        const auto pixels = [](const QByteArray& raw) { return chunk("IDAT", qCompress(raw).mid(4)); };
+        const QByteArray good = pixels(QByteArray(14, '\0')), rgb = header(8, 2);
+        const auto row = [&](const char* name, const QByteArray& chunks, const char* reason) {
+            QTest::newRow(name) << start + chunks << reason;
+        };
+        row("depth", header(3, 2) + good + end, "header that makes no sense");
+        row("no palette", header(8, 3) + good + end, "has no palette");
+        row("needed and unknown", rgb + chunk("ABCD", "x") + good + end, "is not known");
+        row("no name", rgb + chunk("te\x1bt", "x") + good + end, "no name of one");
+        row("twice", rgb + rgb + good + end, "header that makes no sense");
+        row("no pixels", rgb + end, "holds no pixels");
+        row("apart", rgb + chunk("IDAT", {}) + chunk("tIME", QByteArray(7, '\1')) + good + end, "apart");
+        row("filter", rgb + pixels(QByteArray(14, '\x09')) + end, "damaged");
+        row("no zlib", rgb + chunk("IDAT", "hello world hello") + end, "damaged");
+        row("too short", rgb + pixels(QByteArray(9, '\0')) + end, "too few data");
+        row("no end", rgb + good, "its end is missing");
+        row("checksum", rgb + good.chopped(1) + '\x55' + end, "its checksum is another");
+    }
+    void brokenPngStructure() {
+        QFETCH(QByteArray, bytes);
+        QFETCH(QString, reason);
+        store(m_folder.filePath("broken.png"), bytes);
+        const std::string said = reasonOf(path("broken.png"));
+        QVERIFY2(QString::fromStdString(said).contains(reason), said.c_str());
+    }
+
     void hugeClaimsAreRefused() {
         writeImage(path("small.png"), blank(100, 100, {PixelType::UInt8, 1, false, false}));
         QVERIFY_THROWS_EXCEPTION(InputError, readImage(path("small.png"), 0.001));
@@ -448,6 +484,14 @@ class TestImage : public QObject {
     }
 
   private:
+    static QByteArray chunk(const QByteArray& name, const QByteArray& data) {
+        const auto number = [](quint32 value) {
+            QByteArray bytes;
+            for (int i = 0; i < 4; ++i) bytes.append(char(value >> (24 - 8 * i)));
+            return bytes;
+        };
+        return number(quint32(data.size())) + name + data + number(crcOf(name + data));
+    }
     static quint32 crcOf(const QByteArray& bytes) {
         quint32 crc = 0xffffffffu;
         for (char c : bytes) {
