@@ -272,6 +272,12 @@ class TestMeshReading : public QObject {
                    "$Elements\n1 1 1 1\n3 4 4 1\n1 1 2 3 4\n$EndElements\n");
         QVERIFY(valuesOf(file, "physical") == std::vector<double>{8});
         QVERIFY(valuesOf(file, "entity") == std::vector<double>{4});
+        const auto parted = readAs("a.msh",
+                                   "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n"
+                                   "3 0 1 0\n4 0 0 1\n$EndNodes\n"
+                                   "$Elements\n1\n2 4 4 6 5 1 9 1 2 3 4\n$EndElements\n");
+        QVERIFY(valuesOf(parted, "physical") == std::vector<double>{6});
+        QVERIFY(valuesOf(parted, "entity") == std::vector<double>{5});
     }
     void meditReferences() {
         const auto file =
