@@ -14,7 +14,6 @@
 #include "app/session/run_options.h"
 #include "app/session/shape_file.h"
 #include "app/view/option_field.h"
-#include "app/view/screen_picture.h"
 #include "core/mesh/error.h"
 #include "warp/image_formats.h"
 
@@ -120,7 +119,7 @@ ExportDialog::ExportDialog(ExportKind kind, std::shared_ptr<const FrameExport> s
         m_preview->setImage(solidView);
     }
     adapt();
-    preparePyramid();
+    preparePicture();
 }
 
 ExportDialog::~ExportDialog() {
@@ -331,18 +330,18 @@ void ExportDialog::tellProblem(const QString& problem) {
     m_write->setEnabled(problem.isEmpty());
 }
 
-void ExportDialog::preparePyramid() {
+void ExportDialog::preparePicture() {
     const auto picture = m_shape->picture();
     if (!picture) return;
-    const auto prepare = [picture] { return std::make_shared<const Pyramid>(screenPicture(picture)); };
-    QtConcurrent::run(prepare).then(this, [this](const std::shared_ptr<const Pyramid>& pyramid) {
-        m_pyramid = pyramid;
+    const auto prepare = [picture] { return std::make_shared<const ScreenPicture>(picture); };
+    QtConcurrent::run(prepare).then(this, [this](const std::shared_ptr<const ScreenPicture>& prepared) {
+        m_picture = prepared;
         startPreview();
     });
 }
 
 void ExportDialog::startPreview() {
-    const bool drawsNothing = m_shape->dimension() == 3 || (m_shape->picture() && !m_pyramid);
+    const bool drawsNothing = m_shape->dimension() == 3 || (m_shape->picture() && !m_picture);
     if (drawsNothing) return;
     m_previewStop.request_stop();
     m_previewStop = std::stop_source();
@@ -355,8 +354,8 @@ void ExportDialog::startPreview() {
                                  dark ? QColor(0x5b6070) : QColor(0xbfc6dd),
                                  QColor(24, 28, 44)};
     const std::stop_token stop = m_previewStop.get_token();
-    QtConcurrent::run([shape = m_shape, pyramid = m_pyramid, request, stop] {
-        return answerOf<QImage>([&] { return exportPreview(*shape, pyramid, request, stop); });
+    QtConcurrent::run([shape = m_shape, picture = m_picture, request, stop] {
+        return answerOf<QImage>([&] { return exportPreview(*shape, picture, request, stop); });
     }).then(this, [this, stop](const Answer<QImage>& answer) {
         if (stop.stop_requested()) return;
         if (!answer.problem.isEmpty()) tellProblem(answer.problem);

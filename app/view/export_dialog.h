@@ -55,14 +55,14 @@ class ExportDialog : public QDialog {
     void showCrop();
     void showSize(const FileSize& size);
     QString pixels() const;
-    void preparePyramid();
+    void preparePicture();
     void startPreview();
     void startSize();
     void tellProblem(const QString& problem);
 
     ExportKind m_kind;
     std::shared_ptr<const FrameExport> m_shape;
-    std::shared_ptr<const Pyramid> m_pyramid;
+    std::shared_ptr<const ScreenPicture> m_picture;
     ExportPreview* m_preview;
     QComboBox* m_format;
     QFormLayout* m_form = nullptr;

@@ -5,7 +5,6 @@
 
 #include "app/session/shape_builder.h"
 #include "app/view/render_thread.h"
-#include "app/view/screen_picture.h"
 #include "warp/convert.h"
 #include "warp/image_formats.h"
 
@@ -27,21 +26,13 @@ View smaller(const View& view, const QSize& room) {
     return small;
 }
 
-QImage onScreen(const Image& image) {
-    QImage shown =
-        toQImage(converted(image, {PixelType::UInt8, 4, true, image.unassociated || !image.alpha}));
-    shown.detach();
-    return shown;
-}
-
-QImage picturePreview(const FrameExport& shape, const Pyramid& pyramid, const PreviewRequest& request,
+QImage picturePreview(const FrameExport& shape, const ScreenPicture& picture, const PreviewRequest& request,
                       std::stop_token stop) {
     WarpOptions options = shape.warpOptions(request.options);
     options.restMargin = 0;  // of the picture in its own size
     options.stop = std::move(stop);
     const View view = smaller(shape.view(request.kind, request.options.canvas), request.room);
-    const QImage warped =
-        onScreen(warpImage(pyramid, shape.restInPixels(), shape.poseInPixels(), view, options));
+    QImage warped = picture.warped(shape.restInPixels(), shape.poseInPixels(), view, options);
     if (holdsAlpha("picture" + request.extension)) return warped;
     QImage opaque(warped.size(), QImage::Format_RGB32);
     opaque.fill(Qt::white);
@@ -54,13 +45,16 @@ QImage mapPreview(const FrameExport& shape, const PreviewRequest& request) {
     const View view = smaller(shape.view(request.kind, request.options.canvas), request.room);
     const Image map = stMap(shape.restInPixels(), shape.poseInPixels(), view, shape.picture()->width,
                             shape.picture()->height);
-    return onScreen(map);
+    const Image shown = converted(map, {PixelType::UInt8, 4, true, true});
+    return QImage(reinterpret_cast<const uchar*>(shown.data.data()), shown.width, shown.height,
+                  static_cast<qsizetype>(shown.rowBytes()), QImage::Format_RGBA8888)
+        .copy();
 }
 
-QImage meshPreview(const FrameExport& shape, const std::shared_ptr<const Pyramid>& pyramid,
+QImage meshPreview(const FrameExport& shape, const std::shared_ptr<const ScreenPicture>& picture,
                    const PreviewRequest& request) {
     RenderRequest draw;
-    draw.picture = pyramid;
+    draw.picture = picture;
     draw.frame = posed<2>(shape.frame());
     draw.texture = draw.frame->built->texture;
     draw.mesh = true;
@@ -70,7 +64,7 @@ QImage meshPreview(const FrameExport& shape, const std::shared_ptr<const Pyramid
     draw.size = request.room;
     const Extent<2> extent = extentOf<2>(draw.frame->pose, draw.frame->rest->cells);
     const Mat<2> A = draw.texture ? draw.texture->toPixels.A : Mat<2>::Identity();
-    draw.view.setPointsUp(draw.texture ? A.determinant() < 0 : !pyramid);
+    draw.view.setPointsUp(draw.texture ? A.determinant() < 0 : !picture);
     draw.view.setZoomLimits(1e-9, 1e9);
     const Vec<2> size = extent.high - extent.low;
     draw.view.fit({extent.low.x(), extent.low.y(), size.x(), size.y()}, request.room, kMargin);
@@ -79,15 +73,15 @@ QImage meshPreview(const FrameExport& shape, const std::shared_ptr<const Pyramid
 
 }  // namespace
 
-QImage exportPreview(const FrameExport& shape, const std::shared_ptr<const Pyramid>& pyramid,
+QImage exportPreview(const FrameExport& shape, const std::shared_ptr<const ScreenPicture>& picture,
                      const PreviewRequest& request, std::stop_token stop) {
     QImage image;
     if (request.kind == ExportKind::StMap)
         image = mapPreview(shape, request);
     else if (canWriteImage("picture" + request.extension))
-        image = picturePreview(shape, *pyramid, request, std::move(stop));
+        image = picturePreview(shape, *picture, request, std::move(stop));
     else if (shape.dimension() == 2)
-        image = meshPreview(shape, pyramid, request);
+        image = meshPreview(shape, picture, request);
     image.setDevicePixelRatio(request.ratio);
     return image;
 }

@@ -6,7 +6,7 @@
 
 #include "app/panels/theme.h"
 #include "app/session/frame_export.h"
-#include "warp/pyramid.h"
+#include "app/view/screen_picture.h"
 
 namespace wend {
 
@@ -39,9 +39,9 @@ struct PreviewRequest {
     QColor fill, line;  // of a mesh
 };
 
-/// Drawn by the code that exports, smaller. For any thread; null if stopped. `pyramid`: of the picture, as
+/// Drawn by the code that exports, smaller. For any thread; null if stopped. `picture`: as
 /// the screen shows it. Throws InputError for what cannot be written.
-QImage exportPreview(const FrameExport& shape, const std::shared_ptr<const Pyramid>& pyramid,
+QImage exportPreview(const FrameExport& shape, const std::shared_ptr<const ScreenPicture>& picture,
                      const PreviewRequest& request, std::stop_token stop);
 
 }  // namespace wend
