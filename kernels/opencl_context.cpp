@@ -40,11 +40,7 @@ void keepBinary(const fs::path& path, const cl::Program& program) {
     const auto binaries = program.getInfo<CL_PROGRAM_BINARIES>();
     if (path.empty() || binaries.size() != 1 || binaries[0].empty()) return;
     try {
-        writeWhole(path.string(), [&](const std::string& temporary) {
-            std::ofstream(temporary, std::ios::binary)
-                .write(reinterpret_cast<const char*>(binaries[0].data()),
-                       static_cast<std::streamsize>(binaries[0].size()));
-        });
+        writeWhole(path.string(), {reinterpret_cast<const char*>(binaries[0].data()), binaries[0].size()});
     } catch (const InputError&) {
         // Without a cache the next start compiles again.
     }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <future>
 #include <optional>
 #include <string_view>
@@ -8,7 +9,7 @@
 #include "core/mesh/error.h"
 #include "core/mesh/file_name.h"
 #include "core/mesh/safe_file.h"
-#include "warp/checked_file.h"
+#include "warp/checked_proxy.h"
 #include "warp/convert.h"
 #include "warp/image_formats.h"
 #include "warp/image_metadata.h"
@@ -16,8 +17,6 @@
 
 namespace wend {
 namespace {
-
-constexpr const char* kDiskFull = "the disk may be full";
 
 enum class Association { Unassociated, Associated, Either };
 
@@ -198,12 +197,27 @@ struct Writing {
     std::function<Strips()> strips;
 };
 
-/// The reason of a failure, empty on success; `failed` tells of one that the format's library does not see.
+/// How an attempt to write ended: the reason of a failure, empty on success, and whether it is the disk's.
+struct Attempt {
+    std::string problem;
+    bool disk = false;
+};
+
+using Bytes = std::string_view;
+
+std::size_t mixed(std::size_t sum, Bytes bytes) {
+    return sum * 31 + std::hash<Bytes>()(bytes);
+}
+
+/// Writes all rows; `failed` tells of what the format's library does not see. `sum` gets that of the rows.
 template <typename Failed>
-std::string tryWriteTo(OIIO::ImageOutput& output, const Writing& writing, const OIIO::ImageSpec& spec,
-                       const Failed& failed) {
+std::string tryWriteTo(OIIO::ImageOutput& output, const Failed& failed, const Writing& writing,
+                       const OIIO::ImageSpec& spec, std::size_t& sum) {
     if (!output.open(writing.temporary, spec)) return "cannot be opened for writing: " + output.geterror();
     const bool written = writing.strips().forEach([&](int top, const Image& strip) {
+        const auto* bytes = reinterpret_cast<const char*>(strip.data.data());
+        for (int y = 0; y < strip.height; ++y)
+            sum = mixed(sum, {bytes + y * strip.rowBytes(), strip.rowBytes()});
         return output.write_scanlines(spec.y + top, spec.y + top + strip.height, spec.z, spec.format,
                                       strip.data.data()) &&
                !failed();
@@ -211,27 +225,57 @@ std::string tryWriteTo(OIIO::ImageOutput& output, const Writing& writing, const 
     const std::string error = output.geterror();
     const bool closed = output.close();
     if (written && closed) return {};
-    return error.empty() ? kDiskFull : error;
+    return error.empty() ? "the disk may be full" : error;
 }
 
-/// Whether the format's library tells of a full disk. Those of PNG, BMP and Targa do not, and that of JPEG
-/// ends the process.
-bool tellsOfFullDisk(const OIIO::ImageOutput& output) {
-    const std::string format = output.format_name();
-    return format != "png" && format != "jpeg" && format != "bmp" && format != "targa";
+/// What is wrong with a finished file when it is opened again and its rows from the `first` on are read;
+/// empty if nothing is. Only the reader of its own format may look at it. `sum` gets that of the rows.
+std::string tryToReadBack(const std::string& format, const Writing& writing, const OIIO::ImageSpec& spec,
+                          int first, std::size_t& sum) {
+    const auto input = OIIO::ImageInput::create(format);
+    OIIO::ImageSpec found, config;
+    config.attribute("oiio:UnassociatedAlpha", writing.picture.unassociated ? 1 : 0);
+    if (!input) return "cannot be read again";
+    if (!input->open(writing.temporary, found, config)) return "cannot be read again: " + input->geterror();
+    if (found.width != spec.width || found.height != spec.height || found.nchannels != spec.nchannels)
+        return "has another size when it is read again";
+    std::string row(found.scanline_bytes(), '\0');
+    for (int y = found.y + first; y < found.y + found.height; ++y) {
+        const bool read =
+            input->read_scanlines(0, 0, y, y + 1, found.z, 0, found.nchannels, found.format, row.data()) &&
+            !input->has_error();
+        if (!read) return "cannot be read again to its end";
+        sum = mixed(sum, row);
+    }
+    return {};
 }
 
-std::string tryWrite(const Writing& writing, OIIO::ImageSpec spec) {
-    std::optional<CheckedFile> file;  // outlives the output, whose end may write
+/// libtiff tells of most that goes wrong, but not of all when it closes; and what it writes cannot go through
+/// a file of ours, since OpenImageIO then does not let it read what it has written. All pixels are compared.
+Attempt tryWriteTiff(OIIO::ImageOutput& output, const Writing& writing, const OIIO::ImageSpec& spec) {
+    std::size_t written = 0, read = 0;
+    std::string problem = tryWriteTo(
+        output, [] { return false; }, writing, spec, written);
+    if (problem.empty()) problem = tryToReadBack("tiff", writing, spec, 0, read);
+    if (problem.empty() && written != read) problem = "is another picture when it is read again";
+    return {problem};
+}
+
+/// None of the formats' libraries tells of a full disk in every case, and that of JPEG ends the process: what
+/// they write goes through a file that looks.
+Attempt tryWrite(const Writing& writing, OIIO::ImageSpec spec) {
+    std::optional<CheckedProxy> proxy;  // outlives the output, whose end may write
     const auto output = OIIO::ImageOutput::create(writing.temporary);
-    if (!output) return OIIO::geterror();
-    if (tellsOfFullDisk(*output) || !output->supports("ioproxy"))
-        return tryWriteTo(*output, writing, spec, [] { return false; });
-    OIIO::Filesystem::IOProxy* proxy = &file.emplace(writing.temporary);
-    spec.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
-    const std::string error = tryWriteTo(*output, writing, spec, [&] { return file->failed(); });
-    if (!error.empty()) return error;
-    return file->finish() ? "" : kDiskFull;
+    if (!output) return {OIIO::geterror()};
+    const std::string format = output->format_name();
+    if (format == "tiff") return tryWriteTiff(*output, writing, spec);
+    OIIO::Filesystem::IOProxy* const pointer = &proxy.emplace(writing.temporary);
+    spec.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &pointer);
+    std::size_t sum = 0;
+    const auto failed = [&] { return proxy->file().failed(); };
+    const std::string problem = tryWriteTo(*output, failed, writing, spec, sum);
+    if (const std::string reason = proxy->file().finish(); !reason.empty()) return {reason, true};
+    return {problem.empty() ? tryToReadBack(format, writing, spec, spec.height - 1, sum) : problem};
 }
 
 /// `text` with the temporary file called by its proper name.
@@ -242,15 +286,14 @@ std::string properlyNamed(std::string text, const Writing& writing) {
 
 /// A colour profile that the format's library refuses fails the whole file: better the picture without it.
 void writePicture(const Writing& writing, OIIO::ImageSpec spec) {
-    std::string error = tryWrite(writing, spec);
-    if (!error.empty() && spec.find_attribute("ICCProfile")) {
+    Attempt attempt = tryWrite(writing, spec);
+    if (!attempt.problem.empty() && !attempt.disk && spec.find_attribute("ICCProfile")) {
         spec.erase_attribute("ICCProfile");
-        error = tryWrite(writing, spec);
+        attempt = tryWrite(writing, spec);
     }
-    if (!error.empty()) {
-        error = properlyNamed(error, writing);
-        throw InputError(writing.path, "cannot be written: " + error.substr(0, error.find('\n')));
-    }
+    if (attempt.problem.empty()) return;
+    const std::string problem = properlyNamed(attempt.problem, writing);
+    throw InputError(writing.path, "cannot be written: " + problem.substr(0, problem.find('\n')));
 }
 
 /// OpenImageIO's own WebP rounds the colours of transparent pixels and drops the profile.

@@ -11,6 +11,8 @@
 #include <string_view>
 #include <utility>
 
+#include "core/mesh/checked_file.h"
+
 // As in OpenImageIO/tiffutils.h, which wants libtiff's headers for the rest of what it declares.
 OIIO_NAMESPACE_BEGIN
 // NOLINTBEGIN(readability-identifier-naming)
@@ -120,10 +122,7 @@ std::string writeWebp(const std::string& path, const Image& image, const OIIO::I
     const Bytes stream = encoded(image, error);
     if (stream.empty()) return error;
     const Bytes bytes = assembled(stream, spec);
-    std::ofstream file(path, std::ios::binary);
-    file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-    file.close();
-    return file ? "" : "the disk may be full";
+    return writeBytes(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
 bool readWebp(const std::string& path, Image& image) {

@@ -164,8 +164,7 @@ bool isCommand(const std::string& word) {
 }
 
 int runCommand(int argc, char** argv) {
-    std::signal(SIGPIPE, SIG_IGN);  // a closed pipe and a file too large are errors like a full disk
-    std::signal(SIGXFSZ, SIG_IGN);
+    std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is an error like a full disk
     std::set_terminate(endInOneLine);
     const std::vector<std::string> words(argv + 1, argv + argc);
     const ExitCode code = guarded([&] { return dispatch(words); });

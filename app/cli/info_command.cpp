@@ -12,6 +12,7 @@
 #include "core/mesh/error.h"
 #include "core/mesh/file_name.h"
 #include "core/mesh/printable.h"
+#include "core/mesh/same_file.h"
 #include "core/mesh/segments.h"
 #include "warp/outline.h"
 
@@ -265,7 +266,10 @@ std::string asText(const Json& json, const std::string& indent) {
 }  // namespace
 
 ExitCode runInfo(const Arguments& arguments) {
-    const Json json = infoOf(onlyFile(arguments, "file"), arguments.text("--problems"));
+    const std::string path = onlyFile(arguments, "file"), problems = arguments.text("--problems");
+    if (sameFile(path, problems))
+        throw UsageError(problems + ": would replace " + path + ", which is read here");
+    const Json json = infoOf(path, problems);
     return print(arguments.has("--json") ? prettyJson(json) : asText(json, ""));
 }
 

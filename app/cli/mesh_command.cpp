@@ -5,6 +5,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/terminal.h"
 #include "app/session/output_set.h"
+#include "app/session/overwriting.h"
 #include "app/session/run_options.h"
 #include "app/session/shape_file.h"
 #include "core/mesh/error.h"
@@ -134,6 +135,8 @@ ExitCode runMesh(const Arguments& arguments) try {
     requireFitting(arguments, input.project.domain, lowerExtension(path) == ".json");
     RunOutputs outputs;
     outputs.mesh = output;
+    const std::vector<std::string> inputs = inputsOf(input.project, path, input.folder);
+    if (const std::string clash = overwriting(inputs, outputs); !clash.empty()) throw UsageError(clash);
     requirePossible(input.project, outputs);
 
     Interrupt interrupt;

@@ -3,6 +3,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/terminal.h"
+#include "app/session/overwriting.h"
 #include "app/session/run_options.h"
 #include "core/mesh/error.h"
 
@@ -81,6 +82,9 @@ ExitCode runRun(const Arguments& arguments) {
     LoadedProject loaded = readProject(path);
     for (const std::string& warning : loaded.warnings) terminal.warn(path + ": " + warning);
     override(loaded.project, arguments);
+    const std::vector<std::string> inputs = inputsOf(loaded.project, path, folderOf(path));
+    if (const std::string clash = overwriting(inputs, options.outputs); !clash.empty())
+        throw UsageError(clash);
     if (!asksForAnything(options.outputs))
         terminal.warn(path + ": no output was asked for; nothing will be written");
     if (options.at && *options.at > loaded.project.end)

@@ -7,6 +7,7 @@
 #include <QUuid>
 #include <QtConcurrent>
 
+#include "app/document/text_file.h"
 #include "core/mesh/error.h"
 
 namespace wend {
@@ -19,6 +20,8 @@ QString besides(const QString& copy, const char* extension) {
     return info.dir().filePath(info.completeBaseName() + QLatin1String(extension));
 }
 
+constexpr auto kPrivate = QFile::ReadOwner | QFile::WriteOwner;
+
 bool isRunning(const QString& copy) {
     QLockFile lock(besides(copy, ".lock"));
     lock.setStaleLockTime(0);  // a lock is stale when its process is gone, however old it is
@@ -27,7 +30,7 @@ bool isRunning(const QString& copy) {
 
 QString tryToWrite(const QString& copy, const Project& project) {
     try {
-        writeProject(copy.toStdString(), project);
+        writeTextFile(copy.toStdString(), toJson(project), Access::Private);
         return {};
     } catch (const InputError& error) {
         return QString::fromUtf8(error.what());
@@ -70,17 +73,26 @@ void Recovery::follow() {
     }
 }
 
+/// What is not saved yet is nobody else's, whatever the rights of the file that it will go to.
+void Recovery::makeFolder() {
+    QDir().mkpath(m_folder);
+    QFile::setPermissions(m_folder, kPrivate | QFile::ExeOwner);
+}
+
 void Recovery::write() {
     if (m_writing.isRunning()) return m_timer.start();
-    QDir().mkpath(m_folder);
+    makeFolder();
     if (!m_lock) {
         m_lock = std::make_unique<QLockFile>(besides(copy(), ".lock"));
         m_lock->setStaleLockTime(0);
         m_lock->tryLock();
+        QFile::setPermissions(m_lock->fileName(), kPrivate);
     }
     QSettings origin(besides(copy(), ".ini"), QSettings::IniFormat);
     origin.setValue("path", m_document.path());
     origin.setValue("source", m_document.source());
+    origin.sync();
+    QFile::setPermissions(origin.fileName(), kPrivate);
     m_writing.setFuture(QtConcurrent::run(
         [copy = copy(), project = m_document.project()] { return tryToWrite(copy, *project); }));
 }

@@ -45,6 +45,7 @@ class Recovery : public QObject {
 
   private:
     void follow();
+    void makeFolder();
     void write();
     void finish(const QString& error);
     void remove();

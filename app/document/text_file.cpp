@@ -1,10 +1,7 @@
 #include "app/document/text_file.h"
 
 #include <array>
-#include <cerrno>
 #include <cstdio>
-#include <cstring>
-#include <fstream>
 
 #include "core/mesh/error.h"
 #include "core/mesh/input_file.h"
@@ -33,13 +30,8 @@ std::string readTextFile(const std::string& path) {
     return path == "-" ? standardInput() : readInput(path);
 }
 
-void writeTextFile(const std::string& path, const std::string& text) {
-    writeWhole(path, [&](const std::string& temporary) {
-        std::ofstream stream(temporary, std::ios::binary);
-        stream << text;
-        stream.close();  // what is still buffered meets the full disk here
-        if (!stream) throw InputError(path, std::string("cannot be written: ") + std::strerror(errno));
-    });
+void writeTextFile(const std::string& path, const std::string& text, Access access) {
+    writeWhole(path, text, access);
 }
 
 }  // namespace wend

@@ -2,11 +2,13 @@
 
 #include <string>
 
+#include "core/mesh/file_access.h"
+
 namespace wend {
 
 /// The whole file; `-` is standard input. Throws InputError(path, why).
 std::string readTextFile(const std::string& path);
 /// Written whole or not at all. Throws InputError(path, why).
-void writeTextFile(const std::string& path, const std::string& text);
+void writeTextFile(const std::string& path, const std::string& text, Access access = Access::Usual);
 
 }  // namespace wend

@@ -6,7 +6,6 @@
 #include <charconv>
 #include <cstring>
 #include <filesystem>
-#include <map>
 
 #include "app/document/text_file.h"
 #include "core/mesh/error.h"
@@ -67,30 +66,27 @@ std::optional<int> frameNumber(const std::string& pattern, const std::string& na
     return number;
 }
 
+std::vector<std::string> writtenAlong(const std::string& path) {
+    std::vector<std::string> files{path};
+    if (const auto other = partnerOf(path))
+        files.push_back(fs::path(path).replace_extension(*other).string());
+    return files;
+}
+
 void requirePlaces(const std::vector<std::string>& paths) {
-    std::map<std::string, std::string> pathOf;  // by the place
-    for (const std::string& path : paths) {
-        if (path.empty() || path == "-") continue;
-        const PendingFile file(path);
-        if (file.isSpecial()) continue;
-        const fs::path target = fs::weakly_canonical(fs::absolute(file.target()));
-        std::vector<fs::path> places{target};
-        if (const auto other = partnerOf(path)) places.push_back(fs::path(target).replace_extension(*other));
-        for (const fs::path& place : places)
-            if (const auto [first, isNew] = pathOf.try_emplace(place.string(), path); !isNew)
-                throw InputError(path, "would replace another output, " + first->second);
-    }
+    for (const std::string& path : paths)
+        if (!path.empty() && path != "-") PendingFile{path};
 }
 
 void OutputSet::add(const std::string& path, const std::string& extension, const Write& write) {
     if (path == "-") {
-        const TemporaryFolder folder(fs::temp_directory_path());
+        const TemporaryFolder folder(scratchFolder());
         const std::string file = (fs::path(folder.path()) / ("output" + extension)).string();
         writeTo(file, path, write);
         m_standardOutput = readTextFile(file);
         return;
     }
-    PendingFile file(path);
+    PendingFile file(path, Access::Usual, m_files.empty() ? nullptr : &m_files.back());
     std::optional<PendingFile> partner;
     if (const auto other = partnerOf(path); other && !file.isSpecial())
         partner.emplace(file.companion(*other));
@@ -105,12 +101,10 @@ void OutputSet::discard() {
 }
 
 void OutputSet::commit() {
-    // First what is the likelier to fail, a full device or a closed pipe: then no file has been replaced.
+    // First what is the likelier to fail, a closed pipe: then no file has been replaced.
     if (m_standardOutput) print(*m_standardOutput);
     m_standardOutput.reset();
-    for (const bool special : {true, false})
-        for (PendingFile& file : m_files)
-            if (file.isSpecial() == special) file.commit();
+    PendingFile::commit(m_files);
     m_files.clear();
 }
 

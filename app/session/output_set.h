@@ -28,8 +28,11 @@ class OutputSet {
     std::optional<std::string> m_standardOutput;  // its bytes
 };
 
-/// Throws InputError if a file cannot be put there, or if two outputs would go to one place: to be told
-/// before the work begins. "-" always can; empty names are none.
+/// The file and what is written with it: TetGen's come in pairs.
+std::vector<std::string> writtenAlong(const std::string& path);
+
+/// Throws InputError if a file cannot be put there: to be told before the work begins. "-" always can; empty
+/// names are none.
 void requirePlaces(const std::vector<std::string>& paths);
 
 /// "dir/f_####.png" and 7 → "dir/f_0007.png": the last run of # is the number.

@@ -40,7 +40,7 @@ class Run {
         AdvanceResult result = integrate();
         if (result.outcome == Outcome::Cancelled) throw Cancelled();
         if (wantsVelocity() && !solveVelocity() && result.outcome == Outcome::Done)
-            result = {Outcome::SolverFailed, result.time, -1, "the velocity field cannot be solved for"};
+            result = m_deformer.failure();
         if (result.outcome == Outcome::Done || m_options.partial) {
             warnOfCrushedCells();
             writeShapes();
@@ -105,7 +105,21 @@ class Run {
             m_watch.notice("a cell has shrunk to " + shortNumber(least) + " of its size");
     }
 
+    /// The numbers that are written are those that were checked, but for the one format that rounds them.
+    void warnOfRounding(const std::string& path, const Points<Dim>& pose) const {
+        const bool rounds = Dim == 2 && lowerExtension(path) == ".stl" &&
+                            m_options.meshes.encoding != MeshWriteOptions::Encoding::Text;
+        if (!rounds || !m_watch.notice) return;
+        const Points<Dim> rounded = pose.template cast<float>().template cast<double>();
+        if (const int flips = distortion<Dim>(*m_scene.rest, rounded).flips; flips > 0)
+            m_watch.notice(
+                path + ": " + std::to_string(flips) +
+                " triangles are turned over by the single precision of binary STL; --encoding text "
+                "keeps all digits");
+    }
+
     void writeMesh(const Points<Dim>& pose) {
+        warnOfRounding(m_options.outputs.mesh, pose);
         std::vector<MeshField> fields;
         if (m_options.fields) fields = shapeFields(m_scene, pose, m_velocity);
         m_files.add(m_options.outputs.mesh, ".vtu", [&](const std::string& file) {
@@ -176,6 +190,7 @@ class Run {
         std::vector<MeshField> fields;
         if (m_options.fields) fields = shapeFields(m_scene, state.points);
         const std::string name = frameName(m_options.outputs.frames, number);
+        warnOfRounding(name, state.points);
         m_files.add(name, "", [&](const std::string& file) {
             writeShape(file, m_scene, state.points, fields, m_options.meshes);
         });

@@ -35,18 +35,6 @@ void requireFrames(const Project& project, const std::string& path) {
     requireShapeFormat(path, lowerExtension(path), project.dimension());
 }
 
-std::string canonical(const std::string& path) {
-    return std::filesystem::weakly_canonical(std::filesystem::absolute(path)).string();
-}
-
-void requireNoFrame(const RunOutputs& outputs, const std::string& path) {
-    if (path.empty() || path == "-") return;
-    const auto number = frameNumber(canonical(outputs.frames), canonical(path));
-    if (number && *number < outputs.count)
-        throw InputError(path,
-                         "would be replaced by frame " + std::to_string(*number) + " of " + outputs.frames);
-}
-
 }  // namespace
 
 bool isAnimation(const std::string& frames) {
@@ -87,13 +75,9 @@ void requirePossible(const Project& project, const RunOutputs& outputs) {
     }
     if (!outputs.frames.empty()) requireFrames(project, outputs.frames);
     const bool animation = isAnimation(outputs.frames);
-    const std::vector<std::string> single{
-        outputs.image, outputs.mesh,   outputs.velocity,
-        outputs.stMap, outputs.report, animation ? outputs.frames : collectionName(outputs.frames)};
-    requirePlaces(single);
-    if (outputs.frames.empty() || animation) return;
-    requirePlaces({outputs.frames});
-    for (const std::string& path : single) requireNoFrame(outputs, path);
+    requirePlaces({outputs.image, outputs.mesh, outputs.velocity, outputs.stMap, outputs.report,
+                   animation ? outputs.frames : collectionName(outputs.frames)});
+    if (!outputs.frames.empty() && !animation) requirePlaces({outputs.frames});
 }
 
 View canvasView(const Image& picture, const Extent<2>& shape, Canvas canvas) {

@@ -79,6 +79,11 @@ double Deformer<Dim>::restForce() {
 }
 
 template <int Dim>
+AdvanceResult Deformer<Dim>::failure() const {
+    return m_engine->stopped();
+}
+
+template <int Dim>
 const Statistics& Deformer<Dim>::statistics() const {
     return m_engine->statistics;
 }

@@ -113,6 +113,8 @@ class Deformer {
     /// motions the one that begins counts; if nothing moves from here on, the one that ends. No columns if
     /// the solver fails.
     Points<Dim> velocity();
+    /// Why the last advance() ended early, or velocity() has no columns.
+    AdvanceResult failure() const;
     /// W of the current state, the energy of its map from rest, and how far it is from settled: ‖∇W‖ without
     /// what the constraints hold (method.md, Memory and settling), both in normalized units.
     double restEnergy() const;

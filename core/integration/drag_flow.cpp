@@ -1,10 +1,11 @@
 #include "core/integration/drag_flow.h"
 
 #include <algorithm>
-#include <sstream>
 
 #include "core/integration/contradictions.h"
 #include "core/integration/step_method.h"
+#include "core/integration/stop_message.h"
+#include "core/mesh/cell_geometry.h"
 #include "core/mesh/error.h"
 
 namespace wend {
@@ -128,7 +129,7 @@ typename DragFlow<Dim>::Led DragFlow<Dim>::lead(const std::vector<int>& handles,
             failure = m_failure, part /= 2;
     }
     publish();
-    return done < 1 ? Led{done, describe(failure)} : Led{};
+    return done < 1 ? Led{done, describe(failure, handles)} : Led{};
 }
 
 /// The whole way, unless the memory would draw the shape back so strongly that the midpoint rule overshoots.
@@ -189,15 +190,18 @@ void DragFlow<Dim>::publish() {
     }
 }
 
+/// In the cell that would fold over, or else at the first point that is led.
 template <int Dim>
-std::string DragFlow<Dim>::describe(const SolveOutcome& failure) const {
-    if (failure.kind != SolveOutcome::Kind::CellInverted) return wend::describe(failure);
-    Vec<Dim> centre = Vec<Dim>::Zero();
-    for (const int v : m_rest->cells[failure.cell]) centre += m_pose.col(v) / (Dim + 1);
-    std::ostringstream message;
-    message.imbue(std::locale::classic());
-    message << "cell " << failure.cell << " near " << wend::describe<Dim>(centre) << " would fold over";
-    return message.str();
+std::string DragFlow<Dim>::describe(const SolveOutcome& failure, const std::vector<int>& handles) const {
+    Vec<Dim> place = centroid<Dim>(m_pose, m_rest->cells[std::max(failure.cell, 0)]);
+    const auto isLed = [&](const ConstrainedPoint& point) {
+        return std::find(handles.begin(), handles.end(), point.handle) != handles.end();
+    };
+    const auto& points = m_constraints.points();
+    const auto led = std::find_if(points.begin(), points.end(), isLed);
+    if (failure.kind != SolveOutcome::Kind::CellInverted && led != points.end())
+        place = led->template in<Dim>(m_pose);
+    return stopMessage(reasonOf(failure), wend::describe<Dim>(place), failure.cell);
 }
 
 template class DragFlow<2>;

@@ -49,7 +49,7 @@ class DragFlow {
     bool moves(const Points<Dim>& field, const Targets& way) const;
     void prepare();
     void publish();
-    std::string describe(const SolveOutcome& failure) const;
+    std::string describe(const SolveOutcome& failure, const std::vector<int>& handles) const;
 
     Normalization<Dim> m_units;
     std::shared_ptr<const SimplicialMesh<Dim>> m_domainRest, m_rest;

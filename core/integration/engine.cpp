@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <sstream>
 
 #include "core/integration/contradictions.h"
 #include "core/mesh/error.h"
@@ -36,6 +35,7 @@ Deformer<Dim>::Engine::Engine(
       m_domainRest(std::move(rest)),
       m_rest(normalized(*m_domainRest, m_units)),
       m_orientation(m_rest),
+      m_domainOrientation(m_domainRest),
       m_settling(options.settle),
       m_memory(material->memory),
       m_method(StepMethod<Dim>::of(options.method, options.steps > 0 ? 0 : options.tolerance)) {
@@ -105,8 +105,15 @@ void Deformer<Dim>::Engine::remember() {
 
 /// Rest plus displacement: what does not move keeps its bits.
 template <int Dim>
-void Deformer<Dim>::Engine::publish() {
-    state.points = m_domainRest->points + m_units.size * (state.normalized - m_rest->points);
+Points<Dim> Deformer<Dim>::Engine::inDomain(const Points<Dim>& shape) const {
+    return m_domainRest->points + m_units.size * (shape - m_rest->points);
+}
+
+/// Both in the frame of the computation and in the numbers that are handed out; −1 if none is.
+template <int Dim>
+int Deformer<Dim>::Engine::firstInverted(const Points<Dim>& shape) const {
+    const int cell = m_orientation.firstInverted(shape);
+    return cell >= 0 ? cell : m_domainOrientation.firstInverted(inDomain(shape));
 }
 
 /// The constraints that hold on one side of the current time.
@@ -231,9 +238,11 @@ std::optional<double> Deformer<Dim>::Engine::attempt(const Nodal<Dim>& start, do
     if (!(error <= 1)) return error;
     m_next = *method().result();
     project(to, m_next);
-    const int inverted = m_orientation.firstInverted(m_next);
+    const int inverted = firstInverted(m_next);
     if (inverted < 0) return error;
-    m_failure.outcome = {SolveOutcome::Kind::CellInverted, inverted};
+    const bool finite = std::isfinite(cellMeasure<Dim>(m_next, m_rest->cells[inverted]));
+    m_failure.outcome = finite ? SolveOutcome{SolveOutcome::Kind::CellInverted, inverted}
+                               : SolveOutcome{SolveOutcome::Kind::NotFinite, -1};
     m_failure.time = to;
     return {};
 }
@@ -322,7 +331,7 @@ void Deformer<Dim>::Engine::standStill(double to) {
 template <int Dim>
 void Deformer<Dim>::Engine::arrive(double to) {
     state.time = to;
-    publish();
+    state.points = inDomain(state.normalized);
     measureError(to);
     if (lastBorder(to) == to) {
         m_constraints->crossBorder(to, state.normalized, state.anchors);
@@ -338,6 +347,20 @@ void Deformer<Dim>::Engine::measureError(double t) {
         const Vec<Dim> p = m_constraints->points()[m_ids[i]].template in<Dim>(state.normalized);
         const double distance = (p - m_targets.col(static_cast<Eigen::Index>(i))).norm();
         statistics.constraintError = std::max(statistics.constraintError, distance);
+    }
+}
+
+/// Dense output knows nothing of cells: a shape in which one would fold over goes towards the end of the step
+/// that is nearer.
+template <int Dim>
+void Deformer<Dim>::Engine::unfold(Points<Dim>& shape, const Points<Dim>& end) const {
+    constexpr int kHalvings = 8;
+    for (int k = 0; firstInverted(shape) >= 0; ++k) {
+        if (k == kHalvings) {
+            shape = end;
+            return;
+        }
+        shape = 0.5 * (shape + end);
     }
 }
 
@@ -358,9 +381,10 @@ void Deformer<Dim>::Engine::emitFrames(double from, double to) {
     for (; m_frame < times.size() && times[m_frame] < to; ++m_frame) {
         Points<Dim> shape = method().at(times[m_frame], endField);
         project(times[m_frame], shape);
+        unfold(shape, 2 * times[m_frame] < from + to ? state.normalized : m_next);
         State<Dim> frame;
         frame.time = times[m_frame];
-        frame.points = m_domainRest->points + m_units.size * (shape - m_rest->points);
+        frame.points = inDomain(shape);
         m_watch->onFrame(frame);
     }
 }
@@ -394,34 +418,6 @@ AdvanceResult Deformer<Dim>::Engine::advance(double time, const Watch& watch) {
     statistics.integrate += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     collectStatistics();
     return good ? AdvanceResult{Outcome::Done, state.time, -1, {}} : stopped();
-}
-
-template <int Dim>
-AdvanceResult Deformer<Dim>::Engine::stopped() const {
-    AdvanceResult result{Outcome::Cancelled, state.time, -1, {}};
-    std::ostringstream message;
-    message.imbue(std::locale::classic());
-    message << "at time " << state.time << ' ';
-    if (m_failure.cancelled) {
-        message << "cancelled";
-    } else if (m_failure.stepTooSmall) {
-        result.outcome = Outcome::StepTooSmall;
-        const bool settles = m_settling.rate(state.time, Side::After) > 0;
-        message << (settles ? "the shape is too stiff to settle further"
-                            : "the motion is too fast, or the tolerance too small")
-                << ": the steps would be too short";
-    } else if (m_failure.outcome.kind == SolveOutcome::Kind::CellInverted) {
-        result.outcome = Outcome::CellInverted;
-        result.cell = m_failure.outcome.cell;
-        Vec<Dim> centre = Vec<Dim>::Zero();
-        for (const int v : m_rest->cells[result.cell]) centre += state.points.col(v) / (Dim + 1);
-        message << "cell " << result.cell << " near " << describe<Dim>(centre) << " would fold over";
-    } else {
-        result.outcome = Outcome::SolverFailed;
-        message << wend::describe(m_failure.outcome);
-    }
-    result.message = message.str();
-    return result;
 }
 
 template <int Dim>

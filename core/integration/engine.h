@@ -25,6 +25,8 @@ struct Deformer<Dim>::Engine {
     void restore(const State<Dim>& state);
     AdvanceResult advance(double time, const Watch& watch);
     Points<Dim> velocity();
+    /// Why the last of both failed.
+    AdvanceResult stopped() const;
     double restForce();
 
     State<Dim> state;
@@ -43,7 +45,8 @@ struct Deformer<Dim>::Engine {
     // The shape and its constraints
     void adopt(std::shared_ptr<const Constraints<Dim>> constraints);
     void activate(Side side);
-    void publish();
+    Points<Dim> inDomain(const Points<Dim>& shape) const;
+    int firstInverted(const Points<Dim>& shape) const;
     void startAnew();
     void recall();
     void remember();
@@ -69,14 +72,16 @@ struct Deformer<Dim>::Engine {
 
     // Around them
     void emitFrames(double from, double to);
+    void unfold(Points<Dim>& shape, const Points<Dim>& end) const;
     void measureError(double t);
-    AdvanceResult stopped() const;
+    int fastestPoint() const;
+    int nearestPoint(const Vec<Dim>& place) const;
     void collectStatistics();
 
     IntegrationOptions m_options;
     Normalization<Dim> m_units;
     std::shared_ptr<const SimplicialMesh<Dim>> m_domainRest, m_rest;
-    Orientation<Dim> m_orientation;
+    Orientation<Dim> m_orientation, m_domainOrientation;
     std::unique_ptr<VelocitySolver<Dim>> m_solver;
     std::shared_ptr<const Constraints<Dim>> m_constraints;
     Settling m_settling;

@@ -230,13 +230,7 @@ void writeGltf(const std::string& path, const GltfScene& scene, bool zUp) {
     addAnimation(gltf, buffer, mesh, scene, zUp);
     gltf["meshes"] = Json::array({mesh});
     gltf["buffers"] = Json::array({{{"byteLength", buffer.bytes().size()}}});
-    const std::string bytes = container(gltf, buffer.bytes());
-    writeWhole(path, [&](const std::string& temporary) {
-        std::ofstream file(temporary, std::ios::binary);
-        file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-        file.close();
-        if (!file) throw InputError(path, "cannot be written: the disk may be full");
-    });
+    writeWhole(path, container(gltf, buffer.bytes()));
 }
 
 }  // namespace wend

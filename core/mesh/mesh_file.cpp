@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "core/mesh/checked_file.h"
 #include "core/mesh/error.h"
 #include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/formats/scanner.h"
@@ -34,20 +35,16 @@ std::vector<std::string> pathsOf(const MeshFormat& format, const std::string& pa
     return paths;
 }
 
-void put(const std::string& path, const std::string& bytes) {
-    std::ofstream file(path, std::ios::binary);
-    file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    file.close();
-    if (!file) throw InputError("cannot be written (is the disk full?)");
-}
-
-/// Each file is renamed only when all that follow it have been.
-void putAll(const std::vector<std::string>& paths, const std::vector<std::string>& texts, std::size_t first) {
-    if (first == paths.size()) return;
-    writeWhole(paths[first], [&](const std::string& temporary) {
-        put(temporary, texts[first]);
-        putAll(paths, texts, first + 1);
-    });
+/// All of them, or none.
+void putAll(const std::vector<std::string>& paths, const std::vector<std::string>& texts) {
+    std::vector<PendingFile> files;
+    for (std::size_t k = 0; k < paths.size(); ++k) {
+        PendingFile file(paths[k], Access::Usual, k > 0 ? &files[0] : nullptr);
+        if (const std::string problem = writeBytes(file.temporary(), texts[k]); !problem.empty())
+            throw InputError(paths[k], "cannot be written: " + problem);
+        files.push_back(std::move(file));
+    }
+    PendingFile::commit(files);
 }
 
 }  // namespace
@@ -62,7 +59,7 @@ MeshFile readMeshFile(const std::string& path) {
 void writeMeshFile(const std::string& path, const MeshFile& mesh, const MeshWriteOptions& options) {
     const auto& format = formats::formatOf(path);
     try {
-        putAll(pathsOf(format, path), formats::printed(format, mesh, options), 0);
+        putAll(pathsOf(format, path), formats::printed(format, mesh, options));
     } catch (const InputError& error) {
         throw error.named(path);
     }

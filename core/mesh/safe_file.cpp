@@ -7,8 +7,10 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <utility>
 
+#include "core/mesh/checked_file.h"
 #include "core/mesh/error.h"
 
 namespace wend {
@@ -16,126 +18,146 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool isSpecial(const fs::path& target) {
+bool isSpecialFile(const fs::path& target) {
     std::error_code error;
     const fs::file_status status = fs::status(target, error);
     return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
 }
 
-fs::path folderFor(const fs::path& target) {
-    if (isSpecial(target)) return fs::temp_directory_path();
-    return target.has_parent_path() ? target.parent_path() : fs::path(".");
+std::string folderOf(const fs::path& target) {
+    return target.has_parent_path() ? target.parent_path().string() : ".";
 }
 
-void requireFolder(const std::string& path, const fs::path& target) {
-    const fs::path folder = folderFor(target);
-    if (!fs::is_directory(folder))
-        throw InputError(path, "the folder " + folder.string() + " does not exist");
-    if (fs::is_directory(target)) throw InputError(path, "is a folder");
+void requirePlace(const std::string& path, const std::string& target) {
+    const std::string folder = folderOf(target);
+    std::error_code error;
+    if (!fs::is_directory(folder, error)) throw InputError(path, "the folder " + folder + " does not exist");
+    if (fs::is_directory(target, error)) throw InputError(path, "is a folder");
     if (access(folder.c_str(), W_OK) != 0)
-        throw InputError(path, "the folder " + folder.string() + " is not writable");
+        throw InputError(path, "the folder " + folder + " is not writable");
+    if (const std::string why = whyKept(target); !why.empty()) throw InputError(path, why);
 }
 
 /// Follows links, so that the file is replaced and not the link.
-fs::path resolved(const fs::path& path) {
+std::string resolved(const std::string& path) {
     std::error_code error;
-    if (!fs::is_symlink(path, error) || isSpecial(path)) return path;
+    if (!fs::is_symlink(path, error) || isSpecialFile(path)) return path;
     const fs::path target = fs::weakly_canonical(path, error);
-    return error ? path : target;
+    return error ? path : target.string();
 }
 
-/// Makes an empty file, or fails if there is anything of that name already, be it a link.
-bool create(const fs::path& file) {
-    const int descriptor = open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor >= 0) close(descriptor);
-    return descriptor >= 0;
+[[noreturn]] void fail(const std::string& path, const std::string& reason) {
+    throw InputError(path, "cannot be written: " + reason);
 }
 
-/// ".name.PROCESS-0.part.ext" or the first of its kind that is free.
-std::string createBeside(const std::string& path, const fs::path& target) {
-    const std::string start = "." + target.stem().string() + "." + std::to_string(getpid()) + "-";
-    for (int k = 0; k < 1000; ++k) {
-        const fs::path file =
-            folderFor(target) / (start + std::to_string(k) + ".part" + target.extension().string());
-        if (create(file)) return file.string();
-        if (errno != EEXIST) break;
-    }
-    throw InputError(path, std::string("cannot be written: ") + std::strerror(errno));
+/// Some file systems cannot do it, and need not.
+bool isFlushed(int descriptor) {
+    return fsync(descriptor) == 0 || errno == EINVAL || errno == ENOSYS || errno == ENOTSUP;
 }
 
-void copyInto(const std::string& path, const fs::path& from, const fs::path& target) {
+void flushFolder(const std::string& folder) {
+    const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0) return;
+    fsync(descriptor);  // the names are there; no more can be done for them
+    close(descriptor);
+}
+
+void copyInto(const std::string& path, const std::string& from, const std::string& target) {
     std::ifstream in(from, std::ios::binary);
     std::ofstream out(target, std::ios::binary);
     if (in.peek() != std::ifstream::traits_type::eof()) out << in.rdbuf();
     out.close();
-    if (!in || !out) throw InputError(path, std::string("cannot be written: ") + std::strerror(errno));
+    if (!in || !out) fail(path, std::strerror(errno));
 }
 
 }  // namespace
 
-TemporaryFolder::TemporaryFolder(const std::string& parent)
-    : m_path((fs::path(parent) / ".wend-XXXXXX").string()) {
-    if (mkdtemp(m_path.data()) == nullptr)
-        throw fs::filesystem_error("no temporary folder", parent, {errno, std::generic_category()});
+PendingFile::PendingFile(std::string path, Access access, const PendingFile* neighbour)
+    : m_path(std::move(path)),
+      m_target(resolved(m_path)),
+      m_access(access),
+      m_special(isSpecialFile(m_target)) {
+    if (!m_special) requirePlace(m_path, m_target);
+    m_temporary = m_target;
+    if (!isTemporary(m_target)) makeTemporary(neighbour);
 }
 
-TemporaryFolder::TemporaryFolder(TemporaryFolder&& other) noexcept
-    : m_path(std::exchange(other.m_path, {})) {}
-
-TemporaryFolder::~TemporaryFolder() {
-    std::error_code error;
-    if (!m_path.empty()) fs::remove_all(m_path, error);
-}
-
-PendingFile::PendingFile(std::string path) : m_path(std::move(path)) {
-    const fs::path target = resolved(m_path);
-    requireFolder(m_path, target);
-    m_target = target.string();
-    if (wend::isSpecial(target)) {
-        m_folder.emplace(folderFor(target).string());
-        m_temporary = (fs::path(m_folder->path()) / target.filename()).string();
-    } else {
-        m_temporary = createBeside(m_path, target);
+void PendingFile::makeTemporary(const PendingFile* neighbour) {
+    try {
+        const std::string place = m_special ? scratchFolder() : folderOf(m_target);
+        const bool shares =
+            neighbour != nullptr && neighbour->m_folder && neighbour->m_folder->parent() == place;
+        m_folder = shares ? neighbour->m_folder : std::make_shared<TemporaryFolder>(place);
+    } catch (const InputError& error) {
+        fail(m_path, error.reason());
     }
+    m_temporary = m_folder->newName(fs::path(m_target).extension().string());
 }
-
-PendingFile::PendingFile(std::string path, std::string target, std::string temporary)
-    : m_path(std::move(path)), m_target(std::move(target)), m_temporary(std::move(temporary)) {
-    if (create(m_temporary)) return;
-    throw InputError(m_path, std::string("cannot be written: ") + std::strerror(errno));
-}
-
-PendingFile::PendingFile(PendingFile&& other) noexcept
-    : m_path(std::move(other.m_path)),
-      m_target(std::move(other.m_target)),
-      m_temporary(std::exchange(other.m_temporary, {})),
-      m_folder(std::move(other.m_folder)) {}
 
 PendingFile::~PendingFile() {
     std::error_code error;
-    if (!m_temporary.empty()) fs::remove(m_temporary, error);
+    if (m_folder && !m_temporary.empty()) fs::remove(m_temporary, error);
 }
 
 PendingFile PendingFile::companion(const std::string& extension) const {
     const auto other = [&](const std::string& file) {
         return fs::path(file).replace_extension(extension).string();
     };
-    return {other(m_path), other(m_target), other(m_temporary)};
+    PendingFile file;
+    file.m_path = other(m_path);
+    file.m_target = other(m_target);
+    file.m_temporary = other(m_temporary);
+    file.m_access = m_access;
+    file.m_folder = m_folder;
+    requirePlace(file.m_path, file.m_target);
+    return file;
+}
+
+/// What was written is on the disk, with the rights that it shall have.
+void PendingFile::settle() const {
+    const int descriptor = open(m_temporary.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC);
+    if (descriptor < 0) fail(m_path, std::strerror(errno));
+    takeAccess(descriptor, m_target, m_access);
+    const bool flushed = isFlushed(descriptor);
+    const int reason = errno;
+    close(descriptor);
+    if (!flushed) fail(m_path, std::strerror(reason));
+}
+
+void PendingFile::take() {
+    if (rename(m_temporary.c_str(), m_target.c_str()) != 0) fail(m_path, std::strerror(errno));
+    m_temporary.clear();
 }
 
 void PendingFile::commit() {
-    if (isSpecial()) return copyInto(m_path, m_temporary, m_target);
-    std::error_code error;
-    if (const fs::file_status old = fs::status(m_target, error); fs::exists(old))
-        fs::permissions(m_temporary, old.permissions(), error);
-    fs::rename(m_temporary, m_target, error);
-    if (error) throw InputError(m_path, "cannot be written: " + error.message());
-    m_temporary.clear();
+    commit({this, 1});
+}
+
+/// First what cannot be taken back, but is the likelier to fail: then no file has been replaced.
+void PendingFile::commit(std::span<PendingFile> files) {
+    for (const PendingFile& file : files)
+        if (!file.m_special && file.m_folder) file.settle();
+    for (const PendingFile& file : files)
+        if (file.m_special) copyInto(file.m_path, file.m_temporary, file.m_target);
+    std::set<std::string> folders;
+    for (PendingFile& file : files) {
+        if (file.m_special || !file.m_folder) continue;
+        file.take();
+        folders.insert(folderOf(file.m_target));
+    }
+    for (const std::string& folder : folders) flushFolder(folder);
 }
 
 void writeWhole(const std::string& path, const std::function<void(const std::string&)>& write) {
     PendingFile file(path);
     write(file.temporary());
+    file.commit();
+}
+
+void writeWhole(const std::string& path, std::string_view bytes, Access access) {
+    PendingFile file(path, access);
+    if (const std::string problem = writeBytes(file.temporary(), bytes); !problem.empty())
+        fail(path, problem);
     file.commit();
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 
 #include "core/mesh/error.h"
 #include "core/mesh/formats/cell_collector.h"
@@ -48,15 +47,6 @@ MeshFile toMeshFile(const Skin& skin, const Points<3>& points, const std::vector
     return file;
 }
 
-void put(const std::string& path, const std::string& bytes) {
-    writeWhole(path, [&](const std::string& temporary) {
-        std::ofstream file(temporary, std::ios::binary);
-        file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-        file.close();
-        if (!file) throw InputError(path, "cannot be written (is the disk full?)");
-    });
-}
-
 }  // namespace
 
 Skin readSkin(const std::string& path) {
@@ -82,8 +72,9 @@ void writeSkin(const std::string& path, const Skin& skin, const Points<3>& point
     if (hasExtension(path, ".glb")) return writeGltf(path, gltfScene(skin, points));
     if (!hasExtension(path, ".obj") || !hasExtension(skin.path, ".obj"))
         return writeMeshFile(path, toMeshFile(skin, points, fields), options);
-    put(path, formats::withVertices(readInput(skin.path), points, fs::path(skin.path).parent_path().string(),
-                                    fs::path(path).parent_path().string()));
+    writeWhole(path,
+               formats::withVertices(readInput(skin.path), points, fs::path(skin.path).parent_path().string(),
+                                     fs::path(path).parent_path().string()));
 }
 
 std::vector<std::string> skinFileExtensions() {

@@ -18,8 +18,7 @@ Vec<3> doubleReflection(const TangentPiece& piece, double v, double w, const Vec
     const Vec<3> rLeft = r - 2 / squared * chord.dot(r) * chord;
     const Vec<3> tLeft = before - 2 / squared * chord.dot(before) * chord;
     const Vec<3> second = after - tLeft;
-    const Vec<3> moved = rLeft - 2 / second.squaredNorm() * second.dot(rLeft) * second;
-    return (moved - after * after.dot(moved)).normalized();
+    return rLeft - 2 / second.squaredNorm() * second.dot(rLeft) * second;
 }
 
 Mat<3> columns(const Vec<3>& tangent, const Vec<3>& normal) {

@@ -150,18 +150,4 @@ double velocityToleranceFor(double integrationTolerance) {
     return 0.5 * integrationTolerance;
 }
 
-std::string describe(const SolveOutcome& outcome) {
-    switch (outcome.kind) {
-        case SolveOutcome::Kind::Done:
-            return {};
-        case SolveOutcome::Kind::CellInverted:
-            return "cell " + std::to_string(outcome.cell) + " would fold over";
-        case SolveOutcome::Kind::NotPositiveDefinite:
-            return "the system of equations is singular to rounding";
-        case SolveOutcome::Kind::NotFinite:
-            return "the computation left the range of numbers";
-    }
-    return {};
-}
-
 }  // namespace wend

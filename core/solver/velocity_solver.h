@@ -131,7 +131,4 @@ class VelocitySolver {
     std::unique_ptr<Engine> m_engine;
 };
 
-/// "cell 12 would fold over", "the system is singular …": one line for a message; empty when done.
-std::string describe(const SolveOutcome& outcome);
-
 }  // namespace wend

@@ -1,5 +1,6 @@
 // The command line when something is wrong: one line, the right exit code, and no file touched.
 
+#include <sys/resource.h>
 #include <QtTest>
 
 #include "tests/app/cli_harness.h"
@@ -21,6 +22,9 @@ class TestCliErrors : public QObject {
     void initTestCase();
     void usage_data();
     void usage();
+    void nothingAskedFor();
+    void overwriting_data();
+    void overwriting();
     void badInput_data();
     void badInput();
     void outputsStayWhole_data();
@@ -31,12 +35,14 @@ class TestCliErrors : public QObject {
     void fullDisk();
     void foldedOver();
     void interrupted();
+    void killed();
 
   private:
     QString path() const { return m_folder.path(); }
     QStringList listing() const {
         return QDir(path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot);
     }
+    CliResult runLimited(const QStringList& arguments, qint64 most) const;
     void putMeshes();
     void putPictures();
 
@@ -130,6 +136,71 @@ void TestCliErrors::usage() {
     QVERIFY(result.out.isEmpty());
 }
 
+void TestCliErrors::overwriting_data() {
+    QTest::addColumn<QStringList>("arguments");
+    QTest::addColumn<QString>("message");
+    const auto row = [](const char* name, const char* arguments, const char* message) {
+        QTest::newRow(name) << QString(arguments).split(' ') << message;
+    };
+    row("picture", "run own.wend --image disc.png", "disc.png: would replace disc.png, which is read here");
+    row("another spelling", "run own.wend --image ./x.d/../disc.png", "would replace disc.png");
+    row("link", "run own.wend --image x.link.png", "would replace disc.png");
+    row("hard link", "run own.wend --image x.hard.png", "would replace disc.png");
+    row("linked folder", "run own.wend --report x.way/own.wend", "would replace own.wend");
+    row("project", "run own.wend --report own.wend", "would replace own.wend");
+    row("mesh", "run cells.wend --mesh strip.obj", "would replace strip.obj");
+    row("texture", "run cells.wend --image disc.png", "would replace disc.png");
+    row("cells", "run cells.wend --report cells.json", "would replace cells.json");
+    row("a frame", "run own.wend --frames x_##.png --count 12", "x_10.png: would replace disc.png");
+    row("the other of TetGen's input", "run pair.wend --report pair.ele", "would replace pair.ele");
+    row("mesh of itself", "mesh tetrahedron.obj -o x.d/../tetrahedron.obj", "would replace tetrahedron.obj");
+    row("sizes", "mesh tetrahedron.obj --sizes sizes.obj -o sizes.obj", "which is read here");
+    row("problems", "info flat.obj --problems ./flat.obj", "would replace flat.obj");
+    row("one place twice", "run strip.wend --mesh out.vtu --velocity out.vtu",
+        "out.vtu: would replace another output, out.vtu");
+    row("one place by two names", "run strip.wend --mesh out.vtu --velocity ./x.d/../out.vtu",
+        "would replace another output");
+    row("the other of TetGen's files", "run strip.wend --mesh out.node --report out.ele",
+        "would replace another output");
+    row("a frame's place", "run strip.wend --frames out.##.obj --mesh out.07.obj",
+        "out.07.obj: would be replaced by frame 7");
+}
+
+/// A run that is asked for nothing says so, in one line, and is no failure.
+void TestCliErrors::nothingAskedFor() {
+    const QStringList before = listing();
+    const CliResult result = runCli(path(), {"run", "strip.wend"});
+    QCOMPARE(result.code, 0);
+    QCOMPARE(result.error, QString("wend: strip.wend: no output was asked for; nothing will be written\n"));
+    QCOMPARE(result.out, QString());
+    QCOMPARE(listing(), before);
+}
+
+/// Whatever it is called, no input is replaced by what is made of it, nor an output by another.
+void TestCliErrors::overwriting() {
+    QFETCH(QStringList, arguments);
+    QFETCH(QString, message);
+    QDir(path()).mkdir("x.d");
+    const fs::path base = path().toStdString();
+    std::error_code there;
+    fs::create_symlink("disc.png", base / "x.link.png", there);
+    fs::create_hard_link(base / "disc.png", base / "x.hard.png", there);
+    fs::create_symlink("disc.png", base / "x_10.png", there);
+    fs::create_directory_symlink(".", base / "x.way", there);
+    put(path(), "cells.json", "{}");
+    put(path(), "sizes.obj", "1 1 1 1");
+    putProject(path(), "own.wend", kDisc);
+    putProject(path(), "cells.wend",
+               "'domain': {'mesh': 'strip.obj', 'image': 'disc.png'}, 'material': {'cells': 'cells.json'}");
+    putProject(path(), "pair.wend", "'domain': {'mesh': 'pair.node'}");
+    const QStringList before = listing();
+    const CliResult result = runCli(path(), arguments);
+    QVERIFY2(result.code == 2, qPrintable(QString::number(result.code) + result.error));
+    QVERIFY2(result.error.startsWith("wend: ") && result.error.count('\n') == 1, qPrintable(result.error));
+    QVERIFY2(result.error.contains(message), qPrintable(result.error));
+    QCOMPARE(listing(), before);
+}
+
 void TestCliErrors::badInput_data() {
     QTest::addColumn<QString>("project");  // what stands in p.wend; empty: the arguments name something else
     QTest::addColumn<QStringList>("arguments");
@@ -202,14 +273,6 @@ void TestCliErrors::badInput_data() {
     row("frames without #", kDisc, "needs ####", {"--frames", "f.png"});
     row("output folder", kDisc, "no/out.png: the folder no does not exist", {"--image", "no/out.png"});
     row("output is a folder", kDisc, "out.d: is a folder", {"--report", "out.d"});
-    row("one place twice", kStrip, "out.vtu: would replace another output, out.vtu",
-        {"--mesh", "out.vtu", "--velocity", "out.vtu"});
-    row("one place by two names", kStrip, "would replace another output",
-        {"--mesh", "out.vtu", "--velocity", "./out.d/../out.vtu"});
-    row("the other of TetGen's files", kStrip, "would replace another output",
-        {"--mesh", "out.node", "--report", "out.ele"});
-    row("a frame's place", kStrip, "out.07.obj: would be replaced by frame 7",
-        {"--frames", "out.##.obj", "--mesh", "out.07.obj"});
     QTest::newRow("mesh of a flat mesh")
         << "" << QStringList{"mesh", "strip.obj", "-o", "out.mesh"} << "strip.obj: ";
     QTest::newRow("mesh of nothing") << "" << QStringList{"mesh", "none.png", "-o", "out.obj"}
@@ -270,29 +333,89 @@ void TestCliErrors::fullStandardOutput() {
 
 void TestCliErrors::fullDisk_data() {
     QTest::addColumn<QString>("output");
-    for (const char* name : {"png", "jpg", "tif", "exr", "webp", "bmp", "tga", "hdr", "ppm"})
+    for (const char* name : {"png", "jpg", "tif", "exr", "webp", "bmp", "tga", "jp2", "hdr", "ppm"})
         QTest::newRow(name) << QString("--image kept.%1").arg(name);
-    for (const char* name : {"obj", "ply", "vtu", "vtk", "msh"})
+    for (const char* name : {"obj", "ply", "stl", "off", "node", "vtu", "vtk", "msh"})
         QTest::newRow(name) << QString("--mesh kept.%1").arg(name);
     QTest::newRow("velocity") << "--velocity kept.csv";
     QTest::newRow("ST map") << "--stmap kept.exr";
-    QTest::newRow("frames") << "--frames f_##.png --count 2";
+    QTest::newRow("ST map as TIFF") << "--stmap kept.tif";
+    QTest::newRow("frames") << "--frames kept_#.png --count 2";
+    QTest::newRow("fitting frames") << "--canvas fit --frames kept_#.png --count 2";
+    QTest::newRow("frames of meshes") << "--frames kept_#.obj --count 2";
 }
 
-/// A limit on the size of files stands for the full disk: writing fails in the middle.
+/// A limit on the size of files stands for the full disk: it ends in the middle, some pages before the end,
+/// or one byte before it.
 void TestCliErrors::fullDisk() {
     QFETCH(QString, output);
-    const QString kept = output.section(' ', 1, 1);
+    const QString kept = output.contains("#") ? QString("kept_1.") + output.section('.', 1).section(' ', 0, 0)
+                                              : output.section(' ', 1, 1);
+    const QStringList arguments = QStringList{"run", "still.wend"} + output.split(' ');
+    putProject(path(), "still.wend", kDisc);
+    for (const QString& name : listing().filter("kept")) QFile::remove(path() + "/" + name);
+    QCOMPARE(runCli(path(), arguments).code, 0);
+    qint64 size = 0;  // of the largest file
+    for (const QString& name : listing().filter("kept")) {
+        size = std::max(size, QFileInfo(path() + "/" + name).size());
+        QFile::remove(path() + "/" + name);
+    }
     put(path(), qPrintable(kept), "old");
     const QStringList before = listing();
-    const QString command = QString("ulimit -f 1; exec \"%1\" run disc.wend %2").arg(WEND_BINARY, output);
-    const CliResult result =
-        runCli(path(), {"-c", command}, QProcessEnvironment::systemEnvironment(), "/bin/bash");
-    QVERIFY2(result.code == 3, qPrintable(output + result.error));
-    QVERIFY2(result.error.startsWith("wend: ") && result.error.count('\n') == 1, qPrintable(result.error));
-    QVERIFY2(!result.error.contains(".part"), qPrintable(result.error));
+    for (const qint64 missing : {qint64(1), qint64(4096), qint64(4 * 4096), size / 2}) {
+        if (missing >= size) continue;
+        const CliResult result = runLimited(arguments, size - missing);
+        QVERIFY2(result.code == 3, qPrintable(QString::number(missing) + output + result.error));
+        QVERIFY2(result.error.startsWith("wend: ") && result.error.count('\n') == 1,
+                 qPrintable(result.error));
+        QVERIFY2(result.error.contains("cannot be written: "), qPrintable(result.error));
+        QVERIFY2(!result.error.contains(".wend-"), qPrintable(result.error));
+        QCOMPARE(listing(), before);
+        QCOMPARE(readTextFile((path() + "/" + kept).toStdString()), std::string("old"));
+    }
+    QCOMPARE(runLimited(arguments, size).code, 0);
+}
+
+/// The program, whose files may not grow beyond a size.
+CliResult TestCliErrors::runLimited(const QStringList& arguments, qint64 most) const {
+    QProcess process;
+    process.setWorkingDirectory(path());
+    process.setChildProcessModifier([most] {
+        const struct rlimit limit { static_cast<rlim_t>(most), static_cast<rlim_t>(most) };
+        setrlimit(RLIMIT_FSIZE, &limit);
+    });
+    process.start(WEND_BINARY, arguments);
+    process.waitForFinished(120000);
+    return {process.exitCode(), QString::fromUtf8(process.readAllStandardOutput()),
+            QString::fromUtf8(process.readAllStandardError()), process.exitStatus() != QProcess::NormalExit};
+}
+
+/// A program that was killed in the middle of its frames: the next one that writes there takes away what it
+/// left. SIGTERM leaves nothing from the start.
+void TestCliErrors::killed() {
+    putProject(path(), "long.wend",
+               "'domain': {'image': 'disc.png', 'vertices': 20000}, 'integration': {'tolerance': 1e-10},"
+               "'handles': [{'at': {'points': [[20, 20]]}}, {'at': {'points': [[150, 150]]}, 'motion': ["
+               "{'kind': 'rotate', 'centre': [100, 100], 'angle': 3}]}]");
+    const QStringList before = listing();
+    for (const bool orderly : {true, false}) {
+        QProcess process;
+        process.setWorkingDirectory(path());
+        process.setReadChannel(QProcess::StandardError);
+        process.start(WEND_BINARY,
+                      {"run", "long.wend", "--frames", "long_####.png", "--count", "9999", "--progress"});
+        const auto parts = [&] {
+            return QDir(path()).entryList({".wend-*"}, QDir::AllEntries | QDir::Hidden);
+        };
+        while (parts().isEmpty() && process.waitForReadyRead(60000)) process.readAllStandardError();
+        QVERIFY(!parts().isEmpty());
+        orderly ? process.terminate() : process.kill();
+        QVERIFY(process.waitForFinished(60000));
+        QCOMPARE(parts().isEmpty(), orderly);
+    }
+    QCOMPARE(runCli(path(), {"run", "disc.wend", "--report", "after.json"}).code, 0);
+    QFile::remove(path() + "/after.json");
     QCOMPARE(listing(), before);
-    QCOMPARE(readTextFile((path() + "/" + kept).toStdString()), std::string("old"));
 }
 
 /// A handle that is pulled through a fixed one cannot arrive: exit code 4, the report with the last good

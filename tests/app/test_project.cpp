@@ -76,6 +76,22 @@ QString reasonFor(const std::string& text) {
     return {};
 }
 
+/// The keys of `expected` whose values `found` does not have.
+QStringList missingFrom(const QJsonValue& found, const QJsonValue& expected, const QString& key) {
+    QStringList lost;
+    if (expected.isObject()) {
+        const QJsonObject keys = expected.toObject();
+        for (auto it = keys.begin(); it != keys.end(); ++it)
+            lost += missingFrom(found[it.key()], it.value(), key + '.' + it.key());
+    } else if (expected.isArray() && found.toArray().size() == expected.toArray().size()) {
+        for (int k = 0; k < expected.toArray().size(); ++k)
+            lost += missingFrom(found[k], expected[k], key + '[' + QString::number(k) + ']');
+    } else if (found != expected) {
+        lost << key;
+    }
+    return lost;
+}
+
 }  // namespace
 
 class TestProject : public QObject {
@@ -162,6 +178,35 @@ class TestProject : public QObject {
         for (const char* piece :
              {"\"conf\"", "1.000000000000001", "-1.5707963267948966", "[0.1, null]", "\"inOut\"", "\"rk4\""})
             QVERIFY2(once.find(piece) != std::string::npos, piece);
+    }
+
+    /// What is written says all that the input said, key by key, in the same numbers and words.
+    void writtenIsWhatWasRead_data() {
+        QTest::addColumn<QString>("text");
+        QTest::newRow("plane") << QString::fromStdString(kFull);
+        QTest::newRow("mesh") << QString::fromStdString(projectText(
+            "'domain': {'mesh': 'strip.obj', 'image': 'frog.png'}, 'material': {'phi': 1.5, 'cells': "
+            "'cells.json'}, 'time': {'end': 3}"));
+        QTest::newRow("space") << QString::fromStdString(projectText(
+            "'domain': {'surface': 'bar.stl', 'quality': 1.5, 'maxVolume': 0.1, 'detail': 'fine.obj'}, "
+            "'material': {'phi': 'conf', 'regions': [{'name': 'r', 'shape': {'sphere': {'centre': [0, 0, 0], "
+            "'radius': 1}}, 'phi': 1, 'feather': 0.5, 'stiffness': {'axis': [0, 0, 1], 'ratio': 3}}]}, "
+            "'handles': [{'name': 'tip', 'at': {'points': [[0, 0, 1]]}, 'motion': [ "
+            "{'kind': 'rotate', 'centre': [0, 0, 0], 'axis': [0, 0, 1], 'angle': 3, 'time': [0, 0.25], "
+            "'ease': "
+            "'in'}, {'kind': 'curve', 'interpolation': 'spline', 'points': [[0, 0, 1], [1, 0, 1], [2, 1, "
+            "1]], "
+            "'frame': 'frenet', 'twist': 1.25, 'scale': 0.75, 'time': [0.25, 1], 'ease': 'out'}]}]"));
+    }
+    void writtenIsWhatWasRead() {
+        QFETCH(QString, text);
+        const std::string input = text.toStdString();
+        const auto read = [](const std::string& json) {
+            return QJsonDocument::fromJson(QByteArray::fromStdString(json)).object();
+        };
+        const QStringList lost =
+            missingFrom(read(toJson(parseProject(input, "p.wend").project)), read(input), "");
+        QVERIFY2(lost.isEmpty(), qPrintable(lost.join(", ")));
     }
 
     void spatialProject() {
@@ -420,6 +465,25 @@ class TestProject : public QObject {
         writeProject((base / "sub" / "b.wend").string(), project, base.string());
         QCOMPARE(readProject((base / "sub" / "b.wend").string()).project.domain.path,
                  std::string("../frog.png"));
+        // and so it does with all others
+        const std::string meshText = projectText(
+            "'domain': {'mesh': 'in/strip.obj', 'image': 'in/frog.png'}, 'material': {'cells': "
+            "'cells.json'}");
+        writeProject((base / "sub" / "c.wend").string(), parseProject(meshText, "p.wend").project,
+                     base.string());
+        const Project moved = readProject((base / "sub" / "c.wend").string()).project;
+        QCOMPARE(moved.domain.path, std::string("../in/strip.obj"));
+        QCOMPARE(moved.domain.texture, std::string("../in/frog.png"));
+        QCOMPARE(planar(moved).material.cellsFile, std::string("../cells.json"));
+        const std::string solidText = projectText(
+            "'domain': {'surface': 'in/bar.stl', 'detail': 'in/fine.obj', 'sizes': [{'values': "
+            "'in/sizes.txt'}]}");
+        writeProject((base / "sub" / "d.wend").string(), parseProject(solidText, "p.wend").project,
+                     base.string());
+        const Domain solid = readProject((base / "sub" / "d.wend").string()).project.domain;
+        QCOMPARE(solid.path, std::string("../in/bar.stl"));
+        QCOMPARE(solid.detail, std::string("../in/fine.obj"));
+        QCOMPARE(solid.sizesFile, std::string("../in/sizes.txt"));
         Project absolute = project;
         absolute.domain.path = (base / "pictures" / "x.png").string();
         writeProject(path, absolute);

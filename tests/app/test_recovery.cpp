@@ -14,6 +14,7 @@ class TestRecovery : public QObject {
   private slots:
     void init();
     void aChangeIsCopied();
+    void copiesArePrivate();
     void savingAndUndoingTakeTheCopyAway();
     void runningProgramsLoseNothing();
     void aFolderThatCannotBeWrittenIsSaidOnce();
@@ -72,6 +73,20 @@ void TestRecovery::aChangeIsCopied() {
     addPinAndWait(recovery);
     QCOMPARE(std::get<Design<2>>(readProject(recovery.copy().toStdString()).project.design).handles.size(),
              std::size_t(2));
+}
+
+/// Unsaved work is nobody else's, in whatever folder the copies were before.
+void TestRecovery::copiesArePrivate() {
+    const QString folder = m_folder->filePath(QStringLiteral("copies"));
+    QVERIFY(QDir().mkpath(folder));
+    QVERIFY(QFile::setPermissions(folder, QFile::Permissions(0x7755)));
+    Recovery recovery(*m_document, folder, 0);
+    addPinAndWait(recovery);
+    const auto rights = [](QFile::Permissions all) { return static_cast<int>(all) & 0x7077; };
+    QCOMPARE(rights(QFile::permissions(folder)), 0x7000);
+    const QFileInfoList files = QDir(folder).entryInfoList(QDir::Files | QDir::Hidden);
+    QCOMPARE(files.size(), 3);
+    for (const QFileInfo& info : files) QCOMPARE(rights(info.permissions()), 0x6000);
 }
 
 void TestRecovery::savingAndUndoingTakeTheCopyAway() {

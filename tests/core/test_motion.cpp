@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "core/mesh/error.h"
+#include "core/motion/easing.h"
 #include "core/motion/trajectory.h"
 
 using namespace wend;
@@ -372,6 +373,59 @@ class TestMotion : public QObject {
         }
         const double error = maxNorm(Q - trajectory.at(to).position.A);
         QVERIFY2(error < 1e-9, qPrintable(QString::number(error)));
+    }
+
+    /// The same where the curve nearly has a cusp and no step of the table is short enough for a rule of
+    /// lower order, against RK4 on the tangent's own formula.
+    void minimalFrameOfSharpBends() {
+        const std::vector<Vec<3>> points = {{0, 0, 0}, {1, 1, 0.1}, {0.02, 1, -0.1}, {1, 0.02, 0.15}};
+        const Trajectory<3> trajectory({curve<3>(Interpolation::Bezier, FrameKind::Minimal, points)});
+        const auto omega = [&](double v) -> Vec<3> {
+            const double w = 1 - v;
+            const Vec<3> a = points[1] - points[0], b = points[2] - points[1], c = points[3] - points[2];
+            const Vec<3> first = w * w * a + 2 * w * v * b + v * v * c,
+                         second = 2 * (w * (b - a) + v * (c - b));
+            return first.cross(second) / first.squaredNorm();
+        };
+        const int n = 20000;
+        Mat<3> Q = Mat<3>::Identity();
+        const auto rate = [&](double v, const Mat<3>& q) -> Mat<3> {
+            const Vec<3> w = omega(v);
+            Mat<3> result;
+            for (int k = 0; k < 3; ++k) result.col(k) = w.cross(q.col(k));
+            return result;
+        };
+        for (int i = 0; i < n; ++i) {
+            const double v = double(i) / n, h = 1.0 / n;
+            const Mat<3> k1 = rate(v, Q), k2 = rate(v + h / 2, Q + h / 2 * k1),
+                         k3 = rate(v + h / 2, Q + h / 2 * k2), k4 = rate(v + h, Q + h * k3);
+            Q += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+        }
+        const double error = maxNorm(Q - trajectory.at(1).position.A);
+        QVERIFY2(error < 1e-10, qPrintable(QString::number(error)));
+    }
+
+    /// What easing means (contract): half the time, and how much of the way.
+    void easingIsAsPromised() {
+        const struct {
+            Ease kind;
+            double quarter, half, rateAtEnd;
+        } rows[] = {{Ease::Linear, 0.25, 0.5, 1},
+                    {Ease::In, 0.0625, 0.25, 2},
+                    {Ease::Out, 0.4375, 0.75, 0},
+                    {Ease::InOut, 0.15625, 0.5, 0}};
+        for (const auto& row : rows) {
+            QCOMPARE(ease(row.kind, 0.25), row.quarter);
+            QCOMPARE(ease(row.kind, 0.5), row.half);
+            QCOMPARE(ease(row.kind, 0.0), 0.0);
+            QCOMPARE(ease(row.kind, 1.0), 1.0);
+            QCOMPARE(easeRate(row.kind, 1.0), row.rateAtEnd);
+            for (const double s : {0.1, 0.25, 0.5, 0.9}) {
+                const double h = 1e-6, slope = (ease(row.kind, s + h) - ease(row.kind, s - h)) / (2 * h);
+                QVERIFY(std::abs(easeRate(row.kind, s) - slope) < 1e-9);
+                QVERIFY(std::abs(easeInverse(row.kind, ease(row.kind, s)) - s) < 1e-14);
+            }
+        }
     }
 
     /// Position and velocity agree to what the table promises, also where pieces join.

@@ -1,5 +1,10 @@
 // Files that take their place whole or not at all, and programs that run beside this one.
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/xattr.h>
 #include <unistd.h>
 #include <QTemporaryDir>
 #include <QTest>
@@ -8,9 +13,11 @@
 #include <fstream>
 #include <iterator>
 
+#include "core/mesh/checked_file.h"
 #include "core/mesh/child_process.h"
 #include "core/mesh/error.h"
 #include "core/mesh/safe_file.h"
+#include "core/mesh/same_file.h"
 
 using namespace wend;
 namespace fs = std::filesystem;
@@ -21,7 +28,14 @@ class TestSafeFile : public QObject {
     void twoOfOneName();
     void goesAlong();
     void leavesNoTrace();
-    void followsNobodysLink();
+    void staysPrivate();
+    void replacesByRenaming();
+    void keepsRights();
+    void keepsWhatIsReadOnly();
+    void writesLongNames();
+    void clearsUpAfterTheDead();
+    void tellsOfEveryLostByte();
+    void knowsTheSameFile();
     void childStandsAlone();
     void idleChildIsEnded();
 
@@ -32,6 +46,12 @@ class TestSafeFile : public QObject {
         std::ifstream in(path);
         return {std::istreambuf_iterator<char>(in), {}};
     }
+    static struct stat statusOf(const std::string& path) {
+        struct stat status {};
+        stat(path.c_str(), &status);
+        return status;
+    }
+    static int modeOf(const std::string& path) { return static_cast<int>(statusOf(path).st_mode & 0777); }
     std::ptrdiff_t entries() const {
         return std::distance(fs::directory_iterator(m_folder.path().toStdString()), {});
     }
@@ -74,22 +94,149 @@ void TestSafeFile::leavesNoTrace() {
     QVERIFY_EXCEPTION_THROWN(PendingFile(file("none/b.txt")), InputError);
 }
 
-/// A link that somebody put where the temporary is expected is not followed, and what goes to no regular file
-/// waits in a folder that is this user's alone.
-void TestSafeFile::followsNobodysLink() {
-    put(file("victim"), "whole");
-    const std::string expected = PendingFile(file("c.txt")).temporary();
-    fs::create_symlink(file("victim"), expected);
-    PendingFile pending(file("c.txt"));
-    QVERIFY(pending.temporary() != expected);
-    put(pending.temporary(), "c");
-    pending.commit();
-    QCOMPARE(get(file("victim")), std::string("whole"));
-    QCOMPARE(get(file("c.txt")), std::string("c"));
-    fs::remove(expected);
-    const PendingFile nowhere("/dev/null");
+/// Temporaries lie in a folder that is this user's alone, whatever the rights of the place.
+void TestSafeFile::staysPrivate() {
+    const PendingFile pending(file("c.txt")), nowhere("/dev/null");
     QVERIFY(nowhere.isSpecial() && !pending.isSpecial());
-    QCOMPARE(fs::status(fs::path(nowhere.temporary()).parent_path()).permissions(), fs::perms::owner_all);
+    for (const PendingFile* one : {&pending, &nowhere}) {
+        const fs::path folder = fs::path(one->temporary()).parent_path();
+        QCOMPARE(fs::symlink_status(folder).type(), fs::file_type::directory);
+        QCOMPARE(fs::status(folder).permissions(), fs::perms::owner_all);
+    }
+    QCOMPARE(writeBytes(pending.temporary(), "c"), std::string());
+    QCOMPARE(modeOf(pending.temporary()), 0600);
+}
+
+/// The new file is another one: who still reads the old one, or holds it under another name, sees it whole.
+void TestSafeFile::replacesByRenaming() {
+    put(file("r.txt"), "old");
+    fs::create_hard_link(file("r.txt"), file("r.link"));
+    std::ifstream reader(file("r.txt"));
+    const auto before = statusOf(file("r.txt")).st_ino;
+    writeWhole(file("r.txt"), "new and longer");
+    QVERIFY(statusOf(file("r.txt")).st_ino != before);
+    QCOMPARE(statusOf(file("r.link")).st_ino, before);
+    QCOMPARE(get(file("r.txt")), std::string("new and longer"));
+    QCOMPARE(get(file("r.link")), std::string("old"));
+    QCOMPARE(std::string(std::istreambuf_iterator<char>(reader), {}), std::string("old"));
+}
+
+/// A new file has the rights that the user's mask leaves, a replaced one those that it had, a private one its
+/// owner's alone. Owner and attributes stay where this user may give them.
+void TestSafeFile::keepsRights() {
+    const mode_t mask = umask(027);
+    writeWhole(file("new.txt"), "n");
+    umask(mask);
+    QCOMPARE(modeOf(file("new.txt")), 0640);
+    writeWhole(file("own.txt"), "n", Access::Private);
+    QCOMPARE(modeOf(file("own.txt")), 0600);
+    put(file("old.txt"), "o");
+    QCOMPARE(chmod(file("old.txt").c_str(), 0604), 0);
+    const bool given = chown(file("old.txt").c_str(), 12345, 23456) == 0;
+    const bool marked = setxattr(file("old.txt").c_str(), "user.note", "kept", 4, 0) == 0;
+    const struct stat before = statusOf(file("old.txt"));
+    writeWhole(file("old.txt"), "n");
+    const struct stat after = statusOf(file("old.txt"));
+    QVERIFY(before.st_ino != after.st_ino);
+    QCOMPARE(after.st_mode, before.st_mode);
+    QCOMPARE(after.st_uid, before.st_uid);
+    QCOMPARE(after.st_gid, before.st_gid);
+    QCOMPARE(after.st_uid == 12345, given);
+    char note[8] = {};
+    QCOMPARE(getxattr(file("old.txt").c_str(), "user.note", note, sizeof note), marked ? 4 : -1);
+    QCOMPARE(std::string(note), std::string(marked ? "kept" : ""));
+}
+
+void TestSafeFile::keepsWhatIsReadOnly() {
+    put(file("kept.txt"), "o");
+    fs::permissions(file("kept.txt"), fs::perms::owner_read);
+    const auto before = entries();
+    QVERIFY_EXCEPTION_THROWN(writeWhole(file("kept.txt"), "n"), InputError);
+    QCOMPARE(entries(), before);
+    QCOMPARE(get(file("kept.txt")), std::string("o"));
+}
+
+/// The longest names that a file may have; one more is refused before anything is written.
+void TestSafeFile::writesLongNames() {
+    for (int length : {249, 255}) {
+        const std::string name = file((std::string(length - 4, 'n') + ".png").c_str());
+        writeWhole(name, "long");
+        QCOMPARE(get(name), std::string("long"));
+        fs::remove(name);
+    }
+    QVERIFY_EXCEPTION_THROWN(PendingFile(file((std::string(252, 'n') + ".png").c_str())), InputError);
+}
+
+/// What killed programs have left goes when the next one works there; what a living one holds, and what only
+/// looks alike, stays.
+void TestSafeFile::clearsUpAfterTheDead() {
+    const auto folder = [&](const char* name) {
+        fs::create_directory(file(name));
+        put(file(name) + "/lock", "");
+        put(file(name) + "/0.png", "half");
+    };
+    for (const char* name : {".wend-killed", ".wend-living", ".wend-other-one"}) folder(name);
+    fs::create_directory(file(".wend-begun_"));
+    const int lock = open((file(".wend-living") + "/lock").c_str(), O_RDWR);
+    QCOMPARE(flock(lock, LOCK_EX), 0);
+    writeWhole(file("d.txt"), "d");
+    QVERIFY(!fs::exists(file(".wend-killed")));
+    QVERIFY(!fs::exists(file(".wend-begun_")));
+    QVERIFY(fs::exists(file(".wend-living") + "/0.png"));
+    QVERIFY(fs::exists(file(".wend-other-one") + "/0.png"));
+    close(lock);
+    writeWhole(file("d.txt"), "d");
+    QVERIFY(!fs::exists(file(".wend-living")));
+    fs::remove_all(file(".wend-other-one"));
+}
+
+/// Wherever the disk ends, the file says so, also when only its last byte is missing; and where it does not,
+/// every byte is there, in whatever order it came.
+void TestSafeFile::tellsOfEveryLostByte() {
+    std::signal(SIGXFSZ, SIG_IGN);
+    const auto written = [&](std::size_t size, std::size_t most) {
+        struct rlimit before {};
+        getrlimit(RLIMIT_FSIZE, &before);
+        const struct rlimit limit { most, before.rlim_max };
+        setrlimit(RLIMIT_FSIZE, &limit);
+        CheckedFile out(file("bytes"));
+        for (std::size_t at = 10; at < size; ++at) out.write(std::int64_t(at), "x", 1);
+        out.write(0, "0123456789", 10);  // the head comes last, as some formats have it
+        const std::string reason = out.finish();
+        setrlimit(RLIMIT_FSIZE, &before);
+        return reason;
+    };
+    for (const std::size_t size : {std::size_t(100), std::size_t(65536), std::size_t(200001)}) {
+        for (const std::size_t missing : {1, 2, 50})
+            QVERIFY2(!written(size, size - missing).empty(), qPrintable(QString::number(size - missing)));
+        QCOMPARE(written(size, size), std::string());
+        QCOMPARE(get(file("bytes")), "0123456789" + std::string(size - 10, 'x'));
+    }
+    std::signal(SIGXFSZ, SIG_DFL);
+    QVERIFY(!writeBytes("/dev/full", "lost").empty());
+    QVERIFY(!writeBytes(file("none/b"), "lost").empty());
+}
+
+/// One file by many names.
+void TestSafeFile::knowsTheSameFile() {
+    fs::create_directory(file("place"));
+    put(file("place/one"), "1");
+    put(file("two"), "1");
+    fs::create_symlink(file("place/one"), file("link"));
+    fs::create_hard_link(file("place/one"), file("hard"));
+    fs::create_symlink(file("place"), file("way"));
+    const std::string one = file("place/one");
+    const std::string relative = fs::relative(one).string();
+    for (const std::string& name :
+         {file("link"), file("hard"), file("way/one"), file("way/../place/./one"), relative})
+        QVERIFY2(sameFile(one, name) && sameFile(name, one), name.c_str());
+    for (const std::string& name :
+         {file("two"), file("place"), file("place/two"), std::string("-"), std::string()})
+        QVERIFY2(!sameFile(one, name), name.c_str());
+    QVERIFY(sameFile(file("way/new"), file("place/new")));
+    QVERIFY(!sameFile(file("way/new"), file("place/newer")));
+    QVERIFY(!sameFile("-", "-"));
+    QCOMPARE(sameAmong({file("two"), file("hard")}, one), file("hard"));
 }
 
 /// It has a process group of its own, so that Ctrl-C reaches this program alone, and none of the signals that

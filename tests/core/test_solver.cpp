@@ -346,6 +346,30 @@ void negativeOrientationIsTheSame() {
     QVERIFY(relative(va.reshaped(), vb.reshaped()) < 1e-10);
 }
 
+/// A soft part, with all constraints, and a stiff one, near EQUIA, that it carries along: the stiffer that
+/// is, the more of the small residual in the soft part is rounding of the large numbers in the stiff one, and
+/// the solver solves again for what is left. Returns how often it solved.
+template <int Dim>
+int solvesWithStiffPart(double ratio) {
+    std::mt19937 random(29);
+    const int n = Dim == 2 ? 20 : 4;
+    const auto mesh = share(unitGrid<Dim>(n, 0.1, random));
+    Material<Dim> material = Material<Dim>::uniform(mesh->cellCount(), phi::kEquia);
+    const Mat<Dim> even = Mat<Dim>::Identity();
+    const Mat<Dim> stiff = even + (ratio - 1) * Vec<Dim>::Unit(0) * Vec<Dim>::Unit(0).transpose();
+    for (int c = 0; c < mesh->cellCount(); ++c) {
+        double x = 0;
+        for (const int v : mesh->cells[c]) x += mesh->points(0, v) / (Dim + 1);
+        if (x < 0.4) material.phi[c] = phi::kMetr;
+        material.anisotropy.push_back(x < 0.4 ? even : stiff);
+    }
+    VelocitySolver<Dim> solver(mesh, share(std::move(material)), BackEndKind::Cpu, 1);
+    solver.setConstraints({fixed(0), fixed(2 * (n + 1)), fixed(1)});
+    Points<Dim> prescribed = Points<Dim>::Zero(Dim, 3), v;
+    prescribed.col(2).setConstant(0.1);
+    return solver.solve(mesh->points, prescribed, v).done() ? solver.statistics().iterations : 0;
+}
+
 template <int Dim>
 void outcomesAreValues() {
     std::mt19937 random(23);
@@ -361,7 +385,6 @@ void outcomesAreValues() {
     folded.col(cell[0]) = 2 * folded.col(cell[1]) - folded.col(cell[0]);
     auto outcome = solver.solve(folded, prescribed, v);
     QVERIFY(outcome.kind == SolveOutcome::Kind::CellInverted && outcome.cell >= 0 && outcome.cell <= 4);
-    QVERIFY(describe(outcome).find("cell ") == 0);
 
     Points<Dim> broken = mesh->points;
     broken(0, cell[0]) = std::nan("");
@@ -411,6 +434,12 @@ class TestSolver : public QObject {
     void orientation() {
         negativeOrientationIsTheSame<2>();
         negativeOrientationIsTheSame<3>();
+    }
+    void stiffPartsAreRefined() {
+        QCOMPARE(solvesWithStiffPart<2>(1), 1);
+        QCOMPARE(solvesWithStiffPart<3>(1), 1);
+        QVERIFY(solvesWithStiffPart<2>(1e4) > 1);
+        QVERIFY(solvesWithStiffPart<3>(1e4) > 1);
     }
     void outcomes() {
         outcomesAreValues<2>();

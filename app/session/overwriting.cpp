@@ -1,0 +1,84 @@
+#include "app/session/overwriting.h"
+
+#include <filesystem>
+
+#include "app/session/output_set.h"
+#include "core/mesh/same_file.h"
+
+namespace wend {
+namespace fs = std::filesystem;
+
+namespace {
+
+bool replacesAFile(const std::string& path) {
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    return !path.empty() && path != "-" && (!fs::exists(status) || fs::is_regular_file(status));
+}
+
+/// One place of an output, by the name that the user gave it.
+struct Place {
+    std::string file, output;
+};
+
+std::vector<Place> singlePlaces(const RunOutputs& outputs) {
+    const bool animation = isAnimation(outputs.frames);
+    std::vector<Place> places;
+    for (const std::string& path :
+         {outputs.image, outputs.mesh, outputs.velocity, outputs.stMap, outputs.report,
+          animation ? outputs.frames : collectionName(outputs.frames)})
+        if (replacesAFile(path))
+            for (const std::string& file : writtenAlong(path)) places.push_back({file, path});
+    return places;
+}
+
+std::string replaced(const Place& place, const std::vector<std::string>& inputs) {
+    const std::string input = sameAmong(inputs, place.file);
+    return input.empty() ? "" : place.output + ": would replace " + input + ", which is read here";
+}
+
+/// Frames that are there already, maybe as links, and those that other outputs will be.
+std::string clashOfFrames(const std::vector<std::string>& inputs, const std::vector<Place>& places,
+                          const RunOutputs& outputs) {
+    for (const Place& place : places) {
+        const auto number = frameNumber(canonicalName(outputs.frames), canonicalName(place.file));
+        if (number && *number < outputs.count)
+            return place.output + ": would be replaced by frame " + std::to_string(*number) + " of " +
+                   outputs.frames;
+    }
+    std::error_code error;
+    for (int k = 0; k < outputs.count; ++k)
+        for (const std::string& file : writtenAlong(frameName(outputs.frames, k)))
+            if (fs::exists(file, error))
+                if (const std::string clash = replaced({file, file}, inputs); !clash.empty()) return clash;
+    return {};
+}
+
+}  // namespace
+
+std::vector<std::string> inputsOf(const Project& project, const std::string& path,
+                                  const std::string& folder) {
+    const Domain& domain = project.domain;
+    std::vector<std::string> inputs{path};
+    const auto add = [&](const std::string& file) {
+        if (file.empty()) return;
+        for (const std::string& one : writtenAlong(pathIn(folder, file))) inputs.push_back(one);
+    };
+    for (const std::string& file : {domain.path, domain.texture, domain.sizesFile, domain.detail}) add(file);
+    std::visit([&](const auto& design) { add(design.material.cellsFile); }, project.design);
+    return inputs;
+}
+
+std::string overwriting(const std::vector<std::string>& inputs, const RunOutputs& outputs) {
+    const std::vector<Place> places = singlePlaces(outputs);
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        if (const std::string clash = replaced(places[k], inputs); !clash.empty()) return clash;
+        for (std::size_t i = 0; i < k; ++i)
+            if (sameFile(places[i].file, places[k].file))
+                return places[k].output + ": would replace another output, " + places[i].output;
+    }
+    const bool numbered = outputs.frames.find('#') != std::string::npos;
+    return numbered ? clashOfFrames(inputs, places, outputs) : std::string();
+}
+
+}  // namespace wend

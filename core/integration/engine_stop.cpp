@@ -1,0 +1,96 @@
+// How an engine tells why it stopped.
+
+#include <cmath>
+#include <sstream>
+
+#include "core/integration/engine.h"
+#include "core/integration/stop_message.h"
+#include "core/mesh/cell_geometry.h"
+
+namespace wend {
+
+/// The constrained point that is the fastest where the attempt began or failed; −1 without any. What is not a
+/// number is the fastest.
+template <int Dim>
+int Deformer<Dim>::Engine::fastestPoint() const {
+    int fastest = -1;
+    double most = -1;
+    Points<Dim> positions, velocities;
+    const auto look = [&](double t, Side side) {
+        m_constraints->evaluate(m_ids, state.anchors, t, side, positions, velocities);
+        for (std::size_t i = 0; i < m_ids.size(); ++i) {
+            const double speed = velocities.col(static_cast<Eigen::Index>(i)).norm();
+            if (!(speed > most) && std::isfinite(speed)) continue;
+            most = std::isfinite(speed) ? speed : std::numeric_limits<double>::infinity();
+            fastest = m_ids[i];
+        }
+    };
+    look(state.time, Side::After);
+    if (m_failure.time > state.time) look(m_failure.time, Side::Before);
+    return fastest;
+}
+
+/// The constrained point next to a place (normalized) among those of handles that move, or of all if none
+/// does; −1 without any.
+template <int Dim>
+int Deformer<Dim>::Engine::nearestPoint(const Vec<Dim>& place) const {
+    const bool any = m_constraints->moving(state.time, Side::After);
+    int nearest = -1;
+    double least = std::numeric_limits<double>::infinity();
+    for (const int id : m_ids) {
+        const ConstrainedPoint& point = m_constraints->points()[id];
+        if (any && m_constraints->timeline(point.handle).motionAt(state.time, Side::After) < 0) continue;
+        const double distance = (point.template in<Dim>(state.normalized) - place).norm();
+        if (nearest >= 0 && !(distance < least)) continue;
+        least = distance;
+        nearest = id;
+    }
+    return nearest;
+}
+
+template <int Dim>
+AdvanceResult Deformer<Dim>::Engine::stopped() const {
+    AdvanceResult result{Outcome::Cancelled, state.time, -1, {}};
+    std::ostringstream message;
+    message.imbue(std::locale::classic());
+    message << "at time " << state.time << ' ';
+    if (m_failure.cancelled) {
+        result.message = message.str() + "cancelled";
+        return result;
+    }
+    const StopReason reason = m_failure.stepTooSmall ? StopReason::StepTooSmall : reasonOf(m_failure.outcome);
+    int point = -1, cell = m_failure.outcome.cell;
+    Vec<Dim> place;
+    if (reason == StopReason::CellInverted || reason == StopReason::Indefinite) {
+        if (reason == StopReason::Indefinite) cell = m_orientation.mostShrunk(state.normalized);
+        place = centroid<Dim>(state.points, m_rest->cells[cell]);
+        point = nearestPoint(centroid<Dim>(state.normalized, m_rest->cells[cell]));
+    } else {
+        point = fastestPoint();
+        place = point < 0 ? centroid<Dim>(state.points, m_rest->cells.front())
+                          : m_constraints->points()[point].template in<Dim>(state.points);
+    }
+    result.outcome = reason == StopReason::CellInverted   ? Outcome::CellInverted
+                     : reason == StopReason::StepTooSmall ? Outcome::StepTooSmall
+                                                          : Outcome::SolverFailed;
+    if (reason == StopReason::CellInverted) result.cell = cell;
+    const std::string handle =
+        point < 0 ? "the shape" : m_constraints->handleName(m_constraints->points()[point].handle);
+    const bool settles = m_settling.rate(state.time, Side::After) > 0;
+    if (reason == StopReason::StepTooSmall && settles)
+        result.message = message.str() + "the shape is too stiff to settle further near " +
+                         describe<Dim>(place) + ": the steps would be too short; allow a larger tolerance";
+    else
+        result.message =
+            message.str() + handle + " cannot go on: " + stopMessage(reason, describe<Dim>(place), cell);
+    return result;
+}
+
+template int Deformer<2>::Engine::fastestPoint() const;
+template int Deformer<2>::Engine::nearestPoint(const Vec<2>&) const;
+template AdvanceResult Deformer<2>::Engine::stopped() const;
+template int Deformer<3>::Engine::fastestPoint() const;
+template int Deformer<3>::Engine::nearestPoint(const Vec<3>&) const;
+template AdvanceResult Deformer<3>::Engine::stopped() const;
+
+}  // namespace wend

@@ -1,0 +1,36 @@
+#include "core/integration/stop_message.h"
+
+namespace wend {
+
+StopReason reasonOf(const SolveOutcome& outcome) {
+    switch (outcome.kind) {
+        case SolveOutcome::Kind::CellInverted:
+            return StopReason::CellInverted;
+        case SolveOutcome::Kind::NotPositiveDefinite:
+            return StopReason::Indefinite;
+        default:
+            return StopReason::NotFinite;
+    }
+}
+
+std::string stopMessage(StopReason reason, const std::string& place, int cell) {
+    switch (reason) {
+        case StopReason::CellInverted:
+            return "the shape would fold over near " + place + ", in cell " + std::to_string(cell) +
+                   "; let it go less far or another way, or free what holds the shape there";
+        case StopReason::StepTooSmall:
+            return "it is too fast near " + place +
+                   ", the steps would be too short; give its motion more time, or allow a larger tolerance";
+        case StopReason::Indefinite:
+            return "the shape near " + place +
+                   " is so much stretched or squeezed that no velocity can be computed; let it go less far, "
+                   "or "
+                   "make the material or the mesh more even there";
+        case StopReason::NotFinite:
+            return "it is so fast near " + place +
+                   " that numbers overflow; let it go less far, or give its motion more time";
+    }
+    return {};
+}
+
+}  // namespace wend

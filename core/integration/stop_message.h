@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "core/solver/velocity_solver.h"
+
+namespace wend {
+
+/// Why a motion cannot go on.
+enum class StopReason { CellInverted, StepTooSmall, Indefinite, NotFinite };
+StopReason reasonOf(const SolveOutcome& outcome);
+
+/// Why a handle, "it", cannot go on, in the words of a user: what is wrong, where, and what helps. `place` is
+/// a point of the domain as it is printed; the cell counts for CellInverted alone.
+std::string stopMessage(StopReason reason, const std::string& place, int cell);
+
+}  // namespace wend

@@ -1,0 +1,109 @@
+#include "core/mesh/temporary_folder.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <utility>
+
+#include "core/mesh/error.h"
+
+namespace wend {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* kName = ".wend-XXXXXX";
+constexpr const char* kLock = "lock";
+
+bool hasOurName(const fs::path& folder) {
+    const std::string name = folder.filename().string();
+    return name.starts_with(".wend-") && name.size() == std::strlen(kName);
+}
+
+bool isOurs(const fs::path& folder) {
+    struct stat status {};
+    return hasOurName(folder) && lstat(folder.c_str(), &status) == 0 && S_ISDIR(status.st_mode) &&
+           status.st_uid == geteuid();
+}
+
+/// An empty folder is one that is just being made, or one whose maker did not come further: the former makes
+/// another. Whoever gets the lock of a folder has outlived its maker.
+void removeIfAbandoned(const fs::path& folder) {
+    const int lock = open((folder / kLock).c_str(), O_RDWR | O_NOFOLLOW | O_CLOEXEC);
+    if (lock < 0) {
+        rmdir(folder.c_str());
+        return;
+    }
+    std::error_code error;
+    if (flock(lock, LOCK_EX | LOCK_NB) == 0) fs::remove_all(folder, error);
+    close(lock);
+}
+
+void removeAbandoned(const std::string& parent) {
+    std::error_code error;
+    fs::directory_iterator entry(parent, error), end;
+    while (!error && entry != end) {
+        const fs::path path = entry->path();
+        entry.increment(error);
+        if (isOurs(path)) removeIfAbandoned(path);
+    }
+}
+
+}  // namespace
+
+TemporaryFolder::TemporaryFolder(std::string parent) : m_parent(std::move(parent)) {
+    removeAbandoned(m_parent);
+    constexpr int kAttempts = 100;  // others may take the folder for abandoned before it is locked
+    for (int k = 0; k < kAttempts; ++k)
+        if (tryToMake()) return;
+    throw InputError(m_parent, "no temporary folder can be made there");
+}
+
+/// Where a file system has no locks, the folder has none.
+bool TemporaryFolder::tryToMake() {
+    const auto fail = [this](const char* what, int reason) {
+        throw InputError(m_parent, std::string(what) + " can be made there: " + std::strerror(reason));
+    };
+    m_path = (fs::path(m_parent) / kName).string();
+    if (mkdtemp(m_path.data()) == nullptr) fail("no temporary folder", errno);
+    m_lock = open((fs::path(m_path) / kLock).c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+    const int reason = errno;
+    const bool taken = m_lock >= 0 && flock(m_lock, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+    struct stat status {};
+    if (m_lock >= 0 && !taken && fstat(m_lock, &status) == 0 && status.st_nlink > 0) return true;
+    if (m_lock >= 0) close(m_lock);
+    rmdir(m_path.c_str());
+    if (m_lock < 0 && reason != ENOENT) fail("no temporary file", reason);
+    return false;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+    std::error_code error;
+    fs::remove_all(m_path, error);
+    close(m_lock);
+}
+
+std::string TemporaryFolder::newName(const std::string& extension) {
+    return (fs::path(m_path) / (std::to_string(m_count++) + extension)).string();
+}
+
+bool isTemporary(const std::string& file) {
+    return hasOurName(fs::path(file).parent_path());
+}
+
+std::string scratchFolder() {
+    std::error_code error;
+    const fs::path folder = fs::temp_directory_path(error);
+    if (!error) return folder.string();
+    const char* named = std::getenv("TMPDIR");
+    throw InputError("the folder for temporary files, " + std::string(named != nullptr ? named : "/tmp") +
+                     ", does not exist (it is named by the environment variable TMPDIR)");
+}
+
+}  // namespace wend
