@@ -29,9 +29,9 @@ View smaller(const View& view, const QSize& room) {
 QImage picturePreview(const FrameExport& shape, const ScreenPicture& picture, const PreviewRequest& request,
                       std::stop_token stop) {
     WarpOptions options = shape.warpOptions(request.options);
-    options.restMargin = 0;  // of the picture in its own size
     options.stop = std::move(stop);
     const View view = smaller(shape.view(request.kind, request.options.canvas), request.room);
+    if (view.scale != 1) options.restMargin = 0;  // in pixels of the picture in its own size
     QImage warped = picture.warped(shape.restInPixels(), shape.poseInPixels(), view, options);
     if (holdsAlpha("picture" + request.extension)) return warped;
     QImage opaque(warped.size(), QImage::Format_RGB32);
