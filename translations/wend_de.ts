@@ -134,6 +134,37 @@
     </message>
 </context>
 <context>
+    <name>HoldTool</name>
+    <message>
+        <source>Draw around the part to hold; Shift adds to the selected part, Ctrl takes away</source>
+        <translation>Um den Teil zeichnen, der gehalten werden soll; Umschalt fügt zum gewählten Teil hinzu, Strg nimmt weg</translation>
+    </message>
+    <message>
+        <source>Brush over the part to hold, [ and ] change the size; Shift adds, Ctrl takes away</source>
+        <translation>Über den Teil streichen, der gehalten werden soll; [ und ] ändern die Größe; Umschalt fügt hinzu, Strg nimmt weg</translation>
+    </message>
+    <message>
+        <source>Draw a rectangle over the part to hold; Shift adds to the selected part, Ctrl takes away</source>
+        <translation>Ein Rechteck über den Teil ziehen, der gehalten werden soll; Umschalt fügt zum gewählten Teil hinzu, Strg nimmt weg</translation>
+    </message>
+    <message>
+        <source>There is nothing of the shape in this outline.</source>
+        <translation>In diesem Umriss liegt nichts von der Form.</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>%1 ändern</translation>
+    </message>
+    <message>
+        <source>Select one part to take away from.</source>
+        <translation>Einen Teil auswählen, von dem etwas weggenommen werden soll.</translation>
+    </message>
+</context>
+<context>
     <name>Measure</name>
     <message>
         <source>Angle</source>
@@ -221,10 +252,6 @@
         <translation>Pin ziehen; Esc setzt die Form zurück</translation>
     </message>
     <message>
-        <source>Drag to move the pin, Shift-click to select more, Delete to remove</source>
-        <translation>Ziehen bewegt den Pin, Umschalt-Klick wählt weitere, Entf entfernt ihn</translation>
-    </message>
-    <message>
         <source>Click on the shape to set a pin, then drag pins to bend it</source>
         <translation>Auf die Form klicken, um einen Pin zu setzen, dann Pins ziehen, um sie zu biegen</translation>
     </message>
@@ -235,6 +262,22 @@
     <message>
         <source>%1: does not hold now</source>
         <translation>%1: hält jetzt nicht</translation>
+    </message>
+    <message>
+        <source>Drag as far as the pin shall hold; Esc gives it up</source>
+        <translation>So weit ziehen, wie der Pin halten soll; Esc gibt es auf</translation>
+    </message>
+    <message>
+        <source>Drag the dot to rotate, Shift by 15°, or the square to scale; digits set the number</source>
+        <translation>Den Punkt ziehen dreht, mit Umschalt um je 15°, das Quadrat skaliert; Ziffern setzen die Zahl</translation>
+    </message>
+    <message>
+        <source>Drag to move the pin, Alt-drag to widen it, Shift-click to select more, Delete to remove</source>
+        <translation>Ziehen bewegt den Pin, mit Alt weitet es ihn, Umschalt-Klick wählt weitere, Entf entfernt ihn</translation>
+    </message>
+    <message>
+        <source>A point cannot rotate – Alt-drag to widen it</source>
+        <translation>Ein Punkt kann sich nicht drehen – mit Alt ziehen weitet ihn</translation>
     </message>
 </context>
 <context>
@@ -578,10 +621,6 @@
         <translation>Am Ende von vorn beginnen</translation>
     </message>
     <message>
-        <source>L</source>
-        <translation>L</translation>
-    </message>
-    <message>
         <source>To the &amp;Start</source>
         <translation>Zum &amp;Anfang</translation>
     </message>
@@ -592,10 +631,6 @@
     <message>
         <source>To the &amp;End</source>
         <translation>Zum &amp;Ende</translation>
-    </message>
-    <message>
-        <source>Show the end of the motion, where dragging goes on</source>
-        <translation>Das Ende der Bewegung zeigen, wo das Ziehen weitergeht</translation>
     </message>
     <message>
         <source>&amp;Keys and Mouse</source>
@@ -680,6 +715,24 @@
     <message>
         <source>Let the shape relax towards its rest at the end, with the pins where they are</source>
         <translation>Die Form am Ende zur Ruhe hin entspannen, mit den Pins, wo sie sind</translation>
+    </message>
+    <message>
+        <source>Shift+L</source>
+        <translation>Shift+L</translation>
+    </message>
+    <message>
+        <source>Show the end of the motion</source>
+        <translation>Das Ende der Bewegung zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>wend::ContextMenu</name>
+    <message numerus="yes">
+        <source>%n pins</source>
+        <translation>
+            <numerusform>%n Pin</numerusform>
+            <numerusform>%n Pins</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -842,6 +895,14 @@
     <message>
         <source>Change curve</source>
         <translation>Kurve ändern</translation>
+    </message>
+    <message>
+        <source>A point cannot rotate or grow – Alt-drag the pin to widen it.</source>
+        <translation>Ein Punkt kann sich nicht drehen oder wachsen – mit Alt am Pin ziehen weitet ihn.</translation>
+    </message>
+    <message>
+        <source>A point cannot rotate or grow: hold more vertices.</source>
+        <translation>Ein Punkt kann sich nicht drehen oder wachsen: mehr Punkte greifen.</translation>
     </message>
 </context>
 <context>
@@ -1394,10 +1455,6 @@
         <translation>Tasten und Maus</translation>
     </message>
     <message>
-        <source>&lt;table cellspacing=&apos;6&apos;&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Click&lt;/b&gt;&lt;/td&gt;&lt;td&gt;sets a pin&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Drag a pin&lt;/b&gt;&lt;/td&gt;&lt;td&gt;moves it; Esc puts it back&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Shift-click&lt;/b&gt;&lt;/td&gt;&lt;td&gt;selects several pins&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Drag beside pins&lt;/b&gt;&lt;/td&gt;&lt;td&gt;selects by rectangle&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Arrow keys&lt;/b&gt;&lt;/td&gt;&lt;td&gt;nudge by a pixel, with Shift by ten&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Delete&lt;/b&gt;&lt;/td&gt;&lt;td&gt;removes the selected pins&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Wheel&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zooms to the pointer&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Space or middle button&lt;/b&gt;&lt;/td&gt;&lt;td&gt;pans&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Hold H&lt;/b&gt;&lt;/td&gt;&lt;td&gt;shows the bare picture&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</source>
-        <translation>&lt;table cellspacing=&apos;6&apos;&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Klick&lt;/b&gt;&lt;/td&gt;&lt;td&gt;setzt einen Pin&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Pin ziehen&lt;/b&gt;&lt;/td&gt;&lt;td&gt;bewegt ihn; Esc setzt ihn zurück&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Umschalt-Klick&lt;/b&gt;&lt;/td&gt;&lt;td&gt;wählt mehrere Pins&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Neben Pins ziehen&lt;/b&gt;&lt;/td&gt;&lt;td&gt;wählt mit einem Rechteck&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Pfeiltasten&lt;/b&gt;&lt;/td&gt;&lt;td&gt;rücken um ein Pixel, mit Umschalt um zehn&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Entf&lt;/b&gt;&lt;/td&gt;&lt;td&gt;entfernt die ausgewählten Pins&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Rad&lt;/b&gt;&lt;/td&gt;&lt;td&gt;vergrößert am Zeiger&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Leertaste oder mittlere Taste&lt;/b&gt;&lt;/td&gt;&lt;td&gt;verschiebt&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;H halten&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zeigt das bloße Bild&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</translation>
-    </message>
-    <message>
         <source>About Wend</source>
         <translation>Über Wend</translation>
     </message>
@@ -1408,6 +1465,10 @@
     <message>
         <source>More</source>
         <translation>Mehr</translation>
+    </message>
+    <message>
+        <source>&lt;table cellspacing=&apos;6&apos;&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Click&lt;/b&gt;&lt;/td&gt;&lt;td&gt;sets a pin&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Drag a pin&lt;/b&gt;&lt;/td&gt;&lt;td&gt;moves it; Esc puts it back&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Alt-drag a pin&lt;/b&gt;&lt;/td&gt;&lt;td&gt;widens it to a circle&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Drag the ring&apos;s dot or square&lt;/b&gt;&lt;/td&gt;&lt;td&gt;rotates or scales; digits set the number, Shift snaps to 15°&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Shift-click&lt;/b&gt;&lt;/td&gt;&lt;td&gt;selects several pins&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Drag beside pins&lt;/b&gt;&lt;/td&gt;&lt;td&gt;selects by rectangle&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Arrow keys&lt;/b&gt;&lt;/td&gt;&lt;td&gt;nudge by a pixel, with Shift by ten&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Delete&lt;/b&gt;&lt;/td&gt;&lt;td&gt;removes the selected pins&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Shift+B, L, U&lt;/b&gt;&lt;/td&gt;&lt;td&gt;hold a part by rectangle, lasso, brush&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Wheel&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zooms to the pointer&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Space or middle button&lt;/b&gt;&lt;/td&gt;&lt;td&gt;pans&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Hold H&lt;/b&gt;&lt;/td&gt;&lt;td&gt;shows the bare picture&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</source>
+        <translation>&lt;table cellspacing=&apos;6&apos;&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Klick&lt;/b&gt;&lt;/td&gt;&lt;td&gt;setzt einen Pin&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Pin ziehen&lt;/b&gt;&lt;/td&gt;&lt;td&gt;bewegt ihn; Esc setzt ihn zurück&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Pin mit Alt ziehen&lt;/b&gt;&lt;/td&gt;&lt;td&gt;weitet ihn zu einem Kreis&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Punkt oder Quadrat des Rings ziehen&lt;/b&gt;&lt;/td&gt;&lt;td&gt;dreht oder skaliert; Ziffern setzen die Zahl, Umschalt rastet bei 15° ein&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Umschalt-Klick&lt;/b&gt;&lt;/td&gt;&lt;td&gt;wählt mehrere Pins&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Neben Pins ziehen&lt;/b&gt;&lt;/td&gt;&lt;td&gt;wählt mit einem Rechteck&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Pfeiltasten&lt;/b&gt;&lt;/td&gt;&lt;td&gt;rücken um ein Pixel, mit Umschalt um zehn&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Entf&lt;/b&gt;&lt;/td&gt;&lt;td&gt;entfernt die gewählten Pins&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Umschalt+B, L, U&lt;/b&gt;&lt;/td&gt;&lt;td&gt;greifen einen Teil mit Rechteck, Lasso, Pinsel&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Mausrad&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zoomt zum Zeiger&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Leertaste oder mittlere Taste&lt;/b&gt;&lt;/td&gt;&lt;td&gt;verschiebt&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;H halten&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zeigt das bloße Bild&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</translation>
     </message>
 </context>
 <context>
@@ -2000,6 +2061,25 @@
     </message>
 </context>
 <context>
+    <name>wend::PinList</name>
+    <message>
+        <source>Pins</source>
+        <translation>Pins</translation>
+    </message>
+    <message>
+        <source>Choose pins here; F2 renames, Delete removes, Enter goes to the picture, where the arrow keys move them.</source>
+        <translation>Hier Pins auswählen; F2 benennt um, Entf entfernt, Eingabe geht zum Bild, wo die Pfeiltasten sie bewegen.</translation>
+    </message>
+    <message>
+        <source>Does not hold at the time that is shown.</source>
+        <translation>Hält zur gezeigten Zeit nicht.</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+</context>
+<context>
     <name>wend::RegionNumbers</name>
     <message>
         <source>Numbers of the region</source>
@@ -2156,10 +2236,6 @@
         <translation>Kein Pin: Diese Stelle liegt außerhalb der Form.</translation>
     </message>
     <message>
-        <source>%1 does not hold the shape at the end any more.</source>
-        <translation>%1 hält die Form am Ende nicht mehr.</translation>
-    </message>
-    <message>
         <source>Make a curve</source>
         <translation>Kurve machen</translation>
     </message>
@@ -2182,6 +2258,22 @@
     <message>
         <source>Settle</source>
         <translation>Entspannen</translation>
+    </message>
+    <message>
+        <source>This circle is smaller than the mesh: drag further, or set more vertices.</source>
+        <translation>Dieser Kreis ist kleiner als das Netz: weiter ziehen oder mehr Punkte einstellen.</translation>
+    </message>
+    <message>
+        <source>Widen %1</source>
+        <translation>%1 weiten</translation>
+    </message>
+    <message>
+        <source>%1 does not hold the shape at the time that is shown.</source>
+        <translation>%1 hält die Form zur gezeigten Zeit nicht.</translation>
+    </message>
+    <message>
+        <source>What came after is replaced by this; Undo brings it back.</source>
+        <translation>Was danach kam, ist hierdurch ersetzt; Rückgängig bringt es zurück.</translation>
     </message>
 </context>
 <context>
@@ -2302,10 +2394,6 @@
         <translation>Mit &amp;Rechteck halten</translation>
     </message>
     <message>
-        <source>Take hold of all vertices in a rectangle as one handle</source>
-        <translation>Alle Punkte in einem Rechteck als einen Griff halten</translation>
-    </message>
-    <message>
         <source>B</source>
         <translation>B</translation>
     </message>
@@ -2314,20 +2402,12 @@
         <translation>Mit &amp;Lasso halten</translation>
     </message>
     <message>
-        <source>Take hold of all vertices in a drawn outline as one handle</source>
-        <translation>Alle Punkte in einem gezogenen Umriss als einen Griff halten</translation>
-    </message>
-    <message>
         <source>O</source>
         <translation>O</translation>
     </message>
     <message>
         <source>Hold by &amp;Brush</source>
         <translation>Mit &amp;Pinsel halten</translation>
-    </message>
-    <message>
-        <source>Take hold of the vertices that are brushed over as one handle</source>
-        <translation>Die überpinselten Punkte als einen Griff halten</translation>
     </message>
     <message>
         <source>U</source>
@@ -2701,6 +2781,22 @@
         <source>The mesh comes from a file and is used as it is.</source>
         <translation>Das Netz kommt aus einer Datei und wird verwendet, wie es ist.</translation>
     </message>
+    <message>
+        <source>Take hold of all that lies in a rectangle as one handle</source>
+        <translation>Alles in einem Rechteck als einen Griff nehmen</translation>
+    </message>
+    <message>
+        <source>Take hold of all that lies in a drawn outline as one handle</source>
+        <translation>Alles in einem gezeichneten Umriss als einen Griff nehmen</translation>
+    </message>
+    <message>
+        <source>Take hold of what is brushed over as one handle</source>
+        <translation>Was überstrichen wird, als einen Griff nehmen</translation>
+    </message>
+    <message>
+        <source>L</source>
+        <translation>L</translation>
+    </message>
 </context>
 <context>
     <name>wend::SolidCanvas</name>
@@ -2948,12 +3044,28 @@
         <translation>Noch bewegt sich nichts: einen Pin ziehen.</translation>
     </message>
     <message>
-        <source>%1 / %2</source>
-        <translation>%1 / %2</translation>
-    </message>
-    <message>
         <source>No motion yet</source>
         <translation>Noch keine Bewegung</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>How long the film is. The poses stay as they are, however fast it goes.</source>
+        <translation>Wie lang der Film ist. Die Posen bleiben, wie sie sind, so schnell er auch läuft.</translation>
+    </message>
+    <message>
+        <source>Change length</source>
+        <translation>Länge ändern</translation>
+    </message>
+    <message>
+        <source>%1 /</source>
+        <translation>%1 /</translation>
     </message>
 </context>
 <context>

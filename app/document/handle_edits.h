@@ -13,22 +13,22 @@ namespace wend {
 
 template <int Dim>
 bool hasMotion(const Design<Dim>& design);
-/// When the next gesture begins: the end of the project once something moves, 0 before.
+/// True if some handle moves after a time.
+template <int Dim>
+bool movesAfter(const Design<Dim>& design, double time);
+/// When the motion is over: the length of the film once something moves, 0 before.
 double motionEnd(const Project& project);
 /// True if the handle holds the shape at time t; one that ends at t is gone.
 template <int Dim>
 bool isActive(const Handle<Dim>& handle, double t);
-/// True if both take hold of the same points.
-template <int Dim>
-bool samePlace(const Handle<Dim>& a, const Handle<Dim>& b);
 /// "Pin 1", "Pin 2" …: the first that no handle has.
 template <int Dim>
 std::string freePinName(const Design<Dim>& design, const std::string& kind = "Pin");
 
-/// A handle that holds from the start, or from the end of the motion if there is one.
+/// A handle that holds from a time on; from the start if nothing has moved by then.
 template <int Dim>
-Project withHandle(const Project& project, Placement<Dim> at, const std::string& name);
-/// A handle of one point of the rest shape.
+Project withHandle(const Project& project, Placement<Dim> at, const std::string& name, double time = 0);
+/// A handle of one point of the rest shape that holds at the end.
 template <int Dim = 2>
 Project withPin(const Project& project, const Vec<Dim>& rest, const std::string& name);
 /// Another name, or other points to hold.
@@ -36,32 +36,36 @@ template <int Dim>
 Project withHandlePlace(const Project& project, int handle, Placement<Dim> at);
 Project withHandleName(const Project& project, int handle, const std::string& name);
 
-/// Handles that go away together: removed as if never there while nothing has moved (or if they never acted),
-/// else let go of at the end; those that were let go of before, as if never there.
-Project withoutHandles(const Project& project, const std::vector<int>& handles);
+/// Handles that go away at a time: let go of then, or removed as if never there if they did not act before
+/// (or were let go of already).
+Project withoutHandles(const Project& project, const std::vector<int>& handles, double time);
 
-/// A drag of several handles along one path of offsets, the first zero: a Recorded motion at constant speed
-/// in a new window of length 1 at the end. `starts` is where each handle is at the gesture's start.
+/// What is made of a gesture: handles go along a path of amounts, the first zero.
+struct Gesture {
+    std::vector<int> handles;
+    Grip grip = {};
+    std::vector<Amount> path;
+    double from = 0;  // when it begins, by the clock of the project that it changes
+    double arm = 1;   // in the domain's units: where turning and growing count as a way
+};
+/// A gesture goes on from a time of the motion and replaces what came after. The film keeps its length: the
+/// gesture takes its place at the end, and what lies before moves together, each in proportion to its way.
+/// No pose on the way changes. It becomes a Recorded motion if it moves, and one motion per piece of the way
+/// if it turns or grows. `starts` is where each handle is at its beginning.
+template <int Dim>
+Project withGesture(const Project& project, const Gesture& gesture, const std::vector<Vec<Dim>>& starts);
+/// A move at the end of the motion, by offsets of which the first is zero.
 template <int Dim = 2>
 Project withStroke(const Project& project, const std::vector<int>& handles,
                    const std::vector<Vec<Dim>>& starts, const std::vector<Vec<Dim>>& offsets);
-/// Puts another offset at the end of the last motion of the handles, which withStroke() made.
+/// Puts another offset at the end of the last motion of the handles, which was a move.
 template <int Dim = 2>
-Project withLongerStroke(const Project& project, const std::vector<int>& handles, const Vec<Dim>& step);
-/// A gesture of any kind along a path of amounts, the first zero: a stroke if it moves; one motion per piece
-/// of the way if it turns or grows, all in a new window of length 1.
-template <int Dim>
-Project withGesture(const Project& project, const std::vector<int>& handles,
-                    const std::vector<Vec<Dim>>& starts, const Grip& grip, const std::vector<Amount>& path);
+Project withLongerStroke(const Project& project, const std::vector<int>& handles, const Vec<Dim>& step,
+                         double arm = 1);
 
 /// The points that are needed for a polyline within `tolerance` of the given one (Douglas and Peucker); ends
 /// are kept, neighbours that coincide are merged.
 template <int Dim>
 std::vector<Vec<Dim>> simplified(const std::vector<Vec<Dim>>& path, double tolerance);
-
-/// The first time from which two lists of handles prescribe something different; infinity if never. −infinity
-/// if the rest shape's constraints themselves differ.
-template <int Dim>
-double firstDifference(const std::vector<Handle<Dim>>& a, const std::vector<Handle<Dim>>& b);
 
 }  // namespace wend

@@ -2,6 +2,7 @@
 
 #include <QComboBox>
 #include <QPushButton>
+#include <algorithm>
 #include <numbers>
 
 #include "app/document/curve_edits.h"
@@ -76,6 +77,28 @@ void CurvePanel::arrange(bool titled) {
     curve->addLayout(panelRow(tr("S&cale"), m_scale, m_curve));
 }
 
+/// True if the handle has more than a point: only then something can be seen to rotate or grow.
+bool CurvePanel::holdsPart() const {
+    const auto many = [this](const auto& views) {
+        return std::any_of(views.begin(), views.end(), [this](const auto& view) {
+            return view.handle == single() && view.points.size() > 1;
+        });
+    };
+    return many(m_session.pins<2>()) || many(m_session.pins<3>()) || many(m_session.ghosts<2>()) ||
+           many(m_session.ghosts<3>());
+}
+
+/// What is switched off says why first.
+void CurvePanel::allowTurning(bool allow) {
+    const QString why = m_dimension == 2 ? tr("A point cannot rotate or grow – Alt-drag the pin to widen it.")
+                                         : tr("A point cannot rotate or grow: hold more vertices.");
+    for (QWidget* control :
+         {static_cast<QWidget*>(m_frame), static_cast<QWidget*>(m_twist), static_cast<QWidget*>(m_scale)}) {
+        control->setEnabled(allow);
+        control->setToolTip(allow ? control->statusTip() : why + '\n' + control->statusTip());
+    }
+}
+
 int CurvePanel::single() const {
     return m_session.document().dimension() == m_dimension ? m_session.singleHandle() : -1;
 }
@@ -114,6 +137,7 @@ void CurvePanel::show() {
     m_curve->setVisible(curve);
     m_make->setVisible(canMake);
     if (!curve) return;
+    allowTurning(holdsPart());
     m_frame->setCurrentIndex(static_cast<int>(curve->frame));
     m_twist->put(curve->twist * kDegrees);
     m_scale->put(curve->scale);

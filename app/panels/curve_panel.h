@@ -30,6 +30,8 @@ class CurvePanel : public QWidget {
     template <int Dim>
     void changeOf();
     int single() const;
+    bool holdsPart() const;
+    void allowTurning(bool allow);
 
     ShapeSession& m_session;
     int m_dimension;

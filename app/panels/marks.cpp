@@ -1,52 +1,102 @@
 #include "app/panels/marks.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "app/session/accent.h"
 
 namespace wend {
 
-void Marks::line(const QPolygonF& line, const QColor& colour, double width, Qt::PenStyle style) {
-    QPen halo(QColor(255, 255, 255, 170), width + 2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
+QColor pinColour(int handle) {
+    static const std::array<QColor, 8> kColours = {QColor(0x2e77ae), QColor(0xd9822b), QColor(0x0b7a5b),
+                                                   QColor(0xb3261e), QColor(0x7a4fb5), QColor(0x8a5a00),
+                                                   QColor(0x12a594), QColor(0x54267f)};
+    return kColours[static_cast<std::size_t>(std::max(handle, 0)) % kColours.size()];
+}
+
+/// Light with a dark rim: to be seen on any ground.
+void Marks::halo(const QPolygonF& line, double width) {
     m_painter.setBrush(Qt::NoBrush);
-    m_painter.setPen(halo);
-    m_painter.drawPolyline(line);
+    for (const QPen& pen : {QPen(QColor(kInk.red(), kInk.green(), kInk.blue(), 89), width + 3),
+                            QPen(QColor(255, 255, 255, 217), width + 2)}) {
+        QPen round = pen;
+        round.setCapStyle(Qt::RoundCap);
+        round.setJoinStyle(Qt::RoundJoin);
+        m_painter.setPen(round);
+        m_painter.drawPolyline(line);
+    }
+}
+
+void Marks::line(const QPolygonF& line, const QColor& colour, double width, Qt::PenStyle style) {
+    halo(line, width);
     QPen pen(colour, width, style, Qt::FlatCap, Qt::RoundJoin);
-    if (style == Qt::CustomDashLine) pen.setDashPattern({5, 3});
+    if (style == Qt::CustomDashLine) pen.setDashPattern({4, 3});
     m_painter.setPen(pen);
     m_painter.drawPolyline(line);
 }
 
-void Marks::path(const QPolygonF& line, const std::vector<double>& times, bool selected, double now) {
+void Marks::path(const QPolygonF& line, const std::vector<double>& times, bool selected, double now,
+                 bool hovered) {
     QColor colour = selected ? QColor(kAccent) : kInk;
-    if (!selected) colour.setAlpha(150);
-    this->line(line, colour, selected ? 2 : 1.25, Qt::CustomDashLine);
-    m_painter.setPen(QPen(colour, 1));
-    const double r = selected ? 2.8 : 2.2;
-    double nextTick = std::ceil(times.front() * 10) / 10;
+    if (!selected) colour.setAlpha(153);
+    const double width = selected || hovered ? 2 : 1.25;
+    QPolygonF gone, coming;
     for (int i = 0; i < line.size(); ++i) {
-        if (times[i] < nextTick - 1e-9) continue;
-        nextTick += 0.1;
-        m_painter.setBrush(times[i] > now + 1e-9 ? QColor(Qt::white) : colour);
+        if (times[i] <= now + 1e-9) gone << line[i];
+        if (times[i] > now + 1e-9 || i + 1 == line.size() || times[i + 1] > now + 1e-9) coming << line[i];
+    }
+    halo(line, width);
+    QPen pen(colour, width, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin);
+    m_painter.setPen(pen);
+    m_painter.drawPolyline(gone);
+    pen.setDashPattern({5, 4});
+    m_painter.setPen(pen);
+    m_painter.drawPolyline(coming);
+    m_painter.setPen(QPen(QColor(255, 255, 255, 217), 1));
+    m_painter.setBrush(colour);
+    double next = std::ceil(times.front() * 10 - 1e-6);
+    for (int i = 0; i < line.size(); ++i) {
+        if (times[i] * 10 < next - 1e-6) continue;
+        const bool second = std::abs(std::remainder(next, 10.0)) < 0.5;
+        const double r = (selected ? 2.4 : 1.8) + (second ? 1.4 : 0);
         m_painter.drawEllipse(line[i], r, r);
+        next = std::floor(times[i] * 10 + 1e-6) + 1;
     }
 }
 
-void Marks::pin(const QPointF& at, bool selected, bool hovered, bool square) {
-    const double r = kPinRadius + (hovered ? 1.5 : 0);
+void Marks::pin(const QPointF& at, const Pin& look) {
+    const double r = look.hovered ? 8 : kPinRadius;
+    const QColor accent(kAccent);
+    const auto disc = [&](double radius) {
+        if (look.region)
+            m_painter.drawRoundedRect(QRectF(at.x() - radius, at.y() - radius, 2 * radius, 2 * radius), 3, 3);
+        else
+            m_painter.drawEllipse(at, radius, radius);
+    };
     m_painter.setPen(Qt::NoPen);
     m_painter.setBrush(QColor(0, 0, 0, 60));
     m_painter.drawEllipse(at + QPointF(0, 1), r + 2, r + 2);
+    if (look.selected) {
+        m_painter.setBrush(Qt::white);
+        disc(r + 5);
+        m_painter.setBrush(accent);
+        disc(r + 4);
+        m_painter.setBrush(Qt::white);
+        disc(r + 2);
+    }
     m_painter.setBrush(kInk);
-    m_painter.drawEllipse(at, r + 1, r + 1);
-    m_painter.setBrush(Qt::white);
-    m_painter.drawEllipse(at, r, r);
-    m_painter.setBrush(selected ? QColor(kAccent) : QColor(0x3a3d47));
-    const double inner = selected ? r - 2.2 : r - 3.6;
-    if (square)
-        m_painter.drawRoundedRect(QRectF(at.x() - inner, at.y() - inner, 2 * inner, 2 * inner), 1, 1);
-    else
-        m_painter.drawEllipse(at, inner, inner);
+    disc(r + 1);
+    m_painter.setBrush(look.moves ? QColor(Qt::white) : kInk);
+    disc(r);
+    if (!look.moves) {
+        m_painter.setPen(QPen(Qt::white, 1));
+        m_painter.setBrush(Qt::NoBrush);
+        disc(r);
+        m_painter.setPen(Qt::NoPen);
+    }
+    m_painter.setBrush(!look.moves ? QColor(Qt::white) : look.selected ? accent : look.colour);
+    m_painter.drawEllipse(at, 3, 3);
 }
 
 void Marks::name(const QPointF& at, const QString& text) {

@@ -8,6 +8,9 @@ namespace wend {
 inline constexpr double kPinRadius = 6.5;
 inline const QColor kInk(20, 22, 30);
 
+/// By which a pin is known in the list and on the shape; told apart by lightness too.
+QColor pinColour(int handle);
+
 /// The marks that lie over pictures and solids alike, at places of the widget: light-rimmed, so that they
 /// show on any ground.
 class Marks {
@@ -15,15 +18,24 @@ class Marks {
     explicit Marks(QPainter& painter) : m_painter(painter) {}
 
     void line(const QPolygonF& line, const QColor& colour, double width, Qt::PenStyle style);
-    /// The way of a handle, with ticks at equal steps of time: filled where the shape has been already.
-    void path(const QPolygonF& line, const std::vector<double>& times, bool selected, double now);
-    /// `square`: of a whole region.
-    void pin(const QPointF& at, bool selected, bool hovered, bool square);
+    /// The way of a handle, with a dot each tenth of a second, a larger one each second.
+    /// What has been gone is solid, what is to come dashed.
+    void path(const QPolygonF& line, const std::vector<double>& times, bool selected, double now,
+              bool hovered = false);
+    struct Pin {
+        bool selected = false, hovered = false;
+        bool region = false;  // a rounded square
+        bool moves = true;    // of one that only holds, the disc is dark
+        QColor colour = QColor(0x3a3d47);
+    };
+    void pin(const QPointF& at, const Pin& look);
     void name(const QPointF& at, const QString& text);
     /// A cross of hairs; of a hidden place a faint ring alone: what is seen there is something else.
     void worst(const QPointF& at, bool hidden = false);
 
   private:
+    void halo(const QPolygonF& line, double width);
+
     QPainter& m_painter;
 };
 

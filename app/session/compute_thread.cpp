@@ -56,8 +56,8 @@ void ComputeThread::requireEngine(int dimension) {
 
 ShapeEngine::Sink ComputeThread::sink() {
     ShapeEngine::Sink sink;
-    sink.shapeReady = [this](int revision, std::shared_ptr<const void> shape, double keptUpTo) {
-        emit shapeReady(revision, std::move(shape), keptUpTo);
+    sink.shapeReady = [this](int revision, std::shared_ptr<const void> shape, KeptFrames kept) {
+        emit shapeReady(revision, std::move(shape), kept);
     };
     sink.frameReady = [this](FramePtr frame) { emit frameReady(std::move(frame)); };
     sink.velocityReady = [this](FramePtr frame, VelocityPtr velocity) {

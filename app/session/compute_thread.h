@@ -20,8 +20,8 @@ class ComputeThread : public QObject {
     void post(Request request) { m_mailbox.post(std::move(request)); }
 
   signals:
-    /// Another rest mesh, or the same one again; frames after `keptUpTo` are void.
-    void shapeReady(int revision, std::shared_ptr<const void> shape, double keptUpTo);
+    /// Another rest mesh, or the same one again, with what earlier frames are worth.
+    void shapeReady(int revision, std::shared_ptr<const void> shape, wend::KeptFrames kept);
     void frameReady(wend::FramePtr frame);
     void velocityReady(wend::FramePtr frame, wend::VelocityPtr velocity);
     void progress(double time, double end);

@@ -33,6 +33,12 @@ struct ShapeFrame {
 
     virtual ~ShapeFrame() = default;
 };
+/// What frames are worth when the project has changed: their times are multiplied by the scale, and then
+/// those up to a time stay valid (−∞: none).
+struct KeptFrames {
+    double timeScale = 1;
+    double upTo = 0;
+};
 using FramePtr = std::shared_ptr<const ShapeFrame>;
 /// One column per vertex, in the domain's units per unit of time.
 using VelocityPtr = std::shared_ptr<const Eigen::MatrixXd>;

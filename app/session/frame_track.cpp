@@ -14,8 +14,11 @@ bool before(const FramePtr& frame, double time) {
 
 }  // namespace
 
-void FrameTrack::cut(double time) {
-    while (!m_frames.empty() && m_frames.back()->time > time) m_frames.pop_back();
+void FrameTrack::keep(const KeptFrames& kept) {
+    while (!m_frames.empty() && m_frames.back()->time * kept.timeScale > kept.upTo + kSameTime)
+        m_frames.pop_back();
+    if (kept.timeScale == 1) return;
+    for (FramePtr& frame : m_frames) frame = atTime(frame, frame->time * kept.timeScale);
 }
 
 void FrameTrack::add(FramePtr frame) {

@@ -10,8 +10,8 @@ namespace wend {
 class FrameTrack {
   public:
     void clear() { m_frames.clear(); }
-    /// Drops what lies after `time`.
-    void cut(double time);
+    /// Gives all another time, and drops what is void.
+    void keep(const KeptFrames& kept);
     void add(FramePtr frame);
     bool isEmpty() const { return m_frames.empty(); }
     double lastTime() const { return m_frames.empty() ? -1 : m_frames.back()->time; }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/document/handle_edits.h"
+#include "app/document/handle_comparison.h"
 #include "core/mesh/shape_size.h"
 #include "kernels/back_end_choice.h"
 

@@ -23,6 +23,7 @@ struct BeginDrag {
     int gesture = 0;   // its number: frames tell what they belong to
     int revision = 0;  // of the shape that the handles are of
     FramePtr from;     // what is seen: the drag begins there, whatever is still being computed
+    double time = 0;   // of the motion, when it begins
 };
 struct DragTo {
     Amount amount = Amount::Zero();  // from where the drag began

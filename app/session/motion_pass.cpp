@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "app/document/handle_comparison.h"
 #include "app/document/handle_edits.h"
 #include "core/mesh/shape_size.h"
 #include "kernels/back_end_choice.h"
@@ -42,29 +43,68 @@ void MotionPass<Dim>::clear() {
     m_cache.clear();
     m_result.reset();
     m_restSent = false;
+    m_sent.clear();
 }
 
 template <int Dim>
-double MotionPass<Dim>::set(const BuiltShape<Dim>& shape, std::shared_ptr<const Project> project) {
-    double kept = -kInfinity;
-    if (m_project && shape.rest == m_shape.rest && shape.material == m_shape.material &&
-        sameIntegration(integrationOf(*m_project), integrationOf(*project)))
-        kept = std::min(firstDifference(designOf<Dim>(*m_project).handles, designOf<Dim>(*project).handles),
-                        firstDifference(m_project->settle, project->settle));
+KeptFrames MotionPass<Dim>::set(const BuiltShape<Dim>& shape, std::shared_ptr<const Project> project) {
+    KeptFrames kept{1, -kInfinity};
     const double end = motionEnd(*project);
-    const bool same = kept == kInfinity && end == m_end;
+    if (m_project && shape.rest == m_shape.rest && shape.material == m_shape.material &&
+        sameIntegration(integrationOf(*m_project), integrationOf(*project))) {
+        const auto &before = designOf<Dim>(*m_project).handles, &after = designOf<Dim>(*project).handles;
+        const double scale = timeScale<Dim>(before, after);
+        // Steps of fixed number lie elsewhere on the way when the clock changes; and how far a shape settles
+        // is told by the time itself.
+        const bool timed = project->integration.steps > 0 || !m_project->settle.empty() ||
+                           !project->settle.empty() || designOf<Dim>(*project).material.memory > 0;
+        if (scale == 1 || !timed)
+            kept = {scale, std::min(firstDifference(before, after, scale),
+                                    firstDifference(m_project->settle, project->settle))};
+    }
+    const bool same = kept.upTo == kInfinity && kept.timeScale == 1 && end == m_end;
     m_shape = shape;
     m_project = std::move(project);
-    if (same) return kInfinity;
+    if (same) return kept;
     m_end = end;
-    kept = std::min(kept, end);
     m_deformer.reset();
     m_probe.reset();
     m_result.reset();
-    m_cache.keepUpTo(kept);
-    if (!m_cache.last()) m_restSent = false;
-    m_lastFrame = m_cache.last() ? m_cache.last()->time : 0;
-    return m_cache.last() ? m_lastFrame : -kInfinity;
+    if (kept.timeScale != 1) changeClock(kept.timeScale);
+    forgetFrom(std::min(kept.upTo, end));
+    if (m_cache.last() && isDense()) return {kept.timeScale, m_cache.last()->time};
+    const auto own = std::move(m_project);
+    clear();
+    m_project = own;
+    return {1, -kInfinity};
+}
+
+template <int Dim>
+void MotionPass<Dim>::forgetFrom(double time) {
+    for (const double border : borders())
+        if (sameTime(border, time)) time = border;
+    m_cache.keepUpTo(time);
+    while (!m_sent.empty() && (!m_cache.last() || m_sent.back() > m_cache.last()->time)) m_sent.pop_back();
+}
+
+/// States stay where they lie on a border still, to the bit: the integrator begins anew there.
+template <int Dim>
+void MotionPass<Dim>::changeClock(double scale) {
+    const std::vector<double> all = borders();
+    m_cache.retime([&](double time) -> std::optional<double> {
+        const auto border =
+            std::find_if(all.begin(), all.end(), [&](double t) { return sameTime(t, scale * time); });
+        return border == all.end() ? std::nullopt : std::optional<double>(*border);
+    });
+    for (double& time : m_sent) time *= scale;
+}
+
+/// False where the frames that are there lie too far from each other, since the film became longer.
+template <int Dim>
+bool MotionPass<Dim>::isDense() const {
+    for (std::size_t i = 1; i < m_sent.size(); ++i)
+        if (m_sent[i] - m_sent[i - 1] > 1.5 * frameSpacing()) return false;
+    return true;
 }
 
 template <int Dim>
@@ -73,6 +113,7 @@ void MotionPass<Dim>::begin(const Sink& sink) {
         State<Dim> rest;
         rest.points = m_shape.rest->points;
         sink.onFrame(rest, 0);
+        m_sent = {0};
         m_restSent = true;
     }
     const auto& handles = designOf<Dim>(*m_project).handles;
@@ -84,24 +125,37 @@ void MotionPass<Dim>::begin(const Sink& sink) {
         m_cache.add(m_deformer->state());
 }
 
+/// When the integrator stops: where motions and handles begin and end, at the start and the end.
+template <int Dim>
+std::vector<double> MotionPass<Dim>::borders() const {
+    std::vector<double> times = {0, m_end};
+    for (const Handle<Dim>& handle : designOf<Dim>(*m_project).handles) {
+        times.insert(times.end(), {handle.activeFrom, handle.activeTo});
+        for (const Motion<Dim>& motion : handle.motions)
+            times.insert(times.end(), {motion.start, motion.end});
+    }
+    for (const SettleWindow& window : m_project->settle)
+        times.insert(times.end(), {window.start, window.end});
+    std::erase_if(times, [this](double t) { return !(t >= 0 && t <= m_end); });
+    return times;
+}
+
 template <int Dim>
 double MotionPass<Dim>::nextBorder(double time) const {
     double next = m_end;
-    const auto consider = [&](double t) {
+    for (const double t : borders())
         if (t > time) next = std::min(next, t);
-    };
-    for (const Handle<Dim>& handle : designOf<Dim>(*m_project).handles) {
-        consider(handle.activeFrom);
-        consider(handle.activeTo);
-        for (const Motion<Dim>& motion : handle.motions) consider(motion.start), consider(motion.end);
-    }
-    for (const SettleWindow& window : m_project->settle) consider(window.start), consider(window.end);
     return next;
 }
 
 template <int Dim>
+double MotionPass<Dim>::frameSpacing() const {
+    return std::max(1.0 / kFramesPerUnit, m_end / kMostFrames);
+}
+
+template <int Dim>
 std::vector<double> MotionPass<Dim>::frameTimes(double from, double to) const {
-    const double spacing = std::max(1.0 / kFramesPerUnit, m_end / kMostFrames);
+    const double spacing = frameSpacing();
     std::vector<double> times;
     for (double k = std::floor(from / spacing) + 1; k * spacing < to - 0.25 * spacing; ++k)
         if (k * spacing > from) times.push_back(k * spacing);
@@ -113,13 +167,14 @@ void MotionPass<Dim>::run(const Sink& sink, std::stop_token stop) {
     if (!m_deformer) begin(sink);
     const double size = shapeSize<Dim>(m_shape.rest->points, m_shape.rest->cells).size;
     const auto send = [&](const State<Dim>& state) {
-        m_lastFrame = state.time;
+        m_sent.push_back(state.time);
         sink.onFrame(state, m_deformer->statistics().constraintError * size);
     };
     while (m_deformer->state().time < m_end) {
         typename Deformer<Dim>::Watch watch;
         const double border = nextBorder(m_deformer->state().time);
-        watch.frames = frameTimes(std::max(m_lastFrame, m_deformer->state().time), border);
+        watch.frames =
+            frameTimes(std::max(m_sent.empty() ? 0 : m_sent.back(), m_deformer->state().time), border);
         watch.onFrame = send;
         watch.progress = [&](double time) { sink.progress(time, m_end); };
         watch.stop = stop;

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "app/session/frame.h"
 #include "app/session/pose_cache.h"
 #include "app/session/shape_builder.h"
 #include "app/session/velocity_probe.h"
@@ -10,7 +11,8 @@ namespace wend {
 
 /// The whole motion of a project at final quality, computed once and continued where it changes. Stops at the
 /// borders of the motions' windows, which the integrator never crosses anyway, and keeps the states there:
-/// the result is the same bits as one run from the start.
+/// the result is the same bits as one run from the start. Where only the clock changes, the states stay and
+/// get other times: then it is the same but for rounding.
 template <int Dim>
 class MotionPass {
   public:
@@ -19,8 +21,8 @@ class MotionPass {
         std::function<void(double time, double end)> progress;
     };
 
-    /// The problem from now on. Returns the time up to which earlier frames stay valid, −∞ if none.
-    double set(const BuiltShape<Dim>& shape, std::shared_ptr<const Project> project);
+    /// The problem from now on; what earlier frames are worth.
+    KeptFrames set(const BuiltShape<Dim>& shape, std::shared_ptr<const Project> project);
     void clear();
 
     bool isSet() const { return m_project != nullptr; }
@@ -39,7 +41,12 @@ class MotionPass {
   private:
     void begin(const Sink& sink);
     std::vector<double> frameTimes(double from, double to) const;
+    std::vector<double> borders() const;
     double nextBorder(double time) const;
+    void changeClock(double scale);
+    void forgetFrom(double time);
+    double frameSpacing() const;
+    bool isDense() const;
 
     BuiltShape<Dim> m_shape;
     std::shared_ptr<const Project> m_project;
@@ -48,7 +55,7 @@ class MotionPass {
     PoseCache<Dim> m_cache;
     std::optional<AdvanceResult> m_result;
     double m_end = 0;
-    double m_lastFrame = 0;
+    std::vector<double> m_sent;  // times of frames
     bool m_restSent = false;
 };
 

@@ -11,7 +11,7 @@ class Playback : public QObject {
     Q_OBJECT
 
   public:
-    static constexpr double kSecondsPerUnit = 1.5;
+    static constexpr double kSecondsPerUnit = 1;
 
     explicit Playback(QObject* parent = nullptr);
 

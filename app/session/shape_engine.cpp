@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "app/document/handle_comparison.h"
 #include "app/document/handle_edits.h"
 #include "core/mesh/printable.h"
 #include "core/mesh/shape_size.h"
@@ -63,7 +64,7 @@ void ShapeEngineOf<Dim>::build(std::stop_token stop) {
     m_wanted.reset();
     if (!m_shape || shape.rest != m_shape->rest || shape.material != m_shape->material)
         m_shape = std::make_shared<const BuiltShape<Dim>>(shape);
-    const double kept = m_pass.set(shape, m_project);
+    const KeptFrames kept = m_pass.set(shape, m_project);
     m_sink.shapeReady(m_revision, shape.rest, kept);
     if (m_pass.isFinished()) tellFinished();
 }
@@ -72,14 +73,16 @@ void ShapeEngineOf<Dim>::build(std::stop_token stop) {
 /// after another begins where that one has come, which the window may not have seen yet.
 template <int Dim>
 typename ShapeEngineOf<Dim>::Seen ShapeEngineOf<Dim>::seen(const BeginDrag& request) const {
-    if (!m_wanted && m_pass.isSet() && m_pass.isFinished()) return {m_shape, m_pass.state().points};
+    const bool isLast = request.time >= motionEnd(*m_project);
+    if (isLast && !m_wanted && m_pass.isSet() && m_pass.isFinished())
+        return {m_shape, m_pass.state().points, request.time};
     const auto frame = posed<Dim>(request.from);
     if (!frame) return {};
     const bool isCurrent = m_shape && frame->rest == m_shape->rest;  // with the newest material
     const BuiltPtr shape = isCurrent ? m_shape : frame->built;
     if (m_live && frame->live && frame->gesture == m_gesture && frame->rest == m_held.shape->rest)
-        return {shape, m_live->pose()};
-    return {shape, frame->pose};
+        return {shape, m_live->pose(), request.time};
+    return {shape, frame->pose, request.time};
 }
 
 template <int Dim>
@@ -90,12 +93,12 @@ void ShapeEngineOf<Dim>::beginDrag(const BeginDrag& request) try {
     m_gesture = request.gesture;
     m_refusal.clear();
     m_dragging = true;
-    const std::vector<int> active = activeHandles();
+    const std::vector<int> active = activeHandles(request.time);
     std::vector<int> dragged;
     for (std::size_t i = 0; i < active.size(); ++i)
         if (std::count(request.handles.begin(), request.handles.end(), active[i]))
             dragged.push_back(static_cast<int>(i));
-    prepareDrag(m_held.shape);
+    prepareDrag(m_held.shape, m_held.time);
     m_live->begin(std::move(dragged), request.grip, m_held.pose);
 } catch (const InputError& error) {
     m_refusal = messageOf(error);
@@ -108,17 +111,17 @@ const std::vector<Handle<Dim>>& ShapeEngineOf<Dim>::handles() const {
 }
 
 template <int Dim>
-std::vector<int> ShapeEngineOf<Dim>::activeHandles() const {
+std::vector<int> ShapeEngineOf<Dim>::activeHandles(double time) const {
     std::vector<int> active;
     for (int h = 0; h < static_cast<int>(handles().size()); ++h)
-        if (isActive(handles()[h], motionEnd(*m_project))) active.push_back(h);
+        if (isActive(handles()[h], time)) active.push_back(h);
     return active;
 }
 
 template <int Dim>
-void ShapeEngineOf<Dim>::prepareDrag(const BuiltPtr& shape) {
+void ShapeEngineOf<Dim>::prepareDrag(const BuiltPtr& shape, double time) {
     std::vector<Handle<Dim>> own;
-    for (const int h : activeHandles()) own.push_back(handles()[h]);
+    for (const int h : activeHandles(time)) own.push_back(handles()[h]);
     if (!m_live || !m_live->fits(*shape, own)) m_live.emplace(*shape, std::move(own));
 }
 
@@ -136,7 +139,7 @@ void ShapeEngineOf<Dim>::dragTo(const DragTo& request) {
     }
     if (!m_live) step = {Amount::Zero(), true, m_refusal};
     const auto frame =
-        makeFrame(m_held.shape, motionEnd(*m_project), m_live ? m_live->pose() : m_held.pose, step.pinError);
+        makeFrame(m_held.shape, m_held.time, m_live ? m_live->pose() : m_held.pose, step.pinError);
     frame->live = true;
     frame->gesture = m_gesture;
     frame->sample = request.sample;
@@ -162,7 +165,7 @@ void ShapeEngineOf<Dim>::runPass(std::stop_token stop) {
     tellFinished();
     if (stop.stop_requested()) return;
     try {
-        prepareDrag(m_shape);
+        prepareDrag(m_shape, motionEnd(*m_project));
     } catch (const InputError&) {  // told when it is tried
         m_live.reset();
     }

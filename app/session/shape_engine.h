@@ -16,7 +16,7 @@ class ShapeEngine {
   public:
     /// Where results go; called in the thread of the engine.
     struct Sink {
-        std::function<void(int revision, std::shared_ptr<const void> shape, double keptUpTo)> shapeReady;
+        std::function<void(int revision, std::shared_ptr<const void> shape, KeptFrames kept)> shapeReady;
         std::function<void(FramePtr)> frameReady;
         std::function<void(FramePtr, VelocityPtr)> velocityReady;
         std::function<void(double time, double end)> progress;
@@ -61,14 +61,15 @@ class ShapeEngineOf : public ShapeEngine {
 
   private:
     const std::vector<Handle<Dim>>& handles() const;
-    std::vector<int> activeHandles() const;
+    std::vector<int> activeHandles(double time) const;
     using BuiltPtr = std::shared_ptr<const BuiltShape<Dim>>;
     struct Seen {  // where a drag begins
         BuiltPtr shape;
         Points<Dim> pose;
+        double time = 0;
     };
     Seen seen(const BeginDrag& request) const;
-    void prepareDrag(const BuiltPtr& shape);
+    void prepareDrag(const BuiltPtr& shape, double time);
     void build(std::stop_token stop);
     void runPass(std::stop_token stop);
     void answer(std::stop_token stop);

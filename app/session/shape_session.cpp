@@ -88,7 +88,7 @@ void ShapeSession::postShape() {
     emit pinsChanged();
 }
 
-void ShapeSession::takeShape(int revision, const std::shared_ptr<const void>& shape, double keptUpTo) {
+void ShapeSession::takeShape(int revision, const std::shared_ptr<const void>& shape, const KeptFrames& kept) {
     if (revision != m_revision) return;
     m_askedFor.reset();  // the question may have been dropped with the last shape
     m_velocityOf.reset();
@@ -96,7 +96,7 @@ void ShapeSession::takeShape(int revision, const std::shared_ptr<const void>& sh
     m_failed = false;
     m_shape = shape;
     m_trackIsCurrent = true;
-    m_track.cut(keptUpTo);
+    m_track.keep(kept);
     m_playback.setReady(m_track.lastTime());
 }
 

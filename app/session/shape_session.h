@@ -42,6 +42,8 @@ class ShapeSession : public QObject {
     PosedPtr<Dim> frame() const {
         return posed<Dim>(frame());
     }
+    /// When gestures begin, and new pins: at the time of what is shown; 0 before anything moves.
+    double gestureTime() const;
     /// True while the frame does not yet show what the document says.
     bool isStale() const { return m_stale; }
     /// True while something is being computed.
@@ -93,7 +95,8 @@ class ShapeSession : public QObject {
     template <int Dim>
     void moveSelected(const Grip& grip, const Amount& amount);
     bool isDragging() const { return m_drag.has_value(); }
-    /// Of the selected handles those that hold at the end; a notice if there are none.
+    /// Of the selected handles those that hold at the time that is shown; a notice if there are none. The
+    /// gesture goes on from there and replaces what came after.
     void beginDrag(const Grip& grip = {});
     template <int Dim = 2>
     void dragTo(const Vec<Dim>& offset) {
@@ -123,7 +126,7 @@ class ShapeSession : public QObject {
     void dropAll();
     void dropShape();
     void postShape();
-    void takeShape(int revision, const std::shared_ptr<const void>& shape, double keptUpTo);
+    void takeShape(int revision, const std::shared_ptr<const void>& shape, const KeptFrames& kept);
     void takeFrame(const FramePtr& frame);
     void takeLive(const FramePtr& frame);
     void takeFinished(double time, const QString& problem);
@@ -136,17 +139,17 @@ class ShapeSession : public QObject {
     void goBack();
     template <int Dim>
     const std::vector<PinPlace<Dim>>& places() const;
-    void goToEnd();
+    template <int Dim>
+    double armOf(const DragGesture& drag) const;
     template <int Dim>
     std::vector<PinView<Dim>> views(bool holding) const;
     std::vector<int> movableHandles();
     template <int Dim>
     void takeHold(const std::vector<int>& handles);
     template <int Dim>
-    void pushGesture(const DragGesture& drag, const std::vector<Amount>& path);
+    void pushGesture(const DragGesture& drag, const std::vector<Amount>& path, double from,
+                     const QString& key = {});
     void endDrag(const std::vector<Amount>& path);
-    template <int Dim>
-    std::vector<Vec<Dim>> centresOf(const std::vector<int>& handles) const;
     int handleCount() const;
     QString nameOf(const std::vector<int>& handles) const;
 
@@ -164,6 +167,7 @@ class ShapeSession : public QObject {
     bool m_addsHandle = false;  // a change that moves nothing is being made
     bool m_sameShape = false;   // what is shown stays as it is, though something is computed
     int m_gesture = 0;          // number of the newest drag
+    double m_dragFrom = 0;      // when it began, by the clock of the motion
     int m_revision = 0;         // of the newest request for a shape
     bool m_trackIsCurrent = false;
     std::shared_ptr<const void> m_shape;        // the newest rest mesh

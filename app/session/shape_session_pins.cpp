@@ -34,7 +34,7 @@ template <int Dim>
 std::vector<PinView<Dim>> ShapeSession::views(bool holding) const {
     const auto shape = frame<Dim>();
     if (!shape || m_document.dimension() != Dim) return {};
-    const double time = m_drag ? motionEnd(*m_document.project()) : m_playback.time();
+    const double time = m_drag ? m_dragFrom : m_playback.time();
     return viewPins<Dim>(m_document.design<Dim>().handles, places<Dim>(), *shape->rest, shape->pose, time,
                          holding);
 }
@@ -74,6 +74,16 @@ std::vector<Vec<Dim>> ShapeSession::pathStarts(int handle) const {
     return starts;
 }
 
+/// Of a motion that has ended early, its end.
+double ShapeSession::gestureTime() const {
+    if (m_document.isEmpty()) return 0;
+    const double end = motionEnd(*m_document.project());
+    const bool endedEarly = m_trackIsCurrent && !m_busy && !m_track.isEmpty() && m_track.lastTime() < end;
+    const bool scrubbed = m_frame && !m_stale && !m_frame->live && m_playback.time() < end;
+    if (endedEarly || scrubbed) return std::min(m_frame->time, end);
+    return std::min(m_playback.time(), end);
+}
+
 double ShapeSession::pixel() const {
     return m_document.picture() || !m_frame ? 1 : m_frame->diagonal / 2000;
 }
@@ -90,11 +100,13 @@ int ShapeSession::addPin(const Vec<Dim>& p) {
 template <int Dim>
 int ShapeSession::addHandle(Placement<Dim> at, const std::string& kind) {
     if (!m_frame || m_document.dimension() != Dim) return -1;
-    goToEnd();
+    m_playback.setPlaying(false);
+    const double time = gestureTime();
+    m_playback.setTime(time);  // that of the picture that is shown
     m_addsHandle = true;
     const std::string name = freePinName(m_document.design<Dim>(), kind);
     m_document.change(tr("Add %1").arg(QString::fromStdString(name)),
-                      withHandle<Dim>(*m_document.project(), std::move(at), name));
+                      withHandle<Dim>(*m_document.project(), std::move(at), name, time));
     m_addsHandle = false;
     const int handle = handleCount() - 1;
     m_selection.set({handle});
@@ -137,8 +149,10 @@ void ShapeSession::removeSelected() {
     if (m_selection.isEmpty() || m_drag) return;
     const auto handles = m_selection.handles();
     const QString name = tr("Remove %1").arg(nameOf(handles));
+    m_playback.setPlaying(false);
+    const double time = gestureTime();
     m_selection.clear();
-    m_document.change(name, withoutHandles(*m_document.project(), handles));
+    m_document.change(name, withoutHandles(*m_document.project(), handles, time));
 }
 
 template <int Dim>
@@ -147,12 +161,13 @@ void ShapeSession::nudgeSelected(const Vec<Dim>& by) {
     if (handles.empty()) return;
     QString key = QStringLiteral("nudge");
     for (const int h : handles) key += QStringLiteral(" %1").arg(h);
-    const Project& project = *m_document.project();
-    m_document.change(tr("Move %1").arg(nameOf(handles)),
-                      m_document.merges(key) ? withLongerStroke<Dim>(project, handles, by)
-                                             : withStroke<Dim>(project, handles, centresOf<Dim>(handles),
-                                                               {Vec<Dim>::Zero(), by}),
-                      key);
+    takeHold<Dim>(handles);
+    const DragGesture drag(handles, {});
+    if (gestureTime() >= m_playback.end() && m_document.merges(key))
+        m_document.change(tr("Move %1").arg(nameOf(handles)),
+                          withLongerStroke<Dim>(*m_document.project(), handles, by, armOf<Dim>(drag)), key);
+    else
+        pushGesture<Dim>(drag, {Amount::Zero(), amountOf<Dim>(by)}, gestureTime(), key);
 }
 
 template <int Dim>
@@ -161,22 +176,23 @@ void ShapeSession::moveSelected(const Grip& grip, const Amount& amount) {
     const auto handles = movableHandles();
     if (handles.empty()) return;
     takeHold<Dim>(handles);
-    pushGesture<Dim>(DragGesture(handles, grip), {Amount::Zero(), amount});
+    pushGesture<Dim>(DragGesture(handles, grip), {Amount::Zero(), amount}, gestureTime());
 }
 
-/// The selected handles that hold the shape at the end, where gestures go on; goes there.
+/// The selected handles that hold the shape at the time that is shown.
 std::vector<int> ShapeSession::movableHandles() {
     if (m_selection.isEmpty() || m_drag || !m_frame) return {};
-    goToEnd();
+    m_playback.setPlaying(false);
     std::vector<int> handles = m_selection.handles();
-    const double end = motionEnd(*m_document.project());
+    const double time = gestureTime();
     std::visit(
         [&](const auto& design) {
-            std::erase_if(handles, [&](int h) { return !isActive(design.handles.at(h), end); });
+            std::erase_if(handles, [&](int h) { return !isActive(design.handles.at(h), time); });
         },
         m_document.project()->design);
     if (handles.empty())
-        emit notice(tr("%1 does not hold the shape at the end any more.").arg(nameOf(m_selection.handles())));
+        emit notice(
+            tr("%1 does not hold the shape at the time that is shown.").arg(nameOf(m_selection.handles())));
     return handles;
 }
 
@@ -191,7 +207,6 @@ void ShapeSession::takeHold(const std::vector<int>& handles) {
 }
 
 void ShapeSession::beginDrag(const Grip& grip) {
-    m_playback.setPlaying(false);
     const auto handles = movableHandles();
     if (handles.empty()) return;
     if (m_frame->dimension == 2)
@@ -199,8 +214,9 @@ void ShapeSession::beginDrag(const Grip& grip) {
     else
         takeHold<3>(handles);
     m_previewBefore = m_preview;
+    m_dragFrom = gestureTime();
     m_drag.emplace(handles, grip);
-    m_compute.post(BeginDrag{handles, grip, ++m_gesture, m_revision, m_frame});
+    m_compute.post(BeginDrag{handles, grip, ++m_gesture, m_revision, m_frame, m_dragFrom});
 }
 
 void ShapeSession::dragBy(const Amount& amount) {
@@ -210,15 +226,36 @@ void ShapeSession::dragBy(const Amount& amount) {
     emit pinsChanged();
 }
 
+/// How far from the middle of a gesture what it turns or grows lies, in the mean.
 template <int Dim>
-void ShapeSession::pushGesture(const DragGesture& drag, const std::vector<Amount>& path) {
+double ShapeSession::armOf(const DragGesture& drag) const {
+    double sum = 0;
+    int count = 0;
+    const bool moves = drag.grip().kind == Grip::Kind::Move;
+    for (const auto& view : std::get<Hold<Dim>>(m_holds).grabbed)
+        for (const Vec<Dim>& p : view.points) {
+            sum += (p - (moves ? view.centre : Vec<Dim>(drag.grip().centre.template head<Dim>()))).norm();
+            ++count;
+        }
+    return std::max(sum / std::max(count, 1), pixel());
+}
+
+template <int Dim>
+void ShapeSession::pushGesture(const DragGesture& drag, const std::vector<Amount>& path, double from,
+                               const QString& key) {
     const QString what = drag.grip().kind == Grip::Kind::Turn   ? tr("Turn %1")
                          : drag.grip().kind == Grip::Kind::Grow ? tr("Scale %1")
                                                                 : tr("Move %1");
-    std::vector<Vec<Dim>> starts;
-    for (const auto& view : std::get<Hold<Dim>>(m_holds).grabbed) starts.push_back(view.centre);
+    std::vector<Vec<Dim>> starts(drag.handles().size(), Vec<Dim>::Zero());
+    for (const auto& view : std::get<Hold<Dim>>(m_holds).grabbed)
+        for (std::size_t i = 0; i < starts.size(); ++i)
+            if (drag.handles()[i] == view.handle) starts[i] = view.centre;
+    const Gesture gesture{drag.handles(), drag.grip(), path, from, armOf<Dim>(drag)};
+    const bool replaces = movesAfter<Dim>(m_document.design<Dim>(), from);
     m_document.change(what.arg(nameOf(drag.handles())),
-                      withGesture<Dim>(*m_document.project(), drag.handles(), starts, drag.grip(), path));
+                      withGesture<Dim>(*m_document.project(), gesture, starts), key);
+    m_playback.setTime(m_playback.end());
+    if (replaces) emit notice(tr("What came after is replaced by this; Undo brings it back."));
 }
 
 void ShapeSession::endDrag(double tolerance) {
@@ -238,12 +275,12 @@ void ShapeSession::endDrag(const std::vector<Amount>& path) {
         showTime();
         return;
     }
-    // From now on it stands for the end of the longer motion; its last frames may be yet to come.
-    m_preview = atTime(m_preview ? m_preview : m_frame, motionEnd(*m_document.project()) + 1);
+    // From now on it stands for the end of the motion; its last frames may be yet to come.
+    m_preview = atTime(m_preview ? m_preview : m_frame, m_document.project()->end);
     if (m_document.dimension() == 2)
-        pushGesture<2>(drag, path);
+        pushGesture<2>(drag, path, m_dragFrom);
     else
-        pushGesture<3>(drag, path);
+        pushGesture<3>(drag, path, m_dragFrom);
 }
 
 void ShapeSession::cancelDrag() {
@@ -254,22 +291,6 @@ void ShapeSession::cancelDrag() {
     m_compute.post(EndDrag{});
     showTime();
     emit pinsChanged();
-}
-
-void ShapeSession::goToEnd() {
-    m_playback.setTime(m_playback.end());
-}
-
-template <int Dim>
-std::vector<Vec<Dim>> ShapeSession::centresOf(const std::vector<int>& handles) const {
-    std::vector<Vec<Dim>> centres;
-    const auto views = pins<Dim>();
-    for (const int h : handles) {
-        const auto it =
-            std::find_if(views.begin(), views.end(), [h](const auto& view) { return view.handle == h; });
-        centres.push_back(it == views.end() ? Vec<Dim>(Vec<Dim>::Zero()) : it->centre);
-    }
-    return centres;
 }
 
 QString ShapeSession::nameOf(const std::vector<int>& handles) const {

@@ -52,33 +52,41 @@ Mat<3> cellRotation(const PosedFrame<3>& frame, int cell) {
     return svd.matrixU() * svd.matrixV().transpose();
 }
 
-std::vector<int> verticesIn(const Region<3>& region, const SimplicialMesh<3>& rest) {
+template <int Dim>
+std::vector<int> verticesInside(const Region<Dim>& region, const SimplicialMesh<Dim>& rest) {
     std::vector<int> vertices;
     for (int v = 0; v < rest.vertexCount(); ++v)
-        if (signedDistance<3>(region, rest.points.col(v)) <= 0) vertices.push_back(v);
+        if (signedDistance<Dim>(region, rest.points.col(v)) <= 0) vertices.push_back(v);
     return vertices;
 }
 
-Carrying carryingOf(const std::vector<Vec<3>>& rest, const std::vector<Vec<3>>& posed) {
-    Carrying carrying;
+template <int Dim>
+CarryingOf<Dim> carryingBetween(const std::vector<Vec<Dim>>& rest, const std::vector<Vec<Dim>>& posed) {
+    CarryingOf<Dim> carrying;
     const auto count = static_cast<Eigen::Index>(std::min(rest.size(), posed.size()));
     if (count == 0) return carrying;
-    Vec<3> from = Vec<3>::Zero(), to = Vec<3>::Zero();
+    Vec<Dim> from = Vec<Dim>::Zero(), to = Vec<Dim>::Zero();
     for (Eigen::Index i = 0; i < count; ++i) {
         from += rest[i] / double(count);
         to += posed[i] / double(count);
     }
-    Eigen::MatrixX3d X(count, 3), Y(count, 3);
+    using Rows = Eigen::Matrix<double, Eigen::Dynamic, Dim>;
+    Rows X(count, Dim), Y(count, Dim);
     for (Eigen::Index i = 0; i < count; ++i) {
         X.row(i) = (rest[i] - from).transpose();
         Y.row(i) = (posed[i] - to).transpose();
     }
-    Eigen::ColPivHouseholderQR<Eigen::MatrixX3d> solver;
+    Eigen::ColPivHouseholderQR<Rows> solver;
     solver.setThreshold(kFlat);
-    if (count >= 4 && solver.compute(X).rank() == 3) carrying.A = solver.solve(Y).transpose();
+    if (count > Dim && solver.compute(X).rank() == Dim) carrying.A = solver.solve(Y).transpose();
     carrying.b = to - carrying.A * from;
     return carrying;
 }
+
+template std::vector<int> verticesInside<2>(const Region<2>&, const SimplicialMesh<2>&);
+template std::vector<int> verticesInside<3>(const Region<3>&, const SimplicialMesh<3>&);
+template CarryingOf<2> carryingBetween<2>(const std::vector<Vec<2>>&, const std::vector<Vec<2>>&);
+template CarryingOf<3> carryingBetween<3>(const std::vector<Vec<3>>&, const std::vector<Vec<3>>&);
 
 Carrying carryingOf(const PosedFrame<3>& frame, const std::vector<int>& vertices) {
     std::vector<Vec<3>> rest, posed;

@@ -14,18 +14,28 @@ Location<3> locationIn(const PosedFrame<3>& frame, int cell, const Vec<3>& p);
 Mat<3> cellRotation(const PosedFrame<3>& frame, int cell);
 
 /// The vertices of the rest mesh that a region holds, increasing.
-std::vector<int> verticesIn(const Region<3>& region, const SimplicialMesh<3>& rest);
+template <int Dim>
+std::vector<int> verticesInside(const Region<Dim>& region, const SimplicialMesh<Dim>& rest);
+inline std::vector<int> verticesIn(const Region<3>& region, const SimplicialMesh<3>& rest) {
+    return verticesInside<3>(region, rest);
+}
 
 /// x ↦ A x + b.
-struct Carrying {
-    Mat<3> A = Mat<3>::Identity();
-    Vec<3> b = Vec<3>::Zero();
+template <int Dim>
+struct CarryingOf {
+    Mat<Dim> A = Mat<Dim>::Identity();
+    Vec<Dim> b = Vec<Dim>::Zero();
 
-    Vec<3> operator()(const Vec<3>& x) const { return A * x + b; }
+    Vec<Dim> operator()(const Vec<Dim>& x) const { return A * x + b; }
 };
+using Carrying = CarryingOf<3>;
 /// The affine map that takes points from rest to a pose, by least squares; only shifts where they are too few
-/// or lie in a plane. Points that a handle has moved as one are met exactly.
-Carrying carryingOf(const std::vector<Vec<3>>& rest, const std::vector<Vec<3>>& posed);
+/// or lie in a plane (a line). Points that a handle has moved as one are met exactly.
+template <int Dim>
+CarryingOf<Dim> carryingBetween(const std::vector<Vec<Dim>>& rest, const std::vector<Vec<Dim>>& posed);
+inline Carrying carryingOf(const std::vector<Vec<3>>& rest, const std::vector<Vec<3>>& posed) {
+    return carryingBetween<3>(rest, posed);
+}
 
 /// The same for vertices of a frame; from rest to its pose.
 Carrying carryingOf(const PosedFrame<3>& frame, const std::vector<int>& vertices);

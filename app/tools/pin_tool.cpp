@@ -3,6 +3,11 @@
 #include <QApplication>
 #include <QCoreApplication>
 #include <algorithm>
+#include <limits>
+
+#include "app/session/accent.h"
+#include "app/session/pin_shapes.h"
+#include "app/tools/region_outline.h"
 
 namespace wend {
 
@@ -11,6 +16,8 @@ namespace {
 constexpr double kReach = 8;           // pixels of the screen
 constexpr double kGhostReach = 5;      // of handles that do not hold now: a new pin may be wanted there
 constexpr double kStrokeDetail = 0.5;  // pixels of the screen that a recorded path may deviate
+constexpr double kWayReach = 5;        // pixels of the screen
+constexpr double kTurnDetail = 0.005;  // radians, or of a factor, that a recorded turn may deviate
 constexpr double kLeastDetail = 0.2;   // but no less than this, in pixels of the picture
 
 QString said(const char* text) {
@@ -37,9 +44,18 @@ QString PinTool::hint() const {
     if (m_gesture == Gesture::None && m_hovered < 0 && m_curve.isOnCurve(m_at)) return curveHint(false);
     if (m_gesture == Gesture::Drag)
         return said(QT_TRANSLATE_NOOP("PinTool", "Drag the pin; Esc puts the shape back"));
+    if (m_gesture == Gesture::Widen)
+        return said(QT_TRANSLATE_NOOP("PinTool", "Drag as far as the pin shall hold; Esc gives it up"));
+    if (m_gesture == Gesture::Ring || m_part)
+        return said(QT_TRANSLATE_NOOP(
+            "PinTool",
+            "Drag the dot to rotate, Shift by 15°, or the square to scale; digits set the number"));
     if (m_hovered >= 0)
-        return said(QT_TRANSLATE_NOOP("PinTool",
-                                      "Drag to move the pin, Shift-click to select more, Delete to remove"));
+        return said(QT_TRANSLATE_NOOP(
+            "PinTool",
+            "Drag to move the pin, Alt-drag to widen it, Shift-click to select more, Delete to remove"));
+    if (m_gesture == Gesture::None && m_hasRing && !m_ring.canTurn() && m_ring.isOn(m_at))
+        return said(QT_TRANSLATE_NOOP("PinTool", "A point cannot rotate – Alt-drag to widen it"));
     if (m_adds)
         return said(
             QT_TRANSLATE_NOOP("PinTool", "Click on the shape to set a pin, then drag pins to bend it"));
@@ -48,18 +64,24 @@ QString PinTool::hint() const {
 }
 
 QCursor PinTool::cursor() const {
-    if (m_gesture == Gesture::Drag) return Qt::ClosedHandCursor;
-    if (m_hovered >= 0) return Qt::OpenHandCursor;
+    if (m_gesture == Gesture::Drag || m_gesture == Gesture::Ring) return Qt::ClosedHandCursor;
+    if (m_gesture == Gesture::Widen) return Qt::SizeAllCursor;
+    if (m_hovered >= 0 || m_part) return Qt::OpenHandCursor;
     return m_adds ? Qt::CrossCursor : Qt::ArrowCursor;
 }
 
 /// The end of the curve lies under its pin, which comes first until that point is chosen.
 int PinTool::curvePointAt(const QPointF& at) const {
     const int point = m_curve.pointAt(at);
-    return point == m_curve.chosen() || handleAt(at) < 0 ? point : -1;
+    return point == m_curve.chosen() || pinAt(at) < 0 ? point : -1;
 }
 
 int PinTool::handleAt(const QPointF& widget) const {
+    const int pin = pinAt(widget);
+    return pin >= 0 ? pin : regionAt(widget);
+}
+
+int PinTool::pinAt(const QPointF& widget) const {
     int best = -1;
     double nearest = kReach;
     for (const PinView<2>& pin : session().pins()) {
@@ -79,17 +101,72 @@ int PinTool::handleAt(const QPointF& widget) const {
     return best;
 }
 
+/// Of regions that lie over each other, the smallest.
+int PinTool::regionAt(const QPointF& widget) const {
+    const auto frame = session().frame<2>();
+    int best = -1;
+    double least = std::numeric_limits<double>::infinity();
+    for (const PinView<2>& view : session().pins()) {
+        if (!view.region || !frame) continue;
+        QPolygonF border;
+        for (const Vec<2>& p : regionBorder(session().document().design().handles[view.handle], view, *frame))
+            border << surface().toWidget(p);
+        const QRectF box = border.boundingRect();
+        const double size = box.width() * box.height();
+        if (size < least && border.containsPoint(widget, Qt::OddEvenFill)) least = size, best = view.handle;
+    }
+    return best;
+}
+
+int PinTool::wayAt(const QPointF& widget) const {
+    int best = -1;
+    double nearest = kWayReach;
+    const auto& handles = session().document().design().handles;
+    for (int h = 0; h < static_cast<int>(handles.size()); ++h) {
+        if (handles[h].motions.empty() || handles[h].activeTo <= session().playback().time()) continue;
+        for (const auto& way : pinPaths<2>(handles[h], shownStarts<2>(session().pathStarts<2>(h))))
+            for (std::size_t i = 1; i < way.points.size(); ++i) {
+                const QPointF a = surface().toWidget(way.points[i - 1]);
+                const QPointF along = surface().toWidget(way.points[i]) - a;
+                const double size = QPointF::dotProduct(along, along);
+                const double t = size > 0 ? QPointF::dotProduct(widget - a, along) / size : 0;
+                const double d = distance(widget, a + std::clamp(t, 0.0, 1.0) * along);
+                if (d < nearest) nearest = d, best = h;
+            }
+    }
+    return best;
+}
+
+/// The ring stands around the middle of what is selected; false if nothing is.
+bool PinTool::placeRing() const {
+    if (m_gesture == Gesture::Ring) return true;
+    std::vector<Vec<2>> centres;
+    std::size_t points = 0;
+    for (const PinView<2>& pin : session().pins())
+        if (session().selection().contains(pin.handle)) {
+            centres.push_back(pin.centre);
+            points += pin.points.size();
+        }
+    m_hasRing = !centres.empty() && (m_gesture == Gesture::None || m_gesture == Gesture::Pressed);
+    if (m_hasRing) m_ring.place(surface().toWidget(meanOf<2>(centres)), meanOf<2>(centres), points > 1);
+    return m_hasRing;
+}
+
 void PinTool::press(const QMouseEvent& event) {
     if (event.button() != Qt::LeftButton || m_gesture != Gesture::None) return;
     m_gesture = Gesture::Pressed;
+    m_widens = event.modifiers() & Qt::AltModifier;
     m_from = m_at = event.position();
     if (const int point = curvePointAt(m_from); point > 0) {
         m_gesture = Gesture::Curve;
         m_curve.begin(point, m_from);
         return;
     }
-    m_pressed = handleAt(m_from);
+    m_pressed = pinAt(m_from);
+    m_part = m_pressed < 0 && placeRing() ? m_ring.partAt(m_from) : std::nullopt;
+    if (m_part) return;
     if (m_pressed < 0 && m_curve.isOnCurve(m_from)) m_gesture = Gesture::OnCurve;
+    if (m_pressed < 0 && m_gesture != Gesture::OnCurve) m_pressed = regionAt(m_from);
     if (m_pressed >= 0) pressHandle(m_pressed, event.modifiers() & Qt::ShiftModifier);
 }
 
@@ -107,38 +184,95 @@ void PinTool::move(const QMouseEvent& event) {
     if (m_gesture == Gesture::None) hover(at);
     if (m_gesture == Gesture::OnCurve && distance(at, m_from) >= 3) m_gesture = Gesture::Pressed;
     if (m_gesture == Gesture::Curve) m_curve.drag(at, event.modifiers() & Qt::ControlModifier);
-    if (m_gesture == Gesture::None && m_curve.hasCurve()) surface().redraw();
-    if (m_gesture == Gesture::Pressed && distance(at, m_from) >= 3) begin(event);
-    if (m_gesture == Gesture::Drag) session().dragTo<2>(surface().toShape(at) - surface().toShape(m_from));
-    if (m_gesture == Gesture::Marquee) surface().setMarquee(QRectF(m_from, at).normalized());
+    if (m_gesture == Gesture::Pressed && distance(at, m_from) >= 3) begin();
+    follow(event);
 }
 
-void PinTool::begin(const QMouseEvent&) {
+void PinTool::follow(const QMouseEvent& event) {
+    const QPointF at = event.position();
+    if (m_gesture == Gesture::Drag) session().dragTo<2>(surface().toShape(at) - surface().toShape(m_from));
+    if (m_gesture == Gesture::Ring) dragRing(event.modifiers() & Qt::ShiftModifier);
+    if (m_gesture == Gesture::Marquee) surface().setMarquee(QRectF(m_from, at).normalized());
+    if (m_gesture == Gesture::None || m_gesture == Gesture::Widen || m_gesture == Gesture::Ring)
+        surface().redraw();
+}
+
+void PinTool::begin() {
+    if (m_part) return beginRing();
     const bool onPin = m_pressed >= 0 && session().selection().contains(m_pressed);
+    if (onPin && m_widens) {
+        session().selection().set({m_pressed});
+        m_gesture = Gesture::Widen;
+        return;
+    }
     m_gesture = onPin ? Gesture::Drag : Gesture::Marquee;
     if (onPin) session().beginDrag();
     if (onPin && !session().isDragging()) m_gesture = Gesture::None;
 }
 
+void PinTool::beginRing() {
+    m_ring.begin(*m_part, m_from, [this](const QPointF& p) { return surface().toShape(p); });
+    m_typed.clear();
+    m_amount.setZero();
+    session().beginDrag(m_ring.grip());
+    m_gesture = session().isDragging() ? Gesture::Ring : Gesture::None;
+}
+
+void PinTool::dragRing(bool snaps) {
+    m_amount = m_ring.drag(
+        m_at, [this](const QPointF& p) { return surface().toShape(p); }, snaps);
+    if (!m_typed.isEmpty()) m_amount = m_ring.typed(m_typed.value());
+    session().dragBy(m_amount);
+}
+
+void PinTool::finishDrag() {
+    const Gesture gesture = std::exchange(m_gesture, Gesture::None);
+    m_part.reset();
+    if (!std::exchange(m_typed, TypedNumber()).isEmpty()) {
+        session().endDragStraight();
+        return;
+    }
+    const double pixel = (surface().toShape({1, 0}) - surface().toShape({0, 0})).norm();
+    session().endDrag(gesture == Gesture::Ring
+                          ? kTurnDetail
+                          : std::max(kStrokeDetail * pixel, kLeastDetail * session().pixel()));
+}
+
+/// From the middle of the pin to the pointer, in the domain's units.
+double PinTool::widenedTo(const QPointF& at) const {
+    for (const PinView<2>& pin : session().pins())
+        if (pin.handle == m_pressed) return (surface().toShape(at) - pin.centre).norm();
+    return 0;
+}
+
 void PinTool::release(const QMouseEvent& event) {
     if (event.button() != Qt::LeftButton) return;
+    if (m_gesture == Gesture::Drag || m_gesture == Gesture::Ring) {
+        finishDrag();
+        hover(event.position());
+        return;
+    }
     const Gesture gesture = std::exchange(m_gesture, Gesture::None);
-    const bool extend = event.modifiers() & Qt::ShiftModifier;
     if (gesture == Gesture::Curve) m_curve.finish();
     if (gesture == Gesture::OnCurve) m_curve.choose(-1), surface().redraw();
-    if (gesture == Gesture::Drag) {
-        const double pixel = (surface().toShape({1, 0}) - surface().toShape({0, 0})).norm();
-        session().endDrag(std::max(kStrokeDetail * pixel, kLeastDetail * session().pixel()));
-    }
+    if (gesture == Gesture::Widen) widenPin(session(), m_pressed, widenedTo(event.position()));
     if (gesture == Gesture::Marquee) {
         surface().setMarquee({});
         selectInside(QRectF(m_from, event.position()).normalized(), event.modifiers());
     }
-    if (gesture == Gesture::Pressed && m_pressed < 0) {
-        const int added = m_adds ? session().addPin(surface().toShape(event.position())) : -1;
-        if (added < 0 && !extend) session().selection().clear();
-    }
+    if (gesture == Gesture::Pressed && m_pressed < 0 && !m_part) finishPress(event);
     hover(event.position());
+}
+
+/// Beside all pins: on the way of one, which it selects, or on the free shape.
+void PinTool::finishPress(const QMouseEvent& event) {
+    const bool extend = event.modifiers() & Qt::ShiftModifier;
+    if (const int handle = wayAt(event.position()); handle >= 0) {
+        pressHandle(handle, extend);
+        return;
+    }
+    const int added = m_adds ? session().addPin(surface().toShape(event.position())) : -1;
+    if (added < 0 && !extend) session().selection().clear();
 }
 
 /// Every handle of which a point lies inside.
@@ -155,16 +289,25 @@ void PinTool::selectInside(const QRectF& rectangle, Qt::KeyboardModifiers modifi
 void PinTool::doubleClick(const QMouseEvent& event) {
     const QPointF at = event.position();
     const bool onCurve =
-        event.button() == Qt::LeftButton && curvePointAt(at) <= 0 && handleAt(at) < 0;  // pins come first
+        event.button() == Qt::LeftButton && curvePointAt(at) <= 0 && pinAt(at) < 0;  // pins come first
     if (!onCurve || !m_curve.insertAt(at)) press(event);
 }
 
 bool PinTool::ownsKey(const QKeyEvent& event) const {
+    if (m_gesture == Gesture::Ring) return !(event.modifiers() & (Qt::ControlModifier | Qt::AltModifier));
     return event.key() == Qt::Key_Delete && !event.modifiers() && m_curve.chosen() > 0;
 }
 
+MenuPlace PinTool::menuAt(const QPointF& at) {
+    if (m_gesture != Gesture::None) return MenuPlace::None;
+    if (pinAt(at) < 0 && m_curve.pointAtForMenu(at)) return MenuPlace::Curve;
+    const int handle = handleAt(at);
+    return menuOfPin(session().selection(), handle >= 0 ? handle : wayAt(at));
+}
+
 void PinTool::hover(const QPointF& at) {
-    m_hovered = handleAt(at);
+    m_part = pinAt(at) < 0 && placeRing() ? m_ring.partAt(at) : std::nullopt;
+    m_hovered = m_part ? -1 : handleAt(at);
     surface().setHovered(m_hovered);
 }
 
@@ -203,15 +346,53 @@ bool PinTool::key(const QKeyEvent& event) {
             cancel();
         return true;
     }
-    if (m_gesture != Gesture::None) return false;
-    return nudge(event);
+    if (m_gesture == Gesture::None) return nudge(event);
+    if (m_gesture != Gesture::Ring) return false;
+    if (event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter)
+        finishDrag();
+    else if (m_typed.take(event))
+        dragRing(false);
+    else
+        return false;
+    surface().redraw();
+    return true;
 }
 
 void PinTool::cancel() {
     const Gesture gesture = std::exchange(m_gesture, Gesture::None);
-    if (gesture == Gesture::Drag) session().cancelDrag();
+    m_part.reset();
+    m_typed.clear();
+    if (gesture == Gesture::Drag || gesture == Gesture::Ring) session().cancelDrag();
     if (gesture == Gesture::Marquee) surface().setMarquee({});
     m_curve.cancel();
+}
+
+void PinTool::paint(QPainter& painter) const {
+    m_curve.paint(painter, m_at);
+    if (m_gesture == Gesture::Widen) return paintWidened(painter);
+    if (!placeRing()) return;
+    m_ring.paint(painter, m_part);
+    if (m_gesture == Gesture::Ring) paintNumber(painter);
+}
+
+void PinTool::paintWidened(QPainter& painter) const {
+    for (const PinView<2>& pin : session().pins()) {
+        if (pin.handle != m_pressed) continue;
+        const QPointF centre = surface().toWidget(pin.centre);
+        painter.setPen(QPen(QColor(kAccent), 2));
+        painter.setBrush(QColor(0x4a, 0x5b, 0xd4, 20));
+        painter.drawEllipse(centre, distance(centre, m_at), distance(centre, m_at));
+    }
+}
+
+void PinTool::paintNumber(QPainter& painter) const {
+    const QString text = m_ring.text(m_amount);
+    const QRectF box(m_at + QPointF(16, 16), QSizeF(painter.fontMetrics().horizontalAdvance(text) + 16, 24));
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(28, 30, 38, 225));
+    painter.drawRoundedRect(box, 5, 5);
+    painter.setPen(Qt::white);
+    painter.drawText(box, Qt::AlignCenter, text);
 }
 
 }  // namespace wend

@@ -1,12 +1,15 @@
 #pragma once
 
 #include "app/tools/curve_editor.h"
+#include "app/tools/pin_ring.h"
 #include "app/tools/tool.h"
 #include "app/tools/tool_surface.h"
+#include "app/tools/typed_number.h"
 
 namespace wend {
 
-/// Selects and drags pins; with `adds`, a click on the free shape makes a new one.
+/// Selects pins of a picture, drags, rotates, scales and widens them; with `adds`, a click on the free shape
+/// makes a new one.
 class PinTool : public Tool {
   public:
     PinTool(ToolSurface& surface, bool adds);
@@ -20,20 +23,33 @@ class PinTool : public Tool {
     void cancel() override;
     void doubleClick(const QMouseEvent& event) override;
     bool ownsKey(const QKeyEvent& event) const override;
-    bool opensMenu(const QPointF& at) override { return m_curve.pointAtForMenu(at); }
+    MenuPlace menuAt(const QPointF& at) override;
     CurveEditing* curve() override { return &m_curve; }
-    void paint(QPainter& painter) const override { m_curve.paint(painter, m_at); }
+    void paint(QPainter& painter) const override;
 
-    /// The handle within reach of a point of the widget, or −1.
+    /// The handle within reach of a point of the widget, or around it, or −1.
     int handleAt(const QPointF& widget) const;
+    /// The handle whose way is within reach, or −1.
+    int wayAt(const QPointF& widget) const;
 
   private:
     ToolSurface& surface() const { return m_surface; }
     ShapeSession& session() const { return m_surface.session(); }
-    enum class Gesture { None, Pressed, Drag, Marquee, Curve, OnCurve };
+    enum class Gesture { None, Pressed, Drag, Ring, Widen, Marquee, Curve, OnCurve };
 
     void pressHandle(int handle, bool extend);
-    void begin(const QMouseEvent& event);
+    int pinAt(const QPointF& widget) const;
+    int regionAt(const QPointF& widget) const;
+    bool placeRing() const;
+    void paintNumber(QPainter& painter) const;
+    void paintWidened(QPainter& painter) const;
+    void begin();
+    void beginRing();
+    void follow(const QMouseEvent& event);
+    void dragRing(bool snaps);
+    void finishDrag();
+    void finishPress(const QMouseEvent& event);
+    double widenedTo(const QPointF& at) const;
     int curvePointAt(const QPointF& at) const;
     void selectInside(const QRectF& rectangle, Qt::KeyboardModifiers modifiers);
     void hover(const QPointF& at);
@@ -46,6 +62,12 @@ class PinTool : public Tool {
     QPointF m_from, m_at;
     int m_pressed = -1;
     int m_hovered = -1;
+    bool m_widens = false;   // Alt was held when it was pressed
+    mutable PinRing m_ring;  // where the selection was last seen
+    mutable bool m_hasRing = false;
+    std::optional<PinRing::Part> m_part;  // of the ring: pressed, or under the pointer
+    Amount m_amount = Amount::Zero();
+    TypedNumber m_typed;
 };
 
 }  // namespace wend

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/session/solid_places.h"
+
 namespace wend {
 
 namespace {
@@ -54,7 +56,39 @@ Lines linesOf(const Blend<3>& blend, const Vec<3>&, const Vec<3>&) {
     return {{blend.from, blend.to}};
 }
 
+std::vector<Vec<2>> borderOf(const Polygon& polygon) {
+    return polygon.points;
+}
+std::vector<Vec<2>> borderOf(const Ball<2>& ball) {
+    std::vector<Vec<2>> ring;
+    for (int i = 0; i < kRingPieces; ++i) {
+        const double a = 2 * std::numbers::pi * i / kRingPieces;
+        ring.push_back(ball.centre + ball.radius * Vec<2>(std::cos(a), std::sin(a)));
+    }
+    return ring;
+}
+std::vector<Vec<2>> borderOf(const Box<2>& box) {
+    return {box.min, {box.max.x(), box.min.y()}, box.max, {box.min.x(), box.max.y()}};
+}
+template <class Endless>
+std::vector<Vec<2>> borderOf(const Endless&) {
+    return {};
+}
+
 }  // namespace
+
+std::vector<Vec<2>> regionBorder(const Handle<2>& handle, const PinView<2>& view,
+                                 const PosedFrame<2>& frame) {
+    const auto* region = std::get_if<Region<2>>(&handle.at);
+    std::vector<Vec<2>> border;
+    if (region) border = std::visit([](const auto& shape) { return borderOf(shape); }, *region);
+    if (border.empty()) return convexHull(view.points);
+    std::vector<Vec<2>> held;
+    for (const int v : verticesInside<2>(*region, *frame.rest)) held.push_back(frame.rest->points.col(v));
+    const auto carry = carryingBetween<2>(held, view.points);
+    for (Vec<2>& p : border) p = carry(p);
+    return border;
+}
 
 std::vector<std::vector<Vec<3>>> regionOutline(const Region<3>& region, const Vec<3>& low,
                                                const Vec<3>& high) {

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "app/session/pins.h"
 #include "core/mesh/region.h"
 
 namespace wend {
@@ -10,5 +11,9 @@ namespace wend {
 /// half-space, the segment of a blend. `low` and `high`: what a plane is to be seen beside.
 std::vector<std::vector<Vec<3>>> regionOutline(const Region<3>& region, const Vec<3>& low,
                                                const Vec<3>& high);
+
+/// The border of a part of a picture that is held as a whole, where it now is; the hull of its points where
+/// the region has no end.
+std::vector<Vec<2>> regionBorder(const Handle<2>& handle, const PinView<2>& view, const PosedFrame<2>& frame);
 
 }  // namespace wend

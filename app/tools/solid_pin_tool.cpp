@@ -173,7 +173,7 @@ void SolidPinTool::begin(const QPointF& at) {
 
 void SolidPinTool::drag(const QPointF& at) {
     m_amount = m_manipulator.drag(surface(), at);
-    if (!m_typed.isEmpty()) m_amount = m_manipulator.typed(m_typed.toDouble(), surface());
+    if (!m_typed.isEmpty()) m_amount = m_manipulator.typed(m_typed.value(), surface());
     session().dragBy(m_amount);
 }
 
@@ -191,25 +191,10 @@ void SolidPinTool::lock(int axis) {
     drag(m_at);
 }
 
-bool SolidPinTool::typeKey(const QKeyEvent& event) {
-    const QString text = event.text();
-    if (event.key() == Qt::Key_Backspace)
-        m_typed.chop(1);
-    else if (text.size() == 1 && (text[0].isDigit() || text == "." || (text == "-" && m_typed.isEmpty())))
-        m_typed += text;
-    else if (text == ",")
-        m_typed += '.';
-    else
-        return false;
-    drag(m_at);
-    surface().redraw();
-    return true;
-}
-
 void SolidPinTool::finish() {
     m_gesture = Gesture::None;
     m_part.reset();
-    if (!std::exchange(m_typed, {}).isEmpty()) {
+    if (!std::exchange(m_typed, TypedNumber()).isEmpty()) {
         session().endDragStraight();
         return;
     }
@@ -283,6 +268,11 @@ void SolidPinTool::leave() {
     m_over = false;
 }
 
+MenuPlace SolidPinTool::menuAt(const QPointF& at) {
+    if (m_curve.pointAtForMenu(at)) return MenuPlace::Curve;
+    return menuOfPin(session().selection(), handleAt(at));
+}
+
 bool SolidPinTool::ownsKey(const QKeyEvent& event) const {
     return event.key() == Qt::Key_Delete && !event.modifiers() && m_curve.chosen() > 0;
 }
@@ -333,7 +323,10 @@ bool SolidPinTool::key(const QKeyEvent& event) {
         surface().redraw();
         return true;
     }
-    return typeKey(event);
+    if (!m_typed.take(event)) return false;
+    drag(m_at);
+    surface().redraw();
+    return true;
 }
 
 void SolidPinTool::cancel() {

@@ -2,6 +2,7 @@
 
 #include "app/tools/curve_editor.h"
 #include "app/tools/manipulator.h"
+#include "app/tools/typed_number.h"
 
 namespace wend {
 
@@ -29,7 +30,7 @@ class SolidPinTool : public SolidTool {
     void doubleClick(const QMouseEvent& event) override;
     void leave() override;
     bool ownsKey(const QKeyEvent& event) const override;
-    bool opensMenu(const QPointF& at) override { return m_curve.pointAtForMenu(at); }
+    MenuPlace menuAt(const QPointF& at) override;
     CurveEditing* curve() override { return &m_curve; }
 
     /// The handle within reach of a point of the widget, or −1.
@@ -44,7 +45,6 @@ class SolidPinTool : public SolidTool {
     void begin(const QPointF& at);
     void drag(const QPointF& at);
     void lock(int axis);
-    bool typeKey(const QKeyEvent& event);
     bool nudge(const QKeyEvent& event);
     void finish();
     void addPinAt(const QPointF& at, bool extend);
@@ -68,7 +68,7 @@ class SolidPinTool : public SolidTool {
     int m_pressed = -1, m_hovered = -1;
     std::optional<Manipulator::Part> m_part;  // pressed, or under the pointer
     Amount m_amount = Amount::Zero();
-    QString m_typed;
+    TypedNumber m_typed;
 };
 
 }  // namespace wend

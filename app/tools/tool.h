@@ -12,6 +12,16 @@ namespace wend {
 
 class CurveEditing;
 
+/// What a menu is opened for.
+enum class MenuPlace { None, Canvas, Pin, Curve };
+
+/// The menu of a handle, which is then among those that are selected; that of the canvas where there is none.
+inline MenuPlace menuOfPin(Selection& selection, int handle) {
+    if (handle < 0) return MenuPlace::Canvas;
+    if (!selection.contains(handle)) selection.set({handle});
+    return MenuPlace::Pin;
+}
+
 /// With Shift what is picked joins the others, with Ctrl it leaves them.
 inline Selection::Pick pickBy(Qt::KeyboardModifiers modifiers) {
     if (modifiers & Qt::ControlModifier) return Selection::Pick::Remove;
@@ -38,8 +48,8 @@ class Tool {
     virtual void cancel() = 0;
     /// A key that is the tool's now although a shortcut has it.
     virtual bool ownsKey(const QKeyEvent&) const { return false; }
-    /// True if a menu is to be opened there; the tool remembers what for.
-    virtual bool opensMenu(const QPointF&) { return false; }
+    /// What the menu that is opened there is for; the tool remembers the place.
+    virtual MenuPlace menuAt(const QPointF&) { return MenuPlace::Canvas; }
     /// The curve that it edits; null if it edits none.
     virtual CurveEditing* curve() { return nullptr; }
     /// The pointer is not over the view any more.

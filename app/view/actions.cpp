@@ -83,11 +83,11 @@ void Actions::makeView() {
 
 void Actions::makeMotion() {
     play = add({tr("&Play"), tr("Play the motion, or pause it")}, QKeySequence(tr("K")), "play");
-    loop = addToggle({tr("&Loop"), tr("Begin again at the end")}, QKeySequence(tr("L")), "loop");
+    loop = addToggle({tr("&Loop"), tr("Begin again at the end")}, QKeySequence(tr("Shift+L")), "loop");
     toStart =
         add({tr("To the &Start"), tr("Show the shape at rest")}, QKeySequence(Qt::Key_Home), "first-frame");
-    toEnd = add({tr("To the &End"), tr("Show the end of the motion, where dragging goes on")},
-                QKeySequence(Qt::Key_End), "last-frame");
+    toEnd =
+        add({tr("To the &End"), tr("Show the end of the motion")}, QKeySequence(Qt::Key_End), "last-frame");
     settle = add(
         {tr("S&ettle"), tr("Let the shape relax towards its rest at the end, with the pins where they are")},
         {});
@@ -100,7 +100,7 @@ void Actions::makeHelp() {
     about->setMenuRole(QAction::AboutRole);
 }
 
-void Actions::fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve) {
+void Actions::fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve, const QList<QAction*>& hold) {
     QMenu* file = window.menuBar()->addMenu(tr("&File"));
     file->addAction(open);
     file->addMenu(recent.get());
@@ -117,6 +117,7 @@ void Actions::fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve) {
     edit->addActions({selectAll, selectNone, remove});
     edit->addSeparator();
     edit->addActions({pinTool, selectTool});
+    edit->addActions(hold);
     QMenu* view = window.menuBar()->addMenu(tr("&View"));
     view->addActions({showMesh, showMap, hideOverlays});
     view->addSeparator();

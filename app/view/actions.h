@@ -31,8 +31,9 @@ class Actions : public ActionMaker {
     const std::unique_ptr<QMenu> recent, samples;
 
     /// Menus of the whole program, in the order of the work.
-    /// `more` stands between those of the view and of the motion; `curve` within that of the motion.
-    void fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve);
+    /// `more` stands between those of the view and of the motion; `curve` within that of the motion, `hold`
+    /// behind the tools for pins.
+    void fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve, const QList<QAction*>& hold);
     /// What needs a shape, a selection, a motion.
     void setHasFile(bool has, bool hasPicture, bool isSolid);
     void setHasSelection(bool has);

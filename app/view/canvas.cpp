@@ -254,7 +254,7 @@ void ShapeCanvas::paintEvent(QPaintEvent*) {
     painter.setRenderHint(QPainter::Antialiasing);
     if (const auto frame = m_session.frame<2>(); !m_hidden && frame) {
         if (m_map) overlay.worst(*frame, worstOf(frame->distortion, m_measure).cell);
-        overlay.paths(m_session);
+        overlay.paths(m_session, m_hovered);
         overlay.pins(m_session, m_hovered);
         if (m_tool) m_tool->paint(painter);
     }
@@ -312,8 +312,9 @@ void ShapeCanvas::mouseReleaseEvent(QMouseEvent* event) {
         m_tool->release(*event);
         // A menu takes the pointer: not in the middle of a gesture.
         const bool alone = std::exchange(m_menuPressed, false) && event->buttons() == Qt::NoButton;
-        const bool menu = alone && event->button() == Qt::RightButton && m_tool->opensMenu(event->position());
-        if (menu) emit menuWanted(event->globalPosition().toPoint());
+        const bool wanted = alone && event->button() == Qt::RightButton;
+        const MenuPlace place = wanted ? m_tool->menuAt(event->position()) : MenuPlace::None;
+        if (place != MenuPlace::None) emit menuWanted(event->globalPosition().toPoint(), place);
         emit hintChanged(m_tool->hint());
     }
     updateCursor();
@@ -359,6 +360,7 @@ void ShapeCanvas::focusOutEvent(QFocusEvent*) {
 
 void ShapeCanvas::leaveEvent(QEvent*) {
     emit pointed(0, 0, false);
+    if (m_tool) m_tool->leave();
     setHovered(-1);
 }
 

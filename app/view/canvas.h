@@ -47,7 +47,7 @@ class ShapeCanvas : public QWidget, public ToolSurface {
   signals:
     void hintChanged(QString hint);
     /// A menu for what is under the pointer is asked for.
-    void menuWanted(QPoint global);
+    void menuWanted(QPoint global, wend::MenuPlace place);
     /// Where the pointer is in the domain; `inside` is false when it has left.
     void pointed(double x, double y, bool inside);
 

@@ -21,10 +21,12 @@
 #include "app/panels/mesh_panel.h"
 #include "app/panels/panel_fields.h"
 #include "app/panels/panel_parts.h"
+#include "app/panels/pin_list.h"
 #include "app/session/settle_step.h"
 #include "app/view/actions.h"
 #include "app/view/busy_note.h"
 #include "app/view/canvas.h"
+#include "app/view/context_menu.h"
 #include "app/view/curve_actions.h"
 #include "app/view/exporter.h"
 #include "app/view/file_workflow.h"
@@ -57,6 +59,7 @@ MainWindow::MainWindow(QWidget* parent)
       m_material(new MaterialPanel(m_session)),
       m_mesh(new MeshPanel(m_session)),
       m_distortion(new DistortionPanel(m_session)),
+      m_pins(new PinList(m_session)),
       m_pages(new QStackedWidget),
       m_note(new BusyNote(*m_pages)),
       m_work(new WorkNote(m_session, *m_pages)),
@@ -70,7 +73,11 @@ MainWindow::MainWindow(QWidget* parent)
     m_solids = new SolidWorkshop({m_session, *m_actions, *m_distortion, *m_fields}, *this);
     m_curves = new CurveActions(
         m_session, [this] { return currentCurve(); }, this);
-    m_actions->fillMenuBar(*this, m_solids->actions().menu(), m_curves->menu());
+    makeHoldTools();
+    m_menu = new ContextMenu({m_session, *m_actions, *m_curves, m_solids->actions()}, this);
+    const SolidActions& solids = m_solids->actions();
+    m_actions->fillMenuBar(*this, solids.menu(), m_curves->menu(),
+                           {solids.rectangle, solids.lasso, solids.brush});
     makeToolBars();
     makeCentre();
     connectFiles();
@@ -132,14 +139,17 @@ QWidget* MainWindow::makeSidePanel() {
     column->setSpacing(0);
     column->addWidget(m_material);
     column->addWidget(panelLine(content));
+    column->addWidget(m_pins);
+    column->addWidget(panelLine(content));
     column->addWidget(new CurvePanel(m_session, 2, true));
     column->addWidget(m_mesh);
     column->addWidget(panelLine(content));
     column->addWidget(m_distortion);
     m_solids->furnish(*m_toolBar, *column);
     column->addStretch(1);
-    connect(new PanelFields(*content), &PanelFields::done, this,
-            [this] { m_pages->currentWidget()->setFocus(); });
+    for (QWidget* fields : {content, static_cast<QWidget*>(m_time)})
+        connect(new PanelFields(*fields), &PanelFields::done, this,
+                [this] { m_pages->currentWidget()->setFocus(); });
     auto* scroll = new QScrollArea;
     scroll->setObjectName(QStringLiteral("sideScroll"));
     scroll->setWidget(content);
@@ -215,10 +225,8 @@ void MainWindow::connectFiles() {
 
 void MainWindow::connectEdit() {
     Actions& a = *m_actions;
-    connect(a.tools, &QActionGroup::triggered, this, [this] {
-        if (m_solids->isActive()) return;
-        m_canvas->setTool(m_actions->pinTool->isChecked() ? m_pinTool.get() : m_selectTool.get());
-    });
+    connect(a.tools, &QActionGroup::triggered, this, &MainWindow::choosePictureTool);
+    connect(m_pins, &PinList::done, this, [this] { m_pages->currentWidget()->setFocus(); });
     connect(a.remove, &QAction::triggered, &m_session, &ShapeSession::removeSelected);
     connect(a.selectNone, &QAction::triggered, &m_session.selection(), &Selection::clear);
     connect(a.selectAll, &QAction::triggered, this, [this] {
@@ -256,9 +264,9 @@ void MainWindow::connectView() {
     });
     connect(m_canvas, &ShapeCanvas::hintChanged, m_fields, &StatusFields::setHint);
     connect(m_canvas, &ShapeCanvas::hintChanged, m_curves, &CurveActions::refresh);
-    connect(m_canvas, &ShapeCanvas::menuWanted, m_curves, &CurveActions::popUp);
+    connect(m_canvas, &ShapeCanvas::menuWanted, m_menu, &ContextMenu::popUp);
     connect(m_solids, &SolidWorkshop::hintChanged, m_curves, &CurveActions::refresh);
-    connect(m_solids, &SolidWorkshop::menuWanted, m_curves, &CurveActions::popUp);
+    connect(m_solids, &SolidWorkshop::menuWanted, m_menu, &ContextMenu::popUp);
     connect(m_canvas, &ShapeCanvas::pointed, m_fields, &StatusFields::setPointer);
     m_canvas->setTool(m_pinTool.get());
 }
@@ -293,6 +301,24 @@ CurveEditing* MainWindow::currentCurve() {
     return tool ? tool->curve() : nullptr;
 }
 
+/// A part that was taken hold of is there to be moved.
+void MainWindow::makeHoldTools() {
+    const SolidActions& a = m_solids->actions();
+    const auto done = [this] { m_actions->selectTool->trigger(); };
+    using Shape = HoldTool::Shape;
+    for (const auto& [action, shape] :
+         {std::pair{a.rectangle, Shape::Rectangle}, {a.lasso, Shape::Lasso}, {a.brush, Shape::Brush}})
+        m_holdTools.emplace_back(action, std::make_unique<HoldTool>(*m_canvas, shape, done));
+}
+
+void MainWindow::choosePictureTool() {
+    if (m_solids->isActive()) return;
+    Tool* tool = m_actions->pinTool->isChecked() ? m_pinTool.get() : m_selectTool.get();
+    for (const auto& [action, hold] : m_holdTools)
+        if (action->isChecked()) tool = hold.get();
+    m_canvas->setTool(tool);
+}
+
 void MainWindow::openPath(const QString& path) {
     m_files->open(path);
 }
@@ -310,8 +336,8 @@ void MainWindow::showDocument() {
                             static_cast<QWidget*>(m_toolBar), static_cast<QWidget*>(m_topBar)})
         widget->setVisible(has);
     if (has) shape->setFocus();
-    if (has && !solid)
-        m_canvas->setTool(m_actions->pinTool->isChecked() ? m_pinTool.get() : m_selectTool.get());
+    m_solids->actions().setHoldsPictures(has && !solid);
+    if (has) choosePictureTool();
     m_fields->setVisible(has);
     m_toldUntil.setRemainingTime(0);
     showSelection();
@@ -423,19 +449,24 @@ void MainWindow::dropEvent(QDropEvent* event) {
 void MainWindow::showKeys() {
     QMessageBox box(QMessageBox::NoIcon, tr("Keys and Mouse"), {}, QMessageBox::Close, this);
     box.setTextFormat(Qt::RichText);
-    box.setText(m_solids->isActive()
-                    ? SolidWorkshop::keys()
-                    : tr("<table cellspacing='6'>"
-                         "<tr><td><b>Click</b></td><td>sets a pin</td></tr>"
-                         "<tr><td><b>Drag a pin</b></td><td>moves it; Esc puts it back</td></tr>"
-                         "<tr><td><b>Shift-click</b></td><td>selects several pins</td></tr>"
-                         "<tr><td><b>Drag beside pins</b></td><td>selects by rectangle</td></tr>"
-                         "<tr><td><b>Arrow keys</b></td><td>nudge by a pixel, with Shift by ten</td></tr>"
-                         "<tr><td><b>Delete</b></td><td>removes the selected pins</td></tr>"
-                         "<tr><td><b>Wheel</b></td><td>zooms to the pointer</td></tr>"
-                         "<tr><td><b>Space or middle button</b></td><td>pans</td></tr>"
-                         "<tr><td><b>Hold H</b></td><td>shows the bare picture</td></tr>"
-                         "</table>"));
+    box.setText(
+        m_solids->isActive()
+            ? SolidWorkshop::keys()
+            : tr("<table cellspacing='6'>"
+                 "<tr><td><b>Click</b></td><td>sets a pin</td></tr>"
+                 "<tr><td><b>Drag a pin</b></td><td>moves it; Esc puts it back</td></tr>"
+                 "<tr><td><b>Alt-drag a pin</b></td><td>widens it to a circle</td></tr>"
+                 "<tr><td><b>Drag the ring's dot or square</b></td><td>rotates or scales; digits set "
+                 "the number, Shift snaps to 15°</td></tr>"
+                 "<tr><td><b>Shift-click</b></td><td>selects several pins</td></tr>"
+                 "<tr><td><b>Drag beside pins</b></td><td>selects by rectangle</td></tr>"
+                 "<tr><td><b>Arrow keys</b></td><td>nudge by a pixel, with Shift by ten</td></tr>"
+                 "<tr><td><b>Delete</b></td><td>removes the selected pins</td></tr>"
+                 "<tr><td><b>Shift+B, L, U</b></td><td>hold a part by rectangle, lasso, brush</td></tr>"
+                 "<tr><td><b>Wheel</b></td><td>zooms to the pointer</td></tr>"
+                 "<tr><td><b>Space or middle button</b></td><td>pans</td></tr>"
+                 "<tr><td><b>Hold H</b></td><td>shows the bare picture</td></tr>"
+                 "</table>"));
     box.exec();
 }
 

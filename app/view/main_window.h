@@ -6,6 +6,7 @@
 
 #include "app/panels/theme.h"
 #include "app/session/shape_session.h"
+#include "app/tools/hold_tool.h"
 #include "app/tools/pin_tool.h"
 
 class QStackedWidget;
@@ -14,6 +15,7 @@ namespace wend {
 
 class Actions;
 class BusyNote;
+class ContextMenu;
 class CurveActions;
 class CurveEditing;
 class ShapeCanvas;
@@ -23,6 +25,7 @@ class FileWorkflow;
 class InfoBanner;
 class MaterialPanel;
 class MeshPanel;
+class PinList;
 class SolidWorkshop;
 class StartPage;
 class StatusFields;
@@ -74,6 +77,8 @@ class MainWindow : public QMainWindow {
     void showWork();
     CurveEditing* currentCurve();
     void fitToScreen();
+    void makeHoldTools();
+    void choosePictureTool();
     void showTitle();
     void showSelection();
     void setAppearance(Appearance appearance);
@@ -85,6 +90,7 @@ class MainWindow : public QMainWindow {
     ShapeSession m_session;
     Actions* m_actions;
     CurveActions* m_curves = nullptr;
+    ContextMenu* m_menu = nullptr;
     FileWorkflow* m_files;
     Exporter* m_exporter;
     ShapeCanvas* m_canvas;
@@ -94,6 +100,7 @@ class MainWindow : public QMainWindow {
     MaterialPanel* m_material;
     MeshPanel* m_mesh;
     DistortionPanel* m_distortion;
+    PinList* m_pins;
     StatusFields* m_fields = nullptr;
     SolidWorkshop* m_solids = nullptr;
     QStackedWidget* m_pages;
@@ -107,6 +114,7 @@ class MainWindow : public QMainWindow {
     QToolBar* m_topBar = nullptr;
     QToolBar* m_toolBar = nullptr;
     std::unique_ptr<PinTool> m_pinTool, m_selectTool;
+    std::vector<std::pair<QAction*, std::unique_ptr<HoldTool>>> m_holdTools;
     QPalette m_systemPalette;
 };
 

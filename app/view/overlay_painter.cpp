@@ -3,16 +3,18 @@
 #include <QCoreApplication>
 #include <cmath>
 
+#include "app/session/pin_shapes.h"
+#include "app/tools/region_outline.h"
 #include "core/motion/trajectory.h"
 
 namespace wend {
 
 namespace {
 
-constexpr int kMostPathsOfOneHandle = 3;
 constexpr int kFramesAlongCurve = 9;
 constexpr double kFrameSize = 22;  // pixels
-const QColor kFrameAxes[] = {QColor(214, 69, 65), QColor(72, 148, 60)};
+constexpr double kFrameSizeY = 14;
+const QColor kFrameAxes[] = {QColor(0xd4, 0x3d, 0x51), QColor(0x12, 0xa5, 0x94)};
 
 QPixmap checker(const Theme& theme) {
     constexpr int kSquare = 10;
@@ -56,28 +58,24 @@ void OverlayPainter::frames(const Handle<2>& handle, const Vec<2>& start) {
             const Vec<2> at = trajectory.at(t).position(start);
             const Mat<2> F = trajectory.frame(t);
             for (int k = 0; k < 2; ++k)
-                m_marks.line(
-                    {m_view.toWidget(at), m_view.toWidget(at + kFrameSize / m_view.zoom() * F.col(k))},
-                    kFrameAxes[k], 1.75, Qt::SolidLine);
+                m_marks.line({m_view.toWidget(at), m_view.toWidget(at + (k == 0 ? kFrameSize : kFrameSizeY) /
+                                                                            m_view.zoom() * F.col(k))},
+                             kFrameAxes[k], 1.75, Qt::SolidLine);
         }
     }
 }
 
-void OverlayPainter::paths(ShapeSession& session) {
+void OverlayPainter::paths(ShapeSession& session, int hovered) {
     if (session.document().isEmpty()) return;
     const auto& handles = session.document().design().handles;
     for (const bool selected : {false, true})
         for (int h = 0; h < static_cast<int>(handles.size()); ++h) {
             if (handles[h].motions.empty() || session.selection().contains(h) != selected) continue;
             if (handles[h].activeTo <= session.playback().time()) continue;  // let go of
-            auto starts = session.pathStarts(h);
-            if (starts.size() > kMostPathsOfOneHandle) {  // one for all
-                Vec<2> sum = Vec<2>::Zero();
-                for (const Vec<2>& p : starts) sum += p;
-                starts = {sum / static_cast<double>(starts.size())};
-            }
+            const auto starts = shownStarts<2>(session.pathStarts(h));
             for (const PinPath<2>& one : pinPaths(handles[h], starts))
-                m_marks.path(toWidget(one.points), one.times, selected, session.playback().time());
+                m_marks.path(toWidget(one.points), one.times, selected, session.playback().time(),
+                             h == hovered);
             if (selected && !starts.empty()) frames(handles[h], starts.front());
         }
 }
@@ -101,23 +99,25 @@ void OverlayPainter::spots(const PinView<2>& view, const QColor& colour) {
     for (const Vec<2>& p : view.points) m_painter.drawEllipse(m_view.toWidget(p), 3.2, 3.2);
 }
 
-/// A part of the shape that is held as a whole.
-void OverlayPainter::region(const PinView<2>& view, const QColor& colour) {
-    const QPolygonF hull = toWidget(convexHull(view.points));
-    QColor fill = colour;
-    fill.setAlpha(40);
-    m_painter.setBrush(fill);
-    m_painter.setPen(QPen(QColor(255, 255, 255, 170), 3, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    m_painter.drawPolygon(hull);
-    QPen pen(colour, 1.25, Qt::CustomDashLine, Qt::FlatCap, Qt::RoundJoin);
-    pen.setDashPattern({4, 3});
-    m_painter.setPen(pen);
-    m_painter.setBrush(Qt::NoBrush);
-    m_painter.drawPolygon(hull);
+/// A part of the shape that is held as a whole: its outline veils nothing until it is pointed at.
+void OverlayPainter::region(const Handle<2>& handle, const PinView<2>& view, const PosedFrame<2>& frame,
+                            bool selected, bool hovered) {
+    QPolygonF border = toWidget(regionBorder(handle, view, frame));
+    if (border.isEmpty()) return;
+    border << border.first();
+    if (hovered) {
+        QColor fill = m_theme.accent;
+        fill.setAlphaF(0.08F);
+        m_painter.setPen(Qt::NoPen);
+        m_painter.setBrush(fill);
+        m_painter.drawPolygon(border);
+    }
+    m_marks.line(border, selected ? m_theme.accent : kInk, selected ? 2 : 1.25,
+                 selected ? Qt::SolidLine : Qt::CustomDashLine);
 }
 
-void OverlayPainter::pins(ShapeSession& session, int hovered) {
-    const auto pins = session.pins(), ghosts = session.ghosts();
+void OverlayPainter::ghosts(ShapeSession& session, int hovered) {
+    const auto ghosts = session.ghosts();
     for (const PinView<2>& view : ghosts)
         ghost(m_view.toWidget(view.centre), session.selection().contains(view.handle),
               view.handle == hovered);
@@ -125,16 +125,24 @@ void OverlayPainter::pins(ShapeSession& session, int hovered) {
         if (view.handle == hovered)
             m_marks.name(m_view.toWidget(view.centre),
                          QCoreApplication::translate("PinTool", "%1: does not hold now").arg(view.name));
+}
+
+void OverlayPainter::pins(ShapeSession& session, int hovered) {
+    ghosts(session, hovered);
+    const auto frame = session.frame<2>();
+    const auto pins = session.pins();
+    const auto& handles = session.document().design().handles;
     for (const PinView<2>& view : pins) {
-        const QColor colour = session.selection().contains(view.handle) ? m_theme.accent : kInk;
-        if (view.region)
-            region(view, colour);
+        const bool selected = session.selection().contains(view.handle);
+        if (view.region && frame)
+            region(handles[view.handle], view, *frame, selected, view.handle == hovered);
         else if (view.points.size() > 1)
-            spots(view, colour);
+            spots(view, selected ? m_theme.accent : kInk);
     }
     for (const PinView<2>& view : pins)
-        m_marks.pin(m_view.toWidget(view.centre), session.selection().contains(view.handle),
-                    view.handle == hovered, view.region);
+        m_marks.pin(m_view.toWidget(view.centre),
+                    {session.selection().contains(view.handle), view.handle == hovered, view.region,
+                     !handles[view.handle].motions.empty() || session.isDragging(), pinColour(view.handle)});
     for (const PinView<2>& view : pins)
         if (view.handle == hovered) m_marks.name(m_view.toWidget(view.centre), view.name);
 }

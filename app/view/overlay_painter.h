@@ -17,7 +17,7 @@ class OverlayPainter {
         : m_painter(painter), m_marks(painter), m_view(view), m_theme(theme) {}
 
     void paper(const QRectF& frame);
-    void paths(ShapeSession& session);
+    void paths(ShapeSession& session, int hovered);
     /// Also, faintly, the handles that do not hold at the time that is shown.
     void pins(ShapeSession& session, int hovered);
     void worst(const PosedFrame<2>& frame, int cell);
@@ -28,7 +28,9 @@ class OverlayPainter {
     void ghost(const QPointF& at, bool selected, bool hovered);
     void frames(const Handle<2>& handle, const Vec<2>& start);
     void spots(const PinView<2>& view, const QColor& colour);
-    void region(const PinView<2>& view, const QColor& colour);
+    void region(const Handle<2>& handle, const PinView<2>& view, const PosedFrame<2>& frame, bool selected,
+                bool hovered);
+    void ghosts(ShapeSession& session, int hovered);
 
     QPainter& m_painter;
     Marks m_marks;

@@ -12,14 +12,13 @@ SolidActions::SolidActions(QActionGroup& tools, QObject* parent) : ActionMaker(p
 
 void SolidActions::makeTools(QActionGroup& tools) {
     rectangle =
-        addToggle({tr("Hold by &Rectangle"), tr("Take hold of all vertices in a rectangle as one handle")},
+        addToggle({tr("Hold by &Rectangle"), tr("Take hold of all that lies in a rectangle as one handle")},
                   QKeySequence(tr("B")), "area-rectangle");
     lasso =
-        addToggle({tr("Hold by &Lasso"), tr("Take hold of all vertices in a drawn outline as one handle")},
+        addToggle({tr("Hold by &Lasso"), tr("Take hold of all that lies in a drawn outline as one handle")},
                   QKeySequence(tr("O")), "area-lasso");
-    brush =
-        addToggle({tr("Hold by &Brush"), tr("Take hold of the vertices that are brushed over as one handle")},
-                  QKeySequence(tr("U")), "area-brush");
+    brush = addToggle({tr("Hold by &Brush"), tr("Take hold of what is brushed over as one handle")},
+                      QKeySequence(tr("U")), "area-brush");
     ball = addToggle(
         {tr("Hold a B&all"), tr("Take hold of all vertices in a ball around a point of the surface")},
         QKeySequence(tr("Shift+B")), "area-ball");
@@ -137,7 +136,19 @@ void SolidActions::setMeshed(bool meshed) {
     enable(sizes, meshed, tr("The mesh comes from a file and is used as it is."));
 }
 
+void SolidActions::setHoldsPictures(bool holds) {
+    if (!holds) return;
+    rectangle->setShortcut(QKeySequence(tr("Shift+B")));
+    lasso->setShortcut(QKeySequence(tr("L")));
+    for (QAction* action : {rectangle, lasso, brush}) {
+        action->setVisible(true);
+        enable(action, true, {});
+    }
+}
+
 void SolidActions::setShown(bool shown) {
+    rectangle->setShortcut(QKeySequence(tr("B")));
+    lasso->setShortcuts({QKeySequence(tr("L")), QKeySequence(tr("O"))});
     m_menu->menuAction()->setVisible(shown);
     for (QAction* action : findChildren<QAction*>(QString(), Qt::FindDirectChildrenOnly)) {
         action->setVisible(shown);

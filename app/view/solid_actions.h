@@ -27,6 +27,8 @@ class SolidActions : public ActionMaker {
 
     QMenu* menu() const { return m_menu.get(); }
     void setShown(bool shown);
+    /// Parts of a picture are held by some of the same tools.
+    void setHoldsPictures(bool holds);
     /// Whether the solid has a surface of its own, beside its tetrahedra.
     void setHasDetail(bool has);
     /// Whether that is one that was chosen for it.

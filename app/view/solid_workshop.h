@@ -59,7 +59,7 @@ class SolidWorkshop : public QObject {
 
   signals:
     void hintChanged(QString hint);
-    void menuWanted(QPoint global);
+    void menuWanted(QPoint global, wend::MenuPlace place);
     void failed(QString text);
     void done(QString text);
     /// What the user should hear of a new mesh.

@@ -7,6 +7,8 @@
 #include <QToolButton>
 #include <cmath>
 
+#include "app/document/film_time.h"
+#include "app/panels/exact_box.h"
 #include "app/panels/jump_slider.h"
 #include "app/panels/panel_parts.h"
 #include "app/panels/theme.h"
@@ -16,6 +18,7 @@ namespace wend {
 namespace {
 
 constexpr int kSteps = 10000;
+constexpr double kShortest = 0.1, kLongest = 600;  // seconds
 
 }  // namespace
 
@@ -25,7 +28,8 @@ TimeStrip::TimeStrip(ShapeSession& session, QWidget* parent)
       m_play(new QToolButton(this)),
       m_loop(new QToolButton(this)),
       m_slider(new JumpSlider(this)),
-      m_label(new QLabel(this)) {
+      m_label(new QLabel(this)),
+      m_length(new ExactBox(this)) {
     setObjectName(QStringLiteral("timeStrip"));
     setAttribute(Qt::WA_StyledBackground);
     m_slider->setRange(0, kSteps);
@@ -33,8 +37,9 @@ TimeStrip::TimeStrip(ShapeSession& session, QWidget* parent)
     describe(m_slider, tr("Time"), tr("Which moment of the motion is shown."));
     m_loop->setCheckable(true);
     m_label->setProperty("role", "second");
-    m_label->setMinimumWidth(m_label->fontMetrics().horizontalAdvance(QStringLiteral("00.00 / 00.00 ")));
+    m_label->setMinimumWidth(m_label->fontMetrics().horizontalAdvance(QStringLiteral("00.00 / ")));
     m_label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    makeLength();
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(10, 5, 16, 5);
     row->setSpacing(6);
@@ -44,6 +49,7 @@ TimeStrip::TimeStrip(ShapeSession& session, QWidget* parent)
     }
     row->addWidget(m_slider, 1);
     row->addWidget(m_label);
+    row->addWidget(m_length);
 
     Playback& playback = m_session.playback();
     connect(m_slider, &QSlider::valueChanged, this,
@@ -52,12 +58,39 @@ TimeStrip::TimeStrip(ShapeSession& session, QWidget* parent)
     connect(&playback, &Playback::endChanged, this, &TimeStrip::showEnd);
     connect(&playback, &Playback::timeChanged, this, &TimeStrip::showTime);
     connect(&playback, &Playback::playingChanged, this, &TimeStrip::showPlaying);
+    connect(&m_session.document(), &Document::opened, this, &TimeStrip::showLength);
+    connect(&m_session.document(), &Document::projectChanged, this, &TimeStrip::showLength);
     connect(&m_session, &ShapeSession::progress, this, [this](double time) {
         m_computed = time;
         update();
     });
     connect(&m_session, &ShapeSession::busyChanged, this, qOverload<>(&QWidget::update));
     showEnd(playback.end());
+    showLength();
+}
+
+void TimeStrip::makeLength() {
+    m_length->setRange(kShortest, kLongest);
+    m_length->setDecimals(2);
+    m_length->setSingleStep(0.5);
+    m_length->setSuffix(tr(" s"));
+    m_length->setKeyboardTracking(false);
+    describe(m_length, tr("Length"),
+             tr("How long the film is. The poses stay as they are, however fast it goes."));
+    connect(m_length, &QDoubleSpinBox::valueChanged, this, &TimeStrip::changeLength);
+}
+
+void TimeStrip::showLength() {
+    const Document& document = m_session.document();
+    m_length->setEnabled(!document.isEmpty());
+    if (!document.isEmpty()) m_length->put(document.project()->end);
+}
+
+void TimeStrip::changeLength() {
+    Document& document = m_session.document();
+    if (document.isEmpty() || m_length->exact() == document.project()->end) return;
+    document.change(tr("Change length"), withLength(*document.project(), m_length->exact()),
+                    QStringLiteral("length"));
 }
 
 void TimeStrip::setIcons(const QIcon& play, const QIcon& pause, const QIcon& loop) {
@@ -81,8 +114,7 @@ void TimeStrip::showTime() {
     m_slider->setValue(
         playback.end() > 0 ? static_cast<int>(std::lround(kSteps * playback.time() / playback.end())) : 0);
     const QLocale locale;
-    m_label->setText(playback.end() > 0 ? tr("%1 / %2").arg(locale.toString(playback.time(), 'f', 2),
-                                                            locale.toString(playback.end(), 'f', 2))
+    m_label->setText(playback.end() > 0 ? tr("%1 /").arg(locale.toString(playback.time(), 'f', 2))
                                         : tr("No motion yet"));
 }
 

@@ -11,8 +11,10 @@ class QToolButton;
 
 namespace wend {
 
-/// The time below the canvas: play, loop, a slider from 0 to the end, and how far the motion has been
-/// computed.
+class ExactBox;
+
+/// The time below the canvas: play, loop, a slider from 0 to the end, the length of the film, and how
+/// far the motion has been computed.
 class TimeStrip : public QWidget {
     Q_OBJECT
 
@@ -21,13 +23,17 @@ class TimeStrip : public QWidget {
     QToolButton* playButton() const { return m_play; }
     QToolButton* loopButton() const { return m_loop; }
     QSlider* slider() const { return m_slider; }
+    ExactBox* length() const { return m_length; }
     void setIcons(const QIcon& play, const QIcon& pause, const QIcon& loop);
 
   protected:
     void paintEvent(QPaintEvent* event) override;
 
   private:
+    void makeLength();
     void showEnd(double end);
+    void showLength();
+    void changeLength();
     void showTime();
     void paintSettling(QPainter& painter, double end);
     void showPlaying(bool playing);
@@ -37,6 +43,7 @@ class TimeStrip : public QWidget {
     QToolButton* m_loop;
     QSlider* m_slider;
     QLabel* m_label;
+    ExactBox* m_length;
     QIcon m_playIcon, m_pauseIcon;
     double m_computed = 0;
 };

@@ -2,7 +2,10 @@
 #include <limits>
 
 #include "app/document/document.h"
+#include "app/document/film_time.h"
+#include "app/document/handle_comparison.h"
 #include "app/document/handle_edits.h"
+#include "core/motion/trajectory.h"
 
 using namespace wend;
 
@@ -16,7 +19,11 @@ class TestCommands : public QObject {
     void firstPinsAreThereFromTheStart();
     void laterPinsBeginAtTheEnd();
     void removedPinsThatActedAreLetGo();
-    void strokesAppendAWindow();
+    void filmsKeepTheirLength();
+    void laterStrokesReplaceWhatCame();
+    void cutMotionsGoTheSameWay_data();
+    void cutMotionsGoTheSameWay();
+    void anotherLengthIsTheSameMotion();
     void longerStrokesKeepOneMotion();
     void simplifiedStaysWithinTolerance();
     void firstDifference_data();
@@ -103,7 +110,7 @@ void TestCommands::firstPinsAreThereFromTheStart() {
     QCOMPARE(handlesOf(project).size(), std::size_t(2));
     QVERIFY(handlesOf(project)[1].activeFrom < 0);
     QCOMPARE(freePinName(std::get<Design<2>>(project.design)), std::string("Pin 3"));
-    QCOMPARE(handlesOf(withoutHandles(project, {0})).size(), std::size_t(1));
+    QCOMPARE(handlesOf(withoutHandles(project, {0}, 0)).size(), std::size_t(1));
 }
 
 void TestCommands::laterPinsBeginAtTheEnd() {
@@ -113,29 +120,106 @@ void TestCommands::laterPinsBeginAtTheEnd() {
     QVERIFY(isActive(handlesOf(later)[2], 1.0));
     QVERIFY(!isActive(handlesOf(later)[2], 0.5));
     // It never acted: gone without a trace.
-    QCOMPARE(handlesOf(withoutHandles(later, {2})).size(), std::size_t(2));
+    QCOMPARE(handlesOf(withoutHandles(later, {2}, 1)).size(), std::size_t(2));
 }
 
 void TestCommands::removedPinsThatActedAreLetGo() {
     const Project moved = withStroke(withPins(2), {1}, {{10, 5}}, {{0, 0}, {4, 0}});
-    const Project removed = withoutHandles(moved, {0});
+    const Project removed = withoutHandles(moved, {0}, 1);
     QCOMPARE(handlesOf(removed).size(), std::size_t(2));
     QCOMPARE(handlesOf(removed)[0].activeTo, 1.0);
     QVERIFY(isActive(handlesOf(removed)[0], 0.99));
     QVERIFY(!isActive(handlesOf(removed)[0], 1.0));
 }
 
-void TestCommands::strokesAppendAWindow() {
+/// Each stroke has a part of the film as long as its way, and no pose on the way changes.
+void TestCommands::filmsKeepTheirLength() {
     const Project once = withStroke(withPins(2), {0, 1}, {{0, 5}, {10, 5}}, {{0, 0}, {3, 0}, {3, 4}});
     QCOMPARE(once.end, 1.0);
     const auto& stroke = std::get<Recorded<2>>(handlesOf(once)[1].motions.at(0).kind);
     QCOMPARE(stroke.points.back(), Vec<2>(13, 9));
     QCOMPARE(stroke.times.at(1), 3.0 / 7);  // at constant speed
     QCOMPARE(stroke.times.back(), 1.0);
-    const Project twice = withStroke(once, {0}, {{3, 9}}, {{0, 0}, {1, 0}});
-    QCOMPARE(twice.end, 2.0);
-    QCOMPARE(handlesOf(twice)[0].motions.at(1).start, 1.0);
+    const Project twice = withStroke(once, {0}, {{3, 9}}, {{0, 0}, {14, 0}});
+    QCOMPARE(twice.end, 1.0);
+    QCOMPARE(handlesOf(twice)[0].motions.at(0).end, 7.0 / 21);
+    QCOMPARE(handlesOf(twice)[0].motions.at(1).start, 7.0 / 21);
+    QCOMPARE(handlesOf(twice)[0].motions.at(1).end, 1.0);
     QCOMPARE(handlesOf(twice)[1].motions.size(), std::size_t(1));
+    const Project thrice = withStroke(twice, {1}, {{13, 9}}, {{0, 0}, {0, 7}});
+    QCOMPARE(handlesOf(thrice)[0].motions.at(0).end, 7.0 / 28);
+    QCOMPARE(handlesOf(thrice)[0].motions.at(1).end, 21.0 / 28);
+    QCOMPARE(handlesOf(thrice)[1].motions.at(1).end, 1.0);
+}
+
+/// What lies before the time that is shown keeps its way, what came after it goes; pins are not lost.
+void TestCommands::laterStrokesReplaceWhatCame() {
+    Project project = withStroke(withPins(2), {0}, {{0, 5}}, {{0, 0}, {10, 0}});
+    project = withStroke(project, {1}, {{10, 5}}, {{0, 0}, {0, 10}});
+    project = withPin(project, {3, 5}, "Pin 3");  // from the end on
+    project = withoutHandles(project, {1}, 1);
+    Gesture gesture{{0}, {}, {Amount(0, 0, 0), Amount(0, 5, 0)}, 0.25};
+    const Project next = withGesture<2>(project, gesture, {{5, 5}});
+    const auto& handles = handlesOf(next);
+    QCOMPARE(next.end, 1.0);
+    QCOMPARE(handles.size(), std::size_t(3));
+    QCOMPARE(handles[0].motions.size(), std::size_t(2));
+    QCOMPARE(handles[0].motions[0].end, 0.5);  // five there, five here
+    QCOMPARE(std::get<Recorded<2>>(handles[0].motions[0].kind).points.back(), Vec<2>(5, 5));
+    QVERIFY(handles[1].motions.empty());
+    QVERIFY(isActive(handles[1], 1.0));  // it has not been let go of any more
+    QCOMPARE(handles[2].activeFrom, 1.0);
+    QVERIFY(movesAfter(std::get<Design<2>>(project.design), 0.25));
+    QVERIFY(!movesAfter(std::get<Design<2>>(next.design), 1.0));
+}
+
+void TestCommands::cutMotionsGoTheSameWay_data() {
+    QTest::addColumn<int>("kind");
+    for (int kind = 0; kind < 6; ++kind) QTest::addRow("kind %d", kind) << kind;
+}
+
+/// Points that a cut motion carries are, at each of its times, where the whole one has them on its way.
+void TestCommands::cutMotionsGoTheSameWay() {
+    QFETCH(int, kind);
+    const std::vector<Vec<2>> points = {{0, 0}, {10, 0}, {10, 10}, {30, 10}};
+    Motion<2> motion;
+    motion.start = 1, motion.end = 3;
+    motion.ease = Ease::In;
+    if (kind == 0) motion.kind = Translate<2>{{4, 7}};
+    if (kind == 1) motion.kind = Rotate<2>{{3, 3}, {}, 2.5};
+    if (kind == 2) motion.kind = Recorded<2>{{0, 1, 3, 4}, points};
+    if (kind == 3) motion.kind = CurveMotion<2>{Interpolation::Bezier, points, FrameKind::Minimal, 0, 3};
+    if (kind == 4) motion.kind = CurveMotion<2>{Interpolation::Polyline, points, FrameKind::None, 0, 2};
+    if (kind == 5) motion.kind = CurveMotion<2>{Interpolation::Spline, points, FrameKind::None, 0, 1};
+    Handle<2> handle;
+    handle.motions = {motion};
+    endMotionsAt(handle, 2.2);
+    const Trajectory<2> whole(motion), cut(handle.motions.at(0));
+    QCOMPARE(cut.end(), 2.2);
+    const bool timed = kind != 5;  // a spline becomes a chain whose pieces take even shares
+    for (const double t : {1.0, 1.3, 1.7, 2.0, 2.2})
+        for (const Vec<2>& p : {Vec<2>(0, 0), Vec<2>(2, -1)})
+            if (timed || t == 1 || t == 2.2)
+                QVERIFY((whole.at(t).position(p) - cut.at(t).position(p)).norm() < 1e-6);
+    endMotionsAt(handle, 1.0);
+    QVERIFY(handle.motions.empty());
+}
+
+void TestCommands::anotherLengthIsTheSameMotion() {
+    Project project = withStroke(withPins(2), {0}, {{0, 5}}, {{0, 0}, {1, 0}});
+    project = withStroke(project, {1}, {{10, 5}}, {{0, 0}, {0, 2}});
+    const Project longer = withLength(project, 7.3);
+    QCOMPARE(longer.end, 7.3);
+    QCOMPARE(handlesOf(longer)[1].motions[0].end, 7.3);
+    const double scale = timeScale(handlesOf(project), handlesOf(longer));
+    QCOMPARE(scale, 7.3);
+    QCOMPARE(wend::firstDifference(handlesOf(project), handlesOf(longer), scale),
+             std::numeric_limits<double>::infinity());
+    const Project other = withStroke(project, {1}, {{10, 7}}, {{0, 0}, {0, 2}});
+    const double before = timeScale(handlesOf(project), handlesOf(other));
+    QCOMPARE(wend::firstDifference(handlesOf(project), handlesOf(other), before),
+             handlesOf(other)[1].motions[1].start);
+    QVERIFY(wend::firstDifference(handlesOf(project), handlesOf(other)) < 0.5);
 }
 
 void TestCommands::longerStrokesKeepOneMotion() {
@@ -146,6 +230,10 @@ void TestCommands::longerStrokesKeepOneMotion() {
     QCOMPARE(stroke.points.size(), std::size_t(2));  // a straight way needs no more
     QCOMPARE(stroke.points.back(), Vec<2>(4, 5));
     QCOMPARE(project.end, 1.0);
+    project = withStroke(project, {0}, {{4, 5}}, {{0, 0}, {0, 4}});
+    QCOMPARE(handlesOf(project)[0].motions[1].start, 0.5);
+    project = withLongerStroke(project, {0}, {0, 4});
+    QCOMPARE(handlesOf(project)[0].motions[1].start, 1.0 / 3);
 }
 
 void TestCommands::simplifiedStaysWithinTolerance() {
@@ -172,7 +260,7 @@ void TestCommands::firstDifference_data() {
     const double infinity = std::numeric_limits<double>::infinity();
     QTest::newRow("nothing") << 0 << infinity;
     QTest::newRow("another pin from the start") << 1 << -infinity;
-    QTest::newRow("a later motion") << 2 << 1.0;
+    QTest::newRow("a later motion") << 2 << 0.5;
     QTest::newRow("let go of") << 3 << 1.0;
     QTest::newRow("the first motion") << 4 << 0.0;
 }
@@ -184,10 +272,11 @@ void TestCommands::firstDifference() {
     Project after = before;
     if (change == 1) std::get<Design<2>>(after.design).handles.push_back(handlesOf(withPins(3)).back());
     if (change == 2) after = withStroke(before, {1}, {{10, 5}}, {{0, 0}, {0, 1}});
-    if (change == 3) after = withoutHandles(before, {1});
+    if (change == 3) after = withoutHandles(before, {1}, 1);
     if (change == 4) after = withLongerStroke(before, {0}, {0, 2});
-    QCOMPARE(wend::firstDifference(handlesOf(before), handlesOf(after)), expected);
-    QCOMPARE(wend::firstDifference(handlesOf(after), handlesOf(before)), expected);
+    const double scale = timeScale(handlesOf(before), handlesOf(after));
+    QCOMPARE(wend::firstDifference(handlesOf(before), handlesOf(after), scale), expected);
+    QCOMPARE(wend::firstDifference(handlesOf(after), handlesOf(before), 1 / scale), expected / scale);
 }
 
 QTEST_GUILESS_MAIN(TestCommands)

@@ -602,7 +602,7 @@ void TestWindow::exportsFollowEachOther() {
     m_window->actions().exportFrames->trigger();
     m_window->actions().exportMesh->trigger();  // without a dialog
     QVERIFY(m_window->banner().text().contains(QStringLiteral("Another export")));
-    QVERIFY(QTest::qWaitFor([&] { return QFile::exists(m_folder->filePath(QStringLiteral("f_0036.png"))); },
+    QVERIFY(QTest::qWaitFor([&] { return QFile::exists(m_folder->filePath(QStringLiteral("f_0024.png"))); },
                             60000));
 }
 
@@ -635,7 +635,7 @@ void TestWindow::menusWaitForTheGesture() {
     QVERIFY(settle(m_window->session()));
     const Vec<2> inner = lastCurve<2>(*m_window->session().document().project(), 1)->points[1];
     ShapeCanvas& canvas = m_window->canvas();
-    canvas.disconnect(SIGNAL(menuWanted(QPoint)));  // a menu would wait for an answer
+    canvas.disconnect(SIGNAL(menuWanted(QPoint, wend::MenuPlace)));  // a menu would wait for an answer
     QSignalSpy menus(&canvas, &ShapeCanvas::menuWanted);
     const QPointF where = at(inner.x(), inner.y());
     const auto send = [&](QEvent::Type type, Qt::MouseButton button, Qt::MouseButtons held) {
@@ -686,6 +686,12 @@ void TestWindow::curvesAreEdited() {
         if (one->isVisible()) panel = one;
     QVERIFY(panel);
     auto* frame = panel->findChild<QComboBox*>();
+    QVERIFY(!frame->isEnabled() && frame->toolTip().startsWith(QStringLiteral("A point cannot rotate")));
+    QTest::mousePress(&m_window->canvas(), Qt::LeftButton, Qt::AltModifier, at(190, 40));
+    for (int i = 1; i <= 5; ++i) QTest::mouseMove(&m_window->canvas(), at(190 - 4 * i, 40));
+    QTest::mouseRelease(&m_window->canvas(), Qt::LeftButton, Qt::AltModifier, at(170, 40));
+    QVERIFY(settle(m_window->session()));
+    QVERIFY(frame->isEnabled());
     frame->setFocus();
     for (int i = 0; i < 2; ++i) QTest::keyClick(frame, Qt::Key_Down);
     QVERIFY(settle(m_window->session()));

@@ -74,7 +74,7 @@ class SolidCanvas : public VolumeView, public SolidSurface {
   signals:
     void hintChanged(QString hint);
     /// A menu for what is under the pointer is asked for.
-    void menuWanted(QPoint global);
+    void menuWanted(QPoint global, wend::MenuPlace place);
     /// What is under the pointer, in words; empty when it has left.
     void pointed(QString text);
     void cutChanged();

@@ -75,10 +75,10 @@ void SolidCanvas::mouseReleaseEvent(QMouseEvent* event) {
     }
     const bool turned = isNavigating();
     const bool click = (event->position() - pressedAt()).manhattanLength() <= kClick;
-    if (click && event->button() == Qt::RightButton && m_tool && !m_active &&
-        m_tool->opensMenu(event->position())) {
+    if (click && event->button() == Qt::RightButton && m_tool && !m_active) {
         endNavigation();
-        emit menuWanted(event->globalPosition().toPoint());
+        const MenuPlace place = m_tool->menuAt(event->position());
+        if (place != MenuPlace::None) emit menuWanted(event->globalPosition().toPoint(), place);
         return;
     }
     VolumeView::mouseReleaseEvent(event);

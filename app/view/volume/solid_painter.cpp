@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/session/pin_shapes.h"
 #include "app/session/solid_places.h"
 #include "app/tools/region_outline.h"
 #include "core/motion/trajectory.h"
@@ -11,7 +12,6 @@ namespace wend {
 
 namespace {
 
-constexpr int kMostPathsOfOneHandle = 3;
 constexpr int kFramesAlongCurve = 9;
 const QColor kAxes[] = {QColor(214, 69, 65), QColor(72, 148, 60), QColor(58, 104, 214)};
 
@@ -24,12 +24,6 @@ void addDirections(const Handle<3>& handle, const PinPath<3>& path, std::vector<
         const Vec<3> start = path.points[static_cast<std::size_t>(at - path.times.begin())];
         for (const Vec<3>& p : curve->points) points.push_back(start + p - curve->points.front());
     }
-}
-
-/// Many points of one handle have one path for all.
-std::vector<Vec<3>> shownStarts(const std::vector<Vec<3>>& starts) {
-    if (starts.size() <= kMostPathsOfOneHandle) return starts;
-    return {meanOf<3>(starts)};
 }
 
 Vec<3> centreOf(const PosedFrame<3>& frame, int cell) {
@@ -72,7 +66,7 @@ void SolidPainter::paths() {
         for (int h = 0; h < static_cast<int>(handles.size()); ++h) {
             if (handles[h].motions.empty() || session.selection().contains(h) != selected) continue;
             if (handles[h].activeTo <= session.playback().time()) continue;  // let go of
-            const auto starts = shownStarts(session.pathStarts<3>(h));
+            const auto starts = shownStarts<3>(session.pathStarts<3>(h));
             if (starts.empty()) continue;
             for (const PinPath<3>& one : pinPaths<3>(handles[h], starts))
                 m_marks.path(toWidget(one.points), one.times, selected, session.playback().time());
@@ -87,7 +81,7 @@ std::vector<Vec<3>> pathPoints(ShapeSession& session) {
     for (int h = 0; h < static_cast<int>(handles.size()); ++h) {
         const auto starts = session.pathStarts<3>(h);
         if (handles[h].motions.empty() || starts.empty()) continue;
-        for (const PinPath<3>& path : pinPaths<3>(handles[h], shownStarts(starts))) {
+        for (const PinPath<3>& path : pinPaths<3>(handles[h], shownStarts<3>(starts))) {
             points.insert(points.end(), path.points.begin(), path.points.end());
             if (session.selection().contains(h)) addDirections(handles[h], path, points);
         }
@@ -129,7 +123,9 @@ void SolidPainter::region(const PinView<3>& view) {
 
 void SolidPainter::pins(int hovered) {
     ShapeSession& session = m_surface.session();
+    if (session.document().dimension() != 3) return;
     const auto pins = session.pins<3>();
+    const auto& handles = session.document().design<3>().handles;
     for (const PinView<3>& view : pins)
         if (view.region && session.selection().contains(view.handle)) region(view);
     for (const PinView<3>& view : pins)
@@ -138,8 +134,9 @@ void SolidPainter::pins(int hovered) {
     for (const PinView<3>& view : pins) {
         const bool area = view.points.size() > 1;
         m_painter.setOpacity(!area && m_surface.isHidden(view.centre) ? 0.4 : 1);
-        m_marks.pin(m_surface.toWidget(view.centre), session.selection().contains(view.handle),
-                    view.handle == hovered, area);
+        m_marks.pin(m_surface.toWidget(view.centre),
+                    {session.selection().contains(view.handle), view.handle == hovered, area,
+                     !handles[view.handle].motions.empty() || session.isDragging(), pinColour(view.handle)});
     }
     m_painter.setOpacity(1);
     for (const PinView<3>& view : pins)

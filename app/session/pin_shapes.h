@@ -1,0 +1,18 @@
+#pragma once
+
+#include "app/session/shape_session.h"
+
+namespace wend {
+
+/// Many points of one handle have one way for all.
+template <int Dim>
+std::vector<Vec<Dim>> shownStarts(const std::vector<Vec<Dim>>& starts) {
+    constexpr std::size_t kMost = 3;
+    return starts.size() <= kMost ? starts : std::vector<Vec<Dim>>{meanOf<Dim>(starts)};
+}
+
+/// A pin of a picture becomes all that lies within a circle around it; false, with a notice, where that is
+/// too small to hold a part.
+bool widenPin(ShapeSession& session, int handle, double radius);
+
+}  // namespace wend

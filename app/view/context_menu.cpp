@@ -1,0 +1,63 @@
+#include "app/view/context_menu.h"
+
+#include "app/session/shape_session.h"
+#include "app/view/actions.h"
+#include "app/view/curve_actions.h"
+#include "app/view/solid_actions.h"
+
+namespace wend {
+
+ContextMenu::ContextMenu(const Offers& offers, QObject* parent)
+    : QObject(parent), m_offers(offers), m_menu(std::make_unique<QMenu>()) {
+    m_menu->setObjectName(QStringLiteral("contextMenu"));
+}
+
+void ContextMenu::popUp(const QPoint& global, MenuPlace place) {
+    if (place == MenuPlace::None || m_offers.session.document().isEmpty()) return;
+    if (place == MenuPlace::Curve) {
+        m_offers.curves.popUp(global);
+        return;
+    }
+    m_offers.curves.refresh();
+    m_menu->clear();
+    if (place == MenuPlace::Pin)
+        offerPin();
+    else
+        offerCanvas();
+    m_menu->popup(global);
+}
+
+/// The one pin's name, or how many they are.
+QString ContextMenu::title() const {
+    const int handle = m_offers.session.singleHandle();
+    if (handle < 0)
+        return tr("%n pins", nullptr, static_cast<int>(m_offers.session.selection().handles().size()));
+    return QString::fromStdString(std::visit([&](const auto& design) { return design.handles[handle].name; },
+                                             m_offers.session.document().project()->design));
+}
+
+void ContextMenu::offerPin() {
+    const Actions& a = m_offers.actions;
+    m_menu->addSection(title());
+    if (m_offers.session.document().dimension() == 3) {
+        m_menu->addActions({m_offers.solids.move, m_offers.solids.turn, m_offers.solids.grow});
+        m_menu->addSeparator();
+    }
+    m_menu->addAction(m_offers.curves.make);
+    m_menu->addAction(a.remove);
+    m_menu->addSeparator();
+    m_menu->addActions({a.selectAll, a.selectNone});
+}
+
+void ContextMenu::offerCanvas() {
+    const Actions& a = m_offers.actions;
+    m_menu->addActions({a.undo, a.redo});
+    m_menu->addSeparator();
+    m_menu->addActions({a.pinTool, a.selectTool, a.selectAll});
+    m_menu->addSeparator();
+    m_menu->addActions({a.showMesh, a.showMap, a.hideOverlays});
+    m_menu->addSeparator();
+    m_menu->addActions({a.fit, a.actualSize});
+}
+
+}  // namespace wend

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <QMenu>
+#include <QObject>
+#include <memory>
+
+#include "app/tools/tool.h"
+
+namespace wend {
+
+class Actions;
+class CurveActions;
+class ShapeSession;
+class SolidActions;
+
+/// The menu that a right click opens: what can be done with the pin, the curve or the canvas that lies there.
+class ContextMenu : public QObject {
+    Q_OBJECT
+
+  public:
+    struct Offers {
+        ShapeSession& session;
+        Actions& actions;
+        CurveActions& curves;
+        SolidActions& solids;
+    };
+    ContextMenu(const Offers& offers, QObject* parent);
+
+  public slots:
+    void popUp(const QPoint& global, wend::MenuPlace place);
+
+  private:
+    void offerPin();
+    void offerCanvas();
+    QString title() const;
+
+    Offers m_offers;
+    std::unique_ptr<QMenu> m_menu;
+};
+
+}  // namespace wend
