@@ -77,7 +77,7 @@ void TestPosing::init() {
     m_window->resize(1100, 760);
     m_window->show();
     m_window->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+    QVERIFY(QTest::qWaitForWindowActive(m_window.get(), 20000));
     open();
 }
 
