@@ -253,6 +253,10 @@
         <translation>Version von .msh-Dateien</translation>
     </message>
     <message>
+        <source>write the triangles of a solid&apos;s border as cells too, with the values of the tetrahedra behind them; without it .vtu and .vtk hold tetrahedra only, unless the input had such triangles</source>
+        <translation>auch die Dreiecke am Rand eines Körpers als Zellen schreiben, mit den Werten der Tetraeder dahinter; ohne das haben .vtu und .vtk nur Tetraeder, außer wenn die Eingabe solche Dreiecke hatte</translation>
+    </message>
+    <message>
         <source>how the picture is sampled</source>
         <translation>wie das Bild abgetastet wird</translation>
     </message>

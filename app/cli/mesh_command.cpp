@@ -1,9 +1,12 @@
 #include <algorithm>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/terminal.h"
+#include "app/document/json_text.h"
+#include "app/session/mesh_rest.h"
 #include "app/session/output_set.h"
 #include "app/session/overwriting.h"
 #include "app/session/run_options.h"
@@ -105,19 +108,37 @@ Input inputFrom(const std::string& path, Terminal& terminal) {
     return input;
 }
 
-MeshFile meshOf(const Input& input, const std::string& path, std::stop_token stop, Terminal& terminal) {
+struct Meshed {
+    MeshFile file;
+    std::vector<std::string> notices;
+    std::optional<MeshVerdict> verdict;
+};
+
+Meshed meshOf(const Input& input, const std::string& path, std::stop_token stop) {
     const Project& project = input.project;
     if (lowerExtension(path) == ".json") {
+        Meshed meshed;
         const auto rest = meshPicture(project, project.domain.polygons, stop);
-        return toMeshFile<2>(*rest);
+        tellOfHanging<2>(*rest, meshed.notices);
+        meshed.file = toMeshFile<2>(*rest);
+        return meshed;
     }
     const AnyScene any = loadScene(project, input.folder, stop);
     return std::visit(
-        [&]<int Dim>(const Scene<Dim>& scene) {
-            for (const std::string& notice : scene.notices) terminal.warn(path + ": " + notice);
-            return poseFile<Dim>(scene, scene.rest->points);
+        []<int Dim>(const Scene<Dim>& scene) {
+            return Meshed{poseFile<Dim>(scene, scene.rest->points), scene.notices, scene.verdict};
         },
         any);
+}
+
+void printJson(const Meshed& meshed) {
+    using Json = nlohmann::ordered_json;
+    const MeshFile& file = meshed.file;
+    Json json{{"vertices", file.points.cols()},
+              {"cells", isVolume(file) ? file.tetrahedra.size() : file.triangles.size()},
+              {"notices", meshed.notices}};
+    if (meshed.verdict) json["quality"] = Json::parse(verdictJson(*meshed.verdict));
+    print(prettyJson(json));
 }
 
 }  // namespace
@@ -126,6 +147,8 @@ ExitCode runMesh(const Arguments& arguments) try {
     const std::string path = onlyFile(arguments, "picture, outline, project or surface");
     if (!arguments.has("--output")) throw UsageError("no output is named (-o FILE)");
     const std::string output = arguments.text("--output");
+    if (output == "-" && arguments.has("--json"))
+        throw UsageError("the mesh and --json cannot both go to standard output (-)");
     Terminal terminal(arguments.has("--progress") ? Terminal::Progress::Shown : Terminal::Progress::Automatic,
                       arguments.has("--quiet"));
     Input input = inputFrom(path, terminal);
@@ -141,12 +164,20 @@ ExitCode runMesh(const Arguments& arguments) try {
 
     Interrupt interrupt;
     terminal.progress("meshing", 0);
-    const MeshFile mesh = meshOf(input, path, interrupt.token(), terminal);
+    const Meshed meshed = meshOf(input, path, interrupt.token());
+    for (const std::string& notice : meshed.notices) terminal.warn(path + ": " + notice);
+    // Who asks for a quality by number hears of a small miss too.
+    if (arguments.has("--quality") && meshed.verdict && meshed.verdict->missed() &&
+        meshed.verdict->text().empty())
+        terminal.warn(path + ": the worst cell has a ratio of radius to edge of " +
+                      shortNumber(meshed.verdict->got) + ", where " + shortNumber(meshed.verdict->asked) +
+                      " was asked for");
     OutputSet files;
     files.add(output, ".vtu", [&](const std::string& file) {
-        writeMeshFile(file, mesh, meshOptionsFrom(arguments.values()));
+        writeMeshFile(file, meshed.file, meshOptionsFrom(arguments.values()));
     });
     files.commit();
+    if (arguments.has("--json")) printJson(meshed);
     return ExitCode::Done;
 } catch (const InputError& error) {
     throw error.named(arguments.files().front());

@@ -94,6 +94,7 @@ ExitCode runRun(const Arguments& arguments) {
     RunWatch watch;
     watch.stop = interrupt.token();
     watch.notice = [&](const std::string& text) { terminal.warn(text); };
+    watch.summary = [&](const std::string& text) { terminal.tell(path + ": " + text); };
     watch.progress = [&](const std::string& work, double fraction) { terminal.progress(work, fraction); };
     const AdvanceResult result = runProject(loaded.project, path, options, watch);
     if (result.outcome == Outcome::Done) return ExitCode::Done;

@@ -51,6 +51,10 @@ void Terminal::warn(const std::string& text) {
     say("wend: " + printable(text) + "\n");
 }
 
+void Terminal::tell(const std::string& text) {
+    if (m_shown) warn(text);
+}
+
 void Terminal::error(const std::string& text) {
     say("wend: " + printable(text) + "\n");
 }

@@ -17,6 +17,8 @@ class Terminal {
     /// Called from any thread, as often as one likes.
     void progress(const std::string& work, double fraction);
     void warn(const std::string& text);
+    /// Where progress is shown.
+    void tell(const std::string& text);
 
     /// "wend: text" as one line, whatever the text holds.
     static void error(const std::string& text);

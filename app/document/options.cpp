@@ -106,8 +106,10 @@ constexpr std::array kOptions{
     Option{"integration.method", "--method", Choice, "adams", kAny, "", "dopri5|rk4|midpoint|adams", "run",
            "Dormand–Prince or Adams with error control, or classical Runge–Kutta or midpoint with equal "
            "steps"},
-    Option{"integration.tolerance", "--tolerance", Number, "0.0001", kTolerance, "sizes", "", "run",
-           "error allowed in a step, relative to the size of the shape"},
+    Option{
+        "integration.tolerance", "--tolerance", Number, "0.0001", kTolerance, "sizes", "", "run",
+        "error allowed in a step, relative to the size of the shape; over all steps it may come to several "
+        "times as much"},
     Option{"integration.steps", "--steps", Integer, "0", kSteps, "", "", "run",
            "number of equal steps over the whole time; 0: chosen by the error"},
     Option{"integration.smallestStep", "", Number, "1e-6", kSmallestStep, "time spans", "", "",
@@ -141,6 +143,11 @@ constexpr std::array kOptions{
             "Options", "how numbers stand in mesh files that know several ways (ply, stl, msh, vtk, vtu)")},
     Option{"", "--msh", Choice, "4.1", kAny, "", "4.1|2.2", "run mesh",
            QT_TRANSLATE_NOOP("Options", "version of .msh files")},
+    Option{"", "--border", Flag, "", kAny, "", "", "run mesh",
+           QT_TRANSLATE_NOOP("Options",
+                             "write the triangles of a solid's border as cells too, with the values of the "
+                             "tetrahedra behind them; without it .vtu and .vtk hold tetrahedra only, unless "
+                             "the input had such triangles")},
     Option{"", "--report", File, "", kAny, "", "", "run", "write figures about the run (json)"},
     Option{"", "--at", Number, "", kNotNegative, "time", "", "run",
            "stop at this time instead of the project's end"},
@@ -168,7 +175,8 @@ constexpr std::array kOptions{
            "runs that a median is taken of (fewer for what takes seconds)"},
     Option{"", "--problems", File, "", kAny, "", "", "info",
            "write the cells or triangles that are wrong as a mesh, with the numbers that they have"},
-    Option{"", "--json", Flag, "", kAny, "", "", "info", "answer as JSON"},
+    Option{"", "--json", Flag, "", kAny, "", "", "info mesh",
+           "answer as JSON; of `mesh`: counts, quality asked and got, and what was noticed"},
     Option{"", "--progress", Flag, "", kAny, "", "", "run mesh", "show progress even if not on a terminal"},
     Option{"", "--quiet", Flag, "", kAny, "", "", "run mesh", "say nothing but errors"},
 };

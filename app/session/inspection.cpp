@@ -3,8 +3,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <map>
-#include <numeric>
 
+#include "core/mesh/disjoint_sets.h"
+#include "core/mesh/hanging_parts.h"
 #include "core/mesh/simplicial_mesh.h"
 #include "core/mesh/used_vertices.h"
 #include "core/meshing/surface.h"
@@ -41,20 +42,14 @@ std::map<Key<Dim>, std::vector<int>> cellsOfFacets(const std::vector<Cell<Dim>>&
     return facets;
 }
 
-int root(std::vector<int>& parents, int at) {
-    while (parents[at] != at) at = parents[at] = parents[parents[at]];
-    return at;
-}
-
 /// Parts that hang together by facets.
 template <int Dim>
 int countParts(const std::map<Key<Dim>, std::vector<int>>& facets, int cells) {
-    std::vector<int> parents(cells);
-    std::iota(parents.begin(), parents.end(), 0);
+    DisjointSets sets(cells);
     for (const auto& [facet, around] : facets)
-        for (int cell : around) parents[root(parents, cell)] = root(parents, around.front());
+        for (int cell : around) sets.join(cell, around.front());
     int parts = 0;
-    for (int c = 0; c < cells; ++c) parts += root(parents, c) == c;
+    for (int c = 0; c < cells; ++c) parts += sets.root(c) == c;
     return parts;
 }
 
@@ -123,6 +118,19 @@ void findProblems(const SimplicialMesh<Dim>& mesh, const std::map<Key<Dim>, std:
     add("vertices that no cell uses", unusedVertices<Dim>(mesh), false);
 }
 
+/// By vertices, or by edges.
+void addHanging(const std::vector<HangingPart>& parts, MeshInspection& inspection) {
+    MeshProblem points{"vertices that a part hangs on alone", {}, false},
+        lines{"edges that a part hangs on alone", {}, false};
+    for (const HangingPart& part : parts)
+        if (part.joint.size() == 1)
+            points.where.push_back(part.joint[0]);
+        else
+            lines.pairs.push_back({part.joint.front(), part.joint.back()});
+    for (const auto& problem : {points, lines})
+        if (problem.count() > 0) inspection.problems.push_back(problem);
+}
+
 template <int Dim>
 void inspectPartition(const SimplicialMesh<Dim>& mesh, MeshInspection& inspection) {
     const auto facets = cellsOfFacets<Dim>(mesh.cells);
@@ -132,6 +140,8 @@ void inspectPartition(const SimplicialMesh<Dim>& mesh, MeshInspection& inspectio
     inspection.parts = countParts<Dim>(facets, mesh.cellCount());
     inspection.quality = qualityOf<Dim>(mesh);
     findProblems<Dim>(mesh, facets, inspection);
+    if (std::ranges::none_of(inspection.problems, &MeshProblem::fatal))
+        addHanging(hangingParts<Dim>(mesh), inspection);
 }
 
 bool isPlanar(const MeshFile& file) {
@@ -177,6 +187,7 @@ void inspectSurface(const MeshFile& file, MeshInspection& inspection) {
     add("triangles without area", found.degenerate);
     add("duplicate triangles", found.duplicate);
     addPairs("edges where the orientation changes", found.misoriented, false);
+    addHanging(hangingParts(file.points, file.triangles), inspection);
     if (found.coincidentVertices > 0)
         inspection.problems.push_back(
             {"vertices at the place of an earlier one", coincident(file.points), false});

@@ -1,12 +1,17 @@
+#include <array>
+#include <charconv>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/document/json_text.h"
+#include "app/document/options.h"
 #include "app/session/run.h"
 
 namespace wend {
 
+using Json = nlohmann::ordered_json;
+
 std::string reportJson(const RunFigures& figures) {
-    using Json = nlohmann::ordered_json;
     const Distortion& distortion = figures.distortion;
     const Statistics& counts = figures.statistics;
     Json json{{"vertices", figures.vertices}, {"cells", figures.cells},     {"dimension", figures.dimension},
@@ -28,7 +33,28 @@ std::string reportJson(const RunFigures& figures) {
                        {"factor", counts.factor},       {"solve", counts.solve},
                        {"integrate", counts.integrate}, {"total", figures.total}};
     json["energy"] = counts.energy;
+    json["errorEstimate"] = counts.errorEstimate > 0 ? Json(counts.errorEstimate) : Json();
+    if (figures.verdict) json["quality"] = Json::parse(verdictJson(*figures.verdict));
     return prettyJson(json);
+}
+
+std::string verdictJson(const MeshVerdict& verdict) {
+    const Json json{{"asked", verdict.asked},
+                    {"got", std::isfinite(verdict.got) ? Json(verdict.got) : Json()},
+                    {"worstCell", verdict.worstCell},
+                    {"cellsAbove", verdict.cellsAbove},
+                    {"facets", verdict.facets}};
+    return json.dump();
+}
+
+std::string summaryText(const Statistics& statistics, const IntegrationOptions& integration) {
+    const std::string steps = std::to_string(statistics.steps) + (statistics.steps == 1 ? " step" : " steps");
+    if (integration.steps > 0 || statistics.errorEstimate == 0) return steps;
+    std::array<char, 32> digits{};
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), statistics.errorEstimate,
+                                   std::chars_format::scientific, 0);
+    return steps + "; their errors add up to about " + std::string(digits.data(), end.ptr) +
+           " of the size (the tolerance of " + shortNumber(integration.tolerance) + " is for one step)";
 }
 
 }  // namespace wend

@@ -49,6 +49,8 @@ class Run {
         }
         writeReport();
         m_files.commit();
+        if (m_watch.summary && result.outcome == Outcome::Done)
+            m_watch.summary(summaryText(m_deformer.statistics(), integrationOf(m_project)));
         return result;
     }
 
@@ -127,12 +129,22 @@ class Run {
         });
     }
 
+    /// The columns of the vertices that meshes are written with: see MeshFile::made.
+    Points<Dim> written(const Points<Dim>& points) const {
+        if (!m_scene.source || !m_scene.source->made) return points;
+        const std::vector<bool> used = usedVertices<Dim>(points.cols(), m_scene.rest->cells);
+        std::vector<int> kept;
+        for (int v = 0; v < points.cols(); ++v)
+            if (used[v]) kept.push_back(v);
+        return points(Eigen::all, kept);
+    }
+
     void writeVelocity(const Points<Dim>& pose) {
         if (m_velocity.cols() == 0) return;
         const std::string& path = m_options.outputs.velocity;
         const bool table = path == "-" || lowerExtension(path) == ".csv";
         m_files.add(path, ".csv", [&](const std::string& file) {
-            if (table) return writeTextFile(file, velocityTable<Dim>(pose, m_velocity));
+            if (table) return writeTextFile(file, velocityTable<Dim>(written(pose), written(m_velocity)));
             const auto fields = shapeFields(m_scene, pose, m_velocity);
             writeMeshFile(file, poseFile(m_scene, pose, {fields.back()}), m_options.meshes);
         });
@@ -251,7 +263,7 @@ class Run {
         const Points<Dim>& pose = m_deformer.state().points;
         const std::chrono::duration<double> total = Clock::now() - m_start;
         const RunFigures figures{
-            m_scene.rest->vertexCount(),
+            static_cast<int>(written(pose).cols()),
             m_scene.rest->cellCount(),
             Dim,
             m_deformer.state().time,
@@ -261,7 +273,8 @@ class Run {
             distortionOf<Dim>(m_options.backEnd, *m_scene.rest, {}, m_watch.notice, m_device)(pose),
             m_deformer.statistics(),
             m_deformer.restEnergy(),
-            m_deformer.restForce()};
+            m_deformer.restForce(),
+            m_scene.verdict};
         m_files.add(path, ".json",
                     [&](const std::string& file) { writeTextFile(file, reportJson(figures)); });
     }

@@ -42,6 +42,8 @@ struct RunWatch {
     std::function<void(const std::string& work, double fraction)> progress;
     /// A sentence that the user should hear, such as that a device failed and the processor goes on.
     std::function<void(const std::string& text)> notice;
+    /// How it went, in one line, when all is written.
+    std::function<void(const std::string& text)> summary;
     std::stop_token stop;
 };
 
@@ -75,8 +77,13 @@ struct RunFigures {
     std::string backEnd, device;
     Distortion distortion;
     Statistics statistics;
-    double restEnergy = 0, restForce = 0;  // W, and how far the shape is from settled
+    double restEnergy = 0, restForce = 0;     // W, and how far the shape is from settled
+    std::optional<MeshVerdict> verdict = {};  // on cells that were made
 };
 std::string reportJson(const RunFigures& figures);
+/// {"asked", "got", "worstCell", "cellsAbove", "facets"} of a verdict, as text.
+std::string verdictJson(const MeshVerdict& verdict);
+/// "20 steps; …": how near the end is to the truth.
+std::string summaryText(const Statistics& statistics, const IntegrationOptions& integration);
 
 }  // namespace wend

@@ -34,6 +34,7 @@ MeshWriteOptions meshOptionsFrom(const OptionValues& values) {
         {"text", Encoding::Text}, {"binary", Encoding::Binary}, {"compressed", Encoding::Compressed}};
     MeshWriteOptions options;
     options.encoding = encodings.at(values.text("--encoding"));
+    options.border = values.has("--border");
     options.gmshVersion = values.text("--msh") == "2.2" ? 2 : 4;
     return options;
 }

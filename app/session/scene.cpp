@@ -4,6 +4,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 
+#include "app/session/mesh_rest.h"
 #include "app/session/solid.h"
 #include "core/mesh/error.h"
 #include "core/mesh/segments.h"
@@ -72,6 +73,7 @@ Scene<2> imageScene(const Project& project, const std::string& folder, std::stop
             throw InputError("domain.outline.polygons: " + error.reason());
         throw error.named(path);
     }
+    tellOfHanging<2>(*scene.rest, scene.notices);
     scene.texture = textureOf(scene.picture, scene.rest, {});
     return scene;
 }
@@ -82,15 +84,19 @@ Scene<2> planarMeshScene(const Project& project, const std::string& folder) {
     const std::string path = pathIn(folder, project.domain.path);
     Scene<2> scene;
     auto file = std::make_shared<MeshFile>(readMeshFile(path));
+    std::shared_ptr<const SimplicialMesh<2>> textured;
     if (isVolume(*file)) throw InputError(path, "holds tetrahedra, but the project is in the plane");
     try {
-        scene.rest = std::make_shared<const SimplicialMesh<2>>(meshFrom<2>(*file));
+        textured = std::make_shared<const SimplicialMesh<2>>(meshFrom<2>(*file));
+        scene.rest = joinedRest<2>(*textured, scene.notices);
     } catch (const InputError& error) {
         throw error.named(path);
     }
     scene.source = file;
+    tellOfHanging<2>(*scene.rest, scene.notices);
     scene.picture = loadPicture(project, folder);
-    if (scene.picture) scene.texture = textureOf(scene.picture, scene.rest, scene.source->uv);
+    // On the file's own cells: at a seam, vertices at one place have texture points of their own.
+    if (scene.picture) scene.texture = textureOf(scene.picture, textured, scene.source->uv);
     return scene;
 }
 
@@ -101,6 +107,7 @@ Scene<3> solidScene(const Project& project, const std::string& folder, std::stop
     scene.source = std::move(solid.source);
     scene.skin = std::move(solid.skin);
     scene.ride = std::move(solid.ride);
+    scene.verdict = solid.verdict;
     scene.notices = std::move(solid.notices);
     return scene;
 }

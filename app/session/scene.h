@@ -1,11 +1,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <variant>
 
 #include "app/document/project.h"
+#include "app/session/mesh_verdict.h"
 #include "core/integration/deformer.h"
 #include "core/mesh/embedding.h"
 #include "core/mesh/mesh_file.h"
@@ -41,6 +43,7 @@ struct Scene {
     Texture texture;                           // 2D only; empty without a picture
     std::shared_ptr<const Skin> skin;          // 3D only: the surface that is seen and exported …
     std::shared_ptr<const Embedding<3>> ride;  // … and what takes its points along
+    std::optional<MeshVerdict> verdict;        // 3D only: on cells that were made
     std::vector<std::string> notices;          // what the user should hear
 };
 using AnyScene = std::variant<Scene<2>, Scene<3>>;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/session/mesh_rest.h"
 #include "app/session/solid.h"
 #include "core/mesh/error.h"
 
@@ -93,6 +94,7 @@ BuiltShape<2> ShapeBuilder<2>::makeMesh(const ShapeInputs& inputs, std::stop_tok
         const Scene<2> scene = std::get<Scene<2>>(loadScene(project, inputs.folder));
         shape.rest = scene.rest;
         shape.source = scene.source;
+        shape.notices = scene.notices;
         if (scene.picture) shape.texture = std::make_shared<const Texture>(scene.texture);
         return shape;
     }
@@ -103,6 +105,7 @@ BuiltShape<2> ShapeBuilder<2>::makeMesh(const ShapeInputs& inputs, std::stop_tok
         m_outlineFrom = inputs;
     }
     shape.rest = meshPicture(project, *m_outline, stop);
+    tellOfHanging<2>(*shape.rest, shape.notices);
     return shape;
 }
 

@@ -25,7 +25,7 @@ struct BuiltShape {
     std::shared_ptr<const Texture> texture;                 // 2D only: the picture on a file's mesh
     std::shared_ptr<const MeshFile> source;                 // of a mesh domain: see Scene
     bool refineHelps = false;                               // 3D only: see Solid
-    std::vector<std::string> notices;                       // 3D only: what the user should hear of the mesh
+    std::vector<std::string> notices;                       // what the user should hear of the mesh
 };
 
 /// Outline, mesh and material of a project, made again only where the inputs changed since the last time. The

@@ -1,10 +1,13 @@
 #include "app/session/solid.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "app/session/mesh_rest.h"
 #include "core/mesh/error.h"
 #include "core/mesh/point_locator.h"
 #include "core/mesh/skin_file.h"
+#include "core/mesh/used_vertices.h"
 #include "core/meshing/volume_mesher.h"
 
 namespace wend {
@@ -38,11 +41,29 @@ VolumeMeshOptions meshOptions(const Domain& domain, const std::string& folder, c
     return options;
 }
 
-Surface mended(const Surface& surface, const Domain& domain, Solid& solid, std::string& done) {
+/// What a repair did, and what it left that another limit would not.
+struct Mending {
+    std::string done, undone;
+};
+
+/// What a higher limit would do.
+std::string largerHoles(const RepairReport& report, int limit, Advice advice) {
+    if (report.largerHoles.empty()) return {};
+    const int largest = report.largerHoles.back();
+    const std::size_t count = report.largerHoles.size();
+    return (count == 1 ? "1 hole of " : std::to_string(count) + " holes of up to ") +
+           std::to_string(largest) + " edges stayed open, larger than the limit of " + std::to_string(limit) +
+           (advice == Advice::Keys ? ": `largestHole` or --largest-hole " + std::to_string(largest) +
+                                         (count == 1 ? " fills it" : " fills them")
+                                   : "");
+}
+
+Surface mended(const Surface& surface, const Domain& domain, Solid& solid, Mending& mending, Advice advice) {
     RepairReport report;
     Surface better = repairSurface(surface, domain.largestHole, report);
-    done = report.summary();
-    if (!done.empty()) solid.notices.push_back("the surface was mended: " + done);
+    mending.done = report.summary();
+    mending.undone = largerHoles(report, domain.largestHole, advice);
+    if (!mending.done.empty()) solid.notices.push_back("the surface was mended: " + mending.done);
     return better;
 }
 
@@ -51,22 +72,23 @@ bool repairHelps(const Surface& surface, int largestHole) {
     return checkSurface(repairSurface(surface, largestHole, report)).boundsVolume();
 }
 
-std::string help(const Surface& surface, const Domain& domain, const std::string& done, Advice advice) {
+std::string help(const Surface& surface, const Domain& domain, const Mending& mending, Advice advice) {
     if (!domain.repair) {
         if (advice == Advice::None) return {};
         return std::string("; `wend info` lists them") +
                (repairHelps(surface, domain.largestHole) ? ", `repair` may mend it" : "");
     }
-    return done.empty() ? "; the repair found nothing that it could mend"
-                        : " (after the repair: " + done + ")";
+    return (mending.done.empty() ? "; the repair found nothing that it could mend"
+                                 : " (after the repair: " + mending.done + ")") +
+           (mending.undone.empty() ? "" : "; " + mending.undone);
 }
 
 VolumeMesh meshed(const Surface& surface, const VolumeMeshOptions& options, const Domain& domain,
-                  const std::string& done, Advice advice) {
+                  const Mending& mending, Advice advice) {
     try {
         return meshVolume(surface, options);
     } catch (const SurfaceError& error) {
-        throw SurfaceError(error.reason() + help(surface, domain, done, advice), error.problems);
+        throw SurfaceError(error.reason() + help(surface, domain, mending, advice), error.problems);
     }
 }
 
@@ -84,6 +106,7 @@ bool surfaceIsTooCoarse(const Surface& surface, const SimplicialMesh<3>& mesh) {
 
 std::shared_ptr<const MeshFile> fileOf(const VolumeMesh& volume, const Skin& skin) {
     auto file = std::make_shared<MeshFile>(toMeshFile<3>(volume.mesh));
+    file->made = true;
     file->triangles = volume.boundary;
     if (!skin.labels.empty()) file->labels = volume.boundaryLabels;
     file->labelNames = skin.labelNames;
@@ -108,8 +131,18 @@ void tellOfMesh(const Domain& domain, const Surface& surface, const VolumeMesh& 
             std::string("the surface's triangles are far larger than the cells inside and are kept as they "
                         "are, which makes uneven cells") +
             (keys ? ": `refineSurface` splits them" : ""));
+    if (const std::string text = solid.verdict->text(); !text.empty()) solid.notices.push_back(text);
     solid.refineHelps = coarse || (!volume.aimMet && !domain.refineSurface && domain.vertices > 0 &&
                                    volume.mesh.vertexCount() < domain.vertices);
+}
+
+void tellOfSpares(const VolumeMesh& volume, Solid& solid) {
+    const auto used = usedVertices<3>(volume.mesh.vertexCount(), volume.mesh.cells);
+    const auto spare = std::ranges::count(used, false);
+    if (spare > 0)
+        solid.notices.push_back(std::to_string(spare) +
+                                " vertices of the surface belong to no tetrahedron: meshes of tetrahedra are "
+                                "written without them, and so with other numbers behind them");
 }
 
 Solid fromSurface(const Domain& domain, const std::string& folder, std::stop_token stop, Advice advice) {
@@ -118,10 +151,13 @@ Solid fromSurface(const Domain& domain, const std::string& folder, std::stop_tok
     Surface surface = surfaceOf(*skin);
     // Painted sizes belong to the vertices as the file has them.
     const VolumeMeshOptions options = meshOptions(domain, folder, surface, stop);
-    std::string done;
-    if (domain.repair) surface = mended(surface, domain, solid, done);
-    const VolumeMesh volume = meshed(surface, options, domain, done, advice);
+    Mending mending;
+    if (domain.repair) surface = mended(surface, domain, solid, mending, advice);
+    const VolumeMesh volume = meshed(surface, options, domain, mending, advice);
+    solid.verdict =
+        verdictOn(volume.mesh, surface, domain.quality, !domain.refineSurface && mending.done.empty());
     tellOfMesh(domain, surface, volume, advice, solid);
+    tellOfSpares(volume, solid);
     solid.rest = std::make_shared<const SimplicialMesh<3>>(volume.mesh);
     solid.source = fileOf(volume, *skin);
     solid.skin = skin;
@@ -133,7 +169,7 @@ Solid fromMesh(const Domain& domain, const std::string& folder) {
     auto file = std::make_shared<MeshFile>(readMeshFile(path));
     if (!isVolume(*file)) throw InputError(path, "holds no tetrahedra, but the project is in space");
     Solid solid;
-    solid.rest = std::make_shared<const SimplicialMesh<3>>(meshFrom<3>(*file));
+    solid.rest = joinedRest<3>(meshFrom<3>(*file), solid.notices);
     solid.source = file;
     solid.skin = std::make_shared<const Skin>(borderOf(*solid.rest));
     return solid;
@@ -171,6 +207,7 @@ Solid loadSolid(const Project& project, const std::string& folder, std::stop_tok
         solid.notices.push_back(solid.skin->path + ": " + warning);
     solid.ride = std::make_shared<const Embedding<3>>(*solid.rest, solid.skin->points);
     tellOfOutside(domain, solid);
+    tellOfHanging<3>(*solid.rest, solid.notices);
     return solid;
 }
 

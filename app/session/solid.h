@@ -1,11 +1,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
 
 #include "app/document/project.h"
+#include "app/session/mesh_verdict.h"
 #include "core/mesh/embedding.h"
 #include "core/mesh/mesh_file.h"
 #include "core/mesh/skin.h"
@@ -20,6 +22,7 @@ struct Solid {
     std::shared_ptr<const Skin> skin;          // the surface that is seen and exported
     std::shared_ptr<const Embedding<3>> ride;  // takes the skin's points along
     std::vector<std::string> notices;          // what the user should hear
+    std::optional<MeshVerdict> verdict;        // on cells that were made
     bool refineHelps = false;                  // splitting the surface's triangles would help
 };
 

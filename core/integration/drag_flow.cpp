@@ -75,6 +75,7 @@ DragFlow<Dim>::DragFlow(std::shared_ptr<const SimplicialMesh<Dim>> rest,
     : m_units((requireValid<Dim>(*rest), Normalization<Dim>::of(*rest))),
       m_domainRest(std::move(rest)),
       m_rest(normalized(*m_domainRest, m_units)),
+      m_twins(twinsOf<Dim>(*m_domainRest)),
       m_orientation(m_rest),
       m_constraints(*m_rest, still(handles, m_units), m_units),
       m_solver(m_rest, material, backEnd, threads),
@@ -183,6 +184,7 @@ bool DragFlow<Dim>::step(const Targets& targets) {
 template <int Dim>
 void DragFlow<Dim>::publish() {
     m_pose = m_domainRest->points + m_units.size * (m_shape - m_rest->points);
+    takeAlong<Dim>(m_twins, m_pose);
     m_constraintError = 0;
     for (Eigen::Index i = 0; i < m_targets.cols(); ++i) {
         const Vec<Dim> p = m_constraints.points()[i].template in<Dim>(m_shape);

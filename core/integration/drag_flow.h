@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/integration/orientation.h"
+#include "core/mesh/used_vertices.h"
 #include "core/motion/constraints.h"
 #include "core/solver/velocity_history.h"
 #include "core/solver/velocity_solver.h"
@@ -53,6 +54,7 @@ class DragFlow {
 
     Normalization<Dim> m_units;
     std::shared_ptr<const SimplicialMesh<Dim>> m_domainRest, m_rest;
+    std::vector<Twin> m_twins;
     Orientation<Dim> m_orientation;
     Constraints<Dim> m_constraints;
     VelocitySolver<Dim> m_solver;

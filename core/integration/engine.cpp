@@ -34,6 +34,7 @@ Deformer<Dim>::Engine::Engine(
       m_units((requireValid<Dim>(*rest), Normalization<Dim>::of(*rest))),
       m_domainRest(std::move(rest)),
       m_rest(normalized(*m_domainRest, m_units)),
+      m_twins(twinsOf<Dim>(*m_domainRest)),
       m_orientation(m_rest),
       m_domainOrientation(m_domainRest),
       m_settling(options.settle),
@@ -106,7 +107,9 @@ void Deformer<Dim>::Engine::remember() {
 /// Rest plus displacement: what does not move keeps its bits.
 template <int Dim>
 Points<Dim> Deformer<Dim>::Engine::inDomain(const Points<Dim>& shape) const {
-    return m_domainRest->points + m_units.size * (shape - m_rest->points);
+    Points<Dim> points = m_domainRest->points + m_units.size * (shape - m_rest->points);
+    takeAlong<Dim>(m_twins, points);
+    return points;
 }
 
 /// Both in the frame of the computation and in the numbers that are handed out; −1 if none is.
@@ -307,6 +310,7 @@ bool Deformer<Dim>::Engine::step(double stop) {
 template <int Dim>
 void Deformer<Dim>::Engine::accept(double to, bool shortened, bool cut) {
     ++statistics.steps;
+    if (m_options.steps == 0) statistics.errorEstimate += method().error() * m_options.tolerance;
     remember();  // frames may need a field of their own
     emitFrames(state.time, to);
     state.normalized = m_next;
@@ -434,7 +438,10 @@ Points<Dim> Deformer<Dim>::Engine::velocity() {
     m_solver->setVelocityTolerance(velocityTolerance(m_options));
     state.anchors = anchors;
     collectStatistics();
-    return good ? Points<Dim>(m_units.size * v) : Points<Dim>(Dim, 0);
+    if (!good) return Points<Dim>(Dim, 0);
+    v *= m_units.size;
+    takeAlong<Dim>(m_twins, v);
+    return v;
 }
 
 /// With the constraints that led to the current time.

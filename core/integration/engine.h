@@ -4,6 +4,7 @@
 
 #include "core/integration/deformer.h"
 #include "core/integration/orientation.h"
+#include "core/mesh/used_vertices.h"
 
 namespace wend {
 
@@ -81,6 +82,7 @@ struct Deformer<Dim>::Engine {
     IntegrationOptions m_options;
     Normalization<Dim> m_units;
     std::shared_ptr<const SimplicialMesh<Dim>> m_domainRest, m_rest;
+    std::vector<Twin> m_twins;
     Orientation<Dim> m_orientation, m_domainOrientation;
     std::unique_ptr<VelocitySolver<Dim>> m_solver;
     std::shared_ptr<const Constraints<Dim>> m_constraints;

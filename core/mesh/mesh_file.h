@@ -34,6 +34,9 @@ struct MeshFile {
     std::vector<MeshField> fields;
     std::vector<int> labels;              // of the triangles of a volume's border; empty if there are none
     std::vector<std::string> labelNames;  // of the labels 1, 2, …; empty if they have none
+    /// The cells were made here, not read: the triangles are the border of a volume's tetrahedra, and what is
+    /// written has no vertex without a cell.
+    bool made = false;
 };
 
 /// Reads the formats of meshFileExtensions(). Every index is valid and every coordinate finite in what comes
@@ -55,6 +58,11 @@ struct MeshWriteOptions {
     bool bigEndian = false;  // PLY; the others have their own order
     bool appended = false;   // .vtu, not as text: data as raw bytes behind the XML instead of base64 in it
     int gmshVersion = 4;     // 4 writes 4.1, 2 writes 2.2
+    /// The triangles of a volume's border as cells beside its tetrahedra, made where there are none. Without:
+    /// those that the input had, in every format; those that were made with the cells, in formats for solvers
+    /// (.mesh, .msh), which find their boundary conditions there. In .vtu and .vtk they would lie on the
+    /// faces of the tetrahedra and count in every mean.
+    bool border = false;
 
     bool binary() const { return encoding != Encoding::Text; }
 };

@@ -182,7 +182,8 @@ Surface repairSurface(const Surface& input, int largestHole, RepairReport& repor
             if (id >= 0 && id < static_cast<int>(newId.size())) id = newId[id];
     dropTriangles(surface, checkSurface(surface, 0), report);
     orient(surface, report);
-    report.filledHoles = fillHoles(surface, largestHole);
+    report.filledHoles = fillHoles(surface, largestHole, report.largerHoles);
+    std::ranges::sort(report.largerHoles);
     return surface;
 }
 

@@ -160,13 +160,16 @@ std::vector<std::vector<int>> holeLoops(const Surface& surface) {
     return loops;
 }
 
-int fillHoles(Surface& surface, int largest) {
+int fillHoles(Surface& surface, int largest, std::vector<int>& larger) {
     const auto loops = holeLoops(surface);
     if (loops.empty()) return 0;
     const Known known(surface);
     int filled = 0;
     for (const auto& loop : loops) {
-        if (static_cast<int>(loop.size()) > largest) continue;
+        if (static_cast<int>(loop.size()) > largest) {
+            larger.push_back(static_cast<int>(loop.size()));
+            continue;
+        }
         // A triangle that hangs at one vertex only has the same border.
         if (loop.size() == 3 && known.has({loop[0], loop[1], loop[2]})) continue;
         ++filled;

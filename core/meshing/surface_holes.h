@@ -12,7 +12,7 @@ namespace wend {
 std::vector<std::vector<int>> holeLoops(const Surface& surface);
 
 /// Closes holes of at most `largest` edges: a triangle, or a fan around the centre of the border. Returns how
-/// many were closed.
-int fillHoles(Surface& surface, int largest);
+/// many were closed; `larger` gets the numbers of edges of those that were not.
+int fillHoles(Surface& surface, int largest, std::vector<int>& larger);
 
 }  // namespace wend

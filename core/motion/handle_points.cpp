@@ -20,6 +20,16 @@ constexpr double kOutside = 1e-9;
 // A weight that only rounding has made: the point lies on the opposite facet.
 constexpr double kNoWeight = 1e-12;
 
+template <int Dim>
+std::vector<int> standsFor(const SimplicialMesh<Dim>& mesh) {
+    const std::vector<bool> used = usedVertices<Dim>(mesh.vertexCount(), mesh.cells);
+    std::vector<int> result(used.size(), -1);
+    for (int v = 0; v < mesh.vertexCount(); ++v)
+        if (used[v]) result[v] = v;
+    for (const Twin& twin : twinsOf<Dim>(mesh)) result[twin.vertex] = twin.of;
+    return result;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -27,7 +37,7 @@ HandlePlacer<Dim>::HandlePlacer(const SimplicialMesh<Dim>& rest, const Normaliza
     : m_rest(rest),
       m_units(units),
       m_size(shapeSize<Dim>(rest.points, rest.cells).size),
-      m_used(usedVertices<Dim>(rest.vertexCount(), rest.cells)),
+      m_standsFor(standsFor(rest)),
       m_locator(rest.points, rest.cells) {}
 
 template <int Dim>
@@ -54,8 +64,8 @@ auto HandlePlacer<Dim>::termsOf(const std::vector<int>& vertices) const -> std::
                              " is out of range, the shape has vertices 0 to " +
                              std::to_string(m_rest.vertexCount() - 1));
         }
-        if (!m_used[v]) throw InputError("vertex " + std::to_string(v) + " belongs to no cell");
-        result.push_back({{v, 1.0}});
+        if (m_standsFor[v] < 0) throw InputError("vertex " + std::to_string(v) + " belongs to no cell");
+        result.push_back({{m_standsFor[v], 1.0}});
     }
     return result;
 }
@@ -72,7 +82,8 @@ template <int Dim>
 auto HandlePlacer<Dim>::termsOf(const Region<Dim>& region) const -> std::vector<Terms> {
     std::vector<Terms> result;
     for (int v = 0; v < m_rest.vertexCount(); ++v) {
-        if (m_used[v] && signedDistance<Dim>(region, m_rest.points.col(v)) <= kRegionBorder * m_size)
+        if (m_standsFor[v] == v &&
+            signedDistance<Dim>(region, m_rest.points.col(v)) <= kRegionBorder * m_size)
             result.push_back({{v, 1.0}});
     }
     if (result.empty()) throw InputError("its region holds no vertex");

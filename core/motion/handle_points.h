@@ -24,7 +24,7 @@ class HandlePlacer {
     const SimplicialMesh<Dim>& m_rest;
     const Normalization<Dim>& m_units;
     double m_size;
-    std::vector<bool> m_used;  // by a cell
+    std::vector<int> m_standsFor;  // per vertex, the one of a cell that it goes with; −1: none
     PointLocator<Dim> m_locator;
 };
 

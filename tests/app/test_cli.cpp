@@ -147,7 +147,7 @@ void TestCli::reportKeys() {
     QStringList expected{"vertices", "cells",    "dimension",   "time",           "backend",
                          "device",   "errors",   "flips",       "minDet",         "constraintError",
                          "steps",    "rejected", "evaluations", "factorizations", "solverIterations",
-                         "seconds",  "energy",   "restEnergy",  "restForce"};
+                         "seconds",  "energy",   "restEnergy",  "restForce",      "errorEstimate"};
     QStringList keys = report.keys();
     expected.sort();
     keys.sort();

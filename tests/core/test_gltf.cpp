@@ -20,6 +20,7 @@ class TestGltf : public QObject {
     void containerIsWellFormed();
     void posesComeBackAsMorphTargets();
     void skinHasPartsNormalsAndPictures();
+    void textureRunsDown();
     void missingFolderIsAnError();
     void embeddedPointsFollowAffineMaps();
     void neighboursOutsideStayNeighbours();
@@ -153,6 +154,23 @@ void TestGltf::skinHasPartsNormalsAndPictures() {
     const QJsonObject last = parts[0].toObject()["targets"].toArray()[1].toObject();
     for (float x : floats(glb, last["NORMAL"].toInt(), 3)) QVERIFY(std::abs(x) < 1e-6F);  // only larger
     QVERIFY(gltfScene(skin, box.points).poses.empty());
+}
+
+/// glTF counts v from the top of the picture, we from its bottom.
+void TestGltf::textureRunsDown() {
+    GltfScene scene = bendingBox();
+    scene.uv = Eigen::Matrix2Xd::Random(2, scene.points.cols());
+    const QString path = m_folder.filePath("uv.glb");
+    writeGltf(path.toStdString(), scene);
+    const Glb glb = readGlb(path);
+    const QJsonObject primitive =
+        glb.json["meshes"].toArray()[0].toObject()["primitives"].toArray()[0].toObject();
+    const auto uv = floats(glb, primitive["attributes"].toObject()["TEXCOORD_0"].toInt(), 2);
+    QCOMPARE(uv.size(), std::size_t(scene.uv.size()));
+    for (Eigen::Index i = 0; i < scene.uv.cols(); ++i) {
+        QCOMPARE(uv[2 * i], static_cast<float>(scene.uv(0, i)));
+        QCOMPARE(uv[2 * i + 1], static_cast<float>(1 - scene.uv(1, i)));
+    }
 }
 
 void TestGltf::missingFolderIsAnError() {

@@ -199,6 +199,26 @@ class TestMeshReading : public QObject {
         const auto file = readAs("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf -3 -2 -1\nv 0 1 0\nf -4 -2 -1\n");
         QVERIFY(file.triangles == square);
     }
+    /// So do those of texture coordinates, from the latest of their own.
+    void negativeTexturesCountFromTheLatest() {
+        const auto file = readAs("a.obj",
+                                 "v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 9 9\nvt .1 .2\nvt .3 .4\nvt .5 .6\n"
+                                 "f -3/-3 -2/-2 -1/-1\nv 0 1 0\nvt .7 .8\nf 1/-4 3/-2/1 4/-1\n");
+        QVERIFY((flat(file.uv) == std::vector<double>{.1, .2, .3, .4, .5, .6, .7, .8}));
+        QVERIFY_THROWS_EXCEPTION(InputError,
+                                 readAs("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nf 1/-2 2/1 3/1\n"));
+    }
+    /// An entity in several groups is in its first.
+    void firstGroupOfAnEntity() {
+        const auto file = readAs("a.msh",
+                                 "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Entities\n0 0 2 0\n"
+                                 "3 0 0 0 1 1 0 3 7 8 9 0\n4 0 0 0 1 1 0 1 5 0\n$EndEntities\n"
+                                 "$Nodes\n1 4 1 4\n2 3 0 4\n1\n2\n3\n4\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n"
+                                 "$EndNodes\n$Elements\n2 2 1 2\n2 3 2 1\n1 1 2 3\n2 4 2 1\n2 1 3 4\n"
+                                 "$EndElements\n");
+        QVERIFY((valuesOf(file, "physical") == std::vector<double>{7, 5}));
+        QVERIFY((valuesOf(file, "entity") == std::vector<double>{3, 4}));
+    }
     void objTexture() {
         const std::string vs = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 9 9 9\n";
         const std::string vts = "vt .5 .25\nvt 1 0\nvt 1 1 0\nvt 0 1\nvt 7 7\n";

@@ -2,6 +2,8 @@
 
 #include <QTest>
 
+#include "core/assembly/cpu_back_end.h"
+#include "core/integration/drag_flow.h"
 #include "core/mesh/embedding.h"
 #include "core/mesh/error.h"
 #include "core/mesh/used_vertices.h"
@@ -63,6 +65,37 @@ void theShapeIsTheSame() {
     }
 }
 
+/// A spare copy goes where its corner goes: in the end, in frames between, as a velocity, and by hand.
+template <int Dim>
+void twinsMove() {
+    const SimplicialMesh<Dim> mesh = samples::strip<Dim>(4, 2, 2);
+    const int pulled = mesh.vertexCount() - 1;
+    const SimplicialMesh<Dim> spared = withSpares<Dim>(mesh, pulled);
+    const std::vector<Handle<Dim>> pins{pinAt<Dim>(mesh.points.col(0), 0),
+                                        pinAt<Dim>(mesh.points.col(pulled), 0.3)};
+    const auto goesAlong = [&](const Points<Dim>& points) {
+        return points.col(0) == points.col(pulled + 1) && points.cols() == spared.vertexCount();
+    };
+    Deformer<Dim> deformer = deformerOf<Dim>(spared, pins);
+    int frames = 0;
+    typename Deformer<Dim>::Watch watch;
+    watch.frames = {0.3, 0.6};
+    watch.onFrame = [&](const State<Dim>& state) { frames += goesAlong(state.points); };
+    QVERIFY(deformer.advance(1, watch).outcome == Outcome::Done);
+    QCOMPARE(frames, 2);
+    const Points<Dim>& pose = deformer.state().points;
+    QVERIFY(goesAlong(pose) && (pose.col(0) - spared.points.col(0)).norm() > 0.1);
+    QVERIFY(pose.rightCols(1) == spared.points.rightCols(1));  // the stray one stays
+    const Points<Dim> velocity = deformer.velocity();
+    QVERIFY(goesAlong(velocity) && velocity.col(0).norm() > 0.1);
+
+    DragFlow<Dim> drag(std::make_shared<SimplicialMesh<Dim>>(spared),
+                       std::make_shared<Material<Dim>>(Material<Dim>::uniform(mesh.cellCount(), phi::kMetr)),
+                       pins, makeCpuBackEnd<Dim>);
+    drag.lead({1}, Motion<Dim>{Translate<Dim>{Vec<Dim>::Constant(0.02)}});
+    QVERIFY(goesAlong(drag.pose()) && drag.pose().col(0) != spared.points.col(0));
+}
+
 template <int Dim>
 QString refusal(const SimplicialMesh<Dim>& mesh, const Placement<Dim>& at) try {
     Handle<Dim> handle = pinAt<Dim>(mesh.points.col(1), 0);
@@ -76,8 +109,11 @@ QString refusal(const SimplicialMesh<Dim>& mesh, const Placement<Dim>& at) try {
 template <int Dim>
 void handlesNeedVerticesOfCells() {
     const auto mesh = withSpares<Dim>(samples::strip<Dim>(2, 1, 2), 0);
-    const QString byNumber = refusal<Dim>(mesh, std::vector<int>{1, 0});
-    QVERIFY2(byNumber.contains("pin") && byNumber.contains("vertex 0 belongs to no cell"),
+    QVERIFY(refusal<Dim>(mesh, std::vector<int>{1, 0}).isEmpty());  // 0 stands for 1
+    const int stray = mesh.vertexCount() - 1;
+    const QString byNumber = refusal<Dim>(mesh, std::vector<int>{1, stray});
+    QVERIFY2(byNumber.contains("pin") &&
+                 byNumber.contains("vertex " + QString::number(stray) + " belongs to no cell"),
              qPrintable(byNumber));
     const QString byRegion = refusal<Dim>(mesh, Region<Dim>(Ball<Dim>{Vec<Dim>::Constant(1e4), 1}));
     QVERIFY2(byRegion.contains("holds no vertex"), qPrintable(byRegion));
@@ -121,6 +157,8 @@ class TestUnusedVertices : public QObject {
   private slots:
     void theShapeIsTheSame2D() { theShapeIsTheSame<2>(); }
     void theShapeIsTheSame3D() { theShapeIsTheSame<3>(); }
+    void twinsMove2D() { twinsMove<2>(); }
+    void twinsMove3D() { twinsMove<3>(); }
     void handlesNeedVerticesOfCells2D() { handlesNeedVerticesOfCells<2>(); }
     void handlesNeedVerticesOfCells3D() { handlesNeedVerticesOfCells<3>(); }
     void theyAreNowhereNear2D() { theyAreNowhereNear<2>(); }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "core/mesh/formats/cell_collector.h"
+#include "core/mesh/formats/gmsh_groups.h"
 #include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/formats/scanner.h"
 
@@ -25,6 +25,8 @@ constexpr std::pair<int, const char*> unreadTypes[] = {{5, "hexahedron"},
                                                        {10, "curved quadrangle"},
                                                        {11, "tetrahedron of second order"}};
 
+constexpr int kHighestNamed = 100000;  // labels have a list of names: no file shall make it a long one
+
 class GmshReader {
   public:
     explicit GmshReader(std::string_view bytes) : m_scanner(bytes) {}
@@ -33,6 +35,7 @@ class GmshReader {
         readFormat();
         while (!m_scanner.atEnd()) section();
         if (!m_hasNodes) m_scanner.fail("there is no section $Nodes");
+        for (const int dimension : {2, 3}) ungroupTheRest(dimension);
         m_file.fields.push_back({"physical", true, 1, m_cells.perCell(m_physical, 1)});
         m_file.fields.push_back({"entity", true, 1, m_cells.perCell(m_entity, 1)});
         m_file.labels = m_cells.borderLabels(m_physical);
@@ -88,7 +91,6 @@ class GmshReader {
             m_version4 ? readElements4() : readElements2();
         endSection(end);
     }
-    /// Names of surfaces, for labels; they are counted from 1 here.
     void readNames(const std::string& end) {
         m_scanner.line();
         const int count = m_scanner.count("names", 6);
@@ -99,15 +101,37 @@ class GmshReader {
             std::string name(m_scanner.line());
             const auto first = name.find('"'), last = name.rfind('"');
             if (first == std::string::npos || last == first) m_scanner.fail("a name should stand in quotes");
-            if (dimension == 2 && tag > 0 && tag <= count)
-                m_names[static_cast<int>(tag)] = name.substr(first + 1, last - first - 1);
+            if (tag > 0 && tag <= kHighestNamed)
+                m_names[{static_cast<int>(dimension), static_cast<int>(tag)}] =
+                    name.substr(first + 1, last - first - 1);
         }
         endSection(end);
     }
+    /// Names of surfaces become those of the labels 1, 2, …
     void takeNames() {
-        if (m_file.labels.empty() || m_names.empty()) return;
-        m_file.labelNames.resize(static_cast<std::size_t>(m_names.rbegin()->first));
-        for (const auto& [tag, name] : m_names) m_file.labelNames[tag - 1] = name;
+        if (m_file.labels.empty()) return;
+        for (const auto& [group, name] : m_names) {
+            if (group[0] != 2) continue;
+            m_file.labelNames.resize(static_cast<std::size_t>(group[1]));
+            m_file.labelNames.back() = name;
+        }
+    }
+    /// The group that GmshGroups gives to what has no tag.
+    void ungroupTheRest(int dimension) {
+        int greatest = 0, before = 0;
+        for (std::size_t e = 0; e < m_physical.size(); ++e)
+            if (m_dimensions[e] == dimension) greatest = std::max(greatest, static_cast<int>(m_physical[e]));
+        for (std::size_t e = 0; e < m_physical.size(); ++e)
+            if (m_dimensions[e] == dimension && m_physical[e] < greatest)
+                before = std::max(before, static_cast<int>(m_physical[e]));
+        const bool volume = std::ranges::count(m_dimensions, 3) > 0;
+        const auto name = m_names.find({dimension, greatest});
+        if (name == m_names.end() || name->second != groupOfTheRest(volume, dimension) ||
+            greatest != before + 1)
+            return;
+        for (std::size_t e = 0; e < m_physical.size(); ++e)
+            if (m_dimensions[e] == dimension && m_physical[e] == greatest) m_physical[e] = 0;
+        m_names.erase(name);
     }
     void passOver(const std::string& end) {
         const auto at = m_scanner.bytes().find("\n" + end, m_scanner.offset());
@@ -208,6 +232,7 @@ class GmshReader {
         const int element = static_cast<int>(m_physical.size());
         m_physical.push_back(physical);
         m_entity.push_back(entity);
+        m_dimensions.push_back(type.number == 4 ? 3 : 2);
         if (type.number == 4)
             m_cells.tetrahedron(corners, element);
         else
@@ -287,10 +312,11 @@ class GmshReader {
     NumberReader m_numbers{m_scanner, false, std::endian::native};
     MeshFile m_file;
     CellCollector m_cells;
-    std::vector<std::pair<std::int64_t, int>> m_tags;  // node number → vertex, sorted
-    std::map<std::pair<int, int>, int> m_physicalOf;   // (dimension, entity) → its first physical tag
-    std::vector<double> m_physical, m_entity;          // per element kept
-    std::map<int, std::string> m_names;                // of physical surfaces
+    std::vector<std::pair<std::int64_t, int>> m_tags;   // node number → vertex, sorted
+    std::map<std::pair<int, int>, int> m_physicalOf;    // (dimension, entity) → its first physical tag
+    std::vector<double> m_physical, m_entity;           // per element kept
+    std::vector<int> m_dimensions;                      // … and its dimension
+    std::map<std::array<int, 2>, std::string> m_names;  // of physical groups: (dimension, tag)
 };
 
 }  // namespace

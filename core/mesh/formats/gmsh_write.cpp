@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <map>
+#include <optional>
 
-#include "core/mesh/formats/cell_collector.h"
+#include "core/mesh/formats/border_values.h"
+#include "core/mesh/formats/gmsh_groups.h"
 #include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/formats/scalar_type.h"
 #include "core/mesh/formats/text_writer.h"
@@ -19,11 +21,7 @@ struct Run {
 class GmshPrinter {
   public:
     GmshPrinter(const MeshFile& mesh, const MeshWriteOptions& options)
-        : m_mesh(mesh),
-          m_binary(options.binary()),
-          m_physical(cellField(mesh, {"physical", "ref", "attribute"})),
-          m_entity(cellField(mesh, {"entity", "physical", "ref", "attribute"})),
-          m_labels(labelField(mesh)) {}
+        : m_mesh(mesh), m_binary(options.binary()), m_groups(mesh) {}
 
     std::string print2() {
         header("2.2");
@@ -58,23 +56,6 @@ class GmshPrinter {
     }
 
   private:
-    /// The tags of triangles are the labels if they are a volume's border.
-    const MeshField* tags(int dimension, const MeshField* ofCells) const {
-        if ((dimension == 3) == !m_mesh.tetrahedra.empty()) return ofCells;
-        return m_labels ? &*m_labels : nullptr;
-    }
-    long physicalOf(int dimension, std::size_t cell) const {
-        return tagOf(tags(dimension, m_physical), static_cast<int>(cell), 0);
-    }
-    /// Gmsh counts entities from 1. Triangles of a border without label are an entity behind the labelled
-    /// ones.
-    long entityOf(int dimension, std::size_t cell) const {
-        if (m_labels && dimension == 2 && m_mesh.labels[cell] == 0)
-            return 1 + *std::max_element(m_mesh.labels.begin(), m_mesh.labels.end());
-        const long entity = tagOf(tags(dimension, m_entity), static_cast<int>(cell), 1);
-        return entity > 0 ? entity : 1;
-    }
-
     void header(const char* version) {
         m_out << "$MeshFormat\n" << version << ' ' << (m_binary ? 1 : 0) << " 8\n";
         if (m_binary) {
@@ -83,39 +64,56 @@ class GmshPrinter {
         }
         m_out << "$EndMeshFormat\n";
     }
-    /// Of the labels.
     void names() {
-        if (!m_labels || m_mesh.labelNames.empty()) return;
-        m_out << "$PhysicalNames\n" << m_mesh.labelNames.size() << '\n';
-        int tag = 1;
-        for (std::string name : m_mesh.labelNames) {
-            std::replace(name.begin(), name.end(), '"', '\'');
-            m_out << "2 " << tag++ << " \"" << name << "\"\n";
-        }
+        const auto names = m_groups.names();
+        if (names.empty()) return;
+        m_out << "$PhysicalNames\n" << names.size() << '\n';
+        for (const auto& [dimension, tag, name] : names)
+            m_out << dimension << ' ' << tag << " \"" << name << "\"\n";
         m_out << "$EndPhysicalNames\n";
     }
-    /// Values as post-processing data: Gmsh draws 1, 3 and 9 components. Tags stand with the cells already.
+    /// Values as post-processing data; tags stand with the cells already.
     void fields() {
+        const bool bordered = isVolume(m_mesh) && !m_mesh.triangles.empty();
+        const auto behind = bordered ? cellsBehind(m_mesh) : std::vector<int>();
         for (const auto& field : m_mesh.fields) {
-            const bool isTag = field.name == "physical" || field.name == "entity" || field.name == "ref" ||
-                               field.name == "attribute";
-            const bool drawable = field.components == 1 || field.components == 3 || field.components == 9;
-            if (!isTag && drawable) data(field);
+            if (m_groups.holds(field)) continue;
+            const auto drawable = inSpace(field);
+            if (!drawable) continue;
+            data(*drawable,
+                 bordered && field.perCell ? borderValues(*drawable, behind) : std::vector<double>());
         }
     }
-    void data(const MeshField& field) {
+    /// Gmsh draws 1, 3 and 9 components: what has 2 or 2 × 2 is of the plane.
+    static std::optional<MeshField> inSpace(const MeshField& field) {
+        const int n = field.components == 4 ? 2 : field.components == 2 ? 1 : 0;
+        if (n == 0)
+            return field.components == 1 || field.components == 3 || field.components == 9
+                       ? std::optional(field)
+                       : std::nullopt;
+        const int rows = n == 2 ? 3 : 1;
+        MeshField wide{field.name, field.perCell, 3 * rows, {}};
+        for (std::size_t i = 0; i < field.values.size(); i += field.components)
+            for (int row = 0; row < rows; ++row)
+                for (int k = 0; k < 3; ++k)
+                    wide.values.push_back(row < n && k < 2 ? field.values[i + 2 * row + k] : 0);
+        return wide;
+    }
+    /// Elements are numbered triangles first. Every one has a value: meshio reads no data of a part of them.
+    void data(const MeshField& field, const std::vector<double>& ofBorder) {
         std::string name = field.name;
         std::replace(name.begin(), name.end(), '"', '\'');
-        const std::size_t count = field.values.size() / field.components;
         section(field.perCell ? "$ElementData" : "$NodeData");
-        m_out << "1\n\"" << name << "\"\n1\n0\n3\n0\n" << field.components << '\n' << count << '\n';
-        // elements are numbered triangles first, of which a volume's border has no values
-        const std::size_t first = 1 + (field.perCell && isVolume(m_mesh) ? m_mesh.triangles.size() : 0);
-        for (std::size_t i = 0; i < count; ++i) {
-            whole(static_cast<std::int64_t>(first + i), Scalar::Int32);
-            for (int k = 0; k < field.components; ++k) number(field.values[i * field.components + k]);
-            endLine();
-        }
+        m_out << "1\n\"" << name << "\"\n1\n0\n3\n0\n"
+              << field.components << '\n'
+              << (ofBorder.size() + field.values.size()) / field.components << '\n';
+        std::size_t element = 1;
+        for (const auto* values : {&ofBorder, &field.values})
+            for (std::size_t i = 0; i < values->size(); i += field.components) {
+                whole(static_cast<std::int64_t>(element++), Scalar::Int32);
+                for (int k = 0; k < field.components; ++k) number((*values)[i + k]);
+                endLine();
+            }
         endSection(field.perCell ? "$EndElementData" : "$EndNodeData");
     }
     void section(const char* name) { m_out << name << '\n'; }
@@ -152,8 +150,8 @@ class GmshPrinter {
             const int dimension = static_cast<int>(N) - 1;
             whole(static_cast<std::int64_t>(firstNumber + c), Scalar::Int32);
             if (!m_binary) m_out << type << " 2 ";
-            whole(physicalOf(dimension, c), Scalar::Int32);
-            whole(entityOf(dimension, c), Scalar::Int32);
+            whole(m_groups.physical(dimension, c), Scalar::Int32);
+            whole(m_groups.entity(dimension, c), Scalar::Int32);
             for (int v : cells[c]) whole(v + 1, Scalar::Int32);
             endLine();
         }
@@ -162,14 +160,13 @@ class GmshPrinter {
     std::vector<Run> runsOf(std::size_t cellCount, int dimension) const {
         std::vector<Run> runs;
         for (std::size_t c = 0; c < cellCount; ++c) {
-            const long entity = entityOf(dimension, c);
+            const long entity = m_groups.entity(dimension, c);
             if (runs.empty() || runs.back().entity != entity)
-                runs.push_back({dimension, entity, physicalOf(dimension, c), c, 0});
+                runs.push_back({dimension, entity, m_groups.physical(dimension, c), c, 0});
             ++runs.back().count;
         }
         return runs;
     }
-    /// An entity has one physical tag: that of its first cell.
     void entities(const std::vector<Run>& runs) {
         std::map<std::pair<int, long>, long> physicalOfEntity;
         std::size_t counts[4] = {};
@@ -185,8 +182,8 @@ class GmshPrinter {
             whole(entity.second, Scalar::Int32);
             for (double x : low) number(x);
             for (double x : high) number(x);
-            size(physical != 0);
-            if (physical != 0) whole(physical, Scalar::Int32);
+            size(1);
+            whole(physical, Scalar::Int32);
             size(0);
             endLine();
         }
@@ -235,16 +232,18 @@ class GmshPrinter {
 
     const MeshFile& m_mesh;
     bool m_binary;
-    const MeshField *m_physical, *m_entity;
-    std::optional<MeshField> m_labels;
+    GmshGroups m_groups;
     TextWriter m_out;
 };
 
 }  // namespace
 
 std::vector<std::string> printGmsh(const MeshFile& mesh, const MeshWriteOptions& options) {
-    GmshPrinter printer(mesh, options);
-    return {options.gmshVersion == 2 ? printer.print2() : printer.print4()};
+    if (options.gmshVersion != 2) return {GmshPrinter(mesh, options).print4()};
+    // meshio takes no values on two kinds of cells from version 2.2 (it cuts them at two).
+    const bool valued = std::ranges::any_of(mesh.fields, &MeshField::perCell);
+    if (mesh.made && valued && !options.border) return {GmshPrinter(withoutBorder(mesh), options).print2()};
+    return {GmshPrinter(mesh, options).print2()};
 }
 
 }  // namespace wend::formats

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "core/mesh/error.h"
+#include "core/mesh/formats/border_values.h"
 #include "core/mesh/formats/cell_collector.h"
 #include "core/mesh/formats/scanner.h"
 
@@ -54,20 +55,28 @@ void requireCarriable(const MeshFormat& format, const MeshFile& mesh) {
     throw InputError("a " + std::string(format.name) + " file cannot hold tetrahedra; these can:" + able);
 }
 
+/// What is written of a mesh that was made here, or whose border was asked for.
+MeshFile asWritten(const MeshFile& mesh, const MeshFormat& format, const MeshWriteOptions& options) {
+    MeshFile file = usedPart(mesh);
+    if (!isVolume(file)) return file;
+    if (file.triangles.empty() && options.border) return withBorder(std::move(file));
+    return mesh.made && !format.bordered && !options.border ? withoutBorder(std::move(file)) : file;
+}
+
 }  // namespace
 
 const std::vector<MeshFormat>& meshFormats() {
     static const std::vector<MeshFormat> formats = {
-        // name, extensions, together, tetrahedra, reader, printer
-        {"Wavefront OBJ", {".obj"}, false, false, readObj, printObj},
-        {"Stanford PLY", {".ply"}, false, false, readPly, printPly},
-        {"Object File Format", {".off"}, false, false, readOff, printOff},
-        {"Stereolithography STL", {".stl"}, false, false, readStl, printStl},
-        {"Medit", {".mesh"}, false, true, readMedit, printMedit},
-        {"Gmsh", {".msh"}, false, true, readGmsh, printGmsh},
-        {"TetGen", {".node", ".ele"}, true, true, readTetgen, printTetgen},
-        {"VTK legacy", {".vtk"}, false, true, readVtk, printVtk},
-        {"VTK unstructured grid", {".vtu"}, false, true, readVtu, printVtu},
+        // name, extensions, together, tetrahedra, bordered, reader, printer
+        {"Wavefront OBJ", {".obj"}, false, false, false, readObj, printObj},
+        {"Stanford PLY", {".ply"}, false, false, false, readPly, printPly},
+        {"Object File Format", {".off"}, false, false, false, readOff, printOff},
+        {"Stereolithography STL", {".stl"}, false, false, false, readStl, printStl},
+        {"Medit", {".mesh"}, false, true, true, readMedit, printMedit},
+        {"Gmsh", {".msh"}, false, true, true, readGmsh, printGmsh},
+        {"TetGen", {".node", ".ele"}, true, true, false, readTetgen, printTetgen},
+        {"VTK legacy", {".vtk"}, false, true, false, readVtk, printVtk},
+        {"VTK unstructured grid", {".vtu"}, false, true, false, readVtu, printVtu},
     };
     return formats;
 }
@@ -98,7 +107,8 @@ std::vector<std::string> printed(const MeshFormat& format, const MeshFile& mesh,
                                  const MeshWriteOptions& options) {
     requireSound(mesh);
     requireCarriable(format, mesh);
-    return format.print(mesh, options);
+    if (!mesh.made && !options.border) return format.print(mesh, options);
+    return format.print(asWritten(mesh, format, options), options);
 }
 
 }  // namespace wend::formats

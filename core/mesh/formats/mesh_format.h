@@ -21,6 +21,7 @@ struct MeshFormat {
     std::vector<std::string_view> extensions;  // lower case, with the dot
     bool together;                             // one mesh is a file of each extension, in this order
     bool holdsTetrahedra;
+    bool bordered;  // a volume's border that was made with its cells goes along unasked
     /// The bytes of one file, or of one of each extension. May throw InputError without the file's name.
     MeshFile (*read)(std::span<const MeshSource> files);
     /// The bytes of one file, or of one of each extension.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/mesh/formats/border_values.h"
+
 namespace wend::formats {
 namespace {
 
@@ -26,8 +28,16 @@ VtkCells vtkCellsOf(const MeshFile& mesh) {
 
 std::vector<MeshField> vtkFieldsOf(const MeshFile& mesh) {
     auto fields = mesh.fields;
-    if (auto labels = labelField(mesh)) {
-        std::erase_if(fields, isVtkLabels);
+    const bool bordered = isVolume(mesh) && !mesh.triangles.empty();
+    const auto behind = bordered ? cellsBehind(mesh) : std::vector<int>();
+    auto labels = labelField(mesh);
+    if (labels) std::erase_if(fields, isVtkLabels);
+    for (auto& field : fields) {
+        if (!field.perCell || !bordered) continue;
+        const auto ofBorder = borderValues(field, behind);
+        field.values.insert(field.values.end(), ofBorder.begin(), ofBorder.end());
+    }
+    if (labels) {
         labels->values.insert(labels->values.begin(), mesh.tetrahedra.size(), 0.0);
         fields.push_back(std::move(*labels));
     }
@@ -44,12 +54,6 @@ void takeVtkLabels(const MeshField& field, const CellCollector& collector, MeshF
     ofCells.values = collector.perCell(field.values, 1);
     const bool none = std::ranges::all_of(ofCells.values, [](double value) { return value == 0; });
     if (file.labels.empty() || !none) file.fields.push_back(std::move(ofCells));
-}
-
-std::vector<double> vtkValuesOf(const MeshField& field, const VtkCells& cells) {
-    auto values = field.values;
-    if (field.perCell) values.resize(cells.types.size() * field.components, 0.0);
-    return values;
 }
 
 }  // namespace wend::formats

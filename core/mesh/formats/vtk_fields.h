@@ -6,11 +6,10 @@
 namespace wend::formats {
 
 /// What both VTK formats write: the mesh's cells, and behind the tetrahedra the triangles of their border, if
-/// there are any; these have 0 in every field, since MeshFile has no values for them, but for the field
-/// "label", which has those of the border (and 0 in the tetrahedra).
+/// there are any.
 VtkCells vtkCellsOf(const MeshFile& mesh);
-std::vector<double> vtkValuesOf(const MeshField& field, const VtkCells& cells);
-/// The mesh's fields with that one.
+/// The mesh's fields with a value for each of these cells: the triangles of the border have those of the
+/// tetrahedra behind them. The field "label" is the border's, and 0 in the tetrahedra.
 std::vector<MeshField> vtkFieldsOf(const MeshFile& mesh);
 
 /// The other way: takes the labels of the border out of the field "label", and the field away if its

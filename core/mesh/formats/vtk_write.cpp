@@ -84,17 +84,17 @@ class VtkPrinter {
         if (!fieldCount) return;
         m_out << "FIELD FieldData " << fieldCount << '\n';
         for (const auto& field : m_fields)
-            if (field.perCell == perCell) printField(field, vtkValuesOf(field, cells));
+            if (field.perCell == perCell) printField(field);
     }
     void printTexture() {
         m_out << "TEXTURE_COORDINATES uv 2 double\n";
         numbers(std::vector<double>(m_mesh.uv.data(), m_mesh.uv.data() + m_mesh.uv.size()), 2);
         endArray();
     }
-    void printField(const MeshField& field, const std::vector<double>& values) {
-        m_out << encoded(field.name) << ' ' << field.components << ' ' << values.size() / field.components
-              << " double\n";
-        numbers(values, field.components);
+    void printField(const MeshField& field) {
+        m_out << encoded(field.name) << ' ' << field.components << ' '
+              << field.values.size() / field.components << " double\n";
+        numbers(field.values, field.components);
         endArray();
     }
 

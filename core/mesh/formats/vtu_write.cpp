@@ -40,8 +40,8 @@ class VtuPrinter {
         array<std::int64_t>("offsets", 1, std::span(cells.offsets).subspan(1));
         array<std::int64_t>("types", 1, cells.types);
         m_out << "</Cells>\n";
-        data(cells, false);
-        data(cells, true);
+        data(false);
+        data(true);
         close();
         return std::move(m_out.text());
     }
@@ -61,15 +61,12 @@ class VtuPrinter {
         if (m_appended) m_out << "<AppendedData encoding=\"raw\">\n_" << m_data << "\n</AppendedData>\n";
         m_out << "</VTKFile>\n";
     }
-    void data(const VtkCells& cells, bool perCell) {
+    void data(bool perCell) {
         const bool texture = !perCell && m_mesh.uv.cols();
         m_out << (perCell ? "<CellData" : "<PointData") << (texture ? " TCoords=\"uv\">\n" : ">\n");
         if (texture) array("uv", 2, std::span(m_mesh.uv.data(), static_cast<std::size_t>(m_mesh.uv.size())));
         for (const auto& field : m_fields)
-            if (field.perCell == perCell) {
-                const auto values = vtkValuesOf(field, cells);
-                array<double>(field.name, field.components, values);
-            }
+            if (field.perCell == perCell) array<double>(field.name, field.components, field.values);
         m_out << (perCell ? "</CellData>\n" : "</PointData>\n");
     }
 

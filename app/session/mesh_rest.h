@@ -1,0 +1,21 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/mesh/simplicial_mesh.h"
+
+namespace wend {
+
+/// The rest mesh of a file's mesh: parts that touch vertex on vertex hang together. What the user should hear
+/// of vertices that were joined, or that no cell has, is added to the notices.
+template <int Dim>
+std::shared_ptr<const SimplicialMesh<Dim>> joinedRest(const SimplicialMesh<Dim>& mesh,
+                                                      std::vector<std::string>& notices);
+
+/// Tells of parts that hang on a vertex or an edge only.
+template <int Dim>
+void tellOfHanging(const SimplicialMesh<Dim>& rest, std::vector<std::string>& notices);
+
+}  // namespace wend

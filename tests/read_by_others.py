@@ -1,0 +1,283 @@
+#!/usr/bin/python3
+"""Has other programs read what Wend writes: every mesh format, version and encoding, with and without values
+and border, of a mesh in the plane, of tetrahedra and of a filled surface. Compares points, cells, values and
+groups. Needs meshio, VTK and gmsh (Debian: python3-meshio python3-vtk9 gmsh); not part of ./test.
+
+    tests/read_by_others.py [WEND]        (build/release/wend)
+
+One line for each file; ends with 1 if anything differs.
+"""
+import contextlib
+import io
+import itertools
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree as xml
+
+import meshio
+import numpy as np
+import vtk
+from vtk.util.numpy_support import vtk_to_numpy
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+WEND = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ROOT / "build/release/wend").resolve()
+CORNERS = {3: "triangle", 4: "tetra"}
+failures = 0
+
+
+class Mesh:
+    """Points, cells by their number of corners, and values by name: of points, and of cells by corners."""
+
+    def __init__(self, points, cells, point_data, cell_data, groups=None):
+        self.points = np.asarray(points, float)
+        self.cells, self.point_data, self.cell_data = cells, point_data, cell_data
+        self.groups = groups  # corners → list of names, one per cell; None: the format has none
+
+
+def rows(values, count):
+    return np.asarray(values, float).reshape(count, -1)
+
+
+def truth(path):
+    """A .vtu in text, read as plain XML."""
+    arrays = {"Points": {}, "Cells": {}, "PointData": {}, "CellData": {}}
+    for part in xml.parse(path).getroot().iter():
+        if part.tag in arrays:
+            for array in part.iter("DataArray"):
+                arrays[part.tag][array.get("Name")] = np.array((array.text or "").split(), float)
+    points = rows(arrays["Points"]["Points"], len(arrays["Points"]["Points"]) // 3)
+    ends = arrays["Cells"]["offsets"].astype(int)
+    starts = np.concatenate([[0], ends[:-1]])
+    corners = ends - starts
+    connectivity = arrays["Cells"]["connectivity"].astype(int)
+    cells, data = {}, {}
+    for n in CORNERS:
+        of = np.flatnonzero(corners == n)
+        if len(of):
+            cells[n] = np.array([connectivity[starts[c]:ends[c]] for c in of])
+            data[n] = {name: rows(v, len(ends))[of] for name, v in arrays["CellData"].items()}
+    return Mesh(points, cells, {n: rows(v, len(points)) for n, v in arrays["PointData"].items()}, data)
+
+
+def by_meshio(path):
+    with contextlib.redirect_stdout(io.StringIO()) as said, contextlib.redirect_stderr(said):
+        mesh = meshio.read(path)
+    assert not said.getvalue().strip(), said.getvalue()
+    names = {(tag, dim): name for name, (tag, dim) in mesh.field_data.items()}
+    cells, data, groups = {}, {}, {}
+    for k, block in enumerate(mesh.cells):
+        n = {name: n for n, name in CORNERS.items()}[block.type]
+        cells.setdefault(n, []).append(block.data)
+        of = data.setdefault(n, {})
+        for name, values in mesh.cell_data.items():
+            of.setdefault(name, []).append(rows(values[k], len(block.data)))
+        if "gmsh:physical" in mesh.cell_data:
+            groups.setdefault(n, []).extend(names.get((tag, n - 1)) for tag in mesh.cell_data["gmsh:physical"][k])
+    return Mesh(mesh.points, {n: np.concatenate(b) for n, b in cells.items()},
+                {name: rows(v, len(mesh.points)) for name, v in mesh.point_data.items()},
+                {n: {name: np.concatenate(v) for name, v in of.items()} for n, of in data.items()}, groups or None)
+
+
+def by_vtk(path):
+    reader = vtk.vtkXMLUnstructuredGridReader() if path.suffix == ".vtu" else vtk.vtkUnstructuredGridReader()
+    errors = []
+    reader.AddObserver("ErrorEvent", lambda *_: errors.append("error"))
+    reader.SetFileName(str(path))
+    if path.suffix == ".vtk":
+        reader.ReadAllFieldsOn()
+    reader.Update()
+    assert not errors, "VTK reports an error"
+    grid = reader.GetOutput()
+    types = vtk_to_numpy(grid.GetCellTypesArray())
+    offsets = vtk_to_numpy(grid.GetCells().GetOffsetsArray())
+    connectivity = vtk_to_numpy(grid.GetCells().GetConnectivityArray())
+
+    def arrays(of, count):
+        return {of.GetArrayName(i): rows(vtk_to_numpy(of.GetArray(i)), count) for i in range(of.GetNumberOfArrays())}
+
+    points = vtk_to_numpy(grid.GetPoints().GetData())
+    values = arrays(grid.GetCellData(), len(types))
+    cells, data = {}, {}
+    for n, kind in ((3, vtk.VTK_TRIANGLE), (4, vtk.VTK_TETRA)):
+        of = np.flatnonzero(types == kind)
+        if len(of):
+            cells[n] = np.array([connectivity[offsets[c]:offsets[c + 1]] for c in of])
+            data[n] = {name: v[of] for name, v in values.items()}
+    return Mesh(points, cells, arrays(grid.GetPointData(), len(points)), data)
+
+
+def by_gmsh(path):
+    """Gmsh reads the file and writes it again, which meshio then reads."""
+    copy = path.with_name(path.stem + "-gmsh.msh")
+    done = subprocess.run(["gmsh", str(path), "-save", "-format", "msh41", "-o", str(copy)],
+                          capture_output=True, text=True)
+    said = done.stdout + done.stderr
+    assert done.returncode == 0 and "Error" not in said and "Warning" not in said, said
+    mesh = by_meshio(copy)
+    mesh.point_data, mesh.cell_data = {}, {n: {} for n in mesh.cells}  # Gmsh writes views elsewhere
+    return mesh
+
+
+def same(a, b, what, tolerance=0):
+    assert a.shape == b.shape, f"{what}: {a.shape} instead of {b.shape}"
+    assert np.allclose(a, b, rtol=tolerance, atol=tolerance, equal_nan=True), f"{what} differs"
+
+
+def widened(values):
+    """What the plane has, as Gmsh draws it."""
+    n = values.shape[1]
+    if n == 4:
+        values = np.pad(values.reshape(-1, 2, 2), ((0, 0), (0, 1), (0, 1))).reshape(-1, 9)
+    return np.pad(values, ((0, 0), (0, 1))) if n == 2 else values
+
+
+def sorted_mesh(mesh):
+    order = np.lexsort(mesh.points.T)
+    number = np.argsort(order)
+    cells = {n: number[c] for n, c in mesh.cells.items()}
+    return Mesh(mesh.points[order], {n: c[np.lexsort(c.T)] for n, c in cells.items()}, mesh.point_data,
+                mesh.cell_data, mesh.groups)
+
+
+def compare(found, wanted, values, border, groups, reader):
+    if reader is by_gmsh:  # which brings points and cells in the order of their entities
+        found, wanted = sorted_mesh(found), sorted_mesh(wanted)
+    same(found.points, wanted.points, "points", 1e-15 if reader is by_gmsh else 0)
+    kinds = [n for n in wanted.cells if border or n == max(wanted.cells)]
+    assert sorted(found.cells) == sorted(kinds), f"cells of {sorted(found.cells)} corners instead of {sorted(kinds)}"
+    for n in kinds:
+        same(found.cells[n], wanted.cells[n], f"cells of {n} corners")
+        if values:
+            for name, v in wanted.cell_data[n].items():
+                if name == "label":
+                    continue
+                got = found.cell_data[n].get(name)
+                assert got is not None, f"the field {name} is missing"
+                same(got, widened(v) if got.shape != v.shape else v, f"{name} on cells of {n} corners")
+        if groups and found.groups is not None:
+            assert set(found.groups[n]) == groups[n], f"groups {set(found.groups[n])} of cells of {n} corners"
+            assert len(found.groups[n]) == len(found.cells[n]), "a cell without a group"
+    if values:
+        for name, v in wanted.point_data.items():
+            if name == "uv":
+                continue
+            got = found.point_data.get(name)
+            assert got is not None, f"the field {name} is missing"
+            same(got, v, name)
+
+
+def run(folder, project, *options):
+    done = subprocess.run([WEND, "run", project, "--quiet", "--backend", "cpu", *map(str, options)], cwd=folder,
+                          capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+
+
+def check(folder, project, wanted, options, file, readers, **what):
+    global failures
+    label = f"{project:14} {' '.join(options):44}"
+    try:
+        run(folder, project, "--mesh", file, *options)
+    except AssertionError as error:
+        failures += 1
+        return print(f"{label} NOT WRITTEN: {error}")
+    for reader in readers:
+        result = "ok"
+        try:
+            compare(reader(folder / file), wanted, values=what["values"] and reader is not by_gmsh,
+                    border=what["border"], groups=what["groups"] if file.endswith(".msh") else None, reader=reader)
+        except Exception as error:  # a reader may fail in any way
+            failures += 1
+            result = f"FAILED: {str(error).strip()[:300]}"
+        print(f"{label} {file:7} {reader.__name__[3:]:7} {result}")
+
+
+def grid(folder):
+    """A jittered strip of triangles, a block of tetrahedra, and its surface in two materials."""
+    random = np.random.default_rng(5)
+    n = 6
+    flat = np.array([(i, j, 0) for j in range(3) for i in range(n)], float)
+    flat[:, :2] += random.uniform(-0.2, 0.2, (len(flat), 2))
+    squares = [(j * n + i, j * n + i + 1, (j + 1) * n + i + 1, (j + 1) * n + i) for j in range(2) for i in range(n - 1)]
+    triangles = np.array([t for a, b, c, d in squares for t in ((a, b, c), (a, c, d))])
+    meshio.write_points_cells(folder / "flat.obj", flat, [("triangle", triangles)])
+
+    block = np.array([(i, j, k) for k in range(3) for j in range(3) for i in range(n)], float)
+    block += random.uniform(-0.15, 0.15, block.shape)
+    at = lambda p: (p[2] * 3 + p[1]) * n + p[0]
+    tetrahedra = []
+    for box in itertools.product(range(n - 1), range(2), range(2)):
+        for order in itertools.permutations(range(3)):
+            corner = list(box)
+            cell = [at(corner)]
+            for axis in order:
+                corner[axis] += 1
+                cell.append(at(corner))
+            a, b, c, d = block[cell]
+            if np.linalg.det([b - a, c - a, d - a]) < 0:
+                cell[2], cell[3] = cell[3], cell[2]
+            tetrahedra.append(cell)
+    meshio.write(folder / "block.vtu", meshio.Mesh(block, [("tetra", np.array(tetrahedra))]))
+    faces = {}
+    for cell in tetrahedra:
+        for out in ((1, 2, 3), (0, 3, 2), (0, 1, 3), (0, 2, 1)):
+            face = tuple(cell[k] for k in out)
+            faces.setdefault(tuple(sorted(face)), []).append(face)
+    outer = [faces[f][0] for f in sorted(faces) if len(faces[f]) == 1]
+    lines = ["v %.17g %.17g %.17g" % tuple(p) for p in block]
+    for name, part in (("iron", outer[: len(outer) // 2]), ("wood", outer[len(outer) // 2:])):
+        lines += [f"usemtl {name}"] + ["f %d %d %d" % tuple(v + 1 for v in f) for f in part]
+    (folder / "block.obj").write_text("\n".join(lines) + "\n")
+
+
+def project(folder, name, domain, ends, region, move):
+    text = {"format": "wend", "version": 1, "domain": domain,
+            "material": {"regions": [{"shape": region, "phi": 1.2,
+                                      "stiffness": {"axis": [1] + [0] * (len(move) - 1), "ratio": 5}}]},
+            "handles": [{"at": {"region": ends[0]}},
+                        {"at": {"region": ends[1]}, "motion": [{"kind": "translate", "by": move}]}]}
+    (folder / name).write_text(json.dumps(text))
+
+
+def main():
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        grid(folder)
+        ball = lambda x: {"sphere": {"centre": [x, 1, 1], "radius": 1.2}}
+        disc = lambda x: {"circle": {"centre": [x, 1], "radius": 1.2}}
+        project(folder, "flat.wend", {"mesh": "flat.obj"}, (disc(0), disc(5)),
+                {"circle": {"centre": [2.5, 1], "radius": 1}}, [0.5, 1])
+        for kind, domain in (("block", {"mesh": "block.vtu"}), ("filled", {"surface": "block.obj", "vertices": 150})):
+            project(folder, f"{kind}.wend", domain, (ball(0), ball(5)),
+                    {"sphere": {"centre": [2.5, 1, 1], "radius": 1}}, [0.5, 1, 0.3])
+        groups = {"flat.wend": {3: {"surface"}}, "block.wend": {3: {"boundary"}, 4: {"volume"}},
+                  "filled.wend": {3: {"iron", "wood"}, 4: {"volume"}}}
+        for which, values, asked in itertools.product(groups, (True, False), (True, False)):
+            if which == "flat.wend" and asked:
+                continue
+            options = (["--border"] if asked else []) + ([] if values else ["--fields", "none"])
+            run(folder, which, "--mesh", "truth.vtu", "--border")
+            wanted = truth(folder / "truth.vtu")
+            flat, made = which == "flat.wend", which == "filled.wend"
+            what = {"values": values, "groups": groups[which]}
+            for encoding in ("text", "binary", "compressed"):
+                code = ["--encoding", encoding]
+                check(folder, which, wanted, options + code, "a.vtu", [by_vtk, by_meshio], border=asked or flat, **what)
+                if encoding == "compressed":
+                    continue
+                check(folder, which, wanted, options + code, "a.vtk", [by_vtk], border=asked or flat, **what)
+                for version in ("4.1", "2.2"):
+                    two_kinds = values and version == "2.2"  # which this meshio takes no values on
+                    readers = [by_gmsh] if two_kinds and asked else [by_meshio, by_gmsh]
+                    check(folder, which, wanted, options + code + ["--msh", version], "a.msh", readers,
+                          border=asked or flat or (made and not two_kinds), **what)
+            what["values"] = False  # the format has none
+            check(folder, which, wanted, options, "a.mesh", [by_meshio], border=asked or flat or made, **what)
+    print("all read as written" if failures == 0 else f"{failures} FAILED")
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
