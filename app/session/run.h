@@ -42,9 +42,9 @@ struct RunWatch {
     std::function<void(const std::string& work, double fraction)> progress;
     /// A sentence that the user should hear, such as that a device failed and the processor goes on.
     std::function<void(const std::string& text)> notice;
-    /// How it went, in one line, when all is written.
-    std::function<void(const std::string& text)> summary;
     std::stop_token stop;
+    /// How it went, in one line, when all is written.
+    std::function<void(const std::string& text)> summary = {};
 };
 
 /// Throws InputError for an output that cannot be made: an unknown extension, a missing folder, a picture
