@@ -240,7 +240,7 @@ void TestSolverReuse::contractionsAreToldAsMeasured() {
         Points<2> v;
         system.particular(strip.up, v);
         sizes.clear();
-        return iteration.run(*backEnd, system, none, goal, v);
+        return iteration.run(*backEnd, system, none, goal, nullptr, v);
     };
     const auto once = run({.tolerance = 1e9, .contraction = 0.5, .hopeless = {}});
     QVERIFY(once.iterations == 1 && !once.firstContraction && !once.worstContraction);
