@@ -239,10 +239,11 @@ std::string tryToReadBack(const std::string& format, const Writing& writing, con
     if (!input->open(writing.temporary, found, config)) return "cannot be read again: " + input->geterror();
     if (found.width != spec.width || found.height != spec.height || found.nchannels != spec.nchannels)
         return "has another size when it is read again";
-    std::string row(found.scanline_bytes(), '\0');
+    std::string row(spec.scanline_bytes(),
+                    '\0');  // in the type that was handed over: a TIFF keeps halves as floats
     for (int y = found.y + first; y < found.y + found.height; ++y) {
         const bool read =
-            input->read_scanlines(0, 0, y, y + 1, found.z, 0, found.nchannels, found.format, row.data()) &&
+            input->read_scanlines(0, 0, y, y + 1, found.z, 0, found.nchannels, spec.format, row.data()) &&
             !input->has_error();
         if (!read) return "cannot be read again to its end";
         sum = mixed(sum, row);

@@ -12,6 +12,7 @@
 #include "core/mesh/gltf.h"
 #include "core/mesh/input_file.h"
 #include "core/mesh/safe_file.h"
+#include "core/mesh/temporary_folder.h"
 
 namespace wend {
 namespace fs = std::filesystem;
@@ -72,9 +73,10 @@ void writeSkin(const std::string& path, const Skin& skin, const Points<3>& point
     if (hasExtension(path, ".glb")) return writeGltf(path, gltfScene(skin, points));
     if (!hasExtension(path, ".obj") || !hasExtension(skin.path, ".obj"))
         return writeMeshFile(path, toMeshFile(skin, points, fields), options);
-    writeWhole(path,
-               formats::withVertices(readInput(skin.path), points, fs::path(skin.path).parent_path().string(),
-                                     fs::path(path).parent_path().string()));
+    fs::path folder = fs::path(path).parent_path();
+    if (isTemporary(path)) folder = folder.parent_path();  // where the file will be
+    writeWhole(path, formats::withVertices(readInput(skin.path), points,
+                                           fs::path(skin.path).parent_path().string(), folder.string()));
 }
 
 std::vector<std::string> skinFileExtensions() {

