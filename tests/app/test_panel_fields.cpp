@@ -150,9 +150,9 @@ void TestPanelFields::numbersCanBeTyped() {
         QVERIFY2(before != field->text() && undo.count() <= steps + 1, name);
     };
     check("Energy φ", "1.257", "1.257 rad");
-    check("Smoothing length", "0.03", "0.030");
+    check("Smoothing length", "0.03", "0.0300");
     check("Smoothing length", "0", "none");
-    check("Smoothing length", "0.04", "0.040");
+    check("Smoothing length", "0.04", "0.0400");
     check("Vertices", "450", "450");
     if (!solid) check("Threshold", "25", "25 %");
     if (!solid) check("Margin", "0.5", "0.5 px");
