@@ -3,11 +3,13 @@
 #include "app/cli/cli.h"
 #include "app/view/run_window.h"
 #include "kernels/opencl_devices.h"
+#include "warp/plugins.h"
 
 /// One program: subcommands work without a display, everything else is for the window.
 int main(int argc, char** argv) {
     std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error like a full disk
     wend::prepareOpenClEnvironment();
+    wend::lookForNoPlugins();
     if (argc > 1 && wend::isCommand(argv[1])) return wend::runCommand(argc, argv);
     return wend::runWindow(argc, argv);
 }

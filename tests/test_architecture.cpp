@@ -34,7 +34,7 @@ const QMap<QString, QStringList> kAllowed = {
     {"app/tools", {"core/*", "warp", "app/document", "app/session"}},
     {"app/panels", {"core/*", "warp", "app/document", "app/session"}},
     {"app/view", {"core/*", "warp", "app/document", "app/session", "app/tools", "app/panels"}},
-    {"app", {"app/cli", "app/view", "kernels"}},
+    {"app", {"app/cli", "app/view", "kernels", "warp"}},
 };
 
 struct Include {

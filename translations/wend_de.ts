@@ -2251,6 +2251,10 @@
         <source>Frames per &amp;second</source>
         <translation>Bilder je &amp;Sekunde</translation>
     </message>
+    <message>
+        <source>&amp;Border triangles</source>
+        <translation>&amp;Dreiecke des Randes</translation>
+    </message>
 </context>
 <context>
     <name>wend::PaintPanel</name>

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <new>
@@ -7,54 +8,20 @@
 #include "core/mesh/error.h"
 #include "warp/image_metadata.h"
 #include "warp/orientation.h"
+#include "warp/picture_codecs.h"
 #include "warp/picture_format.h"
 #include "warp/png_check.h"
 #include "warp/webp.h"
-
-// As in OpenImageIO's imageioplugin.cpp: no header of its declares them.
-OIIO_NAMESPACE_BEGIN
-// NOLINTBEGIN(readability-identifier-naming)
-OIIO_API ImageInput* png_input_imageio_create();
-OIIO_API ImageInput* jpeg_input_imageio_create();
-OIIO_API ImageInput* tiff_input_imageio_create();
-OIIO_API ImageInput* openexr_input_imageio_create();
-OIIO_API ImageInput* webp_input_imageio_create();
-OIIO_API ImageInput* hdr_input_imageio_create();
-OIIO_API ImageInput* bmp_input_imageio_create();
-OIIO_API ImageInput* targa_input_imageio_create();
-OIIO_API ImageInput* pnm_input_imageio_create();
-// NOLINTEND(readability-identifier-naming)
-OIIO_NAMESPACE_END
 
 namespace wend {
 namespace {
 
 using Input = std::unique_ptr<OIIO::ImageInput>;
 
-/// OpenImageIO's readers are made one by one: its own search looks for plug-ins, and when a reader fails, it
-/// tries all the others, of which some write where they must not.
 Input readerOf(PictureFormat format) {
-    switch (format) {
-        case PictureFormat::Png:
-            return Input(OIIO::png_input_imageio_create());
-        case PictureFormat::Jpeg:
-            return Input(OIIO::jpeg_input_imageio_create());
-        case PictureFormat::Tiff:
-            return Input(OIIO::tiff_input_imageio_create());
-        case PictureFormat::Exr:
-            return Input(OIIO::openexr_input_imageio_create());
-        case PictureFormat::Webp:
-            return Input(OIIO::webp_input_imageio_create());
-        case PictureFormat::Hdr:
-            return Input(OIIO::hdr_input_imageio_create());
-        case PictureFormat::Bmp:
-            return Input(OIIO::bmp_input_imageio_create());
-        case PictureFormat::Tga:
-            return Input(OIIO::targa_input_imageio_create());
-        case PictureFormat::Pnm:
-            return Input(OIIO::pnm_input_imageio_create());
-    }
-    return {};
+    constexpr std::array codecs{kPng, kJpeg, kTiff, kExr, kWebp, kHdr, kBmp, kTga, kPnm};
+    static_assert(codecs.size() == static_cast<std::size_t>(PictureFormat::Pnm) + 1);
+    return Input(codecs[static_cast<std::size_t>(format)].reader());
 }
 
 /// The first line, which is the cause; what follows repeats it.

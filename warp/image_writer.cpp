@@ -13,6 +13,7 @@
 #include "warp/convert.h"
 #include "warp/image_formats.h"
 #include "warp/image_metadata.h"
+#include "warp/picture_codecs.h"
 #include "warp/webp.h"
 
 namespace wend {
@@ -22,6 +23,7 @@ enum class Association { Unassociated, Associated, Either };
 
 /// What a format can hold.
 struct Format {
+    PictureCodec codec;
     std::array<std::string_view, 3> extensions;
     std::array<bool, 4> types;  // UInt8, UInt16, Half, Float
     bool gray, alpha, grayAlpha;
@@ -30,22 +32,23 @@ struct Format {
 };
 
 constexpr std::array formats{
-    Format{{".png"}, {true, true, false, false}, true, true, true, Association::Unassociated, ""},
-    Format{{".tif", ".tiff"}, {true, true, true, true}, true, true, true, Association::Either, "zip"},
-    Format{{".exr"}, {false, false, true, true}, true, true, true, Association::Associated, "zip"},
-    Format{{".jpg", ".jpeg", ".jpe"},
+    Format{kPng, {".png"}, {true, true, false, false}, true, true, true, Association::Unassociated, ""},
+    Format{kTiff, {".tif", ".tiff"}, {true, true, true, true}, true, true, true, Association::Either, "zip"},
+    Format{kExr, {".exr"}, {false, false, true, true}, true, true, true, Association::Associated, "zip"},
+    Format{kJpeg,
+           {".jpg", ".jpeg", ".jpe"},
            {true, false, false, false},
            true,
            false,
            false,
            Association::Either,
            "jpeg:95"},
-    Format{{".webp"}, {true, false, false, false}, false, true, false, Association::Unassociated, ""},
-    Format{{".bmp"}, {true, false, false, false}, true, true, false, Association::Unassociated, ""},
-    Format{{".tga"}, {true, false, false, false}, true, true, false, Association::Unassociated, "rle"},
-    Format{{".jp2"}, {true, true, false, false}, true, false, false, Association::Either, ""},
-    Format{{".ppm", ".pnm"}, {true, false, false, false}, true, false, false, Association::Either, ""},
-    Format{{".hdr"}, {false, false, false, true}, false, false, false, Association::Either, ""},
+    Format{kWebp, {".webp"}, {true, false, false, false}, false, true, false, Association::Unassociated, ""},
+    Format{kBmp, {".bmp"}, {true, false, false, false}, true, true, false, Association::Unassociated, ""},
+    Format{kTga, {".tga"}, {true, false, false, false}, true, true, false, Association::Unassociated, "rle"},
+    Format{kJpeg2000, {".jp2"}, {true, true, false, false}, true, false, false, Association::Either, ""},
+    Format{kPnm, {".ppm", ".pnm"}, {true, false, false, false}, true, false, false, Association::Either, ""},
+    Format{kHdr, {".hdr"}, {false, false, false, true}, false, false, false, Association::Either, ""},
 };
 
 const Format* findFormat(const std::string& extension) {
@@ -147,6 +150,9 @@ OIIO::ImageSpec fileSpec(const Format& format, const Image& image) {
         if (format.extensions[0] == ".tif") spec.attribute("compression", kQuickZip);
     }
     if (format.compression.starts_with("jpeg")) spec.attribute("jpeg:subsampling", "4:4:4");
+    // The time of writing, which these libraries would put in, would make of the same picture another file.
+    const bool isDated = format.extensions[0] == ".tif" || format.extensions[0] == ".exr";
+    if (isDated && !spec.find_attribute("DateTime")) spec.attribute("DateTime", "");
     return spec;
 }
 
@@ -192,6 +198,7 @@ class Strips {
 
 /// A picture on its way into a file.
 struct Writing {
+    const Format& format;
     std::string path, temporary;
     Image picture;  // in the file's layout, without pixels
     std::function<Strips()> strips;
@@ -230,12 +237,10 @@ std::string tryWriteTo(OIIO::ImageOutput& output, const Failed& failed, const Wr
 
 /// What is wrong with a finished file when it is opened again and its rows from the `first` on are read;
 /// empty if nothing is. Only the reader of its own format may look at it. `sum` gets that of the rows.
-std::string tryToReadBack(const std::string& format, const Writing& writing, const OIIO::ImageSpec& spec,
-                          int first, std::size_t& sum) {
-    const auto input = OIIO::ImageInput::create(format);
+std::string tryToReadBack(const Writing& writing, const OIIO::ImageSpec& spec, int first, std::size_t& sum) {
+    const std::unique_ptr<OIIO::ImageInput> input(writing.format.codec.reader());
     OIIO::ImageSpec found, config;
     config.attribute("oiio:UnassociatedAlpha", writing.picture.unassociated ? 1 : 0);
-    if (!input) return "cannot be read again";
     if (!input->open(writing.temporary, found, config)) return "cannot be read again: " + input->geterror();
     if (found.width != spec.width || found.height != spec.height || found.nchannels != spec.nchannels)
         return "has another size when it is read again";
@@ -257,7 +262,7 @@ Attempt tryWriteTiff(OIIO::ImageOutput& output, const Writing& writing, const OI
     std::size_t written = 0, read = 0;
     std::string problem = tryWriteTo(
         output, [] { return false; }, writing, spec, written);
-    if (problem.empty()) problem = tryToReadBack("tiff", writing, spec, 0, read);
+    if (problem.empty()) problem = tryToReadBack(writing, spec, 0, read);
     if (problem.empty() && written != read) problem = "is another picture when it is read again";
     return {problem};
 }
@@ -266,17 +271,15 @@ Attempt tryWriteTiff(OIIO::ImageOutput& output, const Writing& writing, const OI
 /// they write goes through a file that looks.
 Attempt tryWrite(const Writing& writing, OIIO::ImageSpec spec) {
     std::optional<CheckedProxy> proxy;  // outlives the output, whose end may write
-    const auto output = OIIO::ImageOutput::create(writing.temporary);
-    if (!output) return {OIIO::geterror()};
-    const std::string format = output->format_name();
-    if (format == "tiff") return tryWriteTiff(*output, writing, spec);
+    const std::unique_ptr<OIIO::ImageOutput> output(writing.format.codec.writer());
+    if (std::string_view(output->format_name()) == "tiff") return tryWriteTiff(*output, writing, spec);
     OIIO::Filesystem::IOProxy* const pointer = &proxy.emplace(writing.temporary);
     spec.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &pointer);
     std::size_t sum = 0;
     const auto failed = [&] { return proxy->file().failed(); };
     const std::string problem = tryWriteTo(*output, failed, writing, spec, sum);
     if (const std::string reason = proxy->file().finish(); !reason.empty()) return {reason, true};
-    return {problem.empty() ? tryToReadBack(format, writing, spec, spec.height - 1, sum) : problem};
+    return {problem.empty() ? tryToReadBack(writing, spec, spec.height - 1, sum) : problem};
 }
 
 /// `text` with the temporary file called by its proper name.
@@ -333,12 +336,16 @@ bool holdsAlpha(const std::string& path) {
 void writeImage(const std::string& path, const Image& header, int stripRows, const MakeRows& makeRows) {
     const Format& format = formatOf(path);
     if (header.width < 1 || header.height < 1) throw InputError(path, "there are no pixels to write");
+    // OpenJPEG's encoder halves a picture five times, and writes nothing at all of a smaller one.
+    constexpr int kLeastJpeg2000 = 32;
+    if (format.extensions[0] == ".jp2" && std::min(header.width, header.height) < kLeastJpeg2000)
+        throw InputError(path, "pictures of less than 32 pixels a side cannot be written as .jp2");
     const PixelLayout layout = fileLayout(format, header);
     writeWhole(path, [&](const std::string& temporary) {
-        const Writing writing{path, temporary, withLayout(header, layout),
+        const Writing writing{format, path, temporary, withLayout(header, layout),
                               [&] { return Strips(header, layout, stripRows, makeRows); }};
         const OIIO::ImageSpec spec = fileSpec(format, writing.picture);
-        if (format.extensions[0] == ".webp")
+        if (!format.codec.writer)
             writeWebpPicture(writing, spec);
         else
             writePicture(writing, spec);

@@ -158,7 +158,7 @@ ExitCode runMesh(const Arguments& arguments) try {
     requireFitting(arguments, input.project.domain, lowerExtension(path) == ".json");
     RunOutputs outputs;
     outputs.mesh = output;
-    const std::vector<std::string> inputs = inputsOf(input.project, path, input.folder);
+    const std::vector<OwnInput> inputs = inputsOf(input.project, path, input.folder);
     if (const std::string clash = overwriting(inputs, outputs); !clash.empty()) throw UsageError(clash);
     requirePossible(input.project, outputs);
 

@@ -82,7 +82,7 @@ ExitCode runRun(const Arguments& arguments) {
     LoadedProject loaded = readProject(path);
     for (const std::string& warning : loaded.warnings) terminal.warn(path + ": " + warning);
     override(loaded.project, arguments);
-    const std::vector<std::string> inputs = inputsOf(loaded.project, path, folderOf(path));
+    const std::vector<OwnInput> inputs = inputsOf(loaded.project, path, folderOf(path));
     if (const std::string clash = overwriting(inputs, options.outputs); !clash.empty())
         throw UsageError(clash);
     if (!asksForAnything(options.outputs))

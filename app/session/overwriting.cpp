@@ -32,13 +32,15 @@ std::vector<Place> singlePlaces(const RunOutputs& outputs) {
     return places;
 }
 
-std::string replaced(const Place& place, const std::vector<std::string>& inputs) {
-    const std::string input = sameAmong(inputs, place.file);
-    return input.empty() ? "" : place.output + ": would replace " + input + ", which is read here";
+std::string replaced(const Place& place, const std::vector<OwnInput>& inputs) {
+    for (const OwnInput& input : inputs)
+        if (sameFile(input.path, place.file))
+            return place.output + ": would replace " + input.path + ", which is read here";
+    return {};
 }
 
 /// Frames that are there already, maybe as links, and those that other outputs will be.
-std::string clashOfFrames(const std::vector<std::string>& inputs, const std::vector<Place>& places,
+std::string clashOfFrames(const std::vector<OwnInput>& inputs, const std::vector<Place>& places,
                           const RunOutputs& outputs) {
     for (const Place& place : places) {
         const auto number = frameNumber(canonicalName(outputs.frames), canonicalName(place.file));
@@ -56,20 +58,24 @@ std::string clashOfFrames(const std::vector<std::string>& inputs, const std::vec
 
 }  // namespace
 
-std::vector<std::string> inputsOf(const Project& project, const std::string& path,
-                                  const std::string& folder) {
+std::vector<OwnInput> inputsOf(const Project& project, const std::string& path, const std::string& folder) {
     const Domain& domain = project.domain;
-    std::vector<std::string> inputs{path};
-    const auto add = [&](const std::string& file) {
+    std::vector<OwnInput> inputs;
+    const auto add = [&](OwnFile kind, const std::string& file) {
         if (file.empty()) return;
-        for (const std::string& one : writtenAlong(pathIn(folder, file))) inputs.push_back(one);
+        for (const std::string& one : writtenAlong(pathIn(folder, file))) inputs.push_back({kind, one});
     };
-    for (const std::string& file : {domain.path, domain.texture, domain.sizesFile, domain.detail}) add(file);
-    std::visit([&](const auto& design) { add(design.material.cellsFile); }, project.design);
+    if (!path.empty()) inputs.push_back({OwnFile::Project, path});
+    add(domain.kind == DomainKind::Image ? OwnFile::Picture : OwnFile::Mesh, domain.path);
+    add(OwnFile::Picture, domain.texture);
+    add(OwnFile::Sizes, domain.sizesFile);
+    add(OwnFile::Detail, domain.detail);
+    add(OwnFile::Material,
+        std::visit([](const auto& own) { return own.material.cellsFile; }, project.design));
     return inputs;
 }
 
-std::string overwriting(const std::vector<std::string>& inputs, const RunOutputs& outputs) {
+std::string overwriting(const std::vector<OwnInput>& inputs, const RunOutputs& outputs) {
     const std::vector<Place> places = singlePlaces(outputs);
     for (std::size_t k = 0; k < places.size(); ++k) {
         if (const std::string clash = replaced(places[k], inputs); !clash.empty()) return clash;

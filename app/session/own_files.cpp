@@ -3,51 +3,20 @@
 #include <filesystem>
 
 #include "app/session/output_set.h"
+#include "core/mesh/same_file.h"
 
 namespace wend {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// The same file, or the same place where there is none yet.
-bool isSame(const fs::path& a, const fs::path& b) {
-    std::error_code error;
-    if (fs::equivalent(a, b, error) && !error) return true;
-    const auto place = [](const fs::path& path) {
-        std::error_code unknown;
-        const fs::path found = fs::weakly_canonical(fs::absolute(path, unknown), unknown);
-        return unknown ? path : found;
-    };
-    return place(a) == place(b);
-}
-
-std::string cellsFileOf(const Project& project) {
-    return std::visit([](const auto& design) { return design.material.cellsFile; }, project.design);
-}
-
-std::vector<std::pair<OwnFile, std::string>> ownFiles(const Document& document) {
-    const Project& project = *document.project();
-    const Domain& domain = project.domain;
-    const std::string folder = document.folder().toStdString();
-    std::vector<std::pair<OwnFile, std::string>> files;
-    const auto add = [&](OwnFile kind, const std::string& file) {
-        if (!file.empty()) files.emplace_back(kind, pathIn(folder, file));
-    };
-    add(OwnFile::Project, document.path().toStdString());
-    add(domain.kind == DomainKind::Image ? OwnFile::Picture : OwnFile::Mesh, domain.path);
-    add(OwnFile::Picture, domain.texture);
-    add(OwnFile::Sizes, domain.sizesFile);
-    add(OwnFile::Detail, domain.detail);
-    add(OwnFile::Material, cellsFileOf(project));
-    return files;
-}
-
 bool isOneOfFrames(const std::string& pattern, const std::string& file, int count) {
     const fs::path place(pattern);
     const std::string name = place.filename().string();
     if (name.find('#') == std::string::npos) return false;
     const auto number = frameNumber(name, fs::path(file).filename().string());
-    return number && *number < count && isSame(place.parent_path() / fs::path(file).filename(), file);
+    return number && *number < count &&
+           sameFile((place.parent_path() / fs::path(file).filename()).string(), file);
 }
 
 }  // namespace
@@ -55,8 +24,9 @@ bool isOneOfFrames(const std::string& pattern, const std::string& file, int coun
 std::optional<OwnFile> ownFileAt(const Document& document, const QString& path, int count) {
     const std::string target = path.toStdString();
     const bool sequence = path.contains('#');
-    for (const auto& [kind, file] : ownFiles(document))
-        if (sequence ? isOneOfFrames(target, file, count) : isSame(target, file)) return kind;
+    for (const auto& [kind, file] :
+         inputsOf(*document.project(), document.path().toStdString(), document.folder().toStdString()))
+        if (sequence ? isOneOfFrames(target, file, count) : sameFile(target, file)) return kind;
     return std::nullopt;
 }
 

@@ -4,11 +4,9 @@
 #include <optional>
 
 #include "app/document/document.h"
+#include "app/session/overwriting.h"
 
 namespace wend {
-
-/// A file that a document was made from.
-enum class OwnFile { Project, Picture, Mesh, Sizes, Detail, Material };
 
 /// Whether a file that is written to `path` would take the place of one of the document's own, also by
 /// another name of it; with #### in the path, one of the first `count` frames.

@@ -137,7 +137,7 @@ void ExportDialog::makeFormats() {
 
 void ExportDialog::makeFields() {
     for (const char* flag : {"--count", "--fps", "--depth", "--canvas", "--outside", "--filter", "--fields",
-                             "--encoding", "--msh"}) {
+                             "--encoding", "--msh", "--border"}) {
         auto* field = new OptionField(flag, this);
         m_fields << field;
         connect(field, &OptionField::changed, this, [this, field] {
@@ -229,6 +229,7 @@ bool ExportDialog::takes(const std::string& flag) const {
     if (flag == "--depth" || flag == "--outside" || flag == "--filter")
         return isPicture() && m_kind != ExportKind::StMap;
     if (isPicture()) return false;
+    if (flag == "--border") return m_shape->dimension() == 3 && carriesValues(file);
     if (flag == "--fields") return carriesValues(file);
     return flag == "--encoding" ? knowsEncodings(file) : file.ends_with(".msh");
 }
@@ -236,7 +237,7 @@ bool ExportDialog::takes(const std::string& flag) const {
 OptionValues ExportDialog::values() const {
     OptionValues values;
     for (const OptionField* field : m_fields)
-        if (takes(field->flag())) values.set(field->flag(), field->value());
+        if (takes(field->flag()) && !field->value().empty()) values.set(field->flag(), field->value());
     return values;
 }
 

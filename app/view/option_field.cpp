@@ -1,5 +1,6 @@
 #include "app/view/option_field.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QHBoxLayout>
@@ -47,6 +48,7 @@ constexpr Words kWords[] = {
     {"--encoding", "binary", QT_TRANSLATE_NOOP("wend::OptionField", "Binary")},
     {"--encoding", "compressed", QT_TRANSLATE_NOOP("wend::OptionField", "Binary, compressed")},
     {"--msh", "", QT_TRANSLATE_NOOP("wend::OptionField", "&Gmsh version")},
+    {"--border", "", QT_TRANSLATE_NOOP("wend::OptionField", "&Border triangles")},
     {"--count", "", QT_TRANSLATE_NOOP("wend::OptionField", "F&rames")},
     {"--fps", "", QT_TRANSLATE_NOOP("wend::OptionField", "Frames per &second")},
 };
@@ -71,7 +73,10 @@ OptionField::OptionField(const char* flag, QWidget* parent)
     setObjectName(QString::fromLatin1(flag));
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
-    m_option.kind == OptionKind::Choice ? makeChoice() : makeNumber();
+    if (m_option.kind == OptionKind::Flag)
+        makeFlag();
+    else
+        m_option.kind == OptionKind::Choice ? makeChoice() : makeNumber();
     setFocusProxy(findChild<QWidget*>());
     describe(focusProxy(), label().remove('&'), sentence(m_option.meaning));
     setToolTip(focusProxy()->toolTip());
@@ -80,6 +85,11 @@ OptionField::OptionField(const char* flag, QWidget* parent)
 
 QString OptionField::label() const {
     return wordsFor(m_flag, {});
+}
+
+void OptionField::makeFlag() {
+    m_check = new QCheckBox(this);
+    connect(m_check, &QCheckBox::toggled, this, &OptionField::changed);
 }
 
 void OptionField::makeChoice() {
@@ -107,6 +117,7 @@ void OptionField::makeNumber() {
 }
 
 std::string OptionField::value() const {
+    if (m_check) return m_check->isChecked() ? m_flag : std::string();
     return m_choice ? m_choice->currentData().toString().toStdString() : shortNumber(number());
 }
 

@@ -4,6 +4,7 @@
 
 #include "app/document/options.h"
 
+class QCheckBox;
 class QComboBox;
 class QSpinBox;
 
@@ -22,7 +23,7 @@ class OptionField : public QWidget {
     std::string flag() const { return m_flag; }
     /// What stands beside it, with a mnemonic.
     QString label() const;
-    /// As one would write it on the command line.
+    /// As one would write it on the command line; of a flag something if it is given, and nothing if not.
     std::string value() const;
     void setValue(const std::string& value);
     /// Only these choices can be taken; another one that was taken gives way to the default.
@@ -37,11 +38,13 @@ class OptionField : public QWidget {
     void changed();
 
   private:
+    void makeFlag();
     void makeChoice();
     void makeNumber();
 
     std::string m_flag;
     const Option& m_option;
+    QCheckBox* m_check = nullptr;
     QComboBox* m_choice = nullptr;
     QSpinBox* m_integer = nullptr;
     ExactBox* m_number = nullptr;

@@ -39,10 +39,4 @@ bool sameFile(const std::string& a, const std::string& b) {
                                sameNode(first.parent_path().string(), second.parent_path().string()));
 }
 
-std::string sameAmong(const std::vector<std::string>& files, const std::string& file) {
-    const auto found =
-        std::ranges::find_if(files, [&](const std::string& one) { return sameFile(one, file); });
-    return found == files.end() ? std::string() : *found;
-}
-
 }  // namespace wend

@@ -34,9 +34,11 @@ class TestFilesOnDisk : public QObject {
     void ownSavesAreNoChange();
     void aFailedSaveIsForgottenByTheNext();
     void linesHoldEachForItself();
+    void projectsDoNotReplaceTheirPicture();
     void transparentPicturesAreTold();
     void movedPicturesAreFound();
     void ownFilesAreAskedFor();
+    void namesGetTheirExtensionBeforeTheQuestion();
 
   private:
     void openProject();
@@ -45,6 +47,9 @@ class TestFilesOnDisk : public QObject {
     void writeAsOther(int vertices);
     bool told(const QString& part) {
         return QTest::qWaitFor([&] { return m_window->banner().text().contains(part); }, 60000);
+    }
+    bool isOpen(const QString& name) {
+        return QTest::qWaitFor([&] { return document().displayName() == name; }, 60000);
     }
     bool opened(int generation) {
         return QTest::qWaitFor([&] { return document().generation() > generation; }, 60000);
@@ -90,7 +95,7 @@ void TestFilesOnDisk::cleanup() {
 void TestFilesOnDisk::openProject() {
     writeProject(file("bar.wend").toStdString(), barProject(writeCutOut(*m_folder)));
     m_window->openPath(file("bar.wend"));
-    QVERIFY(opened(document().generation()));
+    QVERIFY(isOpen("bar.wend"));
 }
 
 void TestFilesOnDisk::writeAsOther(int vertices) {
@@ -218,6 +223,25 @@ void TestFilesOnDisk::linesHoldEachForItself() {
     QVERIFY(banner.text().isEmpty() && banner.isHidden());
 }
 
+void TestFilesOnDisk::projectsDoNotReplaceTheirPicture() {
+    const QString picture = writeCutOut(*m_folder);
+    const std::string before = readTextFile(picture.toStdString());
+    m_window->openPath(picture);
+    QVERIFY(isOpen("bar.png"));
+    QObject scope;
+    bool typed = false;
+    whileAsked(&scope, [&](QWidget& asks) {
+        if (auto* box = qobject_cast<QMessageBox*>(&asks)) return box->button(QMessageBox::Yes)->click();
+        auto* name = asks.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+        if (!name || std::exchange(typed, true)) return;
+        name->setText(picture);
+        QTest::keyClick(name, Qt::Key_Return);
+    });
+    QVERIFY(!m_window->files().saveAs());
+    QVERIFY(typed && m_window->banner().text().contains("bar.png"));
+    QVERIFY(readTextFile(picture.toStdString()) == before);
+}
+
 void TestFilesOnDisk::transparentPicturesAreTold() {
     QImage nothing(60, 40, QImage::Format_ARGB32);
     nothing.fill(Qt::transparent);
@@ -234,7 +258,7 @@ void TestFilesOnDisk::transparentPicturesAreTold() {
     withNext<QFileDialog>(m_window.get(), [](QFileDialog& dialog) { dialog.reject(); });
     press("Open Another…");
     m_window->openPath(writeCutOut(*m_folder));
-    QVERIFY(QTest::qWaitFor([&] { return document().displayName() == "bar.png"; }, 60000));
+    QVERIFY(isOpen("bar.png"));
     QVERIFY(m_window->banner().text().isEmpty());
 }
 
@@ -261,7 +285,7 @@ void TestFilesOnDisk::movedPicturesAreFound() {
 void TestFilesOnDisk::ownFilesAreAskedFor() {
     const QString picture = writeCutOut(*m_folder);
     m_window->openPath(picture);
-    QVERIFY(opened(document().generation()));
+    QVERIFY(isOpen("bar.png"));
     Exporter& exporter = m_window->exporter();
     QVERIFY(exporter.mayReplace(ExportKind::Picture, file("other.png"), 1));
     const QString link = file("link.png");
@@ -287,6 +311,33 @@ void TestFilesOnDisk::ownFilesAreAskedFor() {
         QVERIFY(exporter.mayReplace(ExportKind::Frames, file("f_####.png"), count));
     }
     QCOMPARE(questions, 1);
+}
+
+/// “old” is old.png to the question whether it may be replaced.
+void TestFilesOnDisk::namesGetTheirExtensionBeforeTheQuestion() {
+    m_window->openPath(writeCutOut(*m_folder));
+    QVERIFY(isOpen("bar.png"));
+    QVERIFY(settle(m_window->session()));
+    writeTextFile(file("old.png").toStdString(), "precious");
+    QString question;
+    bool typed = false;
+    QObject scope;
+    whileAsked(&scope, [&](QWidget& asks) {
+        if (auto* options = qobject_cast<ExportDialog*>(&asks)) {
+            typed ? options->reject() : options->accept();
+        } else if (auto* box = qobject_cast<QMessageBox*>(&asks)) {
+            question = box->text();
+            box->button(QMessageBox::No)->click();
+        } else if (auto* dialog = qobject_cast<QFileDialog*>(&asks)) {
+            if (std::exchange(typed, true)) return dialog->reject();
+            auto* name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+            name->setText(file("old"));
+            QTest::keyClick(name, Qt::Key_Return);
+        }
+    });
+    m_window->actions().exportPicture->trigger();
+    QVERIFY2(question.contains(QStringLiteral("old.png")), qPrintable(question));
+    QCOMPARE(readTextFile(file("old.png").toStdString()), std::string("precious"));
 }
 
 QTEST_MAIN(TestFilesOnDisk)

@@ -1,3 +1,5 @@
+#include <QCheckBox>
+#include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDir>
 #include <QFile>
@@ -10,9 +12,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/session/run_options.h"
 #include "app/view/actions.h"
+#include "app/view/export_dialog.h"
 #include "app/view/exporter.h"
 #include "app/view/main_window.h"
+#include "app/view/option_field.h"
 #include "app/view/picture_dialog.h"
 #include "app/view/solid_workshop.h"
 #include "app/view/view_picture.h"
@@ -33,6 +38,7 @@ class TestSolidExport : public QObject {
     void cleanupTestCase();
     void meshIsThatOfTheCommandLine_data();
     void meshIsThatOfTheCommandLine();
+    void borderTrianglesAreAtChoice();
     void sequenceIsThatOfTheCommandLine();
     void animationIsThatOfTheCommandLine();
     void picturesAreAsChosen();
@@ -153,6 +159,32 @@ void TestSolidExport::meshIsThatOfTheCommandLine() {
     QVERIFY(window.points.cols() > 50);
     compareMeshes(window, readMeshFile(file(other).toStdString()));
     QVERIFY(window.points.row(2).maxCoeff() > 0.6);  // bent
+}
+
+/// A check box in the dialog, where the format holds triangles beside tetrahedra, and what it says is what is
+/// written.
+void TestSolidExport::borderTrianglesAreAtChoice() {
+    ShapeSession& session = m_window->session();
+    const auto shape = std::make_shared<const FrameExport>(session.document(), session.frame(),
+                                                           session.track().frames(), 1.0);
+    ExportDialog dialog(ExportKind::Mesh, shape, QImage(), m_window.get());
+    dialog.show();
+    auto* format = dialog.findChild<QComboBox*>(QStringLiteral("format"));
+    auto* box = dialog.field("--border")->findChild<QCheckBox*>();
+    format->setCurrentIndex(format->findData(QStringLiteral(".stl")));
+    QVERIFY(!box->isVisible());
+    format->setCurrentIndex(format->findData(QStringLiteral(".vtu")));
+    QVERIFY(box->isVisible() && !box->isChecked());
+    for (const bool asked : {false, true}) {
+        if (asked) box->click();
+        const QString name = file(asked ? QStringLiteral("with.vtu") : QStringLiteral("without.vtu"));
+        const RunOptions options = runOptionsFrom(dialog.values());
+        QVERIFY2(finish([&] { m_window->exporter().write(ExportKind::Mesh, name, options); }),
+                 qPrintable(m_failure));
+        const MeshFile written = readMeshFile(name.toStdString());
+        QVERIFY(written.tetrahedra.size() > 100);
+        QCOMPARE(!written.triangles.empty(), asked);
+    }
 }
 
 void TestSolidExport::sequenceIsThatOfTheCommandLine() {

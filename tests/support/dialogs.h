@@ -5,6 +5,7 @@
 #include <QLineEdit>
 #include <QTest>
 #include <QTimer>
+#include <functional>
 
 /// Answers of dialogs that a test is going to open.
 
@@ -22,6 +23,15 @@ void withNext(QObject* scope, Act act) {
         act(*dialog);
     });
     timer->start(50);
+}
+
+/// Shows `act` whatever dialog is open, again and again until `scope` is gone; also while one that it has
+/// opened itself waits. (A QTimer does not fire within its own slot.)
+inline void whileAsked(QObject* scope, const std::function<void(QWidget&)>& act) {
+    QTimer::singleShot(50, scope, [scope, act] {
+        whileAsked(scope, act);
+        if (QWidget* dialog = QApplication::activeModalWidget()) act(*dialog);
+    });
 }
 
 /// Types the path into the next file dialog and confirms.

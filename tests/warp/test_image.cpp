@@ -1,4 +1,5 @@
 #include <QColorSpace>
+#include <QDate>
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
@@ -289,6 +290,32 @@ class TestImage : public QObject {
         QVERIFY(told("ImageDescription").startsWith("a small chart"));
         QVERIFY(told("DateTime").startsWith("2024:05:06 07:08:09"));
         QVERIFY(extension == "jpg" || read.data == image.data);
+    }
+
+    /// The same picture makes the same file on another day: no library puts the time of writing in.
+    void filesAreNotDated_data() {
+        QTest::addColumn<QString>("extension");
+        for (const char* extension : {"png", "tif", "exr", "jpg", "webp", "bmp", "tga", "jp2", "ppm", "hdr"})
+            QTest::newRow(extension) << QString(extension);
+    }
+    void filesAreNotDated() {
+        QFETCH(QString, extension);
+        writeImage(path("dated." + extension), smoothChart(32, 32, {PixelType::UInt8, 3, false, false}));
+        QFile file(m_folder.filePath("dated." + extension));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray bytes = file.readAll();
+        QVERIFY(bytes.size() > 100);
+        for (const char* way : {"yyyy:MM:dd", "yyyy-MM-dd", "yyyyMMdd"})
+            for (const int days : {-1, 0, 1})
+                QVERIFY(!bytes.contains(QDate::currentDate().addDays(days).toString(way).toLatin1()));
+    }
+
+    /// OpenJPEG would leave a file of nothing.
+    void tooSmallForJpeg2000() {
+        const PixelLayout layout{PixelType::UInt8, 3, false, false};
+        writeImage(path("small.jp2"), smoothChart(32, 33, layout));
+        QVERIFY_THROWS_EXCEPTION(InputError, writeImage(path("smaller.jp2"), smoothChart(40, 31, layout)));
+        QVERIFY(!QFile::exists(m_folder.filePath("smaller.jp2")));
     }
 
     /// A line drawing of few colours is packed a second time, beyond what deflate does.

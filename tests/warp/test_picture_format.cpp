@@ -10,6 +10,7 @@
 #include "core/mesh/error.h"
 #include "warp/image.h"
 #include "warp/picture_format.h"
+#include "warp/plugins.h"
 
 using namespace wend;
 
@@ -65,8 +66,14 @@ void TestPictureFormat::pluginsAreNotLoaded() {
     qputenv("LD_LIBRARY_PATH", folder);
     const std::string text = put("text.png", "no picture");
     QVERIFY_THROWS_EXCEPTION(InputError, readImage(text));
-    QCOMPARE(readImage(put("a.ppm", ppm())).width, 3);
+    const Image picture = readImage(put("a.ppm", ppm()));
+    QCOMPARE(picture.width, 3);
     QCOMPARE(qgetenv("WEND_TEST_PLUGIN"), QByteArray());
+    lookForNoPlugins();
+    for (const char* name : {"a.png", "a.tif", "a.exr"}) writeImage(put(name, {}), picture);
+    QCOMPARE(qgetenv("WEND_TEST_PLUGIN"), QByteArray());
+    QCOMPARE(qgetenv("OIIO_LIBRARY_PATH"), folder);  // as it was
+    QCOMPARE(qgetenv("LD_LIBRARY_PATH"), folder);
     void* trap = dlopen(WEND_TEST_TRAP, RTLD_NOW);  // that it would have been heard
     QVERIFY2(trap, dlerror());
     QCOMPARE(qgetenv("WEND_TEST_PLUGIN"), QByteArray("loaded"));

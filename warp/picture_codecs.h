@@ -1,0 +1,54 @@
+#pragma once
+
+#include <OpenImageIO/imageio.h>
+
+// OpenImageIO's readers and writers are made one by one: its own search looks for plug-ins, and when a reader
+// fails, it tries all the others, of which some write where they must not. As in its imageioplugin.cpp: no
+// header of its declares them.
+OIIO_NAMESPACE_BEGIN
+// NOLINTBEGIN(readability-identifier-naming)
+OIIO_API ImageInput* png_input_imageio_create();
+OIIO_API ImageInput* jpeg_input_imageio_create();
+OIIO_API ImageInput* jpeg2000_input_imageio_create();  // only for what Wend itself has written
+OIIO_API ImageInput* tiff_input_imageio_create();
+OIIO_API ImageInput* openexr_input_imageio_create();
+OIIO_API ImageInput* webp_input_imageio_create();
+OIIO_API ImageInput* hdr_input_imageio_create();
+OIIO_API ImageInput* bmp_input_imageio_create();
+OIIO_API ImageInput* targa_input_imageio_create();
+OIIO_API ImageInput* pnm_input_imageio_create();
+
+OIIO_API ImageOutput* png_output_imageio_create();
+OIIO_API ImageOutput* jpeg_output_imageio_create();
+OIIO_API ImageOutput* jpeg2000_output_imageio_create();
+OIIO_API ImageOutput* tiff_output_imageio_create();
+OIIO_API ImageOutput* openexr_output_imageio_create();
+OIIO_API ImageOutput* hdr_output_imageio_create();
+OIIO_API ImageOutput* bmp_output_imageio_create();
+OIIO_API ImageOutput* targa_output_imageio_create();
+OIIO_API ImageOutput* pnm_output_imageio_create();
+// NOLINTEND(readability-identifier-naming)
+OIIO_NAMESPACE_END
+
+namespace wend {
+
+/// What makes OpenImageIO's reader and writer of a format.
+struct PictureCodec {
+    OIIO::ImageInput* (*reader)() = nullptr;
+    OIIO::ImageOutput* (*writer)() = nullptr;
+};
+
+inline constexpr PictureCodec kPng{OIIO::png_input_imageio_create, OIIO::png_output_imageio_create};
+inline constexpr PictureCodec kJpeg{OIIO::jpeg_input_imageio_create, OIIO::jpeg_output_imageio_create};
+inline constexpr PictureCodec kJpeg2000{OIIO::jpeg2000_input_imageio_create,
+                                        OIIO::jpeg2000_output_imageio_create};
+inline constexpr PictureCodec kTiff{OIIO::tiff_input_imageio_create, OIIO::tiff_output_imageio_create};
+inline constexpr PictureCodec kExr{OIIO::openexr_input_imageio_create, OIIO::openexr_output_imageio_create};
+/// Written by libwebp itself.
+inline constexpr PictureCodec kWebp{OIIO::webp_input_imageio_create, nullptr};
+inline constexpr PictureCodec kHdr{OIIO::hdr_input_imageio_create, OIIO::hdr_output_imageio_create};
+inline constexpr PictureCodec kBmp{OIIO::bmp_input_imageio_create, OIIO::bmp_output_imageio_create};
+inline constexpr PictureCodec kTga{OIIO::targa_input_imageio_create, OIIO::targa_output_imageio_create};
+inline constexpr PictureCodec kPnm{OIIO::pnm_input_imageio_create, OIIO::pnm_output_imageio_create};
+
+}  // namespace wend
