@@ -140,7 +140,7 @@ void MeshPanel::arrange() {
         layout->addWidget(widget);
         return widget;
     };
-    m_pictureRows = {row(tr("&Outline"), m_outline), row(tr("&Threshold"), m_threshold),
+    m_pictureRows = {row(tr("&Outline"), m_outline), row(tr("Thresho&ld"), m_threshold),
                      row(tr("Ma&rgin"), m_margin)};
     QWidget* aim = row(tr("A&im at"), m_aim);
     QWidget* vertices = row(tr("Verti&ces"), m_vertices);

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QPainterPathStroker>
 #include <algorithm>
+#include <cmath>
 
 #include "app/document/handle_edits.h"
 #include "app/session/accent.h"
@@ -46,6 +47,18 @@ QPolygonF refined(const QPolygonF& outline) {
         const QPointF a = outline[i], b = outline[(i + 1) % outline.size()];
         const int pieces = std::max(1, static_cast<int>(std::ceil(QLineF(a, b).length() / kLongestEdge)));
         for (int k = 0; k < pieces; ++k) result << a + (b - a) * k / pieces;
+    }
+    return result;
+}
+
+/// On half pixels, so that edges that nearly coincide are the same: of such paths unions lose parts.
+QPainterPath snapped(const QPainterPath& path) {
+    QPainterPath result;
+    result.setFillRule(Qt::WindingFill);
+    for (QPolygonF piece : path.simplified().toSubpathPolygons()) {
+        for (QPointF& p : piece) p = QPointF(std::round(2 * p.x()), std::round(2 * p.y())) / 2;
+        result.addPolygon(piece);
+        result.closeSubpath();
     }
     return result;
 }
@@ -180,7 +193,7 @@ void HoldTool::release(const QMouseEvent& event) {
     if (event.button() != Qt::LeftButton || !std::exchange(m_active, false)) return;
     m_at = event.position();
     m_line << m_at;
-    const QPainterPath drawn = area(), own = selectedArea();
+    const QPainterPath drawn = snapped(area()), own = snapped(selectedArea());
     const bool adds = event.modifiers() & Qt::ShiftModifier, takes = event.modifiers() & Qt::ControlModifier;
     const bool shown = session().frame<2>() && session().document().dimension() == 2;
     if (shown && !isClick()) {

@@ -6,10 +6,12 @@ namespace wend {
 
 QAction* ActionMaker::add(const Words& words, const QKeySequence& keys, const QString& icon) {
     auto* action = new QAction(words.name, this);
-    action->setShortcut(keys);
     action->setProperty("help", words.help);
     action->setProperty("iconName", icon);
+    action->setShortcut(keys);
+    setKeysOf(action, action->shortcuts());
     describe(action);
+    m_own << action;
     return action;
 }
 
@@ -19,8 +21,9 @@ QAction* ActionMaker::addToggle(const Words& words, const QKeySequence& keys, co
     return action;
 }
 
-void ActionMaker::describe(QAction* action, const QString& extra) {
-    const QString help = action->property("help").toString();
+/// Why it can do nothing now stands first.
+void ActionMaker::describe(QAction* action) {
+    const QString help = helpOf(*action), extra = action->property("whyNot").toString();
     QString name = action->text();
     name.remove('&');
     const QString keys = action->shortcut().toString(QKeySequence::NativeText);
@@ -30,8 +33,8 @@ void ActionMaker::describe(QAction* action, const QString& extra) {
             : QStringLiteral(" &nbsp;<span style='opacity:0.7'>%1</span>").arg(keys.toHtmlEscaped());
     const QString why =
         extra.isEmpty() ? QString() : QStringLiteral("<p><i>%1</i></p>").arg(extra.toHtmlEscaped());
-    action->setToolTip(QStringLiteral("<p><b>%1</b>%2</p><p>%3</p>%4")
-                           .arg(name.toHtmlEscaped(), keyText, help.toHtmlEscaped(), why));
+    action->setToolTip(QStringLiteral("%1<p><b>%2</b>%3</p><p>%4</p>")
+                           .arg(why, name.toHtmlEscaped(), keyText, help.toHtmlEscaped()));
     action->setStatusTip(extra.isEmpty() ? help : extra);
 }
 
@@ -45,7 +48,23 @@ void ActionMaker::setIcons(const QPalette& palette) {
 
 void ActionMaker::enable(QAction* action, bool enabled, const QString& whyNot) {
     action->setEnabled(enabled);
-    describe(action, enabled ? QString() : whyNot);
+    action->setProperty("whyNot", enabled ? QString() : whyNot);
+    describe(action);
+}
+
+QList<QKeySequence> ActionMaker::keysOf(const QAction& action) {
+    return action.property("ownKeys").value<QList<QKeySequence>>();
+}
+
+void ActionMaker::setKeysOf(QAction* action, const QList<QKeySequence>& keys) {
+    action->setProperty("ownKeys", QVariant::fromValue(keys));
+    useKeys(action, keys);
+}
+
+void ActionMaker::useKeys(QAction* action, const QList<QKeySequence>& keys) {
+    if (action->shortcuts() == keys) return;
+    action->setShortcuts(keys);
+    describe(action);
 }
 
 }  // namespace wend

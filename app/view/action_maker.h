@@ -12,6 +12,10 @@ class ActionMaker : public QObject {
   public:
     using QObject::QObject;
     void setIcons(const QPalette& palette);
+    /// The actions that were made here, in that order.
+    QList<QAction*> own() const { return m_own; }
+    /// What an action does, in a sentence; empty for what is not made here.
+    static QString helpOf(const QAction& action) { return action.property("help").toString(); }
 
   protected:
     struct Words {
@@ -20,7 +24,16 @@ class ActionMaker : public QObject {
     QAction* add(const Words& words, const QKeySequence& keys, const QString& icon = {});
     QAction* addToggle(const Words& words, const QKeySequence& keys, const QString& icon = {});
     void enable(QAction* action, bool enabled, const QString& whyNot);
-    void describe(QAction* action, const QString& extra = {});
+    /// The keys that it has where no other action that is more at hand wants them.
+    static QList<QKeySequence> keysOf(const QAction& action);
+    static void setKeysOf(QAction* action, const QList<QKeySequence>& keys);
+    /// Those of them that it has now.
+    static void useKeys(QAction* action, const QList<QKeySequence>& keys);
+
+  private:
+    static void describe(QAction* action);
+
+    QList<QAction*> m_own;
 };
 
 }  // namespace wend

@@ -4,13 +4,18 @@
 #include <QMenuBar>
 #include <QUndoStack>
 
+#include "app/view/toolbox.h"
+
 namespace wend {
 
-Actions::Actions(QUndoStack& undoStack, QObject* parent)
+Actions::Actions(QUndoStack& undoStack, Toolbox& tools, QObject* parent)
     : ActionMaker(parent),
+      selectTool(tools.action(QStringLiteral("select"))),
+      pinTool(tools.action(QStringLiteral("pin"))),
       recent(std::make_unique<QMenu>()),
       samples(std::make_unique<QMenu>()),
-      exports(std::make_unique<QMenu>()) {
+      exports(std::make_unique<QMenu>()),
+      m_tools(tools) {
     makeFile();
     makeEdit(undoStack);
     makeView();
@@ -56,13 +61,6 @@ void Actions::makeEdit(QUndoStack& stack) {
     selectNone = add({tr("Select &None"), tr("Select no pin")}, QKeySequence(tr("Ctrl+Shift+A")));
     remove = add({tr("&Remove Pins"), tr("Remove the selected pins; what has already moved stays")},
                  QKeySequence::Delete, "remove");
-    pinTool = addToggle({tr("&Pin"), tr("Set pins and drag them")}, QKeySequence(tr("P")), "pin");
-    selectTool = addToggle({tr("Se&lect"), tr("Select and drag pins without setting new ones")},
-                           QKeySequence(tr("V")), "select");
-    tools = new QActionGroup(this);
-    tools->addAction(pinTool);
-    tools->addAction(selectTool);
-    pinTool->setChecked(true);
 }
 
 void Actions::makeView() {
@@ -106,7 +104,7 @@ void Actions::makeHelp() {
     about->setMenuRole(QAction::AboutRole);
 }
 
-void Actions::fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve, const QList<QAction*>& hold) {
+void Actions::fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve) {
     QMenu* file = window.menuBar()->addMenu(tr("&File"));
     file->addAction(open);
     file->addMenu(recent.get());
@@ -121,9 +119,6 @@ void Actions::fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve, const 
     edit->addActions({undo, redo});
     edit->addSeparator();
     edit->addActions({selectAll, selectNone, remove});
-    edit->addSeparator();
-    edit->addActions({pinTool, selectTool});
-    edit->addActions(hold);
     QMenu* view = window.menuBar()->addMenu(tr("&View"));
     view->addActions({showMesh, showMap, hideOverlays});
     view->addSeparator();
@@ -131,6 +126,7 @@ void Actions::fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve, const 
     view->addSeparator();
     view->addMenu(tr("A&ppearance"))->addActions({systemLook, lightLook, darkLook});
     view->addAction(fullScreen);
+    fillTools(*window.menuBar()->addMenu(tr("&Tools")));
     window.menuBar()->addMenu(more);
     QMenu* motion = window.menuBar()->addMenu(tr("&Motion"));
     motion->addActions({play, loop, toStart, toEnd, settle});
@@ -140,10 +136,20 @@ void Actions::fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve, const 
     window.menuBar()->addMenu(tr("&Help"))->addActions({shortcuts, about});
 }
 
+/// The steps, and under the name of each what belongs to it first.
+void Actions::fillTools(QMenu& menu) const {
+    for (const Mode mode : kModes) menu.addAction(m_tools.modeAction(mode));
+    for (const Mode mode : kModes)
+        if (const QList<QAction*> tools = m_tools.toolsFirstIn(mode); !tools.isEmpty()) {
+            menu.addSection(m_tools.modeAction(mode)->text());
+            menu.addActions(tools);
+        }
+}
+
 void Actions::setHasFile(bool has, bool hasPicture, bool isSolid) {
     const QString why = tr("Open a picture first.");
-    for (QAction* action : {save, saveAs, closeFile, exportMesh, selectAll, selectNone, pinTool, selectTool,
-                            showMesh, showMap, hideOverlays, fit, zoomIn, zoomOut})
+    for (QAction* action : {save, saveAs, closeFile, exportMesh, selectAll, selectNone, showMesh, showMap,
+                            hideOverlays, fit, zoomIn, zoomOut})
         enable(action, has, why);
     enable(actualSize, has && !isSolid, has ? tr("A solid has no pixels.") : why);
     const QString noPicture = tr("This project has no picture.");
@@ -152,14 +158,13 @@ void Actions::setHasFile(bool has, bool hasPicture, bool isSolid) {
     enable(exportView, has && isSolid, has ? tr("Of a picture, export the picture itself.") : why);
     enable(exportFrames, has, why);
     enable(exportStMap, has && hasPicture, has ? noPicture : why);
-    const QKeySequence key(tr("Ctrl+E"));  // what one sees
-    exportPicture->setShortcut(isSolid ? QKeySequence() : key);
-    exportView->setShortcut(isSolid ? key : QKeySequence());
+    const QList<QKeySequence> key = {QKeySequence(tr("Ctrl+E"))};  // what one sees
+    setKeysOf(exportPicture, isSolid ? QList<QKeySequence>() : key);
+    setKeysOf(exportView, isSolid ? key : QList<QKeySequence>());
 }
 
 void Actions::resetView() {
     for (QAction* action : {showMesh, showMap, hideOverlays}) action->setChecked(false);
-    pinTool->setChecked(true);
 }
 
 void Actions::setHasSelection(bool has) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <QActionGroup>
 #include <QMenu>
 #include <memory>
 
@@ -11,29 +10,29 @@ class QUndoStack;
 
 namespace wend {
 
-/// Everything that can be done in the window, with name, shortcut and explanation. What a disabled action
-/// waits for stands in its tooltip.
+class Toolbox;
+
+/// Everything that can be done in the window beside its tools, with name, shortcut and explanation. What a
+/// disabled action waits for stands in its tooltip.
 class Actions : public ActionMaker {
     Q_OBJECT
 
   public:
-    Actions(QUndoStack& undo, QObject* parent);
+    Actions(QUndoStack& undo, Toolbox& tools, QObject* parent);
 
     QAction *open, *save, *saveAs, *closeFile, *quit;
     QAction *exportPicture, *exportMesh, *exportFrames, *exportStMap, *exportView;
     QAction *undo, *redo, *selectAll, *selectNone, *remove;
-    QAction *selectTool, *pinTool;
+    QAction *selectTool, *pinTool;  // of the tools, what others come back to
     QAction *showMesh, *showMap, *hideOverlays, *fit, *actualSize, *zoomIn, *zoomOut, *fullScreen;
     QAction *play, *loop, *toStart, *toEnd, *settle;
     QAction *systemLook, *lightLook, *darkLook;
     QAction *about, *shortcuts;
-    QActionGroup* tools;  // one of them is chosen
     const std::unique_ptr<QMenu> recent, samples, exports;
 
     /// Menus of the whole program, in the order of the work.
-    /// `more` stands between those of the view and of the motion; `curve` within that of the motion, `hold`
-    /// behind the tools for pins.
-    void fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve, const QList<QAction*>& hold);
+    /// `more` stands between those of the view and of the motion; `curve` within that of the motion.
+    void fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve);
     /// What needs a shape, a selection, a motion.
     void setHasFile(bool has, bool hasPicture, bool isSolid);
     void setHasSelection(bool has);
@@ -47,6 +46,9 @@ class Actions : public ActionMaker {
     void makeView();
     void makeMotion();
     void makeHelp();
+    void fillTools(QMenu& menu) const;
+
+    Toolbox& m_tools;
 };
 
 }  // namespace wend

@@ -6,7 +6,6 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QScreen>
-#include <QScrollArea>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QStatusBar>
@@ -15,13 +14,9 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "app/panels/curve_panel.h"
 #include "app/panels/distortion_panel.h"
-#include "app/panels/material_panel.h"
 #include "app/panels/mesh_panel.h"
 #include "app/panels/panel_fields.h"
-#include "app/panels/panel_parts.h"
-#include "app/panels/pin_list.h"
 #include "app/session/settle_step.h"
 #include "app/view/actions.h"
 #include "app/view/busy_note.h"
@@ -32,12 +27,17 @@
 #include "app/view/file_workflow.h"
 #include "app/view/held_key.h"
 #include "app/view/info_banner.h"
+#include "app/view/mode_row.h"
+#include "app/view/option_row.h"
+#include "app/view/properties.h"
 #include "app/view/solid_workshop.h"
 #include "app/view/start_page.h"
 #include "app/view/status_fields.h"
 #include "app/view/time_strip.h"
+#include "app/view/toolbox.h"
 #include "app/view/volume/solid_canvas.h"
 #include "app/view/work_note.h"
+#include "app/view/workspace.h"
 
 namespace wend {
 
@@ -45,42 +45,38 @@ namespace {
 
 using Topic = InfoBanner::Topic;
 
-constexpr int kSideWidth = 296;
 constexpr int kTold = 10000;  // milliseconds
 
 }  // namespace
 
 MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent),
-      m_actions(new Actions(*m_session.document().undoStack(), this)),
+      m_tools(new Toolbox(this)),
+      m_actions(new Actions(*m_session.document().undoStack(), *m_tools, this)),
+      m_solidActions(new SolidActions(*m_tools, this)),
+      m_properties(new Properties(m_session, *m_tools, *m_actions)),
       m_files(new FileWorkflow(m_session.document(), *this)),
       m_exporter(new Exporter(m_session, *this)),
       m_canvas(new ShapeCanvas(m_session)),
       m_start(new StartPage),
       m_banner(new InfoBanner),
       m_time(new TimeStrip(m_session)),
-      m_material(new MaterialPanel(m_session)),
-      m_mesh(new MeshPanel(m_session)),
-      m_distortion(new DistortionPanel(m_session)),
-      m_pins(new PinList(m_session)),
       m_pages(new QStackedWidget),
       m_note(new BusyNote(*m_pages)),
       m_work(new WorkNote(m_session, *m_pages)),
-      m_pinTool(std::make_unique<PinTool>(*m_canvas, true)),
-      m_selectTool(std::make_unique<PinTool>(*m_canvas, false)),
       m_systemPalette(QApplication::palette()) {
     setAcceptDrops(true);
     setWindowTitle(QStringLiteral("Wend[*]"));
     fitToScreen();
     m_fields = new StatusFields(*statusBar(), m_session);
-    m_solids = new SolidWorkshop({m_session, *m_actions, *m_distortion, *m_fields}, *this);
+    m_solids = new SolidWorkshop({m_session, *m_actions, *m_solidActions, *m_properties, *m_fields}, *this);
+    m_workspace = std::make_unique<Workspace>(
+        Workspace::Parts{*m_tools, *m_actions, *m_canvas, *m_solids, *m_properties});
     m_curves = new CurveActions(
-        m_session, [this] { return currentCurve(); }, this);
-    makeHoldTools();
-    m_menu = new ContextMenu({m_session, *m_actions, *m_curves, m_solids->actions()}, this);
-    const SolidActions& solids = m_solids->actions();
-    m_actions->fillMenuBar(*this, solids.menu(), m_curves->menu(),
-                           {solids.rectangle, solids.lasso, solids.brush});
+        m_session, [this] { return m_workspace->curve(); }, this);
+    m_tools->shareKeysWith({m_solidActions, m_curves, m_actions});
+    m_menu = new ContextMenu({m_session, *m_actions, *m_curves, *m_solidActions}, this);
+    m_actions->fillMenuBar(*this, m_solidActions->menu(), m_curves->menu());
     makeToolBars();
     makeCentre();
     connectFiles();
@@ -98,81 +94,49 @@ void MainWindow::fitToScreen() {
     resize(kComfortable.boundedTo(screen()->availableSize() - kFrame));
 }
 
-MainWindow::~MainWindow() {
-    m_canvas->setTool(nullptr);
+MainWindow::~MainWindow() = default;
+
+MaterialPanel& MainWindow::materialPanel() {
+    return m_properties->material();
+}
+
+DistortionPanel& MainWindow::distortionPanel() {
+    return m_properties->distortion();
+}
+
+QToolBar* MainWindow::makeBar(Qt::ToolBarArea area, const QString& title, const char* name) {
+    auto* bar = new QToolBar(title, this);
+    bar->setObjectName(QString::fromLatin1(name));
+    bar->setMovable(false);
+    bar->setIconSize({22, 22});
+    bar->setContextMenuPolicy(Qt::PreventContextMenu);
+    addToolBar(area, bar);
+    return bar;
 }
 
 void MainWindow::makeToolBars() {
-    Actions& a = *m_actions;
-    const auto make = [this](Qt::ToolBarArea area, const QString& title, const char* name) {
-        auto* bar = new QToolBar(title, this);
-        bar->setObjectName(QString::fromLatin1(name));
-        bar->setMovable(false);
-        bar->setIconSize({22, 22});
-        bar->setContextMenuPolicy(Qt::PreventContextMenu);
-        addToolBar(area, bar);
-        return bar;
-    };
-    m_topBar = make(Qt::TopToolBarArea, tr("Main"), "topBar");
-    m_topBar->addActions({a.open, a.save});
-    m_topBar->addSeparator();
-    m_topBar->addActions({a.undo, a.redo});
-    m_topBar->addSeparator();
-    m_topBar->addActions({a.showMesh, a.showMap, a.hideOverlays});
-    m_topBar->addSeparator();
-    m_topBar->addActions({a.fit, a.actualSize});
-    auto* space = new QWidget(m_topBar);
-    space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
-    m_topBar->addWidget(space);
-    m_topBar->addWidget(makeExportButton());
-    m_toolBar = make(Qt::LeftToolBarArea, tr("Tools"), "toolBar");
-    m_toolBar->addActions({a.pinTool, a.selectTool});
-    m_toolBar->addSeparator();
-    m_toolBar->addAction(a.remove);
+    m_topBar = makeBar(Qt::TopToolBarArea, tr("Main"), "topBar");
+    m_topBar->addWidget(m_modes = new ModeRow(*m_actions, *m_tools));
+    addToolBarBreak();
+    addToolBar(Qt::TopToolBarArea, m_options = new OptionRow(*m_tools, *m_solidActions, this));
+    m_toolBar = makeBar(Qt::LeftToolBarArea, tr("Tools"), "toolBar");
+    connect(m_tools, &Toolbox::changed, this, &MainWindow::showTools);
+    showTools();
     setContextMenuPolicy(Qt::NoContextMenu);
 }
 
-QWidget* MainWindow::makeExportButton() {
-    auto* button = new QToolButton(m_topBar);
-    button->setObjectName(QStringLiteral("exportButton"));
-    button->setText(tr("Export"));
-    button->setMenu(m_actions->exports.get());
-    button->setPopupMode(QToolButton::InstantPopup);
-    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    describe(button, tr("Export"), tr("Write what is shown: as picture, sequence, ST map, mesh or view"));
-    return m_exportButton = button;
-}
-
-QWidget* MainWindow::makeSidePanel() {
-    auto* content = new QWidget;
-    auto* column = new QVBoxLayout(content);
-    column->setContentsMargins(0, 4, 0, 0);
-    column->setSpacing(0);
-    column->addWidget(m_material);
-    column->addWidget(panelLine(content));
-    column->addWidget(m_pins);
-    column->addWidget(panelLine(content));
-    column->addWidget(new CurvePanel(m_session, 2, true));
-    column->addWidget(m_mesh);
-    column->addWidget(panelLine(content));
-    column->addWidget(m_distortion);
-    m_solids->furnish(*m_toolBar, *column);
-    column->addStretch(1);
-    for (QWidget* fields : {content, static_cast<QWidget*>(m_time)})
-        connect(new PanelFields(*fields), &PanelFields::done, this,
-                [this] { m_pages->currentWidget()->setFocus(); });
-    auto* scroll = new QScrollArea;
-    scroll->setObjectName(QStringLiteral("sideScroll"));
-    scroll->setWidget(content);
-    scroll->setWidgetResizable(true);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setFixedWidth(kSideWidth);
-    scroll->setFrameShape(QFrame::NoFrame);
-    return scroll;
+/// Those of the current step.
+void MainWindow::showTools() {
+    const QList<QAction*> tools = m_tools->toolsOf(m_tools->mode());
+    if (m_toolBar->actions() == tools) return;
+    m_toolBar->clear();
+    m_toolBar->addActions(tools);
 }
 
 void MainWindow::makeCentre() {
-    m_side = makeSidePanel();
+    const auto toView = [this] { m_pages->currentWidget()->setFocus(); };
+    connect(m_properties, &Properties::done, this, toView);
+    connect(new PanelFields(*m_time), &PanelFields::done, this, toView);
     auto* centre = new QWidget(this);
     auto* row = new QHBoxLayout(centre);
     row->setContentsMargins(0, 0, 0, 0);
@@ -185,7 +149,7 @@ void MainWindow::makeCentre() {
     column->addWidget(m_pages, 1);
     column->addWidget(m_time);
     row->addLayout(column, 1);
-    row->addWidget(m_side);
+    row->addWidget(m_properties);
     setCentralWidget(centre);
 }
 
@@ -207,9 +171,10 @@ void MainWindow::connectFiles() {
     connect(m_solids, &SolidWorkshop::failed, this, tellIn(Topic::Export));
     connect(m_solids, &SolidWorkshop::told, this, tellIn(Topic::Mesh));
     connect(m_solids, &SolidWorkshop::done, this, &MainWindow::tellDone);
-    connect(m_mesh, &MeshPanel::detailWanted, m_solids->actions().chooseDetail, &QAction::trigger);
-    connect(m_mesh, &MeshPanel::sizesWanted, m_solids->actions().sizes, &QAction::trigger);
-    connect(m_mesh, &MeshPanel::detailRemoved, m_solids->actions().removeDetail, &QAction::trigger);
+    const MeshPanel* mesh = &m_properties->mesh();
+    connect(mesh, &MeshPanel::detailWanted, m_solidActions->chooseDetail, &QAction::trigger);
+    connect(mesh, &MeshPanel::sizesWanted, m_solidActions->sizes, &QAction::trigger);
+    connect(mesh, &MeshPanel::detailRemoved, m_solidActions->removeDetail, &QAction::trigger);
     connect(a.exportMesh, &QAction::triggered, m_exporter, &Exporter::exportMesh);
     connect(a.exportFrames, &QAction::triggered, m_exporter, &Exporter::exportFrames);
     connect(a.exportStMap, &QAction::triggered, m_exporter, &Exporter::exportStMap);
@@ -239,8 +204,6 @@ void MainWindow::connectFiles() {
 
 void MainWindow::connectEdit() {
     Actions& a = *m_actions;
-    connect(a.tools, &QActionGroup::triggered, this, &MainWindow::choosePictureTool);
-    connect(m_pins, &PinList::done, this, [this] { m_pages->currentWidget()->setFocus(); });
     connect(a.remove, &QAction::triggered, &m_session, &ShapeSession::removeSelected);
     connect(a.selectNone, &QAction::triggered, &m_session.selection(), &Selection::clear);
     connect(a.selectAll, &QAction::triggered, this, [this] {
@@ -273,13 +236,13 @@ void MainWindow::connectView() {
     connect(a.systemLook, &QAction::triggered, this, [this] { setAppearance(Appearance::System); });
     connect(a.lightLook, &QAction::triggered, this, [this] { setAppearance(Appearance::Light); });
     connect(a.darkLook, &QAction::triggered, this, [this] { setAppearance(Appearance::Dark); });
-    connect(m_distortion, &DistortionPanel::mapChanged, this, [this] {
-        m_canvas->setMap(m_distortion->measure(), m_distortion->range());
-        m_fields->setMeasure(m_distortion->measure());
+    const DistortionPanel* distortion = &m_properties->distortion();
+    connect(distortion, &DistortionPanel::mapChanged, this, [this, distortion] {
+        m_canvas->setMap(distortion->measure(), distortion->range());
+        m_fields->setMeasure(distortion->measure());
     });
-    connect(m_distortion, &DistortionPanel::mapChosen, this,
-            [this] { m_actions->showMap->setChecked(true); });
-    connect(m_distortion, &DistortionPanel::showWorst, this, [this] {
+    connect(distortion, &DistortionPanel::mapChosen, this, [this] { m_actions->showMap->setChecked(true); });
+    connect(distortion, &DistortionPanel::showWorst, this, [this] {
         m_actions->showMap->setChecked(true);
         m_canvas->showWorst();
     });
@@ -289,7 +252,6 @@ void MainWindow::connectView() {
     connect(m_solids, &SolidWorkshop::hintChanged, m_curves, &CurveActions::refresh);
     connect(m_solids, &SolidWorkshop::menuWanted, m_menu, &ContextMenu::popUp);
     connect(m_canvas, &ShapeCanvas::pointed, m_fields, &StatusFields::setPointer);
-    m_canvas->setTool(m_pinTool.get());
 }
 
 void MainWindow::connectMotion() {
@@ -316,30 +278,6 @@ void MainWindow::connectHelp() {
     connect(m_actions->about, &QAction::triggered, this, &MainWindow::showAbout);
 }
 
-CurveEditing* MainWindow::currentCurve() {
-    SolidCanvas* canvas = m_solids->isActive() ? m_solids->canvas() : nullptr;
-    Tool* tool = canvas ? canvas->tool() : m_canvas->tool();
-    return tool ? tool->curve() : nullptr;
-}
-
-/// A part that was taken hold of is there to be moved.
-void MainWindow::makeHoldTools() {
-    const SolidActions& a = m_solids->actions();
-    const auto done = [this] { m_actions->selectTool->trigger(); };
-    using Shape = HoldTool::Shape;
-    for (const auto& [action, shape] :
-         {std::pair{a.rectangle, Shape::Rectangle}, {a.lasso, Shape::Lasso}, {a.brush, Shape::Brush}})
-        m_holdTools.emplace_back(action, std::make_unique<HoldTool>(*m_canvas, shape, done));
-}
-
-void MainWindow::choosePictureTool() {
-    if (m_solids->isActive()) return;
-    Tool* tool = m_actions->pinTool->isChecked() ? m_pinTool.get() : m_selectTool.get();
-    for (const auto& [action, hold] : m_holdTools)
-        if (action->isChecked()) tool = hold.get();
-    m_canvas->setTool(tool);
-}
-
 void MainWindow::openPath(const QString& path) {
     m_files->open(path);
 }
@@ -348,17 +286,17 @@ void MainWindow::showDocument() {
     const bool has = !m_session.document().isEmpty();
     const bool solid = m_session.document().dimension() == 3;
     m_actions->resetView();
-    m_solids->actions().resetView();
+    m_solidActions->resetView();
     m_solids->setActive(solid);
     if (solid && m_pages->indexOf(m_solids->page()) < 0) addSolidPage();
     QWidget* shape = solid ? m_solids->page() : m_canvas;
     m_pages->setCurrentWidget(has ? shape : m_start);
-    for (QWidget* widget : {static_cast<QWidget*>(m_side), static_cast<QWidget*>(m_time),
-                            static_cast<QWidget*>(m_toolBar), static_cast<QWidget*>(m_topBar)})
+    m_tools->setDimension(has && (!solid || m_solids->canvas()) ? m_session.document().dimension() : 0);
+    m_solids->showDomain();
+    for (QWidget* widget :
+         std::initializer_list<QWidget*>{m_properties, m_time, m_toolBar, m_topBar, m_options})
         widget->setVisible(has);
     if (has) shape->setFocus();
-    m_solids->actions().setHoldsPictures(has && !solid);
-    if (has) choosePictureTool();
     m_fields->setVisible(has);
     m_toldUntil.setRemainingTime(0);
     showSelection();
@@ -431,8 +369,9 @@ void MainWindow::setAppearance(Appearance appearance) {
 
 void MainWindow::updateIcons() {
     m_actions->setIcons(palette());
-    m_exportButton->setIcon(wendIcon(QStringLiteral("export"), palette()));
-    m_solids->actions().setIcons(palette());
+    m_modes->exportButton()->setIcon(wendIcon(QStringLiteral("export"), palette()));
+    m_solidActions->setIcons(palette());
+    m_tools->setIcons(palette());
     showMoreArrows();
     m_start->setRecent(m_files->recent());
 }
@@ -447,6 +386,11 @@ void MainWindow::showMoreArrows() {
             more->setToolTip(tr("More"));
             more->setAccessibleName(tr("More"));
         }
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event) {
+    QMainWindow::resizeEvent(event);
+    m_properties->fitTo(width());
 }
 
 void MainWindow::changeEvent(QEvent* event) {

@@ -6,11 +6,8 @@
 
 #include "app/panels/theme.h"
 #include "app/session/shape_session.h"
-#include "app/tools/hold_tool.h"
-#include "app/tools/pin_tool.h"
 
 class QStackedWidget;
-class QToolButton;
 
 namespace wend {
 
@@ -18,22 +15,26 @@ class Actions;
 class BusyNote;
 class ContextMenu;
 class CurveActions;
-class CurveEditing;
 class ShapeCanvas;
 class DistortionPanel;
 class Exporter;
 class FileWorkflow;
 class InfoBanner;
 class MaterialPanel;
-class MeshPanel;
-class PinList;
+class ModeRow;
+class OptionRow;
+class Properties;
+class SolidActions;
 class SolidWorkshop;
 class StartPage;
 class StatusFields;
 class TimeStrip;
+class Toolbox;
 class WorkNote;
+class Workspace;
 
-/// The window: start page or workshop, with tools on the left, properties on the right and time below.
+/// The window: start page or workshop, with the steps of the work above, the tools of the current one on the
+/// left, properties on the right and time below.
 class MainWindow : public QMainWindow {
     Q_OBJECT
 
@@ -49,9 +50,11 @@ class MainWindow : public QMainWindow {
     CurveActions& curves() { return *m_curves; }
     FileWorkflow& files() { return *m_files; }
     Exporter& exporter() { return *m_exporter; }
-    MaterialPanel& materialPanel() { return *m_material; }
+    Toolbox& tools() { return *m_tools; }
+    Properties& properties() { return *m_properties; }
+    MaterialPanel& materialPanel();
     SolidWorkshop& solids() { return *m_solids; }
-    DistortionPanel& distortionPanel() { return *m_distortion; }
+    DistortionPanel& distortionPanel();
     WorkNote& work() { return *m_work; }
     InfoBanner& banner() { return *m_banner; }
 
@@ -62,11 +65,11 @@ class MainWindow : public QMainWindow {
     void dropEvent(QDropEvent* event) override;
     void changeEvent(QEvent* event) override;
     bool event(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
   private:
+    QToolBar* makeBar(Qt::ToolBarArea area, const QString& title, const char* name);
     void makeToolBars();
-    QWidget* makeExportButton();
-    QWidget* makeSidePanel();
     void makeCentre();
     void connectFiles();
     void connectEdit();
@@ -78,10 +81,8 @@ class MainWindow : public QMainWindow {
     void showDocument();
     void addSolidPage();
     void showWork();
-    CurveEditing* currentCurve();
+    void showTools();
     void fitToScreen();
-    void makeHoldTools();
-    void choosePictureTool();
     void showTitle();
     void showSelection();
     void setAppearance(Appearance appearance);
@@ -91,7 +92,10 @@ class MainWindow : public QMainWindow {
     void showAbout();
 
     ShapeSession m_session;
+    Toolbox* m_tools;
     Actions* m_actions;
+    SolidActions* m_solidActions;
+    Properties* m_properties;
     CurveActions* m_curves = nullptr;
     ContextMenu* m_menu = nullptr;
     FileWorkflow* m_files;
@@ -100,10 +104,6 @@ class MainWindow : public QMainWindow {
     StartPage* m_start;
     InfoBanner* m_banner;
     TimeStrip* m_time;
-    MaterialPanel* m_material;
-    MeshPanel* m_mesh;
-    DistortionPanel* m_distortion;
-    PinList* m_pins;
     StatusFields* m_fields = nullptr;
     SolidWorkshop* m_solids = nullptr;
     QStackedWidget* m_pages;
@@ -113,12 +113,11 @@ class MainWindow : public QMainWindow {
     QDeadlineTimer m_toldUntil;
     QString m_hint;     // the last one of a button or field
     QString m_opening;  // the file that is being read
-    QWidget* m_side = nullptr;
-    QToolButton* m_exportButton = nullptr;
+    ModeRow* m_modes = nullptr;
     QToolBar* m_topBar = nullptr;
     QToolBar* m_toolBar = nullptr;
-    std::unique_ptr<PinTool> m_pinTool, m_selectTool;
-    std::vector<std::pair<QAction*, std::unique_ptr<HoldTool>>> m_holdTools;
+    OptionRow* m_options = nullptr;
+    std::unique_ptr<Workspace> m_workspace;
     QPalette m_systemPalette;
 };
 

@@ -1,41 +1,37 @@
 #include "app/view/solid_actions.h"
 
+#include "app/view/toolbox.h"
+
 namespace wend {
 
-SolidActions::SolidActions(QActionGroup& tools, QObject* parent) : ActionMaker(parent), m_menu(new QMenu) {
-    makeTools(tools);
+namespace {
+
+/// Of the digits at the right: those above the letters choose a step of the work.
+QKeySequence keypad(const char* keys) {
+    return QKeySequence(QString::fromLatin1(keys), QKeySequence::PortableText);
+}
+
+}  // namespace
+
+SolidActions::SolidActions(Toolbox& tools, QObject* parent) : ActionMaker(parent), m_menu(new QMenu) {
+    takeTools(tools);
     makeModes();
     makeView();
     makeMenu();
     setShown(false);
 }
 
-void SolidActions::makeTools(QActionGroup& tools) {
-    rectangle =
-        addToggle({tr("Hold by &Rectangle"), tr("Take hold of all that lies in a rectangle as one handle")},
-                  QKeySequence(tr("B")), "area-rectangle");
-    lasso =
-        addToggle({tr("Hold by &Lasso"), tr("Take hold of all that lies in a drawn outline as one handle")},
-                  QKeySequence(tr("O")), "area-lasso");
-    brush = addToggle({tr("Hold by &Brush"), tr("Take hold of what is brushed over as one handle")},
-                      QKeySequence(tr("U")), "area-brush");
-    ball = addToggle(
-        {tr("Hold a B&all"), tr("Take hold of all vertices in a ball around a point of the surface")},
-        QKeySequence(tr("Shift+B")), "area-ball");
-    box =
-        addToggle({tr("Hold a Bo&x"), tr("Take hold of all vertices in a box around a point of the surface")},
-                  QKeySequence(tr("Shift+X")), "area-box");
-    half = addToggle({tr("Hold a &Half-Space"),
-                      tr("Take hold of all vertices beyond a plane through a point of the surface")},
-                     QKeySequence(tr("Shift+P")), "area-half");
-    paint = addToggle({tr("&Paint Material"), tr("Brush another stiffness and energy into the solid")},
-                      QKeySequence(tr("A")), "brush");
-    sizes = addToggle({tr("Paint Cell Si&zes"), tr("Brush where the mesh is to be finer or coarser")},
-                      QKeySequence(tr("Shift+A")), "sizes");
-    measure = addToggle({tr("M&easure"), tr("Measure lengths and angles between points of the solid")},
-                        QKeySequence(tr("E")), "measure");
-    for (QAction* tool : {rectangle, lasso, brush, ball, box, half, paint, sizes, measure})
-        tools.addAction(tool);
+void SolidActions::takeTools(const Toolbox& tools) {
+    for (const auto& [action, id] : {std::pair{&rectangle, "rectangle"},
+                                     {&lasso, "lasso"},
+                                     {&brush, "grabBrush"},
+                                     {&ball, "ball"},
+                                     {&box, "block"},
+                                     {&half, "side"},
+                                     {&paint, "paint"},
+                                     {&sizes, "sizes"},
+                                     {&measure, "measure"}})
+        *action = tools.action(QString::fromLatin1(id));
     through = addToggle(
         {tr("Through the &Solid"), tr("Rectangle, lasso and brush also take or select what is hidden")},
         QKeySequence(tr("T")), "through");
@@ -87,11 +83,11 @@ void SolidActions::makeView() {
                     QKeySequence(tr("C")), "cut");
     const QString look = tr("Look along an axis of the world");
     front = add({tr("&Front"), look}, QKeySequence(tr("1")));
-    back = add({tr("&Back"), look}, QKeySequence(tr("Ctrl+1")));
+    back = add({tr("&Back"), look}, keypad("Ctrl+Num+1"));
     right = add({tr("&Right"), look}, QKeySequence(tr("3")));
-    left = add({tr("&Left"), look}, QKeySequence(tr("Ctrl+3")));
+    left = add({tr("&Left"), look}, keypad("Ctrl+Num+3"));
     top = add({tr("&Top"), look}, QKeySequence(tr("7")));
-    bottom = add({tr("B&ottom"), look}, QKeySequence(tr("Ctrl+7")));
+    bottom = add({tr("B&ottom"), look}, keypad("Ctrl+Num+7"));
     oblique = add({tr("&Oblique"), tr("Look from the side and above")}, QKeySequence(tr("0")));
     auto* keys = new QActionGroup(this);
     wendKeys =
@@ -106,9 +102,8 @@ void SolidActions::makeView() {
 
 void SolidActions::makeMenu() {
     m_menu->setTitle(tr("&Solid"));
-    m_menu->addActions({rectangle, lasso, brush, ball, box, half, through, holdBeyond});
+    m_menu->addActions({through, holdBeyond});
     m_menu->addMenu(tr("Select &Pins"))->addActions({selectRectangle, selectLasso, selectBrush});
-    m_menu->addActions({paint, sizes, measure});
     m_menu->addSeparator();
     m_menu->addActions({move, turn, grow});
     m_menu->addSeparator();
@@ -136,19 +131,7 @@ void SolidActions::setMeshed(bool meshed) {
     enable(sizes, meshed, tr("The mesh comes from a file and is used as it is."));
 }
 
-void SolidActions::setHoldsPictures(bool holds) {
-    if (!holds) return;
-    rectangle->setShortcut(QKeySequence(tr("Shift+B")));
-    lasso->setShortcut(QKeySequence(tr("L")));
-    for (QAction* action : {rectangle, lasso, brush}) {
-        action->setVisible(true);
-        enable(action, true, {});
-    }
-}
-
 void SolidActions::setShown(bool shown) {
-    rectangle->setShortcut(QKeySequence(tr("B")));
-    lasso->setShortcuts({QKeySequence(tr("L")), QKeySequence(tr("O"))});
     m_menu->menuAction()->setVisible(shown);
     for (QAction* action : findChildren<QAction*>(QString(), Qt::FindDirectChildrenOnly)) {
         action->setVisible(shown);

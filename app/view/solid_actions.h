@@ -8,13 +8,16 @@
 
 namespace wend {
 
+class Toolbox;
+
 /// What can be done with solids only; hidden while something flat is open.
 class SolidActions : public ActionMaker {
     Q_OBJECT
 
   public:
-    SolidActions(QActionGroup& tools, QObject* parent);
+    SolidActions(Toolbox& tools, QObject* parent);
 
+    // of the tools, those that something else here speaks of
     QAction *rectangle, *lasso, *brush, *ball, *box, *half, *paint, *sizes, *measure;
     QAction *move, *turn, *grow;
     QAction *through, *holdBeyond;
@@ -27,8 +30,6 @@ class SolidActions : public ActionMaker {
 
     QMenu* menu() const { return m_menu.get(); }
     void setShown(bool shown);
-    /// Parts of a picture are held by some of the same tools.
-    void setHoldsPictures(bool holds);
     /// Whether the solid has a surface of its own, beside its tetrahedra.
     void setHasDetail(bool has);
     /// Whether that is one that was chosen for it.
@@ -39,7 +40,7 @@ class SolidActions : public ActionMaker {
     void resetView();
 
   private:
-    void makeTools(QActionGroup& tools);
+    void takeTools(const Toolbox& tools);
     void makeModes();
     void makeView();
     void makeMenu();

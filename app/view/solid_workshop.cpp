@@ -5,26 +5,16 @@
 #include <QLabel>
 #include <QSaveFile>
 #include <QSettings>
-#include <QToolBar>
-#include <QVBoxLayout>
 
 #include "app/panels/cut_panel.h"
 #include "app/panels/distortion_panel.h"
-#include "app/panels/handle_panel.h"
 #include "app/panels/measure_panel.h"
-#include "app/panels/paint_panel.h"
-#include "app/panels/panel_parts.h"
-#include "app/panels/region_panel.h"
-#include "app/panels/size_panel.h"
-#include "app/panels/surface_panel.h"
 #include "app/session/opening.h"
 #include "app/session/solid_places.h"
-#include "app/tools/measure_tool.h"
-#include "app/tools/paint_tool.h"
-#include "app/tools/size_tool.h"
 #include "app/view/actions.h"
 #include "app/view/detail_chooser.h"
 #include "app/view/picture_dialog.h"
+#include "app/view/properties.h"
 #include "app/view/save_dialog.h"
 #include "app/view/status_fields.h"
 #include "app/view/surface_check.h"
@@ -35,8 +25,6 @@
 namespace wend {
 
 namespace {
-
-constexpr int kFirstPanel = 2;  // behind that of the energy and its line
 
 /// A remark as a sentence. One that begins with a file's path keeps its beginning.
 QString sentence(const QString& remark) {
@@ -52,55 +40,11 @@ SolidWorkshop::SolidWorkshop(const Surroundings& around, QWidget& window)
     : QObject(&window),
       m_around(around),
       m_window(window),
-      m_actions(new SolidActions(*around.actions.tools, this)),
-      m_cutPanel(new CutPanel),
-      m_handlePanel(new HandlePanel(around.session)),
-      m_regionPanel(new RegionPanel(around.session)),
-      m_measurePanel(new MeasurePanel(around.session)),
-      m_paintPanel(new PaintPanel(around.session)),
-      m_sizePanel(new SizePanel(around.session)),
-      m_surfacePanel(new SurfacePanel),
-      m_check(new SurfaceCheck(around.session, *m_surfacePanel, window)),
-      m_detail(new DetailChooser(around.session.document(), window)),
-      m_paintMap(around.distortion, *around.actions.showMap) {
+      m_actions(around.solids),
+      m_check(new SurfaceCheck(around.session, around.properties.surface(), window)),
+      m_detail(new DetailChooser(around.session.document(), window)) {
     connectDetail();
-}
-
-SolidWorkshop::~SolidWorkshop() {
-    if (m_canvas) m_canvas->setTool(nullptr);
-}
-
-void SolidWorkshop::furnish(QToolBar& tools, QVBoxLayout& panels) {
-    QAction* before = m_around.actions.remove;
-    SolidActions& a = *m_actions;
-    for (QAction* action :
-         {a.rectangle, a.lasso, a.brush, a.ball, a.box, a.half, a.through, a.paint, a.sizes, a.measure})
-        tools.insertAction(before, action);
-    QAction* line = tools.insertSeparator(before);
-    for (QAction* action : {a.move, a.turn, a.grow}) tools.insertAction(before, action);
-    tools.insertAction(before, a.cut);
-    QAction* last = tools.insertSeparator(before);
-    for (QAction* separator : {line, last}) {
-        separator->setVisible(false);
-        connect(a.move, &QAction::changed, separator,
-                [separator, &a] { separator->setVisible(a.move->isVisible()); });
-    }
-    m_panels = {m_handlePanel, panelLine(nullptr), m_cutPanel, panelLine(nullptr)};
-    for (std::size_t i = 0; i < m_panels.size(); ++i) {
-        panels.insertWidget(kFirstPanel + static_cast<int>(i), m_panels[i]);
-        m_panels[i]->hide();
-    }
-    panels.insertWidget(0, m_surfacePanel);
-    m_surfacePanel->hide();
-    for (QWidget* brush : {static_cast<QWidget*>(m_paintPanel), static_cast<QWidget*>(m_sizePanel)}) {
-        panels.insertWidget(kFirstPanel + 1, brush);  // while it is painted
-        brush->hide();
-    }
-    // Both are there only when there is something to show.
-    panels.insertWidget(panels.indexOf(m_handlePanel) + 1, m_regionPanel);
-    m_regionPanel->hide();
-    panels.insertWidget(kFirstPanel, m_measurePanel);
-    m_measurePanel->hide();
+    around.properties.showCutWhile(*m_actions.cut);
 }
 
 void SolidWorkshop::setActive(bool active) {
@@ -108,23 +52,15 @@ void SolidWorkshop::setActive(bool active) {
     m_isActive = active;
     m_told.reset();
     m_hasTold = false;
-    m_actions->setShown(active && m_canvas);
-    for (QWidget* panel : m_panels) panel->setVisible(active && m_canvas);
-    const bool flatTool = m_around.actions.pinTool->isChecked() || m_around.actions.selectTool->isChecked();
-    if (!active && !flatTool) m_around.actions.pinTool->setChecked(true);
-    if (!active) m_paintPanel->hide();
-    if (!active) m_sizePanel->hide();
-    if (!active) m_paintMap.end();
-    if (!active) m_measurePanel->hide();
+    m_actions.setShown(active && m_canvas);
     if (!active || !m_canvas) return;
+    const DistortionPanel& maps = m_around.properties.distortion();
     m_canvas->setCutKind(CutKind::None);
     m_canvas->setEdgesShown(m_around.actions.showMesh->isChecked());
-    m_canvas->setMap(m_around.distortion.measure(), m_around.distortion.range());
+    m_canvas->setMap(maps.measure(), maps.range());
     m_canvas->setMapShown(m_around.actions.showMap->isChecked());
-    m_canvas->setDetailShown(m_actions->detail->isChecked());
-    m_actions->setHasDetail(m_canvas->hasDetail());
-    showDomain();
-    chooseTool();
+    m_canvas->setDetailShown(m_actions.detail->isChecked());
+    m_actions.setHasDetail(m_canvas->hasDetail());
     showCut();
 }
 
@@ -141,13 +77,15 @@ void SolidWorkshop::makePage() {
     m_page = m_canvas = new SolidCanvas(m_around.session);
     m_check->setCanvas(m_canvas);
     connectView();
-    connectTools();
+    connectLooks();
+    connectSteps();
     connectCut();
 }
 
 void SolidWorkshop::connectView() {
-    SolidActions& a = *m_actions;
+    SolidActions& a = m_actions;
     Actions& common = m_around.actions;
+    DistortionPanel& maps = m_around.properties.distortion();
     connect(common.showMesh, &QAction::toggled, m_canvas, &SolidCanvas::setEdgesShown);
     connect(common.showMap, &QAction::toggled, m_canvas, &SolidCanvas::setMapShown);
     connect(common.fit, &QAction::triggered, m_canvas, &VolumeView::fit);
@@ -165,6 +103,26 @@ void SolidWorkshop::connectView() {
     connect(a.orthographic, &QAction::toggled, m_canvas, &VolumeView::setOrthographic);
     connect(a.arrows, &QAction::toggled, m_canvas, &SolidCanvas::setArrowsShown);
     connect(a.ellipsoids, &QAction::toggled, m_canvas, &SolidCanvas::setGlyphsShown);
+    connect(&maps, &DistortionPanel::mapChanged, m_canvas,
+            [this, &maps] { m_canvas->setMap(maps.measure(), maps.range()); });
+    connect(&maps, &DistortionPanel::showWorst, m_canvas, [this] {
+        if (m_isActive) m_canvas->showWorst();
+    });
+    connect(m_canvas, &SolidCanvas::hintChanged, &m_around.fields, &StatusFields::setHint);
+    connect(m_canvas, &SolidCanvas::hintChanged, this, &SolidWorkshop::hintChanged);
+    const auto tellMissing = [this](const QStringList& files) {
+        emit m_around.session.notice(
+            tr("These pictures of the surface cannot be read: %1").arg(files.join(", ")));
+    };
+    connect(m_canvas, &VolumeView::picturesMissing, this, tellMissing, Qt::QueuedConnection);
+    connect(m_canvas, &SolidCanvas::menuWanted, this, &SolidWorkshop::menuWanted);
+    connect(m_canvas, &SolidCanvas::pointedAt, &m_around.properties.measure(), &MeasurePanel::setPointed);
+    connect(m_canvas, &SolidCanvas::pointed, &m_around.fields, &StatusFields::setPointerText);
+}
+
+/// From where, and how the mouse turns the view.
+void SolidWorkshop::connectLooks() {
+    SolidActions& a = m_actions;
     using Axis = Camera::Axis;
     for (const auto& [action, axis] : {std::pair{a.front, Axis::Front},
                                        {a.back, Axis::Back},
@@ -183,54 +141,13 @@ void SolidWorkshop::connectView() {
         });
     presets[std::clamp(QSettings().value("navigation", 0).toInt(), 0, 2)]->setChecked(true);
     m_canvas->setPreset(static_cast<NavigationPreset>(QSettings().value("navigation", 0).toInt()));
-    connect(&m_around.distortion, &DistortionPanel::mapChanged, m_canvas,
-            [this] { m_canvas->setMap(m_around.distortion.measure(), m_around.distortion.range()); });
-    connect(&m_around.distortion, &DistortionPanel::showWorst, m_canvas, [this] {
-        if (m_isActive) m_canvas->showWorst();
-    });
-    connect(m_canvas, &SolidCanvas::hintChanged, &m_around.fields, &StatusFields::setHint);
-    connect(m_canvas, &SolidCanvas::hintChanged, this, &SolidWorkshop::hintChanged);
-    const auto tellMissing = [this](const QStringList& files) {
-        emit m_around.session.notice(
-            tr("These pictures of the surface cannot be read: %1").arg(files.join(", ")));
-    };
-    connect(m_canvas, &VolumeView::picturesMissing, this, tellMissing, Qt::QueuedConnection);
-    connect(m_canvas, &SolidCanvas::menuWanted, this, &SolidWorkshop::menuWanted);
-    connect(m_canvas, &SolidCanvas::pointedAt, m_measurePanel, &MeasurePanel::setPointed);
-    connect(m_canvas, &SolidCanvas::pointed, &m_around.fields, &StatusFields::setPointerText);
 }
 
-void SolidWorkshop::connectTools() {
-    SolidActions& a = *m_actions;
-    for (const bool adds : {true, false}) {
-        auto tool = std::make_unique<SolidPinTool>(*m_canvas, m_manipulator, adds);
-        using Drawn = SolidPinTool::Outline;
-        for (const auto& [action, outline] : {std::pair{a.selectRectangle, Drawn::Rectangle},
-                                              {a.selectLasso, Drawn::Lasso},
-                                              {a.selectBrush, Drawn::Brush}})
-            connect(action, &QAction::toggled, this, [pins = tool.get(), outline = outline](bool on) {
-                if (on) pins->setOutline(outline);
-            });
-        connect(a.through, &QAction::toggled, this, [pins = tool.get()](bool on) { pins->setThrough(on); });
-        m_tools.emplace_back(adds ? m_around.actions.pinTool : m_around.actions.selectTool, std::move(tool));
-    }
+void SolidWorkshop::connectSteps() {
+    SolidActions& a = m_actions;
     // Who chooses how to select wants to select.
     for (QAction* action : {a.selectRectangle, a.selectLasso, a.selectBrush})
         connect(action, &QAction::triggered, m_around.actions.selectTool, &QAction::trigger);
-    using Shape = AreaTool::Shape;
-    for (const auto& [action, shape] : {std::pair{a.rectangle, Shape::Rectangle},
-                                        {a.lasso, Shape::Lasso},
-                                        {a.brush, Shape::Brush},
-                                        {a.ball, Shape::Ball},
-                                        {a.box, Shape::Box},
-                                        {a.half, Shape::Half}}) {
-        auto tool = std::make_unique<AreaTool>(*m_canvas, shape);
-        connect(a.through, &QAction::toggled, this, [area = tool.get()](bool on) { area->setThrough(on); });
-        m_tools.emplace_back(action, std::move(tool));
-    }
-    makeBrushes();
-    m_tools.emplace_back(a.measure, std::make_unique<MeasureTool>(*m_canvas));
-    connect(m_around.actions.tools, &QActionGroup::triggered, this, &SolidWorkshop::chooseTool);
     const auto setMode = [this](Manipulator::Mode mode) {
         return [this, mode](bool on) {
             if (on) m_manipulator.setMode(mode);
@@ -244,78 +161,34 @@ void SolidWorkshop::connectTools() {
     connect(a.holdBeyond, &QAction::triggered, this, &SolidWorkshop::holdBeyondCut);
 }
 
-void SolidWorkshop::chooseTool() {
-    m_paintPanel->setVisible(m_isActive && m_canvas && m_actions->paint->isChecked());
-    m_sizePanel->setVisible(m_isActive && m_canvas && m_actions->sizes->isChecked());
-    showMaps();
-    const bool measures = m_isActive && m_canvas && m_actions->measure->isChecked();
-    m_measurePanel->setVisible(measures);
-    if (m_canvas) m_canvas->setValuesShown(measures);
-    if (!m_isActive || !m_canvas) return;
-    for (const auto& [action, tool] : m_tools)
-        if (action->isChecked()) m_canvas->setTool(tool.get());
-}
-
-void SolidWorkshop::makeBrushes() {
-    auto brush = std::make_unique<PaintTool>(*m_canvas);
-    brush->setColour(m_paintPanel->paint());
-    connect(m_paintPanel, &PaintPanel::paintChanged, this,
-            [this, tool = brush.get()](const MaterialPaint& paint) {
-                tool->setColour(paint);
-                showMaps();
-            });
-    connect(m_paintPanel, &PaintPanel::alongChanged, this,
-            [tool = brush.get()](StiffAlong along) { tool->setAlong(along); });
-    m_tools.emplace_back(m_actions->paint, std::move(brush));
-    auto sizes = std::make_unique<SizeTool>(*m_canvas);
-    connect(m_sizePanel, &SizePanel::brushChanged, this,
-            [tool = sizes.get()](double factor) { tool->setFactor(factor); });
-    connect(m_sizePanel, &SizePanel::chosen, this,
-            [this, tool = sizes.get()](const std::vector<Region<3>>& regions) {
-                tool->setShown(regions);
-                m_canvas->redraw();
-            });
-    m_tools.emplace_back(m_actions->sizes, std::move(sizes));
-}
-
-/// The map of what is painted.
-void SolidWorkshop::showMaps() {
-    const bool active = m_isActive && m_canvas;
-    if (active && m_actions->paint->isChecked())
-        m_paintMap.show(PaintMap::measureOf(m_paintPanel->paint()));
-    else if (active && m_actions->sizes->isChecked())
-        m_paintMap.show(Measure::CellSize);
-    else
-        m_paintMap.end();
-}
-
 void SolidWorkshop::connectCut() {
-    connect(m_actions->cut, &QAction::toggled, m_canvas,
+    connect(m_actions.cut, &QAction::toggled, m_canvas,
             [this](bool on) { m_canvas->setCutKind(on ? static_cast<CutKind>(m_lastCut) : CutKind::None); });
-    connect(m_cutPanel, &CutPanel::kindChosen, m_canvas, [this](int kind) {
+    CutPanel* panel = &m_around.properties.cut();
+    connect(panel, &CutPanel::kindChosen, m_canvas, [this](int kind) {
         if (kind > 0) m_lastCut = kind;
         m_canvas->setCutKind(static_cast<CutKind>(kind));
     });
-    connect(m_cutPanel, &CutPanel::planeChosen, m_canvas, &SolidCanvas::setCutPlane);
+    connect(panel, &CutPanel::planeChosen, m_canvas, &SolidCanvas::setCutPlane);
     connect(m_canvas, &SolidCanvas::cutChanged, this, &SolidWorkshop::showCut);
     connect(&m_around.session, &ShapeSession::frameChanged, this, &SolidWorkshop::showCut);
 }
 
 void SolidWorkshop::connectDetail() {
-    connect(m_actions->chooseDetail, &QAction::triggered, m_detail, &DetailChooser::ask);
-    connect(m_actions->removeDetail, &QAction::triggered, m_detail, &DetailChooser::remove);
+    connect(m_actions.chooseDetail, &QAction::triggered, m_detail, &DetailChooser::ask);
+    connect(m_actions.removeDetail, &QAction::triggered, m_detail, &DetailChooser::remove);
     connect(&m_around.session.document(), &Document::projectChanged, this, &SolidWorkshop::showDomain);
     connect(m_detail, &DetailChooser::failed, this, &SolidWorkshop::failed);
-    connect(m_detail, &DetailChooser::chosen, this, [this] { m_actions->detail->setChecked(true); });
+    connect(m_detail, &DetailChooser::chosen, this, [this] { m_actions.detail->setChecked(true); });
 }
 
 void SolidWorkshop::showDomain() {
     const Document& document = m_around.session.document();
     if (document.dimension() != 3) return;
     const Domain& domain = document.project()->domain;
-    m_actions->setHasChosenDetail(!domain.detail.empty());
-    m_actions->setMeshed(domain.kind == DomainKind::Surface);
-    if (domain.kind != DomainKind::Surface && m_actions->sizes->isChecked())
+    m_actions.setHasChosenDetail(!domain.detail.empty());
+    m_actions.setMeshed(domain.kind == DomainKind::Surface);
+    if (domain.kind != DomainKind::Surface && m_actions.sizes->isChecked())
         m_around.actions.pinTool->setChecked(true);
 }
 
@@ -327,16 +200,17 @@ QString SolidWorkshop::keys() {
         "<tr><td><b>G, R, S</b></td><td>arrows to move, rings to turn, a ring to scale</td></tr>"
         "<tr><td><b>X, Y, Z while dragging</b></td><td>lock an axis</td></tr>"
         "<tr><td><b>Digits while dragging</b></td><td>set the amount, Enter takes it</td></tr>"
-        "<tr><td><b>B, O, U</b></td><td>hold by rectangle, lasso, brush; T: through the solid</td></tr>"
-        "<tr><td><b>Shift+B, Shift+X, Shift+P</b></td><td>hold a ball, a box, a half-space</td></tr>"
-        "<tr><td><b>A, Shift+A</b></td><td>paint material, paint how fine the mesh is</td></tr>"
+        "<tr><td><b>Shift+B, L, U</b></td><td>grab by box, lasso, brush; T: through the solid</td></tr>"
+        "<tr><td><b>Shift+K, Shift+X, Shift+P</b></td><td>grab a ball, a block, one side</td></tr>"
+        "<tr><td><b>B, Shift+A</b></td><td>paint material, paint how fine the mesh is</td></tr>"
         "<tr><td><b>Shift, Ctrl while holding</b></td><td>add to the selected handle, take away</td></tr>"
         "<tr><td><b>Shift+C</b></td><td>makes a curve of the last way; a double click on it inserts a point, "
         "Delete removes one</td></tr>"
         "<tr><td><b>Right or middle button</b></td><td>turns the view; with Shift it moves</td></tr>"
         "<tr><td><b>Middle click</b></td><td>sets the point to turn around</td></tr>"
         "<tr><td><b>Wheel</b></td><td>zooms to the pointer</td></tr>"
-        "<tr><td><b>1, 3, 7, 0</b></td><td>from the front, right, top, side; Ctrl: from the other "
+        "<tr><td><b>1, 3, 7, 0</b></td><td>from the front, right, top, side; Ctrl on the keypad: from the "
+        "other "
         "side</td></tr>"
         "<tr><td><b>C</b></td><td>cuts the solid open</td></tr>"
         "<tr><td><b>Hold H</b></td><td>shows the bare solid</td></tr>"
@@ -375,7 +249,7 @@ void SolidWorkshop::tellOfShape() {
     const auto frame = m_around.session.frame<3>();
     if (!frame || frame->shape == m_told) return;
     m_told = frame->shape;
-    m_actions->setHasDetail(m_canvas->hasDetail());
+    m_actions.setHasDetail(m_canvas->hasDetail());
     QStringList lines;
     for (const std::string& notice : frame->built->notices) lines << sentence(QString::fromStdString(notice));
     if (frame->built->refineHelps)
@@ -386,15 +260,16 @@ void SolidWorkshop::tellOfShape() {
 
 void SolidWorkshop::showCut() {
     if (!m_canvas) return;
-    const QSignalBlocker quiet(m_actions->cut);
-    m_actions->cut->setChecked(m_canvas->cut() != CutKind::None);
+    const QSignalBlocker quiet(m_actions.cut);
+    m_actions.cut->setChecked(m_canvas->cut() != CutKind::None);
+    CutPanel& cut = m_around.properties.cut();
     const auto frame = m_around.session.frame<3>();
     if (!frame) {
-        m_cutPanel->showNothing();
+        cut.showNothing();
         return;
     }
-    m_cutPanel->show(static_cast<int>(m_canvas->cut()), m_canvas->cutTool().plane(),
-                     frame->pose.rowwise().minCoeff(), frame->pose.rowwise().maxCoeff());
+    cut.show(static_cast<int>(m_canvas->cut()), m_canvas->cutTool().plane(), frame->pose.rowwise().minCoeff(),
+             frame->pose.rowwise().maxCoeff());
 }
 
 void SolidWorkshop::holdBeyondCut() {

@@ -3,33 +3,23 @@
 #include <functional>
 #include <memory>
 
-#include "app/tools/area_tool.h"
-#include "app/tools/solid_pin_tool.h"
-#include "app/view/paint_map.h"
+#include "app/tools/manipulator.h"
+#include "app/tools/tool.h"
 #include "app/view/solid_actions.h"
-
-class QLabel;
-class QToolBar;
-class QVBoxLayout;
 
 namespace wend {
 
 class Actions;
-class CutPanel;
 class DetailChooser;
-class DistortionPanel;
-class HandlePanel;
-class MeasurePanel;
-class PaintPanel;
-class RegionPanel;
-class SizePanel;
+class Properties;
+class ShapeSession;
 class SolidCanvas;
 class StatusFields;
 class SurfaceCheck;
-class SurfacePanel;
+class Toolbox;
 
-/// What the window has for solids: their view (made when the first solid is opened, since it needs OpenGL),
-/// tools, actions and panels.
+/// What the window has for solids: their view (made when the first solid is opened, since it needs OpenGL)
+/// and what is done to it.
 class SolidWorkshop : public QObject {
     Q_OBJECT
 
@@ -37,20 +27,21 @@ class SolidWorkshop : public QObject {
     struct Surroundings {
         ShapeSession& session;
         Actions& actions;
-        DistortionPanel& distortion;
+        SolidActions& solids;
+        Properties& properties;
         StatusFields& fields;
     };
     SolidWorkshop(const Surroundings& around, QWidget& window);
-    ~SolidWorkshop() override;
 
-    SolidActions& actions() { return *m_actions; }
-    /// Adds tools and panels to those of the window; hidden until a solid is open.
-    void furnish(QToolBar& tools, QVBoxLayout& panels);
+    SolidActions& actions() { return m_actions; }
+    Manipulator& manipulator() { return m_manipulator; }
     /// A solid is shown from now on, or no more. The view is then there, or a text that says why not.
     void setActive(bool active);
     bool isActive() const { return m_isActive; }
     /// What pointer and keys do, as rich text.
     static QString keys();
+    /// What belongs to the solid's mesh, when the tools for solids are there.
+    void showDomain();
     /// Asks for size and name and writes the view as a picture.
     void exportView();
     /// The view without what lies over it; null without one.
@@ -73,30 +64,19 @@ class SolidWorkshop : public QObject {
   private:
     void makePage();
     void connectView();
-    void connectTools();
-    void makeBrushes();
+    void connectLooks();
+    void connectSteps();
     void connectCut();
     void connectDetail();
-    void showDomain();
-    void showMaps();
-    void chooseTool();
     void showCut();
     void holdBeyondCut();
     void tellOfShape();
 
     Surroundings m_around;
     QWidget& m_window;
-    SolidActions* m_actions;
-    CutPanel* m_cutPanel;
-    HandlePanel* m_handlePanel;
-    RegionPanel* m_regionPanel;
-    MeasurePanel* m_measurePanel;
-    PaintPanel* m_paintPanel;
-    SizePanel* m_sizePanel;
-    SurfacePanel* m_surfacePanel;
+    SolidActions& m_actions;
     SurfaceCheck* m_check;
     DetailChooser* m_detail;
-    std::vector<QWidget*> m_panels;
     QWidget* m_page = nullptr;
     SolidCanvas* m_canvas = nullptr;
     std::function<bool(const QString&)> m_mayReplace;
@@ -105,8 +85,6 @@ class SolidWorkshop : public QObject {
     std::shared_ptr<const void> m_told;  // the rest mesh whose notices were told
     bool m_hasTold = false;              // and there were some
     Manipulator m_manipulator;
-    PaintMap m_paintMap;
-    std::vector<std::pair<QAction*, std::unique_ptr<SolidTool>>> m_tools;
 };
 
 }  // namespace wend

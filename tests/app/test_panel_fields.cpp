@@ -12,9 +12,12 @@
 #include <QWindow>
 
 #include "app/panels/cut_panel.h"
+#include "app/panels/folding_section.h"
 #include "app/panels/magnitude_box.h"
 #include "app/panels/number_box.h"
+#include "app/view/properties.h"
 #include "app/view/time_strip.h"
+#include "app/view/toolbox.h"
 #include "tests/support/solid_fixture.h"
 
 using namespace wend;
@@ -48,6 +51,7 @@ class TestPanelFields : public QObject {
     bool bend(bool solid);
     QWidget& view();
     QWidget& side();
+    void inEveryStep(const std::function<void()>& check);
     static void pictureAndSolid();
     static QString valueOf(const QWidget& field);
     void turnWheel(const QWidget& over, int notches);
@@ -63,7 +67,9 @@ void TestPanelFields::init() {
     QVERIFY(QTest::qWaitForWindowActive(&m_f->window(), 20000));
 }
 
+/// The numbers for those who want them are open, too.
 bool TestPanelFields::open(bool solid) {
+    m_f->window().findChild<FoldingSection*>(QStringLiteral("advanced"))->setOpen(true);
     return solid ? m_f->open() : m_f->openPicture();
 }
 
@@ -92,6 +98,16 @@ QWidget& TestPanelFields::view() {
 
 QWidget& TestPanelFields::side() {
     return *m_f->window().findChild<QScrollArea*>(QStringLiteral("sideScroll"));
+}
+
+/// Each has panels of its own.
+void TestPanelFields::inEveryStep(const std::function<void()>& check) {
+    for (const Mode mode : kModes) {
+        m_f->window().tools().setMode(mode);
+        settleLayout(m_f->window().properties());
+        check();
+    }
+    m_f->window().tools().setMode(Mode::Pins);
 }
 
 void TestPanelFields::pictureAndSolid() {
@@ -139,6 +155,7 @@ void TestPanelFields::numbersCanBeTyped_data() {
 void TestPanelFields::numbersCanBeTyped() {
     QFETCH(bool, solid);
     QVERIFY(open(solid));
+    m_f->window().tools().setMode(Mode::Mesh);
     const QUndoStack& undo = *m_f->session().document().undoStack();
     const auto check = [&](const char* name, const char* typed, const char* shown) {
         QAbstractSpinBox* field = box(QString::fromUtf8(name));
@@ -149,7 +166,7 @@ void TestPanelFields::numbersCanBeTyped() {
         QCOMPARE(field->text(), QString::fromUtf8(shown));
         QVERIFY2(before != field->text() && undo.count() <= steps + 1, name);
     };
-    check("Energy φ", "1.257", "1.257 rad");
+    check("Exact balance", "1.257", "1.257 rad");
     check("Smoothing length", "0.03", "0.0300");
     check("Smoothing length", "0", "none");
     check("Smoothing length", "0.04", "0.0400");
@@ -224,17 +241,20 @@ void TestPanelFields::enterGivesTheKeyboardBack() {
     QVERIFY(open(solid));
     if (solid) m_f->session().addHandle<3>(Ball<3>{{2, 0, 0}, 0.6}, "Region");
     QVERIFY(settle(m_f->session()));
-    int seen = 0;
-    for (QWidget* field : side().findChildren<QWidget*>()) {
-        if (!field->inherits("QAbstractSpinBox") && !field->inherits("QLineEdit")) continue;
-        view().clearFocus();
-        field->setFocus();
-        QTest::keyClick(field, Qt::Key_Return);
-        QVERIFY2(view().hasFocus(), qPrintable(field->accessibleName()));
-        seen += field->isVisible();
-    }
-    QVERIFY(seen >= (solid ? 10 : 5));
-    QAbstractSpinBox* phi = box(QStringLiteral("Energy φ"));
+    QSet<QWidget*> seen;
+    inEveryStep([&] {
+        for (QWidget* field : side().findChildren<QWidget*>()) {
+            if (!field->inherits("QAbstractSpinBox") && !field->inherits("QLineEdit")) continue;
+            view().clearFocus();
+            field->setFocus();
+            QTest::keyClick(field, Qt::Key_Return);
+            QVERIFY2(view().hasFocus(), qPrintable(field->accessibleName()));
+            if (field->isVisible()) seen << field;
+        }
+    });
+    QVERIFY(seen.size() >= (solid ? 10 : 5));
+    m_f->window().tools().setMode(Mode::Pins);
+    QAbstractSpinBox* phi = box(QStringLiteral("Exact balance"));
     type(*phi, QStringLiteral("1.257"));
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_1);
     QCOMPARE(phi->text(), QStringLiteral("1.257 rad"));
@@ -251,13 +271,15 @@ void TestPanelFields::stepsKeepTheKeyboard_data() {
 void TestPanelFields::stepsKeepTheKeyboard() {
     QFETCH(bool, solid);
     QVERIFY(open(solid));
-    for (auto* field : side().findChildren<QAbstractSpinBox*>()) {
-        if (!field->isVisible() || !field->isEnabled()) continue;
-        field->setFocus();
-        const QString before = field->text();
-        for (int i = 0; i < 2; ++i) QTest::keyClick(QApplication::focusWidget(), Qt::Key_Up);
-        QVERIFY2(field->hasFocus() && field->text() != before, qPrintable(field->accessibleName()));
-    }
+    inEveryStep([this] {
+        for (auto* field : side().findChildren<QAbstractSpinBox*>()) {
+            if (!field->isVisible() || !field->isEnabled()) continue;
+            field->setFocus();
+            const QString before = field->text();
+            for (int i = 0; i < 2; ++i) QTest::keyClick(QApplication::focusWidget(), Qt::Key_Up);
+            QVERIFY2(field->hasFocus() && field->text() != before, qPrintable(field->accessibleName()));
+        }
+    });
 }
 
 void TestPanelFields::nothingStaysSelected_data() {
@@ -273,16 +295,18 @@ void TestPanelFields::nothingStaysSelected() {
             if (text->hasSelectedText()) names << text->parentWidget()->accessibleName();
         return names.join(QStringLiteral(", "));
     };
-    for (auto* field : side().findChildren<QAbstractSpinBox*>()) {
-        if (!field->isVisible() || !field->isEnabled()) continue;
-        field->setFocus(Qt::TabFocusReason);
-        QTest::keyClick(field, Qt::Key_Up);
-        QVERIFY(!selected().isEmpty());  // for typing over it
-        QTest::keyClick(field, Qt::Key_Return);
-        QCOMPARE(selected(), QString());
-        field->selectAll();
-        QCOMPARE(selected(), QString());
-    }
+    inEveryStep([&] {
+        for (auto* field : side().findChildren<QAbstractSpinBox*>()) {
+            if (!field->isVisible() || !field->isEnabled()) continue;
+            field->setFocus(Qt::TabFocusReason);
+            QTest::keyClick(field, Qt::Key_Up);
+            QVERIFY(!selected().isEmpty());  // for typing over it
+            QTest::keyClick(field, Qt::Key_Return);
+            QCOMPARE(selected(), QString());
+            field->selectAll();
+            QCOMPARE(selected(), QString());
+        }
+    });
     QVERIFY(settle(m_f->session()));
     QCOMPARE(selected(), QString());
 }
@@ -298,37 +322,40 @@ void TestPanelFields::wheelScrollsThePanels() {
     if (solid) m_f->session().addHandle<3>(Ball<3>{{2, 0, 0}, 0.6}, "Region");
     QVERIFY(settle(m_f->session()));
     if (solid) m_f->actions().cut->trigger();
+    m_f->window().tools().setMode(Mode::Mesh);
     m_f->window().resize(1000, 520);
     auto& scroll = static_cast<QScrollArea&>(side());
     QScrollBar& bar = *scroll.verticalScrollBar();
     QVERIFY(QTest::qWaitFor([&] { return bar.maximum() > 0; }, 20000));
     settleLayout(scroll);
-    int seen = 0;
-    for (QWidget* field : side().findChildren<QWidget*>()) {
-        if (!field->isVisible() || valueOf(*field).isNull()) continue;
-        scroll.ensureWidgetVisible(field);
-        QCoreApplication::processEvents();
-        const QByteArray name = field->accessibleName().toUtf8();
-        view().setFocus();
-        for (const int way : {-1, 1}) {
+    QSet<QWidget*> seen;
+    inEveryStep([&] {
+        for (QWidget* field : side().findChildren<QWidget*>()) {
+            if (!field->isVisible() || valueOf(*field).isNull()) continue;
+            scroll.ensureWidgetVisible(field);
+            QCoreApplication::processEvents();
+            const QByteArray name = field->accessibleName().toUtf8();
+            view().setFocus();
+            for (const int way : {-1, 1}) {
+                const QString before = valueOf(*field);
+                const bool room = way > 0 ? bar.value() > 0 : bar.value() < bar.maximum();
+                const int at = bar.value();
+                turnWheel(*field, way);
+                QVERIFY2(valueOf(*field) == before && view().hasFocus(), name);
+                QVERIFY2(!room || bar.value() != at, name);
+                bar.setValue(at);
+            }
+            seen << field;
+            // A direction keeps its length, and so one number of it.
+            if (!field->isEnabled() || qobject_cast<QComboBox*>(field) || name.startsWith("Normal")) continue;
+            field->setFocus();
             const QString before = valueOf(*field);
-            const bool room = way > 0 ? bar.value() > 0 : bar.value() < bar.maximum();
-            const int at = bar.value();
-            turnWheel(*field, way);
-            QVERIFY2(valueOf(*field) == before && view().hasFocus(), name);
-            QVERIFY2(!room || bar.value() != at, name);
-            bar.setValue(at);
+            turnWheel(*field, 1);
+            if (valueOf(*field) == before) turnWheel(*field, -1);  // it was at its end
+            QVERIFY2(valueOf(*field) != before, name);
         }
-        ++seen;
-        // A direction keeps its length, and so one number of it.
-        if (!field->isEnabled() || qobject_cast<QComboBox*>(field) || name.startsWith("Normal")) continue;
-        field->setFocus();
-        const QString before = valueOf(*field);
-        turnWheel(*field, 1);
-        if (valueOf(*field) == before) turnWheel(*field, -1);  // it was at its end
-        QVERIFY2(valueOf(*field) != before, name);
-    }
-    QVERIFY(seen >= (solid ? 15 : 8));
+    });
+    QVERIFY(seen.size() >= (solid ? 15 : 8));
 }
 
 void TestPanelFields::clicksOnTheStripGoToTheirTime_data() {
@@ -364,6 +391,7 @@ void TestPanelFields::clicksOnTheStripGoToTheirTime() {
 
 void TestPanelFields::clicksOnSlidersAreStepsOfTheirOwn() {
     QVERIFY(open(false));
+    m_f->window().tools().setMode(Mode::Mesh);
     QSlider* density = nullptr;
     for (auto* one : side().findChildren<QSlider*>())
         if (one->accessibleName() == QStringLiteral("Mesh density")) density = one;

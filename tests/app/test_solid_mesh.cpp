@@ -9,6 +9,7 @@
 #include "app/panels/mesh_panel.h"
 #include "app/session/opening.h"
 #include "app/view/info_banner.h"
+#include "app/view/toolbox.h"
 #include "core/mesh/quality.h"
 #include "tests/support/dialogs.h"
 #include "tests/support/solid_fixture.h"
@@ -45,6 +46,7 @@ void TestSolidMesh::init() {
     m_f = std::make_unique<SolidFixture>();
     QVERIFY(QTest::qWaitForWindowActive(&m_f->window(), 20000));
     QVERIFY(m_f->open());
+    m_f->window().tools().setMode(Mode::Mesh);
 }
 
 /// By keys, as a user would.

@@ -30,6 +30,7 @@
 #include "app/view/info_banner.h"
 #include "app/view/main_window.h"
 #include "app/view/solid_workshop.h"
+#include "app/view/toolbox.h"
 #include "app/view/volume/solid_canvas.h"
 #include "app/view/work_note.h"
 #include "tests/support/surfaces.h"
@@ -306,6 +307,7 @@ void TestSolidWindow::surfaceIsRefinedByTheSwitch() {
     for (const QString& line : m_window->banner().text().split('\n'))
         QVERIFY2(!line[0].isLower() && line.endsWith('.'), qPrintable(line));
     QVERIFY(m_window->actions().exportPicture->toolTip().contains(QStringLiteral("view")));
+    m_window->tools().setMode(Mode::Mesh);
     auto* refine = m_window->findChild<MeshPanel*>()->findChild<QCheckBox*>();
     QVERIFY(refine && refine->isVisible() && !refine->isChecked());
     refine->click();

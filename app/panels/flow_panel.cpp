@@ -1,0 +1,52 @@
+#include "app/panels/flow_panel.h"
+
+#include <QPushButton>
+
+#include "app/panels/memory_slider.h"
+#include "app/panels/panel_parts.h"
+#include "app/session/settle_step.h"
+
+namespace wend {
+
+FlowPanel::FlowPanel(ShapeSession& session, QWidget* parent)
+    : QWidget(parent),
+      m_session(session),
+      m_memory(new MemorySlider(this)),
+      m_settle(new QPushButton(tr("Settle"), this)) {
+    m_settle->setObjectName(QStringLiteral("settle"));
+    describe(
+        m_settle, tr("Settle"),
+        tr("Let the shape relax with the pins where they are, until it is as near to its rest as it can be. "
+           "This takes a moment at the end of the motion."));
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(16, 12, 16, 12);
+    layout->setSpacing(8);
+    auto* head = new QHBoxLayout;
+    head->addWidget(panelTitle(tr("Remembers its shape"), this));
+    head->addStretch(1);
+    head->addWidget(m_settle);
+    layout->addLayout(head);
+    layout->addWidget(m_memory);
+    connect(m_settle, &QPushButton::clicked, this, [this] { settleAtEnd(m_session); });
+    connect(m_memory, &MemorySlider::memoryChosen, this, &FlowPanel::chooseMemory);
+    connect(&m_session.document(), &Document::projectChanged, this, &FlowPanel::showProject);
+    showProject();
+}
+
+void FlowPanel::showProject() {
+    setEnabled(!m_session.document().isEmpty());
+    if (m_session.document().isEmpty()) return;
+    m_settle->setEnabled(canSettle(m_session.document()));
+    m_memory->setMemory(std::visit([](const auto& design) { return design.material.memory; },
+                                   m_session.document().project()->design));
+}
+
+void FlowPanel::chooseMemory(double memory, int gesture) {
+    Document& document = m_session.document();
+    if (document.isEmpty()) return;
+    Project next = *document.project();
+    std::visit([&](auto& design) { design.material.memory = memory; }, next.design);
+    document.change(tr("Change memory"), std::move(next), QStringLiteral("memory %1").arg(gesture));
+}
+
+}  // namespace wend

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <QWidget>
+
+#include "app/session/shape_session.h"
+
+class QPushButton;
+
+namespace wend {
+
+class MemorySlider;
+
+/// How the shape follows its pins in time: whether it remembers its rest, and the step that lets it settle.
+class FlowPanel : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit FlowPanel(ShapeSession& session, QWidget* parent = nullptr);
+    MemorySlider* memorySlider() const { return m_memory; }
+
+  private:
+    void showProject();
+    void chooseMemory(double memory, int gesture);
+
+    ShapeSession& m_session;
+    MemorySlider* m_memory;
+    QPushButton* m_settle;
+};
+
+}  // namespace wend

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <QWidget>
+
+class QToolButton;
+class QVBoxLayout;
+
+namespace wend {
+
+/// A part of the properties under a title that opens and closes it; it is as it was left.
+class FoldingSection : public QWidget {
+    Q_OBJECT
+
+  public:
+    /// `name`: of the setting that keeps whether it is open; closed at first.
+    FoldingSection(const QString& title, const QString& help, const QString& name, QWidget* parent = nullptr);
+    void add(QWidget* part);
+    bool isOpen() const;
+    void setOpen(bool open);
+
+  private:
+    QToolButton* m_title;
+    QWidget* m_body;
+    QVBoxLayout* m_parts;
+    QString m_setting;
+};
+
+}  // namespace wend

@@ -1,0 +1,44 @@
+#include "app/view/option_row.h"
+
+#include <QLabel>
+
+#include "app/view/solid_actions.h"
+#include "app/view/toolbox.h"
+
+namespace wend {
+
+OptionRow::OptionRow(const Toolbox& tools, const SolidActions& solids, QWidget* parent)
+    : QToolBar(tr("Options"), parent), m_tools(tools), m_solids(solids) {
+    setObjectName(QStringLiteral("optionRow"));
+    setMovable(false);
+    setIconSize({20, 20});
+    setFixedHeight(40);
+    setContextMenuPolicy(Qt::PreventContextMenu);
+    connect(&m_tools, &Toolbox::changed, this, &OptionRow::showTool);
+    showTool();
+}
+
+/// Options of solids are hidden with their actions while a picture is open.
+void OptionRow::showTool() {
+    clear();
+    const ToolKind* kind = m_tools.current();
+    if (!kind) return;
+    QAction* tool = m_tools.action(QString::fromLatin1(kind->id));
+    QString name = tool->text();
+    auto* title = new QLabel(name.remove('&'));
+    title->setProperty("role", "title");
+    title->setContentsMargins(8, 0, 8, 0);
+    addWidget(title);
+    const QList<QAction*> options = kind->options ? kind->options(m_solids) : QList<QAction*>();
+    bool any = false;
+    for (QAction* option : options) {
+        option ? addAction(option) : static_cast<void>(addSeparator());
+        any = any || (option && option->isVisible());
+    }
+    if (any) return;
+    auto* help = new QLabel(ActionMaker::helpOf(*tool));
+    help->setProperty("role", "second");
+    addWidget(help);
+}
+
+}  // namespace wend

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+#include "app/session/shape_session.h"
+#include "app/view/mode.h"
+
+class QAction;
+class QScrollArea;
+class QVBoxLayout;
+
+namespace wend {
+
+class Actions;
+class CutPanel;
+class DistortionPanel;
+class FoldingSection;
+class MaterialPanel;
+class MeasurePanel;
+class MeshPanel;
+class PaintPanel;
+class PinList;
+class SizePanel;
+class SurfacePanel;
+class Toolbox;
+
+/// The panels at the right: what is kept on top and always to be seen; below it those of the current step, of
+/// the selection, and the numbers for those who want them, closed at first. Nothing jumps when a selection
+/// changes: what comes and goes has its room, or comes below.
+class Properties : public QWidget {
+    Q_OBJECT
+
+  public:
+    Properties(ShapeSession& session, const Toolbox& tools, const Actions& actions);
+
+    MaterialPanel& material() { return *m_material; }
+    MeshPanel& mesh() { return *m_mesh; }
+    DistortionPanel& distortion() { return *m_distortion; }
+    CutPanel& cut() { return *m_cut; }
+    MeasurePanel& measure() { return *m_measure; }
+    PaintPanel& paint() { return *m_paint; }
+    SizePanel& sizes() { return *m_sizes; }
+    SurfacePanel& surface() { return *m_surface; }
+    PinList& pins() { return *m_pins; }
+
+    /// As wide as a window of that width has room for.
+    void fitTo(int windowWidth);
+    /// The cut's panel belongs to the first step, and is there while the cut is.
+    void showCutWhile(const QAction& on);
+
+  signals:
+    /// A field has taken what was typed: the keyboard is for the view again.
+    void done();
+
+  private:
+    /// When a panel is shown.
+    struct When {
+        Modes modes;
+        bool flat = true, solid = true;
+        const char* tool = nullptr;   // only while that is chosen
+        const QAction* on = nullptr;  // in other steps, too, while that is so
+    };
+    void put(QWidget* panel, const When& when);
+    bool isDue(const When& when) const;
+    QWidget* selectionArea(ShapeSession& session);
+    void fill(ShapeSession& session, const Actions& actions);
+    void arrange();
+
+    const Toolbox& m_tools;
+    MaterialPanel* m_material;
+    MeshPanel* m_mesh;
+    DistortionPanel* m_distortion;
+    CutPanel* m_cut;
+    MeasurePanel* m_measure;
+    PaintPanel* m_paint;
+    SizePanel* m_sizes;
+    SurfacePanel* m_surface;
+    PinList* m_pins;
+    FoldingSection* m_advanced;
+    QWidget* m_content;
+    QVBoxLayout* m_column;
+    QScrollArea* m_scroll;
+    std::vector<std::pair<QWidget*, When>> m_places;
+};
+
+}  // namespace wend

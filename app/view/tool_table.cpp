@@ -1,0 +1,205 @@
+#include "app/view/tool_table.h"
+
+#include "app/panels/paint_panel.h"
+#include "app/panels/size_panel.h"
+#include "app/tools/area_tool.h"
+#include "app/tools/hold_tool.h"
+#include "app/tools/measure_tool.h"
+#include "app/tools/paint_tool.h"
+#include "app/tools/pin_tool.h"
+#include "app/tools/size_tool.h"
+#include "app/tools/solid_pin_tool.h"
+#include "app/view/paint_map.h"
+#include "app/view/solid_actions.h"
+
+namespace wend {
+
+namespace {
+
+/// Does what a switch says, now and from then on.
+template <class Take>
+void follow(QAction* action, Take take) {
+    take(action->isChecked());
+    QObject::connect(action, &QAction::toggled, action, take);
+}
+
+template <bool Adds>
+std::unique_ptr<Tool> pins(Workbench& on) {
+    return std::make_unique<PinTool>(on.picture, Adds);
+}
+
+template <bool Adds>
+std::unique_ptr<SolidTool> solidPins(Workbench& on) {
+    auto tool = std::make_unique<SolidPinTool>(*on.solid, on.manipulator, Adds);
+    using Drawn = SolidPinTool::Outline;
+    const SolidActions& a = on.actions;
+    for (const auto& [action, outline] : {std::pair{a.selectRectangle, Drawn::Rectangle},
+                                          {a.selectLasso, Drawn::Lasso},
+                                          {a.selectBrush, Drawn::Brush}})
+        follow(action, [pins = tool.get(), outline = outline](bool chosen) {
+            if (chosen) pins->setOutline(outline);
+        });
+    follow(a.through, [pins = tool.get()](bool through) { pins->setThrough(through); });
+    return tool;
+}
+
+template <HoldTool::Shape Shape>
+std::unique_ptr<Tool> hold(Workbench& on) {
+    return std::make_unique<HoldTool>(on.picture, Shape, on.toSelect);
+}
+
+template <AreaTool::Shape Shape>
+std::unique_ptr<SolidTool> area(Workbench& on) {
+    auto tool = std::make_unique<AreaTool>(*on.solid, Shape);
+    follow(on.actions.through, [area = tool.get()](bool through) { area->setThrough(through); });
+    return tool;
+}
+
+std::unique_ptr<SolidTool> paintBrush(Workbench& on) {
+    auto brush = std::make_unique<PaintTool>(*on.solid);
+    brush->setColour(on.paint.paint());
+    brush->setAlong(on.paint.along());
+    QObject::connect(&on.paint, &PaintPanel::paintChanged, &on.paint,
+                     [tool = brush.get()](const MaterialPaint& paint) { tool->setColour(paint); });
+    QObject::connect(&on.paint, &PaintPanel::alongChanged, &on.paint,
+                     [tool = brush.get()](StiffAlong along) { tool->setAlong(along); });
+    return brush;
+}
+
+std::unique_ptr<SolidTool> sizeBrush(Workbench& on) {
+    auto brush = std::make_unique<SizeTool>(*on.solid);
+    QObject::connect(&on.sizes, &SizePanel::brushChanged, &on.sizes,
+                     [tool = brush.get()](double factor) { tool->setFactor(factor); });
+    QObject::connect(&on.sizes, &SizePanel::chosen, &on.sizes,
+                     [surface = on.solid, tool = brush.get()](const std::vector<Region<3>>& regions) {
+                         tool->setShown(regions);
+                         surface->redraw();
+                     });
+    return brush;
+}
+
+std::unique_ptr<SolidTool> measure(Workbench& on) {
+    return std::make_unique<MeasureTool>(*on.solid);
+}
+
+QList<QAction*> steps(const SolidActions& a) {
+    return {a.move, a.turn, a.grow, nullptr, a.selectRectangle, a.selectLasso, a.selectBrush, a.through};
+}
+
+QList<QAction*> through(const SolidActions& a) {
+    return {a.through};
+}
+
+Measure painted(const Workbench& on) {
+    return PaintMap::measureOf(on.paint.paint());
+}
+
+Measure sizes(const Workbench&) {
+    return Measure::CellSize;
+}
+
+}  // namespace
+
+const std::vector<ToolKind>& toolTable() {
+    using Hold = HoldTool::Shape;
+    using Area = AreaTool::Shape;
+    static const std::vector<ToolKind> table = {
+        {"pin", "pin", QT_TRANSLATE_NOOP("Tools", "&Pin"),
+         QT_TRANSLATE_NOOP("Tools", "Set pins and drag them"), "P", Mode::Pins, Mode::Pins, pins<true>,
+         solidPins<true>, steps},
+        {"select",
+         "select",
+         QT_TRANSLATE_NOOP("Tools", "Se&lect"),
+         QT_TRANSLATE_NOOP("Tools", "Select and drag pins without setting new ones"),
+         "V",
+         Modes::all(),
+         {},
+         pins<false>,
+         solidPins<false>,
+         steps},
+        {"lasso",
+         "area-lasso",
+         QT_TRANSLATE_NOOP("Tools", "Grab by &Lasso"),
+         QT_TRANSLATE_NOOP("Tools", "Take hold of all that lies in a drawn outline as one handle"),
+         "L",
+         Mode::Pins,
+         {},
+         hold<Hold::Lasso>,
+         area<Area::Lasso>,
+         through},
+        {"rectangle",
+         "area-rectangle",
+         QT_TRANSLATE_NOOP("Tools", "Grab by Bo&x"),
+         QT_TRANSLATE_NOOP("Tools", "Take hold of all that lies in a rectangle as one handle"),
+         "Shift+B",
+         Mode::Pins,
+         {},
+         hold<Hold::Rectangle>,
+         area<Area::Rectangle>,
+         through},
+        {"grabBrush",
+         "area-brush",
+         QT_TRANSLATE_NOOP("Tools", "Grab by &Brush"),
+         QT_TRANSLATE_NOOP("Tools", "Take hold of what is brushed over as one handle"),
+         "U",
+         Mode::Pins,
+         {},
+         hold<Hold::Brush>,
+         area<Area::Brush>,
+         through},
+        {"ball",
+         "area-ball",
+         QT_TRANSLATE_NOOP("Tools", "Grab a B&all"),
+         QT_TRANSLATE_NOOP("Tools", "Take hold of all that lies in a ball around a point of the surface"),
+         "Shift+K",
+         Mode::Pins,
+         {},
+         nullptr,
+         area<Area::Ball>},
+        {"block",
+         "area-box",
+         QT_TRANSLATE_NOOP("Tools", "Grab a Bloc&k"),
+         QT_TRANSLATE_NOOP("Tools", "Take hold of all that lies in a block around a point of the surface"),
+         "Shift+X",
+         Mode::Pins,
+         {},
+         nullptr,
+         area<Area::Box>},
+        {"side",
+         "area-half",
+         QT_TRANSLATE_NOOP("Tools", "Grab &One Side"),
+         QT_TRANSLATE_NOOP("Tools",
+                           "Take hold of all that lies beyond a plane through a point of the surface"),
+         "Shift+P",
+         Mode::Pins,
+         {},
+         nullptr,
+         area<Area::Half>},
+        {"sizes",
+         "sizes",
+         QT_TRANSLATE_NOOP("Tools", "&Detail Brush"),
+         QT_TRANSLATE_NOOP("Tools", "Brush where the mesh is to be finer or coarser"),
+         "Shift+A",
+         Mode::Mesh,
+         {},
+         nullptr,
+         sizeBrush,
+         nullptr,
+         sizes},
+        {"paint", "brush", QT_TRANSLATE_NOOP("Tools", "Paint &Material"),
+         QT_TRANSLATE_NOOP("Tools", "Brush another stiffness and energy into the solid"), "B; A", Mode::Paint,
+         Mode::Paint, nullptr, paintBrush, nullptr, painted},
+        {"measure",
+         "measure",
+         QT_TRANSLATE_NOOP("Tools", "M&easure"),
+         QT_TRANSLATE_NOOP("Tools", "Measure lengths and angles between points of the solid"),
+         "E",
+         Modes::all().without(Mode::Export),
+         {},
+         nullptr,
+         measure},
+    };
+    return table;
+}
+
+}  // namespace wend

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <QAction>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/panels/colour_map.h"
+#include "app/tools/solid_surface.h"
+#include "app/tools/tool_surface.h"
+#include "app/view/mode.h"
+
+namespace wend {
+
+class Manipulator;
+class PaintPanel;
+class SizePanel;
+class SolidActions;
+
+/// What tools work on and with.
+struct Workbench {
+    ToolSurface& picture;
+    Manipulator& manipulator;
+    const SolidActions& actions;
+    PaintPanel& paint;
+    SizePanel& sizes;
+    std::function<void()> toSelect;  // a part was taken hold of, and is there to be moved
+    SolidSurface* solid = nullptr;   // none before the first solid
+};
+
+/// A tool of the window, once for all: tool bar, options, menus, keys and the cheat sheet come from this.
+struct ToolKind {
+    const char* id;
+    const char* icon;
+    const char *name, *help;  // in English, of the context "Tools"
+    const char* keys;         // several with "; "
+    Modes modes;
+    Modes begins;  // those that begin with it; others begin with the tool that selects
+    /// How it is made for pictures and for solids; null where it does nothing.
+    std::unique_ptr<Tool> (*picture)(Workbench&);
+    std::unique_ptr<SolidTool> (*solid)(Workbench&);
+    /// What stands beside its name, for solids and for pictures alike; null: nothing.
+    QList<QAction*> (*options)(const SolidActions&) = nullptr;
+    /// What is coloured over the shape while it is chosen; null: nothing.
+    Measure (*map)(const Workbench&) = nullptr;
+};
+
+/// In the order of the tool bar.
+const std::vector<ToolKind>& toolTable();
+
+}  // namespace wend

@@ -1,0 +1,75 @@
+#include "app/view/workspace.h"
+
+#include "app/panels/paint_panel.h"
+#include "app/view/actions.h"
+#include "app/view/canvas.h"
+#include "app/view/properties.h"
+#include "app/view/solid_workshop.h"
+#include "app/view/toolbox.h"
+#include "app/view/volume/solid_canvas.h"
+
+namespace wend {
+
+Workspace::Workspace(const Parts& parts)
+    : m_parts(parts),
+      m_map(parts.properties.distortion(), *parts.actions.showMap),
+      m_bench{parts.picture,
+              parts.solids.manipulator(),
+              parts.solids.actions(),
+              parts.properties.paint(),
+              parts.properties.sizes(),
+              [select = parts.actions.selectTool] { select->trigger(); }} {
+    connect(&m_parts.tools, &Toolbox::changed, this, &Workspace::show);
+    connect(&m_parts.properties.paint(), &PaintPanel::paintChanged, this, &Workspace::showMap);
+    show();
+}
+
+Workspace::~Workspace() {
+    m_parts.picture.setTool(nullptr);
+    if (SolidCanvas* solid = m_parts.solids.canvas()) solid->setTool(nullptr);
+}
+
+Tool* Workspace::pictureTool(const ToolKind& kind) {
+    auto& tool = m_pictureTools[&kind];
+    if (!tool) tool = kind.picture(m_bench);
+    return tool.get();
+}
+
+SolidTool* Workspace::solidTool(const ToolKind& kind) {
+    auto& tool = m_solidTools[&kind];
+    if (!tool) tool = kind.solid(m_bench);
+    return tool.get();
+}
+
+void Workspace::show() {
+    const ToolKind* kind = m_parts.tools.current();
+    SolidCanvas* solid = m_parts.solids.canvas();
+    m_bench.solid = solid;
+    if (kind && m_parts.tools.dimension() == 3 && solid) {
+        solid->setTool(solidTool(*kind));
+        solid->setValuesShown(m_parts.tools.isChosen("measure"));
+    } else if (kind && m_parts.tools.dimension() == 2) {
+        m_parts.picture.setTool(pictureTool(*kind));
+    }
+    showMap();
+}
+
+void Workspace::showMap() {
+    const ToolKind* kind = m_parts.tools.current();
+    if (kind && kind->map)
+        m_map.show(kind->map(m_bench));
+    else
+        m_map.end();
+}
+
+Tool* Workspace::tool() const {
+    SolidCanvas* solid = m_parts.solids.canvas();
+    return m_parts.tools.dimension() == 3 && solid ? solid->tool() : m_parts.picture.tool();
+}
+
+CurveEditing* Workspace::curve() const {
+    Tool* current = tool();
+    return current ? current->curve() : nullptr;
+}
+
+}  // namespace wend

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <QObject>
+#include <map>
+
+#include "app/view/paint_map.h"
+#include "app/view/tool_table.h"
+
+namespace wend {
+
+class Actions;
+class Properties;
+class ShapeCanvas;
+class SolidCanvas;
+class SolidWorkshop;
+class Toolbox;
+
+/// Gives the chosen tool to the view of what is open, picture or solid. A tool is made when it is first used.
+class Workspace : public QObject {
+    Q_OBJECT
+
+  public:
+    struct Parts {
+        Toolbox& tools;
+        const Actions& actions;
+        ShapeCanvas& picture;
+        SolidWorkshop& solids;
+        Properties& properties;
+    };
+    explicit Workspace(const Parts& parts);
+    ~Workspace() override;
+
+    /// The curve that the chosen tool edits; null if it edits none.
+    CurveEditing* curve() const;
+
+  private:
+    Tool* tool() const;
+    void show();
+    void showMap();
+    Tool* pictureTool(const ToolKind& kind);
+    SolidTool* solidTool(const ToolKind& kind);
+
+    Parts m_parts;
+    PaintMap m_map;
+    Workbench m_bench;
+    std::map<const ToolKind*, std::unique_ptr<Tool>> m_pictureTools;
+    std::map<const ToolKind*, std::unique_ptr<SolidTool>> m_solidTools;
+};
+
+}  // namespace wend

@@ -1,0 +1,259 @@
+#include <QApplication>
+#include <QLabel>
+#include <QMenuBar>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QSet>
+#include <QToolBar>
+#include <QToolButton>
+
+#include "app/panels/cut_panel.h"
+#include "app/panels/distortion_panel.h"
+#include "app/panels/material_panel.h"
+#include "app/panels/mesh_panel.h"
+#include "app/panels/paint_panel.h"
+#include "app/panels/pin_list.h"
+#include "app/view/curve_actions.h"
+#include "app/view/export_panel.h"
+#include "app/view/properties.h"
+#include "app/view/toolbox.h"
+#include "tests/support/solid_fixture.h"
+
+using namespace wend;
+using namespace wend::test;
+
+/// The steps of the work: which tools and panels each has, in a window with a picture or a solid.
+class TestModes : public QObject {
+    Q_OBJECT
+  private slots:
+    void init();
+    void stepsHaveTheirToolsAndPanels_data();
+    void stepsHaveTheirToolsAndPanels();
+    void stepsRememberTheirTool_data();
+    void stepsRememberTheirTool();
+    void toolsBringTheirStep();
+    void keysAreUnique_data();
+    void keysAreUnique();
+    void everyToolIsInTheMenus();
+    void selectingMovesNothing_data();
+    void selectingMovesNothing();
+    void nothingIsBelowTheFold_data();
+    void nothingIsBelowTheFold();
+    void narrowWindowsKeepStepsAndExport();
+
+  private:
+    static void pictureAndSolid();
+    bool open(bool solid) { return solid ? m_f->open() : m_f->openPicture(); }
+    Toolbox& tools() { return m_f->window().tools(); }
+    QToolBar& bar() { return *m_f->window().findChild<QToolBar*>(QStringLiteral("toolBar")); }
+    QAction* tool(const char* id) { return tools().action(QString::fromLatin1(id)); }
+    template <class Panel>
+    bool shows() {
+        return m_f->window().properties().findChild<Panel*>()->isVisible();
+    }
+    bool isInView(const QWidget& widget);
+
+    std::unique_ptr<SolidFixture> m_f;
+};
+
+void TestModes::init() {
+    if (!VolumeView::available()) QSKIP("needs OpenGL (run under xvfb-run)");
+    m_f = std::make_unique<SolidFixture>();
+    QVERIFY(QTest::qWaitForWindowActive(&m_f->window(), 20000));
+}
+
+void TestModes::pictureAndSolid() {
+    QTest::addColumn<bool>("solid");
+    QTest::newRow("picture") << false;
+    QTest::newRow("solid") << true;
+}
+
+bool TestModes::isInView(const QWidget& widget) {
+    const QRect window(m_f->window().mapToGlobal(QPoint()), m_f->window().size());
+    return !widget.visibleRegion().isEmpty() && widget.visibleRegion().boundingRect() == widget.rect() &&
+           window.contains(QRect(widget.mapToGlobal(QPoint()), widget.size()));
+}
+
+void TestModes::stepsHaveTheirToolsAndPanels_data() {
+    pictureAndSolid();
+}
+
+/// By the keys, as in the row above. What is kept is always there.
+void TestModes::stepsHaveTheirToolsAndPanels() {
+    QFETCH(bool, solid);
+    QVERIFY(open(solid));
+    QCOMPARE(tools().mode(), Mode::Pins);  // where work begins
+    for (const Mode mode : kModes) {
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key(Qt::Key_1 + static_cast<int>(mode)),
+                        Qt::ControlModifier);
+        QCOMPARE(tools().mode(), mode);
+        QVERIFY(tools().modeAction(mode)->isChecked());
+        settleLayout(m_f->window().properties());
+        QVERIFY(!bar().actions().isEmpty());
+        QCOMPARE(bar().actions(), tools().toolsOf(mode));
+        for (QAction* one : bar().actions())
+            QVERIFY2(one->isVisible() && one->isEnabled(), one->objectName().toUtf8());
+        QVERIFY(bar().actions().contains(tool(tools().current()->id)));
+        QVERIFY(shows<MaterialPanel>());
+        QCOMPARE(shows<MeshPanel>(), mode == Mode::Mesh);
+        QCOMPARE(shows<PinList>(), mode == Mode::Pins);
+        QCOMPARE(shows<ExportPanel>(), mode == Mode::Export);
+        QCOMPARE(shows<DistortionPanel>(), mode != Mode::Export);
+        if (solid) QCOMPARE(shows<PaintPanel>(), mode == Mode::Paint);
+        QCOMPARE(shows<CutPanel>(), solid && mode == Mode::Mesh);
+    }
+    if (!solid) return;
+    tools().setMode(Mode::Pins);  // what is cut open has its numbers in every step
+    m_f->actions().cut->trigger();
+    QVERIFY(shows<CutPanel>());
+}
+
+void TestModes::stepsRememberTheirTool_data() {
+    pictureAndSolid();
+}
+
+void TestModes::stepsRememberTheirTool() {
+    QFETCH(bool, solid);
+    QVERIFY(open(solid));
+    QVERIFY(tools().isChosen("pin"));
+    tool("lasso")->trigger();
+    tools().setMode(Mode::Mesh);
+    QVERIFY(tools().isChosen("select"));
+    tools().setMode(Mode::Pins);
+    QVERIFY(tools().isChosen("lasso"));
+    if (solid) {
+        tools().setMode(Mode::Paint);
+        QVERIFY(tools().isChosen("paint"));
+    }
+    m_f->session().document().undoStack()->setClean();
+    QVERIFY(open(solid));  // another document is seen as it is
+    QVERIFY(tools().isChosen("pin") && tools().mode() == Mode::Pins);
+}
+
+/// From whichever step they are chosen.
+void TestModes::toolsBringTheirStep() {
+    QVERIFY(open(true));
+    tools().setMode(Mode::Export);
+    QTest::keyClick(&m_f->canvas(), Qt::Key_P);
+    QVERIFY(tools().isChosen("pin") && tools().mode() == Mode::Pins);
+    QTest::keyClick(&m_f->canvas(), Qt::Key_A, Qt::ShiftModifier);
+    QVERIFY(tools().isChosen("sizes") && tools().mode() == Mode::Mesh);
+    QTest::keyClick(&m_f->canvas(), Qt::Key_B);
+    QVERIFY(tools().isChosen("paint") && tools().mode() == Mode::Paint);
+    QTest::keyClick(&m_f->canvas(), Qt::Key_V);
+    QVERIFY(tools().isChosen("select") && tools().mode() == Mode::Paint);
+}
+
+void TestModes::keysAreUnique_data() {
+    pictureAndSolid();
+}
+
+/// In every step; and no key of a tool is missing in a step that has it.
+void TestModes::keysAreUnique() {
+    QFETCH(bool, solid);
+    QVERIFY(open(solid));
+    for (const Mode mode : kModes) {
+        tools().setMode(mode);
+        QMap<QKeySequence, QAction*> owners;
+        for (QAction* action : m_f->window().findChildren<QAction*>()) {
+            if (!action->isVisible()) continue;
+            for (const QKeySequence& key : action->shortcuts()) {
+                QVERIFY2(!owners.contains(key),
+                         qPrintable(key.toString() + action->text() + owners.value(key, action)->text()));
+                owners[key] = action;
+            }
+        }
+        for (QAction* action : tools().toolsOf(mode))
+            QVERIFY2(!action->shortcuts().isEmpty(), qPrintable(action->text()));
+    }
+}
+
+void TestModes::everyToolIsInTheMenus() {
+    QVERIFY(open(true));
+    QSet<const QAction*> offered;
+    for (const QAction* menu : m_f->window().menuBar()->actions())
+        for (const QAction* action : menu->menu()->actions()) offered << action;
+    for (const ToolKind& kind : toolTable()) {
+        const QAction* action = tool(kind.id);
+        QVERIFY2(action && offered.contains(action), kind.id);
+        QVERIFY2(!ActionMaker::helpOf(*action).isEmpty() && !action->icon().isNull(), kind.id);
+    }
+}
+
+void TestModes::selectingMovesNothing_data() {
+    pictureAndSolid();
+}
+
+void TestModes::selectingMovesNothing() {
+    QFETCH(bool, solid);
+    QVERIFY(open(solid));
+    if (solid)
+        QVERIFY(m_f->holdEnds());
+    else
+        m_f->session().addPin({120, 80});
+    tools().setMode(Mode::Pins);
+    QVERIFY(settle(m_f->session()));
+    Selection& selection = m_f->session().selection();
+    selection.set({0});
+    Properties& side = m_f->window().properties();
+    const auto places = [&] {
+        settleLayout(side);
+        QList<QRect> all;
+        for (const QWidget* panel :
+             std::initializer_list<QWidget*>{side.findChild<MaterialPanel*>(), side.findChild<PinList*>(),
+                                             side.findChild<QWidget*>(QStringLiteral("selectionArea")),
+                                             side.findChild<DistortionPanel*>()})
+            all << QRect(panel->mapTo(&side, QPoint()), panel->size());
+        return all;
+    };
+    const QList<QRect> before = places();
+    selection.clear();
+    QCOMPARE(places(), before);
+}
+
+void TestModes::nothingIsBelowTheFold_data() {
+    pictureAndSolid();
+}
+
+/// On the smallest usual screen: what is kept, and what the step is about.
+void TestModes::nothingIsBelowTheFold() {
+    QFETCH(bool, solid);
+    m_f->window().resize(1366, 768);
+    QVERIFY(open(solid));
+    QCOMPARE(m_f->window().size(), QSize(1366, 768));
+    Properties& side = m_f->window().properties();
+    const auto check = [&](Mode mode, const QWidget* panel) {
+        tools().setMode(mode);
+        settleLayout(side);
+        QVERIFY2(isInView(*side.findChild<MaterialPanel*>()), "keep");
+        QVERIFY2(isInView(*panel), panel->metaObject()->className());
+    };
+    check(Mode::Mesh, side.findChild<MeshPanel*>());
+    check(Mode::Pins, side.findChild<PinList*>());
+    check(Mode::Pins, side.findChild<QWidget*>(QStringLiteral("selectionArea")));
+    check(Mode::Animate, side.findChild<QWidget*>(QStringLiteral("selectionArea")));
+    check(Mode::Animate, side.findChild<QWidget*>(QStringLiteral("memorySlider")));
+    check(Mode::Export, side.findChild<ExportPanel*>());
+    if (solid) check(Mode::Paint, side.findChild<PaintPanel*>());
+}
+
+void TestModes::narrowWindowsKeepStepsAndExport() {
+    QVERIFY(open(false));
+    const auto visible = [&](const QAction* action) {
+        for (const QToolButton* button : m_f->window().findChildren<QToolButton*>())
+            if (button->defaultAction() == action && isInView(*button)) return true;
+        return false;
+    };
+    for (const int width : {1600, 1280, 1024, 800, 640}) {
+        m_f->window().resize(width, 700);
+        settleLayout(m_f->window());
+        for (const Mode mode : kModes) QVERIFY2(visible(tools().modeAction(mode)), QByteArray::number(width));
+        const auto* button = m_f->window().findChild<QToolButton*>(QStringLiteral("exportButton"));
+        QVERIFY2(isInView(*button), QByteArray::number(width));
+        if (width >= 1024)
+            QVERIFY(visible(m_f->window().actions().undo) && visible(m_f->window().actions().open));
+    }
+}
+
+QTEST_MAIN(TestModes)
+#include "test_modes.moc"
