@@ -97,7 +97,7 @@ void PaintPanel::arrange() {
     layout->addWidget(m_hasPhi);
     layout->addWidget(m_phi);
     layout->addLayout(panelRow(tr("St&iffness"), m_stiffness, this));
-    layout->addLayout(panelRow(tr("Direc&tion"), m_axis, this));
+    layout->addLayout(panelRow(tr("&Direction"), m_axis, this));
     auto* numbers = new QHBoxLayout;
     for (ExactBox* box : m_numbers) numbers->addWidget(box);
     layout->addLayout(numbers);

@@ -126,6 +126,7 @@ void TestModes::stepsRememberTheirTool() {
         QVERIFY(tools().isChosen("paint"));
     }
     m_f->session().document().undoStack()->setClean();
+    m_f->window().actions().closeFile->trigger();
     QVERIFY(open(solid));  // another document is seen as it is
     QVERIFY(tools().isChosen("pin") && tools().mode() == Mode::Pins);
 }
