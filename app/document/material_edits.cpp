@@ -6,55 +6,70 @@ namespace wend {
 
 namespace {
 
-std::vector<MaterialRegion<3>>& regionsOf(Project& project) {
-    return std::get<Design<3>>(project.design).material.regions;
+/// Calls with the material's regions of either dimension.
+template <class Change>
+Project changed(const Project& project, const Change& change) {
+    Project next = project;
+    std::visit([&](auto& design) { change(design.material.regions); }, next.design);
+    return next;
 }
 
-std::string freeName(const Project& project) {
-    const auto groups = regionGroups(project);
-    for (int i = 1;; ++i) {
-        const std::string name = "Stroke " + std::to_string(i);
-        if (std::none_of(groups.begin(), groups.end(), [&](const auto& g) { return g.name == name; }))
-            return name;
+/// The names of the groups, in the order of their first regions.
+std::vector<std::string> groupNames(const Project& project) {
+    std::vector<std::string> names;
+    std::visit(
+        [&](const auto& design) {
+            for (const auto& region : design.material.regions)
+                if (std::find(names.begin(), names.end(), region.name) == names.end())
+                    names.push_back(region.name);
+        },
+        project.design);
+    return names;
+}
+
+std::string numbered(const std::vector<std::string>& taken, const std::string& kind, int first) {
+    for (int i = first;; ++i) {
+        const std::string name = kind + ' ' + std::to_string(i);
+        if (std::find(taken.begin(), taken.end(), name) == taken.end()) return name;
     }
 }
 
 }  // namespace
 
-std::vector<RegionGroup> regionGroups(const Project& project) {
-    std::vector<RegionGroup> groups;
-    for (const auto& region : std::get<Design<3>>(project.design).material.regions) {
-        const auto it =
+template <int Dim>
+std::vector<RegionGroup<Dim>> regionGroups(const Project& project) {
+    std::vector<RegionGroup<Dim>> groups;
+    for (const auto& region : std::get<Design<Dim>>(project.design).material.regions) {
+        auto it =
             std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.name == region.name; });
-        if (it != groups.end()) {
-            ++it->count;
-            if (!region.stiffness) continue;
-            if (!it->axis) it->axis = region.stiffness->axis;
-            if (*it->axis != region.stiffness->axis) it->oneAxis = false;
-        } else {
-            groups.push_back({region.name, 1, {region.phi, region.stiffness}, {}});
-            if (region.stiffness) groups.back().axis = region.stiffness->axis;
-        }
+        if (it == groups.end())
+            it = groups.insert(it, {region.name, 0, region.feather, {region.phi, region.stiffness}, {}});
+        ++it->count;
+        if (!region.stiffness) continue;
+        if (!it->axis) it->axis = region.stiffness->axis;
+        if (*it->axis != region.stiffness->axis) it->oneAxis = false;
     }
     return groups;
 }
 
-Project withPaint(const Project& project, const std::vector<Ball<3>>& balls, const MaterialPaint& paint,
-                  const std::vector<Vec<3>>& axes) {
+template <int Dim>
+Project withRegions(const Project& project, const std::string& kind,
+                    std::vector<MaterialRegion<Dim>> regions) {
     Project next = project;
-    const std::string name = freeName(project);
-    for (std::size_t i = 0; i < balls.size(); ++i) {
-        auto stiffness = paint.stiffness;
-        if (stiffness && i < axes.size() && axes[i].norm() > 0) stiffness->axis = axes[i].normalized();
-        regionsOf(next).push_back({name, balls[i], 0.5 * balls[i].radius, paint.phi, stiffness});
+    const std::string name = numbered(groupNames(project), kind, 1);
+    auto& all = std::get<Design<Dim>>(next.design).material.regions;
+    for (auto& region : regions) {
+        region.name = name;
+        all.push_back(std::move(region));
     }
     return next;
 }
 
-Project withGroupPaint(const Project& project, const std::string& name, const MaterialPaint& paint,
+template <int Dim>
+Project withGroupPaint(const Project& project, const std::string& name, const MaterialPaint<Dim>& paint,
                        bool keepAxes) {
     Project next = project;
-    for (auto& region : regionsOf(next)) {
+    for (auto& region : std::get<Design<Dim>>(next.design).material.regions) {
         if (region.name != name) continue;
         const auto before = region.stiffness;
         region.phi = paint.phi;
@@ -64,10 +79,53 @@ Project withGroupPaint(const Project& project, const std::string& name, const Ma
     return next;
 }
 
-Project withoutGroup(const Project& project, const std::string& name) {
-    Project next = project;
-    std::erase_if(regionsOf(next), [&](const auto& region) { return region.name == name; });
-    return next;
+Project withGroupFeather(const Project& project, const std::string& name, double feather) {
+    return changed(project, [&](auto& regions) {
+        for (auto& region : regions)
+            if (region.name == name) region.feather = feather;
+    });
 }
+
+Project withGroupName(const Project& project, const std::string& name, const std::string& next) {
+    std::vector<std::string> taken = groupNames(project);
+    std::erase(taken, name);
+    const bool isTaken = std::find(taken.begin(), taken.end(), next) != taken.end();
+    const std::string free = isTaken ? numbered(taken, next, 2) : next;
+    return changed(project, [&](auto& regions) {
+        for (auto& region : regions)
+            if (region.name == name) region.name = free;
+    });
+}
+
+Project withGroupMoved(const Project& project, const std::string& name, int by) {
+    std::vector<std::string> order = groupNames(project);
+    const auto it = std::find(order.begin(), order.end(), name);
+    if (it == order.end()) return project;
+    const auto from = it - order.begin();
+    const auto to = std::clamp<std::ptrdiff_t>(from + by, 0, std::ssize(order) - 1);
+    order.erase(it);
+    order.insert(order.begin() + to, name);
+    const auto placeOf = [&](const std::string& group) {
+        return std::find(order.begin(), order.end(), group) - order.begin();
+    };
+    return changed(project, [&](auto& regions) {
+        std::stable_sort(regions.begin(), regions.end(),
+                         [&](const auto& a, const auto& b) { return placeOf(a.name) < placeOf(b.name); });
+    });
+}
+
+Project withoutGroup(const Project& project, const std::string& name) {
+    return changed(project, [&](auto& regions) {
+        std::erase_if(regions, [&](const auto& region) { return region.name == name; });
+    });
+}
+
+#define WEND_INSTANTIATE(Dim)                                                                                \
+    template std::vector<RegionGroup<Dim>> regionGroups<Dim>(const Project&);                                \
+    template Project withRegions<Dim>(const Project&, const std::string&, std::vector<MaterialRegion<Dim>>); \
+    template Project withGroupPaint<Dim>(const Project&, const std::string&, const MaterialPaint<Dim>&, bool)
+WEND_INSTANTIATE(2);
+WEND_INSTANTIATE(3);
+#undef WEND_INSTANTIATE
 
 }  // namespace wend

@@ -8,32 +8,40 @@
 
 namespace wend {
 
-/// What a brush lays into a solid.
+/// What a region makes of the material.
+template <int Dim>
 struct MaterialPaint {
     std::optional<double> phi;
-    std::optional<Stiffness<3>> stiffness;
+    std::optional<Stiffness<Dim>> stiffness;
 };
-/// What the stiff direction of a stroke is: an axis of the rest shape, the direction of view, the stroke's
-/// own way, or the way of the selected handle.
-enum class StiffAlong { Axis, View, Stroke, Way };
 
-/// Regions of one name belong together: a stroke, or one that was read.
+/// Regions of one name belong together: a stroke, or one that was read. Of the first of them, unless told
+/// otherwise.
+template <int Dim>
 struct RegionGroup {
     std::string name;
     int count = 0;
-    MaterialPaint paint;         // of the first
-    std::optional<Vec<3>> axis;  // of the first that is stiff
-    bool oneAxis = true;         // all that are stiff are so along it
+    double feather = 0;
+    MaterialPaint<Dim> paint;
+    std::optional<Vec<Dim>> axis;  // of the first that is stiff
+    bool oneAxis = true;           // all that are stiff are so along it
 };
-std::vector<RegionGroup> regionGroups(const Project& project);
+template <int Dim = 3>
+std::vector<RegionGroup<Dim>> regionGroups(const Project& project);
 
-/// Soft balls (feathered by half of their radius) on top of all regions, named "Stroke 1", "Stroke 2" …
-/// `axes`: of each ball, in place of the paint's; may be empty.
-Project withPaint(const Project& project, const std::vector<Ball<3>>& balls, const MaterialPaint& paint,
-                  const std::vector<Vec<3>>& axes = {});
+/// Regions on top of all others, as one group named "<kind> 1", "<kind> 2" …: the first that is free.
+template <int Dim>
+Project withRegions(const Project& project, const std::string& kind,
+                    std::vector<MaterialRegion<Dim>> regions);
 /// The group of that name with another material; `keepAxes`: what is stiff stays so along its own direction.
-Project withGroupPaint(const Project& project, const std::string& name, const MaterialPaint& paint,
+template <int Dim>
+Project withGroupPaint(const Project& project, const std::string& name, const MaterialPaint<Dim>& paint,
                        bool keepAxes = false);
+Project withGroupFeather(const Project& project, const std::string& name, double feather);
+/// A name that another group has already is taken with a number behind it.
+Project withGroupName(const Project& project, const std::string& name, const std::string& next);
+/// The group by that many groups further up, where it wins over more of the others; down if negative.
+Project withGroupMoved(const Project& project, const std::string& name, int by);
 /// The group without its regions.
 Project withoutGroup(const Project& project, const std::string& name);
 

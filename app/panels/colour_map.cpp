@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "app/session/energy_stops.h"
 #include "app/session/fields.h"
 
 namespace wend {
@@ -18,6 +19,9 @@ using Stops = std::array<std::array<int, 3>, 6>;
 constexpr Stops kMagnitude = {
     {{253, 248, 208}, {250, 176, 72}, {226, 94, 66}, {160, 44, 100}, {86, 22, 112}, {22, 10, 52}}};
 // Blue and orange of equal lightness on both sides of a light middle.
+// From cream to brown through the colour of stiffness, lightness falling evenly.
+constexpr Stops kStiff = {
+    {{252, 240, 222}, {245, 205, 160}, {230, 160, 98}, {205, 112, 42}, {150, 70, 16}, {88, 36, 4}}};
 constexpr Stops kDiverging = {
     {{20, 68, 140}, {84, 144, 205}, {205, 223, 238}, {245, 224, 200}, {230, 140, 60}, {150, 66, 8}}};
 
@@ -31,7 +35,7 @@ QRgb between(const Stops& stops, double position) {
 }
 
 bool isLogarithmic(Measure measure) {
-    return measure == Measure::Area || measure == Measure::CellSize;
+    return measure == Measure::Area || measure == Measure::CellSize || measure == Measure::Stiffness;
 }
 
 }  // namespace
@@ -51,31 +55,43 @@ const std::vector<double>& valuesOf(const Distortion& distortion, Measure measur
     }
 }
 
-namespace {
-
 template <int Dim>
-std::vector<double> designValues(const ShapeSession& session, const PosedFrame<Dim>& frame, Measure measure) {
+std::vector<double> cellValues(const PosedFrame<Dim>& frame, Measure measure) {
     if (measure == Measure::Phi) return phiOf<Dim>(frame);
     if (measure == Measure::Stiffness) return stiffnessOf<Dim>(frame);
     if (measure == Measure::CellSize) return sizesOf<Dim>(frame);
-    return speedOf<Dim>(frame, session.velocity<Dim>());
+    return valuesOf(frame.distortion, measure);
+}
+
+namespace {
+
+template <int Dim>
+std::vector<double> valuesOfShown(const ShapeSession& session, Measure measure) {
+    const auto frame = session.frame<Dim>();
+    return measure == Measure::Speed ? speedOf<Dim>(*frame, session.velocity<Dim>())
+                                     : cellValues<Dim>(*frame, measure);
 }
 
 }  // namespace
 
 std::vector<double> shownValues(const ShapeSession& session, Measure measure) {
     if (!session.frame()) return {};
-    if (isDistortion(measure)) return valuesOf(session.frame()->distortion, measure);
-    if (const auto frame = session.frame<2>()) return designValues<2>(session, *frame, measure);
-    return designValues<3>(session, *session.frame<3>(), measure);
+    return session.frame()->dimension == 2 ? valuesOfShown<2>(session, measure)
+                                           : valuesOfShown<3>(session, measure);
 }
 
-MeasureRange rangeOf(const std::vector<double>& values, Measure measure) {
+std::optional<double> plainValue(const ShapeSession& session, Measure measure) {
+    if (measure == Measure::Stiffness) return 1;
+    if (measure != Measure::Phi || session.document().isEmpty()) return {};
+    return std::visit([](const auto& design) { return design.material.phi; },
+                      session.document().project()->design);
+}
+
+MeasureRange rangeOf(const std::vector<double>& values, Measure measure, int dimension) {
+    if (measure == Measure::Phi) return {phi::kEquia, phi::conformal(dimension), dimension};
     if (values.empty()) return measure == Measure::Area ? MeasureRange{0.9, 1 / 0.9} : MeasureRange{0, 0.01};
-    if (measure == Measure::Phi || measure == Measure::Stiffness) {  // of the design, not of an outcome
-        const auto [low, high] = std::minmax_element(values.begin(), values.end());
-        return {*low, std::max(*high, *low + 0.01)};
-    }
+    if (measure == Measure::Stiffness)  // of the design, not of an outcome
+        return {1, std::max(10.0, *std::max_element(values.begin(), values.end())), dimension};
     if (measure == Measure::CellSize) {
         const auto [low, high] = std::minmax_element(values.begin(), values.end());
         return {std::max(*low, 1e-300), std::max(*high, 1.01 * std::max(*low, 1e-300))};
@@ -94,17 +110,21 @@ MeasureRange rangeOf(const std::vector<double>& values, Measure measure) {
 }
 
 double positionIn(const MeasureRange& range, Measure measure, double value) {
+    if (measure == Measure::Phi) return stopOfPhi(value, range.dimension) / (kEnergyStops - 1);
     if (!isLogarithmic(measure)) return (value - range.low) / (range.high - range.low);
     const double low = std::log(range.low), high = std::log(range.high);
     return (std::log(std::max(value, 1e-9 * range.low)) - low) / (high - low);
 }
 
 double valueAt(const MeasureRange& range, Measure measure, double position) {
+    if (measure == Measure::Phi) return phiAtStop(position * (kEnergyStops - 1), range.dimension);
     if (!isLogarithmic(measure)) return range.low + position * (range.high - range.low);
     return range.low * std::pow(range.high / range.low, position);
 }
 
 QRgb colourAt(Measure measure, double position) {
+    if (measure == Measure::Phi) return energyColour(position * (kEnergyStops - 1));
+    if (measure == Measure::Stiffness) return between(kStiff, position);
     return between(measure == Measure::Area ? kDiverging : kMagnitude, position);
 }
 
@@ -128,6 +148,9 @@ QString measureName(Measure measure, int dimension) {
     }
     return QCoreApplication::translate("Measure", "Length");
 }
+
+template std::vector<double> cellValues<2>(const PosedFrame<2>&, Measure);
+template std::vector<double> cellValues<3>(const PosedFrame<3>&, Measure);
 
 WorstPlace worstOf(const Distortion& distortion, Measure measure) {
     const auto& values = valuesOf(distortion, measure);

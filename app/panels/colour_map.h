@@ -9,8 +9,8 @@
 
 namespace wend {
 
-/// What is coloured over the shape: a measure of distortion; of a solid also its material (φ, and how many
-/// times stiffer than elsewhere), how fast it moves, or how fine its mesh is.
+/// What is coloured over the shape: a measure of distortion, its material (φ, and how many times stiffer than
+/// elsewhere), or how fine its mesh is; of a solid also how fast it moves.
 enum class Measure { Angle, Area, Length, Phi, Stiffness, Speed, CellSize };
 
 /// True for those that tell how far the shape is from rest.
@@ -19,23 +19,29 @@ bool isDistortion(Measure measure);
 /// The range of a legend; for Area it is symmetric about 1 in the logarithm.
 struct MeasureRange {
     double low = 0, high = 1;
+    int dimension = 2;
 };
 
 /// The value of each cell: the errors of method.md for angle and length, the ratio det F for area. Of
 /// measures of distortion only.
 const std::vector<double>& valuesOf(const Distortion& distortion, Measure measure);
-/// The same of the frame that is shown, for all measures.
+/// The same for all measures but the speed.
+template <int Dim>
+std::vector<double> cellValues(const PosedFrame<Dim>& frame, Measure measure);
+/// Of the frame that is shown, for all measures.
 std::vector<double> shownValues(const ShapeSession& session, Measure measure);
-/// From the values that occur, the greatest hundredth left out; never empty.
-MeasureRange rangeOf(const std::vector<double>& values, Measure measure);
-/// Where a value stands in the range, in [0, 1]; area and the size of cells on a logarithmic scale, area with
-/// 1 in the middle.
+/// The value of the material where nothing is painted; nothing for other measures.
+std::optional<double> plainValue(const ShapeSession& session, Measure measure);
+/// From the values that occur, the greatest hundredth left out; never empty. φ has the same range always.
+MeasureRange rangeOf(const std::vector<double>& values, Measure measure, int dimension = 2);
+/// Where a value stands in the range, in [0, 1]; area, stiffness and the size of cells on a logarithmic
+/// scale, area with 1 in the middle; φ as on the slider of energies.
 double positionIn(const MeasureRange& range, Measure measure, double value);
 double valueAt(const MeasureRange& range, Measure measure, double position);
 
-/// A colour for a position in [0, 1]: for errors a scale of even perceived steps from light yellow over red
-/// to dark violet; for the ratio blue (shrunk), near white (kept) and orange (grown). Both are safe for
-/// colour-blind eyes.
+/// A colour for a position in [0, 1]: for φ those of the four energies, for stiffness from cream to brown,
+/// for errors a scale of even perceived steps from light yellow over red to dark violet; for the ratio blue
+/// (shrunk), near white (kept) and orange (grown). Both are safe for colour-blind eyes.
 QRgb colourAt(Measure measure, double position);
 
 QString measureName(Measure measure, int dimension = 2);

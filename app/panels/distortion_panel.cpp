@@ -81,16 +81,15 @@ void DistortionPanel::arrange() {
     layout->addLayout(buttons);
 }
 
-/// A solid has its material and its speed beside its distortion.
+/// A solid has its speed and the size of its cells beside.
 void DistortionPanel::setDimension(int dimension) {
     if (dimension == m_dimension) return;
     m_dimension = dimension;
     const QSignalBlocker quiet(m_measure);
     m_measure->clear();
-    std::vector<Measure> measures = {Measure::Length, Measure::Area, Measure::Angle};
-    if (dimension == 3)
-        measures.insert(measures.end(),
-                        {Measure::Phi, Measure::Stiffness, Measure::Speed, Measure::CellSize});
+    std::vector<Measure> measures = {Measure::Length, Measure::Area, Measure::Angle, Measure::Phi,
+                                     Measure::Stiffness};
+    if (dimension == 3) measures.insert(measures.end(), {Measure::Speed, Measure::CellSize});
     for (const Measure measure : measures)
         m_measure->addItem(measureName(measure, dimension), static_cast<int>(measure));
     const bool solid = dimension == 3;
@@ -104,7 +103,8 @@ void DistortionPanel::setDimension(int dimension) {
     describe(m_measure, tr("Distortion map"),
              solid ? tr("What is coloured over the solid: the error of lengths, volumes or angles, the "
                         "material, how fast it moves, or how fine its mesh is.")
-                   : tr("Which error is coloured over the shape: of lengths, of areas or of angles."));
+                   : tr("What is coloured over the picture: the error of lengths, areas or angles, or the "
+                        "material that is painted on it."));
 }
 
 Measure DistortionPanel::measure() const {
@@ -124,7 +124,7 @@ void DistortionPanel::takeFrame() {
     setDimension(frame->dimension);
     showTotals(frame->distortion);
     if (!m_lock->isChecked()) {
-        m_range = rangeOf(shownValues(m_session, measure()), measure());
+        m_range = rangeOf(shownValues(m_session, measure()), measure(), m_dimension);
         emit mapChanged();
     }
     m_legend->set(measure(), m_range, m_dimension);

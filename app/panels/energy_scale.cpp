@@ -16,7 +16,7 @@ QString said(const char* text) {
 
 }  // namespace
 
-EnergyScale::EnergyScale(int dimension) {
+EnergyScale::EnergyScale(int dimension) : m_dimension(dimension) {
     m_stops[0] = {
         phi::kEquia, said(QT_TRANSLATE_NOOP("EnergyScale", "Area")),
         said(QT_TRANSLATE_NOOP("EnergyScale",
@@ -43,18 +43,11 @@ EnergyScale::EnergyScale(int dimension) {
 }
 
 double EnergyScale::phiAt(double position) const {
-    const double x = std::clamp(position, 0.0, kStops - 1.0);
-    const int i = std::min(static_cast<int>(x), kStops - 2);
-    if (x == i) return m_stops[i].phi;
-    if (x == i + 1) return m_stops[i + 1].phi;
-    return m_stops[i].phi + (x - i) * (m_stops[i + 1].phi - m_stops[i].phi);
+    return phiAtStop(position, m_dimension);
 }
 
 double EnergyScale::positionOf(double phi) const {
-    for (int i = 0; i + 1 < kStops; ++i)
-        if (phi <= m_stops[i + 1].phi)
-            return i + std::max(0.0, (phi - m_stops[i].phi) / (m_stops[i + 1].phi - m_stops[i].phi));
-    return kStops - 1;
+    return stopOfPhi(phi, m_dimension);
 }
 
 int EnergyScale::stopAt(double phi) const {

@@ -3,11 +3,11 @@
 #include <QString>
 #include <array>
 
+#include "app/session/energy_stops.h"
+
 namespace wend {
 
-/// The scale of the energy slider: four named energies at 0, 1, 2 and 3, φ linear between neighbours. What an
-/// energy keeps changes fast in φ near Area and slowly near Angle; equal parts between the named ones make it
-/// even to the eye.
+/// The scale of the energy slider: the four named energies (see energy_stops.h) in words.
 struct EnergyStop {
     double phi;
     QString name;       // what is kept
@@ -16,7 +16,7 @@ struct EnergyStop {
 
 class EnergyScale {
   public:
-    static constexpr int kStops = 4;
+    static constexpr int kStops = kEnergyStops;
 
     explicit EnergyScale(int dimension = 2);
     const std::array<EnergyStop, kStops>& stops() const { return m_stops; }
@@ -27,6 +27,7 @@ class EnergyScale {
     int stopAt(double phi) const;
 
   private:
+    int m_dimension;
     std::array<EnergyStop, kStops> m_stops;
 };
 

@@ -4,6 +4,7 @@
 #include <QPainter>
 #include <QPainterPath>
 
+#include "app/panels/energy_scale.h"
 #include "app/panels/theme.h"
 
 namespace wend {
@@ -11,6 +12,19 @@ namespace wend {
 namespace {
 
 constexpr int kBar = 12;
+
+/// The four names below their colours.
+void paintStops(QPainter& painter, const QRect& where, int dimension) {
+    const EnergyScale scale(dimension);
+    constexpr int kLast = EnergyScale::kStops - 1;
+    for (int i = 0; i <= kLast; ++i) {
+        const QString& name = scale.stops()[i].name;
+        const int width = painter.fontMetrics().horizontalAdvance(name);
+        const int middle = where.left() + where.width() * i / kLast;
+        const int x = std::clamp(middle - width / 2, where.left(), where.right() - width);
+        painter.drawText(QRect(x, where.top(), width + 2, where.height()), Qt::AlignLeft, name);
+    }
+}
 
 }  // namespace
 
@@ -47,6 +61,10 @@ void paintLegend(QPainter& painter, const QRect& where, Measure measure, const M
     painter.drawRoundedRect(QRectF(where.topLeft(), QSizeF(where.width(), kBar)), 3, 3);
     painter.setPen(textColour);
     const QRect text(where.left(), where.top() + kBar + 3, where.width(), painter.fontMetrics().height());
+    if (measure == Measure::Phi) {
+        paintStops(painter, text, range.dimension);
+        return;
+    }
     painter.drawText(text, Qt::AlignLeft, measureText(measure, range.low));
     painter.drawText(text, Qt::AlignHCenter, measureText(measure, valueAt(range, measure, 0.5)));
     painter.drawText(text, Qt::AlignRight, measureText(measure, range.high));

@@ -1,8 +1,8 @@
 #include "app/panels/paint_panel.h"
 
-#include <QCheckBox>
+#include <QButtonGroup>
 #include <QComboBox>
-#include <QListWidget>
+#include <QStackedWidget>
 #include <QToolButton>
 #include <cmath>
 
@@ -14,177 +14,222 @@ namespace wend {
 
 namespace {
 
-constexpr int kNumbers = 3;  // of the direction: behind the axes, before what a stroke brings along
+/// A direction of the list: a source, or an axis.
+constexpr int kFirstAxis = 100;
+
+int keyOf(const BrushSettings& brush) {
+    if (brush.along != StiffAlong::Axis) return static_cast<int>(brush.along);
+    for (int k = 0; k < 3; ++k)
+        if (brush.axis == Vec<3>::Unit(k)) return kFirstAxis + k;
+    return static_cast<int>(StiffAlong::Axis);
+}
 
 }  // namespace
 
-PaintPanel::PaintPanel(ShapeSession& session, QWidget* parent)
+PaintPanel::PaintPanel(ShapeSession& session, Brush& brush, QWidget* parent)
     : QWidget(parent),
       m_session(session),
-      m_hasPhi(new QCheckBox(tr("&Keep here"), this)),
+      m_brush(brush),
+      m_targets(new QButtonGroup(this)),
+      m_pages(new QStackedWidget(this)),
       m_phi(new EnergySlider(this)),
-      m_stiffness(new ExactBox(this)),
-      m_axis(new QComboBox(this)),
-      m_list(new QListWidget(this)),
-      m_remove(new QToolButton(this)) {
+      m_ratio(new ExactBox(this)),
+      m_direction(new QComboBox(this)),
+      m_numbersRow(new QWidget(this)),
+      m_amount(new NumberBox(this)),
+      m_size(new NumberBox(this)),
+      m_hardness(new NumberBox(this)) {
     makeControls();
+    makeTip();
     arrange();
-    connect(m_hasPhi, &QCheckBox::toggled, m_phi, &QWidget::setEnabled);
-    connect(m_hasPhi, &QCheckBox::clicked, this, &PaintPanel::changeGroup);
-    connect(m_phi, &EnergySlider::phiChosen, this, &PaintPanel::changeGroup);
-    connect(m_stiffness, &QDoubleSpinBox::valueChanged, this, &PaintPanel::changeGroup);
-    connect(m_axis, &QComboBox::activated, this, &PaintPanel::chooseAxis);
-    for (ExactBox* box : m_numbers)
-        connect(box, &QDoubleSpinBox::valueChanged, this, [this] {
-            showAxis({m_numbers[0]->exact(), m_numbers[1]->exact(), m_numbers[2]->exact()});
-            m_ownAxes = false;
-            emit alongChanged(along());
-            changeGroup();
-        });
-    connect(m_list, &QListWidget::currentRowChanged, this, &PaintPanel::showGroup);
-    connect(m_remove, &QToolButton::clicked, this, [this] {
-        if (selectedGroup().isEmpty()) return;
-        Document& document = m_session.document();
-        document.change(tr("Remove region"),
-                        withoutGroup(*document.project(), selectedGroup().toStdString()));
-    });
-    connect(&m_session.document(), &Document::projectChanged, this, &PaintPanel::showRegions);
-    showRegions();
+    setDimension(2);
+    connectControls();
+    showBrush();
 }
 
 void PaintPanel::makeControls() {
-    m_hasPhi->setChecked(true);
-    describe(m_hasPhi, tr("Keep here"), tr("Whether the brush changes what is kept, and to what."));
-    m_phi->setDimension(3);
-    m_phi->setPhi(phi::kAkvf);
-    m_stiffness->setRange(1, 1000);
-    m_stiffness->setDecimals(1);
-    m_stiffness->put(1);
-    m_stiffness->setPrefix(QStringLiteral("×"));
-    m_stiffness->setFixedWidth(116);
-    describe(m_stiffness, tr("Stiffness"),
-             tr("How many times stiffer the painted part is along the axis; ×1 is as everywhere."));
-    m_axis->addItems({tr("along X"), tr("along Y"), tr("along Z"), tr("as numbers"), tr("along the view"),
-                      tr("along the stroke"), tr("along the pin's way")});
-    m_axis->setFixedWidth(150);
-    describe(m_axis, tr("Stiff direction"),
-             tr("The direction at rest, which turns with the material: an axis, numbers, the direction of "
-                "view, the stroke's own, or the way of the selected pin where it is nearest."));
+    const std::array<std::pair<QString, QString>, 3> targets = {
+        {{tr("Keep"), tr("Paint what the shape keeps when it has to give way.")},
+         {tr("Stiffness"), tr("Paint how many times stiffer the shape is along a direction.")},
+         {tr("Direction"), tr("Comb the direction along which the shape is stiff.")}}};
+    for (int i = 0; i < 3; ++i) {
+        auto* button = new QToolButton(this);
+        button->setText(targets[i].first);
+        button->setCheckable(true);
+        button->setProperty("role", "segment");
+        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+        describe(button, targets[i].first, targets[i].second);
+        m_targets->addButton(button, i);
+    }
+    m_ratio->setObjectName(QStringLiteral("brushRatio"));
+    m_ratio->setRange(1, 1000);
+    m_ratio->setDecimals(1);
+    m_ratio->setPrefix(QStringLiteral("×"));
+    m_ratio->setFixedWidth(116);
+    describe(m_ratio, tr("Stiffness"),
+             tr("How many times stiffer the painted part is along its direction; ×1 is as everywhere."));
+    m_direction->setObjectName(QStringLiteral("brushDirection"));
+    m_direction->setFixedWidth(150);
+    describe(m_direction, tr("Stiff direction"),
+             tr("The direction at rest, which turns with the shape: the stroke's own, the one that is there, "
+                "an axis, numbers, or the way of the selected pin where it is nearest."));
+    auto* row = new QHBoxLayout(m_numbersRow);
+    row->setContentsMargins(0, 0, 0, 0);
     for (ExactBox*& box : m_numbers) {
-        box = new ExactBox(this);
+        box = new ExactBox(m_numbersRow);
         box->setRange(-1e6, 1e6);
         box->setDecimals(3);
         box->setSingleStep(0.1);
         box->setButtonSymbols(QAbstractSpinBox::NoButtons);
         box->setMinimumWidth(56);
         box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-        describe(box, tr("Direction in numbers"), tr("As x, y and z at rest; its length does not matter."));
+        describe(box, tr("Direction in numbers"), tr("At rest; its length does not matter."));
+        row->addWidget(box);
     }
-    m_numbers[0]->put(1);
-    m_list->setFixedHeight(84);
-    describe(m_list, tr("Regions"),
-             tr("Where the material is another; a click shows its values for changing."));
-    m_remove->setText(tr("Remove"));
-    m_remove->setProperty("role", "chip");
-    describe(m_remove, tr("Remove region"), tr("Takes the chosen region away."));
+}
+
+void PaintPanel::makeTip() {
+    const auto make = [](NumberBox* box, const char* id, double low, double high, const QString& unit) {
+        box->setObjectName(QLatin1String(id));
+        box->setRange(low, high);
+        box->setDecimals(0);
+        box->setSuffix(unit);
+        box->setFixedWidth(116);
+    };
+    make(m_amount, "brushAmount", 1, 100, tr(" %"));
+    make(m_size, "brushSize", 2 * Brush::kSmallest, 2 * Brush::kLargest, tr(" px"));
+    make(m_hardness, "brushHardness", 0, 100, tr(" %"));
+    m_amount->setSingleStep(10);
+    m_hardness->setSingleStep(10);
+    describe(m_amount, tr("Amount"), tr("How far a stroke goes from what is there to what is painted."));
+    describe(m_size, tr("Size"), tr("The brush across, on the screen; also by the keys [ and ]."));
+    describe(m_hardness, tr("Hardness"),
+             tr("How much of the brush paints wholly; beyond it fades out. Also by Shift with [ and ]."));
+}
+
+QWidget* PaintPanel::stiffPage() {
+    auto* page = new QWidget(this);
+    auto* layout = new QVBoxLayout(page);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(8);
+    layout->addLayout(panelRow(tr("St&iffness"), m_ratio, page));
+    layout->addLayout(panelRow(tr("Di&rection"), m_direction, page));
+    layout->addWidget(m_numbersRow);
+    layout->addStretch(1);
+    return page;
 }
 
 void PaintPanel::arrange() {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(16, 14, 16, 14);
     layout->setSpacing(10);
-    layout->addWidget(panelTitle(tr("Paint material"), this));
-    layout->addWidget(m_hasPhi);
-    layout->addWidget(m_phi);
-    layout->addLayout(panelRow(tr("St&iffness"), m_stiffness, this));
-    layout->addLayout(panelRow(tr("&Direction"), m_axis, this));
-    auto* numbers = new QHBoxLayout;
-    for (ExactBox* box : m_numbers) numbers->addWidget(box);
-    layout->addLayout(numbers);
-    layout->addWidget(m_list);
-    layout->addWidget(m_remove, 0, Qt::AlignLeft);
+    layout->addWidget(panelTitle(tr("Paint"), this));
+    auto* targets = new QHBoxLayout;
+    targets->setSpacing(2);
+    for (QAbstractButton* button : m_targets->buttons()) targets->addWidget(button);
+    layout->addLayout(targets);
+    m_pages->addWidget(m_phi);
+    m_pages->addWidget(stiffPage());
+    layout->addWidget(m_pages);
+    layout->addLayout(panelRow(tr("Am&ount"), m_amount, this));
+    layout->addLayout(panelRow(tr("Si&ze"), m_size, this));
+    layout->addLayout(panelRow(tr("Hard&ness"), m_hardness, this));
 }
 
-MaterialPaint PaintPanel::paint() const {
-    MaterialPaint paint;
-    if (m_hasPhi->isChecked()) paint.phi = m_phi->phi();
-    if (m_stiffness->exact() != 1) paint.stiffness = Stiffness<3>{axis(), m_stiffness->exact()};
-    return paint;
+template <class Change>
+void PaintPanel::change(const Change& change) {
+    BrushSettings next = m_brush.now();
+    change(next);
+    m_brush.set(next);
 }
 
-/// Of length 1; what has that already keeps its bits.
-Vec<3> PaintPanel::axis() const {
-    const Vec<3> axis(m_numbers[0]->exact(), m_numbers[1]->exact(), m_numbers[2]->exact());
-    if (axis.isZero(0)) return Vec<3>::UnitX();
-    return std::abs(axis.norm() - 1) < 1e-12 ? axis : axis.normalized();
+void PaintPanel::connectControls() {
+    connect(&m_brush, &Brush::changed, this, &PaintPanel::showBrush);
+    connect(&m_session.document(), &Document::opened, this, [this] {
+        if (!m_session.document().isEmpty()) setDimension(m_session.document().dimension());
+    });
+    connect(m_targets, &QButtonGroup::idClicked, this, [this](int target) {
+        change([&](BrushSettings& brush) { brush.target = static_cast<BrushTarget>(target); });
+    });
+    connect(m_phi, &EnergySlider::phiChosen, this,
+            [this](double phi) { change([&](BrushSettings& brush) { brush.phi = phi; }); });
+    connect(m_ratio, &QDoubleSpinBox::valueChanged, this,
+            [this] { change([&](BrushSettings& brush) { brush.ratio = m_ratio->exact(); }); });
+    connect(m_amount, &QDoubleSpinBox::valueChanged, this,
+            [this](double percent) { change([&](BrushSettings& brush) { brush.amount = percent / 100; }); });
+    connect(m_size, &QDoubleSpinBox::valueChanged, this,
+            [this](double across) { change([&](BrushSettings& brush) { brush.radius = across / 2; }); });
+    connect(m_hardness, &QDoubleSpinBox::valueChanged, this, [this](double percent) {
+        change([&](BrushSettings& brush) { brush.hardness = percent / 100; });
+    });
+    connect(m_direction, &QComboBox::activated, this, &PaintPanel::chooseDirection);
+    for (ExactBox* box : m_numbers)
+        connect(box, &QDoubleSpinBox::valueChanged, this, [this] {
+            change([&](BrushSettings& brush) {
+                brush.along = StiffAlong::Axis;
+                for (int k = 0; k < 3; ++k) brush.axis[k] = m_numbers[k]->exact();
+            });
+        });
 }
 
-StiffAlong PaintPanel::along() const {
-    const int beyond = m_axis->currentIndex() - kNumbers;
-    return beyond <= 0 ? StiffAlong::Axis : static_cast<StiffAlong>(beyond);
+void PaintPanel::setDimension(int dimension) {
+    if (dimension == m_dimension) return;
+    m_dimension = dimension;
+    m_phi->setDimension(dimension);
+    m_numbers[2]->setVisible(dimension == 3);
+    fillDirections();
+    change([&](BrushSettings& brush) {
+        brush.phi = std::min(brush.phi, phi::conformal(dimension));
+        if (dimension == 3) return;
+        brush.axis[2] = 0;
+        if (brush.axis.isZero()) brush.axis = Vec<3>::UnitX();
+        if (brush.along == StiffAlong::View) brush.along = StiffAlong::Stroke;
+    });
+    showBrush();
 }
 
-/// An axis sets the numbers; what a stroke brings along is for the next one.
-void PaintPanel::chooseAxis(int index) {
-    if (index < kNumbers) showAxis(Vec<3>::Unit(index));
-    if (index < kNumbers) m_ownAxes = false;
-    emit alongChanged(along());
-    if (index <= kNumbers) changeGroup();
+void PaintPanel::fillDirections() {
+    m_direction->clear();
+    const auto add = [this](const QString& name, int key) { m_direction->addItem(name, key); };
+    const auto addAlong = [&](const QString& name, StiffAlong along) { add(name, static_cast<int>(along)); };
+    addAlong(tr("along the stroke"), StiffAlong::Stroke);
+    addAlong(tr("as it is there"), StiffAlong::AsItIs);
+    add(tr("along X"), kFirstAxis);
+    add(tr("along Y"), kFirstAxis + 1);
+    if (m_dimension == 3) add(tr("along Z"), kFirstAxis + 2);
+    addAlong(tr("as numbers"), StiffAlong::Axis);
+    if (m_dimension == 3) addAlong(tr("along the view"), StiffAlong::View);
+    addAlong(tr("along the pin's way"), StiffAlong::Way);
 }
 
-void PaintPanel::showAxis(const Vec<3>& axis) {
-    int index = kNumbers;
-    for (int k = 0; k < 3; ++k) {
-        m_numbers[k]->put(axis[k]);
-        if (axis == Vec<3>::Unit(k)) index = k;
-    }
-    m_axis->setCurrentIndex(index);
+void PaintPanel::chooseDirection(int index) {
+    const int key = m_direction->itemData(index).toInt();
+    change([&](BrushSettings& brush) {
+        brush.along = key >= kFirstAxis ? StiffAlong::Axis : static_cast<StiffAlong>(key);
+        if (key >= kFirstAxis) brush.axis = Vec<3>::Unit(key - kFirstAxis);
+    });
+    // Numbers that are an axis are still numbers.
+    m_direction->setCurrentIndex(index);
+    m_numbersRow->setVisible(m_brush.now().along == StiffAlong::Axis);
 }
 
-QString PaintPanel::selectedGroup() const {
-    const QListWidgetItem* item = m_list->currentItem();
-    return item ? item->data(Qt::UserRole).toString() : QString();
-}
-
-void PaintPanel::changeGroup() {
-    emit paintChanged(paint());
-    const MaterialPaint now = paint();
-    Document& document = m_session.document();
-    if (document.dimension() != 3 || selectedGroup().isEmpty() || (!now.phi && !now.stiffness)) return;
-    document.change(tr("Change region"),
-                    withGroupPaint(*document.project(), selectedGroup().toStdString(), now, m_ownAxes),
-                    QStringLiteral("region ") + selectedGroup());
-}
-
-void PaintPanel::showGroup() {
-    m_remove->setEnabled(!selectedGroup().isEmpty());
-    if (selectedGroup().isEmpty() || m_session.document().dimension() != 3) return;
-    for (const RegionGroup& group : regionGroups(*m_session.document().project())) {
-        if (group.name != selectedGroup().toStdString()) continue;
-        m_hasPhi->setChecked(group.paint.phi.has_value());
-        if (group.paint.phi) m_phi->setPhi(*group.paint.phi);
-        m_stiffness->put(group.paint.stiffness ? group.paint.stiffness->ratio : 1);
-        m_ownAxes = !group.oneAxis;
-        if (group.axis) showAxis(*group.axis);
-    }
-    emit alongChanged(along());
-    emit paintChanged(paint());
-}
-
-void PaintPanel::showRegions() {
-    if (m_session.document().dimension() != 3) return;
-    const QString chosen = selectedGroup();
-    const QSignalBlocker quiet(m_list);
-    m_list->clear();
-    for (const RegionGroup& group : regionGroups(*m_session.document().project())) {
-        const QString name = QString::fromStdString(group.name);
-        auto* item = new QListWidgetItem(name.isEmpty() ? tr("Unnamed") : name, m_list);
-        item->setData(Qt::UserRole, name);
-        if (name == chosen) m_list->setCurrentItem(item);
-    }
-    m_list->setVisible(m_list->count() > 0);
-    m_remove->setVisible(m_list->count() > 0);
-    m_remove->setEnabled(!selectedGroup().isEmpty());
+void PaintPanel::showBrush() {
+    const BrushSettings& brush = m_brush.now();
+    m_targets->button(static_cast<int>(brush.target))->setChecked(true);
+    m_pages->setCurrentIndex(brush.target == BrushTarget::Keep ? 0 : 1);
+    m_phi->setPhi(brush.phi);
+    m_ratio->put(brush.ratio);
+    if (!m_numbersRow->isAncestorOf(focusWidget()) || brush.along != StiffAlong::Axis)
+        m_direction->setCurrentIndex(m_direction->findData(keyOf(brush)));
+    for (int k = 0; k < 3; ++k) m_numbers[k]->put(brush.axis[k]);
+    m_numbersRow->setVisible(brush.along == StiffAlong::Axis);
+    const auto show = [](NumberBox* box, double value) {
+        const QSignalBlocker quiet(box);
+        box->setValue(value);
+    };
+    show(m_amount, 100 * brush.amount);
+    show(m_size, 2 * brush.radius);
+    show(m_hardness, 100 * brush.hardness);
 }
 
 }  // namespace wend

@@ -3,53 +3,50 @@
 #include <QWidget>
 #include <array>
 
-#include "app/document/material_edits.h"
+#include "app/session/brush.h"
 #include "app/session/shape_session.h"
 
-class QCheckBox;
+class QButtonGroup;
 class QComboBox;
-class QListWidget;
-class QToolButton;
+class QStackedWidget;
 
 namespace wend {
 
 class EnergySlider;
 class ExactBox;
+class NumberBox;
 
-/// What the brush paints into a solid, and the regions that are there: a click on one shows its values, which
-/// then can be changed, or removes it.
+/// What the brush does to a picture or a solid: what it changes, to what, and its tip.
 class PaintPanel : public QWidget {
     Q_OBJECT
 
   public:
-    explicit PaintPanel(ShapeSession& session, QWidget* parent = nullptr);
-    MaterialPaint paint() const;
-    StiffAlong along() const;
-
-  signals:
-    void paintChanged(const wend::MaterialPaint& paint);
-    void alongChanged(wend::StiffAlong along);
+    PaintPanel(ShapeSession& session, Brush& brush, QWidget* parent = nullptr);
 
   private:
     void makeControls();
+    void makeTip();
     void arrange();
-    void showRegions();
-    void showGroup();
-    void changeGroup();
-    void chooseAxis(int index);
-    void showAxis(const Vec<3>& axis);
-    Vec<3> axis() const;
-    QString selectedGroup() const;
+    QWidget* stiffPage();
+    void connectControls();
+    void setDimension(int dimension);
+    void fillDirections();
+    void chooseDirection(int index);
+    void showBrush();
+    template <class Change>
+    void change(const Change& change);
 
     ShapeSession& m_session;
-    QCheckBox* m_hasPhi;
+    Brush& m_brush;
+    int m_dimension = 0;
+    QButtonGroup* m_targets;
+    QStackedWidget* m_pages;
     EnergySlider* m_phi;
-    ExactBox* m_stiffness;
-    QComboBox* m_axis;
+    ExactBox* m_ratio;
+    QComboBox* m_direction;
+    QWidget* m_numbersRow;
     std::array<ExactBox*, 3> m_numbers;
-    bool m_ownAxes = false;  // the chosen group's regions are stiff along directions of their own
-    QListWidget* m_list;
-    QToolButton* m_remove;
+    NumberBox *m_amount, *m_size, *m_hardness;
 };
 
 }  // namespace wend

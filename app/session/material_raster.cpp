@@ -1,15 +1,12 @@
+#include "app/session/material_raster.h"
+
+#include <Eigen/Eigenvalues>
+
 #include "app/session/scene.h"
 #include "core/mesh/error.h"
 
 namespace wend {
 namespace {
-
-/// B₀ = I + (s − 1) a aᵀ (method.md, Field and energy).
-template <int Dim>
-Mat<Dim> stiff(const Stiffness<Dim>& stiffness) {
-    const Vec<Dim> a = stiffness.axis.stableNormalized();
-    return Mat<Dim>::Identity() + (stiffness.ratio - 1) * a * a.transpose();
-}
 
 template <int Dim>
 Vec<Dim> centroid(const SimplicialMesh<Dim>& mesh, int cell) {
@@ -39,17 +36,43 @@ MaterialSpec<Dim> withCells(MaterialSpec<Dim> spec, const std::string& folder, i
     return spec;
 }
 
+/// True if a ball and its soft edge end before p: most cells, of most strokes.
+template <int Dim>
+bool endsBefore(const MaterialRegion<Dim>& region, const Vec<Dim>& p) {
+    const auto* ball = std::get_if<Ball<Dim>>(&region.shape);
+    if (!ball) return false;
+    const double reach = (1 + 1e-9) * (ball->radius + region.feather / 2);  // membership() rounds
+    return (p - ball->centre).squaredNorm() > reach * reach;
+}
+
+}  // namespace
+
+/// B₀ = I + (s − 1) a aᵀ (method.md, Field and energy).
+template <int Dim>
+Mat<Dim> anisotropyOf(const Stiffness<Dim>& stiffness) {
+    const Vec<Dim> a = stiffness.axis.stableNormalized();
+    return Mat<Dim>::Identity() + (stiffness.ratio - 1) * a * a.transpose();
+}
+
+template <int Dim>
+Stiffness<Dim> stiffnessOf(const Mat<Dim>& B) {
+    const Eigen::SelfAdjointEigenSolver<Mat<Dim>> axes(B);
+    return {axes.eigenvectors().col(Dim - 1), axes.eigenvalues()[Dim - 1] / axes.eigenvalues()[0]};
+}
+
 template <int Dim>
 void layRegion(const MaterialRegion<Dim>& region, const SimplicialMesh<Dim>& rest, Material<Dim>& material) {
-    const Mat<Dim> B = region.stiffness ? stiff(*region.stiffness) : Mat<Dim>::Identity().eval();
+    const Mat<Dim> B = region.stiffness ? anisotropyOf<Dim>(*region.stiffness) : Mat<Dim>::Identity().eval();
+    if (region.stiffness && material.anisotropy.empty())
+        material.anisotropy.assign(rest.cells.size(), Mat<Dim>::Identity());
     for (int c = 0; c < rest.cellCount(); ++c) {
-        const double m = membership<Dim>(region.shape, centroid(rest, c), region.feather);
+        const Vec<Dim> centre = centroid(rest, c);
+        if (endsBefore(region, centre)) continue;
+        const double m = membership<Dim>(region.shape, centre, region.feather);
         if (region.phi) material.phi[c] += m * (*region.phi - material.phi[c]);
         if (region.stiffness) material.anisotropy[c] = (1 - m) * material.anisotropy[c] + m * B;
     }
 }
-
-}  // namespace
 
 template <int Dim>
 std::shared_ptr<const Material<Dim>> rasterizeMaterial(const MaterialSpec<Dim>& given,
@@ -61,18 +84,18 @@ std::shared_ptr<const Material<Dim>> rasterizeMaterial(const MaterialSpec<Dim>& 
     material->memory = spec.memory;
     if (!spec.cellPhi.empty()) material->phi = spec.cellPhi;
     material->anisotropy = spec.cellB;
-    for (const auto& region : spec.regions)
-        if (region.stiffness && material->anisotropy.empty())
-            material->anisotropy.assign(rest.cells.size(), Mat<Dim>::Identity());
     for (const auto& region : spec.regions) layRegion(region, rest, *material);
     return material;
 }
 
-template std::shared_ptr<const Material<2>> rasterizeMaterial<2>(const MaterialSpec<2>&,
-                                                                 const SimplicialMesh<2>&,
-                                                                 const std::string&);
-template std::shared_ptr<const Material<3>> rasterizeMaterial<3>(const MaterialSpec<3>&,
-                                                                 const SimplicialMesh<3>&,
-                                                                 const std::string&);
+#define WEND_INSTANTIATE(Dim)                                                                             \
+    template Mat<Dim> anisotropyOf<Dim>(const Stiffness<Dim>&);                                           \
+    template Stiffness<Dim> stiffnessOf<Dim>(const Mat<Dim>&);                                            \
+    template void layRegion<Dim>(const MaterialRegion<Dim>&, const SimplicialMesh<Dim>&, Material<Dim>&); \
+    template std::shared_ptr<const Material<Dim>> rasterizeMaterial<Dim>(                                 \
+        const MaterialSpec<Dim>&, const SimplicialMesh<Dim>&, const std::string&)
+WEND_INSTANTIATE(2);
+WEND_INSTANTIATE(3);
+#undef WEND_INSTANTIATE
 
 }  // namespace wend

@@ -12,9 +12,10 @@ namespace {
 
 constexpr double kFlat = 1e-6;  // of the extent: below it points lie in a plane
 
-Mat<3> edgesOf(const Points<3>& points, const Cell<3>& cell) {
-    Mat<3> edges;
-    for (int k = 0; k < 3; ++k) edges.col(k) = points.col(cell[k + 1]) - points.col(cell[0]);
+template <int Dim>
+Mat<Dim> edgesOf(const Points<Dim>& points, const Cell<Dim>& cell) {
+    Mat<Dim> edges;
+    for (int k = 0; k < Dim; ++k) edges.col(k) = points.col(cell[k + 1]) - points.col(cell[0]);
     return edges;
 }
 
@@ -36,19 +37,22 @@ SolidSize sizeWhere(const PosedFrame<3>& frame, const Points<3>& points, const s
 
 }  // namespace
 
-Location<3> locationIn(const PosedFrame<3>& frame, int cell, const Vec<3>& p) {
-    Location<3> location;
+template <int Dim>
+Location<Dim> locationIn(const PosedFrame<Dim>& frame, int cell, const Vec<Dim>& p) {
+    Location<Dim> location;
     location.cell = cell;
-    const Cell<3>& corners = frame.rest->cells[cell];
-    const Vec<3> w = edgesOf(frame.pose, corners).partialPivLu().solve(p - frame.pose.col(corners[0]));
+    const Cell<Dim>& corners = frame.rest->cells[cell];
+    const Vec<Dim> w = edgesOf<Dim>(frame.pose, corners).partialPivLu().solve(p - frame.pose.col(corners[0]));
     location.weights << 1 - w.sum(), w;
     return location;
 }
 
-Mat<3> cellRotation(const PosedFrame<3>& frame, int cell) {
-    const Cell<3>& corners = frame.rest->cells[cell];
-    const Mat<3> F = edgesOf(frame.pose, corners) * edgesOf(frame.rest->points, corners).inverse();
-    const Eigen::JacobiSVD<Mat<3>> svd(F, Eigen::ComputeFullU | Eigen::ComputeFullV);
+template <int Dim>
+Mat<Dim> cellRotation(const PosedFrame<Dim>& frame, int cell) {
+    const Cell<Dim>& corners = frame.rest->cells[cell];
+    const Mat<Dim> F =
+        edgesOf<Dim>(frame.pose, corners) * edgesOf<Dim>(frame.rest->points, corners).inverse();
+    const Eigen::JacobiSVD<Mat<Dim>> svd(F, Eigen::ComputeFullU | Eigen::ComputeFullV);
     return svd.matrixU() * svd.matrixV().transpose();
 }
 
@@ -83,6 +87,10 @@ CarryingOf<Dim> carryingBetween(const std::vector<Vec<Dim>>& rest, const std::ve
     return carrying;
 }
 
+template Location<2> locationIn<2>(const PosedFrame<2>&, int, const Vec<2>&);
+template Location<3> locationIn<3>(const PosedFrame<3>&, int, const Vec<3>&);
+template Mat<2> cellRotation<2>(const PosedFrame<2>&, int);
+template Mat<3> cellRotation<3>(const PosedFrame<3>&, int);
 template std::vector<int> verticesInside<2>(const Region<2>&, const SimplicialMesh<2>&);
 template std::vector<int> verticesInside<3>(const Region<3>&, const SimplicialMesh<3>&);
 template CarryingOf<2> carryingBetween<2>(const std::vector<Vec<2>>&, const std::vector<Vec<2>>&);

@@ -9,9 +9,11 @@
 namespace wend {
 
 /// The barycentric coordinates of a point in a cell of a pose.
-Location<3> locationIn(const PosedFrame<3>& frame, int cell, const Vec<3>& p);
+template <int Dim>
+Location<Dim> locationIn(const PosedFrame<Dim>& frame, int cell, const Vec<Dim>& p);
 /// The rotation of a cell from rest to the pose: the polar factor of its deformation gradient.
-Mat<3> cellRotation(const PosedFrame<3>& frame, int cell);
+template <int Dim>
+Mat<Dim> cellRotation(const PosedFrame<Dim>& frame, int cell);
 
 /// The vertices of the rest mesh that a region holds, increasing.
 template <int Dim>

@@ -74,7 +74,8 @@ void AreaTool::press(const QMouseEvent& event) {
     m_active = hit.cell >= 0 && frame;
     if (!m_active) return;
     m_centre = hit.point;
-    m_restCentre = positionOf<3>(locationIn(*frame, hit.cell, hit.point), *frame->rest, frame->rest->points);
+    m_restCentre =
+        positionOf<3>(locationIn<3>(*frame, hit.cell, hit.point), *frame->rest, frame->rest->points);
     m_turn = cellRotation(*frame, hit.cell);
 }
 

@@ -48,7 +48,7 @@ void MeasureTool::press(const QMouseEvent& event) {
         const Vec<3> vertex = frame->pose.col(hit.vertex);
         const bool near = QLineF(surface().toWidget(vertex), event.position()).length() <= kSnap;
         const bool snaps = near || event.modifiers() & Qt::ControlModifier;
-        m_points.push_back(locationIn(*frame, hit.cell, snaps ? vertex : hit.point));
+        m_points.push_back(locationIn<3>(*frame, hit.cell, snaps ? vertex : hit.point));
     }
     surface().redraw();
 }

@@ -2,65 +2,235 @@
 
 #include <QCoreApplication>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
+#include "app/session/energy_stops.h"
+#include "app/session/material_raster.h"
 #include "app/session/solid_places.h"
+#include "app/tools/brush_paint.h"
 #include "core/mesh/segments.h"
 
 namespace wend {
 
-QString PaintTool::hint() const {
-    return QCoreApplication::translate(
-        "PaintTool",
-        "Paint the material chosen on the right; [ and ] change the size, Esc gives up the stroke");
+namespace {
+
+constexpr double kStiff = 1.01;  // less is as everywhere
+
+QString said(const char* text) {
+    return QCoreApplication::translate("PaintTool", text);
+}
+
+template <int Dim>
+Vec<Dim> centroidOf(const SimplicialMesh<Dim>& mesh, int cell) {
+    Vec<Dim> sum = Vec<Dim>::Zero();
+    for (const int v : mesh.cells[cell]) sum += mesh.points.col(v) / (Dim + 1);
+    return sum;
+}
+
+template <int Dim>
+Mat<Dim> anisotropyAt(const Material<Dim>& material, int cell) {
+    return material.anisotropy.empty() ? Mat<Dim>(Mat<Dim>::Identity()) : material.anisotropy[cell];
+}
+
+}  // namespace
+
+template <int Dim>
+QString PaintTool<Dim>::hint() const {
+    return brush().now().target == BrushTarget::Direction
+               ? said(QT_TRANSLATE_NOOP(
+                     "PaintTool",
+                     "Comb along the way in which it is to be stiff; Ctrl takes away, Shift smooths, "
+                     "Alt-click picks up, [ and ] change the size, Esc gives up the stroke"))
+               : said(QT_TRANSLATE_NOOP(
+                     "PaintTool",
+                     "Paint what is chosen on the right; Ctrl takes away, Shift smooths, Alt-click picks "
+                     "up, [ and ] change the size, Esc gives up the stroke"));
+}
+
+template <int Dim>
+QColor PaintTool<Dim>::colour() const {
+    return brushColour(brush().now(), Dim);
+}
+
+template <int Dim>
+typename PaintTool<Dim>::Deed PaintTool<Dim>::deed() const {
+    if (this->modifiers() & Qt::ControlModifier) return Deed::Erase;
+    return this->modifiers() & Qt::ShiftModifier ? Deed::Smooth : Deed::Paint;
+}
+
+template <int Dim>
+void PaintTool<Dim>::press(const QMouseEvent& event) {
+    if (event.button() != Qt::LeftButton || !(event.modifiers() & Qt::AltModifier)) {
+        StrokeTool<Dim>::press(event);
+        return;
+    }
+    const auto frame = surface().shownFrame();
+    const auto touch = surface().touch(event.position());
+    if (frame && touch) pickMaterial<Dim>(*frame, touch->place.cell, brush());
+}
+
+template <int Dim>
+void PaintTool<Dim>::begin() {
+    m_frame = surface().shownFrame();
+    m_work = *m_frame->material;
+    m_laid = 0;
 }
 
 /// Directions of what is seen are carried back to rest.
-Vec<3> PaintTool::axisAt(const PosedFrame<3>& frame, const SolidHit& hit) const {
-    if (m_along == StiffAlong::View)
-        return cellRotation(frame, hit.cell).transpose() * surface().viewDirection();
-    if (m_along == StiffAlong::Way) return cellRotation(frame, hit.cell).transpose() * wayAt(hit.point);
-    return Vec<3>::Zero();
+template <int Dim>
+Vec<Dim> PaintTool<Dim>::axisAt(const PosedFrame<Dim>& frame, const Touch<Dim>& touch) const {
+    Vec<Dim> seen = Vec<Dim>::Zero();
+    if constexpr (Dim == 3)
+        if (brush().now().along == StiffAlong::View) seen = surface().viewDirection();
+    if (brush().now().along == StiffAlong::Way) seen = wayAt(touch.point);
+    return cellRotation<Dim>(frame, touch.place.cell).transpose() * seen;
 }
 
 /// The direction of the selected handle's way where it comes nearest; zero without one.
-Vec<3> PaintTool::wayAt(const Vec<3>& p) const {
-    const auto& selected = session().selection().handles();
-    if (selected.size() != 1) return Vec<3>::Zero();
-    const auto starts = session().pathStarts<3>(selected.front());
-    if (starts.empty()) return Vec<3>::Zero();
-    const auto& handle = session().document().design<3>().handles[selected.front()];
-    const auto way = pinPaths<3>(handle, {meanOf<3>(starts)}).front().points;
-    Vec<3> along = Vec<3>::Zero();
+template <int Dim>
+Vec<Dim> PaintTool<Dim>::wayAt(const Vec<Dim>& p) const {
+    const int selected = session().singleHandle();
+    if (selected < 0) return Vec<Dim>::Zero();
+    const auto starts = session().template pathStarts<Dim>(selected);
+    if (starts.empty()) return Vec<Dim>::Zero();
+    const auto& handle = session().document().template design<Dim>().handles[selected];
+    const auto way = pinPaths<Dim>(handle, {meanOf<Dim>(starts)}).front().points;
+    Vec<Dim> along = Vec<Dim>::Zero();
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 1; i < way.size(); ++i) {
-        const double d = distanceToSegment<3>(p, way[i - 1], way[i]);
+        const double d = distanceToSegment<Dim>(p, way[i - 1], way[i]);
         if (d < nearest && way[i] != way[i - 1]) nearest = d, along = (way[i] - way[i - 1]).normalized();
     }
     return along;
 }
 
 /// Along the stroke: from the ball before to the one behind, at rest.
-std::vector<Vec<3>> PaintTool::axes(const std::vector<Dab>& dabs) const {
-    std::vector<Vec<3>> axes;
-    for (std::size_t i = 0; i < dabs.size(); ++i) {
-        const std::size_t before = i > 0 ? i - 1 : 0, behind = std::min(i + 1, dabs.size() - 1);
-        axes.push_back(m_along == StiffAlong::Stroke ? Vec<3>(dabs[behind].rest - dabs[before].rest)
-                                                     : dabs[i].axis);
-    }
-    return axes;
+template <int Dim>
+Vec<Dim> PaintTool<Dim>::directionOf(const std::vector<Dab>& dabs, std::size_t i) const {
+    const StiffAlong along = brush().now().along;
+    if (along == StiffAlong::Axis) return brush().now().axis.template head<Dim>();
+    if (along != StiffAlong::Stroke && along != StiffAlong::AsItIs) return dabs[i].axis;
+    const std::size_t before = i > 0 ? i - 1 : 0, behind = std::min(i + 1, dabs.size() - 1);
+    return dabs[behind].rest - dabs[before].rest;
 }
 
-void PaintTool::take(const std::vector<Dab>& dabs, Qt::KeyboardModifiers) {
-    const auto along = axes(dabs);
-    const bool lost = m_paint.stiffness && m_along != StiffAlong::Axis &&
-                      std::all_of(along.begin(), along.end(), [](const Vec<3>& a) { return a.isZero(); });
-    if (lost)
-        emit session().notice(QCoreApplication::translate(
-            "PaintTool", "There is no direction to follow: the numbers on the right were taken."));
-    Document& document = session().document();
-    document.change(QCoreApplication::translate("PaintTool", "Paint material"),
-                    withPaint(*document.project(), ballsOf(dabs), m_paint, along));
+template <int Dim>
+Mat<Dim> PaintTool<Dim>::thereAt(const Dab& dab) const {
+    return anisotropyAt(*m_frame->material, dab.place.cell);
 }
+
+/// Within the brush; at least the one that was touched.
+template <int Dim>
+std::vector<int> PaintTool<Dim>::cellsIn(const Dab& dab) const {
+    std::vector<int> cells;
+    for (int c = 0; c < m_frame->rest->cellCount(); ++c)
+        if ((centroidOf(*m_frame->rest, c) - dab.rest).norm() <= dab.radius) cells.push_back(c);
+    if (cells.empty()) cells.push_back(dab.place.cell);
+    return cells;
+}
+
+/// Between what is there and what is painted, as far apart on the slider.
+template <int Dim>
+double PaintTool<Dim>::phiFor(const Dab& dab) const {
+    const BrushSettings& now = brush().now();
+    const auto stopAt = [this](int cell) { return stopOfPhi(m_frame->material->phi[cell], Dim); };
+    double phi = now.phi;
+    if (deed() == Deed::Erase) phi = session().document().template design<Dim>().material.phi;
+    if (deed() == Deed::Smooth) {
+        const auto cells = cellsIn(dab);
+        double sum = 0;
+        for (const int c : cells) sum += stopAt(c);
+        phi = phiAtStop(sum / static_cast<double>(cells.size()), Dim);
+    }
+    if (now.amount == 1) return phi;
+    const double there = stopAt(dab.place.cell);
+    return phiAtStop(there + now.amount * (stopOfPhi(phi, Dim) - there), Dim);
+}
+
+template <int Dim>
+Stiffness<Dim> PaintTool<Dim>::stiffnessFor(const std::vector<Dab>& dabs, std::size_t i) const {
+    const BrushSettings& now = brush().now();
+    const Mat<Dim> B = thereAt(dabs[i]);
+    const Stiffness<Dim> there = stiffnessOf<Dim>(B);
+    const bool isStiff = there.ratio > kStiff;
+    Mat<Dim> aim = Mat<Dim>::Identity();
+    if (deed() == Deed::Smooth) {
+        const auto cells = cellsIn(dabs[i]);
+        aim.setZero();
+        for (const int c : cells)
+            aim += anisotropyAt(*m_frame->material, c) / static_cast<double>(cells.size());
+    }
+    if (deed() == Deed::Paint) {
+        Stiffness<Dim> own{directionOf(dabs, i), now.ratio};
+        if (own.axis.isZero()) own.axis = now.axis.template head<Dim>();
+        if (own.axis.isZero()) own.axis = Vec<Dim>::UnitX();
+        if (now.target == BrushTarget::Direction) own.ratio = std::max(own.ratio, there.ratio);
+        if (now.target == BrushTarget::Stiffness && now.along == StiffAlong::AsItIs && isStiff)
+            own.axis = there.axis;
+        own.axis.normalize();
+        if (now.amount == 1) return own;
+        aim = anisotropyOf<Dim>(own);
+    }
+    return stiffnessOf<Dim>((1 - now.amount) * B + now.amount * aim);
+}
+
+template <int Dim>
+MaterialRegion<Dim> PaintTool<Dim>::regionOf(const std::vector<Dab>& dabs, std::size_t i) const {
+    MaterialRegion<Dim> region{{}, this->ballOf(dabs[i]), this->featherOf(dabs[i]), {}, {}};
+    if (brush().now().target == BrushTarget::Keep)
+        region.phi = phiFor(dabs[i]);
+    else
+        region.stiffness = stiffnessFor(dabs, i);
+    return region;
+}
+
+/// A ball's direction is known when the next one is there: the last is laid on what is settled each time.
+template <int Dim>
+void PaintTool<Dim>::follow(const std::vector<Dab>& dabs) {
+    for (; m_laid + 1 < dabs.size(); ++m_laid) layRegion<Dim>(regionOf(dabs, m_laid), *m_frame->rest, m_work);
+    auto shown = std::make_shared<Material<Dim>>(m_work);
+    layRegion<Dim>(regionOf(dabs, dabs.size() - 1), *m_frame->rest, *shown);
+    surface().showMaterial(shown);
+}
+
+/// What the group of the stroke is called: "Rigid", "Stiff" …
+template <int Dim>
+QString PaintTool<Dim>::kind() const {
+    if (deed() == Deed::Erase) return said(QT_TRANSLATE_NOOP("PaintTool", "Erased"));
+    if (deed() == Deed::Smooth) return said(QT_TRANSLATE_NOOP("PaintTool", "Smoothed"));
+    return brushKind(brush().now(), Dim);
+}
+
+template <int Dim>
+QString PaintTool<Dim>::title() const {
+    const QString where = shortName(session().document().displayName());
+    if (deed() == Deed::Erase)
+        return QCoreApplication::translate("PaintTool", "Take paint off %1").arg(where);
+    if (deed() == Deed::Smooth) return QCoreApplication::translate("PaintTool", "Smooth %1").arg(where);
+    if (brush().now().target == BrushTarget::Direction)
+        return QCoreApplication::translate("PaintTool", "Comb %1").arg(where);
+    return QCoreApplication::translate("PaintTool", "Paint %1 on %2").arg(kind(), where);
+}
+
+template <int Dim>
+void PaintTool<Dim>::take(const std::vector<Dab>& dabs) {
+    const bool lost = brush().now().target != BrushTarget::Keep && deed() == Deed::Paint &&
+                      brush().now().along != StiffAlong::AsItIs && directionOf(dabs, 0).isZero();
+    if (lost)
+        emit session().notice(said(QT_TRANSLATE_NOOP(
+            "PaintTool", "There is no direction to follow: the numbers on the right were taken.")));
+    std::vector<MaterialRegion<Dim>> regions;
+    for (std::size_t i = 0; i < dabs.size(); ++i) regions.push_back(regionOf(dabs, i));
+    auto painted = std::make_shared<Material<Dim>>(m_work);
+    for (std::size_t i = m_laid; i < dabs.size(); ++i) layRegion<Dim>(regions[i], *m_frame->rest, *painted);
+    surface().showMaterial(painted, true);
+    Document& document = session().document();
+    document.change(title(), withRegions<Dim>(*document.project(), kind().toStdString(), regions));
+    m_frame.reset();
+}
+
+template class PaintTool<2>;
+template class PaintTool<3>;
 
 }  // namespace wend

@@ -1,31 +1,53 @@
 #pragma once
 
-#include "app/document/material_edits.h"
+#include "app/document/project.h"
 #include "app/tools/stroke_tool.h"
 
 namespace wend {
 
-/// Paints the material: a stroke over the surface lays soft balls with the chosen φ and stiffness into the
-/// solid, as one group of regions and one undo step.
-class PaintTool : public StrokeTool {
+/// Paints the material: a stroke lays soft balls with the brush's φ, stiffness or direction into the shape,
+/// as one group of regions and one undo step. Ctrl takes away, Shift smooths, Alt-click picks up what is
+/// there. What is painted is seen at once; the motion follows.
+template <int Dim>
+class PaintTool : public StrokeTool<Dim> {
   public:
-    explicit PaintTool(SolidSurface& surface) : StrokeTool(surface, QColor(0xd4, 0x7a, 0x1e)) {}
-
-    void setColour(const MaterialPaint& paint) { m_paint = paint; }
-    void setAlong(StiffAlong along) { m_along = along; }
+    using StrokeTool<Dim>::StrokeTool;
 
     QString hint() const override;
+    void press(const QMouseEvent& event) override;
 
   protected:
-    Vec<3> axisAt(const PosedFrame<3>& frame, const SolidHit& hit) const override;
-    void take(const std::vector<Dab>& dabs, Qt::KeyboardModifiers modifiers) override;
+    using typename StrokeTool<Dim>::Dab;
+    void begin() override;
+    Vec<Dim> axisAt(const PosedFrame<Dim>& frame, const Touch<Dim>& touch) const override;
+    void follow(const std::vector<Dab>& dabs) override;
+    void take(const std::vector<Dab>& dabs) override;
+    QColor colour() const override;
+    void paintStroke(QPainter&, const std::vector<Dab>&) const override {}  // the view shows it
+
+    using StrokeTool<Dim>::brush;
+    using StrokeTool<Dim>::session;
+    using StrokeTool<Dim>::surface;
 
   private:
-    std::vector<Vec<3>> axes(const std::vector<Dab>& dabs) const;
-    Vec<3> wayAt(const Vec<3>& p) const;
+    enum class Deed { Paint, Erase, Smooth };
+    Deed deed() const;
+    Vec<Dim> wayAt(const Vec<Dim>& p) const;
+    MaterialRegion<Dim> regionOf(const std::vector<Dab>& dabs, std::size_t i) const;
+    double phiFor(const Dab& dab) const;
+    Stiffness<Dim> stiffnessFor(const std::vector<Dab>& dabs, std::size_t i) const;
+    Vec<Dim> directionOf(const std::vector<Dab>& dabs, std::size_t i) const;
+    Mat<Dim> thereAt(const Dab& dab) const;
+    std::vector<int> cellsIn(const Dab& dab) const;
+    QString kind() const;
+    QString title() const;
 
-    MaterialPaint m_paint;
-    StiffAlong m_along = StiffAlong::Axis;
+    PosedPtr<Dim> m_frame;   // when the stroke began, with its material
+    Material<Dim> m_work;    // with as much of the stroke as is settled …
+    std::size_t m_laid = 0;  // … so many balls
 };
+
+extern template class PaintTool<2>;
+extern template class PaintTool<3>;
 
 }  // namespace wend

@@ -14,18 +14,20 @@ QString SizeTool::hint() const {
         "Paint finer or coarser cells; Ctrl the other way round, [ and ] change the size, Esc gives up");
 }
 
-void SizeTool::take(const std::vector<Dab>& dabs, Qt::KeyboardModifiers modifiers) {
-    const double factor = modifiers & Qt::ControlModifier ? 1 / m_factor : m_factor;
+void SizeTool::take(const std::vector<Dab>& dabs) {
+    const double factor = modifiers() & Qt::ControlModifier ? 1 / m_factor : m_factor;
+    std::vector<Ball<3>> balls;
+    for (const Dab& one : dabs) balls.push_back(ballOf(one));
     Document& document = session().document();
     document.change(factor < 1   ? QCoreApplication::translate("SizeTool", "Paint finer cells")
                     : factor > 1 ? QCoreApplication::translate("SizeTool", "Paint coarser cells")
                                  : QCoreApplication::translate("SizeTool", "Paint plain cells"),
-                    withSizeStroke(*document.project(), ballsOf(dabs), factor));
+                    withSizeStroke(*document.project(), balls, factor));
 }
 
 /// Where they are now; of many balls one circle each.
 void SizeTool::paint(QPainter& painter) const {
-    StrokeTool::paint(painter);
+    StrokeTool<3>::paint(painter);
     const auto frame = session().frame<3>();
     if (!frame) return;
     painter.setPen(QPen(QColor(0x2a, 0x8a, 0x7a), 1.5, Qt::DashLine));

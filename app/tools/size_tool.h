@@ -6,9 +6,9 @@ namespace wend {
 
 /// Paints how fine the mesh is: a stroke makes the edges under it longer or shorter by a factor, with Ctrl
 /// the other way round. Draws the regions that the panel has chosen.
-class SizeTool : public StrokeTool {
+class SizeTool : public StrokeTool<3> {
   public:
-    explicit SizeTool(SolidSurface& surface) : StrokeTool(surface, QColor(0x2a, 0x8a, 0x7a)) {}
+    using StrokeTool::StrokeTool;
 
     void setFactor(double factor) { m_factor = factor; }
     void setShown(const std::vector<Region<3>>& regions) { m_shown = regions; }
@@ -17,7 +17,8 @@ class SizeTool : public StrokeTool {
     void paint(QPainter& painter) const override;
 
   protected:
-    void take(const std::vector<Dab>& dabs, Qt::KeyboardModifiers modifiers) override;
+    void take(const std::vector<Dab>& dabs) override;
+    QColor colour() const override { return QColor(0x2a, 0x8a, 0x7a); }
 
   private:
     double m_factor = 0.5;

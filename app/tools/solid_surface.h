@@ -5,7 +5,7 @@
 #include <functional>
 #include <optional>
 
-#include "app/session/shape_session.h"
+#include "app/tools/shape_surface.h"
 #include "app/tools/tool.h"
 
 namespace wend {
@@ -28,14 +28,9 @@ struct VertexMark {
 };
 
 /// The view of a solid as tools see it.
-class SolidSurface {
+class SolidSurface : public ShapeSurface<3> {
   public:
-    virtual ~SolidSurface() = default;
-    virtual ShapeSession& session() = 0;
     virtual Ray ray(const QPointF& widget) const = 0;
-    virtual QPointF toWidget(const Vec<3>& p) const = 0;
-    /// World length of a pixel at a point.
-    virtual double pixelSize(const Vec<3>& at) const = 0;
     virtual Vec<3> viewDirection() const = 0;
     /// What is drawn nearest under a pixel, cell −1 if nothing is.
     virtual SolidHit pick(const QPointF& widget) const = 0;
@@ -49,7 +44,6 @@ class SolidSurface {
     virtual std::optional<Vec<3>> placeOf(int cell) const = 0;
     /// Of vertices that no cut has taken away.
     virtual std::vector<VertexMark> marksOf(const std::vector<int>& vertices) const = 0;
-    virtual void redraw() = 0;
 };
 
 /// Where the screen's plane through a point is under the pointer.

@@ -8,86 +8,155 @@ namespace wend {
 
 namespace {
 
-constexpr double kSpacing = 0.6;       // of the radius
-constexpr double kLargestBrush = 300;  // pixels
+constexpr double kSpacing = 0.3;  // of the radius
+constexpr double kHardnessStep = 0.1;
+
+QChar textOf(const QKeyEvent& key) {
+    return key.text().isEmpty() ? QChar() : key.text().front();
+}
 
 }  // namespace
 
-/// A ball around the rest place of what is under the pointer, unless it is close to the one before.
-void StrokeTool::dab() {
-    const SolidHit hit = surface().pick(m_at);
-    const auto frame = session().frame<3>();
-    if (hit.cell < 0 || !frame) return;
-    Dab next{locationIn(*frame, hit.cell, hit.point), Vec<3>::Zero(),
-             m_radius * surface().pixelSize(hit.point), axisAt(*frame, hit)};
-    next.rest = positionOf<3>(next.place, *frame->rest, frame->rest->points);
+template <int Dim>
+Ball<Dim> StrokeTool<Dim>::ballOf(const Dab& dab) const {
+    return {dab.rest, dab.radius * (1 + m_brush.now().hardness) / 2};
+}
+
+template <int Dim>
+double StrokeTool<Dim>::featherOf(const Dab& dab) const {
+    return dab.radius * (1 - m_brush.now().hardness);
+}
+
+/// A ball around the rest place of what is there, unless it is close to one before.
+template <int Dim>
+void StrokeTool<Dim>::dab(const QPointF& at) {
+    const auto frame = session().template frame<Dim>();
+    const auto touch = surface().touch(at);
+    if (!frame || !touch) return;
+    Dab next{touch->place, positionOf<Dim>(touch->place, *frame->rest, frame->rest->points),
+             m_brush.now().radius * surface().pixelSize(touch->point), axisAt(*frame, *touch)};
     const bool near = std::any_of(m_dabs.begin(), m_dabs.end(), [&](const Dab& other) {
         return (other.rest - next.rest).norm() < kSpacing * next.radius;
     });
     if (!near) m_dabs.push_back(next);
 }
 
-std::vector<Ball<3>> StrokeTool::ballsOf(const std::vector<Dab>& dabs) {
-    std::vector<Ball<3>> balls;
-    balls.reserve(dabs.size());
-    for (const Dab& one : dabs) balls.push_back({one.rest, one.radius});
-    return balls;
+/// The pointer comes in leaps, the stroke has no gaps.
+template <int Dim>
+void StrokeTool<Dim>::dabsTo(const QPointF& at) {
+    const auto frame = session().template frame<Dim>();
+    if (!frame || frame->shape != m_mesh) {
+        cancel();
+        return;
+    }
+    const std::size_t before = m_dabs.size();
+    const double leap = QLineF(m_last, at).length();
+    const int steps = std::max(1, static_cast<int>(leap / (0.5 * kSpacing * m_brush.now().radius)));
+    for (int i = 1; i <= steps; ++i) dab(m_last + (at - m_last) * i / steps);
+    m_last = at;
+    if (m_dabs.size() > before) follow(m_dabs);
 }
 
-void StrokeTool::press(const QMouseEvent& event) {
-    m_at = event.position();
-    m_over = true;
-    m_active = true;
+template <int Dim>
+void StrokeTool<Dim>::press(const QMouseEvent& event) {
+    const auto frame = session().template frame<Dim>();
+    if (event.button() != Qt::LeftButton || !frame) return;
+    m_at = m_last = event.position();
+    m_over = m_active = true;
+    m_modifiers = event.modifiers();
+    m_mesh = frame->shape;
     m_dabs.clear();
-    dab();
+    begin();
+    dabsTo(m_at);
     surface().redraw();
 }
 
-void StrokeTool::move(const QMouseEvent& event) {
+template <int Dim>
+void StrokeTool<Dim>::move(const QMouseEvent& event) {
     m_at = event.position();
     m_over = true;
-    if (m_active) dab();
+    if (m_active)
+        dabsTo(m_at);
+    else
+        m_modifiers = event.modifiers();
     surface().redraw();
 }
 
-void StrokeTool::release(const QMouseEvent& event) {
-    if (!std::exchange(m_active, false) || m_dabs.empty()) return;
-    take(std::exchange(m_dabs, {}), event.modifiers());
+template <int Dim>
+void StrokeTool<Dim>::release(const QMouseEvent& event) {
+    if (event.button() != Qt::LeftButton || !std::exchange(m_active, false) || m_dabs.empty()) return;
+    take(std::exchange(m_dabs, {}));
+    surface().redraw();
 }
 
-bool StrokeTool::key(const QKeyEvent& event) {
+template <int Dim>
+bool StrokeTool<Dim>::key(const QKeyEvent& event) {
     if (event.key() == Qt::Key_Escape && m_active) {
         cancel();
         surface().redraw();
         return true;
     }
-    const auto radius = brushAfter(event, m_radius, kLargestBrush);
-    if (!radius) return false;
-    m_radius = *radius;
+    BrushSettings next = m_brush.now();
+    const QChar text = textOf(event);
+    const bool shift = event.modifiers() & Qt::ShiftModifier;
+    const bool down = text == '[' || text == '{', up = text == ']' || text == '}';
+    if (!up && !down) return false;
+    if (shift || text == '{' || text == '}')
+        next.hardness += up ? kHardnessStep : -kHardnessStep;
+    else
+        next.radius *= up ? 1.25 : 0.8;
+    m_brush.set(next);
     surface().redraw();
     return true;
 }
 
-void StrokeTool::cancel() {
-    m_active = false;
+template <int Dim>
+void StrokeTool<Dim>::cancel() {
+    if (std::exchange(m_active, false)) surface().showMaterial(nullptr);
     m_dabs.clear();
 }
 
-void StrokeTool::paint(QPainter& painter) const {
-    QColor fill = m_colour;
-    fill.setAlpha(60);
-    painter.setPen(QPen(m_colour, 1.5));
-    painter.setBrush(Qt::NoBrush);
-    if (m_over || m_active) painter.drawEllipse(m_at, m_radius, m_radius);
-    const auto frame = session().frame<3>();
+/// Circles around what has been touched.
+template <int Dim>
+void StrokeTool<Dim>::paintStroke(QPainter& painter, const std::vector<Dab>& dabs) const {
+    const auto frame = session().template frame<Dim>();
     if (!frame) return;
+    QColor fill = colour();
+    fill.setAlpha(60);
     painter.setPen(Qt::NoPen);
     painter.setBrush(fill);
-    for (const Dab& one : m_dabs) {
-        const Vec<3> p = positionOf<3>(one.place, *frame->rest, frame->pose);
-        const double r = one.radius / surface().pixelSize(p);
+    for (const Dab& one : dabs) {
+        const Vec<Dim> p = positionOf<Dim>(one.place, *frame->rest, frame->pose);
+        const double r = ballOf(one).radius / surface().pixelSize(p);
         painter.drawEllipse(surface().toWidget(p), r, r);
     }
 }
+
+/// The brush: the whole of it, how far it is hard, and what it does.
+template <int Dim>
+void StrokeTool<Dim>::paint(QPainter& painter) const {
+    paintStroke(painter, m_dabs);
+    if (!m_over && !m_active) return;
+    const double radius = m_brush.now().radius, hard = m_brush.now().hardness * radius;
+    const auto ring = [&](double r, const QPen& pen) {
+        painter.setPen(pen);
+        painter.drawEllipse(m_at, r, r);
+    };
+    painter.setBrush(Qt::NoBrush);
+    ring(radius, QPen(QColor(255, 255, 255, 217), 3.5));
+    ring(radius, QPen(colour(), 1.75));
+    if (hard > 3 && hard < radius - 3) {
+        ring(hard, QPen(QColor(255, 255, 255, 150), 2));
+        ring(hard, QPen(QColor(0x14, 0x16, 0x1e, 190), 1, Qt::DashLine));
+    }
+    const QString sign = m_modifiers & Qt::ControlModifier ? QStringLiteral("−")
+                         : m_modifiers & Qt::ShiftModifier ? QStringLiteral("~")
+                                                           : QString();
+    painter.setPen(QColor(0x14, 0x16, 0x1e));
+    painter.drawText(QRectF(m_at - QPointF(10, 10), QSizeF(20, 20)), Qt::AlignCenter, sign);
+}
+
+template class StrokeTool<2>;
+template class StrokeTool<3>;
 
 }  // namespace wend

@@ -2,15 +2,17 @@
 
 #include <QColor>
 
-#include "app/tools/solid_surface.h"
+#include "app/session/brush.h"
+#include "app/tools/shape_tool.h"
 
 namespace wend {
 
-/// A brush over a solid: lays balls around the rest places of what is under the pointer. `[` and `]` change
-/// its size, Esc gives up the stroke.
-class StrokeTool : public SolidTool {
+/// A brush over a picture or a solid: lays balls around the rest places of what is under the pointer. `[` and
+/// `]` change its size, with Shift its hardness; Esc gives up the stroke.
+template <int Dim>
+class StrokeTool : public ShapeTool<Dim> {
   public:
-    StrokeTool(SolidSurface& surface, const QColor& colour) : SolidTool(surface), m_colour(colour) {}
+    StrokeTool(SurfaceOf<Dim>& view, Brush& tip) : ShapeTool<Dim>(view), m_brush(tip) {}
 
     QCursor cursor() const override { return Qt::CrossCursor; }
     void press(const QMouseEvent& event) override;
@@ -23,26 +25,48 @@ class StrokeTool : public SolidTool {
 
   protected:
     struct Dab {
-        Location<3> place;
-        Vec<3> rest;
-        double radius;  // in the domain's units
-        Vec<3> axis;    // see axisAt()
+        Location<Dim> place;
+        Vec<Dim> rest;
+        double radius;  // of the whole brush, in the domain's units
+        Vec<Dim> axis;  // see axisAt()
     };
+    /// Half of the soft edge is within this ball, half beyond it.
+    Ball<Dim> ballOf(const Dab& dab) const;
+    double featherOf(const Dab& dab) const;
+
+    /// A stroke begins.
+    virtual void begin() {}
     /// A direction at rest that a ball brings along; zero without one.
-    virtual Vec<3> axisAt(const PosedFrame<3>&, const SolidHit&) const { return Vec<3>::Zero(); }
+    virtual Vec<Dim> axisAt(const PosedFrame<Dim>&, const Touch<Dim>&) const { return Vec<Dim>::Zero(); }
+    /// A stroke has grown.
+    virtual void follow(const std::vector<Dab>&) {}
     /// A stroke is complete; it has at least one ball.
-    virtual void take(const std::vector<Dab>& dabs, Qt::KeyboardModifiers modifiers) = 0;
-    static std::vector<Ball<3>> ballsOf(const std::vector<Dab>& dabs);
+    virtual void take(const std::vector<Dab>& dabs) = 0;
+    virtual QColor colour() const = 0;
+    /// What has been painted so far.
+    virtual void paintStroke(QPainter& painter, const std::vector<Dab>& dabs) const;
+
+    Brush& brush() const { return m_brush; }
+    /// Those that the stroke began with; beside one, those that are held.
+    Qt::KeyboardModifiers modifiers() const { return m_modifiers; }
+    using ShapeTool<Dim>::surface;
+    using ShapeTool<Dim>::session;
 
   private:
-    void dab();
+    void dab(const QPointF& at);
+    void dabsTo(const QPointF& at);
 
-    QColor m_colour;
+    Brush& m_brush;
     bool m_active = false;
-    double m_radius = 30;  // pixels
-    QPointF m_at;
     bool m_over = false;  // the pointer is over the view
+    QPointF m_at;         // of the pointer
+    QPointF m_last;       // where the stroke has come to
+    Qt::KeyboardModifiers m_modifiers;
+    std::shared_ptr<const void> m_mesh;  // that the stroke began on: its balls are places of this one
     std::vector<Dab> m_dabs;
 };
+
+extern template class StrokeTool<2>;
+extern template class StrokeTool<3>;
 
 }  // namespace wend

@@ -53,6 +53,7 @@ ShapeCanvas::ShapeCanvas(ShapeSession& session, QWidget* parent) : QWidget(paren
     connect(&m_session.document(), &Document::opened, this, &ShapeCanvas::takeOpened);
     connect(&m_session, &ShapeSession::frameChanged, this, &ShapeCanvas::takeFrame);
     connect(&m_session, &ShapeSession::pinsChanged, this, qOverload<>(&QWidget::update));
+    connect(&m_session.document(), &Document::projectChanged, this, [this] { m_preview.takeProject(); });
 }
 
 void ShapeCanvas::setTool(Tool* tool) {
@@ -63,8 +64,23 @@ void ShapeCanvas::setTool(Tool* tool) {
 }
 
 bool ShapeCanvas::isSettled() const {
-    return m_drawn && !m_refine.isActive() && m_drawn->request.filter == Filter::Ewa &&
-           m_drawn->request.frame == m_session.frame() && m_drawn->request.view == m_view;
+    return m_drawn && !m_refine.isActive() && m_drawn->request.filter == Filter::Ewa && m_session.frame() &&
+           m_drawn->request.frame == drawnFrame() && m_drawn->request.view == m_view;
+}
+
+std::optional<Touch<2>> ShapeCanvas::touch(const QPointF& widget) const {
+    const auto frame = m_session.frame<2>();
+    if (!frame) return {};
+    if (m_located != frame) m_locator.emplace(frame->pose, frame->rest->cells);
+    m_located = frame;
+    const Vec<2> p = toShape(widget);
+    const auto place = m_locator->find(p);
+    return place ? std::optional(Touch<2>{*place, p}) : std::nullopt;
+}
+
+void ShapeCanvas::showMaterial(std::shared_ptr<const Material<2>> painted, bool lasts) {
+    m_preview.set(m_session.frame<2>(), std::move(painted), lasts);
+    render();
 }
 
 void ShapeCanvas::takeOpened() {
@@ -105,7 +121,7 @@ void ShapeCanvas::takeTexture(const PosedFrame<2>& frame) {
 }
 
 PosedPtr<2> ShapeCanvas::drawnFrame() const {
-    const auto frame = m_session.frame<2>();
+    const auto frame = shownFrame();
     return frame ? frame : m_unbent;
 }
 
@@ -148,6 +164,7 @@ RenderRequest ShapeCanvas::request(Filter filter) const {
     request.map = isShape && m_map && !m_hidden;
     request.measure = m_measure;
     request.range = m_range;
+    if (request.map) request.plain = plainValue(m_session, m_measure);
     request.fill = Theme::of(palette()).dark ? QColor(0x5b6070) : QColor(0xbfc6dd);
     request.line = QColor(24, 28, 44);
     return request;
@@ -253,7 +270,8 @@ void ShapeCanvas::paintEvent(QPaintEvent*) {
     paintShape(painter);
     painter.setRenderHint(QPainter::Antialiasing);
     if (const auto frame = m_session.frame<2>(); !m_hidden && frame) {
-        if (m_map) overlay.worst(*frame, worstOf(frame->distortion, m_measure).cell);
+        if (m_map && isDistortion(m_measure))
+            overlay.worst(*frame, worstOf(frame->distortion, m_measure).cell);
         overlay.paths(m_session, m_hovered);
         overlay.pins(m_session, m_hovered);
         if (m_tool) m_tool->paint(painter);

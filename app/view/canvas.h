@@ -3,7 +3,7 @@
 #include <QTimer>
 #include <QWidget>
 
-#include "app/tools/tool.h"
+#include "app/session/material_preview.h"
 #include "app/tools/tool_surface.h"
 #include "app/view/render_thread.h"
 
@@ -30,6 +30,10 @@ class ShapeCanvas : public QWidget, public ToolSurface {
     ShapeSession& session() override { return m_session; }
     Vec<2> toShape(const QPointF& widget) const override { return m_view.toShape(widget); }
     QPointF toWidget(const Vec<2>& shape) const override { return m_view.toWidget(shape); }
+    double pixelSize(const Vec<2>&) const override { return 1 / m_view.zoom(); }
+    std::optional<Touch<2>> touch(const QPointF& widget) const override;
+    PosedPtr<2> shownFrame() const override { return m_preview.over(m_session.frame<2>()); }
+    void showMaterial(std::shared_ptr<const Material<2>> painted, bool lasts) override;
     void setMarquee(const QRectF& rectangle) override;
     void setHovered(int handle) override;
     void redraw() override { update(); }
@@ -85,6 +89,9 @@ class ShapeCanvas : public QWidget, public ToolSurface {
     std::shared_ptr<const Image> m_source;  // the document's picture, or that of a file's mesh
     std::shared_ptr<const ScreenPicture> m_picture;
     PosedPtr<2> m_unbent;  // the picture as it is, before the first mesh
+    MaterialPreview<2> m_preview;
+    mutable std::optional<PointLocator<2>> m_locator;
+    mutable PosedPtr<2> m_located;  // whose pose the locator is for
     ViewTransform m_view;
     std::shared_ptr<const RenderResult> m_drawn;
     QTimer m_refine;  // draws at full quality once nothing has moved for a while

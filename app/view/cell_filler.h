@@ -7,7 +7,7 @@
 
 namespace wend {
 
-/// Fills triangles in one colour each, without smooth borders: every pixel whose centre a triangle covers, so
+/// Fills triangles, without smooth borders: every pixel whose centre a triangle covers, so
 /// that neighbours share none. QPainter makes a path of each triangle, which takes several times as long.
 class CellFiller {
   public:
@@ -17,6 +17,10 @@ class CellFiller {
 
     /// Over what is there. The colour is not premultiplied.
     void fill(const Cell<2>& cell, QRgb colour);
+    /// The same in colours of the corners (red, green, blue, alpha, premultiplied, from 0 to 255) and what
+    /// lies between them.
+    using Colour = Eigen::Array4d;
+    void fill(const Cell<2>& cell, const std::array<Colour, 3>& colours);
 
   private:
     QRgb* m_first;

@@ -3,7 +3,6 @@
 #include <QAction>
 #include <optional>
 
-#include "app/document/material_edits.h"
 #include "app/panels/distortion_panel.h"
 
 namespace wend {
@@ -14,10 +13,6 @@ class PaintMap {
   public:
     PaintMap(DistortionPanel& panel, QAction& showMap) : m_panel(panel), m_showMap(showMap) {}
     void show(Measure wanted);
-    /// What shows this paint.
-    static Measure measureOf(const MaterialPaint& paint) {
-        return paint.stiffness ? Measure::Stiffness : Measure::Phi;
-    }
     void end();
 
   private:

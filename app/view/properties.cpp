@@ -12,6 +12,7 @@
 #include "app/panels/flow_panel.h"
 #include "app/panels/folding_section.h"
 #include "app/panels/handle_panel.h"
+#include "app/panels/layer_panel.h"
 #include "app/panels/material_panel.h"
 #include "app/panels/measure_panel.h"
 #include "app/panels/mesh_panel.h"
@@ -44,7 +45,8 @@ Properties::Properties(ShapeSession& session, const Toolbox& tools, const Action
       m_distortion(new DistortionPanel(session)),
       m_cut(new CutPanel),
       m_measure(new MeasurePanel(session)),
-      m_paint(new PaintPanel(session)),
+      m_paint(new PaintPanel(session, m_brush)),
+      m_layers(new LayerPanel(session)),
       m_sizes(new SizePanel(session)),
       m_surface(new SurfacePanel),
       m_pins(new PinList(session)),
@@ -82,7 +84,8 @@ void Properties::fill(ShapeSession& session, const Actions& actions) {
     put(m_surface, {.modes = Modes::all(), .flat = false});
     put(m_mesh, {.modes = Mode::Mesh});
     put(m_sizes, {.modes = Mode::Mesh, .flat = false, .tool = "sizes"});
-    put(m_paint, {.modes = Mode::Paint, .flat = false});
+    put(m_paint, {.modes = Mode::Paint});
+    put(m_layers, {.modes = Mode::Paint});
     put(m_pins, {.modes = Mode::Pins});
     put(selectionArea(session), {.modes = posing});
     put(new FlowPanel(session), {.modes = Mode::Animate});

@@ -3,6 +3,7 @@
 #include <QWidget>
 #include <vector>
 
+#include "app/session/brush.h"
 #include "app/session/shape_session.h"
 #include "app/view/mode.h"
 
@@ -16,6 +17,7 @@ class Actions;
 class CutPanel;
 class DistortionPanel;
 class FoldingSection;
+class LayerPanel;
 class MaterialPanel;
 class MeasurePanel;
 class MeshPanel;
@@ -39,7 +41,8 @@ class Properties : public QWidget {
     DistortionPanel& distortion() { return *m_distortion; }
     CutPanel& cut() { return *m_cut; }
     MeasurePanel& measure() { return *m_measure; }
-    PaintPanel& paint() { return *m_paint; }
+    Brush& brush() { return m_brush; }
+    LayerPanel& layers() { return *m_layers; }
     SizePanel& sizes() { return *m_sizes; }
     SurfacePanel& surface() { return *m_surface; }
     PinList& pins() { return *m_pins; }
@@ -73,7 +76,9 @@ class Properties : public QWidget {
     DistortionPanel* m_distortion;
     CutPanel* m_cut;
     MeasurePanel* m_measure;
+    Brush m_brush;
     PaintPanel* m_paint;
+    LayerPanel* m_layers;
     SizePanel* m_sizes;
     SurfacePanel* m_surface;
     PinList* m_pins;

@@ -41,22 +41,58 @@ QImage warped(const RenderRequest& request, std::stop_token stop) {
     return request.picture->warped(restOf(request), poseOf(request), view, options);
 }
 
-constexpr double kMapOpacity = 0.82;  // over a picture
+constexpr double kMapOpacity = 0.82;    // over a picture
+constexpr double kPaintOpacity = 0.55;  // of what is painted on it
+constexpr double kFullPaint = 0.03;     // so far in the range from what is plain
 
 QTransform toPixels(const RenderRequest& request) {
     return request.view.matrix() * QTransform::fromScale(request.ratio, request.ratio);
 }
 
+int alphaAt(const RenderRequest& request, double position) {
+    if (!request.picture) return 255;
+    if (!request.plain) return static_cast<int>(std::lround(255 * kMapOpacity));
+    const double from = std::abs(position - positionIn(request.range, request.measure, *request.plain));
+    return static_cast<int>(std::lround(255 * kPaintOpacity * std::min(1.0, from / kFullPaint)));
+}
+
+bool isPainted(Measure measure) {
+    return measure == Measure::Phi || measure == Measure::Stiffness;
+}
+
+/// What is painted has soft edges: corners have the mean colour of their cells.
+template <class ColourOf>
+void fillSoftly(CellFiller& filler, const SimplicialMesh<2>& rest, const ColourOf& colourOf) {
+    using Colour = CellFiller::Colour;
+    std::vector<Colour> sums(static_cast<std::size_t>(rest.vertexCount()), Colour::Zero());
+    std::vector<double> weights(sums.size(), 0);
+    for (std::size_t c = 0; c < rest.cells.size(); ++c) {
+        const QRgb own = qPremultiply(colourOf(c));
+        const double weight = std::abs(cellMeasure<2>(rest.points, rest.cells[c]));
+        for (const int v : rest.cells[c]) {
+            sums[v] += weight * Colour(qRed(own), qGreen(own), qBlue(own), qAlpha(own));
+            weights[v] += weight;
+        }
+    }
+    for (std::size_t v = 0; v < sums.size(); ++v)
+        if (weights[v] > 0) sums[v] /= weights[v];
+    for (const Cell<2>& cell : rest.cells) filler.fill(cell, {sums[cell[0]], sums[cell[1]], sums[cell[2]]});
+}
+
 void fillCells(QImage& image, const RenderRequest& request) {
     const PosedFrame<2>& frame = *request.frame;
-    const int alpha = request.picture ? static_cast<int>(std::lround(255 * kMapOpacity)) : 255;
-    const auto& values = valuesOf(frame.distortion, request.measure);
+    const auto values = request.map ? cellValues<2>(frame, request.measure) : std::vector<double>();
     const auto colourOf = [&](std::size_t c) {
-        const QRgb colour = colourAt(request.measure, positionIn(request.range, request.measure, values[c]));
-        return qRgba(qRed(colour), qGreen(colour), qBlue(colour), alpha);
+        const double position = positionIn(request.range, request.measure, values[c]);
+        const QRgb colour = colourAt(request.measure, position);
+        return qRgba(qRed(colour), qGreen(colour), qBlue(colour), alphaAt(request, position));
     };
     image.convertTo(QImage::Format_ARGB32_Premultiplied);
     CellFiller filler(image, frame.pose, toPixels(request));
+    if (request.map && isPainted(request.measure)) {
+        fillSoftly(filler, *frame.rest, colourOf);
+        return;
+    }
     for (std::size_t c = 0; c < frame.rest->cells.size(); ++c)
         filler.fill(frame.rest->cells[c], request.map ? colourOf(c) : request.fill.rgba());
 }

@@ -29,7 +29,8 @@ struct RenderRequest {
     bool map = false;
     Measure measure = Measure::Length;
     MeasureRange range;
-    QColor fill, line;  // of the mesh and, without a picture, of the shape
+    std::optional<double> plain;  // of the map: where it has this value the picture is not coloured
+    QColor fill, line;            // of the mesh and, without a picture, of the shape
 };
 
 struct RenderResult {

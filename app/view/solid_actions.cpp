@@ -28,7 +28,6 @@ void SolidActions::takeTools(const Toolbox& tools) {
                                      {&ball, "ball"},
                                      {&box, "block"},
                                      {&half, "side"},
-                                     {&paint, "paint"},
                                      {&sizes, "sizes"},
                                      {&measure, "measure"}})
         *action = tools.action(QString::fromLatin1(id));

@@ -18,7 +18,7 @@ class SolidActions : public ActionMaker {
     SolidActions(Toolbox& tools, QObject* parent);
 
     // of the tools, those that something else here speaks of
-    QAction *rectangle, *lasso, *brush, *ball, *box, *half, *paint, *sizes, *measure;
+    QAction *rectangle, *lasso, *brush, *ball, *box, *half, *sizes, *measure;
     QAction *move, *turn, *grow;
     QAction *through, *holdBeyond;
     QAction *selectRectangle, *selectLasso, *selectBrush;

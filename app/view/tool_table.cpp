@@ -1,6 +1,5 @@
 #include "app/view/tool_table.h"
 
-#include "app/panels/paint_panel.h"
 #include "app/panels/size_panel.h"
 #include "app/tools/area_tool.h"
 #include "app/tools/hold_tool.h"
@@ -9,7 +8,6 @@
 #include "app/tools/pin_tool.h"
 #include "app/tools/size_tool.h"
 #include "app/tools/solid_pin_tool.h"
-#include "app/view/paint_map.h"
 #include "app/view/solid_actions.h"
 
 namespace wend {
@@ -55,19 +53,16 @@ std::unique_ptr<SolidTool> area(Workbench& on) {
     return tool;
 }
 
-std::unique_ptr<SolidTool> paintBrush(Workbench& on) {
-    auto brush = std::make_unique<PaintTool>(*on.solid);
-    brush->setColour(on.paint.paint());
-    brush->setAlong(on.paint.along());
-    QObject::connect(&on.paint, &PaintPanel::paintChanged, &on.paint,
-                     [tool = brush.get()](const MaterialPaint& paint) { tool->setColour(paint); });
-    QObject::connect(&on.paint, &PaintPanel::alongChanged, &on.paint,
-                     [tool = brush.get()](StiffAlong along) { tool->setAlong(along); });
-    return brush;
+std::unique_ptr<Tool> paint(Workbench& on) {
+    return std::make_unique<PaintTool<2>>(on.picture, on.brush);
+}
+
+std::unique_ptr<SolidTool> solidPaint(Workbench& on) {
+    return std::make_unique<PaintTool<3>>(*on.solid, on.brush);
 }
 
 std::unique_ptr<SolidTool> sizeBrush(Workbench& on) {
-    auto brush = std::make_unique<SizeTool>(*on.solid);
+    auto brush = std::make_unique<SizeTool>(*on.solid, on.brush);
     QObject::connect(&on.sizes, &SizePanel::brushChanged, &on.sizes,
                      [tool = brush.get()](double factor) { tool->setFactor(factor); });
     QObject::connect(&on.sizes, &SizePanel::chosen, &on.sizes,
@@ -91,7 +86,7 @@ QList<QAction*> through(const SolidActions& a) {
 }
 
 Measure painted(const Workbench& on) {
-    return PaintMap::measureOf(on.paint.paint());
+    return on.brush.now().target == BrushTarget::Keep ? Measure::Phi : Measure::Stiffness;
 }
 
 Measure sizes(const Workbench&) {
@@ -186,9 +181,20 @@ const std::vector<ToolKind>& toolTable() {
          sizeBrush,
          nullptr,
          sizes},
-        {"paint", "brush", QT_TRANSLATE_NOOP("Tools", "Paint &Material"),
-         QT_TRANSLATE_NOOP("Tools", "Brush another stiffness and energy into the solid"), "B; A", Mode::Paint,
-         Mode::Paint, nullptr, paintBrush, nullptr, painted},
+        {"paint", "brush", QT_TRANSLATE_NOOP("Tools", "&Paint"),
+         QT_TRANSLATE_NOOP("Tools", "Paint what is kept, or how stiff it is"), "B; A", Mode::Paint,
+         Mode::Paint, paint, solidPaint, nullptr, painted},
+        {"comb",
+         "comb",
+         QT_TRANSLATE_NOOP("Tools", "&Comb"),
+         QT_TRANSLATE_NOOP("Tools", "Comb the direction along which it is stiff"),
+         "N",
+         Mode::Paint,
+         {},
+         paint,
+         solidPaint,
+         nullptr,
+         painted},
         {"measure",
          "measure",
          QT_TRANSLATE_NOOP("Tools", "M&easure"),

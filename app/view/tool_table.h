@@ -13,8 +13,8 @@
 
 namespace wend {
 
+class Brush;
 class Manipulator;
-class PaintPanel;
 class SizePanel;
 class SolidActions;
 
@@ -23,7 +23,7 @@ struct Workbench {
     ToolSurface& picture;
     Manipulator& manipulator;
     const SolidActions& actions;
-    PaintPanel& paint;
+    Brush& brush;
     SizePanel& sizes;
     std::function<void()> toSelect;  // a part was taken hold of, and is there to be moved
     SolidSurface* solid = nullptr;   // none before the first solid

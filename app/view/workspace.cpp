@@ -1,6 +1,5 @@
 #include "app/view/workspace.h"
 
-#include "app/panels/paint_panel.h"
 #include "app/view/actions.h"
 #include "app/view/canvas.h"
 #include "app/view/properties.h"
@@ -16,11 +15,11 @@ Workspace::Workspace(const Parts& parts)
       m_bench{parts.picture,
               parts.solids.manipulator(),
               parts.solids.actions(),
-              parts.properties.paint(),
+              parts.properties.brush(),
               parts.properties.sizes(),
               [select = parts.actions.selectTool] { select->trigger(); }} {
     connect(&m_parts.tools, &Toolbox::changed, this, &Workspace::show);
-    connect(&m_parts.properties.paint(), &PaintPanel::paintChanged, this, &Workspace::showMap);
+    connect(&m_bench.brush, &Brush::changed, this, &Workspace::takeBrush);
     show();
 }
 
@@ -45,12 +44,30 @@ void Workspace::show() {
     const ToolKind* kind = m_parts.tools.current();
     SolidCanvas* solid = m_parts.solids.canvas();
     m_bench.solid = solid;
+    takeTool();
     if (kind && m_parts.tools.dimension() == 3 && solid) {
         solid->setTool(solidTool(*kind));
         solid->setValuesShown(m_parts.tools.isChosen("measure"));
     } else if (kind && m_parts.tools.dimension() == 2) {
         m_parts.picture.setTool(pictureTool(*kind));
     }
+    showMap();
+}
+
+/// The comb is the brush that changes directions.
+void Workspace::takeTool() {
+    BrushSettings brush = m_bench.brush.now();
+    if (m_parts.tools.isChosen("comb")) brush.target = BrushTarget::Direction;
+    if (m_parts.tools.isChosen("paint")) brush.target = m_painted;
+    m_bench.brush.set(brush);
+}
+
+void Workspace::takeBrush() {
+    const BrushTarget target = m_bench.brush.now().target;
+    const bool combs = target == BrushTarget::Direction;
+    if (!combs) m_painted = target;
+    if (m_parts.tools.isChosen(combs ? "paint" : "comb"))
+        m_parts.tools.action(combs ? QStringLiteral("comb") : QStringLiteral("paint"))->trigger();
     showMap();
 }
 

@@ -3,6 +3,7 @@
 #include <QObject>
 #include <map>
 
+#include "app/session/brush.h"
 #include "app/view/paint_map.h"
 #include "app/view/tool_table.h"
 
@@ -37,11 +38,14 @@ class Workspace : public QObject {
     Tool* tool() const;
     void show();
     void showMap();
+    void takeTool();
+    void takeBrush();
     Tool* pictureTool(const ToolKind& kind);
     SolidTool* solidTool(const ToolKind& kind);
 
     Parts m_parts;
     PaintMap m_map;
+    BrushTarget m_painted = BrushTarget::Keep;  // by the brush, rather than by the comb
     Workbench m_bench;
     std::map<const ToolKind*, std::unique_ptr<Tool>> m_pictureTools;
     std::map<const ToolKind*, std::unique_ptr<SolidTool>> m_solidTools;

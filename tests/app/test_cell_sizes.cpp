@@ -225,7 +225,7 @@ void TestCellSizes::mapOfSizesWhilePainting() {
     QVERIFY(!map->isChecked());
     m_f->actions().sizes->trigger();
     QVERIFY(map->isChecked() && maps.measure() == Measure::CellSize);
-    m_f->actions().paint->trigger();
+    m_f->tool("paint")->trigger();
     QVERIFY(map->isChecked() && maps.measure() == Measure::Phi && !panel().isVisible());
     m_f->window().actions().pinTool->trigger();
     QVERIFY(!map->isChecked() && maps.measure() == before);

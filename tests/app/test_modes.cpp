@@ -99,7 +99,7 @@ void TestModes::stepsHaveTheirToolsAndPanels() {
         QCOMPARE(shows<PinList>(), mode == Mode::Pins);
         QCOMPARE(shows<ExportPanel>(), mode == Mode::Export);
         QCOMPARE(shows<DistortionPanel>(), mode != Mode::Export);
-        if (solid) QCOMPARE(shows<PaintPanel>(), mode == Mode::Paint);
+        QCOMPARE(shows<PaintPanel>(), mode == Mode::Paint);
         QCOMPARE(shows<CutPanel>(), solid && mode == Mode::Mesh);
     }
     if (!solid) return;
@@ -121,10 +121,8 @@ void TestModes::stepsRememberTheirTool() {
     QVERIFY(tools().isChosen("select"));
     tools().setMode(Mode::Pins);
     QVERIFY(tools().isChosen("lasso"));
-    if (solid) {
-        tools().setMode(Mode::Paint);
-        QVERIFY(tools().isChosen("paint"));
-    }
+    tools().setMode(Mode::Paint);
+    QVERIFY(tools().isChosen("paint"));
     m_f->session().document().undoStack()->setClean();
     m_f->window().actions().closeFile->trigger();
     QVERIFY(open(solid));  // another document is seen as it is
@@ -235,7 +233,7 @@ void TestModes::nothingIsBelowTheFold() {
     check(Mode::Animate, side.findChild<QWidget*>(QStringLiteral("selectionArea")));
     check(Mode::Animate, side.findChild<QWidget*>(QStringLiteral("memorySlider")));
     check(Mode::Export, side.findChild<ExportPanel*>());
-    if (solid) check(Mode::Paint, side.findChild<PaintPanel*>());
+    check(Mode::Paint, side.findChild<PaintPanel*>());
 }
 
 void TestModes::narrowWindowsKeepStepsAndExport() {

@@ -517,7 +517,7 @@ void TestSolidWindow::curvePointsAreDragged() {
 
 void TestSolidWindow::paintingChangesTheMaterial() {
     open();
-    m_window->solids().actions().paint->trigger();
+    m_window->tools().action(QStringLiteral("paint"))->trigger();
     drag(at({-1, -0.5, 0}), at({1, -0.5, 0}));
     QVERIFY(settle(session()));
     const auto groups = regionGroups(*session().document().project());

@@ -300,13 +300,15 @@ void TestSpaceAreas::velocityIsTheFieldItself() {
 }
 
 void TestSpaceAreas::stiffAlongStrokeViewAndNumbers() {
-    m_f->actions().paint->trigger();
+    m_f->tool("comb")->trigger();
     auto* panel = m_f->window().findChild<PaintPanel*>();
     QVERIFY(panel->isVisible());
     auto* direction = panel->findChild<QComboBox*>();
-    const auto boxes = panel->findChildren<QDoubleSpinBox*>();
-    QDoubleSpinBox* stiffness = boxes[0];
+    auto* stiffness = panel->findChild<QDoubleSpinBox*>(QStringLiteral("brushRatio"));
     stiffness->setValue(10);
+    QList<QDoubleSpinBox*> boxes;
+    for (auto* box : panel->findChildren<QDoubleSpinBox*>())
+        if (box->accessibleName() == PaintPanel::tr("Direction in numbers")) boxes << box;
     const auto axes = [&](std::size_t group) {
         std::vector<Vec<3>> found;
         const std::string name = regionGroups(m_f->project())[group].name;
@@ -324,16 +326,16 @@ void TestSpaceAreas::stiffAlongStrokeViewAndNumbers() {
         for (int i = 0; i < index; ++i) QTest::keyClick(direction, Qt::Key_Down);
         m_f->canvas().setFocus();
     };
-    choose(5);  // along the stroke: aslant over the front
+    choose(0);  // along the stroke: aslant over the front
     QVERIFY(stroke({-1, -0.5, -0.3}, {1, -0.5, 0.3}));
     for (const Vec<3>& axis : axes(0)) QVERIFY(std::abs(axis.dot(Vec<3>(1, 0, 0.3).normalized())) > 0.99);
-    choose(4);  // along the view
+    choose(6);  // along the view
     QVERIFY(stroke({-1, -0.5, 0.2}, {-0.5, -0.5, 0.2}));
     for (const Vec<3>& axis : axes(1)) QVERIFY(std::abs(axis.y()) > 0.999);
-    choose(3);
-    boxes[1]->setValue(0);
-    boxes[2]->setValue(3);
-    boxes[3]->setValue(4);
+    choose(5);
+    boxes[0]->setValue(0);
+    boxes[1]->setValue(3);
+    boxes[2]->setValue(4);
     QVERIFY(stroke({0.5, -0.5, -0.2}, {1, -0.5, -0.2}));
     for (const Vec<3>& axis : axes(2)) QVERIFY((axis - Vec<3>(0, 0.6, 0.8)).norm() < 1e-9);
     QVERIFY(!m_f->session().frame<3>()->material->anisotropy.empty());
@@ -341,7 +343,7 @@ void TestSpaceAreas::stiffAlongStrokeViewAndNumbers() {
     const auto before = axes(0);
     QVERIFY(before.size() > 1);
     const Project changed = withGroupPaint(m_f->project(), regionGroups(m_f->project())[0].name,
-                                           MaterialPaint{{}, Stiffness<3>{Vec<3>::UnitZ(), 3}}, true);
+                                           MaterialPaint<3>{{}, Stiffness<3>{Vec<3>::UnitZ(), 3}}, true);
     QCOMPARE(regionGroups(changed)[0].paint.stiffness->axis, before[0]);
     QCOMPARE(regionGroups(changed)[0].paint.stiffness->ratio, 3.0);
     m_f->actions().ellipsoids->setChecked(true);

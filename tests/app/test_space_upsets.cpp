@@ -6,7 +6,7 @@
 #include "app/document/material_edits.h"
 #include "app/panels/curve_panel.h"
 #include "app/panels/exact_box.h"
-#include "app/panels/paint_panel.h"
+#include "app/panels/layer_panel.h"
 #include "app/panels/region_panel.h"
 #include "app/view/curve_actions.h"
 #include "tests/support/solid_fixture.h"
@@ -90,7 +90,7 @@ void TestSpaceUpsets::anotherMeshEndsTheGesture() {
      : tool == "lasso"   ? a.lasso
      : tool == "brush"   ? a.brush
      : tool == "ball"    ? a.ball
-                         : a.paint)
+                         : m_f->tool("paint"))
         ->trigger();
     const QPoint from = m_f->at({1.9, -0.5, 0.4}), to = m_f->at({0.5, -0.5, -0.4});
     m_f->press(from);
@@ -271,10 +271,10 @@ void TestSpaceUpsets::untouchedAxesKeepTheirDigits() {
         return next;
     };
     m_f->session().document().change(QStringLiteral("Part"), regions({Stiffness<3>{axis, 5}}));
-    m_f->actions().paint->trigger();
-    auto* panel = m_f->window().findChild<PaintPanel*>();
-    panel->findChild<QListWidget*>()->setCurrentRow(0);
-    box<PaintPanel>(0)->setValue(7);
+    m_f->tool("paint")->trigger();
+    auto* panel = m_f->window().findChild<LayerPanel*>();
+    panel->list()->setCurrentRow(0);
+    box<LayerPanel>(0)->setValue(7);
     const auto stiffness = m_f->session().document().design<3>().material.regions[0].stiffness;
     QVERIFY(stiffness && stiffness->ratio == 7);
     QVERIFY(stiffness->axis == axis);

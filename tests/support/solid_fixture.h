@@ -6,7 +6,9 @@
 #include "app/view/actions.h"
 #include "app/view/canvas.h"
 #include "app/view/main_window.h"
+#include "app/view/properties.h"
 #include "app/view/solid_workshop.h"
+#include "app/view/toolbox.h"
 #include "app/view/volume/solid_canvas.h"
 #include "tests/support/surfaces.h"
 #include "tests/support/window_fixture.h"
@@ -77,6 +79,7 @@ class SolidFixture {
     MainWindow& window() { return m_window; }
     SolidCanvas& canvas() { return *m_window.solids().canvas(); }
     SolidActions& actions() { return m_window.solids().actions(); }
+    QAction* tool(const char* id) { return m_window.tools().action(QLatin1String(id)); }
     ShapeSession& session() { return m_window.session(); }
     const Project& project() { return *session().document().project(); }
     const std::vector<Handle<3>>& handles() { return session().document().design<3>().handles; }

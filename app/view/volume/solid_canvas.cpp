@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/panels/legend.h"
+#include "app/session/solid_places.h"
 #include "app/tools/solid_pin_tool.h"
 #include "app/view/volume/glyphs.h"
 #include "app/view/volume/skin_marks.h"
@@ -61,6 +62,7 @@ SolidCanvas::SolidCanvas(ShapeSession& session, QWidget* parent)
     });
     connect(&m_session, &ShapeSession::frameChanged, this, &SolidCanvas::takeFrame);
     connect(&m_session, &ShapeSession::pinsChanged, this, &SolidCanvas::redraw);
+    connect(&m_session.document(), &Document::projectChanged, this, [this] { m_preview.takeProject(); });
     connect(this, &VolumeView::cameraChanged, this, &SolidCanvas::redraw);
     takeFrame();
 }
@@ -130,6 +132,17 @@ bool SolidCanvas::showsFrame() const {
 
 SolidHit SolidCanvas::pick(const QPointF& widget) const {
     return showsFrame() ? VolumeView::pick(widget) : SolidHit{};
+}
+
+std::optional<Touch<3>> SolidCanvas::touch(const QPointF& widget) const {
+    const SolidHit hit = pick(widget);
+    if (hit.cell < 0) return {};
+    return Touch<3>{locationIn<3>(*m_session.frame<3>(), hit.cell, hit.point), hit.point};
+}
+
+void SolidCanvas::showMaterial(std::shared_ptr<const Material<3>> painted, bool lasts) {
+    m_preview.set(m_session.frame<3>(), std::move(painted), lasts);
+    refresh();
 }
 
 bool SolidCanvas::isHidden(const Vec<3>& p) const {
@@ -223,7 +236,9 @@ std::vector<QRgb> SolidCanvas::colours(const PosedFrame<3>& frame) const {
     const QRgb plain = Theme::of(palette()).dark ? kPlainDark : kPlain;
     if (!m_map || m_hidden) return std::vector<QRgb>(count, m_dimmed ? dimmed(plain) : plain);
     std::vector<QRgb> colours;
-    for (const double value : shownValues(m_session, m_measure)) {
+    const auto values =
+        m_measure == Measure::Speed ? shownValues(m_session, m_measure) : cellValues<3>(frame, m_measure);
+    for (const double value : values) {
         const QRgb colour = colourAt(m_measure, positionIn(m_range, m_measure, value));
         colours.push_back(m_dimmed ? dimmed(colour) : colour);
     }
@@ -247,7 +262,7 @@ bool SolidCanvas::meetsNewDocument() {
 
 /// A new solid is seen whole: first as it comes, then, when its motion is known, as it is shown then.
 void SolidCanvas::refresh() {
-    const auto frame = m_session.frame<3>();
+    const auto frame = shownFrame();
     m_missed = m_held;
     if (!frame) setGlyphs({});  // those of the last solid
     if (!frame || m_held) return;

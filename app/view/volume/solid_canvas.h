@@ -3,6 +3,7 @@
 #include <QTimer>
 
 #include "app/panels/colour_map.h"
+#include "app/session/material_preview.h"
 #include "app/tools/cut_tool.h"
 #include "app/view/volume/volume_view.h"
 
@@ -29,6 +30,9 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     double pixelSize(const Vec<3>& at) const override { return camera().pixelSize(size(), at); }
     Vec<3> viewDirection() const override { return camera().direction(); }
     SolidHit pick(const QPointF& widget) const override;
+    std::optional<Touch<3>> touch(const QPointF& widget) const override;
+    PosedPtr<3> shownFrame() const override { return m_preview.over(m_session.frame<3>()); }
+    void showMaterial(std::shared_ptr<const Material<3>> painted, bool lasts) override;
     std::vector<int> verticesWhere(const std::function<bool(const QPointF&)>& inside,
                                    bool visibleOnly) const override;
     bool isHidden(const Vec<3>& p) const override;
@@ -117,6 +121,7 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     SolidTool* m_active = nullptr;       // the one that has the pointer
     std::shared_ptr<const void> m_mesh;  // of the last frame
     CutTool m_cutTool;
+    MaterialPreview<3> m_preview;
     QWidget* m_overlay;
     SurfaceStyle m_style;
     QTimer m_dim;

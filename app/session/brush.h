@@ -1,0 +1,45 @@
+#pragma once
+
+#include <QObject>
+
+#include "core/energy/material.h"
+
+namespace wend {
+
+/// What a stroke changes: what is kept (φ), how stiff the shape is, or along which direction.
+enum class BrushTarget { Keep, Stiffness, Direction };
+/// Where the direction of what is painted stiff comes from: the stroke's own way, what is stiff there
+/// already, an axis of the rest shape, the direction of view, or the way of the selected pin.
+enum class StiffAlong { Stroke, AsItIs, Axis, View, Way };
+
+struct BrushSettings {
+    BrushTarget target = BrushTarget::Keep;
+    double phi = phi::kAkvf;
+    double ratio = 10;  // how many times stiffer
+    double amount = 1;  // of the way from what is there to what is painted
+    StiffAlong along = StiffAlong::Stroke;
+    Vec<3> axis = Vec<3>::UnitX();  // in the plane its first two numbers
+    double radius = 38;             // on the screen, in pixels: nothing is painted beyond it
+    double hardness = 0.6;          // the part of the radius that is painted wholly
+    bool operator==(const BrushSettings&) const = default;
+};
+
+/// The brush in the user's hand: one for all tools that paint, on pictures and on solids.
+class Brush : public QObject {
+    Q_OBJECT
+
+  public:
+    static constexpr double kSmallest = 4, kLargest = 300;  // pixels
+
+    using QObject::QObject;
+    const BrushSettings& now() const { return m_now; }
+    void set(const BrushSettings& settings);
+
+  signals:
+    void changed();
+
+  private:
+    BrushSettings m_now;
+};
+
+}  // namespace wend
