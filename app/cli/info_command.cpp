@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -9,6 +10,7 @@
 #include "app/document/project.h"
 #include "app/session/inspection.h"
 #include "app/session/output_set.h"
+#include "app/session/told_units.h"
 #include "core/mesh/error.h"
 #include "core/mesh/file_name.h"
 #include "core/mesh/printable.h"
@@ -101,6 +103,30 @@ void saveSuspects(const MeshFile& file, const MeshInspection& inspection, const 
     files.commit();
 }
 
+Json vectorOf(const Vec<3>& v) {
+    return {v[0], v[1], v[2]};
+}
+
+/// What cannot be told of this surface is left out.
+void addFacts(const SurfaceFacts& facts, Json& json) {
+    json["box"] = {{"low", vectorOf(facts.low)},
+                   {"high", vectorOf(facts.high)},
+                   {"size", vectorOf(facts.high - facts.low)}};
+    json["area"] = facts.area;
+    if (facts.genus) json["genus"] = *facts.genus;
+    json["boundaryLoops"] = facts.boundaryLoops;
+    json["edges"] = {{"count", facts.edges},
+                     {"shortest", facts.shortestEdge},
+                     {"mean", facts.meanEdge},
+                     {"longest", facts.longestEdge}};
+}
+
+/// Whether `wend mesh` fills the surface itself, or a cage around it.
+std::string fitOf(const MeshInspection& inspection) {
+    const bool exact = std::ranges::none_of(inspection.problems, &MeshProblem::fatal);
+    return exact ? "exact surface" : "cage";
+}
+
 Json meshInfo(const std::string& path, const std::string& problemsFile) {
     const MeshFile file = readMeshFile(path);
     const MeshInspection inspection = inspect(file);
@@ -114,11 +140,15 @@ Json meshInfo(const std::string& path, const std::string& problemsFile) {
     if (dimension != 2) json["triangles"] = inspection.triangles;
     json["parts"] = inspection.parts;
     json["diagonal"] = inspection.diagonal;
+    if (const std::string units = toldUnits(path); !units.empty()) json["units"] = units;
+    if (inspection.facts) addFacts(*inspection.facts, json);
     if (dimension > 0) {
         json[dimension == 2 ? "area" : "volume"] = inspection.quality.totalMeasure;
         json["quality"] = qualityInfo(inspection.quality);
     }
     if (inspection.volume > 0) json["volume"] = inspection.volume;
+    if (dimension == 0) json["fit"] = fitOf(inspection);
+    if (inspection.intersectingPairs) json["intersectingPairs"] = *inspection.intersectingPairs;
     json["uv"] = file.uv.cols() > 0;
     if (!file.fields.empty()) json["fields"] = fieldsInfo(file);
     json["problems"] = problemsInfo(inspection);

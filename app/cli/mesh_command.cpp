@@ -33,6 +33,16 @@ void readSizes(const Arguments& arguments, Domain& domain) {
     if (const auto volume = arguments.given("--max-volume")) domain.maxVolume = *volume;
 }
 
+void readCage(const Arguments& arguments, Domain& domain) {
+    const bool refined = arguments.has("--cage-detail") || arguments.has("--cage-offset");
+    if (arguments.has("--no-cage") && (arguments.has("--cage") || refined))
+        throw UsageError("--cage and --no-cage cannot both be given");
+    if (arguments.has("--cage") || refined) domain.fit = Fit::Cage;
+    if (arguments.has("--no-cage")) domain.fit = Fit::Exact;
+    if (const auto detail = arguments.given("--cage-detail")) domain.cageDetail = *detail;
+    if (const auto offset = arguments.given("--cage-offset")) domain.cageOffset = *offset;
+}
+
 void readSurfaceOptions(const Arguments& arguments, Domain& domain) {
     if (arguments.has("--vertices") && arguments.has("--max-volume"))
         throw UsageError("--vertices and --max-volume cannot both be given");
@@ -42,6 +52,7 @@ void readSurfaceOptions(const Arguments& arguments, Domain& domain) {
         throw UsageError("--largest-hole is for --repair");
     if (arguments.has("--repair")) domain.repair = true;
     if (arguments.has("--largest-hole")) domain.largestHole = arguments.integer("--largest-hole");
+    readCage(arguments, domain);
     // Named from where the command runs, not from the project.
     if (arguments.has("--sizes"))
         domain.sizesFile = std::filesystem::absolute(arguments.text("--sizes")).string();
@@ -67,9 +78,11 @@ void requireFitting(const Arguments& arguments, const Domain& domain, bool isOut
     const bool picture = domain.kind == DomainKind::Image, surface = domain.kind == DomainKind::Surface;
     if (!picture) refuse({"--edge"}, "pictures and outlines");
     if (!picture || isOutline) refuse({"--outline"}, "pictures");
-    if (!surface)
+    if (!surface) {
         refuse({"--quality", "--max-volume", "--refine-surface", "--repair", "--largest-hole", "--sizes"},
                "closed surfaces");
+        refuse({"--cage", "--no-cage", "--cage-detail", "--cage-offset"}, "surfaces");
+    }
     if (!picture && !surface) refuse({"--vertices"}, "pictures, outlines and closed surfaces");
     if (!picture || domain.outline != OutlineKind::Alpha)
         refuse({"--threshold", "--margin", "--gap", "--smallest", "--simplify"},
@@ -112,6 +125,7 @@ struct Meshed {
     MeshFile file;
     std::vector<std::string> notices;
     std::optional<MeshVerdict> verdict;
+    std::optional<CageFacts> cage;
 };
 
 Meshed meshOf(const Input& input, const std::string& path, std::stop_token stop) {
@@ -126,7 +140,7 @@ Meshed meshOf(const Input& input, const std::string& path, std::stop_token stop)
     const AnyScene any = loadScene(project, input.folder, stop);
     return std::visit(
         []<int Dim>(const Scene<Dim>& scene) {
-            return Meshed{poseFile<Dim>(scene, scene.rest->points), scene.notices, scene.verdict};
+            return Meshed{poseFile<Dim>(scene, scene.rest->points), scene.notices, scene.verdict, scene.cage};
         },
         any);
 }
@@ -137,6 +151,7 @@ void printJson(const Meshed& meshed) {
     Json json{{"vertices", file.points.cols()},
               {"cells", isVolume(file) ? file.tetrahedra.size() : file.triangles.size()},
               {"notices", meshed.notices}};
+    if (meshed.cage) json["cage"] = Json::parse(cageJson(*meshed.cage));
     if (meshed.verdict) json["quality"] = Json::parse(verdictJson(*meshed.verdict));
     print(prettyJson(json));
 }

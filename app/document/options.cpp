@@ -32,6 +32,8 @@ constexpr Range kThreads{0, 1024};
 constexpr Range kRepeats{1, 1000};
 constexpr Range kHole{0, 1e6};
 constexpr Range kFactor{0.01, 100};
+constexpr Range kDetail{0.05, 1000};
+constexpr Range kOffset{0, 10};
 constexpr Range kOpenUnit{0, 1, true, true};
 constexpr Range kUnitAboveZero{0, 1, true, false};
 
@@ -64,6 +66,18 @@ constexpr std::array kOptions{
            "orient, fill small holes"},
     Option{"domain.repair.largestHole", "--largest-hole", Integer, "30", kHole, "edges", "", "mesh",
            "the largest hole that the repair fills"},
+    Option{"domain.cage", "--cage", Flag, "", kAny, "", "", "mesh",
+           "fill a cage of even cells around the surface, which rides in it, instead of the surface itself; "
+           "without either option this is done where the exact surface cannot be meshed or has more than "
+           "eight times the vertices aimed at"},
+    Option{"", "--no-cage", Flag, "", kAny, "", "", "mesh", "the exact surface or none"},
+    Option{
+        "domain.cage.detail", "--cage-detail", Number, "", kDetail, "", "", "mesh",
+        "gaps and holes narrower than the diagonal / (20 detail) are closed by the cage; without it, those "
+        "as narrow as its cells"},
+    Option{"domain.cage.offset", "--cage-offset", Number, "1/15", kOffset, "widths", "", "mesh",
+           "how far the cage reaches beyond the surface at least, relative to the width of gaps that it "
+           "closes"},
     Option{"domain.sizes[].factor", "", Number, "1", kFactor, "", "", "",
            "length of edges in the region, relative to elsewhere"},
     Option{"domain.sizes[].values", "--sizes", File, "", kAny, "", "", "mesh",

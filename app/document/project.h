@@ -16,6 +16,9 @@ namespace wend {
 /// The project as the file describes it (shared contract): values only, no meshes or pictures.
 enum class DomainKind { Image, Mesh, Surface };
 enum class OutlineKind { Frame, Alpha, Polygons };
+/// What carries a surface: its own volume or a cage around it; `Automatic` takes the cage where the exact
+/// surface cannot be meshed or has far more vertices than are aimed at.
+enum class Fit { Automatic, Exact, Cage };
 
 /// Where cells are to be finer or coarser than elsewhere.
 struct SizeRegion {
@@ -44,6 +47,9 @@ struct Domain {
     std::string sizesFile;          // Surface: a factor per vertex, painted
     std::vector<SizeRegion> sizes;  // Surface: later ones win
     std::string detail;             // Surface, Mesh in space: a surface that rides in the solid
+    Fit fit = Fit::Automatic;       // Surface
+    double cageDetail = 0;          // Surface: see CageOptions; 0: as fine as the cells
+    double cageOffset = 1.0 / 15;   // Surface: see CageOptions
 };
 
 template <int Dim>

@@ -115,11 +115,25 @@ void readRepair(const JsonValue& value, Domain& domain) {
     object.finish();
 }
 
+/// false: the exact surface or none.
+void readCage(const JsonValue& value, Domain& domain) {
+    domain.fit = Fit::Cage;
+    if (!value.json().is_object()) {
+        if (!value.boolean()) domain.fit = Fit::Exact;
+        return;
+    }
+    JsonObject object(value);
+    if (auto detail = object.find("detail")) domain.cageDetail = detail->number("domain.cage.detail");
+    if (auto offset = object.find("offset")) domain.cageOffset = offset->number("domain.cage.offset");
+    object.finish();
+}
+
 void readSurfaceDomain(JsonObject& object, Domain& domain) {
     domain.kind = DomainKind::Surface;
     domain.path = readFileName(object.require("surface"));
     if (auto refine = object.find("refineSurface")) domain.refineSurface = refine->boolean();
     if (auto repair = object.find("repair")) readRepair(*repair, domain);
+    if (auto cage = object.find("cage")) readCage(*cage, domain);
     if (auto sizes = object.find("sizes")) readSizeField(*sizes, domain);
     if (auto quality = object.find("quality")) domain.quality = quality->number("domain.quality");
     if (auto volume = object.find("maxVolume")) domain.maxVolume = volume->number("domain.maxVolume");

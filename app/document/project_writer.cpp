@@ -99,6 +99,15 @@ Json outlineJson(const Domain& domain) {
     return json;
 }
 
+void addCage(Json& json, const Domain& domain) {
+    const Domain defaults;
+    if (domain.fit == Fit::Automatic) return;
+    Json cage = Json::object();
+    if (domain.cageDetail != defaults.cageDetail) cage["detail"] = number(domain.cageDetail);
+    if (domain.cageOffset != defaults.cageOffset) cage["offset"] = number(domain.cageOffset);
+    json["cage"] = domain.fit == Fit::Cage && !cage.empty() ? cage : Json(domain.fit == Fit::Cage);
+}
+
 void addSurfaceKeys(Json& json, const Domain& domain) {
     const Domain defaults;
     if (domain.refineSurface) json["refineSurface"] = true;
@@ -106,6 +115,7 @@ void addSurfaceKeys(Json& json, const Domain& domain) {
         json["repair"] = {{"largestHole", domain.largestHole}};
     else if (domain.repair)
         json["repair"] = true;
+    addCage(json, domain);
     if (!domain.sizesFile.empty()) json["sizes"].push_back({{"values", domain.sizesFile}});
     for (const SizeRegion& region : domain.sizes) {
         Json one = Json::object();

@@ -7,6 +7,7 @@
 #include "core/mesh/disjoint_sets.h"
 #include "core/mesh/hanging_parts.h"
 #include "core/mesh/simplicial_mesh.h"
+#include "core/mesh/skin.h"
 #include "core/mesh/used_vertices.h"
 #include "core/meshing/surface.h"
 
@@ -170,9 +171,11 @@ void inspectSurface(const MeshFile& file, MeshInspection& inspection) {
     const auto edges = cellsOfFacets<2>(file.triangles);
     inspection.parts = countParts<2>(edges, static_cast<int>(file.triangles.size()));
     const Surface surface{file.points, file.triangles, {}};
+    inspection.facts = factsOf(surface);
     const SurfaceProblems found = checkSurface(surface);
     inspection.surface = found.summary();
     inspection.suspects = found.triangles(surface);
+    if (found.notFinite.empty()) inspection.intersectingPairs = static_cast<int>(found.intersecting.size());
     if (found.boundsVolume() && found.misoriented.empty()) inspection.volume = enclosed(surface);
     const auto add = [&](const char* what, const std::vector<int>& where) {
         if (!where.empty()) inspection.problems.push_back({what, where, true});
@@ -220,9 +223,13 @@ MeshInspection inspect(const MeshFile& file) {
     MeshInspection inspection;
     inspection.vertices = static_cast<int>(file.points.cols());
     inspection.triangles = static_cast<int>(file.triangles.size());
-    if (isVolume(file))
+    if (isVolume(file)) {
         inspectPartition<3>({file.points, file.tetrahedra}, inspection);
-    else if (isPlanar(file))
+        if (std::ranges::none_of(inspection.problems, &MeshProblem::fatal)) {
+            const Skin border = borderOf({file.points, file.tetrahedra});
+            inspection.facts = factsOf({border.points, border.triangles, {}});
+        }
+    } else if (isPlanar(file))
         inspectPartition<2>({file.points.topRows<2>(), file.triangles}, inspection);
     else
         inspectSurface(file, inspection);

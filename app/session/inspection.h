@@ -6,6 +6,7 @@
 
 #include "core/mesh/mesh_file.h"
 #include "core/mesh/quality.h"
+#include "core/meshing/surface_facts.h"
 
 namespace wend {
 
@@ -26,8 +27,10 @@ struct MeshInspection {
     double diagonal = 0;     // of the bounding box
     QualitySummary quality;  // of a partition
     std::vector<MeshProblem> problems;
-    double volume = 0;          // of a surface that encloses one
-    std::string surface;        // of a surface: what is wrong with it (SurfaceProblems::summary)
+    double volume = 0;                     // of a surface that encloses one
+    std::string surface;                   // of a surface: what is wrong with it (SurfaceProblems::summary)
+    std::optional<SurfaceFacts> facts;     // of a surface, or of the border of tetrahedra
+    std::optional<int> intersectingPairs;  // of a surface; at most 10000 are counted
     std::vector<int> suspects;  // the cells, or of a surface the triangles, that have a part in a problem
 };
 

@@ -34,6 +34,7 @@ std::string reportJson(const RunFigures& figures) {
                        {"integrate", counts.integrate}, {"total", figures.total}};
     json["energy"] = counts.energy;
     json["errorEstimate"] = counts.errorEstimate > 0 ? Json(counts.errorEstimate) : Json();
+    if (figures.cage) json["cage"] = Json::parse(cageJson(*figures.cage));
     if (figures.verdict) json["quality"] = Json::parse(verdictJson(*figures.verdict));
     return prettyJson(json);
 }
@@ -44,6 +45,12 @@ std::string verdictJson(const MeshVerdict& verdict) {
                     {"worstCell", verdict.worstCell},
                     {"cellsAbove", verdict.cellsAbove},
                     {"facets", verdict.facets}};
+    return json.dump();
+}
+
+std::string cageJson(const CageFacts& cage) {
+    Json json{{"edge", cage.edge}, {"bodies", cage.bodies}, {"parts", cage.parts}, {"apart", cage.apart}};
+    if (!cage.why.empty()) json["why"] = cage.why;
     return json.dump();
 }
 

@@ -274,7 +274,8 @@ class Run {
             m_deformer.statistics(),
             m_deformer.restEnergy(),
             m_deformer.restForce(),
-            m_scene.verdict};
+            m_scene.verdict,
+            m_scene.cage};
         m_files.add(path, ".json",
                     [&](const std::string& file) { writeTextFile(file, reportJson(figures)); });
     }

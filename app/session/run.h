@@ -79,6 +79,7 @@ struct RunFigures {
     Statistics statistics;
     double restEnergy = 0, restForce = 0;     // W, and how far the shape is from settled
     std::optional<MeshVerdict> verdict = {};  // on cells that were made
+    std::optional<CageFacts> cage = {};       // if one carries the surface
 };
 std::string reportJson(const RunFigures& figures);
 /// {"asked", "got", "worstCell", "cellsAbove", "facets"} of a verdict, as text.

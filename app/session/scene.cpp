@@ -4,6 +4,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 
+#include "app/session/caged_solid.h"
 #include "app/session/mesh_rest.h"
 #include "app/session/solid.h"
 #include "core/mesh/error.h"
@@ -108,15 +109,29 @@ Scene<3> solidScene(const Project& project, const std::string& folder, std::stop
     scene.skin = std::move(solid.skin);
     scene.ride = std::move(solid.ride);
     scene.verdict = solid.verdict;
+    scene.cage = solid.cage;
     scene.notices = std::move(solid.notices);
     return scene;
+}
+
+/// Vertices by number are the surface's: in a cage, where those have none, they are the points at their
+/// places.
+std::vector<Handle<3>> handlesOn(const Scene<3>& scene, std::vector<Handle<3>> handles) {
+    if (!scene.cage) return handles;
+    for (Handle<3>& handle : handles)
+        if (const auto* vertices = std::get_if<std::vector<int>>(&handle.at))
+            handle.at = placesOf(*vertices, *scene.skin);
+    return handles;
+}
+std::vector<Handle<2>> handlesOn(const Scene<2>&, std::vector<Handle<2>> handles) {
+    return handles;
 }
 
 template <int Dim>
 AnyScene furnished(Scene<Dim> scene, const Project& project, const std::string& folder) {
     const auto& design = std::get<Design<Dim>>(project.design);
     scene.material = rasterizeMaterial<Dim>(design.material, *scene.rest, folder);
-    scene.handles = design.handles;
+    scene.handles = handlesOn(scene, design.handles);
     return scene;
 }
 

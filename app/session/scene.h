@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "app/document/project.h"
+#include "app/session/cage_facts.h"
 #include "app/session/mesh_verdict.h"
 #include "core/integration/deformer.h"
 #include "core/mesh/embedding.h"
@@ -44,6 +45,7 @@ struct Scene {
     std::shared_ptr<const Skin> skin;          // 3D only: the surface that is seen and exported …
     std::shared_ptr<const Embedding<3>> ride;  // … and what takes its points along
     std::optional<MeshVerdict> verdict;        // 3D only: on cells that were made
+    std::optional<CageFacts> cage;             // 3D only: if a cage carries the surface
     std::vector<std::string> notices;          // what the user should hear
 };
 using AnyScene = std::variant<Scene<2>, Scene<3>>;

@@ -56,7 +56,7 @@ MeshField onSkin(const Scene<3>& scene, const MeshField& field) {
     Points<3> one = Points<3>::Zero(3, scene.rest->vertexCount());
     for (int k = 0; k < field.components; ++k) {
         for (int v = 0; v < scene.rest->vertexCount(); ++v) one(0, v) = values[v * field.components + k];
-        const Points<3> there = scene.ride->carry(*scene.rest, one);
+        const Points<3> there = scene.ride->interpolate(*scene.rest, one);
         for (int v = 0; v < scene.skin->vertexCount(); ++v)
             carried.values[v * field.components + k] = there(0, v);
     }

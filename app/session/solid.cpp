@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/session/caged_solid.h"
 #include "app/session/mesh_rest.h"
 #include "core/mesh/error.h"
 #include "core/mesh/point_locator.h"
@@ -145,12 +146,10 @@ void tellOfSpares(const VolumeMesh& volume, Solid& solid) {
                                 "written without them, and so with other numbers behind them");
 }
 
-Solid fromSurface(const Domain& domain, const std::string& folder, std::stop_token stop, Advice advice) {
+Solid exactSolid(const Domain& domain, const std::shared_ptr<const Skin>& skin,
+                 const VolumeMeshOptions& options, Advice advice) {
     Solid solid;
-    auto skin = std::make_shared<Skin>(readSkin(pathIn(folder, domain.path)));
     Surface surface = surfaceOf(*skin);
-    // Painted sizes belong to the vertices as the file has them.
-    const VolumeMeshOptions options = meshOptions(domain, folder, surface, stop);
     Mending mending;
     if (domain.repair) surface = mended(surface, domain, solid, mending, advice);
     const VolumeMesh volume = meshed(surface, options, domain, mending, advice);
@@ -162,6 +161,28 @@ Solid fromSurface(const Domain& domain, const std::string& folder, std::stop_tok
     solid.source = fileOf(volume, *skin);
     solid.skin = skin;
     return solid;
+}
+
+/// The exact surface, or a cage around it: as asked for, or else where the exact one does not do.
+Solid fromSurface(const Project& project, const std::string& folder, std::stop_token stop, Advice advice) {
+    const Domain& domain = project.domain;
+    const auto skin = std::make_shared<const Skin>(readSkin(pathIn(folder, domain.path)));
+    // Painted sizes belong to the vertices as the file has them.
+    const VolumeMeshOptions options = meshOptions(domain, folder, surfaceOf(*skin), stop);
+    if (domain.fit == Fit::Cage) return cagedSolid(domain, skin, "", stop, advice);
+    if (domain.fit == Fit::Exact) return exactSolid(domain, skin, options, advice);
+    if (const std::string why = tooManyVertices(project, *skin); !why.empty())
+        return cagedSolid(domain, skin, why, stop, advice);
+    try {
+        return exactSolid(domain, skin, options, advice);
+    } catch (const MesherMissing&) {
+        throw;
+    } catch (const InputError& error) {
+        if (!canBeCaged(*skin)) throw;
+        if (liesInAPlane(*skin))
+            throw InputError(error.reason() + (advice == Advice::Keys ? "; `cage` makes a slab of it" : ""));
+        return cagedSolid(domain, skin, "it cannot be meshed as it is: " + error.reason(), stop, advice);
+    }
 }
 
 Solid fromMesh(const Domain& domain, const std::string& folder) {
@@ -193,7 +214,7 @@ Solid loadSolid(const Project& project, const std::string& folder, std::stop_tok
     const std::string path = pathIn(folder, domain.path);
     Solid solid;
     try {
-        solid = domain.kind == DomainKind::Surface ? fromSurface(domain, folder, stop, advice)
+        solid = domain.kind == DomainKind::Surface ? fromSurface(project, folder, stop, advice)
                                                    : fromMesh(domain, folder);
     } catch (const SurfaceError& error) {
         throw SurfaceError(error, path);
@@ -215,7 +236,8 @@ bool sameSolid(const Domain& a, const Domain& b) {
     return a.kind == b.kind && a.path == b.path && a.quality == b.quality && a.maxVolume == b.maxVolume &&
            a.vertices == b.vertices && a.refineSurface == b.refineSurface && a.repair == b.repair &&
            a.largestHole == b.largestHole && a.sizesFile == b.sizesFile && a.sizes == b.sizes &&
-           a.detail == b.detail;
+           a.detail == b.detail && a.fit == b.fit && a.cageDetail == b.cageDetail &&
+           a.cageOffset == b.cageOffset;
 }
 
 }  // namespace wend

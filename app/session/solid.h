@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/document/project.h"
+#include "app/session/cage_facts.h"
 #include "app/session/mesh_verdict.h"
 #include "core/mesh/embedding.h"
 #include "core/mesh/mesh_file.h"
@@ -23,6 +24,7 @@ struct Solid {
     std::shared_ptr<const Embedding<3>> ride;  // takes the skin's points along
     std::vector<std::string> notices;          // what the user should hear
     std::optional<MeshVerdict> verdict;        // on cells that were made
+    std::optional<CageFacts> cage;             // if a cage carries the surface
     bool refineHelps = false;                  // splitting the surface's triangles would help
 };
 

@@ -115,19 +115,28 @@ Embedding<Dim>::Embedding(const SimplicialMesh<Dim>& rest, const Points<Dim>& po
             m_rows.push_back(std::move(row));
         }
     }
+    m_remainders = points - interpolate(rest, rest.points);
+    // Nothing to add is −0: a coordinate of −0 keeps its sign.
+    m_remainders = (m_remainders.array() == 0).select(-0.0, m_remainders);
 }
 
 template <int Dim>
 Points<Dim> Embedding<Dim>::carry(const SimplicialMesh<Dim>& rest, const Points<Dim>& pose) const {
+    return interpolate(rest, pose) + m_remainders;
+}
+
+template <int Dim>
+Points<Dim> Embedding<Dim>::interpolate(const SimplicialMesh<Dim>& rest, const Points<Dim>& values) const {
     Points<Dim> carried(Dim, static_cast<Eigen::Index>(m_locations.size()));
     for (std::size_t i = 0; i < m_locations.size(); ++i) {
         const Cell<Dim>& cell = rest.cells[m_locations[i].cell];
         Vec<Dim> p = Vec<Dim>::Zero();
-        for (int k = 0; k <= Dim; ++k) p += m_locations[i].weights[k] * pose.col(cell[k]);
+        for (int k = 0; k <= Dim; ++k) p += m_locations[i].weights[k] * values.col(cell[k]);
         carried.col(static_cast<Eigen::Index>(i)) = p;
     }
     for (const Row& row : m_rows)
-        for (const auto& [vertex, weight] : row.weights) carried.col(row.point) += weight * pose.col(vertex);
+        for (const auto& [vertex, weight] : row.weights)
+            carried.col(row.point) += weight * values.col(vertex);
     return carried;
 }
 

@@ -15,8 +15,11 @@ class Embedding {
   public:
     Embedding(const SimplicialMesh<Dim>& rest, const Points<Dim>& points);
 
-    /// Where the points are in a pose. At rest they are where they were, to rounding.
+    /// Where the points are in a pose. At rest they are where they were, bit for bit (but for coordinates of
+    /// next to nothing).
     Points<Dim> carry(const SimplicialMesh<Dim>& rest, const Points<Dim>& pose) const;
+    /// Other values of the vertices, at the points.
+    Points<Dim> interpolate(const SimplicialMesh<Dim>& rest, const Points<Dim>& values) const;
     /// The cell that a point goes with.
     int cell(int point) const { return m_locations[static_cast<std::size_t>(point)].cell; }
     /// How many lie outside all cells.
@@ -30,6 +33,7 @@ class Embedding {
     };
     std::vector<Location<Dim>> m_locations;
     std::vector<Row> m_rows;
+    Points<Dim> m_remainders;  // what rounding leaves of the points at rest
 };
 
 }  // namespace wend

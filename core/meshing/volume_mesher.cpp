@@ -92,7 +92,7 @@ std::string reasonOf(const ChildResult& result, double timeLimit) {
     using End = ChildResult::End;
     switch (result.end) {
         case End::NotStarted:
-            return "the volume mesher wend-tetgen is missing beside the program";
+            throw MesherMissing("the volume mesher wend-tetgen is missing beside the program");
         case End::TimedOut:
         case End::Idle:
             return "the volume mesher did not finish within " + number(timeLimit) +

@@ -54,6 +54,12 @@ class SurfaceError : public InputError {
     SurfaceProblems problems;
 };
 
+/// The program that does it is not there.
+class MesherMissing : public InputError {
+  public:
+    using InputError::InputError;
+};
+
 /// The volume between the shells of a closed surface (inside where an odd number of shells encloses: a shell
 /// in a shell is a hole), by TetGen in a process of its own (wend-tetgen beside the program): it can neither
 /// crash, hang nor exit Wend. Throws SurfaceError: what is wrong with the surface (checkSurface); InputError:

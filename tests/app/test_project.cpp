@@ -254,6 +254,27 @@ class TestProject : public QObject {
         QVERIFY(toJson(parseProject(plain, "p.wend").project).find("\"repair\": true") != std::string::npos);
     }
 
+    void cageOfASurface() {
+        const auto domain = [](const std::string& cage) {
+            return parseProject(projectText("'domain': {'surface': 'bar.obj', " + cage + "'vertices': 9}"),
+                                "p.wend")
+                .project;
+        };
+        QCOMPARE(domain("").domain.fit, Fit::Automatic);
+        QCOMPARE(domain("'cage': false, ").domain.fit, Fit::Exact);
+        QCOMPARE(domain("'cage': true, ").domain.fit, Fit::Cage);
+        const Domain fine = domain("'cage': {'detail': 2.5, 'offset': 0.5}, ").domain;
+        QVERIFY(fine.fit == Fit::Cage && fine.cageDetail == 2.5 && fine.cageOffset == 0.5);
+        for (const char* cage :
+             {"", "'cage': false, ", "'cage': true, ", "'cage': {'detail': 2.5, 'offset': 0.5}, "}) {
+            const std::string once = toJson(domain(cage));
+            QCOMPARE(toJson(parseProject(once, "p.wend").project), once);
+        }
+        QVERIFY_THROWS_EXCEPTION(InputError, domain("'cage': {'detail': 0}, "));
+        QVERIFY_THROWS_EXCEPTION(InputError, domain("'cage': {'offset': -1}, "));
+        QVERIFY_THROWS_EXCEPTION(InputError, domain("'cage': 3, "));
+    }
+
     /// A mesh that cannot be opened leaves the coordinates to tell.
     void dimensionFromCoordinates() {
         const std::string head = "'domain': {'mesh': 'missing.msh'}, 'handles': [{'at': {'points':";

@@ -23,6 +23,11 @@ class TestSolid : public QObject {
     void coarseSurfaceIsTold();
     void repairIsAsked_data();
     void repairIsAsked();
+    void cageIsChosenByItself_data();
+    void cageIsChosenByItself();
+    void cageCarriesTheSurface();
+    void cageIsMadeAgainWhenItChanges();
+    void handlesByNumberKeepTheSurface();
     void sizesFollowRegionsAndPaint();
     void wrongPaintIsRefused();
     void detailRides();
@@ -96,7 +101,7 @@ void TestSolid::tetrahedraKeepOrder() {
 }
 
 void TestSolid::aimThatCannotBeMetIsTold() {
-    const Solid bar = solid("'surface': 'bar.obj', 'vertices': 20");  // the surface has more
+    const Solid bar = solid("'surface': 'bar.obj', 'vertices': 20, 'cage': false");  // it has more
     QCOMPARE(bar.notices.size(), std::size_t(1));
     QVERIFY(QString::fromStdString(bar.notices[0]).contains("where 20 were aimed at"));
 }
@@ -131,13 +136,74 @@ void TestSolid::repairIsAsked() {
     QFETCH(QString, domain);
     QFETCH(QString, reason);
     try {
-        const Solid bar = solid(domain.toStdString() + ", 'vertices': 300");
+        const Solid bar = solid(domain.toStdString() + ", 'vertices': 300, 'cage': false");
         QVERIFY(reason.isEmpty());
         QCOMPARE(bar.notices[0], std::string("the surface was mended: 1 hole filled"));
     } catch (const SurfaceError& error) {
         QVERIFY2(!reason.isEmpty() && QString(error.what()).contains(reason), error.what());
         QVERIFY(!error.problems.triangles(kBar).empty());
     }
+}
+
+void TestSolid::cageIsChosenByItself_data() {
+    QTest::addColumn<QString>("domain");
+    QTest::addColumn<QString>("why");  // empty: the exact surface is meshed
+    QTest::newRow("sound") << "'surface': 'bar.obj'"
+                           << "";
+    QTest::newRow("hole") << "'surface': 'holed.obj'"
+                          << "3 open edges";
+    QTest::newRow("crossing") << "'surface': 'crossing.obj'"
+                              << "pairs of triangles that intersect";
+    QTest::newRow("hole, repaired") << "'surface': 'holed.obj', 'repair': true"
+                                    << "";
+    QTest::newRow("far more vertices") << "'surface': 'dense.obj'"
+                                       << "where 300 were aimed at";
+}
+void TestSolid::cageIsChosenByItself() {
+    QFETCH(QString, domain);
+    QFETCH(QString, why);
+    writeMeshFile(m_base + "/dense.obj", fileOf(test::box({0, 0, 0}, {3, 1, 1}, 24)));
+    const Solid one = solid(domain.toStdString() + ", 'vertices': 300");
+    QCOMPARE(one.cage.has_value(), !why.isEmpty());
+    QVERIFY(std::abs(one.rest->vertexCount() - 300) <= 45 || why.isEmpty());
+    if (why.isEmpty()) return;
+    const QString told = QString::fromStdString(one.notices.at(0));
+    QVERIFY2(told.contains("rides in a cage of") && told.contains(why), qPrintable(told));
+    QVERIFY(QString::fromStdString(one.cage->why).contains(why));
+}
+
+/// At rest bit for bit, under affine maps to rounding; all of it inside.
+void TestSolid::cageCarriesTheSurface() {
+    for (const char* file : {"crossing.obj", "holed.obj", "fine.ply"}) {
+        const Solid one =
+            solid("'surface': '" + std::string(file) + "', 'vertices': 700, 'cage': {'detail': 2}");
+        QVERIFY(one.cage && one.cage->why.empty());
+        QCOMPARE(one.ride->outside(), 0);
+        QVERIFY(one.ride->carry(*one.rest, one.rest->points) == one.skin->points);
+        Mat<3> A;
+        A << 1, 0.2, 0, -0.3, 1.1, 0, 0.1, 0, 0.9;
+        const Points<3> carried = one.ride->carry(*one.rest, A * one.rest->points);
+        QVERIFY((carried - A * one.skin->points).cwiseAbs().maxCoeff() < 1e-12);
+        QVERIFY(one.skin->triangles == readMeshFile(m_base + "/" + file).triangles);
+    }
+}
+
+void TestSolid::cageIsMadeAgainWhenItChanges() {
+    const auto domain = [&](const std::string& cage) {
+        return project("'surface': 'bar.obj', 'vertices': 300" + cage).domain;
+    };
+    QVERIFY(sameSolid(domain(", 'cage': true"), domain(", 'cage': {}")));
+    QVERIFY(!sameSolid(domain(""), domain(", 'cage': false")));
+    QVERIFY(!sameSolid(domain(", 'cage': true"), domain(", 'cage': {'detail': 2}")));
+    QVERIFY(!sameSolid(domain(", 'cage': true"), domain(", 'cage': {'offset': 0.5}")));
+}
+
+void TestSolid::handlesByNumberKeepTheSurface() {
+    writeMeshFile(m_base + "/dense.obj", fileOf(test::box({0, 0, 0}, {3, 1, 1}, 24)));
+    const std::string text =
+        "{'format': 'wend', 'version': 1, 'domain': {'surface': 'dense.obj', 'vertices': 300}, "
+        "'handles': [{'at': {'vertices': [3000]}}]}";
+    QVERIFY(!loadSolid(parseProject(json(text), m_base + "/p.wend").project, m_base).cage);
 }
 
 void TestSolid::sizesFollowRegionsAndPaint() {

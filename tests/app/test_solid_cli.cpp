@@ -28,6 +28,7 @@ class TestSolidCli : public QObject {
     void infoOfBadSurface();
     void badSurfaces_data();
     void badSurfaces();
+    void cagedSurfaceBends();
     void cancelledMeshing();
 
   private:
@@ -132,6 +133,10 @@ void TestSolidCli::meshOptions() {
     QCOMPARE(mended.error, QString("wend: holed.off: the surface was mended: 1 hole filled\n"));
     put(path(), "paint.txt", std::string(2 * kBar.vertexCount(), ' ').replace(0, 1, "1"));
     QCOMPARE(run({"mesh", "bar.off", "--sizes", "paint.txt", "-o", "p.vtu"}).code, 3);
+    QCOMPARE(run({"mesh", "bar.off", "--cage", "--no-cage", "-o", "p.vtu"}).code, 2);
+    QCOMPARE(run({"mesh", "bar.off", "--cage-detail", "0", "-o", "p.vtu"}).code, 2);
+    succeed({"mesh", "bar.off", "--cage", "--cage-detail", "3", "--vertices", "500", "-o", "caged.vtu"});
+    QVERIFY(volumeOf(readMeshFile(file("caged.vtu"))) > 2);
     QCOMPARE(run({"mesh", "bar.off", "--largest-hole", "3", "-o", "p.vtu"}).code, 2);
     QCOMPARE(run({"mesh", "bar.off", "--vertices", "300", "--max-volume", "1", "-o", "p.vtu"}).code, 2);
     const CliResult surface = run({"mesh", "bar.off", "-o", "p.stl"});
@@ -310,12 +315,76 @@ void TestSolidCli::badSurfaces_data() {
 void TestSolidCli::badSurfaces() {
     QFETCH(QString, name);
     QFETCH(QString, reason);
-    const CliResult result = run({"mesh", name, "-o", "never.vtu"});
+    const CliResult result = run({"mesh", name, "--no-cage", "-o", "never.vtu"});
     QCOMPARE(result.code, 3);
     QVERIFY2(result.error.startsWith("wend: " + name + ": ") && result.error.count('\n') == 1,
              qPrintable(result.error));
     QVERIFY2(result.error.contains(reason), qPrintable(result.error));
     QVERIFY(!QFileInfo::exists(path() + "/never.vtu"));
+
+    const CliResult free = run({"mesh", name, "--vertices", "400", "-o", "caged.vtu", "--json"});
+    const bool isOff = name.endsWith(".off") && name != "nan.off" && name != "lies.off";
+    if (!isOff || name == "flat.off") {
+        QCOMPARE(free.code, 3);
+        QVERIFY(free.error.count('\n') == 1 && !QFileInfo::exists(path() + "/caged.vtu"));
+        return;
+    }
+    QCOMPARE(free.code, 0);
+    QVERIFY2(free.error.startsWith("wend: " + name + ": the surface rides in a cage of ") &&
+                 free.error.contains(reason),
+             qPrintable(free.error));
+    const auto told = QJsonDocument::fromJson(free.out.toUtf8());
+    QVERIFY(told["cage"]["why"].toString().contains(reason));
+    const MeshFile caged = readMeshFile(file("caged.vtu"));
+    QCOMPARE(told["vertices"].toInt(), int(caged.points.cols()));
+    QVERIFY(std::abs(caged.points.cols() - 400) <= 60);
+    QFile::remove(path() + "/caged.vtu");
+}
+
+/// Crossing boxes bend in a cage and come out with their texture points and materials.
+void TestSolidCli::cagedSurfaceBends() {
+    std::string text = readTextFile(file("bar.obj"));
+    const Surface other = test::box({1, 0.3, 0.3}, {3, 0.7, 0.7});
+    for (int v = 0; v < other.vertexCount(); ++v)
+        text += "v " + std::to_string(other.points(0, v)) + " " + std::to_string(other.points(1, v)) + " " +
+                std::to_string(other.points(2, v)) + "\n";
+    text += "g spike\nusemtl red\n";
+    for (const auto& t : other.triangles) {
+        text += "f";
+        for (int k = 0; k < 3; ++k)
+            text += " " + std::to_string(kBar.vertexCount() + t[k] + 1) + "/" + std::to_string(k + 1);
+        text += "\n";
+    }
+    put(path(), "spiked.obj", text);
+    putProject(
+        path(), "bend.wend",
+        "'domain': {'surface': 'spiked.obj', 'vertices': 600}, 'handles': [{'at': {'vertices': [0, 1, "
+        "2, 3]}}, {'at': {'region': {'box': {'min': [2.5, -1, -1], 'max': [4, 2, 2]}}}, 'motion': "
+        "[{'kind': 'rotate', 'centre': [1, 0.5, 0.5], 'axis': [0, 0, 1], 'angle': 1.5707963267948966}]}]");
+    const CliResult result = run({"run", "bend.wend", "--mesh", "bent.obj", "--report", "bend.json"});
+    QVERIFY2(result.code == 0 && result.error.contains("rides in a cage of"), qPrintable(result.error));
+    const auto lines = [](const std::string& all, const char* start) {
+        QStringList found;
+        for (const QString& line : QString::fromStdString(all).split('\n'))
+            if (line.startsWith(start)) found << line.trimmed();
+        return found;
+    };
+    const std::string bent = readTextFile(file("bent.obj"));
+    for (const char* kind : {"vt ", "f ", "usemtl ", "g "}) QCOMPARE(lines(bent, kind), lines(text, kind));
+    const QStringList before = lines(text, "v "), after = lines(bent, "v ");
+    QCOMPARE(after.size(), before.size());
+    const auto place = [](const QString& line) {
+        const QStringList words = line.split(' ', Qt::SkipEmptyParts);
+        return Vec<3>(words[1].toDouble(), words[2].toDouble(), words[3].toDouble());
+    };
+    for (int v = 0; v < 4; ++v)  // held, by the numbers that they have in the file
+        QVERIFY((place(after[v]) - place(before[v])).norm() < 1e-3);
+    // The tip turned by a right angle about (1, ½, ½).
+    const Vec<3> tip = place(before.last()), turned(1 - (tip.y() - 0.5), 0.5 + (tip.x() - 1), tip.z());
+    QVERIFY2((place(after.last()) - turned).norm() < 0.05, qPrintable(after.last()));
+    const auto report = QJsonDocument::fromJson(readTextFile(file("bend.json")).c_str());
+    QCOMPARE(report["cage"]["parts"].toInt(), 2);
+    QCOMPARE(report["flips"].toInt(), 0);
 }
 
 /// Meshing that would take hours ends at a signal, and leaves nothing behind.

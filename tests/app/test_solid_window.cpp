@@ -580,6 +580,10 @@ void TestSolidWindow::badSurfacesAreShownAndRepaired() {
     bad.write(text);
     bad.close();
     m_window->openPath(bad.fileName());
+    QVERIFY(settle(session()));  // in a cage, which is taken away now
+    Project exact = *session().document().project();
+    exact.domain.fit = Fit::Exact;
+    session().document().change(QStringLiteral("exact"), std::move(exact));
     auto* panel = m_window->findChild<SurfacePanel*>();
     QVERIFY(QTest::qWaitFor([&] { return panel->isVisible(); }, 20000));
     QVERIFY(m_window->banner().isVisible());

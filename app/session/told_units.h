@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+namespace wend {
+
+/// The unit of length that a mesh file names: in a comment of its head ("# units: mm", "comment unit inch",
+/// "UNITS=cm" in the head of an STL file). "mm", "cm", "m", "in", "ft", "µm"; empty if it names none, which
+/// is usual.
+std::string toldUnits(const std::string& path);
+
+}  // namespace wend

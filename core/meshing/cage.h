@@ -1,0 +1,36 @@
+#pragma once
+
+#include <stop_token>
+
+#include "core/mesh/simplicial_mesh.h"
+#include "core/meshing/surface.h"
+
+namespace wend {
+
+struct CageOptions {
+    int vertices = 5000;   // aim, met within 15 % where whole cubes allow it
+    double maxVolume = 0;  // > 0: greatest volume of a cell; the aim then does not count
+    double detail = 0;     // > 0: gaps and holes narrower than the diagonal / (20 detail) are closed; 0: as
+                           // narrow as the cells
+    double offset = 1.0 / 15;  // how far the cage reaches beyond the surface at least, relative to that width
+                               // or else to the cubes
+    std::stop_token stop;
+};
+
+/// A closed body of even cells around any set of triangles.
+struct Cage {
+    SimplicialMesh<3> mesh;
+    double edge = 0;     // of the cubes that the cells are made of
+    bool aimMet = true;  // false: whole cubes, or the memory for them, allow nothing nearer
+    int bodies = 0;      // that hang together by faces
+    int parts = 0;       // of the surface
+    int apart = 0;       // sets of parts that share no cube: `parts` if none moves with another
+};
+
+/// Cubes of one size that cover the surface and what it encloses (see fullCubes), each filled with
+/// tetrahedra between its middle, its neighbours' middles and the corners: all of a few shapes, none worse
+/// than a quarter of a cube. Every triangle lies inside, whether the surface is closed, crosses itself, or
+/// is a heap of loose parts. Throws InputError: no triangle, or no extent; Cancelled.
+Cage fitCage(const Surface& surface, const CageOptions& options);
+
+}  // namespace wend

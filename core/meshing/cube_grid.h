@@ -1,0 +1,105 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cstdint>
+#include <stop_token>
+#include <vector>
+
+#include "core/mesh/types.h"
+#include "core/meshing/surface.h"
+
+namespace wend {
+
+/// Equal cubes side by side around a surface: numbers, places, and which of them a triangle comes near to.
+class CubeGrid {
+  public:
+    using Place = std::array<int, 3>;
+
+    CubeGrid() = default;
+    /// Centred on the box, with `layers` of cubes beyond it on every side.
+    CubeGrid(const Eigen::AlignedBox3d& box, double edge, int layers);
+    /// How many there would be, as a number that cannot overflow.
+    static double sizeFor(const Eigen::AlignedBox3d& box, double edge, int layers);
+
+    double edge() const { return m_edge; }
+    const Place& counts() const { return m_counts; }
+    std::int64_t size() const { return stride(2) * m_counts[2]; }
+    /// How far apart the numbers of neighbours along an axis are.
+    std::int64_t stride(int axis) const {
+        std::int64_t stride = 1;
+        for (int k = 0; k < axis; ++k) stride *= m_counts[k];
+        return stride;
+    }
+    std::int64_t number(const Place& place) const {
+        return place[0] + m_counts[0] * (place[1] + static_cast<std::int64_t>(m_counts[1]) * place[2]);
+    }
+    Place place(std::int64_t number) const {
+        const auto rest = number / m_counts[0];
+        return {static_cast<int>(number % m_counts[0]), static_cast<int>(rest % m_counts[1]),
+                static_cast<int>(rest / m_counts[1])};
+    }
+    /// The lowest corner of the cube at a place.
+    Vec<3> corner(const Place& place) const { return m_low + m_edge * Vec<3>(place[0], place[1], place[2]); }
+    Vec<3> centre(const Place& place) const { return corner(place) + Vec<3>::Constant(m_edge / 2); }
+
+    using Triangle = std::array<Vec<3>, 3>;
+    /// Calls take(number) for every cube that is at most `distance` away, along the axes, from the triangle.
+    /// Large triangles are taken in pieces: a cube may be named several times.
+    template <class Take>
+    void forEachNear(const Triangle& triangle, double distance, const Take& take) const;
+
+  private:
+    int index(int axis, double coordinate) const;
+
+    double m_edge = 1;
+    Vec<3> m_low = Vec<3>::Zero();
+    Place m_counts{};
+};
+
+/// Whether the cube of half the edge `half` around the origin meets the triangle.
+bool meetsCube(const CubeGrid::Triangle& triangle, double half);
+
+/// The full cubes of a grid, in increasing order: those at most `distance` away from the surface, and those
+/// that it encloses. With a width `gap` those are what a cube of that width cannot reach from outside.
+/// Without one, what no way of cubes leads to, and what the surface faces outwards from in four of the six
+/// directions of the axes: the inside of a bust that is open below. Throws Cancelled.
+std::vector<std::int64_t> fullCubes(const CubeGrid& grid, const Surface& surface, double distance, double gap,
+                                    const std::stop_token& stop);
+
+CubeGrid::Triangle cornersOf(const Surface& surface, int triangle);
+
+template <class Take>
+void CubeGrid::forEachNear(const Triangle& triangle, double distance, const Take& take) const {
+    const Vec<3> low = triangle[0].cwiseMin(triangle[1]).cwiseMin(triangle[2]),
+                 high = triangle[0].cwiseMax(triangle[1]).cwiseMax(triangle[2]);
+    if ((high - low).maxCoeff() > 2 * m_edge) {
+        int longest = 0;  // edge, from this corner
+        for (int k = 1; k < 3; ++k)
+            if ((triangle[(k + 1) % 3] - triangle[k]).squaredNorm() >
+                (triangle[(longest + 1) % 3] - triangle[longest]).squaredNorm())
+                longest = k;
+        const int next = (longest + 1) % 3;
+        Triangle half = triangle;
+        half[next] = (triangle[longest] + triangle[next]) / 2;
+        forEachNear(half, distance, take);
+        half = triangle;
+        half[longest] = (triangle[longest] + triangle[next]) / 2;
+        return forEachNear(half, distance, take);
+    }
+    Place from, to;
+    for (int k = 0; k < 3; ++k) {
+        from[k] = index(k, low[k] - distance);
+        to[k] = index(k, high[k] + distance);
+    }
+    for (int z = from[2]; z <= to[2]; ++z)
+        for (int y = from[1]; y <= to[1]; ++y)
+            for (int x = from[0]; x <= to[0]; ++x) {
+                const Vec<3> middle = centre({x, y, z});
+                if (meetsCube({triangle[0] - middle, triangle[1] - middle, triangle[2] - middle},
+                              m_edge / 2 + distance))
+                    take(number({x, y, z}));
+            }
+}
+
+}  // namespace wend

@@ -1,0 +1,150 @@
+#include "core/meshing/surface_facts.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "core/mesh/disjoint_sets.h"
+#include "core/meshing/surface_edges.h"
+
+namespace wend {
+namespace {
+
+/// One vertex at each place, and no triangle that names one twice or repeats another.
+Surface cleaned(const Surface& surface) {
+    const std::vector<int> first = canonicalVertices(surface.points);
+    Surface clean{surface.points, {}, {}};
+    std::map<std::array<int, 3>, int> known;
+    for (auto t : surface.triangles) {
+        for (int& v : t) v = first[v];
+        auto key = t;
+        std::ranges::sort(key);
+        if (std::ranges::adjacent_find(key) == key.end() && known.emplace(key, 0).second)
+            clean.triangles.push_back(t);
+    }
+    return clean;
+}
+
+bool runsAlong(const std::array<int, 3>& t, const std::array<int, 2>& edge) {
+    for (int k = 0; k < 3; ++k)
+        if (t[k] == edge[0] && t[(k + 1) % 3] == edge[1]) return true;
+    return false;
+}
+
+/// The corners of all triangles, those that turn about one vertex being one: where fans meet in a point only,
+/// each has a vertex of its own.
+class Corners {
+  public:
+    Corners(const Surface& surface, const std::vector<SurfaceEdge>& edges)
+        : m_surface(surface), m_sets(3 * surface.triangleCount()) {
+        for (const SurfaceEdge& edge : edges)
+            if (edge.triangles.size() == 2)
+                for (const int v : edge.vertices)
+                    m_sets.join(corner(edge.triangles[0], v), corner(edge.triangles[1], v));
+    }
+    int at(int triangle, int vertex) { return m_sets.root(corner(triangle, vertex)); }
+    int count() {
+        int roots = 0;
+        for (int i = 0; i < 3 * m_surface.triangleCount(); ++i) roots += m_sets.root(i) == i;
+        return roots;
+    }
+
+  private:
+    int corner(int triangle, int vertex) const {
+        const auto& t = m_surface.triangles[triangle];
+        return 3 * triangle + static_cast<int>(std::ranges::find(t, vertex) - t.begin());
+    }
+
+    const Surface& m_surface;
+    DisjointSets m_sets;
+};
+
+int countSets(DisjointSets& sets, const std::vector<bool>& of) {
+    int count = 0;
+    for (std::size_t i = 0; i < of.size(); ++i)
+        count += of[i] && sets.root(static_cast<int>(i)) == static_cast<int>(i);
+    return count;
+}
+
+int partsOf(const Surface& surface, const std::vector<SurfaceEdge>& edges) {
+    DisjointSets sets(surface.triangleCount());
+    for (const SurfaceEdge& edge : edges)
+        for (const int t : edge.triangles) sets.join(t, edge.triangles[0]);
+    return countSets(sets, std::vector<bool>(surface.triangles.size(), true));
+}
+
+int loopsOf(const Surface& surface, const std::vector<SurfaceEdge>& edges, Corners& corners) {
+    DisjointSets sets(3 * surface.triangleCount());
+    std::vector<bool> onBorder(3 * surface.triangles.size(), false);
+    for (const SurfaceEdge& edge : edges) {
+        if (edge.triangles.size() != 1) continue;
+        const int a = corners.at(edge.triangles[0], edge.vertices[0]),
+                  b = corners.at(edge.triangles[0], edge.vertices[1]);
+        sets.join(a, b);
+        onBorder[a] = onBorder[b] = true;
+    }
+    return countSets(sets, onBorder);
+}
+
+bool isOriented(const Surface& surface, const std::vector<SurfaceEdge>& edges) {
+    return std::ranges::all_of(edges, [&](const SurfaceEdge& edge) {
+        return edge.triangles.size() != 2 ||
+               runsAlong(surface.triangles[edge.triangles[0]], edge.vertices) !=
+                   runsAlong(surface.triangles[edge.triangles[1]], edge.vertices);
+    });
+}
+
+bool hasTwoSides(const Surface& surface) {
+    RepairReport report;
+    const Surface turned = repairSurface(surface, 0, report);
+    return isOriented(turned, edgesOf(turned));
+}
+
+void measureEdges(const Surface& surface, const std::vector<SurfaceEdge>& edges, SurfaceFacts& facts) {
+    facts.edges = static_cast<int>(edges.size());
+    if (edges.empty()) return;
+    facts.shortestEdge = std::numeric_limits<double>::infinity();
+    for (const SurfaceEdge& edge : edges) {
+        const double length =
+            (surface.points.col(edge.vertices[1]) - surface.points.col(edge.vertices[0])).norm();
+        facts.shortestEdge = std::min(facts.shortestEdge, length);
+        facts.longestEdge = std::max(facts.longestEdge, length);
+        facts.meanEdge += length / static_cast<double>(edges.size());
+    }
+}
+
+}  // namespace
+
+SurfaceFacts factsOf(const Surface& surface) {
+    SurfaceFacts facts;
+    const Surface clean = cleaned(surface);
+    if (clean.triangles.empty()) return facts;
+    Eigen::AlignedBox3d box;
+    double volume = 0;
+    const Vec<3> origin = clean.points.col(clean.triangles[0][0]);
+    for (const auto& t : clean.triangles) {
+        const Vec<3> a = clean.points.col(t[0]), b = clean.points.col(t[1]), c = clean.points.col(t[2]);
+        for (const Vec<3>& p : {a, b, c}) box.extend(p);
+        facts.area += (b - a).cross(c - a).norm() / 2;
+        volume += (a - origin).dot((b - origin).cross(c - origin)) / 6;
+    }
+    facts.low = box.min();
+    facts.high = box.max();
+    const std::vector<SurfaceEdge> edges = edgesOf(clean);
+    measureEdges(clean, edges, facts);
+    facts.parts = partsOf(clean, edges);
+    Corners corners(clean, edges);
+    facts.boundaryLoops = loopsOf(clean, edges, corners);
+    const bool isManifold =
+        std::ranges::all_of(edges, [](const SurfaceEdge& edge) { return edge.triangles.size() <= 2; });
+    if (!isManifold) return facts;
+    if (facts.boundaryLoops == 0 && isOriented(clean, edges)) facts.volume = std::abs(volume);
+    // Euler: V − E + F = 2 parts − 2 genus − loops
+    if (hasTwoSides(clean))
+        facts.genus =
+            facts.parts - (corners.count() - facts.edges + clean.triangleCount() + facts.boundaryLoops) / 2;
+    return facts;
+}
+
+}  // namespace wend

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <optional>
+
+#include "core/meshing/surface.h"
+
+namespace wend {
+
+/// What an engineer asks of a surface before anything else. Vertices at one place count as one.
+struct SurfaceFacts {
+    Vec<3> low = Vec<3>::Zero(), high = Vec<3>::Zero();  // box around what the triangles have
+    double area = 0;
+    int edges = 0;
+    double shortestEdge = 0, meanEdge = 0, longestEdge = 0;
+    int parts = 0;             // that hang together by edges
+    int boundaryLoops = 0;     // borders of holes
+    std::optional<int> genus;  // handles of all parts together, if the surface is a manifold with two sides
+    std::optional<double> volume;  // enclosed, inner shells being holes; if it is closed and oriented too
+};
+
+/// The surface's indices are valid and its coordinates finite. Crossings are not looked for.
+SurfaceFacts factsOf(const Surface& surface);
+
+}  // namespace wend
