@@ -18,6 +18,7 @@ namespace {
 constexpr double kMostCubes = 5e7;       // of a grid: half a gigabyte while they are filled
 constexpr double kLeastDistance = 1e-9;  // of the diagonal: more than rounding
 constexpr double kNearEnough = 0.03;     // to the aim, to stop looking
+constexpr double kPromised = 0.15;
 constexpr int kMostTries = 16;
 
 /// Tetrahedra in the full cubes. Where cubes meet in a corner or edge alone, each side has vertices of its
@@ -130,30 +131,22 @@ class CageFitter {
         return cage;
     }
 
-    /// Vertices go with a power of the edge between −2 and −3, in steps of whole cubes: a search between what
-    /// is known to give too many and too few.
-    Cage ofCount(int aim) const {
-        double edge = m_diagonal / 20, tooFine = 0, tooCoarse = std::numeric_limits<double>::infinity();
+    /// Where a few whole cubes along the box are too many or too few, cubes that begin elsewhere may do.
+    Cage ofCount(int aim) {
         Cage best;
         double bestError = std::numeric_limits<double>::infinity();
-        for (int run = 0; run < kMostTries && bestError > kNearEnough; ++run) {
-            Cage cage = ofEdge(edge);
-            const double count = cage.mesh.vertexCount();
-            const bool tooMany = count > aim;
-            if (tooMany)
-                tooFine = std::max(tooFine, edge);
-            else
-                tooCoarse = std::min(tooCoarse, edge);
-            if (const double error = std::abs(count / aim - 1); error < bestError) {
-                bestError = error;
-                best = std::move(cage);
-            }
-            if (!tooMany && edge <= leastEdge()) break;
-            edge = std::max(leastEdge(), edge * std::clamp(std::pow(count / aim, 1 / 2.6), 0.2, 5.0));
-            if (edge <= 1.001 * tooFine || edge >= 0.999 * tooCoarse) edge = std::sqrt(tooFine * tooCoarse);
-            if (tooFine >= 0.999 * tooCoarse) break;
+        Vec<3> bestShift = m_shift;
+        for (int shift = 0; shift < 8 && bestError > kPromised; ++shift) {
+            m_shift = Vec<3>(shift & 1, shift >> 1 & 1, shift >> 2 & 1) / 2;
+            Cage cage = search(aim);
+            const double error = errorOf(cage, aim);
+            if (error >= bestError) continue;
+            bestError = error;
+            bestShift = m_shift;
+            best = std::move(cage);
         }
-        best.aimMet = bestError <= 0.15;
+        m_shift = bestShift;
+        best.aimMet = bestError <= kPromised;
         return best;
     }
 
@@ -175,6 +168,36 @@ class CageFitter {
     }
 
   private:
+    static double errorOf(const Cage& cage, int aim) {
+        return std::abs(static_cast<double>(cage.mesh.vertexCount()) / aim - 1);
+    }
+
+    /// Vertices go with a power of the edge between −2 and −3, in steps of whole cubes: a search between what
+    /// is known to give too many and too few.
+    Cage search(int aim) const {
+        double edge = m_diagonal / 20, tooFine = 0, tooCoarse = std::numeric_limits<double>::infinity();
+        Cage best;
+        double bestError = std::numeric_limits<double>::infinity();
+        for (int run = 0; run < kMostTries && bestError > kNearEnough; ++run) {
+            Cage cage = ofEdge(edge);
+            const double count = cage.mesh.vertexCount();
+            const bool tooMany = count > aim;
+            if (tooMany)
+                tooFine = std::max(tooFine, edge);
+            else
+                tooCoarse = std::min(tooCoarse, edge);
+            if (const double error = errorOf(cage, aim); error < bestError) {
+                bestError = error;
+                best = std::move(cage);
+            }
+            if (!tooMany && edge <= leastEdge()) break;
+            edge = std::max(leastEdge(), edge * std::clamp(std::pow(count / aim, 1 / 2.6), 0.2, 5.0));
+            if (edge <= 1.001 * tooFine || edge >= 0.999 * tooCoarse) edge = std::sqrt(tooFine * tooCoarse);
+            if (tooFine >= 0.999 * tooCoarse) break;
+        }
+        return best;
+    }
+
     int countOf(DisjointSets& parts) const {
         std::vector<int> roots;
         const std::vector<int> first = canonicalVertices(m_surface.points);
@@ -191,7 +214,7 @@ class CageFitter {
     int layers(double edge) const {
         return 2 + static_cast<int>(std::ceil(distance(edge) / edge)) + static_cast<int>(gap() / edge);
     }
-    CubeGrid gridOf(double edge) const { return {m_box, edge, layers(edge)}; }
+    CubeGrid gridOf(double edge) const { return {m_box, edge, layers(edge), m_shift}; }
     double leastEdge() const {
         if (m_leastEdge == 0) {
             m_leastEdge = m_diagonal / 1e4;
@@ -206,6 +229,7 @@ class CageFitter {
     Eigen::AlignedBox3d m_box;
     double m_diagonal = 0;
     mutable double m_leastEdge = 0;
+    Vec<3> m_shift = Vec<3>::Zero();  // of the cubes
 };
 
 void requireFinite(const Surface& surface) {
@@ -223,7 +247,7 @@ void requireFinite(const Surface& surface) {
 
 Cage fitCage(const Surface& surface, const CageOptions& options) {
     requireFinite(surface);
-    const CageFitter fitter(surface, options);
+    CageFitter fitter(surface, options);
     // The largest cells, at sides without neighbour, are a twelfth of a cube, as those between middles are.
     Cage cage = options.maxVolume > 0 ? fitter.ofEdge(std::cbrt(12 * options.maxVolume))
                                       : fitter.ofCount(options.vertices);

@@ -186,9 +186,9 @@ CubeGrid::Place countsFor(const Eigen::AlignedBox3d& box, double edge, int layer
 
 }  // namespace
 
-CubeGrid::CubeGrid(const Eigen::AlignedBox3d& box, double edge, int layers)
+CubeGrid::CubeGrid(const Eigen::AlignedBox3d& box, double edge, int layers, const Vec<3>& shift)
     : m_edge(edge), m_counts(countsFor(box, edge, layers)) {
-    m_low = box.center() - edge / 2 * Vec<3>(m_counts[0], m_counts[1], m_counts[2]);
+    m_low = box.center() + edge * (shift - Vec<3>(m_counts[0], m_counts[1], m_counts[2]) / 2);
 }
 
 double CubeGrid::sizeFor(const Eigen::AlignedBox3d& box, double edge, int layers) {

@@ -17,8 +17,9 @@ class CubeGrid {
     using Place = std::array<int, 3>;
 
     CubeGrid() = default;
-    /// Centred on the box, with `layers` of cubes beyond it on every side.
-    CubeGrid(const Eigen::AlignedBox3d& box, double edge, int layers);
+    /// Centred on the box, but for a shift of at most half a cube (in cubes), with `layers` of cubes beyond
+    /// it on every side.
+    CubeGrid(const Eigen::AlignedBox3d& box, double edge, int layers, const Vec<3>& shift = Vec<3>::Zero());
     /// How many there would be, as a number that cannot overflow.
     static double sizeFor(const Eigen::AlignedBox3d& box, double edge, int layers);
 

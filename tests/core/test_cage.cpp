@@ -180,7 +180,7 @@ void TestCage::aimIsMet_data() {
 }
 void TestCage::aimIsMet() {
     QFETCH(int, index);
-    for (const int aim : {400, 2000, 6000}) {
+    for (const int aim : {150, 300, 500, 2000, 6000}) {
         const Cage cage = cageOf(surfaces()[index].second, aim);
         QVERIFY2(std::abs(cage.mesh.vertexCount() - aim) <= 0.15 * aim,
                  qPrintable(QString("%1 for %2").arg(cage.mesh.vertexCount()).arg(aim)));
