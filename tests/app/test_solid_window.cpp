@@ -580,6 +580,8 @@ void TestSolidWindow::badSurfacesAreShownAndRepaired() {
     bad.write(text);
     bad.close();
     m_window->openPath(bad.fileName());
+    const auto isOpen = [&] { return session().document().project()->domain.path == "open.obj"; };
+    QVERIFY(QTest::qWaitFor(isOpen, 20000));
     QVERIFY(settle(session()));  // in a cage, which is taken away now
     Project exact = *session().document().project();
     exact.domain.fit = Fit::Exact;
