@@ -91,7 +91,7 @@ MeasureRange rangeOf(const std::vector<double>& values, Measure measure, int dim
     if (measure == Measure::Phi) return {phi::kEquia, phi::conformal(dimension), dimension};
     if (values.empty()) return measure == Measure::Area ? MeasureRange{0.9, 1 / 0.9} : MeasureRange{0, 0.01};
     if (measure == Measure::Stiffness)  // of the design, not of an outcome
-        return {1, std::max(10.0, *std::max_element(values.begin(), values.end())), dimension};
+        return {1, std::max(100.0, *std::max_element(values.begin(), values.end())), dimension};
     if (measure == Measure::CellSize) {
         const auto [low, high] = std::minmax_element(values.begin(), values.end());
         return {std::max(*low, 1e-300), std::max(*high, 1.01 * std::max(*low, 1e-300))};

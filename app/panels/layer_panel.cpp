@@ -32,6 +32,7 @@ LayerPanel::LayerPanel(ShapeSession& session, QWidget* parent)
       m_up(new QToolButton(this)),
       m_down(new QToolButton(this)),
       m_remove(new QToolButton(this)),
+      m_none(secondLabel(tr("It is the same everywhere: brush over the shape to change a part."), this)),
       m_values(new QWidget(this)),
       m_hasPhi(new QCheckBox(tr("Keep here"), m_values)),
       m_phi(new EnergySlider(m_values)),
@@ -48,6 +49,7 @@ LayerPanel::LayerPanel(ShapeSession& session, QWidget* parent)
 void LayerPanel::makeList() {
     m_list->setObjectName(QStringLiteral("layers"));
     m_list->setFixedHeight(96);
+    m_none->setObjectName(QStringLiteral("noLayers"));
     m_list->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
     describe(m_list, tr("Layers"),
              tr("Where the material is another. The topmost wins. A click shows its values, a double click "
@@ -94,6 +96,7 @@ void LayerPanel::arrange() {
     layout->setContentsMargins(16, 14, 16, 14);
     layout->setSpacing(10);
     layout->addWidget(panelTitle(tr("Layers"), this));
+    layout->addWidget(m_none);
     layout->addWidget(m_list);
     auto* buttons = new QHBoxLayout;
     for (QToolButton* button : {m_up, m_down}) buttons->addWidget(button);
@@ -200,14 +203,34 @@ void LayerPanel::showGroup() {
 void LayerPanel::showValues() {
     const bool has = m_list->currentItem() && !m_session.document().isEmpty();
     m_values->setVisible(has);
-    for (QToolButton* button : {m_up, m_down, m_remove}) button->setEnabled(has);
+    m_none->setVisible(m_list->count() == 0);
+    m_list->setVisible(m_list->count() > 0);
+    for (QToolButton* button : {m_up, m_down, m_remove}) {
+        button->setVisible(m_list->count() > 0);
+        button->setEnabled(has);
+    }
     if (has && m_session.document().dimension() == 2) showGroup<2>();
     if (has && m_session.document().dimension() == 3) showGroup<3>();
     if (has) {
         m_up->setEnabled(m_list->currentRow() > 0);
         m_down->setEnabled(m_list->currentRow() + 1 < m_list->count());
     }
+    tellChosen();
+}
+
+void LayerPanel::tellChosen() {
+    const bool has = m_list->currentItem() && isVisible();
     emit chosen(has ? m_list->currentItem()->data(Qt::UserRole).toString() : QString());
+}
+
+void LayerPanel::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    tellChosen();
+}
+
+void LayerPanel::hideEvent(QHideEvent* event) {
+    QWidget::hideEvent(event);
+    tellChosen();
 }
 
 template <int Dim>

@@ -27,8 +27,12 @@ class LayerPanel : public QWidget {
     QListWidget* list() const { return m_list; }
 
   signals:
-    /// The name of the chosen layer changed; null if there is none.
+    /// Another layer, by its name; null if there is none, or nobody sees the panel.
     void chosen(QString name);
+
+  protected:
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
 
   private:
     void makeControls();
@@ -45,10 +49,12 @@ class LayerPanel : public QWidget {
     void changePaint();
     void changeBy(const QString& step, Project next, const QString& key = {});
     std::string selected() const;
+    void tellChosen();
 
     ShapeSession& m_session;
     QListWidget* m_list;
     QToolButton *m_up, *m_down, *m_remove;
+    QLabel* m_none;
     QWidget* m_values;
     QCheckBox* m_hasPhi;
     EnergySlider* m_phi;

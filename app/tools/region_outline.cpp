@@ -90,6 +90,30 @@ std::vector<Vec<2>> regionBorder(const Handle<2>& handle, const PinView<2>& view
     return border;
 }
 
+void paintRegions(QPainter& painter, SolidSurface& surface, const std::vector<Region<3>>& regions,
+                  const QPen& pen) {
+    const auto frame = surface.session().frame<3>();
+    if (!frame) return;
+    painter.setPen(pen);
+    painter.setBrush(Qt::NoBrush);
+    const Points<3>& rest = frame->rest->points;
+    for (const Region<3>& region : regions) {
+        const Carrying carry = carryingOf(*frame, verticesIn(region, *frame->rest));
+        const auto* ball = std::get_if<Ball<3>>(&region);
+        if (ball && regions.size() > 1) {
+            const Vec<3> centre = carry(ball->centre);
+            const double r = ball->radius / surface.pixelSize(centre);
+            painter.drawEllipse(surface.toWidget(centre), r, r);
+            continue;
+        }
+        for (const auto& line : regionOutline(region, rest.rowwise().minCoeff(), rest.rowwise().maxCoeff())) {
+            QPolygonF drawn;
+            for (const Vec<3>& p : line) drawn << surface.toWidget(carry(p));
+            painter.drawPolyline(drawn);
+        }
+    }
+}
+
 std::vector<std::vector<Vec<3>>> regionOutline(const Region<3>& region, const Vec<3>& low,
                                                const Vec<3>& high) {
     return std::visit([&](const auto& shape) { return linesOf(shape, low, high); }, region);

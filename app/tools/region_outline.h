@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "app/session/pins.h"
+#include "app/tools/solid_surface.h"
 #include "core/mesh/region.h"
 
 namespace wend {
@@ -11,6 +12,10 @@ namespace wend {
 /// half-space, the segment of a blend. `low` and `high`: what a plane is to be seen beside.
 std::vector<std::vector<Vec<3>>> regionOutline(const Region<3>& region, const Vec<3>& low,
                                                const Vec<3>& high);
+
+/// Draws regions of a solid where they are now; of many balls one circle each.
+void paintRegions(QPainter& painter, SolidSurface& surface, const std::vector<Region<3>>& regions,
+                  const QPen& pen);
 
 /// The border of a part of a picture that is held as a whole, where it now is; the hull of its points where
 /// the region has no end.

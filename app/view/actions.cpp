@@ -68,6 +68,8 @@ void Actions::makeView() {
                          QKeySequence(tr("M")), "mesh");
     showMap = addToggle({tr("&Distortion Map"), tr("Colour the shape by its distortion")},
                         QKeySequence(tr("D")), "distortion");
+    showMarks = addToggle({tr("&Stiffness Marks"), tr("Show where it is stiff, and along which direction")},
+                          QKeySequence(tr("Shift+S")), "marks");
     hideOverlays =
         addToggle({tr("&Hide Pins and Maps"), tr("Show the bare picture; hold H to do so for a moment")},
                   QKeySequence(tr("Shift+H")), "hide");
@@ -120,7 +122,7 @@ void Actions::fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve) {
     edit->addSeparator();
     edit->addActions({selectAll, selectNone, remove});
     QMenu* view = window.menuBar()->addMenu(tr("&View"));
-    view->addActions({showMesh, showMap, hideOverlays});
+    view->addActions({showMesh, showMap, showMarks, hideOverlays});
     view->addSeparator();
     view->addActions({fit, actualSize, zoomIn, zoomOut});
     view->addSeparator();
@@ -149,7 +151,7 @@ void Actions::fillTools(QMenu& menu) const {
 void Actions::setHasFile(bool has, bool hasPicture, bool isSolid) {
     const QString why = tr("Open a picture first.");
     for (QAction* action : {save, saveAs, closeFile, exportMesh, selectAll, selectNone, showMesh, showMap,
-                            hideOverlays, fit, zoomIn, zoomOut})
+                            showMarks, hideOverlays, fit, zoomIn, zoomOut})
         enable(action, has, why);
     enable(actualSize, has && !isSolid, has ? tr("A solid has no pixels.") : why);
     const QString noPicture = tr("This project has no picture.");
@@ -164,7 +166,7 @@ void Actions::setHasFile(bool has, bool hasPicture, bool isSolid) {
 }
 
 void Actions::resetView() {
-    for (QAction* action : {showMesh, showMap, hideOverlays}) action->setChecked(false);
+    for (QAction* action : {showMesh, showMap, showMarks, hideOverlays}) action->setChecked(false);
 }
 
 void Actions::setHasSelection(bool has) {

@@ -24,7 +24,7 @@ class Actions : public ActionMaker {
     QAction *exportPicture, *exportMesh, *exportFrames, *exportStMap, *exportView;
     QAction *undo, *redo, *selectAll, *selectNone, *remove;
     QAction *selectTool, *pinTool;  // of the tools, what others come back to
-    QAction *showMesh, *showMap, *hideOverlays, *fit, *actualSize, *zoomIn, *zoomOut, *fullScreen;
+    QAction *showMesh, *showMap, *showMarks, *hideOverlays, *fit, *actualSize, *zoomIn, *zoomOut, *fullScreen;
     QAction *play, *loop, *toStart, *toEnd, *settle;
     QAction *systemLook, *lightLook, *darkLook;
     QAction *about, *shortcuts;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/session/shape_builder.h"
+#include "app/tools/stiffness_marks.h"
 #include "app/view/overlay_painter.h"
 
 namespace wend {
@@ -233,6 +234,13 @@ void ShapeCanvas::setMap(Measure measure, const MeasureRange& range) {
     if (m_map) render();
 }
 
+void ShapeCanvas::setMarksShown(bool shown) {
+    m_marks = shown, update();
+}
+void ShapeCanvas::setLayer(const QString& name) {
+    m_layer.setLayer(name), update();
+}
+
 void ShapeCanvas::setMarquee(const QRectF& rectangle) {
     m_marquee = rectangle;
     update();
@@ -272,6 +280,9 @@ void ShapeCanvas::paintEvent(QPaintEvent*) {
     if (const auto frame = m_session.frame<2>(); !m_hidden && frame) {
         if (m_map && isDistortion(m_measure))
             overlay.worst(*frame, worstOf(frame->distortion, m_measure).cell);
+        if (m_marks || (m_map && m_measure == Measure::Stiffness))
+            paintStiffnessMarks(painter, *this, size());
+        m_layer.paint(painter, *this);
         overlay.paths(m_session, m_hovered);
         overlay.pins(m_session, m_hovered);
         if (m_tool) m_tool->paint(painter);

@@ -4,7 +4,7 @@
 #include <QWidget>
 
 #include "app/session/material_preview.h"
-#include "app/tools/tool_surface.h"
+#include "app/tools/layer_lines.h"
 #include "app/view/render_thread.h"
 
 namespace wend {
@@ -42,6 +42,9 @@ class ShapeCanvas : public QWidget, public ToolSurface {
     void setMeshShown(bool shown);
     void setMapShown(bool shown);
     void setMap(Measure measure, const MeasureRange& range);
+    void setMarksShown(bool shown);
+    /// Draws the border of a layer of the material; null: of none.
+    void setLayer(const QString& name);
     void setOverlaysHidden(bool hidden);
     void fit();
     void zoomTo(double zoom);
@@ -90,6 +93,8 @@ class ShapeCanvas : public QWidget, public ToolSurface {
     std::shared_ptr<const ScreenPicture> m_picture;
     PosedPtr<2> m_unbent;  // the picture as it is, before the first mesh
     MaterialPreview<2> m_preview;
+    LayerLines<2> m_layer;
+    bool m_marks = false;  // of stiffness
     mutable std::optional<PointLocator<2>> m_locator;
     mutable PosedPtr<2> m_located;  // whose pose the locator is for
     ViewTransform m_view;

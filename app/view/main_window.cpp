@@ -15,6 +15,7 @@
 #include <QVBoxLayout>
 
 #include "app/panels/distortion_panel.h"
+#include "app/panels/layer_panel.h"
 #include "app/panels/mesh_panel.h"
 #include "app/panels/panel_fields.h"
 #include "app/session/settle_step.h"
@@ -219,6 +220,8 @@ void MainWindow::connectView() {
     Actions& a = *m_actions;
     connect(a.showMesh, &QAction::toggled, m_canvas, &ShapeCanvas::setMeshShown);
     connect(a.showMap, &QAction::toggled, m_canvas, &ShapeCanvas::setMapShown);
+    connect(a.showMarks, &QAction::toggled, m_canvas, &ShapeCanvas::setMarksShown);
+    connect(&m_properties->layers(), &LayerPanel::chosen, m_canvas, &ShapeCanvas::setLayer);
     auto* held = new HeldKey(Qt::Key_H, *this);
     const auto hideOrShow = [this, held] {
         const bool hidden = m_actions->hideOverlays->isChecked() || held->isHeld();

@@ -43,7 +43,7 @@ QImage warped(const RenderRequest& request, std::stop_token stop) {
 
 constexpr double kMapOpacity = 0.82;    // over a picture
 constexpr double kPaintOpacity = 0.55;  // of what is painted on it
-constexpr double kFullPaint = 0.03;     // so far in the range from what is plain
+constexpr double kFullPaint = 0.1;      // wholly, so far in the range from what is plain
 
 QTransform toPixels(const RenderRequest& request) {
     return request.view.matrix() * QTransform::fromScale(request.ratio, request.ratio);

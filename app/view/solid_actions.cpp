@@ -75,9 +75,6 @@ void SolidActions::makeView() {
     orthographic = addToggle({tr("&Parallel View"), tr("See without perspective")}, QKeySequence(tr("5")));
     arrows = addToggle({tr("&Velocity Arrows"), tr("Show where the surface moves at this time")},
                        QKeySequence(tr("Shift+V")));
-    ellipsoids = addToggle(
-        {tr("&Stiffness Ellipsoids"), tr("Show where the material is stiff, and along which direction")},
-        QKeySequence(tr("Shift+S")));
     cut = addToggle({tr("&Cut Open"), tr("Look inside along a plane; an arrow and rings move and tilt it")},
                     QKeySequence(tr("C")), "cut");
     const QString look = tr("Look along an axis of the world");
@@ -108,14 +105,14 @@ void SolidActions::makeMenu() {
     m_menu->addSeparator();
     m_menu->addMenu(tr("L&ook from"))->addActions({front, back, right, left, top, bottom, oblique});
     m_menu->addMenu(tr("&Navigation"))->addActions({wendKeys, vtkKeys, blenderKeys});
-    m_menu->addActions({detail, orthographic, flat, cut, arrows, ellipsoids});
+    m_menu->addActions({detail, orthographic, flat, cut, arrows});
     m_menu->addSeparator();
     m_menu->addActions({chooseDetail, removeDetail});
 }
 
 void SolidActions::resetView() {
     detail->setChecked(true);
-    for (QAction* action : {arrows, ellipsoids}) action->setChecked(false);
+    arrows->setChecked(false);
 }
 
 void SolidActions::setHasDetail(bool has) {

@@ -22,7 +22,7 @@ class SolidActions : public ActionMaker {
     QAction *move, *turn, *grow;
     QAction *through, *holdBeyond;
     QAction *selectRectangle, *selectLasso, *selectBrush;
-    QAction *detail, *flat, *orthographic, *arrows, *ellipsoids;
+    QAction *detail, *flat, *orthographic, *arrows;
     QAction *front, *back, *right, *left, *top, *bottom, *oblique;
     QAction *wendKeys, *vtkKeys, *blenderKeys;
     QAction* cut;

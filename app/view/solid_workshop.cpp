@@ -8,6 +8,7 @@
 
 #include "app/panels/cut_panel.h"
 #include "app/panels/distortion_panel.h"
+#include "app/panels/layer_panel.h"
 #include "app/panels/measure_panel.h"
 #include "app/session/opening.h"
 #include "app/session/solid_places.h"
@@ -102,7 +103,8 @@ void SolidWorkshop::connectView() {
     connect(a.flat, &QAction::toggled, m_canvas, &SolidCanvas::setFlat);
     connect(a.orthographic, &QAction::toggled, m_canvas, &VolumeView::setOrthographic);
     connect(a.arrows, &QAction::toggled, m_canvas, &SolidCanvas::setArrowsShown);
-    connect(a.ellipsoids, &QAction::toggled, m_canvas, &SolidCanvas::setGlyphsShown);
+    connect(common.showMarks, &QAction::toggled, m_canvas, &SolidCanvas::setGlyphsShown);
+    connect(&m_around.properties.layers(), &LayerPanel::chosen, m_canvas, &SolidCanvas::setLayer);
     connect(&maps, &DistortionPanel::mapChanged, m_canvas,
             [this, &maps] { m_canvas->setMap(maps.measure(), maps.range()); });
     connect(&maps, &DistortionPanel::showWorst, m_canvas, [this] {

@@ -2,6 +2,8 @@
 
 #include "app/panels/size_panel.h"
 #include "app/tools/area_tool.h"
+#include "app/tools/fill_tool.h"
+#include "app/tools/gradient_tool.h"
 #include "app/tools/hold_tool.h"
 #include "app/tools/measure_tool.h"
 #include "app/tools/paint_tool.h"
@@ -53,12 +55,36 @@ std::unique_ptr<SolidTool> area(Workbench& on) {
     return tool;
 }
 
-std::unique_ptr<Tool> paint(Workbench& on) {
-    return std::make_unique<PaintTool<2>>(on.picture, on.brush);
+template <int Dim>
+SurfaceOf<Dim>& surfaceOf(Workbench& on) {
+    if constexpr (Dim == 2)
+        return on.picture;
+    else
+        return *on.solid;
 }
 
-std::unique_ptr<SolidTool> solidPaint(Workbench& on) {
-    return std::make_unique<PaintTool<3>>(*on.solid, on.brush);
+/// For pictures and solids alike.
+template <int Dim>
+using Made = std::unique_ptr<std::conditional_t<Dim == 2, Tool, SolidTool>>;
+
+template <int Dim>
+Made<Dim> paint(Workbench& on) {
+    return std::make_unique<PaintTool<Dim>>(surfaceOf<Dim>(on), on.brush);
+}
+
+template <int Dim>
+Made<Dim> gradient(Workbench& on) {
+    return std::make_unique<GradientTool<Dim>>(surfaceOf<Dim>(on), on.brush);
+}
+
+template <int Dim>
+Made<Dim> fill(Workbench& on) {
+    return std::make_unique<FillTool<Dim>>(surfaceOf<Dim>(on), on.brush, FillTool<Dim>::Deed::Fill);
+}
+
+template <int Dim>
+Made<Dim> eyedropper(Workbench& on) {
+    return std::make_unique<FillTool<Dim>>(surfaceOf<Dim>(on), on.brush, FillTool<Dim>::Deed::Pick);
 }
 
 std::unique_ptr<SolidTool> sizeBrush(Workbench& on) {
@@ -183,7 +209,7 @@ const std::vector<ToolKind>& toolTable() {
          sizes},
         {"paint", "brush", QT_TRANSLATE_NOOP("Tools", "&Paint"),
          QT_TRANSLATE_NOOP("Tools", "Paint what is kept, or how stiff it is"), "B; A", Mode::Paint,
-         Mode::Paint, paint, solidPaint, nullptr, painted},
+         Mode::Paint, paint<2>, paint<3>, nullptr, painted},
         {"comb",
          "comb",
          QT_TRANSLATE_NOOP("Tools", "&Comb"),
@@ -191,8 +217,41 @@ const std::vector<ToolKind>& toolTable() {
          "N",
          Mode::Paint,
          {},
-         paint,
-         solidPaint,
+         paint<2>,
+         paint<3>,
+         nullptr,
+         painted},
+        {"gradient",
+         "gradient",
+         QT_TRANSLATE_NOOP("Tools", "&Gradient"),
+         QT_TRANSLATE_NOOP("Tools", "Drag: what is there changes evenly into what is chosen"),
+         "G",
+         Mode::Paint,
+         {},
+         gradient<2>,
+         gradient<3>,
+         nullptr,
+         painted},
+        {"fill",
+         "fill",
+         QT_TRANSLATE_NOOP("Tools", "&Fill"),
+         QT_TRANSLATE_NOOP("Tools", "Fill with what is chosen all that hangs together"),
+         "Shift+G",
+         Mode::Paint,
+         {},
+         fill<2>,
+         fill<3>,
+         nullptr,
+         painted},
+        {"eyedropper",
+         "pick",
+         QT_TRANSLATE_NOOP("Tools", "E&yedropper"),
+         QT_TRANSLATE_NOOP("Tools", "Take up what is painted under the pointer"),
+         "I",
+         Mode::Paint,
+         {},
+         eyedropper<2>,
+         eyedropper<3>,
          nullptr,
          painted},
         {"measure",

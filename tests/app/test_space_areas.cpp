@@ -346,7 +346,7 @@ void TestSpaceAreas::stiffAlongStrokeViewAndNumbers() {
                                            MaterialPaint<3>{{}, Stiffness<3>{Vec<3>::UnitZ(), 3}}, true);
     QCOMPARE(regionGroups(changed)[0].paint.stiffness->axis, before[0]);
     QCOMPARE(regionGroups(changed)[0].paint.stiffness->ratio, 3.0);
-    m_f->actions().ellipsoids->setChecked(true);
+    m_f->window().actions().showMarks->setChecked(true);
     m_f->actions().oblique->trigger();
     m_f->picture(QStringLiteral("stiff"));
 }

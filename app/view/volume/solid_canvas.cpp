@@ -336,6 +336,7 @@ void SolidCanvas::paintOver(QPainter& painter) {
     paintMarks(painter);
     if (m_hidden || !m_session.frame<3>()) return;
     m_cutTool.paint(painter);
+    m_layer.paint(painter, *this);
     if (m_tool) m_tool->paint(painter);
 }
 
@@ -392,6 +393,9 @@ void SolidCanvas::setValuesShown(bool shown) {
 }
 void SolidCanvas::setGlyphsShown(bool shown) {
     m_glyphs = shown, refresh();
+}
+void SolidCanvas::setLayer(const QString& name) {
+    m_layer.setLayer(name), redraw();
 }
 void SolidCanvas::setOverlaysHidden(bool hidden) {
     m_hidden = hidden, refresh();

@@ -5,6 +5,7 @@
 #include "app/panels/colour_map.h"
 #include "app/session/material_preview.h"
 #include "app/tools/cut_tool.h"
+#include "app/tools/layer_lines.h"
 #include "app/view/volume/volume_view.h"
 
 namespace wend {
@@ -68,6 +69,8 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     void setMap(Measure measure, const MeasureRange& range);
     void setArrowsShown(bool shown);
     void setGlyphsShown(bool shown);
+    /// Draws the regions of a layer of the material; null: of none.
+    void setLayer(const QString& name);
     void setOverlaysHidden(bool hidden);
     /// Values under the pointer are shown elsewhere, the velocity among them.
     void setValuesShown(bool shown);
@@ -122,6 +125,7 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     std::shared_ptr<const void> m_mesh;  // of the last frame
     CutTool m_cutTool;
     MaterialPreview<3> m_preview;
+    LayerLines<3> m_layer;
     QWidget* m_overlay;
     SurfaceStyle m_style;
     QTimer m_dim;

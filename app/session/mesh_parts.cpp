@@ -1,0 +1,94 @@
+#include "app/session/mesh_parts.h"
+
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "core/mesh/disjoint_sets.h"
+
+namespace wend {
+
+namespace {
+
+constexpr double kRoom = 1e-3;  // of the extent: so far a region reaches beyond what it holds
+
+template <int Dim>
+Box<Dim> boxAround(const SimplicialMesh<Dim>& mesh, const std::vector<int>& cells) {
+    Box<Dim> box{Vec<Dim>::Constant(INFINITY), Vec<Dim>::Constant(-INFINITY)};
+    for (const int c : cells)
+        for (const int v : mesh.cells[c]) {
+            box.min = box.min.cwiseMin(mesh.points.col(v));
+            box.max = box.max.cwiseMax(mesh.points.col(v));
+        }
+    const double room = kRoom * (box.max - box.min).norm();
+    return {box.min.array() - room, box.max.array() + room};
+}
+
+double twiceArea(const std::vector<Vec<2>>& loop) {
+    double twice = 0;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        const Vec<2>&a = loop[i], &b = loop[(i + 1) % loop.size()];
+        twice += a.x() * b.y() - b.x() * a.y();
+    }
+    return std::abs(twice);
+}
+
+/// The largest loop of the boundary of the cells that are marked.
+Polygon outlineOf(const SimplicialMesh<2>& mesh, const std::vector<bool>& in) {
+    std::multimap<int, int> next;  // along the boundary
+    for (const Facet<2>& edge : facetsOf(mesh))
+        if (!edge.interior() && in[edge.cells[0]]) next.emplace(edge.vertices[0], edge.vertices[1]);
+    Polygon best;
+    while (!next.empty()) {
+        Polygon loop;
+        for (auto it = next.begin(); it != next.end();) {
+            const int to = it->second;
+            loop.points.push_back(mesh.points.col(it->first));
+            next.erase(it);
+            it = next.find(to);
+        }
+        if (twiceArea(loop.points) > twiceArea(best.points)) best = std::move(loop);
+    }
+    return best;
+}
+
+}  // namespace
+
+template <int Dim>
+std::vector<int> partOf(const SimplicialMesh<Dim>& mesh, int cell) {
+    DisjointSets sets(mesh.cellCount());
+    for (const Facet<Dim>& facet : facetsOf(mesh))
+        if (facet.interior()) sets.join(facet.cells[0], facet.cells[1]);
+    std::vector<int> part;
+    for (int c = 0; c < mesh.cellCount(); ++c)
+        if (sets.root(c) == sets.root(cell)) part.push_back(c);
+    return part;
+}
+
+template <int Dim>
+Region<Dim> regionOfAll(const SimplicialMesh<Dim>& mesh) {
+    std::vector<int> all(mesh.cells.size());
+    std::iota(all.begin(), all.end(), 0);
+    return boxAround(mesh, all);
+}
+
+template <int Dim>
+Region<Dim> regionAround(const SimplicialMesh<Dim>& mesh, const std::vector<int>& cells) {
+    if constexpr (Dim == 2) {
+        std::vector<bool> in(mesh.cells.size(), false);
+        for (const int c : cells) in[c] = true;
+        return outlineOf(mesh, in);
+    } else {
+        return boxAround(mesh, cells);
+    }
+}
+
+#define WEND_INSTANTIATE(Dim)                                                                    \
+    template std::vector<int> partOf<Dim>(const SimplicialMesh<Dim>&, int);                      \
+    template Region<Dim> regionAround<Dim>(const SimplicialMesh<Dim>&, const std::vector<int>&); \
+    template Region<Dim> regionOfAll<Dim>(const SimplicialMesh<Dim>&)
+WEND_INSTANTIATE(2);
+WEND_INSTANTIATE(3);
+#undef WEND_INSTANTIATE
+
+}  // namespace wend

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "core/mesh/region.h"
+#include "core/mesh/simplicial_mesh.h"
+
+namespace wend {
+
+/// The cells that hang together with one through facets, increasing.
+template <int Dim>
+std::vector<int> partOf(const SimplicialMesh<Dim>& mesh, int cell);
+
+/// A region around them at rest: in the plane their outer outline, in space a box.
+template <int Dim>
+Region<Dim> regionAround(const SimplicialMesh<Dim>& mesh, const std::vector<int>& cells);
+
+/// A region that holds the whole shape.
+template <int Dim>
+Region<Dim> regionOfAll(const SimplicialMesh<Dim>& mesh);
+
+}  // namespace wend

@@ -1,0 +1,205 @@
+#include "app/tools/gradient_tool.h"
+
+#include <QCoreApplication>
+#include <array>
+
+#include "app/session/accent.h"
+#include "app/session/brush.h"
+#include "app/session/energy_stops.h"
+#include "app/session/material_raster.h"
+#include "app/session/scene.h"
+#include "app/tools/brush_paint.h"
+
+namespace wend {
+
+namespace {
+
+constexpr double kShortest = 4;  // pixels: less is a click
+constexpr double kReach = 9;     // of a handle
+
+/// Where a place at rest is in the pose; beside the shape as far from the nearest vertex.
+template <int Dim>
+Vec<Dim> posedAt(const PosedFrame<Dim>& frame, const PointLocator<Dim>& locator, const Vec<Dim>& rest) {
+    if (const auto place = locator.find(rest)) return positionOf<Dim>(*place, *frame.rest, frame.pose);
+    const int nearest = locator.nearestVertex(rest);
+    return nearest < 0 ? rest : Vec<Dim>(frame.pose.col(nearest) + rest - frame.rest->points.col(nearest));
+}
+
+void dot(QPainter& painter, const QPointF& at, const QColor& colour, double radius) {
+    painter.setPen(QPen(QColor(255, 255, 255, 217), 2));
+    painter.setBrush(colour);
+    painter.drawEllipse(at, radius, radius);
+}
+
+}  // namespace
+
+template <int Dim>
+QString GradientTool<Dim>::hint() const {
+    return QCoreApplication::translate(
+        "GradientTool",
+        "Drag over the shape: from what is there it changes evenly into what is chosen on the right; Alt "
+        "picks up, Esc gives up");
+}
+
+template <int Dim>
+std::optional<typename GradientTool<Dim>::End> GradientTool<Dim>::endAt(const QPointF& at) const {
+    const auto touch = surface().touch(at);
+    if (!touch) return {};
+    return End{positionOf<Dim>(touch->place, *m_frame->rest, m_frame->rest->points), touch->point};
+}
+
+template <int Dim>
+std::vector<typename GradientTool<Dim>::Handle> GradientTool<Dim>::handles() const {
+    std::vector<Handle> found;
+    const auto frame = session().template frame<Dim>();
+    if (!frame || session().document().dimension() != Dim) return found;
+    const auto& regions = session().document().template design<Dim>().material.regions;
+    std::optional<PointLocator<Dim>> locator;
+    for (std::size_t i = 0; i < regions.size(); ++i) {
+        const auto* blend = std::get_if<Blend<Dim>>(&regions[i].shape);
+        if (!blend) continue;
+        if (!locator) locator.emplace(frame->rest->points, frame->rest->cells);
+        found.push_back({i, false, posedAt<Dim>(*frame, *locator, blend->from)});
+        found.push_back({i, true, posedAt<Dim>(*frame, *locator, blend->to)});
+    }
+    return found;
+}
+
+/// The topmost.
+template <int Dim>
+std::optional<typename GradientTool<Dim>::Handle> GradientTool<Dim>::handleAt(const QPointF& at) const {
+    std::optional<Handle> found;
+    for (const Handle& one : handles())
+        if (QLineF(surface().toWidget(one.seen), at).length() <= kReach) found = one;
+    return found;
+}
+
+/// The project with the end where it was dragged to; nothing where both ends would be one place.
+template <int Dim>
+std::optional<Project> GradientTool<Dim>::moved() const {
+    Project next = *session().document().project();
+    auto& regions = std::get<Design<Dim>>(next.design).material.regions;
+    auto& blend = std::get<Blend<Dim>>(regions[m_handle->region].shape);
+    (m_handle->isTo ? blend.to : blend.from) = m_to->rest;
+    if (blend.from == blend.to) return {};
+    return next;
+}
+
+template <int Dim>
+void GradientTool<Dim>::press(const QMouseEvent& event) {
+    if (event.button() != Qt::LeftButton) return;
+    m_frame = surface().shownFrame();
+    if (!m_frame) return;
+    const auto touch = surface().touch(event.position());
+    if (touch && event.modifiers() & Qt::AltModifier) {
+        pickMaterial<Dim>(*m_frame, touch->place.cell, m_brush);
+        m_frame.reset();
+        return;
+    }
+    m_project = session().document().project();
+    m_handle = handleAt(event.position());
+    m_from = m_to = endAt(event.position());
+    if (!m_from) m_frame.reset();
+}
+
+template <int Dim>
+bool GradientTool<Dim>::isCurrent() const {
+    const auto frame = session().template frame<Dim>();
+    return frame && frame->shape == m_frame->shape && session().document().project() == m_project;
+}
+
+/// Beside the shape the last place on it stays.
+template <int Dim>
+void GradientTool<Dim>::move(const QMouseEvent& event) {
+    if (!m_frame) return;
+    if (!isCurrent()) return cancel();
+    if (const auto end = endAt(event.position())) m_to = end;
+    preview();
+}
+
+template <int Dim>
+std::optional<MaterialRegion<Dim>> GradientTool<Dim>::region() const {
+    const QPointF from = surface().toWidget(m_from->seen), to = surface().toWidget(m_to->seen);
+    if (QLineF(from, to).length() < kShortest || m_from->rest == m_to->rest) return {};
+    const MaterialPaint<Dim> paint = paintOf<Dim>(m_brush.now(), m_to->rest - m_from->rest);
+    return MaterialRegion<Dim>{{}, Blend<Dim>{m_from->rest, m_to->rest}, 0, paint.phi, paint.stiffness};
+}
+
+template <int Dim>
+void GradientTool<Dim>::preview() {
+    std::shared_ptr<const Material<Dim>> painted = m_frame->material;
+    if (m_handle) {
+        if (const auto next = moved())
+            painted = rasterizeMaterial<Dim>(std::get<Design<Dim>>(next->design).material, *m_frame->rest,
+                                             session().document().folder().toStdString());
+    } else if (const auto drawn = region()) {
+        auto laid = std::make_shared<Material<Dim>>(*m_frame->material);
+        layRegion<Dim>(*drawn, *m_frame->rest, *laid);
+        painted = laid;
+    }
+    surface().showMaterial(painted, true);
+    surface().redraw();
+}
+
+template <int Dim>
+void GradientTool<Dim>::release(const QMouseEvent& event) {
+    if (event.button() != Qt::LeftButton || !m_frame) return;
+    Document& document = session().document();
+    const auto drawn = region();
+    if (!drawn || !isCurrent()) return cancel();  // a click, or what it began on is gone
+    preview();
+    m_frame.reset();
+    if (m_handle) {
+        if (auto next = moved())
+            document.change(QCoreApplication::translate("GradientTool", "Move gradient"), std::move(*next));
+        return;
+    }
+    const QString what = brushKind(m_brush.now(), Dim), where = shortName(document.displayName());
+    const QString kind = QCoreApplication::translate("GradientTool", "To %1").arg(what);
+    document.change(QCoreApplication::translate("GradientTool", "Blend %1 to %2").arg(where, what),
+                    withRegions<Dim>(*document.project(), kind.toStdString(), {*drawn}));
+}
+
+template <int Dim>
+bool GradientTool<Dim>::key(const QKeyEvent& event) {
+    if (event.key() != Qt::Key_Escape || !m_frame) return false;
+    cancel();
+    return true;
+}
+
+template <int Dim>
+void GradientTool<Dim>::cancel() {
+    if (!m_frame) return;
+    m_frame.reset();
+    surface().showMaterial(nullptr);
+    surface().redraw();
+}
+
+template <int Dim>
+void GradientTool<Dim>::paint(QPainter& painter) const {
+    const auto line = [&](const QPointF& from, const QPointF& to, const QColor& colour) {
+        painter.setPen(QPen(QColor(255, 255, 255, 217), 3.5));
+        painter.drawLine(from, to);
+        painter.setPen(QPen(QColor(0x14, 0x16, 0x1e), 1.5));
+        painter.drawLine(from, to);
+        dot(painter, from, QColor(0x14, 0x16, 0x1e), 5);
+        dot(painter, to, colour, 7);
+    };
+    const auto ends = handles();
+    for (std::size_t i = 0; i + 1 < ends.size(); i += 2) {
+        const auto& region = session().document().template design<Dim>().material.regions[ends[i].region];
+        const QColor colour = region.phi ? energyColour(stopOfPhi(*region.phi, Dim)) : kStiffColour;
+        std::array<QPointF, 2> at = {surface().toWidget(ends[i].seen), surface().toWidget(ends[i + 1].seen)};
+        if (m_frame && m_handle && m_handle->region == ends[i].region)
+            at[m_handle->isTo ? 1 : 0] = surface().toWidget(m_to->seen);
+        line(at[0], at[1], colour);
+    }
+    if (m_frame && !m_handle)
+        line(surface().toWidget(m_from->seen), surface().toWidget(m_to->seen),
+             QColor(brushColour(m_brush.now(), Dim)));
+}
+
+template class GradientTool<2>;
+template class GradientTool<3>;
+
+}  // namespace wend

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "app/document/project.h"
+#include "app/tools/shape_tool.h"
+
+namespace wend {
+
+class Brush;
+
+/// A drag over the shape: from what is there at its beginning to what the brush paints at its end and beyond.
+/// It is one layer and one undo step. The ends of all gradients are handles, which a drag moves.
+template <int Dim>
+class GradientTool : public ShapeTool<Dim> {
+  public:
+    GradientTool(SurfaceOf<Dim>& view, Brush& brush) : ShapeTool<Dim>(view), m_brush(brush) {}
+
+    QString hint() const override;
+    QCursor cursor() const override { return Qt::CrossCursor; }
+    void press(const QMouseEvent& event) override;
+    void move(const QMouseEvent& event) override;
+    void release(const QMouseEvent& event) override;
+    bool key(const QKeyEvent& event) override;
+    void cancel() override;
+    void paint(QPainter& painter) const override;
+
+  private:
+    using ShapeTool<Dim>::surface;
+    using ShapeTool<Dim>::session;
+    struct End {
+        Vec<Dim> rest, seen;
+    };
+    /// An end of a gradient that is there, in terms of the project's regions.
+    struct Handle {
+        std::size_t region;
+        bool isTo;
+        Vec<Dim> seen;
+    };
+    std::vector<Handle> handles() const;
+    std::optional<Handle> handleAt(const QPointF& at) const;
+    std::optional<Project> moved() const;
+    bool isCurrent() const;
+    std::optional<End> endAt(const QPointF& at) const;
+    std::optional<MaterialRegion<Dim>> region() const;
+    void preview();
+
+    Brush& m_brush;
+    PosedPtr<Dim> m_frame;                     // when the drag began, with its material; null without a drag
+    std::shared_ptr<const Project> m_project;  // then
+    std::optional<End> m_from, m_to;
+    std::optional<Handle> m_handle;  // that is dragged, in place of a new gradient
+};
+
+extern template class GradientTool<2>;
+extern template class GradientTool<3>;
+
+}  // namespace wend

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <QPainter>
+#include <vector>
+
+#include "app/document/project.h"
+#include "app/tools/shape_tool.h"
+
+namespace wend {
+
+/// Where a layer of a picture's material lies at rest: the border of its regions, and where its soft edge
+/// begins and ends. Of balls that overlap, as those of a stroke, the border of them all.
+struct RestLines {
+    std::vector<std::vector<Vec<2>>> border, soft;
+};
+RestLines linesOf(const std::vector<MaterialRegion<2>>& layer, const SimplicialMesh<2>& rest);
+
+/// The same of a line of the rest shape in a pose; in pieces where it leaves the shape.
+std::vector<std::vector<Vec<2>>> carriedLine(const std::vector<Vec<2>>& line, const SimplicialMesh<2>& rest,
+                                             const PointLocator<2>& locator, const Points<2>& pose);
+
+/// Draws the layer that is chosen, where it is now.
+template <int Dim>
+class LayerLines {
+  public:
+    void setLayer(const QString& name) { m_name = name; }
+    void paint(QPainter& painter, SurfaceOf<Dim>& surface);
+
+  private:
+    std::vector<MaterialRegion<Dim>> layerOf(const Project& project) const;
+
+    QString m_name;  // null: none
+    std::shared_ptr<const Project> m_project;
+    std::shared_ptr<const SimplicialMesh<Dim>> m_rest;
+    QString m_drawn;
+    RestLines m_lines;  // of that name, project and mesh; in the plane
+};
+
+}  // namespace wend
