@@ -86,11 +86,15 @@ Project withGroupFeather(const Project& project, const std::string& name, double
     });
 }
 
-Project withGroupName(const Project& project, const std::string& name, const std::string& next) {
+std::string freeGroupName(const Project& project, const std::string& name, const std::string& wish) {
     std::vector<std::string> taken = groupNames(project);
     std::erase(taken, name);
-    const bool isTaken = std::find(taken.begin(), taken.end(), next) != taken.end();
-    const std::string free = isTaken ? numbered(taken, next, 2) : next;
+    const bool isTaken = std::find(taken.begin(), taken.end(), wish) != taken.end();
+    return isTaken ? numbered(taken, wish, 2) : wish;
+}
+
+Project withGroupName(const Project& project, const std::string& name, const std::string& next) {
+    const std::string free = freeGroupName(project, name, next);
     return changed(project, [&](auto& regions) {
         for (auto& region : regions)
             if (region.name == name) region.name = free;

@@ -38,7 +38,8 @@ template <int Dim>
 Project withGroupPaint(const Project& project, const std::string& name, const MaterialPaint<Dim>& paint,
                        bool keepAxes = false);
 Project withGroupFeather(const Project& project, const std::string& name, double feather);
-/// A name that another group has already is taken with a number behind it.
+/// What a group can be called: the wish, with a number behind it if another group is called so already.
+std::string freeGroupName(const Project& project, const std::string& name, const std::string& wish);
 Project withGroupName(const Project& project, const std::string& name, const std::string& next);
 /// The group by that many groups further up, where it wins over more of the others; down if negative.
 Project withGroupMoved(const Project& project, const std::string& name, int by);

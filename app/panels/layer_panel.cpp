@@ -121,12 +121,14 @@ void LayerPanel::connectControls() {
     connect(&m_session.document(), &Document::projectChanged, this, &LayerPanel::showLayers);
     connect(m_list, &QListWidget::currentRowChanged, this, &LayerPanel::showValues);
     connect(m_list, &QListWidget::itemChanged, this, [this](QListWidgetItem* item) {
-        const QString before = item->data(Qt::UserRole).toString(), name = item->text().trimmed();
-        if (name.isEmpty() || name == before) return showLayers();
+        const Project& project = *m_session.document().project();
+        const std::string before = item->data(Qt::UserRole).toString().toStdString();
+        const std::string wish = item->text().trimmed().toStdString();
+        if (wish.empty() || wish == before) return showLayers();
+        const std::string name = freeGroupName(project, before, wish);
         const QSignalBlocker quiet(m_list);
-        item->setData(Qt::UserRole, name);
-        changeBy(tr("Rename layer"),
-                 withGroupName(*m_session.document().project(), before.toStdString(), name.toStdString()));
+        item->setData(Qt::UserRole, QString::fromStdString(name));  // it stays the chosen one
+        changeBy(tr("Rename layer"), withGroupName(project, before, name));
     });
     const auto move = [this](int by) {
         changeBy(tr("Move layer"), withGroupMoved(*m_session.document().project(), selected(), by));

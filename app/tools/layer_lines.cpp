@@ -46,23 +46,41 @@ void addBand(std::vector<Line>& lines, const Line& corners, double width) {
     }
 }
 
+/// Where a ring goes under others, between an angle where it does not and one where it does.
+template <class IsCovered>
+double seam(double open, double covered, const IsCovered& isCovered) {
+    for (int i = 0; i < 24; ++i) {
+        const double middle = (open + covered) / 2;
+        (isCovered(middle) ? covered : open) = middle;
+    }
+    return open;
+}
+
 /// The ring's pieces that lie in none of the other balls.
 void addRing(std::vector<Line>& lines, const std::vector<Ball<2>>& balls, std::size_t own) {
     if (balls[own].radius <= 0) return;
-    Line piece;
-    const auto end = [&] {
-        if (piece.size() > 1) lines.push_back(piece);
-        piece.clear();
+    const auto at = [&](double a) {
+        return Vec<2>(balls[own].centre + balls[own].radius * Vec<2>(std::cos(a), std::sin(a)));
     };
+    const auto isCovered = [&](double a) {
+        for (std::size_t k = 0; k < balls.size(); ++k)
+            if (k != own && (at(a) - balls[k].centre).norm() < balls[k].radius * (1 - 1e-9)) return true;
+        return false;
+    };
+    constexpr double kPiece = 2 * std::numbers::pi / kRingPieces;
+    Line piece;
+    bool before = isCovered(0);
     for (int i = 0; i <= kRingPieces; ++i) {
-        const double a = 2 * std::numbers::pi * i / kRingPieces;
-        const Vec<2> p = balls[own].centre + balls[own].radius * Vec<2>(std::cos(a), std::sin(a));
-        bool covered = false;
-        for (std::size_t k = 0; k < balls.size() && !covered; ++k)
-            covered = k != own && (p - balls[k].centre).norm() < balls[k].radius * (1 - 1e-9);
-        covered ? end() : piece.push_back(p);
+        const double a = kPiece * i;
+        const bool now = isCovered(a);
+        if (now != before)
+            piece.push_back(at(now ? seam(a - kPiece, a, isCovered) : seam(a, a - kPiece, isCovered)));
+        if (!now) piece.push_back(at(a));
+        if (now && piece.size() > 1) lines.push_back(piece);
+        if (now) piece.clear();
+        before = now;
     }
-    end();
+    if (piece.size() > 1) lines.push_back(piece);
 }
 
 void addBalls(std::vector<Line>& lines, const std::vector<MaterialRegion<2>>& layer, double feathers) {
