@@ -134,6 +134,48 @@
     </message>
 </context>
 <context>
+    <name>FillTool</name>
+    <message>
+        <source>Click to take up what is painted there</source>
+        <translation>Klicken, um aufzunehmen, was dort gemalt ist</translation>
+    </message>
+    <message>
+        <source>Click to fill what hangs together there; Shift fills all, Ctrl empties, Alt picks up</source>
+        <translation>Klicken füllt, was dort zusammenhängt; Umschalt füllt alles, Strg leert, Alt nimmt auf</translation>
+    </message>
+    <message>
+        <source>Emptied</source>
+        <translation>Geleert</translation>
+    </message>
+    <message>
+        <source>Empty %1</source>
+        <translation>%1 leeren</translation>
+    </message>
+    <message>
+        <source>Fill %1 with %2</source>
+        <translation>%1 mit %2 füllen</translation>
+    </message>
+</context>
+<context>
+    <name>GradientTool</name>
+    <message>
+        <source>Drag over the shape: from what is there it changes evenly into what is chosen on the right; Alt picks up, Esc gives up</source>
+        <translation>Über die Form ziehen: was dort ist, geht gleichmäßig in das über, was rechts gewählt ist; Alt nimmt auf, Esc bricht ab</translation>
+    </message>
+    <message>
+        <source>Move gradient</source>
+        <translation>Verlauf verschieben</translation>
+    </message>
+    <message>
+        <source>To %1</source>
+        <translation>Zu %1</translation>
+    </message>
+    <message>
+        <source>Blend %1 to %2</source>
+        <translation>%1 in %2 übergehen lassen</translation>
+    </message>
+</context>
+<context>
     <name>HoldTool</name>
     <message>
         <source>Draw around the part to hold; Shift adds to the selected part, Ctrl takes away</source>
@@ -276,16 +318,72 @@
 <context>
     <name>PaintTool</name>
     <message>
-        <source>Paint the material chosen on the right; [ and ] change the size, Esc gives up the stroke</source>
-        <translation>Malt das rechts gewählte Material; [ und ] ändern die Größe, Esc verwirft den Strich</translation>
-    </message>
-    <message>
-        <source>Paint material</source>
-        <translation>Material malen</translation>
-    </message>
-    <message>
         <source>There is no direction to follow: the numbers on the right were taken.</source>
         <translation>Es gibt keine Richtung, der zu folgen wäre: die Zahlen rechts wurden genommen.</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Rigid</source>
+        <translation>Steif</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Erhalt</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Stiff</source>
+        <translation>Versteift</translation>
+    </message>
+    <message>
+        <source>Combed</source>
+        <translation>Gekämmt</translation>
+    </message>
+    <message>
+        <source>Comb along the way in which it is to be stiff; Ctrl takes away, Shift smooths, Alt-click picks up, [ and ] change the size, Esc gives up the stroke</source>
+        <translation>Entlang der Richtung kämmen, in der es steif sein soll; Strg nimmt weg, Umschalt glättet, Alt-Klick nimmt auf, [ und ] ändern die Größe, Esc bricht den Strich ab</translation>
+    </message>
+    <message>
+        <source>Paint what is chosen on the right; Ctrl takes away, Shift smooths, Alt-click picks up, [ and ] change the size, Esc gives up the stroke</source>
+        <translation>Malen, was rechts gewählt ist; Strg nimmt weg, Umschalt glättet, Alt-Klick nimmt auf, [ und ] ändern die Größe, Esc bricht den Strich ab</translation>
+    </message>
+    <message>
+        <source>Erased</source>
+        <translation>Radiert</translation>
+    </message>
+    <message>
+        <source>Smoothed</source>
+        <translation>Geglättet</translation>
+    </message>
+    <message>
+        <source>Take paint off %1</source>
+        <translation>Farbe von %1 nehmen</translation>
+    </message>
+    <message>
+        <source>Smooth %1</source>
+        <translation>%1 glätten</translation>
+    </message>
+    <message>
+        <source>Comb %1</source>
+        <translation>%1 kämmen</translation>
+    </message>
+    <message>
+        <source>Paint %1 on %2</source>
+        <translation>%1 auf %2 malen</translation>
     </message>
 </context>
 <context>
@@ -379,6 +477,129 @@
     <message>
         <source>Brush over pins to select them, [ and ] change the size; Shift adds, Ctrl takes away</source>
         <translation>Über Pins pinseln wählt sie aus, [ und ] ändern die Größe; Umschalt dazu, Strg ab</translation>
+    </message>
+</context>
+<context>
+    <name>Tools</name>
+    <message>
+        <source>&amp;Pin</source>
+        <translation type="unfinished">&amp;Pin</translation>
+    </message>
+    <message>
+        <source>Set pins and drag them</source>
+        <translation type="unfinished">Pins setzen und ziehen</translation>
+    </message>
+    <message>
+        <source>Se&amp;lect</source>
+        <translation type="unfinished">Aus&amp;wählen</translation>
+    </message>
+    <message>
+        <source>Select and drag pins without setting new ones</source>
+        <translation type="unfinished">Pins auswählen und ziehen, ohne neue zu setzen</translation>
+    </message>
+    <message>
+        <source>Grab by &amp;Lasso</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take hold of all that lies in a drawn outline as one handle</source>
+        <translation type="unfinished">Alles in einem gezeichneten Umriss als einen Griff nehmen</translation>
+    </message>
+    <message>
+        <source>Grab by Bo&amp;x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take hold of all that lies in a rectangle as one handle</source>
+        <translation type="unfinished">Alles in einem Rechteck als einen Griff nehmen</translation>
+    </message>
+    <message>
+        <source>Grab by &amp;Brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take hold of what is brushed over as one handle</source>
+        <translation type="unfinished">Was überstrichen wird, als einen Griff nehmen</translation>
+    </message>
+    <message>
+        <source>Grab a B&amp;all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take hold of all that lies in a ball around a point of the surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Grab a Bloc&amp;k</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take hold of all that lies in a block around a point of the surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Grab &amp;One Side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take hold of all that lies beyond a plane through a point of the surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Detail Brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Brush where the mesh is to be finer or coarser</source>
+        <translation type="unfinished">Aufmalen, wo das Netz feiner oder gröber sein soll</translation>
+    </message>
+    <message>
+        <source>&amp;Paint</source>
+        <translation>&amp;Malen</translation>
+    </message>
+    <message>
+        <source>Paint what is kept, or how stiff it is</source>
+        <translation>Malen, was erhalten bleibt oder wie steif es ist</translation>
+    </message>
+    <message>
+        <source>&amp;Comb</source>
+        <translation>&amp;Kämmen</translation>
+    </message>
+    <message>
+        <source>Comb the direction along which it is stiff</source>
+        <translation>Die Richtung kämmen, in der es steif ist</translation>
+    </message>
+    <message>
+        <source>&amp;Gradient</source>
+        <translation>&amp;Verlauf</translation>
+    </message>
+    <message>
+        <source>Drag: what is there changes evenly into what is chosen</source>
+        <translation>Ziehen: was dort ist, geht gleichmäßig in das Gewählte über</translation>
+    </message>
+    <message>
+        <source>&amp;Fill</source>
+        <translation>&amp;Füllen</translation>
+    </message>
+    <message>
+        <source>Fill with what is chosen all that hangs together</source>
+        <translation>Alles, was zusammenhängt, mit dem Gewählten füllen</translation>
+    </message>
+    <message>
+        <source>E&amp;yedropper</source>
+        <translation>&amp;Pipette</translation>
+    </message>
+    <message>
+        <source>Take up what is painted under the pointer</source>
+        <translation>Aufnehmen, was unter dem Zeiger gemalt ist</translation>
+    </message>
+    <message>
+        <source>M&amp;easure</source>
+        <translation type="unfinished">M&amp;essen</translation>
+    </message>
+    <message>
+        <source>Measure lengths and angles between points of the solid</source>
+        <translation type="unfinished">Längen und Winkel zwischen Punkten des Körpers messen</translation>
     </message>
 </context>
 <context>
@@ -490,30 +711,6 @@
     <message>
         <source>Remove the selected pins; what has already moved stays</source>
         <translation>Die ausgewählten Pins entfernen; was sich schon bewegt hat, bleibt</translation>
-    </message>
-    <message>
-        <source>&amp;Pin</source>
-        <translation>&amp;Pin</translation>
-    </message>
-    <message>
-        <source>Set pins and drag them</source>
-        <translation>Pins setzen und ziehen</translation>
-    </message>
-    <message>
-        <source>P</source>
-        <translation>P</translation>
-    </message>
-    <message>
-        <source>Se&amp;lect</source>
-        <translation>Aus&amp;wählen</translation>
-    </message>
-    <message>
-        <source>Select and drag pins without setting new ones</source>
-        <translation>Pins auswählen und ziehen, ohne neue zu setzen</translation>
-    </message>
-    <message>
-        <source>V</source>
-        <translation>V</translation>
     </message>
     <message>
         <source>&amp;Mesh</source>
@@ -782,6 +979,69 @@
     <message>
         <source>Of a picture, export the picture itself.</source>
         <translation>Exportieren Sie von einem Bild das Bild selbst.</translation>
+    </message>
+    <message>
+        <source>&amp;Stiffness Marks</source>
+        <translation>&amp;Steifigkeitsmarken</translation>
+    </message>
+    <message>
+        <source>Show where it is stiff, and along which direction</source>
+        <translation>Zeigen, wo es steif ist und in welcher Richtung</translation>
+    </message>
+    <message>
+        <source>Shift+S</source>
+        <translation>Shift+S</translation>
+    </message>
+    <message>
+        <source>&amp;Tools</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>wend::BalancePanel</name>
+    <message>
+        <source>What is kept as a number, φ, as it stands in the project file: 0.002 keeps volume, 0.464 length, 1.571 is rigid, 2.498 keeps angles.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is kept as a number, φ, as it stands in the project file: 0.002 keeps area, 0.464 length, 1.571 is rigid, 2.678 keeps angles.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exact &amp;balance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Smoothi&amp;ng length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> rad</source>
+        <translation type="unfinished"> rad</translation>
+    </message>
+    <message>
+        <source>Exact balance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation type="unfinished">keine</translation>
+    </message>
+    <message>
+        <source>Smoothing length</source>
+        <translation type="unfinished">Glättungslänge</translation>
+    </message>
+    <message>
+        <source>How far a pin&apos;s pull is spread, as a part of the shape&apos;s size. Small: close to the pin, sharp. Large: soft and wide.</source>
+        <translation type="unfinished">Wie weit der Zug eines Pins verteilt wird, als Teil der Größe der Form. Klein: nah am Pin, scharf. Groß: weich und weit.</translation>
+    </message>
+    <message>
+        <source>This project smooths as in the paper, with λ; its file says how much.</source>
+        <translation type="unfinished">Dieses Projekt glättet wie im Aufsatz mit λ; seine Datei sagt, wie viel.</translation>
+    </message>
+    <message>
+        <source>Change smoothing</source>
+        <translation type="unfinished">Glättung ändern</translation>
     </message>
 </context>
 <context>
@@ -1116,10 +1376,6 @@
         <translation>Verzerrungskarte</translation>
     </message>
     <message>
-        <source>Which error is coloured over the shape: of lengths, of areas or of angles.</source>
-        <translation>Welcher Fehler über der Form gefärbt wird: der Längen, der Flächen oder der Winkel.</translation>
-    </message>
-    <message>
         <source>Lock range</source>
         <translation>Bereich fest</translation>
     </message>
@@ -1194,6 +1450,17 @@
     <message>
         <source>What is coloured over the solid: the error of lengths, volumes or angles, the material, how fast it moves, or how fine its mesh is.</source>
         <translation>Was über dem Körper farbig ist: der Fehler von Längen, Volumen oder Winkeln, das Material, wie schnell er sich bewegt, oder wie fein sein Netz ist.</translation>
+    </message>
+    <message>
+        <source>What is coloured over the picture: the error of lengths, areas or angles, or the material that is painted on it.</source>
+        <translation>Was über dem Bild eingefärbt wird: der Fehler der Längen, Flächen oder Winkel, oder das Material, das darauf gemalt ist.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::Document</name>
+    <message>
+        <source>Change energy</source>
+        <translation type="unfinished">Energie ändern</translation>
     </message>
 </context>
 <context>
@@ -1322,6 +1589,13 @@
     <message>
         <source>about %1 (estimated)</source>
         <translation>etwa %1 (geschätzt)</translation>
+    </message>
+</context>
+<context>
+    <name>wend::ExportPanel</name>
+    <message>
+        <source>Export</source>
+        <translation type="unfinished">Exportieren</translation>
     </message>
 </context>
 <context>
@@ -1576,6 +1850,25 @@
     </message>
 </context>
 <context>
+    <name>wend::FlowPanel</name>
+    <message>
+        <source>Settle</source>
+        <translation type="unfinished">Entspannen</translation>
+    </message>
+    <message>
+        <source>Let the shape relax with the pins where they are, until it is as near to its rest as it can be. This takes a moment at the end of the motion.</source>
+        <translation type="unfinished">Die Form entspannt sich mit den Pins, wo sie sind, bis sie ihrer Ruhe so nah ist, wie sie kann. Das nimmt einen Augenblick am Ende der Bewegung ein.</translation>
+    </message>
+    <message>
+        <source>Remembers its shape</source>
+        <translation type="unfinished">Erinnert sich an ihre Form</translation>
+    </message>
+    <message>
+        <source>Change memory</source>
+        <translation type="unfinished">Erinnerung ändern</translation>
+    </message>
+</context>
+<context>
     <name>wend::HandlePanel</name>
     <message>
         <source>Select a pin to see its numbers.</source>
@@ -1673,6 +1966,109 @@
     </message>
 </context>
 <context>
+    <name>wend::LayerPanel</name>
+    <message>
+        <source>It is the same everywhere: brush over the shape to change a part.</source>
+        <translation>Es ist überall gleich: Über die Form malen, um einen Teil zu ändern.</translation>
+    </message>
+    <message>
+        <source>Keep here</source>
+        <translation>Hier erhalten</translation>
+    </message>
+    <message>
+        <source>Each along a direction of its own.</source>
+        <translation>Jede in ihrer eigenen Richtung.</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Ebenen</translation>
+    </message>
+    <message>
+        <source>Where the material is another. The topmost wins. A click shows its values, a double click changes its name.</source>
+        <translation>Wo das Material ein anderes ist. Die oberste gilt. Ein Klick zeigt ihre Werte, ein Doppelklick ändert ihren Namen.</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Nach oben</translation>
+    </message>
+    <message>
+        <source>Lets the chosen layer win over the one above it.</source>
+        <translation>Lässt die gewählte Ebene vor der darüber gelten.</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Nach unten</translation>
+    </message>
+    <message>
+        <source>Lets the layer below win over the chosen one.</source>
+        <translation>Lässt die Ebene darunter vor der gewählten gelten.</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Takes the chosen layer away.</source>
+        <translation>Entfernt die gewählte Ebene.</translation>
+    </message>
+    <message>
+        <source>Whether the layer changes what is kept, and to what.</source>
+        <translation>Ob die Ebene ändert, was erhalten bleibt, und wozu.</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Steifigkeit</translation>
+    </message>
+    <message>
+        <source>How many times stiffer the layer is along its direction; ×1 is as everywhere.</source>
+        <translation>Wievielmal steifer die Ebene in ihrer Richtung ist; ×1 ist wie überall.</translation>
+    </message>
+    <message>
+        <source>Stiff direction</source>
+        <translation>Steife Richtung</translation>
+    </message>
+    <message>
+        <source>At rest; it turns with the shape. Another one is for all regions of the layer.</source>
+        <translation>In Ruhe; sie dreht sich mit der Form. Eine andere gilt für alle Bereiche der Ebene.</translation>
+    </message>
+    <message>
+        <source>Soft edge</source>
+        <translation>Weicher Rand</translation>
+    </message>
+    <message>
+        <source>How wide the edge fades, in the shape&apos;s own units.</source>
+        <translation>Wie breit der Rand ausläuft, in den Einheiten der Form.</translation>
+    </message>
+    <message>
+        <source>Soft ed&amp;ge</source>
+        <translation>Weicher &amp;Rand</translation>
+    </message>
+    <message>
+        <source>Rename layer</source>
+        <translation>Ebene umbenennen</translation>
+    </message>
+    <message>
+        <source>Move layer</source>
+        <translation>Ebene verschieben</translation>
+    </message>
+    <message>
+        <source>Remove layer</source>
+        <translation>Ebene entfernen</translation>
+    </message>
+    <message>
+        <source>Change soft edge</source>
+        <translation>Weichen Rand ändern</translation>
+    </message>
+    <message>
+        <source>Change layer</source>
+        <translation>Ebene ändern</translation>
+    </message>
+    <message>
+        <source>Unnamed</source>
+        <translation>Ohne Namen</translation>
+    </message>
+</context>
+<context>
     <name>wend::Legend</name>
     <message>
         <source>Legend</source>
@@ -1688,10 +2084,6 @@
     <message>
         <source>Main</source>
         <translation>Haupt</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Exportieren</translation>
     </message>
     <message>
         <source>Tools</source>
@@ -1733,10 +2125,6 @@
         <source>&lt;table cellspacing=&apos;6&apos;&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Click&lt;/b&gt;&lt;/td&gt;&lt;td&gt;sets a pin&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Drag a pin&lt;/b&gt;&lt;/td&gt;&lt;td&gt;moves it; Esc puts it back&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Alt-drag a pin&lt;/b&gt;&lt;/td&gt;&lt;td&gt;widens it to a circle&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Drag the ring&apos;s dot or square&lt;/b&gt;&lt;/td&gt;&lt;td&gt;rotates or scales; digits set the number, Shift snaps to 15°&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Shift-click&lt;/b&gt;&lt;/td&gt;&lt;td&gt;selects several pins&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Drag beside pins&lt;/b&gt;&lt;/td&gt;&lt;td&gt;selects by rectangle&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Arrow keys&lt;/b&gt;&lt;/td&gt;&lt;td&gt;nudge by a pixel, with Shift by ten&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Delete&lt;/b&gt;&lt;/td&gt;&lt;td&gt;removes the selected pins&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Shift+B, L, U&lt;/b&gt;&lt;/td&gt;&lt;td&gt;hold a part by rectangle, lasso, brush&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Wheel&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zooms to the pointer&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Space or middle button&lt;/b&gt;&lt;/td&gt;&lt;td&gt;pans&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Hold H&lt;/b&gt;&lt;/td&gt;&lt;td&gt;shows the bare picture&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</source>
         <translation>&lt;table cellspacing=&apos;6&apos;&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Klick&lt;/b&gt;&lt;/td&gt;&lt;td&gt;setzt einen Pin&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Pin ziehen&lt;/b&gt;&lt;/td&gt;&lt;td&gt;bewegt ihn; Esc setzt ihn zurück&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Pin mit Alt ziehen&lt;/b&gt;&lt;/td&gt;&lt;td&gt;weitet ihn zu einem Kreis&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Punkt oder Quadrat des Rings ziehen&lt;/b&gt;&lt;/td&gt;&lt;td&gt;dreht oder skaliert; Ziffern setzen die Zahl, Umschalt rastet bei 15° ein&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Umschalt-Klick&lt;/b&gt;&lt;/td&gt;&lt;td&gt;wählt mehrere Pins&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Neben Pins ziehen&lt;/b&gt;&lt;/td&gt;&lt;td&gt;wählt mit einem Rechteck&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Pfeiltasten&lt;/b&gt;&lt;/td&gt;&lt;td&gt;rücken um ein Pixel, mit Umschalt um zehn&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Entf&lt;/b&gt;&lt;/td&gt;&lt;td&gt;entfernt die gewählten Pins&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Umschalt+B, L, U&lt;/b&gt;&lt;/td&gt;&lt;td&gt;greifen einen Teil mit Rechteck, Lasso, Pinsel&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Mausrad&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zoomt zum Zeiger&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Leertaste oder mittlere Taste&lt;/b&gt;&lt;/td&gt;&lt;td&gt;verschiebt&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;H halten&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zeigt das bloße Bild&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</translation>
     </message>
-    <message>
-        <source>Write what is shown: as picture, sequence, ST map, mesh or view</source>
-        <translation>Schreiben, was zu sehen ist: als Bild, Bildfolge, ST-Map, Netz oder Ansicht</translation>
-    </message>
 </context>
 <context>
     <name>wend::MaterialPanel</name>
@@ -1745,72 +2133,8 @@
         <translation>Halten</translation>
     </message>
     <message>
-        <source> rad</source>
-        <translation> rad</translation>
-    </message>
-    <message>
-        <source>Energy φ</source>
-        <translation>Energie φ</translation>
-    </message>
-    <message>
-        <source>The same choice as a number, as it stands in the project file: 0.002 keeps area, 0.464 length, 1.571 is rigid, 2.678 keeps angles.</source>
-        <translation>Dieselbe Wahl als Zahl, wie sie in der Projektdatei steht: 0,002 hält Flächen, 0,464 Längen, 1,571 ist starr, 2,678 hält Winkel.</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>keine</translation>
-    </message>
-    <message>
-        <source>Smoothing length</source>
-        <translation>Glättungslänge</translation>
-    </message>
-    <message>
-        <source>This project smooths as in the paper, with λ; its file says how much.</source>
-        <translation>Dieses Projekt glättet wie im Aufsatz mit λ; seine Datei sagt, wie viel.</translation>
-    </message>
-    <message>
         <source>Between %1 and %2.</source>
         <translation>Zwischen %1 und %2.</translation>
-    </message>
-    <message>
-        <source>Change energy</source>
-        <translation>Energie ändern</translation>
-    </message>
-    <message>
-        <source>Change smoothing</source>
-        <translation>Glättung ändern</translation>
-    </message>
-    <message>
-        <source>The same choice as a number, as it stands in the project file: 0.002 keeps volume, 0.464 length, 1.571 is rigid, 2.498 keeps angles.</source>
-        <translation>Dieselbe Wahl als Zahl, wie sie in der Projektdatei steht: 0,002 erhält das Volumen, 0,464 die Länge, 1,571 ist starr, 2,498 erhält Winkel.</translation>
-    </message>
-    <message>
-        <source>Settle</source>
-        <translation>Entspannen</translation>
-    </message>
-    <message>
-        <source>Remembers its shape</source>
-        <translation>Erinnert sich an ihre Form</translation>
-    </message>
-    <message>
-        <source>How far a pin&apos;s pull is spread, as a part of the shape&apos;s size. Small: close to the pin, sharp. Large: soft and wide.</source>
-        <translation>Wie weit der Zug eines Pins verteilt wird, als Teil der Größe der Form. Klein: nah am Pin, scharf. Groß: weich und weit.</translation>
-    </message>
-    <message>
-        <source>Let the shape relax with the pins where they are, until it is as near to its rest as it can be. This takes a moment at the end of the motion.</source>
-        <translation>Die Form entspannt sich mit den Pins, wo sie sind, bis sie ihrer Ruhe so nah ist, wie sie kann. Das nimmt einen Augenblick am Ende der Bewegung ein.</translation>
-    </message>
-    <message>
-        <source>Change memory</source>
-        <translation>Erinnerung ändern</translation>
-    </message>
-    <message>
-        <source>Energ&amp;y φ</source>
-        <translation>&amp;Energie φ</translation>
-    </message>
-    <message>
-        <source>Smoothi&amp;ng</source>
-        <translation>&amp;Glättung</translation>
     </message>
 </context>
 <context>
@@ -1997,10 +2321,6 @@
         <translation>&amp;Umriss</translation>
     </message>
     <message>
-        <source>&amp;Threshold</source>
-        <translation>&amp;Schwelle</translation>
-    </message>
-    <message>
         <source>Ma&amp;rgin</source>
         <translation>&amp;Rand</translation>
     </message>
@@ -2127,6 +2447,21 @@
     <message>
         <source>Verti&amp;ces</source>
         <translation>Pu&amp;nkte</translation>
+    </message>
+    <message>
+        <source>Thresho&amp;ld</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>wend::ModeRow</name>
+    <message>
+        <source>Export</source>
+        <translation type="unfinished">Exportieren</translation>
+    </message>
+    <message>
+        <source>Write what is shown: as picture, sequence, warp map, mesh or view</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2257,30 +2592,17 @@
     </message>
 </context>
 <context>
+    <name>wend::OptionRow</name>
+    <message>
+        <source>Options</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>wend::PaintPanel</name>
-    <message>
-        <source>&amp;Keep here</source>
-        <translation>Hier &amp;erhalten</translation>
-    </message>
-    <message>
-        <source>Remove region</source>
-        <translation>Gebiet entfernen</translation>
-    </message>
-    <message>
-        <source>Keep here</source>
-        <translation>Hier erhalten</translation>
-    </message>
-    <message>
-        <source>Whether the brush changes what is kept, and to what.</source>
-        <translation>Ob der Pinsel ändert, was erhalten wird, und wozu.</translation>
-    </message>
     <message>
         <source>Stiffness</source>
         <translation>Steifigkeit</translation>
-    </message>
-    <message>
-        <source>How many times stiffer the painted part is along the axis; ×1 is as everywhere.</source>
-        <translation>Wievielmal steifer der gemalte Teil entlang der Achse ist; ×1 ist wie überall.</translation>
     </message>
     <message>
         <source>along X</source>
@@ -2299,40 +2621,8 @@
         <translation>Steife Richtung</translation>
     </message>
     <message>
-        <source>Regions</source>
-        <translation>Gebiete</translation>
-    </message>
-    <message>
-        <source>Where the material is another; a click shows its values for changing.</source>
-        <translation>Wo das Material ein anderes ist; ein Klick zeigt seine Werte zum Ändern.</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Entfernen</translation>
-    </message>
-    <message>
-        <source>Takes the chosen region away.</source>
-        <translation>Nimmt das gewählte Gebiet weg.</translation>
-    </message>
-    <message>
-        <source>Paint material</source>
-        <translation>Material malen</translation>
-    </message>
-    <message>
         <source>St&amp;iffness</source>
         <translation>St&amp;eifigkeit</translation>
-    </message>
-    <message>
-        <source>Direc&amp;tion</source>
-        <translation>Ri&amp;chtung</translation>
-    </message>
-    <message>
-        <source>Change region</source>
-        <translation>Gebiet ändern</translation>
-    </message>
-    <message>
-        <source>Unnamed</source>
-        <translation>Ohne Namen</translation>
     </message>
     <message>
         <source>as numbers</source>
@@ -2351,16 +2641,96 @@
         <translation>längs des Pin-Wegs</translation>
     </message>
     <message>
-        <source>The direction at rest, which turns with the material: an axis, numbers, the direction of view, the stroke&apos;s own, or the way of the selected pin where it is nearest.</source>
-        <translation>Die Richtung in Ruhe, die sich mit dem Material dreht: eine Achse, Zahlen, die Blickrichtung, die des Strichs oder die des Wegs des gewählten Pins, wo er am nächsten ist.</translation>
-    </message>
-    <message>
         <source>Direction in numbers</source>
         <translation>Richtung in Zahlen</translation>
     </message>
     <message>
-        <source>As x, y and z at rest; its length does not matter.</source>
-        <translation>Als x, y und z in Ruhe; die Länge ist gleichgültig.</translation>
+        <source>Keep</source>
+        <translation>Erhalt</translation>
+    </message>
+    <message>
+        <source>Paint what the shape keeps when it has to give way.</source>
+        <translation>Malen, was die Form erhält, wenn sie nachgeben muss.</translation>
+    </message>
+    <message>
+        <source>Paint how many times stiffer the shape is along a direction.</source>
+        <translation>Malen, wievielmal steifer die Form in einer Richtung ist.</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Comb the direction along which the shape is stiff.</source>
+        <translation>Die Richtung kämmen, in der die Form steif ist.</translation>
+    </message>
+    <message>
+        <source>How many times stiffer the painted part is along its direction; ×1 is as everywhere.</source>
+        <translation>Wievielmal steifer der gemalte Teil in seiner Richtung ist; ×1 ist wie überall.</translation>
+    </message>
+    <message>
+        <source>The direction at rest, which turns with the shape: the stroke&apos;s own, the one that is there, an axis, numbers, or the way of the selected pin where it is nearest.</source>
+        <translation>Die Richtung in Ruhe, die sich mit der Form dreht: die des Strichs, die schon da ist, eine Achse, Zahlen oder der Weg des gewählten Pins, wo er am nächsten ist.</translation>
+    </message>
+    <message>
+        <source>At rest; its length does not matter.</source>
+        <translation>In Ruhe; die Länge ist gleichgültig.</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Amount</source>
+        <translation>Menge</translation>
+    </message>
+    <message>
+        <source>How far a stroke goes from what is there to what is painted.</source>
+        <translation>Wie weit ein Strich von dem, was da ist, zum Gemalten geht.</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>The brush across, on the screen; also by the keys [ and ].</source>
+        <translation>Der Durchmesser des Pinsels auf dem Bildschirm; auch mit den Tasten [ und ].</translation>
+    </message>
+    <message>
+        <source>Hardness</source>
+        <translation>Härte</translation>
+    </message>
+    <message>
+        <source>How much of the brush paints wholly; beyond it fades out. Also by Shift with [ and ].</source>
+        <translation>Wie viel des Pinsels ganz malt; weiter außen läuft er aus. Auch mit Umschalt und [ oder ].</translation>
+    </message>
+    <message>
+        <source>Di&amp;rection</source>
+        <translation>Richt&amp;ung</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>Malen</translation>
+    </message>
+    <message>
+        <source>Am&amp;ount</source>
+        <translation>Men&amp;ge</translation>
+    </message>
+    <message>
+        <source>Si&amp;ze</source>
+        <translation>Gr&amp;öße</translation>
+    </message>
+    <message>
+        <source>Hard&amp;ness</source>
+        <translation>Här&amp;te</translation>
+    </message>
+    <message>
+        <source>as it is there</source>
+        <translation>wie es dort ist</translation>
     </message>
 </context>
 <context>
@@ -2495,6 +2865,17 @@
     <message>
         <source>Rename</source>
         <translation>Umbenennen</translation>
+    </message>
+</context>
+<context>
+    <name>wend::Properties</name>
+    <message>
+        <source>Advanced</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The same in numbers, for those who want them.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2808,78 +3189,6 @@
 <context>
     <name>wend::SolidActions</name>
     <message>
-        <source>Hold by &amp;Rectangle</source>
-        <translation>Mit &amp;Rechteck halten</translation>
-    </message>
-    <message>
-        <source>B</source>
-        <translation>B</translation>
-    </message>
-    <message>
-        <source>Hold by &amp;Lasso</source>
-        <translation>Mit &amp;Lasso halten</translation>
-    </message>
-    <message>
-        <source>O</source>
-        <translation>O</translation>
-    </message>
-    <message>
-        <source>Hold by &amp;Brush</source>
-        <translation>Mit &amp;Pinsel halten</translation>
-    </message>
-    <message>
-        <source>U</source>
-        <translation>U</translation>
-    </message>
-    <message>
-        <source>Hold a B&amp;all</source>
-        <translation>&amp;Kugel halten</translation>
-    </message>
-    <message>
-        <source>Take hold of all vertices in a ball around a point of the surface</source>
-        <translation>Alle Punkte in einer Kugel um einen Punkt der Oberfläche halten</translation>
-    </message>
-    <message>
-        <source>Shift+B</source>
-        <translation>Shift+B</translation>
-    </message>
-    <message>
-        <source>Hold a Bo&amp;x</source>
-        <translation>&amp;Quader halten</translation>
-    </message>
-    <message>
-        <source>Take hold of all vertices in a box around a point of the surface</source>
-        <translation>Alle Punkte in einem Quader um einen Punkt der Oberfläche halten</translation>
-    </message>
-    <message>
-        <source>Shift+X</source>
-        <translation>Shift+X</translation>
-    </message>
-    <message>
-        <source>&amp;Paint Material</source>
-        <translation>&amp;Material malen</translation>
-    </message>
-    <message>
-        <source>Brush another stiffness and energy into the solid</source>
-        <translation>Andere Steifigkeit und Energie in den Körper pinseln</translation>
-    </message>
-    <message>
-        <source>A</source>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>M&amp;easure</source>
-        <translation>M&amp;essen</translation>
-    </message>
-    <message>
-        <source>Measure lengths and angles between points of the solid</source>
-        <translation>Längen und Winkel zwischen Punkten des Körpers messen</translation>
-    </message>
-    <message>
-        <source>E</source>
-        <translation>E</translation>
-    </message>
-    <message>
         <source>Through the &amp;Solid</source>
         <translation>D&amp;urch den Körper</translation>
     </message>
@@ -2972,18 +3281,6 @@
         <translation>Shift+V</translation>
     </message>
     <message>
-        <source>&amp;Stiffness Ellipsoids</source>
-        <translation>&amp;Steifigkeits-Ellipsoide</translation>
-    </message>
-    <message>
-        <source>Show where the material is stiff, and along which direction</source>
-        <translation>Zeigen, wo das Material steif ist und in welcher Richtung</translation>
-    </message>
-    <message>
-        <source>Shift+S</source>
-        <translation>Shift+S</translation>
-    </message>
-    <message>
         <source>&amp;Cut Open</source>
         <translation>&amp;Aufschneiden</translation>
     </message>
@@ -3012,10 +3309,6 @@
         <translation>&amp;Hinten</translation>
     </message>
     <message>
-        <source>Ctrl+1</source>
-        <translation>Ctrl+1</translation>
-    </message>
-    <message>
         <source>&amp;Right</source>
         <translation>&amp;Rechts</translation>
     </message>
@@ -3028,10 +3321,6 @@
         <translation>&amp;Links</translation>
     </message>
     <message>
-        <source>Ctrl+3</source>
-        <translation>Ctrl+3</translation>
-    </message>
-    <message>
         <source>&amp;Top</source>
         <translation>&amp;Oben</translation>
     </message>
@@ -3042,10 +3331,6 @@
     <message>
         <source>B&amp;ottom</source>
         <translation>&amp;Unten</translation>
-    </message>
-    <message>
-        <source>Ctrl+7</source>
-        <translation>Ctrl+7</translation>
     </message>
     <message>
         <source>&amp;Oblique</source>
@@ -3152,18 +3437,6 @@
         <translation>&amp;Pins auswählen</translation>
     </message>
     <message>
-        <source>Hold a &amp;Half-Space</source>
-        <translation>&amp;Halbraum halten</translation>
-    </message>
-    <message>
-        <source>Take hold of all vertices beyond a plane through a point of the surface</source>
-        <translation>Alle Punkte jenseits einer Ebene durch einen Punkt der Oberfläche halten</translation>
-    </message>
-    <message>
-        <source>Shift+P</source>
-        <translation>Shift+P</translation>
-    </message>
-    <message>
         <source>Choose Deta&amp;il Surface…</source>
         <translation>Fe&amp;ine Oberfläche wählen …</translation>
     </message>
@@ -3184,36 +3457,8 @@
         <translation>Für den Körper wurde keine feine Oberfläche gewählt.</translation>
     </message>
     <message>
-        <source>Paint Cell Si&amp;zes</source>
-        <translation>&amp;Zellgrößen malen</translation>
-    </message>
-    <message>
-        <source>Brush where the mesh is to be finer or coarser</source>
-        <translation>Aufmalen, wo das Netz feiner oder gröber sein soll</translation>
-    </message>
-    <message>
-        <source>Shift+A</source>
-        <translation>Shift+A</translation>
-    </message>
-    <message>
         <source>The mesh comes from a file and is used as it is.</source>
         <translation>Das Netz kommt aus einer Datei und wird verwendet, wie es ist.</translation>
-    </message>
-    <message>
-        <source>Take hold of all that lies in a rectangle as one handle</source>
-        <translation>Alles in einem Rechteck als einen Griff nehmen</translation>
-    </message>
-    <message>
-        <source>Take hold of all that lies in a drawn outline as one handle</source>
-        <translation>Alles in einem gezeichneten Umriss als einen Griff nehmen</translation>
-    </message>
-    <message>
-        <source>Take hold of what is brushed over as one handle</source>
-        <translation>Was überstrichen wird, als einen Griff nehmen</translation>
-    </message>
-    <message>
-        <source>L</source>
-        <translation>L</translation>
     </message>
 </context>
 <context>
@@ -3262,16 +3507,16 @@
         <translation>„Oberfläche verfeinern“ im Feld „Netz“ lässt die Dreiecke der Oberfläche teilen.</translation>
     </message>
     <message>
-        <source>&lt;table cellspacing=&apos;6&apos;&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Click&lt;/b&gt;&lt;/td&gt;&lt;td&gt;sets a pin&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Drag a pin&lt;/b&gt;&lt;/td&gt;&lt;td&gt;moves it along the screen; Esc puts it back&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;G, R, S&lt;/b&gt;&lt;/td&gt;&lt;td&gt;arrows to move, rings to turn, a ring to scale&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;X, Y, Z while dragging&lt;/b&gt;&lt;/td&gt;&lt;td&gt;lock an axis&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Digits while dragging&lt;/b&gt;&lt;/td&gt;&lt;td&gt;set the amount, Enter takes it&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, O, U&lt;/b&gt;&lt;/td&gt;&lt;td&gt;hold by rectangle, lasso, brush; T: through the solid&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Shift+B, Shift+X, Shift+P&lt;/b&gt;&lt;/td&gt;&lt;td&gt;hold a ball, a box, a half-space&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;A, Shift+A&lt;/b&gt;&lt;/td&gt;&lt;td&gt;paint material, paint how fine the mesh is&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Shift, Ctrl while holding&lt;/b&gt;&lt;/td&gt;&lt;td&gt;add to the selected handle, take away&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Shift+C&lt;/b&gt;&lt;/td&gt;&lt;td&gt;makes a curve of the last way; a double click on it inserts a point, Delete removes one&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Right or middle button&lt;/b&gt;&lt;/td&gt;&lt;td&gt;turns the view; with Shift it moves&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Middle click&lt;/b&gt;&lt;/td&gt;&lt;td&gt;sets the point to turn around&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Wheel&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zooms to the pointer&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;1, 3, 7, 0&lt;/b&gt;&lt;/td&gt;&lt;td&gt;from the front, right, top, side; Ctrl: from the other side&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;C&lt;/b&gt;&lt;/td&gt;&lt;td&gt;cuts the solid open&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Hold H&lt;/b&gt;&lt;/td&gt;&lt;td&gt;shows the bare solid&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</source>
-        <translation>&lt;table cellspacing=&apos;6&apos;&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Klick&lt;/b&gt;&lt;/td&gt;&lt;td&gt;setzt einen Pin&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Pin ziehen&lt;/b&gt;&lt;/td&gt;&lt;td&gt;bewegt ihn am Bildschirm entlang; Esc stellt ihn zurück&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;G, R, S&lt;/b&gt;&lt;/td&gt;&lt;td&gt;Pfeile zum Bewegen, Ringe zum Drehen, ein Ring zum Skalieren&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;X, Y, Z beim Ziehen&lt;/b&gt;&lt;/td&gt;&lt;td&gt;halten eine Achse fest&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ziffern beim Ziehen&lt;/b&gt;&lt;/td&gt;&lt;td&gt;geben den Betrag, die Eingabetaste nimmt ihn&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, O, U&lt;/b&gt;&lt;/td&gt;&lt;td&gt;mit Rechteck, Lasso, Pinsel halten; T: durch den Körper&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Umschalt+B, Umschalt+X, Umschalt+P&lt;/b&gt;&lt;/td&gt;&lt;td&gt;Kugel, Quader, Halbraum halten&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;A, Umschalt+A&lt;/b&gt;&lt;/td&gt;&lt;td&gt;Material malen, malen, wie fein das Netz ist&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Umschalt, Strg beim Halten&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zum gewählten Griff dazu, davon weg&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Umschalt+C&lt;/b&gt;&lt;/td&gt;&lt;td&gt;macht aus dem letzten Weg eine Kurve; ein Doppelklick darauf fügt einen Punkt ein, Entf löscht einen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Rechte oder mittlere Taste&lt;/b&gt;&lt;/td&gt;&lt;td&gt;dreht die Ansicht; mit Umschalt verschiebt sie&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Mittelklick&lt;/b&gt;&lt;/td&gt;&lt;td&gt;setzt den Drehpunkt&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Rad&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zoomt zum Zeiger&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;1, 3, 7, 0&lt;/b&gt;&lt;/td&gt;&lt;td&gt;von vorn, rechts, oben, schräg; Strg: von der anderen Seite&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;C&lt;/b&gt;&lt;/td&gt;&lt;td&gt;schneidet den Körper auf&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;H halten&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zeigt den bloßen Körper&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</translation>
-    </message>
-    <message>
         <source>These pictures of the surface cannot be read: %1</source>
         <translation>Diese Bilder der Oberfläche sind nicht zu lesen: %1</translation>
     </message>
     <message>
         <source>Export View</source>
         <translation>Ansicht exportieren</translation>
+    </message>
+    <message>
+        <source>&lt;table cellspacing=&apos;6&apos;&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Click&lt;/b&gt;&lt;/td&gt;&lt;td&gt;sets a pin&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Drag a pin&lt;/b&gt;&lt;/td&gt;&lt;td&gt;moves it along the screen; Esc puts it back&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;G, R, S&lt;/b&gt;&lt;/td&gt;&lt;td&gt;arrows to move, rings to turn, a ring to scale&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;X, Y, Z while dragging&lt;/b&gt;&lt;/td&gt;&lt;td&gt;lock an axis&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Digits while dragging&lt;/b&gt;&lt;/td&gt;&lt;td&gt;set the amount, Enter takes it&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Shift+B, L, U&lt;/b&gt;&lt;/td&gt;&lt;td&gt;grab by box, lasso, brush; T: through the solid&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Shift+K, Shift+X, Shift+P&lt;/b&gt;&lt;/td&gt;&lt;td&gt;grab a ball, a block, one side&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, Shift+A&lt;/b&gt;&lt;/td&gt;&lt;td&gt;paint material, paint how fine the mesh is&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Shift, Ctrl while holding&lt;/b&gt;&lt;/td&gt;&lt;td&gt;add to the selected handle, take away&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Shift+C&lt;/b&gt;&lt;/td&gt;&lt;td&gt;makes a curve of the last way; a double click on it inserts a point, Delete removes one&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Right or middle button&lt;/b&gt;&lt;/td&gt;&lt;td&gt;turns the view; with Shift it moves&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Middle click&lt;/b&gt;&lt;/td&gt;&lt;td&gt;sets the point to turn around&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Wheel&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zooms to the pointer&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;1, 3, 7, 0&lt;/b&gt;&lt;/td&gt;&lt;td&gt;from the front, right, top, side; Ctrl on the keypad: from the other side&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;C&lt;/b&gt;&lt;/td&gt;&lt;td&gt;cuts the solid open&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Hold H&lt;/b&gt;&lt;/td&gt;&lt;td&gt;shows the bare solid&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3484,6 +3729,57 @@
     <message>
         <source>%1 /</source>
         <translation>%1 /</translation>
+    </message>
+</context>
+<context>
+    <name>wend::Toolbox</name>
+    <message>
+        <source>Mesh</source>
+        <translation type="unfinished">Netz</translation>
+    </message>
+    <message>
+        <source>What bends, and how finely</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pins</source>
+        <translation type="unfinished">Pins</translation>
+    </message>
+    <message>
+        <source>Hold parts and drag them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What it is made of: soft, stiff, and what is kept where</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Animate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How it moves in time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation type="unfinished">Exportieren</translation>
+    </message>
+    <message>
+        <source>Write pictures, sequences, maps and meshes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a picture first.</source>
+        <translation type="unfinished">Zuerst ein Bild öffnen.</translation>
+    </message>
+    <message>
+        <source>Open a solid first.</source>
+        <translation type="unfinished">Zuerst einen Körper öffnen.</translation>
     </message>
 </context>
 <context>

@@ -48,6 +48,7 @@ shot() { # NAME ARGUMENT…: opens the window, waits, sends the keys in KEYS, dr
 
 shot start.png
 shot window.png "$root/resources/samples/giraffe.wend"
+WAIT=10 KEYS="ctrl+3 n" DRAG="690 490 760 595" shot painting.png "$root/resources/samples/octopus.wend"
 WAIT=20 KEYS="f" shot solid-detail.png "$root/resources/samples/eagle.wend"
 WAIT=20 KEYS="d f" shot solid-window.png "$root/resources/samples/eagle.wend"
 WAIT=20 KEYS="m d c" shot solid-cut.png "$root/resources/samples/eagle.wend"
