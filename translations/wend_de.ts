@@ -2452,6 +2452,38 @@
         <source>Thresho&amp;ld</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>&amp;Threshold</source>
+        <translation>&amp;Schwelle</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Exact surface</source>
+        <translation>Genaue Oberfläche</translation>
+    </message>
+    <message>
+        <source>Cage</source>
+        <translation>Käfig</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Füllung</translation>
+    </message>
+    <message>
+        <source>&amp;Fit</source>
+        <translation>&amp;Füllung</translation>
+    </message>
+    <message>
+        <source>Change fit</source>
+        <translation>Füllung ändern</translation>
+    </message>
+    <message>
+        <source>What is filled: the surface itself, or a cage of even cells around it, in which it rides. Automatic takes the cage where the surface cannot be filled or has far too many vertices.</source>
+        <translation>Was gefüllt wird: die Oberfläche selbst oder ein Käfig gleichmäßiger Zellen um sie herum, in dem sie mitfährt. Automatisch nimmt den Käfig, wo sich die Oberfläche nicht füllen lässt oder viel zu viele Punkte hat.</translation>
+    </message>
 </context>
 <context>
     <name>wend::ModeRow</name>
@@ -3640,6 +3672,46 @@
         <source>Repair surface</source>
         <translation>Oberfläche reparieren</translation>
     </message>
+    <message>
+        <source>Triangles of missing points</source>
+        <translation>Dreiecke mit fehlenden Punkten</translation>
+    </message>
+    <message>
+        <source>Triangles that cross</source>
+        <translation>Dreiecke, die sich durchdringen</translation>
+    </message>
+    <message>
+        <source>Holes</source>
+        <translation>Löcher</translation>
+    </message>
+    <message>
+        <source>Edges of more than two</source>
+        <translation>Kanten mit mehr als zweien</translation>
+    </message>
+    <message>
+        <source>Triangles without area</source>
+        <translation>Dreiecke ohne Fläche</translation>
+    </message>
+    <message>
+        <source>Double triangles</source>
+        <translation>Doppelte Dreiecke</translation>
+    </message>
+    <message>
+        <source>Turned neighbours</source>
+        <translation>Verdrehte Nachbarn</translation>
+    </message>
+    <message>
+        <source>All points lie in one plane.</source>
+        <translation>Alle Punkte liegen in einer Ebene.</translation>
+    </message>
+    <message>
+        <source>Fit a cage</source>
+        <translation>Käfig bauen</translation>
+    </message>
+    <message>
+        <source>Exact surface only</source>
+        <translation>Nur die genaue Oberfläche</translation>
+    </message>
 </context>
 <context>
     <name>wend::SurfacePanel</name>
@@ -3664,10 +3736,6 @@
         <translation>Dreiecke zeigen</translation>
     </message>
     <message>
-        <source>Colours the triangles that are wrong, and looks at them.</source>
-        <translation>Färbt die fehlerhaften Dreiecke und sieht sie an.</translation>
-    </message>
-    <message>
         <source>Save the list</source>
         <translation>Liste speichern</translation>
     </message>
@@ -3684,12 +3752,80 @@
         <translation>„Reparieren“ kann sie flicken.</translation>
     </message>
     <message>
-        <source>“Repair” cannot mend it: another program has to.</source>
-        <translation>„Reparieren“ kann sie nicht flicken: das muss ein anderes Programm tun.</translation>
+        <source>Fill holes up to (edges)</source>
+        <translation>Löcher füllen bis (Kanten)</translation>
     </message>
     <message>
-        <source>The simple repairs do not help; another program has to mend the surface.</source>
-        <translation>Die einfachen Reparaturen helfen nicht; ein anderes Programm muss die Oberfläche flicken.</translation>
+        <source>What is wrong</source>
+        <translation>Was falsch ist</translation>
+    </message>
+    <message>
+        <source>The kinds of what is wrong, and how often each occurs.</source>
+        <translation>Die Arten von Fehlern, und wie oft jede vorkommt.</translation>
+    </message>
+    <message>
+        <source>Previous place</source>
+        <translation>Vorige Stelle</translation>
+    </message>
+    <message>
+        <source>Looks at the previous place where this is wrong.</source>
+        <translation>Sieht die vorige Stelle an, an der dies falsch ist.</translation>
+    </message>
+    <message>
+        <source>Next place</source>
+        <translation>Nächste Stelle</translation>
+    </message>
+    <message>
+        <source>Looks at the next place where this is wrong.</source>
+        <translation>Sieht die nächste Stelle an, an der dies falsch ist.</translation>
+    </message>
+    <message>
+        <source>Colours the triangles that are wrong, and looks at them: what hides them is left out.</source>
+        <translation>Färbt die fehlerhaften Dreiecke und sieht sie an: was sie verdeckt, wird weggelassen.</translation>
+    </message>
+    <message>
+        <source>Largest hole</source>
+        <translation>Größtes Loch</translation>
+    </message>
+    <message>
+        <source>“Repair” fills holes of at most so many edges.</source>
+        <translation>„Reparieren“ füllt Löcher von höchstens so vielen Kanten.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>The surface rides in a cage</source>
+        <translation>Die Oberfläche fährt in einem Käfig mit</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>“Repair” cannot mend it: a cage around it can carry it.</source>
+        <translation>„Reparieren“ kann sie nicht flicken: ein Käfig um sie herum kann sie tragen.</translation>
+    </message>
+    <message>
+        <source>The simple repairs do not help: fit a cage.</source>
+        <translation>Die einfachen Reparaturen helfen nicht: bauen Sie einen Käfig.</translation>
+    </message>
+    <message>
+        <source>Exact surface only</source>
+        <translation>Nur die genaue Oberfläche</translation>
+    </message>
+    <message>
+        <source>Fit a cage</source>
+        <translation>Käfig bauen</translation>
+    </message>
+    <message>
+        <source>Takes the cage away: without repair there is no solid then.</source>
+        <translation>Nimmt den Käfig weg: ohne Reparatur gibt es dann keinen Körper.</translation>
+    </message>
+    <message>
+        <source>Fills a cage of even cells around the surface, which rides in it.</source>
+        <translation>Füllt einen Käfig gleichmäßiger Zellen um die Oberfläche, die in ihm mitfährt.</translation>
     </message>
 </context>
 <context>

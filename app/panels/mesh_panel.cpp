@@ -54,6 +54,7 @@ MeshPanel::MeshPanel(ShapeSession& session, QWidget* parent)
       m_density(new JumpSlider(this)),
       m_quality(new NumberBox(this)),
       m_refine(new QCheckBox(tr("Refine s&urface"), this)),
+      m_fit(new QComboBox(this)),
       m_aim(new QComboBox(this)),
       m_volume(new MagnitudeBox(this)),
       m_sizes(new QToolButton(this)),
@@ -99,6 +100,13 @@ void MeshPanel::makeControls() {
 }
 
 void MeshPanel::makeSolidControls() {
+    m_fit->addItem(tr("Automatic"), static_cast<int>(Fit::Automatic));
+    m_fit->addItem(tr("Exact surface"), static_cast<int>(Fit::Exact));
+    m_fit->addItem(tr("Cage"), static_cast<int>(Fit::Cage));
+    m_fit->setFixedWidth(150);
+    describe(m_fit, tr("Fit"),
+             tr("What is filled: the surface itself, or a cage of even cells around it, in which it rides. "
+                "Automatic takes the cage where the surface cannot be filled or has far too many vertices."));
     m_aim->addItems({tr("Vertices"), tr("Greatest volume")});
     m_aim->setFixedWidth(150);
     describe(m_aim, tr("Aim"),
@@ -142,6 +150,7 @@ void MeshPanel::arrange() {
     };
     m_pictureRows = {row(tr("&Outline"), m_outline), row(tr("Thresho&ld"), m_threshold),
                      row(tr("Ma&rgin"), m_margin)};
+    QWidget* fit = row(tr("&Fit"), m_fit);
     QWidget* aim = row(tr("A&im at"), m_aim);
     QWidget* vertices = row(tr("Verti&ces"), m_vertices);
     layout->addWidget(m_density);
@@ -150,7 +159,7 @@ void MeshPanel::arrange() {
     layout->addWidget(m_refine);
     QWidget* sizes = row(tr("Finer and coarser"), m_sizes);
     layout->addWidget(m_detail);
-    m_solidRows = {aim, quality, m_refine, sizes};
+    m_solidRows = {fit, aim, quality, m_refine, sizes};
     m_surfaceRows = {vertices, m_density};
     m_volumeRows = {volume};
     layout->addWidget(m_counts);
@@ -190,6 +199,11 @@ void MeshPanel::connectSolidControls() {
     connect(m_refine, &QCheckBox::clicked, this, [this](bool on) {
         edit(on ? tr("Refine surface") : tr("Keep surface"), {},
              [on](Domain& domain) { domain.refineSurface = on; });
+    });
+    connect(m_fit, &QComboBox::activated, this, [this] {
+        const auto fit = static_cast<Fit>(m_fit->currentData().toInt());
+        if (m_session.document().project()->domain.fit == fit) return;
+        edit(tr("Change fit"), {}, [fit](Domain& domain) { domain.fit = fit; });
     });
     connect(m_aim, &QComboBox::activated, this, [this](int aim) { setAim(aim == ByVolume); });
     connect(m_volume, &QDoubleSpinBox::valueChanged, this, [this](double value) {
@@ -276,6 +290,7 @@ void MeshPanel::showSolid(const Domain& domain) {
     const bool volume = domain.maxVolume > 0;
     setToolTip(surface ? QString() : tr("The mesh comes from a file and is used as it is."));
     const QSignalBlocker a(m_vertices), b(m_density), c(m_quality), d(m_volume);
+    m_fit->setCurrentIndex(m_fit->findData(static_cast<int>(domain.fit)));
     m_aim->setCurrentIndex(volume ? ByVolume : ByVertices);
     if (volume) m_volume->setValue(domain.maxVolume);
     m_detail->showDomain(domain);

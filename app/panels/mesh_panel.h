@@ -54,7 +54,7 @@ class MeshPanel : public QWidget {
     QSlider* m_density;
     QDoubleSpinBox* m_quality;
     QCheckBox* m_refine;
-    QComboBox* m_aim;
+    QComboBox *m_fit, *m_aim;
     MagnitudeBox* m_volume;
     QToolButton* m_sizes;
     DetailRow* m_detail;

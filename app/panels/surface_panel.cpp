@@ -1,49 +1,120 @@
 #include "app/panels/surface_panel.h"
 
+#include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <QToolButton>
 
+#include "app/document/options.h"
 #include "app/panels/panel_parts.h"
 
 namespace wend {
 
 SurfacePanel::SurfacePanel(QWidget* parent)
     : QWidget(parent),
+      m_title(panelTitle({}, this)),
       m_text(secondLabel({}, this)),
+      m_case(secondLabel({}, this)),
+      m_kind(new QComboBox(this)),
+      m_previous(new QToolButton(this)),
+      m_next(new QToolButton(this)),
       m_show(new QPushButton(tr("Show them"), this)),
       m_save(new QPushButton(tr("Save list…"), this)),
-      m_repair(new QPushButton(tr("Repair"), this)) {
+      m_repair(new QPushButton(tr("Repair"), this)),
+      m_fit(new QPushButton(this)),
+      m_hole(new QSpinBox(this)) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(16, 14, 16, 14);
     layout->setSpacing(10);
-    layout->addWidget(panelTitle(tr("The surface bounds no solid"), this));
+    layout->addWidget(m_title);
+    layout->addWidget(m_kind);
+    auto* steps = new QHBoxLayout;
+    m_previous->setArrowType(Qt::LeftArrow);
+    m_next->setArrowType(Qt::RightArrow);
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_previous, m_case, m_next})
+        steps->addWidget(widget, widget == m_case);
+    layout->addLayout(steps);
     layout->addWidget(m_text);
     auto* row = new QHBoxLayout;
     for (QPushButton* button : {m_show, m_save}) row->addWidget(button);
     layout->addLayout(row);
+    m_hole->setRange(0, static_cast<int>(option("domain.repair.largestHole").range.max));
+    layout->addLayout(panelRow(tr("Fill holes up to (edges)"), m_hole, this));
     layout->addWidget(m_repair);
+    layout->addWidget(m_fit);
+    m_case->setAlignment(Qt::AlignCenter);
+    m_show->setCheckable(true);
+    describe(m_kind, tr("What is wrong"), tr("The kinds of what is wrong, and how often each occurs."));
+    describe(m_previous, tr("Previous place"), tr("Looks at the previous place where this is wrong."));
+    describe(m_next, tr("Next place"), tr("Looks at the next place where this is wrong."));
     describe(m_show, tr("Show the triangles"),
-             tr("Colours the triangles that are wrong, and looks at them."));
+             tr("Colours the triangles that are wrong, and looks at them: what hides them is left out."));
     describe(m_save, tr("Save the list"),
              tr("Writes the numbers of all wrong triangles and edges to a file."));
+    describe(m_hole, tr("Largest hole"), tr("“Repair” fills holes of at most so many edges."));
     describe(
         m_repair, tr("Repair"),
         tr("Merges points at one place, drops degenerate and double triangles, orients them and fills small "
            "holes."));
-    connect(m_show, &QPushButton::clicked, this, &SurfacePanel::showRequested);
+    connect(m_kind, &QComboBox::activated, this, [this] {
+        m_number = 0;
+        step(0);
+    });
+    connect(m_previous, &QToolButton::clicked, this, [this] { step(-1); });
+    connect(m_next, &QToolButton::clicked, this, [this] { step(1); });
+    connect(m_show, &QPushButton::clicked, this, [this](bool on) {
+        if (on)
+            step(0);
+        else
+            emit solidWanted();
+    });
     connect(m_save, &QPushButton::clicked, this, &SurfacePanel::saveRequested);
-    connect(m_repair, &QPushButton::clicked, this, &SurfacePanel::repairRequested);
+    connect(m_repair, &QPushButton::clicked, this, [this] { emit repairRequested(m_hole->value()); });
+    connect(m_fit, &QPushButton::clicked, this, [this] { emit fitRequested(!m_contents.isCaged); });
 }
 
-void SurfacePanel::showProblems(const QStringList& problems, int triangles, bool mayRepair) {
-    const QString repair =
-        mayRepair ? tr("“Repair” can mend it.") : tr("“Repair” cannot mend it: another program has to.");
-    m_text->setText(problems.join('\n') + QStringLiteral("\n\n") + repair);
-    m_show->setEnabled(triangles > 0);
-    m_repair->setEnabled(mayRepair);
-    m_repair->setStatusTip(
-        mayRepair ? m_repair->accessibleDescription()
-                  : tr("The simple repairs do not help; another program has to mend the surface."));
+void SurfacePanel::step(int by) {
+    const int kind = m_kind->currentIndex();
+    if (kind < 0) return;
+    const int count = m_contents.kinds[kind].count;
+    m_number = (m_number + by + count) % count;
+    m_show->setChecked(true);
+    tellCase();
+    emit caseChosen(kind, m_number);
+}
+
+void SurfacePanel::tellCase() {
+    const int kind = m_kind->currentIndex();
+    m_case->setText(kind < 0 ? QString()
+                             : tr("%1 of %2").arg(m_number + 1).arg(m_contents.kinds[kind].count));
+}
+
+void SurfacePanel::showProblems(const Contents& contents) {
+    m_contents = contents;
+    m_number = 0;
+    m_title->setText(contents.isCaged ? tr("The surface rides in a cage")
+                                      : tr("The surface bounds no solid"));
+    const QSignalBlocker quiet(m_hole);
+    m_kind->clear();
+    for (const Kind& kind : contents.kinds) m_kind->addItem(tr("%1: %2").arg(kind.name).arg(kind.count));
+    const bool any = !contents.kinds.empty();
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_kind, m_previous, m_next, m_case, m_show})
+        widget->setEnabled(any);
+    tellCase();
+    m_show->setChecked(!contents.isCaged);
+    m_hole->setValue(contents.largestHole);
+    const QString repair = contents.mayRepair ? tr("“Repair” can mend it.")
+                                              : tr("“Repair” cannot mend it: a cage around it can carry it.");
+    m_text->setText((contents.more + QStringList{repair}).join('\n'));
+    m_repair->setEnabled(contents.mayRepair);
+    m_repair->setStatusTip(contents.mayRepair ? m_repair->accessibleDescription()
+                                              : tr("The simple repairs do not help: fit a cage."));
+    m_fit->setText(contents.isCaged ? tr("Exact surface only") : tr("Fit a cage"));
+    describe(m_fit, m_fit->text(),
+             contents.isCaged ? tr("Takes the cage away: without repair there is no solid then.")
+                              : tr("Fills a cage of even cells around the surface, which rides in it."));
 }
 
 }  // namespace wend

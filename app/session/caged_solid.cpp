@@ -10,6 +10,7 @@ namespace wend {
 namespace {
 
 constexpr double kFarTooMany = 8;  // times the vertices that are aimed at
+const char* const kGroup = "cage";
 
 /// Different places, of vertices that triangles have.
 int placeCount(const Skin& skin) {
@@ -25,6 +26,8 @@ std::shared_ptr<const MeshFile> fileOf(const SimplicialMesh<3>& mesh) {
     file->made = true;
     for (const auto& facet : facetsOf(mesh))
         if (!facet.interior()) file->triangles.push_back(facet.vertices);
+    file->labels.assign(file->triangles.size(), 1);
+    file->labelNames = {kGroup};
     return file;
 }
 
@@ -73,6 +76,11 @@ Solid cagedSolid(const Domain& domain, const std::shared_ptr<const Skin>& skin, 
     solid.source = fileOf(cage.mesh);
     solid.skin = skin;
     return solid;
+}
+
+bool isCage(const MeshFile& made, const Skin& skin) {
+    return made.made && made.labelNames != skin.labelNames &&
+           made.labelNames == std::vector<std::string>{kGroup};
 }
 
 std::string tooManyVertices(const Project& project, const Skin& skin) {

@@ -175,6 +175,7 @@ void inspectSurface(const MeshFile& file, MeshInspection& inspection) {
     const SurfaceProblems found = checkSurface(surface);
     inspection.surface = found.summary();
     inspection.suspects = found.triangles(surface);
+    inspection.faults = faultsOf(surface, found);
     if (found.notFinite.empty()) inspection.intersectingPairs = static_cast<int>(found.intersecting.size());
     if (found.boundsVolume() && found.misoriented.empty()) inspection.volume = enclosed(surface);
     const auto add = [&](const char* what, const std::vector<int>& where) {
@@ -217,6 +218,16 @@ void takeSuspects(const std::vector<std::array<int, N>>& cells, const std::vecto
     file.fields.push_back(std::move(numbers));
 }
 
+/// 1 for each suspect that takes part in this.
+MeshField tagsOf(const FaultKind& kind, const std::vector<int>& suspects) {
+    MeshField tags{kind.name, true, 1, std::vector<double>(suspects.size(), 0.0)};
+    for (const auto& one : kind.cases)
+        for (const int t : one)
+            tags.values[static_cast<std::size_t>(std::ranges::lower_bound(suspects, t) - suspects.begin())] =
+                1;
+    return tags;
+}
+
 }  // namespace
 
 MeshInspection inspect(const MeshFile& file) {
@@ -244,6 +255,8 @@ MeshFile suspectsOf(const MeshFile& file, const MeshInspection& inspection) {
         takeSuspects(file.tetrahedra, inspection.suspects, newId, result.tetrahedra, result);
     else
         takeSuspects(file.triangles, inspection.suspects, newId, result.triangles, result);
+    for (const FaultKind& kind : inspection.faults)
+        result.fields.push_back(tagsOf(kind, inspection.suspects));
     MeshField numbers{"vertex", false, 1, {}};
     for (std::size_t v = 0; v < newId.size(); ++v) {
         if (newId[v] < 0) continue;

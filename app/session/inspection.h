@@ -7,6 +7,7 @@
 #include "core/mesh/mesh_file.h"
 #include "core/mesh/quality.h"
 #include "core/meshing/surface_facts.h"
+#include "core/meshing/surface_faults.h"
 
 namespace wend {
 
@@ -31,6 +32,7 @@ struct MeshInspection {
     std::string surface;                   // of a surface: what is wrong with it (SurfaceProblems::summary)
     std::optional<SurfaceFacts> facts;     // of a surface, or of the border of tetrahedra
     std::optional<int> intersectingPairs;  // of a surface; at most 10000 are counted
+    std::vector<FaultKind> faults;         // of a surface: what each suspect has a part in
     std::vector<int> suspects;  // the cells, or of a surface the triangles, that have a part in a problem
 };
 
@@ -39,7 +41,8 @@ struct MeshInspection {
 MeshInspection inspect(const MeshFile& file);
 
 /// The suspects alone, as a mesh: only their vertices, and fields "vertex" and "cell" with the numbers that
-/// they have in the file. There must be some.
+/// they have in the file; of a surface also one per kind of fault, 1 at the triangles that have it. There
+/// must be some.
 MeshFile suspectsOf(const MeshFile& file, const MeshInspection& inspection);
 
 }  // namespace wend

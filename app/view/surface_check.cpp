@@ -4,11 +4,13 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QHash>
 #include <QSaveFile>
 #include <QTextStream>
 #include <QtConcurrent>
 
 #include "app/panels/surface_panel.h"
+#include "app/session/caged_solid.h"
 #include "app/view/volume/solid_canvas.h"
 #include "core/mesh/mesh_file.h"
 #include "core/mesh/printable.h"
@@ -19,10 +21,34 @@ namespace wend {
 namespace {
 
 const Vec<3> kAskew(-1, 1.4, -0.8);
-const QRgb kFine = qRgb(199, 186, 164), kWrong = qRgb(214, 44, 60);
+const QRgb kFine = qRgb(199, 186, 164), kWrong = qRgb(214, 44, 60), kChosen = qRgb(255, 170, 0);
 
-QStringList linesOf(const SurfaceProblems& problems) {
-    return QString::fromStdString(problems.summary()).split(QStringLiteral(", "));
+/// Points around some triangles, a little farther off than their corners.
+Points<3> surroundingsOf(const Surface& surface, const std::vector<int>& triangles) {
+    Points<3> corners(3, static_cast<Eigen::Index>(3 * triangles.size()));
+    Eigen::Index count = 0;
+    for (const int t : triangles)
+        for (const int v : surface.triangles[t]) corners.col(count++) = surface.points.col(v);
+    const Vec<3> centre = (corners.rowwise().minCoeff() + corners.rowwise().maxCoeff()) / 2;
+    return (1.5 * (corners.colwise() - centre)).colwise() + centre;
+}
+
+/// False for what stands between the viewer and these points.
+std::vector<bool> notBefore(const Surface& surface, const Points<3>& place, const Vec<3>& direction) {
+    const Vec<3> low = place.rowwise().minCoeff(), high = place.rowwise().maxCoeff();
+    const Vec<3> centre = (low + high) / 2, along = direction.normalized();
+    const double radius = (high - low).norm() / 2;
+    std::vector<bool> kept(surface.triangles.size(), true);
+    for (int t = 0; t < surface.triangleCount(); ++t) {
+        double last = -std::numeric_limits<double>::infinity(), beside = last;
+        for (const int v : surface.triangles[t]) {
+            const Vec<3> away = surface.points.col(v) - centre;
+            last = std::max(last, away.dot(along));
+            beside = std::max(beside, -(away - away.dot(along) * along).norm());
+        }
+        kept[t] = last > -radius / 2 || -beside > 3 * radius;
+    }
+    return kept;
 }
 
 /// Against the triangle's outer side, a little from above.
@@ -61,6 +87,7 @@ SurfaceCheck::SurfaceCheck(ShapeSession& session, SurfacePanel& panel, QWidget& 
     : QObject(&window), m_session(session), m_panel(panel), m_window(window) {
     connect(&session, &ShapeSession::problem, this, [this](const QString& text) {
         hide();
+        m_isCaged = false;
         const Document& document = m_session.document();
         const bool surface =
             document.dimension() == 3 && document.project()->domain.kind == DomainKind::Surface;
@@ -70,7 +97,10 @@ SurfaceCheck::SurfaceCheck(ShapeSession& session, SurfacePanel& panel, QWidget& 
         hide();
         preview();
     });
-    connect(&panel, &SurfacePanel::showRequested, this, &SurfaceCheck::lookAtWrong);
+    connect(&session, &ShapeSession::frameChanged, this, &SurfaceCheck::takeShape);
+    connect(&panel, &SurfacePanel::caseChosen, this, &SurfaceCheck::showCase);
+    connect(&panel, &SurfacePanel::solidWanted, this, &SurfaceCheck::showSolid);
+    connect(&panel, &SurfacePanel::fitRequested, this, &SurfaceCheck::fitCage);
     connect(&panel, &SurfacePanel::saveRequested, this, &SurfaceCheck::saveList);
     connect(&panel, &SurfacePanel::repairRequested, this, &SurfaceCheck::repair);
 }
@@ -109,6 +139,7 @@ void SurfaceCheck::look() {
             const MeshFile file = readMeshFile(path);
             found->surface = {file.points, file.triangles, {}};
             found->problems = checkSurface(found->surface);
+            found->faults = faultsOf(found->surface, found->problems);
             RepairReport report;
             found->mendable = checkSurface(repairSurface(found->surface, largestHole, report)).boundsVolume();
         } catch (const std::exception& error) {
@@ -121,27 +152,65 @@ void SurfaceCheck::look() {
     });
 }
 
+/// A cage that was chosen since something is wrong is no reason not to look at it.
+void SurfaceCheck::takeShape() {
+    const auto frame = m_session.frame<3>();
+    if (!frame || frame->shape == m_shape) return;
+    m_shape = frame->shape;
+    m_isCaged =
+        frame->built->source && frame->built->skin && isCage(*frame->built->source, *frame->built->skin);
+    hide();
+    if (m_isCaged && m_session.document().project()->domain.fit == Fit::Automatic && m_canvas) look();
+}
+
 /// Files whose trouble is another one (that cannot be read …) are told by the banner alone.
 void SurfaceCheck::take(const std::shared_ptr<const Found>& found) {
-    if (!found->error.isEmpty() || found->problems.summary().empty()) return;
+    if (!found->error.isEmpty() || found->problems.boundsVolume()) return;
     m_found = found;
-    m_panel.showProblems(linesOf(found->problems),
-                         static_cast<int>(found->problems.triangles(found->surface).size()),
-                         found->mendable && !m_session.document().project()->domain.repair);
+    SurfacePanel::Contents contents;
+    const QHash<QString, QString> names{{QStringLiteral("missing_vertex"), tr("Triangles of missing points")},
+                                        {QStringLiteral("crossing"), tr("Triangles that cross")},
+                                        {QStringLiteral("hole"), tr("Holes")},
+                                        {QStringLiteral("crowded_edge"), tr("Edges of more than two")},
+                                        {QStringLiteral("flat"), tr("Triangles without area")},
+                                        {QStringLiteral("duplicate"), tr("Double triangles")},
+                                        {QStringLiteral("turned_edge"), tr("Turned neighbours")}};
+    for (const FaultKind& kind : found->faults)
+        contents.kinds.push_back(
+            {names.value(QString::fromStdString(kind.name)), static_cast<int>(kind.cases.size())});
+    if (found->problems.flat) contents.more << tr("All points lie in one plane.");
+    const Domain& domain = m_session.document().project()->domain;
+    contents.mayRepair = found->mendable && !domain.repair;
+    contents.isCaged = m_isCaged;
+    contents.largestHole = domain.largestHole;
+    m_panel.showProblems(contents);
     m_panel.show();
-    showSurface();
+    if (!m_isCaged) showSurface();
+}
+
+/// The triangles that are kept, in colours: wrong ones, and among them the chosen ones.
+VolumePicture SurfaceCheck::picture(const std::vector<bool>& kept, const std::vector<int>& chosen) const {
+    const Surface& surface = m_found->surface;
+    std::vector<QRgb> all(surface.triangles.size(), kFine);
+    for (const int t : m_found->problems.triangles(surface)) all[t] = kWrong;
+    for (const int t : chosen) all[t] = kChosen;
+    std::vector<std::array<int, 3>> triangles;
+    std::vector<QRgb> colours;
+    for (std::size_t t = 0; t < all.size(); ++t) {
+        if (!kept[t] && all[t] == kFine) continue;
+        triangles.push_back(surface.triangles[t]);
+        colours.push_back(all[t]);
+    }
+    VolumePicture picture = pictureOfSurface(surface.points, triangles, std::move(colours));
+    picture.isOpen = true;
+    return picture;
 }
 
 void SurfaceCheck::showSurface() {
     if (!m_found || !m_canvas) return;
-    const Surface& surface = m_found->surface;
-    const auto wrong = m_found->problems.triangles(surface);
-    std::vector<QRgb> colours(surface.triangles.size(), kFine);
-    for (const int t : wrong) colours[t] = kWrong;
-    VolumePicture picture = pictureOfSurface(surface.points, surface.triangles, std::move(colours));
-    picture.isOpen = true;
     m_canvas->setCutKind(CutKind::None);
-    m_canvas->showRefused(std::move(picture), directionToWrong());
+    m_canvas->showRefused(picture(std::vector<bool>(m_found->surface.triangles.size(), true), {}),
+                          directionToWrong());
 }
 
 /// From where the first wrong triangle is seen.
@@ -150,8 +219,20 @@ Vec<3> SurfaceCheck::directionToWrong() const {
     return wrong.empty() ? kAskew : intoTriangle(m_found->surface, wrong.front());
 }
 
-void SurfaceCheck::lookAtWrong() {
-    if (!m_found || !m_canvas) return;
+void SurfaceCheck::showCase(int kind, int number) {
+    if (!m_found || !m_canvas || kind >= static_cast<int>(m_found->faults.size())) return;
+    const std::vector<int>& chosen = m_found->faults[kind].cases[number];
+    if (chosen.empty()) return;
+    const Surface& surface = m_found->surface;
+    const Vec<3> direction = intoTriangle(surface, chosen.front());
+    const Points<3> place = surroundingsOf(surface, chosen);
+    m_canvas->setCutKind(CutKind::None);
+    m_canvas->showPlace(picture(notBefore(surface, place, direction), chosen), direction, place);
+}
+
+void SurfaceCheck::showSolid() {
+    if (!m_canvas) return;
+    if (m_isCaged) return m_canvas->showSolid();
     showSurface();
     m_canvas->lookAlong(directionToWrong());
 }
@@ -172,11 +253,19 @@ void SurfaceCheck::saveList() {
     file.commit();
 }
 
-void SurfaceCheck::repair() {
+void SurfaceCheck::repair(int largestHole) {
     Document& document = m_session.document();
     Project next = *document.project();
     next.domain.repair = true;
+    next.domain.largestHole = largestHole;
     document.change(tr("Repair surface"), std::move(next));
+}
+
+void SurfaceCheck::fitCage(bool cage) {
+    Document& document = m_session.document();
+    Project next = *document.project();
+    next.domain.fit = cage ? Fit::Cage : Fit::Exact;
+    document.change(cage ? tr("Fit a cage") : tr("Exact surface only"), std::move(next));
 }
 
 }  // namespace wend

@@ -4,15 +4,16 @@
 #include <memory>
 
 #include "app/session/shape_session.h"
-#include "core/meshing/surface.h"
+#include "app/view/volume/volume_view.h"
+#include "core/meshing/surface_faults.h"
 
 namespace wend {
 
 class SolidCanvas;
 class SurfacePanel;
 
-/// Shows a surface while it is becoming a solid. When it cannot become one: looks at it again in the
-/// background, shows it with what is wrong in it, and does what the panel offers.
+/// Shows a surface while it is becoming a solid. When it cannot become one, or not without a cage: looks at
+/// it again in the background, shows it with what is wrong in it, and does what the panel offers.
 class SurfaceCheck : public QObject {
     Q_OBJECT
 
@@ -25,23 +26,30 @@ class SurfaceCheck : public QObject {
     struct Found {
         Surface surface;
         SurfaceProblems problems;
+        std::vector<FaultKind> faults;
         bool mendable = false;  // the repair would leave nothing of them
         QString error;
     };
     void preview();
     void look();
     void take(const std::shared_ptr<const Found>& found);
+    void takeShape();
     void showSurface();
+    VolumePicture picture(const std::vector<bool>& kept, const std::vector<int>& chosen) const;
     Vec<3> directionToWrong() const;
-    void lookAtWrong();
+    void showCase(int kind, int number);
+    void showSolid();
+    void fitCage(bool cage);
     void saveList();
-    void repair();
+    void repair(int largestHole);
 
     ShapeSession& m_session;
     SurfacePanel& m_panel;
     QWidget& m_window;
     SolidCanvas* m_canvas = nullptr;
     std::shared_ptr<const Found> m_found;
+    std::shared_ptr<const void> m_shape;  // the last one that was seen
+    bool m_isCaged = false;               // it rides in a cage
 };
 
 }  // namespace wend

@@ -33,13 +33,6 @@ void append(std::string& list, const std::string& item) {
     list += item;
 }
 
-bool touchesEdge(const std::array<int, 3>& triangle, const std::array<int, 2>& edge) {
-    const auto has = [&](int id) {
-        return std::find(triangle.begin(), triangle.end(), id) != triangle.end();
-    };
-    return has(edge[0]) && has(edge[1]);
-}
-
 /// Merges vertices at one place; returns for each old vertex its new id.
 std::vector<int> mergeVertices(Surface& surface, RepairReport& report) {
     const std::vector<int> canonical = canonicalVertices(surface.points);
@@ -137,26 +130,6 @@ std::string SurfaceProblems::summary() const {
     append(list, counted(degenerate.size(), "triangle|s without area", first(degenerate)));
     append(list, counted(duplicate.size(), "duplicate triangle|s", first(duplicate)));
     append(list, counted(misoriented.size(), "edge|s where the orientation changes", firstPair(misoriented)));
-    return list;
-}
-
-std::vector<int> SurfaceProblems::triangles(const Surface& surface) const {
-    std::vector<int> list = badIndex;
-    list.insert(list.end(), degenerate.begin(), degenerate.end());
-    list.insert(list.end(), duplicate.begin(), duplicate.end());
-    for (const auto& crossing : intersecting) list.insert(list.end(), crossing.begin(), crossing.end());
-    std::vector<std::array<int, 2>> edges = openEdges;
-    edges.insert(edges.end(), nonManifoldEdges.begin(), nonManifoldEdges.end());
-    edges.insert(edges.end(), misoriented.begin(), misoriented.end());
-    std::sort(edges.begin(), edges.end());
-    for (const auto& edge : edgesOf(surface)) {
-        const auto [low, high] = std::minmax(edge.vertices[0], edge.vertices[1]);
-        if (std::binary_search(edges.begin(), edges.end(), std::array{low, high}))
-            for (int t : edge.triangles)
-                if (touchesEdge(surface.triangles[t], {low, high})) list.push_back(t);
-    }
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
     return list;
 }
 

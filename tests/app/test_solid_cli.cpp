@@ -269,6 +269,15 @@ void TestSolidCli::infoOfBadSurface() {
     const MeshFile wrong = readMeshFile(file("wrong.ply"));
     const MeshField* cells = find(wrong, "cell");
     QVERIFY(cells != nullptr);
+    const MeshField* crossing = find(wrong, "crossing");  // which fault each one has
+    const MeshField* flat = find(wrong, "flat");
+    QVERIFY(crossing && flat && flat->values.back() == 1 && crossing->values.back() == 0);
+    for (std::size_t i = 0; i < crossing->values.size(); ++i) {
+        const auto has = [&](const QJsonValue pair) {
+            return pair.toArray().contains(static_cast<int>(cells->values[i]));
+        };
+        QCOMPARE(crossing->values[i] == 1, std::any_of(pairs.begin(), pairs.end(), has));
+    }
     for (const QJsonValue pair : pairs)
         for (const QJsonValue t : pair.toArray()) QVERIFY(std::ranges::count(cells->values, t.toInt()) == 1);
     for (std::size_t i = 0; i < wrong.triangles.size(); ++i) {  // the same corners as in the file

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/panels/legend.h"
+#include "app/session/caged_solid.h"
 #include "app/session/solid_places.h"
 #include "app/tools/solid_pin_tool.h"
 #include "app/view/volume/glyphs.h"
@@ -38,6 +39,10 @@ class Overlay : public QWidget {
   private:
     SolidCanvas& m_canvas;
 };
+
+bool ridesInCage(const PosedFrame<3>& frame) {
+    return frame.built->source && frame.built->skin && isCage(*frame.built->source, *frame.built->skin);
+}
 
 QRgb dimmed(QRgb colour) {
     const auto half = [](int x) { return (x + 128) / 2; };
@@ -248,7 +253,8 @@ std::vector<QRgb> SolidCanvas::colours(const PosedFrame<3>& frame) const {
 bool SolidCanvas::hasDetail() const {
     const auto frame = m_session.frame<3>();
     if (!frame || !frame->built->skin || !frame->built->ride) return false;
-    return !m_session.document().project()->domain.detail.empty() || !frame->built->skin->materials.empty();
+    return ridesInCage(*frame) || !m_session.document().project()->domain.detail.empty() ||
+           !frame->built->skin->materials.empty();
 }
 
 /// True once for each document: its view is still to be found.
@@ -273,7 +279,7 @@ void SolidCanvas::refresh() {
     picture.cellColours = colours(*frame);
     // A map's colours are those of the tetrahedra: on their own border they are exact.
     const bool map = m_map && !m_hidden;
-    const bool isDetailed = !m_session.document().project()->domain.detail.empty();
+    const bool isDetailed = ridesInCage(*frame) || !m_session.document().project()->domain.detail.empty();
     if (m_detail && hasDetail() && (isDetailed || !map)) {
         picture.skin = frame->built->skin;
         picture.ride = frame->built->ride;
@@ -313,6 +319,20 @@ void SolidCanvas::showRefused(VolumePicture picture, const Vec<3>& direction) {
     setPicture(std::move(picture), false);
     if (isNew) lookAlong(direction);
     redraw();
+}
+
+void SolidCanvas::showPlace(VolumePicture picture, const Vec<3>& direction, const Points<3>& around) {
+    setPicture(std::move(picture), false);
+    camera().lookAlong(direction);
+    camera().fit(around, size());
+    m_fitted = false;
+    update();
+    redraw();
+}
+
+void SolidCanvas::showSolid() {
+    refresh();
+    fit();
 }
 
 void SolidCanvas::lookAlong(const Vec<3>& direction) {

@@ -47,6 +47,10 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     void showPreview(const std::shared_ptr<const Skin>& skin);
     /// A surface that bounds no solid: seen along the direction at first in a document, then as the view is.
     void showRefused(VolumePicture picture, const Vec<3>& direction);
+    /// A place of such a surface, so near that these points fill the view.
+    void showPlace(VolumePicture picture, const Vec<3>& direction, const Points<3>& around);
+    /// The solid again.
+    void showSolid();
     /// Turns the view.
     void lookAlong(const Vec<3>& direction);
     /// What lies over the view.
