@@ -599,7 +599,12 @@ void TestSolidWindow::badSurfacesAreShownAndRepaired() {
     QVERIFY(canvas().camera().pixelSize(canvas().size()) > 1.2 * near);
     press(QStringLiteral("Exact surface only"));
     QCOMPARE(session().document().project()->domain.fit, Fit::Exact);
-    QVERIFY(QTest::qWaitFor([&] { return panel->isVisible(); }, 20000));
+    const auto offersCage = [&] {
+        return std::ranges::any_of(panel->findChildren<QPushButton*>(), [](const QPushButton* button) {
+            return button->isVisible() && button->text() == QStringLiteral("Fit a cage");
+        });
+    };
+    QVERIFY(QTest::qWaitFor(offersCage, 20000));
     QVERIFY(m_window->banner().isVisible());
     QTest::qWait(100);
     picture(QStringLiteral("bad"));
