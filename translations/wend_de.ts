@@ -83,6 +83,25 @@
     </message>
 </context>
 <context>
+    <name>DepthTool</name>
+    <message>
+        <source>Brush over what lies in front or behind; Ctrl takes it back, Shift turns it round, [ and ] change the size</source>
+        <translation>Überstreichen, was vorn oder hinten liegt; Strg nimmt es zurück, Umschalt kehrt es um, [ und ] ändern die Größe</translation>
+    </message>
+    <message>
+        <source>Paint in front</source>
+        <translation>Nach vorn malen</translation>
+    </message>
+    <message>
+        <source>Paint behind</source>
+        <translation>Nach hinten malen</translation>
+    </message>
+    <message>
+        <source>Take back depth</source>
+        <translation>Tiefe zurücknehmen</translation>
+    </message>
+</context>
+<context>
     <name>EnergyScale</name>
     <message>
         <source>Area</source>
@@ -154,6 +173,29 @@
     <message>
         <source>Fill %1 with %2</source>
         <translation>%1 mit %2 füllen</translation>
+    </message>
+</context>
+<context>
+    <name>FlatSizeTool</name>
+    <message>
+        <source>Brush over what shall be meshed finer; Shift makes it coarser, Ctrl even again, [ and ] change the size</source>
+        <translation>Überstreichen, was feiner vernetzt werden soll; Umschalt macht es gröber, Strg wieder gleichmäßig, [ und ] ändern die Größe</translation>
+    </message>
+    <message>
+        <source>The mesh comes from a file and is used as it is.</source>
+        <translation>Das Netz kommt aus einer Datei und wird verwendet, wie es ist.</translation>
+    </message>
+    <message>
+        <source>Paint finer mesh</source>
+        <translation>Netz feiner malen</translation>
+    </message>
+    <message>
+        <source>Paint coarser mesh</source>
+        <translation>Netz gröber malen</translation>
+    </message>
+    <message>
+        <source>Paint even mesh</source>
+        <translation>Netz gleichmäßig malen</translation>
     </message>
 </context>
 <context>
@@ -313,6 +355,52 @@
     <message>
         <source>what pictures show beside the shape: nothing, its border drawn out, the source as it was, or a colour</source>
         <translation>was Bilder neben der Form zeigen: nichts, ihren fortgesetzten Rand, das Original, wie es war, oder eine Farbe</translation>
+    </message>
+</context>
+<context>
+    <name>OutlineTool</name>
+    <message>
+        <source>Draw around what shall bend too; with Ctrl it is taken away. Esc gives up</source>
+        <translation>Umfahren, was sich mit biegen soll; mit Strg wird es weggenommen. Esc bricht ab</translation>
+    </message>
+    <message>
+        <source>Click corner after corner, double-click closes; Ctrl takes away, Backspace takes back a corner, Esc gives up</source>
+        <translation>Ecke für Ecke klicken, ein Doppelklick schließt; Strg nimmt weg, die Rücktaste nimmt eine Ecke zurück, Esc bricht ab</translation>
+    </message>
+    <message>
+        <source>Brush over what shall bend too, [ and ] change the size; Ctrl takes away</source>
+        <translation>Überstreichen, was sich mit biegen soll, [ und ] ändern die Größe; Strg nimmt weg</translation>
+    </message>
+    <message>
+        <source>Click on a colour that shall bend too; Ctrl takes it away, [ and ] take fewer or more colours</source>
+        <translation>Auf eine Farbe klicken, die sich mit biegen soll; Strg nimmt sie weg, [ und ] nehmen weniger oder mehr Farben</translation>
+    </message>
+    <message>
+        <source>Draw a line along which the shape is parted; Esc gives up</source>
+        <translation>Eine Linie zeichnen, an der die Form getrennt wird; Esc bricht ab</translation>
+    </message>
+    <message>
+        <source>Nothing would be left of the shape.</source>
+        <translation>Von der Form bliebe nichts übrig.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pins lay beside the new outline and were removed.</source>
+        <translation>
+            <numerusform>%n Pin lag neben dem neuen Umriss und wurde entfernt.</numerusform>
+            <numerusform>%n Pins lagen neben dem neuen Umriss und wurden entfernt.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Zerschneiden</translation>
+    </message>
+    <message>
+        <source>Take away from the outline</source>
+        <translation>Vom Umriss wegnehmen</translation>
+    </message>
+    <message>
+        <source>Add to the outline</source>
+        <translation>Zum Umriss hinzufügen</translation>
     </message>
 </context>
 <context>
@@ -600,6 +688,54 @@
     <message>
         <source>Measure lengths and angles between points of the solid</source>
         <translation type="unfinished">Längen und Winkel zwischen Punkten des Körpers messen</translation>
+    </message>
+    <message>
+        <source>Outline by &amp;Lasso</source>
+        <translation>Umriss mit dem &amp;Lasso</translation>
+    </message>
+    <message>
+        <source>Draw around what shall bend, or shall not</source>
+        <translation>Umfahren, was sich biegen soll oder was nicht</translation>
+    </message>
+    <message>
+        <source>Outline by &amp;Polygon</source>
+        <translation>Umriss als &amp;Vieleck</translation>
+    </message>
+    <message>
+        <source>Set the corners of what shall bend, or shall not</source>
+        <translation>Die Ecken dessen setzen, was sich biegen soll oder nicht</translation>
+    </message>
+    <message>
+        <source>Outline by &amp;Brush</source>
+        <translation>Umriss mit dem &amp;Pinsel</translation>
+    </message>
+    <message>
+        <source>Brush over what shall bend, or shall not</source>
+        <translation>Überstreichen, was sich biegen soll oder was nicht</translation>
+    </message>
+    <message>
+        <source>Outline by &amp;Colour</source>
+        <translation>Umriss nach &amp;Farbe</translation>
+    </message>
+    <message>
+        <source>Click on a colour that shall bend, or shall not</source>
+        <translation>Auf eine Farbe klicken, die sich biegen soll oder nicht</translation>
+    </message>
+    <message>
+        <source>Cut &amp;Apart</source>
+        <translation>&amp;Zertrennen</translation>
+    </message>
+    <message>
+        <source>Draw a line along which the shape is parted</source>
+        <translation>Eine Linie zeichnen, an der die Form getrennt wird</translation>
+    </message>
+    <message>
+        <source>Depth Brus&amp;h</source>
+        <translation>&amp;Tiefenpinsel</translation>
+    </message>
+    <message>
+        <source>Brush over what lies in front where the shape covers itself</source>
+        <translation>Überstreichen, was vorn liegt, wo die Form sich selbst verdeckt</translation>
     </message>
 </context>
 <context>
@@ -1313,6 +1449,81 @@
     <message>
         <source>There is no solid yet that could be cut.</source>
         <translation>Es gibt noch keinen Körper, der sich schneiden ließe.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::DepthActions</name>
+    <message>
+        <source>Bring to &amp;Front</source>
+        <translation>Nach &amp;vorn</translation>
+    </message>
+    <message>
+        <source>Where the shape covers itself, what is around the selected pins lies in front of all else</source>
+        <translation>Wo die Form sich selbst verdeckt, liegt vor allem anderen, was um die gewählten Pins ist</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+]</source>
+        <translation>Ctrl+Shift+]</translation>
+    </message>
+    <message>
+        <source>Send to &amp;Back</source>
+        <translation>Nach &amp;hinten</translation>
+    </message>
+    <message>
+        <source>Where the shape covers itself, what is around the selected pins lies behind all else</source>
+        <translation>Wo die Form sich selbst verdeckt, liegt hinter allem anderen, was um die gewählten Pins ist</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+[</source>
+        <translation>Ctrl+Shift+[</translation>
+    </message>
+    <message>
+        <source>As &amp;Drawn</source>
+        <translation>Wie &amp;gezeichnet</translation>
+    </message>
+    <message>
+        <source>What is around the selected pins has no order of its own</source>
+        <translation>Was um die gewählten Pins ist, hat keine eigene Ordnung</translation>
+    </message>
+    <message>
+        <source>&amp;Number…</source>
+        <translation>&amp;Zahl …</translation>
+    </message>
+    <message>
+        <source>Give what is around the selected pins an order: greater lies in front</source>
+        <translation>Dem, was um die gewählten Pins ist, eine Ordnung geben: Größeres liegt vorn</translation>
+    </message>
+    <message>
+        <source>&amp;Depth</source>
+        <translation>&amp;Tiefe</translation>
+    </message>
+    <message>
+        <source>A solid has its depth by itself.</source>
+        <translation>Ein Körper hat seine Tiefe von selbst.</translation>
+    </message>
+    <message>
+        <source>Select a pin first.</source>
+        <translation>Zuerst einen Pin wählen.</translation>
+    </message>
+    <message>
+        <source>Bring to front</source>
+        <translation>Nach vorn bringen</translation>
+    </message>
+    <message>
+        <source>Send to back</source>
+        <translation>Nach hinten bringen</translation>
+    </message>
+    <message>
+        <source>Depth as drawn</source>
+        <translation>Tiefe wie gezeichnet</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>Order (in front: greater than 0, behind: less):</source>
+        <translation>Ordnung (vorn: größer als 0, hinten: kleiner):</translation>
     </message>
 </context>
 <context>
@@ -2484,6 +2695,34 @@
         <source>What is filled: the surface itself, or a cage of even cells around it, in which it rides. Automatic takes the cage where the surface cannot be filled or has far too many vertices.</source>
         <translation>Was gefüllt wird: die Oberfläche selbst oder ein Käfig gleichmäßiger Zellen um sie herum, in dem sie mitfährt. Automatisch nimmt den Käfig, wo sich die Oberfläche nicht füllen lässt oder viel zu viele Punkte hat.</translation>
     </message>
+    <message>
+        <source>Moves freely</source>
+        <translation>Bewegt sich frei</translation>
+    </message>
+    <message>
+        <source>Stays in place</source>
+        <translation>Bleibt am Ort</translation>
+    </message>
+    <message>
+        <source>Slides along itself</source>
+        <translation>Gleitet an sich entlang</translation>
+    </message>
+    <message>
+        <source>Picture&apos;s border</source>
+        <translation>Bildrand</translation>
+    </message>
+    <message>
+        <source>Holds the frame of a photograph, so that no gap opens beside it: it stays where it is, or its sides slide along themselves. Pins on it move all the same.</source>
+        <translation>Hält den Rand eines Fotos fest, damit daneben keine Lücke entsteht: Er bleibt, wo er ist, oder seine Seiten gleiten an sich entlang. Pins auf ihm bewegen sich trotzdem.</translation>
+    </message>
+    <message>
+        <source>&amp;Border</source>
+        <translation>&amp;Bildrand</translation>
+    </message>
+    <message>
+        <source>Hold the border</source>
+        <translation>Bildrand festhalten</translation>
+    </message>
 </context>
 <context>
     <name>wend::ModeRow</name>
@@ -2763,6 +3002,65 @@
     <message>
         <source>as it is there</source>
         <translation>wie es dort ist</translation>
+    </message>
+</context>
+<context>
+    <name>wend::PictureActions</name>
+    <message>
+        <source>&amp;Add</source>
+        <translation>&amp;Hinzufügen</translation>
+    </message>
+    <message>
+        <source>What is drawn shall bend, too; with Ctrl it is taken away</source>
+        <translation>Was gezeichnet wird, soll sich auch biegen; mit Strg wird es weggenommen</translation>
+    </message>
+    <message>
+        <source>&amp;Take Away</source>
+        <translation>&amp;Wegnehmen</translation>
+    </message>
+    <message>
+        <source>What is drawn shall not bend; with Ctrl it is added</source>
+        <translation>Was gezeichnet wird, soll sich nicht biegen; mit Strg kommt es hinzu</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>How wide the brush is, on the screen; also [ and ]</source>
+        <translation>Wie breit der Pinsel ist, auf dem Bildschirm; auch [ und ]</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>How far colours may be apart; also [ and ]</source>
+        <translation>Wie weit Farben auseinander liegen dürfen; auch [ und ]</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Ordnung</translation>
+    </message>
+    <message>
+        <source>What is brushed lies in front where it is greater than 0, behind where it is less</source>
+        <translation>Was überstrichen wird, liegt vorn, wo sie größer als 0 ist, hinten, wo sie kleiner ist</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>Kanten</translation>
+    </message>
+    <message>
+        <source>How long the edges of the mesh are where it is brushed, of those elsewhere</source>
+        <translation>Wie lang die Kanten des Netzes sind, wo überstrichen wird, gemessen an denen sonst</translation>
     </message>
 </context>
 <context>

@@ -16,6 +16,10 @@ Image floatImage(int width, int height) {
     return image;
 }
 
+const Cell<2>& cellOf(const SimplicialMesh<2>& mesh, int cell) {
+    return mesh.cells[static_cast<std::size_t>(cell)];
+}
+
 /// Writes the source position of every pixel whose centre a cell covers.
 class StPainter {
   public:
@@ -65,27 +69,29 @@ class StPainter {
     Image m_image;
 };
 
+/// Of every pixel on an outline the cell that shows most of itself: from the nearest one down, each takes the
+/// places that are left. `order`: as painted, the nearest last.
 void paintOutline(StPainter& painter, const SimplicialMesh<2>& rest, const Points<2>& from,
-                  const Points<2>& to, const View& view) {
+                  const Points<2>& to, const View& view, const std::vector<int>& order,
+                  const std::vector<float>& depth) {
     const Points<2> pixels = (to.colwise() - view.origin) / view.scale;
-    const OutlinePixels outline(rest, pixels, view.width, view.height, view.height);
+    const OutlinePixels outline(rest, pixels, depth, view.width, view.height, view.height);
     struct Best {
         int cell = -1, most = 0;
         std::uint64_t samples = 0;
     };
     std::vector<Best> best(outline.pixels(0).size());
-    for (int c = 0; c < rest.cellCount(); ++c)
-        outline.visit(0, painter.rowsOf(rest.cells[c]), [&](int index, std::uint64_t samples) {
+    for (auto it = order.rbegin(); it != order.rend(); ++it)
+        outline.visit(0, painter.rowsOf(cellOf(rest, *it)), [&](int index, std::uint64_t samples) {
             Best& at = best[static_cast<std::size_t>(index)];
+            const int shown = std::popcount(samples & ~at.samples);
             at.samples |= samples;
-            if (std::popcount(samples) < at.most) return;
-            at.most = std::popcount(samples);
-            at.cell = c;
+            if (shown > at.most) at.cell = *it, at.most = shown;
         });
     for (const auto& pixel : outline.pixels(0)) {
         const Best& at = best[static_cast<std::size_t>(pixel.index)];
         if (at.cell < 0) continue;
-        painter.put(CellMap(from, to, rest.cells[at.cell]), pixel.x, pixel.y,
+        painter.put(CellMap(from, to, cellOf(rest, at.cell)), pixel.x, pixel.y,
                     static_cast<float>(std::popcount(at.samples)) / 64);
     }
 }
@@ -93,14 +99,15 @@ void paintOutline(StPainter& painter, const SimplicialMesh<2>& rest, const Point
 }  // namespace
 
 Image stMap(const SimplicialMesh<2>& rest, const Points<2>& pose, const View& view, int sourceWidth,
-            int sourceHeight, bool inverse) {
+            int sourceHeight, const std::vector<float>& depth, bool inverse) {
     if (!pose.allFinite()) throw InputError("the shape has a vertex that is not a finite number");
     if (view.width <= 0 || view.height <= 0) return floatImage(0, 0);
     const Points<2>& from = inverse ? pose : rest.points;
     const Points<2>& to = inverse ? rest.points : pose;
     StPainter painter(from, to, view, sourceWidth, sourceHeight);
-    for (const auto& cell : rest.cells) painter.paint(cell);
-    paintOutline(painter, rest, from, to, view);
+    const std::vector<int> order = paintingOrder(rest.cellCount(), depth);
+    for (const int cell : order) painter.paint(cellOf(rest, cell));
+    paintOutline(painter, rest, from, to, view, order, depth);
     return painter.take();
 }
 

@@ -42,8 +42,8 @@ struct WarpOptions {
     Outside outside = Outside::Transparent;
     std::array<float, 4> colour = {0, 0, 0, 0};  // of Outside::Colour, associated, in [0, 1]
     bool antialias = true;                       // coverage along the outline
-    /// Per cell, greater is nearer; empty: later cells lie over earlier ones. What is transparent of a cell
-    /// lets those below it be seen.
+    /// Per cell, greater is nearer; where it is the same, and if it is empty, later cells lie over earlier
+    /// ones. What is transparent of a cell lets those below it be seen.
     std::vector<float> depth;
     /// Where nothing has moved, pixels that are no farther than this from the shape's are the source's own,
     /// to the bit: for an outline that leaves gaps open between soft edges. 0: the outline cuts them.
@@ -68,8 +68,9 @@ Image warpImage(const Pyramid& source, const SimplicialMesh<2>& rest, const Poin
                 const WarpOptions& options = {});
 
 /// ST map, float RGBA: R = source x / width, G = source y / height from the bottom (the compositing
-/// convention), B = 0, A = coverage. `inverse` swaps the roles of rest and pose.
+/// convention), B = 0, A = coverage. Where cells lie over one another the nearest is told: `depth` as in
+/// WarpOptions. `inverse` swaps the roles of rest and pose.
 Image stMap(const SimplicialMesh<2>& rest, const Points<2>& pose, const View& view, int sourceWidth,
-            int sourceHeight, bool inverse = false);
+            int sourceHeight, const std::vector<float>& depth = {}, bool inverse = false);
 
 }  // namespace wend

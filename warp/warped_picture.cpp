@@ -79,7 +79,7 @@ std::unique_ptr<WarpJob> makeJob(const Image& source, int levels, const Simplici
     const Points<2> pixels = (pose.colwise() - view.origin) / view.scale;
     collectCells(*job, rest, pose, pixels, levels);
     job->outline = options.antialias && bands > 0
-                       ? OutlinePixels(rest, pixels, view.width, view.height, kBandRows)
+                       ? OutlinePixels(rest, pixels, options.depth, view.width, view.height, kBandRows)
                        : OutlinePixels(bands, kBandRows);
     return job;
 }

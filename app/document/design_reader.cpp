@@ -305,6 +305,22 @@ Region<Dim> readRegion(const JsonValue& value) {
     return readShape<Dim>(kind, shape);
 }
 
+std::vector<DepthRegion> readDepth(const JsonValue& value) {
+    std::vector<DepthRegion> regions;
+    for (const JsonValue& element : value.elements()) {
+        DepthRegion& region = regions.emplace_back();
+        JsonObject object(element.ownedBy(region.extras));
+        if (auto name = object.find("name")) region.name = name->text();
+        const JsonValue shape = object.require("shape");
+        region.shape = readRegion<2>(shape);
+        if (std::holds_alternative<Blend<2>>(region.shape))
+            shape.fail("a blend has no inside that could lie in front or behind");
+        region.order = object.require("order").number("depth[].order");
+        object.finish();
+    }
+    return regions;
+}
+
 template <int Dim>
 void readCellValues(JsonObject& object, MaterialSpec<Dim>& spec) {
     if (auto phi = object.find("phi"))

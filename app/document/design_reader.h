@@ -14,6 +14,7 @@ Handle<Dim> readHandle(const JsonValue& value, double end);
 /// {"polygon": …}, {"circle": …} …
 template <int Dim>
 Region<Dim> readRegion(const JsonValue& value);
+std::vector<DepthRegion> readDepth(const JsonValue& value);
 /// The keys of material.cells.
 template <int Dim>
 void readCellValues(JsonObject& object, MaterialSpec<Dim>& spec);

@@ -109,7 +109,7 @@ bool sameTime(double a, double b) {
 
 template <int Dim>
 bool samePlace(const Handle<Dim>& a, const Handle<Dim>& b) {
-    return same(a.at, b.at);
+    return same(a.at, b.at) && a.slides == b.slides;
 }
 
 template <int Dim>

@@ -126,7 +126,10 @@ Project withHandlePlace(const Project& project, int handle, Placement<Dim> at) {
 
 Project withHandleName(const Project& project, int handle, const std::string& name) {
     Project next = project;
-    std::visit([&](auto& own) { own.handles.at(handle).name = name; }, next.design);
+    const std::string before =
+        std::visit([&](auto& own) { return std::exchange(own.handles.at(handle).name, name); }, next.design);
+    for (DepthRegion& region : next.depth)  // the order that it gives
+        if (!before.empty() && region.name == before) region.name = name;
     return next;
 }
 

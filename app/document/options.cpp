@@ -17,6 +17,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr Range kAny{};
+constexpr Range kOrder{-1000, 1000};
 constexpr Range kPositive{0, kInfinity, true, true};
 constexpr Range kNotNegative{0, kInfinity, false, true};
 
@@ -55,6 +56,8 @@ constexpr std::array kOptions{
            "parts and holes of less area are dropped"},
     Option{"domain.outline.simplify", "--simplify", Number, "0.75", kHundred, "pixels", "", "mesh",
            "how far the outline may be off after simplification"},
+    Option{"domain.border", "", Choice, "free", kAny, "", "free|fixed|slide", "",
+           "what lies on the frame of the picture: moves with the rest, stays, or slides along the frame"},
     Option{"domain.quality", "--quality", Number, "1.414", kQuality, "", "", "mesh",
            "greatest ratio of circumradius to shortest edge of a tetrahedron"},
     Option{"domain.maxVolume", "--max-volume", Number, "", kPositive, "units³", "", "mesh",
@@ -98,6 +101,8 @@ constexpr std::array kOptions{
            "width of a region's smooth edge"},
     Option{"material.regions[].stiffness.ratio", "", Number, "1", kRatio, "", "", "",
            "how many times stiffer the region is along its axis"},
+    Option{"depth[].order", "", Number, "0", kOrder, "", "", "",
+           "where the shape covers itself: parts of greater order lie in front of those of less"},
     Option{"handles[].motion[].kind", "", Choice, "", kAny, "", "translate|rotate|curve|recorded", "",
            "what the handle's points do"},
     Option{"handles[].motion[].interpolation", "", Choice, "", kAny, "", "bezier|spline|polyline", "",

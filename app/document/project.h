@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/document/depth_region.h"
 #include "core/energy/material.h"
 #include "core/integration/deformer.h"
 #include "core/mesh/region.h"
@@ -19,16 +20,21 @@ enum class OutlineKind { Frame, Alpha, Polygons };
 /// What carries a surface: its own volume or a cage around it; `Automatic` takes the cage where the exact
 /// surface cannot be meshed or has far more vertices than are aimed at.
 enum class Fit { Automatic, Exact, Cage };
+/// What lies on the frame of a picture: moves with the rest of it, stays where it is, or slides along the
+/// frame's sides.
+enum class Border { Free, Fixed, Slide };
 
 /// Where cells are to be finer or coarser than elsewhere.
-struct SizeRegion {
+template <int Dim>
+struct SizeRegionIn {
     std::string name;  // regions of one name were painted together; may be empty
-    Region<3> shape;
+    Region<Dim> shape;
     double feather = 0;
     double factor = 1;  // of the length of edges
     Extras extras = {};
-    bool operator==(const SizeRegion&) const = default;
+    bool operator==(const SizeRegionIn&) const = default;
 };
+using SizeRegion = SizeRegionIn<3>;
 
 struct Domain {
     DomainKind kind = DomainKind::Image;
@@ -37,19 +43,21 @@ struct Domain {
     OutlineKind outline = OutlineKind::Frame;
     AlphaOutlineOptions alpha;
     Outline polygons;
+    Border border = Border::Free;  // Image
     int vertices = 5000;
-    double edge = 0;                // > 0: wins over vertices
-    double quality = 1.414;         // Surface
-    double maxVolume = 0;           // Surface; > 0: wins over vertices
-    bool refineSurface = false;     // Surface: its triangles may be split
-    bool repair = false;            // Surface: the simple repairs are made first
-    int largestHole = 30;           // edges of a hole that the repair closes
-    std::string sizesFile;          // Surface: a factor per vertex, painted
-    std::vector<SizeRegion> sizes;  // Surface: later ones win
-    std::string detail;             // Surface, Mesh in space: a surface that rides in the solid
-    Fit fit = Fit::Automatic;       // Surface
-    double cageDetail = 0;          // Surface: see CageOptions; 0: as fine as the cells
-    double cageOffset = 1.0 / 15;   // Surface: see CageOptions
+    double edge = 0;                         // > 0: wins over vertices
+    double quality = 1.414;                  // Surface
+    double maxVolume = 0;                    // Surface; > 0: wins over vertices
+    bool refineSurface = false;              // Surface: its triangles may be split
+    bool repair = false;                     // Surface: the simple repairs are made first
+    int largestHole = 30;                    // edges of a hole that the repair closes
+    std::string sizesFile;                   // Surface: a factor per vertex, painted
+    std::vector<SizeRegion> sizes;           // Surface: later ones win
+    std::vector<SizeRegionIn<2>> flatSizes;  // Image: the same of a picture
+    std::string detail;                      // Surface, Mesh in space: a surface that rides in the solid
+    Fit fit = Fit::Automatic;                // Surface
+    double cageDetail = 0;                   // Surface: see CageOptions; 0: as fine as the cells
+    double cageOffset = 1.0 / 15;            // Surface: see CageOptions
 };
 
 template <int Dim>
@@ -88,6 +96,7 @@ struct Design {
 struct Project {
     Domain domain;
     std::variant<Design<2>, Design<3>> design;
+    std::vector<DepthRegion> depth;  // in the plane; later ones win, and elsewhere the order is 0
     double end = 1;
     std::vector<SettleWindow> settle;  // in the order of time; none ends after `end`
     IntegrationOptions integration;    // end and settle are not looked at: see integrationOf()

@@ -68,6 +68,18 @@ std::string readFileName(const JsonValue& value) {
     return name;
 }
 
+template <int Dim>
+SizeRegionIn<Dim> readSizeRegion(const JsonValue& owner) {
+    SizeRegionIn<Dim> region;
+    JsonObject object(owner.ownedBy(region.extras));
+    if (auto name = object.find("name")) region.name = name->text();
+    region.shape = readRegion<Dim>(object.require("shape"));
+    if (auto feather = object.find("feather")) region.feather = feather->number("material.regions[].feather");
+    region.factor = object.require("factor").number("domain.sizes[].factor");
+    object.finish();
+    return region;
+}
+
 void readImageDomain(JsonObject& object, Domain& domain) {
     domain.kind = DomainKind::Image;
     domain.path = readFileName(object.require("image"));
@@ -75,24 +87,19 @@ void readImageDomain(JsonObject& object, Domain& domain) {
     if (object.has("vertices") && object.has("edge")) object.value().fail("has both `vertices` and `edge`");
     if (auto vertices = object.find("vertices")) domain.vertices = vertices->integer("domain.vertices");
     if (auto edge = object.find("edge")) domain.edge = edge->number("domain.edge");
-}
-
-SizeRegion readSizeRegion(const JsonValue& owner) {
-    SizeRegion region;
-    JsonObject object(owner.ownedBy(region.extras));
-    if (auto name = object.find("name")) region.name = name->text();
-    region.shape = readRegion<3>(object.require("shape"));
-    if (auto feather = object.find("feather")) region.feather = feather->number("material.regions[].feather");
-    region.factor = object.require("factor").number("domain.sizes[].factor");
-    object.finish();
-    return region;
+    static const std::map<std::string, Border> borders{
+        {"free", Border::Free}, {"fixed", Border::Fixed}, {"slide", Border::Slide}};
+    if (auto sizes = object.find("sizes"))
+        for (const JsonValue& element : sizes->elements())
+            domain.flatSizes.push_back(readSizeRegion<2>(element));
+    if (auto border = object.find("border")) domain.border = borders.at(border->choice("domain.border"));
 }
 
 /// {"values": FILE} stands first; then regions.
 void readSizeField(const JsonValue& value, Domain& domain) {
     for (const JsonValue& element : value.elements()) {
         if (!element.json().is_object() || !element.json().contains("values")) {
-            domain.sizes.push_back(readSizeRegion(element));
+            domain.sizes.push_back(readSizeRegion<3>(element));
             continue;
         }
         JsonObject object(element);
@@ -257,6 +264,8 @@ LoadedProject readRoot(const Json& json, const std::string& folder) {
         project.design = readDesign<2>(root, project.end);
     else
         project.design = readDesign<3>(root, project.end);
+    if (project.dimension() == 2)
+        if (auto depth = root.find("depth")) project.depth = readDepth(*depth);
     if (auto settle = root.find("settle")) readSettling(*settle, project);
     root.finish();
     return loaded;

@@ -108,6 +108,18 @@ void addCage(Json& json, const Domain& domain) {
     json["cage"] = domain.fit == Fit::Cage && !cage.empty() ? cage : Json(domain.fit == Fit::Cage);
 }
 
+template <int Dim>
+void addSizes(Json& json, const std::vector<SizeRegionIn<Dim>>& sizes) {
+    for (const SizeRegionIn<Dim>& region : sizes) {
+        Json one = Json::object();
+        if (!region.name.empty()) one["name"] = region.name;
+        one["shape"] = regionJson<Dim>(region.shape);
+        if (region.feather != 0) one["feather"] = number(region.feather);
+        one["factor"] = number(region.factor);
+        json["sizes"].push_back(withExtras(std::move(one), region.extras));
+    }
+}
+
 void addSurfaceKeys(Json& json, const Domain& domain) {
     const Domain defaults;
     if (domain.refineSurface) json["refineSurface"] = true;
@@ -117,14 +129,7 @@ void addSurfaceKeys(Json& json, const Domain& domain) {
         json["repair"] = true;
     addCage(json, domain);
     if (!domain.sizesFile.empty()) json["sizes"].push_back({{"values", domain.sizesFile}});
-    for (const SizeRegion& region : domain.sizes) {
-        Json one = Json::object();
-        if (!region.name.empty()) one["name"] = region.name;
-        one["shape"] = regionJson<3>(region.shape);
-        if (region.feather != 0) one["feather"] = number(region.feather);
-        one["factor"] = number(region.factor);
-        json["sizes"].push_back(withExtras(std::move(one), region.extras));
-    }
+    addSizes<3>(json, domain.sizes);
 }
 
 Json domainJson(const Domain& domain) {
@@ -136,6 +141,9 @@ Json domainJson(const Domain& domain) {
             json["edge"] = number(domain.edge);
         else
             json["vertices"] = domain.vertices;
+        addSizes<2>(json, domain.flatSizes);
+        static const char* const borders[] = {"free", "fixed", "slide"};
+        if (domain.border != Border::Free) json["border"] = borders[static_cast<int>(domain.border)];
     } else if (domain.kind == DomainKind::Mesh) {
         json["mesh"] = domain.path;
         if (!domain.texture.empty()) json["image"] = domain.texture;
@@ -279,6 +287,14 @@ void addDesign(Json& json, const Design<Dim>& design) {
     for (const auto& handle : design.handles) json["handles"].push_back(handleJson(handle));
 }
 
+Json depthJson(const DepthRegion& region) {
+    Json json = Json::object();
+    if (!region.name.empty()) json["name"] = region.name;
+    json["shape"] = regionJson<2>(region.shape);
+    json["order"] = number(region.order);
+    return withExtras(std::move(json), region.extras);
+}
+
 Json integrationJson(const IntegrationOptions& options) {
     static const char* const methods[] = {"dopri5", "rk4", "midpoint", "adams"};
     const IntegrationOptions defaults;
@@ -321,6 +337,7 @@ Project rebased(Project project, const std::string& path, const std::string& fol
 std::string toJson(const Project& project) {
     Json json{{"format", "wend"}, {"version", 1}, {"domain", domainJson(project.domain)}};
     std::visit([&](const auto& design) { addDesign(json, design); }, project.design);
+    for (const DepthRegion& region : project.depth) json["depth"].push_back(depthJson(region));
     for (const SettleWindow& window : project.settle)
         json["settle"].push_back({{"time", Json::array({number(window.start), number(window.end)})}});
     json["time"] = {{"end", number(project.end)}};

@@ -6,6 +6,8 @@ namespace wend {
 
 namespace {
 
+constexpr double kSame = 1e-9;  // a stroke over the very same places
+
 std::string freeName(const Domain& domain, const std::string& kind) {
     for (int i = 1;; ++i) {
         const std::string name = kind + ' ' + std::to_string(i);
@@ -41,6 +43,27 @@ Project withSizeStroke(const Project& project, const std::vector<Ball<3>>& balls
     Project next = project;
     const std::string name = freeName(project.domain, "Stroke");
     for (const Ball<3>& ball : balls) next.domain.sizes.push_back({name, ball, 0.5 * ball.radius, factor});
+    return next;
+}
+
+Project withFlatSizeStroke(const Project& project, const std::vector<Ball<2>>& balls, double feather,
+                           double factor) {
+    Project next = project;
+    auto& sizes = next.domain.flatSizes;
+    const auto isHidden = [&](const SizeRegionIn<2>& region) {
+        const auto* own = std::get_if<Ball<2>>(&region.shape);
+        return own && std::ranges::any_of(balls, [&](const Ball<2>& ball) {
+                   return (ball.centre - own->centre).norm() + own->radius + region.feather / 2 <=
+                          (1 + kSame) * ball.radius - feather / 2;
+               });
+    };
+    std::erase_if(sizes, isHidden);
+    if (sizes.empty() && factor == 1) return next;
+    std::string name;
+    for (int i = 1; name.empty() || std::ranges::any_of(sizes, [&](const auto& r) { return r.name == name; });
+         ++i)
+        name = "Stroke " + std::to_string(i);
+    for (const Ball<2>& ball : balls) sizes.push_back({name, ball, feather, factor});
     return next;
 }
 

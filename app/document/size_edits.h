@@ -17,6 +17,9 @@ std::vector<SizeGroup> sizeGroups(const Domain& domain);
 
 /// Soft balls (feathered by half of their radius) on top of all others, named "Stroke 1", "Stroke 2" …
 Project withSizeStroke(const Project& project, const std::vector<Ball<3>>& balls, double factor);
+/// The same in a picture, feathered by as much as is said; what it hides wholly goes.
+Project withFlatSizeStroke(const Project& project, const std::vector<Ball<2>>& balls, double feather,
+                           double factor);
 /// One region on top of all others, named "Region 1", "Region 2" …
 Project withSizeRegion(const Project& project, const Region<3>& shape, double factor);
 /// The group of that place in sizeGroups() with another factor; the first of it with another shape.

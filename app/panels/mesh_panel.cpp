@@ -50,6 +50,7 @@ MeshPanel::MeshPanel(ShapeSession& session, QWidget* parent)
       m_outline(new QComboBox(this)),
       m_threshold(new NumberBox(this)),
       m_margin(new NumberBox(this)),
+      m_border(new QComboBox(this)),
       m_vertices(new QSpinBox(this)),
       m_density(new JumpSlider(this)),
       m_quality(new NumberBox(this)),
@@ -87,6 +88,15 @@ void MeshPanel::makeControls() {
     m_margin->setFixedWidth(116);
     describe(m_margin, tr("Margin"),
              tr("The outline is grown by this much, so that soft edges come along whole."));
+    m_border->addItem(tr("Moves freely"), static_cast<int>(Border::Free));
+    m_border->addItem(tr("Stays in place"), static_cast<int>(Border::Fixed));
+    m_border->addItem(tr("Slides along itself"), static_cast<int>(Border::Slide));
+    m_border->setFixedWidth(150);
+    m_border->setObjectName(QStringLiteral("border"));
+    describe(
+        m_border, tr("Picture's border"),
+        tr("Holds the frame of a photograph, so that no gap opens beside it: it stays where it is, or its "
+           "sides slide along themselves. Pins on it move all the same."));
     const Range vertices = option("domain.vertices").range;
     m_vertices->setRange(int(vertices.min), int(vertices.max));
     m_vertices->setSingleStep(500);
@@ -149,7 +159,7 @@ void MeshPanel::arrange() {
         return widget;
     };
     m_pictureRows = {row(tr("&Outline"), m_outline), row(tr("Thresho&ld"), m_threshold),
-                     row(tr("Ma&rgin"), m_margin)};
+                     row(tr("Ma&rgin"), m_margin), row(tr("&Border"), m_border)};
     QWidget* fit = row(tr("&Fit"), m_fit);
     QWidget* aim = row(tr("A&im at"), m_aim);
     QWidget* vertices = row(tr("Verti&ces"), m_vertices);
@@ -177,6 +187,11 @@ void MeshPanel::connectControls() {
     });
     connect(m_margin, &QDoubleSpinBox::valueChanged, this, [this](double value) {
         edit(tr("Change margin"), QStringLiteral("margin"), [value](Domain& d) { d.alpha.margin = value; });
+    });
+    connect(m_border, &QComboBox::activated, this, [this] {
+        const auto border = static_cast<Border>(m_border->currentData().toInt());
+        if (m_session.document().project()->domain.border == border) return;
+        edit(tr("Hold the border"), {}, [border](Domain& domain) { domain.border = border; });
     });
     const auto setVertices = [this](int count) {
         edit(tr("Change mesh density"), QStringLiteral("vertices %1").arg(m_gesture),
@@ -265,6 +280,7 @@ void MeshPanel::showProject() {
     m_margin->setEnabled(alpha);
     m_threshold->setValue(domain.alpha.threshold * 100);
     m_margin->setValue(domain.alpha.margin);
+    m_border->setCurrentIndex(m_border->findData(static_cast<int>(domain.border)));
     m_vertices->setValue(domain.vertices);
     if (!m_density->isSliderDown()) m_density->setValue(sliderOf(domain.vertices));
 }

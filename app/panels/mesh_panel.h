@@ -50,6 +50,7 @@ class MeshPanel : public QWidget {
     QComboBox* m_outline;
     QDoubleSpinBox* m_threshold;
     QDoubleSpinBox* m_margin;
+    QComboBox* m_border;
     QSpinBox* m_vertices;
     QSlider* m_density;
     QDoubleSpinBox* m_quality;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "app/session/depth.h"
 #include "app/session/run_options.h"
 #include "app/session/shape_builder.h"
 #include "app/session/shape_file.h"
@@ -54,7 +55,8 @@ template <int Dim>
 Points<Dim> velocityAt(const Project& project, const PosedFrame<Dim>& frame, std::string& remark) {
     Points<Dim> velocity;
     try {
-        velocity = VelocityProbe<Dim>(frame.rest, frame.material, project).at(frame.time, frame.pose);
+        velocity = VelocityProbe<Dim>(frame.rest, frame.material, project, frame.built->frame)
+                       .at(frame.time, frame.pose);
         if (velocity.cols() == 0) remark = "the velocity field cannot be solved for";
     } catch (const InputError& error) {
         remark = error.what();
@@ -78,6 +80,7 @@ FrameExport::FrameExport(const Document& document, FramePtr frame, std::vector<F
     m_picture = m_documentPicture || !texture ? m_documentPicture : texture->picture;
     m_rest = texture ? texture->rest : flat->rest;
     m_pose = inPixels(*flat);
+    m_depths = cellDepths(m_project->depth, *flat->rest);
 }
 
 Extent<2> FrameExport::extent(ExportKind kind) const {
@@ -109,7 +112,9 @@ Overhang FrameExport::overhang(ExportKind kind) const {
 }
 
 WarpOptions FrameExport::warpOptions(const RunOptions& options) const {
-    return warpOptionsOf(*m_project, options);
+    WarpOptions warp = warpOptionsOf(*m_project, options);
+    warp.depth = m_depths;
+    return warp;
 }
 
 template <>
@@ -146,7 +151,7 @@ void FrameExport::writePicture(const std::string& path, const View& view, const 
 }
 
 void FrameExport::writeStMap(const std::string& path, const View& view) const {
-    writeImage(path, stMap(*m_rest, m_pose, view, m_picture->width, m_picture->height));
+    writeImage(path, stMap(*m_rest, m_pose, view, m_picture->width, m_picture->height, m_depths));
 }
 
 template <int Dim>

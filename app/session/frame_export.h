@@ -35,6 +35,7 @@ class FrameExport {
     const std::shared_ptr<const Image>& picture() const { return m_picture; }
     const SimplicialMesh<2>& restInPixels() const { return *m_rest; }
     const Points<2>& poseInPixels() const { return m_pose; }
+    const std::vector<float>& depths() const { return m_depths; }
     /// What the canvas shows of it; of a sequence, all of the motion. Throws InputError.
     View view(ExportKind kind, Canvas canvas) const;
     /// What a canvas of the picture's size cuts off.
@@ -74,6 +75,7 @@ class FrameExport {
     std::shared_ptr<const Image> m_documentPicture, m_picture;
     std::shared_ptr<const SimplicialMesh<2>> m_rest;
     Points<2> m_pose;
+    std::vector<float> m_depths;  // per cell: see WarpOptions
 };
 
 }  // namespace wend

@@ -6,6 +6,7 @@
 
 #include "app/document/handle_comparison.h"
 #include "app/document/handle_edits.h"
+#include "app/session/held_border.h"
 #include "core/mesh/shape_size.h"
 #include "kernels/back_end_choice.h"
 
@@ -55,6 +56,7 @@ KeptFrames MotionPass<Dim>::set(const BuiltShape<Dim>& shape, std::shared_ptr<co
     KeptFrames kept{1, -kInfinity};
     const double end = motionEnd(*project);
     if (m_project && shape.rest == m_shape.rest && shape.material == m_shape.material &&
+        m_project->domain.border == project->domain.border &&
         sameIntegration(integrationOf(*m_project), integrationOf(*project))) {
         const auto &before = designOf<Dim>(*m_project).handles, &after = designOf<Dim>(*project).handles;
         const double scale = timeScale<Dim>(before, after);
@@ -117,8 +119,8 @@ void MotionPass<Dim>::begin(const Sink& sink) {
         m_sent = {0};
         m_restSent = true;
     }
-    const auto& handles = designOf<Dim>(*m_project).handles;
-    m_deformer.emplace(m_shape.rest, m_shape.material, handles, integrationOf(*m_project),
+    m_deformer.emplace(m_shape.rest, m_shape.material,
+                       heldHandles<Dim>(*m_project, *m_shape.rest, m_shape.frame), integrationOf(*m_project),
                        backEndFactory<Dim>(BackEndKind::Automatic));
     if (m_cache.last())
         m_deformer->restore(*m_cache.last());
@@ -194,7 +196,7 @@ template <int Dim>
 Points<Dim> MotionPass<Dim>::velocity(double time, const Points<Dim>& pose, std::stop_token stop) try {
     const Points<Dim> none(Dim, 0);
     if (!m_project || stop.stop_requested()) return none;
-    if (!m_probe) m_probe.emplace(m_shape.rest, m_shape.material, *m_project);
+    if (!m_probe) m_probe.emplace(m_shape.rest, m_shape.material, *m_project, m_shape.frame);
     return stop.stop_requested() ? none : m_probe->at(time, pose);
 } catch (...) {
     m_probe.reset();

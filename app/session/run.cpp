@@ -5,6 +5,7 @@
 
 #include "app/document/options.h"
 #include "app/document/text_file.h"
+#include "app/session/depth.h"
 #include "app/session/output_set.h"
 #include "app/session/pose_file.h"
 #include "app/session/run_options.h"
@@ -150,11 +151,14 @@ class Run {
         });
     }
 
+    const std::vector<float>& depths() { return *m_depths.of(m_project.depth, m_scene.rest); }
+
     /// Writes the picture in the pixels of `view`. Throws Cancelled.
     void writePicture(const std::string& file, const Points<2>& pixels, const View& view,
                       const std::function<void(double)>& progress) {
         if (!m_painters) m_painters = cellPainters(m_options.backEnd, {}, m_watch.notice, m_device);
         WarpOptions options = warpOptionsOf(m_project, m_options);
+        options.depth = depths();
         options.makePainter = m_painters;
         options.stop = m_watch.stop;
         options.progress = progress;
@@ -183,7 +187,7 @@ class Run {
         if (!outputs.stMap.empty())
             m_files.add(outputs.stMap, ".exr", [&](const std::string& file) {
                 writeImage(file, stMap(*m_scene.texture.rest, pixels, view, m_scene.picture->width,
-                                       m_scene.picture->height));
+                                       m_scene.picture->height, depths()));
             });
     }
 
@@ -287,6 +291,7 @@ class Run {
     Clock::time_point m_start;
     SharedDevice m_device;
     Deformer<Dim> m_deformer;
+    CellDepths m_depths;                // of pictures
     MakeCellPainter m_painters;         // made with the first picture
     int m_frames = 0;                   // passed
     std::optional<PoseFile> m_waiting;  // frames, in pixels of the picture

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/session/caged_solid.h"
+#include "app/session/held_border.h"
 #include "app/session/mesh_rest.h"
 #include "app/session/solid.h"
 #include "core/mesh/error.h"
@@ -131,7 +132,9 @@ template <int Dim>
 AnyScene furnished(Scene<Dim> scene, const Project& project, const std::string& folder) {
     const auto& design = std::get<Design<Dim>>(project.design);
     scene.material = rasterizeMaterial<Dim>(design.material, *scene.rest, folder);
-    scene.handles = handlesOn(scene, design.handles);
+    const bool framed = project.domain.kind == DomainKind::Image && scene.picture;
+    const Vec<2> frame = framed ? Vec<2>(scene.picture->width, scene.picture->height) : Vec<2>(0, 0);
+    scene.handles = handlesOn(scene, heldHandles<Dim>(project, *scene.rest, frame));
     return scene;
 }
 
@@ -157,6 +160,13 @@ std::shared_ptr<const SimplicialMesh<2>> meshPicture(const Project& project, con
     options.edge = project.domain.edge;
     options.simplify = outlineSlack(project.domain);
     options.points = handlePoints(project, outline);
+    if (!project.domain.flatSizes.empty())
+        options.factor = [&sizes = project.domain.flatSizes](const Vec<2>& p) {
+            double factor = 1;
+            for (const SizeRegionIn<2>& region : sizes)
+                factor += membership<2>(region.shape, p, region.feather) * (region.factor - factor);
+            return factor;
+        };
     options.stop = stop;
     return std::make_shared<const SimplicialMesh<2>>(meshOutline(outline, options));
 }

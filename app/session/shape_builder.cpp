@@ -10,13 +10,15 @@ namespace wend {
 
 namespace {
 
+constexpr std::size_t kKept = 2;
+
 template <int Dim>
 const Design<Dim>& designOf(const ShapeInputs& inputs) {
     return std::get<Design<Dim>>(inputs.project->design);
 }
 
 bool sameAlpha(const AlphaOutlineOptions& a, const AlphaOutlineOptions& b) {
-    return a.threshold == b.threshold && a.margin == b.margin && a.smallest == b.smallest &&
+    return a.threshold == b.threshold && a.margin == b.margin && a.gap == b.gap && a.smallest == b.smallest &&
            a.simplify == b.simplify;
 }
 
@@ -57,18 +59,17 @@ bool sameMaterial(const MaterialSpec<Dim>& a, const MaterialSpec<Dim>& b) {
 }  // namespace
 
 template <int Dim>
-bool ShapeBuilder<Dim>::meshIsCurrent(const ShapeInputs& inputs) const {
-    if (!m_shape.rest || m_last.generation != inputs.generation) return false;
-    const Domain &a = m_last.project->domain, &b = inputs.project->domain;
+bool ShapeBuilder<Dim>::hasMesh(const Made& made, const ShapeInputs& inputs) {
+    const Domain &a = made.inputs.project->domain, &b = inputs.project->domain;
     if constexpr (Dim == 3) return sameSolid(a, b);
     return sameOutline(a, b) && a.texture == b.texture && a.vertices == b.vertices && a.edge == b.edge &&
-           (b.kind != DomainKind::Image || startPoints(m_last) == startPoints(inputs));
+           a.flatSizes == b.flatSizes &&
+           (b.kind != DomainKind::Image || startPoints(made.inputs) == startPoints(inputs));
 }
 
 template <int Dim>
-bool ShapeBuilder<Dim>::materialIsCurrent(const ShapeInputs& inputs) const {
-    return m_shape.material && m_last.generation == inputs.generation &&
-           sameMaterial(designOf<Dim>(m_last).material, designOf<Dim>(inputs).material);
+bool ShapeBuilder<Dim>::hasMaterial(const Made& made, const ShapeInputs& inputs) {
+    return sameMaterial(designOf<Dim>(made.inputs).material, designOf<Dim>(inputs).material);
 }
 
 template <>
@@ -105,19 +106,25 @@ BuiltShape<2> ShapeBuilder<2>::makeMesh(const ShapeInputs& inputs, std::stop_tok
         m_outlineFrom = inputs;
     }
     shape.rest = meshPicture(project, *m_outline, stop);
+    shape.frame = Vec<2>(inputs.picture->width, inputs.picture->height);
     tellOfHanging<2>(*shape.rest, shape.notices);
     return shape;
 }
 
 template <int Dim>
 BuiltShape<Dim> ShapeBuilder<Dim>::build(const ShapeInputs& inputs, std::stop_token stop) try {
-    BuiltShape<Dim> shape = meshIsCurrent(inputs) ? m_shape : makeMesh(inputs, stop);
-    if (stop.stop_requested() || !shape.rest) return {};
-    if (shape.rest != m_shape.rest || !materialIsCurrent(inputs))
-        shape.material = rasterizeMaterial<Dim>(designOf<Dim>(inputs).material, *shape.rest, inputs.folder);
-    m_shape = shape;
-    m_last = inputs;
-    return shape;
+    std::erase_if(m_made, [&](const Made& made) { return made.inputs.generation != inputs.generation; });
+    const auto known = std::ranges::find_if(m_made, [&](const Made& made) { return hasMesh(made, inputs); });
+    const bool isKnown = known != m_made.end();
+    Made now{inputs, isKnown ? known->shape : makeMesh(inputs, stop)};
+    if (stop.stop_requested() || !now.shape.rest) return {};
+    if (!isKnown || !hasMaterial(*known, inputs))
+        now.shape.material =
+            rasterizeMaterial<Dim>(designOf<Dim>(inputs).material, *now.shape.rest, inputs.folder);
+    if (isKnown) m_made.erase(known);
+    m_made.insert(m_made.begin(), now);
+    m_made.resize(std::min(m_made.size(), kKept));
+    return now.shape;
 } catch (const Cancelled&) {
     return {};
 }

@@ -24,13 +24,14 @@ struct BuiltShape {
     std::shared_ptr<const Embedding<3>> ride;               // 3D only
     std::shared_ptr<const Texture> texture;                 // 2D only: the picture on a file's mesh
     std::shared_ptr<const MeshFile> source;                 // of a mesh domain: see Scene
+    Vec<2> frame = Vec<2>::Zero();                          // of a picture's domain: its size
     bool refineHelps = false;                               // 3D only: see Solid
     std::vector<std::string> notices;                       // what the user should hear of the mesh
 };
 
-/// Outline, mesh and material of a project, made again only where the inputs changed since the last time. The
-/// steps are those of loadScene(), so that window and command line have the same mesh. The project's
-/// dimension must be Dim.
+/// Outline, mesh and material of a project, made again only where the inputs are neither those of the last
+/// time nor those of the time before, to which one goes back by undo or by cancelling. The steps are those of
+/// loadScene(), so that window and command line have the same mesh. The project's dimension must be Dim.
 template <int Dim>
 class ShapeBuilder {
   public:
@@ -40,12 +41,15 @@ class ShapeBuilder {
 
   private:
     BuiltShape<Dim> makeMesh(const ShapeInputs& inputs, std::stop_token stop);
-    bool meshIsCurrent(const ShapeInputs& inputs) const;
-    bool materialIsCurrent(const ShapeInputs& inputs) const;
+    struct Made {
+        ShapeInputs inputs;
+        BuiltShape<Dim> shape;
+    };
+    static bool hasMesh(const Made& made, const ShapeInputs& inputs);
+    static bool hasMaterial(const Made& made, const ShapeInputs& inputs);
 
-    ShapeInputs m_last;  // of the mesh and material below
+    std::vector<Made> m_made;  // the newest first, of one file
     ShapeInputs m_outlineFrom;
     std::shared_ptr<const Outline> m_outline;  // 2D only
-    BuiltShape<Dim> m_shape;
 };
 }  // namespace wend

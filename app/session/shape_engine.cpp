@@ -5,12 +5,15 @@
 
 #include "app/document/handle_comparison.h"
 #include "app/document/handle_edits.h"
+#include "app/session/held_border.h"
 #include "core/mesh/printable.h"
 #include "core/mesh/shape_size.h"
 
 namespace wend {
 
 namespace {
+
+constexpr double kMostLaidAside = 8e6;  // vertices of all frames
 
 /// Milliseconds since it was made or last read.
 class Stopwatch {
@@ -62,11 +65,32 @@ void ShapeEngineOf<Dim>::build(std::stop_token stop) {
     const BuiltShape<Dim> shape = m_builder.build(m_wanted->inputs, stop);
     if (!shape.rest) return;  // stopped: again, unless something else is wanted by then
     m_wanted.reset();
+    const bool recalled = m_shape && shape.rest != m_shape->rest && recall(shape);
     if (!m_shape || shape.rest != m_shape->rest || shape.material != m_shape->material)
         m_shape = std::make_shared<const BuiltShape<Dim>>(shape);
     const KeptFrames kept = m_pass.set(shape, m_project);
-    m_sink.shapeReady(m_revision, shape.rest, kept);
+    m_track.keep(kept);
+    m_sink.shapeReady(m_revision, shape.rest, recalled ? KeptFrames{1, -1} : kept);
+    if (recalled)
+        for (const FramePtr& frame : m_track.frames()) m_sink.frameReady(frame);
     if (m_pass.isFinished()) tellFinished();
+}
+
+/// For another mesh: lays a complete motion aside, and takes up the one that was, if it is of that mesh.
+template <int Dim>
+bool ShapeEngineOf<Dim>::recall(const BuiltShape<Dim>& shape) {
+    std::optional<Past> past = std::move(m_past);
+    m_past.reset();
+    const bool isPast = past && past->shape->rest == shape.rest;
+    const double size = static_cast<double>(m_track.frames().size()) * m_shape->rest->vertexCount();
+    if (m_pass.isSet() && m_pass.isFinished() && size < kMostLaidAside)
+        m_past = Past{m_shape, std::move(m_pass), std::move(m_track)};
+    else if (!isPast)
+        m_past = std::move(past);
+    m_pass = isPast ? std::move(past->pass) : MotionPass<Dim>();
+    m_track = isPast ? std::move(past->track) : FrameTrack();
+    if (isPast) m_shape = past->shape;
+    return isPast;
 }
 
 /// The exact end of the motion where it is known, otherwise what the window shows. A drag that goes on right
@@ -122,6 +146,8 @@ template <int Dim>
 void ShapeEngineOf<Dim>::prepareDrag(const BuiltPtr& shape, double time) {
     std::vector<Handle<Dim>> own;
     for (const int h : activeHandles(time)) own.push_back(handles()[h]);
+    const auto all = heldHandles<Dim>(*m_project, *shape->rest, shape->frame);
+    own.insert(own.end(), all.begin() + static_cast<std::ptrdiff_t>(handles().size()), all.end());
     if (!m_live || !m_live->fits(*shape, own)) m_live.emplace(*shape, std::move(own));
 }
 
@@ -157,6 +183,7 @@ void ShapeEngineOf<Dim>::runPass(std::stop_token stop) {
     sink.onFrame = [&](const State<Dim>& state, double pinError) {
         const auto frame = makeFrame(m_shape, state.time, state.points, pinError);
         frame->milliseconds = clock.lap();
+        m_track.add(frame);
         m_sink.frameReady(frame);
     };
     sink.progress = m_sink.progress;
@@ -195,6 +222,7 @@ void ShapeEngineOf<Dim>::giveUp() {
     m_wanted.reset();
     m_asked.reset();
     m_pass.clear();
+    m_track.clear();
     m_live.reset();
     m_dragging = false;
 }

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/session/frame.h"
+#include "app/session/frame_track.h"
 #include "app/session/live_drag.h"
 #include "app/session/mailbox.h"
 #include "app/session/motion_pass.h"
@@ -70,6 +71,7 @@ class ShapeEngineOf : public ShapeEngine {
     };
     Seen seen(const BeginDrag& request) const;
     void prepareDrag(const BuiltPtr& shape, double time);
+    bool recall(const BuiltShape<Dim>& shape);
     void build(std::stop_token stop);
     void runPass(std::stop_token stop);
     void answer(std::stop_token stop);
@@ -85,6 +87,14 @@ class ShapeEngineOf : public ShapeEngine {
     std::optional<SetShape> m_wanted;    // to be built
     std::optional<AskVelocity> m_asked;  // to be answered
     MotionPass<Dim> m_pass;
+    FrameTrack m_track;  // its frames so far
+    /// The last complete motion of another mesh: undo and cancelling go back to it at once.
+    struct Past {
+        BuiltPtr shape;
+        MotionPass<Dim> pass;
+        FrameTrack track;
+    };
+    std::optional<Past> m_past;
     std::optional<LiveDrag<Dim>> m_live;  // made ahead of the next drag
     bool m_dragging = false;
     Seen m_held;            // of the drag that goes on

@@ -10,9 +10,9 @@ namespace wend {
 template <int Dim>
 class VelocityProbe {
   public:
-    /// Throws InputError for what the deformer refuses.
+    /// `frame`: see heldHandles(). Throws InputError for what the deformer refuses.
     VelocityProbe(std::shared_ptr<const SimplicialMesh<Dim>> rest,
-                  std::shared_ptr<const Material<Dim>> material, const Project& project);
+                  std::shared_ptr<const Material<Dim>> material, const Project& project, const Vec<2>& frame);
 
     /// One column per vertex, or none if it cannot be solved for.
     Points<Dim> at(double time, const Points<Dim>& pose);

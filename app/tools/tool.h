@@ -52,6 +52,8 @@ class Tool {
     virtual MenuPlace menuAt(const QPointF&) { return MenuPlace::Canvas; }
     /// The curve that it edits; null if it edits none.
     virtual CurveEditing* curve() { return nullptr; }
+    /// Whether it wants to see all of the picture, also what the shape leaves out.
+    virtual bool showsPicture() const { return false; }
     /// The pointer is not over the view any more.
     virtual void leave() {}
     /// Draws what it needs over the view.

@@ -106,7 +106,7 @@ void Actions::makeHelp() {
     about->setMenuRole(QAction::AboutRole);
 }
 
-void Actions::fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve) {
+void Actions::fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve, QMenu* depth) {
     QMenu* file = window.menuBar()->addMenu(tr("&File"));
     file->addAction(open);
     file->addMenu(recent.get());
@@ -121,6 +121,7 @@ void Actions::fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve) {
     edit->addActions({undo, redo});
     edit->addSeparator();
     edit->addActions({selectAll, selectNone, remove});
+    edit->addMenu(depth);
     QMenu* view = window.menuBar()->addMenu(tr("&View"));
     view->addActions({showMesh, showMap, showMarks, hideOverlays});
     view->addSeparator();

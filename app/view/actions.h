@@ -32,7 +32,7 @@ class Actions : public ActionMaker {
 
     /// Menus of the whole program, in the order of the work.
     /// `more` stands between those of the view and of the motion; `curve` within that of the motion.
-    void fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve);
+    void fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve, QMenu* depth);
     /// What needs a shape, a selection, a motion.
     void setHasFile(bool has, bool hasPicture, bool isSolid);
     void setHasSelection(bool has);

@@ -59,24 +59,40 @@ ShapeCanvas::ShapeCanvas(ShapeSession& session, QWidget* parent) : QWidget(paren
 
 void ShapeCanvas::setTool(Tool* tool) {
     if (m_tool) m_tool->cancel();
+    const bool showed = m_tool && m_tool->showsPicture();
     m_tool = tool;
     updateCursor();
     emit hintChanged(m_tool ? m_tool->hint() : QString());
+    if (showed != (m_tool && m_tool->showsPicture())) render();
 }
 
 bool ShapeCanvas::isSettled() const {
     return m_drawn && !m_refine.isActive() && m_drawn->request.filter == Filter::Ewa && m_session.frame() &&
-           m_drawn->request.frame == drawnFrame() && m_drawn->request.view == m_view;
+           m_drawn->request.frame == drawnFrame() && m_drawn->request.view == m_view &&
+           m_drawn->request.depths == depths() &&
+           m_drawn->request.allOfPicture == (m_tool && m_tool->showsPicture() && !m_hidden);
 }
 
+/// Of cells that lie over one another the one that is seen.
 std::optional<Touch<2>> ShapeCanvas::touch(const QPointF& widget) const {
     const auto frame = m_session.frame<2>();
     if (!frame) return {};
-    if (m_located != frame) m_locator.emplace(frame->pose, frame->rest->cells);
-    m_located = frame;
     const Vec<2> p = toShape(widget);
-    const auto place = m_locator->find(p);
-    return place ? std::optional(Touch<2>{*place, p}) : std::nullopt;
+    const std::vector<float>& depth = *depths();
+    std::optional<Touch<2>> best;
+    for (int c = 0; c < frame->rest->cellCount(); ++c) {
+        const Cell<2>& cell = frame->rest->cells[static_cast<std::size_t>(c)];
+        const Vec<2> a = frame->pose.col(cell[0]), u = frame->pose.col(cell[1]) - a,
+                     v = frame->pose.col(cell[2]) - a, w = p - a;
+        const double area = u.x() * v.y() - u.y() * v.x();
+        const Vec<2> by((w.x() * v.y() - w.y() * v.x()) / area, (u.x() * w.y() - u.y() * w.x()) / area);
+        if (!(by.minCoeff() >= 0 && by.sum() <= 1)) continue;
+        const bool isBelow =
+            best && !depth.empty() &&
+            depth[static_cast<std::size_t>(c)] < depth[static_cast<std::size_t>(best->place.cell)];
+        if (!isBelow) best = Touch<2>{{c, {1 - by.sum(), by.x(), by.y()}}, p};
+    }
+    return best;
 }
 
 void ShapeCanvas::showMaterial(std::shared_ptr<const Material<2>> painted, bool lasts) {
@@ -126,6 +142,12 @@ PosedPtr<2> ShapeCanvas::drawnFrame() const {
     return frame ? frame : m_unbent;
 }
 
+/// Of the frame that is drawn; null before the first mesh.
+CellDepths::Values ShapeCanvas::depths() const {
+    const auto frame = m_session.frame<2>();
+    return frame ? m_depths.of(m_session.document().project()->depth, frame->rest) : nullptr;
+}
+
 QRectF ShapeCanvas::frameRect() const {
     if (const auto& picture = m_session.document().picture())
         return {0, 0, double(picture->width), double(picture->height)};
@@ -156,6 +178,8 @@ RenderRequest ShapeCanvas::request(Filter filter) const {
     request.picture = m_picture;
     request.frame = drawnFrame();
     if (request.frame && request.frame->built) request.texture = request.frame->built->texture;
+    request.depths = depths();
+    request.allOfPicture = m_tool && m_tool->showsPicture() && !m_hidden;
     request.view = m_view;
     request.size = size();
     request.ratio = devicePixelRatioF();

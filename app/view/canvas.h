@@ -3,6 +3,7 @@
 #include <QTimer>
 #include <QWidget>
 
+#include "app/session/depth.h"
 #include "app/session/material_preview.h"
 #include "app/tools/layer_lines.h"
 #include "app/view/render_thread.h"
@@ -78,6 +79,7 @@ class ShapeCanvas : public QWidget, public ToolSurface {
     void preparePicture(const std::shared_ptr<const Image>& picture);
     void takeTexture(const PosedFrame<2>& frame);
     PosedPtr<2> drawnFrame() const;
+    CellDepths::Values depths() const;
     void takeFrame();
     void takeRendered(const std::shared_ptr<const RenderResult>& result);
     RenderRequest request(Filter filter) const;
@@ -95,12 +97,11 @@ class ShapeCanvas : public QWidget, public ToolSurface {
     MaterialPreview<2> m_preview;
     LayerLines<2> m_layer;
     bool m_marks = false;  // of stiffness
-    mutable std::optional<PointLocator<2>> m_locator;
-    mutable PosedPtr<2> m_located;  // whose pose the locator is for
     ViewTransform m_view;
     std::shared_ptr<const RenderResult> m_drawn;
     QTimer m_refine;  // draws at full quality once nothing has moved for a while
     QTimer m_dim;     // a stale frame is dimmed after a while
+    mutable CellDepths m_depths;
     bool m_mesh = false, m_map = false, m_hidden = false, m_dimmed = false;
     bool m_fitted = false;  // the view follows the window's size until the user changes it
     bool m_spaceDown = false, m_panning = false;

@@ -3,6 +3,7 @@
 #include "app/session/shape_session.h"
 #include "app/view/actions.h"
 #include "app/view/curve_actions.h"
+#include "app/view/depth_actions.h"
 #include "app/view/solid_actions.h"
 
 namespace wend {
@@ -43,6 +44,7 @@ void ContextMenu::offerPin() {
         m_menu->addActions({m_offers.solids.move, m_offers.solids.turn, m_offers.solids.grow});
         m_menu->addSeparator();
     }
+    if (m_offers.session.document().dimension() == 2) m_menu->addMenu(m_offers.depth.menu());
     m_menu->addAction(m_offers.curves.make);
     m_menu->addAction(a.remove);
     m_menu->addSeparator();

@@ -10,6 +10,7 @@ namespace wend {
 
 class Actions;
 class CurveActions;
+class DepthActions;
 class ShapeSession;
 class SolidActions;
 
@@ -23,6 +24,7 @@ class ContextMenu : public QObject {
         Actions& actions;
         CurveActions& curves;
         SolidActions& solids;
+        DepthActions& depth;
     };
     ContextMenu(const Offers& offers, QObject* parent);
 

@@ -44,7 +44,7 @@ QImage picturePreview(const FrameExport& shape, const ScreenPicture& picture, co
 QImage mapPreview(const FrameExport& shape, const PreviewRequest& request) {
     const View view = smaller(shape.view(request.kind, request.options.canvas), request.room);
     const Image map = stMap(shape.restInPixels(), shape.poseInPixels(), view, shape.picture()->width,
-                            shape.picture()->height);
+                            shape.picture()->height, shape.depths());
     const Image shown = converted(map, {PixelType::UInt8, 4, true, true});
     return QImage(reinterpret_cast<const uchar*>(shown.data.data()), shown.width, shown.height,
                   static_cast<qsizetype>(shown.rowBytes()), QImage::Format_RGBA8888)
@@ -57,6 +57,7 @@ QImage meshPreview(const FrameExport& shape, const std::shared_ptr<const ScreenP
     draw.picture = picture;
     draw.frame = posed<2>(shape.frame());
     draw.texture = draw.frame->built->texture;
+    draw.depths = std::make_shared<const std::vector<float>>(shape.depths());
     draw.mesh = true;
     draw.fill = request.fill;
     draw.line = request.line;

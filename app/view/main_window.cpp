@@ -24,12 +24,14 @@
 #include "app/view/canvas.h"
 #include "app/view/context_menu.h"
 #include "app/view/curve_actions.h"
+#include "app/view/depth_actions.h"
 #include "app/view/exporter.h"
 #include "app/view/file_workflow.h"
 #include "app/view/held_key.h"
 #include "app/view/info_banner.h"
 #include "app/view/mode_row.h"
 #include "app/view/option_row.h"
+#include "app/view/picture_actions.h"
 #include "app/view/properties.h"
 #include "app/view/solid_workshop.h"
 #include "app/view/start_page.h"
@@ -55,6 +57,8 @@ MainWindow::MainWindow(QWidget* parent)
       m_tools(new Toolbox(this)),
       m_actions(new Actions(*m_session.document().undoStack(), *m_tools, this)),
       m_solidActions(new SolidActions(*m_tools, this)),
+      m_pictureActions(new PictureActions(this)),
+      m_depth(new DepthActions(m_session, this)),
       m_properties(new Properties(m_session, *m_tools, *m_actions)),
       m_files(new FileWorkflow(m_session.document(), *this)),
       m_exporter(new Exporter(m_session, *this)),
@@ -72,12 +76,12 @@ MainWindow::MainWindow(QWidget* parent)
     m_fields = new StatusFields(*statusBar(), m_session);
     m_solids = new SolidWorkshop({m_session, *m_actions, *m_solidActions, *m_properties, *m_fields}, *this);
     m_workspace = std::make_unique<Workspace>(
-        Workspace::Parts{*m_tools, *m_actions, *m_canvas, *m_solids, *m_properties});
+        Workspace::Parts{*m_tools, *m_actions, *m_canvas, *m_solids, *m_properties, *m_pictureActions});
     m_curves = new CurveActions(
         m_session, [this] { return m_workspace->curve(); }, this);
-    m_tools->shareKeysWith({m_solidActions, m_curves, m_actions});
-    m_menu = new ContextMenu({m_session, *m_actions, *m_curves, *m_solidActions}, this);
-    m_actions->fillMenuBar(*this, m_solidActions->menu(), m_curves->menu());
+    m_tools->shareKeysWith({m_solidActions, m_curves, m_depth, m_actions});
+    m_menu = new ContextMenu({m_session, *m_actions, *m_curves, *m_solidActions, *m_depth}, this);
+    m_actions->fillMenuBar(*this, m_solidActions->menu(), m_curves->menu(), m_depth->menu());
     makeToolBars();
     makeCentre();
     connectFiles();
@@ -119,7 +123,8 @@ void MainWindow::makeToolBars() {
     m_topBar = makeBar(Qt::TopToolBarArea, tr("Main"), "topBar");
     m_topBar->addWidget(m_modes = new ModeRow(*m_actions, *m_tools));
     addToolBarBreak();
-    addToolBar(Qt::TopToolBarArea, m_options = new OptionRow(*m_tools, *m_solidActions, this));
+    addToolBar(Qt::TopToolBarArea,
+               m_options = new OptionRow(*m_tools, *m_solidActions, *m_pictureActions, this));
     m_toolBar = makeBar(Qt::LeftToolBarArea, tr("Tools"), "toolBar");
     connect(m_tools, &Toolbox::changed, this, &MainWindow::showTools);
     showTools();
@@ -375,6 +380,7 @@ void MainWindow::updateIcons() {
     m_modes->exportButton()->setIcon(wendIcon(QStringLiteral("export"), palette()));
     m_solidActions->setIcons(palette());
     m_tools->setIcons(palette());
+    m_pictureActions->setIcons(palette());
     showMoreArrows();
     m_start->setRecent(m_files->recent());
 }

@@ -15,6 +15,8 @@ class Actions;
 class BusyNote;
 class ContextMenu;
 class CurveActions;
+class DepthActions;
+class PictureActions;
 class ShapeCanvas;
 class DistortionPanel;
 class Exporter;
@@ -95,6 +97,8 @@ class MainWindow : public QMainWindow {
     Toolbox* m_tools;
     Actions* m_actions;
     SolidActions* m_solidActions;
+    PictureActions* m_pictureActions;
+    DepthActions* m_depth;
     Properties* m_properties;
     CurveActions* m_curves = nullptr;
     ContextMenu* m_menu = nullptr;

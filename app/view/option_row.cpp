@@ -7,8 +7,9 @@
 
 namespace wend {
 
-OptionRow::OptionRow(const Toolbox& tools, const SolidActions& solids, QWidget* parent)
-    : QToolBar(tr("Options"), parent), m_tools(tools), m_solids(solids) {
+OptionRow::OptionRow(const Toolbox& tools, const SolidActions& solids, const PictureActions& outline,
+                     QWidget* parent)
+    : QToolBar(tr("Options"), parent), m_tools(tools), m_solids(solids), m_pictureActions(outline) {
     setObjectName(QStringLiteral("optionRow"));
     setMovable(false);
     setIconSize({20, 20});
@@ -29,7 +30,9 @@ void OptionRow::showTool() {
     title->setProperty("role", "title");
     title->setContentsMargins(8, 0, 8, 0);
     addWidget(title);
-    const QList<QAction*> options = kind->options ? kind->options(m_solids) : QList<QAction*>();
+    const QList<QAction*> options = kind->options          ? kind->options(m_solids)
+                                    : kind->pictureOptions ? kind->pictureOptions(m_pictureActions)
+                                                           : QList<QAction*>();
     bool any = false;
     for (QAction* option : options) {
         option ? addAction(option) : static_cast<void>(addSeparator());

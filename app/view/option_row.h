@@ -4,6 +4,7 @@
 
 namespace wend {
 
+class PictureActions;
 class SolidActions;
 class Toolbox;
 
@@ -12,13 +13,15 @@ class OptionRow : public QToolBar {
     Q_OBJECT
 
   public:
-    OptionRow(const Toolbox& tools, const SolidActions& solids, QWidget* parent);
+    OptionRow(const Toolbox& tools, const SolidActions& solids, const PictureActions& outline,
+              QWidget* parent);
 
   private:
     void showTool();
 
     const Toolbox& m_tools;
     const SolidActions& m_solids;
+    const PictureActions& m_pictureActions;
 };
 
 }  // namespace wend

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/view/cell_filler.h"
+#include "warp/coverage.h"
 
 namespace wend {
 
@@ -24,6 +25,10 @@ Points<2> poseOf(const RenderRequest& request) {
     return pose;
 }
 
+std::vector<float> depthsOf(const RenderRequest& request) {
+    return request.depths ? *request.depths : std::vector<float>();
+}
+
 /// The picture on the screen, by the same code as an export.
 QImage warped(const RenderRequest& request, std::stop_token stop) {
     View view;
@@ -34,6 +39,8 @@ QImage warped(const RenderRequest& request, std::stop_token stop) {
     WarpOptions options;
     options.filter = request.filter;
     options.stop = stop;
+    options.depth = depthsOf(request);
+    if (request.allOfPicture) options.outside = Outside::Original;
     if (request.texture) {  // whose domain may be turned over: the pixels of the screen are not
         view.origin.setZero();
         view.scale = 1;
@@ -62,7 +69,8 @@ bool isPainted(Measure measure) {
 
 /// What is painted has soft edges: corners have the mean colour of their cells.
 template <class ColourOf>
-void fillSoftly(CellFiller& filler, const SimplicialMesh<2>& rest, const ColourOf& colourOf) {
+void fillSoftly(CellFiller& filler, const SimplicialMesh<2>& rest, const std::vector<int>& order,
+                const ColourOf& colourOf) {
     using Colour = CellFiller::Colour;
     std::vector<Colour> sums(static_cast<std::size_t>(rest.vertexCount()), Colour::Zero());
     std::vector<double> weights(sums.size(), 0);
@@ -76,7 +84,10 @@ void fillSoftly(CellFiller& filler, const SimplicialMesh<2>& rest, const ColourO
     }
     for (std::size_t v = 0; v < sums.size(); ++v)
         if (weights[v] > 0) sums[v] /= weights[v];
-    for (const Cell<2>& cell : rest.cells) filler.fill(cell, {sums[cell[0]], sums[cell[1]], sums[cell[2]]});
+    for (const int index : order) {
+        const Cell<2>& cell = rest.cells[static_cast<std::size_t>(index)];
+        filler.fill(cell, {sums[cell[0]], sums[cell[1]], sums[cell[2]]});
+    }
 }
 
 void fillCells(QImage& image, const RenderRequest& request) {
@@ -89,12 +100,15 @@ void fillCells(QImage& image, const RenderRequest& request) {
     };
     image.convertTo(QImage::Format_ARGB32_Premultiplied);
     CellFiller filler(image, frame.pose, toPixels(request));
+    const std::vector<int> order = paintingOrder(frame.rest->cellCount(), depthsOf(request));
     if (request.map && isPainted(request.measure)) {
-        fillSoftly(filler, *frame.rest, colourOf);
+        fillSoftly(filler, *frame.rest, order, colourOf);
         return;
     }
-    for (std::size_t c = 0; c < frame.rest->cells.size(); ++c)
+    for (const int cell : order) {
+        const auto c = static_cast<std::size_t>(cell);
         filler.fill(frame.rest->cells[c], request.map ? colourOf(c) : request.fill.rgba());
+    }
 }
 
 void drawEdges(QPainter& painter, const RenderRequest& request) {

@@ -21,10 +21,12 @@ struct RenderRequest {
     std::shared_ptr<const ScreenPicture> picture;  // may be null
     std::shared_ptr<const Texture> texture;  // of a file's mesh: where that lies in the picture; or null
     PosedPtr<2> frame;
+    std::shared_ptr<const std::vector<float>> depths;  // per cell: see WarpOptions; or null
     ViewTransform view;
     QSize size;        // of the widget
     double ratio = 1;  // device pixels per widget pixel
     Filter filter = Filter::Bilinear;
+    bool allOfPicture = false;  // also what the shape leaves out
     bool mesh = false;
     bool map = false;
     Measure measure = Measure::Length;

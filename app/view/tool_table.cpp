@@ -1,15 +1,21 @@
 #include "app/view/tool_table.h"
 
+#include <QWidgetAction>
+
 #include "app/panels/size_panel.h"
 #include "app/tools/area_tool.h"
+#include "app/tools/depth_tool.h"
 #include "app/tools/fill_tool.h"
+#include "app/tools/flat_size_tool.h"
 #include "app/tools/gradient_tool.h"
 #include "app/tools/hold_tool.h"
 #include "app/tools/measure_tool.h"
+#include "app/tools/outline_tool.h"
 #include "app/tools/paint_tool.h"
 #include "app/tools/pin_tool.h"
 #include "app/tools/size_tool.h"
 #include "app/tools/solid_pin_tool.h"
+#include "app/view/picture_actions.h"
 #include "app/view/solid_actions.h"
 
 namespace wend {
@@ -103,6 +109,35 @@ std::unique_ptr<SolidTool> measure(Workbench& on) {
     return std::make_unique<MeasureTool>(*on.solid);
 }
 
+template <OutlineTool::Shape Shape>
+std::unique_ptr<Tool> outline(Workbench& on) {
+    return std::make_unique<OutlineTool>(on.picture, Shape, on.flat.pen());
+}
+
+template <OutlineTool::Shape Shape>
+QList<QAction*> outlineOptions(const PictureActions& a) {
+    using enum OutlineTool::Shape;
+    if (Shape == Brush) return {a.adds, a.takesAway, a.size};
+    if (Shape == Wand) return {a.adds, a.takesAway, a.tolerance};
+    return {a.adds, a.takesAway};
+}
+
+std::unique_ptr<Tool> depthBrush(Workbench& on) {
+    return std::make_unique<DepthTool>(on.picture, on.brush, on.flat.depth());
+}
+
+std::unique_ptr<Tool> flatSizeBrush(Workbench& on) {
+    return std::make_unique<FlatSizeTool>(on.picture, on.brush, on.flat.fineness());
+}
+
+QList<QAction*> depthOptions(const PictureActions& a) {
+    return {a.order};
+}
+
+QList<QAction*> sizeOptions(const PictureActions& a) {
+    return {a.edges};
+}
+
 QList<QAction*> steps(const SolidActions& a) {
     return {a.move, a.turn, a.grow, nullptr, a.selectRectangle, a.selectLasso, a.selectBrush, a.through};
 }
@@ -124,6 +159,7 @@ Measure sizes(const Workbench&) {
 const std::vector<ToolKind>& toolTable() {
     using Hold = HoldTool::Shape;
     using Area = AreaTool::Shape;
+    using Draw = OutlineTool::Shape;
     static const std::vector<ToolKind> table = {
         {"pin", "pin", QT_TRANSLATE_NOOP("Tools", "&Pin"),
          QT_TRANSLATE_NOOP("Tools", "Set pins and drag them"), "P", Mode::Pins, Mode::Pins, pins<true>,
@@ -196,6 +232,63 @@ const std::vector<ToolKind>& toolTable() {
          {},
          nullptr,
          area<Area::Half>},
+        {"outlineLasso",
+         "area-lasso",
+         QT_TRANSLATE_NOOP("Tools", "Outline by &Lasso"),
+         QT_TRANSLATE_NOOP("Tools", "Draw around what shall bend, or shall not"),
+         "L",
+         Mode::Mesh,
+         {},
+         outline<Draw::Lasso>,
+         nullptr,
+         nullptr,
+         nullptr,
+         outlineOptions<Draw::Lasso>},
+        {"outlinePolygon",
+         "outline-polygon",
+         QT_TRANSLATE_NOOP("Tools", "Outline by &Polygon"),
+         QT_TRANSLATE_NOOP("Tools", "Set the corners of what shall bend, or shall not"),
+         "Shift+L",
+         Mode::Mesh,
+         {},
+         outline<Draw::Polygon>,
+         nullptr,
+         nullptr,
+         nullptr,
+         outlineOptions<Draw::Polygon>},
+        {"outlineBrush",
+         "outline-brush",
+         QT_TRANSLATE_NOOP("Tools", "Outline by &Brush"),
+         QT_TRANSLATE_NOOP("Tools", "Brush over what shall bend, or shall not"),
+         "B",
+         Mode::Mesh,
+         {},
+         outline<Draw::Brush>,
+         nullptr,
+         nullptr,
+         nullptr,
+         outlineOptions<Draw::Brush>},
+        {"wand",
+         "outline-wand",
+         QT_TRANSLATE_NOOP("Tools", "Outline by &Colour"),
+         QT_TRANSLATE_NOOP("Tools", "Click on a colour that shall bend, or shall not"),
+         "W",
+         Mode::Mesh,
+         {},
+         outline<Draw::Wand>,
+         nullptr,
+         nullptr,
+         nullptr,
+         outlineOptions<Draw::Wand>},
+        {"cutStroke",
+         "outline-cut",
+         QT_TRANSLATE_NOOP("Tools", "Cut &Apart"),
+         QT_TRANSLATE_NOOP("Tools", "Draw a line along which the shape is parted"),
+         "X",
+         Mode::Mesh,
+         {},
+         outline<Draw::Cut>,
+         nullptr},
         {"sizes",
          "sizes",
          QT_TRANSLATE_NOOP("Tools", "&Detail Brush"),
@@ -203,10 +296,11 @@ const std::vector<ToolKind>& toolTable() {
          "Shift+A",
          Mode::Mesh,
          {},
-         nullptr,
+         flatSizeBrush,
          sizeBrush,
          nullptr,
-         sizes},
+         sizes,
+         sizeOptions},
         {"paint", "brush", QT_TRANSLATE_NOOP("Tools", "&Paint"),
          QT_TRANSLATE_NOOP("Tools", "Paint what is kept, or how stiff it is"), "B; A", Mode::Paint,
          Mode::Paint, paint<2>, paint<3>, nullptr, painted},
@@ -254,6 +348,18 @@ const std::vector<ToolKind>& toolTable() {
          eyedropper<3>,
          nullptr,
          painted},
+        {"depth",
+         "depth",
+         QT_TRANSLATE_NOOP("Tools", "Depth Brus&h"),
+         QT_TRANSLATE_NOOP("Tools", "Brush over what lies in front where the shape covers itself"),
+         "O",
+         Mode::Paint,
+         {},
+         depthBrush,
+         nullptr,
+         nullptr,
+         nullptr,
+         depthOptions},
         {"measure",
          "measure",
          QT_TRANSLATE_NOOP("Tools", "M&easure"),

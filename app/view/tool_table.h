@@ -15,6 +15,7 @@ namespace wend {
 
 class Brush;
 class Manipulator;
+class PictureActions;
 class SizePanel;
 class SolidActions;
 
@@ -23,6 +24,7 @@ struct Workbench {
     ToolSurface& picture;
     Manipulator& manipulator;
     const SolidActions& actions;
+    PictureActions& flat;
     Brush& brush;
     SizePanel& sizes;
     std::function<void()> toSelect;  // a part was taken hold of, and is there to be moved
@@ -44,6 +46,8 @@ struct ToolKind {
     QList<QAction*> (*options)(const SolidActions&) = nullptr;
     /// What is coloured over the shape while it is chosen; null: nothing.
     Measure (*map)(const Workbench&) = nullptr;
+    /// What stands beside its name for pictures, too.
+    QList<QAction*> (*pictureOptions)(const PictureActions&) = nullptr;
 };
 
 /// In the order of the tool bar.

@@ -15,6 +15,7 @@ Workspace::Workspace(const Parts& parts)
       m_bench{parts.picture,
               parts.solids.manipulator(),
               parts.solids.actions(),
+              parts.outline,
               parts.properties.brush(),
               parts.properties.sizes(),
               [select = parts.actions.selectTool] { select->trigger(); }} {
@@ -73,7 +74,7 @@ void Workspace::takeBrush() {
 
 void Workspace::showMap() {
     const ToolKind* kind = m_parts.tools.current();
-    if (kind && kind->map)
+    if (kind && kind->map && (m_parts.tools.dimension() == 3 || !kind->pictureOptions))
         m_map.show(kind->map(m_bench));
     else
         m_map.end();

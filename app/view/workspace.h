@@ -10,6 +10,7 @@
 namespace wend {
 
 class Actions;
+class PictureActions;
 class Properties;
 class ShapeCanvas;
 class SolidCanvas;
@@ -27,6 +28,7 @@ class Workspace : public QObject {
         ShapeCanvas& picture;
         SolidWorkshop& solids;
         Properties& properties;
+        PictureActions& outline;
     };
     explicit Workspace(const Parts& parts);
     ~Workspace() override;

@@ -82,7 +82,7 @@ DragFlow<Dim>::DragFlow(std::shared_ptr<const SimplicialMesh<Dim>> rest,
       m_memory(material->memory) {
     requireValid<Dim>(*material, m_rest->cellCount());
     m_solver.setVelocityTolerance(kVelocityTolerance);
-    m_solver.setConstraints(rowsOf(m_constraints, allOf(m_constraints)));
+    m_solver.setConstraints(rowsOf(m_constraints, allOf(m_constraints)), m_constraints.sliders());
     begin(m_domainRest->points);
     prepare();
 }

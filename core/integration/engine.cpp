@@ -123,7 +123,7 @@ int Deformer<Dim>::Engine::firstInverted(const Points<Dim>& shape) const {
 template <int Dim>
 void Deformer<Dim>::Engine::activate(Side side) {
     m_ids = m_constraints->activePoints(state.time, side);
-    m_solver->setConstraints(rowsOf(*m_constraints, m_ids));
+    m_solver->setConstraints(rowsOf(*m_constraints, m_ids), m_constraints->sliders());
 }
 
 /// Whether anything moves: a handle, or the shape that settles.

@@ -148,7 +148,7 @@ SimplicialMesh<2> meshExactly(Outline outline, const PlanarMeshOptions& options)
     const double tolerance = pointTolerance * diagonalOf(outline);
     outline = outlineThrough(std::move(outline), options.points, tolerance);
     requireNoCrossing(outline);
-    const PlanarDomain domain(outline, options.points);
+    const PlanarDomain domain(outline, options.points, options.factor);
     PlanarMesher mesher(domain, options);
     return options.edge > 0 ? mesher.byEdge() : mesher.byCount();
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <stop_token>
 #include <vector>
 
@@ -15,15 +16,17 @@ struct PlanarMeshOptions {
     /// Most that the outline may be simplified by, and is only, when it has more detail than the aimed number
     /// of vertices allows. 0: the mesh's border is the outline exactly.
     double simplify = 0;
+    /// Length of edges at a place, relative to elsewhere; positive. Empty: even.
+    std::function<double(const Vec<2>&)> factor;
     std::vector<Vec<2>> points;  // become vertices of the mesh: where handles sit
     std::stop_token stop;
 };
 
 /// Conforming constrained Delaunay refinement (CGAL Delaunay_mesher_2) of the inside: triangles of even size
-/// (a bound on the circumradius), finer only where the outline or the points ask for it. Vertex i is
-/// options.points[i], bit for bit, for every point; all cells have positive measure det[x1 − x0, x2 − x0] /
-/// 2; the borders are subdivided outline segments. A point within 1e-9 (relative to the bounding box's
-/// diagonal) of the outline becomes a point of the outline.
+/// (a bound on the circumradius; times the factor, if there is one), finer only where the outline or the
+/// points ask for it. Vertex i is options.points[i], bit for bit, for every point; all cells have positive
+/// measure det[x1 − x0, x2 − x0] / 2; the borders are subdivided outline segments. A point within 1e-9
+/// (relative to the bounding box's diagonal) of the outline becomes a point of the outline.
 ///
 /// An aim below what the outline needs at the minimum angle gives that least mesh, a larger one (after
 /// simplification within options.simplify); it does not fail. Where borders or points nearly touch, edges are

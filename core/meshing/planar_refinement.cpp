@@ -50,24 +50,73 @@ void insertFrame(MarkedTriangulation& triangulation) {
             triangulation.insert(Point(x, y))->info() = planar::frameVertex;
 }
 
-/// Splits the edges of the outline evenly into pieces of at most `length`. Left to the refinement they would
-/// be halved, and the number of vertices would go in powers of two.
-void splitBorders(MarkedTriangulation& triangulation, double length) {
+constexpr int kSamples = 64;  // of an outline's edge, and of a triangle's side, where sizes are not even
+
+Vec<2> vec(const Point& p) {
+    return {p.x(), p.y()};
+}
+
+/// How many edges of the length 1, times the factor, the parts of a segment up to each of some places hold.
+std::vector<double> lengthsAlong(const Point& a, const Point& b, const PlanarDomain::Factor& factor) {
+    const int samples = factor ? kSamples : 1;
+    const double step = std::sqrt(CGAL::squared_distance(a, b)) / samples;
+    std::vector<double> sums{0};
+    for (int k = 0; k < samples; ++k)
+        sums.push_back(sums.back() +
+                       step / (factor ? factor(vec(a) + (k + 0.5) / samples * (vec(b) - vec(a))) : 1));
+    return sums;
+}
+
+/// Where a segment is to be split, in ]0, 1[: into pieces of at most `length` times the factor.
+std::vector<double> splits(const Point& a, const Point& b, double length,
+                           const PlanarDomain::Factor& factor) {
+    const std::vector<double> sums = lengthsAlong(a, b, factor);
+    const int pieces = static_cast<int>(std::ceil(sums.back() / length));
+    std::vector<double> places;
+    for (int k = 1; k < pieces; ++k) {
+        const double part = static_cast<double>(k) / pieces, wanted = part * sums.back();
+        const auto next = std::upper_bound(sums.begin() + 1, sums.end() - 1, wanted);
+        const auto index = next - sums.begin();
+        const double within = (wanted - *(next - 1)) / (*next - *(next - 1));
+        places.push_back(factor ? (static_cast<double>(index - 1) + within) /
+                                      (static_cast<double>(sums.size()) - 1)
+                                : part);
+    }
+    return places;
+}
+
+/// ∫ f⁻² over a triangle, by its middle, or by its four parts where it is large.
+double areaOf(const Point& a, const Point& b, const Point& c, const PlanarDomain::Factor& factor,
+              double large) {
+    const double longest =
+        std::max({CGAL::squared_distance(a, b), CGAL::squared_distance(b, c), CGAL::squared_distance(c, a)});
+    if (!factor || longest <= large * large) {
+        const double area = CGAL::area(a, b, c);
+        if (!factor) return area;
+        const double f = factor((vec(a) + vec(b) + vec(c)) / 3);
+        return area / (f * f);
+    }
+    const Point ab = CGAL::midpoint(a, b), bc = CGAL::midpoint(b, c), ca = CGAL::midpoint(c, a);
+    return areaOf(a, ab, ca, factor, large) + areaOf(ab, b, bc, factor, large) +
+           areaOf(ca, bc, c, factor, large) + areaOf(ab, bc, ca, factor, large);
+}
+
+/// Splits the edges of the outline evenly into pieces of at most `length`, times the factor. Left to the
+/// refinement they would be halved, and the number of vertices would go in powers of two.
+void splitBorders(MarkedTriangulation& triangulation, double length, const PlanarDomain::Factor& factor) {
     std::vector<std::pair<Vertex, Vertex>> edges;
     for (const auto& edge : triangulation.finite_edges())
         if (triangulation.is_constrained(edge) &&
-            triangulation.segment(edge).squared_length() > length * length)
+            (factor || triangulation.segment(edge).squared_length() > length * length))
             edges.emplace_back(edge.first->vertex(edge.first->ccw(edge.second)),
                                edge.first->vertex(edge.first->cw(edge.second)));
     for (auto [from, to] : edges) {
         const Point a = from->point(), b = to->point();
-        const int pieces = static_cast<int>(std::ceil(std::sqrt(CGAL::squared_distance(a, b)) / length));
-        for (int k = 1; k < pieces; ++k) {
+        for (const double part : splits(a, b, length, factor)) {
             Face face;
             int i = 0;
             triangulation.is_edge(from, to, face, i);
-            from = triangulation.insert(a + (b - a) * (static_cast<double>(k) / pieces),
-                                        MarkedTriangulation::EDGE, face, i);
+            from = triangulation.insert(a + (b - a) * part, MarkedTriangulation::EDGE, face, i);
             from->info() = planar::newVertex;
         }
     }
@@ -149,10 +198,11 @@ double sineSquared(double degrees) {
 }
 
 /// False when the bounds on work are reached first.
-bool refine(MarkedTriangulation& triangulation, const RefinementBounds& bounds, const std::stop_token& stop) {
+bool refine(MarkedTriangulation& triangulation, const RefinementBounds& bounds,
+            const PlanarDomain::Factor& factor, const std::stop_token& stop) {
     triangulation.shortestSquared = bounds.shortest * bounds.shortest;
-    Mesher mesher(triangulation,
-                  planar::SizeAndAngle(bounds.circumradius, sineSquared(bounds.minAngle), bounds.shortest));
+    Mesher mesher(triangulation, planar::SizeAndAngle(bounds.circumradius, sineSquared(bounds.minAngle),
+                                                      bounds.shortest, &factor));
     mesher.init(true);
     const auto most = static_cast<std::size_t>(bounds.maxVertices) + 4;
     // A step may end without a new vertex (a face is put off until an edge is split), so steps are bounded
@@ -183,8 +233,8 @@ SimplicialMesh<2> toMesh(MarkedTriangulation& triangulation, int pointCount) {
 
 }  // namespace
 
-PlanarDomain::PlanarDomain(const Outline& outline, const std::vector<Vec<2>>& points)
-    : m_pointCount(static_cast<int>(points.size())) {
+PlanarDomain::PlanarDomain(const Outline& outline, const std::vector<Vec<2>>& points, Factor factor)
+    : m_factor(std::move(factor)), m_pointCount(static_cast<int>(points.size())) {
     guarded([&] {
         auto triangulation = std::make_unique<Triangulation>();
         insertOutline(*triangulation, outline);
@@ -199,17 +249,25 @@ PlanarDomain::PlanarDomain(const Outline& outline, const std::vector<Vec<2>>& po
 PlanarDomain::~PlanarDomain() = default;
 
 double PlanarDomain::area() const {
+    CGAL::Bbox_2 box;
+    for (auto face : m_triangulation->finite_face_handles())
+        if (face->inside) box += m_triangulation->triangle(face).bbox();
+    const double large = std::hypot(box.x_span(), box.y_span()) / kSamples;
     double sum = 0;
     for (auto face : m_triangulation->finite_face_handles())
-        if (face->inside) sum += m_triangulation->triangle(face).area();
+        if (face->inside)
+            sum += areaOf(face->vertex(0)->point(), face->vertex(1)->point(), face->vertex(2)->point(),
+                          m_factor, large);
     return sum;
 }
 
 double PlanarDomain::perimeter() const {
     double sum = 0;
     for (const auto& edge : m_triangulation->finite_edges())
-        if (m_triangulation->is_constrained(edge))
-            sum += std::sqrt(m_triangulation->segment(edge).squared_length());
+        if (m_triangulation->is_constrained(edge)) {
+            const auto segment = m_triangulation->segment(edge);
+            sum += lengthsAlong(segment.source(), segment.target(), m_factor).back();
+        }
     return sum;
 }
 
@@ -221,9 +279,9 @@ std::optional<SimplicialMesh<2>> PlanarDomain::refined(const RefinementBounds& b
                                                        const std::stop_token& stop) const {
     return guarded([&]() -> std::optional<SimplicialMesh<2>> {
         MarkedTriangulation triangulation(*m_triangulation);
-        splitBorders(triangulation, borderPerRadius * bounds.circumradius);
+        splitBorders(triangulation, borderPerRadius * bounds.circumradius, m_factor);
         markInside(triangulation);
-        if (!refine(triangulation, bounds, stop)) return {};
+        if (!refine(triangulation, bounds, m_factor, stop)) return {};
         return toMesh(triangulation, m_pointCount);
     });
 }

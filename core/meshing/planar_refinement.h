@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -11,7 +12,7 @@ namespace wend {
 
 /// What a refinement must reach and where it gives up.
 struct RefinementBounds {
-    double circumradius = 0;  // of every triangle at most
+    double circumradius = 0;  // of every triangle at most, times the factor there
     double minAngle = 25;     // degrees
     double shortest = 0;  // edges at or below this length are not split for the angle's or the border's sake
     int maxVertices = 0;  // beyond that there is no result
@@ -21,11 +22,13 @@ struct RefinementBounds {
 /// CGAL.
 class PlanarDomain {
   public:
-    /// The outline must be clean and without crossings. Throws InputError for points that are outside or
-    /// coincide.
-    PlanarDomain(const Outline& outline, const std::vector<Vec<2>>& points);
+    using Factor = std::function<double(const Vec<2>&)>;
+    /// The outline must be clean and without crossings. `factor`: see PlanarMeshOptions. Throws InputError
+    /// for points that are outside or coincide.
+    PlanarDomain(const Outline& outline, const std::vector<Vec<2>>& points, Factor factor = {});
     ~PlanarDomain();
 
+    /// As many edges of the length that is wanted there fit in: ∫ f⁻² dA and ∫ f⁻¹ ds.
     double area() const;
     double perimeter() const;
     int vertexCount() const;
@@ -39,6 +42,7 @@ class PlanarDomain {
   private:
     struct Triangulation;
     std::unique_ptr<const Triangulation> m_triangulation;
+    Factor m_factor;
     int m_pointCount;
 };
 

@@ -10,7 +10,10 @@
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 #include <algorithm>
+#include <functional>
 #include <vector>
+
+#include "core/mesh/types.h"
 
 namespace wend::planar {
 
@@ -99,10 +102,13 @@ class SizeAndAngle {
     };
 
     SizeAndAngle() = default;
-    SizeAndAngle(double circumradius, double sineSquared, double shortest)
+    /// `factor`: of the circumradius at a place; may be empty, and must live as long as this.
+    SizeAndAngle(double circumradius, double sineSquared, double shortest,
+                 const std::function<double(const Vec<2>&)>* factor = nullptr)
         : m_radiusSquared(circumradius * circumradius),
           m_sineSquared(sineSquared),
-          m_shortestSquared(shortest * shortest) {}
+          m_shortestSquared(shortest * shortest),
+          m_factor(factor) {}
 
     Is_bad is_bad_object() const { return Is_bad(*this); }  // NOLINT(readability-identifier-naming)
 
@@ -124,12 +130,19 @@ class SizeAndAngle {
         // triangle's circumcircle says nothing about its size: its longest edge counts there (R > 0.65 c from
         // angles of 130° on).
         const double size = std::min(a * b * c / (4 * areaSquared), 0.65 * 0.65 * c);
-        return {size / m_radiusSquared, a <= m_shortestSquared ? 1 : areaSquared / (b * c)};
+        return {size / radiusSquared(p, q, r), a <= m_shortestSquared ? 1 : areaSquared / (b * c)};
+    }
+
+    double radiusSquared(const Point& p, const Point& q, const Point& r) const {
+        if (!m_factor || !*m_factor) return m_radiusSquared;
+        const double factor = (*m_factor)({(p.x() + q.x() + r.x()) / 3, (p.y() + q.y() + r.y()) / 3});
+        return factor * factor * m_radiusSquared;
     }
 
     double m_radiusSquared = 1;
     double m_sineSquared = 0;
     double m_shortestSquared = 0;
+    const std::function<double(const Vec<2>&)>* m_factor = nullptr;
 };
 
 }  // namespace wend::planar

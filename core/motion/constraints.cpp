@@ -106,7 +106,7 @@ Constraints<Dim>::Constraints(const SimplicialMesh<Dim>& rest, const std::vector
                                                   : "handle \"" + handles[i].name + '"');
         try {
             m_timelines.emplace_back(handles[i]);
-            for (auto& point : placer.place(handles[i].at, index)) m_points.push_back(std::move(point));
+            take(placer.place(handles[i].at, index), handles[i].slides);
         } catch (const InputError& error) {
             throw InputError(m_names.back() + ": " + error.reason());
         }
@@ -115,6 +115,18 @@ Constraints<Dim>::Constraints(const SimplicialMesh<Dim>& rest, const std::vector
     }
     std::sort(m_borders.begin(), m_borders.end());
     m_borders.erase(std::unique(m_borders.begin(), m_borders.end()), m_borders.end());
+}
+
+template <int Dim>
+void Constraints<Dim>::take(std::vector<ConstrainedPoint> points, unsigned slides) {
+    constexpr unsigned kAll = (1U << Dim) - 1;
+    for (ConstrainedPoint& point : points)
+        if (slides == 0)
+            m_points.push_back(std::move(point));
+        else if (point.terms.size() == 1)
+            m_sliders.emplace_back(point.terms.front().first, kAll & ~slides);
+        else
+            throw InputError("only vertices can slide");
 }
 
 template <int Dim>

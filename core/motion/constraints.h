@@ -63,6 +63,9 @@ class Constraints {
                 const Normalization<Dim>& units = {});
 
     const std::vector<ConstrainedPoint>& points() const { return m_points; }
+    /// Vertices of handles that slide (Handle::slides), which are not among the points, and the coordinates
+    /// in which they are held: bit k stands for coordinate k.
+    const std::vector<std::pair<int, unsigned>>& sliders() const { return m_sliders; }
     const HandleTimeline<Dim>& timeline(int handle) const { return m_timelines[handle]; }
     /// `handle "name"`, or by number if it has none.
     const std::string& handleName(int handle) const { return m_names[handle]; }
@@ -94,9 +97,11 @@ class Constraints {
                   Points<Dim>& positions, Points<Dim>& velocities) const;
 
   private:
+    void take(std::vector<ConstrainedPoint> points, unsigned slides);
     std::vector<MovingMap<Dim>> maps(double t, Side side) const;
 
     std::vector<ConstrainedPoint> m_points;
+    std::vector<std::pair<int, unsigned>> m_sliders;
     std::vector<HandleTimeline<Dim>> m_timelines;
     std::vector<std::string> m_names;
     std::vector<double> m_borders;

@@ -67,6 +67,8 @@ struct Handle {
     double activeFrom = -std::numeric_limits<double>::infinity();
     double activeTo = std::numeric_limits<double>::infinity();
     Extras extras = {};
+    unsigned slides =
+        0;  // bit k: along coordinate k the points go where they like, and are held in the others
 };
 
 }  // namespace wend

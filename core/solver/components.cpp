@@ -1,5 +1,6 @@
 #include "core/solver/components.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
 #include <algorithm>
 #include <numeric>
@@ -30,6 +31,36 @@ bool spanEnough(const std::vector<Vec<Dim>>& points, double size) {
     const Vec<Dim> squares = Eigen::JacobiSVD<Mat<Dim>>(scatter).singularValues();
     return squares[Dim - 2] > kDistinct * kDistinct * size * size;
 }
+
+/// How much points that are held, in all coordinates or some, leave of the similarities: MᵀM, where a row of
+/// M has one coordinate of the velocities at one point, of a translation along each axis, a rotation in each
+/// plane, and a scaling.
+template <int Dim>
+class HeldSimilarities {
+  public:
+    static constexpr int kModes = Dim + Dim * (Dim - 1) / 2 + 1;
+
+    /// p relative to the middle of the shape, in terms of its size.
+    void add(const Vec<Dim>& p, unsigned held) {
+        Eigen::Matrix<double, Dim, kModes> velocities;
+        velocities.setZero();
+        velocities.template leftCols<Dim>().setIdentity();
+        int mode = Dim;
+        for (int a = 0; a < Dim; ++a)
+            for (int b = a + 1; b < Dim; ++b, ++mode) velocities(a, mode) = -p[b], velocities(b, mode) = p[a];
+        velocities.col(mode) = p;
+        for (int k = 0; k < Dim; ++k)
+            if (held >> k & 1U) m_square += velocities.row(k).transpose() * velocities.row(k);
+    }
+    bool all() const {
+        const Eigen::SelfAdjointEigenSolver<Square> solver(m_square, Eigen::EigenvaluesOnly);
+        return solver.eigenvalues().minCoeff() > kDistinct * kDistinct;
+    }
+
+  private:
+    using Square = Eigen::Matrix<double, kModes, kModes>;
+    Square m_square = Square::Zero();
+};
 
 /// The components of every vertex, ascending, each once.
 template <int Dim>
@@ -82,7 +113,7 @@ std::vector<int> cellComponents(const SimplicialMesh<Dim>& mesh) {
 
 template <int Dim>
 std::vector<bool> wellConstrained(const SimplicialMesh<Dim>& mesh, const std::vector<int>& components,
-                                  const std::vector<ConstraintRow>& rows) {
+                                  const std::vector<ConstraintRow>& rows, const Sliders& sliders) {
     const int count = components.empty() ? 0 : *std::max_element(components.begin(), components.end()) + 1;
     const auto ofVertex = componentsOfVertices(mesh, components);
     std::vector<std::vector<Vec<Dim>>> points(count);
@@ -92,13 +123,22 @@ std::vector<bool> wellConstrained(const SimplicialMesh<Dim>& mesh, const std::ve
     const double size = shapeSize<Dim>(mesh.points, mesh.cells).size;
     std::vector<bool> result(count);
     for (int i = 0; i < count; ++i) result[i] = spanEnough<Dim>(points[i], size);
+    if (sliders.empty()) return result;
+    const Vec<Dim> middle = mesh.points.rowwise().mean();
+    std::vector<HeldSimilarities<Dim>> held(count);
+    for (int i = 0; i < count; ++i)
+        for (const Vec<Dim>& p : points[i]) held[i].add((p - middle) / size, ~0U);
+    for (const auto& [vertex, coordinates] : sliders)
+        for (int component : ofVertex[vertex])
+            held[component].add((mesh.points.col(vertex) - middle) / size, coordinates);
+    for (int i = 0; i < count; ++i) result[i] = result[i] || held[i].all();
     return result;
 }
 
 #define WEND_INSTANTIATE(Dim)                                                                       \
     template std::vector<int> cellComponents(const SimplicialMesh<Dim>&);                           \
     template std::vector<bool> wellConstrained(const SimplicialMesh<Dim>&, const std::vector<int>&, \
-                                               const std::vector<ConstraintRow>&);
+                                               const std::vector<ConstraintRow>&, const Sliders&);
 WEND_INSTANTIATE(2)
 WEND_INSTANTIATE(3)
 

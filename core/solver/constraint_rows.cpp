@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace wend {
 namespace {
@@ -26,11 +27,11 @@ struct WorkingRow {
         for (auto& [vertex, weight] : weights) weight *= factor;
         for (auto& [row_, value] : values) value *= factor;
     }
-    int largest() const {
+    int largest(const std::set<int>& without) const {
         int best = -1;
         double size = kNothing;
         for (const auto& [vertex, weight] : weights)
-            if (std::abs(weight) > size) {
+            if (std::abs(weight) > size && !without.contains(vertex)) {
                 size = std::abs(weight);
                 best = vertex;
             }
@@ -65,10 +66,15 @@ DependentRow dependencyOf(const WorkingRow& work) {
 
 class Reducer {
   public:
+    explicit Reducer(const Sliders& sliders) {
+        for (const auto& [vertex, held] : sliders) m_sliding.insert(vertex);
+    }
+
     void add(const ConstraintRow& row, int index) {
         WorkingRow work = workingRow(row, index);
         reduce(work);
-        const int pivot = work.largest();
+        int pivot = work.weights.size() > 1 ? work.largest(m_sliding) : -1;
+        if (pivot < 0) pivot = work.largest({});
         if (pivot < 0) {
             m_result.dependent.push_back(dependencyOf(work));
             return;
@@ -112,6 +118,7 @@ class Reducer {
         }
     }
 
+    std::set<int> m_sliding;
     Elimination m_result;
     std::vector<WorkingRow> m_rows;
     std::map<int, std::size_t> m_rowOfPivot;
@@ -131,8 +138,8 @@ std::vector<ConstraintRow> simplified(const std::vector<ConstraintRow>& rows) {
     return result;
 }
 
-Elimination eliminate(const std::vector<ConstraintRow>& rows) {
-    Reducer reducer;
+Elimination eliminate(const std::vector<ConstraintRow>& rows, const Sliders& sliders) {
+    Reducer reducer(sliders);
     for (int row : singleVertexRowsFirst(rows)) reducer.add(rows[row], row);
     return reducer.finish();
 }

@@ -11,6 +11,10 @@ struct ConstraintRow {
     std::vector<std::pair<int, double>> terms;
 };
 
+/// Vertices that are held in some coordinates, and slide along the others: bit k stands for coordinate k, in
+/// which the velocity is 0. Where a row makes a vertex a pivot, the row counts.
+using Sliders = std::vector<std::pair<int, unsigned>>;
+
 /// The same rows with one term per vertex, none of weight 0, by vertex.
 std::vector<ConstraintRow> simplified(const std::vector<ConstraintRow>& rows);
 
@@ -36,8 +40,8 @@ struct Elimination {
 };
 
 /// Simplified rows: those of one vertex first, then the others in their order, each with the vertex of its
-/// largest remaining weight as pivot.
-Elimination eliminate(const std::vector<ConstraintRow>& rows);
+/// largest remaining weight as pivot, one that does not slide if there is any.
+Elimination eliminate(const std::vector<ConstraintRow>& rows, const Sliders& sliders = {});
 
 /// The rows (any) that depend linearly on others.
 std::vector<DependentRow> dependentRows(const std::vector<ConstraintRow>& rows);

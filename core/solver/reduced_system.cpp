@@ -16,10 +16,29 @@ struct Target {
 }  // namespace
 
 template <int Dim>
-ReducedSystem<Dim>::ReducedSystem(const AssemblyPlan<Dim>& plan, const Elimination& elimination)
+ReducedSystem<Dim>::ReducedSystem(const AssemblyPlan<Dim>& plan, const Elimination& elimination,
+                                  const Sliders& sliders)
     : m_elimination(elimination) {
     numberUnknowns(plan);
     buildPattern(plan);
+    if (!sliders.empty()) m_held.assign(m_unknowns.size(), 0);
+    for (const auto& [vertex, held] : sliders)
+        if (m_unknownOf[vertex] >= 0) m_held[static_cast<std::size_t>(m_unknownOf[vertex])] |= held;
+}
+
+/// Takes out of a block what couples held coordinates.
+template <int Dim>
+void ReducedSystem<Dim>::release(std::size_t row, std::size_t column, Mat<Dim>& K) const {
+    for (int i = 0; i < Dim; ++i)
+        for (int j = 0; j < Dim; ++j)
+            if ((holds(row, i) || holds(column, j)) && !(row == column && i == j)) K(i, j) = 0;
+}
+
+template <int Dim>
+void ReducedSystem<Dim>::release(Points<Dim>& y) const {
+    for (std::size_t P = 0; P < m_held.size(); ++P)
+        for (int k = 0; k < Dim; ++k)
+            if (holds(P, k)) y(k, static_cast<Eigen::Index>(P)) = 0;
 }
 
 /// Unknown are the vertices that have a cell and are no pivot, in their order.
@@ -100,6 +119,10 @@ void ReducedSystem<Dim>::gather(std::span<const double> blocksOfA, std::span<dou
                 else
                     K += term.coefficient * A;
             }
+            if (!m_held.empty()) {
+                const int scalarRow = m_row[static_cast<std::size_t>(m_columnStart[Q * Dim] + i * Dim)];
+                release(static_cast<std::size_t>(scalarRow / Dim), Q, K);
+            }
             double* out = values.data() + static_cast<std::ptrdiff_t>(first) * Dim * Dim + i * Dim;
             for (int k = 0; k < Dim; ++k)
                 for (int j = 0; j < Dim; ++j) out[k * stride + j] = K(j, k);
@@ -119,6 +142,7 @@ void ReducedSystem<Dim>::adopt(const Points<Dim>& field, Points<Dim>& v) const {
     Points<Dim> y(Dim, static_cast<Eigen::Index>(m_unknowns.size()));
     for (std::size_t P = 0; P < m_unknowns.size(); ++P)
         y.col(static_cast<Eigen::Index>(P)) = field.col(m_unknowns[P]);
+    release(y);
     expand(y, v);
 }
 
@@ -139,6 +163,7 @@ void ReducedSystem<Dim>::restrict(const Points<Dim>& f, Points<Dim>& reduced) co
     for (const auto& pivot : m_elimination.pivots)
         for (const auto& [other, weight] : pivot.free)
             if (m_unknownOf[other] >= 0) reduced.col(m_unknownOf[other]) -= weight * f.col(pivot.vertex);
+    release(reduced);
 }
 
 template class ReducedSystem<2>;

@@ -8,12 +8,13 @@
 namespace wend {
 
 /// K = Zᵀ A Z for constraints that are eliminated, v = Z y + v_p: which block of A goes, with which
-/// coefficient, into which block of K, decided once. Without barycentric rows K is a part of A.
+/// coefficient, into which block of K, decided once. Without barycentric rows K is a part of A. In a
+/// coordinate in which a vertex is held y is 0: K has nothing there but its diagonal.
 template <int Dim>
 class ReducedSystem {
   public:
     ReducedSystem() = default;
-    ReducedSystem(const AssemblyPlan<Dim>& plan, const Elimination& elimination);
+    ReducedSystem(const AssemblyPlan<Dim>& plan, const Elimination& elimination, const Sliders& sliders = {});
 
     /// The vertex of every block of unknowns.
     const std::vector<int>& unknowns() const { return m_unknowns; }
@@ -42,9 +43,15 @@ class ReducedSystem {
     void buildPattern(const AssemblyPlan<Dim>& plan);
     /// The row of Z of a vertex: its unknowns and their coefficients.
     std::vector<std::pair<int, double>> rowOfZ(int vertex) const;
+    bool holds(std::size_t unknown, int coordinate) const {
+        return !m_held.empty() && (m_held[unknown] >> coordinate & 1U) != 0;
+    }
+    void release(std::size_t row, std::size_t column, Mat<Dim>& K) const;
+    void release(Points<Dim>& y) const;
 
     Elimination m_elimination;
     std::vector<int> m_unknowns, m_unknownOf, m_pivotOf;  // the last two per vertex, −1: none
+    std::vector<unsigned> m_held;                         // per unknown; empty: none slides
     std::vector<int> m_columnStart, m_row;                // scalar
     std::vector<int> m_blockStart, m_termStart;           // block columns; terms per block
     std::vector<Term> m_terms;

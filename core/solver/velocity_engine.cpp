@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <set>
 
 #include "core/mesh/error.h"
 #include "core/solver/components.h"
@@ -69,6 +70,13 @@ bool sameTerms(const ConstraintRow& a, const ConstraintRow& b) {
     return a.terms == b.terms;
 }
 
+Sliders withoutPivots(Sliders sliders, const Elimination& elimination) {
+    std::set<int> pivots;
+    for (const auto& pivot : elimination.pivots) pivots.insert(pivot.vertex);
+    std::erase_if(sliders, [&](const auto& slider) { return pivots.contains(slider.first); });
+    return sliders;
+}
+
 /// Whether factors of this material last.
 template <int Dim>
 bool mayReuse(const Material<Dim>& material) {
@@ -106,17 +114,21 @@ VelocitySolver<Dim>::Engine::Engine(std::shared_ptr<const SimplicialMesh<Dim>> m
 }
 
 template <int Dim>
-void VelocitySolver<Dim>::Engine::setConstraints(std::vector<ConstraintRow> newRows) {
+void VelocitySolver<Dim>::Engine::setConstraints(std::vector<ConstraintRow> newRows, Sliders newSliders) {
     newRows = simplified(newRows);
-    if (analyzed && std::equal(rows.begin(), rows.end(), newRows.begin(), newRows.end(), sameTerms)) return;
+    if (analyzed && newSliders == givenSliders &&
+        std::equal(rows.begin(), rows.end(), newRows.begin(), newRows.end(), sameTerms))
+        return;
     const Stopwatch watch(statistics.analyze);
     for (const auto& row : newRows) requireRow(row, rest->vertexCount());
     rows = std::move(newRows);
-    elimination = eliminate(rows);
+    givenSliders = std::move(newSliders);
+    elimination = eliminate(rows, givenSliders);
+    sliders = withoutPivots(givenSliders, elimination);
     projection = Projection<Dim>(rows, elimination.dependent, rest->vertexCount());
-    system = ReducedSystem<Dim>(*plan, elimination);
+    system = ReducedSystem<Dim>(*plan, elimination, sliders);
 
-    const auto constrained = wellConstrained(*rest, components, rows);
+    const auto constrained = wellConstrained(*rest, components, rows, sliders);
     std::vector<double> inertia;
     if (std::find(constrained.begin(), constrained.end(), false) != constrained.end())
         for (int component : components) inertia.push_back(constrained[component] ? 0.0 : kInertia);
@@ -323,7 +335,7 @@ template <int Dim>
 bool VelocitySolver<Dim>::Engine::iterate(Points<Dim>& v) {
     const Stopwatch watch(statistics.solve);
     const double lag = backEnd->stages().distance(memory.shape);
-    turned = turns && lag > 0;
+    turned = turns && lag > 0 && sliders.empty();  // sliding is along fixed directions
     if (turned) {
         if (!rotations) rotations.emplace(*plan);
         rotations->compute(*memory.shape, *backEnd->stages().shape(), backEnd->workers());

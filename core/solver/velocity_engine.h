@@ -21,6 +21,8 @@ struct VelocitySolver<Dim>::Engine {
     std::vector<int> components;
 
     std::vector<ConstraintRow> rows;
+    Sliders givenSliders;
+    Sliders sliders;  // without those that are pivots
     bool analyzed = false;
     Elimination elimination;
     Projection<Dim> projection;
@@ -54,7 +56,7 @@ struct VelocitySolver<Dim>::Engine {
 
     Engine(std::shared_ptr<const SimplicialMesh<Dim>> mesh, const Material<Dim>& stuff,
            const BackEndFactory<Dim>& makeBackEnd, int threads);
-    void setConstraints(std::vector<ConstraintRow> newRows);
+    void setConstraints(std::vector<ConstraintRow> newRows, Sliders newSliders = {});
     void countCosts();
     RestEnergy<Dim>& rested();
     void computeLoad();

@@ -33,8 +33,8 @@ template <int Dim>
 VelocitySolver<Dim>& VelocitySolver<Dim>::operator=(VelocitySolver&&) noexcept = default;
 
 template <int Dim>
-void VelocitySolver<Dim>::setConstraints(std::vector<ConstraintRow> rows) {
-    m_engine->setConstraints(std::move(rows));
+void VelocitySolver<Dim>::setConstraints(std::vector<ConstraintRow> rows, Sliders sliders) {
+    m_engine->setConstraints(std::move(rows), std::move(sliders));
 }
 
 template <int Dim>
@@ -74,6 +74,9 @@ template <int Dim>
 double VelocitySolver<Dim>::restForce(const Points<Dim>& shape) const {
     Points<Dim> gradient;
     m_engine->rested().gradient(shape, gradient, m_engine->backEnd->workers());
+    for (const auto& [vertex, held] : m_engine->sliders)
+        for (int k = 0; k < Dim; ++k)
+            if (held >> k & 1U) gradient(k, vertex) = 0;
     project(gradient, Points<Dim>::Zero(Dim, static_cast<Eigen::Index>(m_engine->rows.size())));
     return gradient.norm();
 }
@@ -123,7 +126,16 @@ CopiedBytes VelocitySolver<Dim>::copied() const {
 
 template <int Dim>
 void VelocitySolver<Dim>::project(Points<Dim>& shape, const Points<Dim>& targets) const {
+    Points<Dim> sliding(Dim, static_cast<Eigen::Index>(m_engine->sliders.size()));
+    Eigen::Index next = 0;
+    for (const auto& [vertex, held] : m_engine->sliders) sliding.col(next++) = shape.col(vertex);
     m_engine->projection.apply(shape, targets);
+    next = 0;
+    for (const auto& [vertex, held] : m_engine->sliders) {
+        for (int k = 0; k < Dim; ++k)
+            if (held >> k & 1U) shape(k, vertex) = sliding(k, next);
+        ++next;
+    }
 }
 
 template <int Dim>

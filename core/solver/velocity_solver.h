@@ -70,8 +70,8 @@ class VelocitySolver {
 
     /// The symbolic analysis, once per set (none if the rows are those set already). Dependent rows are left
     /// out: see dependentRows(). Throws InputError for a vertex out of range, a weight that is not finite, a
-    /// row of no weight.
-    void setConstraints(std::vector<ConstraintRow> rows);
+    /// row of no weight. What a row says of a vertex comes before what `sliders` say.
+    void setConstraints(std::vector<ConstraintRow> rows, Sliders sliders = {});
 
     /// v̂ at a shape; `prescribed` has one column per row. `velocity` is defined only if done. Vertices
     /// without cells that no row names stay put. Parts with too few constrained points (2D: fewer than two

@@ -33,6 +33,7 @@ class TestCompute : public QObject {
     void init();
     void opensAtRest();
     void pinsBecomeVertices();
+    void anotherMeshIsTakenBack();
     void dragEndsAsTheCommandLineHasIt();
     void laterDragsContinueTheMotion();
     void otherLengthsKeepThePoses();
@@ -135,6 +136,45 @@ void TestCompute::dragEndsAsTheCommandLineHasIt() {
     const auto pins = m_session->pins();
     QVERIFY((pins[1].centre - Vec<2>(190, 105)).norm() < 1e-9);
     QVERIFY(m_session->frame()->pinError < 1e-9);
+}
+
+/// The very frames come back: nothing is computed again when a change of the mesh is undone, redone, or
+/// cancelled, be the mesh ready by then or not.
+void TestCompute::anotherMeshIsTakenBack() {
+    open();
+    m_session->addPin({40, 80});
+    m_session->addPin({200, 80});
+    drag(1, {{0, 5}, {-4, 14}, {-10, 25}});
+    const auto setVertices = [&](int count) {
+        Project project = *m_session->document().project();
+        project.domain.vertices = count;
+        m_session->document().change(QStringLiteral("Density"), project);
+    };
+    const auto coarse = m_session->track().frames();
+    QUndoStack& undo = *m_session->document().undoStack();
+    setVertices(900);
+    QVERIFY(settle(*m_session));
+    const auto fine = m_session->track().frames();
+    QVERIFY(fine.back()->vertices > 1.5 * coarse.back()->vertices);
+    undo.undo();
+    QVERIFY(settle(*m_session));
+    QVERIFY(m_session->track().frames() == coarse);
+    undo.redo();
+    QVERIFY(settle(*m_session));
+    QVERIFY(m_session->track().frames() == fine);
+    undo.undo();
+    QVERIFY(settle(*m_session));
+    for (const bool ready : {false, true}) {
+        setVertices(ready ? 1500 : 1300);
+        if (ready) QVERIFY(QTest::qWaitFor([&] { return !m_session->isMeshing(); }, 60000));
+        m_session->cancelWork();
+        QVERIFY(settle(*m_session));
+        QVERIFY(m_session->track().frames() == coarse);
+        QCOMPARE(m_session->document().project()->domain.vertices, 400);
+    }
+    // It goes on from there as if nothing had been.
+    drag(1, {{0, 3}});
+    QVERIFY(isNear(m_session->frame<2>()->pose, commandLinePose()));
 }
 
 /// What was computed of the first drag stays and gets other times.

@@ -387,6 +387,15 @@ class TestProject : public QObject {
             "settle: settle window 2 begins before window 1 has ended");
         row("settle early", withSettling("{'time': [-1, 2]}"),
             "settle: settle window 1 begins before time 0");
+        const auto withDepth = [](const std::string& rest) {
+            return projectText(kImage + ", 'depth': [{" + rest + "}]");
+        };
+        row("depth without order", withDepth("'shape': {'circle': {'centre': [0, 0], 'radius': 1}}"),
+            "depth[0]: the key `order` is missing");
+        row("depth of a blend", withDepth("'shape': {'blend': {'from': [0, 0], 'to': [1, 0]}}, 'order': 1"),
+            "depth[0].shape: a blend has no inside");
+        row("order", withDepth("'shape': {'circle': {'centre': [0, 0], 'radius': 1}}, 'order': 1e9"),
+            "depth[0].order: 1e9 is out of range: it must be in [-1000, 1000]");
         row("ratio",
             withMaterial("'regions': [{'shape': {'circle': {'centre': [0, 0], 'radius': 1}}, "
                          "'stiffness': {'axis': [1, 0], 'ratio': 0.5}}]"),

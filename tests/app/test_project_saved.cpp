@@ -25,7 +25,9 @@ std::string projectText(const std::string& rest) {
 const std::string kFlat = projectText(
     "'domain': {'image': 'frog.png', 'outline': {'from': 'alpha', 'threshold': 0.25, 'margin': 3, 'gap': "
     "1.5, "
-    "'smallest': 10, 'simplify': 0.5}, 'edge': 2.5}, "
+    "'smallest': 10, 'simplify': 0.5}, 'edge': 2.5, 'border': 'slide', 'sizes': [{'name': 'face', 'shape': "
+    "{'circle': {'centre': [1, 2], "
+    "'radius': 3}}, 'feather': 0.5, 'factor': 0.25}]}, "
     "'material': {'phi': 'akvf', 'smoothing': {'kind': 'paper', 'lambda': 0.3}, "
     "'regions': [ "
     "{'name': 'leg', 'shape': {'polygon': [[10, 20], [90, 20], [90, 80]]}, 'feather': 12, 'phi': 2.2}, "
@@ -46,6 +48,8 @@ const std::string kFlat = projectText(
     "'frame': 'minimal', 'scale': 1.5, 'time': [1, 1.5], 'ease': 'out'}, "
     "{'kind': 'recorded', 'times': [0, 0.1, 0.4], 'points': [[0, 0], [1, 1], [2, 1.000000000000001]], "
     "'time': [1.5, 2]}]}], "
+    "'depth': [{'name': 'hand', 'shape': {'circle': {'centre': [5, 5], 'radius': 2}}, 'order': 2}, "
+    "{'shape': {'halfspace': {'point': [0, 1], 'normal': [0, 1]}}, 'order': -0.5}], "
     "'time': {'end': 2}, "
     "'integration': {'method': 'rk4', 'tolerance': 1e-5, 'steps': 12, 'smallestStep': 1e-5}");
 

@@ -96,6 +96,19 @@ void requireSound(const SimplicialMesh<2>& mesh) {
     QCOMPARE(std::count(used.begin(), used.end(), false), 0);
 }
 
+/// Of the edges whose middles are wanted.
+double meanEdge(const SimplicialMesh<2>& mesh, const std::function<bool(const Vec<2>&)>& isWanted) {
+    double sum = 0;
+    int count = 0;
+    for (const auto& facet : facetsOf(mesh)) {
+        const Vec<2> a = mesh.points.col(facet.vertices[0]), b = mesh.points.col(facet.vertices[1]);
+        if (!isWanted((a + b) / 2)) continue;
+        sum += (b - a).norm();
+        ++count;
+    }
+    return sum / std::max(count, 1);
+}
+
 QString errorOf(const std::function<void()>& f) {
     try {
         f();
@@ -121,6 +134,41 @@ double distanceToLoops(const Outline& outline, const Vec<2>& p) {
 class TestPlanarMesher : public QObject {
     Q_OBJECT
   private slots:
+    /// As many vertices as asked for, and where they are asked for: edges in a disc a quarter as long, also
+    /// along the border, which it reaches.
+    void sizesFollowTheFactor() {
+        const Outline square{{rectangle(0, 0, 1000, 1000)}};
+        const Vec<2> centre(700, 200);
+        PlanarMeshOptions options;
+        options.vertices = 6000;
+        options.factor = [&](const Vec<2>& p) { return (p - centre).norm() < 300 ? 0.25 : 1.0; };
+        const auto mesh = meshOutline(square, options);
+        requireSound(mesh);
+        QVERIFY2(std::abs(mesh.vertexCount() - 6000) <= 0.15 * 6000,
+                 qPrintable(QString::number(mesh.vertexCount())));
+        QVERIFY(std::abs(areaOf(mesh) - 1e6) < 1e-3);
+        QVERIFY(smallestAngle(mesh) >= 25 - 1e-6);
+        const double fine = meanEdge(mesh, [&](const Vec<2>&p) { return (p - centre).norm() < 270; }),
+                     coarse = meanEdge(mesh, [&](const Vec<2>&p) { return (p - centre).norm() > 450; });
+        QVERIFY2(std::abs(fine / coarse - 0.25) < 0.05, qPrintable(QString("%1 %2").arg(fine).arg(coarse)));
+        const auto onTop = [](const Vec<2>& p) { return p.y() < 1e-9; };
+        const double fineBorder = meanEdge(
+                         mesh, [&](const Vec<2>&p) { return onTop(p) && std::abs(p.x() - 700) < 180; }),
+                     coarseBorder = meanEdge(mesh, [&](const Vec<2>&p) { return onTop(p) && p.x() < 300; });
+        QVERIFY2(std::abs(fineBorder / coarseBorder - 0.25) < 0.06,
+                 qPrintable(QString("%1 %2").arg(fineBorder).arg(coarseBorder)));
+    }
+    /// A factor that is the same everywhere changes nothing but rounding.
+    void evenFactorsChangeNothing() {
+        for (const double factor : {0.2, 5.0}) {
+            PlanarMeshOptions even, scaled;
+            even.vertices = scaled.vertices = 3000;
+            scaled.factor = [factor](const Vec<2>&) { return factor; };
+            const Outline disc{{ngon({0, 0}, 500, 40)}};
+            const int a = meshOutline(disc, even).vertexCount(), b = meshOutline(disc, scaled).vertexCount();
+            QVERIFY2(std::abs(a - b) <= 0.02 * a, qPrintable(QString("%1 %2").arg(a).arg(b)));
+        }
+    }
     void aimAngleAndArea_data() {
         QTest::addColumn<QString>("name");
         QTest::addColumn<int>("aim");

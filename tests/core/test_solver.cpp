@@ -146,6 +146,55 @@ void agreesWithDenseReference() {
     }
 }
 
+/// Vertices that are held in some coordinates only: those are rows of one scalar in the dense system. One of
+/// them is a corner of a cell with a constrained point; directly, and with the factor of another shape.
+template <int Dim>
+void slidersAgreeWithDenseReference() {
+    std::mt19937 random(15 + Dim);
+    auto scene = mixedScene<Dim>(random);
+    const int count = scene.mesh->vertexCount();
+    // Of a point in a cell some corner is left that does not slide.
+    const Cell<Dim>& first = scene.mesh->cells.front();
+    const auto isFree = [&](int v) {
+        return v > 1 && v < count - 1 && std::find(first.begin(), first.end(), v) == first.end();
+    };
+    Sliders sliders;
+    for (const int vertex : scene.mesh->cells[static_cast<std::size_t>(scene.mesh->cellCount() - 1) / 2])
+        if (sliders.empty() && isFree(vertex)) sliders.emplace_back(vertex, 1U);
+    for (const int vertex : {2, count / 3, count / 2})
+        if (vertex != sliders.front().first && isFree(vertex))
+            sliders.emplace_back(vertex, vertex == 2 ? 2U : 3U);
+    VelocitySolver<Dim> solver(scene.mesh, scene.material, BackEndKind::Cpu, 1);
+    solver.setConstraints(scene.rows, sliders);
+    const Eigen::MatrixXd rows = denseRows<Dim>(scene.rows, count);
+    Eigen::MatrixXd W = rows;
+    for (const auto& [vertex, held] : sliders)
+        for (int k = 0; k < Dim; ++k)
+            if (held >> k & 1U) {
+                W.conservativeResize(W.rows() + 1, Eigen::NoChange);
+                W.bottomRows(1).setZero();
+                W(W.rows() - 1, Dim * vertex + k) = 1;
+            }
+    Eigen::VectorXd prescribed = Eigen::VectorXd::Zero(W.rows());
+    prescribed.head(rows.rows()) = scene.prescribed.reshaped();
+    for (const double tolerance : {0.0, 1e-7}) {
+        solver.setVelocityTolerance(tolerance);
+        for (const double by : {0.0, 0.01}) {
+            Points<Dim> v;
+            const Points<Dim> shape = scene.shape + by * randomField<Dim>(random, count);
+            QVERIFY(solver.solve(shape, scene.prescribed, v).done());
+            const Eigen::MatrixXd A = denseMatrix<Dim>(*scene.mesh, *scene.material, shape);
+            const double off = relative(v.reshaped(), saddlePoint(A, W, prescribed));
+            QVERIFY2(
+                off < std::max(1e-9, 2 * tolerance),
+                qPrintable(QString("%1D, tolerance %2, by %3: %4").arg(Dim).arg(tolerance).arg(by).arg(off)));
+            for (const auto& [vertex, held] : sliders)
+                for (int k = 0; k < Dim; ++k)
+                    if (held >> k & 1U) QCOMPARE(v(k, vertex), 0.0);
+        }
+    }
+}
+
 template <int Dim>
 void constraintsHold() {
     std::mt19937 random(7 + Dim);
@@ -405,6 +454,8 @@ class TestSolver : public QObject {
     void agreesWithDense() {
         agreesWithDenseReference<2>();
         agreesWithDenseReference<3>();
+        slidersAgreeWithDenseReference<2>();
+        slidersAgreeWithDenseReference<3>();
     }
     void constraintsHoldExactly() {
         constraintsHold<2>();

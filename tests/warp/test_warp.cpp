@@ -25,6 +25,8 @@ class TestWarp : public QObject {
     void slantedEdgeIsAntialiased();
     void halfPixelShiftIsTheMean();
     void nearerCellsHideOthers();
+    void partsInFrontLeaveNoSlits();
+    void stMapTellsTheNearest();
     void partsAreLaidOverOneAnother_data();
     void partsAreLaidOverOneAnother();
     void sheetOverItselfHasNoHairlines();
@@ -245,6 +247,45 @@ void TestWarp::nearerCellsHideOthers() {
     const Image first = warpImage(source, mesh, pose, view, options);
     QCOMPARE(valueAt<std::uint8_t>(first, 10, 10, 0), std::uint8_t(10));
     QCOMPARE(valueAt<std::uint8_t>(first, 0, 10, 3), std::uint8_t(255));
+}
+
+/// Where nothing covers anything, orders change nothing, neither at rest nor bent, but for rounding where two
+/// cells share a pixel.
+void TestWarp::partsInFrontLeaveNoSlits() {
+    const Image source = randomPicture(64, 48, 4, PixelType::UInt8, true);
+    const auto mesh = wholePicture();
+    WarpOptions orders;
+    for (int c = 0; c < mesh.cellCount(); ++c) orders.depth.push_back(static_cast<float>(c * 7 % 5 - 2));
+    QVERIFY(warpImage(source, mesh, mesh.points, kView, orders).data == source.data);
+    const Image plain = plainPicture(64, 48, {10, 200, 30, 140});
+    const Points<2> pose = wave(mesh.points);
+    const Image one = warpImage(plain, mesh, pose, kView),
+                other = warpImage(plain, mesh, pose, kView, orders);
+    for (std::size_t i = 0; i < one.data.size(); ++i)
+        QVERIFY(std::abs(static_cast<int>(one.data[i]) - static_cast<int>(other.data[i])) <= 1);
+}
+
+/// Two squares moved onto each other: the map tells of the one in front, also in the pixels of its outline
+/// and where the other's outline lies below it.
+void TestWarp::stMapTellsTheNearest() {
+    const SimplicialMesh<2> left = rectangle({0, 0}, {20, 20}, 2);
+    const SimplicialMesh<2> mesh = joined(left, rectangle({20, 0}, {40, 20}, 3));
+    Points<2> pose = mesh.points;
+    pose.rightCols(mesh.vertexCount() - left.vertexCount()).row(0).array() -=
+        15.25;  // now from 4.75 to 24.75
+    const View view{30, 20, Vec<2>::Zero(), 1};
+    for (const float front : {0.0F, 1.0F}) {  // of the left square
+        std::vector<float> depth(mesh.cells.size(), 0.5F);
+        std::fill_n(depth.begin(), left.cellCount(), front);
+        const Image map = stMap(mesh, pose, view, 40, 20, depth);
+        for (int x = 0; x < 25; ++x) {
+            const bool isLeft = front > 0.5F ? x < 20 : x < 4;
+            const double expected = (x + 0.5 + (isLeft ? 0 : 15.25)) / 40;
+            if (x == 4 && front < 0.5F) continue;  // a quarter of it is the right square's
+            QVERIFY(std::abs(double(valueAt<float>(map, x, 10, 0)) - expected) < 1e-6);
+            QCOMPARE(valueAt<float>(map, x, 10, 3), x < 24 ? 1.0F : 0.75F);
+        }
+    }
 }
 
 void TestWarp::partsAreLaidOverOneAnother_data() {
@@ -556,7 +597,8 @@ void TestWarp::stMapOfIdentity() {
 void TestWarp::stMapForwardAndInverse() {
     const auto mesh = rectangle({4, 4}, {60, 44}, 40);
     const Points<2> pose = wave(mesh.points, 1.5);
-    const Image forward = stMap(mesh, pose, kView, 64, 48), inverse = stMap(mesh, pose, kView, 64, 48, true);
+    const Image forward = stMap(mesh, pose, kView, 64, 48),
+                inverse = stMap(mesh, pose, kView, 64, 48, {}, true);
     int seen = 0;
     for (int y = 8; y < 40; ++y)
         for (int x = 8; x < 56; ++x) {

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "core/mesh/region.h"
+#include "core/motion/handle.h"
+
+namespace wend {
+
+/// A part of a picture's rest shape that lies in front of the rest (order > 0) or behind it (< 0) where the
+/// shape covers itself.
+struct DepthRegion {
+    std::string name;  // regions of one name belong together; may be empty
+    Region<2> shape;
+    double order = 0;
+    Extras extras = {};
+    bool operator==(const DepthRegion&) const = default;
+};
+
+}  // namespace wend

@@ -1,0 +1,40 @@
+#include "app/session/depth.h"
+
+#include <algorithm>
+
+namespace wend {
+
+namespace {
+
+Vec<2> centroid(const SimplicialMesh<2>& mesh, const Cell<2>& cell) {
+    return (mesh.points.col(cell[0]) + mesh.points.col(cell[1]) + mesh.points.col(cell[2])) / 3;
+}
+
+float orderAt(const std::vector<DepthRegion>& regions, const Vec<2>& p) {
+    const auto last = std::find_if(regions.rbegin(), regions.rend(), [&](const DepthRegion& region) {
+        return signedDistance<2>(region.shape, p) <= 0;
+    });
+    return last == regions.rend() ? 0 : static_cast<float>(last->order);
+}
+
+}  // namespace
+
+std::vector<float> cellDepths(const std::vector<DepthRegion>& regions, const SimplicialMesh<2>& rest) {
+    if (regions.empty()) return {};
+    std::vector<float> depths;
+    depths.reserve(rest.cells.size());
+    for (const Cell<2>& cell : rest.cells) depths.push_back(orderAt(regions, centroid(rest, cell)));
+    const bool flat = std::ranges::all_of(depths, [&](float depth) { return depth == depths.front(); });
+    return flat ? std::vector<float>() : depths;
+}
+
+const CellDepths::Values& CellDepths::of(const std::vector<DepthRegion>& regions,
+                                         const std::shared_ptr<const SimplicialMesh<2>>& rest) {
+    if (m_values && rest == m_rest && regions == m_regions) return m_values;
+    m_regions = regions;
+    m_rest = rest;
+    m_values = std::make_shared<const std::vector<float>>(cellDepths(regions, *rest));
+    return m_values;
+}
+
+}  // namespace wend

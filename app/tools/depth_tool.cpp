@@ -1,0 +1,54 @@
+#include "app/tools/depth_tool.h"
+
+#include <QCoreApplication>
+
+#include "app/document/depth_edits.h"
+#include "app/session/accent.h"
+#include "app/tools/depth_marks.h"
+
+namespace wend {
+
+namespace {
+
+QString said(const char* text) {
+    return QCoreApplication::translate("DepthTool", text);
+}
+
+}  // namespace
+
+QString DepthTool::hint() const {
+    return said(
+        QT_TRANSLATE_NOOP("DepthTool",
+                          "Brush over what lies in front or behind; Ctrl takes it back, Shift turns it "
+                          "round, [ and ] change the size"));
+}
+
+double DepthTool::order() const {
+    if (modifiers() & Qt::ControlModifier) return 0;
+    return modifiers() & Qt::ShiftModifier ? -m_order.now() : m_order.now();
+}
+
+QColor DepthTool::colour() const {
+    return order() > 0 ? QColor(kAccent) : order() < 0 ? QColor(kBehind) : QColor(kPlain);
+}
+
+void DepthTool::take(const std::vector<Dab>& dabs) {
+    std::vector<Ball<2>> balls;
+    for (const Dab& one : dabs) balls.push_back({one.rest, one.radius});
+    Document& document = session().document();
+    document.change(order() > 0   ? said(QT_TRANSLATE_NOOP("DepthTool", "Paint in front"))
+                    : order() < 0 ? said(QT_TRANSLATE_NOOP("DepthTool", "Paint behind"))
+                                  : said(QT_TRANSLATE_NOOP("DepthTool", "Take back depth")),
+                    withDepthStroke(*document.project(), balls, order()));
+}
+
+void DepthTool::paint(QPainter& painter) const {
+    const auto frame = session().frame<2>();
+    if (frame) {
+        const auto& depths = m_depths.of(session().document().project()->depth, frame->rest);
+        paintDepths(painter, *frame, *depths, [this](const Vec<2>& p) { return surface().toWidget(p); });
+    }
+    StrokeTool<2>::paint(painter);
+}
+
+}  // namespace wend

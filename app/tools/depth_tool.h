@@ -1,0 +1,31 @@
+#pragma once
+
+#include "app/session/depth.h"
+#include "app/tools/pen_value.h"
+#include "app/tools/stroke_tool.h"
+
+namespace wend {
+
+/// Paints which part of a picture lies in front where the shape covers itself: a stroke brings what it covers
+/// to an order, with Ctrl back to that of what is not painted, with Shift to the other side. What has an
+/// order is hatched, and told by a badge.
+class DepthTool : public StrokeTool<2> {
+  public:
+    DepthTool(ToolSurface& surface, Brush& brush, const PenValue& order)
+        : StrokeTool<2>(surface, brush), m_order(order) {}
+
+    QString hint() const override;
+    void paint(QPainter& painter) const override;
+
+  protected:
+    void take(const std::vector<Dab>& dabs) override;
+    QColor colour() const override;
+
+  private:
+    double order() const;
+
+    const PenValue& m_order;  // greater than 0 in front, less behind
+    mutable CellDepths m_depths;
+};
+
+}  // namespace wend

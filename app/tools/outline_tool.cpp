@@ -1,0 +1,296 @@
+#include "app/tools/outline_tool.h"
+
+#include <QCoreApplication>
+#include <QPainterPathStroker>
+#include <algorithm>
+
+#include "app/document/outline_edits.h"
+#include "app/session/accent.h"
+#include "app/session/scene.h"
+#include "core/mesh/error.h"
+#include "core/meshing/outline_combination.h"
+#include "core/meshing/outline_simplify.h"
+#include "warp/colour_outline.h"
+
+namespace wend {
+
+namespace {
+
+constexpr double kCut = 2, kLeastCut = 1;  // width of a cut, in pixels of the screen, and of the picture
+constexpr double kClose = 8;               // pixels of the screen
+constexpr double kDetail = 0.5;            // pixels of the screen that what is drawn may deviate
+constexpr double kSmallest = 9;            // pixels² of the picture: parts and holes below it are noise
+constexpr QRgb kAway = 0xB3261E;
+const QColor kLeftOut(90, 92, 100, 150);  // a veil
+
+QString said(const char* text) {
+    return QCoreApplication::translate("OutlineTool", text);
+}
+
+bool sameAlpha(const AlphaOutlineOptions& a, const AlphaOutlineOptions& b) {
+    return a.threshold == b.threshold && a.margin == b.margin && a.gap == b.gap && a.smallest == b.smallest &&
+           a.simplify == b.simplify;
+}
+
+}  // namespace
+
+QString OutlineTool::hint() const {
+    switch (m_shape) {
+        case Shape::Lasso:
+            return said(QT_TRANSLATE_NOOP(
+                "OutlineTool", "Draw around what shall bend too; with Ctrl it is taken away. Esc gives up"));
+        case Shape::Polygon:
+            return said(QT_TRANSLATE_NOOP("OutlineTool",
+                                          "Click corner after corner, double-click closes; Ctrl takes away, "
+                                          "Backspace takes back a corner, Esc gives up"));
+        case Shape::Brush:
+            return said(QT_TRANSLATE_NOOP(
+                "OutlineTool", "Brush over what shall bend too, [ and ] change the size; Ctrl takes away"));
+        case Shape::Wand:
+            return said(
+                QT_TRANSLATE_NOOP("OutlineTool",
+                                  "Click on a colour that shall bend too; Ctrl takes it away, [ and ] "
+                                  "take fewer or more colours"));
+        case Shape::Cut:
+            break;
+    }
+    return said(
+        QT_TRANSLATE_NOOP("OutlineTool", "Draw a line along which the shape is parted; Esc gives up"));
+}
+
+/// The outline is drawn on the shape at rest.
+bool OutlineTool::isReady() {
+    const Document& document = session().document();
+    if (document.isEmpty() || !document.picture() || document.project()->domain.kind != DomainKind::Image)
+        return false;
+    Playback& playback = session().playback();
+    if (playback.isPlaying()) playback.setPlaying(false);
+    if (playback.time() > 0) playback.setTime(0);
+    return true;
+}
+
+bool OutlineTool::takesAway(Qt::KeyboardModifiers modifiers) const {
+    return m_shape == Shape::Cut || m_pen.now().takesAway != bool(modifiers & Qt::ControlModifier);
+}
+
+void OutlineTool::press(const QMouseEvent& event) {
+    if (event.button() != Qt::LeftButton || !isReady()) return;
+    m_at = event.position();
+    m_over = true;
+    m_modifiers = event.modifiers();
+    if (m_shape == Shape::Wand) return takeColour(event);
+    const bool closes =
+        m_shape == Shape::Polygon && m_line.size() > 2 && QLineF(m_at, m_line.first()).length() < kClose;
+    if (m_shape == Shape::Polygon && m_active && !closes) {
+        m_line << m_at;
+    } else if (closes) {
+        finish(event.modifiers());
+    } else {
+        m_line = {m_at};
+        m_active = true;
+    }
+    m_surface.redraw();
+}
+
+void OutlineTool::move(const QMouseEvent& event) {
+    m_at = event.position();
+    m_over = isReady();
+    m_modifiers = event.modifiers();
+    if (m_active && isDrawn()) m_line << m_at;
+    m_surface.redraw();
+}
+
+void OutlineTool::release(const QMouseEvent& event) {
+    if (event.button() != Qt::LeftButton || !m_active || !isDrawn()) return;
+    m_at = event.position();
+    m_line << m_at;
+    finish(event.modifiers());
+    m_surface.redraw();
+}
+
+/// The press before it has set the last corner.
+void OutlineTool::doubleClick(const QMouseEvent& event) {
+    if (m_shape == Shape::Polygon && m_active)
+        finish(event.modifiers());
+    else
+        press(event);
+    m_surface.redraw();
+}
+
+bool OutlineTool::ownsKey(const QKeyEvent& event) const {
+    const bool edits =
+        event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter || event.key() == Qt::Key_Backspace;
+    return m_active && m_shape == Shape::Polygon && edits;
+}
+
+bool OutlineTool::key(const QKeyEvent& event) {
+    const bool smaller = event.text() == QStringLiteral("["), larger = event.text() == QStringLiteral("]");
+    if (event.key() == Qt::Key_Escape && m_active) {
+        cancel();
+    } else if (ownsKey(event) && event.key() == Qt::Key_Backspace) {
+        m_line.removeLast();
+        m_active = !m_line.isEmpty();
+    } else if (ownsKey(event)) {
+        finish(m_modifiers);
+    } else if ((smaller || larger) && (m_shape == Shape::Brush || m_shape == Shape::Wand)) {
+        scale(smaller ? 0.8 : 1.25);
+    } else {
+        return false;
+    }
+    m_surface.redraw();
+    return true;
+}
+
+/// The brush, or how many colours the wand takes.
+void OutlineTool::scale(double factor) {
+    OutlineSettings next = m_pen.now();
+    if (m_shape == Shape::Brush)
+        next.radius *= factor;
+    else
+        next.tolerance = std::max(0.01, next.tolerance * factor);
+    m_pen.set(next);
+}
+
+void OutlineTool::cancel() {
+    m_active = false;
+    m_line.clear();
+}
+
+/// On the screen.
+QPainterPath OutlineTool::area() const {
+    QPainterPath path;
+    if (m_line.isEmpty()) return path;
+    if (m_shape == Shape::Lasso || m_shape == Shape::Polygon) {
+        path.setFillRule(Qt::WindingFill);
+        path.addPolygon(m_line);
+        path.closeSubpath();
+        return path;
+    }
+    const double pixel = QLineF(m_surface.toWidget({0, 0}), m_surface.toWidget({1, 0})).length();
+    const double width = m_shape == Shape::Cut ? std::max(kCut, kLeastCut * pixel) : 2 * m_pen.now().radius;
+    QPainterPath way(m_line.first());
+    for (const QPointF& p : m_line) way.lineTo(p);
+    QPainterPathStroker stroker;
+    stroker.setWidth(width);
+    stroker.setCapStyle(Qt::RoundCap);
+    stroker.setJoinStyle(Qt::RoundJoin);
+    path.setFillRule(Qt::WindingFill);
+    if (way.length() > 0)
+        path.addPath(stroker.createStroke(way));
+    else if (m_shape == Shape::Brush)
+        path.addEllipse(m_line.first(), width / 2, width / 2);
+    return path;
+}
+
+Outline OutlineTool::inPicture(const QPainterPath& area) const {
+    Outline outline;
+    for (const QPolygonF& polygon : area.simplified().toSubpathPolygons()) {
+        auto& loop = outline.loops.emplace_back();
+        for (const QPointF& p : polygon) loop.push_back(m_surface.toShape(p));
+        if (loop.size() > 1 && loop.front() == loop.back()) loop.pop_back();
+    }
+    std::erase_if(outline.loops, [](const auto& loop) { return loop.size() < 3; });
+    return outline;
+}
+
+Outline OutlineTool::piece() const {
+    const double pixel = (m_surface.toShape({1, 0}) - m_surface.toShape({0, 0})).norm();
+    const Outline clean = combined(inPicture(area()), {}, OutlineOperation::Add);
+    return m_shape == Shape::Polygon ? clean : simplified(clean, kDetail * pixel);
+}
+
+/// As the document has it, computed again only where it must be.
+const Outline& OutlineTool::outline() const {
+    const Document& document = session().document();
+    const Domain& domain = document.project()->domain;
+    if (domain.outline == OutlineKind::Polygons) return domain.polygons;
+    if (!m_known || m_known->picture != document.picture() || m_known->kind != domain.outline ||
+        !sameAlpha(m_known->alpha, domain.alpha)) {
+        m_known = Known{document.picture(), domain.outline, domain.alpha, {}};
+        try {
+            m_known->outline = domainOutline(domain, *document.picture());
+        } catch (const InputError&) {  // nothing is opaque: the outline begins with what is drawn
+        }
+    }
+    return m_known->outline;
+}
+
+void OutlineTool::finish(Qt::KeyboardModifiers modifiers) {
+    const Outline drawn = piece();
+    cancel();
+    if (!drawn.loops.empty()) apply(drawn, takesAway(modifiers));
+}
+
+void OutlineTool::takeColour(const QMouseEvent& event) {
+    const Outline found = outlineOfColour(*session().document().picture(),
+                                          m_surface.toShape(event.position()), m_pen.now().tolerance);
+    if (!found.loops.empty()) apply(found, takesAway(event.modifiers()));
+}
+
+void OutlineTool::apply(const Outline& piece, bool takesAway) {
+    Document& document = session().document();
+    const Image& picture = *document.picture();
+    const Outline& before = outline();
+    const bool replaces = !takesAway && document.project()->domain.outline == OutlineKind::Frame;
+    const Outline inside =
+        combined(piece, frameOutline(picture.width, picture.height), OutlineOperation::Keep);
+    const auto operation = takesAway ? OutlineOperation::TakeAway : OutlineOperation::Add;
+    Outline next = replaces ? combined(inside, {}, OutlineOperation::Add, kSmallest)
+                            : combined(before, inside, operation, kSmallest);
+    if (next.loops.empty()) {
+        emit session().notice(said(QT_TRANSLATE_NOOP("OutlineTool", "Nothing would be left of the shape.")));
+        return;
+    }
+    OutlineEdit edit = withOutline(*document.project(), std::move(next));
+    if (edit.pinsGone > 0) {
+        session().selection().clear();
+        emit session().notice(QCoreApplication::translate(
+            "OutlineTool", "%n pins lay beside the new outline and were removed.", nullptr, edit.pinsGone));
+    }
+    const char* const name = m_shape == Shape::Cut ? QT_TRANSLATE_NOOP("OutlineTool", "Cut")
+                             : takesAway ? QT_TRANSLATE_NOOP("OutlineTool", "Take away from the outline")
+                                         : QT_TRANSLATE_NOOP("OutlineTool", "Add to the outline");
+    document.change(said(name), std::move(edit.project));
+}
+
+void OutlineTool::paintOutline(QPainter& painter) const {
+    QPainterPath path;
+    for (const auto& loop : outline().loops) {
+        QPolygonF polygon;
+        for (const Vec<2>& p : loop) polygon << m_surface.toWidget(p);
+        path.addPolygon(polygon);
+        path.closeSubpath();
+    }
+    const Image& picture = *session().document().picture();
+    QPainterPath all;
+    all.addRect(
+        QRectF(m_surface.toWidget({0, 0}), m_surface.toWidget(Vec<2>(picture.width, picture.height))));
+    all.addPath(path);  // by even and odd: what is left out
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(kLeftOut);
+    painter.drawPath(all);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(QColor(255, 255, 255, 216), 3.5));
+    painter.drawPath(path);
+    painter.setPen(QPen(QColor(kAccent), 1.5));
+    painter.drawPath(path);
+}
+
+/// The outline as the document has it, also before it is meshed, and what is being drawn.
+void OutlineTool::paint(QPainter& painter) const {
+    if (!session().document().picture() || session().document().project()->domain.kind != DomainKind::Image)
+        return;
+    paintOutline(painter);
+    QColor colour = takesAway(m_modifiers) ? QColor(kAway) : QColor(kAccent);
+    painter.setPen(QPen(colour, 1.5));
+    if (m_shape == Shape::Brush && m_over) painter.drawEllipse(m_at, m_pen.now().radius, m_pen.now().radius);
+    if (!m_active) return;
+    QPainterPath drawn = area();
+    if (m_shape == Shape::Polygon) drawn.lineTo(m_at);
+    colour.setAlpha(50);
+    painter.setBrush(colour);
+    painter.drawPath(drawn);
+    if (m_shape == Shape::Polygon) painter.drawPolyline(QPolygonF(m_line) << m_at);
+}
+
+}  // namespace wend

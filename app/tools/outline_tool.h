@@ -1,0 +1,67 @@
+#pragma once
+
+#include <QPainterPath>
+#include <optional>
+
+#include "app/tools/outline_settings.h"
+#include "app/tools/tool.h"
+#include "app/tools/tool_surface.h"
+#include "core/meshing/outline.h"
+#include "warp/outline.h"
+
+namespace wend {
+
+/// Draws what bends of a picture: lasso, polygon and brush add to the outline or take away from it, so does
+/// the wand what has the colour under the pointer; a cut parts what touches. Where the whole picture bends,
+/// what is drawn first becomes the outline. Works on the shape at rest, and takes the time there.
+class OutlineTool : public Tool {
+  public:
+    enum class Shape { Lasso, Polygon, Brush, Wand, Cut };
+    OutlineTool(ToolSurface& surface, Shape shape, OutlinePen& pen)
+        : m_surface(surface), m_shape(shape), m_pen(pen) {}
+
+    QString hint() const override;
+    QCursor cursor() const override { return Qt::CrossCursor; }
+    void press(const QMouseEvent& event) override;
+    void move(const QMouseEvent& event) override;
+    void release(const QMouseEvent& event) override;
+    void doubleClick(const QMouseEvent& event) override;
+    bool key(const QKeyEvent& event) override;
+    bool ownsKey(const QKeyEvent& event) const override;
+    void cancel() override;
+    bool showsPicture() const override { return true; }
+    void leave() override { m_over = false; }
+    void paint(QPainter& painter) const override;
+
+  private:
+    ShapeSession& session() const { return m_surface.session(); }
+    bool isReady();
+    bool takesAway(Qt::KeyboardModifiers modifiers) const;
+    bool isDrawn() const { return m_shape != Shape::Wand && m_shape != Shape::Polygon; }
+    QPainterPath area() const;
+    Outline piece() const;
+    Outline inPicture(const QPainterPath& area) const;
+    const Outline& outline() const;
+    void finish(Qt::KeyboardModifiers modifiers);
+    void takeColour(const QMouseEvent& event);
+    void apply(const Outline& piece, bool takesAway);
+    void paintOutline(QPainter& painter) const;
+    void scale(double factor);
+
+    ToolSurface& m_surface;
+    Shape m_shape;
+    OutlinePen& m_pen;
+    bool m_active = false, m_over = false;
+    Qt::KeyboardModifiers m_modifiers;
+    QPolygonF m_line;  // on the screen
+    QPointF m_at;
+    struct Known {  // the outline that follows from the picture
+        std::shared_ptr<const Image> picture;
+        OutlineKind kind = OutlineKind::Frame;
+        AlphaOutlineOptions alpha;
+        Outline outline;
+    };
+    mutable std::optional<Known> m_known;
+};
+
+}  // namespace wend

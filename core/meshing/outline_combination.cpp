@@ -1,0 +1,203 @@
+#include "core/meshing/outline_combination.h"
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Constrained_triangulation_plus_2.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
+
+#include <cmath>
+#include <functional>
+#include <map>
+
+#include "core/mesh/error.h"
+#include "core/mesh/segments.h"
+#include "core/meshing/outline_check.h"
+
+namespace wend {
+namespace {
+
+constexpr double kGrid = 4096;  // corners per unit
+constexpr int kRoundings = 6;   // until no two edges cross: one is enough as a rule
+
+enum Inside : unsigned { InBase = 1, InPiece = 2 };
+
+struct FaceMark {
+    unsigned inside = 0;  // of both outlines
+    bool reached = false;
+    unsigned walked = 0;  // edges, bit by bit
+};
+
+using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+using Point = Kernel::Point_2;
+using FaceBase =
+    CGAL::Triangulation_face_base_with_info_2<FaceMark, Kernel,
+                                              CGAL::Constrained_triangulation_face_base_2<Kernel>>;
+using Structure = CGAL::Triangulation_data_structure_2<CGAL::Triangulation_vertex_base_2<Kernel>, FaceBase>;
+using Triangulation = CGAL::Constrained_triangulation_plus_2<
+    CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::Exact_intersections_tag>>;
+using Face = Triangulation::Face_handle;
+using Loop = std::vector<Vec<2>>;
+
+/// The plane cut along both outlines, and which pieces lie in which of them.
+class Pieces {
+  public:
+    Pieces(const Outline& base, const Outline& piece) {
+        insert(base, InBase);
+        insert(piece, InPiece);
+        if (m_triangulation.dimension() == 2) flood();
+    }
+
+    /// The loops around the faces that `isWanted` (of Inside), these on their left.
+    Outline around(const std::function<bool(unsigned)>& isWanted) {
+        Outline outline;
+        if (m_triangulation.dimension() < 2) return outline;
+        const auto wanted = [&](const Face& face) { return isWanted(face->info().inside); };
+        for (const Face face : m_triangulation.finite_face_handles())
+            for (int i = 0; i < 3; ++i)
+                if (wanted(face) && !wanted(face->neighbor(i)) && (face->info().walked >> i & 1U) == 0)
+                    outline.loops.push_back(walk(face, i, wanted));
+        return outline;
+    }
+
+  private:
+    void insert(const Outline& outline, Inside which) {
+        for (const Loop& loop : outline.loops) {
+            std::vector<Point> line;
+            for (const Vec<2>& p : loop) line.emplace_back(p.x(), p.y());
+            if (line.size() < 2) continue;
+            line.push_back(line.front());
+            // Edge by edge: a line that comes back over itself is then as good as any other.
+            for (std::size_t k = 0; k + 1 < line.size(); ++k)
+                if (line[k] != line[k + 1])
+                    m_owner[m_triangulation.insert_constraint(line[k], line[k + 1])] = which;
+        }
+    }
+
+    /// By which an edge changes what is inside.
+    unsigned change(const Face& face, int i) const {
+        if (!face->is_constrained(i)) return 0;
+        const auto a = face->vertex(Triangulation::cw(i)), b = face->vertex(Triangulation::ccw(i));
+        unsigned parity = 0;
+        for (auto context = m_triangulation.contexts_begin(a, b);
+             context != m_triangulation.contexts_end(a, b); ++context)
+            parity ^= m_owner.at(context->id());
+        return parity;
+    }
+
+    void flood() {
+        std::vector<Face> front{m_triangulation.infinite_face()};
+        front[0]->info().reached = true;
+        while (!front.empty()) {
+            const Face face = front.back();
+            front.pop_back();
+            for (int i = 0; i < 3; ++i) {
+                const Face next = face->neighbor(i);
+                if (std::exchange(next->info().reached, true)) continue;
+                next->info().inside = face->info().inside ^ change(face, i);
+                front.push_back(next);
+            }
+        }
+    }
+
+    /// From the edge opposite of corner i on, turning through wanted faces only: where pieces touch in a
+    /// point each has its own loop. Corners within straight lines are left out.
+    template <typename IsWanted>
+    static Loop walk(Face face, int i, const IsWanted& isWanted) {
+        std::vector<Point> corners;
+        while ((face->info().walked >> i & 1U) == 0) {
+            face->info().walked |= 1U << i;
+            corners.push_back(face->vertex(Triangulation::cw(i))->point());
+            for (i = Triangulation::ccw(i); isWanted(face->neighbor(i)); i = Triangulation::ccw(i)) {
+                const Face next = face->neighbor(i);
+                i = next->index(face);
+                face = next;
+            }
+        }
+        return rounded(corners);
+    }
+
+    static Loop rounded(const std::vector<Point>& corners) {
+        Loop loop;
+        for (std::size_t k = 0; k < corners.size(); ++k) {
+            const Point &before = corners[(k + corners.size() - 1) % corners.size()], &p = corners[k],
+                        &after = corners[(k + 1) % corners.size()];
+            if (CGAL::are_strictly_ordered_along_line(before, p, after)) continue;
+            const auto onGrid = [](const Kernel::FT& x) {
+                return std::round(CGAL::to_double(x) * kGrid) / kGrid;
+            };
+            const Vec<2> rough(onGrid(p.x()), onGrid(p.y()));
+            const bool exact = Point(CGAL::to_double(p.x()), CGAL::to_double(p.y())) == p;
+            loop.push_back(exact ? Vec<2>(CGAL::to_double(p.x()), CGAL::to_double(p.y())) : rough);
+        }
+        return loop;
+    }
+
+    Triangulation m_triangulation;
+    std::map<Triangulation::Constraint_id, unsigned> m_owner;
+};
+
+double areaOf(const Loop& loop) {
+    double twice = 0;
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+        const Vec<2>&a = loop[k], &b = loop[(k + 1) % loop.size()];
+        twice += a.x() * b.y() - b.x() * a.y();
+    }
+    return twice / 2;
+}
+
+void requireFinite(const Outline& outline) {
+    for (const Loop& loop : outline.loops)
+        for (const Vec<2>& p : loop)
+            if (!p.allFinite()) throw InputError("the outline has a point that is not finite");
+}
+
+/// Without what is too small or has no inside after rounding.
+Outline withoutSpecks(Outline outline, double smallest) {
+    std::erase_if(outline.loops, [&](const Loop& loop) {
+        return loop.size() < 3 || !(std::abs(areaOf(loop)) > std::max(smallest, 2 / (kGrid * kGrid)));
+    });
+    return outline;
+}
+
+bool crosses(const Outline& outline) {
+    try {
+        requireNoCrossing(outline);
+        return false;
+    } catch (const InputError&) {
+        return true;
+    }
+}
+
+}  // namespace
+
+Outline combined(const Outline& base, const Outline& piece, OutlineOperation operation, double smallest) {
+    requireFinite(base);
+    requireFinite(piece);
+    const auto isWanted = [operation](unsigned inside) {
+        if (operation == OutlineOperation::Add) return inside != 0;
+        return inside == (operation == OutlineOperation::TakeAway ? InBase : InBase | InPiece);
+    };
+    Outline result = withoutSpecks(Pieces(base, piece).around(isWanted), smallest);
+    // Rounding may have moved corners over other edges.
+    for (int k = 0; k < kRoundings && crosses(result); ++k)
+        result =
+            withoutSpecks(Pieces(result, {}).around([](unsigned inside) { return inside != 0; }), smallest);
+    return result;
+}
+
+double areaOf(const Outline& outline) {
+    double area = 0;
+    for (const Loop& loop : Pieces(outline, {}).around([](unsigned inside) { return inside != 0; }).loops)
+        area += areaOf(loop);
+    return area;
+}
+
+bool isInside(const Outline& outline, const Vec<2>& p) {
+    bool inside = false;
+    for (const Loop& loop : outline.loops)
+        for (std::size_t k = 0; k < loop.size(); ++k)
+            if (crossesRay(loop[k], loop[(k + 1) % loop.size()], p)) inside = !inside;
+    return inside;
+}
+
+}  // namespace wend

@@ -1,0 +1,315 @@
+// The outline of a picture drawn by hand, on the real canvas with mouse and keys: areas in closed form, one
+// undo step per gesture, what a new mesh keeps.
+
+#include <QPainter>
+#include <QUndoStack>
+#include <QtTest>
+#include <cmath>
+#include <numbers>
+
+#include "app/session/opening.h"
+#include "app/tools/flat_size_tool.h"
+#include "app/tools/outline_tool.h"
+#include "app/view/canvas.h"
+#include "core/meshing/outline_combination.h"
+#include "core/solver/components.h"
+#include "tests/support/window_fixture.h"
+
+using namespace wend;
+using namespace wend::test;
+using Shape = OutlineTool::Shape;
+
+namespace {
+
+constexpr int kWidth = 300, kHeight = 200;
+constexpr int kVertices = 400;
+
+/// A disc on a ground.
+QImage photograph() {
+    QImage image(kWidth, kHeight, QImage::Format_RGB888);
+    image.fill(QColor(40, 90, 60));
+    QPainter painter(&image);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(230, 140, 30));
+    painter.drawEllipse(QPointF(200, 100), 60, 60);
+    painter.fillRect(20, 20, 30, 30, QColor(230, 140, 30));  // of the same colour, but not connected
+    return image;
+}
+
+double meshedArea(const SimplicialMesh<2>& mesh) {
+    double sum = 0;
+    for (const auto& cell : mesh.cells) sum += cellMeasure<2>(mesh.points, cell);
+    return sum;
+}
+
+}  // namespace
+
+class TestOutlineTools : public QObject {
+    Q_OBJECT
+  private slots:
+    void initTestCase();
+    void init();
+    void lassoOfAPhotographBecomesTheOutline();
+    void polygonTakesAway();
+    void brushAddsAndMakesHoles();
+    void cutParts();
+    void wandTakesAColour();
+    void whatIsAtRestStays();
+    void pinsBesideItGo();
+    void gesturesAreGivenUp();
+    void drawnAtRest();
+    void finerWhereItIsBrushed();
+
+  private:
+    void use(Shape shape, bool takesAway = false);
+    QPoint at(double x, double y) const { return m_canvas->toWidget({x, y}).toPoint(); }
+    void draw(const std::vector<QPointF>& way, Qt::KeyboardModifiers modifiers = {});
+    void click(double x, double y, Qt::KeyboardModifiers modifiers = {});
+    const Domain& domain() const { return m_session->document().project()->domain; }
+    int steps() { return m_session->document().undoStack()->index(); }
+    void verify(double area, double tolerance, int parts = 1);
+
+    QTemporaryDir m_folder;
+    std::unique_ptr<ShapeSession> m_session;
+    std::unique_ptr<ShapeCanvas> m_canvas;
+    OutlinePen m_pen;
+    std::unique_ptr<OutlineTool> m_tool;
+};
+
+void TestOutlineTools::initTestCase() {
+    QVERIFY(photograph().save(m_folder.filePath(QStringLiteral("photograph.png"))));
+}
+
+void TestOutlineTools::init() {
+    m_canvas.reset();
+    m_tool.reset();
+    m_session = std::make_unique<ShapeSession>();
+    m_canvas = std::make_unique<ShapeCanvas>(*m_session);
+    m_pen.set({});
+    m_canvas->resize(700, 500);
+    m_canvas->show();
+    OpenedFile file = openFile(m_folder.filePath(QStringLiteral("photograph.png")));
+    auto project = std::make_shared<Project>(*file.project);
+    project->domain.vertices = kVertices;
+    file.project = project;
+    m_session->document().open(std::move(file));
+    QVERIFY(settle(*m_session));
+    m_canvas->zoomTo(2);
+}
+
+void TestOutlineTools::use(Shape shape, bool takesAway) {
+    m_canvas->setTool(nullptr);
+    m_pen.set({takesAway});
+    m_tool = std::make_unique<OutlineTool>(*m_canvas, shape, m_pen);
+    m_canvas->setTool(m_tool.get());
+}
+
+void TestOutlineTools::draw(const std::vector<QPointF>& way, Qt::KeyboardModifiers modifiers) {
+    QTest::mousePress(m_canvas.get(), Qt::LeftButton, modifiers, at(way[0].x(), way[0].y()));
+    for (const QPointF& p : way) {
+        QMouseEvent move(QEvent::MouseMove, at(p.x(), p.y()), m_canvas->mapToGlobal(at(p.x(), p.y())),
+                         Qt::NoButton, Qt::LeftButton, modifiers);
+        QApplication::sendEvent(m_canvas.get(), &move);
+    }
+    QTest::mouseRelease(m_canvas.get(), Qt::LeftButton, modifiers, at(way.back().x(), way.back().y()));
+    QVERIFY(settle(*m_session));
+}
+
+void TestOutlineTools::click(double x, double y, Qt::KeyboardModifiers modifiers) {
+    QTest::mouseClick(m_canvas.get(), Qt::LeftButton, modifiers, at(x, y));
+}
+
+/// Of the document's polygons and of the mesh, which has about as many vertices as wanted.
+void TestOutlineTools::verify(double area, double tolerance, int parts) {
+    QCOMPARE(domain().outline, OutlineKind::Polygons);
+    const double drawn = areaOf(domain().polygons);
+    QVERIFY2(std::abs(drawn - area) <= tolerance, qPrintable(QString("%1, not %2").arg(drawn).arg(area)));
+    const auto frame = m_session->frame<2>();
+    QVERIFY(std::abs(meshedArea(*frame->rest) - drawn) < 1e-6 * drawn);
+    QVERIFY2(std::abs(frame->vertices - kVertices) <= 0.15 * kVertices,
+             qPrintable(QString::number(frame->vertices)));
+    const auto components = cellComponents<2>(*frame->rest);
+    QCOMPARE(*std::max_element(components.begin(), components.end()) + 1, parts);
+}
+
+void TestOutlineTools::lassoOfAPhotographBecomesTheOutline() {
+    use(Shape::Lasso);
+    draw({{50, 40}, {150, 40}, {150, 120}, {50, 120}});
+    verify(100 * 80, 30);
+    QCOMPARE(steps(), 1);
+    // What is drawn next is added, but no more than there is of the picture.
+    draw({{140, 60}, {400, 60}, {400, 100}, {140, 100}});
+    verify(100 * 80 + 150 * 40, 60);
+    QCOMPARE(steps(), 2);
+    m_session->document().undoStack()->undo();
+    QVERIFY(settle(*m_session));
+    verify(100 * 80, 30);
+    m_session->document().undoStack()->undo();
+    QVERIFY(settle(*m_session));
+    QCOMPARE(domain().outline, OutlineKind::Frame);
+}
+
+void TestOutlineTools::polygonTakesAway() {
+    use(Shape::Polygon, true);
+    click(100, 50);
+    click(200, 50);
+    click(260, 170);  // taken back
+    QTest::keyClick(m_canvas.get(), Qt::Key_Backspace);
+    click(200, 150);
+    QCOMPARE(steps(), 0);
+    QTest::keyClick(m_canvas.get(), Qt::Key_Return);
+    QVERIFY(settle(*m_session));
+    verify(kWidth * kHeight - 100 * 100 / 2.0, 30);
+    QCOMPARE(domain().polygons.loops.size(), std::size_t(2));
+    // Closed by a click on its first corner; Ctrl the other way round.
+    for (const QPointF& p : {QPointF(90, 40), QPointF(210, 40), QPointF(210, 160), QPointF(90, 40)})
+        click(p.x(), p.y(), Qt::ControlModifier);
+    QVERIFY(settle(*m_session));
+    verify(kWidth * kHeight, 30);
+}
+
+void TestOutlineTools::brushAddsAndMakesHoles() {
+    use(Shape::Brush, true);
+    m_pen.set({true, 20});  // 10 pixels of the picture
+    draw({{100, 100}, {150, 100}, {200, 100}});
+    const double capsule = 20 * 100 + std::numbers::pi * 100;
+    verify(kWidth * kHeight - capsule, 0.02 * capsule);
+    QTest::keyClick(m_canvas.get(), ']');
+    QVERIFY(m_pen.now().radius > 20);
+    m_pen.set({true, 10});
+    draw({{100, 100}, {150, 100}}, Qt::ControlModifier);  // an island in the hole
+    const double island = 10 * 50 + std::numbers::pi * 25;
+    verify(kWidth * kHeight - capsule + island, 0.02 * capsule, 2);
+    QCOMPARE(domain().polygons.loops.size(), std::size_t(3));
+}
+
+void TestOutlineTools::cutParts() {
+    use(Shape::Cut);
+    draw({{150, -10}, {150, 100}, {150, 210}});
+    verify(kWidth * kHeight - 200, 40, 2);
+    QCOMPARE(m_session->document().undoStack()->undoText(), QStringLiteral("Cut"));
+}
+
+void TestOutlineTools::wandTakesAColour() {
+    use(Shape::Wand);
+    click(200, 100);
+    QVERIFY(settle(*m_session));
+    const double disc = std::numbers::pi * 60 * 60;
+    const double edge = 0.7 * 2 * std::numbers::pi * 60;  // where in its soft edge says the tolerance
+    verify(disc, edge);
+    QVERIFY(!isInside(domain().polygons, {35, 35}));
+    m_session->document().undoStack()->undo();
+    click(30, 180, Qt::ControlModifier);  // the ground goes, both that were on it stay
+    QVERIFY(settle(*m_session));
+    verify(disc + 900, edge + 0.7 * 120, 2);
+}
+
+/// Pins, their motion and the material are told at rest: a new outline leaves them as they are.
+void TestOutlineTools::whatIsAtRestStays() {
+    const int pin = m_session->addPin({200, 100});
+    QVERIFY(pin >= 0 && m_session->addPin({60, 100}) >= 0);
+    m_session->selection().set({pin});
+    m_session->beginDrag();
+    m_session->dragTo({20, 10});
+    m_session->endDrag(0.2);
+    Project painted = *m_session->document().project();
+    std::get<Design<2>>(painted.design)
+        .material.regions.push_back({"stiff", Ball<2>{{100, 100}, 30}, 4, 1.5, {}});
+    painted.depth.push_back({"front", Ball<2>{{100, 100}, 30}, 2});
+    m_session->document().change(QStringLiteral("Paint"), painted);
+    QVERIFY(settle(*m_session));
+    const auto before = m_session->document().project();
+    use(Shape::Brush, true);
+    draw({{150, 20}, {150, 60}});
+    const auto after = m_session->document().project();
+    QVERIFY(after != before);
+    Project same = *after;
+    same.domain = before->domain;
+    QCOMPARE(toJson(same), toJson(*before));
+    m_session->playback().setTime(m_session->playback().end());
+    const auto pins = m_session->pins<2>();
+    QCOMPARE(pins.size(), std::size_t(2));
+    QVERIFY((pins[pin].centre - Vec<2>(220, 110)).norm() < 0.5);
+    m_session->document().undoStack()->undo();
+    QCOMPARE(m_session->document().project(), before);
+}
+
+void TestOutlineTools::pinsBesideItGo() {
+    QVERIFY(m_session->addPin({60, 60}) >= 0 && m_session->addPin({250, 150}) >= 0);
+    QVERIFY(settle(*m_session));
+    QSignalSpy notices(m_session.get(), &ShapeSession::notice);
+    QSignalSpy problems(m_session.get(), &ShapeSession::problem);
+    use(Shape::Lasso);
+    draw({{30, 30}, {120, 30}, {120, 120}, {30, 120}});
+    const auto& handles = m_session->document().design<2>().handles;
+    QCOMPARE(handles.size(), std::size_t(1));
+    QCOMPARE(std::get<std::vector<Vec<2>>>(handles[0].at)[0], Vec<2>(60, 60));
+    QVERIFY(notices.count() > 0);
+    for (const auto& problem : problems) QVERIFY(problem[0].toString().isEmpty());
+    m_session->document().undoStack()->undo();
+    QCOMPARE(m_session->document().design<2>().handles.size(), std::size_t(2));
+}
+
+void TestOutlineTools::gesturesAreGivenUp() {
+    use(Shape::Lasso);
+    QTest::mousePress(m_canvas.get(), Qt::LeftButton, {}, at(50, 50));
+    QTest::mouseMove(m_canvas.get(), at(100, 50));
+    QTest::keyClick(m_canvas.get(), Qt::Key_Escape);
+    QTest::mouseRelease(m_canvas.get(), Qt::LeftButton, {}, at(100, 100));
+    QCOMPARE(steps(), 0);
+    use(Shape::Lasso, true);
+    QSignalSpy notices(m_session.get(), &ShapeSession::notice);
+    draw({{-20, -20}, {320, -20}, {320, 220}, {-20, 220}});  // all of it
+    QCOMPARE(steps(), 0);
+    QCOMPARE(notices.count(), 1);
+    click(100, 100);  // a lasso without an inside
+    QCOMPARE(steps(), 0);
+}
+
+void TestOutlineTools::drawnAtRest() {
+    const int pin = m_session->addPin({200, 100});
+    m_session->selection().set({pin});
+    m_session->beginDrag();
+    m_session->dragTo({20, 10});
+    m_session->endDrag(0.2);
+    QVERIFY(settle(*m_session));
+    QVERIFY(m_session->playback().time() > 0);
+    use(Shape::Brush);
+    QTest::mouseMove(m_canvas.get(), at(100, 100));
+    QCOMPARE(m_session->playback().time(), 0.0);
+}
+
+/// As many vertices in all; the edges where it was brushed are about half as long as elsewhere.
+void TestOutlineTools::finerWhereItIsBrushed() {
+    Brush brush;
+    brush.set({.radius = 80, .hardness = 1});  // 40 pixels of the picture
+    const PenValue factor(0.5);
+    FlatSizeTool tool(*m_canvas, brush, factor);
+    m_canvas->setTool(&tool);
+    const auto meanEdge = [&](bool within) {
+        const auto& rest = *m_session->frame<2>()->rest;
+        double sum = 0;
+        int count = 0;
+        for (const auto& facet : facetsOf(rest)) {
+            const Vec<2> a = rest.points.col(facet.vertices[0]), b = rest.points.col(facet.vertices[1]);
+            const double far = ((a + b) / 2 - Vec<2>(80, 100)).norm();
+            if (within ? far > 32 : far < 60) continue;
+            sum += (b - a).norm();
+            ++count;
+        }
+        return sum / count;
+    };
+    QVERIFY(std::abs(meanEdge(true) / meanEdge(false) - 1) < 0.15);
+    draw({{80, 100}, {81, 100}});
+    QVERIFY2(std::abs(meanEdge(true) / meanEdge(false) - 0.5) < 0.1,
+             qPrintable(QString::number(meanEdge(true) / meanEdge(false))));
+    QVERIFY(std::abs(m_session->frame()->vertices - kVertices) <= 0.15 * kVertices);
+    draw({{80, 100}, {81, 100}}, Qt::ControlModifier);
+    QVERIFY(domain().flatSizes.empty());
+    QVERIFY(std::abs(meanEdge(true) / meanEdge(false) - 1) < 0.15);
+    m_canvas->setTool(nullptr);
+}
+
+QTEST_MAIN(TestOutlineTools)
+#include "test_outline_tools.moc"
