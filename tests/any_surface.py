@@ -121,7 +121,7 @@ def bend(wend, model, folder):
     """(row of the table, kind of the result)."""
     code, out, error = call([wend, "info", model, "--json"], folder)
     if code != 0:
-        return None if "no triangle" in error or "no cell" in error else ([model.name, "", "", "", "", error], "unreadable")
+        return None if "no triangle" in error or "no cell" in error else ([model.name, "", "", "", "", error.strip().split(": ", 2)[-1]], "unreadable")
     info = json.loads(out)
     if info["kind"] not in ("surface", "planar mesh") or info.get("triangles", info.get("cells", 0)) == 0:
         return None
@@ -130,6 +130,7 @@ def bend(wend, model, folder):
     if flat:
         points = [[float(x) for x in line.split()[:3]] for line in open(model, errors="replace")
                   if len(line.split()) >= 3 and line.split()[0].lstrip("-").replace(".", "", 1).isdigit() and "." in line]
+        points = points[:info["vertices"]]  # colours of cells look alike
         if not points:
             return None
         low = [min(p[k] for p in points) for k in range(3)]
