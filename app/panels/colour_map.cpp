@@ -136,7 +136,7 @@ QString measureName(Measure measure, int dimension) {
             return dimension == 3 ? QCoreApplication::translate("Measure", "Volume")
                                   : QCoreApplication::translate("Measure", "Area");
         case Measure::Phi:
-            return QCoreApplication::translate("Measure", "Energy φ");
+            return QCoreApplication::translate("Measure", "What is kept (φ)");
         case Measure::Stiffness:
             return QCoreApplication::translate("Measure", "Stiffness");
         case Measure::Speed:
@@ -146,7 +146,7 @@ QString measureName(Measure measure, int dimension) {
         case Measure::Length:
             break;
     }
-    return QCoreApplication::translate("Measure", "Length");
+    return QCoreApplication::translate("Measure", "Stretch");
 }
 
 template std::vector<double> cellValues<2>(const PosedFrame<2>&, Measure);
@@ -171,7 +171,7 @@ QString worstText(const Distortion& distortion, Measure measure, int dimension) 
     const QString error =
         worst.value < kRounding ? QStringLiteral("0") : locale.toString(worst.value, 'g', 3);
     if (measure == Measure::Angle) return QCoreApplication::translate("Measure", "angle error %1").arg(error);
-    if (measure != Measure::Area) return QCoreApplication::translate("Measure", "length error %1").arg(error);
+    if (measure != Measure::Area) return QCoreApplication::translate("Measure", "stretch %1").arg(error);
     const QString ratio = worst.value < 0.1 ? error : locale.toString(worst.value, 'f', 2);
     return (dimension == 3 ? QCoreApplication::translate("Measure", "volume ×%1")
                            : QCoreApplication::translate("Measure", "area ×%1"))

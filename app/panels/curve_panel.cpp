@@ -22,7 +22,7 @@ CurvePanel::CurvePanel(ShapeSession& session, int dimension, bool titled, QWidge
     : QWidget(parent),
       m_session(session),
       m_dimension(dimension),
-      m_make(new QPushButton(tr("Make a curve of it"), this)),
+      m_make(new QPushButton(tr("Edit path"), this)),
       m_curve(new QWidget(this)),
       m_frame(new QComboBox(this)),
       m_twist(new ExactBox(this)),
@@ -41,9 +41,9 @@ CurvePanel::CurvePanel(ShapeSession& session, int dimension, bool titled, QWidge
 void CurvePanel::makeControls() {
     m_make->setToolTip(tr("Turns the way that was drawn into a Bézier curve with points to drag."));
     m_make->setStatusTip(m_make->toolTip());
-    m_frame->addItems({tr("none"), tr("Frenet"), tr("least turning")});
+    m_frame->addItems({tr("no"), tr("as it bends (Frenet)"), tr("yes")});
     m_frame->setFixedWidth(116);
-    describe(m_frame, tr("Frame"), tr("Whether what is held turns along the curve, and how."));
+    describe(m_frame, tr("Rotate with path"), tr("Whether what is held turns along the curve, and how."));
     m_twist->setRange(-3600, 3600);
     m_twist->setDecimals(1);
     m_twist->setSingleStep(15);
@@ -63,13 +63,13 @@ void CurvePanel::arrange(bool titled) {
     auto* layout = new QVBoxLayout(this);
     titled ? layout->setContentsMargins(16, 14, 16, 14) : layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(10);
-    if (titled) layout->addWidget(panelTitle(tr("Curve"), this));
+    if (titled) layout->addWidget(panelTitle(tr("Path"), this));
     layout->addWidget(m_make);
     layout->addWidget(m_curve);
     auto* curve = new QVBoxLayout(m_curve);
     curve->setContentsMargins(0, 0, 0, 0);
     curve->setSpacing(10);
-    curve->addLayout(panelRow(tr("Fr&ame"), m_frame, m_curve));
+    curve->addLayout(panelRow(tr("Rot&ate with path"), m_frame, m_curve));
     if (m_dimension == 3)
         curve->addLayout(panelRow(tr("T&wist"), m_twist, m_curve));
     else

@@ -21,12 +21,11 @@ DetailRow::DetailRow(QWidget* parent)
     m_remove->setText(tr("Remove"));
     m_remove->setObjectName(QStringLiteral("removeDetail"));
     for (QToolButton* button : {m_choose, m_remove}) button->setProperty("role", "chip");
-    describe(m_choose, tr("Choose detail surface"),
+    describe(m_choose, tr("Choose skin"),
              tr("Takes a detailed, perhaps textured surface from a file: it rides in the solid, is what the "
                 "view shows and what surface formats get."));
-    describe(m_remove, tr("Remove detail surface"),
-             tr("The solid is seen and exported with its own surface again."));
-    layout->addLayout(panelRow(tr("Detail surface"), m_choose, this));
+    describe(m_remove, tr("Remove skin"), tr("The solid is seen and exported with its own surface again."));
+    layout->addLayout(panelRow(tr("Skin"), m_choose, this));
     auto* row = new QHBoxLayout;
     row->addWidget(m_name, 1);
     row->addWidget(m_remove);

@@ -15,10 +15,11 @@ DistortionPanel::DistortionPanel(ShapeSession& session, QWidget* parent)
       m_measure(new QComboBox(this)),
       m_legend(new Legend(this)),
       m_lock(new QToolButton(this)),
-      m_angle(new QLabel(this)),
-      m_area(new QLabel(this)),
-      m_length(new QLabel(this)),
-      m_worst(new QLabel(this)),
+      m_totals(new QWidget(this)),
+      m_angle(new QLabel(m_totals)),
+      m_area(new QLabel(m_totals)),
+      m_length(new QLabel(m_totals)),
+      m_worst(new QLabel(m_totals)),
       m_find(new QToolButton(this)) {
     m_worst->setObjectName(QStringLiteral("worstPlace"));
     makeControls();
@@ -39,27 +40,28 @@ DistortionPanel::DistortionPanel(ShapeSession& session, QWidget* parent)
 void DistortionPanel::makeControls() {
     m_measure->setFixedWidth(116);
     m_lock->setCheckable(true);
-    m_lock->setText(tr("Lock range"));
-    describe(m_lock, tr("Lock range"),
+    m_lock->setText(tr("Keep these colours"));
+    describe(m_lock, tr("Keep these colours"),
              tr("Keep the colours' range, to compare different shapes and energies."));
-    m_find->setText(tr("Show"));
+    m_find->setText(tr("Go there"));
     for (QToolButton* button : {m_lock, m_find}) button->setProperty("role", "chip");
-    describe(m_find, tr("Show the worst place"),
+    describe(m_find, tr("Go to the worst place"),
              tr("Brings the most distorted triangle into view; it is ringed in the map."));
 }
 
 void DistortionPanel::arrange() {
     auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(16, 14, 16, 14);
-    layout->setSpacing(10);
-    layout->addWidget(panelTitle(tr("Distortion"), this));
-    layout->addLayout(panelRow(tr("Ma&p of"), m_measure, this));
+    layout->setContentsMargins(16, 10, 16, 10);
+    layout->setSpacing(6);
+    layout->addWidget(panelTitle(tr("What changed"), this));
+    layout->addLayout(panelRow(tr("Colour &by"), m_measure, this));
     layout->addWidget(m_legend);
-    auto* totals = new QGridLayout;
+    auto* totals = new QGridLayout(m_totals);
+    totals->setContentsMargins(16, 4, 16, 10);
     totals->setVerticalSpacing(6);
     int row = 0;
     const auto add = [&](const QString& name, QLabel* value, const QString& help) -> QLabel* {
-        auto* label = new QLabel(name, this);
+        auto* label = new QLabel(name, m_totals);
         label->setProperty("role", "second");
         value->setToolTip(help);
         label->setToolTip(help);
@@ -71,9 +73,8 @@ void DistortionPanel::arrange() {
     add(tr("Angle error"), m_angle,
         tr("Sum over the shape of σ₁/σ₂ + σ₂/σ₁ − 2: zero if all angles are kept."));
     m_areaName = add(tr("Area error"), m_area, {});
-    add(tr("Length error"), m_length, tr("How far lengths are from those at rest: zero for a rigid motion."));
+    add(tr("Stretch"), m_length, tr("How far lengths are from those at rest: zero for a rigid motion."));
     add(tr("Worst place"), m_worst, {});
-    layout->addLayout(totals);
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(m_lock);
     buttons->addStretch(1);
@@ -100,7 +101,7 @@ void DistortionPanel::setDimension(int dimension) {
     for (QLabel* label : {m_areaName, m_area}) label->setToolTip(help);
     m_worst->setToolTip(solid ? tr("The tetrahedron that is farthest from rest by what the map shows.")
                               : tr("The triangle that is farthest from rest by what the map shows."));
-    describe(m_measure, tr("Distortion map"),
+    describe(m_measure, tr("Colour by"),
              solid ? tr("What is coloured over the solid: the error of lengths, volumes or angles, the "
                         "material, how fast it moves, or how fine its mesh is.")
                    : tr("What is coloured over the picture: the error of lengths, areas or angles, or the "
@@ -120,6 +121,7 @@ void DistortionPanel::setMeasure(Measure measure) {
 void DistortionPanel::takeFrame() {
     const FramePtr& frame = m_session.frame();
     setEnabled(frame != nullptr);
+    m_totals->setEnabled(frame != nullptr);
     if (!frame) return;
     setDimension(frame->dimension);
     showTotals(frame->distortion);

@@ -21,6 +21,8 @@ class DistortionPanel : public QWidget {
     Measure measure() const;
     void setMeasure(Measure measure);
     const MeasureRange& range() const { return m_range; }
+    /// The sums over the shape and the worst place in numbers, to be shown elsewhere.
+    QWidget* totals() const { return m_totals; }
 
   signals:
     /// The measure or its range changed.
@@ -40,6 +42,7 @@ class DistortionPanel : public QWidget {
     QComboBox* m_measure;
     Legend* m_legend;
     QToolButton* m_lock;
+    QWidget* m_totals;
     QLabel* m_angle;
     QLabel* m_area;
     QLabel* m_length;

@@ -17,6 +17,9 @@ constexpr int kStepsPerStop = 1000;
 constexpr int kSnap = 45;
 constexpr int kHandle = 16;
 constexpr int kLabelGap = 3;
+constexpr int kTileHeight = 76, kTileGap = 4;
+constexpr QSize kTilePicture(46, 48);
+constexpr std::array<const char*, EnergyScale::kStops> kPictures = {"area", "length", "rigid", "angle"};
 
 int nearestStop(int value) {
     return static_cast<int>(std::lround(static_cast<double>(value) / kStepsPerStop));
@@ -29,32 +32,39 @@ int snapped(int value) {
 
 }  // namespace
 
-EnergySlider::EnergySlider(QWidget* parent)
-    : QWidget(parent), m_slider(new QSlider(Qt::Horizontal, this)), m_phi(0) {
+EnergySlider::EnergySlider(QWidget* parent, Stops stops)
+    : QWidget(parent), m_stops(stops), m_slider(new QSlider(Qt::Horizontal, this)), m_phi(0) {
     m_slider->setObjectName(QStringLiteral("energySlider"));
     m_slider->setRange(0, (EnergyScale::kStops - 1) * kStepsPerStop);
     m_slider->setSingleStep(50);
     m_slider->setPageStep(kStepsPerStop);
-    describe(m_slider, tr("Energy"), helpText());
+    describe(m_slider, tr("What is kept"), helpText());
     setFocusProxy(m_slider);
-    for (int i = 0; i < EnergyScale::kStops; ++i) {
-        auto* label = new QToolButton(this);
-        label->setText(m_scale.stops()[i].name);
-        label->setCheckable(true);
-        label->setProperty("role", QStringLiteral("stop"));
-        label->setFocusPolicy(Qt::TabFocus);
-        describe(label, m_scale.stops()[i].name, m_scale.stops()[i].shortHelp);
-        connect(label, &QToolButton::clicked, this, [this, i] {
-            ++m_gesture;
-            m_slider->setValue(i * kStepsPerStop);
-            setPhi(m_phi);
-        });
-        m_labels[i] = label;
-    }
+    for (int i = 0; i < EnergyScale::kStops; ++i) makeStop(i);
     connect(m_slider, &QSlider::sliderPressed, this, [this] { ++m_gesture; });
     connect(m_slider, &QSlider::valueChanged, this, &EnergySlider::choose);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setPhi(m_scale.stops()[1].phi);
+}
+
+void EnergySlider::makeStop(int stop) {
+    auto* label = new QToolButton(this);
+    label->setText(m_scale.stops()[stop].name);
+    label->setCheckable(true);
+    label->setFocusPolicy(Qt::TabFocus);
+    label->setProperty("role", m_stops == Stops::Tiles ? QStringLiteral("tile") : QStringLiteral("stop"));
+    if (m_stops == Stops::Tiles) {
+        label->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
+        label->setIconSize(kTilePicture);
+        label->setIcon(QIcon(QStringLiteral(":/wend/keep/%1.png").arg(QLatin1String(kPictures.at(stop)))));
+    }
+    describe(label, m_scale.stops()[stop].name, m_scale.stops()[stop].shortHelp);
+    connect(label, &QToolButton::clicked, this, [this, stop] {
+        ++m_gesture;
+        m_slider->setValue(stop * kStepsPerStop);
+        setPhi(m_phi);
+    });
+    m_labels[stop] = label;
 }
 
 void EnergySlider::setDimension(int dimension) {
@@ -65,20 +75,20 @@ void EnergySlider::setDimension(int dimension) {
         m_labels[i]->setText(m_scale.stops()[i].name);
         describe(m_labels[i], m_scale.stops()[i].name, m_scale.stops()[i].shortHelp);
     }
-    describe(m_slider, tr("Energy"), helpText());
-    placeLabels();
+    describe(m_slider, tr("What is kept"), helpText());
+    m_stops == Stops::Tiles ? placeTiles() : placeLabels();
     setPhi(m_phi);
 }
 
 QString EnergySlider::helpText() const {
     if (m_dimension == 3)
         return tr(
-            "What the shape keeps when it has to give way. From Volume over Length and Rigid to Angle the "
-            "error moves from angles to volumes. Between two names the energy changes evenly.");
+            "What the shape keeps where it has to give way: from its volume, over lengths and stiff parts, "
+            "to "
+            "the look of its details. Between two names it is something of both.");
     return tr(
-        "What the shape keeps when it has to give way. From Area over Length and Rigid to Angle the error "
-        "moves from angles "
-        "to areas. Between two names the energy changes evenly.");
+        "What the shape keeps where it has to give way: from its area, over lengths and stiff parts, to the "
+        "look of its details. Between two names it is something of both.");
 }
 
 void EnergySlider::choose(int value) {
@@ -103,9 +113,23 @@ void EnergySlider::setPhi(double phi) {
     update();
 }
 
+int EnergySlider::tileWidth() const {
+    return (width() - (EnergyScale::kStops - 1) * kTileGap) / EnergyScale::kStops;
+}
+
+/// The middle of a stop: of its tile, if it has one.
 int EnergySlider::stopX(int stop) const {
+    if (m_stops == Stops::Tiles) return stop * (tileWidth() + kTileGap) + tileWidth() / 2;
     const double span = width() - kHandle;
     return static_cast<int>(std::lround(kHandle / 2.0 + span * stop / (EnergyScale::kStops - 1)));
+}
+
+/// The slider goes from the middle of the first one to that of the last.
+void EnergySlider::placeTiles() {
+    for (int i = 0; i < EnergyScale::kStops; ++i)
+        m_labels[i]->setGeometry(i * (tileWidth() + kTileGap), 0, tileWidth(), kTileHeight);
+    const int from = stopX(0) - kHandle / 2, to = stopX(EnergyScale::kStops - 1) + kHandle / 2;
+    m_slider->setGeometry(from, kTileHeight + kTileGap, to - from, kHandle + 4);
 }
 
 /// Below their stops, but apart from each other: long names push the next one on, and the last ones back.
@@ -128,11 +152,12 @@ void EnergySlider::placeLabels() {
 
 QSize EnergySlider::sizeHint() const {
     m_labels[0]->ensurePolished();
+    if (m_stops == Stops::Tiles) return {220, kTileHeight + kTileGap + kHandle + 4};
     return {220, kHandle + 8 + m_labels[0]->sizeHint().height()};
 }
 
 void EnergySlider::resizeEvent(QResizeEvent*) {
-    placeLabels();
+    m_stops == Stops::Tiles ? placeTiles() : placeLabels();
 }
 
 void EnergySlider::paintEvent(QPaintEvent*) {
@@ -141,7 +166,7 @@ void EnergySlider::paintEvent(QPaintEvent*) {
     painter.setPen(Qt::NoPen);
     painter.setBrush(palette().color(QPalette::Mid));
     for (int i = 0; i < EnergyScale::kStops; ++i)
-        painter.drawRoundedRect(QRectF(stopX(i) - 1, kHandle / 2.0 - 5, 2, 14), 1, 1);
+        painter.drawRoundedRect(QRectF(stopX(i) - 1, m_slider->y() + kHandle / 2.0 - 5, 2, 14), 1, 1);
 }
 
 }  // namespace wend

@@ -9,12 +9,14 @@ class QToolButton;
 
 namespace wend {
 
-/// The slider with the four named stops below it. Near a stop the handle snaps to it.
+/// The slider between the four named stops. Near a stop the handle snaps to it. The stops stand below it as
+/// words, or above it as tiles with a picture of what each does.
 class EnergySlider : public QWidget {
     Q_OBJECT
 
   public:
-    explicit EnergySlider(QWidget* parent = nullptr);
+    enum class Stops { Words, Tiles };
+    explicit EnergySlider(QWidget* parent = nullptr, Stops stops = Stops::Words);
 
     double phi() const { return m_phi; }
     void setPhi(double phi);
@@ -34,10 +36,14 @@ class EnergySlider : public QWidget {
 
   private:
     void choose(int value);
+    void makeStop(int stop);
     void placeLabels();
+    void placeTiles();
     int stopX(int stop) const;
+    int tileWidth() const;
     QString helpText() const;
 
+    Stops m_stops;
     int m_dimension = 2;
     EnergyScale m_scale;
     QSlider* m_slider;

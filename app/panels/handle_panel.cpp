@@ -49,7 +49,7 @@ HandlePanel::HandlePanel(ShapeSession& session, QWidget* parent)
 
 void HandlePanel::makeControls() {
     describe(m_name, tr("Name"), tr("What the handle is called in the project and in messages."));
-    m_kind->addItems({tr("Move by"), tr("Turn by"), tr("Scale by")});
+    m_kind->addItems({tr("Move by"), tr("Rotate by"), tr("Scale by")});
     describe(m_kind, tr("Exact step"), tr("Moves, turns or scales what is selected by exact numbers."));
     for (QDoubleSpinBox*& box : m_numbers) {
         box = new NumberBox(this);

@@ -1,21 +1,46 @@
 #include "app/panels/material_panel.h"
 
+#include <QLocale>
+#include <QPushButton>
+
 #include "app/panels/panel_parts.h"
 #include "app/panels/whole_material.h"
 
 namespace wend {
 
+namespace {
+
+constexpr double kMuch = 2;  // growth from which on something else is proposed
+constexpr int kHead = 24;
+
+}  // namespace
+
 MaterialPanel::MaterialPanel(ShapeSession& session, QWidget* parent)
-    : QWidget(parent), m_session(session), m_slider(new EnergySlider(this)), m_help(secondLabel({}, this)) {
-    m_help->setMinimumHeight(2 * m_help->fontMetrics().lineSpacing());
+    : QWidget(parent),
+      m_session(session),
+      m_slider(new EnergySlider(this, EnergySlider::Stops::Tiles)),
+      m_help(secondLabel({}, this)),
+      m_grown(new QPushButton(this)) {
+    m_grown->setObjectName(QStringLiteral("grown"));
+    m_grown->hide();
+    m_help->setMinimumHeight(m_help->fontMetrics().lineSpacing());
     m_help->setAlignment(Qt::AlignTop);
     auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(16, 12, 16, 8);
-    layout->setSpacing(8);
-    layout->addWidget(panelTitle(tr("Keep"), this));
+    layout->setContentsMargins(16, 6, 16, 6);
+    layout->setSpacing(6);
+    auto* head = new QHBoxLayout;
+    QLabel* title = panelTitle(tr("Keep"), this);
+    title->setMinimumHeight(kHead);
+    head->addWidget(title);
+    head->addStretch(1);
+    head->addWidget(m_grown);
+    layout->addLayout(head);
     layout->addWidget(m_slider);
     layout->addWidget(m_help);
     connect(m_slider, &EnergySlider::phiChosen, this, &MaterialPanel::choosePhi);
+    connect(m_grown, &QPushButton::clicked, this,
+            [this] { choosePhi(m_slider->scale().stops().at(calmerStop()).phi, -1); });
+    connect(&m_session, &ShapeSession::frameChanged, this, &MaterialPanel::showGrowth);
     connect(&m_session.document(), &Document::projectChanged, this, &MaterialPanel::showProject);
     showProject();
 }
@@ -33,6 +58,24 @@ void MaterialPanel::showProject() {
     m_help->setText(
         stop >= 0 ? scale.stops()[stop].shortHelp
                   : tr("Between %1 and %2.").arg(scale.stops()[below].name, scale.stops()[below + 1].name));
+    showGrowth();
+}
+
+/// The stop that lets it grow less: length, or area below that; −1 where there is none.
+int MaterialPanel::calmerStop() const {
+    const double at = m_slider->scale().positionOf(m_slider->phi());
+    return at > 1 ? 1 : at > 0 ? 0 : -1;
+}
+
+void MaterialPanel::showGrowth() {
+    const FramePtr& frame = m_session.frame();
+    const bool much = frame && frame->growth > kMuch && calmerStop() >= 0;
+    m_grown->setVisible(much);
+    if (!much) return;
+    const QString factor = QLocale().toString(frame->growth, 'f', frame->growth < 10 ? 1 : 0);
+    m_grown->setText(tr("⚠ Grown ×%1 – try %2").arg(factor, m_slider->scale().stops().at(calmerStop()).name));
+    describe(m_grown, m_grown->text(),
+             tr("The shape has become much larger than at rest. A click keeps more of its size."));
 }
 
 void MaterialPanel::choosePhi(double phi, int gesture) {

@@ -6,10 +6,12 @@
 #include "app/session/shape_session.h"
 
 class QLabel;
+class QPushButton;
 
 namespace wend {
 
-/// What the whole shape keeps when it has to give way: the slider with its named stops.
+/// What the whole shape keeps when it has to give way: the slider with its named stops, and a way out where
+/// it has grown out of all measure.
 class MaterialPanel : public QWidget {
     Q_OBJECT
 
@@ -19,11 +21,14 @@ class MaterialPanel : public QWidget {
 
   private:
     void showProject();
+    void showGrowth();
+    int calmerStop() const;
     void choosePhi(double phi, int gesture);
 
     ShapeSession& m_session;
     EnergySlider* m_slider;
     QLabel* m_help;
+    QPushButton* m_grown;
 };
 
 }  // namespace wend

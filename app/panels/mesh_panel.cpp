@@ -72,7 +72,7 @@ MeshPanel::MeshPanel(ShapeSession& session, QWidget* parent)
 }
 
 void MeshPanel::makeControls() {
-    m_outline->addItem(tr("Opaque part"), static_cast<int>(OutlineKind::Alpha));
+    m_outline->addItem(tr("Cut-out"), static_cast<int>(OutlineKind::Alpha));
     m_outline->addItem(tr("Whole picture"), static_cast<int>(OutlineKind::Frame));
     m_outline->setFixedWidth(150);
     describe(m_outline, tr("Outline"),
@@ -81,7 +81,8 @@ void MeshPanel::makeControls() {
     m_threshold->setDecimals(0);
     m_threshold->setSuffix(tr(" %"));
     m_threshold->setFixedWidth(116);
-    describe(m_threshold, tr("Threshold"), tr("Pixels that are more opaque than this belong to the shape."));
+    describe(m_threshold, tr("Count as solid above"),
+             tr("Pixels that are more opaque than this belong to the shape."));
     m_margin->setRange(0, option("domain.outline.margin").range.max);
     m_margin->setDecimals(1);
     m_margin->setSuffix(tr(" px"));
@@ -106,7 +107,7 @@ void MeshPanel::makeControls() {
     describe(m_vertices, tr("Vertices"),
              tr("How fine the mesh is. More vertices bend more smoothly and take longer."));
     m_density->setRange(0, 1000);
-    describe(m_density, tr("Mesh density"), m_vertices->statusTip());
+    describe(m_density, tr("Detail: coarse – fine"), m_vertices->statusTip());
 }
 
 void MeshPanel::makeSolidControls() {
@@ -158,11 +159,11 @@ void MeshPanel::arrange() {
         layout->addWidget(widget);
         return widget;
     };
-    m_pictureRows = {row(tr("&Outline"), m_outline), row(tr("Thresho&ld"), m_threshold),
+    m_pictureRows = {row(tr("&Outline"), m_outline), row(tr("Count as so&lid above"), m_threshold),
                      row(tr("Ma&rgin"), m_margin), row(tr("&Border"), m_border)};
     QWidget* fit = row(tr("&Fit"), m_fit);
     QWidget* aim = row(tr("A&im at"), m_aim);
-    QWidget* vertices = row(tr("Verti&ces"), m_vertices);
+    QWidget* vertices = row(tr("Det&ail, in vertices"), m_vertices);
     layout->addWidget(m_density);
     QWidget* volume = row(tr("&Greatest volume"), m_volume);
     QWidget* quality = row(tr("R&oundness"), m_quality);
@@ -182,7 +183,7 @@ void MeshPanel::connectControls() {
         edit(tr("Change outline"), {}, [kind](Domain& domain) { domain.outline = kind; });
     });
     connect(m_threshold, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-        edit(tr("Change threshold"), QStringLiteral("threshold"),
+        edit(tr("Change what counts as solid"), QStringLiteral("threshold"),
              [value](Domain& d) { d.alpha.threshold = value / 100; });
     });
     connect(m_margin, &QDoubleSpinBox::valueChanged, this, [this](double value) {
@@ -194,12 +195,11 @@ void MeshPanel::connectControls() {
         edit(tr("Hold the border"), {}, [border](Domain& domain) { domain.border = border; });
     });
     const auto setVertices = [this](int count) {
-        edit(tr("Change mesh density"), QStringLiteral("vertices %1").arg(m_gesture),
-             [count](Domain& domain) {
-                 domain.vertices = count;
-                 domain.edge = 0;
-                 domain.maxVolume = 0;
-             });
+        edit(tr("Change detail"), QStringLiteral("vertices %1").arg(m_gesture), [count](Domain& domain) {
+            domain.vertices = count;
+            domain.edge = 0;
+            domain.maxVolume = 0;
+        });
     };
     connect(m_vertices, &QSpinBox::valueChanged, this, setVertices);
     connect(m_density, &QSlider::sliderPressed, this, [this] { ++m_gesture; });

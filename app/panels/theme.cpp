@@ -11,52 +11,45 @@ namespace wend {
 
 namespace {
 
-QPalette lightPalette() {
+/// The roles of both palettes in one order: surface, raised, field, line between, border of controls, text,
+/// muted, disabled, accent under white, accent as text.
+struct Tones {
+    QRgb surface, raised, field, line, border, text, muted, disabled, accent, accentText;
+};
+
+constexpr Tones kLight = {0xf5f5f7, 0xffffff, 0xffffff, 0xd5d6dc, 0x8a8d98,
+                          0x1f2126, 0x5c5f69, 0x8b8e98, kAccent,  0x4a5bd4};
+constexpr Tones kDark = {0x26272c, 0x303138, 0x1c1d21, 0x3c3e47, 0x7e818c,
+                         0xe7e8ec, 0xa8aab5, 0x7e818c, 0x5a6ae6, 0x98a4ff};
+
+QPalette paletteOf(const Tones& tones) {
     QPalette p;
-    p.setColor(QPalette::Window, QColor(0xf5f5f7));
-    p.setColor(QPalette::WindowText, QColor(0x1f2126));
-    p.setColor(QPalette::Base, QColor(0xffffff));
-    p.setColor(QPalette::AlternateBase, QColor(0xf0f0f3));
-    p.setColor(QPalette::Text, QColor(0x1f2126));
-    p.setColor(QPalette::Button, QColor(0xfbfbfc));
-    p.setColor(QPalette::ButtonText, QColor(0x1f2126));
-    p.setColor(QPalette::Mid, QColor(0xc9cad1));
-    p.setColor(QPalette::Midlight, QColor(0xe3e4e8));
-    p.setColor(QPalette::Dark, QColor(0xa4a6af));
-    p.setColor(QPalette::Shadow, QColor(0x6b6e78));
-    p.setColor(QPalette::Highlight, QColor(kAccent));
-    p.setColor(QPalette::HighlightedText, QColor(0xffffff));
-    p.setColor(QPalette::Link, QColor(0x3f4fc4));
-    p.setColor(QPalette::PlaceholderText, QColor(0x80838d));
-    p.setColor(QPalette::ToolTipBase, QColor(0x2a2c33));
-    p.setColor(QPalette::ToolTipText, QColor(0xf2f2f5));
+    const auto set = [&p](std::initializer_list<QPalette::ColorRole> roles, QRgb tone) {
+        for (const auto role : roles) p.setColor(role, QColor(tone));
+    };
+    set({QPalette::Window, QPalette::AlternateBase}, tones.surface);
+    set({QPalette::WindowText, QPalette::Text, QPalette::ButtonText}, tones.text);
+    set({QPalette::Base}, tones.field);
+    set({QPalette::Button, QPalette::ToolTipBase}, tones.raised);
+    set({QPalette::ToolTipText}, tones.text);
+    set({QPalette::Mid}, tones.border);
+    set({QPalette::Midlight}, tones.line);
+    set({QPalette::Dark}, tones.border);
+    set({QPalette::Shadow, QPalette::PlaceholderText}, tones.muted);
+    set({QPalette::Highlight}, tones.accent);
+    set({QPalette::HighlightedText}, 0xffffff);
+    set({QPalette::Link}, tones.accentText);
     for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
-        p.setColor(QPalette::Disabled, role, QColor(0xa5a7af));
+        p.setColor(QPalette::Disabled, role, QColor(tones.disabled));
     return p;
 }
 
+QPalette lightPalette() {
+    return paletteOf(kLight);
+}
+
 QPalette darkPalette() {
-    QPalette p;
-    p.setColor(QPalette::Window, QColor(0x26272c));
-    p.setColor(QPalette::WindowText, QColor(0xe7e8ec));
-    p.setColor(QPalette::Base, QColor(0x1c1d21));
-    p.setColor(QPalette::AlternateBase, QColor(0x212227));
-    p.setColor(QPalette::Text, QColor(0xe7e8ec));
-    p.setColor(QPalette::Button, QColor(0x303138));
-    p.setColor(QPalette::ButtonText, QColor(0xe7e8ec));
-    p.setColor(QPalette::Mid, QColor(0x484a53));
-    p.setColor(QPalette::Midlight, QColor(0x3a3b43));
-    p.setColor(QPalette::Dark, QColor(0x121316));
-    p.setColor(QPalette::Shadow, QColor(0x9b9da8));
-    p.setColor(QPalette::Highlight, QColor(0x7482f0));
-    p.setColor(QPalette::HighlightedText, QColor(0xffffff));
-    p.setColor(QPalette::Link, QColor(0x98a4ff));
-    p.setColor(QPalette::PlaceholderText, QColor(0x878a95));
-    p.setColor(QPalette::ToolTipBase, QColor(0x3b3d46));
-    p.setColor(QPalette::ToolTipText, QColor(0xf2f2f5));
-    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
-        p.setColor(QPalette::Disabled, role, QColor(0x6a6c76));
-    return p;
+    return paletteOf(kDark);
 }
 
 bool isDark(const QPalette& palette) {
@@ -90,9 +83,12 @@ Theme Theme::of(const QPalette& palette) {
     theme.checkerA = theme.dark ? QColor(0x3a3b40) : QColor(0xffffff);
     theme.checkerB = theme.dark ? QColor(0x323338) : QColor(0xf0f0f3);
     theme.accent = palette.color(QPalette::Highlight);
-    theme.secondText = theme.dark ? QColor(0xa0a2ad) : QColor(0x63666f);
-    theme.line = theme.dark ? QColor(0x17181b) : QColor(0xd5d6dc);
-    theme.warning = theme.dark ? QColor(0xe8a33d) : QColor(0xb06a00);
+    theme.accentText = palette.color(QPalette::Link);
+    theme.secondText = palette.color(QPalette::PlaceholderText);
+    theme.line = palette.color(QPalette::Midlight);
+    theme.danger = theme.dark ? QColor(0xff8a80) : QColor(0xb3261e);
+    theme.warning = theme.dark ? QColor(0xe8a33d) : QColor(0x8a5a00);
+    theme.success = theme.dark ? QColor(0x5fd0a4) : QColor(0x0b7a5b);
     return theme;
 }
 
@@ -110,12 +106,15 @@ QString wendStyleSheet(const QPalette& palette) {
         sheet.replace(QLatin1String(name), colour.name(QColor::HexArgb));
     };
     QColor hover = palette.color(QPalette::WindowText);
-    hover.setAlpha(22);
+    hover.setAlphaF(0.09F);
     QColor pressed = palette.color(QPalette::WindowText);
-    pressed.setAlpha(40);
+    pressed.setAlphaF(0.16F);
     QColor tint = theme.accent;
-    tint.setAlpha(theme.dark ? 90 : 46);
+    tint.setAlphaF(theme.dark ? 0.3F : 0.18F);
+    set("@accentText", theme.accentText);
+    set("@accentDeep", theme.accent.darker(115));
     set("@accent", theme.accent);
+    set("@danger", theme.danger);
     set("@tint", tint);
     set("@hover", hover);
     set("@pressed", pressed);
@@ -133,12 +132,19 @@ QString wendStyleSheet(const QPalette& palette) {
     return sheet;
 }
 
+QPalette primaryPalette(const QPalette& palette) {
+    QPalette primary = palette;
+    for (const auto role : {QPalette::WindowText, QPalette::Link})
+        primary.setColor(role, palette.color(QPalette::HighlightedText));
+    return primary;
+}
+
 QIcon wendIcon(const QString& name, const QPalette& palette) {
     QFile file(QStringLiteral(":/wend/icons/%1.svg").arg(name));
     if (!file.open(QIODevice::ReadOnly)) return {};
     const QByteArray svg = file.readAll();
     QIcon icon;
-    const QColor on = isDark(palette) ? palette.color(QPalette::Link) : palette.color(QPalette::Highlight);
+    const QColor on = palette.color(QPalette::Link);
     addPixmaps(icon, svg, palette.color(QPalette::WindowText), QIcon::Normal, QIcon::Off);
     addPixmaps(icon, svg, on, QIcon::Normal, QIcon::On);
     for (const auto state : {QIcon::Off, QIcon::On})

@@ -12,10 +12,11 @@ struct Theme {
     bool dark = false;
     QColor workspace;  // around the picture
     QColor checkerA, checkerB;
-    QColor accent;
+    QColor accent;      // under white
+    QColor accentText;  // as text, and for rings around what has the keyboard
     QColor secondText;
-    QColor line;  // hairlines between areas
-    QColor warning;
+    QColor line;                      // hairlines between areas
+    QColor danger, warning, success;  // never without a sign
 
     static Theme of(const QPalette& palette);
 };
@@ -26,6 +27,9 @@ enum class Appearance { System, Light, Dark };
 QPalette wendPalette(Appearance appearance, const QPalette& system);
 /// Shapes of controls, in the colours of the palette.
 QString wendStyleSheet(const QPalette& palette);
+
+/// For icons on a button that is filled with the accent.
+QPalette primaryPalette(const QPalette& palette);
 
 /// An icon of resources/icons, drawn in the palette's colours for normal, disabled and checked state, sharp
 /// at every scale.

@@ -16,6 +16,8 @@ class ActionMaker : public QObject {
     QList<QAction*> own() const { return m_own; }
     /// What an action does, in a sentence; empty for what is not made here.
     static QString helpOf(const QAction& action) { return action.property("help").toString(); }
+    /// The keys that it has where no other action that is more at hand wants them.
+    static QList<QKeySequence> keysOf(const QAction& action);
 
   protected:
     struct Words {
@@ -24,8 +26,6 @@ class ActionMaker : public QObject {
     QAction* add(const Words& words, const QKeySequence& keys, const QString& icon = {});
     QAction* addToggle(const Words& words, const QKeySequence& keys, const QString& icon = {});
     void enable(QAction* action, bool enabled, const QString& whyNot);
-    /// The keys that it has where no other action that is more at hand wants them.
-    static QList<QKeySequence> keysOf(const QAction& action);
     static void setKeysOf(QAction* action, const QList<QKeySequence>& keys);
     /// Those of them that it has now.
     static void useKeys(QAction* action, const QList<QKeySequence>& keys);

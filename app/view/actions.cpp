@@ -36,7 +36,7 @@ void Actions::makeFile() {
     exportFrames = add({tr("&Sequence…"), tr("Write the motion as a sequence of pictures or meshes")},
                        QKeySequence(tr("Ctrl+Shift+E")), "frames");
     exportStMap =
-        add({tr("S&T Map…"), tr("Write where each pixel comes from, for compositing programs")}, {});
+        add({tr("Warp &Map (ST)…"), tr("Write where each pixel comes from, for compositing programs")}, {});
     exportMesh = add({tr("&Mesh…"), tr("Write the bent mesh as OBJ, PLY, VTU …")}, {});
     exportView = add({tr("&View…"), tr("Write the view as a picture, as large as you like")}, {});
     exports->setTitle(tr("&Export"));
@@ -57,6 +57,8 @@ void Actions::makeEdit(QUndoStack& stack) {
     redo->setProperty("iconName", "redo");
     undo->setStatusTip(tr("Take back the last step"));
     redo->setStatusTip(tr("Do again what was taken back"));
+    history =
+        add({tr("&Steps…"), tr("See what was done, and go back to any of it")}, QKeySequence(tr("Ctrl+H")));
     selectAll = add({tr("Select &All Pins"), tr("Select all pins")}, QKeySequence::SelectAll);
     selectNone = add({tr("Select &None"), tr("Select no pin")}, QKeySequence(tr("Ctrl+Shift+A")));
     remove = add({tr("&Remove Pins"), tr("Remove the selected pins; what has already moved stays")},
@@ -64,15 +66,18 @@ void Actions::makeEdit(QUndoStack& stack) {
 }
 
 void Actions::makeView() {
-    showMesh = addToggle({tr("&Mesh"), tr("Show the triangles that carry the picture")},
+    showMesh = addToggle({tr("M&esh"), tr("Show the triangles that carry the picture")},
                          QKeySequence(tr("M")), "mesh");
-    showMap = addToggle({tr("&Distortion Map"), tr("Colour the shape by its distortion")},
-                        QKeySequence(tr("D")), "distortion");
+    showMap =
+        addToggle({tr("&Map"), tr("Colour the shape by what changed")}, QKeySequence(tr("D")), "distortion");
     showMarks = addToggle({tr("&Stiffness Marks"), tr("Show where it is stiff, and along which direction")},
                           QKeySequence(tr("Shift+S")), "marks");
     hideOverlays =
         addToggle({tr("&Hide Pins and Maps"), tr("Show the bare picture; hold H to do so for a moment")},
                   QKeySequence(tr("Shift+H")), "hide");
+    showRest = addToggle(
+        {tr("&Before"), tr("Show the shape as it was before it was bent; hold \\ to do so for a moment")}, {},
+        "compare");
     fit = add({tr("&Fit"), tr("Show the whole picture")}, QKeySequence(tr("F")), "fit");
     actualSize = add({tr("&Actual Size"), tr("One pixel of the picture on one of the screen")},
                      QKeySequence(tr("1")), "zoom-100");
@@ -100,8 +105,9 @@ void Actions::makeMotion() {
 }
 
 void Actions::makeHelp() {
-    shortcuts =
-        add({tr("&Keys and Mouse"), tr("What pointer and keys do")}, QKeySequence::HelpContents, "help");
+    manual = add({tr("&Manual"), tr("How it works, page by page, with a search")}, QKeySequence(Qt::Key_F1),
+                 "help");
+    shortcuts = add({tr("&Keys and Mouse"), tr("What pointer and keys do")}, QKeySequence(tr("?")));
     about = add({tr("&About Wend"), tr("Version and licence")}, {});
     about->setMenuRole(QAction::AboutRole);
 }
@@ -118,12 +124,12 @@ void Actions::fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve, QMenu*
     file->addSeparator();
     file->addActions({closeFile, quit});
     QMenu* edit = window.menuBar()->addMenu(tr("&Edit"));
-    edit->addActions({undo, redo});
+    edit->addActions({undo, redo, history});
     edit->addSeparator();
     edit->addActions({selectAll, selectNone, remove});
     edit->addMenu(depth);
     QMenu* view = window.menuBar()->addMenu(tr("&View"));
-    view->addActions({showMesh, showMap, showMarks, hideOverlays});
+    view->addActions({showMesh, showMap, showMarks, hideOverlays, showRest});
     view->addSeparator();
     view->addActions({fit, actualSize, zoomIn, zoomOut});
     view->addSeparator();
@@ -136,7 +142,7 @@ void Actions::fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve, QMenu*
     motion->addSeparator();
     motion->addAction(settle);
     motion->addMenu(curve);
-    window.menuBar()->addMenu(tr("&Help"))->addActions({shortcuts, about});
+    window.menuBar()->addMenu(tr("&Help"))->addActions({manual, shortcuts, about});
 }
 
 /// The steps, and under the name of each what belongs to it first.
@@ -152,7 +158,7 @@ void Actions::fillTools(QMenu& menu) const {
 void Actions::setHasFile(bool has, bool hasPicture, bool isSolid) {
     const QString why = tr("Open a picture first.");
     for (QAction* action : {save, saveAs, closeFile, exportMesh, selectAll, selectNone, showMesh, showMap,
-                            showMarks, hideOverlays, fit, zoomIn, zoomOut})
+                            showMarks, hideOverlays, showRest, fit, zoomIn, zoomOut})
         enable(action, has, why);
     enable(actualSize, has && !isSolid, has ? tr("A solid has no pixels.") : why);
     const QString noPicture = tr("This project has no picture.");
@@ -167,7 +173,7 @@ void Actions::setHasFile(bool has, bool hasPicture, bool isSolid) {
 }
 
 void Actions::resetView() {
-    for (QAction* action : {showMesh, showMap, showMarks, hideOverlays}) action->setChecked(false);
+    for (QAction* action : {showMesh, showMap, showMarks, hideOverlays, showRest}) action->setChecked(false);
 }
 
 void Actions::setHasSelection(bool has) {

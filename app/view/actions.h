@@ -24,10 +24,11 @@ class Actions : public ActionMaker {
     QAction *exportPicture, *exportMesh, *exportFrames, *exportStMap, *exportView;
     QAction *undo, *redo, *selectAll, *selectNone, *remove;
     QAction *selectTool, *pinTool;  // of the tools, what others come back to
-    QAction *showMesh, *showMap, *showMarks, *hideOverlays, *fit, *actualSize, *zoomIn, *zoomOut, *fullScreen;
+    QAction *showMesh, *showMap, *showMarks, *hideOverlays, *showRest;
+    QAction *fit, *actualSize, *zoomIn, *zoomOut, *fullScreen;
     QAction *play, *loop, *toStart, *toEnd, *settle;
     QAction *systemLook, *lightLook, *darkLook;
-    QAction *about, *shortcuts;
+    QAction *about, *manual, *shortcuts, *history;
     const std::unique_ptr<QMenu> recent, samples, exports;
 
     /// Menus of the whole program, in the order of the work.

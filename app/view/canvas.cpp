@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/session/rest_frame.h"
 #include "app/session/shape_builder.h"
 #include "app/tools/stiffness_marks.h"
 #include "app/view/overlay_painter.h"
@@ -139,7 +140,7 @@ void ShapeCanvas::takeTexture(const PosedFrame<2>& frame) {
 
 PosedPtr<2> ShapeCanvas::drawnFrame() const {
     const auto frame = shownFrame();
-    return frame ? frame : m_unbent;
+    return !frame ? m_unbent : m_rest ? atRest<2>(frame) : frame;
 }
 
 /// Of the frame that is drawn; null before the first mesh.
@@ -250,6 +251,10 @@ void ShapeCanvas::setMapShown(bool shown) {
 }
 void ShapeCanvas::setOverlaysHidden(bool hidden) {
     m_hidden = hidden, render();
+}
+
+void ShapeCanvas::setRestShown(bool shown) {
+    if (std::exchange(m_rest, shown) != shown) render();
 }
 
 void ShapeCanvas::setMap(Measure measure, const MeasureRange& range) {

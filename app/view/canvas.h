@@ -47,6 +47,8 @@ class ShapeCanvas : public QWidget, public ToolSurface {
     /// Draws the border of a layer of the material; null: of none.
     void setLayer(const QString& name);
     void setOverlaysHidden(bool hidden);
+    /// The shape as it was before it was bent.
+    void setRestShown(bool shown);
     void fit();
     void zoomTo(double zoom);
     void zoomBy(double factor);
@@ -103,6 +105,7 @@ class ShapeCanvas : public QWidget, public ToolSurface {
     QTimer m_dim;     // a stale frame is dimmed after a while
     mutable CellDepths m_depths;
     bool m_mesh = false, m_map = false, m_hidden = false, m_dimmed = false;
+    bool m_rest = false;
     bool m_fitted = false;  // the view follows the window's size until the user changes it
     bool m_spaceDown = false, m_panning = false;
     bool m_menuPressed = false;  // the right button, and no other

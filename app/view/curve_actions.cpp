@@ -20,7 +20,7 @@ CurveActions::CurveActions(ShapeSession& session, std::function<CurveEditing*()>
 }
 
 void CurveActions::makeActions() {
-    make = add({tr("&Make a Curve"), tr("Turn the last way of the selected pin into a Bézier curve")},
+    make = add({tr("Edit &Path"), tr("Turn the last way of the selected pin into a Bézier curve")},
                QKeySequence(tr("Shift+C")));
     insert = add({tr("&Insert Point"),
                   tr("Split the curve where it was pointed at, or behind the chosen point; its shape stays")},

@@ -31,7 +31,7 @@ DetailChooser::DetailChooser(Document& document, QWidget& window)
 void DetailChooser::ask() {
     QSettings settings;
     const QString path =
-        QFileDialog::getOpenFileName(&m_window, tr("Detail Surface"), settings.value("folder").toString(),
+        QFileDialog::getOpenFileName(&m_window, tr("Choose Skin"), settings.value("folder").toString(),
                                      tr("Surfaces (%1)").arg(QStringLiteral("*.obj *.ply *.stl *.off")));
     if (path.isEmpty()) return;
     settings.setValue("folder", QFileInfo(path).absolutePath());
@@ -51,7 +51,7 @@ void DetailChooser::read(const QString& path) {
         }
         Project next = *m_document.project();
         next.domain.detail = path.toStdString();
-        m_document.change(tr("Choose detail surface"), std::move(next));
+        m_document.change(tr("Choose skin"), std::move(next));
         emit chosen();
     });
 }
@@ -61,7 +61,7 @@ void DetailChooser::remove() {
     ++m_ticket;
     Project next = *m_document.project();
     next.domain.detail.clear();
-    m_document.change(tr("Remove detail surface"), std::move(next));
+    m_document.change(tr("Remove skin"), std::move(next));
 }
 
 }  // namespace wend

@@ -3,7 +3,6 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QMenuBar>
-#include <QMessageBox>
 #include <QMimeData>
 #include <QScreen>
 #include <QSettings>
@@ -33,6 +32,7 @@
 #include "app/view/option_row.h"
 #include "app/view/picture_actions.h"
 #include "app/view/properties.h"
+#include "app/view/side_windows.h"
 #include "app/view/solid_workshop.h"
 #include "app/view/start_page.h"
 #include "app/view/status_fields.h"
@@ -88,7 +88,7 @@ MainWindow::MainWindow(QWidget* parent)
     connectEdit();
     connectView();
     connectMotion();
-    connectHelp();
+    new SideWindows(m_session, *m_actions, *this);
     setAppearance(static_cast<Appearance>(QSettings().value("appearance", 0).toInt()));
     showDocument();
 }
@@ -227,14 +227,7 @@ void MainWindow::connectView() {
     connect(a.showMap, &QAction::toggled, m_canvas, &ShapeCanvas::setMapShown);
     connect(a.showMarks, &QAction::toggled, m_canvas, &ShapeCanvas::setMarksShown);
     connect(&m_properties->layers(), &LayerPanel::chosen, m_canvas, &ShapeCanvas::setLayer);
-    auto* held = new HeldKey(Qt::Key_H, *this);
-    const auto hideOrShow = [this, held] {
-        const bool hidden = m_actions->hideOverlays->isChecked() || held->isHeld();
-        m_canvas->setOverlaysHidden(hidden);
-        if (SolidCanvas* solid = m_solids->canvas()) solid->setOverlaysHidden(hidden);
-    };
-    connect(a.hideOverlays, &QAction::toggled, this, hideOrShow);
-    connect(held, &HeldKey::heldChanged, this, hideOrShow);
+    connectHiding();
     connect(a.fit, &QAction::triggered, m_canvas, &ShapeCanvas::fit);
     connect(a.actualSize, &QAction::triggered, this,
             [this] { m_canvas->zoomTo(1 / m_canvas->devicePixelRatioF()); });
@@ -262,6 +255,25 @@ void MainWindow::connectView() {
     connect(m_canvas, &ShapeCanvas::pointed, m_fields, &StatusFields::setPointer);
 }
 
+/// Pins and maps hide for good or while a key is held; so the shape is seen as it was before, without them.
+void MainWindow::connectHiding() {
+    auto* bare = new HeldKey(Qt::Key_H, *this);
+    auto* before = new HeldKey(Qt::Key_Backslash, *this);
+    const auto show = [this, bare, before] {
+        const bool rest = m_actions->showRest->isChecked() || before->isHeld();
+        const bool hidden = rest || m_actions->hideOverlays->isChecked() || bare->isHeld();
+        m_canvas->setOverlaysHidden(hidden);
+        m_canvas->setRestShown(rest);
+        if (SolidCanvas* solid = m_solids->canvas()) {
+            solid->setOverlaysHidden(hidden);
+            solid->setRestShown(rest);
+        }
+    };
+    for (const QAction* action : {m_actions->hideOverlays, m_actions->showRest})
+        connect(action, &QAction::toggled, this, show);
+    for (const HeldKey* key : {bare, before}) connect(key, &HeldKey::heldChanged, this, show);
+}
+
 void MainWindow::connectMotion() {
     Actions& a = *m_actions;
     Playback& playback = m_session.playback();
@@ -279,11 +291,6 @@ void MainWindow::connectMotion() {
         m_actions->play->setText(playing ? tr("&Pause") : tr("&Play"));
     });
     connect(&playback, &Playback::endChanged, this, &MainWindow::showSelection);
-}
-
-void MainWindow::connectHelp() {
-    connect(m_actions->shortcuts, &QAction::triggered, this, &MainWindow::showKeys);
-    connect(m_actions->about, &QAction::triggered, this, &MainWindow::showAbout);
 }
 
 void MainWindow::openPath(const QString& path) {
@@ -377,7 +384,7 @@ void MainWindow::setAppearance(Appearance appearance) {
 
 void MainWindow::updateIcons() {
     m_actions->setIcons(palette());
-    m_modes->exportButton()->setIcon(wendIcon(QStringLiteral("export"), palette()));
+    m_modes->exportButton()->setIcon(wendIcon(QStringLiteral("export"), primaryPalette(palette())));
     m_solidActions->setIcons(palette());
     m_tools->setIcons(palette());
     m_pictureActions->setIcons(palette());
@@ -425,40 +432,6 @@ void MainWindow::dropEvent(QDropEvent* event) {
     m_start->setDropHighlighted(false);
     openPath(event->mimeData()->urls().first().toLocalFile());
     event->acceptProposedAction();
-}
-
-void MainWindow::showKeys() {
-    QMessageBox box(QMessageBox::NoIcon, tr("Keys and Mouse"), {}, QMessageBox::Close, this);
-    box.setTextFormat(Qt::RichText);
-    box.setText(
-        m_solids->isActive()
-            ? SolidWorkshop::keys()
-            : tr("<table cellspacing='6'>"
-                 "<tr><td><b>Click</b></td><td>sets a pin</td></tr>"
-                 "<tr><td><b>Drag a pin</b></td><td>moves it; Esc puts it back</td></tr>"
-                 "<tr><td><b>Alt-drag a pin</b></td><td>widens it to a circle</td></tr>"
-                 "<tr><td><b>Drag the ring's dot or square</b></td><td>rotates or scales; digits set "
-                 "the number, Shift snaps to 15°</td></tr>"
-                 "<tr><td><b>Shift-click</b></td><td>selects several pins</td></tr>"
-                 "<tr><td><b>Drag beside pins</b></td><td>selects by rectangle</td></tr>"
-                 "<tr><td><b>Arrow keys</b></td><td>nudge by a pixel, with Shift by ten</td></tr>"
-                 "<tr><td><b>Delete</b></td><td>removes the selected pins</td></tr>"
-                 "<tr><td><b>Shift+B, L, U</b></td><td>hold a part by rectangle, lasso, brush</td></tr>"
-                 "<tr><td><b>Wheel</b></td><td>zooms to the pointer</td></tr>"
-                 "<tr><td><b>Space or middle button</b></td><td>pans</td></tr>"
-                 "<tr><td><b>Hold H</b></td><td>shows the bare picture</td></tr>"
-                 "</table>"));
-    box.exec();
-}
-
-void MainWindow::showAbout() {
-    QMessageBox::about(this, tr("About Wend"),
-                       tr("<h3>Wend %1</h3><p>Bends pictures and solids by letting them flow.</p>"
-                          "<p>After J. Martinez Esturo, C. Rössl, H. Theisel: Generalized Metric Energies "
-                          "for Continuous Shape "
-                          "Deformation, 2013.</p><p>Free software under the GNU Affero General Public "
-                          "License, version 3 or later.</p>")
-                           .arg(QCoreApplication::applicationVersion()));
 }
 
 }  // namespace wend

@@ -77,7 +77,7 @@ class MainWindow : public QMainWindow {
     void connectEdit();
     void connectView();
     void connectMotion();
-    void connectHelp();
+    void connectHiding();
     void tell(const QString& text);
     void tellDone(const QString& text);
     void showDocument();
@@ -90,8 +90,6 @@ class MainWindow : public QMainWindow {
     void setAppearance(Appearance appearance);
     void updateIcons();
     void showMoreArrows();
-    void showKeys();
-    void showAbout();
 
     ShapeSession m_session;
     Toolbox* m_tools;

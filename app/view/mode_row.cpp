@@ -23,11 +23,12 @@ ModeRow::ModeRow(const Actions& a, const Toolbox& tools, QWidget* parent) : QWid
     row->setSpacing(kGap);
     row->addWidget(side({a.open, a.save, nullptr, a.undo, a.redo}, Qt::AlignLeft), 1);
     row->addWidget(steps(tools));
-    QWidget* right =
-        side({a.showMap, a.showMesh, a.hideOverlays, nullptr, a.fit, a.actualSize}, Qt::AlignRight);
+    QWidget* right = side({a.showRest, a.showMap, a.showMesh, a.hideOverlays, nullptr, a.fit, a.actualSize},
+                          Qt::AlignRight);
     right->layout()->addWidget(makeExport(a));
     row->addWidget(right, 1);
-    for (QAction* action : {a.actualSize, a.fit, a.hideOverlays, a.redo, a.undo, a.save, a.open, a.showMesh})
+    for (QAction* action :
+         {a.actualSize, a.fit, a.showRest, a.hideOverlays, a.redo, a.undo, a.save, a.open, a.showMesh})
         for (QToolButton* one : findChildren<QToolButton*>())
             if (one->defaultAction() == action) m_spare.push_back(one);
 }

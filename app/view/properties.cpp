@@ -67,7 +67,7 @@ Properties::Properties(ShapeSession& session, const Toolbox& tools, const Action
     m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_scroll->setFrameShape(QFrame::NoFrame);
     auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
+    column->setContentsMargins(1, 0, 0, 0);  // its line at the left
     column->setSpacing(0);
     column->addWidget(m_material);
     column->addWidget(panelLine(this));
@@ -94,6 +94,7 @@ void Properties::fill(ShapeSession& session, const Actions& actions) {
     put(m_cut, {.modes = Mode::Mesh, .flat = false});
     put(m_distortion, {.modes = kShaping});
     m_advanced->add(new BalancePanel(session));
+    m_advanced->add(m_distortion->totals());
     put(m_advanced, {.modes = kShaping});
 }
 

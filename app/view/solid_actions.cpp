@@ -35,7 +35,7 @@ void SolidActions::takeTools(const Toolbox& tools) {
         {tr("Through the &Solid"), tr("Rectangle, lasso and brush also take or select what is hidden")},
         QKeySequence(tr("T")), "through");
     holdBeyond =
-        add({tr("Hold Beyond the &Cut"), tr("Take hold of all that the cut takes away, as one handle")},
+        add({tr("Grab Beyond the &Cut"), tr("Take hold of all that the cut takes away, as one handle")},
             QKeySequence(tr("Ctrl+B")));
 }
 
@@ -49,7 +49,7 @@ void SolidActions::makeModes() {
     selectRectangle->setChecked(true);
     move = addToggle({tr("&Move"), tr("Show arrows that move the selected pins")}, QKeySequence(tr("G")),
                      "move");
-    turn = addToggle({tr("&Turn"), tr("Show rings that turn the selected pins")}, QKeySequence(tr("R")),
+    turn = addToggle({tr("&Rotate"), tr("Show rings that rotate the selected pins")}, QKeySequence(tr("R")),
                      "rotate");
     grow = addToggle({tr("&Scale"), tr("Show a ring that scales the selected pins")}, QKeySequence(tr("S")),
                      "scale");
@@ -59,17 +59,15 @@ void SolidActions::makeModes() {
 }
 
 void SolidActions::makeView() {
-    detail =
-        addToggle({tr("&Detail Surface"),
-                   tr("Show the detailed or textured surface that rides in the solid; off: the border of "
-                      "the tetrahedra, which bend")},
-                  QKeySequence(tr("Shift+D")));
+    detail = addToggle(
+        {tr("S&kin"), tr("Show the detailed or textured surface that rides in the solid; off: the border of "
+                         "the tetrahedra, which bend")},
+        QKeySequence(tr("Shift+D")));
     detail->setChecked(true);
-    chooseDetail = add({tr("Choose Deta&il Surface…"),
-                        tr("Let a detailed, perhaps textured surface from a file ride in the solid")},
-                       {});
-    removeDetail =
-        add({tr("Re&move Detail Surface"), tr("See and export the solid with its own surface again")}, {});
+    chooseDetail = add(
+        {tr("Choose Sk&in…"), tr("Let a detailed, perhaps textured surface from a file ride in the solid")},
+        {});
+    removeDetail = add({tr("Re&move Skin"), tr("See and export the solid with its own surface again")}, {});
     flat = addToggle({tr("&Flat Faces"), tr("Shade every triangle by itself instead of smoothly")},
                      QKeySequence(tr("Shift+F")));
     orthographic = addToggle({tr("&Parallel View"), tr("See without perspective")}, QKeySequence(tr("5")));

@@ -194,31 +194,6 @@ void SolidWorkshop::showDomain() {
         m_around.actions.pinTool->setChecked(true);
 }
 
-QString SolidWorkshop::keys() {
-    return tr(
-        "<table cellspacing='6'>"
-        "<tr><td><b>Click</b></td><td>sets a pin</td></tr>"
-        "<tr><td><b>Drag a pin</b></td><td>moves it along the screen; Esc puts it back</td></tr>"
-        "<tr><td><b>G, R, S</b></td><td>arrows to move, rings to turn, a ring to scale</td></tr>"
-        "<tr><td><b>X, Y, Z while dragging</b></td><td>lock an axis</td></tr>"
-        "<tr><td><b>Digits while dragging</b></td><td>set the amount, Enter takes it</td></tr>"
-        "<tr><td><b>Shift+B, L, U</b></td><td>grab by box, lasso, brush; T: through the solid</td></tr>"
-        "<tr><td><b>Shift+K, Shift+X, Shift+P</b></td><td>grab a ball, a block, one side</td></tr>"
-        "<tr><td><b>B, Shift+A</b></td><td>paint material, paint how fine the mesh is</td></tr>"
-        "<tr><td><b>Shift, Ctrl while holding</b></td><td>add to the selected handle, take away</td></tr>"
-        "<tr><td><b>Shift+C</b></td><td>makes a curve of the last way; a double click on it inserts a point, "
-        "Delete removes one</td></tr>"
-        "<tr><td><b>Right or middle button</b></td><td>turns the view; with Shift it moves</td></tr>"
-        "<tr><td><b>Middle click</b></td><td>sets the point to turn around</td></tr>"
-        "<tr><td><b>Wheel</b></td><td>zooms to the pointer</td></tr>"
-        "<tr><td><b>1, 3, 7, 0</b></td><td>from the front, right, top, side; Ctrl on the keypad: from the "
-        "other "
-        "side</td></tr>"
-        "<tr><td><b>C</b></td><td>cuts the solid open</td></tr>"
-        "<tr><td><b>Hold H</b></td><td>shows the bare solid</td></tr>"
-        "</table>");
-}
-
 void SolidWorkshop::exportView() {
     if (!m_canvas) return;
     PictureDialog dialog(m_canvas->size() * m_canvas->devicePixelRatioF(), m_canvas->hasLegend(), &m_window,

@@ -38,8 +38,6 @@ class SolidWorkshop : public QObject {
     /// A solid is shown from now on, or no more. The view is then there, or a text that says why not.
     void setActive(bool active);
     bool isActive() const { return m_isActive; }
-    /// What pointer and keys do, as rich text.
-    static QString keys();
     /// What belongs to the solid's mesh, when the tools for solids are there.
     void showDomain();
     /// Asks for size and name and writes the view as a picture.

@@ -1,7 +1,5 @@
 #include "app/view/start_page.h"
 
-#include <QDir>
-#include <QFileInfo>
 #include <QGridLayout>
 #include <QIcon>
 #include <QLabel>
@@ -14,7 +12,7 @@
 #include "app/panels/panel_parts.h"
 #include "app/panels/theme.h"
 #include "app/session/opening.h"
-#include "app/view/sample_card.h"
+#include "app/view/file_card.h"
 
 namespace wend {
 
@@ -22,7 +20,7 @@ namespace {
 
 constexpr int kWidth = 940;
 constexpr int kMostSamples = 6;
-constexpr int kMostRecent = 5;
+constexpr int kMostRecent = 6;
 
 /// The large dashed target.
 class DropArea : public QWidget {
@@ -41,7 +39,7 @@ class DropArea : public QWidget {
         pen.setDashPattern({5, 4});
         painter.setPen(pen);
         painter.setBrush(fill);
-        painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 14, 14);
+        painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 12, 12);
     }
 };
 
@@ -95,17 +93,16 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
     auto* content = new QWidget(page);
     content->setMaximumWidth(kWidth);
     auto* column = new QVBoxLayout(content);
-    column->setContentsMargins(24, 24, 24, 24);
-    column->setSpacing(14);
+    column->setContentsMargins(24, 16, 24, 16);
+    column->setSpacing(12);
     column->addWidget(makeHeader());
-    column->addSpacing(8);
     column->addWidget(makeDropArea());
-    column->addSpacing(14);
+    column->addSpacing(4);
     if (QWidget* samples = makeSamples()) column->addWidget(samples);
     m_recentBox = new QWidget(content);
     m_recent = new QVBoxLayout(m_recentBox);
-    m_recent->setContentsMargins(0, 8, 0, 0);
-    m_recent->setSpacing(2);
+    m_recent->setContentsMargins(0, 0, 0, 0);
+    m_recent->setSpacing(10);
     column->addWidget(m_recentBox);
     auto* row = new QHBoxLayout(page);
     row->setContentsMargins(0, 0, 0, 0);
@@ -152,7 +149,7 @@ QWidget* StartPage::makeHeader() {
 
 QWidget* StartPage::makeDropArea() {
     m_drop = new DropArea(this);
-    m_drop->setMinimumHeight(190);
+    m_drop->setFixedHeight(160);
     auto* column = new QVBoxLayout(m_drop);
     column->setSpacing(10);
     auto* text = new QLabel(tr("Drop a picture here"), m_drop);
@@ -186,13 +183,15 @@ QWidget* StartPage::makeSamples() {
     column->setSpacing(10);
     column->addWidget(sectionTitle(tr("Try a sample"), box));
     auto* shelf = new Shelf(box);
-    for (const QString& path : paths) {
-        auto* card = new SampleCard(path, shelf);
-        connect(card, &SampleCard::clicked, this, [this, path] { emit fileChosen(path); });
-        shelf->add(card);
-    }
+    for (const QString& path : paths) shelf->add(makeCard(path, true, shelf));
     column->addWidget(shelf);
     return box;
+}
+
+QWidget* StartPage::makeCard(const QString& path, bool sample, QWidget* shelf) {
+    auto* card = new FileCard(path, sample ? FileCard::Kind::Sample : FileCard::Kind::Recent, shelf);
+    connect(card, &FileCard::clicked, this, [this, path] { emit fileChosen(path); });
+    return card;
 }
 
 void StartPage::setRecent(const QStringList& paths) {
@@ -203,19 +202,9 @@ void StartPage::setRecent(const QStringList& paths) {
     m_recentBox->setVisible(!paths.isEmpty());
     if (paths.isEmpty()) return;
     m_recent->addWidget(sectionTitle(tr("Recent"), m_recentBox));
-    for (const QString& path : paths.mid(0, kMostRecent)) {
-        auto* link = new QLabel(m_recentBox);
-        const QFileInfo info(path);
-        link->setText(QStringLiteral("<a style='text-decoration:none' href='%1'>%2</a>&nbsp;&nbsp;<span "
-                                     "style='color:%4'>%3</span>")
-                          .arg(path.toHtmlEscaped(), info.fileName().toHtmlEscaped(),
-                               QDir::toNativeSeparators(info.path()).toHtmlEscaped(),
-                               Theme::of(palette()).secondText.name()));
-        link->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
-        link->setAccessibleName(tr("Open %1").arg(info.fileName()));
-        connect(link, &QLabel::linkActivated, this, [this, path] { emit fileChosen(path); });
-        m_recent->addWidget(link);
-    }
+    auto* shelf = new Shelf(m_recentBox);
+    for (const QString& path : paths.mid(0, kMostRecent)) shelf->add(makeCard(path, false, shelf));
+    m_recent->addWidget(shelf);
 }
 
 void StartPage::setDropHighlighted(bool highlighted) {

@@ -6,8 +6,6 @@ class QVBoxLayout;
 
 namespace wend {
 
-class SampleCard;
-
 /// What is seen before a file is open: where to drop one, what was open last, and samples to try.
 class StartPage : public QWidget {
     Q_OBJECT
@@ -26,6 +24,7 @@ class StartPage : public QWidget {
     QWidget* makeHeader();
     QWidget* makeDropArea();
     QWidget* makeSamples();
+    QWidget* makeCard(const QString& path, bool sample, QWidget* shelf);
 
     QWidget* m_drop = nullptr;
     QWidget* m_recentBox = nullptr;

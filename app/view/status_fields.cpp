@@ -69,7 +69,7 @@ StatusFields::StatusFields(QStatusBar& bar, ShapeSession& session)
     m_pinError = add(tr("Pin error"), tr("How far the worst pin is from where it should be"),
                      tr("pin error %1 px").arg(QStringLiteral("0.00")));
     m_worst = add(tr("Worst place"), tr("How far the worst place is from rest, by what the map shows"),
-                  tr("worst %1").arg(QStringLiteral("length error 0.000")));
+                  tr("worst %1").arg(QStringLiteral("stretch 0.000")));
     m_worst->setObjectName(QStringLiteral("worstField"));
     m_area = add(tr("Area change"), tr("How much larger or smaller the shape is than at rest"),
                  tr("area %1 %").arg(QStringLiteral("+00.0")));

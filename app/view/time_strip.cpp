@@ -115,7 +115,7 @@ void TimeStrip::showTime() {
         playback.end() > 0 ? static_cast<int>(std::lround(kSteps * playback.time() / playback.end())) : 0);
     const QLocale locale;
     m_label->setText(playback.end() > 0 ? tr("%1 /").arg(locale.toString(playback.time(), 'f', 2))
-                                        : tr("No motion yet"));
+                                        : tr("Drag a pin to begin"));
 }
 
 void TimeStrip::showPlaying(bool playing) {

@@ -1,9 +1,15 @@
+#include <QAbstractSpinBox>
+#include <QAccessible>
 #include <QApplication>
+#include <QFile>
 #include <QLabel>
 #include <QMenuBar>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSet>
+#include <QTextBlock>
+#include <QTextBrowser>
+#include <QTextDocument>
 #include <QToolBar>
 #include <QToolButton>
 
@@ -13,10 +19,12 @@
 #include "app/panels/mesh_panel.h"
 #include "app/panels/paint_panel.h"
 #include "app/panels/pin_list.h"
-#include "app/view/curve_actions.h"
+#include "app/view/cheat_sheet.h"
 #include "app/view/export_panel.h"
+#include "app/view/manual_window.h"
 #include "app/view/properties.h"
 #include "app/view/toolbox.h"
+#include "tests/support/dialogs.h"
 #include "tests/support/solid_fixture.h"
 
 using namespace wend;
@@ -40,6 +48,13 @@ class TestModes : public QObject {
     void nothingIsBelowTheFold_data();
     void nothingIsBelowTheFold();
     void narrowWindowsKeepStepsAndExport();
+    void cheatSheetHasEveryKey_data();
+    void cheatSheetHasEveryKey();
+    void manualIsWithinTheProgram();
+    void backslashShowsTheShapeBefore_data();
+    void backslashShowsTheShapeBefore();
+    void everythingHasAName_data();
+    void everythingHasAName();
 
   private:
     static void pictureAndSolid();
@@ -252,6 +267,117 @@ void TestModes::narrowWindowsKeepStepsAndExport() {
         if (width >= 1024)
             QVERIFY(visible(m_f->window().actions().undo) && visible(m_f->window().actions().open));
     }
+}
+
+void TestModes::cheatSheetHasEveryKey_data() {
+    pictureAndSolid();
+}
+
+/// Whatever step is current: those of the others, too.
+void TestModes::cheatSheetHasEveryKey() {
+    QFETCH(bool, solid);
+    QVERIFY(open(solid));
+    QTextDocument sheet;
+    sheet.setHtml(CheatSheet::text(*m_f->window().menuBar(), m_f->session().document().dimension()));
+    const QString text = sheet.toPlainText();
+    int seen = 0;
+    for (QAction* action : m_f->window().findChildren<QAction*>()) {
+        if (!action->isVisible()) continue;
+        for (const QKeySequence& key : ActionMaker::keysOf(*action)) {
+            QVERIFY2(text.contains(key.toString(QKeySequence::NativeText)), qPrintable(action->text()));
+            QVERIFY2(text.contains(QString(action->text()).remove('&').remove(QChar(0x2026))),
+                     qPrintable(action->text()));
+            ++seen;
+        }
+    }
+    QVERIFY(seen > 30);
+    QTest::keyClick(m_f->window().menuBar(), Qt::Key_Escape);
+    bool opened = false;
+    withNext<CheatSheet>(&m_f->window(), [&opened](CheatSheet& dialog) {
+        opened = true;
+        dialog.reject();
+    });
+    QTest::keyClick(&m_f->window(), Qt::Key_Question);
+    QVERIFY(opened);
+}
+
+/// Each page that the first one speaks of is there.
+void TestModes::manualIsWithinTheProgram() {
+    QTest::keyClick(&m_f->window(), Qt::Key_F1);
+    auto* manual = m_f->window().findChild<ManualWindow*>();
+    QVERIFY(manual && manual->isVisible());
+    const QTextBrowser& pages = *manual->pages();
+    QVERIFY(pages.toPlainText().contains(QStringLiteral("Getting started")));
+    QSet<QUrl> links;
+    for (QTextBlock block = pages.document()->begin(); block.isValid(); block = block.next())
+        for (auto piece = block.begin(); !piece.atEnd(); ++piece)
+            if (const QString to = piece.fragment().charFormat().anchorHref(); !to.isEmpty())
+                links << pages.source().resolved(QUrl(to));
+    QVERIFY(links.size() > 10);
+    for (const QUrl& link : links) QVERIFY2(QFile::exists(':' + link.path()), qPrintable(link.toString()));
+}
+
+void TestModes::backslashShowsTheShapeBefore_data() {
+    pictureAndSolid();
+}
+
+/// While it is held, and without pins.
+void TestModes::backslashShowsTheShapeBefore() {
+    QFETCH(bool, solid);
+    QVERIFY(open(solid));
+    ShapeSession& session = m_f->session();
+    const auto seen = [&] {
+        QTest::qWait(400);  // drawn in a thread of its own, and once more in full quality
+        return solid ? m_f->canvas().grabFramebuffer() : m_f->window().canvas().grab().toImage();
+    };
+    m_f->window().actions().hideOverlays->setChecked(true);
+    const QImage before = seen();
+    if (solid) {
+        QVERIFY(m_f->holdEnds());
+        session.moveSelected<3>(Grip{}, {0, 0, 0.8});
+    } else {
+        for (const double x : {40, 200}) session.addPin<2>({x, 80});
+        session.selection().set({1});
+        session.moveSelected<2>(Grip{}, {0, 25, 0});
+    }
+    QVERIFY(settle(session));
+    const QImage bent = seen();
+    QVERIFY(bent != before);
+    QWidget* view = solid ? static_cast<QWidget*>(&m_f->canvas()) : &m_f->window().canvas();
+    QTest::keyPress(view, Qt::Key_Backslash);
+    QCOMPARE(seen(), before);
+    QTest::keyRelease(view, Qt::Key_Backslash);
+    QCOMPARE(seen(), bent);
+    m_f->window().actions().showRest->trigger();
+    QCOMPARE(seen(), before);
+    m_f->window().actions().showRest->trigger();
+}
+
+void TestModes::everythingHasAName_data() {
+    pictureAndSolid();
+}
+
+/// For those who hear the window: whatever takes the keyboard says what it is.
+void TestModes::everythingHasAName() {
+    QFETCH(bool, solid);
+    QVERIFY(open(solid));
+    int seen = 0;
+    for (const Mode mode : kModes) {
+        tools().setMode(mode);
+        settleLayout(m_f->window().properties());
+        for (QWidget* widget : m_f->window().findChildren<QWidget*>()) {
+            if (!widget->isVisible() || widget->focusPolicy() == Qt::NoFocus ||
+                widget->inherits("QScrollArea") || qobject_cast<QAbstractSpinBox*>(widget->parentWidget()))
+                continue;
+            const QAccessibleInterface* heard = QAccessible::queryAccessibleInterface(widget);
+            QVERIFY2(heard && !heard->text(QAccessible::Name).isEmpty(),
+                     qPrintable(QStringLiteral("%1 %2 in %3")
+                                    .arg(widget->metaObject()->className(), widget->objectName(),
+                                         widget->parentWidget()->metaObject()->className())));
+            ++seen;
+        }
+    }
+    QVERIFY(seen > 60);
 }
 
 QTEST_MAIN(TestModes)

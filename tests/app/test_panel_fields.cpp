@@ -171,7 +171,7 @@ void TestPanelFields::numbersCanBeTyped() {
     check("Smoothing length", "0", "none");
     check("Smoothing length", "0.04", "0.0400");
     check("Vertices", "450", "450");
-    if (!solid) check("Threshold", "25", "25 %");
+    if (!solid) check("Count as solid above", "25", "25 %");
     if (!solid) check("Margin", "0.5", "0.5 px");
     if (solid) check("Roundness", "2.25", "2.25");
     QVERIFY(settle(m_f->session()));
@@ -394,7 +394,7 @@ void TestPanelFields::clicksOnSlidersAreStepsOfTheirOwn() {
     m_f->window().tools().setMode(Mode::Mesh);
     QSlider* density = nullptr;
     for (auto* one : side().findChildren<QSlider*>())
-        if (one->accessibleName() == QStringLiteral("Mesh density")) density = one;
+        if (one->accessibleName() == QString::fromUtf8("Detail: coarse – fine")) density = one;
     QVERIFY(density);
     const int steps = m_f->session().document().undoStack()->count();
     for (const int sixth : {2, 3}) {

@@ -1,5 +1,7 @@
 #include "app/view/volume/solid_canvas.h"
 
+#include "app/session/rest_frame.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -268,7 +270,8 @@ bool SolidCanvas::meetsNewDocument() {
 
 /// A new solid is seen whole: first as it comes, then, when its motion is known, as it is shown then.
 void SolidCanvas::refresh() {
-    const auto frame = shownFrame();
+    auto frame = shownFrame();
+    if (frame && m_rest) frame = atRest<3>(frame);
     m_missed = m_held;
     if (!frame) setGlyphs({});  // those of the last solid
     if (!frame || m_held) return;
@@ -417,6 +420,10 @@ void SolidCanvas::setGlyphsShown(bool shown) {
 void SolidCanvas::setLayer(const QString& name) {
     m_layer.setLayer(name), redraw();
 }
+void SolidCanvas::setRestShown(bool shown) {
+    if (std::exchange(m_rest, shown) != shown) refresh();
+}
+
 void SolidCanvas::setOverlaysHidden(bool hidden) {
     m_hidden = hidden, refresh();
 }

@@ -76,6 +76,8 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     /// Draws the regions of a layer of the material; null: of none.
     void setLayer(const QString& name);
     void setOverlaysHidden(bool hidden);
+    /// The solid as it was before it was bent.
+    void setRestShown(bool shown);
     /// Values under the pointer are shown elsewhere, the velocity among them.
     void setValuesShown(bool shown);
     void setCutKind(wend::CutKind kind);
@@ -135,7 +137,7 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     QTimer m_dim;
     int m_generation = -1;  // of the document that the view was fitted to
     bool m_map = false, m_arrows = false, m_values = false, m_glyphs = false, m_hidden = false,
-         m_dimmed = false, m_held = false, m_missed = false, m_hasSolid = false;
+         m_rest = false, m_dimmed = false, m_held = false, m_missed = false, m_hasSolid = false;
     bool m_detail = true;
     bool m_planeChosen = false;  // the cut's, by the user in this document
     bool m_toFit = false;        // the view has not been fitted to the whole motion's end yet

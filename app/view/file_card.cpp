@@ -1,0 +1,163 @@
+#include "app/view/file_card.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
+#include <QPainter>
+#include <QtConcurrent>
+
+#include "app/document/project.h"
+#include "app/panels/theme.h"
+#include "app/session/opening.h"
+#include "app/session/picture_file.h"
+
+namespace wend {
+
+namespace {
+
+constexpr int kPictureHeight = 118, kPadding = 12, kTitleHeight = 20, kLineHeight = 18;
+
+/// What a card shows.
+struct Shown {
+    QImage picture;
+    bool isSolid = false;
+};
+
+/// The part of the picture that is not transparent.
+QRect opaquePart(const QImage& image) {
+    QRect part;
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x)
+            if (qAlpha(image.pixel(x, y)) > 8) part |= QRect(x, y, 1, 1);
+    return part;
+}
+
+/// One that cannot be read holds nothing.
+bool holdsSolid(const QString& project) {
+    try {
+        return readProject(project.toStdString()).project.dimension() == 3;
+    } catch (const std::exception&) {
+        return false;
+    }
+}
+
+Shown shownOf(const QString& path) {
+    const bool project = QFileInfo(path).suffix() == QStringLiteral("wend");
+    Shown shown;
+    shown.isSolid = project && holdsSolid(path);
+    const QString file = project ? picturePathOf(path) : path;
+    const QImage image = file.isEmpty() ? QImage() : pictureOfFile(file.toStdString());
+    if (image.isNull()) return shown;
+    const QImage small = image.scaled(720, 720, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+    const QImage part = small.copy(opaquePart(small));
+    shown.picture = part.scaled(QSize(344, 300), Qt::KeepAspectRatio, Qt::SmoothTransformation);
+    return shown;
+}
+
+QString titleOf(const QString& path) {
+    QString name = QFileInfo(path).completeBaseName().replace('-', ' ').replace('_', ' ');
+    if (!name.isEmpty()) name[0] = name[0].toUpper();
+    return name;
+}
+
+/// What there is to be learnt from a sample; nothing for one that is not known here.
+QString lessonOf(const QString& path) {
+    static const QMap<QString, const char*> lessons = {
+        {"frog", QT_TRANSLATE_NOOP("FileCard", "Eyes stay round")},
+        {"giraffe", QT_TRANSLATE_NOOP("FileCard", "Pins and paths")},
+        {"octopus", QT_TRANSLATE_NOOP("FileCard", "Many pins at once")},
+        {"strip", QT_TRANSLATE_NOOP("FileCard", "What is kept")},
+        {"eagle", QT_TRANSLATE_NOOP("FileCard", "Flight, with a skin")},
+        {"bar", QT_TRANSLATE_NOOP("FileCard", "A stiff middle")},
+    };
+    const char* lesson = lessons.value(QFileInfo(path).completeBaseName());
+    return lesson ? QCoreApplication::translate("FileCard", lesson) : QString();
+}
+
+}  // namespace
+
+FileCard::FileCard(const QString& path, Kind kind, QWidget* parent)
+    : QAbstractButton(parent),
+      m_path(path),
+      m_line(kind == Kind::Sample ? lessonOf(path)
+                                  : QDir::toNativeSeparators(QFileInfo(path).absolutePath())) {
+    setText(kind == Kind::Sample ? titleOf(path) : QFileInfo(path).fileName());
+    setCursor(Qt::PointingHandCursor);
+    setFocusPolicy(Qt::TabFocus);
+    setFixedSize(sizeHint());
+    setAccessibleName(kind == Kind::Sample ? tr("Sample: %1").arg(text()) : tr("Open %1").arg(text()));
+    setAccessibleDescription(m_line);
+    setToolTip(kind == Kind::Sample ? tr("Open the sample “%1”").arg(text())
+                                    : QDir::toNativeSeparators(path));
+    setStatusTip(toolTip());
+    load();
+}
+
+void FileCard::load() {
+    QtConcurrent::run([path = m_path] { return shownOf(path); }).then(this, [this](const Shown& shown) {
+        m_picture = shown.picture;
+        m_isSolid = shown.isSolid;
+        if (m_isSolid) setAccessibleName(tr("%1, solid").arg(accessibleName()));
+        update();
+    });
+}
+
+void FileCard::enterEvent(QEnterEvent*) {
+    update();
+}
+void FileCard::leaveEvent(QEvent*) {
+    update();
+}
+
+void FileCard::paintPicture(QPainter& painter) const {
+    const QRectF space(kPadding, kPadding, width() - 2 * kPadding, kPictureHeight - 2 * kPadding + 4);
+    if (m_picture.isNull()) {
+        const QRectF icon(space.center() - QPointF(20, 20), QSizeF(40, 40));
+        wendIcon(QStringLiteral("picture"), palette())
+            .paint(&painter, icon.toRect(), Qt::AlignCenter, QIcon::Disabled);
+        return;
+    }
+    const QSizeF size = QSizeF(m_picture.size()).scaled(space.size(), Qt::KeepAspectRatio);
+    painter.drawImage(QRectF(space.center() - QPointF(size.width(), size.height()) / 2, size), m_picture);
+}
+
+/// At the top right.
+void FileCard::paintBadge(QPainter& painter) const {
+    const QString text = tr("Solid");
+    const int wide = painter.fontMetrics().horizontalAdvance(text) + 14;
+    const QRectF badge(width() - wide - 8, 8, wide, 20);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(Theme::of(palette()).accent);
+    painter.drawRoundedRect(badge, 10, 10);
+    painter.setPen(palette().color(QPalette::HighlightedText));
+    painter.drawText(badge, Qt::AlignCenter, text);
+}
+
+void FileCard::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    const Theme theme = Theme::of(palette());
+    const bool lively = underMouse() || hasFocus();
+    painter.setPen(QPen(lively ? theme.accentText : theme.line, lively ? 2 : 1));
+    painter.setBrush(palette().color(QPalette::Button));
+    painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 8, 8);
+    paintPicture(painter);
+    QFont font = painter.font();
+    font.setWeight(QFont::DemiBold);
+    painter.setFont(font);
+    const QFontMetrics bold(font);
+    const int room = width() - 2 * 8;
+    painter.setPen(palette().color(QPalette::WindowText));
+    painter.drawText(QRectF(8, kPictureHeight, room, kTitleHeight), Qt::AlignCenter,
+                     bold.elidedText(text(), Qt::ElideMiddle, room));
+    font = this->font();
+    font.setPixelSize(12);
+    painter.setFont(font);
+    painter.setPen(theme.secondText);
+    painter.drawText(QRectF(8, kPictureHeight + kTitleHeight, room, kLineHeight), Qt::AlignCenter,
+                     QFontMetrics(font).elidedText(m_line, Qt::ElideMiddle, room));
+    if (m_isSolid) paintBadge(painter);
+}
+
+}  // namespace wend

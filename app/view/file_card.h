@@ -1,0 +1,34 @@
+#pragma once
+
+#include <QAbstractButton>
+#include <QImage>
+
+namespace wend {
+
+/// A file as a picture with its name and a line below: a sample with what it teaches, or what was open before
+/// with its folder. A click opens it. The picture is read in the background.
+class FileCard : public QAbstractButton {
+    Q_OBJECT
+
+  public:
+    enum class Kind { Sample, Recent };
+    FileCard(const QString& path, Kind kind, QWidget* parent);
+    QSize sizeHint() const override { return {132, 172}; }
+    const QString& path() const { return m_path; }
+
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+    void enterEvent(QEnterEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+
+  private:
+    void load();
+    void paintPicture(QPainter& painter) const;
+    void paintBadge(QPainter& painter) const;
+
+    QString m_path, m_line;
+    QImage m_picture;
+    bool m_isSolid = false;
+};
+
+}  // namespace wend

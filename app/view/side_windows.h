@@ -1,0 +1,29 @@
+#pragma once
+
+#include <QObject>
+
+class QMainWindow;
+
+namespace wend {
+
+class Actions;
+class ShapeSession;
+
+/// What is opened beside the window: the manual, the keys, the steps that were done, the licence.
+class SideWindows : public QObject {
+    Q_OBJECT
+
+  public:
+    SideWindows(ShapeSession& session, const Actions& actions, QMainWindow& window);
+
+  private:
+    void showManual();
+    void showKeys();
+    void showHistory();
+    void showAbout();
+
+    ShapeSession& m_session;
+    QMainWindow& m_window;
+};
+
+}  // namespace wend
