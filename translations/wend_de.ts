@@ -49,6 +49,133 @@
     </message>
 </context>
 <context>
+    <name>CheatSheet</name>
+    <message>
+        <source>Pointer</source>
+        <translation>Zeiger</translation>
+    </message>
+    <message>
+        <source>Click</source>
+        <translation>Klicken</translation>
+    </message>
+    <message>
+        <source>sets a pin</source>
+        <translation>setzt einen Pin</translation>
+    </message>
+    <message>
+        <source>Drag a pin</source>
+        <translation>Pin ziehen</translation>
+    </message>
+    <message>
+        <source>moves it; Esc puts it back</source>
+        <translation>bewegt ihn; Esc setzt ihn zurück</translation>
+    </message>
+    <message>
+        <source>Shift-click</source>
+        <translation>Umschalt-Klick</translation>
+    </message>
+    <message>
+        <source>selects several pins</source>
+        <translation>wählt mehrere Pins</translation>
+    </message>
+    <message>
+        <source>Digits while dragging</source>
+        <translation>Ziffern beim Ziehen</translation>
+    </message>
+    <message>
+        <source>set the number, Enter takes it</source>
+        <translation>setzen die Zahl, Eingabe übernimmt sie</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Rad</translation>
+    </message>
+    <message>
+        <source>zooms to the pointer</source>
+        <translation>zoomt zum Zeiger</translation>
+    </message>
+    <message>
+        <source>[ and ]</source>
+        <translation>[ und ]</translation>
+    </message>
+    <message>
+        <source>size of a brush</source>
+        <translation>Größe eines Pinsels</translation>
+    </message>
+    <message>
+        <source>Hold H</source>
+        <translation>H halten</translation>
+    </message>
+    <message>
+        <source>hides pins and maps</source>
+        <translation>blendet Pins und Karten aus</translation>
+    </message>
+    <message>
+        <source>Hold \</source>
+        <translation>\ halten</translation>
+    </message>
+    <message>
+        <source>shows the shape before it was bent</source>
+        <translation>zeigt die Form vor dem Biegen</translation>
+    </message>
+    <message>
+        <source>X, Y, Z while dragging</source>
+        <translation>X, Y, Z beim Ziehen</translation>
+    </message>
+    <message>
+        <source>lock an axis</source>
+        <translation>halten eine Achse fest</translation>
+    </message>
+    <message>
+        <source>Right or middle button</source>
+        <translation>Rechte oder mittlere Taste</translation>
+    </message>
+    <message>
+        <source>turns the view; with Shift it moves</source>
+        <translation>dreht die Ansicht; mit Umschalt verschiebt sie</translation>
+    </message>
+    <message>
+        <source>Middle click</source>
+        <translation>Mittelklick</translation>
+    </message>
+    <message>
+        <source>sets the point to turn around</source>
+        <translation>setzt den Punkt, um den gedreht wird</translation>
+    </message>
+    <message>
+        <source>Alt-drag a pin</source>
+        <translation>Pin mit Alt ziehen</translation>
+    </message>
+    <message>
+        <source>widens it to a circle</source>
+        <translation>weitet ihn zu einem Kreis</translation>
+    </message>
+    <message>
+        <source>Drag the ring&apos;s dot or square</source>
+        <translation>Punkt oder Quadrat des Rings ziehen</translation>
+    </message>
+    <message>
+        <source>rotates or scales; Shift snaps to 15°</source>
+        <translation>dreht oder skaliert; Umschalt rastet bei 15° ein</translation>
+    </message>
+    <message>
+        <source>Arrow keys</source>
+        <translation>Pfeiltasten</translation>
+    </message>
+    <message>
+        <source>nudge by a pixel, with Shift by ten</source>
+        <translation>rücken um ein Pixel, mit Umschalt um zehn</translation>
+    </message>
+    <message>
+        <source>Space or middle button</source>
+        <translation>Leertaste oder mittlere Taste</translation>
+    </message>
+    <message>
+        <source>pans</source>
+        <translation>verschiebt die Ansicht</translation>
+    </message>
+</context>
+<context>
     <name>CurveEditor</name>
     <message>
         <source>Change curve</source>
@@ -108,48 +235,63 @@
         <translation>Fläche</translation>
     </message>
     <message>
-        <source>Keeps area: parts neither grow nor shrink. Angles and lengths give way.</source>
-        <translation>Hält Flächen: Teile wachsen und schrumpfen nicht. Winkel und Längen geben nach.</translation>
-    </message>
-    <message>
         <source>Length</source>
         <translation>Länge</translation>
-    </message>
-    <message>
-        <source>Keeps lengths best: a balance of area and angle. A good start for most pictures.</source>
-        <translation>Hält Längen am besten: ein Ausgleich von Fläche und Winkel. Ein guter Anfang für die meisten Bilder.</translation>
     </message>
     <message>
         <source>Rigid</source>
         <translation>Starr</translation>
     </message>
     <message>
-        <source>Turns parts as if they were stiff. Area gives way where parts bend.</source>
-        <translation>Dreht Teile, als wären sie steif. Wo sie sich biegen, gibt die Fläche nach.</translation>
-    </message>
-    <message>
         <source>Angle</source>
         <translation>Winkel</translation>
-    </message>
-    <message>
-        <source>Keeps angles: small details keep their form. Parts may grow or shrink a lot.</source>
-        <translation>Hält Winkel: kleine Einzelheiten behalten ihre Form. Teile können stark wachsen oder schrumpfen.</translation>
     </message>
     <message>
         <source>Volume</source>
         <translation>Volumen</translation>
     </message>
     <message>
-        <source>Keeps volume: parts neither grow nor shrink. Angles and lengths give way.</source>
-        <translation>Erhält das Volumen: Nichts wächst oder schrumpft. Winkel und Längen geben nach.</translation>
+        <source>Nothing grows or shrinks. Parts may get thin.</source>
+        <translation>Nichts wächst oder schrumpft. Teile können dünn werden.</translation>
     </message>
     <message>
-        <source>Keeps lengths best: a balance of volume and angle. A good start for most solids.</source>
-        <translation>Erhält Längen am besten: ein Ausgleich von Volumen und Winkel. Ein guter Anfang für die meisten Körper.</translation>
+        <source>Stretches least. Start here.</source>
+        <translation>Dehnt am wenigsten. Gut für den Anfang.</translation>
     </message>
     <message>
-        <source>Turns parts as if they were stiff. Volume gives way where parts bend.</source>
-        <translation>Dreht Teile, als wären sie steif. Wo sie sich biegen, gibt das Volumen nach.</translation>
+        <source>Parts turn like card.</source>
+        <translation>Teile drehen sich wie Pappe.</translation>
+    </message>
+    <message>
+        <source>Details keep their look. Parts may swell.</source>
+        <translation>Einzelheiten behalten ihr Aussehen. Teile können anschwellen.</translation>
+    </message>
+</context>
+<context>
+    <name>FileCard</name>
+    <message>
+        <source>Eyes stay round</source>
+        <translation>Augen bleiben rund</translation>
+    </message>
+    <message>
+        <source>Pins and paths</source>
+        <translation>Pins und Wege</translation>
+    </message>
+    <message>
+        <source>Many pins at once</source>
+        <translation>Viele Pins</translation>
+    </message>
+    <message>
+        <source>What is kept</source>
+        <translation>Was erhalten bleibt</translation>
+    </message>
+    <message>
+        <source>Flight, with a skin</source>
+        <translation>Flug mit Haut</translation>
+    </message>
+    <message>
+        <source>A stiff middle</source>
+        <translation>Steife Mitte</translation>
     </message>
 </context>
 <context>
@@ -259,16 +401,8 @@
         <translation>Fläche</translation>
     </message>
     <message>
-        <source>Length</source>
-        <translation>Länge</translation>
-    </message>
-    <message>
         <source>Volume</source>
         <translation>Volumen</translation>
-    </message>
-    <message>
-        <source>Energy φ</source>
-        <translation>Energie φ</translation>
     </message>
     <message>
         <source>Stiffness</source>
@@ -283,10 +417,6 @@
         <translation>Winkelfehler %1</translation>
     </message>
     <message>
-        <source>length error %1</source>
-        <translation>Längenfehler %1</translation>
-    </message>
-    <message>
         <source>volume ×%1</source>
         <translation>Volumen ×%1</translation>
     </message>
@@ -297,6 +427,18 @@
     <message>
         <source>Cell size</source>
         <translation>Zellgröße</translation>
+    </message>
+    <message>
+        <source>What is kept (φ)</source>
+        <translation>Was erhalten bleibt (φ)</translation>
+    </message>
+    <message>
+        <source>Stretch</source>
+        <translation>Dehnung</translation>
+    </message>
+    <message>
+        <source>stretch %1</source>
+        <translation>Dehnung %1</translation>
     </message>
 </context>
 <context>
@@ -571,75 +713,75 @@
     <name>Tools</name>
     <message>
         <source>&amp;Pin</source>
-        <translation type="unfinished">&amp;Pin</translation>
+        <translation>&amp;Pin</translation>
     </message>
     <message>
         <source>Set pins and drag them</source>
-        <translation type="unfinished">Pins setzen und ziehen</translation>
+        <translation>Pins setzen und ziehen</translation>
     </message>
     <message>
         <source>Se&amp;lect</source>
-        <translation type="unfinished">Aus&amp;wählen</translation>
+        <translation>Aus&amp;wählen</translation>
     </message>
     <message>
         <source>Select and drag pins without setting new ones</source>
-        <translation type="unfinished">Pins auswählen und ziehen, ohne neue zu setzen</translation>
+        <translation>Pins auswählen und ziehen, ohne neue zu setzen</translation>
     </message>
     <message>
         <source>Grab by &amp;Lasso</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit &amp;Lasso fassen</translation>
     </message>
     <message>
         <source>Take hold of all that lies in a drawn outline as one handle</source>
-        <translation type="unfinished">Alles in einem gezeichneten Umriss als einen Griff nehmen</translation>
+        <translation>Alles in einem gezeichneten Umriss als einen Griff nehmen</translation>
     </message>
     <message>
         <source>Grab by Bo&amp;x</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit &amp;Rahmen fassen</translation>
     </message>
     <message>
         <source>Take hold of all that lies in a rectangle as one handle</source>
-        <translation type="unfinished">Alles in einem Rechteck als einen Griff nehmen</translation>
+        <translation>Alles in einem Rechteck als einen Griff nehmen</translation>
     </message>
     <message>
         <source>Grab by &amp;Brush</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit &amp;Pinsel fassen</translation>
     </message>
     <message>
         <source>Take hold of what is brushed over as one handle</source>
-        <translation type="unfinished">Was überstrichen wird, als einen Griff nehmen</translation>
+        <translation>Was überstrichen wird, als einen Griff nehmen</translation>
     </message>
     <message>
         <source>Grab a B&amp;all</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Kugel fassen</translation>
     </message>
     <message>
         <source>Take hold of all that lies in a ball around a point of the surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles, was in einer Kugel um einen Punkt der Oberfläche liegt, fassen</translation>
     </message>
     <message>
         <source>Grab a Bloc&amp;k</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Quader fassen</translation>
     </message>
     <message>
         <source>Take hold of all that lies in a block around a point of the surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles, was in einem Quader um einen Punkt der Oberfläche liegt, fassen</translation>
     </message>
     <message>
         <source>Grab &amp;One Side</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Eine Seite fassen</translation>
     </message>
     <message>
         <source>Take hold of all that lies beyond a plane through a point of the surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles, was jenseits einer Ebene durch einen Punkt der Oberfläche liegt, fassen</translation>
     </message>
     <message>
         <source>&amp;Detail Brush</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Feinheitspinsel</translation>
     </message>
     <message>
         <source>Brush where the mesh is to be finer or coarser</source>
-        <translation type="unfinished">Aufmalen, wo das Netz feiner oder gröber sein soll</translation>
+        <translation>Aufmalen, wo das Netz feiner oder gröber sein soll</translation>
     </message>
     <message>
         <source>&amp;Paint</source>
@@ -683,11 +825,11 @@
     </message>
     <message>
         <source>M&amp;easure</source>
-        <translation type="unfinished">M&amp;essen</translation>
+        <translation>M&amp;essen</translation>
     </message>
     <message>
         <source>Measure lengths and angles between points of the solid</source>
-        <translation type="unfinished">Längen und Winkel zwischen Punkten des Körpers messen</translation>
+        <translation>Längen und Winkel zwischen Punkten des Körpers messen</translation>
     </message>
     <message>
         <source>Outline by &amp;Lasso</source>
@@ -849,24 +991,12 @@
         <translation>Die ausgewählten Pins entfernen; was sich schon bewegt hat, bleibt</translation>
     </message>
     <message>
-        <source>&amp;Mesh</source>
-        <translation>&amp;Netz</translation>
-    </message>
-    <message>
         <source>Show the triangles that carry the picture</source>
         <translation>Die Dreiecke zeigen, die das Bild tragen</translation>
     </message>
     <message>
         <source>M</source>
         <translation>M</translation>
-    </message>
-    <message>
-        <source>&amp;Distortion Map</source>
-        <translation>&amp;Verzerrungskarte</translation>
-    </message>
-    <message>
-        <source>Colour the shape by its distortion</source>
-        <translation>Die Form nach ihrer Verzerrung färben</translation>
     </message>
     <message>
         <source>D</source>
@@ -1093,10 +1223,6 @@
         <translation>Die Bewegung als Folge von Bildern oder Netzen schreiben</translation>
     </message>
     <message>
-        <source>S&amp;T Map…</source>
-        <translation>S&amp;T-Map …</translation>
-    </message>
-    <message>
         <source>&amp;Mesh…</source>
         <translation>&amp;Netz …</translation>
     </message>
@@ -1130,54 +1256,109 @@
     </message>
     <message>
         <source>&amp;Tools</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Warp &amp;Map (ST)…</source>
+        <translation>&amp;Verzerrungskarte (ST)…</translation>
+    </message>
+    <message>
+        <source>&amp;Steps…</source>
+        <translation>&amp;Schritte…</translation>
+    </message>
+    <message>
+        <source>See what was done, and go back to any of it</source>
+        <translation>Sehen, was getan wurde, und zu jedem Schritt zurückgehen</translation>
+    </message>
+    <message>
+        <source>Ctrl+H</source>
+        <translation>Ctrl+H</translation>
+    </message>
+    <message>
+        <source>M&amp;esh</source>
+        <translation>N&amp;etz</translation>
+    </message>
+    <message>
+        <source>&amp;Map</source>
+        <translation>&amp;Karte</translation>
+    </message>
+    <message>
+        <source>Colour the shape by what changed</source>
+        <translation>Die Form danach färben, was sich geändert hat</translation>
+    </message>
+    <message>
+        <source>&amp;Before</source>
+        <translation>&amp;Vorher</translation>
+    </message>
+    <message>
+        <source>Show the shape as it was before it was bent; hold \ to do so for a moment</source>
+        <translation>Die Form zeigen, wie sie vor dem Biegen war; für einen Augenblick \ halten</translation>
+    </message>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>&amp;Handbuch</translation>
+    </message>
+    <message>
+        <source>How it works, page by page, with a search</source>
+        <translation>Wie es geht, Seite für Seite, mit einer Suche</translation>
+    </message>
+    <message>
+        <source>?</source>
+        <translation>?</translation>
     </message>
 </context>
 <context>
     <name>wend::BalancePanel</name>
     <message>
         <source>What is kept as a number, φ, as it stands in the project file: 0.002 keeps volume, 0.464 length, 1.571 is rigid, 2.498 keeps angles.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was erhalten bleibt als Zahl, φ, wie sie in der Projektdatei steht: 0,002 erhält das Volumen, 0,464 die Länge, 1,571 ist starr, 2,498 erhält Winkel.</translation>
     </message>
     <message>
         <source>What is kept as a number, φ, as it stands in the project file: 0.002 keeps area, 0.464 length, 1.571 is rigid, 2.678 keeps angles.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was erhalten bleibt als Zahl, φ, wie sie in der Projektdatei steht: 0,002 erhält die Fläche, 0,464 die Länge, 1,571 ist starr, 2,678 erhält Winkel.</translation>
     </message>
     <message>
         <source>Exact &amp;balance</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Genaues Verhältnis</translation>
     </message>
     <message>
         <source>Smoothi&amp;ng length</source>
-        <translation type="unfinished"></translation>
+        <translation>Glättungslän&amp;ge</translation>
     </message>
     <message>
         <source> rad</source>
-        <translation type="unfinished"> rad</translation>
+        <translation> rad</translation>
     </message>
     <message>
         <source>Exact balance</source>
-        <translation type="unfinished"></translation>
+        <translation>Genaues Verhältnis</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished">keine</translation>
+        <translation>keine</translation>
     </message>
     <message>
         <source>Smoothing length</source>
-        <translation type="unfinished">Glättungslänge</translation>
+        <translation>Glättungslänge</translation>
     </message>
     <message>
         <source>How far a pin&apos;s pull is spread, as a part of the shape&apos;s size. Small: close to the pin, sharp. Large: soft and wide.</source>
-        <translation type="unfinished">Wie weit der Zug eines Pins verteilt wird, als Teil der Größe der Form. Klein: nah am Pin, scharf. Groß: weich und weit.</translation>
+        <translation>Wie weit der Zug eines Pins verteilt wird, als Teil der Größe der Form. Klein: nah am Pin, scharf. Groß: weich und weit.</translation>
     </message>
     <message>
         <source>This project smooths as in the paper, with λ; its file says how much.</source>
-        <translation type="unfinished">Dieses Projekt glättet wie im Aufsatz mit λ; seine Datei sagt, wie viel.</translation>
+        <translation>Dieses Projekt glättet wie im Aufsatz mit λ; seine Datei sagt, wie viel.</translation>
     </message>
     <message>
         <source>Change smoothing</source>
-        <translation type="unfinished">Glättung ändern</translation>
+        <translation>Glättung ändern</translation>
+    </message>
+</context>
+<context>
+    <name>wend::CheatSheet</name>
+    <message>
+        <source>Keys and Mouse</source>
+        <translation>Tasten und Maus</translation>
     </message>
 </context>
 <context>
@@ -1195,10 +1376,6 @@
     <message>
         <source>&amp;Curve</source>
         <translation>&amp;Kurve</translation>
-    </message>
-    <message>
-        <source>&amp;Make a Curve</source>
-        <translation>Kurve &amp;machen</translation>
     </message>
     <message>
         <source>Turn the last way of the selected pin into a Bézier curve</source>
@@ -1284,32 +1461,16 @@
         <source>Click an inner point of a Bézier curve first.</source>
         <translation>Erst einen inneren Punkt einer Bézierkurve anklicken.</translation>
     </message>
+    <message>
+        <source>Edit &amp;Path</source>
+        <translation>&amp;Weg bearbeiten</translation>
+    </message>
 </context>
 <context>
     <name>wend::CurvePanel</name>
     <message>
-        <source>Make a curve of it</source>
-        <translation>In eine Kurve verwandeln</translation>
-    </message>
-    <message>
         <source>Turns the way that was drawn into a Bézier curve with points to drag.</source>
         <translation>Macht aus dem gezogenen Weg eine Bézierkurve mit Punkten zum Ziehen.</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>keine</translation>
-    </message>
-    <message>
-        <source>Frenet</source>
-        <translation>Frenet</translation>
-    </message>
-    <message>
-        <source>least turning</source>
-        <translation>kleinste Drehung</translation>
-    </message>
-    <message>
-        <source>Frame</source>
-        <translation>Rahmen</translation>
     </message>
     <message>
         <source>Whether what is held turns along the curve, and how.</source>
@@ -1332,10 +1493,6 @@
         <translation>Wie groß es am Ende der Kurve geworden ist.</translation>
     </message>
     <message>
-        <source>Curve</source>
-        <translation>Kurve</translation>
-    </message>
-    <message>
         <source>T&amp;wist</source>
         <translation>D&amp;rall</translation>
     </message>
@@ -1356,8 +1513,32 @@
         <translation>Ein Punkt kann sich nicht drehen oder wachsen: mehr Punkte greifen.</translation>
     </message>
     <message>
-        <source>Fr&amp;ame</source>
-        <translation>Rah&amp;men</translation>
+        <source>Edit path</source>
+        <translation>Weg bearbeiten</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>as it bends (Frenet)</source>
+        <translation>wie er sich biegt (Frenet)</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>Rotate with path</source>
+        <translation>Mit dem Weg drehen</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>Rot&amp;ate with path</source>
+        <translation>Mit dem Weg drehe&amp;n</translation>
     </message>
 </context>
 <context>
@@ -1529,10 +1710,6 @@
 <context>
     <name>wend::DetailChooser</name>
     <message>
-        <source>Detail Surface</source>
-        <translation>Feine Oberfläche</translation>
-    </message>
-    <message>
         <source>Surfaces (%1)</source>
         <translation>Oberflächen (%1)</translation>
     </message>
@@ -1541,12 +1718,16 @@
         <translation>Diese Oberfläche kann im Körper nicht mitreiten. %1</translation>
     </message>
     <message>
-        <source>Choose detail surface</source>
-        <translation>Feine Oberfläche wählen</translation>
+        <source>Choose Skin</source>
+        <translation>Haut wählen</translation>
     </message>
     <message>
-        <source>Remove detail surface</source>
-        <translation>Feine Oberfläche entfernen</translation>
+        <source>Choose skin</source>
+        <translation>Haut wählen</translation>
+    </message>
+    <message>
+        <source>Remove skin</source>
+        <translation>Haut entfernen</translation>
     </message>
 </context>
 <context>
@@ -1560,59 +1741,35 @@
         <translation>Entfernen</translation>
     </message>
     <message>
-        <source>Choose detail surface</source>
-        <translation>Feine Oberfläche wählen</translation>
-    </message>
-    <message>
         <source>Takes a detailed, perhaps textured surface from a file: it rides in the solid, is what the view shows and what surface formats get.</source>
         <translation>Nimmt eine feine, vielleicht texturierte Oberfläche aus einer Datei: Sie reitet im Körper mit, die Ansicht zeigt sie, und Flächenformate erhalten sie.</translation>
-    </message>
-    <message>
-        <source>Remove detail surface</source>
-        <translation>Feine Oberfläche entfernen</translation>
     </message>
     <message>
         <source>The solid is seen and exported with its own surface again.</source>
         <translation>Der Körper wird wieder mit seiner eigenen Oberfläche gezeigt und exportiert.</translation>
     </message>
     <message>
-        <source>Detail surface</source>
-        <translation>Feine Oberfläche</translation>
+        <source>Choose skin</source>
+        <translation>Haut wählen</translation>
+    </message>
+    <message>
+        <source>Remove skin</source>
+        <translation>Haut entfernen</translation>
+    </message>
+    <message>
+        <source>Skin</source>
+        <translation>Haut</translation>
     </message>
 </context>
 <context>
     <name>wend::DistortionPanel</name>
     <message>
-        <source>Distortion map</source>
-        <translation>Verzerrungskarte</translation>
-    </message>
-    <message>
-        <source>Lock range</source>
-        <translation>Bereich fest</translation>
-    </message>
-    <message>
         <source>Keep the colours&apos; range, to compare different shapes and energies.</source>
         <translation>Den Bereich der Farben festhalten, um Formen und Energien zu vergleichen.</translation>
     </message>
     <message>
-        <source>Show</source>
-        <translation>Zeigen</translation>
-    </message>
-    <message>
-        <source>Show the worst place</source>
-        <translation>Die schlimmste Stelle zeigen</translation>
-    </message>
-    <message>
         <source>Brings the most distorted triangle into view; it is ringed in the map.</source>
         <translation>Rückt das am stärksten verzerrte Dreieck ins Bild; in der Karte ist es eingekreist.</translation>
-    </message>
-    <message>
-        <source>Distortion</source>
-        <translation>Verzerrung</translation>
-    </message>
-    <message>
-        <source>Ma&amp;p of</source>
-        <translation>Kar&amp;te der</translation>
     </message>
     <message>
         <source>Angle error</source>
@@ -1629,10 +1786,6 @@
     <message>
         <source>Sum over the shape of σ₁σ₂ + 1/(σ₁σ₂) − 2: zero if all areas are kept.</source>
         <translation>Summe über die Form von σ₁σ₂ + 1/(σ₁σ₂) − 2: null, wenn alle Flächen gehalten sind.</translation>
-    </message>
-    <message>
-        <source>Length error</source>
-        <translation>Längenfehler</translation>
     </message>
     <message>
         <source>How far lengths are from those at rest: zero for a rigid motion.</source>
@@ -1666,27 +1819,55 @@
         <source>What is coloured over the picture: the error of lengths, areas or angles, or the material that is painted on it.</source>
         <translation>Was über dem Bild eingefärbt wird: der Fehler der Längen, Flächen oder Winkel, oder das Material, das darauf gemalt ist.</translation>
     </message>
+    <message>
+        <source>Keep these colours</source>
+        <translation>Farben behalten</translation>
+    </message>
+    <message>
+        <source>Go there</source>
+        <translation>Hingehen</translation>
+    </message>
+    <message>
+        <source>Go to the worst place</source>
+        <translation>Zur schlimmsten Stelle gehen</translation>
+    </message>
+    <message>
+        <source>What changed</source>
+        <translation>Was sich geändert hat</translation>
+    </message>
+    <message>
+        <source>Colour &amp;by</source>
+        <translation>Färben &amp;nach</translation>
+    </message>
+    <message>
+        <source>Stretch</source>
+        <translation>Dehnung</translation>
+    </message>
+    <message>
+        <source>Colour by</source>
+        <translation>Färben nach</translation>
+    </message>
 </context>
 <context>
     <name>wend::Document</name>
     <message>
         <source>Change energy</source>
-        <translation type="unfinished">Energie ändern</translation>
+        <translation>Energie ändern</translation>
     </message>
 </context>
 <context>
     <name>wend::EnergySlider</name>
     <message>
-        <source>Energy</source>
-        <translation>Energie</translation>
+        <source>What is kept</source>
+        <translation>Was erhalten bleibt</translation>
     </message>
     <message>
-        <source>What the shape keeps when it has to give way. From Area over Length and Rigid to Angle the error moves from angles to areas. Between two names the energy changes evenly.</source>
-        <translation>Was die Form hält, wenn sie nachgeben muss. Von Fläche über Länge und Starr zu Winkel wandert der Fehler von den Winkeln zu den Flächen. Zwischen zwei Namen ändert sich die Energie gleichmäßig.</translation>
+        <source>What the shape keeps where it has to give way: from its volume, over lengths and stiff parts, to the look of its details. Between two names it is something of both.</source>
+        <translation>Was die Form behält, wo sie nachgeben muss: vom Volumen über Längen und starre Teile bis zum Aussehen der Einzelheiten. Zwischen zwei Namen ist es etwas von beidem.</translation>
     </message>
     <message>
-        <source>What the shape keeps when it has to give way. From Volume over Length and Rigid to Angle the error moves from angles to volumes. Between two names the energy changes evenly.</source>
-        <translation>Was die Form erhält, wenn sie nachgeben muss. Von Volumen über Länge und Starr bis Winkel wandert der Fehler von den Winkeln zu den Volumen. Zwischen zwei Namen ändert sich die Energie gleichmäßig.</translation>
+        <source>What the shape keeps where it has to give way: from its area, over lengths and stiff parts, to the look of its details. Between two names it is something of both.</source>
+        <translation>Was die Form behält, wo sie nachgeben muss: von der Fläche über Längen und starre Teile bis zum Aussehen der Einzelheiten. Zwischen zwei Namen ist es etwas von beidem.</translation>
     </message>
 </context>
 <context>
@@ -1806,7 +1987,7 @@
     <name>wend::ExportPanel</name>
     <message>
         <source>Export</source>
-        <translation type="unfinished">Exportieren</translation>
+        <translation>Exportieren</translation>
     </message>
 </context>
 <context>
@@ -1923,6 +2104,29 @@
     <message>
         <source>Replace</source>
         <translation>Ersetzen</translation>
+    </message>
+</context>
+<context>
+    <name>wend::FileCard</name>
+    <message>
+        <source>Sample: %1</source>
+        <translation>Beispiel: %1</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>%1 öffnen</translation>
+    </message>
+    <message>
+        <source>Open the sample “%1”</source>
+        <translation>Das Beispiel „%1“ öffnen</translation>
+    </message>
+    <message>
+        <source>%1, solid</source>
+        <translation>%1, Körper</translation>
+    </message>
+    <message>
+        <source>Solid</source>
+        <translation>Körper</translation>
     </message>
 </context>
 <context>
@@ -2064,19 +2268,19 @@
     <name>wend::FlowPanel</name>
     <message>
         <source>Settle</source>
-        <translation type="unfinished">Entspannen</translation>
+        <translation>Entspannen</translation>
     </message>
     <message>
         <source>Let the shape relax with the pins where they are, until it is as near to its rest as it can be. This takes a moment at the end of the motion.</source>
-        <translation type="unfinished">Die Form entspannt sich mit den Pins, wo sie sind, bis sie ihrer Ruhe so nah ist, wie sie kann. Das nimmt einen Augenblick am Ende der Bewegung ein.</translation>
+        <translation>Die Form entspannt sich mit den Pins, wo sie sind, bis sie ihrer Ruhe so nah ist, wie sie kann. Das nimmt einen Augenblick am Ende der Bewegung ein.</translation>
     </message>
     <message>
         <source>Remembers its shape</source>
-        <translation type="unfinished">Erinnert sich an ihre Form</translation>
+        <translation>Erinnert sich an ihre Form</translation>
     </message>
     <message>
         <source>Change memory</source>
-        <translation type="unfinished">Erinnerung ändern</translation>
+        <translation>Erinnerung ändern</translation>
     </message>
 </context>
 <context>
@@ -2104,10 +2308,6 @@
     <message>
         <source>Move by</source>
         <translation>Bewegen um</translation>
-    </message>
-    <message>
-        <source>Turn by</source>
-        <translation>Drehen um</translation>
     </message>
     <message>
         <source>Scale by</source>
@@ -2167,6 +2367,10 @@
     <message>
         <source>at %1, %2, %3</source>
         <translation>bei %1, %2, %3</translation>
+    </message>
+    <message>
+        <source>Rotate by</source>
+        <translation>Drehen um</translation>
     </message>
 </context>
 <context>
@@ -2317,24 +2521,39 @@
         <translation>%1[*] – Wend</translation>
     </message>
     <message>
-        <source>Keys and Mouse</source>
-        <translation>Tasten und Maus</translation>
-    </message>
-    <message>
-        <source>About Wend</source>
-        <translation>Über Wend</translation>
-    </message>
-    <message>
-        <source>&lt;h3&gt;Wend %1&lt;/h3&gt;&lt;p&gt;Bends pictures and solids by letting them flow.&lt;/p&gt;&lt;p&gt;After J. Martinez Esturo, C. Rössl, H. Theisel: Generalized Metric Energies for Continuous Shape Deformation, 2013.&lt;/p&gt;&lt;p&gt;Free software under the GNU Affero General Public License, version 3 or later.&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Wend %1&lt;/h3&gt;&lt;p&gt;Biegt Bilder und Körper, indem es sie fließen lässt.&lt;/p&gt;&lt;p&gt;Nach J. Martinez Esturo, C. Rössl, H. Theisel: Generalized Metric Energies for Continuous Shape Deformation, 2013.&lt;/p&gt;&lt;p&gt;Freie Software unter der GNU Affero General Public License, Version 3 oder neuer.&lt;/p&gt;</translation>
-    </message>
-    <message>
         <source>More</source>
         <translation>Mehr</translation>
     </message>
+</context>
+<context>
+    <name>wend::ManualWindow</name>
     <message>
-        <source>&lt;table cellspacing=&apos;6&apos;&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Click&lt;/b&gt;&lt;/td&gt;&lt;td&gt;sets a pin&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Drag a pin&lt;/b&gt;&lt;/td&gt;&lt;td&gt;moves it; Esc puts it back&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Alt-drag a pin&lt;/b&gt;&lt;/td&gt;&lt;td&gt;widens it to a circle&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Drag the ring&apos;s dot or square&lt;/b&gt;&lt;/td&gt;&lt;td&gt;rotates or scales; digits set the number, Shift snaps to 15°&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Shift-click&lt;/b&gt;&lt;/td&gt;&lt;td&gt;selects several pins&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Drag beside pins&lt;/b&gt;&lt;/td&gt;&lt;td&gt;selects by rectangle&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Arrow keys&lt;/b&gt;&lt;/td&gt;&lt;td&gt;nudge by a pixel, with Shift by ten&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Delete&lt;/b&gt;&lt;/td&gt;&lt;td&gt;removes the selected pins&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Shift+B, L, U&lt;/b&gt;&lt;/td&gt;&lt;td&gt;hold a part by rectangle, lasso, brush&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Wheel&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zooms to the pointer&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Space or middle button&lt;/b&gt;&lt;/td&gt;&lt;td&gt;pans&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Hold H&lt;/b&gt;&lt;/td&gt;&lt;td&gt;shows the bare picture&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</source>
-        <translation>&lt;table cellspacing=&apos;6&apos;&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Klick&lt;/b&gt;&lt;/td&gt;&lt;td&gt;setzt einen Pin&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Pin ziehen&lt;/b&gt;&lt;/td&gt;&lt;td&gt;bewegt ihn; Esc setzt ihn zurück&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Pin mit Alt ziehen&lt;/b&gt;&lt;/td&gt;&lt;td&gt;weitet ihn zu einem Kreis&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Punkt oder Quadrat des Rings ziehen&lt;/b&gt;&lt;/td&gt;&lt;td&gt;dreht oder skaliert; Ziffern setzen die Zahl, Umschalt rastet bei 15° ein&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Umschalt-Klick&lt;/b&gt;&lt;/td&gt;&lt;td&gt;wählt mehrere Pins&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Neben Pins ziehen&lt;/b&gt;&lt;/td&gt;&lt;td&gt;wählt mit einem Rechteck&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Pfeiltasten&lt;/b&gt;&lt;/td&gt;&lt;td&gt;rücken um ein Pixel, mit Umschalt um zehn&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Entf&lt;/b&gt;&lt;/td&gt;&lt;td&gt;entfernt die gewählten Pins&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Umschalt+B, L, U&lt;/b&gt;&lt;/td&gt;&lt;td&gt;greifen einen Teil mit Rechteck, Lasso, Pinsel&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Mausrad&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zoomt zum Zeiger&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Leertaste oder mittlere Taste&lt;/b&gt;&lt;/td&gt;&lt;td&gt;verschiebt&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;H halten&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zeigt das bloße Bild&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</translation>
+        <source>Manual</source>
+        <translation>Handbuch</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Inhalt</translation>
+    </message>
+    <message>
+        <source>The first page</source>
+        <translation>Die erste Seite</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>The page before</source>
+        <translation>Die Seite davor</translation>
+    </message>
+    <message>
+        <source>Search this page</source>
+        <translation>Auf dieser Seite suchen</translation>
+    </message>
+    <message>
+        <source>Enter goes to the next place where these words stand.</source>
+        <translation>Eingabe geht zur nächsten Stelle, an der diese Worte stehen.</translation>
     </message>
 </context>
 <context>
@@ -2346,6 +2565,14 @@
     <message>
         <source>Between %1 and %2.</source>
         <translation>Zwischen %1 und %2.</translation>
+    </message>
+    <message>
+        <source>⚠ Grown ×%1 – try %2</source>
+        <translation>⚠ ×%1 gewachsen – %2?</translation>
+    </message>
+    <message>
+        <source>The shape has become much larger than at rest. A click keeps more of its size.</source>
+        <translation>Die Form ist viel größer geworden als in Ruhe. Ein Klick erhält mehr von ihrer Größe.</translation>
     </message>
 </context>
 <context>
@@ -2472,10 +2699,6 @@
 <context>
     <name>wend::MeshPanel</name>
     <message>
-        <source>Opaque part</source>
-        <translation>Deckender Teil</translation>
-    </message>
-    <message>
         <source>Whole picture</source>
         <translation>Ganzes Bild</translation>
     </message>
@@ -2490,10 +2713,6 @@
     <message>
         <source> %</source>
         <translation> %</translation>
-    </message>
-    <message>
-        <source>Threshold</source>
-        <translation>Schwelle</translation>
     </message>
     <message>
         <source>Pixels that are more opaque than this belong to the shape.</source>
@@ -2520,10 +2739,6 @@
         <translation>Wie fein das Netz ist. Mehr Punkte biegen sich glatter und brauchen länger.</translation>
     </message>
     <message>
-        <source>Mesh density</source>
-        <translation>Netzdichte</translation>
-    </message>
-    <message>
         <source>Mesh</source>
         <translation>Netz</translation>
     </message>
@@ -2540,16 +2755,8 @@
         <translation>Umriss ändern</translation>
     </message>
     <message>
-        <source>Change threshold</source>
-        <translation>Schwelle ändern</translation>
-    </message>
-    <message>
         <source>Change margin</source>
         <translation>Rand ändern</translation>
-    </message>
-    <message>
-        <source>Change mesh density</source>
-        <translation>Netzdichte ändern</translation>
     </message>
     <message>
         <source>The mesh comes from a file and is used as it is.</source>
@@ -2656,12 +2863,32 @@
         <translation>Oberfläche ver&amp;feinern</translation>
     </message>
     <message>
-        <source>Verti&amp;ces</source>
-        <translation>Pu&amp;nkte</translation>
+        <source>Cut-out</source>
+        <translation>Ausschnitt</translation>
     </message>
     <message>
-        <source>Thresho&amp;ld</source>
-        <translation type="unfinished"></translation>
+        <source>Count as solid above</source>
+        <translation>Deckend ab</translation>
+    </message>
+    <message>
+        <source>Detail: coarse – fine</source>
+        <translation>Feinheit: grob – fein</translation>
+    </message>
+    <message>
+        <source>Count as so&amp;lid above</source>
+        <translation>&amp;Deckend ab</translation>
+    </message>
+    <message>
+        <source>Det&amp;ail, in vertices</source>
+        <translation>Fein&amp;heit, in Ecken</translation>
+    </message>
+    <message>
+        <source>Change what counts as solid</source>
+        <translation>Ändern, was als deckend gilt</translation>
+    </message>
+    <message>
+        <source>Change detail</source>
+        <translation>Feinheit ändern</translation>
     </message>
     <message>
         <source>&amp;Threshold</source>
@@ -2728,11 +2955,11 @@
     <name>wend::ModeRow</name>
     <message>
         <source>Export</source>
-        <translation type="unfinished">Exportieren</translation>
+        <translation>Exportieren</translation>
     </message>
     <message>
         <source>Write what is shown: as picture, sequence, warp map, mesh or view</source>
-        <translation type="unfinished"></translation>
+        <translation>Schreiben, was zu sehen ist: als Bild, Sequenz, Verzerrungskarte, Netz oder Ansicht</translation>
     </message>
 </context>
 <context>
@@ -2866,7 +3093,7 @@
     <name>wend::OptionRow</name>
     <message>
         <source>Options</source>
-        <translation type="unfinished"></translation>
+        <translation>Optionen</translation>
     </message>
 </context>
 <context>
@@ -3201,11 +3428,11 @@
     <name>wend::Properties</name>
     <message>
         <source>Advanced</source>
-        <translation type="unfinished"></translation>
+        <translation>Erweitert</translation>
     </message>
     <message>
         <source>The same in numbers, for those who want them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dasselbe in Zahlen, für alle, die sie wollen.</translation>
     </message>
 </context>
 <context>
@@ -3295,17 +3522,6 @@
             <numerusform>%n Punkt</numerusform>
             <numerusform>%n Punkte</numerusform>
         </translation>
-    </message>
-</context>
-<context>
-    <name>wend::SampleCard</name>
-    <message>
-        <source>Sample: %1</source>
-        <translation>Beispiel: %1</translation>
-    </message>
-    <message>
-        <source>Open the sample “%1”</source>
-        <translation>Das Beispiel „%1“ öffnen</translation>
     </message>
 </context>
 <context>
@@ -3403,6 +3619,29 @@
     <message>
         <source>Settle</source>
         <translation>Entspannen</translation>
+    </message>
+</context>
+<context>
+    <name>wend::SideWindows</name>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>As it was opened</source>
+        <translation>Wie es geöffnet wurde</translation>
+    </message>
+    <message>
+        <source>What was done; a click goes back to that step, or forth.</source>
+        <translation>Was getan wurde; ein Klick geht zu diesem Schritt zurück oder vor.</translation>
+    </message>
+    <message>
+        <source>About Wend</source>
+        <translation>Über Wend</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Wend %1&lt;/h3&gt;&lt;p&gt;Bends pictures and solids by letting them flow.&lt;/p&gt;&lt;p&gt;After J. Martinez Esturo, C. Rössl, H. Theisel: Generalized Metric Energies for Continuous Shape Deformation, 2013.&lt;/p&gt;&lt;p&gt;Free software under the GNU Affero General Public License, version 3 or later.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Wend %1&lt;/h3&gt;&lt;p&gt;Biegt Bilder und Körper, indem es sie fließen lässt.&lt;/p&gt;&lt;p&gt;Nach J. Martinez Esturo, C. Rössl, H. Theisel: Generalized Metric Energies for Continuous Shape Deformation, 2013.&lt;/p&gt;&lt;p&gt;Freie Software unter der GNU Affero General Public License, Version 3 oder neuer.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -3527,10 +3766,6 @@
         <translation>T</translation>
     </message>
     <message>
-        <source>Hold Beyond the &amp;Cut</source>
-        <translation>Jenseits des &amp;Schnitts halten</translation>
-    </message>
-    <message>
         <source>Take hold of all that the cut takes away, as one handle</source>
         <translation>Alles, was der Schnitt wegnimmt, als einen Griff halten</translation>
     </message>
@@ -3549,14 +3784,6 @@
     <message>
         <source>G</source>
         <translation>G</translation>
-    </message>
-    <message>
-        <source>&amp;Turn</source>
-        <translation>&amp;Drehen</translation>
-    </message>
-    <message>
-        <source>Show rings that turn the selected pins</source>
-        <translation>Ringe zeigen, die die gewählten Pins drehen</translation>
     </message>
     <message>
         <source>R</source>
@@ -3715,10 +3942,6 @@
         <translation>Zuerst einen Körper öffnen.</translation>
     </message>
     <message>
-        <source>&amp;Detail Surface</source>
-        <translation>&amp;Feine Oberfläche</translation>
-    </message>
-    <message>
         <source>Show the detailed or textured surface that rides in the solid; off: the border of the tetrahedra, which bend</source>
         <translation>Die feine oder bemalte Oberfläche zeigen, die im Körper mitgeht; aus: der Rand der Tetraeder, die sich biegen</translation>
     </message>
@@ -3767,16 +3990,8 @@
         <translation>&amp;Pins auswählen</translation>
     </message>
     <message>
-        <source>Choose Deta&amp;il Surface…</source>
-        <translation>Fe&amp;ine Oberfläche wählen …</translation>
-    </message>
-    <message>
         <source>Let a detailed, perhaps textured surface from a file ride in the solid</source>
         <translation>Eine feine, vielleicht texturierte Oberfläche aus einer Datei im Körper mitreiten lassen</translation>
-    </message>
-    <message>
-        <source>Re&amp;move Detail Surface</source>
-        <translation>Feine Oberfläche &amp;entfernen</translation>
     </message>
     <message>
         <source>See and export the solid with its own surface again</source>
@@ -3789,6 +4004,30 @@
     <message>
         <source>The mesh comes from a file and is used as it is.</source>
         <translation>Das Netz kommt aus einer Datei und wird verwendet, wie es ist.</translation>
+    </message>
+    <message>
+        <source>Grab Beyond the &amp;Cut</source>
+        <translation>Jenseits des &amp;Schnitts fassen</translation>
+    </message>
+    <message>
+        <source>&amp;Rotate</source>
+        <translation>&amp;Drehen</translation>
+    </message>
+    <message>
+        <source>Show rings that rotate the selected pins</source>
+        <translation>Ringe zeigen, die die gewählten Pins drehen</translation>
+    </message>
+    <message>
+        <source>S&amp;kin</source>
+        <translation>&amp;Haut</translation>
+    </message>
+    <message>
+        <source>Choose Sk&amp;in…</source>
+        <translation>Ha&amp;ut wählen…</translation>
+    </message>
+    <message>
+        <source>Re&amp;move Skin</source>
+        <translation>Haut &amp;entfernen</translation>
     </message>
 </context>
 <context>
@@ -3844,10 +4083,6 @@
         <source>Export View</source>
         <translation>Ansicht exportieren</translation>
     </message>
-    <message>
-        <source>&lt;table cellspacing=&apos;6&apos;&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Click&lt;/b&gt;&lt;/td&gt;&lt;td&gt;sets a pin&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Drag a pin&lt;/b&gt;&lt;/td&gt;&lt;td&gt;moves it along the screen; Esc puts it back&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;G, R, S&lt;/b&gt;&lt;/td&gt;&lt;td&gt;arrows to move, rings to turn, a ring to scale&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;X, Y, Z while dragging&lt;/b&gt;&lt;/td&gt;&lt;td&gt;lock an axis&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Digits while dragging&lt;/b&gt;&lt;/td&gt;&lt;td&gt;set the amount, Enter takes it&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Shift+B, L, U&lt;/b&gt;&lt;/td&gt;&lt;td&gt;grab by box, lasso, brush; T: through the solid&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Shift+K, Shift+X, Shift+P&lt;/b&gt;&lt;/td&gt;&lt;td&gt;grab a ball, a block, one side&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, Shift+A&lt;/b&gt;&lt;/td&gt;&lt;td&gt;paint material, paint how fine the mesh is&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Shift, Ctrl while holding&lt;/b&gt;&lt;/td&gt;&lt;td&gt;add to the selected handle, take away&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Shift+C&lt;/b&gt;&lt;/td&gt;&lt;td&gt;makes a curve of the last way; a double click on it inserts a point, Delete removes one&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Right or middle button&lt;/b&gt;&lt;/td&gt;&lt;td&gt;turns the view; with Shift it moves&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Middle click&lt;/b&gt;&lt;/td&gt;&lt;td&gt;sets the point to turn around&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Wheel&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zooms to the pointer&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;1, 3, 7, 0&lt;/b&gt;&lt;/td&gt;&lt;td&gt;from the front, right, top, side; Ctrl on the keypad: from the other side&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;C&lt;/b&gt;&lt;/td&gt;&lt;td&gt;cuts the solid open&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Hold H&lt;/b&gt;&lt;/td&gt;&lt;td&gt;shows the bare solid&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</source>
-        <translation type="unfinished"></translation>
-    </message>
 </context>
 <context>
     <name>wend::StartPage</name>
@@ -3878,10 +4113,6 @@
     <message>
         <source>Recent</source>
         <translation>Zuletzt geöffnet</translation>
-    </message>
-    <message>
-        <source>Open %1</source>
-        <translation>%1 öffnen</translation>
     </message>
 </context>
 <context>
@@ -4141,10 +4372,6 @@
         <translation>Noch bewegt sich nichts: einen Pin ziehen.</translation>
     </message>
     <message>
-        <source>No motion yet</source>
-        <translation>Noch keine Bewegung</translation>
-    </message>
-    <message>
         <source> s</source>
         <translation> s</translation>
     </message>
@@ -4164,56 +4391,60 @@
         <source>%1 /</source>
         <translation>%1 /</translation>
     </message>
+    <message>
+        <source>Drag a pin to begin</source>
+        <translation>Zum Beginnen einen Pin ziehen</translation>
+    </message>
 </context>
 <context>
     <name>wend::Toolbox</name>
     <message>
         <source>Mesh</source>
-        <translation type="unfinished">Netz</translation>
+        <translation>Netz</translation>
     </message>
     <message>
         <source>What bends, and how finely</source>
-        <translation type="unfinished"></translation>
+        <translation>Was sich biegt und wie fein</translation>
     </message>
     <message>
         <source>Pins</source>
-        <translation type="unfinished">Pins</translation>
+        <translation>Pins</translation>
     </message>
     <message>
         <source>Hold parts and drag them</source>
-        <translation type="unfinished"></translation>
+        <translation>Teile halten und ziehen</translation>
     </message>
     <message>
         <source>Paint</source>
-        <translation type="unfinished"></translation>
+        <translation>Malen</translation>
     </message>
     <message>
         <source>What it is made of: soft, stiff, and what is kept where</source>
-        <translation type="unfinished"></translation>
+        <translation>Woraus es ist: weich, steif und was wo erhalten bleibt</translation>
     </message>
     <message>
         <source>Animate</source>
-        <translation type="unfinished"></translation>
+        <translation>Bewegen</translation>
     </message>
     <message>
         <source>How it moves in time</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie es sich in der Zeit bewegt</translation>
     </message>
     <message>
         <source>Export</source>
-        <translation type="unfinished">Exportieren</translation>
+        <translation>Exportieren</translation>
     </message>
     <message>
         <source>Write pictures, sequences, maps and meshes</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilder, Sequenzen, Karten und Netze schreiben</translation>
     </message>
     <message>
         <source>Open a picture first.</source>
-        <translation type="unfinished">Zuerst ein Bild öffnen.</translation>
+        <translation>Zuerst ein Bild öffnen.</translation>
     </message>
     <message>
         <source>Open a solid first.</source>
-        <translation type="unfinished">Zuerst einen Körper öffnen.</translation>
+        <translation>Zuerst einen Körper öffnen.</translation>
     </message>
 </context>
 <context>
