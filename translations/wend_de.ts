@@ -2911,7 +2911,7 @@
         <translation>Füllung</translation>
     </message>
     <message>
-        <source>&amp;Fit</source>
+        <source>F&amp;it</source>
         <translation>&amp;Füllung</translation>
     </message>
     <message>

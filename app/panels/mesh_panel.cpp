@@ -161,7 +161,7 @@ void MeshPanel::arrange() {
     };
     m_pictureRows = {row(tr("&Outline"), m_outline), row(tr("Count as so&lid above"), m_threshold),
                      row(tr("Ma&rgin"), m_margin), row(tr("&Border"), m_border)};
-    QWidget* fit = row(tr("&Fit"), m_fit);
+    QWidget* fit = row(tr("F&it"), m_fit);
     QWidget* aim = row(tr("A&im at"), m_aim);
     QWidget* vertices = row(tr("Det&ail, in vertices"), m_vertices);
     layout->addWidget(m_density);

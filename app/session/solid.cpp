@@ -175,7 +175,7 @@ Solid fromSurface(const Project& project, const std::string& folder, std::stop_t
         return cagedSolid(domain, skin, why, stop, advice);
     try {
         return exactSolid(domain, skin, options, advice);
-    } catch (const MesherMissing&) {
+    } catch (const MesherLost&) {
         throw;
     } catch (const InputError& error) {
         if (!canBeCaged(*skin)) throw;

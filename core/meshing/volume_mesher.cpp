@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
 #include <map>
 #include <numbers>
@@ -92,7 +93,7 @@ std::string reasonOf(const ChildResult& result, double timeLimit) {
     using End = ChildResult::End;
     switch (result.end) {
         case End::NotStarted:
-            throw MesherMissing("the volume mesher wend-tetgen is missing beside the program");
+            throw MesherLost("the volume mesher wend-tetgen is missing beside the program");
         case End::TimedOut:
         case End::Idle:
             return "the volume mesher did not finish within " + number(timeLimit) +
@@ -100,6 +101,9 @@ std::string reasonOf(const ChildResult& result, double timeLimit) {
         case End::Stopped:
             throw Cancelled();
         case End::Signalled:
+            // Only somebody else sends these: the surface is not to blame.
+            if (result.code == SIGKILL || result.code == SIGTERM)
+                throw MesherLost("the volume mesher was ended (signal " + std::to_string(result.code) + ")");
             return "the volume mesher failed inside (signal " + std::to_string(result.code) + ")";
         case End::Exited:
             return result.code == 0

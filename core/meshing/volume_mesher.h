@@ -54,8 +54,8 @@ class SurfaceError : public InputError {
     SurfaceProblems problems;
 };
 
-/// The program that does it is not there.
-class MesherMissing : public InputError {
+/// The program that does it is not there, or was ended by somebody else: no surface is to blame.
+class MesherLost : public InputError {
   public:
     using InputError::InputError;
 };

@@ -190,7 +190,9 @@ void TestSolidLooks::firstCutTakesTheNearHalf() {
 }
 
 void TestSolidLooks::wrongTrianglesAreRedFromBehind() {
-    m_window->openPath(file("open.obj", "v 0 0 0\nv 1 0 0.2\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n"));
+    file("open.obj", "v 0 0 0\nv 1 0 0.2\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n");
+    m_window->openPath(file("open.wend", R"({"format": "wend", "version": 1,
+        "domain": {"surface": "open.obj", "vertices": 400, "cage": false}})"));
     QVERIFY(QTest::qWaitFor([&] { return solids().canvas() && isRed(colourAt({0.3, 0.6, 0})); }, 20000));
     for (const Camera::Axis axis : {Camera::Axis::Top, Camera::Axis::Bottom}) {
         canvas().look(axis);
