@@ -127,7 +127,7 @@ void HandlePanel::apply() {
 
 void HandlePanel::showHandle() {
     const bool any = m_session.document().dimension() == 3 && !m_session.selection().isEmpty();
-    m_none->setVisible(!any);
+    m_none->setVisible(m_session.selection().isEmpty());
     m_body->setVisible(any);
     if (!any) return;
     const int handle = single();

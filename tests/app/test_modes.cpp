@@ -220,9 +220,16 @@ void TestModes::selectingMovesNothing() {
             all << QRect(panel->mapTo(&side, QPoint()), panel->size());
         return all;
     };
+    const auto asksForAPin = [&] {
+        for (const QLabel* label : side.findChildren<QLabel*>())
+            if (label->isVisible() && label->text().startsWith(QStringLiteral("Select a pin"))) return true;
+        return false;
+    };
     const QList<QRect> before = places();
+    QVERIFY(!asksForAPin());
     selection.clear();
     QCOMPARE(places(), before);
+    QVERIFY(asksForAPin());
 }
 
 void TestModes::nothingIsBelowTheFold_data() {
