@@ -256,7 +256,7 @@ void ExportDialog::adapt() {
     showCrop();
     m_facts->setText(pixels());
     tellProblem({});
-    m_previewTimer.start();
+    askPreview();
     m_sizeTimer.start();
     ++m_asked;  // an answer that is under way is to another question
 }
@@ -341,6 +341,13 @@ void ExportDialog::preparePicture() {
     });
 }
 
+/// Soon; an answer that is under way is to another question.
+void ExportDialog::askPreview() {
+    m_previewStop.request_stop();
+    m_preview->setOutdated();
+    m_previewTimer.start();
+}
+
 void ExportDialog::startPreview() {
     const bool drawsNothing = m_shape->dimension() == 3 || (m_shape->picture() && !m_picture);
     if (drawsNothing) return;
@@ -382,7 +389,7 @@ void ExportDialog::startSize() {
 
 void ExportDialog::resizeEvent(QResizeEvent* event) {
     QDialog::resizeEvent(event);
-    m_previewTimer.start();
+    askPreview();
 }
 
 }  // namespace wend

@@ -56,6 +56,7 @@ class ExportDialog : public QDialog {
     void showSize(const FileSize& size);
     QString pixels() const;
     void preparePicture();
+    void askPreview();
     void startPreview();
     void startSize();
     void tellProblem(const QString& problem);

@@ -102,6 +102,7 @@ QSize ExportPreview::room() const {
 
 void ExportPreview::setImage(const QImage& image) {
     m_image = image;
+    m_current = true;
     update();
 }
 

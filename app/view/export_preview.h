@@ -18,6 +18,9 @@ class ExportPreview : public QWidget {
     explicit ExportPreview(QWidget* parent = nullptr);
     void setImage(const QImage& image);
     const QImage& image() const { return m_image; }
+    /// The image answers another question than the one that is asked now; the next image answers it.
+    void setOutdated() { m_current = false; }
+    bool isCurrent() const { return m_current; }
     /// In pixels of the screen.
     QSize room() const;
     QSize sizeHint() const override { return {400, 320}; }
@@ -27,6 +30,7 @@ class ExportPreview : public QWidget {
 
   private:
     QImage m_image;
+    bool m_current = false;
 };
 
 /// What that picture is made of.

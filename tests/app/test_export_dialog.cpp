@@ -236,9 +236,11 @@ void TestExportDialog::previewIsWhatIsWritten() {
     open(writeCutOut(*m_folder));
     bend(-10, 25);
     const auto asked = dialog(ExportKind::Picture);
-    asked->field("--filter")->setValue("nearest");  // before the first preview
+    asked->field("--filter")->setValue("nearest");
     auto* preview = asked->findChild<ExportPreview*>();
-    QVERIFY(QTest::qWaitFor([&] { return preview->image().width() == 240; }, 30000));
+    QVERIFY(!preview->isCurrent());
+    QVERIFY(QTest::qWaitFor([&] { return preview->isCurrent(); }, 30000));
+    QCOMPARE(preview->image().width(), 240);
     const QString path = file("out.png");
     QVERIFY(written(ExportKind::Picture, path, asked->values()));
     const QImage seen = preview->image().convertToFormat(QImage::Format_ARGB32_Premultiplied);
