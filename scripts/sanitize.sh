@@ -12,27 +12,31 @@ tests_of() { # BUILD-FOLDER: the names of all tests
     ctest --test-dir "$1" -N | sed -n 's/^ *Test *#[0-9]*: //p'
 }
 
-# Groups, one a line; what no line names is the last one, what is left out is in none.
+# Groups, one a line, each after what it needs built: `wend` or nothing. What no line names is the last one, what is left out in none.
 groups_of() { # BUILD-FOLDER
-    local all named
+    local all named kind group
     all=$(tests_of "$1")
-    named=" $(listed group | tr '\n' ' ') $(listed not | sed 's/ .*//' | tr '\n' ' ') "
-    while read -r -a group; do
-        for name in "${group[@]}"; do grep -qx "$name" <<<"$all" && printf '%s ' "$name"; done
-        echo
-    done < <(listed group)
+    named=" $(listed '\(group\|parts\)' | tr '\n' ' ') $(listed not | sed 's/ .*//' | tr '\n' ' ') "
+    for kind in parts group; do
+        while read -r -a group; do
+            [ "$kind" = group ] && printf 'wend '
+            for name in "${group[@]}"; do grep -qx "$name" <<<"$all" && printf '%s ' "$name"; done
+            echo
+        done < <(listed "$kind")
+    done
+    printf 'wend '
     for name in $all; do case "$named" in *" $name "*) ;; *) printf '%s ' "$name" ;; esac; done
     echo
 }
 
-run_group() { # BUILD-FOLDER NAME…: builds and runs these; sets passed and failed
-    local folder=$1 targets=()
+run_group() { # BUILD-FOLDER NAME…: builds these, and runs those of them that are tests; sets passed and failed
+    local folder=$1 targets=(wend-tetgen)
     shift
     for name in "$@"; do
-        case "$name" in test_window_xcb | style | test_build_progress | test_totals) ;; *) targets+=("$name") ;; esac
+        case "$name" in test_window_xcb | style | reference | full_disk | test_build_progress | test_totals) ;; *) targets+=("$name") ;; esac
     done
     passed=0 failed=1
-    NINJA_STATUS='[%f/%t] ' ninja -C "$folder" wend wend-tetgen "${targets[@]}" 2>&1 | narrate_build >&2
+    NINJA_STATUS='[%f/%t] ' ninja -C "$folder" "${targets[@]}" 2>&1 | narrate_build >&2
     [ "${PIPESTATUS[0]}" -eq 0 ] || return
     run_tests "$folder" -R "^($(IFS='|'; echo "$*"))\$"
 }

@@ -4,6 +4,7 @@
 
 #include "app/session/output_set.h"
 #include "core/mesh/same_file.h"
+#include "core/mesh/skin_file.h"
 
 namespace wend {
 namespace fs = std::filesystem;
@@ -70,6 +71,11 @@ std::vector<OwnInput> inputsOf(const Project& project, const std::string& path, 
     add(OwnFile::Picture, domain.texture);
     add(OwnFile::Sizes, domain.sizesFile);
     add(OwnFile::Detail, domain.detail);
+    if (domain.kind != DomainKind::Image)
+        for (const std::string& surface : {domain.path, domain.detail})
+            if (!surface.empty())
+                for (const std::string& file : lookFilesOf(pathIn(folder, surface)))
+                    inputs.push_back({OwnFile::Look, file});
     add(OwnFile::Material,
         std::visit([](const auto& own) { return own.material.cellsFile; }, project.design));
     return inputs;

@@ -75,6 +75,7 @@ QString questionOf(OwnFile own, const QString& name) {
         case OwnFile::Sizes:
         case OwnFile::Detail:
         case OwnFile::Material:
+        case OwnFile::Look:
             break;
     }
     return Exporter::tr("“%1” belongs to this project. Replace it?").arg(name);

@@ -32,6 +32,7 @@
 #include "app/view/option_row.h"
 #include "app/view/picture_actions.h"
 #include "app/view/properties.h"
+#include "app/view/shape_notices.h"
 #include "app/view/side_windows.h"
 #include "app/view/solid_workshop.h"
 #include "app/view/start_page.h"
@@ -175,7 +176,7 @@ void MainWindow::connectFiles() {
     m_solids->setMayReplace(
         [this](const QString& path) { return m_exporter->mayReplace(ExportKind::Picture, path, 0); });
     connect(m_solids, &SolidWorkshop::failed, this, tellIn(Topic::Export));
-    connect(m_solids, &SolidWorkshop::told, this, tellIn(Topic::Mesh));
+    connect(new ShapeNotices(m_session, this), &ShapeNotices::told, this, tellIn(Topic::Mesh));
     connect(m_solids, &SolidWorkshop::done, this, &MainWindow::tellDone);
     const MeshPanel* mesh = &m_properties->mesh();
     connect(mesh, &MeshPanel::detailWanted, m_solidActions->chooseDetail, &QAction::trigger);

@@ -25,18 +25,6 @@
 
 namespace wend {
 
-namespace {
-
-/// A remark as a sentence. One that begins with a file's path keeps its beginning.
-QString sentence(const QString& remark) {
-    QString result = remark;
-    if (result.startsWith(QStringLiteral("the "))) result[0] = result[0].toUpper();
-    if (!result.endsWith('.')) result += '.';
-    return result;
-}
-
-}  // namespace
-
 SolidWorkshop::SolidWorkshop(const Surroundings& around, QWidget& window)
     : QObject(&window),
       m_around(around),
@@ -51,8 +39,6 @@ SolidWorkshop::SolidWorkshop(const Surroundings& around, QWidget& window)
 void SolidWorkshop::setActive(bool active) {
     if (active && !m_page) makePage();
     m_isActive = active;
-    m_told.reset();
-    m_hasTold = false;
     m_actions.setShown(active && m_canvas);
     if (!active || !m_canvas) return;
     const DistortionPanel& maps = m_around.properties.distortion();
@@ -99,7 +85,8 @@ void SolidWorkshop::connectView() {
     connect(common.zoomIn, &QAction::triggered, m_canvas, [zoom] { zoom(1.25); });
     connect(common.zoomOut, &QAction::triggered, m_canvas, [zoom] { zoom(0.8); });
     connect(a.detail, &QAction::toggled, m_canvas, &SolidCanvas::setDetailShown);
-    connect(&m_around.session, &ShapeSession::frameChanged, this, &SolidWorkshop::tellOfShape);
+    connect(&m_around.session, &ShapeSession::frameChanged, this,
+            [this] { m_actions.setHasDetail(m_canvas->hasDetail()); });
     connect(a.flat, &QAction::toggled, m_canvas, &SolidCanvas::setFlat);
     connect(a.orthographic, &QAction::toggled, m_canvas, &VolumeView::setOrthographic);
     connect(a.arrows, &QAction::toggled, m_canvas, &SolidCanvas::setArrowsShown);
@@ -219,20 +206,6 @@ QImage SolidWorkshop::smallView(const QSize& size) {
     PictureChoice choice;
     choice.size = size;
     return m_canvas ? viewPicture(*m_canvas, choice) : QImage();
-}
-
-/// Once for every mesh; what was told of the last one goes.
-void SolidWorkshop::tellOfShape() {
-    const auto frame = m_around.session.frame<3>();
-    if (!frame || frame->shape == m_told) return;
-    m_told = frame->shape;
-    m_actions.setHasDetail(m_canvas->hasDetail());
-    QStringList lines;
-    for (const std::string& notice : frame->built->notices) lines << sentence(QString::fromStdString(notice));
-    if (frame->built->refineHelps)
-        lines << tr("“Refine surface” in the panel “Mesh” lets the surface's triangles be split.");
-    if (!lines.isEmpty() || m_hasTold) emit told(lines.join('\n'));
-    m_hasTold = !lines.isEmpty();
 }
 
 void SolidWorkshop::showCut() {

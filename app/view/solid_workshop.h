@@ -56,8 +56,6 @@ class SolidWorkshop : public QObject {
     void menuWanted(QPoint global, wend::MenuPlace place);
     void failed(QString text);
     void done(QString text);
-    /// What the user should hear of a new mesh.
-    void told(QString text);
 
   private:
     void makePage();
@@ -68,7 +66,6 @@ class SolidWorkshop : public QObject {
     void connectDetail();
     void showCut();
     void holdBeyondCut();
-    void tellOfShape();
 
     Surroundings m_around;
     QWidget& m_window;
@@ -80,8 +77,6 @@ class SolidWorkshop : public QObject {
     std::function<bool(const QString&)> m_mayReplace;
     bool m_isActive = false;
     int m_lastCut = 2;
-    std::shared_ptr<const void> m_told;  // the rest mesh whose notices were told
-    bool m_hasTold = false;              // and there were some
     Manipulator m_manipulator;
 };
 

@@ -68,6 +68,15 @@ Skin readSkin(const std::string& path) {
     return skin;
 }
 
+std::vector<std::string> lookFilesOf(const std::string& path) {
+    if (!hasExtension(path, ".obj")) return {};
+    try {
+        return formats::objLookFiles(readInput(path), path);
+    } catch (const InputError&) {  // told by who needs the surface
+        return {};
+    }
+}
+
 void writeSkin(const std::string& path, const Skin& skin, const Points<3>& points,
                const std::vector<MeshField>& fields, const MeshWriteOptions& options) {
     if (hasExtension(path, ".glb")) return writeGltf(path, gltfScene(skin, points));

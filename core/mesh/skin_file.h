@@ -12,6 +12,10 @@ namespace wend {
 /// missing is only a warning.
 Skin readSkin(const std::string& path);
 
+/// What belongs to a surface's look and stands in files of its own: of an OBJ file its materials and their
+/// pictures, there or not; otherwise none. Of a file that cannot be read none either.
+std::vector<std::string> lookFilesOf(const std::string& path);
+
 /// The skin with its vertices at `points`, by extension: .glb, and the surface formats of writeMeshFile. An
 /// OBJ file that came from an OBJ file is that file with other vertices: its polygons, texture, groups and
 /// materials stay, its normals, which are no longer true, go. `fields` (per vertex or triangle of the skin)

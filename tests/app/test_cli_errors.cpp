@@ -155,6 +155,8 @@ void TestCliErrors::overwriting_data() {
     row("the other of TetGen's input", "run pair.wend --report pair.ele", "would replace pair.ele");
     row("mesh of itself", "mesh tetrahedron.obj -o x.d/../tetrahedron.obj", "would replace tetrahedron.obj");
     row("sizes", "mesh tetrahedron.obj --sizes sizes.obj -o sizes.obj", "which is read here");
+    row("materials of a surface", "run look.wend --report wood.mtl", "would replace wood.mtl");
+    row("a material's picture", "run look.wend --report grain.png", "would replace grain.png");
     row("problems", "info flat.obj --problems ./flat.obj", "would replace flat.obj");
     row("one place twice", "run strip.wend --mesh out.vtu --velocity out.vtu",
         "out.vtu: would replace another output, out.vtu");
@@ -188,6 +190,11 @@ void TestCliErrors::overwriting() {
     fs::create_symlink("disc.png", base / "x_10.png", there);
     fs::create_directory_symlink(".", base / "x.way", there);
     put(path(), "cells.json", "{}");
+    put(path(), "look.obj",
+        "mtllib wood.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+    put(path(), "wood.mtl", "newmtl wood\nmap_Kd grain.png\n");
+    put(path(), "grain.png", "a picture");
+    putProject(path(), "look.wend", "'domain': {'mesh': 'look.obj'}");
     put(path(), "sizes.obj", "1 1 1 1");
     putProject(path(), "own.wend", kDisc);
     putProject(path(), "cells.wend",

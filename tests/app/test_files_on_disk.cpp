@@ -4,6 +4,7 @@
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QPushButton>
+#include <fstream>
 
 #include "app/document/handle_edits.h"
 #include "app/document/text_file.h"
@@ -39,6 +40,7 @@ class TestFilesOnDisk : public QObject {
     void movedPicturesAreFound();
     void ownFilesAreAskedFor();
     void namesGetTheirExtensionBeforeTheQuestion();
+    void whatAFlatMeshHasIsTold();
 
   private:
     void openProject();
@@ -338,6 +340,21 @@ void TestFilesOnDisk::namesGetTheirExtensionBeforeTheQuestion() {
     m_window->actions().exportPicture->trigger();
     QVERIFY2(question.contains(QStringLiteral("old.png")), qPrintable(question));
     QCOMPARE(readTextFile(file("old.png").toStdString()), std::string("precious"));
+}
+
+/// Of flat shapes as of solids; and what was told of one goes with the next.
+void TestFilesOnDisk::whatAFlatMeshHasIsTold() {
+    std::ofstream(file("hanging.off").toStdString())
+        << "OFF\n7 4 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 1 0\n2 2 0\n1 2 0\n"
+           "3 0 1 2\n3 0 2 3\n3 2 4 5\n3 2 5 6\n";
+    std::ofstream(file("square.off").toStdString())
+        << "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n";
+    m_window->openPath(file("hanging.off"));
+    QVERIFY(told("hangs on"));
+    m_window->openPath(file("square.off"));
+    QVERIFY(isOpen("square.off"));
+    QVERIFY(QTest::qWaitFor([&] { return m_window->session().frame() != nullptr; }, 60000));
+    QVERIFY(m_window->banner().text().isEmpty());
 }
 
 QTEST_MAIN(TestFilesOnDisk)

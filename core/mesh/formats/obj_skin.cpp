@@ -67,6 +67,10 @@ std::string textureName(std::string_view rest) {
     return std::string(rest.substr(blank + 1));
 }
 
+fs::path materialPath(const std::string& obj, std::string_view name) {
+    return fs::path(obj).parent_path() / std::string(name);
+}
+
 void readMaterials(const fs::path& path, Skin& skin, std::map<std::string, int, std::less<>>& known) {
     std::string bytes;
     try {
@@ -126,7 +130,7 @@ class LookReader {
         } else if (keyword == "f") {
             face(line);
         } else if (keyword == "mtllib") {
-            readMaterials(fs::path(m_skin.path).parent_path() / std::string(line), m_skin, m_known);
+            readMaterials(materialPath(m_skin.path, line), m_skin, m_known);
         } else if (keyword == "usemtl") {
             const auto [entry, isNew] =
                 m_known.try_emplace(std::string(line), static_cast<int>(m_skin.materials.size()));
@@ -198,6 +202,22 @@ std::string renamed(const std::string& file, const std::string& oldFolder, const
 
 void addObjLook(const std::string& bytes, Skin& skin) {
     LookReader(skin).read(bytes);
+}
+
+std::vector<std::string> objLookFiles(const std::string& bytes, const std::string& path) {
+    std::vector<std::string> files;
+    Skin skin;
+    std::map<std::string, int, std::less<>> known;
+    eachLine(bytes, [&](std::string_view line) {
+        line = line.substr(0, line.find('#'));
+        if (takeWord(line) != "mtllib") return;
+        const fs::path materials = materialPath(path, line);
+        files.push_back(materials.string());
+        readMaterials(materials, skin, known);
+    });
+    for (const SkinMaterial& material : skin.materials)
+        if (!material.texture.empty()) files.push_back(material.texture);
+    return files;
 }
 
 std::string withVertices(const std::string& bytes, const Points<3>& points, const std::string& oldFolder,

@@ -8,6 +8,9 @@ namespace wend::formats {
 /// found in the same bytes, so that they are known to be sound.
 void addObjLook(const std::string& bytes, Skin& skin);
 
+/// The material files that an OBJ file names, and the pictures that these name.
+std::vector<std::string> objLookFiles(const std::string& bytes, const std::string& path);
+
 /// The bytes of an OBJ file with other vertices: without normals, and with its material files named from
 /// `newFolder` instead of `oldFolder`.
 std::string withVertices(const std::string& bytes, const Points<3>& points, const std::string& oldFolder,
