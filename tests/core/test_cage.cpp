@@ -25,6 +25,8 @@ class TestCage : public QObject {
     void aimIsMet_data();
     void aimIsMet();
     void volumeIsKept();
+    void keepsItsDistance_data();
+    void keepsItsDistance();
     void openBoxIsFilledUnlessDetailSaysNo();
     void wideGapsStayNarrowOnesClose();
     void partsThatShareCells();
@@ -198,6 +200,35 @@ void TestCage::volumeIsKept() {
     options.maxVolume = 0.001;
     const Cage fine = fitCage(box({0, 0, 0}, {4, 1, 1}, 4), options);
     QVERIFY(cellMeasure<3>(fine.mesh.points, fine.mesh.cells[0]) <= 0.001 * (1 + 1e-9));
+}
+
+void TestCage::keepsItsDistance_data() {
+    QTest::addColumn<double>("offset");
+    QTest::addColumn<double>("detail");
+    for (const double offset : {1.0 / 15, 0.4, 1.5})
+        for (const double detail : {0.0, 1.0})
+            QTest::addRow("%.2f of %s", offset, detail > 0 ? "the gap" : "the cubes") << offset << detail;
+}
+
+/// Whatever is not farther from the surface along an axis than asked for lies inside.
+void TestCage::keepsItsDistance() {
+    QFETCH(double, offset);
+    QFETCH(double, detail);
+    const Surface surface = box({0, 0, 0}, {4, 1, 1}, 4);
+    CageOptions options;
+    options.vertices = 1500;
+    options.offset = offset;
+    options.detail = detail;
+    const Cage cage = fitCage(surface, options);
+    const auto faces = border(cage.mesh);
+    const double width = detail > 0 ? std::sqrt(18) / 20 : cage.edge;  // of the diagonal
+    for (int v = 0; v < surface.vertexCount(); ++v)
+        for (int axis = 0; axis < 3; ++axis)
+            for (const double side : {-0.999, 0.999}) {
+                const Vec<3> p = surface.points.col(v) + side * offset * width * Vec<3>::Unit(axis);
+                const double around = winding(cage.mesh.points, faces, p);
+                QVERIFY2(std::abs(around - 1) < 1e-6, qPrintable(QString::number(around)));
+            }
 }
 
 void TestCage::openBoxIsFilledUnlessDetailSaysNo() {

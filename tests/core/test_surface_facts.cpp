@@ -15,6 +15,7 @@ class TestSurfaceFacts : public QObject {
   private slots:
     void sphere();
     void torus();
+    void edgesOfABlock();
     void cubeWithAHole();
     void shells();
     void openOnes();
@@ -95,6 +96,17 @@ void TestSurfaceFacts::torus() {
     QCOMPARE(facts.edges, 3 * 200 * 100);
     const double shortest = 2 * std::sin(kPi / 100);  // around the tube, or inside the ring
     QVERIFY(std::abs(facts.shortestEdge - std::min(shortest, 2 * 2 * std::sin(kPi / 200))) < 1e-12);
+}
+
+/// Twelve edges and a diagonal in each of six faces.
+void TestSurfaceFacts::edgesOfABlock() {
+    const SurfaceFacts facts = factsOf(box({1, 1, 1}, {4, 3, 2}));
+    QCOMPARE(facts.edges, 18);
+    QVERIFY(std::abs(facts.shortestEdge - 1) < 1e-12);
+    QVERIFY(std::abs(facts.longestEdge - std::sqrt(13)) < 1e-12);
+    const double sum = 4 * (3 + 2 + 1) + 2 * (std::sqrt(13) + std::sqrt(10) + std::sqrt(5));
+    QVERIFY(std::abs(facts.meanEdge - sum / 18) < 1e-12);
+    QVERIFY((facts.low - Vec<3>(1, 1, 1)).norm() == 0 && (facts.high - Vec<3>(4, 3, 2)).norm() == 0);
 }
 
 void TestSurfaceFacts::cubeWithAHole() {
