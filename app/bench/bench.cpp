@@ -5,6 +5,7 @@
 
 #include "app/bench/drag_rows.h"
 #include "app/bench/flow_rows.h"
+#include "app/bench/paper.h"
 #include "app/bench/recorder.h"
 #include "app/bench/solver_rows.h"
 #include "app/bench/warp_rows.h"
@@ -21,6 +22,7 @@ constexpr Size kSizes[] = {{"2d-5.6k", 2, 5600},   {"2d-11k", 2, 11000}, {"2d-40
                            {"2d-160k", 2, 160000}, {"3d-1.5k", 3, 1500}, {"3d-5k", 3, 5000},
                            {"3d-20k", 3, 20000}};
 constexpr const char* kWarp = "warp";
+constexpr const char* kPaper = "paper";  // measures more than speed: only when it is asked for
 
 template <int Dim>
 void runSize(const Size& size, BenchRecorder& recorder) {
@@ -46,7 +48,7 @@ void requireKnown(const std::vector<std::string>& cases) {
 std::vector<std::string> benchCases() {
     std::vector<std::string> names;
     for (const Size& size : kSizes) names.push_back(size.name);
-    names.push_back(kWarp);
+    names.insert(names.end(), {kWarp, kPaper});
     return names;
 }
 
@@ -66,6 +68,12 @@ BenchTable runBenchmarks(const BenchOptions& options) {
     if (wanted(kWarp)) {
         recorder.begin({kWarp, 2, 0, 0, {}});
         addWarpRows(recorder);
+    }
+    if (std::ranges::find(options.cases, kPaper) != options.cases.end()) {
+        PaperOptions paper;
+        paper.folder = options.folder;
+        table.claims = addPaperCases(paper, recorder);
+        for (const BenchClaim& claim : table.claims) recorder.remark(textOf(claim));
     }
     return table;
 }

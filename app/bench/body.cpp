@@ -10,24 +10,6 @@ namespace {
 
 constexpr double kLength = 4;
 
-SimplicialMesh<2> strip(int vertices) {
-    PlanarMeshOptions options;
-    options.vertices = vertices;
-    return meshOutline(Outline{{{{0, 0}, {kLength, 0}, {kLength, 1}, {0, 1}}}}, options);
-}
-
-SimplicialMesh<3> bar(int vertices) {
-    Surface box;
-    box.points.resize(3, 8);
-    for (int i = 0; i < 8; ++i) box.points.col(i) = Vec<3>(kLength * (i & 1), (i >> 1) & 1, i >> 2);
-    box.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
-                     {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
-    VolumeMeshOptions options;
-    options.vertices = vertices;
-    options.keepSurface = false;
-    return meshVolume(box, options).mesh;
-}
-
 template <int Dim>
 Rotate<Dim> halfTurn(double length, double width) {
     Rotate<Dim> turn;
@@ -51,13 +33,29 @@ HalfSpace<Dim> end(double x, double side) {
 
 }  // namespace
 
+SimplicialMesh<2> meshBox(const Vec<2>& size, int vertices) {
+    PlanarMeshOptions options;
+    options.vertices = vertices;
+    return meshOutline(Outline{{{{0, 0}, {size.x(), 0}, {size.x(), size.y()}, {0, size.y()}}}}, options);
+}
+
+SimplicialMesh<3> meshBox(const Vec<3>& size, int vertices) {
+    Surface box;
+    box.points.resize(3, 8);
+    for (int i = 0; i < 8; ++i) box.points.col(i) = size.cwiseProduct(Vec<3>(i & 1, (i >> 1) & 1, i >> 2));
+    box.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                     {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+    VolumeMeshOptions options;
+    options.vertices = vertices;
+    options.keepSurface = false;
+    return meshVolume(box, options).mesh;
+}
+
 template <int Dim>
 Body<Dim> makeBody(int vertices) {
-    SimplicialMesh<Dim> mesh;
-    if constexpr (Dim == 2)
-        mesh = strip(vertices);
-    else
-        mesh = bar(vertices);
+    Vec<Dim> box = Vec<Dim>::Ones();
+    box.x() = kLength;
+    SimplicialMesh<Dim> mesh = meshBox(box, vertices);
     mesh.points /= boundingBoxDiagonal<Dim>(mesh.points);
     const double length = mesh.points.row(0).maxCoeff(), width = mesh.points.row(1).maxCoeff();
     Body<Dim> body;

@@ -9,6 +9,10 @@
 
 namespace wend {
 
+/// A box with one corner at 0, meshed by the program's own meshers to about so many vertices.
+SimplicialMesh<2> meshBox(const Vec<2>& size, int vertices);
+SimplicialMesh<3> meshBox(const Vec<3>& size, int vertices);
+
 /// What the benchmark bends: a strip of 4 : 1 in the plane, a bar of 4 : 1 : 1 in space, meshed by the
 /// program's own meshers to about so many vertices, with diagonal 1. The left end is held; the right end goes
 /// on a half circle about a point above the middle (2D: the strip bends by 180°) or turns by 180° about the

@@ -163,7 +163,31 @@ void addFlowRows(const Body<Dim>& body, double bound, BenchRecorder& recorder) {
     FlowBench<Dim>(body, bound, recorder).run();
 }
 
+template <int Dim>
+void addPaperFlow(const Body<Dim>& body, BenchRecorder& recorder) {
+    const auto add = [&](const std::string& what, const IntegrationOptions& options) {
+        Deformer<Dim> deformer = prepared(body, options);
+        const Statistics before = deformer.statistics();
+        const Timing time = measureOnce([&] { finish(deformer); });
+        const Statistics& after = deformer.statistics();
+        const double fields = after.evaluations - before.evaluations;
+        recorder.add({what,
+                      options.threads,
+                      time,
+                      {{"analysis (ms)", 1e3 * after.analyze},
+                       {"assembly of a field (ms)", 1e3 * (after.assemble - before.assemble) / fields},
+                       {"factor + solve of a field (ms)",
+                        1e3 * (after.factor - before.factor + after.solve - before.solve) / fields},
+                       {"fields", fields},
+                       {"factorizations", after.factorizations - before.factorizations}}});
+    };
+    add("ten RK4 steps, paper's scheme", paperScheme());
+    add("ten RK4 steps", fixedSteps(Method::RungeKutta4, 10, 1));
+}
+
 template void addFlowRows<2>(const Body<2>&, double, BenchRecorder&);
 template void addFlowRows<3>(const Body<3>&, double, BenchRecorder&);
+template void addPaperFlow<2>(const Body<2>&, BenchRecorder&);
+template void addPaperFlow<3>(const Body<3>&, BenchRecorder&);
 
 }  // namespace wend

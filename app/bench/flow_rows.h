@@ -10,4 +10,8 @@ namespace wend {
 template <int Dim>
 void addFlowRows(const Body<Dim>& body, double bound, BenchRecorder& recorder);
 
+/// What the paper's table of times has: ten steps by its scheme and what they are made of, and ours.
+template <int Dim>
+void addPaperFlow(const Body<Dim>& body, BenchRecorder& recorder);
+
 }  // namespace wend

@@ -52,7 +52,9 @@ std::vector<Growth> growthOf(const BenchTable& table) {
     }
     std::vector<Growth> growth;
     for (const auto& [key, s] : series) {
-        if (s.vertices.size() < 2) continue;
+        // Of shapes of one size nothing can be told.
+        const auto [least, most] = std::minmax_element(s.vertices.begin(), s.vertices.end());
+        if (*most < 1.5 * *least) continue;
         const auto& [dimension, what, threads] = key;
         growth.push_back({dimension, what, threads, growthExponent(s.vertices, s.seconds)});
     }
@@ -68,6 +70,16 @@ std::string headingOf(const BenchCase& one) {
 std::string textOf(const BenchRow& row) {
     std::string text = columns(row.what, row.threads) + duration(row.time.median);
     for (const auto& [figure, value] : row.figures) text += "   " + figure + printed(" %.3g", value);
+    return text;
+}
+
+std::string textOf(const BenchClaim& claim) {
+    std::string text = padded(claim.holds ? "  holds:" : "  FAILS:", 9) + claim.what;
+    const char* before = ": ";
+    for (const auto& [name, value] : claim.values) {
+        text += before + name + printed(" %.3g", value);
+        before = claim.holds ? " < " : ", ";
+    }
     return text;
 }
 
@@ -101,6 +113,10 @@ std::string jsonOf(const BenchTable& table) {
                                  {"vertices", one.vertices},
                                  {"cells", one.cells},
                                  {"rows", std::move(rows)}});
+    }
+    for (const BenchClaim& claim : table.claims) {
+        json["claims"].push_back({{"what", claim.what}, {"holds", claim.holds}});
+        for (const auto& [name, value] : claim.values) json["claims"].back()["values"][name] = value;
     }
     for (const Growth& one : growthOf(table))
         json["growth"].push_back({{"dimension", one.dimension},

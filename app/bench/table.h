@@ -23,10 +23,18 @@ struct BenchCase {
     std::vector<BenchRow> rows;
 };
 
+/// Something that is to hold of figures, and what they are.
+struct BenchClaim {
+    std::string what;
+    bool holds = true;
+    std::vector<std::pair<std::string, double>> values;
+};
+
 struct BenchTable {
     std::string machine;
     int cores = 0;
     std::vector<BenchCase> cases;
+    std::vector<BenchClaim> claims;
 };
 
 /// How the time of a row grows with the number of vertices, over the cases of one dimension.
@@ -41,6 +49,8 @@ std::vector<Growth> growthOf(const BenchTable& table);
 /// For people: "assembly, cpu, 1 thread        0.412 ms   …".
 std::string textOf(const BenchRow& row);
 std::string headingOf(const BenchCase& one);
+/// "holds:  EQUIA keeps …: volume: strip/EQUIA 0.0001 < …".
+std::string textOf(const BenchClaim& claim);
 std::string textOf(const std::vector<Growth>& growth);
 /// For programs: all of it, seconds as numbers.
 std::string jsonOf(const BenchTable& table);

@@ -11,9 +11,11 @@ namespace wend {
 ExitCode runBench(const Arguments& arguments) {
     const std::string output = arguments.text("--output");
     requirePlaces({output});
+    const std::string folder = arguments.text("--keep");
     const Interrupt interrupt;
     BenchOptions options;
     options.cases = arguments.files();
+    options.folder = folder;
     options.repeats = arguments.integer("--repeats");
     options.stop = interrupt.token();
     options.say = [](const std::string& line) {

@@ -12,6 +12,7 @@
 #include <new>
 #include <system_error>
 
+#include "app/bench/bench.h"
 #include "app/cli/commands.h"
 #include "app/cli/terminal.h"
 #include "core/mesh/input_file.h"
@@ -64,11 +65,21 @@ std::string overview() {
            "(or an output cannot be written), 4 the deformation could not be completed.\n";
 }
 
+std::string joinedCases() {
+    std::string text;
+    for (const std::string& name : benchCases()) text += " " + name;
+    return text;
+}
+
 std::string helpFor(const Command& command) {
     std::string text =
         "Usage: wend " + std::string(command.name) + " " + command.usage + "\n\n" + command.meaning + "\n";
     const std::string options = optionHelp(command.name);
     if (!options.empty()) text += "\nOptions:\n" + options;
+    if (std::string(command.name) == "bench")
+        text += "\nCases:" + joinedCases() +
+                "; without any, all but paper, which shows what the figures of the "
+                "paper\nshow, tells whether its findings hold, and has its table of times.\n";
     if (std::string(command.name) == "run")
         text +=
             "\nA file named - is standard output (one of them). Either all outputs are written, or none; if "

@@ -192,6 +192,8 @@ constexpr std::array kOptions{
            "the mesh, or the table as JSON, to write; also -o"},
     Option{"", "--repeats", Integer, "5", kRepeats, "", "", "bench",
            "runs that a median is taken of (fewer for what takes seconds)"},
+    Option{"", "--keep", File, "", kAny, "", "", "bench",
+           "an existing folder for the meshes, projects and deformed shapes of the case paper"},
     Option{"", "--problems", File, "", kAny, "", "", "info",
            "write the cells or triangles that are wrong as a mesh, with the numbers that they have"},
     Option{"", "--json", Flag, "", kAny, "", "", "info mesh",

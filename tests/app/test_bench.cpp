@@ -6,6 +6,7 @@
 
 #include "app/bench/body.h"
 #include "app/bench/flow_rows.h"
+#include "app/bench/paper.h"
 #include "app/bench/solver_rows.h"
 #include "core/mesh/error.h"
 
@@ -25,6 +26,8 @@ class TestBench : public QObject {
     void startVelocitiesAreTheHandles_data();
     void startVelocitiesAreTheHandles();
     void aSmallCaseHasAllRows();
+    void theTableOfThePaper();
+    void whatThePaperFindsHolds();
     void stops();
 };
 
@@ -152,6 +155,38 @@ void TestBench::aSmallCaseHasAllRows() {
         const auto named = [&](const BenchRow& row) { return row.what == what; };
         QVERIFY2(std::ranges::any_of(table.cases[0].rows, named), what);
     }
+}
+
+void TestBench::theTableOfThePaper() {
+    BenchOptions options;
+    BenchTable table;
+    BenchRecorder recorder(table, options);
+    recorder.begin({"times", 3, 1, 1, {}});
+    addPaperFlow(makeBody<3>(200), recorder);
+    const auto& [paper, ours] = std::tie(table.cases[0].rows[0], table.cases[0].rows[1]);
+    const auto figure = [](const BenchRow& row, const std::string& name) {
+        return std::ranges::find(row.figures, name, &std::pair<std::string, double>::first)->second;
+    };
+    QCOMPARE(figure(paper, "fields"), 40.0);          // four in each of ten steps,
+    QCOMPARE(figure(paper, "factorizations"), 40.0);  // each with a factor of its own
+    QVERIFY(figure(ours, "factorizations") < 40);
+    for (const char* part : {"analysis (ms)", "assembly of a field (ms)", "factor + solve of a field (ms)"})
+        QVERIFY2(figure(paper, part) > 0, part);
+}
+
+/// On small shapes; `wend bench paper` shows it on those of the paper's size.
+void TestBench::whatThePaperFindsHolds() {
+    BenchOptions options;
+    BenchTable table;
+    BenchRecorder recorder(table, options);
+    PaperOptions paper;
+    paper.flatVertices = 700;
+    paper.solidVertices = 300;
+    paper.timings = false;
+    const std::vector<BenchClaim> claims = addPaperCases(paper, recorder);
+    QVERIFY(claims.size() > 30);
+    for (const BenchClaim& claim : claims) QVERIFY2(claim.holds, textOf(claim).c_str());
+    QCOMPARE(table.cases.size(), std::size_t(10));
 }
 
 void TestBench::stops() {
