@@ -42,8 +42,8 @@ struct WarpOptions {
     Outside outside = Outside::Transparent;
     std::array<float, 4> colour = {0, 0, 0, 0};  // of Outside::Colour, associated, in [0, 1]
     bool antialias = true;                       // coverage along the outline
-    /// Per cell, greater is nearer; where it is the same, and if it is empty, later cells lie over earlier
-    /// ones. What is transparent of a cell lets those below it be seen.
+    /// Per cell, greater is nearer, and between whole numbers runs an outline; where it is equal, or empty,
+    /// later cells lie over earlier ones. What is transparent of a cell lets those below it be seen.
     std::vector<float> depth;
     /// Where nothing has moved, pixels that are no farther than this from the shape's are the source's own,
     /// to the bit: for an outline that leaves gaps open between soft edges. 0: the outline cuts them.

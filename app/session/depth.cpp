@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/mesh/limb_order.h"
+
 namespace wend {
 
 namespace {
@@ -19,7 +21,7 @@ float orderAt(const std::vector<DepthRegion>& regions, const Vec<2>& p) {
 
 }  // namespace
 
-std::vector<float> cellDepths(const std::vector<DepthRegion>& regions, const SimplicialMesh<2>& rest) {
+std::vector<float> cellOrders(const std::vector<DepthRegion>& regions, const SimplicialMesh<2>& rest) {
     if (regions.empty()) return {};
     std::vector<float> depths;
     depths.reserve(rest.cells.size());
@@ -28,12 +30,25 @@ std::vector<float> cellDepths(const std::vector<DepthRegion>& regions, const Sim
     return flat ? std::vector<float>() : depths;
 }
 
+std::vector<float> cellDepths(const std::vector<DepthRegion>& regions, const SimplicialMesh<2>& rest) {
+    std::vector<float> depths = cellOrders(regions, rest);
+    if (depths.empty()) depths.assign(rest.cells.size(), 0);
+    std::vector<float> levels = depths;
+    std::ranges::sort(levels);
+    levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
+    const std::vector<int> place = limbOrder(rest);
+    for (std::size_t c = 0; c < depths.size(); ++c)  // the level, and less than a half for the place
+        depths[c] = static_cast<float>(std::ranges::lower_bound(levels, depths[c]) - levels.begin()) +
+                    0.5F * static_cast<float>(place[c]) / static_cast<float>(place.size());
+    return depths;
+}
+
 const CellDepths::Values& CellDepths::of(const std::vector<DepthRegion>& regions,
                                          const std::shared_ptr<const SimplicialMesh<2>>& rest) {
     if (m_values && rest == m_rest && regions == m_regions) return m_values;
     m_regions = regions;
     m_rest = rest;
-    m_values = std::make_shared<const std::vector<float>>(cellDepths(regions, *rest));
+    m_values = std::make_shared<const std::vector<float>>(m_make(regions, *rest));
     return m_values;
 }
 

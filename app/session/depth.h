@@ -8,18 +8,25 @@
 
 namespace wend {
 
-/// The order of every cell, that of the last region which has the cell's centroid, for WarpOptions::depth;
-/// empty if nothing lies in front of anything. `rest` in the domain's coordinates.
+/// The order that the regions give to every cell, that of the last one which has the cell's centroid; empty
+/// if nothing lies in front of anything. `rest` in the domain's coordinates.
+std::vector<float> cellOrders(const std::vector<DepthRegion>& regions, const SimplicialMesh<2>& rest);
+
+/// For WarpOptions::depth: what the regions say, and in one order the limbs as limbOrder() lays them.
 std::vector<float> cellDepths(const std::vector<DepthRegion>& regions, const SimplicialMesh<2>& rest);
 
-/// The same, made again only for other regions or another mesh.
+/// One of the two, made again only for other regions or another mesh.
 class CellDepths {
   public:
     using Values = std::shared_ptr<const std::vector<float>>;
+    explicit CellDepths(std::vector<float> (&make)(const std::vector<DepthRegion>&,
+                                                   const SimplicialMesh<2>&) = cellDepths)
+        : m_make(make) {}
     const Values& of(const std::vector<DepthRegion>& regions,
                      const std::shared_ptr<const SimplicialMesh<2>>& rest);
 
   private:
+    std::vector<float> (&m_make)(const std::vector<DepthRegion>&, const SimplicialMesh<2>&);
     std::vector<DepthRegion> m_regions;
     std::shared_ptr<const SimplicialMesh<2>> m_rest;
     Values m_values;

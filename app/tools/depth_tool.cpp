@@ -45,8 +45,8 @@ void DepthTool::take(const std::vector<Dab>& dabs) {
 void DepthTool::paint(QPainter& painter) const {
     const auto frame = session().frame<2>();
     if (frame) {
-        const auto& depths = m_depths.of(session().document().project()->depth, frame->rest);
-        paintDepths(painter, *frame, *depths, [this](const Vec<2>& p) { return surface().toWidget(p); });
+        const auto& orders = m_orders.of(session().document().project()->depth, frame->rest);
+        paintDepths(painter, *frame, *orders, [this](const Vec<2>& p) { return surface().toWidget(p); });
     }
     StrokeTool<2>::paint(painter);
 }

@@ -25,7 +25,7 @@ class DepthTool : public StrokeTool<2> {
     double order() const;
 
     const PenValue& m_order;  // greater than 0 in front, less behind
-    mutable CellDepths m_depths;
+    mutable CellDepths m_orders{cellOrders};
 };
 
 }  // namespace wend

@@ -11,6 +11,7 @@
 #include <functional>
 #include <optional>
 
+#include "app/session/depth.h"
 #include "app/session/opening.h"
 #include "app/view/canvas.h"
 #include "app/view/overlay_painter.h"
@@ -352,8 +353,10 @@ void TestCanvasPictures::drag(const std::vector<int>& pins, const Vec<2>& by) {
 QImage TestCanvasPictures::exported(const View& view) {
     const QString path = m_folder->filePath(QStringLiteral("exported.png"));
     const auto& frame = *m_session->frame<2>();
+    WarpOptions options;
+    options.depth = cellDepths({}, *frame.rest);
     writeWarped(path.toStdString(),
-                WarpedPicture(*m_session->document().picture(), *frame.rest, frame.pose, view, {}));
+                WarpedPicture(*m_session->document().picture(), *frame.rest, frame.pose, view, options));
     return QImage(path).convertToFormat(QImage::Format_ARGB32);
 }
 
