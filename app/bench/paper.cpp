@@ -70,12 +70,9 @@ template <int Dim>
 Figures figuresOf(const SimplicialMesh<Dim>& rest, const Points<Dim>& pose) {
     const Distortion all = distortion<Dim>(rest, pose);
     const double change = measureOf<Dim>(pose, rest.cells) / measureOf<Dim>(rest.points, rest.cells) - 1;
-    return {{"angle", all.totalAngle},
-            {"volume", all.totalVolume},
-            {"metric", all.totalMetric},
-            {"worst 1 %", worstShare<Dim>(rest, all)},
-            {"whole measure's change", change},
-            {"inverted", all.flips}};
+    return {{"angle", all.totalAngle},          {"volume", all.totalVolume},
+            {"metric", all.totalMetric},        {"worst 1 %", worstShare<Dim>(rest, all)},
+            {"whole measure's change", change}, {"inverted", all.flips}};
 }
 
 /// Writes meshes and projects into a folder and runs these.
@@ -97,8 +94,8 @@ class Figurist {
         for (const PaperScene::Variant& variant : scene.variants) {
             const std::string name = plain(scene.name + "-" + variant.name);
             const std::string project = pathIn(m_folder, name + ".wend");
-            writeTextFile(project, "{\"format\": \"wend\", \"version\": 1, \"domain\": {\"mesh\": \"" + meshName +
-                                       "\"}, \"material\": " + quoted(variant.material) +
+            writeTextFile(project, "{\"format\": \"wend\", \"version\": 1, \"domain\": {\"mesh\": \"" +
+                                       meshName + "\"}, \"material\": " + quoted(variant.material) +
                                        ", \"handles\": " + quoted(scene.handles) + "}\n");
             const std::string posed = pathIn(m_folder, name + "-deformed" + extension);
             Figures figures = addRun<Dim>(variant.name, rest, project, posed, scene.middle);

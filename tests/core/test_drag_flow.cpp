@@ -64,6 +64,36 @@ class TestDragFlow : public QObject {
         QVERIFY(distance(flow.pose(), bend.mesh->points) > 0.5);
     }
 
+    /// The gradient of the memory acts while a hand drags, as in the exact motion: what it makes of the shape
+    /// is much more than what the preview misses.
+    template <int Dim>
+    void remembersWhileDragging() {
+        Bend<Dim> bend(Dim == 2 ? 24 : 12, Dim == 2 ? 6 : 3, 4, 0);
+        std::vector<Motion<Dim>> way = wavyWay<Dim>();
+        const auto dragged = [&] {
+            auto flow = flowOf(bend);
+            for (const Motion<Dim>& motion : way) flow.lead({1}, motion);
+            return Points<Dim>(flow.pose());
+        };
+        const Points<Dim> forgetful = dragged();
+        Material<Dim> material = *bend.material;
+        material.memory = 10;
+        bend.material = std::make_shared<const Material<Dim>>(material);
+        const Points<Dim> remembering = dragged();
+        for (std::size_t i = 0; i < way.size(); ++i)
+            way[i].start = double(i) / way.size(), way[i].end = double(i + 1) / way.size();
+        bend.handles[1].motions = way;
+        IntegrationOptions options;
+        options.tolerance = 1e-6;
+        Deformer<Dim> exact = bend.deformer(options);
+        QVERIFY(exact.advance(1).outcome == Outcome::Done);
+        const double missed = distance(remembering, exact.state().points),
+                     made = distance(remembering, forgetful);
+        qInfo("missed %.2e, made %.2e", missed, made);
+        QVERIFY(missed < 4e-4 * boundingBoxDiagonal<Dim>(bend.mesh->points));
+        QVERIFY(made > 10 * missed);
+    }
+
     /// Of second order in the length of the samples: a turn in 10, 20, 40.
     template <int Dim>
     void isOfSecondOrder() {
@@ -141,6 +171,8 @@ class TestDragFlow : public QObject {
         QFETCH(double, phi);
         dim == 2 ? followsTheExactMotion<2>(phi) : followsTheExactMotion<3>(phi);
     }
+    void remembersWhileDragging2() { remembersWhileDragging<2>(); }
+    void remembersWhileDragging3() { remembersWhileDragging<3>(); }
     void isOfSecondOrder2() { isOfSecondOrder<2>(); }
     void isOfSecondOrder3() { isOfSecondOrder<3>(); }
     void stopsBeforeCellsFold2() { stopsBeforeCellsFold<2>(); }

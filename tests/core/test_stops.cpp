@@ -154,6 +154,31 @@ class TestStops : public QObject {
         }
     }
 
+    /// Near EQUIA settling is stiff: where steps must not be as short as that takes, it stops at a good shape
+    /// and says so.
+    template <int Dim>
+    void settlingSaysThatItIsTooStiff() {
+        Press<Dim> press(along<Dim>(-1.2));
+        press.phi = phi::kEquia;
+        press.options.method = Method::DormandPrince;
+        press.options.tolerance = 1e-6;
+        press.options.smallestStep = 0.033;  // the first one is 1/30 of the window
+        press.options.settle = {{1, 2}};
+        press.options.end = 2;
+        Deformer<Dim> deformer = press.deformer();
+        const AdvanceResult moved = deformer.advance(1);
+        QVERIFY2(moved.outcome == Outcome::Done, moved.message.c_str());
+        const AdvanceResult result = deformer.advance(2);
+        const QString message = QString::fromStdString(result.message);
+        QVERIFY2(result.outcome == Outcome::StepTooSmall, qPrintable(message));
+        QVERIFY2(message.startsWith(QString("at time %1 the shape is too stiff to settle").arg(result.time)),
+                 qPrintable(message));
+        QVERIFY(placeIn<Dim>(message).allFinite());
+        QVERIFY(result.time >= 1 && result.time < 2);
+        QCOMPARE(deformer.state().time, result.time);
+        QCOMPARE(invertedElsewhere<Dim>(press.mesh, deformer.state().points), 0);
+    }
+
     /// Whatever stops it, wherever the shape lies: what is handed out, the last state and every frame before,
     /// has no cell that is inverted or flat in anybody's arithmetic.
     template <int Dim>
@@ -227,6 +252,8 @@ class TestStops : public QObject {
     }
 
   private slots:
+    void settlingSaysThatItIsTooStiff2() { settlingSaysThatItIsTooStiff<2>(); }
+    void settlingSaysThatItIsTooStiff3() { settlingSaysThatItIsTooStiff<3>(); }
     void flatToRoundingIsInverted2() { flatToRoundingIsInverted<2>(); }
     void flatToRoundingIsInverted3() { flatToRoundingIsInverted<3>(); }
     void everyReasonIsTold2_data() { reasons(); }

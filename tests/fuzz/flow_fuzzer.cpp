@@ -1,5 +1,5 @@
-// flow_fuzzer SEED COUNT [FIRST]: deforms COUNT random shapes, half of them in the plane and half in space, by random
-// handles, and looks at every accepted state and at frames between: no cell may be turned over, and
+// flow_fuzzer SEED COUNT [FIRST]: deforms COUNT random shapes, half of them in the plane and half in space,
+// by random handles, and looks at every accepted state and at frames between: no cell may be turned over, and
 // constrained points stand where they should to 1e-12 of the size. A flow that cannot go on has to say
 // when, which handle and where. The same seed gives the same flows; exit code 0 if all is well.
 
@@ -111,7 +111,8 @@ class Check {
         for (const Handle<Dim>& handle : m_flow.handles) {
             const auto* ids = std::get_if<std::vector<int>>(&handle.at);
             if (!ids || t > handle.activeTo) continue;
-            for (const int v : *ids) compare(placeOf<Dim>(handle, m_flow.mesh->points.col(v), t), points.col(v));
+            for (const int v : *ids)
+                compare(placeOf<Dim>(handle, m_flow.mesh->points.col(v), t), points.col(v));
         }
     }
 
@@ -163,9 +164,11 @@ int main(int argc, char** argv) {
     }
     std::printf("%d flows (%d with memory, %d that settle), %ld states, %ld frames\n", t.flows, t.remembering,
                 t.settled, t.states, t.frames);
-    std::printf("arrived %d; stopped: folding %d, too fast %d, too stiff to settle %d, indefinite %d; refused %d\n",
-                t.arrived, t.folding, t.tooFast, t.tooStiff, t.indefinite, t.refused);
-    std::printf("constrained points off by %.1e of the size, by formulas of their own %.1e\n", t.offPath, t.offOwn);
+    std::printf(
+        "arrived %d; stopped: folding %d, too fast %d, too stiff to settle %d, indefinite %d; refused %d\n",
+        t.arrived, t.folding, t.tooFast, t.tooStiff, t.indefinite, t.refused);
+    std::printf("constrained points off by %.1e of the size, by formulas of their own %.1e\n", t.offPath,
+                t.offOwn);
     std::printf("%d findings\n", t.findings);
     return t.findings == 0 ? 0 : 1;
 }

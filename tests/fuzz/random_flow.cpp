@@ -92,7 +92,8 @@ Material<Dim> randomMaterial(const SimplicialMesh<Dim>& mesh, Random& random) {
         if (phiKind == 2) material.phi[c] = uniform(random, phi::kEquia, phi::conformal(Dim));
         if (BKind == 1) material.anisotropy.push_back(B);
         if (BKind == 2) material.anisotropy.push_back(c % 2 ? B : Mat<Dim>(Mat<Dim>::Identity()));
-        if (BKind == 3 && ratio < 10) material.anisotropy.push_back(test::randomAnisotropy<Dim>(random, ratio));
+        if (BKind == 3 && ratio < 10)
+            material.anisotropy.push_back(test::randomAnisotropy<Dim>(random, ratio));
     }
     if (chance(random, 0.1)) material.smoothing.kind = SmoothingKind::Paper;
     if (chance(random, 0.1)) material.smoothing.kind = SmoothingKind::None;
