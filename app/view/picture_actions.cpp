@@ -15,7 +15,7 @@ PictureActions::PictureActions(QObject* parent) : ActionMaker(parent) {
     adds =
         addToggle({tr("&Add"), tr("What is drawn shall bend, too; with Ctrl it is taken away")}, {}, "add");
     takesAway = addToggle({tr("&Take Away"), tr("What is drawn shall not bend; with Ctrl it is added")}, {},
-                          "remove");
+                          "take-away");
     auto* group = new QActionGroup(this);
     group->addAction(adds);
     group->addAction(takesAway);

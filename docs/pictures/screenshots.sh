@@ -5,23 +5,24 @@ only=$1
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)
 export DISPLAY=:78 HOME XDG_RUNTIME_DIR
-HOME=$(mktemp -d) XDG_RUNTIME_DIR=$(mktemp -d)
+scratch=$(mktemp -d) XDG_RUNTIME_DIR=$(mktemp -d)
 Xvfb "$DISPLAY" -screen 0 1440x900x24 >/dev/null 2>&1 &
 server=$!
-trap 'kill $program $server 2>/dev/null; rm -rf "$HOME" "$XDG_RUNTIME_DIR"' EXIT
+trap 'kill $program $server 2>/dev/null; rm -rf "$scratch" "$XDG_RUNTIME_DIR"' EXIT
 sleep 1
 
 shot() { # NAME ARGUMENT…: opens the window, waits, sends the keys in KEYS, drags along DRAG (x y x y), takes a picture of it
     local name=$1
     shift
     [ -z "$only" ] || [ "$only" = "$name" ] || return 0
+    HOME=$scratch/$name  # of its own: what one leaves unsaved is not offered to the next
+    mkdir -p "$HOME"
     "$root/build/release/wend" "$@" >/dev/null 2>&1 &
     program=$!
     local window
     window=$(xdotool search --sync --onlyvisible --pid "$program" | tail -n 1)
-    xdotool windowmove "$window" 0 0 windowsize "$window" 1440 900
+    xdotool windowmove "$window" 0 0 windowsize "$window" 1440 900 || true  # a solid makes it anew meanwhile
     sleep "${WAIT:-8}"
-    # A view of a solid makes the window anew.
     window=$(xdotool search --onlyvisible --pid "$program" | tail -n 1)
     xdotool windowmove "$window" 0 0 windowsize "$window" 1440 900 windowfocus "$window"
     sleep 1
@@ -53,5 +54,5 @@ WAIT=20 KEYS="f" shot solid-detail.png "$root/resources/samples/eagle.wend"
 WAIT=20 KEYS="d f" shot solid-window.png "$root/resources/samples/eagle.wend"
 WAIT=20 KEYS="m d c" shot solid-cut.png "$root/resources/samples/eagle.wend"
 WAIT=15 KEYS="ctrl+a" shot solid-curve.png "$root/resources/samples/bar.wend"
-echo '{"format": "wend", "version": 1, "domain": {"surface": "'"$root"'/resources/samples/bar.obj", "vertices": 3000, "refineSurface": true}}' >"$HOME/bar.wend"
-WAIT=15 KEYS="shift+a m f bracketright bracketright" DRAG="310 400 620 505" shot solid-sizes.png "$HOME/bar.wend"
+echo '{"format": "wend", "version": 1, "domain": {"surface": "'"$root"'/resources/samples/bar.obj", "vertices": 3000, "refineSurface": true}}' >"$scratch/bar.wend"
+WAIT=15 KEYS="shift+a m f bracketright bracketright" DRAG="310 400 620 505" shot solid-sizes.png "$scratch/bar.wend"
