@@ -123,17 +123,20 @@ QString sampleFolder() {
     return {};
 }
 
-}  // namespace
-
-QString pictureExtensions() {
+QString patternsOf(const std::vector<std::string>& extensions) {
     QStringList patterns;
-    for (const std::string& extension : pictureFileExtensions())
-        patterns << '*' + QString::fromStdString(extension);
+    for (const std::string& extension : extensions) patterns << '*' + QString::fromStdString(extension);
     return patterns.join(' ');
 }
 
+}  // namespace
+
+QString pictureExtensions() {
+    return patternsOf(pictureFileExtensions());
+}
+
 QString meshExtensions() {
-    return QStringLiteral("*.obj *.ply *.off *.stl *.mesh *.msh *.node *.ele *.vtk *.vtu");
+    return patternsOf(meshFileExtensions());
 }
 
 OpenedFile openFile(const QString& path, bool evenIfBlank) {

@@ -7,6 +7,7 @@
 #include "core/mesh/error.h"
 #include "core/mesh/file_name.h"
 #include "core/mesh/gltf.h"
+#include "core/mesh/mesh_formats.h"
 #include "core/mesh/number_text.h"
 #include "core/mesh/skin_file.h"
 
@@ -132,13 +133,23 @@ bool holdsFields(const std::string& path) {
     return !isSkinFile(path) || lowerExtension(path) == ".ply";
 }
 
+namespace {
+
+/// True if the format of the path is such a one.
+bool isOneWith(bool MeshFormatFacts::*fact, const std::string& path) {
+    return std::ranges::any_of(meshFormatFacts(), [&](const MeshFormatFacts& format) {
+        return format.*fact && std::ranges::count(format.extensions, lowerExtension(path)) > 0;
+    });
+}
+
+}  // namespace
+
 bool carriesValues(const std::string& path) {
-    static const std::vector<std::string> formats{".vtu", ".vtk", ".msh", ".ply"};
-    return std::ranges::count(formats, lowerExtension(path)) > 0;
+    return isOneWith(&MeshFormatFacts::holdsFields, path);
 }
 
 bool knowsEncodings(const std::string& path) {
-    return carriesValues(path) || lowerExtension(path) == ".stl";
+    return isOneWith(&MeshFormatFacts::knowsBinary, path);
 }
 
 bool isSkinFile(const std::string& path) {

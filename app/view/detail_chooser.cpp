@@ -5,6 +5,7 @@
 #include <QSettings>
 #include <QtConcurrent>
 
+#include "core/mesh/mesh_formats.h"
 #include "core/mesh/printable.h"
 #include "core/mesh/skin_file.h"
 
@@ -23,6 +24,15 @@ QString problemOf(const QString& path) try {
     return QString::fromStdString(messageOf(error));
 }
 
+QString surfacePatterns() {
+    QStringList patterns;
+    for (const MeshFormatFacts& format : meshFormatFacts())
+        if (!format.holdsTetrahedra)
+            for (const auto& extension : format.extensions)
+                patterns << '*' + QString::fromUtf8(extension.data(), extension.size());
+    return patterns.join(' ');
+}
+
 }  // namespace
 
 DetailChooser::DetailChooser(Document& document, QWidget& window)
@@ -32,7 +42,7 @@ void DetailChooser::ask() {
     QSettings settings;
     const QString path =
         QFileDialog::getOpenFileName(&m_window, tr("Choose Skin"), settings.value("folder").toString(),
-                                     tr("Surfaces (%1)").arg(QStringLiteral("*.obj *.ply *.stl *.off")));
+                                     tr("Surfaces (%1)").arg(surfacePatterns()));
     if (path.isEmpty()) return;
     settings.setValue("folder", QFileInfo(path).absolutePath());
     read(QFileInfo(path).absoluteFilePath());

@@ -15,6 +15,7 @@
 #include "app/session/shape_file.h"
 #include "app/view/option_field.h"
 #include "core/mesh/error.h"
+#include "core/mesh/mesh_formats.h"
 #include "warp/image_formats.h"
 
 namespace wend {
@@ -22,35 +23,35 @@ namespace wend {
 namespace {
 
 struct Format {
-    const char *name, *extension;
+    QString name, extension;
 };
 using Formats = QList<Format>;
 
 const Formats kPictures{
     {"PNG", ".png"}, {"TIFF", ".tif"}, {"OpenEXR", ".exr"}, {"JPEG", ".jpg"}, {"WebP", ".webp"}};
 const Formats kMaps{{"OpenEXR", ".exr"}, {"TIFF", ".tif"}};
-const Formats kFlat{{"Wavefront OBJ", ".obj"},  {"PLY", ".ply"}, {"OFF", ".off"},
-                    {"VTU (ParaView)", ".vtu"}, {"VTK", ".vtk"}, {"Gmsh", ".msh"}};
-const Formats kSolids{{"VTU (ParaView)", ".vtu"},
-                      {"VTK", ".vtk"},
-                      {"Medit", ".mesh"},
-                      {"Gmsh", ".msh"},
-                      {"TetGen", ".node"},
-                      {"glTF", ".glb"},
-                      {"Wavefront OBJ", ".obj"},
-                      {"PLY", ".ply"},
-                      {"STL", ".stl"},
-                      {"OFF", ".off"}};
-const Formats kSolidFrames{
-    {"glTF film", ".glb"}, {"VTU (ParaView)", ".vtu"}, {"Wavefront OBJ", ".obj"}, {"PLY", ".ply"},
-    {"STL", ".stl"},       {"Medit", ".mesh"},         {"VTK", ".vtk"},           {"Gmsh", ".msh"}};
+/// Surfaces first in the plane, in space what holds the solid itself.
+Formats meshFormats(bool solid, bool film) {
+    Formats formats, others;
+    for (const MeshFormatFacts& format : meshFormatFacts()) {
+        if (format.together && (film || !solid)) continue;  // two files each
+        const auto& first = format.extensions.front();
+        (format.holdsTetrahedra == solid ? formats : others)
+            << Format{QString::fromUtf8(format.name.data(), format.name.size()),
+                      QString::fromUtf8(first.data(), first.size())};
+    }
+    if (solid && film) formats.prepend({QStringLiteral("glTF film"), QStringLiteral(".glb")});
+    if (solid && !film) formats.append({QStringLiteral("glTF"), QStringLiteral(".glb")});
+    return formats + others;
+}
 
 Formats formatsOf(ExportKind kind, const FrameExport& shape) {
     if (kind == ExportKind::Picture) return kPictures;
     if (kind == ExportKind::StMap) return kMaps;
     const bool solid = shape.dimension() == 3;
-    if (kind == ExportKind::Mesh) return solid ? kSolids : kFlat;
-    return solid ? kSolidFrames : (shape.picture() ? kPictures + kFlat : kFlat);
+    const bool film = kind == ExportKind::Frames;
+    const Formats meshes = meshFormats(solid, film);
+    return film && shape.picture() ? kPictures + meshes : meshes;
 }
 
 QString titleOf(ExportKind kind) {
@@ -128,8 +129,7 @@ ExportDialog::~ExportDialog() {
 }
 
 void ExportDialog::makeFormats() {
-    for (const Format& format : formatsOf(m_kind, *m_shape))
-        m_format->addItem(QString::fromLatin1(format.name), QString::fromLatin1(format.extension));
+    for (const Format& format : formatsOf(m_kind, *m_shape)) m_format->addItem(format.name, format.extension);
     m_format->setObjectName(QStringLiteral("format"));
     describe(m_format, tr("Format"), tr("What kind of file is written."));
     connect(m_format, &QComboBox::currentIndexChanged, this, &ExportDialog::adapt);

@@ -65,11 +65,24 @@ void writeMeshFile(const std::string& path, const MeshFile& mesh, const MeshWrit
     }
 }
 
+std::vector<MeshFormatFacts> meshFormatFacts() {
+    const auto& formats = formats::meshFormats();
+    return {formats.begin(), formats.end()};
+}
+
 std::vector<std::string> meshFileExtensions() {
     std::vector<std::string> extensions;
     for (const auto& format : formats::meshFormats())
         extensions.insert(extensions.end(), format.extensions.begin(), format.extensions.end());
     return extensions;
+}
+
+std::string meshExtensionList(bool tetrahedra) {
+    std::string list;
+    for (const auto& format : formats::meshFormats())
+        if (format.holdsTetrahedra == tetrahedra)
+            list += (list.empty() ? "" : ", ") + std::string(format.extensions.front().substr(1));
+    return list;
 }
 
 bool isVolume(const MeshFile& file) {

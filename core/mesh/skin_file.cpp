@@ -89,7 +89,11 @@ void writeSkin(const std::string& path, const Skin& skin, const Points<3>& point
 }
 
 std::vector<std::string> skinFileExtensions() {
-    return {".obj", ".ply", ".stl", ".off", ".glb"};
+    std::vector<std::string> extensions{".glb"};
+    for (const auto& format : formats::meshFormats())
+        if (!format.holdsTetrahedra)
+            extensions.insert(extensions.end(), format.extensions.begin(), format.extensions.end());
+    return extensions;
 }
 
 }  // namespace wend

@@ -67,16 +67,16 @@ MeshFile asWritten(const MeshFile& mesh, const MeshFormat& format, const MeshWri
 
 const std::vector<MeshFormat>& meshFormats() {
     static const std::vector<MeshFormat> formats = {
-        // name, extensions, together, tetrahedra, bordered, reader, printer
-        {"Wavefront OBJ", {".obj"}, false, false, false, readObj, printObj},
-        {"Stanford PLY", {".ply"}, false, false, false, readPly, printPly},
-        {"Object File Format", {".off"}, false, false, false, readOff, printOff},
-        {"Stereolithography STL", {".stl"}, false, false, false, readStl, printStl},
-        {"Medit", {".mesh"}, false, true, true, readMedit, printMedit},
-        {"Gmsh", {".msh"}, false, true, true, readGmsh, printGmsh},
-        {"TetGen", {".node", ".ele"}, true, true, false, readTetgen, printTetgen},
-        {"VTK legacy", {".vtk"}, false, true, false, readVtk, printVtk},
-        {"VTK unstructured grid", {".vtu"}, false, true, false, readVtu, printVtu},
+        // name, extensions, together, tetrahedra, bordered, fields, binary; reader, printer
+        {{"Wavefront OBJ", {".obj"}, false, false, false, false, false}, readObj, printObj},
+        {{"PLY", {".ply"}, false, false, false, true, true}, readPly, printPly},
+        {{"OFF", {".off"}, false, false, false, false, false}, readOff, printOff},
+        {{"STL", {".stl"}, false, false, false, false, true}, readStl, printStl},
+        {{"VTU (ParaView)", {".vtu"}, false, true, false, true, true}, readVtu, printVtu},
+        {{"VTK", {".vtk"}, false, true, false, true, true}, readVtk, printVtk},
+        {{"Medit", {".mesh"}, false, true, true, false, false}, readMedit, printMedit},
+        {{"Gmsh", {".msh"}, false, true, true, true, true}, readGmsh, printGmsh},
+        {{"TetGen", {".node", ".ele"}, true, true, false, false, false}, readTetgen, printTetgen},
     };
     return formats;
 }

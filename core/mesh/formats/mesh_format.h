@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/mesh/mesh_file.h"
+#include "core/mesh/mesh_formats.h"
 
 namespace wend::formats {
 
@@ -16,12 +17,7 @@ struct MeshSource {
 
 /// One family of mesh files. To add a format: a reader and a printer in a file of their own and a row in
 /// mesh_format.cpp.
-struct MeshFormat {
-    std::string_view name;
-    std::vector<std::string_view> extensions;  // lower case, with the dot
-    bool together;                             // one mesh is a file of each extension, in this order
-    bool holdsTetrahedra;
-    bool bordered;  // a volume's border that was made with its cells goes along unasked
+struct MeshFormat : MeshFormatFacts {
     /// The bytes of one file, or of one of each extension. May throw InputError without the file's name.
     MeshFile (*read)(std::span<const MeshSource> files);
     /// The bytes of one file, or of one of each extension.

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace wend {
+
+/// What a mesh format is, for whoever offers it: dialogs, help and messages take it from the one table, in
+/// its order.
+struct MeshFormatFacts {
+    std::string_view name;
+    std::vector<std::string_view> extensions;  // lower case, with the dot
+    bool together;                             // one mesh is a file of each extension, in this order
+    bool holdsTetrahedra;                      // the others get the surface of a solid
+    bool bordered;     // a volume's border that was made with its cells goes along unasked
+    bool holdsFields;  // values of vertices and cells
+    bool knowsBinary;  // and not text alone
+};
+std::vector<MeshFormatFacts> meshFormatFacts();
+
+/// The extensions of files for tetrahedra, or for surfaces, as "obj, ply".
+std::string meshExtensionList(bool tetrahedra);
+
+}  // namespace wend
