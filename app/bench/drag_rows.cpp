@@ -47,7 +47,7 @@ class Screen {
         frame->rest = m_rest;
         frame->pose = kScale * pose;
         frame->distortion = std::move(distortion);
-        m_request.range = rangeOf(valuesOf(frame->distortion, m_request.measure), m_request.measure);
+        m_request.range = rangeOf(cellValues<2>(*frame, m_request.measure), m_request.measure);
         m_request.frame = std::move(frame);
         if (RenderThread::render(m_request).isNull()) throw std::runtime_error("nothing was drawn");
     }

@@ -18,10 +18,10 @@ using Stops = std::array<std::array<int, 3>, 6>;
 // Lightness falls evenly (CIE L* 95, 78, 60, 42, 25, 8): what is kept stays light.
 constexpr Stops kMagnitude = {
     {{253, 248, 208}, {250, 176, 72}, {226, 94, 66}, {160, 44, 100}, {86, 22, 112}, {22, 10, 52}}};
-// Blue and orange of equal lightness on both sides of a light middle.
 // From cream to brown through the colour of stiffness, lightness falling evenly.
 constexpr Stops kStiff = {
     {{252, 240, 222}, {245, 205, 160}, {230, 160, 98}, {205, 112, 42}, {150, 70, 16}, {88, 36, 4}}};
+// Blue and orange of equal lightness on both sides of a light middle.
 constexpr Stops kDiverging = {
     {{20, 68, 140}, {84, 144, 205}, {205, 223, 238}, {245, 224, 200}, {230, 140, 60}, {150, 66, 8}}};
 
@@ -34,42 +34,109 @@ QRgb between(const Stops& stops, double position) {
     return qRgb(mix(0), mix(1), mix(2));
 }
 
-bool isLogarithmic(Measure measure) {
-    return measure == Measure::Area || measure == Measure::CellSize || measure == Measure::Stiffness;
+/// How values become positions: evenly from 0, or by their logarithm from the least, about 1, or from 1; φ as
+/// on the slider of energies.
+enum class Scale { Even, Logarithm, Ratio, Times, Energies };
+
+template <int Dim>
+using CellValue = double (*)(const PosedFrame<Dim>&, const Points<Dim>& velocity, int cell);
+
+/// All that is known of a measure.
+struct MeasureRow {
+    Measure measure;
+    bool flat;  // pictures have it too
+    Scale scale;
+    double least;  // that the range spans
+    const char *before, *after;
+    std::vector<double> Distortion::*ranks;  // the cells by how far they are from rest; none: by length
+    CellValue<2> ofTriangle;
+    CellValue<3> ofTetrahedron;
+    const char* name;
+    const char* worst = nullptr;      // where such a value is greatest; none: as for the length
+    const char* solidName = nullptr;  // none: as in the plane
+    const char* solidWorst = nullptr;
+};
+
+template <int Dim>
+double stretch(const PosedFrame<Dim>& frame, const Points<Dim>&, int cell) {
+    return frame.distortion.metric[cell];
+}
+template <int Dim>
+double ratio(const PosedFrame<Dim>& frame, const Points<Dim>&, int cell) {
+    return frame.distortion.ratio[cell];
+}
+template <int Dim>
+double angle(const PosedFrame<Dim>& frame, const Points<Dim>&, int cell) {
+    return frame.distortion.angle[cell];
+}
+
+/// In the order of the list from which one is chosen.
+const MeasureRow kMeasures[] = {
+    // measure, flat, scale, least, before, after, ranks, of a cell, words
+    MeasureRow{Measure::Length, true, Scale::Even, 0.01, "", "", &Distortion::metric, stretch<2>, stretch<3>,
+               QT_TRANSLATE_NOOP("Measure", "Stretch"), QT_TRANSLATE_NOOP("Measure", "stretch %1")},
+    MeasureRow{Measure::Area, true, Scale::Ratio, 0.02, "×", "", &Distortion::ratio, ratio<2>, ratio<3>,
+               QT_TRANSLATE_NOOP("Measure", "Area"), QT_TRANSLATE_NOOP("Measure", "area ×%1"),
+               QT_TRANSLATE_NOOP("Measure", "Volume"), QT_TRANSLATE_NOOP("Measure", "volume ×%1")},
+    MeasureRow{Measure::Angle, true, Scale::Even, 0.01, "", "", &Distortion::angle, angle<2>, angle<3>,
+               QT_TRANSLATE_NOOP("Measure", "Angle"), QT_TRANSLATE_NOOP("Measure", "angle error %1")},
+    MeasureRow{Measure::Phi, true, Scale::Energies, 0, "", "", nullptr, phiAt<2>, phiAt<3>,
+               QT_TRANSLATE_NOOP("Measure", "What is kept (φ)")},
+    MeasureRow{Measure::Stiffness, true, Scale::Times, 100, "×", "", nullptr, stiffnessAt<2>, stiffnessAt<3>,
+               QT_TRANSLATE_NOOP("Measure", "Stiffness")},
+    MeasureRow{Measure::Speed, false, Scale::Even, 1e-9, "", "", nullptr, speedAt<2>, speedAt<3>,
+               QT_TRANSLATE_NOOP("Measure", "Speed")},
+    MeasureRow{Measure::CellSize, false, Scale::Logarithm, 1.01, "", "", nullptr, sizeAt<2>, sizeAt<3>,
+               QT_TRANSLATE_NOOP("Measure", "Cell size")},
+};
+
+const MeasureRow& rowOf(Measure measure) {
+    return *std::ranges::find(kMeasures, measure, &MeasureRow::measure);
+}
+
+bool isLogarithmic(Scale scale) {
+    return scale == Scale::Logarithm || scale == Scale::Ratio || scale == Scale::Times;
+}
+
+/// How far from rest a value is.
+double sizeOf(double value, Scale scale) {
+    return scale == Scale::Ratio ? std::abs(std::log(std::max(value, 1e-300))) : value;
 }
 
 }  // namespace
 
 bool isDistortion(Measure measure) {
-    return measure == Measure::Angle || measure == Measure::Area || measure == Measure::Length;
+    return rowOf(measure).ranks;
 }
 
-const std::vector<double>& valuesOf(const Distortion& distortion, Measure measure) {
-    switch (measure) {
-        case Measure::Angle:
-            return distortion.angle;
-        case Measure::Area:
-            return distortion.ratio;
-        default:
-            return distortion.metric;
-    }
+std::vector<Measure> measuresOf(int dimension) {
+    std::vector<Measure> all;
+    for (const MeasureRow& row : kMeasures)
+        if (row.flat || dimension == 3) all.push_back(row.measure);
+    return all;
 }
 
 template <int Dim>
-std::vector<double> cellValues(const PosedFrame<Dim>& frame, Measure measure) {
-    if (measure == Measure::Phi) return phiOf<Dim>(frame);
-    if (measure == Measure::Stiffness) return stiffnessOf<Dim>(frame);
-    if (measure == Measure::CellSize) return sizesOf<Dim>(frame);
-    return valuesOf(frame.distortion, measure);
+double cellValue(const PosedFrame<Dim>& frame, const Points<Dim>& velocity, Measure measure, int cell) {
+    if constexpr (Dim == 2)
+        return rowOf(measure).ofTriangle(frame, velocity, cell);
+    else
+        return rowOf(measure).ofTetrahedron(frame, velocity, cell);
+}
+
+template <int Dim>
+std::vector<double> cellValues(const PosedFrame<Dim>& frame, Measure measure, const Points<Dim>& velocity) {
+    std::vector<double> values(frame.rest->cells.size());
+    for (std::size_t c = 0; c < values.size(); ++c)
+        values[c] = cellValue<Dim>(frame, velocity, measure, static_cast<int>(c));
+    return values;
 }
 
 namespace {
 
 template <int Dim>
 std::vector<double> valuesOfShown(const ShapeSession& session, Measure measure) {
-    const auto frame = session.frame<Dim>();
-    return measure == Measure::Speed ? speedOf<Dim>(*frame, session.velocity<Dim>())
-                                     : cellValues<Dim>(*frame, measure);
+    return cellValues<Dim>(*session.frame<Dim>(), measure, session.velocity<Dim>());
 }
 
 }  // namespace
@@ -88,78 +155,91 @@ std::optional<double> plainValue(const ShapeSession& session, Measure measure) {
 }
 
 MeasureRange rangeOf(const std::vector<double>& values, Measure measure, int dimension) {
-    if (measure == Measure::Phi) return {phi::kEquia, phi::conformal(dimension), dimension};
-    if (values.empty()) return measure == Measure::Area ? MeasureRange{0.9, 1 / 0.9} : MeasureRange{0, 0.01};
-    if (measure == Measure::Stiffness)  // of the design, not of an outcome
-        return {1, std::max(100.0, *std::max_element(values.begin(), values.end())), dimension};
-    if (measure == Measure::CellSize) {
-        const auto [low, high] = std::minmax_element(values.begin(), values.end());
-        return {std::max(*low, 1e-300), std::max(*high, 1.01 * std::max(*low, 1e-300))};
+    const MeasureRow& row = rowOf(measure);
+    if (row.scale == Scale::Energies) return {phi::kEquia, phi::conformal(dimension), dimension};
+    if (values.empty()) return row.scale == Scale::Ratio ? MeasureRange{0.9, 1 / 0.9} : MeasureRange{0, 0.01};
+    const auto [low, high] = std::ranges::minmax(values);
+    if (row.scale == Scale::Times)  // of the design, not of an outcome
+        return {1, std::max(row.least, high), dimension};
+    if (row.scale == Scale::Logarithm) {
+        const double least = std::max(low, 1e-300);
+        return {least, std::max(high, row.least * least)};
     }
     std::vector<double> sizes;
     sizes.reserve(values.size());
     for (const double v : values)
-        sizes.push_back(measure == Measure::Area ? std::abs(std::log(std::max(v, 1e-6))) : v);
+        sizes.push_back(sizeOf(row.scale == Scale::Ratio ? std::max(v, 1e-6) : v, row.scale));
     const auto nth =
         sizes.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(sizes.size() - 1));
     std::nth_element(sizes.begin(), nth, sizes.end());
-    if (measure == Measure::Speed) return {0, std::max(*nth, 1e-9)};
-    if (measure != Measure::Area) return {0, std::max(*nth, 0.01)};
-    const double span = std::max(*nth, 0.02);
-    return {std::exp(-span), std::exp(span)};
+    const double span = std::max(*nth, row.least);
+    return row.scale == Scale::Ratio ? MeasureRange{std::exp(-span), std::exp(span)} : MeasureRange{0, span};
 }
 
 double positionIn(const MeasureRange& range, Measure measure, double value) {
-    if (measure == Measure::Phi) return stopOfPhi(value, range.dimension) / (kEnergyStops - 1);
-    if (!isLogarithmic(measure)) return (value - range.low) / (range.high - range.low);
+    const Scale scale = rowOf(measure).scale;
+    if (scale == Scale::Energies) return stopOfPhi(value, range.dimension) / (kEnergyStops - 1);
+    if (!isLogarithmic(scale)) return (value - range.low) / (range.high - range.low);
     const double low = std::log(range.low), high = std::log(range.high);
     return (std::log(std::max(value, 1e-9 * range.low)) - low) / (high - low);
 }
 
 double valueAt(const MeasureRange& range, Measure measure, double position) {
-    if (measure == Measure::Phi) return phiAtStop(position * (kEnergyStops - 1), range.dimension);
-    if (!isLogarithmic(measure)) return range.low + position * (range.high - range.low);
+    const Scale scale = rowOf(measure).scale;
+    if (scale == Scale::Energies) return phiAtStop(position * (kEnergyStops - 1), range.dimension);
+    if (!isLogarithmic(scale)) return range.low + position * (range.high - range.low);
     return range.low * std::pow(range.high / range.low, position);
 }
 
 QRgb colourAt(Measure measure, double position) {
-    if (measure == Measure::Phi) return energyColour(position * (kEnergyStops - 1));
-    if (measure == Measure::Stiffness) return between(kStiff, position);
-    return between(measure == Measure::Area ? kDiverging : kMagnitude, position);
+    switch (rowOf(measure).scale) {
+        case Scale::Energies:
+            return energyColour(position * (kEnergyStops - 1));
+        case Scale::Times:
+            return between(kStiff, position);
+        case Scale::Ratio:
+            return between(kDiverging, position);
+        case Scale::Even:
+        case Scale::Logarithm:
+            break;
+    }
+    return between(kMagnitude, position);
 }
 
 QString measureName(Measure measure, int dimension) {
-    switch (measure) {
-        case Measure::Angle:
-            return QCoreApplication::translate("Measure", "Angle");
-        case Measure::Area:
-            return dimension == 3 ? QCoreApplication::translate("Measure", "Volume")
-                                  : QCoreApplication::translate("Measure", "Area");
-        case Measure::Phi:
-            return QCoreApplication::translate("Measure", "What is kept (φ)");
-        case Measure::Stiffness:
-            return QCoreApplication::translate("Measure", "Stiffness");
-        case Measure::Speed:
-            return QCoreApplication::translate("Measure", "Speed");
-        case Measure::CellSize:
-            return QCoreApplication::translate("Measure", "Cell size");
-        case Measure::Length:
-            break;
-    }
-    return QCoreApplication::translate("Measure", "Stretch");
+    const MeasureRow& row = rowOf(measure);
+    return QCoreApplication::translate("Measure", dimension == 3 && row.solidName ? row.solidName : row.name);
 }
 
-template std::vector<double> cellValues<2>(const PosedFrame<2>&, Measure);
-template std::vector<double> cellValues<3>(const PosedFrame<3>&, Measure);
+QString measureText(Measure measure, double value) {
+    const MeasureRow& row = rowOf(measure);
+    const bool plain = !*row.before && !*row.after;
+    const QString number =
+        plain && value == 0 ? QStringLiteral("0") : QLocale().toString(value, plain ? 'g' : 'f', 2);
+    return QString::fromUtf8(row.before) + number + QString::fromUtf8(row.after);
+}
+
+template double cellValue<2>(const PosedFrame<2>&, const Points<2>&, Measure, int);
+template double cellValue<3>(const PosedFrame<3>&, const Points<3>&, Measure, int);
+template std::vector<double> cellValues<2>(const PosedFrame<2>&, Measure, const Points<2>&);
+template std::vector<double> cellValues<3>(const PosedFrame<3>&, Measure, const Points<3>&);
+
+namespace {
+
+/// By which the worst place is told.
+Measure ranking(Measure measure) {
+    return isDistortion(measure) ? measure : Measure::Length;
+}
+
+}  // namespace
 
 WorstPlace worstOf(const Distortion& distortion, Measure measure) {
-    const auto& values = valuesOf(distortion, measure);
-    const auto size = [measure](double value) {
-        return measure == Measure::Area ? std::abs(std::log(std::max(value, 1e-300))) : value;
-    };
+    const MeasureRow& row = rowOf(ranking(measure));
+    const auto& values = distortion.*row.ranks;
     WorstPlace worst;
     for (std::size_t c = 0; c < values.size(); ++c)
-        if (worst.cell < 0 || size(values[c]) > size(worst.value)) worst = {static_cast<int>(c), values[c]};
+        if (worst.cell < 0 || sizeOf(values[c], row.scale) > sizeOf(worst.value, row.scale))
+            worst = {static_cast<int>(c), values[c]};
     return worst;
 }
 
@@ -168,14 +248,14 @@ QString worstText(const Distortion& distortion, Measure measure, int dimension) 
     if (worst.cell < 0) return QStringLiteral("–");
     const QLocale locale;
     constexpr double kRounding = 1e-6;  // less is none
-    const QString error =
-        worst.value < kRounding ? QStringLiteral("0") : locale.toString(worst.value, 'g', 3);
-    if (measure == Measure::Angle) return QCoreApplication::translate("Measure", "angle error %1").arg(error);
-    if (measure != Measure::Area) return QCoreApplication::translate("Measure", "stretch %1").arg(error);
-    const QString ratio = worst.value < 0.1 ? error : locale.toString(worst.value, 'f', 2);
-    return (dimension == 3 ? QCoreApplication::translate("Measure", "volume ×%1")
-                           : QCoreApplication::translate("Measure", "area ×%1"))
-        .arg(ratio);
+    const MeasureRow& row = rowOf(ranking(measure));
+    const bool fixed = row.scale == Scale::Ratio && worst.value >= 0.1;
+    const QString number = worst.value < kRounding
+                               ? QStringLiteral("0")
+                               : locale.toString(worst.value, fixed ? 'f' : 'g', fixed ? 2 : 3);
+    return QCoreApplication::translate("Measure",
+                                       dimension == 3 && row.solidWorst ? row.solidWorst : row.worst)
+        .arg(number);
 }
 
 }  // namespace wend

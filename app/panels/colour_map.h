@@ -15,6 +15,8 @@ enum class Measure { Angle, Area, Length, Phi, Stiffness, Speed, CellSize };
 
 /// True for those that tell how far the shape is from rest.
 bool isDistortion(Measure measure);
+/// All that such a shape has, in the order of the list from which one is chosen.
+std::vector<Measure> measuresOf(int dimension);
 
 /// The range of a legend; for Area it is symmetric about 1 in the logarithm.
 struct MeasureRange {
@@ -22,13 +24,15 @@ struct MeasureRange {
     int dimension = 2;
 };
 
-/// The value of each cell: the errors of method.md for angle and length, the ratio det F for area. Of
-/// measures of distortion only.
-const std::vector<double>& valuesOf(const Distortion& distortion, Measure measure);
-/// The same for all measures but the speed.
+/// The value of one cell: the errors of method.md for angle and length, the ratio det F for area. Without a
+/// velocity (no columns) nothing has a speed.
 template <int Dim>
-std::vector<double> cellValues(const PosedFrame<Dim>& frame, Measure measure);
-/// Of the frame that is shown, for all measures.
+double cellValue(const PosedFrame<Dim>& frame, const Points<Dim>& velocity, Measure measure, int cell);
+/// Of all cells.
+template <int Dim>
+std::vector<double> cellValues(const PosedFrame<Dim>& frame, Measure measure,
+                               const Points<Dim>& velocity = {});
+/// Of the frame that is shown.
 std::vector<double> shownValues(const ShapeSession& session, Measure measure);
 /// The value of the material where nothing is painted; nothing for other measures.
 std::optional<double> plainValue(const ShapeSession& session, Measure measure);
@@ -45,6 +49,8 @@ double valueAt(const MeasureRange& range, Measure measure, double position);
 QRgb colourAt(Measure measure, double position);
 
 QString measureName(Measure measure, int dimension = 2);
+/// A value as the legend writes it: "×1.25" for area, "0.031" for errors.
+QString measureText(Measure measure, double value);
 
 /// Where the shape is farthest from rest by a measure; of measures that tell nothing of that, by length.
 struct WorstPlace {

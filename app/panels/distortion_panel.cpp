@@ -88,10 +88,7 @@ void DistortionPanel::setDimension(int dimension) {
     m_dimension = dimension;
     const QSignalBlocker quiet(m_measure);
     m_measure->clear();
-    std::vector<Measure> measures = {Measure::Length, Measure::Area, Measure::Angle, Measure::Phi,
-                                     Measure::Stiffness};
-    if (dimension == 3) measures.insert(measures.end(), {Measure::Speed, Measure::CellSize});
-    for (const Measure measure : measures)
+    for (const Measure measure : measuresOf(dimension))
         m_measure->addItem(measureName(measure, dimension), static_cast<int>(measure));
     const bool solid = dimension == 3;
     m_areaName->setText(solid ? tr("Volume error") : tr("Area error"));

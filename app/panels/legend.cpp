@@ -1,6 +1,5 @@
 #include "app/panels/legend.h"
 
-#include <QLocale>
 #include <QPainter>
 #include <QPainterPath>
 
@@ -68,13 +67,6 @@ void paintLegend(QPainter& painter, const QRect& where, Measure measure, const M
     painter.drawText(text, Qt::AlignLeft, measureText(measure, range.low));
     painter.drawText(text, Qt::AlignHCenter, measureText(measure, valueAt(range, measure, 0.5)));
     painter.drawText(text, Qt::AlignRight, measureText(measure, range.high));
-}
-
-QString measureText(Measure measure, double value) {
-    const QLocale locale;
-    if (measure == Measure::Area || measure == Measure::Stiffness)
-        return QStringLiteral("×") + locale.toString(value, 'f', 2);
-    return value == 0 ? QStringLiteral("0") : locale.toString(value, 'g', 2);
 }
 
 }  // namespace wend

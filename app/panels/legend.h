@@ -27,7 +27,4 @@ class Legend : public QWidget {
 void paintLegend(QPainter& painter, const QRect& where, Measure measure, const MeasureRange& range,
                  const QColor& textColour);
 
-/// A value of a measure as the legend writes it: "×1.25" for area, "0.031" for errors.
-QString measureText(Measure measure, double value);
-
 }  // namespace wend

@@ -45,21 +45,10 @@ QString degrees(double radians) {
     return QLocale().toString(radians * 180 / std::numbers::pi, 'f', 1) + QStringLiteral("°");
 }
 
-/// Of one cell; see shownValues().
-double valueOf(const PosedFrame<3>& frame, const Points<3>& velocity, Measure measure, int c) {
-    if (isDistortion(measure)) {
-        const double value = valuesOf(frame.distortion, measure)[c];
-        return std::abs(value) < kRounding ? 0 : value;
-    }
-    if (measure == Measure::Phi) return frame.material ? frame.material->phi[c] : 0;
-    if (measure == Measure::Stiffness)
-        return frame.material && !frame.material->anisotropy.empty()
-                   ? Eigen::SelfAdjointEigenSolver<Mat<3>>(frame.material->anisotropy[c]).eigenvalues()[2]
-                   : 1;
-    Vec<3> mean = Vec<3>::Zero();
-    for (const int v : frame.rest->cells[c])
-        if (velocity.cols()) mean += velocity.col(v) / 4;
-    return mean.norm();
+/// What rounding leaves of a shape at rest is none.
+double valueOf(const PosedFrame<3>& frame, const Points<3>& velocity, Measure measure, int cell) {
+    const double value = cellValue<3>(frame, velocity, measure, cell);
+    return isDistortion(measure) && std::abs(value) < kRounding ? 0 : value;
 }
 
 }  // namespace
@@ -155,11 +144,9 @@ void MeasurePanel::showPointed() {
     const QualitySummary shape = shapeOf(frame->pose, cell);
     rows += line(tr("dihedral angles"), tr("%1 to %2").arg(degrees(shape.minAngle), degrees(shape.maxAngle)));
     rows += line(tr("circumradius to shortest edge"), number(shape.maxRadiusEdgeRatio));
-    for (const Measure measure :
-         {Measure::Length, Measure::Area, Measure::Angle, Measure::Phi, Measure::Stiffness, Measure::Speed}) {
+    for (const Measure measure : measuresOf(3))
         rows += line(measureName(measure, 3),
                      measureText(measure, valueOf(*frame, velocity, measure, m_pointedCell)));
-    }
     m_cell->setText(QStringLiteral("<b>%1</b><table>").arg(tr("Tetrahedron %1").arg(m_pointedCell)) + rows +
                     QStringLiteral("</table>"));
 }

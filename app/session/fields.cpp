@@ -7,33 +7,31 @@
 namespace wend {
 
 template <int Dim>
-std::vector<double> phiOf(const PosedFrame<Dim>& frame) {
-    return frame.material ? frame.material->phi : std::vector<double>(frame.rest->cells.size(), 0);
+double phiAt(const PosedFrame<Dim>& frame, const Points<Dim>&, int cell) {
+    return frame.material ? frame.material->phi[cell] : 0;
 }
 
 template <int Dim>
-std::vector<double> stiffnessOf(const PosedFrame<Dim>& frame) {
-    std::vector<double> values(frame.rest->cells.size(), 1);
-    if (!frame.material || frame.material->anisotropy.empty()) return values;
-    for (std::size_t c = 0; c < values.size(); ++c)
-        values[c] =
-            Eigen::SelfAdjointEigenSolver<Mat<Dim>>(frame.material->anisotropy[c], Eigen::EigenvaluesOnly)
-                .eigenvalues()
-                .maxCoeff();
-    return values;
+double stiffnessAt(const PosedFrame<Dim>& frame, const Points<Dim>&, int cell) {
+    if (!frame.material || frame.material->anisotropy.empty()) return 1;
+    const Eigen::SelfAdjointEigenSolver<Mat<Dim>> solver(frame.material->anisotropy[cell],
+                                                         Eigen::EigenvaluesOnly);
+    return solver.eigenvalues().maxCoeff();
 }
 
 /// The area of an equilateral triangle is √3/4 a², the volume of a regular tetrahedron a³/(6√2).
 template <int Dim>
-std::vector<double> sizesOf(const PosedFrame<Dim>& frame) {
-    std::vector<double> values;
-    values.reserve(frame.rest->cells.size());
-    for (const Cell<Dim>& cell : frame.rest->cells) {
-        const double measure = std::abs(cellMeasure<Dim>(frame.rest->points, cell));
-        values.push_back(Dim == 2 ? std::sqrt(4 / std::sqrt(3.0) * measure)
-                                  : std::cbrt(6 * std::sqrt(2.0) * measure));
-    }
-    return values;
+double sizeAt(const PosedFrame<Dim>& frame, const Points<Dim>&, int cell) {
+    const double measure = std::abs(cellMeasure<Dim>(frame.rest->points, frame.rest->cells[cell]));
+    return Dim == 2 ? std::sqrt(4 / std::sqrt(3.0) * measure) : std::cbrt(6 * std::sqrt(2.0) * measure);
+}
+
+template <int Dim>
+double speedAt(const PosedFrame<Dim>& frame, const Points<Dim>& velocity, int cell) {
+    Vec<Dim> mean = Vec<Dim>::Zero();
+    for (const int v : frame.rest->cells[cell])
+        if (velocity.cols()) mean += velocity.col(v) / (Dim + 1);
+    return mean.norm();
 }
 
 template <int Dim>
@@ -49,23 +47,12 @@ Points<Dim> velocityBetween(const FrameTrack& track, const PosedFrame<Dim>& fram
     return (to->pose - from->pose) / (to->time - from->time);
 }
 
-template <int Dim>
-std::vector<double> speedOf(const PosedFrame<Dim>& frame, const Points<Dim>& velocity) {
-    std::vector<double> values;
-    for (const Cell<Dim>& cell : frame.rest->cells) {
-        Vec<Dim> mean = Vec<Dim>::Zero();
-        for (const int v : cell) mean += velocity.col(v) / (Dim + 1);
-        values.push_back(mean.norm());
-    }
-    return values;
-}
-
-#define WEND_INSTANTIATE(Dim)                                                             \
-    template std::vector<double> phiOf<Dim>(const PosedFrame<Dim>&);                      \
-    template std::vector<double> stiffnessOf<Dim>(const PosedFrame<Dim>&);                \
-    template std::vector<double> sizesOf<Dim>(const PosedFrame<Dim>&);                    \
-    template Points<Dim> velocityBetween<Dim>(const FrameTrack&, const PosedFrame<Dim>&); \
-    template std::vector<double> speedOf<Dim>(const PosedFrame<Dim>&, const Points<Dim>&)
+#define WEND_INSTANTIATE(Dim)                                                          \
+    template double phiAt<Dim>(const PosedFrame<Dim>&, const Points<Dim>&, int);       \
+    template double stiffnessAt<Dim>(const PosedFrame<Dim>&, const Points<Dim>&, int); \
+    template double sizeAt<Dim>(const PosedFrame<Dim>&, const Points<Dim>&, int);      \
+    template double speedAt<Dim>(const PosedFrame<Dim>&, const Points<Dim>&, int);     \
+    template Points<Dim> velocityBetween<Dim>(const FrameTrack&, const PosedFrame<Dim>&)
 
 WEND_INSTANTIATE(2);
 WEND_INSTANTIATE(3);

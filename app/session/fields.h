@@ -5,23 +5,25 @@
 
 namespace wend {
 
-/// φ of every cell, and how many times stiffer it is along its stiffest direction than an isotropic one
-/// (the largest eigenvalue of B₀).
+/// Of one cell. They have no use for a velocity but speedAt(), for which nothing moves without one; so all
+/// can stand in one table.
+///
+/// φ, and how many times stiffer the cell is along its stiffest direction than an isotropic one (the largest
+/// eigenvalue of B₀).
 template <int Dim>
-std::vector<double> phiOf(const PosedFrame<Dim>& frame);
+double phiAt(const PosedFrame<Dim>& frame, const Points<Dim>& velocity, int cell);
 template <int Dim>
-std::vector<double> stiffnessOf(const PosedFrame<Dim>& frame);
-
-/// How large every cell is at rest: the edge of a regular one of its area or volume.
+double stiffnessAt(const PosedFrame<Dim>& frame, const Points<Dim>& velocity, int cell);
+/// How large it is at rest: the edge of a regular one of its area or volume.
 template <int Dim>
-std::vector<double> sizesOf(const PosedFrame<Dim>& frame);
+double sizeAt(const PosedFrame<Dim>& frame, const Points<Dim>& velocity, int cell);
+/// The length of the velocity in its middle.
+template <int Dim>
+double speedAt(const PosedFrame<Dim>& frame, const Points<Dim>& velocity, int cell);
 
 /// About how the vertices move at the frame's time, per unit of time: the difference of its neighbours in the
 /// track. Zero where nothing moves.
 template <int Dim>
 Points<Dim> velocityBetween(const FrameTrack& track, const PosedFrame<Dim>& frame);
-/// The length of the velocity in the middle of every cell.
-template <int Dim>
-std::vector<double> speedOf(const PosedFrame<Dim>& frame, const Points<Dim>& velocity);
 
 }  // namespace wend

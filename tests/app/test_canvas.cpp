@@ -34,6 +34,7 @@ class TestCanvas : public QObject {
     void picturesOfMeshesAreDrawn_data();
     void picturesOfMeshesAreDrawn();
     void worstPlaceIsThatOfTheMap();
+    void everyMeasureIsComplete();
 
   private:
     OpenedFile shapeless();
@@ -323,6 +324,29 @@ void TestCanvas::worstPlaceIsThatOfTheMap() {
     QVERIFY(worstText(distortion, Measure::Length).contains(QLocale().toString(0.75)));
     distortion.metric = {4e-31, 0, 0};  // rounding at rest
     QVERIFY(worstText(distortion, Measure::Length).endsWith(QStringLiteral(" 0")));
+}
+
+/// The table tells of each measure in each dimension: a name of its own, a value for every cell that its
+/// range and its colours take, and words for the worst place.
+void TestCanvas::everyMeasureIsComplete() {
+    PosedFrame<2> frame;
+    frame.rest = std::make_shared<const SimplicialMesh<2>>(
+        SimplicialMesh<2>{(Points<2>(2, 4) << 0, 1, 0, 1, 0, 0, 1, 1).finished(), {{0, 1, 2}, {1, 3, 2}}});
+    frame.pose = Mat<2>{{1.5, 0.25}, {0, 1}} * frame.rest->points;
+    frame.distortion = distortion<2>(*frame.rest, frame.pose);
+    QStringList names;
+    for (const Measure measure : measuresOf(2)) {
+        names << measureName(measure, 2);
+        const auto values = cellValues(frame, measure);
+        QCOMPARE(values.size(), std::size_t(2));
+        const MeasureRange range = rangeOf(values, measure, 2);
+        const double at = positionIn(range, measure, values[0]);
+        if (measure != Measure::Phi) QVERIFY(std::abs(valueAt(range, measure, at) - values[0]) < 1e-12);
+        QVERIFY(range.low < range.high && !measureText(measure, range.high).isEmpty());
+        QVERIFY(!worstText(frame.distortion, measure, 2).contains('%'));
+    }
+    QCOMPARE(names.removeDuplicates(), 0);
+    QVERIFY(measuresOf(3).size() > measuresOf(2).size() && measureName(Measure::Area, 3) != names[1]);
 }
 
 QTEST_MAIN(TestCanvas)

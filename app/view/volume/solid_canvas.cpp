@@ -243,9 +243,8 @@ std::vector<QRgb> SolidCanvas::colours(const PosedFrame<3>& frame) const {
     const QRgb plain = Theme::of(palette()).dark ? kPlainDark : kPlain;
     if (!m_map || m_hidden) return std::vector<QRgb>(count, m_dimmed ? dimmed(plain) : plain);
     std::vector<QRgb> colours;
-    const auto values =
-        m_measure == Measure::Speed ? shownValues(m_session, m_measure) : cellValues<3>(frame, m_measure);
-    for (const double value : values) {
+    const Points<3> velocity = m_measure == Measure::Speed ? m_session.velocity<3>() : Points<3>();
+    for (const double value : cellValues<3>(frame, m_measure, velocity)) {
         const QRgb colour = colourAt(m_measure, positionIn(m_range, m_measure, value));
         colours.push_back(m_dimmed ? dimmed(colour) : colour);
     }
