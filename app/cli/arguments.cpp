@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "app/document/project.h"
+#include "app/document/settings.h"
 #include "core/energy/material.h"
 
 namespace wend {
@@ -60,7 +62,7 @@ std::string valueName(const Option& option) {
 
 std::string remark(const Option& option) {
     std::string text;
-    if (!option.fallback.empty()) text += "default " + std::string(option.fallback);
+    if (const std::string fallback = defaultText(option); !fallback.empty()) text += "default " + fallback;
     const bool numeric = option.kind == OptionKind::Number || option.kind == OptionKind::Integer;
     if (numeric) text += (text.empty() ? "" : "; ") + ("in " + option.range.text());
     if (!option.unit.empty()) text += (text.empty() ? "" : "; ") + std::string(option.unit);
@@ -108,6 +110,25 @@ double Arguments::phi(const std::string& flag, int dim) const {
     return number;
 }
 
+double Arguments::value(const Option& option, int dim) const {
+    const std::string flag(option.flag);
+    if (option.kind == OptionKind::Flag) return has(flag);
+    if (option.kind == OptionKind::Phi) return phi(flag, dim);
+    return option.kind == OptionKind::Choice ? placeOf(option, text(flag)) : number(flag);
+}
+
+void takeSettings(Project& project, const Arguments& arguments) {
+    for (const Option& one : options())
+        if (one.field.at.set && arguments.has(std::string(one.flag)))
+            one.field.at.set(project, arguments.value(one, project.dimension()));
+}
+
+void requireFitting(const Project& project, const Arguments& arguments) {
+    for (const Option& one : options())
+        if (arguments.has(std::string(one.flag)) && !isFor(one, project))
+            throw UsageError(std::string(one.flag) + " is for " + std::string(one.field.scope->words));
+}
+
 std::string optionHelp(const std::string& command) {
     constexpr std::size_t kColumn = 38;
     std::string text;
@@ -118,7 +139,7 @@ std::string optionHelp(const std::string& command) {
             left += "\n" + std::string(kColumn, ' ');
         else
             left.resize(kColumn, ' ');
-        text += left + std::string(one.meaning) + remark(one) + "\n";
+        text += left + meaningOf(one) + remark(one) + "\n";
     }
     return text;
 }

@@ -31,6 +31,8 @@ class Arguments {
     std::optional<double> given(const std::string& flag) const { return m_values.given(flag); }
     /// φ of a name or number, in the range of that dimension.
     double phi(const std::string& flag, int dim) const;
+    /// Of any kind but a file, as a number: see Accessor.
+    double value(const Option& option, int dim) const;
 
   private:
     void take(const std::string& flag, const std::optional<std::string>& attached,
@@ -40,6 +42,11 @@ class Arguments {
     std::vector<std::string> m_files;
     OptionValues m_values;
 };
+
+/// What the line says wins over the project.
+void takeSettings(Project& project, const Arguments& arguments);
+/// An option that would change nothing in such a project is a mistake: throws UsageError.
+void requireFitting(const Project& project, const Arguments& arguments);
 
 /// `--tolerance X  …` for each option that the subcommand takes.
 std::string optionHelp(const std::string& command);

@@ -21,72 +21,29 @@ bool isMeshName(const std::string& path) {
     return std::ranges::count(meshFileExtensions(), lowerExtension(path)) > 0;
 }
 
-void readSizes(const Arguments& arguments, Domain& domain) {
-    if (arguments.has("--vertices") && arguments.has("--edge"))
-        throw UsageError("--vertices and --edge cannot both be given");
-    if (arguments.has("--vertices")) {
-        domain.vertices = arguments.integer("--vertices");
-        domain.edge = 0;
-    }
-    if (const auto edge = arguments.given("--edge")) domain.edge = *edge;
-    if (const auto quality = arguments.given("--quality")) domain.quality = *quality;
-    if (const auto volume = arguments.given("--max-volume")) domain.maxVolume = *volume;
-}
-
-void readCage(const Arguments& arguments, Domain& domain) {
-    const bool refined = arguments.has("--cage-detail") || arguments.has("--cage-offset");
-    if (arguments.has("--no-cage") && (arguments.has("--cage") || refined))
-        throw UsageError("--cage and --no-cage cannot both be given");
-    if (arguments.has("--cage") || refined) domain.fit = Fit::Cage;
-    if (arguments.has("--no-cage")) domain.fit = Fit::Exact;
-    if (const auto detail = arguments.given("--cage-detail")) domain.cageDetail = *detail;
-    if (const auto offset = arguments.given("--cage-offset")) domain.cageOffset = *offset;
-}
-
-void readSurfaceOptions(const Arguments& arguments, Domain& domain) {
-    if (arguments.has("--vertices") && arguments.has("--max-volume"))
-        throw UsageError("--vertices and --max-volume cannot both be given");
-    if (arguments.has("--vertices")) domain.maxVolume = 0;
-    if (arguments.has("--refine-surface")) domain.refineSurface = true;
+/// What contradicts what.
+void requireConsistent(const Arguments& arguments) {
+    for (const char* other : {"--edge", "--max-volume"})
+        if (arguments.has("--vertices") && arguments.has(other))
+            throw UsageError(std::string("--vertices and ") + other + " cannot both be given");
     if (arguments.has("--largest-hole") && !arguments.has("--repair"))
         throw UsageError("--largest-hole is for --repair");
-    if (arguments.has("--repair")) domain.repair = true;
-    if (arguments.has("--largest-hole")) domain.largestHole = arguments.integer("--largest-hole");
-    readCage(arguments, domain);
+    for (const char* other : {"--cage", "--cage-detail", "--cage-offset"})
+        if (arguments.has("--no-cage") && arguments.has(other))
+            throw UsageError("--cage and --no-cage cannot both be given");
+}
+
+void readDomain(const Arguments& arguments, Project& project) {
+    requireConsistent(arguments);
+    takeSettings(project, arguments);
+    Domain& domain = project.domain;
+    for (const char* flag : {"--cage", "--cage-detail", "--cage-offset"})
+        if (arguments.has(flag)) domain.fit = Fit::Cage;
+    if (arguments.has("--no-cage")) domain.fit = Fit::Exact;
     // Named from where the command runs, not from the project.
     if (arguments.has("--sizes"))
         domain.sizesFile = std::filesystem::absolute(arguments.text("--sizes")).string();
-}
-
-void readOutline(const Arguments& arguments, Domain& domain) {
-    AlphaOutlineOptions& alpha = domain.alpha;
-    if (arguments.has("--outline"))
-        domain.outline = arguments.text("--outline") == "alpha" ? OutlineKind::Alpha : OutlineKind::Frame;
-    if (const auto value = arguments.given("--threshold")) alpha.threshold = *value;
-    if (const auto value = arguments.given("--margin")) alpha.margin = *value;
-    if (const auto value = arguments.given("--gap")) alpha.gap = *value;
-    if (const auto value = arguments.given("--smallest")) alpha.smallest = *value;
-    if (const auto value = arguments.given("--simplify")) alpha.simplify = *value;
-}
-
-/// An option that would change nothing is a mistake.
-void requireFitting(const Arguments& arguments, const Domain& domain, bool isOutline) {
-    const auto refuse = [&](std::initializer_list<const char*> flags, const std::string& what) {
-        for (const char* flag : flags)
-            if (arguments.has(flag)) throw UsageError(std::string(flag) + " is for " + what);
-    };
-    const bool picture = domain.kind == DomainKind::Image, surface = domain.kind == DomainKind::Surface;
-    if (!picture) refuse({"--edge"}, "pictures and outlines");
-    if (!picture || isOutline) refuse({"--outline"}, "pictures");
-    if (!surface) {
-        refuse({"--quality", "--max-volume", "--refine-surface", "--repair", "--largest-hole", "--sizes"},
-               "closed surfaces");
-        refuse({"--cage", "--no-cage", "--cage-detail", "--cage-offset"}, "surfaces");
-    }
-    if (!picture && !surface) refuse({"--vertices"}, "pictures, outlines and closed surfaces");
-    if (!picture || domain.outline != OutlineKind::Alpha)
-        refuse({"--threshold", "--margin", "--gap", "--smallest", "--simplify"},
-               "pictures with --outline alpha");
+    requireFitting(project, arguments);
 }
 
 /// A project that is nothing but this domain.
@@ -167,10 +124,9 @@ ExitCode runMesh(const Arguments& arguments) try {
     Terminal terminal(arguments.has("--progress") ? Terminal::Progress::Shown : Terminal::Progress::Automatic,
                       arguments.has("--quiet"));
     Input input = inputFrom(path, terminal);
-    readSizes(arguments, input.project.domain);
-    readSurfaceOptions(arguments, input.project.domain);
-    readOutline(arguments, input.project.domain);
-    requireFitting(arguments, input.project.domain, lowerExtension(path) == ".json");
+    if (lowerExtension(path) == ".json" && arguments.has("--outline"))
+        throw UsageError("--outline is for pictures");
+    readDomain(arguments, input.project);
     RunOutputs outputs;
     outputs.mesh = output;
     const std::vector<OwnInput> inputs = inputsOf(input.project, path, input.folder);

@@ -1,5 +1,3 @@
-#include <map>
-
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/terminal.h"
@@ -39,35 +37,21 @@ bool asksForAnything(const RunOutputs& outputs) {
 }
 
 RunOptions optionsFrom(const Arguments& arguments) {
-    static const std::map<std::string, BackEndKind> backEnds{
-        {"auto", BackEndKind::Automatic}, {"opencl", BackEndKind::OpenCl}, {"cpu", BackEndKind::Cpu}};
     RunOptions options = runOptionsFrom(arguments.values());
     options.outputs = outputsFrom(arguments);
     options.at = arguments.given("--at");
-    options.backEnd = backEnds.at(arguments.text("--backend"));
+    options.backEnd = arguments.values().choice<BackEndKind>("--backend");
     return options;
 }
 
 /// What the line says wins over the project.
 void override(Project& project, const Arguments& arguments) {
-    static const std::map<std::string, Method> methods{{"dopri5", Method::DormandPrince},
-                                                       {"rk4", Method::RungeKutta4},
-                                                       {"midpoint", Method::Midpoint},
-                                                       {"adams", Method::Adams}};
+    takeSettings(project, arguments);
     IntegrationOptions& integration = project.integration;
-    if (arguments.has("--method")) integration.method = methods.at(arguments.text("--method"));
-    if (arguments.has("--tolerance")) integration.tolerance = arguments.number("--tolerance");
-    if (arguments.has("--steps")) integration.steps = arguments.integer("--steps");
     integration.threads = arguments.integer("--threads");
     const bool given = arguments.has("--method") || arguments.has("--steps") || arguments.has("--tolerance");
     if (const std::string problem = integration.problem(); given && !problem.empty())
         throw UsageError(problem + (integration.steps == 0 ? " (--steps N)" : ""));
-    if (arguments.has("--phi")) {
-        const double phi = arguments.phi("--phi", project.dimension());
-        std::visit([phi](auto& design) { design.material.phi = phi; }, project.design);
-    }
-    if (const auto memory = arguments.given("--memory"))
-        std::visit([&](auto& design) { design.material.memory = *memory; }, project.design);
     if (arguments.has("--settle")) appendSettling(project, project.end);
 }
 

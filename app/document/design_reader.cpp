@@ -1,25 +1,12 @@
 #include "app/document/design_reader.h"
 
 #include <Eigen/Eigenvalues>
-#include <map>
 
+#include "app/document/setting_json.h"
 #include "core/mesh/error.h"
 
 namespace wend {
 namespace {
-
-double readPhi(const JsonValue& value, int dim) {
-    double number = 0;
-    if (value.json().is_string()) {
-        number = phiOfName(value.text(), dim);
-        if (std::isnan(number))
-            value.fail("unknown name \"" + value.text() + "\"; known are equia, metr, akvf, conf");
-    } else {
-        number = value.number();
-    }
-    if (const std::string problem = phi::problem(number, dim); !problem.empty()) value.fail(problem);
-    return number;
-}
 
 template <int Dim>
 Vec<Dim> readDirection(const JsonValue& value) {
@@ -110,21 +97,11 @@ Region<Dim> readShape(const std::string& kind, const JsonValue& value) {
 
 // --- Material ---
 
-Smoothing readSmoothing(const JsonValue& value) {
+void readSmoothing(const JsonValue& value, Project& project) {
     JsonObject object(value);
-    Smoothing smoothing;
-    const std::string kind = object.require("kind").choice("material.smoothing.kind");
-    if (kind == "paper") {
-        smoothing.kind = SmoothingKind::Paper;
-        if (auto lambda = object.find("lambda"))
-            smoothing.lambda = lambda->number("material.smoothing.lambda");
-    } else if (kind == "none") {
-        smoothing.kind = SmoothingKind::None;
-    } else if (auto length = object.find("length")) {
-        smoothing.length = length->number("material.smoothing.length");
-    }
+    object.require("kind");
+    readSettings(object, "material.smoothing", project);
     object.finish();
-    return smoothing;
 }
 
 template <int Dim>
@@ -225,18 +202,13 @@ void requireEnoughPoints(const CurveMotion<Dim>& curve, const JsonValue& points)
 
 template <int Dim>
 CurveMotion<Dim> readCurve(JsonObject& object) {
-    static const std::map<std::string, Interpolation> interpolations{{"bezier", Interpolation::Bezier},
-                                                                     {"spline", Interpolation::Spline},
-                                                                     {"polyline", Interpolation::Polyline}};
-    static const std::map<std::string, FrameKind> frames{
-        {"none", FrameKind::None}, {"frenet", FrameKind::Frenet}, {"minimal", FrameKind::Minimal}};
     CurveMotion<Dim> curve;
     curve.interpolation =
-        interpolations.at(object.require("interpolation").choice("handles[].motion[].interpolation"));
+        object.require("interpolation").choice<Interpolation>("handles[].motion[].interpolation");
     const JsonValue points = object.require("points");
     curve.points = points.points<Dim>();
     requireEnoughPoints(curve, points);
-    if (auto frame = object.find("frame")) curve.frame = frames.at(frame->choice("handles[].motion[].frame"));
+    if (auto frame = object.find("frame")) curve.frame = frame->choice<FrameKind>("handles[].motion[].frame");
     if (auto twist = object.find("twist")) {
         curve.twist = twist->number();
         if (Dim == 2 && curve.twist != 0) twist->fail("is for curves in 3D");
@@ -264,8 +236,6 @@ Recorded<Dim> readRecorded(JsonObject& object) {
 
 template <int Dim>
 Motion<Dim> readMotion(const JsonValue& value, double end) {
-    static const std::map<std::string, Ease> eases{
-        {"linear", Ease::Linear}, {"in", Ease::In}, {"out", Ease::Out}, {"inOut", Ease::InOut}};
     Motion<Dim> motion;
     motion.end = end;
     JsonObject object(value.ownedBy(motion.extras));
@@ -275,7 +245,7 @@ Motion<Dim> readMotion(const JsonValue& value, double end) {
     if (kind == "curve") motion.kind = readCurve<Dim>(object);
     if (kind == "recorded") motion.kind = readRecorded<Dim>(object);
     if (auto time = object.find("time")) std::tie(motion.start, motion.end) = readWindow(*time);
-    if (auto ease = object.find("ease")) motion.ease = eases.at(ease->choice("handles[].motion[].ease"));
+    if (auto ease = object.find("ease")) motion.ease = ease->choice<Ease>("handles[].motion[].ease");
     object.finish();
     return motion;
 }
@@ -332,12 +302,11 @@ void readCellValues(JsonObject& object, MaterialSpec<Dim>& spec) {
 }
 
 template <int Dim>
-MaterialSpec<Dim> readMaterial(const JsonValue& value) {
-    MaterialSpec<Dim> spec;
+void readMaterial(const JsonValue& value, Project& project) {
+    MaterialSpec<Dim>& spec = std::get<Design<Dim>>(project.design).material;
     JsonObject object(value);
-    if (auto phi = object.find("phi")) spec.phi = readPhi(*phi, Dim);
-    if (auto smoothing = object.find("smoothing")) spec.smoothing = readSmoothing(*smoothing);
-    if (auto memory = object.find("memory")) spec.memory = memory->number("material.memory");
+    readSettings(object, "material", project);
+    if (auto smoothing = object.find("smoothing")) readSmoothing(*smoothing, project);
     if (auto regions = object.find("regions"))
         for (const JsonValue& element : regions->elements())
             spec.regions.push_back(readMaterialRegion<Dim>(element));
@@ -350,7 +319,6 @@ MaterialSpec<Dim> readMaterial(const JsonValue& value) {
         }
     }
     object.finish();
-    return spec;
 }
 
 template <int Dim>
@@ -365,8 +333,8 @@ Handle<Dim> readHandle(const JsonValue& value, double end) {
     return handle;
 }
 
-template MaterialSpec<2> readMaterial<2>(const JsonValue&);
-template MaterialSpec<3> readMaterial<3>(const JsonValue&);
+template void readMaterial<2>(const JsonValue&, Project&);
+template void readMaterial<3>(const JsonValue&, Project&);
 template Handle<2> readHandle<2>(const JsonValue&, double);
 template Handle<3> readHandle<3>(const JsonValue&, double);
 template Region<2> readRegion<2>(const JsonValue&);

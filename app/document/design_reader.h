@@ -5,9 +5,9 @@
 
 namespace wend {
 
-/// The parts of a project that have coordinates.
+/// The parts of a project that have coordinates. The design must be of that dimension.
 template <int Dim>
-MaterialSpec<Dim> readMaterial(const JsonValue& value);
+void readMaterial(const JsonValue& value, Project& project);
 /// A handle; a motion without a time window takes [0, end].
 template <int Dim>
 Handle<Dim> readHandle(const JsonValue& value, double end);

@@ -42,6 +42,11 @@ class JsonValue {
     int integer(std::string_view optionKey) const;
     /// One of the option's words.
     std::string choice(std::string_view optionKey) const;
+    /// Its place among them, as the number of an enumeration.
+    template <class Enum>
+    Enum choice(std::string_view optionKey) const {
+        return static_cast<Enum>(placeOf(option(optionKey), choice(optionKey)));
+    }
     std::vector<double> numbers() const;
     template <int Dim>
     Vec<Dim> point() const;

@@ -3,13 +3,11 @@
 #include <charconv>
 #include <cmath>
 
-#include "app/document/options.h"
-
 namespace wend {
 
 std::string OptionValues::text(const std::string& flag) const {
     const auto it = m_values.find(flag);
-    return it != m_values.end() ? it->second : std::string(option(flag).fallback);
+    return it != m_values.end() ? it->second : defaultText(option(flag));
 }
 
 double OptionValues::number(const std::string& flag) const {

@@ -4,6 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "app/document/options.h"
+
 namespace wend {
 
 /// Values of options by their flags, as they are written on the command line: it fills them, and so do the
@@ -16,6 +18,11 @@ class OptionValues {
     std::string text(const std::string& flag) const;
     double number(const std::string& flag) const;
     int integer(const std::string& flag) const;
+    /// The place of a choice in its list, as the number of an enumeration.
+    template <class Enum>
+    Enum choice(const std::string& flag) const {
+        return static_cast<Enum>(placeOf(option(flag), text(flag)));
+    }
     /// What was set, and no default.
     std::optional<double> given(const std::string& flag) const;
 

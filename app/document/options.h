@@ -1,11 +1,15 @@
 #pragma once
 
+#include <array>
 #include <limits>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace wend {
+
+struct Project;
 
 /// What a value may be. An open end is not part of the range.
 struct Range {
@@ -21,28 +25,78 @@ struct Range {
 
 enum class OptionKind { Flag, Number, Integer, Phi, Choice, Text, File };
 
-/// One setting, told once: the project's reader, the command line's help and messages, the window's spin
-/// boxes and the reference page all take it from here.
+/// A value in a project. Every value is a number: a flag is 0 or 1, a choice its place in the list.
+struct Accessor {
+    double (*get)(const Project&) = nullptr;
+    void (*set)(Project&, double) = nullptr;
+};
+
+/// Which projects have a setting.
+struct Scope {
+    bool (*holds)(const Project&) = nullptr;
+    std::string_view words;  // "pictures": what it is for
+};
+
+/// What is made anew where a setting changes, and all that follows from it.
+enum class Makes { Nothing, Outline, Mesh, Material, Motion };
+
+/// When a setting is written to a project's file. `ByHand`: it is more than a value there, and code of its
+/// own reads and writes it.
+enum class InFile { IfChanged, Always, ByHand };
+
+/// Where a setting stands in a project.
+struct Field {
+    Accessor at = {};
+    const Scope* scope = nullptr;  // none: any project
+    Makes makes = Makes::Nothing;
+    InFile inFile = InFile::IfChanged;
+};
+
+/// How the window shows a setting: English words, which it translates in the context "Options".
+struct Row {
+    const char* label = "";              // with a mnemonic; empty: it has no row
+    const char* name = "";               // what it is called elsewhere; empty: as the label
+    const char* help = "";               // empty: the meaning
+    const char* undo = "";               // what a step back is called
+    const char* unit = "";               // behind the number
+    const char* zero = "";               // in the place of the number 0
+    std::array<const char*, 6> words{};  // of the choices
+    double factor = 1;                   // of the number as it is shown: 100 for a per cent
+    int decimals = 0;                    // as many as needed if the number is smaller
+    double step = 1;
+    bool anySize = false;  // the number may have any magnitude
+};
+
+/// One setting, told once: the project's reader and writer, what is made anew, the command line's help and
+/// messages, the window's fields and the reference page all take it from here.
 struct Option {
     std::string_view key;   // in the project file; empty: on the command line only
     std::string_view flag;  // on the command line; empty: in the project only
     OptionKind kind = OptionKind::Number;
-    std::string_view fallback;  // the default as one would write it; empty: none
+    std::string_view fallback;  // the default as one would write it, unless `field` tells it; empty: none
     Range range;
     std::string_view unit;
     std::string_view choices;   // of Choice: "a|b|c"
     std::string_view commands;  // the subcommands that take the flag, separated by blanks
     std::string_view meaning;
+    Field field = {};  // nowhere: of lists, of files, and of the command line only
+    Row row = {};
 };
 
 /// All settings in the order of the reference page.
 std::span<const Option> options();
 /// The setting of that key or flag. It must exist.
 const Option& option(std::string_view keyOrFlag);
-/// The default of a number or integer.
+/// The default, as a number and as one would write it (empty: none).
+double defaultOf(const Option& option);
 double defaultOf(std::string_view keyOrFlag);
+std::string defaultText(const Option& option);
+std::string textOf(const Option& option, double value);
 /// Empty if the value is in range, else "0 is out of range: it must be in ]0, 1[".
 std::string rangeProblem(const Option& option, double value);
+/// The words of Choice, and the place of one of them (their number, if it is none).
+std::vector<std::string> choicesOf(const Option& option);
+int placeOf(const Option& option, std::string_view choice);
 bool isChoice(const Option& option, std::string_view value);
 
 /// φ of `equia`, `metr`, `akvf`, `conf`, or NaN for another word.
@@ -52,6 +106,9 @@ std::string nameOfPhi(double phi, int dim);
 
 /// The shortest text that reads back as the same number, in the C locale.
 std::string shortNumber(double value);
+
+/// The option's meaning, with the formats that there are in the place of {surfaces} and {volumes}.
+std::string meaningOf(const Option& option);
 
 /// The table as a page of Markdown (docs/reference.md).
 std::string referencePage();

@@ -2,12 +2,12 @@
 #include <cctype>
 #include <charconv>
 #include <filesystem>
-#include <map>
 #include <sstream>
 
 #include "app/document/design_reader.h"
 #include "app/document/json_text.h"
 #include "app/document/project.h"
+#include "app/document/setting_json.h"
 #include "app/document/text_file.h"
 #include "core/mesh/error.h"
 #include "core/mesh/file_name.h"
@@ -43,22 +43,13 @@ void readPolygons(const JsonValue& value, Domain& domain) {
     if (domain.polygons.loops.empty()) value.fail("has no polygon");
 }
 
-void readAlpha(JsonObject& object, AlphaOutlineOptions& alpha) {
-    if (auto value = object.find("threshold")) alpha.threshold = value->number("domain.outline.threshold");
-    if (auto value = object.find("margin")) alpha.margin = value->number("domain.outline.margin");
-    if (auto value = object.find("gap")) alpha.gap = value->number("domain.outline.gap");
-    if (auto value = object.find("smallest")) alpha.smallest = value->number("domain.outline.smallest");
-    if (auto value = object.find("simplify")) alpha.simplify = value->number("domain.outline.simplify");
-}
-
-void readOutline(const JsonValue& value, Domain& domain) {
+void readOutline(const JsonValue& value, Project& project) {
     JsonObject object(value);
-    if (object.oneOf({"from", "polygons"}) == "polygons") {
-        readPolygons(object.require("polygons"), domain);
-    } else if (object.require("from").choice("domain.outline.from") == "alpha") {
-        domain.outline = OutlineKind::Alpha;
-        readAlpha(object, domain.alpha);
-    }
+    if (object.oneOf({"from", "polygons"}) == "polygons")
+        readPolygons(object.require("polygons"), project.domain);
+    else
+        project.domain.outline = object.require("from").choice<OutlineKind>("domain.outline.from");
+    readSettings(object, "domain.outline", project);
     object.finish();
 }
 
@@ -80,19 +71,15 @@ SizeRegionIn<Dim> readSizeRegion(const JsonValue& owner) {
     return region;
 }
 
-void readImageDomain(JsonObject& object, Domain& domain) {
+void readImageDomain(JsonObject& object, Project& project) {
+    Domain& domain = project.domain;
     domain.kind = DomainKind::Image;
     domain.path = readFileName(object.require("image"));
-    if (auto outline = object.find("outline")) readOutline(*outline, domain);
+    if (auto outline = object.find("outline")) readOutline(*outline, project);
     if (object.has("vertices") && object.has("edge")) object.value().fail("has both `vertices` and `edge`");
-    if (auto vertices = object.find("vertices")) domain.vertices = vertices->integer("domain.vertices");
-    if (auto edge = object.find("edge")) domain.edge = edge->number("domain.edge");
-    static const std::map<std::string, Border> borders{
-        {"free", Border::Free}, {"fixed", Border::Fixed}, {"slide", Border::Slide}};
     if (auto sizes = object.find("sizes"))
         for (const JsonValue& element : sizes->elements())
             domain.flatSizes.push_back(readSizeRegion<2>(element));
-    if (auto border = object.find("border")) domain.border = borders.at(border->choice("domain.border"));
 }
 
 /// {"values": FILE} stands first; then regions.
@@ -110,60 +97,56 @@ void readSizeField(const JsonValue& value, Domain& domain) {
     }
 }
 
-void readRepair(const JsonValue& value, Domain& domain) {
+void readRepair(const JsonValue& value, Project& project) {
     if (!value.json().is_object()) {
-        domain.repair = value.boolean();
+        project.domain.repair = value.boolean();
         return;
     }
-    domain.repair = true;
+    project.domain.repair = true;
     JsonObject object(value);
-    if (auto hole = object.find("largestHole"))
-        domain.largestHole = hole->integer("domain.repair.largestHole");
+    readSettings(object, "domain.repair", project);
     object.finish();
 }
 
 /// false: the exact surface or none.
-void readCage(const JsonValue& value, Domain& domain) {
-    domain.fit = Fit::Cage;
+void readCage(const JsonValue& value, Project& project) {
+    project.domain.fit = Fit::Cage;
     if (!value.json().is_object()) {
-        if (!value.boolean()) domain.fit = Fit::Exact;
+        if (!value.boolean()) project.domain.fit = Fit::Exact;
         return;
     }
     JsonObject object(value);
-    if (auto detail = object.find("detail")) domain.cageDetail = detail->number("domain.cage.detail");
-    if (auto offset = object.find("offset")) domain.cageOffset = offset->number("domain.cage.offset");
+    readSettings(object, "domain.cage", project);
     object.finish();
 }
 
-void readSurfaceDomain(JsonObject& object, Domain& domain) {
-    domain.kind = DomainKind::Surface;
-    domain.path = readFileName(object.require("surface"));
-    if (auto refine = object.find("refineSurface")) domain.refineSurface = refine->boolean();
-    if (auto repair = object.find("repair")) readRepair(*repair, domain);
-    if (auto cage = object.find("cage")) readCage(*cage, domain);
-    if (auto sizes = object.find("sizes")) readSizeField(*sizes, domain);
-    if (auto quality = object.find("quality")) domain.quality = quality->number("domain.quality");
-    if (auto volume = object.find("maxVolume")) domain.maxVolume = volume->number("domain.maxVolume");
-    if (auto vertices = object.find("vertices")) domain.vertices = vertices->integer("domain.vertices");
+void readSurfaceDomain(JsonObject& object, Project& project) {
+    project.domain.kind = DomainKind::Surface;
+    project.domain.path = readFileName(object.require("surface"));
+    if (auto repair = object.find("repair")) readRepair(*repair, project);
+    if (auto cage = object.find("cage")) readCage(*cage, project);
+    if (auto sizes = object.find("sizes")) readSizeField(*sizes, project.domain);
 }
 
-Domain readDomain(const JsonValue& value) {
-    Domain domain;
+void readDomain(const JsonValue& value, Project& project) {
+    Domain& domain = project.domain;
     JsonObject object(value);
     const bool textured = object.has("mesh") && object.has("image");
     const std::string kind = textured ? "mesh" : object.oneOf({"image", "mesh", "surface"});
     if (textured && object.has("surface")) object.oneOf({"mesh", "surface"});
-    if (kind == "image") readImageDomain(object, domain);
-    if (kind == "surface") readSurfaceDomain(object, domain);
+    if (kind == "image") readImageDomain(object, project);
+    if (kind == "surface") readSurfaceDomain(object, project);
     if (kind == "mesh") {
         domain.kind = DomainKind::Mesh;
         domain.path = readFileName(object.require("mesh"));
         if (auto texture = object.find("image")) domain.texture = readFileName(*texture);
+    } else if (auto vertices = object.find("vertices")) {
+        domain.vertices = vertices->integer("domain.vertices");
     }
     if (kind != "image")
         if (auto detail = object.find("detail")) domain.detail = readFileName(*detail);
+    readSettings(object, "domain", project);
     object.finish();
-    return domain;
 }
 
 // --- Dimension ---
@@ -207,36 +190,22 @@ int dimensionOf(const Domain& domain, const std::string& folder, const Json& roo
 
 // --- The rest ---
 
-void readIntegration(const JsonValue& value, IntegrationOptions& options) {
-    static const std::map<std::string, Method> methods{{"dopri5", Method::DormandPrince},
-                                                       {"rk4", Method::RungeKutta4},
-                                                       {"midpoint", Method::Midpoint},
-                                                       {"adams", Method::Adams}};
-    JsonObject object(value);
-    if (auto method = object.find("method"))
-        options.method = methods.at(method->choice("integration.method"));
-    if (auto tolerance = object.find("tolerance"))
-        options.tolerance = tolerance->number("integration.tolerance");
-    if (auto steps = object.find("steps")) options.steps = steps->integer("integration.steps");
-    if (auto least = object.find("smallestStep"))
-        options.smallestStep = least->number("integration.smallestStep");
-    object.finish();
+/// An object that holds nothing but settings.
+void readGroup(JsonObject& root, const std::string& group, Project& project) {
+    if (const auto value = root.find(group)) {
+        JsonObject object(*value);
+        readSettings(object, group, project);
+        object.finish();
+    }
 }
 
 template <int Dim>
-Design<Dim> readDesign(JsonObject& root, double end) {
-    Design<Dim> design;
-    if (auto material = root.find("material")) design.material = readMaterial<Dim>(*material);
+void readDesign(JsonObject& root, Project& project) {
+    auto& design = project.design.emplace<Design<Dim>>();
+    if (auto material = root.find("material")) readMaterial<Dim>(*material, project);
     if (auto handles = root.find("handles"))
         for (const JsonValue& element : handles->elements())
-            design.handles.push_back(readHandle<Dim>(element, end));
-    return design;
-}
-
-void readTime(const JsonValue& value, Project& project) {
-    JsonObject time(value);
-    if (auto end = time.find("end")) project.end = end->number("time.end");
-    time.finish();
+            design.handles.push_back(readHandle<Dim>(element, project.end));
 }
 
 /// The end of time covers them.
@@ -257,13 +226,10 @@ LoadedProject readRoot(const Json& json, const std::string& folder) {
     Project& project = loaded.project;
     JsonObject root(JsonValue(json, "", project.extras, loaded.warnings));
     checkFormat(root);
-    project.domain = readDomain(root.require("domain"));
-    if (auto time = root.find("time")) readTime(*time, project);
-    if (auto integration = root.find("integration")) readIntegration(*integration, project.integration);
-    if (dimensionOf(project.domain, folder, json) == 2)
-        project.design = readDesign<2>(root, project.end);
-    else
-        project.design = readDesign<3>(root, project.end);
+    readDomain(root.require("domain"), project);
+    for (const char* group : {"time", "integration"}) readGroup(root, group, project);
+    dimensionOf(project.domain, folder, json) == 2 ? readDesign<2>(root, project)
+                                                   : readDesign<3>(root, project);
     if (project.dimension() == 2)
         if (auto depth = root.find("depth")) project.depth = readDepth(*depth);
     if (auto settle = root.find("settle")) readSettling(*settle, project);

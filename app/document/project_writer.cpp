@@ -2,8 +2,8 @@
 #include <filesystem>
 
 #include "app/document/json_text.h"
-#include "app/document/options.h"
 #include "app/document/project.h"
+#include "app/document/setting_json.h"
 #include "app/document/text_file.h"
 #include "core/mesh/error.h"
 
@@ -30,16 +30,10 @@ Json withExtras(Json json, const Extras& extras) {
     return json;
 }
 
-/// Whole numbers are written without ".0".
-Json number(double value) {
-    if (!std::isfinite(value)) throw InputError("a number is not finite and cannot be written");
-    return value;
-}
-
 template <class Vector>
 Json point(const Vector& v) {
     Json json = Json::array();
-    for (Eigen::Index i = 0; i < v.size(); ++i) json.push_back(number(v[i]));
+    for (Eigen::Index i = 0; i < v.size(); ++i) json.push_back(numberJson(v[i]));
     return json;
 }
 
@@ -48,11 +42,6 @@ Json points(const std::vector<Vector>& all) {
     Json json = Json::array();
     for (const Vector& one : all) json.push_back(point(one));
     return json;
-}
-
-Json phiJson(double phi, int dim) {
-    const std::string name = nameOfPhi(phi, dim);
-    return name.empty() ? number(phi) : Json(name);
 }
 
 // --- Regions ---
@@ -64,7 +53,7 @@ Json regionJson(const Region<Dim>& region) {
                        return Json{{"polygon", points(polygon.points)}};
                    },
                    [](const Ball<Dim>& ball) {
-                       const Json inside{{"centre", point(ball.centre)}, {"radius", number(ball.radius)}};
+                       const Json inside{{"centre", point(ball.centre)}, {"radius", numberJson(ball.radius)}};
                        return Json{{Dim == 2 ? "circle" : "sphere", inside}};
                    },
                    [](const Box<Dim>& box) {
@@ -82,30 +71,26 @@ Json regionJson(const Region<Dim>& region) {
 
 // --- Domain ---
 
-Json outlineJson(const Domain& domain) {
-    if (domain.outline == OutlineKind::Frame) return {{"from", "frame"}};
-    if (domain.outline == OutlineKind::Polygons) {
-        Json loops = Json::array();
-        for (const auto& loop : domain.polygons.loops) loops.push_back(points(loop));
-        return {{"polygons", loops}};
-    }
-    const AlphaOutlineOptions defaults;
-    Json json{{"from", "alpha"},
-              {"threshold", number(domain.alpha.threshold)},
-              {"margin", number(domain.alpha.margin)}};
-    if (domain.alpha.gap != defaults.gap) json["gap"] = number(domain.alpha.gap);
-    if (domain.alpha.smallest != defaults.smallest) json["smallest"] = number(domain.alpha.smallest);
-    if (domain.alpha.simplify != defaults.simplify) json["simplify"] = number(domain.alpha.simplify);
+/// An object that holds nothing but settings.
+Json groupJson(const char* group, const Project& project) {
+    Json json = Json::object();
+    writeSettings(json, group, project);
     return json;
 }
 
-void addCage(Json& json, const Domain& domain) {
-    const Domain defaults;
-    if (domain.fit == Fit::Automatic) return;
-    Json cage = Json::object();
-    if (domain.cageDetail != defaults.cageDetail) cage["detail"] = number(domain.cageDetail);
-    if (domain.cageOffset != defaults.cageOffset) cage["offset"] = number(domain.cageOffset);
-    json["cage"] = domain.fit == Fit::Cage && !cage.empty() ? cage : Json(domain.fit == Fit::Cage);
+Json outlineJson(const Project& project) {
+    Json json = groupJson("domain.outline", project);
+    if (project.domain.outline == OutlineKind::Polygons)
+        for (const auto& loop : project.domain.polygons.loops) json["polygons"].push_back(points(loop));
+    else
+        json["from"] = wordOf("domain.outline.from", project.domain.outline);
+    return json;
+}
+
+/// The settings if there is something to say, or else true.
+Json switchedOn(const char* group, const Project& project) {
+    Json json = groupJson(group, project);
+    return json.empty() ? Json(true) : json;
 }
 
 template <int Dim>
@@ -114,78 +99,55 @@ void addSizes(Json& json, const std::vector<SizeRegionIn<Dim>>& sizes) {
         Json one = Json::object();
         if (!region.name.empty()) one["name"] = region.name;
         one["shape"] = regionJson<Dim>(region.shape);
-        if (region.feather != 0) one["feather"] = number(region.feather);
-        one["factor"] = number(region.factor);
+        if (region.feather != 0) one["feather"] = numberJson(region.feather);
+        one["factor"] = numberJson(region.factor);
         json["sizes"].push_back(withExtras(std::move(one), region.extras));
     }
 }
 
-void addSurfaceKeys(Json& json, const Domain& domain) {
-    const Domain defaults;
-    if (domain.refineSurface) json["refineSurface"] = true;
-    if (domain.repair && domain.largestHole != defaults.largestHole)
-        json["repair"] = {{"largestHole", domain.largestHole}};
-    else if (domain.repair)
-        json["repair"] = true;
-    addCage(json, domain);
+void addSurfaceKeys(Json& json, const Project& project) {
+    const Domain& domain = project.domain;
+    if (domain.repair) json["repair"] = switchedOn("domain.repair", project);
+    if (domain.fit == Fit::Cage) json["cage"] = switchedOn("domain.cage", project);
+    if (domain.fit == Fit::Exact) json["cage"] = false;
     if (!domain.sizesFile.empty()) json["sizes"].push_back({{"values", domain.sizesFile}});
     addSizes<3>(json, domain.sizes);
 }
 
-Json domainJson(const Domain& domain) {
-    Json json = Json::object();
-    if (domain.kind == DomainKind::Image) {
-        json["image"] = domain.path;
-        json["outline"] = outlineJson(domain);
-        if (domain.edge > 0)
-            json["edge"] = number(domain.edge);
-        else
-            json["vertices"] = domain.vertices;
-        addSizes<2>(json, domain.flatSizes);
-        static const char* const borders[] = {"free", "fixed", "slide"};
-        if (domain.border != Border::Free) json["border"] = borders[static_cast<int>(domain.border)];
-    } else if (domain.kind == DomainKind::Mesh) {
-        json["mesh"] = domain.path;
-        if (!domain.texture.empty()) json["image"] = domain.texture;
-    } else {
-        json["surface"] = domain.path;
-        json["quality"] = number(domain.quality);
-        if (domain.maxVolume > 0)
-            json["maxVolume"] = number(domain.maxVolume);
-        else
-            json["vertices"] = domain.vertices;
-        addSurfaceKeys(json, domain);
-    }
+Json domainJson(const Project& project) {
+    static const char* const kinds[] = {"image", "mesh", "surface"};
+    const Domain& domain = project.domain;
+    Json json{{kinds[static_cast<int>(domain.kind)], domain.path}};
+    if (domain.kind == DomainKind::Image) json["outline"] = outlineJson(project);
+    if (domain.kind != DomainKind::Mesh && domain.edge <= 0 && domain.maxVolume <= 0)
+        json["vertices"] = domain.vertices;
+    writeSettings(json, "domain", project);
+    if (domain.kind == DomainKind::Image) addSizes<2>(json, domain.flatSizes);
+    if (domain.kind == DomainKind::Mesh && !domain.texture.empty()) json["image"] = domain.texture;
+    if (domain.kind == DomainKind::Surface) addSurfaceKeys(json, project);
     if (domain.kind != DomainKind::Image && !domain.detail.empty()) json["detail"] = domain.detail;
     return json;
 }
 
 // --- Material ---
 
-Json smoothingJson(const Smoothing& smoothing) {
-    if (smoothing.kind == SmoothingKind::Paper)
-        return {{"kind", "paper"}, {"lambda", number(smoothing.lambda)}};
-    if (smoothing.kind == SmoothingKind::None) return {{"kind", "none"}};
-    return {{"kind", "invariant"}, {"length", number(smoothing.length)}};
-}
-
 template <int Dim>
 Json materialRegionJson(const MaterialRegion<Dim>& region) {
     Json json = Json::object();
     if (!region.name.empty()) json["name"] = region.name;
     json["shape"] = regionJson<Dim>(region.shape);
-    if (region.feather != 0) json["feather"] = number(region.feather);
+    if (region.feather != 0) json["feather"] = numberJson(region.feather);
     if (region.phi) json["phi"] = phiJson(*region.phi, Dim);
     if (region.stiffness)
         json["stiffness"] = {{"axis", point(region.stiffness->axis)},
-                             {"ratio", number(region.stiffness->ratio)}};
+                             {"ratio", numberJson(region.stiffness->ratio)}};
     return withExtras(std::move(json), region.extras);
 }
 
 template <int Dim>
 Json cellsJson(const MaterialSpec<Dim>& spec) {
     Json json = Json::object();
-    for (double phi : spec.cellPhi) json["phi"].push_back(number(phi));
+    for (double phi : spec.cellPhi) json["phi"].push_back(numberJson(phi));
     for (const Mat<Dim>& B : spec.cellB) {
         const Eigen::Matrix<double, Dim, Dim, Eigen::RowMajor> rows = B;
         json["B"].push_back(point(Eigen::Map<const Eigen::Matrix<double, Dim * Dim, 1>>(rows.data())));
@@ -194,9 +156,10 @@ Json cellsJson(const MaterialSpec<Dim>& spec) {
 }
 
 template <int Dim>
-Json materialJson(const MaterialSpec<Dim>& spec) {
-    Json json{{"phi", phiJson(spec.phi, Dim)}, {"smoothing", smoothingJson(spec.smoothing)}};
-    if (spec.memory != 0) json["memory"] = number(spec.memory);
+Json materialJson(const Project& project) {
+    const MaterialSpec<Dim>& spec = std::get<Design<Dim>>(project.design).material;
+    Json json = groupJson("material", project);
+    json["smoothing"] = groupJson("material.smoothing", project);
     for (const auto& region : spec.regions) json["regions"].push_back(materialRegionJson(region));
     if (!spec.cellsFile.empty())
         json["cells"] = spec.cellsFile;
@@ -223,14 +186,12 @@ Json placementJson(const Placement<Dim>& at) {
 
 template <int Dim>
 Json curveJson(const CurveMotion<Dim>& curve) {
-    static const char* const interpolations[] = {"bezier", "spline", "polyline"};
-    static const char* const frames[] = {"none", "frenet", "minimal"};
     Json json{{"kind", "curve"},
-              {"interpolation", interpolations[static_cast<int>(curve.interpolation)]},
+              {"interpolation", wordOf("handles[].motion[].interpolation", curve.interpolation)},
               {"points", points(curve.points)},
-              {"frame", frames[static_cast<int>(curve.frame)]}};
-    if (curve.twist != 0) json["twist"] = number(curve.twist);
-    if (curve.scale != 1) json["scale"] = number(curve.scale);
+              {"frame", wordOf("handles[].motion[].frame", curve.frame)}};
+    if (curve.twist != 0) json["twist"] = numberJson(curve.twist);
+    if (curve.scale != 1) json["scale"] = numberJson(curve.scale);
     return json;
 }
 
@@ -238,20 +199,19 @@ template <int Dim>
 Json rotateJson(const Rotate<Dim>& rotate) {
     Json json{{"kind", "rotate"}, {"centre", point(rotate.centre)}};
     if (Dim == 3) json["axis"] = point(rotate.axis);
-    json["angle"] = number(rotate.angle);
+    json["angle"] = numberJson(rotate.angle);
     return json;
 }
 
 template <int Dim>
 Json recordedJson(const Recorded<Dim>& stroke) {
     Json times = Json::array();
-    for (double time : stroke.times) times.push_back(number(time));
+    for (double time : stroke.times) times.push_back(numberJson(time));
     return {{"kind", "recorded"}, {"times", times}, {"points", points(stroke.points)}};
 }
 
 template <int Dim>
 Json motionJson(const Motion<Dim>& motion) {
-    static const char* const eases[] = {"linear", "in", "out", "inOut"};
     Json json = std::visit(Overloaded{[](const Translate<Dim>& move) {
                                           return Json{{"kind", "translate"}, {"by", point(move.by)}};
                                       },
@@ -259,8 +219,8 @@ Json motionJson(const Motion<Dim>& motion) {
                                       [](const CurveMotion<Dim>& curve) { return curveJson(curve); },
                                       [](const Recorded<Dim>& stroke) { return recordedJson(stroke); }},
                            motion.kind);
-    json["time"] = Json::array({number(motion.start), number(motion.end)});
-    if (motion.ease != Ease::Linear) json["ease"] = eases[static_cast<int>(motion.ease)];
+    json["time"] = Json::array({numberJson(motion.start), numberJson(motion.end)});
+    if (motion.ease != Ease::Linear) json["ease"] = wordOf("handles[].motion[].ease", motion.ease);
     return withExtras(std::move(json), motion.extras);
 }
 
@@ -281,8 +241,8 @@ Json handleJson(const Handle<Dim>& handle) {
 }
 
 template <int Dim>
-void addDesign(Json& json, const Design<Dim>& design) {
-    json["material"] = materialJson(design.material);
+void addDesign(Json& json, const Design<Dim>& design, const Project& project) {
+    json["material"] = materialJson<Dim>(project);
     json["handles"] = Json::array();
     for (const auto& handle : design.handles) json["handles"].push_back(handleJson(handle));
 }
@@ -291,18 +251,8 @@ Json depthJson(const DepthRegion& region) {
     Json json = Json::object();
     if (!region.name.empty()) json["name"] = region.name;
     json["shape"] = regionJson<2>(region.shape);
-    json["order"] = number(region.order);
+    json["order"] = numberJson(region.order);
     return withExtras(std::move(json), region.extras);
-}
-
-Json integrationJson(const IntegrationOptions& options) {
-    static const char* const methods[] = {"dopri5", "rk4", "midpoint", "adams"};
-    const IntegrationOptions defaults;
-    Json json{{"method", methods[static_cast<int>(options.method)]},
-              {"tolerance", number(options.tolerance)}};
-    if (options.steps > 0) json["steps"] = options.steps;
-    if (options.smallestStep != defaults.smallestStep) json["smallestStep"] = number(options.smallestStep);
-    return json;
 }
 
 // --- Files ---
@@ -335,13 +285,12 @@ Project rebased(Project project, const std::string& path, const std::string& fol
 }  // namespace
 
 std::string toJson(const Project& project) {
-    Json json{{"format", "wend"}, {"version", 1}, {"domain", domainJson(project.domain)}};
-    std::visit([&](const auto& design) { addDesign(json, design); }, project.design);
+    Json json{{"format", "wend"}, {"version", 1}, {"domain", domainJson(project)}};
+    std::visit([&](const auto& design) { addDesign(json, design, project); }, project.design);
     for (const DepthRegion& region : project.depth) json["depth"].push_back(depthJson(region));
     for (const SettleWindow& window : project.settle)
-        json["settle"].push_back({{"time", Json::array({number(window.start), number(window.end)})}});
-    json["time"] = {{"end", number(project.end)}};
-    json["integration"] = integrationJson(project.integration);
+        json["settle"].push_back({{"time", Json::array({numberJson(window.start), numberJson(window.end)})}});
+    for (const char* group : {"time", "integration"}) json[group] = groupJson(group, project);
     return prettyJson(withExtras(std::move(json), project.extras));
 }
 

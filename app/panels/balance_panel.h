@@ -2,9 +2,8 @@
 
 #include <QWidget>
 
+#include "app/panels/setting_rows.h"
 #include "app/session/shape_session.h"
-
-class QDoubleSpinBox;
 
 namespace wend {
 
@@ -16,14 +15,10 @@ class BalancePanel : public QWidget {
     explicit BalancePanel(ShapeSession& session, QWidget* parent = nullptr);
 
   private:
-    static QString phiHelp(int dimension);
-    void makeControls();
     void showProject();
-    void chooseSmoothing(double length);
 
     ShapeSession& m_session;
-    QDoubleSpinBox* m_phi;
-    QDoubleSpinBox* m_smoothing;
+    SettingRows m_settings;
 };
 
 }  // namespace wend

@@ -2,6 +2,8 @@
 
 #include <QPushButton>
 
+#include "app/document/setting_edits.h"
+#include "app/document/settings.h"
 #include "app/panels/memory_slider.h"
 #include "app/panels/panel_parts.h"
 #include "app/session/settle_step.h"
@@ -28,7 +30,9 @@ FlowPanel::FlowPanel(ShapeSession& session, QWidget* parent)
     layout->addLayout(head);
     layout->addWidget(m_memory);
     connect(m_settle, &QPushButton::clicked, this, [this] { settleAtEnd(m_session); });
-    connect(m_memory, &MemorySlider::memoryChosen, this, &FlowPanel::chooseMemory);
+    connect(m_memory, &MemorySlider::memoryChosen, this, [this](double memory, int gesture) {
+        changeSetting(m_session.document(), "material.memory", memory, gesture);
+    });
     connect(&m_session.document(), &Document::projectChanged, this, &FlowPanel::showProject);
     showProject();
 }
@@ -37,16 +41,7 @@ void FlowPanel::showProject() {
     setEnabled(!m_session.document().isEmpty());
     if (m_session.document().isEmpty()) return;
     m_settle->setEnabled(canSettle(m_session.document()));
-    m_memory->setMemory(std::visit([](const auto& design) { return design.material.memory; },
-                                   m_session.document().project()->design));
-}
-
-void FlowPanel::chooseMemory(double memory, int gesture) {
-    Document& document = m_session.document();
-    if (document.isEmpty()) return;
-    Project next = *document.project();
-    std::visit([&](auto& design) { design.material.memory = memory; }, next.design);
-    document.change(tr("Change memory"), std::move(next), QStringLiteral("memory %1").arg(gesture));
+    m_memory->setMemory(settingOf(*m_session.document().project(), "material.memory"));
 }
 
 }  // namespace wend

@@ -20,7 +20,6 @@ class FlowPanel : public QWidget {
 
   private:
     void showProject();
-    void chooseMemory(double memory, int gesture);
 
     ShapeSession& m_session;
     MemorySlider* m_memory;

@@ -5,6 +5,7 @@
 #include <QToolButton>
 #include <cmath>
 
+#include "app/document/options.h"
 #include "app/panels/energy_slider.h"
 #include "app/panels/exact_box.h"
 #include "app/panels/magnitude_box.h"
@@ -68,7 +69,8 @@ void LayerPanel::makeList() {
 void LayerPanel::makeControls() {
     describe(m_hasPhi, tr("Keep here"), tr("Whether the layer changes what is kept, and to what."));
     m_ratio->setObjectName(QStringLiteral("layerRatio"));
-    m_ratio->setRange(1, 1000);
+    const Range ratios = option("material.regions[].stiffness.ratio").range;
+    m_ratio->setRange(ratios.min, ratios.max);
     m_ratio->setDecimals(1);
     m_ratio->setPrefix(QStringLiteral("×"));
     m_ratio->setFixedWidth(116);

@@ -11,7 +11,7 @@ constexpr int kPlaces = 40;  // behind the point, so that nothing small is round
 
 }  // namespace
 
-MagnitudeBox::MagnitudeBox(QWidget* parent) : NumberBox(parent) {
+MagnitudeBox::MagnitudeBox(QWidget* parent) : ExactBox(parent) {
     setDecimals(kPlaces);
     setRange(1e-30, 1e30);
 }

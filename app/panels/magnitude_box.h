@@ -1,11 +1,11 @@
 #pragma once
 
-#include "app/panels/number_box.h"
+#include "app/panels/exact_box.h"
 
 namespace wend {
 
 /// A positive number of any size, with six digits that count; a step changes it by a tenth.
-class MagnitudeBox : public NumberBox {
+class MagnitudeBox : public ExactBox {
     Q_OBJECT
 
   public:

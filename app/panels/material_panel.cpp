@@ -3,8 +3,9 @@
 #include <QLocale>
 #include <QPushButton>
 
+#include "app/document/setting_edits.h"
+#include "app/document/settings.h"
 #include "app/panels/panel_parts.h"
-#include "app/panels/whole_material.h"
 
 namespace wend {
 
@@ -49,7 +50,7 @@ void MaterialPanel::showProject() {
     setEnabled(!m_session.document().isEmpty());
     if (m_session.document().isEmpty()) return;
     const Project& project = *m_session.document().project();
-    const double phi = wholePhi(project);
+    const double phi = settingOf(project, "material.phi");
     m_slider->setDimension(project.dimension());
     m_slider->setPhi(phi);
     const EnergyScale& scale = m_slider->scale();
@@ -79,7 +80,7 @@ void MaterialPanel::showGrowth() {
 }
 
 void MaterialPanel::choosePhi(double phi, int gesture) {
-    changeWholePhi(m_session.document(), phi, gesture);
+    changeSetting(m_session.document(), "material.phi", phi, gesture);
 }
 
 }  // namespace wend

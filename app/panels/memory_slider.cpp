@@ -1,10 +1,12 @@
 #include "app/panels/memory_slider.h"
 
+#include <QCoreApplication>
 #include <QEvent>
 #include <QPainter>
 #include <QPainterPath>
 #include <cmath>
 
+#include "app/document/options.h"
 #include "app/panels/jump_slider.h"
 #include "app/panels/panel_parts.h"
 #include "app/panels/theme.h"
@@ -48,10 +50,9 @@ MemorySlider::MemorySlider(QWidget* parent) : QWidget(parent), m_slider(new Jump
     m_slider->setRange(0, kSteps);
     m_slider->setSingleStep(5);
     m_slider->setPageStep(25);
-    describe(
-        m_slider, tr("Remembers its shape"),
-        tr("How strongly the shape is drawn back to its rest while a pin moves. Not at all: where it ends "
-           "depends on the way that the pin has gone. Fully: a pin that comes back brings the shape back."));
+    const Row& words = option("material.memory").row;
+    describe(m_slider, QCoreApplication::translate("Options", words.label),
+             QCoreApplication::translate("Options", words.help));
     setFocusProxy(m_slider);
     connect(m_slider, &QSlider::sliderPressed, this, [this] { ++m_gesture; });
     connect(m_slider, &QSlider::valueChanged, this, &MemorySlider::choose);

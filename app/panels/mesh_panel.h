@@ -2,20 +2,17 @@
 
 #include <QWidget>
 
+#include "app/panels/setting_rows.h"
 #include "app/session/shape_session.h"
 
-class QCheckBox;
 class QComboBox;
-class QDoubleSpinBox;
 class QLabel;
 class QSlider;
-class QSpinBox;
 class QToolButton;
 
 namespace wend {
 
 class DetailRow;
-class MagnitudeBox;
 
 /// Where the shape's outline comes from and how fine the mesh is.
 class MeshPanel : public QWidget {
@@ -33,30 +30,17 @@ class MeshPanel : public QWidget {
 
   private:
     void makeControls();
-    void makeSolidControls();
     void arrange();
     void connectControls();
-    void connectSolidControls();
     void setAim(bool volume);
     void showProject();
     void showRows();
-    void showSolid(const Domain& domain);
     void showCounts();
-    /// One undo step of the domain; steps of the same key merge.
-    template <class Edit>
-    void edit(const QString& name, const QString& key, Edit change);
 
     ShapeSession& m_session;
-    QComboBox* m_outline;
-    QDoubleSpinBox* m_threshold;
-    QDoubleSpinBox* m_margin;
-    QComboBox* m_border;
-    QSpinBox* m_vertices;
+    SettingRows m_settings;
     QSlider* m_density;
-    QDoubleSpinBox* m_quality;
-    QCheckBox* m_refine;
-    QComboBox *m_fit, *m_aim;
-    MagnitudeBox* m_volume;
+    QComboBox* m_aim;
     QToolButton* m_sizes;
     DetailRow* m_detail;
     // of pictures; of all that is meshed; of surfaces; of surfaces by their aim

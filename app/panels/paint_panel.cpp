@@ -6,6 +6,7 @@
 #include <QToolButton>
 #include <cmath>
 
+#include "app/document/options.h"
 #include "app/panels/energy_slider.h"
 #include "app/panels/exact_box.h"
 #include "app/panels/panel_parts.h"
@@ -62,7 +63,8 @@ void PaintPanel::makeControls() {
         m_targets->addButton(button, i);
     }
     m_ratio->setObjectName(QStringLiteral("brushRatio"));
-    m_ratio->setRange(1, 1000);
+    const Range ratios = option("material.regions[].stiffness.ratio").range;
+    m_ratio->setRange(ratios.min, ratios.max);
     m_ratio->setDecimals(1);
     m_ratio->setPrefix(QStringLiteral("×"));
     m_ratio->setFixedWidth(116);

@@ -36,6 +36,14 @@ QHBoxLayout* panelRow(const QString& label, QWidget* control, QWidget* parent) {
     return row;
 }
 
+QWidget* panelRowIn(const QString& label, QWidget* control, QWidget* parent) {
+    auto* row = new QWidget(parent);
+    auto* line = panelRow(label, control, row);
+    line->setContentsMargins(0, 0, 0, 0);
+    row->setLayout(line);
+    return row;
+}
+
 void describe(QWidget* widget, const QString& name, const QString& help) {
     widget->setAccessibleName(name);
     widget->setAccessibleDescription(help);

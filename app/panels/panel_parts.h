@@ -14,6 +14,8 @@ QLabel* secondLabel(const QString& text, QWidget* parent);
 QFrame* panelLine(QWidget* parent);
 /// Label on the left, control on the right; the label's mnemonic goes to the control.
 QHBoxLayout* panelRow(const QString& label, QWidget* control, QWidget* parent);
+/// The same in a widget that can be hidden.
+QWidget* panelRowIn(const QString& label, QWidget* control, QWidget* parent);
 /// Tooltip, status tip and accessible description at once.
 void describe(QWidget* widget, const QString& name, const QString& help);
 

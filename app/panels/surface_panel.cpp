@@ -3,11 +3,9 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
-#include <QSignalBlocker>
-#include <QSpinBox>
 #include <QToolButton>
 
-#include "app/document/options.h"
+#include "app/panels/option_field.h"
 #include "app/panels/panel_parts.h"
 
 namespace wend {
@@ -24,7 +22,7 @@ SurfacePanel::SurfacePanel(QWidget* parent)
       m_save(new QPushButton(tr("Save list…"), this)),
       m_repair(new QPushButton(tr("Repair"), this)),
       m_fit(new QPushButton(this)),
-      m_hole(new QSpinBox(this)) {
+      m_hole(new OptionField("domain.repair.largestHole", this)) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(16, 14, 16, 14);
     layout->setSpacing(10);
@@ -40,8 +38,7 @@ SurfacePanel::SurfacePanel(QWidget* parent)
     auto* row = new QHBoxLayout;
     for (QPushButton* button : {m_show, m_save}) row->addWidget(button);
     layout->addLayout(row);
-    m_hole->setRange(0, static_cast<int>(option("domain.repair.largestHole").range.max));
-    layout->addLayout(panelRow(tr("Fill holes up to (edges)"), m_hole, this));
+    layout->addWidget(panelRowIn(m_hole->label(), m_hole, this));
     layout->addWidget(m_repair);
     layout->addWidget(m_fit);
     m_case->setAlignment(Qt::AlignCenter);
@@ -53,7 +50,6 @@ SurfacePanel::SurfacePanel(QWidget* parent)
              tr("Colours the triangles that are wrong, and looks at them: what hides them is left out."));
     describe(m_save, tr("Save the list"),
              tr("Writes the numbers of all wrong triangles and edges to a file."));
-    describe(m_hole, tr("Largest hole"), tr("“Repair” fills holes of at most so many edges."));
     describe(
         m_repair, tr("Repair"),
         tr("Merges points at one place, drops degenerate and double triangles, orients them and fills small "
@@ -71,7 +67,8 @@ SurfacePanel::SurfacePanel(QWidget* parent)
             emit solidWanted();
     });
     connect(m_save, &QPushButton::clicked, this, &SurfacePanel::saveRequested);
-    connect(m_repair, &QPushButton::clicked, this, [this] { emit repairRequested(m_hole->value()); });
+    connect(m_repair, &QPushButton::clicked, this,
+            [this] { emit repairRequested(static_cast<int>(m_hole->number())); });
     connect(m_fit, &QPushButton::clicked, this, [this] { emit fitRequested(!m_contents.isCaged); });
 }
 
@@ -96,7 +93,6 @@ void SurfacePanel::showProblems(const Contents& contents) {
     m_number = 0;
     m_title->setText(contents.isCaged ? tr("The surface rides in a cage")
                                       : tr("The surface bounds no solid"));
-    const QSignalBlocker quiet(m_hole);
     m_kind->clear();
     for (const Kind& kind : contents.kinds) m_kind->addItem(tr("%1: %2").arg(kind.name).arg(kind.count));
     const bool any = !contents.kinds.empty();
@@ -104,7 +100,7 @@ void SurfacePanel::showProblems(const Contents& contents) {
         widget->setEnabled(any);
     tellCase();
     m_show->setChecked(!contents.isCaged);
-    m_hole->setValue(contents.largestHole);
+    m_hole->setNumber(contents.largestHole);
     const QString repair = contents.mayRepair ? tr("“Repair” can mend it.")
                                               : tr("“Repair” cannot mend it: a cage around it can carry it.");
     m_text->setText((contents.more + QStringList{repair}).join('\n'));

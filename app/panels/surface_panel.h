@@ -5,10 +5,11 @@
 class QComboBox;
 class QLabel;
 class QPushButton;
-class QSpinBox;
 class QToolButton;
 
 namespace wend {
+
+class OptionField;
 
 /// Why a surface bounds no solid: what is wrong, place by place, and what can be done about it. Hidden while
 /// nothing is.
@@ -48,7 +49,7 @@ class SurfacePanel : public QWidget {
     QComboBox* m_kind;
     QToolButton *m_previous, *m_next;
     QPushButton *m_show, *m_save, *m_repair, *m_fit;
-    QSpinBox* m_hole;
+    OptionField* m_hole;
     Contents m_contents;
     int m_number = 0;
 };

@@ -6,6 +6,7 @@
 
 #include "app/document/handle_comparison.h"
 #include "app/document/handle_edits.h"
+#include "app/document/settings.h"
 #include "app/session/held_border.h"
 #include "core/mesh/shape_size.h"
 #include "kernels/back_end_choice.h"
@@ -33,9 +34,10 @@ double firstDifference(const std::vector<SettleWindow>& a, const std::vector<Set
     return std::min(i == a.end() ? kInfinity : scale * i->start, j == b.end() ? kInfinity : j->start);
 }
 
-bool sameIntegration(const IntegrationOptions& a, const IntegrationOptions& b) {
-    return a.method == b.method && a.tolerance == b.tolerance && a.steps == b.steps &&
-           (a.steps == 0 || a.end == b.end) && a.smallestStep == b.smallestStep && a.threads == b.threads;
+/// The end counts where equal steps are spread over it.
+bool sameIntegration(const Project& a, const Project& b) {
+    return sameSettings(a, b, Makes::Motion) && (a.integration.steps == 0 || a.end == b.end) &&
+           a.integration.threads == b.integration.threads;
 }
 
 }  // namespace
@@ -56,8 +58,7 @@ KeptFrames MotionPass<Dim>::set(const BuiltShape<Dim>& shape, std::shared_ptr<co
     KeptFrames kept{1, -kInfinity};
     const double end = motionEnd(*project);
     if (m_project && shape.rest == m_shape.rest && shape.material == m_shape.material &&
-        m_project->domain.border == project->domain.border &&
-        sameIntegration(integrationOf(*m_project), integrationOf(*project))) {
+        sameIntegration(*m_project, *project)) {
         const auto &before = designOf<Dim>(*m_project).handles, &after = designOf<Dim>(*project).handles;
         const double scale = timeScale<Dim>(before, after);
         // Steps of fixed number lie elsewhere on the way when the clock changes.

@@ -29,26 +29,19 @@ void takeOutside(const std::string& name, RunOptions& options) {
 }  // namespace
 
 MeshWriteOptions meshOptionsFrom(const OptionValues& values) {
-    using Encoding = MeshWriteOptions::Encoding;
-    static const std::map<std::string, Encoding> encodings{
-        {"text", Encoding::Text}, {"binary", Encoding::Binary}, {"compressed", Encoding::Compressed}};
     MeshWriteOptions options;
-    options.encoding = encodings.at(values.text("--encoding"));
+    options.encoding = values.choice<MeshWriteOptions::Encoding>("--encoding");
     options.border = values.has("--border");
     options.gmshVersion = values.text("--msh") == "2.2" ? 2 : 4;
     return options;
 }
 
 RunOptions runOptionsFrom(const OptionValues& values) {
-    static const std::map<std::string, Filter> filters{{"nearest", Filter::Nearest},
-                                                       {"bilinear", Filter::Bilinear},
-                                                       {"bicubic", Filter::Bicubic},
-                                                       {"ewa", Filter::Ewa}};
     RunOptions options;
     options.outputs.count = values.integer("--count");
     options.outputs.framesPerSecond = values.number("--fps");
-    options.filter = filters.at(values.text("--filter"));
-    options.canvas = values.text("--canvas") == "fit" ? Canvas::Fit : Canvas::Picture;
+    options.filter = values.choice<Filter>("--filter");
+    options.canvas = values.choice<Canvas>("--canvas");
     options.depth = depthOf(values.text("--depth"));
     takeOutside(values.text("--outside"), options);
     options.partial = values.has("--partial");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/document/settings.h"
 #include "app/session/mesh_rest.h"
 #include "app/session/solid.h"
 #include "core/mesh/error.h"
@@ -17,14 +18,9 @@ const Design<Dim>& designOf(const ShapeInputs& inputs) {
     return std::get<Design<Dim>>(inputs.project->design);
 }
 
-bool sameAlpha(const AlphaOutlineOptions& a, const AlphaOutlineOptions& b) {
-    return a.threshold == b.threshold && a.margin == b.margin && a.gap == b.gap && a.smallest == b.smallest &&
-           a.simplify == b.simplify;
-}
-
-bool sameOutline(const Domain& a, const Domain& b) {
-    return a.kind == b.kind && a.path == b.path && a.outline == b.outline && sameAlpha(a.alpha, b.alpha) &&
-           a.polygons.loops == b.polygons.loops;
+bool sameOutline(const Project& a, const Project& b) {
+    return a.domain.kind == b.domain.kind && a.domain.path == b.domain.path &&
+           sameSettings(a, b, Makes::Outline) && a.domain.polygons.loops == b.domain.polygons.loops;
 }
 
 /// The points that become vertices of the mesh: those of handles that are there from the start.
@@ -36,23 +32,18 @@ std::vector<Vec<2>> startPoints(const ShapeInputs& inputs) {
     return points;
 }
 
-bool sameSmoothing(const Smoothing& a, const Smoothing& b) {
-    return a.kind == b.kind && a.length == b.length && a.lambda == b.lambda;
-}
-
 template <int Dim>
 bool sameStiffness(const std::optional<Stiffness<Dim>>& a, const std::optional<Stiffness<Dim>>& b) {
     return a.has_value() == b.has_value() && (!a || (a->axis == b->axis && a->ratio == b->ratio));
 }
 
 template <int Dim>
-bool sameMaterial(const MaterialSpec<Dim>& a, const MaterialSpec<Dim>& b) {
+bool sameRegionsAndCells(const MaterialSpec<Dim>& a, const MaterialSpec<Dim>& b) {
     const auto same = [](const MaterialRegion<Dim>& p, const MaterialRegion<Dim>& q) {
         return p.feather == q.feather && p.phi == q.phi && sameStiffness<Dim>(p.stiffness, q.stiffness) &&
                p.shape == q.shape;
     };
-    return a.phi == b.phi && sameSmoothing(a.smoothing, b.smoothing) && a.memory == b.memory &&
-           a.cellsFile == b.cellsFile && a.cellPhi == b.cellPhi && a.cellB == b.cellB &&
+    return a.cellsFile == b.cellsFile && a.cellPhi == b.cellPhi && a.cellB == b.cellB &&
            std::equal(a.regions.begin(), a.regions.end(), b.regions.begin(), b.regions.end(), same);
 }
 
@@ -60,16 +51,17 @@ bool sameMaterial(const MaterialSpec<Dim>& a, const MaterialSpec<Dim>& b) {
 
 template <int Dim>
 bool ShapeBuilder<Dim>::hasMesh(const Made& made, const ShapeInputs& inputs) {
-    const Domain &a = made.inputs.project->domain, &b = inputs.project->domain;
+    const Project &a = *made.inputs.project, &b = *inputs.project;
     if constexpr (Dim == 3) return sameSolid(a, b);
-    return sameOutline(a, b) && a.texture == b.texture && a.vertices == b.vertices && a.edge == b.edge &&
-           a.flatSizes == b.flatSizes &&
-           (b.kind != DomainKind::Image || startPoints(made.inputs) == startPoints(inputs));
+    return sameOutline(a, b) && sameSettings(a, b, Makes::Mesh) && a.domain.texture == b.domain.texture &&
+           a.domain.flatSizes == b.domain.flatSizes &&
+           (b.domain.kind != DomainKind::Image || startPoints(made.inputs) == startPoints(inputs));
 }
 
 template <int Dim>
 bool ShapeBuilder<Dim>::hasMaterial(const Made& made, const ShapeInputs& inputs) {
-    return sameMaterial(designOf<Dim>(made.inputs).material, designOf<Dim>(inputs).material);
+    return sameSettings(*made.inputs.project, *inputs.project, Makes::Material) &&
+           sameRegionsAndCells(designOf<Dim>(made.inputs).material, designOf<Dim>(inputs).material);
 }
 
 template <>
@@ -100,7 +92,7 @@ BuiltShape<2> ShapeBuilder<2>::makeMesh(const ShapeInputs& inputs, std::stop_tok
         return shape;
     }
     if (!m_outline || m_outlineFrom.generation != inputs.generation ||
-        !sameOutline(m_outlineFrom.project->domain, project.domain)) {
+        !sameOutline(*m_outlineFrom.project, project)) {
         m_outline.reset();
         m_outline = std::make_shared<const Outline>(domainOutline(project.domain, *inputs.picture));
         m_outlineFrom = inputs;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/document/settings.h"
 #include "app/session/caged_solid.h"
 #include "app/session/mesh_rest.h"
 #include "core/mesh/error.h"
@@ -232,12 +233,10 @@ Solid loadSolid(const Project& project, const std::string& folder, std::stop_tok
     return solid;
 }
 
-bool sameSolid(const Domain& a, const Domain& b) {
-    return a.kind == b.kind && a.path == b.path && a.quality == b.quality && a.maxVolume == b.maxVolume &&
-           a.vertices == b.vertices && a.refineSurface == b.refineSurface && a.repair == b.repair &&
-           a.largestHole == b.largestHole && a.sizesFile == b.sizesFile && a.sizes == b.sizes &&
-           a.detail == b.detail && a.fit == b.fit && a.cageDetail == b.cageDetail &&
-           a.cageOffset == b.cageOffset;
+bool sameSolid(const Project& a, const Project& b) {
+    const Domain &p = a.domain, &q = b.domain;
+    return p.kind == q.kind && p.path == q.path && sameSettings(a, b, Makes::Mesh) &&
+           p.sizesFile == q.sizesFile && p.sizes == q.sizes && p.detail == q.detail;
 }
 
 }  // namespace wend

@@ -41,6 +41,6 @@ Solid loadSolid(const Project& project, const std::string& folder, std::stop_tok
 Surface surfaceOf(const Skin& skin);
 
 /// True if both make the same solid.
-bool sameSolid(const Domain& a, const Domain& b);
+bool sameSolid(const Project& a, const Project& b);
 
 }  // namespace wend

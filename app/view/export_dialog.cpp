@@ -9,11 +9,11 @@
 #include <QtConcurrent>
 #include <cmath>
 
+#include "app/panels/option_field.h"
 #include "app/panels/panel_parts.h"
 #include "app/session/playback.h"
 #include "app/session/run_options.h"
 #include "app/session/shape_file.h"
-#include "app/view/option_field.h"
 #include "core/mesh/error.h"
 #include "core/mesh/mesh_formats.h"
 #include "warp/image_formats.h"

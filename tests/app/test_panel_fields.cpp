@@ -5,16 +5,19 @@
 #include <QLineEdit>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QSignalSpy>
 #include <QSlider>
 #include <QStatusBar>
 #include <QStatusTipEvent>
 #include <QWheelEvent>
 #include <QWindow>
 
+#include "app/document/settings.h"
 #include "app/panels/cut_panel.h"
 #include "app/panels/folding_section.h"
 #include "app/panels/magnitude_box.h"
 #include "app/panels/number_box.h"
+#include "app/panels/option_field.h"
 #include "app/view/properties.h"
 #include "app/view/time_strip.h"
 #include "app/view/toolbox.h"
@@ -45,6 +48,7 @@ class TestPanelFields : public QObject {
     void clicksOnTheStripGoToTheirTime();
     void clicksOnSlidersAreStepsOfTheirOwn();
     void hintsEndWhereTheNumbersBegin();
+    void fieldsShowAnyValueOfTheirSetting();
 
   private:
     bool open(bool solid);
@@ -442,6 +446,40 @@ void TestPanelFields::hintsEndWhereTheNumbersBegin() {
     QVERIFY(tool->text().endsWith(QChar(0x2026)) || tool->text().endsWith('.'));
     QVERIFY(tool->fontMetrics().horizontalAdvance(tool->text()) <= tool->contentsRect().width());
     QCOMPARE(bar.currentMessage(), QString());
+}
+
+/// Of all that a project may have, to its ends: none is cut off, and showing it does not change it.
+void TestPanelFields::fieldsShowAnyValueOfTheirSetting() {
+    int seen = 0;
+    for (const Option& one : options()) {
+        if (!*one.row.label || !one.field.at.get) continue;
+        OptionField field(one.key);
+        const QByteArray key(one.key.data(), static_cast<qsizetype>(one.key.size()));
+        QVERIFY2(!field.focusProxy()->accessibleName().isEmpty() && !field.focusProxy()->toolTip().isEmpty(),
+                 key);
+        std::vector<double> values{defaultOf(one)};
+        const Range range = rangeOf(one, Project{});
+        const bool open = range.openMin || std::isinf(range.min);
+        if (one.kind == OptionKind::Flag || one.kind == OptionKind::Choice)
+            values = {0, 1};
+        else
+            values.insert(values.end(), {open ? 1e-3 * std::min(1.0, range.max) : range.min,
+                                         std::isinf(range.max) ? 1e5
+                                         : range.openMax       ? 0.99 * range.max
+                                                               : range.max});
+        for (const double value : values) {
+            if (one.kind == OptionKind::Number && !range.contains(value)) continue;  // there is none
+            QSignalSpy changed(&field, &OptionField::changed);
+            field.setNumber(value);
+            QVERIFY2(std::abs(field.number() - value) <= 1e-12 * std::abs(value), key);
+            QCOMPARE(changed.count(), 0);
+            if (const auto* box = qobject_cast<QDoubleSpinBox*>(field.focusProxy()))
+                QVERIFY2(std::abs(box->value() / one.row.factor - value) <= 0.05 * std::abs(value) + 1e-12,
+                         key + ' ' + box->text().toUtf8());
+        }
+        ++seen;
+    }
+    QVERIFY(seen >= 10);
 }
 
 QTEST_MAIN(TestPanelFields)

@@ -190,7 +190,7 @@ void TestSolid::cageCarriesTheSurface() {
 
 void TestSolid::cageIsMadeAgainWhenItChanges() {
     const auto domain = [&](const std::string& cage) {
-        return project("'surface': 'bar.obj', 'vertices': 300" + cage).domain;
+        return project("'surface': 'bar.obj', 'vertices': 300" + cage);
     };
     QVERIFY(sameSolid(domain(", 'cage': true"), domain(", 'cage': {}")));
     QVERIFY(!sameSolid(domain(""), domain(", 'cage': false")));

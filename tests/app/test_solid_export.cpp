@@ -12,12 +12,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/panels/option_field.h"
 #include "app/session/run_options.h"
 #include "app/view/actions.h"
 #include "app/view/export_dialog.h"
 #include "app/view/exporter.h"
 #include "app/view/main_window.h"
-#include "app/view/option_field.h"
 #include "app/view/picture_dialog.h"
 #include "app/view/solid_workshop.h"
 #include "app/view/view_picture.h"

@@ -12,17 +12,19 @@ namespace wend {
 
 class ExactBox;
 
-/// A control for one option of the command line, made from the table of options: its choices or range, its
-/// default and its meaning are the table's; only the words are the window's.
+/// A control for one setting or option, made from its record in the table: its choices or range, its default
+/// and all words are the table's.
 class OptionField : public QWidget {
     Q_OBJECT
 
   public:
-    explicit OptionField(const char* flag, QWidget* parent = nullptr);
+    explicit OptionField(std::string_view keyOrFlag, QWidget* parent = nullptr);
 
-    std::string flag() const { return m_flag; }
-    /// What stands beside it, with a mnemonic.
+    const Option& option() const { return m_option; }
+    std::string flag() const { return std::string(m_option.flag); }
+    /// What stands beside it, with a mnemonic; a box to be checked may say it itself.
     QString label() const;
+    void sayLabel();
     /// As one would write it on the command line; of a flag something if it is given, and nothing if not.
     std::string value() const;
     void setValue(const std::string& value);
@@ -31,19 +33,27 @@ class OptionField : public QWidget {
     QStringList choices() const;
     /// A choice in other words than usual.
     void setWords(const QString& choice, const QString& words);
+    /// Whether the choice at that place can be taken, and why not.
+    void allow(int place, bool allowed, const QString& why);
+    /// A value of any kind as in a project, see Accessor; setting it tells nobody.
     double number() const;
     void setNumber(double number);
+    void setRange(const Range& range);
 
   signals:
+    /// By the user.
     void changed();
 
   private:
     void makeFlag();
     void makeChoice();
+    void makeInteger();
     void makeNumber();
+    void limitNumber();
+    QString wordsFor(const QString& choice) const;
 
-    std::string m_flag;
     const Option& m_option;
+    Range m_range;
     QCheckBox* m_check = nullptr;
     QComboBox* m_choice = nullptr;
     QSpinBox* m_integer = nullptr;

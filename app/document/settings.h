@@ -1,0 +1,19 @@
+#pragma once
+
+#include "app/document/options.h"
+
+namespace wend {
+
+/// The value in this project; the key must be that of a setting with a field.
+double settingOf(const Project& project, std::string_view key);
+
+/// True if such a project has the setting.
+bool isFor(const Option& setting, const Project& project);
+
+/// What the value may be in this project: φ ends where its dimension says.
+Range rangeOf(const Option& setting, const Project& project);
+
+/// True if all settings that make this anew are the same in both.
+bool sameSettings(const Project& a, const Project& b, Makes makes);
+
+}  // namespace wend

@@ -1,0 +1,47 @@
+#include "app/panels/setting_rows.h"
+
+#include "app/document/document.h"
+#include "app/document/setting_edits.h"
+#include "app/document/settings.h"
+#include "app/panels/option_field.h"
+#include "app/panels/panel_parts.h"
+
+namespace wend {
+
+namespace {
+
+constexpr int kNumber = 116, kWords = 150;  // pixels
+
+int widthOf(const Option& setting) {
+    return setting.row.words[0] ? kWords : kNumber;
+}
+
+}  // namespace
+
+SettingRows::SettingRows(Document& document, QWidget* panel)
+    : QObject(panel), m_document(document), m_panel(panel) {}
+
+QWidget* SettingRows::row(std::string_view key) {
+    auto* field = new OptionField(key, m_panel);
+    m_fields.emplace(field->option().key, field);
+    connect(field, &OptionField::changed, this,
+            [this, field] { changeSetting(m_document, field->option().key, field->number()); });
+    if (field->option().kind == OptionKind::Flag && !field->option().row.words[0]) {
+        field->sayLabel();
+        return field;
+    }
+    field->setFixedWidth(widthOf(field->option()));
+    return panelRowIn(field->label(), field, m_panel);
+}
+
+void SettingRows::show() {
+    if (m_document.isEmpty()) return;
+    const Project& project = *m_document.project();
+    for (const auto& [key, field] : m_fields) {
+        field->setEnabled(isFor(field->option(), project));
+        field->setRange(rangeOf(field->option(), project));
+        field->setNumber(field->option().field.at.get(project));
+    }
+}
+
+}  // namespace wend
