@@ -220,4 +220,62 @@ inline PlainMesh plainVtk(const std::string& text) {
     return mesh;
 }
 
+/// AVS UCD .inp, text, as the format's description has it; the numbers of nodes and cells are to count
+/// from 1.
+inline PlainMesh plainUcd(const std::string& text) {
+    PlainMesh mesh;
+    std::istringstream in(text);
+    std::size_t nodes = 0, cells = 0, ofNodes = 0, ofCells = 0, number = 0;
+    std::string word;
+    in >> nodes >> cells >> ofNodes >> ofCells >> word;
+    for (std::size_t v = 0; v < nodes; ++v) {
+        std::vector<double> p(3);
+        in >> number >> p[0] >> p[1] >> p[2];
+        if (number != v + 1) mesh.complaints.push_back("node " + std::to_string(number));
+        mesh.points.push_back(p);
+    }
+    for (std::size_t c = 0; c < cells; ++c) {
+        PlainMesh::Cell cell;
+        in >> number >> cell.physical >> word;
+        if (number != c + 1 || (word != "tri" && word != "tet")) mesh.complaints.push_back("cell " + word);
+        cell.corners.resize(word == "tet" ? 4 : 3);
+        for (int& corner : cell.corners) {
+            in >> corner;
+            --corner;
+        }
+        mesh.cells.push_back(cell);
+    }
+    const auto data = [&](std::size_t items, std::size_t total,
+                          std::map<std::string, std::vector<double>>& into) {
+        if (total == 0) return;
+        std::size_t fields = 0, sum = 0;
+        in >> fields;
+        std::vector<std::size_t> components(fields);
+        for (std::size_t& count : components) {
+            in >> count;
+            sum += count;
+        }
+        if (sum != total) mesh.complaints.push_back("components");
+        std::vector<std::string> names(fields);
+        in >> std::ws;
+        for (std::string& name : names) {
+            std::getline(in, name);
+            name.resize(std::min(name.find(','), name.size()));
+        }
+        for (std::size_t i = 0; i < items; ++i) {
+            in >> number;
+            if (number != i + 1) mesh.complaints.push_back("values of " + std::to_string(number));
+            for (std::size_t f = 0; f < fields; ++f)
+                for (std::size_t k = 0; k < components[f]; ++k) {
+                    in >> word;
+                    into[names[f]].push_back(std::strtod(word.c_str(), nullptr));
+                }
+        }
+    };
+    data(nodes, ofNodes, mesh.pointData);
+    data(cells, ofCells, mesh.cellData);
+    if (!in || in >> word) mesh.complaints.push_back("the end");
+    return mesh;
+}
+
 }  // namespace wend::samples

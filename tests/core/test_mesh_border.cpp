@@ -47,6 +47,7 @@ PlainMesh written(const MeshFile& file, const std::string& name, MeshWriteOption
     writeMeshFile(folder.path(name), file, options);
     const std::string text = folder.get(name);
     if (name.ends_with(".vtu")) return samples::plainVtu(text);
+    if (name.ends_with(".inp")) return samples::plainUcd(text);
     return name.ends_with(".vtk") ? samples::plainVtk(text) : samples::plainMsh(text);
 }
 
@@ -68,7 +69,8 @@ int ownerOf(const MeshFile& file, const std::vector<int>& triangle) {
 
 void everyFormat() {
     QTest::addColumn<QString>("name");
-    for (const char* name : {"a.vtu", "a.vtk", "a4.msh", "a2.msh"}) QTest::newRow(name) << QString(name);
+    for (const char* name : {"a.vtu", "a.vtk", "a.inp", "a4.msh", "a2.msh"})
+        QTest::newRow(name) << QString(name);
 }
 
 }  // namespace

@@ -300,6 +300,20 @@ class TestMeshDamage : public QObject {
                                   << "line 7: there is more behind it than its header says";
         QTest::newRow("stl") << "a.stl" << QByteArray("solid x\nfacet normal 0 0 1\nouter lop\n")
                              << "line 3: 'lop' where 'loop' is expected";
+        const auto ucd = [](const char* name, const char* text, const char* reason) {
+            QTest::newRow(name) << "a.inp" << QByteArray(text) << reason;
+        };
+        ucd("ucd nodes", "900000000 1 0 0 0\n1 0 0 0\n",
+            "line 1: there should be 900000000 nodes, but the file is too short for so many");
+        ucd("ucd twice", "2 1 0 0 0\n1 0 0 0\n1 1 0 0\n", "line 3: node 1 is there a second time");
+        ucd("ucd unknown", "2 1 0 0 0\n1 0 0 0\n2 1 0 0\n1 0 tri 1 2 3\n", "line 4: node 3 is not there");
+        ucd("ucd prism", "1 1 0 0 0\n1 0 0 0\n1 0 prism 1 1 1 1 1 1\n",
+            "line 3: 'prism': only triangles and tetrahedra are read");
+        ucd("ucd components", "3 1 2 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n1 0 tri 1 2 3\n1 1\nx, y\n",
+            "line 6: the fields have 1 components where the first line says 2");
+        ucd("ucd end", "3 1 1 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n1 0 tri 1 2 3\n1 1\nx, y\n1 5\n2",
+            "line 9: the file ends where a value is expected");
+        ucd("ucd binary", "\7abc", "line 1: a binary UCD file is not read");
         QTest::newRow("medit index")
             << "a.mesh"
             << QByteArray("MeshVersionFormatted 1\nDimension 2\nVertices 1\n0 0 0\nTriangles 1\n1 1 2 0\n")

@@ -165,6 +165,11 @@ class TestMeshReading : public QObject {
             "# vtk DataFile Version 2.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 4 float\n0 0 0 1 0 0 1 1 0 0 1 "
             "0\n"
             "TRIANGLE_STRIPS 2 8\n3 0 1 2\n3 0 2 3\n");
+        add("ucd", "a.inp",
+            "# c\n4 3 0 0 0\n10 0 0 0\n5 1 0 0\n7 1 1 0\n1000000 0 1 0\n"
+            "1 1 line 10 5\n2 1 tri 10 5 7\n9 1 TRI 10 7 1000000\n");
+        add("ucd, quadrilateral", "a.inp",
+            "4 1 0 0 0\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n1 0 quad 1 2 3 4\n");
         add("vtu, text", "a.vtu",
             vtu("",
                 "<DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">\n0 0 0 1 0 0 1 1 "
@@ -273,6 +278,22 @@ class TestMeshReading : public QObject {
         QVERIFY((file.tetrahedra == Tetrahedra{{0, 1, 2, 3}, {1, 2, 3, 4}}));
         QVERIFY((file.triangles == Triangles{{0, 1, 2}}));
         QVERIFY((valuesOf(file, "m") == std::vector<double>{2, 4}));
+    }
+    /// Numbers of nodes and cells are names, in the values too.
+    void ucdValues() {
+        const auto file =
+            readAs("a.inp",
+                   "5 3 4 1 0\n3 0 0 0\n1 1 0 0\n2 0 1 0\n9 0 0 1\n4 1 1 1\n"
+                   "7 4 tet 3 1 2 9\n5 2 tri 3 1 2\n6 8 tet 1 2 9 4\n2 1 3\n"
+                   "heat, K\nflow of it, m/s\n1 5 1 2 3\n3 6 4 5 6\n2 7 7 8 9\n4 8 0 0 1\n9 9 nan 0 2\n"
+                   "1 1\nstress, Pa\n6 30\n7 10\n5 20\n");
+        QVERIFY((file.tetrahedra == Tetrahedra{{0, 1, 2, 3}, {1, 2, 3, 4}}));
+        QVERIFY((file.triangles == Triangles{{0, 1, 2}}));
+        QVERIFY((valuesOf(file, "heat") == std::vector<double>{6, 5, 7, 9, 8}));
+        QCOMPARE(valuesOf(file, "flow of it")[2], 6.0);
+        QVERIFY(std::isnan(valuesOf(file, "flow of it")[9]));
+        QVERIFY((valuesOf(file, "stress") == std::vector<double>{10, 30}));
+        QVERIFY((valuesOf(file, "material") == std::vector<double>{4, 8}));
     }
     void gmshTags() {
         const std::string nodes = "$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n$EndNodes\n";

@@ -76,6 +76,7 @@ const std::vector<MeshFormat>& meshFormats() {
         {{"VTK", {".vtk"}, false, true, false, true, true}, readVtk, printVtk},
         {{"Medit", {".mesh"}, false, true, true, false, false}, readMedit, printMedit},
         {{"Gmsh", {".msh"}, false, true, true, true, true}, readGmsh, printGmsh},
+        {{"AVS UCD", {".inp"}, false, true, false, true, false}, readUcd, printUcd},
         {{"TetGen", {".node", ".ele"}, true, true, false, false, false}, readTetgen, printTetgen},
     };
     return formats;

@@ -42,6 +42,7 @@ MeshFile readGmsh(std::span<const MeshSource> files);
 MeshFile readTetgen(std::span<const MeshSource> files);
 MeshFile readVtk(std::span<const MeshSource> files);
 MeshFile readVtu(std::span<const MeshSource> files);
+MeshFile readUcd(std::span<const MeshSource> files);
 
 std::vector<std::string> printObj(const MeshFile& mesh, const MeshWriteOptions& options);
 std::vector<std::string> printPly(const MeshFile& mesh, const MeshWriteOptions& options);
@@ -52,5 +53,6 @@ std::vector<std::string> printGmsh(const MeshFile& mesh, const MeshWriteOptions&
 std::vector<std::string> printTetgen(const MeshFile& mesh, const MeshWriteOptions& options);
 std::vector<std::string> printVtk(const MeshFile& mesh, const MeshWriteOptions& options);
 std::vector<std::string> printVtu(const MeshFile& mesh, const MeshWriteOptions& options);
+std::vector<std::string> printUcd(const MeshFile& mesh, const MeshWriteOptions& options);
 
 }  // namespace wend::formats
