@@ -80,6 +80,8 @@ const MeasureRow kMeasures[] = {
                QT_TRANSLATE_NOOP("Measure", "Volume"), QT_TRANSLATE_NOOP("Measure", "volume ×%1")},
     MeasureRow{Measure::Angle, true, Scale::Even, 0.01, "", "", &Distortion::angle, angle<2>, angle<3>,
                QT_TRANSLATE_NOOP("Measure", "Angle"), QT_TRANSLATE_NOOP("Measure", "angle error %1")},
+    MeasureRow{Measure::Shear, true, Scale::Even, 1, "", "°", &Distortion::angle, shearAt<2>, shearAt<3>,
+               QT_TRANSLATE_NOOP("Measure", "Shear"), QT_TRANSLATE_NOOP("Measure", "angle error %1")},
     MeasureRow{Measure::Phi, true, Scale::Energies, 0, "", "", nullptr, phiAt<2>, phiAt<3>,
                QT_TRANSLATE_NOOP("Measure", "What is kept (φ)")},
     MeasureRow{Measure::Stiffness, true, Scale::Times, 100, "×", "", nullptr, stiffnessAt<2>, stiffnessAt<3>,

@@ -11,7 +11,7 @@ namespace wend {
 
 /// What is coloured over the shape: a measure of distortion, its material (φ, and how many times stiffer than
 /// elsewhere), or how fine its mesh is; of a solid also how fast it moves.
-enum class Measure { Angle, Area, Length, Phi, Stiffness, Speed, CellSize };
+enum class Measure { Angle, Area, Length, Shear, Phi, Stiffness, Speed, CellSize };
 
 /// True for those that tell how far the shape is from rest.
 bool isDistortion(Measure measure);

@@ -1,8 +1,13 @@
 #include "app/session/fields.h"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+
+#include "core/energy/cell_energy.h"
 
 namespace wend {
 
@@ -17,6 +22,17 @@ double stiffnessAt(const PosedFrame<Dim>& frame, const Points<Dim>&, int cell) {
     const Eigen::SelfAdjointEigenSolver<Mat<Dim>> solver(frame.material->anisotropy[cell],
                                                          Eigen::EigenvaluesOnly);
     return solver.eigenvalues().maxCoeff();
+}
+
+/// Directions at 45° between the longest and the shortest axis of the deformation enclose 2
+/// arctan(σ_min/σ_max).
+template <int Dim>
+double shearAt(const PosedFrame<Dim>& frame, const Points<Dim>&, int cell) {
+    const Cell<Dim>& corners = frame.rest->cells[cell];
+    const Mat<Dim> F =
+        edgeMatrix<Dim>(frame.pose, corners) * edgeMatrix<Dim>(frame.rest->points, corners).inverse();
+    const Vec<Dim> sigma = Eigen::JacobiSVD<Mat<Dim>>(F).singularValues();
+    return 90 - 360 / std::numbers::pi * std::atan2(sigma.minCoeff(), sigma.maxCoeff());
 }
 
 /// The area of an equilateral triangle is √3/4 a², the volume of a regular tetrahedron a³/(6√2).
@@ -50,6 +66,7 @@ Points<Dim> velocityBetween(const FrameTrack& track, const PosedFrame<Dim>& fram
 #define WEND_INSTANTIATE(Dim)                                                          \
     template double phiAt<Dim>(const PosedFrame<Dim>&, const Points<Dim>&, int);       \
     template double stiffnessAt<Dim>(const PosedFrame<Dim>&, const Points<Dim>&, int); \
+    template double shearAt<Dim>(const PosedFrame<Dim>&, const Points<Dim>&, int);     \
     template double sizeAt<Dim>(const PosedFrame<Dim>&, const Points<Dim>&, int);      \
     template double speedAt<Dim>(const PosedFrame<Dim>&, const Points<Dim>&, int);     \
     template Points<Dim> velocityBetween<Dim>(const FrameTrack&, const PosedFrame<Dim>&)

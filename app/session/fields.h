@@ -14,6 +14,10 @@ template <int Dim>
 double phiAt(const PosedFrame<Dim>& frame, const Points<Dim>& velocity, int cell);
 template <int Dim>
 double stiffnessAt(const PosedFrame<Dim>& frame, const Points<Dim>& velocity, int cell);
+/// By how many degrees the right angle that changes most is no right angle any more: 0 where the shape only
+/// moves, turns and grows, near 90 where it is squeezed flat.
+template <int Dim>
+double shearAt(const PosedFrame<Dim>& frame, const Points<Dim>& velocity, int cell);
 /// How large it is at rest: the edge of a regular one of its area or volume.
 template <int Dim>
 double sizeAt(const PosedFrame<Dim>& frame, const Points<Dim>& velocity, int cell);
