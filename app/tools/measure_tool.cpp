@@ -1,8 +1,8 @@
 #include "app/tools/measure_tool.h"
 
-#include <Eigen/Geometry>
 #include <QCoreApplication>
 #include <QLocale>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -19,18 +19,31 @@ QString said(const char* text) {
     return QCoreApplication::translate("MeasureTool", text);
 }
 
-double length(const std::vector<Vec<3>>& p) {
+template <int Dim>
+double length(const std::vector<Vec<Dim>>& p) {
     return (p[1] - p[0]).norm();
 }
 
-double degrees(const std::vector<Vec<3>>& p) {
-    const Vec<3> a = p[0] - p[1], b = p[2] - p[1];
-    return std::atan2(a.cross(b).norm(), a.dot(b)) * 180 / std::numbers::pi;
+/// Between the unit vectors a and b: 2 arctan(‖a − b‖ / ‖a + b‖), exact near 0° and 180°.
+template <int Dim>
+double degrees(const std::vector<Vec<Dim>>& p) {
+    const Vec<Dim> a = (p[0] - p[1]).normalized(), b = (p[2] - p[1]).normalized();
+    return 2 * std::atan2((a - b).norm(), (a + b).norm()) * 180 / std::numbers::pi;
+}
+
+/// The corner of the cell that is nearest to a point of it.
+template <int Dim>
+Vec<Dim> nearestCorner(const PosedFrame<Dim>& frame, const Touch<Dim>& touch) {
+    const Cell<Dim>& cell = frame.rest->cells[touch.place.cell];
+    const int nearest = *std::ranges::min_element(
+        cell, {}, [&](int v) { return (frame.pose.col(v) - touch.point).squaredNorm(); });
+    return frame.pose.col(nearest);
 }
 
 }  // namespace
 
-QString MeasureTool::hint() const {
+template <int Dim>
+QString MeasureTool<Dim>::hint() const {
     const QString measured = text();
     if (!measured.isEmpty()) return measured;
     return said(QT_TRANSLATE_NOOP(
@@ -38,55 +51,63 @@ QString MeasureTool::hint() const {
         "Click two points for a length, a third for the angle; Ctrl takes vertices, Esc clears"));
 }
 
-void MeasureTool::press(const QMouseEvent& event) {
-    const SolidHit hit = surface().pick(event.position());
-    const auto frame = session().frame<3>();
-    // A click beside the solid drops only what is complete.
+template <int Dim>
+void MeasureTool<Dim>::press(const QMouseEvent& event) {
+    if (event.button() != Qt::LeftButton) return;
+    const auto touch = surface().touch(event.position());
+    const auto frame = session().template frame<Dim>();
+    // A click beside the shape drops only what is complete.
     if (m_points.size() == 3 || (frame && frame->shape != m_shape)) m_points.clear();
-    if (hit.cell >= 0 && hit.vertex >= 0 && frame) {
+    if (touch && frame) {
         m_shape = frame->shape;
-        const Vec<3> vertex = frame->pose.col(hit.vertex);
+        const Vec<Dim> vertex = nearestCorner<Dim>(*frame, *touch);
         const bool near = QLineF(surface().toWidget(vertex), event.position()).length() <= kSnap;
         const bool snaps = near || event.modifiers() & Qt::ControlModifier;
-        m_points.push_back(locationIn<3>(*frame, hit.cell, snaps ? vertex : hit.point));
+        m_points.push_back(snaps ? locationIn<Dim>(*frame, touch->place.cell, vertex) : touch->place);
     }
     surface().redraw();
 }
 
-bool MeasureTool::key(const QKeyEvent& event) {
+template <int Dim>
+bool MeasureTool<Dim>::key(const QKeyEvent& event) {
     if (event.key() != Qt::Key_Escape) return false;
     m_points.clear();
     surface().redraw();
     return true;
 }
 
-std::vector<Vec<3>> MeasureTool::pointsIn(const PosedFrame<3>& frame, const Points<3>& points) const {
-    std::vector<Vec<3>> result;
+template <int Dim>
+std::vector<Vec<Dim>> MeasureTool<Dim>::pointsIn(const PosedFrame<Dim>& frame,
+                                                 const Points<Dim>& points) const {
+    std::vector<Vec<Dim>> result;
     result.reserve(m_points.size());
-    for (const Location<3>& location : m_points)
-        result.push_back(positionOf<3>(location, *frame.rest, points));
+    for (const Location<Dim>& location : m_points)
+        result.push_back(positionOf<Dim>(location, *frame.rest, points));
     return result;
 }
 
-QString MeasureTool::text() const {
-    const auto frame = session().frame<3>();
+template <int Dim>
+QString MeasureTool<Dim>::text() const {
+    const auto frame = session().template frame<Dim>();
     if (!frame || frame->shape != m_shape || m_points.size() < 2) return {};
     const QLocale locale;
     const bool angle = m_points.size() == 3;
     const auto pose = pointsIn(*frame, frame->pose), start = pointsIn(*frame, frame->rest->points);
-    const double now = angle ? degrees(pose) : length(pose);
-    const double rest = angle ? degrees(start) : length(start);
-    const QString unit = angle ? QStringLiteral("°") : QString();
+    const double now = angle ? degrees<Dim>(pose) : length<Dim>(pose);
+    const double rest = angle ? degrees<Dim>(start) : length<Dim>(start);
+    const bool pixels = session().document().project()->domain.kind == DomainKind::Image;
+    const QString unit = angle ? QStringLiteral("°") : pixels ? QStringLiteral(" px") : QString();
     return said(angle ? QT_TRANSLATE_NOOP("MeasureTool", "angle %1, at rest %2")
                       : QT_TRANSLATE_NOOP("MeasureTool", "length %1, at rest %2"))
         .arg(locale.toString(now, 'g', 5) + unit, locale.toString(rest, 'g', 5) + unit);
 }
 
-void MeasureTool::paint(QPainter& painter) const {
-    const auto frame = session().frame<3>();
+template <int Dim>
+void MeasureTool<Dim>::paint(QPainter& painter) const {
+    const auto frame = session().template frame<Dim>();
     if (!frame || frame->shape != m_shape) return;
     QPolygonF line;
-    for (const Vec<3>& p : pointsIn(*frame, frame->pose)) line << surface().toWidget(p);
+    for (const Vec<Dim>& p : pointsIn(*frame, frame->pose)) line << surface().toWidget(p);
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(QColor(255, 255, 255, 200), 4, Qt::SolidLine, Qt::RoundCap));
     painter.drawPolyline(line);
@@ -103,5 +124,8 @@ void MeasureTool::paint(QPainter& painter) const {
     painter.setPen(Qt::white);
     painter.drawText(box, Qt::AlignCenter, text());
 }
+
+template class MeasureTool<2>;
+template class MeasureTool<3>;
 
 }  // namespace wend

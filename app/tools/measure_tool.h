@@ -1,14 +1,15 @@
 #pragma once
 
-#include "app/tools/solid_surface.h"
+#include "app/tools/shape_tool.h"
 
 namespace wend {
 
 /// Two clicked points of what is seen give a length, a third one the angle at the second; all values are told
-/// for the pose and for the rest shape. The points are carried along by the solid.
-class MeasureTool : public SolidTool {
+/// for the pose and for the rest shape. The points are carried along by the shape.
+template <int Dim>
+class MeasureTool : public ShapeTool<Dim> {
   public:
-    using SolidTool::SolidTool;
+    explicit MeasureTool(SurfaceOf<Dim>& view) : ShapeTool<Dim>(view) {}
 
     QString hint() const override;
     QCursor cursor() const override { return Qt::CrossCursor; }
@@ -23,10 +24,15 @@ class MeasureTool : public SolidTool {
     QString text() const;
 
   private:
-    std::vector<Vec<3>> pointsIn(const PosedFrame<3>& frame, const Points<3>& points) const;
+    using ShapeTool<Dim>::surface;
+    using ShapeTool<Dim>::session;
+    std::vector<Vec<Dim>> pointsIn(const PosedFrame<Dim>& frame, const Points<Dim>& points) const;
 
-    std::vector<Location<3>> m_points;  // at most three
+    std::vector<Location<Dim>> m_points;  // at most three
     std::shared_ptr<const void> m_shape;
 };
+
+extern template class MeasureTool<2>;
+extern template class MeasureTool<3>;
 
 }  // namespace wend

@@ -105,8 +105,9 @@ std::unique_ptr<SolidTool> sizeBrush(Workbench& on) {
     return brush;
 }
 
-std::unique_ptr<SolidTool> measure(Workbench& on) {
-    return std::make_unique<MeasureTool>(*on.solid);
+template <int Dim>
+Made<Dim> measure(Workbench& on) {
+    return std::make_unique<MeasureTool<Dim>>(surfaceOf<Dim>(on));
 }
 
 template <OutlineTool::Shape Shape>
@@ -363,12 +364,12 @@ const std::vector<ToolKind>& toolTable() {
         {"measure",
          "measure",
          QT_TRANSLATE_NOOP("Tools", "M&easure"),
-         QT_TRANSLATE_NOOP("Tools", "Measure lengths and angles between points of the solid"),
+         QT_TRANSLATE_NOOP("Tools", "Measure lengths and angles between points of the shape"),
          "E",
          Modes::all().without(Mode::Export),
          {},
-         nullptr,
-         measure},
+         measure<2>,
+         measure<3>},
     };
     return table;
 }

@@ -5,6 +5,7 @@
 
 #include "app/document/handle_edits.h"
 #include "app/session/opening.h"
+#include "app/tools/measure_tool.h"
 #include "app/view/canvas.h"
 #include "app/view/cell_filler.h"
 #include "tests/support/window_fixture.h"
@@ -34,6 +35,8 @@ class TestCanvas : public QObject {
     void picturesOfMeshesAreDrawn_data();
     void picturesOfMeshesAreDrawn();
     void worstPlaceIsThatOfTheMap();
+    void lengthsAndAnglesAreMeasured();
+    void shearIsTheRightAngleThatChangesMost();
     void everyMeasureIsComplete();
 
   private:
@@ -326,6 +329,74 @@ void TestCanvas::worstPlaceIsThatOfTheMap() {
     QVERIFY(worstText(distortion, Measure::Length).endsWith(QStringLiteral(" 0")));
 }
 
+/// Clicked points are carried along by the shape: what is told is their distance now and at rest.
+void TestCanvas::lengthsAndAnglesAreMeasured() {
+    MeasureTool<2> tool(*m_canvas);
+    m_canvas->setTool(&tool);
+    const auto click = [&](double x, double y, Qt::KeyboardModifiers keys = {}) {
+        QTest::mouseClick(m_canvas.get(), Qt::LeftButton, keys, m_canvas->toWidget({x, y}).toPoint());
+    };
+    const auto told = [&](int word) {
+        return tool.text().section(' ', word, word).remove(',').remove(QStringLiteral("°")).toDouble();
+    };
+    QVERIFY(tool.hint().contains(QStringLiteral("Click")) && tool.text().isEmpty());
+    click(5, 5);  // beside the shape
+    click(60, 80);
+    click(180, 80);
+    const double pixel = m_canvas->pixelSize({60, 80});
+    QVERIFY2(std::abs(told(1) - 120) < 2 * pixel, qPrintable(tool.text()));
+    QVERIFY(tool.text().startsWith(QStringLiteral("length")) && tool.text().endsWith(QStringLiteral(" px")));
+    const int pin = m_session->addPin({40, 80});
+    m_session->addPin({200, 80});
+    m_session->selection().set({pin});
+    m_session->beginDrag();
+    m_session->dragTo({0, 30});
+    m_session->endDrag(0.2);
+    QVERIFY(settle(*m_session));
+    QVERIFY2(tool.text().isEmpty(), qPrintable(tool.text()));  // pins are vertices: another mesh
+    click(60, 110);
+    click(180, 80);
+    const auto frame = m_session->frame<2>();
+    QVERIFY(!tool.text().isEmpty() && std::abs(told(1) - told(5)) > 1);
+    m_canvas->grab().toImage();  // paints
+    QTest::keyClick(m_canvas.get(), Qt::Key_Escape);
+    QVERIFY(tool.text().isEmpty());
+    for (const auto& [x, y] : {std::pair{60.0, 100.0}, {100.0, 80.0}, {180.0, 80.0}}) click(x, y);
+    QVERIFY2(tool.text().startsWith(QStringLiteral("angle")) && told(1) > 90 && told(1) < 180,
+             qPrintable(tool.text()));
+    m_canvas->setTool(nullptr);
+}
+
+/// Against every pair of perpendicular directions of a plane, tried one by one.
+void TestCanvas::shearIsTheRightAngleThatChangesMost() {
+    const auto most = [](const Mat<2>& F) {
+        double largest = 0;
+        for (int i = 0; i < 3600; ++i) {
+            const double a = i * std::numbers::pi / 3600;
+            const Vec<2> p = F * Vec<2>(std::cos(a), std::sin(a)), q = F * Vec<2>(-std::sin(a), std::cos(a));
+            largest = std::max(
+                largest, std::abs(90 - std::acos(p.dot(q) / p.norm() / q.norm()) * 180 / std::numbers::pi));
+        }
+        return largest;
+    };
+    const auto shearOf = [](const auto& F, auto& frame) {
+        frame.pose = F * frame.rest->points;
+        return cellValues(frame, Measure::Shear)[0];
+    };
+    PosedFrame<2> flat;
+    flat.rest = std::make_shared<const SimplicialMesh<2>>(
+        SimplicialMesh<2>{(Points<2>(2, 3) << 0, 2, 1, 0, 0, 1).finished(), {{0, 1, 2}}});
+    for (const Mat<2>& F : {Mat<2>{{1, 0.5}, {0, 1}}, Mat<2>{{3, 1}, {-1, 0.5}}, Mat<2>{{-1, 0.2}, {0, 1}}})
+        QVERIFY(std::abs(shearOf(F, flat) - most(F)) < 1e-3);
+    const Mat<2> turned = 1.7 * Eigen::Rotation2Dd(0.4).toRotationMatrix();
+    QVERIFY(std::abs(shearOf(turned, flat)) < 1e-6);
+    PosedFrame<3> solid;
+    solid.rest = std::make_shared<const SimplicialMesh<3>>(SimplicialMesh<3>{
+        (Points<3>(3, 4) << 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1).finished(), {{0, 1, 2, 3}}});
+    const Mat<3> squeezed = Vec<3>(2, 0.5, 1).asDiagonal();  // most in the plane of the first two
+    QVERIFY(std::abs(shearOf(squeezed, solid) - most(Mat<2>{{2, 0}, {0, 0.5}})) < 1e-3);
+}
+
 /// The table tells of each measure in each dimension: a name of its own, a value for every cell that its
 /// range and its colours take, and words for the worst place.
 void TestCanvas::everyMeasureIsComplete() {
@@ -347,6 +418,7 @@ void TestCanvas::everyMeasureIsComplete() {
     }
     QCOMPARE(names.removeDuplicates(), 0);
     QVERIFY(measuresOf(3).size() > measuresOf(2).size() && measureName(Measure::Area, 3) != names[1]);
+    QCOMPARE(measureText(Measure::Shear, 12.5), QLocale().toString(12.5, 'f', 2) + QStringLiteral("°"));
 }
 
 QTEST_MAIN(TestCanvas)

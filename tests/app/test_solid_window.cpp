@@ -554,7 +554,7 @@ void TestSolidWindow::paintingChangesTheMaterial() {
 void TestSolidWindow::measuresLengthAndAngle() {
     open();
     m_window->solids().actions().measure->trigger();
-    const auto& tool = *static_cast<MeasureTool*>(canvas().tool());
+    const auto& tool = *static_cast<MeasureTool<3>*>(canvas().tool());
     QTest::mouseClick(&canvas(), Qt::LeftButton, {}, at({-1.99, -0.5, 0.49}));
     QTest::mouseClick(&canvas(), Qt::LeftButton, {}, at({-1.99, -0.5, -0.49}));
     QVERIFY(tool.text().contains(QStringLiteral("length 1,")));
