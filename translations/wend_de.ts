@@ -440,6 +440,10 @@
         <source>stretch %1</source>
         <translation>Dehnung %1</translation>
     </message>
+    <message>
+        <source>Shear</source>
+        <translation>Scherung</translation>
+    </message>
 </context>
 <context>
     <name>MeasureTool</name>
@@ -497,6 +501,346 @@
     <message>
         <source>what pictures show beside the shape: nothing, its border drawn out, the source as it was, or a colour</source>
         <translation>was Bilder neben der Form zeigen: nichts, ihren fortgesetzten Rand, das Original, wie es war, oder eine Farbe</translation>
+    </message>
+    <message>
+        <source>Det&amp;ail, in vertices</source>
+        <translation>Fein&amp;heit, in Ecken</translation>
+    </message>
+    <message>
+        <source>Vertices</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>How fine the mesh is. More vertices bend more smoothly and take longer.</source>
+        <translation>Wie fein das Netz ist. Mehr Punkte biegen sich glatter und brauchen länger.</translation>
+    </message>
+    <message>
+        <source>Change detail</source>
+        <translation>Feinheit ändern</translation>
+    </message>
+    <message>
+        <source>&amp;Outline</source>
+        <translation>&amp;Umriss</translation>
+    </message>
+    <message>
+        <source>What bends: only what is opaque in the picture, or the picture as a whole.</source>
+        <translation>Was sich biegt: nur, was im Bild deckt, oder das Bild als Ganzes.</translation>
+    </message>
+    <message>
+        <source>Change outline</source>
+        <translation>Umriss ändern</translation>
+    </message>
+    <message>
+        <source>Whole picture</source>
+        <translation>Ganzes Bild</translation>
+    </message>
+    <message>
+        <source>Cut-out</source>
+        <translation>Ausschnitt</translation>
+    </message>
+    <message>
+        <source>Drawn polygons</source>
+        <translation>Gezeichnete Polygone</translation>
+    </message>
+    <message>
+        <source>Count as so&amp;lid above</source>
+        <translation>&amp;Deckend ab</translation>
+    </message>
+    <message>
+        <source>Pixels that are more opaque than this belong to the shape.</source>
+        <translation>Pixel, die stärker decken, gehören zur Form.</translation>
+    </message>
+    <message>
+        <source>Change what counts as solid</source>
+        <translation>Ändern, was als deckend gilt</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Ma&amp;rgin</source>
+        <translation>&amp;Rand</translation>
+    </message>
+    <message>
+        <source>The outline is grown by this much, so that soft edges come along whole.</source>
+        <translation>Um so viel wird der Umriss erweitert, damit weiche Kanten ganz mitkommen.</translation>
+    </message>
+    <message>
+        <source>Change margin</source>
+        <translation>Rand ändern</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>&amp;Border</source>
+        <translation>&amp;Bildrand</translation>
+    </message>
+    <message>
+        <source>Picture&apos;s border</source>
+        <translation>Bildrand</translation>
+    </message>
+    <message>
+        <source>Holds the frame of a photograph, so that no gap opens beside it: it stays where it is, or its sides slide along themselves. Pins on it move all the same.</source>
+        <translation>Hält den Rand eines Fotos fest, damit daneben keine Lücke entsteht: Er bleibt, wo er ist, oder seine Seiten gleiten an sich entlang. Pins auf ihm bewegen sich trotzdem.</translation>
+    </message>
+    <message>
+        <source>Hold the border</source>
+        <translation>Bildrand festhalten</translation>
+    </message>
+    <message>
+        <source>Moves freely</source>
+        <translation>Bewegt sich frei</translation>
+    </message>
+    <message>
+        <source>Stays in place</source>
+        <translation>Bleibt am Ort</translation>
+    </message>
+    <message>
+        <source>Slides along itself</source>
+        <translation>Gleitet an sich entlang</translation>
+    </message>
+    <message>
+        <source>R&amp;oundness</source>
+        <translation>R&amp;undheit</translation>
+    </message>
+    <message>
+        <source>How flat the tetrahedra may be: the greatest ratio of circumradius to shortest edge. Smaller is rounder and takes more of them.</source>
+        <translation>Wie flach die Tetraeder sein dürfen: das größte Verhältnis von Umkreisradius zu kürzester Kante. Kleiner ist runder und braucht mehr davon.</translation>
+    </message>
+    <message>
+        <source>Change roundness</source>
+        <translation>Rundheit ändern</translation>
+    </message>
+    <message>
+        <source>&amp;Greatest volume</source>
+        <translation>&amp;Größtes Volumen</translation>
+    </message>
+    <message>
+        <source>Larger tetrahedra are split; in cubed units of the file. Half of it makes about twice as many. At a surface that is kept some may stay larger.</source>
+        <translation>Größere Tetraeder werden geteilt; in Einheiten der Datei hoch drei. Die Hälfte ergibt etwa doppelt so viele. An einer Oberfläche, die bleibt, können einige größer bleiben.</translation>
+    </message>
+    <message>
+        <source>Change greatest volume</source>
+        <translation>Größtes Volumen ändern</translation>
+    </message>
+    <message>
+        <source>Refine s&amp;urface</source>
+        <translation>Oberfläche ver&amp;feinern</translation>
+    </message>
+    <message>
+        <source>Lets the triangles of the surface be split where they are larger than the tetrahedra inside. Off, the surface is kept exactly as it is.</source>
+        <translation>Lässt Dreiecke der Oberfläche teilen, wo sie größer sind als die Tetraeder im Innern. Aus: die Oberfläche bleibt genau, wie sie ist.</translation>
+    </message>
+    <message>
+        <source>Refine surface</source>
+        <translation>Oberfläche verfeinern</translation>
+    </message>
+    <message>
+        <source>Fill holes up to (edges)</source>
+        <translation>Löcher füllen bis (Kanten)</translation>
+    </message>
+    <message>
+        <source>Largest hole</source>
+        <translation>Größtes Loch</translation>
+    </message>
+    <message>
+        <source>“Repair” fills holes of at most so many edges.</source>
+        <translation>„Reparieren“ füllt Löcher von höchstens so vielen Kanten.</translation>
+    </message>
+    <message>
+        <source>F&amp;it</source>
+        <translation>&amp;Füllung</translation>
+    </message>
+    <message>
+        <source>What is filled: the surface itself, or a cage of even cells around it, in which it rides. Automatic takes the cage where the surface cannot be filled or has far too many vertices.</source>
+        <translation>Was gefüllt wird: die Oberfläche selbst oder ein Käfig gleichmäßiger Zellen um sie herum, in dem sie mitfährt. Automatisch nimmt den Käfig, wo sich die Oberfläche nicht füllen lässt oder viel zu viele Punkte hat.</translation>
+    </message>
+    <message>
+        <source>Change fit</source>
+        <translation>Füllung ändern</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Exact surface</source>
+        <translation>Genaue Oberfläche</translation>
+    </message>
+    <message>
+        <source>Cage</source>
+        <translation>Käfig</translation>
+    </message>
+    <message>
+        <source>Exact &amp;balance</source>
+        <translation>&amp;Genaues Verhältnis</translation>
+    </message>
+    <message>
+        <source>What is kept as a number, φ, as it stands in the project file: 0.002 keeps area or volume, 0.464 length, 1.571 is rigid, 2.678 keeps angles (2.498 in a solid).</source>
+        <translation>Was erhalten bleibt, als Zahl φ, wie sie in der Projektdatei steht: 0,002 erhält Fläche oder Volumen, 0,464 Länge, 1,571 ist starr, 2,678 erhält Winkel (2,498 in einem Körper).</translation>
+    </message>
+    <message>
+        <source>Change energy</source>
+        <translation>Energie ändern</translation>
+    </message>
+    <message>
+        <source> rad</source>
+        <translation> rad</translation>
+    </message>
+    <message>
+        <source>Smoothi&amp;ng length</source>
+        <translation>Glättungslän&amp;ge</translation>
+    </message>
+    <message>
+        <source>How far a pin&apos;s pull is spread, as a part of the shape&apos;s size. Small: close to the pin, sharp. Large: soft and wide.</source>
+        <translation>Wie weit der Zug eines Pins verteilt wird, als Teil der Größe der Form. Klein: nah am Pin, scharf. Groß: weich und weit.</translation>
+    </message>
+    <message>
+        <source>Change smoothing</source>
+        <translation>Glättung ändern</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Remembers its shape</source>
+        <translation>Erinnert sich an ihre Form</translation>
+    </message>
+    <message>
+        <source>How strongly the shape is drawn back to its rest while a pin moves. Not at all: where it ends depends on the way that the pin has gone. Fully: a pin that comes back brings the shape back.</source>
+        <translation>Wie stark die Form zu ihrer Ruhe zurückgezogen wird, während sich ein Pin bewegt. Gar nicht: wo sie endet, hängt vom Weg ab, den der Pin gegangen ist. Ganz: kommt ein Pin zurück, dann auch die Form.</translation>
+    </message>
+    <message>
+        <source>Change memory</source>
+        <translation>Erinnerung ändern</translation>
+    </message>
+    <message>
+        <source>F&amp;rames</source>
+        <translation>&amp;Bilder</translation>
+    </message>
+    <message>
+        <source>Frames per &amp;second</source>
+        <translation>Bilder je &amp;Sekunde</translation>
+    </message>
+    <message>
+        <source>&amp;Values</source>
+        <translation>&amp;Werte</translation>
+    </message>
+    <message>
+        <source>Errors, material, velocity</source>
+        <translation>Fehler, Material, Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>The shape alone</source>
+        <translation>Nur die Form</translation>
+    </message>
+    <message>
+        <source>&amp;Numbers</source>
+        <translation>&amp;Zahlen</translation>
+    </message>
+    <message>
+        <source>As text</source>
+        <translation>Als Text</translation>
+    </message>
+    <message>
+        <source>Binary</source>
+        <translation>Binär</translation>
+    </message>
+    <message>
+        <source>Binary, compressed</source>
+        <translation>Binär, gepackt</translation>
+    </message>
+    <message>
+        <source>&amp;Gmsh version</source>
+        <translation>&amp;Gmsh-Version</translation>
+    </message>
+    <message>
+        <source>&amp;Border triangles</source>
+        <translation>&amp;Dreiecke des Randes</translation>
+    </message>
+    <message>
+        <source>Fil&amp;ter</source>
+        <translation>&amp;Filter</translation>
+    </message>
+    <message>
+        <source>Nearest – hard pixels</source>
+        <translation>Nächster – harte Pixel</translation>
+    </message>
+    <message>
+        <source>Bilinear – quick</source>
+        <translation>Bilinear – schnell</translation>
+    </message>
+    <message>
+        <source>Bicubic – sharp</source>
+        <translation>Bikubisch – scharf</translation>
+    </message>
+    <message>
+        <source>EWA – best</source>
+        <translation>EWA – am besten</translation>
+    </message>
+    <message>
+        <source>&amp;Canvas</source>
+        <translation>&amp;Leinwand</translation>
+    </message>
+    <message>
+        <source>As large as the picture</source>
+        <translation>So groß wie das Bild</translation>
+    </message>
+    <message>
+        <source>Fit to the shape</source>
+        <translation>An die Form angepasst</translation>
+    </message>
+    <message>
+        <source>&amp;Depth</source>
+        <translation>&amp;Tiefe</translation>
+    </message>
+    <message>
+        <source>As in the picture</source>
+        <translation>Wie im Bild</translation>
+    </message>
+    <message>
+        <source>8 bit</source>
+        <translation>8 Bit</translation>
+    </message>
+    <message>
+        <source>16 bit</source>
+        <translation>16 Bit</translation>
+    </message>
+    <message>
+        <source>16 bit floating point (half)</source>
+        <translation>16 Bit Gleitkomma (half)</translation>
+    </message>
+    <message>
+        <source>32 bit floating point</source>
+        <translation>32 Bit Gleitkomma</translation>
+    </message>
+    <message>
+        <source>&amp;Background</source>
+        <translation>&amp;Hintergrund</translation>
+    </message>
+    <message>
+        <source>Transparent</source>
+        <translation>Durchsichtig</translation>
+    </message>
+    <message>
+        <source>The border, drawn out</source>
+        <translation>Der fortgesetzte Rand</translation>
+    </message>
+    <message>
+        <source>The picture as it was</source>
+        <translation>Das Bild, wie es war</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>Weiß</translation>
+    </message>
+    <message>
+        <source>Black</source>
+        <translation>Schwarz</translation>
     </message>
 </context>
 <context>
@@ -828,10 +1172,6 @@
         <translation>M&amp;essen</translation>
     </message>
     <message>
-        <source>Measure lengths and angles between points of the solid</source>
-        <translation>Längen und Winkel zwischen Punkten des Körpers messen</translation>
-    </message>
-    <message>
         <source>Outline by &amp;Lasso</source>
         <translation>Umriss mit dem &amp;Lasso</translation>
     </message>
@@ -878,6 +1218,10 @@
     <message>
         <source>Brush over what lies in front where the shape covers itself</source>
         <translation>Überstreichen, was vorn liegt, wo die Form sich selbst verdeckt</translation>
+    </message>
+    <message>
+        <source>Measure lengths and angles between points of the shape</source>
+        <translation>Längen und Winkel zwischen Punkten der Form messen</translation>
     </message>
 </context>
 <context>
@@ -1310,48 +1654,8 @@
 <context>
     <name>wend::BalancePanel</name>
     <message>
-        <source>What is kept as a number, φ, as it stands in the project file: 0.002 keeps volume, 0.464 length, 1.571 is rigid, 2.498 keeps angles.</source>
-        <translation>Was erhalten bleibt als Zahl, φ, wie sie in der Projektdatei steht: 0,002 erhält das Volumen, 0,464 die Länge, 1,571 ist starr, 2,498 erhält Winkel.</translation>
-    </message>
-    <message>
-        <source>What is kept as a number, φ, as it stands in the project file: 0.002 keeps area, 0.464 length, 1.571 is rigid, 2.678 keeps angles.</source>
-        <translation>Was erhalten bleibt als Zahl, φ, wie sie in der Projektdatei steht: 0,002 erhält die Fläche, 0,464 die Länge, 1,571 ist starr, 2,678 erhält Winkel.</translation>
-    </message>
-    <message>
-        <source>Exact &amp;balance</source>
-        <translation>&amp;Genaues Verhältnis</translation>
-    </message>
-    <message>
-        <source>Smoothi&amp;ng length</source>
-        <translation>Glättungslän&amp;ge</translation>
-    </message>
-    <message>
-        <source> rad</source>
-        <translation> rad</translation>
-    </message>
-    <message>
-        <source>Exact balance</source>
-        <translation>Genaues Verhältnis</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>keine</translation>
-    </message>
-    <message>
-        <source>Smoothing length</source>
-        <translation>Glättungslänge</translation>
-    </message>
-    <message>
-        <source>How far a pin&apos;s pull is spread, as a part of the shape&apos;s size. Small: close to the pin, sharp. Large: soft and wide.</source>
-        <translation>Wie weit der Zug eines Pins verteilt wird, als Teil der Größe der Form. Klein: nah am Pin, scharf. Groß: weich und weit.</translation>
-    </message>
-    <message>
         <source>This project smooths as in the paper, with λ; its file says how much.</source>
         <translation>Dieses Projekt glättet wie im Aufsatz mit λ; seine Datei sagt, wie viel.</translation>
-    </message>
-    <message>
-        <source>Change smoothing</source>
-        <translation>Glättung ändern</translation>
     </message>
 </context>
 <context>
@@ -1849,13 +2153,6 @@
     </message>
 </context>
 <context>
-    <name>wend::Document</name>
-    <message>
-        <source>Change energy</source>
-        <translation>Energie ändern</translation>
-    </message>
-</context>
-<context>
     <name>wend::EnergySlider</name>
     <message>
         <source>What is kept</source>
@@ -2278,10 +2575,6 @@
         <source>Remembers its shape</source>
         <translation>Erinnert sich an ihre Form</translation>
     </message>
-    <message>
-        <source>Change memory</source>
-        <translation>Erinnerung ändern</translation>
-    </message>
 </context>
 <context>
     <name>wend::HandlePanel</name>
@@ -2680,14 +2973,6 @@
 <context>
     <name>wend::MemorySlider</name>
     <message>
-        <source>Remembers its shape</source>
-        <translation>Erinnert sich an ihre Form</translation>
-    </message>
-    <message>
-        <source>How strongly the shape is drawn back to its rest while a pin moves. Not at all: where it ends depends on the way that the pin has gone. Fully: a pin that comes back brings the shape back.</source>
-        <translation>Wie stark die Form zu ihrer Ruhe zurückgezogen wird, während sich ein Pin bewegt. Gar nicht: wo sie endet, hängt vom Weg ab, den der Pin gegangen ist. Ganz: kommt ein Pin zurück, dann auch die Form.</translation>
-    </message>
-    <message>
         <source>not at all</source>
         <translation>gar nicht</translation>
     </message>
@@ -2699,64 +2984,12 @@
 <context>
     <name>wend::MeshPanel</name>
     <message>
-        <source>Whole picture</source>
-        <translation>Ganzes Bild</translation>
-    </message>
-    <message>
-        <source>Outline</source>
-        <translation>Umriss</translation>
-    </message>
-    <message>
-        <source>What bends: only what is opaque in the picture, or the picture as a whole.</source>
-        <translation>Was sich biegt: nur, was im Bild deckt, oder das Bild als Ganzes.</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation> %</translation>
-    </message>
-    <message>
-        <source>Pixels that are more opaque than this belong to the shape.</source>
-        <translation>Pixel, die stärker decken, gehören zur Form.</translation>
-    </message>
-    <message>
-        <source> px</source>
-        <translation> px</translation>
-    </message>
-    <message>
-        <source>Margin</source>
-        <translation>Rand</translation>
-    </message>
-    <message>
-        <source>The outline is grown by this much, so that soft edges come along whole.</source>
-        <translation>Um so viel wird der Umriss erweitert, damit weiche Kanten ganz mitkommen.</translation>
-    </message>
-    <message>
         <source>Vertices</source>
         <translation>Punkte</translation>
     </message>
     <message>
-        <source>How fine the mesh is. More vertices bend more smoothly and take longer.</source>
-        <translation>Wie fein das Netz ist. Mehr Punkte biegen sich glatter und brauchen länger.</translation>
-    </message>
-    <message>
         <source>Mesh</source>
         <translation>Netz</translation>
-    </message>
-    <message>
-        <source>&amp;Outline</source>
-        <translation>&amp;Umriss</translation>
-    </message>
-    <message>
-        <source>Ma&amp;rgin</source>
-        <translation>&amp;Rand</translation>
-    </message>
-    <message>
-        <source>Change outline</source>
-        <translation>Umriss ändern</translation>
-    </message>
-    <message>
-        <source>Change margin</source>
-        <translation>Rand ändern</translation>
     </message>
     <message>
         <source>The mesh comes from a file and is used as it is.</source>
@@ -2767,44 +3000,12 @@
         <translation>Dieses Bild hat keine Transparenz.</translation>
     </message>
     <message>
-        <source>Drawn polygons</source>
-        <translation>Gezeichnete Polygone</translation>
-    </message>
-    <message>
         <source>%1 vertices, %2 triangles</source>
         <translation>%1 Punkte, %2 Dreiecke</translation>
     </message>
     <message>
-        <source>Roundness</source>
-        <translation>Rundheit</translation>
-    </message>
-    <message>
-        <source>How flat the tetrahedra may be: the greatest ratio of circumradius to shortest edge. Smaller is rounder and takes more of them.</source>
-        <translation>Wie flach die Tetraeder sein dürfen: das größte Verhältnis von Umkreisradius zu kürzester Kante. Kleiner ist runder und braucht mehr davon.</translation>
-    </message>
-    <message>
-        <source>R&amp;oundness</source>
-        <translation>R&amp;undheit</translation>
-    </message>
-    <message>
-        <source>Change roundness</source>
-        <translation>Rundheit ändern</translation>
-    </message>
-    <message>
         <source>%1 vertices, %2 tetrahedra</source>
         <translation>%1 Punkte, %2 Tetraeder</translation>
-    </message>
-    <message>
-        <source>Refine surface</source>
-        <translation>Oberfläche verfeinern</translation>
-    </message>
-    <message>
-        <source>Lets the triangles of the surface be split where they are larger than the tetrahedra inside. Off, the surface is kept exactly as it is.</source>
-        <translation>Lässt Dreiecke der Oberfläche teilen, wo sie größer sind als die Tetraeder im Innern. Aus: die Oberfläche bleibt genau, wie sie ist.</translation>
-    </message>
-    <message>
-        <source>Keep surface</source>
-        <translation>Oberfläche behalten</translation>
     </message>
     <message>
         <source>Greatest volume</source>
@@ -2819,20 +3020,8 @@
         <translation>Was sagt, wie fein das Netz ist: wie viele Punkte es im Ganzen hat, oder wie groß ein Tetraeder sein darf.</translation>
     </message>
     <message>
-        <source>Larger tetrahedra are split; in cubed units of the file. Half of it makes about twice as many. At a surface that is kept some may stay larger.</source>
-        <translation>Größere Tetraeder werden geteilt; in Einheiten der Datei hoch drei. Die Hälfte ergibt etwa doppelt so viele. An einer Oberfläche, die bleibt, können einige größer bleiben.</translation>
-    </message>
-    <message>
         <source>A&amp;im at</source>
         <translation>Z&amp;iel</translation>
-    </message>
-    <message>
-        <source>&amp;Greatest volume</source>
-        <translation>&amp;Größtes Volumen</translation>
-    </message>
-    <message>
-        <source>Change greatest volume</source>
-        <translation>Größtes Volumen ändern</translation>
     </message>
     <message>
         <source>Aim at a volume</source>
@@ -2859,96 +3048,12 @@
         <translation>Feiner und gröber</translation>
     </message>
     <message>
-        <source>Refine s&amp;urface</source>
-        <translation>Oberfläche ver&amp;feinern</translation>
-    </message>
-    <message>
-        <source>Cut-out</source>
-        <translation>Ausschnitt</translation>
-    </message>
-    <message>
-        <source>Count as solid above</source>
-        <translation>Deckend ab</translation>
-    </message>
-    <message>
         <source>Detail: coarse – fine</source>
         <translation>Feinheit: grob – fein</translation>
     </message>
     <message>
-        <source>Count as so&amp;lid above</source>
-        <translation>&amp;Deckend ab</translation>
-    </message>
-    <message>
-        <source>Det&amp;ail, in vertices</source>
-        <translation>Fein&amp;heit, in Ecken</translation>
-    </message>
-    <message>
-        <source>Change what counts as solid</source>
-        <translation>Ändern, was als deckend gilt</translation>
-    </message>
-    <message>
-        <source>Change detail</source>
-        <translation>Feinheit ändern</translation>
-    </message>
-    <message>
-        <source>&amp;Threshold</source>
-        <translation>&amp;Schwelle</translation>
-    </message>
-    <message>
-        <source>Automatic</source>
-        <translation>Automatisch</translation>
-    </message>
-    <message>
-        <source>Exact surface</source>
-        <translation>Genaue Oberfläche</translation>
-    </message>
-    <message>
-        <source>Cage</source>
-        <translation>Käfig</translation>
-    </message>
-    <message>
-        <source>Fit</source>
-        <translation>Füllung</translation>
-    </message>
-    <message>
-        <source>F&amp;it</source>
-        <translation>&amp;Füllung</translation>
-    </message>
-    <message>
-        <source>Change fit</source>
-        <translation>Füllung ändern</translation>
-    </message>
-    <message>
-        <source>What is filled: the surface itself, or a cage of even cells around it, in which it rides. Automatic takes the cage where the surface cannot be filled or has far too many vertices.</source>
-        <translation>Was gefüllt wird: die Oberfläche selbst oder ein Käfig gleichmäßiger Zellen um sie herum, in dem sie mitfährt. Automatisch nimmt den Käfig, wo sich die Oberfläche nicht füllen lässt oder viel zu viele Punkte hat.</translation>
-    </message>
-    <message>
-        <source>Moves freely</source>
-        <translation>Bewegt sich frei</translation>
-    </message>
-    <message>
-        <source>Stays in place</source>
-        <translation>Bleibt am Ort</translation>
-    </message>
-    <message>
-        <source>Slides along itself</source>
-        <translation>Gleitet an sich entlang</translation>
-    </message>
-    <message>
-        <source>Picture&apos;s border</source>
-        <translation>Bildrand</translation>
-    </message>
-    <message>
-        <source>Holds the frame of a photograph, so that no gap opens beside it: it stays where it is, or its sides slide along themselves. Pins on it move all the same.</source>
-        <translation>Hält den Rand eines Fotos fest, damit daneben keine Lücke entsteht: Er bleibt, wo er ist, oder seine Seiten gleiten an sich entlang. Pins auf ihm bewegen sich trotzdem.</translation>
-    </message>
-    <message>
-        <source>&amp;Border</source>
-        <translation>&amp;Bildrand</translation>
-    </message>
-    <message>
-        <source>Hold the border</source>
-        <translation>Bildrand festhalten</translation>
+        <source>No outline has been drawn.</source>
+        <translation>Es ist kein Umriss gezeichnet.</translation>
     </message>
 </context>
 <context>
@@ -2960,133 +3065,6 @@
     <message>
         <source>Write what is shown: as picture, sequence, warp map, mesh or view</source>
         <translation>Schreiben, was zu sehen ist: als Bild, Sequenz, Verzerrungskarte, Netz oder Ansicht</translation>
-    </message>
-</context>
-<context>
-    <name>wend::OptionField</name>
-    <message>
-        <source>Fil&amp;ter</source>
-        <translation>&amp;Filter</translation>
-    </message>
-    <message>
-        <source>Nearest – hard pixels</source>
-        <translation>Nächster – harte Pixel</translation>
-    </message>
-    <message>
-        <source>Bilinear – quick</source>
-        <translation>Bilinear – schnell</translation>
-    </message>
-    <message>
-        <source>Bicubic – sharp</source>
-        <translation>Bikubisch – scharf</translation>
-    </message>
-    <message>
-        <source>EWA – best</source>
-        <translation>EWA – am besten</translation>
-    </message>
-    <message>
-        <source>&amp;Canvas</source>
-        <translation>&amp;Leinwand</translation>
-    </message>
-    <message>
-        <source>As large as the picture</source>
-        <translation>So groß wie das Bild</translation>
-    </message>
-    <message>
-        <source>Fit to the shape</source>
-        <translation>An die Form angepasst</translation>
-    </message>
-    <message>
-        <source>&amp;Depth</source>
-        <translation>Farb&amp;tiefe</translation>
-    </message>
-    <message>
-        <source>As in the picture</source>
-        <translation>Wie im Bild</translation>
-    </message>
-    <message>
-        <source>8 bit</source>
-        <translation>8 Bit</translation>
-    </message>
-    <message>
-        <source>16 bit</source>
-        <translation>16 Bit</translation>
-    </message>
-    <message>
-        <source>16 bit floating point (half)</source>
-        <translation>16 Bit Gleitkomma (half)</translation>
-    </message>
-    <message>
-        <source>32 bit floating point</source>
-        <translation>32 Bit Gleitkomma</translation>
-    </message>
-    <message>
-        <source>&amp;Background</source>
-        <translation>&amp;Hintergrund</translation>
-    </message>
-    <message>
-        <source>Transparent</source>
-        <translation>Durchsichtig</translation>
-    </message>
-    <message>
-        <source>The border, drawn out</source>
-        <translation>Der fortgesetzte Rand</translation>
-    </message>
-    <message>
-        <source>The picture as it was</source>
-        <translation>Das Bild, wie es war</translation>
-    </message>
-    <message>
-        <source>White</source>
-        <translation>Weiß</translation>
-    </message>
-    <message>
-        <source>Black</source>
-        <translation>Schwarz</translation>
-    </message>
-    <message>
-        <source>&amp;Values</source>
-        <translation>&amp;Werte</translation>
-    </message>
-    <message>
-        <source>Errors, material, velocity</source>
-        <translation>Fehler, Material, Geschwindigkeit</translation>
-    </message>
-    <message>
-        <source>The shape alone</source>
-        <translation>Nur die Form</translation>
-    </message>
-    <message>
-        <source>&amp;Numbers</source>
-        <translation>&amp;Zahlen</translation>
-    </message>
-    <message>
-        <source>As text</source>
-        <translation>Als Text</translation>
-    </message>
-    <message>
-        <source>Binary</source>
-        <translation>Binär</translation>
-    </message>
-    <message>
-        <source>Binary, compressed</source>
-        <translation>Binär, gepackt</translation>
-    </message>
-    <message>
-        <source>&amp;Gmsh version</source>
-        <translation>&amp;Gmsh-Version</translation>
-    </message>
-    <message>
-        <source>F&amp;rames</source>
-        <translation>&amp;Bilder</translation>
-    </message>
-    <message>
-        <source>Frames per &amp;second</source>
-        <translation>Bilder je &amp;Sekunde</translation>
-    </message>
-    <message>
-        <source>&amp;Border triangles</source>
-        <translation>&amp;Dreiecke des Randes</translation>
     </message>
 </context>
 <context>
@@ -3533,6 +3511,13 @@
     <message>
         <source>The picture with its pins</source>
         <translation>Das Bild mit seinen Pins</translation>
+    </message>
+</context>
+<context>
+    <name>wend::ShapeNotices</name>
+    <message>
+        <source>“Refine surface” in the panel “Mesh” lets the surface&apos;s triangles be split.</source>
+        <translation>„Oberfläche verfeinern“ im Feld „Netz“ lässt die Dreiecke der Oberfläche teilen.</translation>
     </message>
 </context>
 <context>
@@ -4072,10 +4057,6 @@
         <translation>Gebiet</translation>
     </message>
     <message>
-        <source>“Refine surface” in the panel “Mesh” lets the surface&apos;s triangles be split.</source>
-        <translation>„Oberfläche verfeinern“ im Feld „Netz“ lässt die Dreiecke der Oberfläche teilen.</translation>
-    </message>
-    <message>
         <source>These pictures of the surface cannot be read: %1</source>
         <translation>Diese Bilder der Oberfläche sind nicht zu lesen: %1</translation>
     </message>
@@ -4281,10 +4262,6 @@
         <translation>„Reparieren“ kann sie flicken.</translation>
     </message>
     <message>
-        <source>Fill holes up to (edges)</source>
-        <translation>Löcher füllen bis (Kanten)</translation>
-    </message>
-    <message>
         <source>What is wrong</source>
         <translation>Was falsch ist</translation>
     </message>
@@ -4311,14 +4288,6 @@
     <message>
         <source>Colours the triangles that are wrong, and looks at them: what hides them is left out.</source>
         <translation>Färbt die fehlerhaften Dreiecke und sieht sie an: was sie verdeckt, wird weggelassen.</translation>
-    </message>
-    <message>
-        <source>Largest hole</source>
-        <translation>Größtes Loch</translation>
-    </message>
-    <message>
-        <source>“Repair” fills holes of at most so many edges.</source>
-        <translation>„Reparieren“ füllt Löcher von höchstens so vielen Kanten.</translation>
     </message>
     <message>
         <source>%1 of %2</source>
