@@ -310,7 +310,7 @@ vec crossColumn(int j, vec g, vec h, double weight, int left, int right, global 
 kernel void assemble(int count, global const int* ownStart, global const int2* own, global const int* crossStart,
                      global const int* crossContributions, global const int* facetOfCorner, global const int* facets,
                      global const double* gradients, global const double* measure, global const double2* weights,
-                     global const double2* beta, global const double* facetWeight, global const double* inertia,
+                     global const double2* beta, global const double* facetWeight, global const double* massRegularization,
                      global const double* B, global double* values) {
     const int block = get_global_id(0);
     if (block >= count) return;
@@ -321,7 +321,7 @@ kernel void assemble(int count, global const int* ownStart, global const int2* o
         const vec g = load(gradients, corners.x), h = load(gradients, corners.y);
         const double quarter = 0.25 * measure[cell];
         const double2 w = weights[cell], b = beta[cell];
-        const double mass = inertia[cell] * measure[cell] * (corners.x == corners.y ? 2.0 : 1.0) / ((DIM + 1) * (DIM + 2));
+        const double mass = massRegularization[cell] * measure[cell] * (corners.x == corners.y ? 2.0 : 1.0) / ((DIM + 1) * (DIM + 2));
         c0 += ownColumn(0, g, h, cell, quarter, w, b, B, facetOfCorner, facets, facetWeight, weights) + mass * UNIT(0);
         c1 += ownColumn(1, g, h, cell, quarter, w, b, B, facetOfCorner, facets, facetWeight, weights) + mass * UNIT(1);
 #if DIM == 3
@@ -396,7 +396,7 @@ kernel void cellForce(int count, global const int* facetOfCorner, global const i
 
 // A v per vertex: Σ over its corners 2 R g + ε V Σ_b m_ab v_b.
 kernel void vertexForce(int count, global const int* cornerStart, global const int* corners, global const int* cells,
-                        global const double* gradients, global const double* measure, global const double* inertia,
+                        global const double* gradients, global const double* measure, global const double* massRegularization,
                         global const double* force, global const double* v, global double* Av) {
     const int vertex = get_global_id(0);
     if (vertex >= count) return;
@@ -404,10 +404,10 @@ kernel void vertexForce(int count, global const int* cornerStart, global const i
     for (int k = cornerStart[vertex]; k < cornerStart[vertex + 1]; ++k) {
         const int corner = corners[k], cell = corner / CORNERS;
         sum += 2 * times(loadMat(force, cell), load(gradients, corner));
-        if (inertia[cell] == 0.0) continue;
+        if (massRegularization[cell] == 0.0) continue;
         vec total = load(v, vertex);
         for (int j = 0; j < CORNERS; ++j) total += load(v, cells[CORNERS * cell + j]);
-        sum += inertia[cell] * measure[cell] / ((DIM + 1) * (DIM + 2)) * total;
+        sum += massRegularization[cell] * measure[cell] / ((DIM + 1) * (DIM + 2)) * total;
     }
     store(Av, vertex, sum);
 }

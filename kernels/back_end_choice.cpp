@@ -31,9 +31,9 @@ class FailsafeBackEnd final : public BackEnd<Dim> {
     std::string device() const override { return m_active->device(); }
     WorkerPool& workers() override { return m_active->workers(); }
 
-    void setInertia(std::vector<double> epsilon) override {
-        m_inertia = epsilon;
-        safely([&] { m_active->setInertia(epsilon); });
+    void setMassRegularization(std::vector<double> epsilon) override {
+        m_massRegularization = epsilon;
+        safely([&] { m_active->setMassRegularization(epsilon); });
     }
     int setShape(const Points<Dim>& shape) override {
         m_shape = shape;
@@ -112,7 +112,7 @@ class FailsafeBackEnd final : public BackEnd<Dim> {
         const std::string device = m_active->device();
         m_copied = m_active->copied();
         m_active = std::exchange(m_makeFallback, nullptr)();
-        m_active->setInertia(m_inertia);
+        m_active->setMassRegularization(m_massRegularization);
         if (m_atStage) {
             m_stages.makePlace();
             m_active->setStage();
@@ -126,7 +126,7 @@ class FailsafeBackEnd final : public BackEnd<Dim> {
     std::unique_ptr<BackEnd<Dim>> m_active;
     std::function<std::unique_ptr<BackEnd<Dim>>()> m_makeFallback;
     DeviceNotice m_notice;
-    std::vector<double> m_inertia;
+    std::vector<double> m_massRegularization;
     Points<Dim> m_shape;
     Stages m_stages{*this};
     bool m_atStage = false;  // the geometry is a stage's, not m_shape's

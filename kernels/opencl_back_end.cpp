@@ -36,10 +36,10 @@ class OpenClBackEnd final : public BackEnd<Dim> {
     std::string device() const override { return m_cl.info().name; }
     WorkerPool& workers() override { return m_workers; }
 
-    void setInertia(std::vector<double> epsilon) override {
+    void setMassRegularization(std::vector<double> epsilon) override {
         guarded([&] {
             epsilon.resize(static_cast<std::size_t>(cells()), 0.0);
-            m_inertia = m_cl.copyOf(epsilon.data(), epsilon.size());
+            m_massRegularization = m_cl.copyOf(epsilon.data(), epsilon.size());
         });
     }
 
@@ -59,7 +59,7 @@ class OpenClBackEnd final : public BackEnd<Dim> {
         guarded([&] {
             launch(m_cl.queue(), m_assemble, m_plan->blockCount(), m_ownStart, m_own, m_crossStart, m_cross,
                    m_facetOfCorner, m_facets, m_gradients, m_measure, m_weights, m_beta, m_facetWeight,
-                   m_inertia, m_B, m_values);
+                   m_massRegularization, m_B, m_values);
             m_cl.read(m_values, values.data(), values.size());
         });
     }
@@ -68,7 +68,7 @@ class OpenClBackEnd final : public BackEnd<Dim> {
         guarded([&] {
             forces(v);
             launch(m_cl.queue(), m_vertexForce, m_plan->vertexCount, m_cornerStart, m_corners, m_cells,
-                   m_gradients, m_measure, m_inertia, m_force, m_field, m_product);
+                   m_gradients, m_measure, m_massRegularization, m_force, m_field, m_product);
             Av.resize(Dim, v.cols());
             m_cl.read(m_product, Av.data(), static_cast<std::size_t>(Av.size()));
         });
@@ -159,7 +159,7 @@ class OpenClBackEnd final : public BackEnd<Dim> {
         m_stress = m_cl.buffer<double>(count * Dim * Dim);
         m_force = m_cl.buffer<double>(count * Dim * Dim);
         m_cellEnergy = m_cl.buffer<double>(count);
-        m_inertia = upload(std::vector<double>(count, 0.0));
+        m_massRegularization = upload(std::vector<double>(count, 0.0));
     }
 
     int computeAt(const cl::Buffer& shape) {
@@ -207,7 +207,7 @@ class OpenClBackEnd final : public BackEnd<Dim> {
         m_vertexForce;
     cl::Buffer m_cells, m_facets, m_facetOfCorner, m_cornerStart, m_corners, m_ownStart, m_own, m_crossStart,
         m_cross;
-    cl::Buffer m_restMeasure, m_restInverse, m_restB, m_weights, m_inertia;
+    cl::Buffer m_restMeasure, m_restInverse, m_restB, m_weights, m_massRegularization;
     cl::Buffer m_shape, m_field, m_product, m_gradients, m_measure, m_beta, m_bad, m_first, m_B,
         m_facetWeight, m_values;
     cl::Buffer m_strain, m_stress, m_force, m_cellEnergy;

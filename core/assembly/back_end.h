@@ -23,9 +23,9 @@ struct CopiedBytes {
 
 /// The part of the method that a device does: everything between a shape and the values of a fixed sparse
 /// pattern. A is the matrix of the energy, E(v) = vᵀ A v with E = E_φ + E_S (method.md), plus εM where an
-/// inertia is set; M is the consistent mass matrix, vᵀ M v = ∫|v|². All lengths are in the frame where the
-/// rest shape has size 1. The results have the same bits for any number of threads. One thread uses a back
-/// end at a time.
+/// mass regularization is set; M is the consistent mass matrix, vᵀ M v = ∫|v|². All lengths are in the frame
+/// where the rest shape has size 1. The results have the same bits for any number of threads. One thread uses
+/// a back end at a time.
 template <int Dim>
 class BackEnd {
   public:
@@ -36,7 +36,7 @@ class BackEnd {
     virtual std::string device() const = 0;
 
     /// ε of every cell (one each, or empty: none). Takes effect at the next setShape().
-    virtual void setInertia(std::vector<double> epsilon) = 0;
+    virtual void setMassRegularization(std::vector<double> epsilon) = 0;
     /// Gradients, measures, stress matrices and facet weights at a shape. Returns −1, or the first cell that
     /// is not oriented as it is at rest (inverted, flat or not finite); the other functions may then not be
     /// called.
@@ -59,7 +59,7 @@ class BackEnd {
     virtual void assemble(std::span<double> values) = 0;
     /// A v without the matrix; `Av` may not be `v`.
     virtual void apply(const Points<Dim>& v, Points<Dim>& Av) = 0;
-    /// E(v) = E_φ + E_S, without the inertia.
+    /// E(v) = E_φ + E_S, without the mass regularization.
     virtual double energy(const Points<Dim>& v) = 0;
 
   private:

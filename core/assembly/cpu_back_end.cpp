@@ -52,7 +52,9 @@ class CpuBackEnd final : public BackEnd<Dim> {
         return m_pool.threads() == 1 ? "1 thread" : std::to_string(m_pool.threads()) + " threads";
     }
     WorkerPool& workers() override { return m_pool; }
-    void setInertia(std::vector<double> epsilon) override { m_inertia = std::move(epsilon); }
+    void setMassRegularization(std::vector<double> epsilon) override {
+        m_massRegularization = std::move(epsilon);
+    }
 
     int setShape(const Points<Dim>& shape) override;
     void assemble(std::span<double> values) override;
@@ -76,7 +78,9 @@ class CpuBackEnd final : public BackEnd<Dim> {
     Strain<Dim> load(int c) const;
     Vec<Dim> massTimes(const Points<Dim>& v, int c, int vertex) const;
     bool isPaper() const { return m_material.smoothing.kind == SmoothingKind::Paper; }
-    double inertia(int c) const { return m_inertia.empty() ? 0.0 : m_inertia[c]; }
+    double massRegularization(int c) const {
+        return m_massRegularization.empty() ? 0.0 : m_massRegularization[c];
+    }
     Vec<Dim> gradient(int corner) const {
         return m_geometry[corner / kCorners].gradients.col(corner % kCorners);
     }
@@ -94,7 +98,7 @@ class CpuBackEnd final : public BackEnd<Dim> {
     std::vector<EnergyWeights> m_weights;
     std::vector<Mat<Dim>> m_B;  // of the current shape; only with anisotropy
     std::vector<StressMatrix<Dim>> m_D;
-    std::vector<double> m_inertia;
+    std::vector<double> m_massRegularization;
     std::vector<Strain<Dim>> m_strain, m_stress, m_load;  // of the field in apply() and energy()
     std::vector<double> m_facetWeight;                    // per facet
     std::vector<Columns> m_T, m_U;                        // per corner: D G_a, and what own blocks need
@@ -203,7 +207,7 @@ Mat<Dim> CpuBackEnd<Dim>::crossBlock(const typename Plan::Cross& pair) const {
 template <int Dim>
 Mat<Dim> CpuBackEnd<Dim>::massBlock(const typename Plan::Own& pair) const {
     const int c = pair.left / kCorners;
-    const double mass = inertia(c) * m_geometry[c].measure / (kCorners * (kCorners + 1));
+    const double mass = massRegularization(c) * m_geometry[c].measure / (kCorners * (kCorners + 1));
     return (pair.left == pair.right ? 2 * mass : mass) * Mat<Dim>::Identity();
 }
 
@@ -213,7 +217,7 @@ Mat<Dim> CpuBackEnd<Dim>::block(int index) const {
     for (int i = m_plan->ownStart[index]; i < m_plan->ownStart[index + 1]; ++i) {
         const auto& pair = m_plan->own[i];
         A += strainColumns<Dim>(gradient(pair.left)).transpose().lazyProduct(m_U[pair.right]);
-        if (!m_inertia.empty()) A += massBlock(pair);
+        if (!m_massRegularization.empty()) A += massBlock(pair);
     }
     for (int i = m_plan->crossStart[index]; i < m_plan->crossStart[index + 1]; ++i)
         A += crossBlock(m_plan->cross[i]);
@@ -275,7 +279,7 @@ template <int Dim>
 Vec<Dim> CpuBackEnd<Dim>::massTimes(const Points<Dim>& v, int c, int vertex) const {
     Vec<Dim> sum = v.col(vertex);
     for (int other : m_plan->cells[c]) sum += v.col(other);
-    return inertia(c) * m_geometry[c].measure / (kCorners * (kCorners + 1)) * sum;
+    return massRegularization(c) * m_geometry[c].measure / (kCorners * (kCorners + 1)) * sum;
 }
 
 template <int Dim>
@@ -291,7 +295,7 @@ void CpuBackEnd<Dim>::apply(const Points<Dim>& v, Points<Dim>& Av) {
             for (int i = m_plan->cornerStart[p]; i < m_plan->cornerStart[p + 1]; ++i) {
                 const int corner = m_plan->corners[i], c = corner / kCorners;
                 total += 2 * fromMandel<Dim>(m_load[c]) * gradient(corner);
-                if (!m_inertia.empty()) total += massTimes(v, c, p);
+                if (!m_massRegularization.empty()) total += massTimes(v, c, p);
             }
             Av.col(p) = total;
         }

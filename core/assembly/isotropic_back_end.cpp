@@ -30,7 +30,9 @@ class IsotropicBackEnd final : public BackEnd<Dim> {
         return m_pool.threads() == 1 ? "1 thread" : std::to_string(m_pool.threads()) + " threads";
     }
     WorkerPool& workers() override { return m_pool; }
-    void setInertia(std::vector<double> epsilon) override { m_inertia = std::move(epsilon); }
+    void setMassRegularization(std::vector<double> epsilon) override {
+        m_massRegularization = std::move(epsilon);
+    }
     int setShape(const Points<Dim>& shape) override;
     void assemble(std::span<double> values) override;
     void apply(const Points<Dim>& v, Points<Dim>& Av) override;
@@ -45,10 +47,10 @@ class IsotropicBackEnd final : public BackEnd<Dim> {
     void spreadWeights(int begin, int end);
     void cellTerms(int begin, int end);
     void facetTerms(int begin, int end);
-    void addInertia(std::span<double> values);
+    void addMassRegularization(std::span<double> values);
     void addMassTimes(const Points<Dim>& v, int p, Points<Dim>& Av) const;
     /// ε V / ((d + 1)(d + 2)): the consistent mass of two different corners.
-    double mass(int c) const { return m_inertia[c] * m_measure[c] / (kCorners * (kCorners + 1)); }
+    double mass(int c) const { return m_massRegularization[c] * m_measure[c] / (kCorners * (kCorners + 1)); }
     double gradient(int corner, int axis) const;
 
     std::shared_ptr<const Plan> m_plan;
@@ -63,7 +65,7 @@ class IsotropicBackEnd final : public BackEnd<Dim> {
     isotropic::Cells<Dim> m_cells;
     isotropic::Facets<Dim> m_facetArrays;
 
-    std::vector<double> m_force, m_inertia;
+    std::vector<double> m_force, m_massRegularization;
     // For the assembly: the contributions of every block in one list; coefficients of the cells, then of the
     // facets.
     std::vector<int> m_start;
@@ -192,7 +194,7 @@ void IsotropicBackEnd<Dim>::apply(const Points<Dim>& v, Points<Dim>& Av) {
             for (int i = m_plan->cornerStart[p]; i < m_plan->cornerStart[p + 1]; ++i)
                 total += Eigen::Map<const Vec<Dim>>(m_force.data() + m_plan->corners[i] * Dim);
             Av.col(p) = total;
-            if (!m_inertia.empty()) addMassTimes(v, p, Av);
+            if (!m_massRegularization.empty()) addMassTimes(v, p, Av);
         }
     });
 }
@@ -287,11 +289,11 @@ void IsotropicBackEnd<Dim>::assemble(std::span<double> values) {
         blocks(m_start.data(), m_contributions.data(), m_cornerGradients.data(), m_coefficients.data(), begin,
                end, values.data());
     });
-    if (!m_inertia.empty()) addInertia(values);
+    if (!m_massRegularization.empty()) addMassRegularization(values);
 }
 
 template <int Dim>
-void IsotropicBackEnd<Dim>::addInertia(std::span<double> values) {
+void IsotropicBackEnd<Dim>::addMassRegularization(std::span<double> values) {
     for (int b = 0; b < m_plan->blockCount(); ++b)
         for (int i = m_plan->ownStart[b]; i < m_plan->ownStart[b + 1]; ++i) {
             const auto& pair = m_plan->own[i];

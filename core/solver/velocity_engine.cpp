@@ -13,7 +13,7 @@ namespace {
 
 // Weight of the mass matrix in parts with too few constraints: 1e-8 is off by 1 %, 1 by 2 % (docs/method.md
 // (15), Constraints).
-constexpr double kInertia = 1e-4;
+constexpr double kMassRegularization = 1e-4;
 // Refine while the residual, relative to the right-hand side, is above this: only the stiffest materials need
 // it.
 constexpr double kResidual = 1e-10;
@@ -129,10 +129,11 @@ void VelocitySolver<Dim>::Engine::setConstraints(std::vector<ConstraintRow> newR
     system = ReducedSystem<Dim>(*plan, elimination, sliders);
 
     const auto constrained = wellConstrained(*rest, components, rows, sliders);
-    std::vector<double> inertia;
+    std::vector<double> massRegularization;
     if (std::find(constrained.begin(), constrained.end(), false) != constrained.end())
-        for (int component : components) inertia.push_back(constrained[component] ? 0.0 : kInertia);
-    backEnd->setInertia(std::move(inertia));
+        for (int component : components)
+            massRegularization.push_back(constrained[component] ? 0.0 : kMassRegularization);
+    backEnd->setMassRegularization(std::move(massRegularization));
 
     const bool small = Dim == 2 && system.unknowns().size() < kNestedDissectionVertices;
     if (!system.unknowns().empty())

@@ -157,8 +157,8 @@ template <int Dim>
 void productAndEnergyAgree(Kind kind, SmoothingKind smoothing) {
     auto scene = sceneOf<Dim>(kind, smoothing);
     std::mt19937 random(11);
-    if (kind == Kind::Anisotropic)  // with inertia too
-        scene.backEnd->setInertia(std::vector<double>(scene.rest.cells.size(), 0.7));
+    if (kind == Kind::Anisotropic)  // with mass regularization too
+        scene.backEnd->setMassRegularization(std::vector<double>(scene.rest.cells.size(), 0.7));
     QCOMPARE(scene.backEnd->setShape(scene.shape), -1);
     const auto A = dense<Dim>(*scene.plan, assembled<Dim>(scene));
     const Points<Dim> v = randomField<Dim>(random, scene.rest.vertexCount());
@@ -173,13 +173,13 @@ void productAndEnergyAgree(Kind kind, SmoothingKind smoothing) {
 
 /// vᵀ M v = ∫|v|²; for v = x by the exact second moments of a simplex.
 template <int Dim>
-void inertiaIsMass() {
+void massRegularizationIsMass() {
     auto scene = sceneOf<Dim>(Kind::Uniform, SmoothingKind::Invariant);
     QCOMPARE(scene.backEnd->setShape(scene.shape), -1);
     Points<Dim> Av, AMv;
     const Points<Dim>& v = scene.shape;
     scene.backEnd->apply(v, Av);
-    scene.backEnd->setInertia(std::vector<double>(scene.rest.cells.size(), 1.0));
+    scene.backEnd->setMassRegularization(std::vector<double>(scene.rest.cells.size(), 1.0));
     QCOMPARE(scene.backEnd->setShape(scene.shape), -1);
     scene.backEnd->apply(v, AMv);
     double expected = 0;
@@ -360,9 +360,9 @@ class TestAssembly : public QObject {
         jumpsCost<2>();
         jumpsCost<3>();
     }
-    void inertia() {
-        inertiaIsMass<2>();
-        inertiaIsMass<3>();
+    void massRegularization() {
+        massRegularizationIsMass<2>();
+        massRegularizationIsMass<3>();
     }
     void zeroEnergy() {
         nullFields<2>();

@@ -52,14 +52,16 @@ Vec<Dim> valueOf(const ConstraintRow& row, const Points<Dim>& field) {
     return value;
 }
 
-/// A as a dense matrix, column by column from the matrix-free product, with the solver's inertia if asked.
+/// A as a dense matrix, column by column from the matrix-free product, with the solver's mass regularization
+/// if asked.
 template <int Dim>
 Eigen::MatrixXd denseMatrix(const SimplicialMesh<Dim>& mesh, const Material<Dim>& material,
-                            const Points<Dim>& shape, double inertia = 0) {
+                            const Points<Dim>& shape, double massRegularization = 0) {
     const bool smoothing = material.smoothing.kind != SmoothingKind::None;
     const auto plan = std::make_shared<const AssemblyPlan<Dim>>(makeAssemblyPlan(mesh, smoothing));
     const auto backEnd = makeCpuBackEnd<Dim>(plan, mesh, material, 1);
-    if (inertia > 0) backEnd->setInertia(std::vector<double>(mesh.cells.size(), inertia));
+    if (massRegularization > 0)
+        backEnd->setMassRegularization(std::vector<double>(mesh.cells.size(), massRegularization));
     backEnd->setShape(shape);
     const int n = Dim * mesh.vertexCount();
     Eigen::MatrixXd A(n, n);

@@ -128,7 +128,7 @@ void partsAreIndependent() {
     QVERIFY(v.middleCols(n, n).isZero(0));  // nothing pulls the other part
     QVERIFY(v.col(2 * n).isZero(0));        // nor the vertex without cells
 
-    // The inertia of the free part does not touch the other: alone it moves the same.
+    // The mass regularization of the free part does not touch the other: alone it moves the same.
     SimplicialMesh<Dim> alone{mesh.points.leftCols(n),
                               {mesh.cells.begin(), mesh.cells.begin() + mesh.cellCount() / 2}};
     auto single = solverOf<Dim>(alone);

@@ -362,14 +362,14 @@ void compareBackEnds() {
             std::make_shared<const AssemblyPlan<Dim>>(makeAssemblyPlan(mesh, kind != SmoothingKind::None));
         const auto fast = makeCpuBackEnd<Dim>(plan, mesh, material, 1),
                    reference = makeGeneralBackEnd<Dim>(plan, mesh, material, 1);
-        std::vector<double> inertia(mesh.cells.size(), 0.0);
-        inertia[3] = 0.5;
+        std::vector<double> massRegularization(mesh.cells.size(), 0.0);
+        massRegularization[3] = 0.5;
         const Points<Dim> shape = mesh.points + 0.01 * randomField<Dim>(random, mesh.vertexCount());
         const Points<Dim> v = randomField<Dim>(random, mesh.vertexCount());
         std::vector<double> a(static_cast<std::size_t>(plan->blockCount()) * Dim * Dim), b(a.size());
         Points<Dim> x, y;
         for (const auto& backEnd : {fast.get(), reference.get()}) {
-            backEnd->setInertia(inertia);
+            backEnd->setMassRegularization(massRegularization);
             QCOMPARE(backEnd->setShape(shape), -1);
         }
         fast->assemble(a);

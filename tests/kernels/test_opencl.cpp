@@ -58,10 +58,10 @@ struct Pair {
         plan = std::make_shared<const AssemblyPlan<Dim>>(makeAssemblyPlan(rest, kind != SmoothingKind::None));
         cpu = makeCpuBackEnd<Dim>(plan, rest, material, 1);
         opencl = makeOpenClBackEnd<Dim>(device(), plan, rest, material, 1);
-        std::vector<double> inertia(static_cast<std::size_t>(rest.cellCount()), 0.0);
-        inertia[0] = 1e-4;
-        cpu->setInertia(inertia);
-        opencl->setInertia(inertia);
+        std::vector<double> massRegularization(static_cast<std::size_t>(rest.cellCount()), 0.0);
+        massRegularization[0] = 1e-4;
+        cpu->setMassRegularization(massRegularization);
+        opencl->setMassRegularization(massRegularization);
     }
 };
 
@@ -160,7 +160,9 @@ class LostDevice final : public BackEnd<Dim> {
     std::string name() const override { return m_device->name(); }
     std::string device() const override { return m_device->device(); }
     WorkerPool& workers() override { return m_device->workers(); }
-    void setInertia(std::vector<double> epsilon) override { use().setInertia(std::move(epsilon)); }
+    void setMassRegularization(std::vector<double> epsilon) override {
+        use().setMassRegularization(std::move(epsilon));
+    }
     int setShape(const Points<Dim>& shape) override { return use().setShape(shape); }
     void assemble(std::span<double> values) override { use().assemble(values); }
     void apply(const Points<Dim>& v, Points<Dim>& Av) override { use().apply(v, Av); }
@@ -196,9 +198,9 @@ void TestOpenCl::failingDeviceIsReplaced() {
         const auto failsafe = makeFailsafe<2>(std::move(lost), makeCpu,
                                               [&](const std::string& text) { notices.push_back(text); });
         const auto reference = makeCpu();
-        const std::vector<double> inertia(static_cast<std::size_t>(pair.rest.cellCount()), 1e-3);
+        const std::vector<double> massRegularization(static_cast<std::size_t>(pair.rest.cellCount()), 1e-3);
         for (auto* backEnd : {failsafe.get(), reference.get()}) {
-            backEnd->setInertia(inertia);
+            backEnd->setMassRegularization(massRegularization);
             QCOMPARE(backEnd->setShape(pair.shape), -1);
         }
         std::vector<double> a(static_cast<std::size_t>(pair.plan->blockCount()) * 4), b(a.size());

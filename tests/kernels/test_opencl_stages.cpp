@@ -106,7 +106,7 @@ struct Bending {
                sizeof(double);
     }
     /// Comes with the constraints.
-    std::size_t inertia() const { return plan->cellCount() * sizeof(double); }
+    std::size_t massRegularization() const { return plan->cellCount() * sizeof(double); }
     /// The energy of the last field, which the report tells.
     std::size_t energies() const { return plan->cellCount() * sizeof(double); }
 
@@ -134,7 +134,7 @@ void checkDirect(Method method) {
     // Dormand–Prince's last stage is the next step's first: no sum needs that of the last step.
     const std::size_t slopes = evaluations - (method == Method::DormandPrince ? 1 : 0);
     const std::size_t up = bending.vector() * (products + slopes + steps + 1);  // 1: for the energy
-    QCOMPARE(counts.copied.toDevice - before.toDevice, up + bending.inertia());
+    QCOMPARE(counts.copied.toDevice - before.toDevice, up + bending.massRegularization());
     const std::size_t down = bending.vector() * (products + attempts) + bending.values() * evaluations +
                              bending.foldedCells() * evaluations + bending.energies();
     const std::size_t norms = counts.copied.fromDevice - before.fromDevice - down;
@@ -159,7 +159,7 @@ void checkIterations() {
     QVERIFY(factors < evaluations);
     // A run of iterations begins with one product more than it has iterations; where a stale factor did not
     // do, there are two runs.
-    const std::size_t up = counts.copied.toDevice - before.toDevice - bending.inertia();
+    const std::size_t up = counts.copied.toDevice - before.toDevice - bending.massRegularization();
     const std::size_t fewest = vector * (iterations + evaluations + 4 * steps + steps + 1);
     QVERIFY2(up >= fewest && up <= fewest + vector * factors && (up - fewest) % vector == 0,
              qPrintable(QString("%1 vectors up, at least %2").arg(up / vector).arg(fewest / vector)));
@@ -219,7 +219,9 @@ class LostDevice final : public BackEnd<Dim> {
     std::string name() const override { return m_device->name(); }
     std::string device() const override { return m_device->device(); }
     WorkerPool& workers() override { return m_device->workers(); }
-    void setInertia(std::vector<double> epsilon) override { use().setInertia(std::move(epsilon)); }
+    void setMassRegularization(std::vector<double> epsilon) override {
+        use().setMassRegularization(std::move(epsilon));
+    }
     int setShape(const Points<Dim>& shape) override { return use().setShape(shape); }
     StageVectors<Dim>& stages() override { return m_stages; }
     int setStage() override { return use().setStage(); }
