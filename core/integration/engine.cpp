@@ -355,9 +355,10 @@ void Deformer<Dim>::Engine::measureError(double t) {
 }
 
 /// Dense output knows nothing of cells: a shape in which one would fold over goes towards the end of the step
-/// that is nearer.
+/// that is nearer, and its constrained points back to where they are at the time t. If that does not help
+/// either, it is that end.
 template <int Dim>
-void Deformer<Dim>::Engine::unfold(Points<Dim>& shape, const Points<Dim>& end) const {
+void Deformer<Dim>::Engine::unfold(double t, Points<Dim>& shape, const Points<Dim>& end) {
     constexpr int kHalvings = 8;
     for (int k = 0; firstInverted(shape) >= 0; ++k) {
         if (k == kHalvings) {
@@ -365,6 +366,7 @@ void Deformer<Dim>::Engine::unfold(Points<Dim>& shape, const Points<Dim>& end) c
             return;
         }
         shape = 0.5 * (shape + end);
+        project(t, shape);
     }
 }
 
@@ -385,7 +387,7 @@ void Deformer<Dim>::Engine::emitFrames(double from, double to) {
     for (; m_frame < times.size() && times[m_frame] < to; ++m_frame) {
         Points<Dim> shape = method().at(times[m_frame], endField);
         project(times[m_frame], shape);
-        unfold(shape, 2 * times[m_frame] < from + to ? state.normalized : m_next);
+        unfold(times[m_frame], shape, 2 * times[m_frame] < from + to ? state.normalized : m_next);
         State<Dim> frame;
         frame.time = times[m_frame];
         frame.points = inDomain(shape);

@@ -73,7 +73,7 @@ struct Deformer<Dim>::Engine {
 
     // Around them
     void emitFrames(double from, double to);
-    void unfold(Points<Dim>& shape, const Points<Dim>& end) const;
+    void unfold(double t, Points<Dim>& shape, const Points<Dim>& end);
     void measureError(double t);
     int fastestPoint() const;
     int nearestPoint(const Vec<Dim>& place) const;
