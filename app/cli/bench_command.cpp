@@ -1,10 +1,13 @@
+#include <algorithm>
 #include <cstdio>
+#include <filesystem>
 
 #include "app/bench/bench.h"
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
 #include "app/document/text_file.h"
 #include "app/session/output_set.h"
+#include "core/mesh/error.h"
 
 namespace wend {
 
@@ -12,6 +15,10 @@ ExitCode runBench(const Arguments& arguments) {
     const std::string output = arguments.text("--output");
     requirePlaces({output});
     const std::string folder = arguments.text("--keep");
+    if (!folder.empty() && std::ranges::find(arguments.files(), "paper") == arguments.files().end())
+        throw UsageError("--keep is for the case paper");
+    if (!folder.empty() && !std::filesystem::is_directory(folder))
+        throw InputError(folder, "is no folder that is there");
     const Interrupt interrupt;
     BenchOptions options;
     options.cases = arguments.files();

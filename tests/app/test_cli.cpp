@@ -97,6 +97,8 @@ void TestCli::helps() {
     }
     QVERIFY(run({"run", "--help"}).out.contains("--tolerance X"));
     QVERIFY(run({"bench", "--help"}).out.contains("paper"));
+    QCOMPARE(run({"bench", "warp", "--keep", path()}).code, 2);
+    QCOMPARE(run({"bench", "paper", "--keep", "nowhere"}).code, 3);
 }
 
 /// docs/reference.md is what `wend reference` prints: write it anew with that when the table of options
