@@ -1,3 +1,4 @@
+#include <QTemporaryDir>
 #include <QTest>
 #include <limits>
 
@@ -16,6 +17,7 @@ class TestCommands : public QObject {
     void undoAndRedoSkipNothing();
     void stepsOfOneKeyMerge();
     void noMergeAcrossASave();
+    void savedUnderAnotherNameItIsThat();
     void firstPinsAreThereFromTheStart();
     void laterPinsBeginAtTheEnd();
     void removedPinsThatActedAreLetGo();
@@ -23,7 +25,9 @@ class TestCommands : public QObject {
     void laterStrokesReplaceWhatCame();
     void cutMotionsGoTheSameWay_data();
     void cutMotionsGoTheSameWay();
+    void cutSplinesRunAlongTheWholeOnes();
     void anotherLengthIsTheSameMotion();
+    void settlingKeepsItsPlace();
     void longerStrokesKeepOneMotion();
     void simplifiedStaysWithinTolerance();
     void firstDifference_data();
@@ -105,6 +109,28 @@ void TestCommands::noMergeAcrossASave() {
     QVERIFY(document.isModified());
 }
 
+void TestCommands::savedUnderAnotherNameItIsThat() {
+    const QTemporaryDir folder;
+    Document document;
+    Project bar = withPins(1);
+    bar.domain.kind = DomainKind::Image;
+    bar.domain.path = "bar.png";
+    open(document, bar);
+    for (const char* name : {"one.wend", "two.wend"}) {
+        setPhi(document, name[0] == 'o' ? 0.5 : 0.75, {});
+        document.save(folder.filePath(name));
+        QCOMPARE(document.path(), folder.filePath(name));
+        QCOMPARE(document.displayName(), QString(name));
+        QVERIFY(!document.isModified());
+    }
+    const auto phiOf = [&](const char* name) {
+        const Project saved = readProject(folder.filePath(name).toStdString()).project;
+        return std::get<Design<2>>(saved.design).material.phi;
+    };
+    QCOMPARE(phiOf("one.wend"), 0.5);
+    QCOMPARE(phiOf("two.wend"), 0.75);
+}
+
 void TestCommands::firstPinsAreThereFromTheStart() {
     const Project project = withPins(2);
     QCOMPARE(handlesOf(project).size(), std::size_t(2));
@@ -150,6 +176,10 @@ void TestCommands::filmsKeepTheirLength() {
     QCOMPARE(handlesOf(thrice)[0].motions.at(0).end, 7.0 / 28);
     QCOMPARE(handlesOf(thrice)[0].motions.at(1).end, 21.0 / 28);
     QCOMPARE(handlesOf(thrice)[1].motions.at(1).end, 1.0);
+    // A turn goes as far as what it turns: 0.7 radians, 10 from its centre.
+    const Gesture turn{{0}, {Grip::Kind::Turn}, {Amount(0, 0, 0), Amount(0.7, 0, 0)}, 1, 10};
+    const Project turned = withGesture<2>(once, turn, {{3, 9}});
+    QVERIFY(std::abs(handlesOf(turned)[0].motions.at(0).end - 0.5) < 1e-12);
 }
 
 /// What lies before the time that is shown keeps its way, what came after it goes; pins are not lost.
@@ -205,6 +235,29 @@ void TestCommands::cutMotionsGoTheSameWay() {
     QVERIFY(handle.motions.empty());
 }
 
+/// Their times are others, their way is not.
+void TestCommands::cutSplinesRunAlongTheWholeOnes() {
+    Motion<2> motion;
+    motion.start = 0, motion.end = 1;
+    motion.kind = CurveMotion<2>{
+        Interpolation::Spline, {{0, 0}, {10, 0}, {10, 10}, {30, 10}, {35, -5}}, FrameKind::None, 0, 1};
+    const Trajectory<2> whole(motion);
+    std::vector<Vec<2>> way;
+    for (int i = 0; i <= 20000; ++i) way.push_back(whole.at(i / 20000.0).position(Vec<2>(0, 0)));
+    for (const double end : {0.2, 0.55, 0.8}) {
+        Handle<2> handle;
+        handle.motions = {motion};
+        endMotionsAt(handle, end);
+        const Trajectory<2> cut(handle.motions.at(0));
+        for (int i = 0; i <= 40; ++i) {
+            const Vec<2> p = cut.at(end * i / 40).position(Vec<2>(0, 0));
+            double nearest = std::numeric_limits<double>::infinity();
+            for (const Vec<2>& q : way) nearest = std::min(nearest, (p - q).norm());
+            QVERIFY2(nearest < 0.01, qPrintable(QString("%1 %2: %3").arg(end).arg(i).arg(nearest)));
+        }
+    }
+}
+
 void TestCommands::anotherLengthIsTheSameMotion() {
     Project project = withStroke(withPins(2), {0}, {{0, 5}}, {{0, 0}, {1, 0}});
     project = withStroke(project, {1}, {{10, 5}}, {{0, 0}, {0, 2}});
@@ -220,6 +273,21 @@ void TestCommands::anotherLengthIsTheSameMotion() {
     QCOMPARE(wend::firstDifference(handlesOf(project), handlesOf(other), before),
              handlesOf(other)[1].motions[1].start);
     QVERIFY(wend::firstDifference(handlesOf(project), handlesOf(other)) < 0.5);
+}
+
+/// Behind the motion that it follows, whatever comes later, and as long as its share of the film.
+void TestCommands::settlingKeepsItsPlace() {
+    Project project = withStroke(withPins(2), {0}, {{0, 5}}, {{0, 0}, {10, 0}});
+    appendSettling(project, 1);
+    QVERIFY((project.settle == std::vector<SettleWindow>{{1, 2}}));
+    const Project longer = withLength(project, 6);
+    QVERIFY((longer.settle == std::vector<SettleWindow>{{3, 6}}));
+    const Project next = withStroke(project, {1}, {{10, 5}}, {{0, 0}, {0, 10}});
+    QCOMPARE(next.end, 2.0);
+    QCOMPARE(next.settle.size(), std::size_t(1));
+    QCOMPARE(next.settle[0].start, handlesOf(next)[0].motions[0].end);
+    QCOMPARE(next.settle[0].end, handlesOf(next)[1].motions[0].start);
+    QVERIFY(next.settle[0].end < 1.5);
 }
 
 void TestCommands::longerStrokesKeepOneMotion() {

@@ -222,6 +222,30 @@ class TestConstraints : public QObject {
                  .empty());
     }
 
+    /// Two ways of one point that differ a little, or from a later time on only.
+    template <int Dim>
+    void smallContradictionsAreSeen() {
+        const Vec<Dim> p = along<Dim>(0.3, 0.4), centre = along<Dim>(0.1, 0.1);
+        const auto together = [&](const Motion<Dim>& one, const Motion<Dim>& other) {
+            return contradiction<Dim>(
+                {handle<Dim>("a", at<Dim>({p}), {one}), handle<Dim>("b", at<Dim>({p}), {other})});
+        };
+        const auto move = [](double x, double y) { return translate<Dim>(along<Dim>(x, y), 0, 1); };
+        for (const double by : {1e-2, 1e-4, 1e-6}) {
+            QVERIFY(!together(move(0.1, 0), move(0.1 * (1 + by), 0)).empty());
+            QVERIFY(!together(move(0.1, 0), move(0.1, 0.1 * by)).empty());
+        }
+        QVERIFY(together(move(0.1, 0), move(0.1 * (1 + 1e-9), 0)).empty());
+        // A straight way along the tangent of a turn, by as much.
+        Motion<Dim> turn{Rotate<Dim>{centre, Vec<Dim>::Unit(Dim - 1), 1}};
+        turn.start = 0, turn.end = 1;
+        const Vec<Dim> arm = p - centre;
+        Vec<Dim> tangent = Vec<Dim>::Zero();
+        tangent.template head<2>() << -arm.y(), arm.x();
+        const std::string reason = together(turn, translate<Dim>(tangent, 0, 1));
+        QVERIFY(has(reason, {"different ways at time 0."}));
+    }
+
     /// What counts is the time for which both act; a handle that takes over starts where the other has
     /// brought the point.
     template <int Dim>
@@ -259,6 +283,8 @@ class TestConstraints : public QObject {
     void anchorsAreAdopted3() { anchorsAreAdopted<3>(); }
     void contradictionsNameBoth2() { contradictionsNameBoth<2>(); }
     void contradictionsNameBoth3() { contradictionsNameBoth<3>(); }
+    void smallContradictionsAreSeen2() { smallContradictionsAreSeen<2>(); }
+    void smallContradictionsAreSeen3() { smallContradictionsAreSeen<3>(); }
     void contradictionsInTime2() { contradictionsInTime<2>(); }
     void contradictionsInTime3() { contradictionsInTime<3>(); }
 };

@@ -88,6 +88,11 @@ void flipsAreCounted() {
     const auto d = distortion<Dim>(mesh, pose);
     QCOMPARE(d.flips, mesh.cellCount());
     QVERIFY(std::abs(d.minDet + 1) < 1e-12);
+    // A cell without area has no inverse either.
+    pose.row(0).setZero();
+    const auto flat = distortion<Dim>(mesh, pose);
+    QCOMPARE(flat.flips, mesh.cellCount());
+    QCOMPARE(flat.minDet, 0.0);
 }
 
 }  // namespace

@@ -44,6 +44,7 @@ Glb readGlb(const QString& path) {
     if (bytes.left(4) != "glTF" || word(4) != 2 || word(8) != static_cast<quint32>(bytes.size())) return {};
     const int textLength = static_cast<int>(word(12));
     const int binaryAt = 20 + textLength;
+    if (textLength % 4 != 0 || word(binaryAt) % 4 != 0) return {};  // chunks begin at words
     if (bytes.mid(16, 4) != "JSON" || bytes.mid(binaryAt + 4, 3) != "BIN") return {};
     return {QJsonDocument::fromJson(bytes.mid(20, textLength)).object(),
             bytes.mid(binaryAt + 8, static_cast<int>(word(binaryAt)))};
@@ -75,9 +76,13 @@ GltfScene bendingBox() {
 }  // namespace
 
 void TestGltf::containerIsWellFormed() {
-    const GltfScene scene = bendingBox();
+    GltfScene scene = bendingBox();
     const QString path = m_folder.filePath("box.glb");
-    writeGltf(path.toStdString(), scene);
+    for (const char* name : {"a", "bc", "def", "ghij"}) {  // of every length to a whole word
+        scene.name = name;
+        writeGltf(path.toStdString(), scene);
+        QVERIFY2(!readGlb(path).json.isEmpty(), name);
+    }
     const Glb glb = readGlb(path);
     QCOMPARE(glb.json["asset"].toObject()["version"].toString(), QString("2.0"));
     QCOMPARE(glb.json["buffers"].toArray()[0].toObject()["byteLength"].toInt(),

@@ -92,6 +92,22 @@ void nearRowsAreTold() {
     QCOMPARE(dependentRows({fixed(0), pointNear(1e-14)}).size(), std::size_t{1});
 }
 
+/// Solved for the corner that counts most: nothing is divided by the weight of one that hardly counts.
+void pivotIsTheLargest() {
+    std::array<double, 4> weights = {1e-9, 0.1, 0.2, 0.7 - 1e-9};
+    std::sort(weights.begin(), weights.end());
+    do {
+        ConstraintRow row;
+        for (int k = 0; k < 4; ++k) row.terms.emplace_back(k, weights[static_cast<std::size_t>(k)]);
+        const auto pivots = eliminate({row}).pivots;
+        QCOMPARE(pivots.size(), std::size_t{1});
+        const auto largest = std::max_element(weights.begin(), weights.end());
+        QCOMPARE(pivots[0].vertex, int(largest - weights.begin()));
+        for (const auto& [vertex, weight] : pivots[0].free)
+            QCOMPARE(weight, weights[static_cast<std::size_t>(vertex)] / *largest);
+    } while (std::next_permutation(weights.begin(), weights.end()));
+}
+
 template <int Dim>
 void dependentRowsDoNoHarm() {
     std::mt19937 random(2);
@@ -273,6 +289,7 @@ class TestSolverConstraints : public QObject {
 
   private slots:
     void combination() { findsCombination(); }
+    void pivots() { pivotIsTheLargest(); }
     void dependence() {
         countsDependentRows<2>();
         countsDependentRows<3>();

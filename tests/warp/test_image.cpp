@@ -293,6 +293,27 @@ class TestImage : public QObject {
     }
 
     /// The same picture makes the same file on another day: no library puts the time of writing in.
+    /// The place in a larger frame that the source's file gave it, for a picture of its size.
+    void windowSurvives() {
+        auto metadata = std::make_shared<Image::Metadata>();
+        metadata->spec = OIIO::ImageSpec(20, 16, 4, OIIO::TypeDesc::HALF);
+        metadata->spec.x = 3, metadata->spec.y = 5;
+        metadata->spec.full_x = -2, metadata->spec.full_y = 1;
+        metadata->spec.full_width = 40, metadata->spec.full_height = 30;
+        for (const int width : {20, 21}) {
+            Image image = chart(width, 16, {PixelType::Half, 4, true, false});
+            image.metadata = metadata;
+            writeImage(path("window.exr"), image);
+            const auto input = OIIO::ImageInput::open(path("window.exr"));
+            QVERIFY(input);
+            const OIIO::ImageSpec& is = input->spec();
+            const std::array found = {is.x, is.y, is.full_x, is.full_y, is.full_width, is.full_height};
+            if (width == 20)
+                QCOMPARE(found, (std::array{3, 5, -2, 1, 40, 30}));
+            else
+                QCOMPARE(found, (std::array{0, 0, 0, 0, width, 16}));
+        }
+    }
     void filesAreNotDated_data() {
         QTest::addColumn<QString>("extension");
         for (const char* extension : {"png", "tif", "exr", "jpg", "webp", "bmp", "tga", "jp2", "ppm", "hdr"})

@@ -159,6 +159,39 @@ class TestOutline : public QObject {
         QVERIFY(std::abs(std::sqrt(areaOf(outline) / pi) - 33.37) < 0.02);
     }
 
+    /// Of an edge that is soft over twenty pixels the threshold says where.
+    void thresholdMovesTheEdge() {
+        const Alpha soft = [](double x, double y) {
+            return std::clamp(0.5 + (40 - std::hypot(x - 64, y - 64)) / 20, 0.0, 1.0);
+        };
+        const Image image = picture(128, 128, soft, PixelType::Float);
+        for (const double threshold : {0.2, 0.5, 0.8}) {
+            AlphaOutlineOptions options = plain();
+            options.threshold = threshold;
+            const double radius = 40 + 20 * (0.5 - threshold), disc = std::numbers::pi * radius * radius;
+            QVERIFY(std::abs(areaOf(outlineFromAlpha(image, options)) / disc - 1) < 5e-3);
+        }
+    }
+
+    /// Two pixels that meet in a corner are one part if what lies between them is inside in the mean.
+    void cornersJoinByTheirMean() {
+        for (const double between : {0.1, 0.3}) {
+            const Image image = picture(
+                8, 8,
+                [between](double x, double y) {
+                    const bool left = x > 3 && x<4, right = x> 4 && x < 5;
+                    const bool top = y > 3 && y<4, bottom = y> 4 && y < 5;
+                    if ((left && top) || (right && bottom)) return 1.0;
+                    return (left && bottom) || (right && top) ? between : 0.0;
+                },
+                PixelType::Float);
+            AlphaOutlineOptions options = plain();
+            options.threshold = 0.6;  // 2 (1 − 0.6) + 2 (between − 0.6) is 0 at 0.2
+            options.smallest = 0;
+            QCOMPARE(outlineFromAlpha(image, options).loops.size(), std::size_t(between > 0.2 ? 1 : 2));
+        }
+    }
+
     void marginGrowsByThatMuch_data() {
         QTest::addColumn<double>("margin");
         for (double margin : {0.5, 2.0, 7.25}) QTest::addRow("%g", margin) << margin;

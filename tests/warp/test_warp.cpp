@@ -1,6 +1,7 @@
 #include <QDir>
 #include <QTemporaryDir>
 #include <QTest>
+#include <complex>
 #include <numbers>
 
 #include "core/mesh/error.h"
@@ -42,6 +43,8 @@ class TestWarp : public QObject {
     void halvingsWeightColoursByAlpha();
     void colourStaysBelowItsAlpha();
     void minifiedFinePatternTurnsGrey();
+    void minifiedCoarsePatternStays();
+    void squeezedPatternTurnsGrey();
     void collapsedShapeEnds();
     void stMapOfIdentity();
     void stMapForwardAndInverse();
@@ -405,6 +408,12 @@ void TestWarp::outsideModes() {
     const Image coloured = warpImage(source, mesh, mesh.points, kView, options);
     QCOMPARE(valueAt<std::uint8_t>(coloured, 5, 5, 0), std::uint8_t(255));
     QCOMPARE(valueAt<std::uint8_t>(coloured, 5, 5, 1), std::uint8_t(128));
+    options.colour = {0.25F, 0.125F, 0, 0.5F};  // associated, in a picture that is not
+    const Image veiled = warpImage(source, mesh, mesh.points, kView, options);
+    QVERIFY(veiled.unassociated);
+    QCOMPARE(valueAt<std::uint8_t>(veiled, 5, 5, 0), std::uint8_t(128));
+    QCOMPARE(valueAt<std::uint8_t>(veiled, 5, 5, 1), std::uint8_t(64));
+    QCOMPARE(valueAt<std::uint8_t>(veiled, 5, 5, 3), std::uint8_t(128));
     options.outside = Outside::Original;
     QVERIFY(warpImage(source, mesh, mesh.points, kView, options).data == source.data);
     options.outside = Outside::Clamp;
@@ -581,6 +590,56 @@ void TestWarp::minifiedFinePatternTurnsGrey() {
             for (int x = 4; x < size - 4; ++x)
                 QVERIFY(std::abs(valueAt<std::uint8_t>(small, x, y, 0) - 127.5) <= 4);
     }
+}
+
+namespace {
+
+/// Lines across x: half of full scale and a sine around it.
+Image lines(int size, double period) {
+    Image image = plainPicture(size, size, {0});
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x)
+            image.row(y)[x] = static_cast<std::byte>(
+                std::lround(127.5 + 100 * std::sin(2 * std::numbers::pi * (x + 0.5) / period)));
+    return image;
+}
+
+}  // namespace
+
+/// To a quarter: a pixel is the mean of four, which leaves sin(π/6) / (π/6) = 0.955 of a wave of 24.
+void TestWarp::minifiedCoarsePatternStays() {
+    const Image source = lines(256, 24);
+    const auto mesh = rectangle({0, 0}, {256, 256}, 4);
+    for (const auto& [filter, least] :
+         {std::pair(Filter::Bilinear, 0.93), {Filter::Bicubic, 0.93}, {Filter::Ewa, 0.8}}) {
+        WarpOptions options;
+        options.filter = filter;
+        const Image small = warpImage(source, mesh, mesh.points, {64, 64, Vec<2>::Zero(), 4}, options);
+        std::complex<double> sum = 0;
+        for (int x = 2; x < 62; ++x)  // ten waves
+            sum +=
+                (valueAt<std::uint8_t>(small, x, 32, 0) - 127.5) * std::polar(1.0, x * std::numbers::pi / 3);
+        const double left = std::abs(sum) / 30 / 100;
+        QVERIFY2(left > least && left < 0.98, qPrintable(QString("%1: %2").arg(int(filter)).arg(left)));
+    }
+}
+
+/// Of lines that are squeezed together the elliptical filter leaves nothing, of lines along the way all.
+void TestWarp::squeezedPatternTurnsGrey() {
+    const Image source = lines(256, 3);
+    const auto mesh = rectangle({0, 0}, {256, 256}, 4);
+    Points<2> across = mesh.points, along = mesh.points;
+    across.row(0) /= 4;
+    along.row(1) /= 4;
+    const View view{256, 256, Vec<2>::Zero(), 1};
+    const Image grey = warpImage(source, mesh, across, view), sharp = warpImage(source, mesh, along, view);
+    double least = 255, most = 0;
+    for (int x = 6; x < 58; ++x) {
+        QVERIFY(std::abs(valueAt<std::uint8_t>(grey, x, 100, 0) - 127.5) <= 8);
+        least = std::min<double>(least, valueAt<std::uint8_t>(sharp, x, 30, 0));
+        most = std::max<double>(most, valueAt<std::uint8_t>(sharp, x, 30, 0));
+    }
+    QVERIFY2(most - least > 60, qPrintable(QString::number(most - least)));
 }
 
 void TestWarp::stMapOfIdentity() {
