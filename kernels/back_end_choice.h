@@ -5,12 +5,13 @@
 #include <string>
 
 #include "core/assembly/back_end.h"
-#include "core/energy/distortion.h"
 #include "kernels/device_failure.h"
 #include "kernels/opencl_devices.h"
-#include "warp/warp.h"
+#include "warp/cell_painter.h"
 
 namespace wend {
+
+struct Distortion;
 
 /// What several makers of the same choice share: the open device, once one of them needed it.
 class SharedDevice {

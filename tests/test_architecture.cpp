@@ -10,6 +10,8 @@ class TestArchitecture : public QObject {
     void includesGoOneWay();
     void coreKnowsNoQtAndNoOpenCl();
     void everyFolderIsKnown();
+    void headersRebuildFewFiles_data();
+    void headersRebuildFewFiles();
 };
 
 namespace {
@@ -65,6 +67,25 @@ QList<Include> includesBelow(const QString& folder) {
     return found;
 }
 
+/// The source files that include a header, by way of other headers too.
+QSet<QString> rebuiltBy(const QString& header) {
+    QMultiMap<QString, QString> includers;
+    for (const QString top : {"core", "kernels", "warp", "app", "tests"})
+        for (const Include& include : includesBelow(top)) {
+            const QString beside = include.file.left(include.file.lastIndexOf('/') + 1) + include.target;
+            includers.insert(include.target.contains('/') ? include.target : beside, include.file);
+        }
+    QSet<QString> seen{header};
+    for (QStringList open{header}; !open.isEmpty();)
+        for (const QString& file : includers.values(open.takeFirst()))
+            if (!seen.contains(file)) {
+                seen.insert(file);
+                open << file;
+            }
+    seen.removeIf([](const QString& file) { return !file.endsWith(QStringLiteral(".cpp")); });
+    return seen;
+}
+
 bool isOurs(const QString& target) {
     static const QRegularExpression ours(QStringLiteral("^(core|kernels|warp|app)/"));
     return ours.match(target).hasMatch();
@@ -105,6 +126,26 @@ void TestArchitecture::everyFolderIsKnown() {
     for (const QString top : {"core", "kernels", "warp", "app"})
         for (const Include& include : includesBelow(top))
             QVERIFY2(kAllowed.contains(folderOf(include.file)), qPrintable(include.file));
+}
+
+void TestArchitecture::headersRebuildFewFiles_data() {
+    QTest::addColumn<QString>("header");
+    QTest::addColumn<int>("most");
+    QTest::newRow("distortion") << "core/energy/distortion.h" << 40;
+    QTest::newRow("warp") << "warp/warp.h" << 30;
+    QTest::newRow("mesh file") << "core/mesh/mesh_file.h" << 65;
+    QTest::newRow("options") << "app/document/options.h" << 60;
+    QTest::newRow("settings") << "app/document/settings.h" << 30;
+    QTest::newRow("mesh formats") << "core/mesh/mesh_formats.h" << 40;
+}
+
+/// A change of one of these costs that many files; a header that only names what they declare declares it
+/// itself.
+void TestArchitecture::headersRebuildFewFiles() {
+    QFETCH(QString, header);
+    QFETCH(int, most);
+    const auto count = rebuiltBy(header).size();
+    QVERIFY2(count > 3 && count <= most, qPrintable(QString::number(count)));
 }
 
 QTEST_APPLESS_MAIN(TestArchitecture)

@@ -7,35 +7,12 @@
 #include <vector>
 
 #include "core/mesh/simplicial_mesh.h"
+#include "warp/cell_painter.h"
 #include "warp/image.h"
 #include "warp/pyramid.h"
+#include "warp/sampling.h"
 
 namespace wend {
-
-enum class Filter { Nearest, Bilinear, Bicubic, Ewa };
-enum class Outside { Transparent, Clamp, Colour, Original };
-
-/// An axis-aligned window onto the warped plane: pixel (i, j) of the output has its centre at
-/// origin + ((i + 0.5) · scale, (j + 0.5) · scale) in the picture's coordinates.
-struct View {
-    int width = 0, height = 0;
-    Vec<2> origin = Vec<2>::Zero();
-    double scale = 1;
-};
-
-struct WarpJob;
-
-/// Paints the cells of a warp in the place of the processor's cores, strip by strip.
-class CellPainter {
-  public:
-    virtual ~CellPainter() = default;
-    /// Paints what the cells cover, by the pixels' centres; the rest stays zero. `strip` begins at row `top`
-    /// of the output. False if it cannot: the processor then does this strip and all later ones.
-    virtual bool paint(const WarpJob& job, int top, Image& strip) = 0;
-};
-
-/// Makes one for a warp whose cells are known; nothing if it cannot.
-using MakeCellPainter = std::function<std::unique_ptr<CellPainter>(const WarpJob&)>;
 
 struct WarpOptions {
     Filter filter = Filter::Ewa;

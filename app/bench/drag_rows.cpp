@@ -46,7 +46,7 @@ class Screen {
         auto frame = std::make_shared<PosedFrame<2>>();
         frame->rest = m_rest;
         frame->pose = kScale * pose;
-        frame->distortion = std::move(distortion);
+        frame->distortion = std::make_shared<const Distortion>(std::move(distortion));
         m_request.range = rangeOf(cellValues<2>(*frame, m_request.measure), m_request.measure);
         m_request.frame = std::move(frame);
         if (RenderThread::render(m_request).isNull()) throw std::runtime_error("nothing was drawn");

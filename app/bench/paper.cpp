@@ -10,6 +10,7 @@
 #include "app/document/json_text.h"
 #include "app/document/text_file.h"
 #include "app/session/run.h"
+#include "core/energy/distortion.h"
 #include "core/mesh/error.h"
 #include "core/mesh/mesh_file.h"
 #include "core/mesh/temporary_folder.h"

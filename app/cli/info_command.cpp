@@ -13,6 +13,7 @@
 #include "app/session/told_units.h"
 #include "core/mesh/error.h"
 #include "core/mesh/file_name.h"
+#include "core/mesh/mesh_file.h"
 #include "core/mesh/printable.h"
 #include "core/mesh/same_file.h"
 #include "core/mesh/segments.h"

@@ -9,6 +9,7 @@
 #include "app/session/mesh_rest.h"
 #include "app/session/output_set.h"
 #include "app/session/overwriting.h"
+#include "app/session/report.h"
 #include "app/session/run_options.h"
 #include "app/session/shape_file.h"
 #include "core/mesh/error.h"

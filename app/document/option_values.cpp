@@ -3,6 +3,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "app/document/options.h"
+
 namespace wend {
 
 std::string OptionValues::text(const std::string& flag) const {
@@ -12,6 +14,10 @@ std::string OptionValues::text(const std::string& flag) const {
 
 double OptionValues::number(const std::string& flag) const {
     return given(flag).value_or(defaultOf(flag));
+}
+
+int OptionValues::place(const std::string& flag) const {
+    return placeOf(option(flag), text(flag));
 }
 
 int OptionValues::integer(const std::string& flag) const {

@@ -4,8 +4,6 @@
 #include <optional>
 #include <string>
 
-#include "app/document/options.h"
-
 namespace wend {
 
 /// Values of options by their flags, as they are written on the command line: it fills them, and so do the
@@ -21,7 +19,7 @@ class OptionValues {
     /// The place of a choice in its list, as the number of an enumeration.
     template <class Enum>
     Enum choice(const std::string& flag) const {
-        return static_cast<Enum>(placeOf(option(flag), text(flag)));
+        return static_cast<Enum>(place(flag));
     }
     /// What was set, and no default.
     std::optional<double> given(const std::string& flag) const;
@@ -29,6 +27,8 @@ class OptionValues {
     bool operator==(const OptionValues&) const = default;
 
   private:
+    int place(const std::string& flag) const;
+
     std::map<std::string, std::string> m_values;
 };
 

@@ -8,6 +8,7 @@
 
 #include "app/session/energy_stops.h"
 #include "app/session/fields.h"
+#include "core/energy/distortion.h"
 
 namespace wend {
 
@@ -59,15 +60,15 @@ struct MeasureRow {
 
 template <int Dim>
 double stretch(const PosedFrame<Dim>& frame, const Points<Dim>&, int cell) {
-    return frame.distortion.metric[cell];
+    return frame.distortion->metric[cell];
 }
 template <int Dim>
 double ratio(const PosedFrame<Dim>& frame, const Points<Dim>&, int cell) {
-    return frame.distortion.ratio[cell];
+    return frame.distortion->ratio[cell];
 }
 template <int Dim>
 double angle(const PosedFrame<Dim>& frame, const Points<Dim>&, int cell) {
-    return frame.distortion.angle[cell];
+    return frame.distortion->angle[cell];
 }
 
 /// In the order of the list from which one is chosen.

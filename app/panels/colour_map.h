@@ -5,9 +5,10 @@
 #include <vector>
 
 #include "app/session/shape_session.h"
-#include "core/energy/distortion.h"
 
 namespace wend {
+
+struct Distortion;
 
 /// What is coloured over the shape: a measure of distortion, its material (φ, and how many times stiffer than
 /// elsewhere), or how fine its mesh is; of a solid also how fast it moves.

@@ -6,6 +6,7 @@
 #include <QToolButton>
 
 #include "app/panels/panel_parts.h"
+#include "core/energy/distortion.h"
 
 namespace wend {
 
@@ -121,7 +122,7 @@ void DistortionPanel::takeFrame() {
     m_totals->setEnabled(frame != nullptr);
     if (!frame) return;
     setDimension(frame->dimension);
-    showTotals(frame->distortion);
+    showTotals(*frame->distortion);
     if (!m_lock->isChecked()) {
         m_range = rangeOf(shownValues(m_session, measure()), measure(), m_dimension);
         emit mapChanged();

@@ -10,6 +10,7 @@
 #include "app/panels/jump_slider.h"
 #include "app/panels/option_field.h"
 #include "app/panels/panel_parts.h"
+#include "core/mesh/mesh_file.h"
 
 namespace wend {
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/mesh/error.h"
+#include "core/mesh/mesh_file.h"
 #include "core/mesh/used_vertices.h"
 #include "core/meshing/cage.h"
 

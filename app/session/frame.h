@@ -5,11 +5,12 @@
 #include <type_traits>
 
 #include "app/document/grip.h"
-#include "core/energy/distortion.h"
 #include "core/energy/material.h"
 #include "core/mesh/simplicial_mesh.h"
 
 namespace wend {
+
+struct Distortion;
 
 /// The shape at one time, as the compute thread hands it to the view: what does not depend on the dimension.
 /// Immutable and shared.
@@ -21,7 +22,7 @@ struct ShapeFrame {
     std::shared_ptr<const void> shape;  // the rest mesh, to tell shapes apart
     int vertices = 0, cells = 0;
     double diagonal = 0;  // the rest shape's size: of a box its diagonal (ShapeSize)
-    Distortion distortion;
+    std::shared_ptr<const Distortion> distortion;
     double growth = 1;        // area or volume against that at rest
     double pinError = 0;      // greatest distance of a pin from where it should be, in the domain's units
     double milliseconds = 0;  // that this frame took; 0 if it came from a longer run

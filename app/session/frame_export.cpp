@@ -12,6 +12,7 @@
 #include "core/mesh/error.h"
 #include "core/mesh/file_name.h"
 #include "core/mesh/safe_file.h"
+#include "warp/warp.h"
 #include "warp/warped_picture.h"
 
 namespace wend {

@@ -6,6 +6,8 @@
 
 namespace wend {
 
+struct WarpOptions;
+
 enum class ExportKind { Picture, Frames, StMap, Mesh };
 
 /// How far a shape reaches beyond the sides of its picture, in whole pixels; zeros where it does not.

@@ -6,6 +6,7 @@
 
 #include "core/mesh/disjoint_sets.h"
 #include "core/mesh/hanging_parts.h"
+#include "core/mesh/mesh_file.h"
 #include "core/mesh/simplicial_mesh.h"
 #include "core/mesh/skin.h"
 #include "core/mesh/used_vertices.h"

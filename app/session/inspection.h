@@ -4,12 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "core/mesh/mesh_file.h"
 #include "core/mesh/quality.h"
 #include "core/meshing/surface_facts.h"
 #include "core/meshing/surface_faults.h"
 
 namespace wend {
+
+struct MeshFile;
 
 /// One thing that is wrong with a mesh, and all cells (or vertices) that it is wrong with.
 struct MeshProblem {

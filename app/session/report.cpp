@@ -5,7 +5,9 @@
 
 #include "app/document/json_text.h"
 #include "app/document/options.h"
+#include "app/session/report.h"
 #include "app/session/run.h"
+#include "core/energy/distortion.h"
 
 namespace wend {
 

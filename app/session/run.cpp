@@ -8,11 +8,14 @@
 #include "app/session/depth.h"
 #include "app/session/output_set.h"
 #include "app/session/pose_file.h"
+#include "app/session/report.h"
 #include "app/session/run_options.h"
 #include "app/session/shape_file.h"
+#include "core/energy/distortion.h"
 #include "core/mesh/error.h"
 #include "core/mesh/file_name.h"
 #include "kernels/back_end_choice.h"
+#include "warp/warp.h"
 #include "warp/warped_picture.h"
 
 namespace wend {

@@ -7,8 +7,9 @@
 
 #include "app/document/project.h"
 #include "app/session/scene.h"
+#include "core/mesh/mesh_write_options.h"
 #include "core/mesh/used_vertices.h"
-#include "warp/warp.h"
+#include "warp/sampling.h"
 
 namespace wend {
 
@@ -69,22 +70,5 @@ View canvasView(const Image& picture, const Extent<2>& shapeInPixels, Canvas can
 /// The nodal velocities as rows "x,y[,z],vx,vy[,vz]" with 17 significant digits.
 template <int Dim>
 std::string velocityTable(const Points<Dim>& pose, const Points<Dim>& velocity);
-
-/// What a report tells (contract of the command line).
-struct RunFigures {
-    int vertices = 0, cells = 0, dimension = 0;
-    double time = 0, total = 0;  // reached; seconds
-    std::string backEnd, device;
-    Distortion distortion;
-    Statistics statistics;
-    double restEnergy = 0, restForce = 0;     // W, and how far the shape is from settled
-    std::optional<MeshVerdict> verdict = {};  // on cells that were made
-    std::optional<CageFacts> cage = {};       // if one carries the surface
-};
-std::string reportJson(const RunFigures& figures);
-/// {"asked", "got", "worstCell", "cellsAbove", "facets"} of a verdict, as text.
-std::string verdictJson(const MeshVerdict& verdict);
-/// "20 steps; …": how near the end is to the truth.
-std::string summaryText(const Statistics& statistics, const IntegrationOptions& integration);
 
 }  // namespace wend

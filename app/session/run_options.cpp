@@ -2,6 +2,7 @@
 
 #include "core/mesh/error.h"
 #include "warp/image_formats.h"
+#include "warp/warp.h"
 
 namespace wend {
 namespace {

@@ -9,6 +9,7 @@
 #include "app/session/mesh_rest.h"
 #include "app/session/solid.h"
 #include "core/mesh/error.h"
+#include "core/mesh/mesh_file.h"
 #include "core/mesh/segments.h"
 #include "core/mesh/used_vertices.h"
 #include "core/meshing/planar_mesher.h"

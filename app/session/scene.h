@@ -11,11 +11,12 @@
 #include "app/session/mesh_verdict.h"
 #include "core/integration/deformer.h"
 #include "core/mesh/embedding.h"
-#include "core/mesh/mesh_file.h"
 #include "core/mesh/skin.h"
 #include "warp/image.h"
 
 namespace wend {
+
+struct MeshFile;
 
 /// p ↦ A p + b: the picture's pixels of a point in the domain's coordinates.
 struct PictureMap {

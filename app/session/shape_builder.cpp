@@ -6,6 +6,7 @@
 #include "app/session/mesh_rest.h"
 #include "app/session/solid.h"
 #include "core/mesh/error.h"
+#include "core/mesh/mesh_file.h"
 
 namespace wend {
 

@@ -6,6 +6,7 @@
 #include "app/document/handle_comparison.h"
 #include "app/document/handle_edits.h"
 #include "app/session/held_border.h"
+#include "core/energy/distortion.h"
 #include "core/mesh/printable.h"
 #include "core/mesh/shape_size.h"
 
@@ -250,7 +251,7 @@ std::shared_ptr<PosedFrame<Dim>> ShapeEngineOf<Dim>::makeFrame(const BuiltPtr& s
     frame->facets = shape->facets;
     frame->material = shape->material;
     frame->pose = pose;
-    frame->distortion = distortion<Dim>(rest, pose);
+    frame->distortion = std::make_shared<const Distortion>(distortion<Dim>(rest, pose));
     frame->growth = measureOf<Dim>(rest, pose) / measureOf<Dim>(rest, rest.points);
     frame->pinError = pinError;
     return frame;

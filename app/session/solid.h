@@ -10,11 +10,12 @@
 #include "app/session/cage_facts.h"
 #include "app/session/mesh_verdict.h"
 #include "core/mesh/embedding.h"
-#include "core/mesh/mesh_file.h"
 #include "core/mesh/skin.h"
 #include "core/meshing/surface.h"
 
 namespace wend {
+
+struct MeshFile;
 
 /// What a solid's domain becomes.
 struct Solid {

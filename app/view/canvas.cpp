@@ -9,6 +9,7 @@
 #include "app/session/shape_builder.h"
 #include "app/tools/stiffness_marks.h"
 #include "app/view/overlay_painter.h"
+#include "core/energy/distortion.h"
 
 namespace wend {
 
@@ -29,7 +30,7 @@ PosedPtr<2> unbent(const Image& picture) {
     frame->dimension = 2;
     frame->rest = rest;
     frame->pose = rest->points;
-    frame->distortion = distortion<2>(*rest, rest->points);
+    frame->distortion = std::make_shared<const Distortion>(distortion<2>(*rest, rest->points));
     return frame;
 }
 
@@ -234,7 +235,7 @@ void ShapeCanvas::zoomBy(double factor) {
 
 void ShapeCanvas::showWorst() {
     const auto frame = m_session.frame<2>();
-    const int cell = frame ? worstOf(frame->distortion, m_measure).cell : -1;
+    const int cell = frame ? worstOf(*frame->distortion, m_measure).cell : -1;
     if (cell < 0) return;
     Vec<2> centre = Vec<2>::Zero();
     for (const int v : frame->rest->cells[cell]) centre += frame->pose.col(v) / 3;
@@ -308,7 +309,7 @@ void ShapeCanvas::paintEvent(QPaintEvent*) {
     painter.setRenderHint(QPainter::Antialiasing);
     if (const auto frame = m_session.frame<2>(); !m_hidden && frame) {
         if (m_map && isDistortion(m_measure))
-            overlay.worst(*frame, worstOf(frame->distortion, m_measure).cell);
+            overlay.worst(*frame, worstOf(*frame->distortion, m_measure).cell);
         if (m_marks || (m_map && m_measure == Measure::Stiffness))
             paintStiffnessMarks(painter, *this, size());
         m_layer.paint(painter, *this);

@@ -7,6 +7,7 @@
 #include "app/view/render_thread.h"
 #include "warp/convert.h"
 #include "warp/image_formats.h"
+#include "warp/warp.h"
 
 namespace wend {
 

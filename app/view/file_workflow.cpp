@@ -17,6 +17,7 @@
 #include "app/view/project_watch.h"
 #include "app/view/save_dialog.h"
 #include "core/mesh/error.h"
+#include "core/mesh/mesh_file.h"
 #include "core/mesh/printable.h"
 
 namespace wend {

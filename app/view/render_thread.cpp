@@ -5,6 +5,7 @@
 
 #include "app/view/cell_filler.h"
 #include "warp/coverage.h"
+#include "warp/warp.h"
 
 namespace wend {
 

@@ -12,6 +12,7 @@
 #include "app/session/scene.h"
 #include "app/view/screen_picture.h"
 #include "app/view/view_transform.h"
+#include "warp/sampling.h"
 
 namespace wend {
 

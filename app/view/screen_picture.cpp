@@ -4,6 +4,7 @@
 
 #include "warp/convert.h"
 #include "warp/pixels.h"
+#include "warp/warp.h"
 
 namespace wend {
 

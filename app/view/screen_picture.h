@@ -4,9 +4,11 @@
 #include <memory>
 
 #include "warp/pyramid.h"
-#include "warp/warp.h"
 
 namespace wend {
+
+struct View;
+struct WarpOptions;
 
 /// A picture in the colours of the screen: red, green, blue and alpha in 8 bits, whatever the file holds;
 /// light of half and float files is encoded as in sRGB. Alpha stays associated or not, so that a warp of it

@@ -1,4 +1,5 @@
 #include "app/view/status_fields.h"
+#include "core/energy/distortion.h"
 
 #include <QLabel>
 #include <QLocale>
@@ -132,7 +133,7 @@ void StatusFields::showFrame() {
     const bool picture = m_session.document().picture() != nullptr;
     const QString error = locale.toString(frame->pinError, 'f', 2);
     m_pinError->setText(picture ? tr("pin error %1 px").arg(error) : tr("pin error %1").arg(error));
-    const QString place = worstText(frame->distortion, m_measure, frame->dimension);
+    const QString place = worstText(*frame->distortion, m_measure, frame->dimension);
     m_worst->setText((m_measure == Measure::Area ? tr("worst %1", "a ratio") : tr("worst %1")).arg(place));
     const double change = 100 * (frame->growth - 1);
     const QString percent = (change >= 0.05 ? QStringLiteral("+") : QString()) +

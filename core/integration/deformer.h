@@ -7,7 +7,6 @@
 #include <string>
 
 #include "core/assembly/back_end.h"
-#include "core/energy/distortion.h"
 #include "core/energy/material.h"
 #include "core/integration/settling.h"
 #include "core/integration/step_method.h"

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/mesh/mesh_write_options.h"
 #include "core/mesh/simplicial_mesh.h"
 
 namespace wend {
@@ -49,23 +50,6 @@ struct MeshFile {
 /// (TetGen). Points, lines and data of other kinds are passed over; hexahedra, prisms, pyramids and curved
 /// cells are errors.
 MeshFile readMeshFile(const std::string& path);
-
-struct MeshWriteOptions {
-    enum class Encoding { Text, Binary, Compressed };
-    /// Binary where the format has it (PLY, STL, .msh, .vtk, .vtu). Compressed: .vtu, elsewhere binary. Text
-    /// has 17 significant digits; binary STL has single precision.
-    Encoding encoding = Encoding::Text;
-    bool bigEndian = false;  // PLY; the others have their own order
-    bool appended = false;   // .vtu, not as text: data as raw bytes behind the XML instead of base64 in it
-    int gmshVersion = 4;     // 4 writes 4.1, 2 writes 2.2
-    /// The triangles of a volume's border as cells beside its tetrahedra, made where there are none. Without:
-    /// those that the input had, in every format; those that were made with the cells, in formats for solvers
-    /// (.mesh, .msh), which find their boundary conditions there. In .vtu and .vtk they would lie on the
-    /// faces of the tetrahedra and count in every mean.
-    bool border = false;
-
-    bool binary() const { return encoding != Encoding::Text; }
-};
 
 /// Writes to a temporary file beside `path` and renames it: never half-written. Throws InputError on failure.
 /// The format is by extension; what a format cannot carry (fields in OBJ, tetrahedra in STL …) is an error

@@ -8,7 +8,6 @@
 #include <string>
 
 #include "app/document/text_file.h"
-#include "core/mesh/mesh_file.h"
 #include "tests/support/quoted.h"
 #include "warp/image.h"
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/document/options.h"
+#include "core/mesh/mesh_file.h"
 #include "tests/app/cli_harness.h"
 #include "tests/support/pictures.h"
 

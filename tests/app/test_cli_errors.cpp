@@ -3,6 +3,7 @@
 #include <sys/resource.h>
 #include <QtTest>
 
+#include "core/mesh/mesh_file.h"
 #include "tests/app/cli_harness.h"
 
 using namespace wend;

@@ -16,6 +16,7 @@
 #include "app/tools/depth_tool.h"
 #include "app/view/canvas.h"
 #include "app/view/overlay_painter.h"
+#include "core/mesh/mesh_file.h"
 #include "tests/support/window_fixture.h"
 #include "warp/warped_picture.h"
 

@@ -4,6 +4,7 @@
 #include "app/session/opening.h"
 #include "app/session/scene.h"
 #include "app/session/settle_step.h"
+#include "core/energy/distortion.h"
 #include "tests/support/window_fixture.h"
 
 using namespace wend;
@@ -144,7 +145,7 @@ void TestGestures::framesFitTheirMesh() {
         if (!frame) return;
         ++seen;
         QCOMPARE(frame->pose.cols(), frame->rest->points.cols());
-        QCOMPARE(frame->distortion.angle.size(), frame->rest->cells.size());
+        QCOMPARE(frame->distortion->angle.size(), frame->rest->cells.size());
     });
     for (int i = 0; i < 6; ++i) {
         const int added = m_session->addPin<2>({70.0 + 15 * i, 80});
@@ -302,7 +303,7 @@ void TestGestures::settlingIsAStepOfItsOwn() {
     QVERIFY(!canSettle(m_session->document()));
     drag(1, {-20, 50});
     QVERIFY(canSettle(m_session->document()));
-    const double end = project().end, before = m_session->frame()->distortion.totalMetric;
+    const double end = project().end, before = m_session->frame()->distortion->totalMetric;
     const int steps = m_session->document().undoStack()->index();
     m_session->playback().setTime(0.3 * end);
     settleAtEnd(*m_session);
@@ -311,7 +312,7 @@ void TestGestures::settlingIsAStepOfItsOwn() {
     QVERIFY((project().settle == std::vector<SettleWindow>{{end, end + 1}}));
     QCOMPARE(project().end, end + 1);
     QCOMPARE(m_session->playback().time(), end + 1);
-    QVERIFY(m_session->frame()->distortion.totalMetric < before);
+    QVERIFY(m_session->frame()->distortion->totalMetric < before);
     QVERIFY(m_session->frame()->pinError < 1e-9);
     QVERIFY(m_session->frame<2>()->pose == poseOf(project()));  // as the command line's
     m_session->document().undoStack()->undo();

@@ -3,6 +3,7 @@
 #include <QtTest>
 #include <csignal>
 
+#include "core/mesh/mesh_file.h"
 #include "tests/app/cli_harness.h"
 
 using namespace wend;

@@ -4,9 +4,11 @@
 #include <nlohmann/json.hpp>
 
 #include "app/session/inspection.h"
+#include "app/session/report.h"
 #include "app/session/run.h"
 #include "app/session/solid.h"
 #include "core/mesh/error.h"
+#include "core/mesh/mesh_file.h"
 #include "core/mesh/used_vertices.h"
 #include "core/meshing/volume_mesher.h"
 #include "tests/app/cli_harness.h"

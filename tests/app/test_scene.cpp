@@ -5,6 +5,7 @@
 #include "app/session/run.h"
 #include "app/session/scene.h"
 #include "core/mesh/error.h"
+#include "core/mesh/mesh_file.h"
 #include "tests/app/cli_harness.h"
 
 using namespace wend;

@@ -6,6 +6,7 @@
 #include "app/session/shape_builder.h"
 #include "app/session/solid.h"
 #include "core/mesh/error.h"
+#include "core/mesh/mesh_file.h"
 #include "core/meshing/volume_mesher.h"
 #include "tests/app/cli_harness.h"
 #include "tests/support/surfaces.h"

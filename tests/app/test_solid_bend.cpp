@@ -3,6 +3,7 @@
 #include <QtTest>
 
 #include "app/session/scene.h"
+#include "core/energy/distortion.h"
 #include "core/mesh/error.h"
 #include "tests/app/cli_harness.h"
 

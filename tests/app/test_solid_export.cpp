@@ -23,6 +23,7 @@
 #include "app/view/view_picture.h"
 #include "app/view/volume/solid_canvas.h"
 #include "core/mesh/error.h"
+#include "core/mesh/mesh_file.h"
 #include "tests/app/cli_harness.h"
 #include "tests/support/surfaces.h"
 #include "tests/support/window_fixture.h"

@@ -8,6 +8,7 @@
 #include "app/view/main_window.h"
 #include "app/view/solid_workshop.h"
 #include "app/view/volume/solid_canvas.h"
+#include "core/energy/distortion.h"
 #include "tests/support/surfaces.h"
 #include "tests/support/window_fixture.h"
 
@@ -274,7 +275,7 @@ void TestSolidLooks::worstPlaceIsMarkedWhereItIsSeen() {
     QVERIFY(settle(session()));
     m_window->actions().showMap->setChecked(true);
     const auto frame = session().frame<3>();
-    const int worst = worstOf(frame->distortion, m_window->findChild<DistortionPanel*>()->measure()).cell;
+    const int worst = worstOf(*frame->distortion, m_window->findChild<DistortionPanel*>()->measure()).cell;
     Vec<3> centre = Vec<3>::Zero();
     for (const int v : frame->rest->cells[worst]) centre += frame->pose.col(v) / 4;
     // The picture of the marks with and without the map differs by that of the worst place.

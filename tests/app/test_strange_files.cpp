@@ -7,6 +7,7 @@
 
 #include <QtTest>
 
+#include "core/mesh/mesh_file.h"
 #include "core/mesh/printable.h"
 #include "tests/app/cli_harness.h"
 

@@ -33,6 +33,7 @@
 #include "core/mesh/mesh_file.h"
 #include "tests/support/dialogs.h"
 #include "tests/support/window_fixture.h"
+#include "warp/warp.h"
 
 using namespace wend;
 using namespace wend::test;

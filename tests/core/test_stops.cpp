@@ -5,6 +5,7 @@
 #include <QTest>
 #include <cstdlib>
 
+#include "core/energy/distortion.h"
 #include "core/mesh/number_text.h"
 #include "core/mesh/quality.h"
 #include "core/motion/constraints.h"

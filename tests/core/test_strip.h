@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/energy/distortion.h"
 #include "core/integration/deformer.h"
 
 namespace wend::samples {

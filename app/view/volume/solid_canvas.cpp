@@ -13,6 +13,7 @@
 #include "app/view/volume/glyphs.h"
 #include "app/view/volume/skin_marks.h"
 #include "app/view/volume/solid_painter.h"
+#include "core/energy/distortion.h"
 
 namespace wend {
 
@@ -372,7 +373,7 @@ void SolidCanvas::paintMarks(QPainter& painter) {
     painter.restore();
     if (m_hidden || !frame) return;
     if (m_map && isDistortion(m_measure))
-        painterOfSolid.worst(*frame, worstOf(frame->distortion, m_measure).cell);
+        painterOfSolid.worst(*frame, worstOf(*frame->distortion, m_measure).cell);
     painterOfSolid.paths();
     const auto* pinTool = dynamic_cast<const SolidPinTool*>(m_tool);
     painterOfSolid.pins(pinTool ? pinTool->hovered() : -1);
@@ -469,7 +470,7 @@ void SolidCanvas::setCutPlane(const CutPlane& plane) {
 
 void SolidCanvas::showWorst() {
     const auto frame = m_session.frame<3>();
-    const int cell = frame ? worstOf(frame->distortion, m_measure).cell : -1;
+    const int cell = frame ? worstOf(*frame->distortion, m_measure).cell : -1;
     if (cell < 0) return;
     Vec<3> centre = Vec<3>::Zero();
     for (const int v : frame->rest->cells[cell]) centre += frame->pose.col(v) / 4;

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "app/session/run.h"
+#include "core/energy/distortion.h"
+
+namespace wend {
+
+/// What a report tells (contract of the command line).
+struct RunFigures {
+    int vertices = 0, cells = 0, dimension = 0;
+    double time = 0, total = 0;  // reached; seconds
+    std::string backEnd, device;
+    Distortion distortion;
+    Statistics statistics;
+    double restEnergy = 0, restForce = 0;     // W, and how far the shape is from settled
+    std::optional<MeshVerdict> verdict = {};  // on cells that were made
+    std::optional<CageFacts> cage = {};       // if one carries the surface
+};
+std::string reportJson(const RunFigures& figures);
+/// {"asked", "got", "worstCell", "cellsAbove", "facets"} of a verdict, as text.
+std::string verdictJson(const MeshVerdict& verdict);
+/// "20 steps; …": how near the end is to the truth.
+std::string summaryText(const Statistics& statistics, const IntegrationOptions& integration);
+
+}  // namespace wend
