@@ -3,6 +3,7 @@
 #include <QImage>
 #include <memory>
 
+#include "core/mesh/simplicial_mesh.h"
 #include "warp/pyramid.h"
 
 namespace wend {
