@@ -8,6 +8,7 @@
 #include <string>
 
 #include "app/document/text_file.h"
+#include "core/mesh/simplicial_mesh.h"
 #include "tests/support/quoted.h"
 #include "warp/image.h"
 
