@@ -603,16 +603,16 @@
         <translation>Gleitet an sich entlang</translation>
     </message>
     <message>
-        <source>R&amp;oundness</source>
-        <translation>R&amp;undheit</translation>
+        <source>Radius–edge rati&amp;o</source>
+        <translation>Radius zu Kan&amp;te</translation>
     </message>
     <message>
         <source>How flat the tetrahedra may be: the greatest ratio of circumradius to shortest edge. Smaller is rounder and takes more of them.</source>
         <translation>Wie flach die Tetraeder sein dürfen: das größte Verhältnis von Umkreisradius zu kürzester Kante. Kleiner ist runder und braucht mehr davon.</translation>
     </message>
     <message>
-        <source>Change roundness</source>
-        <translation>Rundheit ändern</translation>
+        <source>Change radius–edge ratio</source>
+        <translation>Radius zu Kante ändern</translation>
     </message>
     <message>
         <source>&amp;Greatest volume</source>
@@ -4258,8 +4258,8 @@
         <translation>Fasst Punkte am selben Ort zusammen, entfernt entartete und doppelte Dreiecke, richtet sie aus und füllt kleine Löcher.</translation>
     </message>
     <message>
-        <source>“Repair” can mend it.</source>
-        <translation>„Reparieren“ kann sie flicken.</translation>
+        <source>“Repair” helps.</source>
+        <translation>„Reparieren“ hilft.</translation>
     </message>
     <message>
         <source>What is wrong</source>
@@ -4302,8 +4302,8 @@
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>“Repair” cannot mend it: a cage around it can carry it.</source>
-        <translation>„Reparieren“ kann sie nicht flicken: ein Käfig um sie herum kann sie tragen.</translation>
+        <source>“Repair” does not help: a cage around it can carry it.</source>
+        <translation>„Reparieren“ hilft nicht: ein Käfig um sie herum kann sie tragen.</translation>
     </message>
     <message>
         <source>The simple repairs do not help: fit a cage.</source>

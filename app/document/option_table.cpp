@@ -165,10 +165,10 @@ constexpr std::array kOptions{
     Option{"domain.quality", "--quality", Number, "", kQuality, "", "", "mesh",
            "greatest ratio of circumradius to shortest edge of a tetrahedron",
            Field{AT(domain.quality), &kSurface, Makes::Mesh, Always},
-           Row{.label = Options::tr("R&oundness"),
+           Row{.label = Options::tr("Radius–edge rati&o"),
                .help = Options::tr("How flat the tetrahedra may be: the greatest ratio of circumradius to "
                                    "shortest edge. Smaller is rounder and takes more of them."),
-               .undo = Options::tr("Change roundness"),
+               .undo = Options::tr("Change radius–edge ratio"),
                .decimals = 2,
                .step = 0.1}},
     Option{
@@ -186,10 +186,11 @@ constexpr std::array kOptions{
                .help = Options::tr("Lets the triangles of the surface be split where they are larger than "
                                    "the tetrahedra inside. Off, the surface is kept exactly as it is."),
                .undo = Options::tr("Refine surface")}},
-    Option{"domain.repair", "--repair", Flag, "", kAny, "", "", "mesh",
-           "mend the surface first: merge vertices at one place, drop triangles without area and duplicates, "
-           "orient, fill small holes",
-           Field{AT(domain.repair), &kSurface, Makes::Mesh, ByHand}},
+    Option{
+        "domain.repair", "--repair", Flag, "", kAny, "", "", "mesh",
+        "repair the surface first: merge vertices at one place, drop triangles without area and duplicates, "
+        "orient, fill small holes",
+        Field{AT(domain.repair), &kSurface, Makes::Mesh, ByHand}},
     Option{"domain.repair.largestHole", "--largest-hole", Integer, "", kHole, "edges", "", "mesh",
            "the largest hole that the repair fills", Field{AT(domain.largestHole), &kSurface, Makes::Mesh},
            Row{.label = Options::tr("Fill holes up to (edges)"),

@@ -101,8 +101,8 @@ void SurfacePanel::showProblems(const Contents& contents) {
     tellCase();
     m_show->setChecked(!contents.isCaged);
     m_hole->setNumber(contents.largestHole);
-    const QString repair = contents.mayRepair ? tr("“Repair” can mend it.")
-                                              : tr("“Repair” cannot mend it: a cage around it can carry it.");
+    const QString repair = contents.mayRepair ? tr("“Repair” helps.")
+                                              : tr("“Repair” does not help: a cage around it can carry it.");
     m_text->setText((contents.more + QStringList{repair}).join('\n'));
     m_repair->setEnabled(contents.mayRepair);
     m_repair->setStatusTip(contents.mayRepair ? m_repair->accessibleDescription()

@@ -138,7 +138,7 @@ Scene<3> FrameExport::scene<3>() const {
     scene.material = solid->material;
     scene.source = solid->built->source;
     scene.skin = solid->built->skin;
-    scene.ride = solid->built->ride;
+    scene.embedding = solid->built->embedding;
     return scene;
 }
 

@@ -109,7 +109,7 @@ Scene<3> solidScene(const Project& project, const std::string& folder, std::stop
     scene.rest = std::move(solid.rest);
     scene.source = std::move(solid.source);
     scene.skin = std::move(solid.skin);
-    scene.ride = std::move(solid.ride);
+    scene.embedding = std::move(solid.embedding);
     scene.verdict = solid.verdict;
     scene.cage = solid.cage;
     scene.notices = std::move(solid.notices);

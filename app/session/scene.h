@@ -39,15 +39,15 @@ struct Scene {
     std::shared_ptr<const SimplicialMesh<Dim>> rest;
     std::shared_ptr<const Material<Dim>> material;
     std::vector<Handle<Dim>> handles;
-    std::shared_ptr<const Image> picture;      // 2D only, may be null
-    std::shared_ptr<const MeshFile> source;    // of a mesh domain what came in, with its fields and uv; of a
-                                               // surface what was made
-    Texture texture;                           // 2D only; empty without a picture
-    std::shared_ptr<const Skin> skin;          // 3D only: the surface that is seen and exported …
-    std::shared_ptr<const Embedding<3>> ride;  // … and what takes its points along
-    std::optional<MeshVerdict> verdict;        // 3D only: on cells that were made
-    std::optional<CageFacts> cage;             // 3D only: if a cage carries the surface
-    std::vector<std::string> notices;          // what the user should hear
+    std::shared_ptr<const Image> picture;    // 2D only, may be null
+    std::shared_ptr<const MeshFile> source;  // of a mesh domain what came in, with its fields and uv; of a
+                                             // surface what was made
+    Texture texture;                         // 2D only; empty without a picture
+    std::shared_ptr<const Skin> skin;        // 3D only: the surface that is seen and exported …
+    std::shared_ptr<const Embedding<3>> embedding;  // … and what takes its points along
+    std::optional<MeshVerdict> verdict;             // 3D only: on cells that were made
+    std::optional<CageFacts> cage;                  // 3D only: if a cage carries the surface
+    std::vector<std::string> notices;               // what the user should hear
 };
 using AnyScene = std::variant<Scene<2>, Scene<3>>;
 

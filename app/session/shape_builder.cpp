@@ -73,7 +73,7 @@ BuiltShape<3> ShapeBuilder<3>::makeMesh(const ShapeInputs& inputs, std::stop_tok
     if (!shape.rest) return shape;
     shape.facets = std::make_shared<const std::vector<Facet<3>>>(facetsOf(*shape.rest));
     shape.skin = std::move(solid.skin);
-    shape.ride = std::move(solid.ride);
+    shape.embedding = std::move(solid.embedding);
     shape.source = std::move(solid.source);
     shape.notices = std::move(solid.notices);
     shape.refineHelps = solid.refineHelps;

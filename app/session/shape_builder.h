@@ -21,7 +21,7 @@ struct BuiltShape {
     std::shared_ptr<const Material<Dim>> material;
     std::shared_ptr<const std::vector<Facet<Dim>>> facets;  // 3D only
     std::shared_ptr<const Skin> skin;                       // 3D only: see Scene
-    std::shared_ptr<const Embedding<3>> ride;               // 3D only
+    std::shared_ptr<const Embedding<3>> embedding;          // 3D only
     std::shared_ptr<const Texture> texture;                 // 2D only: the picture on a file's mesh
     std::shared_ptr<const MeshFile> source;                 // of a mesh domain: see Scene
     Vec<2> frame = Vec<2>::Zero();                          // of a picture's domain: its size

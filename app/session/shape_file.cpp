@@ -57,7 +57,7 @@ MeshField onSkin(const Scene<3>& scene, const MeshField& field) {
     Points<3> one = Points<3>::Zero(3, scene.rest->vertexCount());
     for (int k = 0; k < field.components; ++k) {
         for (int v = 0; v < scene.rest->vertexCount(); ++v) one(0, v) = values[v * field.components + k];
-        const Points<3> there = scene.ride->interpolate(*scene.rest, one);
+        const Points<3> there = scene.embedding->interpolate(*scene.rest, one);
         for (int v = 0; v < scene.skin->vertexCount(); ++v)
             carried.values[v * field.components + k] = there(0, v);
     }
@@ -114,7 +114,7 @@ void writeShape(const std::string& path, const Scene<Dim>& scene, const Points<D
             std::vector<MeshField> carried;
             if (holdsFields(path))
                 for (const MeshField& field : fields) carried.push_back(onSkin(scene, field));
-            return writeSkin(path, *scene.skin, scene.ride->carry(*scene.rest, pose), carried, options);
+            return writeSkin(path, *scene.skin, scene.embedding->carry(*scene.rest, pose), carried, options);
         }
     writeMeshFile(path, poseFile(scene, pose, fields), options);
 }
@@ -162,7 +162,7 @@ void writeAnimation(const std::string& path, const Scene<3>& scene, const std::v
     std::vector<double> times;
     for (const Points<3>& pose : poses) {
         times.push_back(static_cast<double>(times.size()) / framesPerSecond);
-        carried.push_back(scene.ride->carry(*scene.rest, pose));
+        carried.push_back(scene.embedding->carry(*scene.rest, pose));
     }
     writeGltf(path, gltfScene(*scene.skin, carried, times));
 }

@@ -44,7 +44,7 @@ VolumeMeshOptions meshOptions(const Domain& domain, const std::string& folder, c
 }
 
 /// What a repair did, and what it left that another limit would not.
-struct Mending {
+struct Repairing {
     std::string done, undone;
 };
 
@@ -60,12 +60,13 @@ std::string largerHoles(const RepairReport& report, int limit, Advice advice) {
                                    : "");
 }
 
-Surface mended(const Surface& surface, const Domain& domain, Solid& solid, Mending& mending, Advice advice) {
+Surface repaired(const Surface& surface, const Domain& domain, Solid& solid, Repairing& repairing,
+                 Advice advice) {
     RepairReport report;
     Surface better = repairSurface(surface, domain.largestHole, report);
-    mending.done = report.summary();
-    mending.undone = largerHoles(report, domain.largestHole, advice);
-    if (!mending.done.empty()) solid.notices.push_back("the surface was mended: " + mending.done);
+    repairing.done = report.summary();
+    repairing.undone = largerHoles(report, domain.largestHole, advice);
+    if (!repairing.done.empty()) solid.notices.push_back("the surface was repaired: " + repairing.done);
     return better;
 }
 
@@ -74,23 +75,23 @@ bool repairHelps(const Surface& surface, int largestHole) {
     return checkSurface(repairSurface(surface, largestHole, report)).boundsVolume();
 }
 
-std::string help(const Surface& surface, const Domain& domain, const Mending& mending, Advice advice) {
+std::string help(const Surface& surface, const Domain& domain, const Repairing& repairing, Advice advice) {
     if (!domain.repair) {
         if (advice == Advice::None) return {};
         return std::string("; `wend info` lists them") +
-               (repairHelps(surface, domain.largestHole) ? ", `repair` may mend it" : "");
+               (repairHelps(surface, domain.largestHole) ? ", `repair` may help" : "");
     }
-    return (mending.done.empty() ? "; the repair found nothing that it could mend"
-                                 : " (after the repair: " + mending.done + ")") +
-           (mending.undone.empty() ? "" : "; " + mending.undone);
+    return (repairing.done.empty() ? "; the repair found nothing that it could repair"
+                                   : " (after the repair: " + repairing.done + ")") +
+           (repairing.undone.empty() ? "" : "; " + repairing.undone);
 }
 
 VolumeMesh meshed(const Surface& surface, const VolumeMeshOptions& options, const Domain& domain,
-                  const Mending& mending, Advice advice) {
+                  const Repairing& repairing, Advice advice) {
     try {
         return meshVolume(surface, options);
     } catch (const SurfaceError& error) {
-        throw SurfaceError(error.reason() + help(surface, domain, mending, advice), error.problems);
+        throw SurfaceError(error.reason() + help(surface, domain, repairing, advice), error.problems);
     }
 }
 
@@ -151,11 +152,11 @@ Solid exactSolid(const Domain& domain, const std::shared_ptr<const Skin>& skin,
                  const VolumeMeshOptions& options, Advice advice) {
     Solid solid;
     Surface surface = surfaceOf(*skin);
-    Mending mending;
-    if (domain.repair) surface = mended(surface, domain, solid, mending, advice);
-    const VolumeMesh volume = meshed(surface, options, domain, mending, advice);
+    Repairing repairing;
+    if (domain.repair) surface = repaired(surface, domain, solid, repairing, advice);
+    const VolumeMesh volume = meshed(surface, options, domain, repairing, advice);
     solid.verdict =
-        verdictOn(volume.mesh, surface, domain.quality, !domain.refineSurface && mending.done.empty());
+        verdictOn(volume.mesh, surface, domain.quality, !domain.refineSurface && repairing.done.empty());
     tellOfMesh(domain, surface, volume, advice, solid);
     tellOfSpares(volume, solid);
     solid.rest = std::make_shared<const SimplicialMesh<3>>(volume.mesh);
@@ -198,7 +199,7 @@ Solid fromMesh(const Domain& domain, const std::string& folder) {
 }
 
 void tellOfOutside(const Domain& domain, Solid& solid) {
-    const int outside = solid.ride->outside(), all = solid.skin->vertexCount();
+    const int outside = solid.embedding->outside(), all = solid.skin->vertexCount();
     if (!domain.detail.empty() && 2 * outside > all)
         solid.notices.push_back(domain.detail + ": " + std::to_string(outside) + " of " +
                                 std::to_string(all) + " vertices lie outside the solid that carries them");
@@ -227,7 +228,7 @@ Solid loadSolid(const Project& project, const std::string& folder, std::stop_tok
     if (stop.stop_requested()) throw Cancelled();
     for (const std::string& warning : solid.skin->warnings)
         solid.notices.push_back(solid.skin->path + ": " + warning);
-    solid.ride = std::make_shared<const Embedding<3>>(*solid.rest, solid.skin->points);
+    solid.embedding = std::make_shared<const Embedding<3>>(*solid.rest, solid.skin->points);
     tellOfOutside(domain, solid);
     tellOfHanging<3>(*solid.rest, solid.notices);
     return solid;

@@ -20,13 +20,13 @@ struct MeshFile;
 /// What a solid's domain becomes.
 struct Solid {
     std::shared_ptr<const SimplicialMesh<3>> rest;
-    std::shared_ptr<const MeshFile> source;    // what came in or was made: cells, fields, labelled border
-    std::shared_ptr<const Skin> skin;          // the surface that is seen and exported
-    std::shared_ptr<const Embedding<3>> ride;  // takes the skin's points along
-    std::vector<std::string> notices;          // what the user should hear
-    std::optional<MeshVerdict> verdict;        // on cells that were made
-    std::optional<CageFacts> cage;             // if a cage carries the surface
-    bool refineHelps = false;                  // splitting the surface's triangles would help
+    std::shared_ptr<const MeshFile> source;  // what came in or was made: cells, fields, labelled border
+    std::shared_ptr<const Skin> skin;        // the surface that is seen and exported
+    std::shared_ptr<const Embedding<3>> embedding;  // takes the skin's points along
+    std::vector<std::string> notices;               // what the user should hear
+    std::optional<MeshVerdict> verdict;             // on cells that were made
+    std::optional<CageFacts> cage;                  // if a cage carries the surface
+    bool refineHelps = false;                       // splitting the surface's triangles would help
 };
 
 /// Whether messages name the project's keys and the commands that help: the window has words of its own.

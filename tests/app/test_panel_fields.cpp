@@ -177,7 +177,7 @@ void TestPanelFields::numbersCanBeTyped() {
     check("Vertices", "450", "450");
     if (!solid) check("Count as solid above", "25", "25 %");
     if (!solid) check("Margin", "0.5", "0.5 px");
-    if (solid) check("Roundness", "2.25", "2.25");
+    if (solid) check("Radius–edge ratio", "2.25", "2.25");
     QVERIFY(settle(m_f->session()));
     const Project& project = *m_f->session().document().project();
     std::visit(

@@ -86,7 +86,7 @@ void TestSolid::surfaceBecomesSolid() {
     QVERIFY(bar.skin->triangles == kBar.triangles);
     // the surface's vertices are the solid's, in every pose and to the last bit
     const Points<3> pose = 1.7 * bar.rest->points;
-    QVERIFY(bar.ride->carry(*bar.rest, pose) == pose.leftCols(kBar.vertexCount()));
+    QVERIFY(bar.embedding->carry(*bar.rest, pose) == pose.leftCols(kBar.vertexCount()));
     QVERIFY(bar.notices.empty());
     const auto any = loadScene(project("'surface': 'bar.obj', 'vertices': 700"), m_base);
     QVERIFY(std::get<Scene<3>>(any).rest->points == bar.rest->points);
@@ -98,7 +98,7 @@ void TestSolid::tetrahedraKeepOrder() {
     QCOMPARE(bar.skin->triangles.size(), std::size_t(2 * (2 * 4 + 4 * 8)));
     QCOMPARE(bar.skin->vertexCount(), 9 * 5 - 3);  // three lie inside
     QVERIFY(checkSurface(surfaceOf(*bar.skin)).boundsVolume());
-    QVERIFY((bar.ride->carry(*bar.rest, bar.rest->points) == bar.skin->points));
+    QVERIFY((bar.embedding->carry(*bar.rest, bar.rest->points) == bar.skin->points));
 }
 
 void TestSolid::aimThatCannotBeMetIsTold() {
@@ -118,7 +118,7 @@ void TestSolid::coarseSurfaceIsTold() {
     const Solid refined = solid("'surface': 'cube.obj', 'vertices': 1000, 'refineSurface': true");
     QVERIFY(refined.notices.empty());
     QVERIFY(std::abs(refined.rest->vertexCount() - 1000) <= 150);
-    QVERIFY((refined.ride->carry(*refined.rest, refined.rest->points) == refined.skin->points));
+    QVERIFY((refined.embedding->carry(*refined.rest, refined.rest->points) == refined.skin->points));
 }
 
 void TestSolid::repairIsAsked_data() {
@@ -129,7 +129,7 @@ void TestSolid::repairIsAsked_data() {
     QTest::newRow("hole, repaired") << "'surface': 'holed.obj', 'repair': true"
                                     << "";
     QTest::newRow("hole, too large") << "'surface': 'holed.obj', 'repair': {'largestHole': 2}"
-                                     << "the repair found nothing that it could mend";
+                                     << "the repair found nothing that it could repair";
     QTest::newRow("crossing") << "'surface': 'crossing.obj', 'repair': true"
                               << "pairs of triangles that intersect";
 }
@@ -139,7 +139,7 @@ void TestSolid::repairIsAsked() {
     try {
         const Solid bar = solid(domain.toStdString() + ", 'vertices': 300, 'cage': false");
         QVERIFY(reason.isEmpty());
-        QCOMPARE(bar.notices[0], std::string("the surface was mended: 1 hole filled"));
+        QCOMPARE(bar.notices[0], std::string("the surface was repaired: 1 hole filled"));
     } catch (const SurfaceError& error) {
         QVERIFY2(!reason.isEmpty() && QString(error.what()).contains(reason), error.what());
         QVERIFY(!error.problems.triangles(kBar).empty());
@@ -179,11 +179,11 @@ void TestSolid::cageCarriesTheSurface() {
         const Solid one =
             solid("'surface': '" + std::string(file) + "', 'vertices': 700, 'cage': {'detail': 2}");
         QVERIFY(one.cage && one.cage->why.empty());
-        QCOMPARE(one.ride->outside(), 0);
-        QVERIFY(one.ride->carry(*one.rest, one.rest->points) == one.skin->points);
+        QCOMPARE(one.embedding->outside(), 0);
+        QVERIFY(one.embedding->carry(*one.rest, one.rest->points) == one.skin->points);
         Mat<3> A;
         A << 1, 0.2, 0, -0.3, 1.1, 0, 0.1, 0, 0.9;
-        const Points<3> carried = one.ride->carry(*one.rest, A * one.rest->points);
+        const Points<3> carried = one.embedding->carry(*one.rest, A * one.rest->points);
         QVERIFY((carried - A * one.skin->points).cwiseAbs().maxCoeff() < 1e-12);
         QVERIFY(one.skin->triangles == readMeshFile(m_base + "/" + file).triangles);
     }
@@ -235,9 +235,9 @@ void TestSolid::detailRides() {
     QCOMPARE(bar.skin->vertexCount(), test::box({0, 0, 0}, {1, 1, 1}, 20).vertexCount());
     Mat<3> A;
     A << 1, 0.2, 0, -0.3, 1.1, 0, 0.1, 0, 0.9;
-    const Points<3> carried = bar.ride->carry(*bar.rest, A * bar.rest->points);
+    const Points<3> carried = bar.embedding->carry(*bar.rest, A * bar.rest->points);
     QVERIFY((carried - A * bar.skin->points).cwiseAbs().maxCoeff() < 1e-12);  // inside and outside
-    QVERIFY(bar.ride->outside() > 0);
+    QVERIFY(bar.embedding->outside() > 0);
 }
 
 void TestSolid::detailFarOffIsTold() {
@@ -251,7 +251,7 @@ void TestSolid::builderKeepsWhatHolds() {
     inputs.project = std::make_shared<const Project>(project("'surface': 'bar.obj', 'vertices': 400"));
     inputs.folder = m_base;
     const auto first = builder.build(inputs, {});
-    QVERIFY(first.rest && first.material && first.skin && first.ride);
+    QVERIFY(first.rest && first.material && first.skin && first.embedding);
     Project stiffer = *inputs.project;
     std::get<Design<3>>(stiffer.design).material.phi = 1;
     inputs.project = std::make_shared<const Project>(stiffer);

@@ -128,9 +128,10 @@ void TestSolidCli::meshOptions() {
     Surface holed = kBar;
     holed.triangles.pop_back();
     write("holed.off", holed);
-    const CliResult mended = run({"mesh", "holed.off", "--repair", "-o", "mended.vtu", "--vertices", "500"});
-    QCOMPARE(mended.code, 0);
-    QCOMPARE(mended.error, QString("wend: holed.off: the surface was mended: 1 hole filled\n"));
+    const CliResult repaired =
+        run({"mesh", "holed.off", "--repair", "-o", "repaired.vtu", "--vertices", "500"});
+    QCOMPARE(repaired.code, 0);
+    QCOMPARE(repaired.error, QString("wend: holed.off: the surface was repaired: 1 hole filled\n"));
     put(path(), "paint.txt", std::string(2 * kBar.vertexCount(), ' ').replace(0, 1, "1"));
     QCOMPARE(run({"mesh", "bar.off", "--sizes", "paint.txt", "-o", "p.vtu"}).code, 3);
     QCOMPARE(run({"mesh", "bar.off", "--cage", "--no-cage", "-o", "p.vtu"}).code, 2);

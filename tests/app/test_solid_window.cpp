@@ -632,7 +632,7 @@ void TestSolidWindow::badSurfacesAreShownAndRepaired() {
     QVERIFY(session().frame<3>()->cells > 100);
     QVERIFY(!saysThatThereIsNoSolid());
     const QString told = m_window->banner().text().section('\n', 0, 0);
-    QCOMPARE(told, QStringLiteral("The surface was mended: 1 hole filled."));
+    QCOMPARE(told, QStringLiteral("The surface was repaired: 1 hole filled."));
     QVERIFY(canvas().camera().view() == view);
     QVERIFY(edgesAreAsTheButtonSays());
     m_window->actions().undo->trigger();
@@ -640,7 +640,7 @@ void TestSolidWindow::badSurfacesAreShownAndRepaired() {
     QVERIFY(saysThatThereIsNoSolid());
     QVERIFY(canvas().camera().view() == view);
     QVERIFY(edgesAreAsTheButtonSays());
-    session().playback().setTime(0);  // nothing brings the mended one back
+    session().playback().setTime(0);  // nothing brings the repaired one back
     QVERIFY(saysThatThereIsNoSolid());
     QSignalSpy refusal(&m_window->exporter(), &Exporter::failed);
     m_window->exporter().write(ExportKind::Mesh, m_folder->filePath(QStringLiteral("none.vtu")));

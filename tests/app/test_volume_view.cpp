@@ -186,7 +186,7 @@ void TestVolumeView::ridingSurfaceHasItsTexture() {
     QVERIFY(chequers.scaled(64, 64).save(file));
     VolumePicture picture = m_picture;
     picture.skin = plate(file);
-    picture.ride = std::make_shared<Embedding<3>>(*picture.rest, picture.skin->points);
+    picture.embedding = std::make_shared<Embedding<3>>(*picture.rest, picture.skin->points);
     picture.materials = true;
     m_view->look(Camera::Axis::Top);
     m_view->setPicture(picture, true);
@@ -208,7 +208,7 @@ void TestVolumeView::ridingSurfaceHasItsTexture() {
 void TestVolumeView::ridingSurfaceFollowsAndIsCut() {
     VolumePicture picture = m_picture;
     picture.skin = plate({});
-    picture.ride = std::make_shared<Embedding<3>>(*picture.rest, picture.skin->points);
+    picture.embedding = std::make_shared<Embedding<3>>(*picture.rest, picture.skin->points);
     picture.materials = true;
     picture.pose.row(1).array() += 1;
     picture.cellColours.assign(picture.rest->cells.size(), qRgb(40, 220, 40));
@@ -349,7 +349,7 @@ void TestVolumeView::missingPicturesAreToldOnce() {
     skin->materialOf = {0};
     VolumePicture riding = m_picture;
     riding.skin = skin;
-    riding.ride = std::make_shared<Embedding<3>>(*m_picture.rest, skin->points);
+    riding.embedding = std::make_shared<Embedding<3>>(*m_picture.rest, skin->points);
     riding.materials = true;
     view.setPicture(riding, true);
     view.show();

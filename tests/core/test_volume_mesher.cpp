@@ -260,10 +260,10 @@ void TestVolumeMesher::repairs() {
     soup.triangles.push_back(soup.triangles[0]);
     soup.triangles.push_back({0, 0, 1});
     RepairReport report;
-    const Surface mended = repairSurface(soup, 10, report);
-    QVERIFY2(checkSurface(mended).boundsVolume(),
-             qPrintable(QString::fromStdString(checkSurface(mended).summary())));
-    QVERIFY(checkSurface(mended).misoriented.empty());
+    const Surface repaired = repairSurface(soup, 10, report);
+    QVERIFY2(checkSurface(repaired).boundsVolume(),
+             qPrintable(QString::fromStdString(checkSurface(repaired).summary())));
+    QVERIFY(checkSurface(repaired).misoriented.empty());
     QCOMPARE(report.filledHoles, 1);
     QCOMPARE(report.droppedDuplicate, 1);
     QCOMPARE(report.droppedDegenerate, 1);
@@ -271,7 +271,7 @@ void TestVolumeMesher::repairs() {
     repairSurface(soup, 2, report);
     QCOMPARE(report.filledHoles, 0);
     QCOMPARE(report.largerHoles, std::vector<int>{3});
-    QVERIFY(std::abs(volumeOf(meshVolume(mended, {}).mesh) - 4) < 1e-12);
+    QVERIFY(std::abs(volumeOf(meshVolume(repaired, {}).mesh) - 4) < 1e-12);
 }
 
 namespace {
@@ -328,15 +328,15 @@ void TestVolumeMesher::holesThatMeet() {
     QFETCH(int, holes);
     QVERIFY(!checkSurface(surface).boundsVolume());
     RepairReport report;
-    const Surface mended = repairSurface(surface, 30, report);
+    const Surface repaired = repairSurface(surface, 30, report);
     QCOMPARE(report.filledHoles, holes);
-    const SurfaceProblems left = checkSurface(mended);
+    const SurfaceProblems left = checkSurface(repaired);
     if (qstrcmp(QTest::currentDataTag(), "a hanging triangle") == 0) {
         QCOMPARE(left.openEdges.size(), std::size_t(3));  // its own
         return;
     }
     QVERIFY2(left.boundsVolume() && left.misoriented.empty(), left.summary().c_str());
-    QVERIFY(std::abs(volumeOf(meshVolume(mended, {}).mesh) - 49) < 1e-12);
+    QVERIFY(std::abs(volumeOf(meshVolume(repaired, {}).mesh) - 49) < 1e-12);
 }
 
 /// Holes that meet at two vertices, around two squares that hang there: the border of the one does not go on

@@ -223,12 +223,12 @@ DrawMesh drawSection(const CutSurface& section) {
     return mesh;
 }
 
-DrawMesh drawMesh(const Skin& skin, const Embedding<3>& ride) {
+DrawMesh drawMesh(const Skin& skin, const Embedding<3>& embedding) {
     DrawMesh mesh;
     const std::vector<int> order = orderOf(skin);
     for (const int t : order) {
         mesh.triangles.push_back(skin.triangles[t]);
-        mesh.cells.push_back(ride.cell(skin.triangles[t][0]));
+        mesh.cells.push_back(embedding.cell(skin.triangles[t][0]));
     }
     mesh.points = skin.vertexCount();
     setParts(mesh, skin, order);

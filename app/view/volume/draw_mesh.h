@@ -47,7 +47,7 @@ DrawMesh drawMesh(const CutSurface& surface, const Points<3>& rest);
 /// The section of an exact cut, a plane: one normal, whatever those of its slivers are.
 DrawMesh drawSection(const CutSurface& section);
 /// A surface that rides in a solid, with its texture points and materials.
-DrawMesh drawMesh(const Skin& skin, const Embedding<3>& ride);
+DrawMesh drawMesh(const Skin& skin, const Embedding<3>& embedding);
 
 /// Where the points of a solid's surface are in a pose.
 Points<3> drawnPoints(const DrawMesh& mesh, const Points<3>& pose);

@@ -254,7 +254,7 @@ std::vector<QRgb> SolidCanvas::colours(const PosedFrame<3>& frame) const {
 
 bool SolidCanvas::hasDetail() const {
     const auto frame = m_session.frame<3>();
-    if (!frame || !frame->built->skin || !frame->built->ride) return false;
+    if (!frame || !frame->built->skin || !frame->built->embedding) return false;
     return ridesInCage(*frame) || !m_session.document().project()->domain.detail.empty() ||
            !frame->built->skin->materials.empty();
 }
@@ -285,7 +285,7 @@ void SolidCanvas::refresh() {
     const bool isDetailed = ridesInCage(*frame) || !m_session.document().project()->domain.detail.empty();
     if (m_detail && hasDetail() && (isDetailed || !map)) {
         picture.skin = frame->built->skin;
-        picture.ride = frame->built->ride;
+        picture.embedding = frame->built->embedding;
         picture.materials = !map;
     }
     m_style.dimming = m_dimmed && picture.materials ? 0.5 : 0;

@@ -178,7 +178,7 @@ const TriangleTree& VolumeView::tree() const {
 }
 
 const Points<3>& VolumeView::ridden() const {
-    if (!m_ridden) m_ridden = m_picture.ride->carry(*m_picture.rest, m_picture.pose);
+    if (!m_ridden) m_ridden = m_picture.embedding->carry(*m_picture.rest, m_picture.pose);
     return *m_ridden;
 }
 
@@ -255,7 +255,7 @@ void VolumeView::uploadMeshes() {
     const Points<3>& rest = m_picture.rest->points.cols() > 0 ? m_picture.rest->points : m_picture.pose;
     const bool exact = m_cut == CutKind::Exact;
     if (isRiding())
-        m_outer = drawMesh(*m_picture.skin, *m_picture.ride);
+        m_outer = drawMesh(*m_picture.skin, *m_picture.embedding);
     else
         m_outer = drawMesh(exact ? partOf(m_surface, false) : m_surface, rest);
     m_section = exact ? drawSection(partOf(m_surface, true)) : DrawMesh();

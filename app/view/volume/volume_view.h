@@ -23,7 +23,7 @@ struct VolumePicture {
     std::vector<QRgb> cellColours;  // one per cell; empty: one plain colour
     // A surface that rides in the solid and is drawn in place of its border; null if there is none.
     std::shared_ptr<const Skin> skin;
-    std::shared_ptr<const Embedding<3>> ride;
+    std::shared_ptr<const Embedding<3>> embedding;
     bool materials = false;  // the skin has the colours and pictures of its materials, not those of the cells
     bool isOpen = false;     // bounds no solid: its colours tell something from behind, too
 };
