@@ -2,8 +2,10 @@
 #include <QSemaphore>
 #include <QThreadPool>
 #include <QWheelEvent>
+#include <set>
 
 #include "app/document/handle_edits.h"
+#include "app/panels/legend.h"
 #include "app/session/opening.h"
 #include "app/tools/measure_tool.h"
 #include "app/view/canvas.h"
@@ -40,8 +42,14 @@ class TestCanvas : public QObject {
     void lengthsAndAnglesAreMeasured();
     void shearIsTheRightAngleThatChangesMost();
     void everyMeasureIsComplete();
+    void worstPlaceIsMarkedWhereItIs();
+    void edgesAreThoseOfThePose();
+    void restIsShown();
+    void legendTellsItsEnds();
 
   private:
+    void bendFar();
+    QPoint pixelAt(const Vec<2>& p) const;
     OpenedFile shapeless();
     void checkThatThePictureIsSeen();
 
@@ -421,6 +429,131 @@ void TestCanvas::everyMeasureIsComplete() {
     QCOMPARE(names.removeDuplicates(), 0);
     QVERIFY(measuresOf(3).size() > measuresOf(2).size() && measureName(Measure::Area, 3) != names[1]);
     QCOMPARE(measureText(Measure::Shear, 12.5), QLocale().toString(12.5, 'f', 2) + QStringLiteral("°"));
+}
+
+/// The right end goes up, so that all but the left one lies elsewhere than at rest.
+void TestCanvas::bendFar() {
+    Project coarse = *m_session->document().project();
+    coarse.domain.vertices = 400;
+    m_session->document().change(QStringLiteral("Coarse"), coarse);
+    QVERIFY(settle(*m_session));
+    m_session->addPin({40, 80});
+    const int pin = m_session->addPin({200, 80});
+    m_session->selection().set({pin});
+    m_session->beginDrag();
+    m_session->dragTo({-40, -70});
+    m_session->endDrag(0.2);
+    QVERIFY(settle(*m_session));
+    m_session->selection().clear();
+}
+
+QPoint TestCanvas::pixelAt(const Vec<2>& p) const {
+    const QPointF at = m_canvas->toWidget(p) * m_canvas->devicePixelRatioF();
+    return {static_cast<int>(std::floor(at.x())), static_cast<int>(std::floor(at.y()))};
+}
+
+/// A ring that is there for measures of distortion only; the pins are there in any case.
+void TestCanvas::worstPlaceIsMarkedWhereItIs() {
+    bendFar();
+    m_session->selection().set({0, 1});  // so that every place lies elsewhere
+    m_session->moveSelected<2>({}, {0, -45, 0});
+    m_session->selection().clear();
+    QVERIFY(settle(*m_session));
+    const auto frame = m_session->frame<2>();
+    const int cell = worstOf(frame->distortion, Measure::Angle).cell;
+    Vec<2> pose = Vec<2>::Zero(), rest = Vec<2>::Zero();
+    for (const int v : frame->rest->cells[cell]) {
+        pose += frame->pose.col(v) / 3;
+        rest += frame->rest->points.col(v) / 3;
+    }
+    m_canvas->setMapShown(true);
+    const auto overPicture = [&](Measure measure) {
+        m_canvas->setMap(measure, {0, 1});
+        const bool settled = QTest::qWaitFor([&] { return m_canvas->isSettled(); }, 20000);
+        const QImage grabbed = m_canvas->grab().toImage(), drawn = m_canvas->drawn()->image;
+        std::set<std::pair<int, int>> places;
+        for (int y = 0; y < drawn.height(); ++y)
+            for (int x = 0; x < drawn.width() && settled; ++x)
+                if (qAlpha(drawn.pixel(x, y)) == 255 && grabbed.pixel(x, y) != drawn.pixel(x, y))
+                    places.insert({x, y});
+        return places;
+    };
+    const auto marked = overPicture(Measure::Angle), plain = overPicture(Measure::Phi);
+    const auto near = [&](const Vec<2>& p) {
+        const QPointF at = m_canvas->toWidget(p) * m_canvas->devicePixelRatioF();
+        int count = 0;
+        for (const auto& [x, y] : marked)
+            if (!plain.contains({x, y}) && QLineF(at, QPointF(x + 0.5, y + 0.5)).length() < 20) ++count;
+        return count;
+    };
+    QVERIFY((pose - rest).norm() > 40 / m_canvas->view().zoom());
+    QVERIFY2(near(pose) > 20, qPrintable(QString::number(near(pose))));
+    QCOMPARE(near(rest), 0);
+}
+
+void TestCanvas::edgesAreThoseOfThePose() {
+    bendFar();
+    const auto shown = [&](bool mesh) {
+        m_canvas->setMeshShown(mesh);
+        const bool settled = QTest::qWaitFor([&] { return m_canvas->isSettled(); }, 20000);
+        return settled ? m_canvas->drawn()->image : QImage();
+    };
+    const QImage bare = shown(false), lined = shown(true);
+    const auto frame = m_session->frame<2>();
+    int changed = 0, all = 0;
+    for (const auto& facet : facetsOf(*frame->rest)) {
+        const Vec<2> middle = (frame->pose.col(facet.vertices[0]) + frame->pose.col(facet.vertices[1])) / 2;
+        const QPoint at = pixelAt(middle);
+        if (!bare.valid(at) || qAlpha(bare.pixel(at)) < 255) continue;
+        ++all;
+        changed += bare.pixel(at) != lined.pixel(at);
+    }
+    QVERIFY(all > 300);
+    QVERIFY2(changed > 0.9 * all, qPrintable(QString("%1 of %2").arg(changed).arg(all)));
+    int between = 0;  // cells' middles lie on no edge
+    for (const auto& cell : frame->rest->cells) {
+        Vec<2> centre = Vec<2>::Zero();
+        for (const int v : cell) centre += frame->pose.col(v) / 3;
+        const QPoint at = pixelAt(centre);
+        between += bare.valid(at) && bare.pixel(at) != lined.pixel(at);
+    }
+    QVERIFY2(between < 0.2 * frame->cells, qPrintable(QString("%1 of %2").arg(between).arg(frame->cells)));
+}
+
+/// As if nothing had been dragged, and the pose again.
+void TestCanvas::restIsShown() {
+    const auto picture = [&] {
+        const bool settled = QTest::qWaitFor([&] { return m_canvas->isSettled(); }, 20000);
+        return settled ? m_canvas->drawn()->image : QImage();
+    };
+    Project coarse = *m_session->document().project();
+    coarse.domain.vertices = 400;  // as bendFar() makes it
+    m_session->document().change(QStringLiteral("Coarse"), coarse);
+    QVERIFY(settle(*m_session));
+    const QImage before = picture();
+    bendFar();
+    const QImage bent = picture();
+    QVERIFY(bent != before);
+    m_canvas->setRestShown(true);
+    QVERIFY(QTest::qWaitFor([&] { return m_canvas->drawn()->image == before; }, 20000));
+    m_canvas->setRestShown(false);
+    QCOMPARE(picture(), bent);
+}
+
+/// Its left end is that of another legend from there to elsewhere, its right end is not.
+void TestCanvas::legendTellsItsEnds() {
+    const auto drawn = [](double low, double high) {
+        Legend legend;
+        legend.resize(300, legend.sizeHint().height());
+        legend.set(Measure::Length, {low, high}, 2);
+        return legend.grab().toImage();
+    };
+    const auto end = [](const QImage& all, bool left) {
+        return all.copy(left ? 0 : all.width() - 60, 0, 60, all.height());
+    };
+    const QImage one = drawn(0.11, 0.57), longer = drawn(0.11, 0.83), later = drawn(0.24, 0.57);
+    QVERIFY(end(one, true) == end(longer, true) && end(one, false) != end(longer, false));
+    QVERIFY(end(one, true) != end(later, true) && end(one, false) == end(later, false));
 }
 
 QTEST_MAIN(TestCanvas)

@@ -3,6 +3,7 @@
 #include <QtTest>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "app/document/options.h"
 #include "core/mesh/mesh_file.h"
@@ -413,6 +414,9 @@ void TestCli::infoOfPicture() {
     QCOMPARE(info["width"].toInt(), 200);
     QCOMPARE(info["alpha"].toBool(), true);
     QCOMPARE(info["outline"]["loops"].toInt(), 1);
+    // The outline grows by a margin of a few pixels beyond the disc of 80.
+    const double area = info["outline"]["each"][0]["area"].toDouble(), disc = std::numbers::pi * 80 * 80;
+    QVERIFY2(area > disc && area < 1.15 * disc, qPrintable(QString::number(area)));
     QVERIFY(run({"info", "disc.png"}).out.contains("width: 200\n"));
 }
 
@@ -435,6 +439,15 @@ void TestCli::infoOfBadMesh() {
     int angles = 0;
     for (const QJsonValue count : good["quality"]["leastAngles"]["counts"].toArray()) angles += count.toInt();
     QCOMPARE(angles, good["cells"].toInt());
+    // The corner of a cube, and one below it that is eight times as deep, by the normals of their sides.
+    put(path(), "two.mesh",
+        "MeshVersionFormatted 1\nDimension 3\nVertices 5\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 -8 0\n"
+        "Tetrahedra 2\n1 2 3 4 0\n1 3 2 5 0\nEnd\n");
+    const auto two = QJsonDocument::fromJson(run({"info", "two.mesh", "--json"}).out.toUtf8())["quality"];
+    const double degrees = 180 / std::numbers::pi, even = degrees * std::acos(1 / std::sqrt(3)),
+                 deep = degrees * std::acos(1 / std::sqrt(2 + 1.0 / 64));
+    QVERIFY(std::abs(two["leastAngle"].toDouble() - deep) < 1e-6);
+    QVERIFY(std::abs(two["meanOfLeastAngles"].toDouble() - (even + deep) / 2) < 1e-6);
     const QString text = run({"info", "bar.mesh"}).out;
     QVERIFY(text.contains("least angles:\n"));
     QVERIFY(text.contains("█\n"));

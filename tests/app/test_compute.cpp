@@ -49,6 +49,8 @@ class TestCompute : public QObject {
     void cancelGoesBack_data();
     void cancelGoesBack();
     void firstMeshIsCancelled();
+    void playbackWaitsForWhatIsComputed();
+    void whatIsGoneIsNotSelected();
     void velocitiesWaitForRequests();
     void newestTargetsStay();
     void closedMailboxStaysInterrupted();
@@ -389,6 +391,42 @@ void TestCompute::firstMeshIsCancelled() {
     QVERIFY(settle(*m_session));
     QVERIFY(std::abs(m_session->frame<2>()->rest->vertexCount() - 300) <= 40);
     QCOMPARE(problems.last().first().toString(), QString());  // taken back
+}
+
+void TestCompute::whatIsGoneIsNotSelected() {
+    open();
+    m_session->addPin({40, 80});
+    const int last = m_session->addPin({200, 80});
+    m_session->selection().set({0, last});
+    m_session->document().undoStack()->undo();
+    QCOMPARE(m_session->selection().handles(), std::vector<int>{0});
+    m_session->document().undoStack()->undo();
+    QVERIFY(m_session->selection().isEmpty());
+    QVERIFY(settle(*m_session));
+}
+
+/// It stands where the motion ends so far, and goes on when more of it is there.
+void TestCompute::playbackWaitsForWhatIsComputed() {
+    Playback playback;
+    playback.setEnd(0.2);
+    playback.setTime(0);
+    playback.setReady(0.05);
+    playback.setPlaying(true);
+    QVERIFY(QTest::qWaitFor([&] { return playback.time() >= 0.05; }, 20000));
+    QCOMPARE(playback.time(), 0.05);
+    QVERIFY(playback.isPlaying());
+    playback.setReady(0.2);
+    QVERIFY(QTest::qWaitFor([&] { return !playback.isPlaying(); }, 20000));
+    QCOMPARE(playback.time(), 0.2);
+    // Again and again, if it loops.
+    playback.setLoops(true);
+    playback.setPlaying(true);
+    int ends = 0;
+    const auto count = connect(&playback, &Playback::timeChanged, this,
+                               [&](double time) { ends += time == playback.end() ? 1 : 0; });
+    QVERIFY(QTest::qWaitFor([&] { return ends >= 2 || !playback.isPlaying(); }, 20000));
+    disconnect(count);
+    QVERIFY(playback.isPlaying());
 }
 
 /// A question is answered when nothing else is wanted, and not lost.

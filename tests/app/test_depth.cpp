@@ -146,6 +146,24 @@ class Composition {
     std::vector<double> m_orders;
 };
 
+/// All that a point of the pose lies in.
+std::vector<int> cellsAt(const PosedFrame<2>& frame, const Vec<2>& p) {
+    std::vector<int> cells;
+    for (int c = 0; c < frame.rest->cellCount(); ++c) {
+        const Cell<2>& cell = frame.rest->cells[c];
+        const auto side = [&](int k) {
+            const Vec<2> a = frame.pose.col(cell[k]), b = frame.pose.col(cell[(k + 1) % 3]);
+            return (b - a).x() * (p - a).y() - (b - a).y() * (p - a).x();
+        };
+        if ((side(0) > 0) == (side(1) > 0) && (side(1) > 0) == (side(2) > 0)) cells.push_back(c);
+    }
+    return cells;
+}
+
+int distance(const QColor& a, const QColor& b) {
+    return std::abs(a.red() - b.red()) + std::abs(a.green() - b.green()) + std::abs(a.blue() - b.blue());
+}
+
 }  // namespace
 
 class TestDepth : public QObject {
@@ -156,6 +174,10 @@ class TestDepth : public QObject {
     void crossingLimb();
     void orderIsUndone();
     void brushed();
+    void whatIsSeenIsTouched();
+    void strokesLeaveWhatIsLarger();
+    void anotherMeshHasItsOwnOrder();
+    void mapsShowWhatLiesInFront();
     void pinsBringTheirPart();
 
   private:
@@ -393,6 +415,81 @@ void TestDepth::brushed() {
     m_canvas.setOverlaysHidden(true);
 }
 
+/// Of the hand and the body below the one that lies in front, whichever has the greater numbers.
+void TestDepth::whatIsSeenIsTouched() {
+    for (const double order : {1.0, -1.0}) {
+        setDepth({{"hand", Ball<2>{{kHand.x(), kHand.y()}, kHandRadius}, order}});
+        const auto touch = m_canvas.touch(m_canvas.toWidget(m_session.pins<2>()[0].centre));
+        QVERIFY(touch);
+        const auto frame = m_session.frame<2>();
+        const Vec<2> rest = positionOf<2>(touch->place, *frame->rest, frame->rest->points);
+        QCOMPARE((rest - Vec<2>(kHand.x(), kHand.y())).norm() < kHandRadius, order > 0);
+    }
+}
+
+/// Only what a stroke hides altogether goes.
+void TestDepth::strokesLeaveWhatIsLarger() {
+    setDepth({{"body", Ball<2>{{200, 180}, 60}, 2}});
+    const Project& project = *m_session.document().project();
+    const auto small = withDepthStroke(project, {{{200, 180}, 10}, {{206, 180}, 10}}, -1).depth;
+    QCOMPARE(small.size(), std::size_t(3));
+    QCOMPARE(small[0].order, 2.0);
+    QCOMPARE(withDepthStroke(project, {{{210, 180}, 80}}, -1).depth.size(), std::size_t(1));
+}
+
+void TestDepth::anotherMeshHasItsOwnOrder() {
+    setDepth({{"arm", Polygon{pointsOf(kArm)}, 1}});
+    canvasIsTheExport();
+    for (const int vertices : {350, 500}) {
+        Project project = *m_session.document().project();
+        project.domain.vertices = vertices;
+        m_session.document().change(QStringLiteral("Density"), std::move(project));
+        QVERIFY(settle(m_session));
+        canvasIsTheExport();
+    }
+}
+
+/// Where two cells with colours that are far apart lie over each other, that of the upper one is seen.
+void TestDepth::mapsShowWhatLiesInFront() {
+    const auto frame = m_session.frame<2>();
+    const std::vector<double> values = cellValues<2>(*frame, Measure::Angle);
+    const MeasureRange range{0, rangeOf(values, Measure::Angle).high / 8};
+    const auto colourOf = [&](int cell) {
+        return QColor(colourAt(Measure::Angle, positionIn(range, Measure::Angle, values[cell])));
+    };
+    m_canvas.setOverlaysHidden(false);
+    m_canvas.setMap(Measure::Angle, range);
+    m_canvas.setMapShown(true);
+    for (const double order : {1.0, -1.0}) {
+        setDepth({{"arm", Polygon{pointsOf(kArm)}, order}});
+        QVERIFY(QTest::qWaitFor([&] { return m_canvas.isSettled(); }, 60000));
+        const QImage& seen = m_canvas.drawn()->image;
+        const auto isArm = [&](int cell) {
+            Vec<2> centre = Vec<2>::Zero();
+            for (const int v : frame->rest->cells[cell]) centre += frame->rest->points.col(v) / 3;
+            return kArm.containsPoint({centre.x(), centre.y()}, Qt::OddEvenFill);
+        };
+        int compared = 0, wrong = 0;
+        for (int y = 0; y < seen.height(); y += 2)
+            for (int x = 0; x < seen.width(); x += 2) {
+                const Vec<2> p = m_canvas.toShape(QPointF(x + 0.5, y + 0.5) / seen.devicePixelRatio());
+                const std::vector<int> cells = cellsAt(*frame, p);
+                if (cells.size() != 2 || isArm(cells[0]) == isArm(cells[1])) continue;
+                const int arm = isArm(cells[0]) ? 0 : 1;
+                const QColor upper = colourOf(cells[order > 0 ? arm : 1 - arm]),
+                             lower = colourOf(cells[order > 0 ? 1 - arm : arm]);
+                if (distance(upper, lower) < 120) continue;
+                ++compared;
+                const QColor pixel(seen.pixel(x, y));
+                wrong += distance(pixel, upper) > distance(pixel, lower) ? 1 : 0;
+            }
+        QVERIFY2(compared > 20, qPrintable(QString::number(compared)));
+        QVERIFY2(wrong <= 0.02 * compared, qPrintable(QString("%1 of %2").arg(wrong).arg(compared)));
+    }
+    m_canvas.setMapShown(false);
+    m_canvas.setOverlaysHidden(true);
+}
+
 void TestDepth::pinsBringTheirPart() {
     setDepth({});
     const double size = m_session.frame()->diagonal;
@@ -409,6 +506,10 @@ void TestDepth::pinsBringTheirPart() {
     QCOMPARE(depthOfHandle(project, 0), std::optional(-1.0));
     project = withHandleDepth(project, {0, 1}, 0, size);
     QVERIFY(project.depth.empty());
+    // Of two pins close to each other either takes no more than the half between them.
+    const Project near = withHandleDepth(withPin(project, Vec<2>(146, 41), "near"), {0}, 1, size);
+    QVERIFY(signedDistance<2>(near.depth[0].shape, {134, 41}) < 0);
+    QVERIFY(signedDistance<2>(near.depth[0].shape, {137, 41}) > 0);
 }
 
 QTEST_MAIN(TestDepth)

@@ -1,4 +1,5 @@
 #include <QComboBox>
+#include <QDir>
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
@@ -26,8 +27,12 @@ class TestExportDialog : public QObject {
     void everyOptionOfARunIsThere();
     void formatsDecideWhatIsAsked();
     void cropIsToldAndFits();
+    void cropsAreToldSideBySide();
     void previewIsWhatIsWritten();
+    void whatHasNoAlphaIsPreviewedOnItsGround();
     void sizeIsThatOfTheFile();
+    void sizeOfALargePictureIsReckoned();
+    void framesAreNumbered();
     void depthsAreWritten_data();
     void depthsAreWritten();
     void backgroundsAreWritten();
@@ -231,6 +236,56 @@ void TestExportDialog::cropIsToldAndFits() {
     QVERIFY(touching > 20);
 }
 
+/// Each side with its own number: of the pose for a picture, of all of the way for a film.
+void TestExportDialog::cropsAreToldSideBySide() {
+    open(writeCutOut(*m_folder));
+    const auto told = [&](ExportKind kind) {
+        const auto asked = dialog(kind);
+        const auto* note = asked->findChild<QWidget*>(QStringLiteral("cropNote"));
+        return note->isVisible() ? note->findChild<QLabel*>()->text() : QString();
+    };
+    bend(0, -110);
+    const double top = -session().frame<2>()->pose.row(1).minCoeff();
+    QVERIFY(top > 10);
+    const QString atTop = QStringLiteral("%1 px at the top").arg(std::ceil(top));
+    QVERIFY2(told(ExportKind::Picture).endsWith(": " + atTop + '.'), qPrintable(told(ExportKind::Picture)));
+    session().beginDrag();
+    session().dragTo<2>({0, 220});
+    session().dragTo<2>({0, 110});
+    session().endDrag(0.5);
+    QVERIFY(settle(session()));
+    QCOMPARE(told(ExportKind::Picture), QString());
+    double above = 0, below = 0;
+    for (const FramePtr& frame : session().track().frames()) {
+        above = std::max(above, -posed<2>(frame)->pose.row(1).minCoeff());
+        below = std::max(below, posed<2>(frame)->pose.row(1).maxCoeff() - 160);
+    }
+    QVERIFY(above > 10 && below > 10);
+    const QString film = told(ExportKind::Frames);
+    QVERIFY2(film.contains(QStringLiteral("%1 px at the top").arg(std::ceil(above))), qPrintable(film));
+    QVERIFY2(film.contains(QStringLiteral("%1 px at the bottom").arg(std::ceil(below))), qPrintable(film));
+    QVERIFY2(!film.contains(QStringLiteral("left")), qPrintable(film));
+}
+
+void TestExportDialog::whatHasNoAlphaIsPreviewedOnItsGround() {
+    open(writeCutOut(*m_folder));
+    bend(-10, 25);
+    const auto asked = dialog(ExportKind::Picture);
+    auto* preview = asked->findChild<ExportPreview*>();
+    choose(*asked, ".jpg");
+    QVERIFY(QTest::qWaitFor([&] { return preview->isCurrent(); }, 30000));
+    QVERIFY(written(ExportKind::Picture, file("ground.jpg"), asked->values()));
+    const QImage is(file("ground.jpg")), seen = preview->image();
+    QCOMPARE(seen.size(), is.size());
+    for (const QPoint& at : {QPoint(3, 3), QPoint(230, 150), QPoint(60, 80), QPoint(120, 30)}) {
+        const QColor a = seen.pixelColor(at), b = is.pixelColor(at);
+        QVERIFY2(
+            std::abs(a.red() - b.red()) + std::abs(a.green() - b.green()) + std::abs(a.blue() - b.blue()) <
+                24,
+            qPrintable(a.name() + ' ' + b.name()));
+    }
+}
+
 /// At its own size, decoded by Qt.
 void TestExportDialog::previewIsWhatIsWritten() {
     open(writeCutOut(*m_folder));
@@ -281,6 +336,29 @@ void TestExportDialog::sizeIsThatOfTheFile() {
     const FileSize film = shape()->size(ExportKind::Frames, ".png", ten, {});
     const FileSize one = shape()->size(ExportKind::Picture, ".png", {}, {});
     QVERIFY(!film.measured && film.bytes == 10 * one.bytes);
+}
+
+/// From strips of it: of a format that does not compress, to what the header takes.
+void TestExportDialog::sizeOfALargePictureIsReckoned() {
+    QImage large(2000, 1201, QImage::Format_RGB888);
+    large.fill(QColor(90, 120, 40));
+    large.save(file("large.png"));
+    open(file("large.png"));
+    const FileSize size = shape()->size(ExportKind::Picture, ".ppm", {}, {});
+    QVERIFY(!size.measured);
+    QVERIFY(written(ExportKind::Picture, file("large.ppm"), {}));
+    const double is = double(QFileInfo(file("large.ppm")).size());
+    QVERIFY(is > 3.0 * 2000 * 1201);
+    QVERIFY2(std::abs(size.bytes / is - 1) < 1e-3, qPrintable(QString::number(size.bytes)));
+}
+
+/// Whoever forgets the place of the number gets it.
+void TestExportDialog::framesAreNumbered() {
+    open(writeCutOut(*m_folder));
+    bend(-10, 25);
+    QVERIFY(written(ExportKind::Frames, file("film.png"), with("--count", "3")));
+    QCOMPARE(QDir(m_folder->path()).entryList({QStringLiteral("film*")}),
+             QStringList({"film_0000.png", "film_0001.png", "film_0002.png"}));
 }
 
 void TestExportDialog::depthsAreWritten_data() {

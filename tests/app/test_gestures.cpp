@@ -1,6 +1,7 @@
 #include <QSignalSpy>
 
 #include "app/document/handle_edits.h"
+#include "app/session/drag_gesture.h"
 #include "app/session/opening.h"
 #include "app/session/scene.h"
 #include "app/session/settle_step.h"
@@ -30,6 +31,8 @@ class TestGestures : public QObject {
     void fixedStepsGoOnAsInTheFile();
     void newPinDoesNotDim();
     void settlingIsAStepOfItsOwn();
+    void anotherTimeIsNotThatOfTheDrag();
+    void refusedHandlesWaitForTheShape();
 
   private:
     void open(int vertices = 400);
@@ -319,6 +322,51 @@ void TestGestures::settlingIsAStepOfItsOwn() {
     QVERIFY(settled());
     QVERIFY(project().settle.empty());
     QCOMPARE(m_session->playback().end(), end);
+}
+
+/// The last frame of a drag stands for the end of the motion while that is computed, and for nothing else.
+void TestGestures::anotherTimeIsNotThatOfTheDrag() {
+    open();
+    drag(1, {0, 20});
+    m_session->selection().set({1});
+    m_session->beginDrag();
+    m_session->dragTo({0, 10});
+    QVERIFY(QTest::qWaitFor([&] { return m_session->frame() && m_session->frame()->live; }, 20000));
+    m_session->endDrag(0.2);
+    QVERIFY(m_session->isBusy());
+    m_session->playback().setTime(0);
+    const auto first = m_session->frame<2>();
+    QVERIFY(first->pose == first->rest->points);
+    QVERIFY(settled());
+}
+
+/// However far the pointer goes on, until the shape can follow again.
+void TestGestures::refusedHandlesWaitForTheShape() {
+    DragGesture drag({0}, Grip{});
+    const auto follow = [&](int sample, double x, bool stopped) {
+        ShapeFrame live;
+        live.sample = sample;
+        live.amount = Amount(x, 0, 0);
+        live.stopped = stopped;
+        drag.follow(live);
+    };
+    const int first = drag.add({10, 0, 0});
+    QCOMPARE(drag.amount().x(), 10.0);  // not known yet
+    follow(first, 4, true);
+    QCOMPARE(drag.amount().x(), 4.0);
+    const int second = drag.add({30, 0, 0});
+    QCOMPARE(drag.amount().x(), 4.0);
+    QCOMPARE(drag.straight().back().x(), 4.0);
+    QCOMPARE(drag.path(0).back().x(), 4.0);
+    const int third = drag.add({2, 0, 0});
+    follow(third, 2, false);
+    QCOMPARE(drag.amount().x(), 2.0);
+    QVERIFY(second < third);
+    // What lies between the last place that was reached and the refusal has never been reached.
+    drag = DragGesture({0}, Grip{});
+    for (const Amount& amount : {Amount(10, 0, 0), Amount(0, 20, 0), Amount(30, 0, 0)}) drag.add(amount);
+    follow(3, 4, true);
+    QVERIFY((drag.path(0) == std::vector<Amount>{{0, 0, 0}, {4, 0, 0}}));
 }
 
 QTEST_GUILESS_MAIN(TestGestures)

@@ -56,6 +56,8 @@ class TestHeldBorder : public QObject {
     void borderIsHeld_data();
     void borderIsHeld();
     void handlesOnTheBorderAreLeftAlone();
+    void partsOnTheBorderAreLeftAlone_data();
+    void partsOnTheBorderAreLeftAlone();
     void changingItComputesTheMotionAnew();
 
   private:
@@ -200,6 +202,36 @@ void TestHeldBorder::handlesOnTheBorderAreLeftAlone() {
                 (pinned ? 1e-6 : 0));
     }
     QCOMPARE(moved, 1);
+}
+
+void TestHeldBorder::partsOnTheBorderAreLeftAlone_data() {
+    QTest::addColumn<bool>("byNumber");
+    QTest::newRow("region") << false;
+    QTest::newRow("vertices") << true;
+}
+
+/// The left end as a handle goes as a whole, the border from there on stays.
+void TestHeldBorder::partsOnTheBorderAreLeftAlone() {
+    QFETCH(bool, byNumber);
+    open(Border::Fixed);
+    const auto rest = m_session->frame<2>()->rest;
+    const auto isHeld = [&](int v) { return rest->points(0, v) <= 30; };
+    std::vector<int> numbers;
+    for (int v = 0; v < rest->vertexCount(); ++v)
+        if (isHeld(v)) numbers.push_back(v);
+    const Region<2> region = HalfSpace<2>{{30, 0}, {-1, 0}};
+    m_session->addHandle<2>(byNumber ? Placement<2>(numbers) : Placement<2>(region), "End");
+    const Vec<2> by(-8, 6);
+    m_session->moveSelected<2>({}, {by.x(), by.y(), 0});
+    QVERIFY(settle(*m_session));
+    const auto frame = m_session->frame<2>();
+    QCOMPARE(frame->rest, rest);
+    for (int v = 0; v < rest->vertexCount(); ++v) {
+        const Vec<2> p = rest->points.col(v);
+        if (!isHeld(v) && !onSide(p.x(), kWidth) && !onSide(p.y(), kHeight)) continue;
+        const Vec<2> way = isHeld(v) ? by : Vec<2>(0, 0);
+        QVERIFY2((frame->pose.col(v) - p - way).norm() < 1e-6, qPrintable(QString::number(v)));
+    }
 }
 
 void TestHeldBorder::changingItComputesTheMotionAnew() {

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/document/handle_edits.h"
+#include "app/document/outline_edits.h"
 #include "app/session/opening.h"
 #include "app/tools/flat_size_tool.h"
 #include "app/tools/outline_tool.h"
@@ -57,6 +59,9 @@ class TestOutlineTools : public QObject {
     void wandTakesAColour();
     void whatIsAtRestStays();
     void pinsBesideItGo();
+    void pinsOnTheLineStay();
+    void noiseIsLeftOut();
+    void drawnLinesAreKept();
     void gesturesAreGivenUp();
     void drawnAtRest();
     void finerWhereItIsBrushed();
@@ -200,6 +205,12 @@ void TestOutlineTools::wandTakesAColour() {
     verify(disc, edge);
     QVERIFY(!isInside(domain().polygons, {35, 35}));
     m_session->document().undoStack()->undo();
+    m_pen.set({false, 20, 1});  // of all colours
+    click(200, 100);
+    QVERIFY(settle(*m_session));
+    verify(kWidth * kHeight, 1);
+    m_session->document().undoStack()->undo();
+    m_pen.set({});
     click(30, 180, Qt::ControlModifier);  // the ground goes, both that were on it stay
     QVERIFY(settle(*m_session));
     verify(disc + 900, edge + 0.7 * 120, 2);
@@ -249,6 +260,44 @@ void TestOutlineTools::pinsBesideItGo() {
     for (const auto& problem : problems) QVERIFY(problem[0].toString().isEmpty());
     m_session->document().undoStack()->undo();
     QCOMPARE(m_session->document().design<2>().handles.size(), std::size_t(2));
+}
+
+void TestOutlineTools::pinsOnTheLineStay() {
+    Project project = *m_session->document().project();
+    for (const Vec<2>& p : {Vec<2>(30, 60), Vec<2>(120, 60), Vec<2>(60, 30), Vec<2>(60, 120), Vec<2>(30, 30),
+                            Vec<2>(70, 70), Vec<2>(29.9, 60)})
+        project = withPin(project, p, "Pin");
+    const OutlineEdit edit = withOutline(project, {{{{30, 30}, {120, 30}, {120, 120}, {30, 120}}}});
+    QCOMPARE(edit.pinsGone, 1);
+    QCOMPARE(std::get<Design<2>>(edit.project.design).handles.size(), std::size_t(6));
+}
+
+/// Less than nine pixels of the picture are a slip of the hand.
+void TestOutlineTools::noiseIsLeftOut() {
+    use(Shape::Lasso);
+    draw({{50, 40}, {150, 40}, {150, 120}, {50, 120}});
+    draw({{200, 150}, {202, 150}, {202, 152}, {200, 152}});
+    verify(100 * 80, 30);
+    QCOMPARE(domain().polygons.loops.size(), std::size_t(1));
+    draw({{200, 150}, {206, 150}, {206, 156}, {200, 156}});
+    QCOMPARE(domain().polygons.loops.size(), std::size_t(2));
+}
+
+/// Every corner of a star comes out where it was drawn, to a pixel of the screen.
+void TestOutlineTools::drawnLinesAreKept() {
+    std::vector<QPointF> star;
+    for (int i = 0; i < 24; ++i) {
+        const double angle = i * std::numbers::pi / 12, radius = i % 2 == 0 ? 62 : 58;
+        star.emplace_back(150 + radius * std::cos(angle), 100 + radius * std::sin(angle));
+    }
+    use(Shape::Lasso);
+    draw(star);
+    for (const QPointF& p : star) {
+        double nearest = INFINITY;
+        for (const Vec<2>& q : domain().polygons.loops.at(0))
+            nearest = std::min(nearest, (q - Vec<2>(p.x(), p.y())).norm());
+        QVERIFY2(nearest < 0.75, qPrintable(QString::number(nearest)));
+    }
 }
 
 void TestOutlineTools::gesturesAreGivenUp() {

@@ -57,11 +57,14 @@ class TestPainting : public QObject {
     void keysChangeTheTip();
     void directionsOfStiffness_data() { dimensions(); }
     void directionsOfStiffness();
+    void directionsAreCarriedBackToRest_data() { dimensions(); }
+    void directionsAreCarriedBackToRest();
     void paintColoursThePicture();
     void gradientsAreBlends_data() { dimensions(); }
     void gradientsAreBlends();
     void fillsAndEyedropper_data() { dimensions(); }
     void fillsAndEyedropper();
+    void fillsEndWithTheirPart();
     void layersHaveAnOrderAndNames_data() { dimensions(); }
     void layersHaveAnOrderAndNames();
     void marksLieAlongWhatIsStiff();
@@ -94,6 +97,10 @@ class TestPainting : public QObject {
     void changeTip();
     template <int Dim>
     void chooseDirections();
+    template <int Dim>
+    void carryDirections();
+    template <int Dim>
+    bool setEverywhere(double phi);
     template <int Dim>
     void blends();
     template <int Dim>
@@ -295,7 +302,8 @@ void TestPainting::modifiersEraseSmoothAndPick() {
 
 template <int Dim>
 void TestPainting::eraseSmoothAndPick() {
-    QVERIFY(Bar<Dim>::open(*m_f));
+    constexpr double kEverywhere = 1.1;  // other than a new project's
+    QVERIFY(Bar<Dim>::open(*m_f) && setEverywhere<Dim>(kEverywhere));
     auto& session = m_f->session();
     auto& canvas = Bar<Dim>::canvas(*m_f);
     m_f->tool("paint")->trigger();
@@ -318,13 +326,13 @@ void TestPainting::eraseSmoothAndPick() {
     set([](BrushSettings& b) { b.radius = 40 * kDeep; });
     stroke<Dim>({0, 0}, {0.1, 0}, Qt::ControlModifier);
     QVERIFY(settle(session));
-    QCOMPARE(phiAt(0), phi::kMetr);
+    QVERIFY(std::abs(phiAt(0) - kEverywhere) < 1e-9);
     QCOMPARE(phiAt(-1.2), phi::conformal(Dim));
     // Shift lays what is around: between the two.
     set([](BrushSettings& b) { b.radius = 80 * kDeep; });
     stroke<Dim>({0.05, 0}, {0.05, 0}, Qt::ShiftModifier);
     QVERIFY(settle(session));
-    QVERIFY(phiAt(0.05) > phi::kMetr + 0.02 && phiAt(0.05) < phi::conformal(Dim) - 0.02);
+    QVERIFY(phiAt(0.05) > kEverywhere + 0.02 && phiAt(0.05) < phi::conformal(Dim) - 0.02);
     // Half of the amount: half way on the slider, so from Angle to Length at Rigid.
     const double before = phiAt(-1.2);
     set([](BrushSettings& b) { b.phi = phi::kMetr, b.amount = 0.5, b.radius = 30 * kDeep; });
@@ -403,6 +411,70 @@ void TestPainting::chooseDirections() {
     Vec<Dim> slanted = Vec<Dim>::Zero();
     slanted.template head<2>() << 0.6, 0.8;
     QVERIFY(axisIs(slanted, 5));
+    // Half of the amount on what is not stiff yet: (I + (I + 8 a aᵀ)) / 2.
+    set([](BrushSettings& b) { b.ratio = 9, b.amount = 0.5; });
+    stroke<Dim>({1.8, 0}, {1.8, 0});
+    QVERIFY(settle(session));
+    QVERIFY(axisIs(slanted, 5));
+    set([](BrushSettings& b) { b.amount = 1; });
+    stroke<Dim>({1.8, 0.3}, {1.8, 0.3});
+    QVERIFY(settle(session));
+    QVERIFY(axisIs(slanted, 9));
+}
+
+template <int Dim>
+bool TestPainting::setEverywhere(double phi) {
+    Project next = m_f->project();
+    std::get<Design<Dim>>(next.design).material.phi = phi;
+    m_f->session().document().change(QStringLiteral("Energy"), std::move(next));
+    return settle(m_f->session());
+}
+
+void TestPainting::directionsAreCarriedBackToRest() {
+    BOTH(carryDirections);
+}
+
+/// The bar as a whole turns by a right angle, then goes to the right and up: each place takes the direction
+/// of that part of the way that it lies at, as the bar at rest has it.
+template <int Dim>
+void TestPainting::carryDirections() {
+    QVERIFY(Bar<Dim>::open(*m_f));
+    auto& session = m_f->session();
+    constexpr double kStep = 0.8 * Bar<Dim>::kUnit;
+    const Vec<Dim> right = Vec<Dim>::UnitX(), middle = Bar<Dim>::place(0, 0);
+    const Vec<Dim> up = (Bar<Dim>::place(0, 1) - middle).normalized();
+    const Region<Dim> all = Box<Dim>{Vec<Dim>::Constant(-1000), Vec<Dim>::Constant(1000)};
+    session.addHandle<Dim>(all, "All");
+    Grip turn{Grip::Kind::Turn};
+    turn.centre.template head<Dim>() = middle;
+    if (Dim == 3) turn.axis = -Vec<3>::UnitY();  // towards who looks: from right to up
+    session.moveSelected<Dim>(turn, {std::numbers::pi / 2, 0, 0});
+    for (const Vec<Dim>& step : {right, up}) {
+        Amount amount = Amount::Zero();
+        amount.template head<Dim>() = kStep * step;
+        session.moveSelected<Dim>(Grip{}, amount);
+    }
+    QVERIFY(settle(session));
+    const auto frame = session.frame<Dim>();
+    Vec<Dim> now = Vec<Dim>::Zero();  // of the middle
+    for (int v = 0; v < frame->vertices; ++v)
+        now += (frame->pose.col(v) - frame->rest->points.col(v)) / frame->vertices;
+    m_f->tool("paint")->trigger();
+    set([](BrushSettings& b) {
+        b.target = BrushTarget::Stiffness, b.along = StiffAlong::Way, b.ratio = 7, b.radius = 12;
+        b.hardness = 1;
+    });
+    auto& canvas = Bar<Dim>::canvas(*m_f);
+    const auto paintedAt = [&](const Vec<Dim>& seen) {
+        QTest::mouseClick(&canvas, Qt::LeftButton, {}, canvas.toWidget(seen).toPoint());
+        const bool done = settle(session);
+        return done ? regions<Dim>().back().stiffness->axis : Vec<Dim>(Vec<Dim>::Zero());
+    };
+    // At rest right was up before the turn, up (turned from right, the one or the other way round) right.
+    const Vec<Dim> corner = middle + kStep * right;
+    QVERIFY((now - kStep * (right + up)).norm() < 0.05 * kStep);
+    QVERIFY(std::abs(paintedAt(corner - 0.25 * kStep * right + 0.1 * kStep * up).dot(up)) > 0.99);
+    QVERIFY(std::abs(paintedAt(corner + 0.6 * kStep * up).dot(right)) > 0.99);
 }
 
 /// Over the picture as much of the energy's colour as design asks for; beside the stroke the bare picture.
@@ -484,7 +556,8 @@ void TestPainting::fillsAndEyedropper() {
 
 template <int Dim>
 void TestPainting::fills() {
-    QVERIFY(Bar<Dim>::open(*m_f));
+    constexpr double kEverywhere = 1.1;  // other than a new project's
+    QVERIFY(Bar<Dim>::open(*m_f) && setEverywhere<Dim>(kEverywhere));
     auto& session = m_f->session();
     const auto allAre = [&](double phi) {
         const auto& is = session.frame<Dim>()->material->phi;
@@ -499,10 +572,10 @@ void TestPainting::fills() {
     stroke<Dim>({-1, 0}, {-1, 0}, Qt::ShiftModifier);
     QVERIFY(settle(session) && regions<Dim>().size() == 2 && allAre(phi::kEquia));
     stroke<Dim>({-1, 0}, {-1, 0}, Qt::ControlModifier);
-    QVERIFY(settle(session) && allAre(phi::kMetr));
+    QVERIFY(settle(session) && allAre(kEverywhere));
     m_f->tool("eyedropper")->trigger();
     stroke<Dim>({1, 0}, {1, 0});
-    QVERIFY(std::abs(brush().now().phi - phi::kMetr) < 1e-12);
+    QVERIFY(std::abs(brush().now().phi - kEverywhere) < 1e-12);
     QCOMPARE(regions<Dim>().size(), std::size_t(3));
     // Saved and read it is the same.
     QTemporaryDir folder;
@@ -510,6 +583,33 @@ void TestPainting::fills() {
     session.document().save(path);
     const auto saved = openFile(path).project;
     QCOMPARE(regionGroups<Dim>(*saved).size(), std::size_t(3));
+}
+
+/// The bar is cut in two: a click fills the half that it lies in, with Shift both.
+void TestPainting::fillsEndWithTheirPart() {
+    QVERIFY(m_f->openPicture());
+    auto& session = m_f->session();
+    Project halves = m_f->project();
+    halves.domain.outline = OutlineKind::Polygons;
+    halves.domain.polygons.loops = {{{24, 64}, {110, 64}, {110, 96}, {24, 96}},
+                                    {{130, 64}, {216, 64}, {216, 96}, {130, 96}}};
+    session.document().change(QStringLiteral("Halves"), std::move(halves));
+    QVERIFY(settle(session));
+    m_f->tool("fill")->trigger();
+    const auto halfIs = [&](int side, double phi) {
+        const auto frame = session.frame<2>();
+        for (int c = 0; c < frame->cells; ++c) {
+            const bool isRight = frame->rest->points(0, frame->rest->cells[c][0]) > 120;
+            if (isRight == (side > 0) && std::abs(frame->material->phi[c] - phi) > 1e-12) return false;
+        }
+        return true;
+    };
+    set([](BrushSettings& b) { b.phi = phi::kAkvf; });
+    stroke<2>({-1, 0}, {-1, 0});
+    QVERIFY(settle(session) && halfIs(-1, phi::kAkvf) && halfIs(1, phi::kMetr));
+    set([](BrushSettings& b) { b.phi = phi::kEquia; });
+    stroke<2>({-1, 0}, {-1, 0}, Qt::ShiftModifier);
+    QVERIFY(settle(session) && halfIs(-1, phi::kEquia) && halfIs(1, phi::kEquia));
 }
 
 void TestPainting::layersHaveAnOrderAndNames() {

@@ -35,6 +35,7 @@ class TestPosing : public QObject {
     void lengthIsTyped();
     void posesSurviveAFile();
     void regionsAreDraggedFromInside();
+    void smallestRegionIsTaken();
     void regionsVeilNothing();
     void ringRotatesAndScales();
     void ringTakesNumbers();
@@ -271,6 +272,37 @@ void TestPosing::regionsAreDraggedFromInside() {
     m_window->actions().pinTool->trigger();
     click(pin(1) + Vec<2>(-12, 3));  // no pin within what is held already
     QCOMPARE(handles().size(), std::size_t(2));
+}
+
+/// Whichever was made first; a rectangle takes them by any of their points.
+void TestPosing::smallestRegionIsTaken() {
+    const auto box = [this](const Vec<2>& from, const Vec<2>& to) {
+        m_window->solids().actions().rectangle->trigger();
+        QTest::mousePress(&canvas(), Qt::LeftButton, {}, at(from));
+        QTest::mouseMove(&canvas(), at(to));
+        release(at(to));
+        m_window->actions().selectTool->trigger();
+        QTest::keyClick(&canvas(), Qt::Key_Escape);
+    };
+    box({108, 68}, {132, 92});
+    box({90, 55}, {150, 105});
+    box({112, 72}, {124, 84});
+    QCOMPARE(handles().size(), std::size_t(5));
+    const auto taken = [this](const Vec<2>& p) {
+        click(p);
+        const std::vector<int> selected = session().selection().handles();
+        QTest::keyClick(&canvas(), Qt::Key_Escape);
+        return selected;
+    };
+    QCOMPARE(taken({115, 89}), std::vector<int>{2});
+    QCOMPARE(taken({142, 90}), std::vector<int>{3});
+    QCOMPARE(taken({113.5, 83}), std::vector<int>{4});
+    // Over the right end of the large one, far from all middles.
+    QTest::mousePress(&canvas(), Qt::LeftButton, {}, at({165, 40}));
+    QTest::mouseMove(&canvas(), at({150, 100}));
+    QTest::mouseMove(&canvas(), at({138, 110}));
+    QTest::mouseRelease(&canvas(), Qt::LeftButton, {}, at({138, 110}));
+    QCOMPARE(session().selection().handles(), std::vector<int>{3});
 }
 
 /// The picture inside is the same with the pins hidden, until it is pointed at.

@@ -5,6 +5,7 @@
 #include "app/session/opening.h"
 #include "app/session/shape_builder.h"
 #include "app/session/solid.h"
+#include "app/session/told_units.h"
 #include "core/mesh/error.h"
 #include "core/mesh/mesh_file.h"
 #include "core/meshing/volume_mesher.h"
@@ -27,6 +28,9 @@ class TestSolid : public QObject {
     void cageIsChosenByItself_data();
     void cageIsChosenByItself();
     void cageCarriesTheSurface();
+    void partsThatShareACageAreTold();
+    void unitsAreThoseThatTheFileTells_data();
+    void unitsAreThoseThatTheFileTells();
     void cageIsMadeAgainWhenItChanges();
     void handlesByNumberKeepTheSurface();
     void sizesFollowRegionsAndPaint();
@@ -187,6 +191,54 @@ void TestSolid::cageCarriesTheSurface() {
         QVERIFY((carried - A * one.skin->points).cwiseAbs().maxCoeff() < 1e-12);
         QVERIFY(one.skin->triangles == readMeshFile(m_base + "/" + file).triangles);
     }
+}
+
+void TestSolid::partsThatShareACageAreTold() {
+    writeMeshFile(m_base + "/near.obj", fileOf(test::joined(kBar, test::box({3.01, 0, 0}, {4, 1, 1}, 2))));
+    writeMeshFile(m_base + "/apart.obj", fileOf(test::joined(kBar, test::box({9, 0, 0}, {10, 1, 1}, 2))));
+    const auto told = [&](const char* file) {
+        std::string all;
+        for (const auto& notice :
+             solid("'surface': '" + std::string(file) + "', 'vertices': 500, 'cage': true").notices)
+            all += notice + "\n";
+        return QString::fromStdString(all);
+    };
+    const QString near = told("near.obj"), apart = told("apart.obj");
+    QVERIFY2(near.contains("2 parts share cells of the cage and move together as 1"), qPrintable(near));
+    QVERIFY2(!near.contains("bodies"), qPrintable(near));
+    QVERIFY2(apart.contains("in 2 bodies that do not hang together"), qPrintable(apart));
+    QVERIFY2(!apart.contains("share cells"), qPrintable(apart));
+}
+
+void TestSolid::unitsAreThoseThatTheFileTells_data() {
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<QString>("units");
+    const auto row = [](const char* name, const QByteArray& text, const char* units) {
+        QTest::addRow("%s: %s", name, text.left(24).constData()) << name << text << units;
+    };
+    row("u.obj", "# Units: millimetres\nv 0 0 0\n", "mm");
+    row("u.obj", "# scanned\n# UNIT=inch\n", "in");
+    row("u.obj", "# made in an hour, 3 m of cable\n", "");
+    row("u.obj", "o unit_mm\nv 0 0 0\n", "");
+    row("u.obj", QByteArray("# ") + QByteArray(5000, '-') + "\n# unit: m\n", "");
+    row("u.off", "OFF # unit: m\n# unit: feet\n", "ft");
+    row("u.ply", "ply\ncomment unit micron\n", "µm");
+    row("u.ply", "ply\nobj_info units cm\n", "cm");
+    row("u.ply", "ply\nelement unit m\n", "");
+    row("u.stl", "solid part, units: m\nfacet\n", "m");
+    row("u.stl", "solid part\n# unit: m\n", "");
+}
+
+void TestSolid::unitsAreThoseThatTheFileTells() {
+    QFETCH(QString, name);
+    QFETCH(QByteArray, text);
+    QFETCH(QString, units);
+    QFile file(m_folder.filePath(name));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(text);
+    file.close();
+    QCOMPARE(QString::fromStdString(toldUnits(file.fileName().toStdString())), units);
 }
 
 void TestSolid::cageIsMadeAgainWhenItChanges() {

@@ -35,6 +35,7 @@
 #include "app/view/work_note.h"
 #include "core/energy/distortion.h"
 #include "core/mesh/mesh_file.h"
+#include "tests/support/dialogs.h"
 #include "tests/support/surfaces.h"
 #include "tests/support/window_fixture.h"
 
@@ -625,8 +626,16 @@ void TestSolidWindow::badSurfacesAreShownAndRepaired() {
     QTest::mouseMove(&canvas(), QPoint(340, 280));
     QTest::mouseRelease(&canvas(), Qt::RightButton, {}, QPoint(340, 280));
     const Eigen::Matrix4d view = canvas().camera().view();
+    const QString list = m_folder->filePath(QStringLiteral("wrong.txt"));
+    nameNextFile(m_window.get(), list);
+    press(QStringLiteral("Save list…"));
+    QFile saved(list);
+    QVERIFY(saved.open(QIODevice::ReadOnly));
+    QVERIFY(saved.readAll().contains("\nopen_edges 3\n"));
+    panel->findChild<QSpinBox*>()->setValue(7);
     QTest::mouseClick(repair, Qt::LeftButton);
     QVERIFY(session().document().project()->domain.repair);
+    QCOMPARE(session().document().project()->domain.largestHole, 7);
     QVERIFY(settle(session()));
     QVERIFY(QTest::qWaitFor([&] { return !panel->isVisible(); }, 20000));
     QVERIFY(session().frame<3>()->cells > 100);

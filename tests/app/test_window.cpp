@@ -66,6 +66,9 @@ class TestWindow : public QObject {
     void playRuns();
     void exportedPictureIsWhatIsShown();
     void fitsASmallScreen();
+    void viewIsZoomed();
+    void numbersBelowThePicture();
+    void recentFilesAreTheLastOnesFirst();
     void worstPlaceIsTheSameEverywhere();
     void clickBesideTheShapeSaysSo();
     void handlesThatAreGoneCanBeFound();
@@ -264,6 +267,10 @@ void TestWindow::arrowsNudge() {
     QVERIFY(settle(m_window->session()));
     QVERIFY((m_window->session().pins()[1].centre - before - Vec<2>(1, 10)).norm() < 1e-6);
     QCOMPARE(m_window->session().document().undoStack()->count(), steps + 1);
+    for (int i = 0; i < 3; ++i) QTest::keyClick(&m_window->canvas(), Qt::Key_Left);
+    for (int i = 0; i < 4; ++i) QTest::keyClick(&m_window->canvas(), Qt::Key_Up);
+    QVERIFY(settle(m_window->session()));
+    QVERIFY((m_window->session().pins()[1].centre - before - Vec<2>(-2, 6)).norm() < 1e-6);
 }
 
 void TestWindow::deleteRemoves() {
@@ -275,6 +282,14 @@ void TestWindow::deleteRemoves() {
     QVERIFY(!m_window->actions().remove->isEnabled());
     m_window->actions().undo->trigger();
     QCOMPARE(pinCount(), std::size_t(2));
+    // All at once, and back in one step.
+    click(120, 80);
+    m_window->actions().selectAll->trigger();
+    QCOMPARE(m_window->session().selection().handles(), std::vector<int>({0, 1, 2}));
+    m_window->actions().remove->trigger();
+    QCOMPARE(pinCount(), std::size_t(0));
+    m_window->actions().undo->trigger();
+    QCOMPARE(pinCount(), std::size_t(3));
 }
 
 void TestWindow::energySliderIsOneStep() {
@@ -452,6 +467,70 @@ void TestWindow::playRuns() {
     QVERIFY(playback.isAtEnd());
     QVERIFY(heights.size() > 3);
     QVERIFY(std::is_sorted(heights.begin() + 1, heights.end()));
+}
+
+/// At 100 % a pixel of the picture is one of the screen, however many there are to a point.
+void TestWindow::viewIsZoomed() {
+    open();
+    const ShapeCanvas& canvas = m_window->canvas();
+    m_window->actions().actualSize->trigger();
+    const double one = QLineF(canvas.toWidget({0, 0}), canvas.toWidget({1, 0})).length();
+    QVERIFY(std::abs(one * canvas.devicePixelRatioF() - 1) < 1e-9);
+    m_window->actions().zoomIn->trigger();
+    const double larger = QLineF(canvas.toWidget({0, 0}), canvas.toWidget({1, 0})).length();
+    QVERIFY(larger > 1.1 * one);
+    m_window->actions().zoomOut->trigger();
+    const double back = QLineF(canvas.toWidget({0, 0}), canvas.toWidget({1, 0})).length();
+    QVERIFY(std::abs(back - one) < 1e-9);
+    m_window->actions().zoomOut->trigger();
+    QVERIFY(QLineF(canvas.toWidget({0, 0}), canvas.toWidget({1, 0})).length() < 0.9 * one);
+}
+
+/// Where the pointer is, and how much the shape has grown, by the areas of its cells.
+void TestWindow::numbersBelowThePicture() {
+    open();
+    click(40, 80);
+    click(200, 80);
+    QVERIFY(settle(m_window->session()));
+    dragPin(200, 80, 25, 10);
+    QTest::mouseRelease(&m_window->canvas(), Qt::LeftButton, {}, at(225, 90));
+    QVERIFY(settle(m_window->session()));
+    const auto shown = [this](const QString& name) {
+        for (const auto* label : m_window->statusBar()->findChildren<QLabel*>())
+            if (label->accessibleName() == name) return label->text();
+        return QString();
+    };
+    const auto frame = m_window->session().frame<2>();
+    double pose = 0, rest = 0;
+    for (const auto& cell : frame->rest->cells) {
+        pose += cellMeasure<2>(frame->pose, cell);
+        rest += cellMeasure<2>(frame->rest->points, cell);
+    }
+    const double grown = 100 * (pose / rest - 1);
+    QVERIFY(grown > 1);
+    QCOMPARE(shown(QStringLiteral("Area change")),
+             QStringLiteral("area +%1 %").arg(QLocale().toString(grown, 'f', 1)));
+    const QPoint there = at(70, 30);
+    QTest::mouseMove(&m_window->canvas(), there);
+    const Vec<2> p = m_window->canvas().toShape(there);
+    QCOMPARE(shown(QStringLiteral("Position")),
+             QLocale().toString(p.x(), 'f', 1) + QStringLiteral(", ") + QLocale().toString(p.y(), 'f', 1));
+}
+
+void TestWindow::recentFilesAreTheLastOnesFirst() {
+    const QString bar = writeCutOut(*m_folder), other = writeCutOut(*m_folder, QStringLiteral("other.png"));
+    int opened = 0;
+    for (const QString& path : {bar, other, bar}) {
+        const int generation = m_window->session().document().generation();
+        m_window->openPath(path);
+        QVERIFY(
+            QTest::qWaitFor([&] { return m_window->session().document().generation() > generation; }, 20000));
+        ++opened;
+        const QStringList expected = opened == 1   ? QStringList{bar}
+                                     : opened == 2 ? QStringList{other, bar}
+                                                   : QStringList{bar, other};
+        QCOMPARE(m_window->files().recent(), expected);
+    }
 }
 
 void TestWindow::exportedPictureIsWhatIsShown() {
