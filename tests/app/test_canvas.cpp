@@ -460,7 +460,7 @@ void TestCanvas::worstPlaceIsMarkedWhereItIs() {
     m_session->selection().clear();
     QVERIFY(settle(*m_session));
     const auto frame = m_session->frame<2>();
-    const int cell = worstOf(frame->distortion, Measure::Angle).cell;
+    const int cell = worstOf(*frame->distortion, Measure::Angle).cell;
     Vec<2> pose = Vec<2>::Zero(), rest = Vec<2>::Zero();
     for (const int v : frame->rest->cells[cell]) {
         pose += frame->pose.col(v) / 3;
