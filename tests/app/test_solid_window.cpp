@@ -476,7 +476,7 @@ void TestSolidWindow::coloursFollowTheMeasure() {
     const QImage length = canvas().grabFramebuffer();
     QVERIFY(length != plain);
     auto* measure = m_window->distortionPanel().findChild<QComboBox*>();
-    QCOMPARE(measure->count(), 7);
+    QCOMPARE(measure->count(), 8);
     for (int i = 1; i < measure->count(); ++i) {
         measure->setCurrentIndex(i);
         QVERIFY2(canvas().grabFramebuffer() != plain, qPrintable(measure->itemText(i)));
