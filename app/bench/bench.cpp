@@ -9,6 +9,7 @@
 #include "app/bench/recorder.h"
 #include "app/bench/solver_rows.h"
 #include "app/bench/warp_rows.h"
+#include "app/bench/window_rows.h"
 #include "core/mesh/error.h"
 
 namespace wend {
@@ -17,10 +18,12 @@ namespace {
 struct Size {
     const char* name;
     int dimension, vertices;
+    bool isShown = false;  // is dragged in the window
 };
-constexpr Size kSizes[] = {{"2d-5.6k", 2, 5600},   {"2d-11k", 2, 11000}, {"2d-40k", 2, 40000},
-                           {"2d-160k", 2, 160000}, {"3d-1.5k", 3, 1500}, {"3d-5k", 3, 5000},
-                           {"3d-20k", 3, 20000}};
+constexpr Size kSizes[] = {{"2d-5.6k", 2, 5600, true}, {"2d-11k", 2, 11000, true}, {"2d-40k", 2, 40000, true},
+                           {"2d-160k", 2, 160000},     {"3d-1.5k", 3, 1500},       {"3d-5k", 3, 5000, true},
+                           {"3d-20k", 3, 20000, true}};
+constexpr const char *kFlatWindow = "window-2d", *kSolidWindow = "window-3d";
 constexpr const char* kWarp = "warp";
 constexpr const char* kPaper = "paper";  // measures more than speed: only when it is asked for
 
@@ -31,6 +34,13 @@ void runSize(const Size& size, BenchRecorder& recorder) {
     const double bound = addSolverRows(body, recorder);
     addFlowRows(body, bound, recorder);
     addDragRows(body, recorder);
+}
+
+template <int Dim>
+void runWindow(const char* name, BenchRecorder& recorder) {
+    recorder.begin({name, Dim, 0, 0, {}});
+    for (const Size& size : kSizes)
+        if (size.dimension == Dim && size.isShown) addWindowRows<Dim>(size.name, size.vertices, recorder);
 }
 
 void requireKnown(const std::vector<std::string>& cases) {
@@ -48,7 +58,7 @@ void requireKnown(const std::vector<std::string>& cases) {
 std::vector<std::string> benchCases() {
     std::vector<std::string> names;
     for (const Size& size : kSizes) names.push_back(size.name);
-    names.insert(names.end(), {kWarp, kPaper});
+    names.insert(names.end(), {kFlatWindow, kSolidWindow, kWarp, kPaper});
     return names;
 }
 
@@ -65,6 +75,8 @@ BenchTable runBenchmarks(const BenchOptions& options) {
         if (!wanted(size.name)) continue;
         size.dimension == 2 ? runSize<2>(size, recorder) : runSize<3>(size, recorder);
     }
+    if (wanted(kFlatWindow)) runWindow<2>(kFlatWindow, recorder);
+    if (wanted(kSolidWindow)) runWindow<3>(kSolidWindow, recorder);
     if (wanted(kWarp)) {
         recorder.begin({kWarp, 2, 0, 0, {}});
         addWarpRows(recorder);
