@@ -928,14 +928,6 @@
         <translation>Gekämmt</translation>
     </message>
     <message>
-        <source>Comb along the way in which it is to be stiff; Ctrl takes away, Shift smooths, Alt-click picks up, [ and ] change the size, Esc gives up the stroke</source>
-        <translation>Entlang der Richtung kämmen, in der es steif sein soll; Strg nimmt weg, Umschalt glättet, Alt-Klick nimmt auf, [ und ] ändern die Größe, Esc bricht den Strich ab</translation>
-    </message>
-    <message>
-        <source>Paint what is chosen on the right; Ctrl takes away, Shift smooths, Alt-click picks up, [ and ] change the size, Esc gives up the stroke</source>
-        <translation>Malen, was rechts gewählt ist; Strg nimmt weg, Umschalt glättet, Alt-Klick nimmt auf, [ und ] ändern die Größe, Esc bricht den Strich ab</translation>
-    </message>
-    <message>
         <source>Erased</source>
         <translation>Radiert</translation>
     </message>
@@ -958,6 +950,14 @@
     <message>
         <source>Paint %1 on %2</source>
         <translation>%1 auf %2 malen</translation>
+    </message>
+    <message>
+        <source>Comb along the way in which it is to be stiff; Ctrl takes away, Shift smooths, Shift-click draws a line, Alt-click picks up, Esc gives up the stroke</source>
+        <translation>Entlang der Richtung kämmen, in der es steif sein soll; Strg nimmt weg, Umschalt glättet, Klick mit Umschalt zieht eine Linie, Alt-Klick nimmt auf, Esc gibt den Strich auf</translation>
+    </message>
+    <message>
+        <source>Paint what is chosen on the right; Ctrl takes away, Shift smooths, Shift-click draws a line, Alt-click picks up, Esc gives up the stroke</source>
+        <translation>Malen, was rechts gewählt ist; Strg nimmt weg, Umschalt glättet, Klick mit Umschalt zieht eine Linie, Alt-Klick nimmt auf, Esc gibt den Strich auf</translation>
     </message>
 </context>
 <context>
@@ -1051,6 +1051,13 @@
     <message>
         <source>Brush over pins to select them, [ and ] change the size; Shift adds, Ctrl takes away</source>
         <translation>Über Pins pinseln wählt sie aus, [ und ] ändern die Größe; Umschalt dazu, Strg ab</translation>
+    </message>
+</context>
+<context>
+    <name>StiffnessFields</name>
+    <message>
+        <source>Stiffness</source>
+        <translation>Steifigkeit</translation>
     </message>
 </context>
 <context>
@@ -1663,16 +1670,6 @@
     <message>
         <source>Keys and Mouse</source>
         <translation>Tasten und Maus</translation>
-    </message>
-</context>
-<context>
-    <name>wend::ContextMenu</name>
-    <message numerus="yes">
-        <source>%n pins</source>
-        <translation>
-            <numerusform>%n Pin</numerusform>
-            <numerusform>%n Pins</numerusform>
-        </translation>
     </message>
 </context>
 <context>
@@ -3267,6 +3264,22 @@
         <source>How long the edges of the mesh are where it is brushed, of those elsewhere</source>
         <translation>Wie lang die Kanten des Netzes sind, wo überstrichen wird, gemessen an denen sonst</translation>
     </message>
+    <message>
+        <source>S&amp;nap</source>
+        <translation>Ei&amp;nrasten</translation>
+    </message>
+    <message>
+        <source>New pins sit on corners of the mesh, instead of where one clicks</source>
+        <translation>Neue Pins sitzen auf Ecken des Netzes statt dort, wohin man klickt</translation>
+    </message>
+    <message>
+        <source>&amp;Pressure</source>
+        <translation>&amp;Druck</translation>
+    </message>
+    <message>
+        <source>The harder a pen is pressed, the more of the amount is painted</source>
+        <translation>Je fester ein Stift gedrückt wird, desto mehr von der Menge wird gemalt</translation>
+    </message>
 </context>
 <context>
     <name>wend::PictureDialog</name>
@@ -3384,14 +3397,189 @@
     </message>
 </context>
 <context>
+    <name>wend::PinActions</name>
+    <message>
+        <source>&amp;Pins</source>
+        <translation>&amp;Pins</translation>
+    </message>
+    <message>
+        <source>&amp;Lock</source>
+        <translation>&amp;Sperren</translation>
+    </message>
+    <message>
+        <source>The selected pins are neither moved nor removed until unlocked</source>
+        <translation>Die gewählten Pins werden weder bewegt noch entfernt, bis sie entsperrt sind</translation>
+    </message>
+    <message>
+        <source>Ctrl+L</source>
+        <translation>Ctrl+L</translation>
+    </message>
+    <message>
+        <source>&amp;Hide</source>
+        <translation>&amp;Verbergen</translation>
+    </message>
+    <message>
+        <source>The selected pins hold on, but are neither drawn nor picked</source>
+        <translation>Die gewählten Pins halten weiter, werden aber weder gezeichnet noch getroffen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+H</source>
+        <translation>Ctrl+Shift+H</translation>
+    </message>
+    <message>
+        <source>&amp;Show All</source>
+        <translation>Alle &amp;zeigen</translation>
+    </message>
+    <message>
+        <source>Show all hidden pins again</source>
+        <translation>Alle verborgenen Pins wieder zeigen</translation>
+    </message>
+    <message>
+        <source>Alt+Shift+H</source>
+        <translation>Alt+Shift+H</translation>
+    </message>
+    <message>
+        <source>&amp;Group…</source>
+        <translation>&amp;Gruppieren …</translation>
+    </message>
+    <message>
+        <source>Put the selected pins under a heading of the list</source>
+        <translation>Die gewählten Pins in der Liste unter eine Überschrift stellen</translation>
+    </message>
+    <message>
+        <source>Ctrl+G</source>
+        <translation>Ctrl+G</translation>
+    </message>
+    <message>
+        <source>&amp;Ungroup</source>
+        <translation>Gruppierung &amp;aufheben</translation>
+    </message>
+    <message>
+        <source>Take the selected pins out of their groups</source>
+        <translation>Die gewählten Pins aus ihren Gruppen nehmen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+G</source>
+        <translation>Ctrl+Shift+G</translation>
+    </message>
+    <message>
+        <source>Lin&amp;k</source>
+        <translation>Ver&amp;knüpfen</translation>
+    </message>
+    <message>
+        <source>The selected pins move together, whichever of them is dragged</source>
+        <translation>Die gewählten Pins bewegen sich zusammen, gleich welcher von ihnen gezogen wird</translation>
+    </message>
+    <message>
+        <source>Ctrl+K</source>
+        <translation>Ctrl+K</translation>
+    </message>
+    <message>
+        <source>&amp;Mirror</source>
+        <translation>S&amp;piegeln</translation>
+    </message>
+    <message>
+        <source>Set pins where the selected ones lie in a mirror through the middle of the shape, with mirrored motions</source>
+        <translation>Pins dorthin setzen, wo die gewählten in einem Spiegel durch die Mitte der Form liegen, mit gespiegelten Bewegungen</translation>
+    </message>
+    <message>
+        <source>Ctrl+M</source>
+        <translation>Ctrl+M</translation>
+    </message>
+    <message>
+        <source>Mirror M&amp;otion</source>
+        <translation>Be&amp;wegung spiegeln</translation>
+    </message>
+    <message>
+        <source>The selected pins move to the other side instead</source>
+        <translation>Die gewählten Pins bewegen sich stattdessen zur anderen Seite</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+M</source>
+        <translation>Ctrl+Shift+M</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>Blau</translation>
+    </message>
+    <message>
+        <source>Orange</source>
+        <translation>Orange</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>Grün</translation>
+    </message>
+    <message>
+        <source>Red</source>
+        <translation>Rot</translation>
+    </message>
+    <message>
+        <source>Violet</source>
+        <translation>Violett</translation>
+    </message>
+    <message>
+        <source>Brown</source>
+        <translation>Braun</translation>
+    </message>
+    <message>
+        <source>Turquoise</source>
+        <translation>Türkis</translation>
+    </message>
+    <message>
+        <source>Plum</source>
+        <translation>Pflaume</translation>
+    </message>
+    <message>
+        <source>&amp;Colour</source>
+        <translation>&amp;Farbe</translation>
+    </message>
+    <message>
+        <source>By &amp;Place in the List</source>
+        <translation>Nach dem &amp;Platz in der Liste</translation>
+    </message>
+    <message>
+        <source>&amp;Other…</source>
+        <translation>&amp;Andere …</translation>
+    </message>
+    <message>
+        <source>Select a pin first.</source>
+        <translation>Zuerst einen Pin wählen.</translation>
+    </message>
+    <message>
+        <source>The selected pin is in no group.</source>
+        <translation>Der gewählte Pin ist in keiner Gruppe.</translation>
+    </message>
+    <message>
+        <source>Select several pins first.</source>
+        <translation>Zuerst mehrere Pins wählen.</translation>
+    </message>
+    <message>
+        <source>Select a pin that moves.</source>
+        <translation>Einen Pin wählen, der sich bewegt.</translation>
+    </message>
+    <message>
+        <source>No pin is hidden.</source>
+        <translation>Kein Pin ist verborgen.</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Gruppe</translation>
+    </message>
+    <message>
+        <source>Name of the group:</source>
+        <translation>Name der Gruppe:</translation>
+    </message>
+    <message>
+        <source>Colour of the Pin</source>
+        <translation>Farbe des Pins</translation>
+    </message>
+</context>
+<context>
     <name>wend::PinList</name>
     <message>
         <source>Pins</source>
         <translation>Pins</translation>
-    </message>
-    <message>
-        <source>Choose pins here; F2 renames, Delete removes, Enter goes to the picture, where the arrow keys move them.</source>
-        <translation>Hier Pins auswählen; F2 benennt um, Entf entfernt, Eingabe geht zum Bild, wo die Pfeiltasten sie bewegen.</translation>
     </message>
     <message>
         <source>Does not hold at the time that is shown.</source>
@@ -3400,6 +3588,30 @@
     <message>
         <source>Rename</source>
         <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>Choose pins here; F2 renames, Delete removes, Enter goes to the picture, where the arrow keys move them. The eye hides, the lock holds back from changes; a right click groups, links and mirrors.</source>
+        <translation>Hier Pins wählen; F2 benennt um, Entf entfernt, Eingabe geht zum Bild, wo die Pfeiltasten sie bewegen. Das Auge verbirgt, das Schloss schützt vor Änderungen; ein Rechtsklick gruppiert, verknüpft und spiegelt.</translation>
+    </message>
+    <message>
+        <source>Moves together with others</source>
+        <translation>Bewegt sich mit anderen zusammen</translation>
+    </message>
+    <message>
+        <source>Hidden: a click shows it</source>
+        <translation>Verborgen: Ein Klick zeigt ihn</translation>
+    </message>
+    <message>
+        <source>A click hides it</source>
+        <translation>Ein Klick verbirgt ihn</translation>
+    </message>
+    <message>
+        <source>Locked: a click unlocks it</source>
+        <translation>Gesperrt: Ein Klick entsperrt ihn</translation>
+    </message>
+    <message>
+        <source>A click locks it</source>
+        <translation>Ein Klick sperrt ihn</translation>
     </message>
 </context>
 <context>
@@ -3604,6 +3816,74 @@
     <message>
         <source>Settle</source>
         <translation>Entspannen</translation>
+    </message>
+    <message>
+        <source>There is no pin where a mirror image lies outside of the shape.</source>
+        <translation>Wo ein Spiegelbild außerhalb der Form liegt, ist kein Pin.</translation>
+    </message>
+    <message>
+        <source>There is a pin already where the mirror image would be.</source>
+        <translation>Wo das Spiegelbild wäre, ist schon ein Pin.</translation>
+    </message>
+    <message>
+        <source>Mirror %1</source>
+        <translation>%1 spiegeln</translation>
+    </message>
+    <message>
+        <source>Mirror the motion of %1</source>
+        <translation>Bewegung von %1 spiegeln</translation>
+    </message>
+    <message>
+        <source>Lock %1</source>
+        <translation>%1 sperren</translation>
+    </message>
+    <message>
+        <source>Unlock %1</source>
+        <translation>%1 entsperren</translation>
+    </message>
+    <message>
+        <source>Hide %1</source>
+        <translation>%1 verbergen</translation>
+    </message>
+    <message>
+        <source>Show %1</source>
+        <translation>%1 zeigen</translation>
+    </message>
+    <message>
+        <source>Ungroup %1</source>
+        <translation>Gruppierung von %1 aufheben</translation>
+    </message>
+    <message>
+        <source>Group %1</source>
+        <translation>%1 gruppieren</translation>
+    </message>
+    <message>
+        <source>Rename group</source>
+        <translation>Gruppe umbenennen</translation>
+    </message>
+    <message>
+        <source>Colour %1</source>
+        <translation>%1 färben</translation>
+    </message>
+    <message>
+        <source>Link %1</source>
+        <translation>%1 verknüpfen</translation>
+    </message>
+    <message>
+        <source>Unlink %1</source>
+        <translation>Verknüpfung von %1 lösen</translation>
+    </message>
+    <message>
+        <source>%1 is locked. A right click or the list of pins unlocks it.</source>
+        <translation>%1 ist gesperrt. Ein Rechtsklick oder die Liste der Pins entsperrt ihn.</translation>
+    </message>
+    <message>
+        <source>%1 are locked. A right click or the list of pins unlocks them.</source>
+        <translation>%1 sind gesperrt. Ein Rechtsklick oder die Liste der Pins entsperrt sie.</translation>
+    </message>
+    <message>
+        <source>%1 mirrored</source>
+        <translation>%1 gespiegelt</translation>
     </message>
 </context>
 <context>
@@ -4013,6 +4293,14 @@
     <message>
         <source>Re&amp;move Skin</source>
         <translation>Haut &amp;entfernen</translation>
+    </message>
+    <message>
+        <source>S&amp;nap</source>
+        <translation>Ei&amp;nrasten</translation>
+    </message>
+    <message>
+        <source>New pins sit on corners of the mesh, instead of where one clicks</source>
+        <translation>Neue Pins sitzen auf Ecken des Netzes statt dort, wohin man klickt</translation>
     </message>
 </context>
 <context>

@@ -263,6 +263,24 @@ std::vector<Motion<Dim>> readMotions(const JsonValue& value, double end) {
     return motions;
 }
 
+std::optional<unsigned> readColour(const JsonValue& value) {
+    const std::string text = value.text();
+    const bool isColour = text.size() == 7 && text[0] == '#' &&
+                          text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
+    if (!isColour) value.fail("must be a colour like \"#d9822b\", not \"" + text + '"');
+    return static_cast<unsigned>(std::stoul(text.substr(1), nullptr, 16));
+}
+
+HandleTraits readTraits(JsonObject& object) {
+    HandleTraits traits;
+    if (auto locked = object.find("locked")) traits.locked = locked->boolean();
+    if (auto hidden = object.find("hidden")) traits.hidden = hidden->boolean();
+    if (auto group = object.find("group")) traits.group = group->text();
+    if (auto link = object.find("link")) traits.link = link->integer("handles[].link");
+    if (auto colour = object.find("colour")) traits.colour = readColour(*colour);
+    return traits;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -329,6 +347,7 @@ Handle<Dim> readHandle(const JsonValue& value, double end) {
     handle.at = readPlacement<Dim>(object.require("at"));
     if (auto active = object.find("active")) readActive(*active, handle);
     if (auto motion = object.find("motion")) handle.motions = readMotions<Dim>(*motion, end);
+    handle.traits = readTraits(object);
     object.finish();
     return handle;
 }

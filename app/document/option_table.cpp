@@ -98,7 +98,7 @@ constexpr Scope kPaper{smooths<SmoothingKind::Paper>, "smoothing as in the paper
 // --- What they may be ---
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr Range kAny{}, kOrder{-1000, 1000}, kPositive{0, kInfinity, true, true},
+constexpr Range kAny{}, kOrder{-1000, 1000}, kLink{1, 1e6}, kPositive{0, kInfinity, true, true},
     kNotNegative{0, kInfinity, false, true}, kVertices{3, 1e7}, kHundred{0, 100}, kQuality{1.2, 10},
     kRatio{1, 1e6}, kTolerance{1e-12, 0.1}, kSteps{0, 1e6}, kSmallestStep{0, 0.1, true, false},
     kFrames{2, 1e6}, kThreads{0, 1024}, kRepeats{1, 1000}, kHole{0, 1e6}, kFactor{0.01, 100},
@@ -267,6 +267,16 @@ constexpr std::array kOptions{
            "how many times stiffer the region is along its axis"},
     Option{"depth[].order", "", Number, "0", kOrder, "", "", "",
            "where the shape covers itself: parts of greater order lie in front of those of less"},
+    Option{"handles[].locked", "", Flag, "", kAny, "", "", "",
+           "the handle is neither moved nor removed in the window"},
+    Option{"handles[].hidden", "", Flag, "", kAny, "", "", "",
+           "the window neither draws nor picks the handle, which holds all the same"},
+    Option{"handles[].group", "", Text, "", kAny, "", "", "",
+           "handles of one group stand under its name in the window's list"},
+    Option{"handles[].link", "", Integer, "", kLink, "", "", "",
+           "handles of one number move together when one of them is dragged in the window"},
+    Option{"handles[].colour", "", Text, "", kAny, "", "", "",
+           "the handle's colour in the window, as in #d9822b"},
     Option{"handles[].motion[].kind", "", Choice, "", kAny, "", "translate|rotate|curve|recorded", "",
            "what the handle's points do"},
     Option{"handles[].motion[].interpolation", "", Choice, "", kAny, "", "bezier|spline|polyline", "",

@@ -229,6 +229,21 @@ Json activeJson(double from, double to) {
     return Json::array({std::isfinite(from) ? Json(from) : Json(), std::isfinite(to) ? Json(to) : Json()});
 }
 
+std::string colourText(unsigned colour) {
+    constexpr std::string_view kDigits = "0123456789abcdef";
+    std::string text = "#";
+    for (int shift = 20; shift >= 0; shift -= 4) text += kDigits[colour >> shift & 0xF];
+    return text;
+}
+
+void addTraits(Json& json, const HandleTraits& traits) {
+    if (traits.locked) json["locked"] = true;
+    if (traits.hidden) json["hidden"] = true;
+    if (!traits.group.empty()) json["group"] = traits.group;
+    if (traits.link > 0) json["link"] = traits.link;
+    if (traits.colour) json["colour"] = colourText(*traits.colour);
+}
+
 template <int Dim>
 Json handleJson(const Handle<Dim>& handle) {
     Json json = Json::object();
@@ -237,6 +252,7 @@ Json handleJson(const Handle<Dim>& handle) {
     if (std::isfinite(handle.activeFrom) || std::isfinite(handle.activeTo))
         json["active"] = activeJson(handle.activeFrom, handle.activeTo);
     for (const auto& motion : handle.motions) json["motion"].push_back(motionJson(motion));
+    addTraits(json, handle.traits);
     return withExtras(std::move(json), handle.extras);
 }
 

@@ -84,7 +84,7 @@ bool CurvePanel::holdsPart() const {
             return view.handle == single() && view.points.size() > 1;
         });
     };
-    return many(m_session.pins<2>()) || many(m_session.pins<3>()) || many(m_session.ghosts<2>()) ||
+    return many(m_session.pins<2>(true)) || many(m_session.pins<3>(true)) || many(m_session.ghosts<2>()) ||
            many(m_session.ghosts<3>());
 }
 

@@ -97,7 +97,7 @@ int HandlePanel::single() const {
 
 Vec<3> HandlePanel::middle() const {
     std::vector<Vec<3>> centres;
-    for (const auto& pin : m_session.pins<3>())
+    for (const auto& pin : m_session.pins<3>(true))
         if (m_session.selection().contains(pin.handle)) centres.push_back(pin.centre);
     return centres.empty() ? Vec<3>(Vec<3>::Zero()) : meanOf<3>(centres);
 }

@@ -5,11 +5,11 @@
 #include <QToolButton>
 #include <cmath>
 
-#include "app/document/options.h"
 #include "app/panels/energy_slider.h"
 #include "app/panels/exact_box.h"
 #include "app/panels/magnitude_box.h"
 #include "app/panels/panel_parts.h"
+#include "app/panels/stiffness_fields.h"
 #include "app/session/accent.h"
 
 namespace wend {
@@ -37,7 +37,8 @@ LayerPanel::LayerPanel(ShapeSession& session, QWidget* parent)
       m_values(new QWidget(this)),
       m_hasPhi(new QCheckBox(tr("Keep here"), m_values)),
       m_phi(new EnergySlider(m_values)),
-      m_ratio(new ExactBox(m_values)),
+      m_ratio(stiffnessField(
+          tr("How many times stiffer the layer is along its direction; ×1 is as everywhere."), m_values)),
       m_axisNote(secondLabel(tr("Each along a direction of its own."), m_values)),
       m_feather(new MagnitudeBox(m_values)) {
     makeList();
@@ -69,24 +70,9 @@ void LayerPanel::makeList() {
 void LayerPanel::makeControls() {
     describe(m_hasPhi, tr("Keep here"), tr("Whether the layer changes what is kept, and to what."));
     m_ratio->setObjectName(QStringLiteral("layerRatio"));
-    const Range ratios = option("material.regions[].stiffness.ratio").range;
-    m_ratio->setRange(ratios.min, ratios.max);
-    m_ratio->setDecimals(1);
-    m_ratio->setPrefix(QStringLiteral("×"));
-    m_ratio->setFixedWidth(116);
-    describe(m_ratio, tr("Stiffness"),
-             tr("How many times stiffer the layer is along its direction; ×1 is as everywhere."));
-    for (ExactBox*& box : m_axis) {
-        box = new ExactBox(m_values);
-        box->setRange(-1e6, 1e6);
-        box->setDecimals(3);
-        box->setSingleStep(0.1);
-        box->setButtonSymbols(QAbstractSpinBox::NoButtons);
-        box->setMinimumWidth(56);
-        box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-        describe(box, tr("Stiff direction"),
-                 tr("At rest; it turns with the shape. Another one is for all regions of the layer."));
-    }
+    m_axis = directionFields(
+        tr("Stiff direction"),
+        tr("At rest; it turns with the shape. Another one is for all regions of the layer."), m_values);
     m_feather->setObjectName(QStringLiteral("layerFeather"));
     m_feather->setRange(0, 1e9);
     m_feather->setFixedWidth(116);

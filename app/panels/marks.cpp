@@ -8,11 +8,16 @@
 
 namespace wend {
 
-QColor pinColour(int handle) {
+const std::array<QColor, 8>& pinColours() {
     static const std::array<QColor, 8> kColours = {QColor(0x2e77ae), QColor(0xd9822b), QColor(0x0b7a5b),
                                                    QColor(0xb3261e), QColor(0x7a4fb5), QColor(0x8a5a00),
                                                    QColor(0x12a594), QColor(0x54267f)};
-    return kColours[static_cast<std::size_t>(std::max(handle, 0)) % kColours.size()];
+    return kColours;
+}
+
+QColor pinColour(int handle, const HandleTraits& traits) {
+    if (traits.colour) return QColor::fromRgb(*traits.colour);
+    return pinColours()[static_cast<std::size_t>(std::max(handle, 0)) % pinColours().size()];
 }
 
 /// Light with a dark rim: to be seen on any ground.
@@ -97,6 +102,19 @@ void Marks::pin(const QPointF& at, const Pin& look) {
     }
     m_painter.setBrush(!look.moves ? QColor(Qt::white) : look.selected ? accent : look.colour);
     m_painter.drawEllipse(at, 3, 3);
+    if (look.locked) padlock(at + QPointF(r + 2, -r - 2));
+}
+
+void Marks::padlock(const QPointF& at) {
+    const QRectF body(at.x() - 4, at.y() - 1, 8, 6), shackle(at.x() - 2.5, at.y() - 5, 5, 7);
+    for (const auto& [colour, width] : {std::pair{QColor(Qt::white), 4.0}, {kInk, 1.5}}) {
+        m_painter.setBrush(Qt::NoBrush);
+        m_painter.setPen(QPen(colour, width));
+        m_painter.drawArc(shackle, 0, 180 * 16);
+        m_painter.setBrush(colour);
+        m_painter.drawRoundedRect(body, 1, 1);
+    }
+    m_painter.setPen(Qt::NoPen);
 }
 
 void Marks::name(const QPointF& at, const QString& text) {

@@ -1,15 +1,20 @@
 #pragma once
 
 #include <QPainter>
+#include <array>
 #include <vector>
+
+#include "core/motion/handle.h"
 
 namespace wend {
 
 inline constexpr double kPinRadius = 6.5;
 inline const QColor kInk(20, 22, 30);
 
-/// By which a pin is known in the list and on the shape; told apart by lightness too.
-QColor pinColour(int handle);
+/// The colours that pins have without being given one; told apart by lightness too.
+const std::array<QColor, 8>& pinColours();
+/// By which a pin is known in the list and on the shape.
+QColor pinColour(int handle, const HandleTraits& traits);
 
 /// The marks that lie over pictures and solids alike, at places of the widget: light-rimmed, so that they
 /// show on any ground.
@@ -27,6 +32,7 @@ class Marks {
         bool region = false;  // a rounded square
         bool moves = true;    // of one that only holds, the disc is dark
         QColor colour = QColor(0x3a3d47);
+        bool locked = false;  // bears a padlock
     };
     void pin(const QPointF& at, const Pin& look);
     void name(const QPointF& at, const QString& text);
@@ -35,6 +41,7 @@ class Marks {
 
   private:
     void halo(const QPolygonF& line, double width);
+    void padlock(const QPointF& at);
 
     QPainter& m_painter;
 };

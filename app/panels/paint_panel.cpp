@@ -6,10 +6,10 @@
 #include <QToolButton>
 #include <cmath>
 
-#include "app/document/options.h"
 #include "app/panels/energy_slider.h"
 #include "app/panels/exact_box.h"
 #include "app/panels/panel_parts.h"
+#include "app/panels/stiffness_fields.h"
 
 namespace wend {
 
@@ -34,7 +34,8 @@ PaintPanel::PaintPanel(ShapeSession& session, Brush& brush, QWidget* parent)
       m_targets(new QButtonGroup(this)),
       m_pages(new QStackedWidget(this)),
       m_phi(new EnergySlider(this)),
-      m_ratio(new ExactBox(this)),
+      m_ratio(stiffnessField(
+          tr("How many times stiffer the painted part is along its direction; ×1 is as everywhere."), this)),
       m_direction(new QComboBox(this)),
       m_numbersRow(new QWidget(this)),
       m_amount(new NumberBox(this)),
@@ -63,13 +64,6 @@ void PaintPanel::makeControls() {
         m_targets->addButton(button, i);
     }
     m_ratio->setObjectName(QStringLiteral("brushRatio"));
-    const Range ratios = option("material.regions[].stiffness.ratio").range;
-    m_ratio->setRange(ratios.min, ratios.max);
-    m_ratio->setDecimals(1);
-    m_ratio->setPrefix(QStringLiteral("×"));
-    m_ratio->setFixedWidth(116);
-    describe(m_ratio, tr("Stiffness"),
-             tr("How many times stiffer the painted part is along its direction; ×1 is as everywhere."));
     m_direction->setObjectName(QStringLiteral("brushDirection"));
     m_direction->setFixedWidth(150);
     describe(m_direction, tr("Stiff direction"),
@@ -77,17 +71,9 @@ void PaintPanel::makeControls() {
                 "an axis, numbers, or the way of the selected pin where it is nearest."));
     auto* row = new QHBoxLayout(m_numbersRow);
     row->setContentsMargins(0, 0, 0, 0);
-    for (ExactBox*& box : m_numbers) {
-        box = new ExactBox(m_numbersRow);
-        box->setRange(-1e6, 1e6);
-        box->setDecimals(3);
-        box->setSingleStep(0.1);
-        box->setButtonSymbols(QAbstractSpinBox::NoButtons);
-        box->setMinimumWidth(56);
-        box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-        describe(box, tr("Direction in numbers"), tr("At rest; its length does not matter."));
-        row->addWidget(box);
-    }
+    m_numbers =
+        directionFields(tr("Direction in numbers"), tr("At rest; its length does not matter."), m_numbersRow);
+    for (ExactBox* box : m_numbers) row->addWidget(box);
 }
 
 void PaintPanel::makeTip() {

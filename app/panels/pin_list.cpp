@@ -1,19 +1,25 @@
 #include "app/panels/pin_list.h"
 
+#include <QHeaderView>
 #include <QKeyEvent>
-#include <QListWidget>
 #include <QPainter>
+#include <QTreeWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "app/document/handle_edits.h"
+#include "app/document/pin_edits.h"
 #include "app/panels/marks.h"
 #include "app/panels/panel_parts.h"
+#include "app/panels/theme.h"
+#include "app/session/pin_traits.h"
 
 namespace wend {
 
 namespace {
 
-constexpr int kHeight = 92, kSwatch = 12;
+constexpr int kHeight = 92, kSwatch = 12, kSign = 24, kIcon = 16;
+constexpr int kHandle = Qt::UserRole, kGroup = Qt::UserRole + 1, kColour = Qt::UserRole + 2;
 
 QIcon swatch(const QColor& colour) {
     QPixmap picture(kSwatch, kSwatch);
@@ -23,99 +29,284 @@ QIcon swatch(const QColor& colour) {
     painter.setPen(Qt::NoPen);
     painter.setBrush(colour);
     painter.drawEllipse(1, 1, kSwatch - 2, kSwatch - 2);
-    return picture;
+    QIcon icon(picture);
+    icon.addPixmap(picture, QIcon::Selected);
+    return icon;
+}
+
+bool isHeading(const QTreeWidgetItem& item) {
+    return !item.data(PinList::Name, kHandle).isValid();
 }
 
 }  // namespace
 
 PinList::PinList(ShapeSession& session, QWidget* parent)
-    : QWidget(parent), m_session(session), m_list(new QListWidget(this)) {
-    m_list->setObjectName(QStringLiteral("pinList"));
-    m_list->setFixedHeight(kHeight);
-    m_list->setSelectionMode(QAbstractItemView::ExtendedSelection);
-    m_list->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
-    m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    describe(m_list, tr("Pins"),
-             tr("Choose pins here; F2 renames, Delete removes, Enter goes to the picture, where the arrow "
-                "keys move them."));
-    m_list->installEventFilter(this);
+    : QWidget(parent), m_session(session), m_list(new QTreeWidget(this)) {
+    makeList();
+    makeIcons();
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(16, 10, 16, 10);
     layout->setSpacing(8);
     layout->addWidget(panelTitle(tr("Pins"), this));
     layout->addWidget(m_list);
-    connect(m_list, &QListWidget::itemSelectionChanged, this, &PinList::takeSelection);
-    connect(m_list, &QListWidget::itemChanged, this, &PinList::rename);
+    connect(m_list, &QTreeWidget::itemSelectionChanged, this, &PinList::takeSelection);
+    connect(m_list, &QTreeWidget::currentItemChanged, this, &PinList::takeSelection);
+    connect(m_list, &QTreeWidget::itemClicked, this, &PinList::takeSelection);
+    connect(m_list, &QTreeWidget::itemChanged, this, &PinList::rename);
+    connect(m_list, &QTreeWidget::itemCollapsed, this,
+            [this](QTreeWidgetItem* item) { m_folded.insert(item->text(Name)); });
+    connect(m_list, &QTreeWidget::itemExpanded, this,
+            [this](QTreeWidgetItem* item) { m_folded.remove(item->text(Name)); });
+    connect(m_list, &QWidget::customContextMenuRequested, this, [this](const QPoint& at) {
+        if (!m_session.selection().isEmpty()) emit menuWanted(m_list->viewport()->mapToGlobal(at));
+    });
     connect(&m_session, &ShapeSession::pinsChanged, this, &PinList::showPins);
     connect(&m_session.playback(), &Playback::timeChanged, this, &PinList::showPins);
     showPins();
 }
 
-void PinList::showRow(int row, const QString& name, bool holds) {
-    if (row >= m_list->count()) m_list->addItem(new QListWidgetItem(swatch(pinColour(row)), name));
-    QListWidgetItem* item = m_list->item(row);
-    item->setFlags(item->flags() | Qt::ItemIsEditable);
-    if (item->text() != name) item->setText(name);
-    QFont font = m_list->font();
-    font.setItalic(!holds);
-    if (item->font() != font) item->setFont(font);
-    const QString tip = holds ? QString() : tr("Does not hold at the time that is shown.");
-    if (item->toolTip() != tip) item->setToolTip(tip);
-    const bool selected = m_session.selection().contains(row);
-    if (item->isSelected() != selected) item->setSelected(selected);
+void PinList::makeList() {
+    m_list->setObjectName(QStringLiteral("pinList"));
+    m_list->setFixedHeight(kHeight);
+    m_list->setColumnCount(Lock + 1);
+    m_list->setHeaderHidden(true);
+    m_list->header()->setStretchLastSection(false);
+    m_list->header()->setMinimumSectionSize(kSign);
+    m_list->header()->setSectionResizeMode(QHeaderView::Fixed);
+    m_list->header()->setSectionResizeMode(Name, QHeaderView::Stretch);
+    for (const int column : {Link, Seen, Lock}) m_list->header()->resizeSection(column, kSign);
+    m_list->setIndentation(16);
+    m_list->setExpandsOnDoubleClick(false);
+    m_list->setUniformRowHeights(true);
+    m_list->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    m_list->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
+    m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_list->setContextMenuPolicy(Qt::CustomContextMenu);
+    describe(m_list, tr("Pins"),
+             tr("Choose pins here; F2 renames, Delete removes, Enter goes to the picture, where the arrow "
+                "keys move them. The eye hides, the lock holds back from changes; a right click groups, "
+                "links and mirrors."));
+    m_list->installEventFilter(this);
+    m_list->viewport()->installEventFilter(this);
+}
+
+void PinList::makeIcons() {
+    const auto sign = [this](const char* name, QIcon::Mode mode) {
+        const auto drawn = [&](const QPalette& in, QIcon::Mode as) {
+            return wendIcon(QLatin1String(name), in).pixmap(QSize(kIcon, kIcon), devicePixelRatioF(), as);
+        };
+        QIcon icon(drawn(palette(), mode));
+        icon.addPixmap(drawn(primaryPalette(palette()), QIcon::Normal), QIcon::Selected);
+        return icon;
+    };
+    m_link = sign("link", QIcon::Normal);
+    m_seen = sign("show", QIcon::Disabled);
+    m_hidden = sign("hide", QIcon::Normal);
+    m_locked = sign("lock", QIcon::Normal);
+    m_unlocked = sign("unlock", QIcon::Disabled);
+}
+
+void PinList::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() != QEvent::PaletteChange) return;
+    makeIcons();
+    m_groups.assign(1, -2);  // so that all rows are made anew
+    showPins();
+}
+
+QTreeWidgetItem* PinList::rowOf(int handle) const {
+    return handle >= 0 && handle < static_cast<int>(m_rows.size()) ? m_rows[handle] : nullptr;
+}
+
+QTreeWidgetItem* PinList::headingOf(const QString& group) const {
+    const auto found = std::find_if(m_headings.begin(), m_headings.end(),
+                                    [&](const auto* item) { return item->text(Name) == group; });
+    return found == m_headings.end() ? nullptr : *found;
+}
+
+std::vector<int> PinList::handlesOf(const QTreeWidgetItem& item) const {
+    if (!isHeading(item)) return {item.data(Name, kHandle).toInt()};
+    return handlesOfGroup(*m_session.document().project(), item.data(Name, kGroup).toString().toStdString());
 }
 
 /// While a drag goes on nothing of it changes.
 void PinList::showPins() {
     if (m_showing || m_session.isDragging()) return;
     m_showing = true;
-    int count = 0;
-    if (!m_session.document().isEmpty())
-        std::visit(
-            [&](const auto& design) {
-                for (const auto& handle : design.handles)
-                    showRow(count++, QString::fromStdString(handle.name),
-                            isActive(handle, m_session.playback().time()));
-            },
-            m_session.document().project()->design);
-    while (m_list->count() > count) delete m_list->takeItem(m_list->count() - 1);
+    std::vector<int> groups;
+    std::vector<std::string> names;
+    if (!m_session.document().isEmpty()) {
+        const Project& project = *m_session.document().project();
+        names = groupNames(project);
+        const auto count =
+            std::visit([](const auto& design) { return design.handles.size(); }, project.design);
+        for (std::size_t h = 0; h < count; ++h) {
+            const auto at =
+                std::find(names.begin(), names.end(), traitsOf(project, static_cast<int>(h)).group);
+            groups.push_back(at == names.end() ? -1 : static_cast<int>(at - names.begin()));
+        }
+    }
+    if (groups != m_groups) arrangeRows(groups, names.size());
+    for (std::size_t i = 0; i < names.size(); ++i)
+        showHeading(*m_headings[i], QString::fromStdString(names[i]));
+    for (int h = 0; h < static_cast<int>(m_rows.size()); ++h) showRow(h);
     m_showing = false;
 }
 
-void PinList::takeSelection() {
-    if (m_showing) return;
-    std::vector<int> handles;
-    for (const QListWidgetItem* item : m_list->selectedItems()) handles.push_back(m_list->row(item));
-    m_session.selection().set(std::move(handles));
+/// Makes all rows anew; what has the keyboard keeps it.
+void PinList::arrangeRows(const std::vector<int>& groups, std::size_t groupCount) {
+    const QTreeWidgetItem* current = m_list->currentItem();
+    const int before = current && !isHeading(*current) ? current->data(Name, kHandle).toInt() : -1;
+    m_list->clear();
+    m_list->setRootIsDecorated(groupCount > 0);
+    m_groups = groups;
+    m_rows.assign(groups.size(), nullptr);
+    m_headings.assign(groupCount, nullptr);
+    for (std::size_t h = 0; h < groups.size(); ++h) {
+        const bool grouped = groups[h] >= 0;
+        QTreeWidgetItem** heading = grouped ? &m_headings[static_cast<std::size_t>(groups[h])] : nullptr;
+        if (grouped && !*heading) *heading = newRow(nullptr);
+        m_rows[h] = newRow(grouped ? *heading : nullptr);
+        m_rows[h]->setData(Name, kHandle, static_cast<int>(h));
+    }
+    for (QTreeWidgetItem* heading : m_headings) heading->setFlags(heading->flags() & ~Qt::ItemIsSelectable);
+    if (QTreeWidgetItem* row = rowOf(before))
+        m_list->setCurrentItem(row, Name, QItemSelectionModel::NoUpdate);
 }
 
-void PinList::rename(const QListWidgetItem* item) {
-    if (m_showing) return;
+QTreeWidgetItem* PinList::newRow(QTreeWidgetItem* heading) {
+    auto* item = heading ? new QTreeWidgetItem(heading) : new QTreeWidgetItem(m_list);
+    item->setFlags(item->flags() | Qt::ItemIsEditable);
+    return item;
+}
+
+void PinList::showRow(int handle) {
+    const Project& project = *m_session.document().project();
+    QTreeWidgetItem& item = *m_rows[static_cast<std::size_t>(handle)];
+    const auto [name, holds] = std::visit(
+        [&](const auto& design) {
+            const auto& own = design.handles[static_cast<std::size_t>(handle)];
+            return std::pair(QString::fromStdString(own.name), isActive(own, m_session.playback().time()));
+        },
+        project.design);
+    const HandleTraits& traits = traitsOf(project, handle);
+    if (item.text(Name) != name) item.setText(Name, name);
+    const QColor colour = pinColour(handle, traits);
+    if (item.data(Name, kColour).value<QColor>() != colour) {
+        item.setData(Name, kColour, colour);
+        item.setIcon(Name, swatch(colour));
+    }
+    QFont font = m_list->font();
+    font.setItalic(!holds);
+    if (item.font(Name) != font) item.setFont(Name, font);
+    const QString tip = holds ? QString() : tr("Does not hold at the time that is shown.");
+    if (item.toolTip(Name) != tip) item.setToolTip(Name, tip);
+    showSigns(item, isLinked(project, handle), traits.hidden, traits.locked);
+    const bool selected = m_session.selection().contains(handle);
+    if (item.isSelected() != selected) item.setSelected(selected);
+}
+
+/// Bold while something of it is selected, which may be folded away.
+void PinList::showHeading(QTreeWidgetItem& item, const QString& group) {
+    const Project& project = *m_session.document().project();
+    const auto handles = handlesOfGroup(project, group.toStdString());
+    const auto all = [&](auto test) { return std::all_of(handles.begin(), handles.end(), test); };
+    if (item.text(Name) != group) item.setText(Name, group);
+    item.setData(Name, kGroup, group);
+    const bool open = !m_folded.contains(group);
+    if (item.isExpanded() != open) item.setExpanded(open);
+    QFont font = m_list->font();
+    font.setBold(!all([&](int h) { return !m_session.selection().contains(h); }));
+    if (item.font(Name) != font) item.setFont(Name, font);
+    showSigns(item, false, all([&](int h) { return traitsOf(project, h).hidden; }),
+              all([&](int h) { return traitsOf(project, h).locked; }));
+}
+
+void PinList::showSigns(QTreeWidgetItem& item, bool linked, bool hidden, bool locked) {
+    const auto show = [&item](Column column, int state, const QIcon& icon, const QString& words) {
+        if (item.data(column, Qt::UserRole) == state) return;
+        item.setData(column, Qt::UserRole, state);
+        item.setIcon(column, icon);
+        item.setToolTip(column, words);
+        item.setData(column, Qt::AccessibleTextRole, words);
+    };
+    show(Link, linked, linked ? m_link : QIcon(), linked ? tr("Moves together with others") : QString());
+    show(Seen, hidden, hidden ? m_hidden : m_seen,
+         hidden ? tr("Hidden: a click shows it") : tr("A click hides it"));
+    show(Lock, locked, locked ? m_locked : m_unlocked,
+         locked ? tr("Locked: a click unlocks it") : tr("A click locks it"));
+}
+
+/// A heading stands for all that is below it.
+void PinList::takeSelection() {
+    if (m_showing || m_session.document().isEmpty()) return;
+    std::vector<int> handles;
+    for (const QTreeWidgetItem* item : m_list->selectedItems())
+        handles.push_back(item->data(Name, kHandle).toInt());
+    const QTreeWidgetItem* current = m_list->currentItem();
+    if (handles.empty() && current && isHeading(*current)) handles = handlesOf(*current);
+    m_session.selection().set(std::move(handles));
+    showPins();  // also where nothing has changed but the list itself
+}
+
+/// A group's name is taken later: the rows may stand otherwise then, and this one is still being edited.
+void PinList::rename(QTreeWidgetItem* item, int column) {
+    if (m_showing || column != Name) return;
     Document& document = m_session.document();
-    const int handle = m_list->row(item);
-    const std::string name = item->text().trimmed().toStdString();
+    const QString name = item->text(Name).trimmed();
+    if (isHeading(*item)) {
+        const QString group = item->data(Name, kGroup).toString();
+        QMetaObject::invokeMethod(
+            this,
+            [this, group, name] {
+                if (!name.isEmpty() && !m_session.document().isEmpty()) renameGroup(m_session, group, name);
+                showPins();
+            },
+            Qt::QueuedConnection);
+        return;
+    }
+    const int handle = item->data(Name, kHandle).toInt();
     const std::string before = std::visit(
         [handle](const auto& design) { return design.handles.at(handle).name; }, document.project()->design);
-    if (name == before) return;
-    if (name.empty())
+    if (name.toStdString() == before) return;
+    if (name.isEmpty())
         showPins();
     else
-        document.change(tr("Rename"), withHandleName(*document.project(), handle, name));
+        document.change(tr("Rename"), withHandleName(*document.project(), handle, name.toStdString()));
 }
 
-bool PinList::eventFilter(QObject* watched, QEvent* event) {
-    const bool pressed = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
-    if (watched != m_list || !pressed) return QWidget::eventFilter(watched, event);
-    auto& key = static_cast<QKeyEvent&>(*event);
+/// What a sign is clicked for goes for all that is selected, if its row is.
+bool PinList::takePress(const QMouseEvent& press) {
+    const QModelIndex index = m_list->indexAt(press.position().toPoint());
+    const QTreeWidgetItem* item = m_list->itemAt(press.position().toPoint());
+    if (!item || press.button() != Qt::LeftButton || index.column() < Seen) return false;
+    std::vector<int> handles = handlesOf(*item);
+    if (item->isSelected()) handles = m_session.selection().handles();
+    const bool on = !item->data(index.column(), Qt::UserRole).toBool();
+    index.column() == Seen ? wend::setHidden(m_session, handles, on) : setLocked(m_session, handles, on);
+    return true;
+}
+
+bool PinList::takeKey(QKeyEvent& key, bool overrides) {
     const bool enter = key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter;
-    if (!enter && key.key() != Qt::Key_Delete) return QWidget::eventFilter(watched, event);
+    if (!enter && key.key() != Qt::Key_Delete) return false;
     key.accept();
-    if (event->type() == QEvent::ShortcutOverride) return true;
+    if (overrides) return true;
     if (enter)
         emit done();
     else
         m_session.removeSelected();
     return true;
+}
+
+bool PinList::eventFilter(QObject* watched, QEvent* event) {
+    const bool pressed = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
+    if (watched == m_list && pressed)
+        return takeKey(static_cast<QKeyEvent&>(*event), event->type() == QEvent::ShortcutOverride);
+    const bool clicked =
+        event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick;
+    if (watched == m_list->viewport() && clicked) return takePress(static_cast<QMouseEvent&>(*event));
+    return QWidget::eventFilter(watched, event);
 }
 
 }  // namespace wend

@@ -1,38 +1,61 @@
 #pragma once
 
+#include <QSet>
 #include <QWidget>
 
 #include "app/session/shape_session.h"
 
-class QListWidget;
-class QListWidgetItem;
+class QTreeWidget;
+class QTreeWidgetItem;
 
 namespace wend {
 
-/// All pins by name: to select them, to rename and remove them, without the pointer. Enter goes on to the
-/// view, where the arrow keys move what is selected.
+/// All pins by name, under the headings of their groups: to select them, to rename and remove them, to lock
+/// and to hide them, without the pointer too. Enter goes on to the view, where the arrow keys move what is
+/// selected.
 class PinList : public QWidget {
     Q_OBJECT
 
   public:
     explicit PinList(ShapeSession& session, QWidget* parent = nullptr);
-    QListWidget* list() const { return m_list; }
+    QTreeWidget* list() const { return m_list; }
+    /// The row of a pin, and the heading of a group; null if there is none.
+    QTreeWidgetItem* rowOf(int handle) const;
+    QTreeWidgetItem* headingOf(const QString& group) const;
+
+    enum Column { Name, Link, Seen, Lock };
 
   signals:
     /// The keyboard is for the view now.
     void done();
+    /// The menu of what is selected is asked for.
+    void menuWanted(QPoint global);
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void changeEvent(QEvent* event) override;
 
   private:
+    void makeList();
+    void makeIcons();
     void showPins();
-    void showRow(int row, const QString& name, bool holds);
+    void arrangeRows(const std::vector<int>& groups, std::size_t groupCount);
+    QTreeWidgetItem* newRow(QTreeWidgetItem* heading);
+    void showRow(int handle);
+    void showHeading(QTreeWidgetItem& item, const QString& group);
+    void showSigns(QTreeWidgetItem& item, bool linked, bool hidden, bool locked);
     void takeSelection();
-    void rename(const QListWidgetItem* item);
+    void rename(QTreeWidgetItem* item, int column);
+    bool takeKey(QKeyEvent& key, bool overrides);
+    bool takePress(const QMouseEvent& press);
+    std::vector<int> handlesOf(const QTreeWidgetItem& item) const;
 
     ShapeSession& m_session;
-    QListWidget* m_list;
+    QTreeWidget* m_list;
+    std::vector<QTreeWidgetItem*> m_rows, m_headings;  // of the handles, of the groups
+    std::vector<int> m_groups;  // of the handles as the rows stand: the number of the heading, or −1
+    QSet<QString> m_folded;     // groups that show their heading alone
+    QIcon m_link, m_seen, m_hidden, m_locked, m_unlocked;
     bool m_showing = false;
 };
 

@@ -4,13 +4,10 @@
 
 namespace wend {
 
-void Brush::set(const BrushSettings& settings) {
-    BrushSettings next = settings;
-    next.radius = std::clamp(next.radius, kSmallest, kLargest);
-    next.hardness = std::clamp(next.hardness, 0.0, 1.0);
-    if (next == m_now) return;
-    m_now = next;
-    emit changed();
+BrushSettings bounded(BrushSettings brush) {
+    brush.radius = std::clamp(brush.radius, Brush::kSmallest, Brush::kLargest);
+    brush.hardness = std::clamp(brush.hardness, 0.0, 1.0);
+    return brush;
 }
 
 }  // namespace wend

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <QObject>
-
+#include "app/session/shared_value.h"
 #include "core/energy/material.h"
 
 namespace wend {
@@ -21,25 +20,17 @@ struct BrushSettings {
     Vec<3> axis = Vec<3>::UnitX();  // in the plane its first two numbers
     double radius = 38;             // on the screen, in pixels: nothing is painted beyond it
     double hardness = 0.6;          // the part of the radius that is painted wholly
+    bool pressure = true;           // of a pen: it scales the amount
     bool operator==(const BrushSettings&) const = default;
 };
 
-/// The brush in the user's hand: one for all tools that paint, on pictures and on solids.
-class Brush : public QObject {
-    Q_OBJECT
+BrushSettings bounded(BrushSettings brush);
 
+/// The brush in the user's hand: one for all tools that paint, on pictures and on solids.
+class Brush : public SharedValue<BrushSettings> {
   public:
     static constexpr double kSmallest = 4, kLargest = 300;  // pixels
-
-    using QObject::QObject;
-    const BrushSettings& now() const { return m_now; }
-    void set(const BrushSettings& settings);
-
-  signals:
-    void changed();
-
-  private:
-    BrushSettings m_now;
+    using SharedValue::SharedValue;
 };
 
 }  // namespace wend

@@ -29,6 +29,7 @@ Vec<2> middleOf(const Placement<2>& at, const SimplicialMesh<2>& rest) {
 
 bool widenPin(ShapeSession& session, int handle, double radius) {
     const auto shape = session.frame<2>();
+    if (!session.mayChange(handle)) return false;
     if (!shape || session.document().dimension() != 2) return false;
     Document& document = session.document();
     const Handle<2>& own = document.design().handles.at(handle);

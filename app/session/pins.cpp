@@ -109,6 +109,7 @@ std::vector<PinView<Dim>> viewPins(const std::vector<Handle<Dim>>& handles,
         view.region = places[h].region;
         for (const auto& location : places[h].points)
             view.points.push_back(positionOf<Dim>(location, rest, pose));
+        view.places = places[h].points;
         view.centre = meanOf<Dim>(view.points);
         views.push_back(std::move(view));
     }
@@ -137,15 +138,6 @@ std::vector<Vec<2>> convexHull(std::vector<Vec<2>> points) {
 }
 
 template <int Dim>
-std::optional<Vec<Dim>> restPoint(const SimplicialMesh<Dim>& rest, const Points<Dim>& pose,
-                                  const Vec<Dim>& p) {
-    const PointLocator<Dim> locator(pose, rest.cells);
-    const auto location = locator.find(p);
-    if (!location) return {};
-    return positionOf<Dim>(*location, rest, rest.points);
-}
-
-template <int Dim>
 std::vector<PinPath<Dim>> pinPaths(const Handle<Dim>& handle, const std::vector<Vec<Dim>>& starts) {
     std::vector<PinPath<Dim>> paths;
     for (const Vec<Dim>& start : starts) {
@@ -166,8 +158,6 @@ std::vector<PinPath<Dim>> pinPaths(const Handle<Dim>& handle, const std::vector<
         const std::vector<Handle<Dim>>&, const std::vector<PinPlace<Dim>>&, const SimplicialMesh<Dim>&,      \
         const Points<Dim>&, double, bool);                                                                   \
     template Vec<Dim> meanOf<Dim>(const std::vector<Vec<Dim>>&);                                             \
-    template std::optional<Vec<Dim>> restPoint<Dim>(const SimplicialMesh<Dim>&, const Points<Dim>&,          \
-                                                    const Vec<Dim>&);                                        \
     template std::vector<PinPath<Dim>> pinPaths<Dim>(const Handle<Dim>&, const std::vector<Vec<Dim>>&)
 
 WEND_INSTANTIATE(2);

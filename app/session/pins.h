@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QString>
-#include <optional>
 #include <vector>
 
 #include "app/session/frame.h"
@@ -26,6 +25,7 @@ struct PinView {
     QString name;
     bool region = false;
     std::vector<Vec<Dim>> points;
+    std::vector<Location<Dim>> places;  // of the points
     Vec<Dim> centre = Vec<Dim>::Zero();
 };
 
@@ -48,11 +48,6 @@ Vec<Dim> meanOf(const std::vector<Vec<Dim>>& points);
 
 /// The corners of the convex hull, in order.
 std::vector<Vec<2>> convexHull(std::vector<Vec<2>> points);
-
-/// The rest point under a point of the pose; of several where the shape lies over itself, the one on top.
-template <int Dim>
-std::optional<Vec<Dim>> restPoint(const SimplicialMesh<Dim>& rest, const Points<Dim>& pose,
-                                  const Vec<Dim>& p);
 
 /// The path of a handle's point from where it begins, sampled for drawing, with the times of the samples.
 template <int Dim>

@@ -31,6 +31,7 @@ class ShapeSession : public QObject {
     /// The handle if one alone is selected, else −1. (In the middle of an undo the selection may be that of
     /// the project before.)
     int singleHandle() const;
+    int handleCount() const;
 
     /// The frame to show now: of the drag, or of the time that is shown; null before the first mesh. Never
     /// that of another file: where there is a frame, the document is the one that it was made for.
@@ -53,10 +54,11 @@ class ShapeSession : public QObject {
     /// Ends what is being computed. The document goes back to the last state whose motion was complete (redo
     /// tries again); without one it stays, with as much as there is.
     void cancelWork();
-    /// The handles at the time that is shown; dragged ones are where the pointer has them.
+    /// The handles at the time that is shown; dragged ones are where the pointer has them. Hidden ones are
+    /// among them only if `all`.
     template <int Dim = 2>
-    std::vector<PinView<Dim>> pins() const;
-    /// The handles that do not hold at that time: where they would be.
+    std::vector<PinView<Dim>> pins(bool all = false) const;
+    /// The handles that do not hold at that time: where they would be. None that is hidden.
     template <int Dim = 2>
     std::vector<PinView<Dim>> ghosts() const;
     /// Where a handle's points are when it begins to hold: the starts of its paths.
@@ -78,6 +80,9 @@ class ShapeSession : public QObject {
     /// A pin at a point of the shape as it is shown; −1, with a notice, beside it.
     template <int Dim = 2>
     int addPin(const Vec<Dim>& p);
+    /// The same at a place of it.
+    template <int Dim>
+    int addPin(const std::optional<Location<Dim>>& place);
     /// A handle of any kind, in terms of the rest shape, named "<kind> 1", "<kind> 2" …
     template <int Dim>
     int addHandle(Placement<Dim> at, const std::string& kind);
@@ -89,14 +94,19 @@ class ShapeSession : public QObject {
     std::vector<int> verticesOf(int handle) const;
     Placement<3> placementOf(const std::vector<int>& vertices) const;
     void removeSelected();
+    /// True unless the handle is locked, which is told.
+    bool mayChange(int handle) { return !unlocked({handle}).empty(); }
+    /// The name of one pin, or how many they are.
+    QString nameOf(const std::vector<int>& handles) const;
     template <int Dim = 2>
     void nudgeSelected(const Vec<Dim>& by);
     /// A whole gesture at once, as with numbers.
     template <int Dim>
     void moveSelected(const Grip& grip, const Amount& amount);
     bool isDragging() const { return m_drag.has_value(); }
-    /// Of the selected handles those that hold at the time that is shown; a notice if there are none. The
-    /// gesture goes on from there and replaces what came after.
+    /// Of the selected handles, and those that are linked with them, the ones that hold at the time that is
+    /// shown and are not locked; a notice if there are none. The gesture goes on from there and replaces what
+    /// came after.
     void beginDrag(const Grip& grip = {});
     template <int Dim = 2>
     void dragTo(const Vec<Dim>& offset) {
@@ -143,6 +153,8 @@ class ShapeSession : public QObject {
     double armOf(const DragGesture& drag) const;
     template <int Dim>
     std::vector<PinView<Dim>> views(bool holding) const;
+    template <int Dim>
+    std::vector<PinView<Dim>> shown(std::vector<PinView<Dim>> views) const;
     std::vector<int> movableHandles();
     template <int Dim>
     void takeHold(const std::vector<int>& handles);
@@ -150,8 +162,7 @@ class ShapeSession : public QObject {
     void pushGesture(const DragGesture& drag, const std::vector<Amount>& path, double from,
                      const QString& key = {});
     void endDrag(const std::vector<Amount>& path);
-    int handleCount() const;
-    QString nameOf(const std::vector<int>& handles) const;
+    std::vector<int> unlocked(std::vector<int> handles);
 
     Document m_document;
     Selection m_selection;

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "app/document/handle_edits.h"
+#include "app/document/pin_edits.h"
 #include "app/session/shape_session.h"
 
 namespace wend {
@@ -39,14 +40,23 @@ std::vector<PinView<Dim>> ShapeSession::views(bool holding) const {
                          holding);
 }
 
+/// What is to be seen of handles.
 template <int Dim>
-std::vector<PinView<Dim>> ShapeSession::ghosts() const {
-    return views<Dim>(false);
+std::vector<PinView<Dim>> ShapeSession::shown(std::vector<PinView<Dim>> views) const {
+    std::erase_if(views, [this](const PinView<Dim>& view) {
+        return m_document.design<Dim>().handles[view.handle].traits.hidden;
+    });
+    return views;
 }
 
 template <int Dim>
-std::vector<PinView<Dim>> ShapeSession::pins() const {
-    auto views = this->views<Dim>(true);
+std::vector<PinView<Dim>> ShapeSession::ghosts() const {
+    return shown<Dim>(views<Dim>(false));
+}
+
+template <int Dim>
+std::vector<PinView<Dim>> ShapeSession::pins(bool all) const {
+    auto views = all ? this->views<Dim>(true) : shown<Dim>(this->views<Dim>(true));
     if (!m_drag) return views;
     // The handle follows at once, the shape catches up.
     const Amount amount = m_drag->amount();
@@ -92,9 +102,17 @@ template <int Dim>
 int ShapeSession::addPin(const Vec<Dim>& p) {
     if (!m_frame || m_document.dimension() != Dim) return -1;
     const auto shape = frame<Dim>();
-    const auto rest = shape ? restPoint<Dim>(*shape->rest, shape->pose, p) : std::nullopt;
-    if (!rest) emit notice(tr("There is no pin: this place lies outside of the shape."));
-    return rest ? addHandle<Dim>(std::vector<Vec<Dim>>{*rest}, "Pin") : -1;
+    const PointLocator<Dim> locator(shape->pose, shape->rest->cells);
+    return addPin<Dim>(locator.find(p));
+}
+
+template <int Dim>
+int ShapeSession::addPin(const std::optional<Location<Dim>>& place) {
+    const auto shape = frame<Dim>();
+    if (!place) emit notice(tr("There is no pin: this place lies outside of the shape."));
+    if (!place || !shape) return -1;
+    return addHandle<Dim>(std::vector<Vec<Dim>>{positionOf<Dim>(*place, *shape->rest, shape->rest->points)},
+                          "Pin");
 }
 
 template <int Dim>
@@ -127,6 +145,7 @@ int ShapeSession::addSolidHandle(const std::vector<int>& vertices, const std::st
 }
 
 void ShapeSession::changeHandle(int handle, const std::vector<int>& vertices) {
+    if (!mayChange(handle)) return;
     m_document.change(tr("Change %1").arg(nameOf({handle})),
                       withHandlePlace<3>(*m_document.project(), handle, placementOf(vertices)));
 }
@@ -147,7 +166,8 @@ std::vector<int> ShapeSession::verticesOf(int handle) const {
 
 void ShapeSession::removeSelected() {
     if (m_selection.isEmpty() || m_drag) return;
-    const auto handles = m_selection.handles();
+    const auto handles = unlocked(m_selection.handles());
+    if (handles.empty()) return;
     const QString name = tr("Remove %1").arg(nameOf(handles));
     m_playback.setPlaying(false);
     const double time = gestureTime();
@@ -179,20 +199,40 @@ void ShapeSession::moveSelected(const Grip& grip, const Amount& amount) {
     pushGesture<Dim>(DragGesture(handles, grip), {Amount::Zero(), amount}, gestureTime());
 }
 
-/// The selected handles that hold the shape at the time that is shown.
+/// The selected handles that hold the shape at the time that is shown, with those that go along.
 std::vector<int> ShapeSession::movableHandles() {
     if (m_selection.isEmpty() || m_drag || !m_frame) return {};
     m_playback.setPlaying(false);
     std::vector<int> handles = m_selection.handles();
     const double time = gestureTime();
-    std::visit(
-        [&](const auto& design) {
-            std::erase_if(handles, [&](int h) { return !isActive(design.handles.at(h), time); });
-        },
-        m_document.project()->design);
-    if (handles.empty())
+    const auto keepHolding = [&] {
+        std::visit(
+            [&](const auto& design) {
+                std::erase_if(handles, [&](int h) { return !isActive(design.handles.at(h), time); });
+            },
+            m_document.project()->design);
+    };
+    keepHolding();
+    if (handles.empty()) {
         emit notice(
             tr("%1 does not hold the shape at the time that is shown.").arg(nameOf(m_selection.handles())));
+        return {};
+    }
+    handles = withLinked(*m_document.project(), handles);
+    keepHolding();
+    return unlocked(std::move(handles));
+}
+
+/// Those that may be changed; who stays is told.
+std::vector<int> ShapeSession::unlocked(std::vector<int> handles) {
+    std::vector<int> locked;
+    for (const int h : handles)
+        if (traitsOf(*m_document.project(), h).locked) locked.push_back(h);
+    if (locked.size() == 1)
+        emit notice(tr("%1 is locked. A right click or the list of pins unlocks it.").arg(nameOf(locked)));
+    else if (!locked.empty())
+        emit notice(tr("%1 are locked. A right click or the list of pins unlocks them.").arg(nameOf(locked)));
+    std::erase_if(handles, [&](int h) { return traitsOf(*m_document.project(), h).locked; });
     return handles;
 }
 
@@ -200,7 +240,7 @@ std::vector<int> ShapeSession::movableHandles() {
 template <int Dim>
 void ShapeSession::takeHold(const std::vector<int>& handles) {
     auto& grabbed = std::get<Hold<Dim>>(m_holds).grabbed;
-    grabbed = pins<Dim>();
+    grabbed = pins<Dim>(true);
     std::erase_if(grabbed, [&](const auto& view) {
         return std::find(handles.begin(), handles.end(), view.handle) == handles.end();
     });
@@ -301,10 +341,11 @@ QString ShapeSession::nameOf(const std::vector<int>& handles) const {
 }
 
 #define WEND_INSTANTIATE(Dim)                                                      \
-    template std::vector<PinView<Dim>> ShapeSession::pins<Dim>() const;            \
+    template std::vector<PinView<Dim>> ShapeSession::pins<Dim>(bool) const;        \
     template std::vector<PinView<Dim>> ShapeSession::ghosts<Dim>() const;          \
     template std::vector<Vec<Dim>> ShapeSession::pathStarts<Dim>(int) const;       \
     template int ShapeSession::addPin<Dim>(const Vec<Dim>&);                       \
+    template int ShapeSession::addPin<Dim>(const std::optional<Location<Dim>>&);   \
     template int ShapeSession::addHandle<Dim>(Placement<Dim>, const std::string&); \
     template void ShapeSession::nudgeSelected<Dim>(const Vec<Dim>&);               \
     template void ShapeSession::moveSelected<Dim>(const Grip&, const Amount&)

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/document/pin_edits.h"
 #include "app/session/accent.h"
 
 namespace wend {
@@ -34,7 +35,8 @@ QString curveHint(bool onPoint) {
 
 template <int Dim>
 int CurveEditor<Dim>::handle() const {
-    return m_session.document().dimension() == Dim ? m_session.singleHandle() : -1;
+    const int handle = m_session.document().dimension() == Dim ? m_session.singleHandle() : -1;
+    return handle >= 0 && traitsOf(*m_session.document().project(), handle).locked ? -1 : handle;
 }
 
 template <int Dim>

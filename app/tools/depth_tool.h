@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/session/depth.h"
-#include "app/tools/pen_value.h"
+#include "app/tools/outline_settings.h"
 #include "app/tools/stroke_tool.h"
 
 namespace wend {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/tools/pen_value.h"
+#include "app/tools/outline_settings.h"
 #include "app/tools/stroke_tool.h"
 
 namespace wend {

@@ -183,6 +183,7 @@ void HoldTool::change(const QPainterPath& area) {
     const Polygon polygon = outline.size() < 3 ? Polygon{} : atRest(outline);
     if (polygon.points.size() < 3 || !holdsSomething(polygon)) return;
     const int handle = session().singleHandle();
+    if (!session().mayChange(handle)) return;
     Document& document = session().document();
     const QString name = QString::fromStdString(document.design().handles[handle].name);
     document.change(QCoreApplication::translate("HoldTool", "Change %1").arg(name),

@@ -4,13 +4,10 @@
 
 namespace wend {
 
-void OutlinePen::set(const OutlineSettings& settings) {
-    OutlineSettings next = settings;
-    next.radius = std::clamp(next.radius, kSmallest, kLargest);
-    next.tolerance = std::clamp(next.tolerance, 0.0, 1.0);
-    if (next == m_now) return;
-    m_now = next;
-    emit changed();
+OutlineSettings bounded(OutlineSettings pen) {
+    pen.radius = std::clamp(pen.radius, OutlinePen::kSmallest, OutlinePen::kLargest);
+    pen.tolerance = std::clamp(pen.tolerance, 0.0, 1.0);
+    return pen;
 }
 
 }  // namespace wend

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <QObject>
+#include "app/session/shared_value.h"
 
 namespace wend {
 
@@ -12,23 +12,16 @@ struct OutlineSettings {
     bool operator==(const OutlineSettings&) const = default;
 };
 
-/// The pen in the user's hand, one for all tools that draw the outline.
-class OutlinePen : public QObject {
-    Q_OBJECT
+OutlineSettings bounded(OutlineSettings pen);
 
+/// The pen in the user's hand, one for all tools that draw the outline.
+class OutlinePen : public SharedValue<OutlineSettings> {
   public:
     static constexpr double kSmallest = 3, kLargest = 300;  // radius
-
-    using QObject::QObject;
-    const OutlineSettings& now() const { return m_now; }
-    /// Bounded.
-    void set(const OutlineSettings& settings);
-
-  signals:
-    void changed();
-
-  private:
-    OutlineSettings m_now;
+    using SharedValue::SharedValue;
 };
+
+/// The one number that a brush lays down.
+using PenValue = SharedValue<double>;
 
 }  // namespace wend

@@ -41,11 +41,11 @@ QString PaintTool<Dim>::hint() const {
                ? said(QT_TRANSLATE_NOOP(
                      "PaintTool",
                      "Comb along the way in which it is to be stiff; Ctrl takes away, Shift smooths, "
-                     "Alt-click picks up, [ and ] change the size, Esc gives up the stroke"))
+                     "Shift-click draws a line, Alt-click picks up, Esc gives up the stroke"))
                : said(QT_TRANSLATE_NOOP(
                      "PaintTool",
-                     "Paint what is chosen on the right; Ctrl takes away, Shift smooths, Alt-click picks "
-                     "up, [ and ] change the size, Esc gives up the stroke"));
+                     "Paint what is chosen on the right; Ctrl takes away, Shift smooths, Shift-click "
+                     "draws a line, Alt-click picks up, Esc gives up the stroke"));
 }
 
 template <int Dim>
@@ -120,6 +120,11 @@ Mat<Dim> PaintTool<Dim>::thereAt(const Dab& dab) const {
     return anisotropyAt(*m_frame->material, dab.place.cell);
 }
 
+template <int Dim>
+double PaintTool<Dim>::amountOf(const Dab& dab) const {
+    return brush().now().amount * (brush().now().pressure ? dab.pressure : 1);
+}
+
 /// Within the brush; at least the one that was touched.
 template <int Dim>
 std::vector<int> PaintTool<Dim>::cellsIn(const Dab& dab) const {
@@ -143,9 +148,10 @@ double PaintTool<Dim>::phiFor(const Dab& dab) const {
         for (const int c : cells) sum += stopAt(c);
         phi = phiAtStop(sum / static_cast<double>(cells.size()), Dim);
     }
-    if (now.amount == 1) return phi;
+    const double amount = amountOf(dab);
+    if (amount == 1) return phi;
     const double there = stopAt(dab.place.cell);
-    return phiAtStop(there + now.amount * (stopOfPhi(phi, Dim) - there), Dim);
+    return phiAtStop(there + amount * (stopOfPhi(phi, Dim) - there), Dim);
 }
 
 template <int Dim>
@@ -154,6 +160,7 @@ Stiffness<Dim> PaintTool<Dim>::stiffnessFor(const std::vector<Dab>& dabs, std::s
     const Mat<Dim> B = thereAt(dabs[i]);
     const Stiffness<Dim> there = stiffnessOf<Dim>(B);
     const bool isStiff = there.ratio > kStiff;
+    const double amount = amountOf(dabs[i]);
     Mat<Dim> aim = Mat<Dim>::Identity();
     if (deed() == Deed::Smooth) {
         const auto cells = cellsIn(dabs[i]);
@@ -169,10 +176,10 @@ Stiffness<Dim> PaintTool<Dim>::stiffnessFor(const std::vector<Dab>& dabs, std::s
         if (now.target == BrushTarget::Stiffness && now.along == StiffAlong::AsItIs && isStiff)
             own.axis = there.axis;
         own.axis.normalize();
-        if (now.amount == 1) return own;
+        if (amount == 1) return own;
         aim = anisotropyOf<Dim>(own);
     }
-    return stiffnessOf<Dim>((1 - now.amount) * B + now.amount * aim);
+    return stiffnessOf<Dim>((1 - amount) * B + amount * aim);
 }
 
 template <int Dim>

@@ -6,8 +6,8 @@
 namespace wend {
 
 /// Paints the material: a stroke lays soft balls with the brush's φ, stiffness or direction into the shape,
-/// as one group of regions and one undo step. Ctrl takes away, Shift smooths, Alt-click picks up what is
-/// there. What is painted is seen at once; the motion follows.
+/// as one group of regions and one undo step. Ctrl takes away, Shift smooths, Shift-click draws a line from
+/// the last place, Alt-click picks up what is there. What is painted is seen at once; the motion follows.
 template <int Dim>
 class PaintTool : public StrokeTool<Dim> {
   public:
@@ -18,6 +18,7 @@ class PaintTool : public StrokeTool<Dim> {
 
   protected:
     using typename StrokeTool<Dim>::Dab;
+    bool drawsLines() const override { return true; }
     void begin() override;
     Vec<Dim> axisAt(const PosedFrame<Dim>& frame, const Touch<Dim>& touch) const override;
     void follow(const std::vector<Dab>& dabs) override;
@@ -37,6 +38,7 @@ class PaintTool : public StrokeTool<Dim> {
     double phiFor(const Dab& dab) const;
     Stiffness<Dim> stiffnessFor(const std::vector<Dab>& dabs, std::size_t i) const;
     Vec<Dim> directionOf(const std::vector<Dab>& dabs, std::size_t i) const;
+    double amountOf(const Dab& dab) const;
     Mat<Dim> thereAt(const Dab& dab) const;
     std::vector<int> cellsIn(const Dab& dab) const;
     QString kind() const;

@@ -3,10 +3,10 @@
 #include <QApplication>
 #include <QCoreApplication>
 #include <algorithm>
-#include <limits>
 
 #include "app/session/accent.h"
 #include "app/session/pin_shapes.h"
+#include "app/tools/pin_picking.h"
 #include "app/tools/region_outline.h"
 
 namespace wend {
@@ -16,7 +16,6 @@ namespace {
 constexpr double kReach = 8;           // pixels of the screen
 constexpr double kGhostReach = 5;      // of handles that do not hold now: a new pin may be wanted there
 constexpr double kStrokeDetail = 0.5;  // pixels of the screen that a recorded path may deviate
-constexpr double kWayReach = 5;        // pixels of the screen
 constexpr double kTurnDetail = 0.005;  // radians, or of a factor, that a recorded turn may deviate
 constexpr double kLeastDetail = 0.2;   // but no less than this, in pixels of the picture
 
@@ -82,59 +81,42 @@ int PinTool::handleAt(const QPointF& widget) const {
 }
 
 int PinTool::pinAt(const QPointF& widget) const {
-    int best = -1;
-    double nearest = kReach;
+    PinPick pick;
     for (const PinView<2>& pin : session().pins()) {
-        std::vector<Vec<2>> spots = {pin.centre};
-        if (!pin.region) spots.insert(spots.end(), pin.points.begin(), pin.points.end());
-        for (const Vec<2>& spot : spots) {
-            const double d = distance(surface().toWidget(spot), widget);
-            if (d <= nearest) nearest = d, best = pin.handle;
-        }
+        for (std::size_t i = 0; i < pin.points.size() && !pin.region; ++i)
+            if (const double d = distance(surface().toWidget(pin.points[i]), widget); d <= kReach)
+                pick.offer(pin.handle, d, isCovered<2>(surface(), pin, i));
+        const bool marked = pin.region || pin.points.size() > 1;
+        if (const double d = distance(surface().toWidget(pin.centre), widget); marked && d <= kReach)
+            pick.offer(pin.handle, d, false);
     }
-    if (best >= 0) return best;
-    nearest = kGhostReach;
-    for (const PinView<2>& ghost : session().ghosts()) {
-        const double d = distance(surface().toWidget(ghost.centre), widget);
-        if (d <= nearest) nearest = d, best = ghost.handle;
-    }
-    return best;
+    if (pick.handle() >= 0) return pick.handle();
+    for (const PinView<2>& ghost : session().ghosts())
+        if (const double d = distance(surface().toWidget(ghost.centre), widget); d <= kGhostReach)
+            pick.offer(ghost.handle, d, false);
+    return pick.handle();
 }
 
-/// Of regions that lie over each other, the smallest.
+/// Of regions that lie over each other one that is seen there, of several the smallest.
 int PinTool::regionAt(const QPointF& widget) const {
     const auto frame = session().frame<2>();
-    int best = -1;
-    double least = std::numeric_limits<double>::infinity();
+    if (!frame) return -1;
+    const auto seen = surface().touch(widget);
+    PinPick pick;
     for (const PinView<2>& view : session().pins()) {
-        if (!view.region || !frame) continue;
+        if (!view.region) continue;
+        const Handle<2>& handle = session().document().design().handles[view.handle];
         QPolygonF border;
-        for (const Vec<2>& p : regionBorder(session().document().design().handles[view.handle], view, *frame))
-            border << surface().toWidget(p);
+        for (const Vec<2>& p : regionBorder(handle, view, *frame)) border << surface().toWidget(p);
+        if (!border.containsPoint(widget, Qt::OddEvenFill)) continue;
         const QRectF box = border.boundingRect();
-        const double size = box.width() * box.height();
-        if (size < least && border.containsPoint(widget, Qt::OddEvenFill)) least = size, best = view.handle;
+        const auto* region = std::get_if<Region<2>>(&handle.at);
+        const bool covered =
+            seen && region &&
+            signedDistance<2>(*region, positionOf<2>(seen->place, *frame->rest, frame->rest->points)) > 0;
+        pick.offer(view.handle, box.width() * box.height(), covered);
     }
-    return best;
-}
-
-int PinTool::wayAt(const QPointF& widget) const {
-    int best = -1;
-    double nearest = kWayReach;
-    const auto& handles = session().document().design().handles;
-    for (int h = 0; h < static_cast<int>(handles.size()); ++h) {
-        if (handles[h].motions.empty() || handles[h].activeTo <= session().playback().time()) continue;
-        for (const auto& way : pinPaths<2>(handles[h], shownStarts<2>(session().pathStarts<2>(h))))
-            for (std::size_t i = 1; i < way.points.size(); ++i) {
-                const QPointF a = surface().toWidget(way.points[i - 1]);
-                const QPointF along = surface().toWidget(way.points[i]) - a;
-                const double size = QPointF::dotProduct(along, along);
-                const double t = size > 0 ? QPointF::dotProduct(widget - a, along) / size : 0;
-                const double d = distance(widget, a + std::clamp(t, 0.0, 1.0) * along);
-                if (d < nearest) nearest = d, best = h;
-            }
-    }
-    return best;
+    return pick.handle();
 }
 
 /// The ring stands around the middle of what is selected; false if nothing is.
@@ -155,6 +137,7 @@ bool PinTool::placeRing() const {
 void PinTool::press(const QMouseEvent& event) {
     if (event.button() != Qt::LeftButton || m_gesture != Gesture::None) return;
     m_gesture = Gesture::Pressed;
+    m_cross.hide();
     m_widens = event.modifiers() & Qt::AltModifier;
     m_from = m_at = event.position();
     if (const int point = curvePointAt(m_from); point > 0) {
@@ -260,19 +243,20 @@ void PinTool::release(const QMouseEvent& event) {
         surface().setMarquee({});
         selectInside(QRectF(m_from, event.position()).normalized(), event.modifiers());
     }
-    if (gesture == Gesture::Pressed && m_pressed < 0 && !m_part) finishPress(event);
+    if (gesture == Gesture::Pressed && m_pressed < 0 && !m_part)
+        clickAt(event.position(), event.modifiers() & Qt::ShiftModifier);
     hover(event.position());
 }
 
-/// Beside all pins: on the way of one, which it selects, or on the free shape.
-void PinTool::finishPress(const QMouseEvent& event) {
-    const bool extend = event.modifiers() & Qt::ShiftModifier;
-    if (const int handle = wayAt(event.position()); handle >= 0) {
-        pressHandle(handle, extend);
-        return;
-    }
-    const int added = m_adds ? session().addPin(surface().toShape(event.position())) : -1;
-    if (added < 0 && !extend) session().selection().clear();
+/// What is seen there, or the nearest corner of its cell.
+std::optional<Location<2>> PinTool::placeAt(const QPointF& widget) const {
+    const auto seen = surface().touch(widget);
+    if (!seen) return {};
+    Location<2> place = seen->place;
+    Eigen::Index corner = 0;
+    place.weights.maxCoeff(&corner);
+    if (m_snaps) place.weights = Eigen::Vector3d::Unit(corner);
+    return place;
 }
 
 /// Every handle of which a point lies inside.
@@ -302,7 +286,7 @@ MenuPlace PinTool::menuAt(const QPointF& at) {
     if (m_gesture != Gesture::None) return MenuPlace::None;
     if (pinAt(at) < 0 && m_curve.pointAtForMenu(at)) return MenuPlace::Curve;
     const int handle = handleAt(at);
-    return menuOfPin(session().selection(), handle >= 0 ? handle : wayAt(at));
+    return menuOfPin(session().selection(), handle >= 0 ? handle : wayUnder<2>(surface(), at));
 }
 
 void PinTool::hover(const QPointF& at) {
@@ -311,27 +295,23 @@ void PinTool::hover(const QPointF& at) {
     surface().setHovered(m_hovered);
 }
 
+/// The pins that are selected; without any, a cross that Enter clicks at.
 bool PinTool::nudge(const QKeyEvent& event) {
-    Vec<2> by = Vec<2>::Zero();
-    switch (event.key()) {
-        case Qt::Key_Left:
-            by = {-1, 0};
-            break;
-        case Qt::Key_Right:
-            by = {1, 0};
-            break;
-        case Qt::Key_Up:
-            by = {0, -1};
-            break;
-        case Qt::Key_Down:
-            by = {0, 1};
-            break;
-        default:
-            return false;
-    }
-    const double size = session().pixel() * (event.modifiers() & Qt::ShiftModifier ? 10 : 1);
-    session().nudgeSelected<2>(size * by);
-    return true;
+    if (session().selection().isEmpty())
+        return m_cross.take<2>(event, surface(), [this](const QPointF& at) { clickAt(at, false); });
+    m_cross.hide();
+    const auto by = arrowOf(event);
+    if (by) session().nudgeSelected<2>(session().pixel() * Vec<2>(by->x(), by->y()));
+    return by.has_value();
+}
+
+/// What is there is selected, or a pin is set.
+void PinTool::clickAt(const QPointF& at, bool extend) {
+    const int handle = handleAt(at);
+    const int found = handle >= 0 ? handle : wayUnder<2>(surface(), at);
+    if (found >= 0) return pressHandle(found, extend);
+    const int added = m_adds ? session().addPin<2>(placeAt(at)) : -1;
+    if (added < 0 && !extend) session().selection().clear();
 }
 
 bool PinTool::key(const QKeyEvent& event) {
@@ -369,6 +349,7 @@ void PinTool::cancel() {
 
 void PinTool::paint(QPainter& painter) const {
     m_curve.paint(painter, m_at);
+    if (session().selection().isEmpty()) m_cross.paint(painter);
     if (m_gesture == Gesture::Widen) return paintWidened(painter);
     if (!placeRing()) return;
     m_ring.paint(painter, m_part);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/tools/curve_editor.h"
+#include "app/tools/key_cross.h"
 #include "app/tools/pin_ring.h"
 #include "app/tools/tool.h"
 #include "app/tools/tool_surface.h"
@@ -29,8 +30,8 @@ class PinTool : public Tool {
 
     /// The handle within reach of a point of the widget, or around it, or −1.
     int handleAt(const QPointF& widget) const;
-    /// The handle whose way is within reach, or −1.
-    int wayAt(const QPointF& widget) const;
+    /// New pins sit on corners of the mesh, instead of where one clicks.
+    void setSnaps(bool snaps) { m_snaps = snaps; }
 
   private:
     ToolSurface& surface() const { return m_surface; }
@@ -40,6 +41,7 @@ class PinTool : public Tool {
     void pressHandle(int handle, bool extend);
     int pinAt(const QPointF& widget) const;
     int regionAt(const QPointF& widget) const;
+    std::optional<Location<2>> placeAt(const QPointF& widget) const;
     bool placeRing() const;
     void paintNumber(QPainter& painter) const;
     void paintWidened(QPainter& painter) const;
@@ -48,7 +50,7 @@ class PinTool : public Tool {
     void follow(const QMouseEvent& event);
     void dragRing(bool snaps);
     void finishDrag();
-    void finishPress(const QMouseEvent& event);
+    void clickAt(const QPointF& at, bool extend);
     double widenedTo(const QPointF& at) const;
     int curvePointAt(const QPointF& at) const;
     void selectInside(const QRectF& rectangle, Qt::KeyboardModifiers modifiers);
@@ -57,7 +59,9 @@ class PinTool : public Tool {
 
     ToolSurface& m_surface;
     CurveEditor<2> m_curve;
+    KeyCross m_cross;
     bool m_adds;
+    bool m_snaps = false;
     Gesture m_gesture = Gesture::None;
     QPointF m_from, m_at;
     int m_pressed = -1;

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <QPointF>
+#include <QTabletEvent>
+#include <algorithm>
 #include <optional>
 
 #include "app/session/shape_session.h"
@@ -31,6 +33,22 @@ class ShapeSurface {
     /// the next change brings.
     virtual void showMaterial(std::shared_ptr<const Material<Dim>> painted, bool lasts = false) = 0;
     virtual void redraw() = 0;
+
+    /// How hard a pen is pressed, in ]0, 1]; 1 for what tells no pressure.
+    double pressure() const { return m_pressure; }
+
+  protected:
+    /// From a pen's own event; the pointer's events that Qt makes of it follow.
+    void takePressure(QTabletEvent& event) {
+        const bool tells = event.pointingDevice()->hasCapability(QInputDevice::Capability::Pressure);
+        const bool pressed = event.buttons() & Qt::LeftButton;
+        m_pressure = tells && pressed ? std::max(kLeastPressure, event.pressure()) : 1;
+        event.ignore();
+    }
+
+  private:
+    static constexpr double kLeastPressure = 0.01;
+    double m_pressure = 1;
 };
 
 }  // namespace wend

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "app/session/accent.h"
+#include "app/tools/pin_picking.h"
 
 namespace wend {
 
@@ -95,30 +96,28 @@ bool SolidPinTool::placeManipulator() const {
 }
 
 int SolidPinTool::handleAt(const QPointF& widget) const {
-    int best = -1;
-    double nearest = kReach;
-    for (const auto& pin : session().pins<3>()) {
-        const double d = distance(surface().toWidget(pin.centre), widget);
-        if (d <= nearest) nearest = d, best = pin.handle;
-    }
-    if (best >= 0) return best;
-    nearest = kPointReach;
+    PinPick pick;
     for (const auto& pin : session().pins<3>())
-        for (const Vec<3>& p : pin.points) {
-            const double d = distance(surface().toWidget(p), widget);
-            if (d <= nearest && (m_through || !surface().isHidden(p))) nearest = d, best = pin.handle;
-        }
-    return best;
+        if (const double d = distance(surface().toWidget(pin.centre), widget); d <= kReach)
+            pick.offer(pin.handle, d, pin.points.size() == 1 && !m_through && isCovered<3>(surface(), pin));
+    if (pick.handle() >= 0) return pick.handle();
+    for (const auto& pin : session().pins<3>())
+        for (const Vec<3>& p : pin.points)
+            if (const double d = distance(surface().toWidget(p), widget);
+                d <= kPointReach && (m_through || !surface().isHidden(p)))
+                pick.offer(pin.handle, d, false);
+    return pick.handle();
 }
 
 bool SolidPinTool::wants(const QPointF& at) const {
     return handleAt(at) >= 0 || m_curve.pointAt(at) > 0 || m_curve.isOnCurve(at) ||
-           (placeManipulator() && m_manipulator.partAt(surface(), at));
+           wayUnder<3>(surface(), at) >= 0 || (placeManipulator() && m_manipulator.partAt(surface(), at));
 }
 
 void SolidPinTool::press(const QMouseEvent& event) {
     if (event.button() != Qt::LeftButton || m_gesture != Gesture::None) return;
     m_gesture = Gesture::Pressed;
+    m_cross.hide();
     m_from = m_at = event.position();
     m_over = true;
     if (const int point = m_curve.pointAt(m_from); point > 0) {
@@ -133,10 +132,7 @@ void SolidPinTool::press(const QMouseEvent& event) {
     if (m_pressed < 0 && !m_part && m_curve.isOnCurve(m_from)) m_gesture = Gesture::OnCurve;
     m_line = {m_from};
     if (m_pressed < 0 || (onOwnCentre && !(event.modifiers() & Qt::ShiftModifier))) return;
-    if (event.modifiers() & Qt::ShiftModifier)
-        session().selection().toggle(m_pressed);
-    else if (!session().selection().contains(m_pressed))
-        session().selection().set({m_pressed});
+    select(m_pressed, event.modifiers() & Qt::ShiftModifier);
 }
 
 void SolidPinTool::move(const QMouseEvent& event) {
@@ -216,16 +212,29 @@ void SolidPinTool::release(const QMouseEvent& event) {
     if (gesture == Gesture::OnCurve) m_curve.choose(-1);
     m_at = event.position();
     if (gesture == Gesture::Marquee) selectInside(event.modifiers());
-    if (gesture == Gesture::Pressed && m_pressed < 0 && !m_part) addPinAt(event.position(), extend);
+    if (gesture == Gesture::Pressed && m_pressed < 0 && !m_part) clickAt(event.position(), extend);
     surface().redraw();
 }
 
-void SolidPinTool::addPinAt(const QPointF& at, bool extend) {
+/// What is there is selected, or a pin is set.
+void SolidPinTool::clickAt(const QPointF& at, bool extend) {
+    const int handle = handleAt(at);
+    const int found = handle >= 0 ? handle : wayUnder<3>(surface(), at);
+    if (found >= 0) return select(found, extend);
     const SolidHit hit = m_adds ? surface().pick(at) : SolidHit{};
-    if (hit.vertex >= 0)
+    if (hit.vertex >= 0 && m_snaps)
         session().addSolidHandle({hit.vertex}, "Pin");
+    else if (hit.vertex >= 0)
+        session().addPin<3>(surface().touch(at)->place);
     else if (!extend)
         session().selection().clear();
+}
+
+void SolidPinTool::select(int handle, bool extend) {
+    if (extend)
+        session().selection().toggle(handle);
+    else if (!session().selection().contains(handle))
+        session().selection().set({handle});
 }
 
 bool SolidPinTool::isInside(const QPointF& p) const {
@@ -270,26 +279,24 @@ void SolidPinTool::leave() {
 
 MenuPlace SolidPinTool::menuAt(const QPointF& at) {
     if (m_curve.pointAtForMenu(at)) return MenuPlace::Curve;
-    return menuOfPin(session().selection(), handleAt(at));
+    const int handle = handleAt(at);
+    return menuOfPin(session().selection(), handle >= 0 ? handle : wayUnder<3>(surface(), at));
 }
 
 bool SolidPinTool::ownsKey(const QKeyEvent& event) const {
     return event.key() == Qt::Key_Delete && !event.modifiers() && m_curve.chosen() > 0;
 }
 
-/// Along the screen, by a pixel of it.
+/// Along the screen, by a pixel of it; without a pin that is selected, a cross that Enter clicks at.
 bool SolidPinTool::nudge(const QKeyEvent& event) {
-    QPointF by;
-    if (event.key() == Qt::Key_Left) by = {-1, 0};
-    if (event.key() == Qt::Key_Right) by = {1, 0};
-    if (event.key() == Qt::Key_Up) by = {0, -1};
-    if (event.key() == Qt::Key_Down) by = {0, 1};
-    if (by.isNull() || !placeManipulator()) return false;
-    const Vec<3> centre = m_manipulator.centre();
-    const QPointF at = surface().toWidget(centre);
+    if (session().selection().isEmpty())
+        return m_cross.take<3>(event, surface(), [this](const QPointF& at) { clickAt(at, false); });
+    m_cross.hide();
+    const auto by = arrowOf(event);
+    if (!by || !placeManipulator()) return false;
+    const QPointF at = surface().toWidget(m_manipulator.centre());
     m_manipulator.begin({}, surface(), at);
-    const double pixels = event.modifiers() & Qt::ShiftModifier ? 10 : 1;
-    session().nudgeSelected<3>(m_manipulator.drag(surface(), at + pixels * by));
+    session().nudgeSelected<3>(m_manipulator.drag(surface(), at + *by));
     return true;
 }
 
@@ -379,6 +386,7 @@ void SolidPinTool::paint(QPainter& painter) const {
     const bool waits = m_gesture == Gesture::None || m_gesture == Gesture::Pressed;
     if (m_outline == Outline::Brush && m_over && waits && beside) paintBrush(painter);
     m_curve.paint(painter, m_at);
+    if (session().selection().isEmpty()) m_cross.paint(painter);
     if (!placeManipulator()) return;
     if (m_gesture != Gesture::Drag) {
         m_manipulator.paint(painter, surface(), m_part);

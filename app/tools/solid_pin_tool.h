@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/tools/curve_editor.h"
+#include "app/tools/key_cross.h"
 #include "app/tools/manipulator.h"
 #include "app/tools/typed_number.h"
 
@@ -17,6 +18,8 @@ class SolidPinTool : public SolidTool {
     void setOutline(Outline outline) { m_outline = outline; }
     /// Selects also what something hides.
     void setThrough(bool through) { m_through = through; }
+    /// New pins sit on corners of the mesh, instead of where one clicks.
+    void setSnaps(bool snaps) { m_snaps = snaps; }
 
     QString hint() const override;
     QCursor cursor() const override;
@@ -47,7 +50,8 @@ class SolidPinTool : public SolidTool {
     void lock(int axis);
     bool nudge(const QKeyEvent& event);
     void finish();
-    void addPinAt(const QPointF& at, bool extend);
+    void clickAt(const QPointF& at, bool extend);
+    void select(int handle, bool extend);
     bool isInside(const QPointF& p) const;
     bool isTaken(const PinView<3>& pin) const;
     void selectInside(Qt::KeyboardModifiers modifiers);
@@ -57,8 +61,10 @@ class SolidPinTool : public SolidTool {
 
     Manipulator& m_manipulator;
     CurveEditor<3> m_curve;
+    KeyCross m_cross;
     bool m_adds;
     bool m_through = false;
+    bool m_snaps = true;
     bool m_over = false;  // the pointer is over the view
     Outline m_outline = Outline::Rectangle;
     QPolygonF m_line;      // of the lasso or brush

@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kSpacing = 0.3;  // of the radius
 constexpr double kHardnessStep = 0.1;
+constexpr double kClick = 3;  // pixels of the screen
 
 QChar textOf(const QKeyEvent& key) {
     return key.text().isEmpty() ? QChar() : key.text().front();
@@ -27,18 +28,23 @@ double StrokeTool<Dim>::featherOf(const Dab& dab) const {
     return dab.radius * (1 - m_brush.now().hardness);
 }
 
-/// A ball around the rest place of what is there, unless it is close to one before.
+/// A ball around the rest place of what is there, unless it is close to one before; the last one becomes as
+/// strong as the pen is pressed on it. False if nothing has changed.
 template <int Dim>
-void StrokeTool<Dim>::dab(const QPointF& at) {
+bool StrokeTool<Dim>::dab(const QPointF& at, double pressure) {
     const auto frame = session().template frame<Dim>();
     const auto touch = surface().touch(at);
-    if (!frame || !touch) return;
+    if (!frame || !touch) return false;
     Dab next{touch->place, positionOf<Dim>(touch->place, *frame->rest, frame->rest->points),
-             m_brush.now().radius * surface().pixelSize(touch->point), axisAt(*frame, *touch)};
-    const bool near = std::any_of(m_dabs.begin(), m_dabs.end(), [&](const Dab& other) {
+             m_brush.now().radius * surface().pixelSize(touch->point), axisAt(*frame, *touch), pressure};
+    const auto near = std::find_if(m_dabs.rbegin(), m_dabs.rend(), [&](const Dab& other) {
         return (other.rest - next.rest).norm() < kSpacing * next.radius;
     });
-    if (!near) m_dabs.push_back(next);
+    const bool isNew = near == m_dabs.rend();
+    const bool presses = !isNew && near == m_dabs.rbegin() && near->pressure < pressure;
+    if (presses) near->pressure = pressure;
+    if (isNew) m_dabs.push_back(next);
+    return isNew || presses;
 }
 
 /// The pointer comes in leaps, the stroke has no gaps.
@@ -49,44 +55,83 @@ void StrokeTool<Dim>::dabsTo(const QPointF& at) {
         cancel();
         return;
     }
-    const std::size_t before = m_dabs.size();
-    const double leap = QLineF(m_last, at).length();
+    bool grown = false;
+    const double leap = QLineF(m_last, at).length(), pressure = surface().pressure();
     const int steps = std::max(1, static_cast<int>(leap / (0.5 * kSpacing * m_brush.now().radius)));
-    for (int i = 1; i <= steps; ++i) dab(m_last + (at - m_last) * i / steps);
+    for (int i = 1; i <= steps; ++i) {
+        const double part = double(i) / steps;
+        grown =
+            dab(m_last + (at - m_last) * part, m_lastPressure + (pressure - m_lastPressure) * part) || grown;
+    }
     m_last = at;
-    if (m_dabs.size() > before) follow(m_dabs);
+    m_lastPressure = pressure;
+    if (grown) follow(m_dabs);
 }
 
 template <int Dim>
 void StrokeTool<Dim>::press(const QMouseEvent& event) {
     const auto frame = session().template frame<Dim>();
     if (event.button() != Qt::LeftButton || !frame) return;
-    m_at = m_last = event.position();
+    m_at = event.position();
     m_over = m_active = true;
     m_modifiers = event.modifiers();
     m_mesh = frame->shape;
     m_dabs.clear();
-    begin();
-    dabsTo(m_at);
+    m_last = m_at;
+    m_lastPressure = surface().pressure();
+    m_waits = (m_modifiers & Qt::ShiftModifier) && lineStart();
+    if (!m_waits) start(m_at);
     surface().redraw();
+}
+
+template <int Dim>
+void StrokeTool<Dim>::start(const QPointF& at) {
+    m_waits = false;
+    begin();
+    dabsTo(at);
 }
 
 template <int Dim>
 void StrokeTool<Dim>::move(const QMouseEvent& event) {
     m_at = event.position();
     m_over = true;
-    if (m_active)
+    if (m_active && m_waits && QLineF(m_last, m_at).length() >= kClick) start(m_last);
+    if (m_active && !m_waits)
         dabsTo(m_at);
-    else
+    else if (!m_active)
         m_modifiers = event.modifiers();
     surface().redraw();
 }
 
 template <int Dim>
 void StrokeTool<Dim>::release(const QMouseEvent& event) {
-    if (event.button() != Qt::LeftButton || !std::exchange(m_active, false) || m_dabs.empty()) return;
+    if (event.button() != Qt::LeftButton || !m_active) return;
+    if (m_waits) drawLine();
+    if (!std::exchange(m_active, false) || m_dabs.empty()) return;
+    m_end = m_dabs.back().place;
+    const auto frame = session().template frame<Dim>();
+    m_endRest = frame ? frame->rest : nullptr;
     take(std::exchange(m_dabs, {}));
     surface().redraw();
+}
+
+/// On the screen; nothing where the last stroke was on another mesh.
+template <int Dim>
+std::optional<QPointF> StrokeTool<Dim>::lineStart() const {
+    const auto frame = session().template frame<Dim>();
+    if (!drawsLines() || !m_end || !frame || frame->rest != m_endRest) return {};
+    return surface().toWidget(positionOf<Dim>(*m_end, *frame->rest, frame->pose));
+}
+
+template <int Dim>
+void StrokeTool<Dim>::drawLine() {
+    const QPointF to = m_last;
+    m_last = *lineStart();
+    m_modifiers &= ~Qt::ShiftModifier;
+    m_waits = false;
+    begin();
+    dabsTo(m_last);
+    dabsTo(to);
 }
 
 template <int Dim>
@@ -113,6 +158,7 @@ bool StrokeTool<Dim>::key(const QKeyEvent& event) {
 template <int Dim>
 void StrokeTool<Dim>::cancel() {
     if (std::exchange(m_active, false)) surface().showMaterial(nullptr);
+    m_waits = false;
     m_dabs.clear();
 }
 
@@ -132,11 +178,24 @@ void StrokeTool<Dim>::paintStroke(QPainter& painter, const std::vector<Dab>& dab
     }
 }
 
+/// Where a click with Shift would draw one.
+template <int Dim>
+void StrokeTool<Dim>::paintLine(QPainter& painter) const {
+    const auto from = lineStart();
+    if (!from || !(m_modifiers & Qt::ShiftModifier) || (m_active && !m_waits)) return;
+    painter.setBrush(Qt::NoBrush);
+    for (const QPen& pen : {QPen(QColor(255, 255, 255, 217), 3.5), QPen(colour(), 1.5, Qt::DashLine)}) {
+        painter.setPen(pen);
+        painter.drawLine(*from, m_at);
+    }
+}
+
 /// The brush: the whole of it, how far it is hard, and what it does.
 template <int Dim>
 void StrokeTool<Dim>::paint(QPainter& painter) const {
     paintStroke(painter, m_dabs);
     if (!m_over && !m_active) return;
+    paintLine(painter);
     const double radius = m_brush.now().radius, hard = m_brush.now().hardness * radius;
     const auto ring = [&](double r, const QPen& pen) {
         painter.setPen(pen);

@@ -8,7 +8,8 @@
 namespace wend {
 
 /// A brush over a picture or a solid: lays balls around the rest places of what is under the pointer. `[` and
-/// `]` change its size, with Shift its hardness; Esc gives up the stroke.
+/// `]` change its size, with Shift its hardness; Esc gives up the stroke. A pen's pressure goes along with
+/// it.
 template <int Dim>
 class StrokeTool : public ShapeTool<Dim> {
   public:
@@ -29,11 +30,14 @@ class StrokeTool : public ShapeTool<Dim> {
         Vec<Dim> rest;
         double radius;  // of the whole brush, in the domain's units
         Vec<Dim> axis;  // see axisAt()
+        double pressure;
     };
     /// Half of the soft edge is within this ball, half beyond it.
     Ball<Dim> ballOf(const Dab& dab) const;
     double featherOf(const Dab& dab) const;
 
+    /// Whether a click with Shift draws a straight line from where the last stroke ended.
+    virtual bool drawsLines() const { return false; }
     /// A stroke begins.
     virtual void begin() {}
     /// A direction at rest that a ball brings along; zero without one.
@@ -47,20 +51,28 @@ class StrokeTool : public ShapeTool<Dim> {
     virtual void paintStroke(QPainter& painter, const std::vector<Dab>& dabs) const;
 
     Brush& brush() const { return m_brush; }
-    /// Those that the stroke began with; beside one, those that are held.
+    /// Those that the stroke began with; beside one, those that are held. Of a line Shift is not among them.
     Qt::KeyboardModifiers modifiers() const { return m_modifiers; }
     using ShapeTool<Dim>::surface;
     using ShapeTool<Dim>::session;
 
   private:
-    void dab(const QPointF& at);
+    void start(const QPointF& at);
+    bool dab(const QPointF& at, double pressure);
     void dabsTo(const QPointF& at);
+    std::optional<QPointF> lineStart() const;
+    void drawLine();
+    void paintLine(QPainter& painter) const;
 
     Brush& m_brush;
     bool m_active = false;
-    bool m_over = false;  // the pointer is over the view
-    QPointF m_at;         // of the pointer
-    QPointF m_last;       // where the stroke has come to
+    bool m_over = false;        // the pointer is over the view
+    QPointF m_at;               // of the pointer
+    QPointF m_last;             // where the stroke has come to …
+    double m_lastPressure = 1;  // … and how hard it was pressed there
+    bool m_waits = false;       // pressed with Shift: a line if it is a click, a stroke if it is drawn
+    std::optional<Location<Dim>> m_end;  // of the last stroke, on …
+    std::shared_ptr<const SimplicialMesh<Dim>> m_endRest;
     Qt::KeyboardModifiers m_modifiers;
     std::shared_ptr<const void> m_mesh;  // that the stroke began on: its balls are places of this one
     std::vector<Dab> m_dabs;

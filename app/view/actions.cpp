@@ -112,7 +112,7 @@ void Actions::makeHelp() {
     about->setMenuRole(QAction::AboutRole);
 }
 
-void Actions::fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve, QMenu* depth) {
+void Actions::fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve, const QList<QMenu*>& pins) {
     QMenu* file = window.menuBar()->addMenu(tr("&File"));
     file->addAction(open);
     file->addMenu(recent.get());
@@ -127,7 +127,7 @@ void Actions::fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve, QMenu*
     edit->addActions({undo, redo, history});
     edit->addSeparator();
     edit->addActions({selectAll, selectNone, remove});
-    edit->addMenu(depth);
+    for (QMenu* menu : pins) edit->addMenu(menu);
     QMenu* view = window.menuBar()->addMenu(tr("&View"));
     view->addActions({showMesh, showMap, showMarks, hideOverlays, showRest});
     view->addSeparator();

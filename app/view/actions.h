@@ -32,8 +32,9 @@ class Actions : public ActionMaker {
     const std::unique_ptr<QMenu> recent, samples, exports;
 
     /// Menus of the whole program, in the order of the work.
-    /// `more` stands between those of the view and of the motion; `curve` within that of the motion.
-    void fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve, QMenu* depth);
+    /// `more` stands between those of the view and of the motion; `curve` within that of the motion, and what
+    /// can be done with `pins` in that of edits.
+    void fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve, const QList<QMenu*>& pins);
     /// What needs a shape, a selection, a motion.
     void setHasFile(bool has, bool hasPicture, bool isSolid);
     void setHasSelection(bool has);

@@ -7,6 +7,7 @@
 
 #include "app/session/rest_frame.h"
 #include "app/session/shape_builder.h"
+#include "app/tools/pin_picking.h"
 #include "app/tools/stiffness_marks.h"
 #include "app/view/overlay_painter.h"
 #include "core/energy/distortion.h"
@@ -314,7 +315,8 @@ void ShapeCanvas::paintEvent(QPaintEvent*) {
             paintStiffnessMarks(painter, *this, size());
         m_layer.paint(painter, *this);
         overlay.paths(m_session, m_hovered);
-        overlay.pins(m_session, m_hovered);
+        overlay.pins(m_session, m_hovered,
+                     [this](const PinView<2>& pin) { return wend::isCovered<2>(*this, pin); });
         if (m_tool) m_tool->paint(painter);
     }
     overlay.marquee(m_marquee);

@@ -4,6 +4,7 @@
 #include "app/view/actions.h"
 #include "app/view/curve_actions.h"
 #include "app/view/depth_actions.h"
+#include "app/view/pin_actions.h"
 #include "app/view/solid_actions.h"
 
 namespace wend {
@@ -28,23 +29,16 @@ void ContextMenu::popUp(const QPoint& global, MenuPlace place) {
     m_menu->popup(global);
 }
 
-/// The one pin's name, or how many they are.
-QString ContextMenu::title() const {
-    const int handle = m_offers.session.singleHandle();
-    if (handle < 0)
-        return tr("%n pins", nullptr, static_cast<int>(m_offers.session.selection().handles().size()));
-    return QString::fromStdString(std::visit([&](const auto& design) { return design.handles[handle].name; },
-                                             m_offers.session.document().project()->design));
-}
-
 void ContextMenu::offerPin() {
     const Actions& a = m_offers.actions;
-    m_menu->addSection(title());
+    m_menu->addSection(m_offers.session.nameOf(m_offers.session.selection().handles()));
     if (m_offers.session.document().dimension() == 3) {
         m_menu->addActions({m_offers.solids.move, m_offers.solids.turn, m_offers.solids.grow});
         m_menu->addSeparator();
     }
     if (m_offers.session.document().dimension() == 2) m_menu->addMenu(m_offers.depth.menu());
+    m_offers.pins.fill(*m_menu);
+    m_menu->addSeparator();
     m_menu->addAction(m_offers.curves.make);
     m_menu->addAction(a.remove);
     m_menu->addSeparator();
@@ -55,7 +49,7 @@ void ContextMenu::offerCanvas() {
     const Actions& a = m_offers.actions;
     m_menu->addActions({a.undo, a.redo});
     m_menu->addSeparator();
-    m_menu->addActions({a.pinTool, a.selectTool, a.selectAll});
+    m_menu->addActions({a.pinTool, a.selectTool, a.selectAll, m_offers.pins.showAll});
     m_menu->addSeparator();
     m_menu->addActions({a.showMesh, a.showMap, a.hideOverlays});
     m_menu->addSeparator();

@@ -11,6 +11,7 @@ namespace wend {
 class Actions;
 class CurveActions;
 class DepthActions;
+class PinActions;
 class ShapeSession;
 class SolidActions;
 
@@ -25,6 +26,7 @@ class ContextMenu : public QObject {
         CurveActions& curves;
         SolidActions& solids;
         DepthActions& depth;
+        PinActions& pins;
     };
     ContextMenu(const Offers& offers, QObject* parent);
 
@@ -34,7 +36,6 @@ class ContextMenu : public QObject {
   private:
     void offerPin();
     void offerCanvas();
-    QString title() const;
 
     Offers m_offers;
     std::unique_ptr<QMenu> m_menu;

@@ -17,6 +17,7 @@
 #include "app/panels/layer_panel.h"
 #include "app/panels/mesh_panel.h"
 #include "app/panels/panel_fields.h"
+#include "app/panels/pin_list.h"
 #include "app/session/settle_step.h"
 #include "app/view/actions.h"
 #include "app/view/busy_note.h"
@@ -31,6 +32,7 @@
 #include "app/view/mode_row.h"
 #include "app/view/option_row.h"
 #include "app/view/picture_actions.h"
+#include "app/view/pin_actions.h"
 #include "app/view/properties.h"
 #include "app/view/shape_notices.h"
 #include "app/view/side_windows.h"
@@ -58,9 +60,10 @@ MainWindow::MainWindow(QWidget* parent)
       m_tools(new Toolbox(this)),
       m_actions(new Actions(*m_session.document().undoStack(), *m_tools, this)),
       m_solidActions(new SolidActions(*m_tools, this)),
-      m_pictureActions(new PictureActions(this)),
       m_depth(new DepthActions(m_session, this)),
+      m_pins(new PinActions(m_session, this)),
       m_properties(new Properties(m_session, *m_tools, *m_actions)),
+      m_pictureActions(new PictureActions(m_properties->brush(), this)),
       m_files(new FileWorkflow(m_session.document(), *this)),
       m_exporter(new Exporter(m_session, *this)),
       m_canvas(new ShapeCanvas(m_session)),
@@ -80,9 +83,10 @@ MainWindow::MainWindow(QWidget* parent)
         Workspace::Parts{*m_tools, *m_actions, *m_canvas, *m_solids, *m_properties, *m_pictureActions});
     m_curves = new CurveActions(
         m_session, [this] { return m_workspace->curve(); }, this);
-    m_tools->shareKeysWith({m_solidActions, m_curves, m_depth, m_actions});
-    m_menu = new ContextMenu({m_session, *m_actions, *m_curves, *m_solidActions, *m_depth}, this);
-    m_actions->fillMenuBar(*this, m_solidActions->menu(), m_curves->menu(), m_depth->menu());
+    m_tools->shareKeysWith({m_solidActions, m_curves, m_depth, m_pins, m_actions});
+    m_menu = new ContextMenu({m_session, *m_actions, *m_curves, *m_solidActions, *m_depth, *m_pins}, this);
+    m_actions->fillMenuBar(*this, m_solidActions->menu(), m_curves->menu(),
+                           {m_pins->menu(), m_depth->menu()});
     makeToolBars();
     makeCentre();
     connectFiles();
@@ -220,6 +224,8 @@ void MainWindow::connectEdit() {
         m_session.selection().set(std::move(all));
     });
     connect(&m_session.selection(), &Selection::changed, this, &MainWindow::showSelection);
+    connect(&m_properties->pins(), &PinList::menuWanted, this,
+            [this](const QPoint& at) { m_menu->popUp(at, MenuPlace::Pin); });
 }
 
 void MainWindow::connectView() {

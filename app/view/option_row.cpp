@@ -30,9 +30,8 @@ void OptionRow::showTool() {
     title->setProperty("role", "title");
     title->setContentsMargins(8, 0, 8, 0);
     addWidget(title);
-    const QList<QAction*> options = kind->options          ? kind->options(m_solids)
-                                    : kind->pictureOptions ? kind->pictureOptions(m_pictureActions)
-                                                           : QList<QAction*>();
+    const ToolOptions all{m_solids, m_pictureActions, m_tools.dimension()};
+    const QList<QAction*> options = kind->options ? kind->options(all) : QList<QAction*>();
     bool any = false;
     for (QAction* option : options) {
         option ? addAction(option) : static_cast<void>(addSeparator());

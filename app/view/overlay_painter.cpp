@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <cmath>
 
+#include "app/panels/pin_marks.h"
 #include "app/session/pin_shapes.h"
 #include "app/tools/region_outline.h"
 #include "core/motion/trajectory.h"
@@ -72,6 +73,7 @@ void OverlayPainter::paths(ShapeSession& session, int hovered) {
         for (int h = 0; h < static_cast<int>(handles.size()); ++h) {
             if (handles[h].motions.empty() || session.selection().contains(h) != selected) continue;
             if (handles[h].activeTo <= session.playback().time()) continue;  // let go of
+            if (handles[h].traits.hidden) continue;
             const auto starts = shownStarts<2>(session.pathStarts(h));
             for (const PinPath<2>& one : pinPaths(handles[h], starts))
                 m_marks.path(toWidget(one.points), one.times, selected, session.playback().time(),
@@ -127,7 +129,8 @@ void OverlayPainter::ghosts(ShapeSession& session, int hovered) {
                          QCoreApplication::translate("PinTool", "%1: does not hold now").arg(view.name));
 }
 
-void OverlayPainter::pins(ShapeSession& session, int hovered) {
+void OverlayPainter::pins(ShapeSession& session, int hovered,
+                          const std::function<bool(const PinView<2>&)>& isCovered) {
     ghosts(session, hovered);
     const auto frame = session.frame<2>();
     const auto pins = session.pins();
@@ -139,12 +142,13 @@ void OverlayPainter::pins(ShapeSession& session, int hovered) {
         else if (view.points.size() > 1)
             spots(view, selected ? m_theme.accent : kInk);
     }
-    for (const PinView<2>& view : pins)
-        m_marks.pin(m_view.toWidget(view.centre),
-                    {session.selection().contains(view.handle), view.handle == hovered, view.region,
-                     !handles[view.handle].motions.empty() || session.isDragging(), pinColour(view.handle)});
-    for (const PinView<2>& view : pins)
-        if (view.handle == hovered) m_marks.name(m_view.toWidget(view.centre), view.name);
+    PinScene<2>{session,
+                pins,
+                hovered,
+                [this](const Vec<2>& p) { return m_view.toWidget(p); },
+                [](const PinView<2>& view) { return view.region; },
+                isCovered}
+        .paint(m_painter, m_marks);
 }
 
 void OverlayPainter::worst(const PosedFrame<2>& frame, int cell) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QPainter>
+#include <functional>
 
 #include "app/panels/marks.h"
 #include "app/panels/theme.h"
@@ -18,8 +19,9 @@ class OverlayPainter {
 
     void paper(const QRectF& frame);
     void paths(ShapeSession& session, int hovered);
-    /// Also, faintly, the handles that do not hold at the time that is shown.
-    void pins(ShapeSession& session, int hovered);
+    /// Also, faintly, the handles that do not hold at the time that is shown. `isCovered`: something of the
+    /// shape is seen in front.
+    void pins(ShapeSession& session, int hovered, const std::function<bool(const PinView<2>&)>& isCovered);
     void worst(const PosedFrame<2>& frame, int cell);
     void marquee(const QRectF& rectangle);
 

@@ -11,7 +11,7 @@
 
 namespace wend {
 
-PictureActions::PictureActions(QObject* parent) : ActionMaker(parent) {
+PictureActions::PictureActions(Brush& brush, QObject* parent) : ActionMaker(parent) {
     adds =
         addToggle({tr("&Add"), tr("What is drawn shall bend, too; with Ctrl it is taken away")}, {}, "add");
     takesAway = addToggle({tr("&Take Away"), tr("What is drawn shall not bend; with Ctrl it is added")}, {},
@@ -25,6 +25,7 @@ PictureActions::PictureActions(QObject* parent) : ActionMaker(parent) {
         number(tr("Tolerance"), tr("How far colours may be apart; also [ and ]"), m_tolerance, tr(" %"));
     m_tolerance->setRange(1, 100);
     makeBrushes();
+    makeSwitches(brush);
     const auto set = [this](auto change) {
         OutlineSettings next = m_pen.now();
         change(next);
@@ -37,6 +38,21 @@ PictureActions::PictureActions(QObject* parent) : ActionMaker(parent) {
             [set](int percent) { set([percent](auto& s) { s.tolerance = percent / 100.0; }); });
     connect(&m_pen, &OutlinePen::changed, this, &PictureActions::showPen);
     showPen();
+}
+
+void PictureActions::makeSwitches(Brush& brush) {
+    snap =
+        addToggle({tr("S&nap"), tr("New pins sit on corners of the mesh, instead of where one clicks")}, {});
+    pressure = addToggle(
+        {tr("&Pressure"), tr("The harder a pen is pressed, the more of the amount is painted")}, {});
+    pressure->setObjectName(QStringLiteral("pressure"));
+    pressure->setChecked(brush.now().pressure);
+    connect(pressure, &QAction::toggled, &brush, [&brush](bool on) {
+        BrushSettings next = brush.now();
+        next.pressure = on;
+        brush.set(next);
+    });
+    connect(&brush, &Brush::changed, this, [this, &brush] { pressure->setChecked(brush.now().pressure); });
 }
 
 void PictureActions::makeBrushes() {

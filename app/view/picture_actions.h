@@ -1,7 +1,7 @@
 #pragma once
 
+#include "app/session/brush.h"
 #include "app/tools/outline_settings.h"
-#include "app/tools/pen_value.h"
 #include "app/view/action_maker.h"
 
 class QSpinBox;
@@ -9,16 +9,18 @@ class QWidgetAction;
 
 namespace wend {
 
-/// What stands beside the tools of pictures: those of the outline, and the brushes for depth and detail.
+/// What stands beside the tools of pictures: pins, those of the outline, and the brushes for depth and
+/// detail; and beside those that paint, of solids too.
 class PictureActions : public ActionMaker {
     Q_OBJECT
 
   public:
-    explicit PictureActions(QObject* parent);
+    PictureActions(Brush& brush, QObject* parent);
 
     QAction *adds, *takesAway;
     QWidgetAction *size, *tolerance;
     QWidgetAction *order, *edges;
+    QAction *snap, *pressure;
 
     OutlinePen& pen() { return m_pen; }
     const PenValue& depth() const { return m_depth; }
@@ -27,6 +29,7 @@ class PictureActions : public ActionMaker {
   private:
     QWidgetAction* number(const QString& name, const QString& help, QSpinBox*& box, const QString& unit);
     void makeBrushes();
+    void makeSwitches(Brush& brush);
     void showPen();
 
     OutlinePen m_pen;

@@ -31,7 +31,9 @@ void follow(QAction* action, Take take) {
 
 template <bool Adds>
 std::unique_ptr<Tool> pins(Workbench& on) {
-    return std::make_unique<PinTool>(on.picture, Adds);
+    auto tool = std::make_unique<PinTool>(on.picture, Adds);
+    follow(on.flat.snap, [pins = tool.get()](bool snaps) { pins->setSnaps(snaps); });
+    return tool;
 }
 
 template <bool Adds>
@@ -46,6 +48,7 @@ std::unique_ptr<SolidTool> solidPins(Workbench& on) {
             if (chosen) pins->setOutline(outline);
         });
     follow(a.through, [pins = tool.get()](bool through) { pins->setThrough(through); });
+    follow(a.snap, [pins = tool.get()](bool snaps) { pins->setSnaps(snaps); });
     return tool;
 }
 
@@ -116,8 +119,9 @@ std::unique_ptr<Tool> outline(Workbench& on) {
 }
 
 template <OutlineTool::Shape Shape>
-QList<QAction*> outlineOptions(const PictureActions& a) {
+QList<QAction*> outlineOptions(const ToolOptions& o) {
     using enum OutlineTool::Shape;
+    const PictureActions& a = o.pictures;
     if (Shape == Brush) return {a.adds, a.takesAway, a.size};
     if (Shape == Wand) return {a.adds, a.takesAway, a.tolerance};
     return {a.adds, a.takesAway};
@@ -131,28 +135,38 @@ std::unique_ptr<Tool> flatSizeBrush(Workbench& on) {
     return std::make_unique<FlatSizeTool>(on.picture, on.brush, on.flat.fineness());
 }
 
-QList<QAction*> depthOptions(const PictureActions& a) {
-    return {a.order};
+QList<QAction*> depthOptions(const ToolOptions& o) {
+    return {o.pictures.order};
 }
 
-QList<QAction*> sizeOptions(const PictureActions& a) {
-    return {a.edges};
+QList<QAction*> sizeOptions(const ToolOptions& o) {
+    return o.dimension == 2 ? QList<QAction*>{o.pictures.edges} : QList<QAction*>();
 }
 
-QList<QAction*> steps(const SolidActions& a) {
-    return {a.move, a.turn, a.grow, nullptr, a.selectRectangle, a.selectLasso, a.selectBrush, a.through};
+QList<QAction*> paintOptions(const ToolOptions& o) {
+    return {o.pictures.pressure};
 }
 
-QList<QAction*> through(const SolidActions& a) {
-    return {a.through};
+template <bool Adds>
+QList<QAction*> steps(const ToolOptions& o) {
+    const SolidActions& a = o.solids;
+    if (o.dimension == 2) return Adds ? QList<QAction*>{o.pictures.snap} : QList<QAction*>();
+    QList<QAction*> all = {a.move,        a.turn,        a.grow,   nullptr, a.selectRectangle,
+                           a.selectLasso, a.selectBrush, a.through};
+    if (Adds) all << a.snap;
+    return all;
 }
 
-Measure painted(const Workbench& on) {
+QList<QAction*> through(const ToolOptions& o) {
+    return {o.solids.through};
+}
+
+std::optional<Measure> painted(const Workbench& on, int) {
     return on.brush.now().target == BrushTarget::Keep ? Measure::Phi : Measure::Stiffness;
 }
 
-Measure sizes(const Workbench&) {
-    return Measure::CellSize;
+std::optional<Measure> sizes(const Workbench&, int dimension) {
+    return dimension == 3 ? std::optional(Measure::CellSize) : std::nullopt;
 }
 
 }  // namespace
@@ -164,7 +178,7 @@ const std::vector<ToolKind>& toolTable() {
     static const std::vector<ToolKind> table = {
         {"pin", "pin", QT_TRANSLATE_NOOP("Tools", "&Pin"),
          QT_TRANSLATE_NOOP("Tools", "Set pins and drag them"), "P", Mode::Pins, Mode::Pins, pins<true>,
-         solidPins<true>, steps},
+         solidPins<true>, steps<true>},
         {"select",
          "select",
          QT_TRANSLATE_NOOP("Tools", "Se&lect"),
@@ -174,7 +188,7 @@ const std::vector<ToolKind>& toolTable() {
          {},
          pins<false>,
          solidPins<false>,
-         steps},
+         steps<false>},
         {"lasso",
          "area-lasso",
          QT_TRANSLATE_NOOP("Tools", "Grab by &Lasso"),
@@ -242,8 +256,6 @@ const std::vector<ToolKind>& toolTable() {
          {},
          outline<Draw::Lasso>,
          nullptr,
-         nullptr,
-         nullptr,
          outlineOptions<Draw::Lasso>},
         {"outlinePolygon",
          "outline-polygon",
@@ -253,8 +265,6 @@ const std::vector<ToolKind>& toolTable() {
          Mode::Mesh,
          {},
          outline<Draw::Polygon>,
-         nullptr,
-         nullptr,
          nullptr,
          outlineOptions<Draw::Polygon>},
         {"outlineBrush",
@@ -266,8 +276,6 @@ const std::vector<ToolKind>& toolTable() {
          {},
          outline<Draw::Brush>,
          nullptr,
-         nullptr,
-         nullptr,
          outlineOptions<Draw::Brush>},
         {"wand",
          "outline-wand",
@@ -277,8 +285,6 @@ const std::vector<ToolKind>& toolTable() {
          Mode::Mesh,
          {},
          outline<Draw::Wand>,
-         nullptr,
-         nullptr,
          nullptr,
          outlineOptions<Draw::Wand>},
         {"cutStroke",
@@ -299,12 +305,11 @@ const std::vector<ToolKind>& toolTable() {
          {},
          flatSizeBrush,
          sizeBrush,
-         nullptr,
-         sizes,
-         sizeOptions},
+         sizeOptions,
+         sizes},
         {"paint", "brush", QT_TRANSLATE_NOOP("Tools", "&Paint"),
          QT_TRANSLATE_NOOP("Tools", "Paint what is kept, or how stiff it is"), "B; A", Mode::Paint,
-         Mode::Paint, paint<2>, paint<3>, nullptr, painted},
+         Mode::Paint, paint<2>, paint<3>, paintOptions, painted},
         {"comb",
          "comb",
          QT_TRANSLATE_NOOP("Tools", "&Comb"),
@@ -314,7 +319,7 @@ const std::vector<ToolKind>& toolTable() {
          {},
          paint<2>,
          paint<3>,
-         nullptr,
+         paintOptions,
          painted},
         {"gradient",
          "gradient",
@@ -357,8 +362,6 @@ const std::vector<ToolKind>& toolTable() {
          Mode::Paint,
          {},
          depthBrush,
-         nullptr,
-         nullptr,
          nullptr,
          depthOptions},
         {"measure",

@@ -31,6 +31,13 @@ struct Workbench {
     SolidSurface* solid = nullptr;   // none before the first solid
 };
 
+/// What may stand beside a tool's name, for a shape of that dimension.
+struct ToolOptions {
+    const SolidActions& solids;
+    const PictureActions& pictures;
+    int dimension;
+};
+
 /// A tool of the window, once for all: tool bar, options, menus, keys and the cheat sheet come from this.
 struct ToolKind {
     const char* id;
@@ -42,12 +49,10 @@ struct ToolKind {
     /// How it is made for pictures and for solids; null where it does nothing.
     std::unique_ptr<Tool> (*picture)(Workbench&);
     std::unique_ptr<SolidTool> (*solid)(Workbench&);
-    /// What stands beside its name, for solids and for pictures alike; null: nothing.
-    QList<QAction*> (*options)(const SolidActions&) = nullptr;
-    /// What is coloured over the shape while it is chosen; null: nothing.
-    Measure (*map)(const Workbench&) = nullptr;
-    /// What stands beside its name for pictures, too.
-    QList<QAction*> (*pictureOptions)(const PictureActions&) = nullptr;
+    /// What stands beside its name; null: nothing.
+    QList<QAction*> (*options)(const ToolOptions&) = nullptr;
+    /// What is coloured over the shape while it is chosen; null or nothing: what the user has chosen.
+    std::optional<Measure> (*map)(const Workbench&, int dimension) = nullptr;
 };
 
 /// In the order of the tool bar.

@@ -74,10 +74,8 @@ void Workspace::takeBrush() {
 
 void Workspace::showMap() {
     const ToolKind* kind = m_parts.tools.current();
-    if (kind && kind->map && (m_parts.tools.dimension() == 3 || !kind->pictureOptions))
-        m_map.show(kind->map(m_bench));
-    else
-        m_map.end();
+    const auto map = kind && kind->map ? kind->map(m_bench, m_parts.tools.dimension()) : std::nullopt;
+    map ? m_map.show(*map) : m_map.end();
 }
 
 Tool* Workspace::tool() const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -57,6 +58,16 @@ struct Motion {
 template <int Dim>
 using Placement = std::variant<std::vector<int>, std::vector<Vec<Dim>>, Region<Dim>>;
 
+/// How a handle is treated where it is worked on; the shape does not depend on it.
+struct HandleTraits {
+    bool locked = false;                  // is neither moved nor removed
+    bool hidden = false;                  // is neither drawn nor picked; it holds all the same
+    std::string group;                    // handles of one name belong together; empty: to none
+    int link = 0;                         // handles of one number move together; 0: alone
+    std::optional<unsigned> colour = {};  // 0xRRGGBB; by its place in the list without one
+    bool operator==(const HandleTraits&) const = default;
+};
+
 /// Prescribes the motion of some points of the shape. Without motion it holds them still; motions act one
 /// after another.
 template <int Dim>
@@ -69,6 +80,7 @@ struct Handle {
     Extras extras = {};
     unsigned slides =
         0;  // bit k: along coordinate k the points go where they like, and are held in the others
+    HandleTraits traits = {};
 };
 
 }  // namespace wend

@@ -49,6 +49,9 @@ shot() { # NAME ARGUMENT…: opens the window, waits, sends the keys in KEYS, dr
 
 shot start.png
 shot window.png "$root/resources/samples/giraffe.wend"
+sed -e 's|"octopus.png"|"'"$root"'/resources/samples/octopus.png"|' -e 's|"name": "right .* arm"|"group": "Right arms", &|' -e 's|"name": "left .* arm"|"group": "Left arms", &|' \
+    -e 's|"name": ".* middle arm"|"link": 1, &|' -e 's|"name": "head"|"locked": true, &|' "$root/resources/samples/octopus.wend" >"$scratch/arms.wend"
+WAIT=10 DRAG="740 500 830 575" shot pin-list.png "$scratch/arms.wend"
 WAIT=10 KEYS="ctrl+3 n" DRAG="690 490 760 595" shot painting.png "$root/resources/samples/octopus.wend"
 WAIT=20 KEYS="f" shot solid-detail.png "$root/resources/samples/eagle.wend"
 WAIT=20 KEYS="d f" shot solid-window.png "$root/resources/samples/eagle.wend"

@@ -13,7 +13,9 @@
 #include "app/session/frame_export.h"
 #include "app/session/opening.h"
 #include "app/session/shape_builder.h"
+#include "app/session/solid_places.h"
 #include "app/tools/depth_tool.h"
+#include "app/tools/pin_tool.h"
 #include "app/view/canvas.h"
 #include "app/view/overlay_painter.h"
 #include "core/mesh/mesh_file.h"
@@ -175,6 +177,7 @@ class TestDepth : public QObject {
     void orderIsUndone();
     void brushed();
     void whatIsSeenIsTouched();
+    void pinsInFrontArePicked();
     void strokesLeaveWhatIsLarger();
     void anotherMeshHasItsOwnOrder();
     void mapsShowWhatLiesInFront();
@@ -425,6 +428,39 @@ void TestDepth::whatIsSeenIsTouched() {
         const Vec<2> rest = positionOf<2>(touch->place, *frame->rest, frame->rest->points);
         QCOMPARE((rest - Vec<2>(kHand.x(), kHand.y())).norm() < kHandRadius, order > 0);
     }
+}
+
+/// The body has a pin a few pixels beside that of the hand: a click on either picks the one that is seen.
+void TestDepth::pinsInFrontArePicked() {
+    setDepth({});
+    const auto before = m_session.frame<2>();
+    const Vec<2> hand = m_session.pins<2>()[0].centre;
+    std::optional<Vec<2>> below;
+    for (const int cell : cellsAt(*before, hand + Vec<2>(4, 0))) {
+        const auto place = locationIn<2>(*before, cell, hand + Vec<2>(4, 0));
+        const Vec<2> rest = positionOf<2>(place, *before->rest, before->rest->points);
+        if ((rest - Vec<2>(kHand.x(), kHand.y())).norm() > kHandRadius) below = rest;
+    }
+    QVERIFY(below);
+    const int steps = m_session.document().undoStack()->count();
+    const int body = m_session.addHandle<2>(std::vector<Vec<2>>{*below}, "Body");
+    QVERIFY(settle(m_session));
+    PinTool tool(m_canvas, false);
+    m_canvas.zoomTo(1);
+    for (const double order : {1.0, -1.0}) {
+        setDepth({{"hand", Ball<2>{{kHand.x(), kHand.y()}, kHandRadius}, order}});
+        for (const int pin : {0, body}) {
+            Vec<2> place;
+            for (const auto& view : m_session.pins<2>())
+                if (view.handle == pin) place = view.centre;
+            QCOMPARE(tool.handleAt(m_canvas.toWidget(place)), order > 0 ? 0 : body);
+        }
+        // Beside the one that is seen, the other is within reach alone.
+        const int other = order > 0 ? body : 0;
+        QCOMPARE(tool.handleAt(m_canvas.toWidget(hand + Vec<2>(order > 0 ? 10 : -6, 0))), other);
+    }
+    m_session.document().undoStack()->setIndex(steps);
+    QVERIFY(settle(m_session));
 }
 
 /// Only what a stroke hides altogether goes.

@@ -1,36 +1,20 @@
+#include <QPointingDevice>
+#include <QTabletEvent>
+#include <QToolBar>
+
 #include "app/document/material_edits.h"
 #include "app/panels/layer_panel.h"
 #include "app/panels/paint_panel.h"
+#include "app/session/energy_stops.h"
 #include "app/session/opening.h"
 #include "app/session/solid_places.h"
 #include "app/tools/layer_lines.h"
-#include "tests/support/solid_fixture.h"
+#include "tests/support/bar.h"
 
 using namespace wend;
 using namespace wend::test;
 
 namespace {
-
-/// The same bar as a cut-out and as a solid, 4 long and 1 high in numbers of its own: u from −2 to 2, v from
-/// −½ to ½, over what is seen of it.
-template <int Dim>
-struct Bar;
-
-template <>
-struct Bar<2> {
-    static constexpr double kUnit = 50;  // pixels of the picture
-    static bool open(SolidFixture& f) { return f.openPicture(); }
-    static ShapeCanvas& canvas(SolidFixture& f) { return f.window().canvas(); }
-    static Vec<2> place(double u, double v) { return {120 + kUnit * u, 80 + 40 * v}; }
-};
-
-template <>
-struct Bar<3> {
-    static constexpr double kUnit = 1;
-    static bool open(SolidFixture& f) { return f.open(600); }
-    static SolidCanvas& canvas(SolidFixture& f) { return f.canvas(); }
-    static Vec<3> place(double u, double v) { return {u, -0.5, v}; }
-};
 
 double smooth(double t) {
     const double x = std::clamp(t, 0.0, 1.0);
@@ -53,6 +37,10 @@ class TestPainting : public QObject {
     void combedPartsStretchLess();
     void modifiersEraseSmoothAndPick_data() { dimensions(); }
     void modifiersEraseSmoothAndPick();
+    void penPressureScalesTheAmount_data() { dimensions(); }
+    void penPressureScalesTheAmount();
+    void shiftClicksDrawLines_data() { dimensions(); }
+    void shiftClicksDrawLines();
     void keysChangeTheTip_data() { dimensions(); }
     void keysChangeTheTip();
     void directionsOfStiffness_data() { dimensions(); }
@@ -72,7 +60,6 @@ class TestPainting : public QObject {
     void lineOfTheChosenLayerIsSeen();
 
   private:
-    static void dimensions();
     Brush& brush() { return m_f->window().properties().brush(); }
     template <class Change>
     void set(const Change& change);
@@ -94,6 +81,10 @@ class TestPainting : public QObject {
     template <int Dim>
     void eraseSmoothAndPick();
     template <int Dim>
+    void pressPen();
+    template <int Dim>
+    void drawLines();
+    template <int Dim>
     void changeTip();
     template <int Dim>
     void chooseDirections();
@@ -109,19 +100,6 @@ class TestPainting : public QObject {
     void orderAndNames();
     std::unique_ptr<SolidFixture> m_f;
 };
-
-#define BOTH(body)          \
-    QFETCH(int, dimension); \
-    if (dimension == 2)     \
-        body<2>();          \
-    else                    \
-        body<3>()
-
-void TestPainting::dimensions() {
-    QTest::addColumn<int>("dimension");
-    QTest::newRow("picture") << 2;
-    QTest::newRow("solid") << 3;
-}
 
 void TestPainting::init() {
     if (!VolumeView::available()) QSKIP("needs OpenGL (run under xvfb-run)");
@@ -330,7 +308,7 @@ void TestPainting::eraseSmoothAndPick() {
     QCOMPARE(phiAt(-1.2), phi::conformal(Dim));
     // Shift lays what is around: between the two.
     set([](BrushSettings& b) { b.radius = 80 * kDeep; });
-    stroke<Dim>({0.05, 0}, {0.05, 0}, Qt::ShiftModifier);
+    stroke<Dim>({0, 0}, {0.1, 0}, Qt::ShiftModifier);
     QVERIFY(settle(session));
     QVERIFY(phiAt(0.05) > kEverywhere + 0.02 && phiAt(0.05) < phi::conformal(Dim) - 0.02);
     // Half of the amount: half way on the slider, so from Angle to Length at Rigid.
@@ -340,6 +318,152 @@ void TestPainting::eraseSmoothAndPick() {
     QVERIFY(settle(session));
     QVERIFY(phiAt(-1.2) < before - 0.01 && phiAt(-1.2) > phi::kMetr + 0.01);
     if (Dim == 2) QVERIFY(before == phi::conformal(2) && std::abs(phiAt(-1.2) - phi::kAkvf) < 1e-9);
+}
+
+namespace {
+
+/// A pen as Qt tells of one: its own event, and where the widget leaves that, the pointer's made of it.
+class Pen {
+  public:
+    explicit Pen(QWidget& widget) : m_widget(widget) {}
+    void press(const QPoint& at, double pressure) {
+        send(QEvent::TabletPress, QEvent::MouseButtonPress, at, pressure, Qt::LeftButton, Qt::LeftButton);
+    }
+    void move(const QPoint& at, double pressure) {
+        send(QEvent::TabletMove, QEvent::MouseMove, at, pressure, Qt::NoButton, Qt::LeftButton);
+    }
+    void release(const QPoint& at) {
+        send(QEvent::TabletRelease, QEvent::MouseButtonRelease, at, 0, Qt::LeftButton, Qt::NoButton);
+    }
+
+  private:
+    void send(QEvent::Type own, QEvent::Type pointers, const QPointF& at, double pressure,
+              Qt::MouseButton button, Qt::MouseButtons buttons) {
+        const QPointF global = m_widget.mapToGlobal(at);
+        QTabletEvent event(own, &m_device, at, global, pressure, 0, 0, 0, 0, 0, {}, button, buttons);
+        QApplication::sendEvent(&m_widget, &event);
+        if (event.isAccepted()) return;
+        QMouseEvent made(pointers, at, global, button, buttons, {}, &m_device);
+        QApplication::sendEvent(&m_widget, &made);
+    }
+
+    QWidget& m_widget;
+    QPointingDevice m_device{QStringLiteral("pen"),
+                             1,
+                             QInputDevice::DeviceType::Stylus,
+                             QPointingDevice::PointerType::Pen,
+                             QInputDevice::Capability::Position | QInputDevice::Capability::Pressure,
+                             1,
+                             3};
+};
+
+}  // namespace
+
+void TestPainting::penPressureScalesTheAmount() {
+    BOTH(pressPen);
+}
+
+/// A stroke that is pressed with 0.2 at its beginning and 0.8 at its end: φ lies so far between what was
+/// there and what is painted, on the slider's scale. Without the switch, and by mouse, it is painted wholly.
+template <int Dim>
+void TestPainting::pressPen() {
+    QVERIFY(Bar<Dim>::open(*m_f));
+    auto& session = m_f->session();
+    auto& canvas = Bar<Dim>::canvas(*m_f);
+    m_f->tool("paint")->trigger();
+    auto* pressure = m_f->window().template findChild<QAction*>(QStringLiteral("pressure"));
+    QVERIFY(pressure && pressure->isChecked());
+    QVERIFY(m_f->window()
+                .template findChild<QToolBar*>(QStringLiteral("optionRow"))
+                ->actions()
+                .contains(pressure));
+    const double before = stopOfPhi(session.frame<Dim>()->material->phi[0], Dim);
+    set([](BrushSettings& b) { b.phi = phi::kAkvf, b.radius = 20, b.hardness = 1; });
+    const double aim = stopOfPhi(phi::kAkvf, Dim);
+    const auto on = [&](double u) { return canvas.toWidget(Bar<Dim>::place(u, 0)).toPoint(); };
+    const auto amountAt = [&](std::size_t i) {
+        return (stopOfPhi(*regions<Dim>().at(i).phi, Dim) - before) / (aim - before);
+    };
+    Pen pen(canvas);
+    pen.press(on(-1.5), 0.2);
+    for (int i = 1; i <= 12; ++i) pen.move(on(-1.5 + 0.25 * i), 0.2 + 0.05 * i);
+    pen.release(on(1.5));
+    QVERIFY(settle(session));
+    const std::size_t count = regions<Dim>().size();
+    QVERIFY(count > 8);
+    // A ball takes the greatest pressure until the next one, 0.3 of the radius on: here less than 0.01 more.
+    QVERIFY2(amountAt(0) >= 0.2 && amountAt(0) < 0.21, qPrintable(QString::number(amountAt(0))));
+    QVERIFY2(std::abs(amountAt(count - 1) - 0.8) < 0.05, qPrintable(QString::number(amountAt(count - 1))));
+    for (std::size_t i = 1; i < count; ++i) QVERIFY(amountAt(i) > amountAt(i - 1));
+    session.document().undoStack()->undo();
+    QVERIFY(settle(session));
+    pen.press(on(0), 0.1);  // harder and harder in one place
+    for (int i = 2; i <= 5; ++i) pen.move(on(0), 0.1 * i);
+    pen.release(on(0));
+    QVERIFY(settle(session));
+    QCOMPARE(regions<Dim>().size(), std::size_t(1));
+    QVERIFY(std::abs(amountAt(0) - 0.5) < 1e-6);
+    session.document().undoStack()->undo();
+    QVERIFY(settle(session));
+    pressure->trigger();
+    QVERIFY(!brush().now().pressure);
+    pen.press(on(0), 0.3);
+    pen.release(on(0));
+    QVERIFY(settle(session));
+    QCOMPARE(*regions<Dim>().at(0).phi, phi::kAkvf);
+    session.document().undoStack()->undo();
+    pressure->trigger();
+    QVERIFY(settle(session));
+    stroke<Dim>({0, 0}, {0.1, 0});  // the mouse after the pen
+    QVERIFY(settle(session));
+    QCOMPARE(*regions<Dim>().at(0).phi, phi::kAkvf);
+}
+
+void TestPainting::shiftClicksDrawLines() {
+    BOTH(drawLines);
+}
+
+/// A click, then one with Shift elsewhere: the balls lie on the segment between the two, without gaps, as one
+/// step. With Shift and drawn it smooths as before.
+template <int Dim>
+void TestPainting::drawLines() {
+    QVERIFY(Bar<Dim>::open(*m_f));
+    auto& session = m_f->session();
+    auto& canvas = Bar<Dim>::canvas(*m_f);
+    m_f->tool("paint")->trigger();
+    set([](BrushSettings& b) { b.phi = phi::kAkvf, b.radius = 20, b.hardness = 1; });
+    const Vec<Dim> a = Bar<Dim>::place(-1.5, -0.1), b = Bar<Dim>::place(1.5, 0.2);
+    const auto click = [&](const Vec<Dim>& p, Qt::KeyboardModifiers modifiers) {
+        QTest::mouseMove(&canvas, canvas.toWidget(p).toPoint());
+        QTest::mouseClick(&canvas, Qt::LeftButton, modifiers, canvas.toWidget(p).toPoint());
+        return settle(session);
+    };
+    QVERIFY(click(a, {}));
+    QCOMPARE(regions<Dim>().size(), std::size_t(1));
+    const int steps = session.document().undoStack()->count();
+    QVERIFY(click(b, Qt::ShiftModifier));
+    QCOMPARE(session.document().undoStack()->count(), steps + 1);
+    const double pixel = canvas.pixelSize(a), R = 20 * pixel;
+    std::vector<double> along;
+    for (std::size_t i = 1; i < regions<Dim>().size(); ++i) {
+        QCOMPARE(*regions<Dim>()[i].phi, phi::kAkvf);
+        const Vec<Dim> centre = std::get<Ball<Dim>>(regions<Dim>()[i].shape).centre;
+        const double t = (centre - a).dot(b - a) / (b - a).squaredNorm();
+        QVERIFY((centre - a - t * (b - a)).norm() < 2 * pixel);
+        along.push_back(t * (b - a).norm());
+    }
+    QVERIFY(along.size() > 5);
+    QVERIFY(along.front() < 2 * pixel && along.back() > (b - a).norm() - 0.5 * R);
+    for (std::size_t i = 1; i < along.size(); ++i)
+        QVERIFY(along[i] > along[i - 1] && along[i] - along[i - 1] < R);
+    const std::size_t before = regions<Dim>().size();
+    stroke<Dim>({-1, 0}, {0, 0}, Qt::ShiftModifier);
+    QVERIFY(settle(session));
+    QVERIFY(m_f->window().actions().undo->text().contains(QStringLiteral("Smooth")));
+    QVERIFY(regions<Dim>().size() > before);
+    QVERIFY(click(b, Qt::ShiftModifier | Qt::ControlModifier));  // from the end of that, and takes away
+    QVERIFY(m_f->window().actions().undo->text().contains(QStringLiteral("Take paint off")));
+    QVERIFY(std::get<Ball<Dim>>(regions<Dim>().back().shape).centre.isApprox(b, 0.1));
 }
 
 void TestPainting::keysChangeTheTip() {

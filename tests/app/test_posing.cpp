@@ -1,11 +1,11 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLineEdit>
-#include <QListWidget>
 #include <QMenu>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QStatusBar>
+#include <QTreeWidget>
 #include <numbers>
 
 #include "app/document/curve_edits.h"
@@ -473,11 +473,11 @@ void TestPosing::partsGrowAndShrink() {
 
 /// Chosen in the list, moved by the arrows, renamed and removed.
 void TestPosing::pinsByKeyboard() {
-    auto* list = m_window->findChild<QListWidget*>(QStringLiteral("pinList"));
+    auto* list = m_window->findChild<QTreeWidget*>(QStringLiteral("pinList"));
     QVERIFY(list && list->isVisible());
-    QCOMPARE(list->count(), 2);
+    QCOMPARE(list->topLevelItemCount(), 2);
     list->setFocus();
-    list->setCurrentRow(0);
+    list->setCurrentItem(list->topLevelItem(0));
     QCOMPARE(session().selection().handles(), std::vector<int>{0});
     QTest::keyClick(list, Qt::Key_Down);
     QCOMPARE(session().selection().handles(), std::vector<int>{1});
@@ -496,15 +496,15 @@ void TestPosing::pinsByKeyboard() {
     QTest::keyClick(editor, Qt::Key_Return);
     QCOMPARE(handles()[1].name, std::string("hand"));
     session().document().undoStack()->undo();
-    QCOMPARE(list->item(1)->text(), QStringLiteral("Pin 2"));
+    QCOMPARE(list->topLevelItem(1)->text(0), QStringLiteral("Pin 2"));
     click(pin(0));
-    QVERIFY(list->item(0)->isSelected() && !list->item(1)->isSelected());
+    QVERIFY(list->topLevelItem(0)->isSelected() && !list->topLevelItem(1)->isSelected());
     list->setFocus();
     QTest::keyClick(list, Qt::Key_Delete);  // it held while the other one moved
     QVERIFY(settle(session()));
     QCOMPARE(session().pins().size(), std::size_t(1));
-    QCOMPARE(list->count(), 2);
-    QVERIFY(list->item(0)->font().italic());
+    QCOMPARE(list->topLevelItemCount(), 2);
+    QVERIFY(list->topLevelItem(0)->font(0).italic());
 }
 
 QTEST_MAIN(TestPosing)

@@ -328,7 +328,7 @@ class TestProject : public QObject {
             "'domain': {'image': 'f.png', 'outline': {'from': 'frame', 'zz': 1}, 'tint': 'red'}, "
             "'material': {'regions': [{'shape': {'circle': {'centre': [1, 2], 'radius': 3, 'glow': true}}, "
             "'phi': 1, 'ink': 2}]}, "
-            "'handles': [{'at': {'points': [[1, 2]], 'snap': 1}, 'colour': '#ff0000', "
+            "'handles': [{'at': {'points': [[1, 2]], 'snap': 1}, 'tint': '#ff0000', "
             "'motion': [{'kind': 'translate', 'by': [1, 0], 'a/b': {'deep': null}}]}], "
             "'time': {'end': 1, 'fps': 25}");
         const LoadedProject loaded = parseProject(text, "p.wend");
@@ -336,7 +336,7 @@ class TestProject : public QObject {
         const std::string once = toJson(loaded.project);
         for (const char* piece :
              {"'author': {'name': 'A', 'years': [1, 2]}", "'zz': 1", "'tint': 'red'", "'glow': true",
-              "'ink': 2", "'snap': 1", "'colour': '#ff0000'", "'a/b': {'deep': null}", "'fps': 25"})
+              "'ink': 2", "'snap': 1", "'tint': '#ff0000'", "'a/b': {'deep': null}", "'fps': 25"})
             QVERIFY2(once.find(json(piece)) != std::string::npos, (piece + once).c_str());
         const LoadedProject again = parseProject(once, "p.wend");
         QCOMPARE(again.warnings.size(), std::size_t(9));
@@ -471,6 +471,12 @@ class TestProject : public QObject {
             "handles[0].at.vertices[0]: a vertex number");
         row("active", withHandle("{'at': {'points': [[1, 2]]}, 'active': [1, 0]}"),
             "handles[0].active: the window is reversed");
+        row("locked", withHandle("{'at': {'points': [[1, 2]]}, 'locked': 1}"),
+            "handles[0].locked: must be true or false, not 1");
+        row("link", withHandle("{'at': {'points': [[1, 2]]}, 'link': 0}"),
+            "handles[0].link: 0 is out of range");
+        row("colour", withHandle("{'at': {'points': [[1, 2]]}, 'colour': '#12345g'}"),
+            "handles[0].colour: must be a colour");
         row("blend handle", withHandle("{'at': {'region': {'blend': {'from': [0, 0], 'to': [1, 0]}}}}"),
             "handles[0].at.region");
         row("motion kind", withMotion("{'kind': 'jump'}"),

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/panels/pin_marks.h"
 #include "app/session/pin_shapes.h"
 #include "app/session/solid_places.h"
+#include "app/tools/pin_picking.h"
 #include "app/tools/region_outline.h"
 #include "core/motion/trajectory.h"
 
@@ -66,6 +68,7 @@ void SolidPainter::paths() {
         for (int h = 0; h < static_cast<int>(handles.size()); ++h) {
             if (handles[h].motions.empty() || session.selection().contains(h) != selected) continue;
             if (handles[h].activeTo <= session.playback().time()) continue;  // let go of
+            if (handles[h].traits.hidden) continue;
             const auto starts = shownStarts<3>(session.pathStarts<3>(h));
             if (starts.empty()) continue;
             for (const PinPath<3>& one : pinPaths<3>(handles[h], starts))
@@ -80,7 +83,7 @@ std::vector<Vec<3>> pathPoints(ShapeSession& session) {
     const auto& handles = session.document().design<3>().handles;
     for (int h = 0; h < static_cast<int>(handles.size()); ++h) {
         const auto starts = session.pathStarts<3>(h);
-        if (handles[h].motions.empty() || starts.empty()) continue;
+        if (handles[h].motions.empty() || starts.empty() || handles[h].traits.hidden) continue;
         for (const PinPath<3>& path : pinPaths<3>(handles[h], shownStarts<3>(starts))) {
             points.insert(points.end(), path.points.begin(), path.points.end());
             if (session.selection().contains(h)) addDirections(handles[h], path, points);
@@ -125,22 +128,18 @@ void SolidPainter::pins(int hovered) {
     ShapeSession& session = m_surface.session();
     if (session.document().dimension() != 3) return;
     const auto pins = session.pins<3>();
-    const auto& handles = session.document().design<3>().handles;
     for (const PinView<3>& view : pins)
         if (view.region && session.selection().contains(view.handle)) region(view);
     for (const PinView<3>& view : pins)
         if (view.points.size() > 1)
             spots(view, session.selection().contains(view.handle) ? m_theme.accent : kInk);
-    for (const PinView<3>& view : pins) {
-        const bool area = view.points.size() > 1;
-        m_painter.setOpacity(!area && m_surface.isHidden(view.centre) ? 0.4 : 1);
-        m_marks.pin(m_surface.toWidget(view.centre),
-                    {session.selection().contains(view.handle), view.handle == hovered, area,
-                     !handles[view.handle].motions.empty() || session.isDragging(), pinColour(view.handle)});
-    }
-    m_painter.setOpacity(1);
-    for (const PinView<3>& view : pins)
-        if (view.handle == hovered) m_marks.name(m_surface.toWidget(view.centre), view.name);
+    PinScene<3>{session,
+                pins,
+                hovered,
+                [this](const Vec<3>& p) { return m_surface.toWidget(p); },
+                [](const PinView<3>& view) { return view.points.size() > 1; },
+                [this](const PinView<3>& view) { return isCovered<3>(m_surface, view); }}
+        .paint(m_painter, m_marks);
 }
 
 void SolidPainter::worst(const PosedFrame<3>& frame, int cell) {

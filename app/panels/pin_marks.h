@@ -1,0 +1,61 @@
+#pragma once
+
+#include <algorithm>
+#include <functional>
+
+#include "app/panels/marks.h"
+#include "app/session/shape_session.h"
+
+namespace wend {
+
+/// How a pin of a session is drawn; `area`: it stands for more than a point.
+template <int Dim>
+Marks::Pin pinLook(const ShapeSession& session, const PinView<Dim>& view, bool area, int hovered) {
+    const Handle<Dim>& handle = session.document().template design<Dim>().handles[view.handle];
+    return {session.selection().contains(view.handle),
+            view.handle == hovered,
+            area,
+            !handle.motions.empty() || session.isDragging(),
+            pinColour(view.handle, handle.traits),
+            handle.traits.locked};
+}
+
+/// Lines from each pin that is selected or pointed at to those that move together with it.
+template <int Dim, class ToWidget>
+void paintLinks(Marks& marks, const ShapeSession& session, const std::vector<PinView<Dim>>& pins, int hovered,
+                const ToWidget& toWidget) {
+    const auto& handles = session.document().template design<Dim>().handles;
+    for (const PinView<Dim>& one : pins) {
+        const int link = handles[one.handle].traits.link;
+        if (link == 0 || (one.handle != hovered && !session.selection().contains(one.handle))) continue;
+        for (const PinView<Dim>& other : pins)
+            if (other.handle != one.handle && handles[other.handle].traits.link == link)
+                marks.line({toWidget(one.centre), toWidget(other.centre)}, kInk, 1, Qt::DotLine);
+    }
+}
+
+/// Pins in a view: those that the shape covers lie below the others, faintly.
+template <int Dim>
+struct PinScene {
+    const ShapeSession& session;
+    std::vector<PinView<Dim>> pins;
+    int hovered;
+    std::function<QPointF(const Vec<Dim>&)> toWidget;
+    std::function<bool(const PinView<Dim>&)> isArea, isCovered;
+
+    void paint(QPainter& painter, Marks& marks) {
+        paintLinks<Dim>(marks, session, pins, hovered, toWidget);
+        const auto seen = std::stable_partition(
+            pins.begin(), pins.end(), [this](const auto& view) { return !isArea(view) && isCovered(view); });
+        painter.setOpacity(0.4);
+        for (auto view = pins.begin(); view != pins.end(); ++view) {
+            if (view == seen) painter.setOpacity(1);
+            marks.pin(toWidget(view->centre), pinLook<Dim>(session, *view, isArea(*view), hovered));
+        }
+        painter.setOpacity(1);
+        for (const auto& view : pins)
+            if (view.handle == hovered) marks.name(toWidget(view.centre), view.name);
+    }
+};
+
+}  // namespace wend

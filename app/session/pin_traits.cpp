@@ -1,0 +1,60 @@
+#include "app/session/pin_traits.h"
+
+#include <algorithm>
+
+#include "app/document/pin_edits.h"
+
+namespace wend {
+
+namespace {
+
+/// `step` with the pins' names in the place of %1.
+template <class Change>
+void change(ShapeSession& session, const std::vector<int>& pins, const QString& step, const Change& change) {
+    const Project& project = *session.document().project();
+    const bool changes = std::any_of(pins.begin(), pins.end(), [&](int pin) {
+        HandleTraits traits = traitsOf(project, pin);
+        change(traits);
+        return traits != traitsOf(project, pin);
+    });
+    if (changes)
+        session.document().change(step.contains("%1") ? step.arg(session.nameOf(pins)) : step,
+                                  withTraits(project, pins, change));
+}
+
+}  // namespace
+
+void setLocked(ShapeSession& session, const std::vector<int>& pins, bool locked) {
+    change(session, pins, locked ? ShapeSession::tr("Lock %1") : ShapeSession::tr("Unlock %1"),
+           [locked](HandleTraits& traits) { traits.locked = locked; });
+}
+
+void setHidden(ShapeSession& session, const std::vector<int>& pins, bool hidden) {
+    change(session, pins, hidden ? ShapeSession::tr("Hide %1") : ShapeSession::tr("Show %1"),
+           [hidden](HandleTraits& traits) { traits.hidden = hidden; });
+}
+
+void setGroup(ShapeSession& session, const std::vector<int>& pins, const QString& name) {
+    change(session, pins, name.isEmpty() ? ShapeSession::tr("Ungroup %1") : ShapeSession::tr("Group %1"),
+           [group = name.toStdString()](HandleTraits& traits) { traits.group = group; });
+}
+
+void renameGroup(ShapeSession& session, const QString& group, const QString& name) {
+    change(session, handlesOfGroup(*session.document().project(), group.toStdString()),
+           ShapeSession::tr("Rename group"),
+           [group = name.toStdString()](HandleTraits& traits) { traits.group = group; });
+}
+
+void setColour(ShapeSession& session, const std::vector<int>& pins, std::optional<unsigned> colour) {
+    change(session, pins, ShapeSession::tr("Colour %1"),
+           [colour](HandleTraits& traits) { traits.colour = colour; });
+}
+
+void setLinked(ShapeSession& session, const std::vector<int>& pins, bool linked) {
+    const Project& project = *session.document().project();
+    session.document().change(
+        (linked ? ShapeSession::tr("Link %1") : ShapeSession::tr("Unlink %1")).arg(session.nameOf(pins)),
+        linked ? withLink(project, pins) : withoutLink(project, pins));
+}
+
+}  // namespace wend

@@ -1,0 +1,57 @@
+#include "app/tools/key_cross.h"
+
+namespace wend {
+
+namespace {
+
+constexpr double kStep = 5;  // pixels
+
+}  // namespace
+
+std::optional<QPointF> arrowOf(const QKeyEvent& key) {
+    const double length = key.modifiers() & Qt::ShiftModifier ? 10 : 1;
+    switch (key.key()) {
+        case Qt::Key_Left:
+            return QPointF(-length, 0);
+        case Qt::Key_Right:
+            return QPointF(length, 0);
+        case Qt::Key_Up:
+            return QPointF(0, -length);
+        case Qt::Key_Down:
+            return QPointF(0, length);
+        default:
+            return {};
+    }
+}
+
+template <int Dim>
+bool KeyCross::take(const QKeyEvent& key, ShapeSurface<Dim>& surface,
+                    const std::function<void(const QPointF&)>& click) {
+    const auto frame = surface.session().template frame<Dim>();
+    const auto by = arrowOf(key);
+    const bool enters = m_at && (key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter);
+    if (!frame || !(by || enters)) return false;
+    const Vec<Dim> middle = (frame->pose.rowwise().minCoeff() + frame->pose.rowwise().maxCoeff()) / 2;
+    if (enters)
+        click(*m_at);
+    else
+        m_at = m_at ? *m_at + kStep * *by : surface.toWidget(middle);
+    surface.redraw();
+    return true;
+}
+
+template bool KeyCross::take<2>(const QKeyEvent&, ShapeSurface<2>&,
+                                const std::function<void(const QPointF&)>&);
+template bool KeyCross::take<3>(const QKeyEvent&, ShapeSurface<3>&,
+                                const std::function<void(const QPointF&)>&);
+
+void KeyCross::paint(QPainter& painter) const {
+    if (!m_at) return;
+    for (const QPen& pen : {QPen(Qt::white, 3.5), QPen(QColor(0x14, 0x16, 0x1e), 1.5)}) {
+        painter.setPen(pen);
+        for (const QPointF& way : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)})
+            painter.drawLine(*m_at + 3 * way, *m_at + 12 * way);
+    }
+}
+
+}  // namespace wend

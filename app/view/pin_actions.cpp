@@ -1,0 +1,151 @@
+#include "app/view/pin_actions.h"
+
+#include <QApplication>
+#include <QColorDialog>
+#include <QInputDialog>
+#include <algorithm>
+
+#include "app/document/pin_edits.h"
+#include "app/panels/marks.h"
+#include "app/session/mirroring.h"
+#include "app/session/pin_traits.h"
+
+namespace wend {
+
+namespace {
+
+QIcon patch(const QColor& colour) {
+    QPixmap pixmap(14, 14);
+    pixmap.fill(colour);
+    return pixmap;
+}
+
+}  // namespace
+
+PinActions::PinActions(ShapeSession& session, QObject* parent)
+    : ActionMaker(parent), m_session(session), m_menu(new QMenu), m_colours(new QMenu) {
+    makeActions();
+    makeColours();
+    m_menu->setTitle(tr("&Pins"));
+    fill(*m_menu);
+    m_menu->insertAction(group, showAll);
+    m_menu->insertSeparator(group);
+    connectActions();
+    refresh();
+}
+
+void PinActions::makeActions() {
+    lock = addToggle({tr("&Lock"), tr("The selected pins are neither moved nor removed until unlocked")},
+                     QKeySequence(tr("Ctrl+L")));
+    hide = addToggle({tr("&Hide"), tr("The selected pins hold on, but are neither drawn nor picked")},
+                     QKeySequence(tr("Ctrl+Shift+H")));
+    showAll = add({tr("&Show All"), tr("Show all hidden pins again")}, QKeySequence(tr("Alt+Shift+H")));
+    group = add({tr("&Group…"), tr("Put the selected pins under a heading of the list")},
+                QKeySequence(tr("Ctrl+G")));
+    ungroup = add({tr("&Ungroup"), tr("Take the selected pins out of their groups")},
+                  QKeySequence(tr("Ctrl+Shift+G")));
+    link = addToggle({tr("Lin&k"), tr("The selected pins move together, whichever of them is dragged")},
+                     QKeySequence(tr("Ctrl+K")));
+    mirror = add({tr("&Mirror"), tr("Set pins where the selected ones lie in a mirror through the middle of "
+                                    "the shape, with mirrored motions")},
+                 QKeySequence(tr("Ctrl+M")));
+    mirrorMotion = add({tr("Mirror M&otion"), tr("The selected pins move to the other side instead")},
+                       QKeySequence(tr("Ctrl+Shift+M")));
+}
+
+/// In the order of pinColours().
+void PinActions::makeColours() {
+    const QStringList names = {tr("Blue"),   tr("Orange"), tr("Green"),     tr("Red"),
+                               tr("Violet"), tr("Brown"),  tr("Turquoise"), tr("Plum")};
+    m_colours->setTitle(tr("&Colour"));
+    for (int i = 0; i < names.size(); ++i) {
+        const QColor colour = pinColours()[static_cast<std::size_t>(i)];
+        connect(m_colours->addAction(patch(colour), names[i]), &QAction::triggered, this,
+                [this, colour] { setColour(m_session, selected(), colour.rgb() & 0xFFFFFF); });
+    }
+    m_colours->addSeparator();
+    connect(m_colours->addAction(tr("By &Place in the List")), &QAction::triggered, this,
+            [this] { setColour(m_session, selected(), {}); });
+    connect(m_colours->addAction(tr("&Other…")), &QAction::triggered, this, &PinActions::askColour);
+}
+
+void PinActions::fill(QMenu& menu) const {
+    menu.addActions({lock, hide});
+    menu.addMenu(m_colours.get());
+    menu.addSeparator();
+    menu.addActions({group, ungroup, link});
+    menu.addSeparator();
+    menu.addActions({mirror, mirrorMotion});
+}
+
+const std::vector<int>& PinActions::selected() const {
+    return m_session.selection().handles();
+}
+
+void PinActions::connectActions() {
+    connect(lock, &QAction::triggered, this, [this](bool on) { setLocked(m_session, selected(), on); });
+    connect(hide, &QAction::triggered, this, [this](bool on) { setHidden(m_session, selected(), on); });
+    connect(link, &QAction::triggered, this, [this](bool on) { setLinked(m_session, selected(), on); });
+    connect(showAll, &QAction::triggered, this, [this] {
+        std::vector<int> hidden;
+        for (int h = 0; h < m_session.handleCount(); ++h)
+            if (traitsOf(*m_session.document().project(), h).hidden) hidden.push_back(h);
+        setHidden(m_session, hidden, false);
+    });
+    connect(group, &QAction::triggered, this, &PinActions::askGroup);
+    connect(ungroup, &QAction::triggered, this, [this] { setGroup(m_session, selected(), {}); });
+    connect(mirror, &QAction::triggered, this, [this] { mirrorPins(m_session); });
+    connect(mirrorMotion, &QAction::triggered, this, [this] { wend::mirrorMotion(m_session); });
+    connect(&m_session, &ShapeSession::pinsChanged, this, &PinActions::refresh);
+    connect(&m_session, &ShapeSession::frameChanged, this, &PinActions::refresh);
+}
+
+void PinActions::refresh() {
+    const bool has = m_session.frame() && !selected().empty() && selected().back() < m_session.handleCount();
+    const auto count = [&](auto test) {
+        return has ? std::count_if(selected().begin(), selected().end(), test) : 0;
+    };
+    const auto all = static_cast<std::ptrdiff_t>(selected().size());
+    const auto traits = [this](int h) -> const HandleTraits& {
+        return traitsOf(*m_session.document().project(), h);
+    };
+    const QString none = tr("Select a pin first.");
+    for (QAction* action : {lock, hide, group, mirror}) enable(action, has, none);
+    m_colours->setEnabled(has);
+    const auto grouped = count([&](int h) { return !traits(h).group.empty(); });
+    const auto linked = count([&](int h) { return isLinked(*m_session.document().project(), h); });
+    enable(ungroup, grouped > 0, has ? tr("The selected pin is in no group.") : none);
+    enable(link, linked > 0 || (has && all > 1), tr("Select several pins first."));
+    enable(mirrorMotion, has && canMirrorMotion(m_session), tr("Select a pin that moves."));
+    bool anyHidden = false;
+    for (int h = 0; m_session.frame() && h < m_session.handleCount(); ++h)
+        anyHidden = anyHidden || traits(h).hidden;
+    enable(showAll, anyHidden, tr("No pin is hidden."));
+    lock->setChecked(has && count([&](int h) { return traits(h).locked; }) == all);
+    hide->setChecked(has && count([&](int h) { return traits(h).hidden; }) == all);
+    link->setChecked(has && linked == all);
+}
+
+void PinActions::askGroup() {
+    QStringList names;
+    for (const std::string& name : groupNames(*m_session.document().project()))
+        names << QString::fromStdString(name);
+    const QString own =
+        QString::fromStdString(traitsOf(*m_session.document().project(), selected().front()).group);
+    const int at = static_cast<int>(names.indexOf(own));
+    bool given = false;
+    const QString name = QInputDialog::getItem(QApplication::activeWindow(), tr("Group"),
+                                               tr("Name of the group:"), names, std::max(at, 0), true, &given)
+                             .trimmed();
+    if (given && !name.isEmpty()) setGroup(m_session, selected(), name);
+}
+
+void PinActions::askColour() {
+    const int first = selected().front();
+    const QColor colour =
+        QColorDialog::getColor(pinColour(first, traitsOf(*m_session.document().project(), first)),
+                               QApplication::activeWindow(), tr("Colour of the Pin"));
+    if (colour.isValid()) setColour(m_session, selected(), colour.rgb() & 0xFFFFFF);
+}
+
+}  // namespace wend

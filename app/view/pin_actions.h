@@ -1,0 +1,40 @@
+#pragma once
+
+#include <QMenu>
+#include <memory>
+
+#include "app/view/action_maker.h"
+
+namespace wend {
+
+class ShapeSession;
+
+/// What can be done with the selected pins beside moving them, of pictures and of solids.
+class PinActions : public ActionMaker {
+    Q_OBJECT
+
+  public:
+    PinActions(ShapeSession& session, QObject* parent);
+
+    QAction *lock, *hide, *showAll;
+    QAction *group, *ungroup, *link;
+    QAction *mirror, *mirrorMotion;
+
+    QMenu* menu() const { return m_menu.get(); }
+    /// What a pin's own menu holds of it.
+    void fill(QMenu& menu) const;
+
+  private:
+    void makeActions();
+    void makeColours();
+    void connectActions();
+    void refresh();
+    const std::vector<int>& selected() const;
+    void askGroup();
+    void askColour();
+
+    ShapeSession& m_session;
+    std::unique_ptr<QMenu> m_menu, m_colours;
+};
+
+}  // namespace wend

@@ -1,0 +1,462 @@
+// What the list of pins, the menus and the keys do with pins beside moving them, on pictures and on solids
+// from one body: locked, hidden, grouped, linked, mirrored, coloured; and what a click picks.
+#include <QInputDialog>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QLineEdit>
+#include <QMenu>
+#include <QStatusBar>
+#include <QToolBar>
+#include <QTreeWidget>
+
+#include "app/document/handle_edits.h"
+#include "app/panels/marks.h"
+#include "app/panels/pin_list.h"
+#include "app/session/opening.h"
+#include "app/view/pin_actions.h"
+#include "tests/support/bar.h"
+#include "tests/support/dialogs.h"
+
+using namespace wend;
+using namespace wend::test;
+
+class TestPins : public QObject {
+    Q_OBJECT
+  private slots:
+    void init();
+    void cleanup() { m_f.reset(); }
+    void lockedPinsStay_data() { dimensions(); }
+    void lockedPinsStay();
+    void hiddenPinsHoldOn_data() { dimensions(); }
+    void hiddenPinsHoldOn();
+    void groupsHaveAHeading_data() { dimensions(); }
+    void groupsHaveAHeading();
+    void linkedPinsMoveTogether_data() { dimensions(); }
+    void linkedPinsMoveTogether();
+    void mirrorImagesMoveAsInAMirror_data() { dimensions(); }
+    void mirrorImagesMoveAsInAMirror();
+    void allIsUndoneSavedAndReopened_data() { dimensions(); }
+    void allIsUndoneSavedAndReopened();
+    void waysArePickedAndSnapIsAChoice_data() { dimensions(); }
+    void waysArePickedAndSnapIsAChoice();
+    void keysSetPins_data() { dimensions(); }
+    void keysSetPins();
+
+  private:
+    ShapeSession& session() { return m_f->session(); }
+    PinActions& pins() { return *m_f->window().findChild<PinActions*>(); }
+    PinList& list() { return m_f->window().properties().pins(); }
+    const HandleTraits& traits(int handle) {
+        return std::visit(
+            [handle](const auto& own) -> const HandleTraits& { return own.handles.at(handle).traits; },
+            m_f->project().design);
+    }
+    QString said() { return m_f->window().statusBar()->currentMessage(); }
+    template <int Dim>
+    bool open();
+    template <int Dim>
+    Vec<Dim> pin(int handle);
+    template <int Dim>
+    QPoint at(const Vec<Dim>& p) {
+        return Bar<Dim>::canvas(*m_f).toWidget(p).toPoint();
+    }
+    template <int Dim>
+    void click(const QPoint& where, Qt::KeyboardModifiers modifiers = {});
+    template <int Dim>
+    bool drag(int handle, const QPoint& by);
+    void clickSign(const QTreeWidgetItem& item, PinList::Column column);
+    template <int Dim>
+    void lock();
+    template <int Dim>
+    void hide();
+    template <int Dim>
+    void group();
+    template <int Dim>
+    void link();
+    template <int Dim>
+    void mirror();
+    template <int Dim>
+    void keep();
+    template <int Dim>
+    void pick();
+    template <int Dim>
+    void setByKeys();
+
+    std::unique_ptr<SolidFixture> m_f;
+};
+
+void TestPins::init() {
+    if (!VolumeView::available()) QSKIP("needs OpenGL (run under xvfb-run)");
+    m_f = std::make_unique<SolidFixture>();
+    QVERIFY(QTest::qWaitForWindowActive(&m_f->window(), 20000));
+}
+
+/// Pins left, in the middle and right, none selected; the tool selects.
+template <int Dim>
+bool TestPins::open() {
+    if (!Bar<Dim>::open(*m_f)) return false;
+    m_f->tool("pin")->trigger();
+    for (const double u : {-1.5, 0.0, 1.5}) {
+        click<Dim>(at<Dim>(Bar<Dim>::place(u, 0)));
+        if (!settle(session())) return false;
+    }
+    m_f->tool("select")->trigger();
+    session().selection().clear();
+    m_f->picture(QStringLiteral("pins-%1").arg(Dim));
+    return session().handleCount() == 3;
+}
+
+template <int Dim>
+Vec<Dim> TestPins::pin(int handle) {
+    for (const auto& view : session().pins<Dim>(true))
+        if (view.handle == handle) return view.centre;
+    return Vec<Dim>::Zero();
+}
+
+template <int Dim>
+void TestPins::click(const QPoint& where, Qt::KeyboardModifiers modifiers) {
+    auto& canvas = Bar<Dim>::canvas(*m_f);
+    QTest::mouseMove(&canvas, where);
+    QTest::mouseClick(&canvas, Qt::LeftButton, modifiers, where);
+}
+
+/// By one of them alone.
+template <int Dim>
+bool TestPins::drag(int handle, const QPoint& by) {
+    auto& canvas = Bar<Dim>::canvas(*m_f);
+    session().selection().clear();
+    const QPoint from = at<Dim>(pin<Dim>(handle));
+    QTest::mouseMove(&canvas, from);
+    QTest::mousePress(&canvas, Qt::LeftButton, {}, from);
+    for (int i = 1; i <= 6; ++i) QTest::mouseMove(&canvas, from + by * i / 6);
+    QTest::mouseRelease(&canvas, Qt::LeftButton, {}, from + by);
+    return settle(session());
+}
+
+void TestPins::clickSign(const QTreeWidgetItem& item, PinList::Column column) {
+    QTreeWidget& tree = *list().list();
+    const QRect row = tree.visualItemRect(&item);
+    QTest::mouseClick(
+        tree.viewport(), Qt::LeftButton, {},
+        QPoint(tree.columnViewportPosition(column) + tree.columnWidth(column) / 2, row.center().y()));
+}
+
+void TestPins::lockedPinsStay() {
+    BOTH(lock);
+}
+
+/// By a click on its padlock: neither dragged, nor nudged, nor removed, until another click.
+template <int Dim>
+void TestPins::lock() {
+    QVERIFY(open<Dim>());
+    const std::vector<int> before = session().selection().handles();
+    clickSign(*list().rowOf(2), PinList::Lock);
+    QVERIFY(settle(session()));
+    QVERIFY(traits(2).locked && !traits(0).locked);
+    QCOMPARE(session().selection().handles(), before);  // a sign selects nothing
+    const int steps = session().document().undoStack()->count();
+    const Vec<Dim> place = pin<Dim>(2);
+    QVERIFY(drag<Dim>(2, {0, -40}));
+    QCOMPARE(session().selection().handles(), std::vector<int>{2});
+    QVERIFY2(said().contains(QStringLiteral("is locked")), qPrintable(said()));
+    auto& canvas = Bar<Dim>::canvas(*m_f);
+    canvas.setFocus();
+    QTest::keyClick(&canvas, Qt::Key_Up, Qt::ShiftModifier);
+    m_f->window().actions().remove->trigger();
+    QVERIFY(settle(session()));
+    QCOMPARE(session().handleCount(), 3);
+    QCOMPARE(session().document().undoStack()->count(), steps);
+    QCOMPARE((pin<Dim>(2) - place).norm(), 0.0);
+    QVERIFY(pins().lock->isChecked());
+    pins().lock->trigger();
+    QVERIFY(settle(session()) && !traits(2).locked);
+    QVERIFY(drag<Dim>(2, {0, -40}));
+    QVERIFY((pin<Dim>(2) - place).norm() > 20 * canvas.pixelSize(place));
+    session().selection().set({0, 1});  // of several the others go
+    clickSign(*list().rowOf(0), PinList::Lock);
+    QVERIFY(traits(0).locked && traits(1).locked);
+    clickSign(*list().rowOf(1), PinList::Lock);
+    QVERIFY(!traits(0).locked && !traits(1).locked);
+}
+
+void TestPins::hiddenPinsHoldOn() {
+    BOTH(hide);
+}
+
+/// It is not drawn and not picked, and the shape is held there to the last digit while another one moves.
+template <int Dim>
+void TestPins::hide() {
+    QVERIFY(open<Dim>());
+    auto& canvas = Bar<Dim>::canvas(*m_f);
+    const Vec<Dim> place = pin<Dim>(1);
+    const auto mark = [&] {
+        QTest::mouseMove(&canvas, at<Dim>(place) + QPoint(0, -150));
+        QTest::qWait(200);
+        const QRect around(at<Dim>(place) - QPoint(5, 5), QSize(11, 11));
+        return canvas.grab().toImage().copy(around);
+    };
+    if (Dim == 2) QVERIFY(QTest::qWaitFor([&] { return m_f->window().canvas().isSettled(); }, 60000));
+    const QImage drawn = mark();
+    clickSign(*list().rowOf(1), PinList::Seen);
+    QVERIFY(settle(session()) && traits(1).hidden);
+    if (Dim == 2) {
+        QVERIFY(QTest::qWaitFor([&] { return m_f->window().canvas().isSettled(); }, 60000));
+        QVERIFY(mark() != drawn);
+    }
+    click<Dim>(at<Dim>(place));
+    QVERIFY(session().selection().isEmpty());
+    m_f->window().actions().selectAll->trigger();
+    QCOMPARE(session().selection().handles(), (std::vector<int>{0, 2}));
+    QVERIFY(drag<Dim>(2, {0, -60}));
+    QVERIFY((pin<Dim>(1) - place).norm() < 1e-9 * session().frame()->diagonal);
+    pins().showAll->trigger();
+    QVERIFY(settle(session()) && !traits(1).hidden && !pins().showAll->isEnabled());
+    click<Dim>(at<Dim>(pin<Dim>(1)));
+    QCOMPARE(session().selection().handles(), std::vector<int>{1});
+}
+
+void TestPins::groupsHaveAHeading() {
+    BOTH(group);
+}
+
+/// A heading of the list selects, locks and hides all of its group, folds, and is renamed.
+template <int Dim>
+void TestPins::group() {
+    QVERIFY(open<Dim>());
+    QTreeWidget& tree = *list().list();
+    QCOMPARE(tree.topLevelItemCount(), 3);
+    session().selection().set({0, 2});
+    withNext<QInputDialog>(this, [](QInputDialog& dialog) {
+        dialog.setTextValue(QStringLiteral("Ends"));
+        dialog.accept();
+    });
+    pins().group->trigger();
+    QVERIFY(settle(session()));
+    QCOMPARE(tree.topLevelItemCount(), 2);
+    QTreeWidgetItem* heading = list().headingOf(QStringLiteral("Ends"));
+    QVERIFY(heading && heading->childCount() == 2 && list().rowOf(2)->parent() == heading);
+    session().selection().clear();
+    QTest::mouseClick(tree.viewport(), Qt::LeftButton, {},
+                      tree.visualItemRect(heading).center() - QPoint(20, 0));
+    QCOMPARE(session().selection().handles(), (std::vector<int>{0, 2}));
+    QVERIFY(list().rowOf(0)->isSelected() && list().rowOf(2)->isSelected() && !list().rowOf(1)->isSelected());
+    clickSign(*heading, PinList::Lock);
+    clickSign(*heading, PinList::Seen);
+    QVERIFY(traits(0).locked && traits(2).locked && !traits(1).locked);
+    QVERIFY(traits(0).hidden && traits(2).hidden && !traits(1).hidden);
+    tree.setFocus();
+    tree.setCurrentItem(list().rowOf(1));
+    QCOMPARE(session().selection().handles(), std::vector<int>{1});
+    QTest::keyClick(&tree, Qt::Key_Up);
+    QTest::keyClick(&tree, Qt::Key_Up);
+    QTest::keyClick(&tree, Qt::Key_Up);
+    QCOMPARE(tree.currentItem(), heading);
+    QCOMPARE(session().selection().handles(), (std::vector<int>{0, 2}));
+    QTest::keyClick(&tree, Qt::Key_Left);
+    QVERIFY(!heading->isExpanded() && heading->font(PinList::Name).bold());
+    QTest::keyClick(&tree, Qt::Key_F2);
+    auto* editor = tree.findChild<QLineEdit*>();
+    QVERIFY(editor);
+    editor->setText(QStringLiteral("Tips"));
+    QTest::keyClick(editor, Qt::Key_Return);
+    QVERIFY(QTest::qWaitFor([&] { return traits(0).group == "Tips"; }, 5000));
+    QCOMPARE(traits(2).group, std::string("Tips"));
+    heading = list().headingOf(QStringLiteral("Tips"));
+    QVERIFY(heading);
+    session().selection().set({0, 2});
+    pins().ungroup->trigger();
+    QCOMPARE(tree.topLevelItemCount(), 3);
+    QVERIFY(!pins().ungroup->isEnabled());
+}
+
+void TestPins::linkedPinsMoveTogether() {
+    BOTH(link);
+}
+
+/// One is dragged, the other goes as far, in one step back; the third stays.
+template <int Dim>
+void TestPins::link() {
+    QVERIFY(open<Dim>());
+    session().selection().set({0});
+    QVERIFY(!pins().link->isEnabled());
+    session().selection().set({0, 2});
+    pins().link->trigger();
+    QVERIFY(settle(session()) && traits(0).link == traits(2).link && traits(0).link > 0);
+    std::vector<Vec<Dim>> before;
+    for (int h = 0; h < 3; ++h) before.push_back(pin<Dim>(h));
+    const std::string text = toJson(m_f->project());
+    const int steps = session().document().undoStack()->count();
+    QVERIFY(drag<Dim>(0, {12, -40}));
+    QCOMPARE(session().document().undoStack()->count(), steps + 1);
+    const Vec<Dim> by = pin<Dim>(0) - before[0];
+    QVERIFY(by.norm() > 30 * Bar<Dim>::canvas(*m_f).pixelSize(before[0]));
+    QVERIFY((pin<Dim>(2) - before[2] - by).norm() < 1e-9 * session().frame()->diagonal);
+    QVERIFY((pin<Dim>(1) - before[1]).norm() < 1e-9 * session().frame()->diagonal);
+    m_f->window().actions().undo->trigger();
+    QCOMPARE(toJson(m_f->project()), text);
+    session().selection().set({0});
+    QVERIFY(pins().link->isChecked());
+    pins().link->trigger();
+    QVERIFY(traits(0).link == 0 && traits(2).link == 0);  // one alone is no link
+    QVERIFY(settle(session()) && drag<Dim>(0, {12, -40}));
+    QVERIFY((pin<Dim>(2) - before[2]).norm() < 1e-9 * session().frame()->diagonal);
+}
+
+void TestPins::mirrorImagesMoveAsInAMirror() {
+    BOTH(mirror);
+}
+
+/// The bar is its own mirror image: a pin left of the middle that was dragged gets one at the right, which
+/// moves the other way along the bar and the same way across it; so does the shape.
+template <int Dim>
+void TestPins::mirror() {
+    QVERIFY(open<Dim>());
+    session().selection().set({2});
+    m_f->window().actions().remove->trigger();
+    QVERIFY(settle(session()) && session().handleCount() == 2);
+    const Vec<Dim> rest = pin<Dim>(0);
+    QVERIFY(drag<Dim>(0, {-10, -30}));
+    const Vec<Dim> way = pin<Dim>(0) - rest;
+    session().selection().set({0});
+    pins().mirror->trigger();
+    QVERIFY(settle(session()));
+    QCOMPARE(session().handleCount(), 3);
+    QCOMPARE(session().selection().handles(), std::vector<int>{2});
+    const double middle = Bar<Dim>::place(0, 0).x(), pixel = Bar<Dim>::canvas(*m_f).pixelSize(rest);
+    Vec<Dim> expected = rest + way;
+    expected.x() = 2 * middle - expected.x();
+    QVERIFY2((pin<Dim>(2) - expected).norm() < (Dim == 2 ? 0.01 * pixel : 0.02 * session().frame()->diagonal),
+             qPrintable(QString::number((pin<Dim>(2) - expected).norm() / pixel)));
+    session().selection().set({0});
+    const int steps = session().document().undoStack()->count();
+    pins().mirror->trigger();  // there is one already
+    QCOMPARE(session().document().undoStack()->count(), steps);
+    pins().mirrorMotion->trigger();
+    QVERIFY(settle(session()));
+    Vec<Dim> other = way;
+    other.x() = -other.x();
+    QVERIFY((pin<Dim>(0) - rest - other).norm() < 0.01 * pixel);
+    m_f->window().actions().undo->trigger();
+    QVERIFY(settle(session()));
+    QVERIFY((pin<Dim>(0) - rest - way).norm() < 0.01 * pixel);
+}
+
+void TestPins::allIsUndoneSavedAndReopened() {
+    BOTH(keep);
+}
+
+template <int Dim>
+void TestPins::keep() {
+    QVERIFY(open<Dim>());
+    const std::string plain = toJson(m_f->project());
+    QUndoStack& undo = *session().document().undoStack();
+    const int first = undo.index();
+    const auto rest = session().frame<Dim>()->rest;
+    session().selection().set({0});
+    pins().lock->trigger();
+    session().selection().set({1});
+    pins().hide->trigger();
+    session().selection().set({0, 1});
+    pins().link->trigger();
+    withNext<QInputDialog>(this, [](QInputDialog& dialog) {
+        dialog.setTextValue(QStringLiteral("Left"));
+        dialog.accept();
+    });
+    pins().group->trigger();
+    for (QAction* action : pins().menu()->actions())
+        if (action->menu()) action->menu()->actions().at(1)->trigger();
+    QVERIFY(settle(session()));
+    QVERIFY(session().frame<Dim>()->rest == rest);  // the shape does not depend on any of it
+    QCOMPARE(undo.index(), first + 5);
+    const std::string changed = toJson(m_f->project());
+    undo.setIndex(first);
+    QCOMPARE(toJson(m_f->project()), plain);
+    undo.setIndex(first + 5);
+    QCOMPARE(toJson(m_f->project()), changed);
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("pins.wend"));
+    session().document().save(path);
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QJsonArray handles = QJsonDocument::fromJson(file.readAll()).object()["handles"].toArray();
+    QCOMPARE(handles[0].toObject()["locked"].toBool(), true);
+    QCOMPARE(handles[1].toObject()["hidden"].toBool(), true);
+    QCOMPARE(handles[0].toObject()["link"].toInt(), handles[1].toObject()["link"].toInt());
+    QCOMPARE(handles[1].toObject()["group"].toString(), QStringLiteral("Left"));
+    QCOMPARE(handles[0].toObject()["colour"].toString(), pinColours()[1].name());
+    for (const char* key : {"locked", "hidden", "link", "group", "colour"})
+        QVERIFY(!handles[2].toObject().contains(QLatin1String(key)));
+    m_f->window().openPath(path);
+    QVERIFY(QTest::qWaitFor([&] { return session().document().source() == path; }, 20000));
+    QVERIFY(settle(session()));
+    QVERIFY(traits(0).locked && traits(1).hidden && traits(1).link == traits(0).link &&
+            traits(2) == HandleTraits());
+    QVERIFY(list().headingOf(QStringLiteral("Left")));
+}
+
+void TestPins::waysArePickedAndSnapIsAChoice() {
+    BOTH(pick);
+}
+
+/// A click on a way selects its pin; new pins sit where one clicks, or on a corner of the mesh.
+template <int Dim>
+void TestPins::pick() {
+    QVERIFY(open<Dim>());
+    const Vec<Dim> from = pin<Dim>(2);
+    QVERIFY(drag<Dim>(2, {0, -80}));
+    session().selection().clear();
+    click<Dim>(at<Dim>((from + pin<Dim>(2)) / 2));
+    QCOMPARE(session().selection().handles(), std::vector<int>{2});
+    m_f->tool("pin")->trigger();
+    QAction* snap = nullptr;
+    for (QAction* action : m_f->window().findChild<QToolBar*>(QStringLiteral("optionRow"))->actions())
+        if (action->text() == QStringLiteral("S&nap")) snap = action;
+    QVERIFY(snap);
+    QCOMPARE(snap->isChecked(), Dim == 3);
+    for (const bool snaps : {true, false}) {
+        snap->setChecked(snaps);
+        const auto frame = session().frame<Dim>();
+        const Points<Dim> corners = frame->rest->points;
+        const Vec<Dim> place = Bar<Dim>::place(snaps ? -1.1 : -0.7, 0.13);
+        click<Dim>(at<Dim>(place));
+        const auto& own = session().document().design<Dim>().handles.back();
+        const auto* points = std::get_if<std::vector<Vec<Dim>>>(&own.at);
+        QVERIFY(points && points->size() == 1);
+        const double nearest = (corners.colwise() - points->front()).colwise().norm().minCoeff();
+        QVERIFY2((nearest < 1e-9 * frame->diagonal) == snaps, qPrintable(QString::number(nearest)));
+        QVERIFY(settle(session()));
+    }
+}
+
+void TestPins::keysSetPins() {
+    BOTH(setByKeys);
+}
+
+/// With nothing selected: the cross begins in the middle of the shape and goes five pixels with each press.
+template <int Dim>
+void TestPins::setByKeys() {
+    QVERIFY(Bar<Dim>::open(*m_f));
+    auto& canvas = Bar<Dim>::canvas(*m_f);
+    m_f->tool("pin")->trigger();
+    canvas.setFocus();
+    QTest::keyClick(&canvas, Qt::Key_Right);
+    for (int i = 0; i < 4; ++i) QTest::keyClick(&canvas, Qt::Key_Right, Qt::ShiftModifier);
+    const QPointF middle = canvas.toWidget(Bar<Dim>::place(0, 0));
+    QTest::keyClick(&canvas, Qt::Key_Return);
+    QVERIFY(settle(session()));
+    QCOMPARE(session().handleCount(), 1);
+    const QPointF set = canvas.toWidget(pin<Dim>(0));
+    QVERIFY2(QLineF(set, middle + QPointF(200, 0)).length() < (Dim == 2 ? 1.5 : 40),
+             qPrintable(QString::number(QLineF(set, middle + QPointF(200, 0)).length())));
+    QTest::keyClick(&canvas, Qt::Key_Escape);
+    QVERIFY(session().selection().isEmpty());
+    QTest::keyClick(&canvas, Qt::Key_Left);
+    QTest::keyClick(&canvas, Qt::Key_Return);
+    QVERIFY(settle(session()));
+    if (Dim == 2) QCOMPARE(session().handleCount(), 1);  // within reach of the pin: it is selected
+    QVERIFY(!session().selection().isEmpty());
+}
+
+QTEST_MAIN(TestPins)
+#include "test_pins.moc"
