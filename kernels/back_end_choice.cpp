@@ -74,8 +74,8 @@ class FailsafeBackEnd final : public BackEnd<Dim> {
         double distance(const Nodal<Dim>& other) override {
             return m_owner.safely([&] { return active().distance(other); });
         }
-        double greatest(Terms terms) override {
-            return m_owner.safely([&] { return active().greatest(terms); });
+        double maximum(Terms terms) override {
+            return m_owner.safely([&] { return active().maximum(terms); });
         }
 
         /// The back end's geometry is that of the latest sum from now on.

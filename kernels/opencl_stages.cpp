@@ -10,7 +10,7 @@ template <int Dim>
 OpenClStages<Dim>::OpenClStages(OpenClContext& cl, int vertices) : m_cl(cl), m_vertices(vertices) {
     const cl::Program program = m_cl.build("stages.cl", "-cl-std=CL1.2 -DDIM=" + std::to_string(Dim));
     m_combine = cl::Kernel(program, "combine");
-    m_greatest = cl::Kernel(program, "greatest");
+    m_maximum = cl::Kernel(program, "maximum");
     m_farthest = cl::Kernel(program, "farthest");
     const auto count = static_cast<std::size_t>(numbers());
     m_vectors = m_cl.buffer<double>(count * m_slots.size());
@@ -87,22 +87,22 @@ double OpenClStages<Dim>::distance(const Nodal<Dim>& other) {
     return guarded([&] {
         const cl_int slot = slotOf(other);
         launch(m_cl.queue(), m_farthest, chunks(), numbers(), kChunk, m_shape, m_vectors, slot, m_parts);
-        return greatestPart();
+        return maxPart();
     });
 }
 
 template <int Dim>
-double OpenClStages<Dim>::greatest(Terms terms) {
+double OpenClStages<Dim>::maximum(Terms terms) {
     return guarded([&] {
         const Arguments sum = argumentsOf(terms);
-        launch(m_cl.queue(), m_greatest, chunks(), numbers(), kChunk, sum.count, m_vectors, sum.slot,
+        launch(m_cl.queue(), m_maximum, chunks(), numbers(), kChunk, sum.count, m_vectors, sum.slot,
                sum.weights, m_parts);
-        return std::sqrt(greatestPart());
+        return std::sqrt(maxPart());
     });
 }
 
 template <int Dim>
-double OpenClStages<Dim>::greatestPart() {
+double OpenClStages<Dim>::maxPart() {
     std::vector<double> parts(static_cast<std::size_t>(chunks()));
     m_cl.read(m_parts, parts.data(), parts.size());
     double most = 0;

@@ -21,7 +21,7 @@ class OpenClStages final : public StageVectors<Dim> {
     void combine(const Nodal<Dim>& y, Terms terms) override;
     Nodal<Dim> shape() override;
     double distance(const Nodal<Dim>& other) override;
-    double greatest(Terms terms) override;
+    double maximum(Terms terms) override;
 
     /// Where the stage's shape is.
     const cl::Buffer& buffer() const { return m_shape; }
@@ -44,14 +44,14 @@ class OpenClStages final : public StageVectors<Dim> {
     int freeSlot(const Nodal<Dim>& vector);
     int slotOf(const Nodal<Dim>& vector);
     Arguments argumentsOf(Terms terms);
-    double greatestPart();
+    double maxPart();
 
     OpenClContext& m_cl;
     int m_vertices;
     long m_uses = 0;
     std::array<Slot, StageVectors<Dim>::kMostTerms + 4> m_slots;
     Nodal<Dim> m_onHost;  // the stage's shape, once it was asked for
-    cl::Kernel m_combine, m_greatest, m_farthest;
+    cl::Kernel m_combine, m_maximum, m_farthest;
     cl::Buffer m_vectors, m_shape, m_parts;
 };
 

@@ -28,8 +28,8 @@ kernel void combine(int count, int terms, global const double* slots, int y, int
 }
 
 // The greatest |Σ weight · vector|² of the vertices of every chunk.
-kernel void greatest(int chunks, int count, int chunk, int terms, global const double* slots, int8 slot,
-                     double8 weights, global double* parts) {
+kernel void maximum(int chunks, int count, int chunk, int terms, global const double* slots, int8 slot,
+                    double8 weights, global double* parts) {
     const int c = get_global_id(0);
     if (c >= chunks) return;
     double most = 0.0;

@@ -29,27 +29,31 @@ groups_of() { # BUILD-FOLDER
     echo
 }
 
-run_group() { # BUILD-FOLDER NAME…: builds these, and runs those of them that are tests; sets passed and failed
-    local folder=$1 targets=(wend-tetgen)
-    shift
+# Builds these within so many seconds, and runs those of them that are tests; sets passed and failed. Fails, with neither, where the
+# time did not suffice for the build: a slow machine must not take what it has shown for nothing.
+run_group() { # BUILD-FOLDER SECONDS NAME…
+    local folder=$1 time=$2 targets=(wend-tetgen) status
+    shift 2
     for name in "$@"; do
         case "$name" in test_window_xcb | style | reference | full_disk | test_build_progress | test_totals) ;; *) targets+=("$name") ;; esac
     done
     passed=0 failed=1
-    NINJA_STATUS='[%f/%t] ' ninja -C "$folder" "${targets[@]}" 2>&1 | narrate_build >&2
-    [ "${PIPESTATUS[0]}" -eq 0 ] || return
+    NINJA_STATUS='[%f/%t] ' timeout --foreground "$time" ninja -C "$folder" "${targets[@]}" 2>&1 | narrate_build >&2
+    status=${PIPESTATUS[0]}
+    [ "$status" -eq 124 ] && { failed=0; return 1; }
+    [ "$status" -eq 0 ] || return 0
     run_tests "$folder" -R "^($(IFS='|'; echo "$*"))\$"
+    return 0
 }
 
-# What has no time left is named and not run: a slow machine must not take what it has shown for nothing.
-sanitize() { # PRESET LAST-MINUTE: sets all_passed and all_failed
-    local folder=$root/build/$1 group late=()
+sanitize() { # PRESET LAST-MINUTE: what is not built by then is named and not run; sets all_passed and all_failed
+    local folder=$root/build/$1 group left late=()
     all_passed=0 all_failed=0
     configure "$1" || { all_failed=1; return; }
     while read -r -a group; do
         [ "${#group[@]}" -eq 0 ] && continue
-        if [ "$SECONDS" -ge $((60 * $2)) ]; then late+=("${group[@]}"); continue; fi
-        run_group "$folder" "${group[@]}"
+        left=$((60 * $2 - SECONDS))
+        if [ "$left" -le 0 ] || ! run_group "$folder" "$left" "${group[@]}"; then late+=("${group[@]}"); continue; fi
         all_passed=$((all_passed + passed)) all_failed=$((all_failed + failed))
         echo "$1: $all_passed passed, $all_failed failed after $((SECONDS / 60)) minutes: ${group[*]}"
     done < <(groups_of "$folder")

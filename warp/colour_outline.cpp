@@ -13,7 +13,7 @@ namespace wend {
 namespace {
 
 constexpr double kSimplify = 0.5;  // pixels
-constexpr float kLeast = 1e-3F;    // of full scale: how far inside and outside are apart at least
+constexpr float kMinimum = 1e-3F;  // of full scale: how far inside and outside are apart at least
 
 /// How far the colours of all pixels are from one of them.
 class ColourDistances {
@@ -81,8 +81,8 @@ Outline outlineOfColour(const Image& image, const Vec<2>& place, double toleranc
     const ContourGrid grid{image.width, image.height};
     const auto value = [&](int i, int j) {
         const float by = allowed - distances.at(i, j);
-        return inside[static_cast<std::size_t>(j) * image.width + i] ? std::max(by, kLeast)
-                                                                     : std::min(by, -kLeast);
+        return inside[static_cast<std::size_t>(j) * image.width + i] ? std::max(by, kMinimum)
+                                                                     : std::min(by, -kMinimum);
     };
     auto loops = zeroContours(grid, [&](int row, auto& values) {
         const int j = ContourGrid::pixel(row, image.height);

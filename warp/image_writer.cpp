@@ -337,8 +337,8 @@ void writeImage(const std::string& path, const Image& header, int stripRows, con
     const Format& format = formatOf(path);
     if (header.width < 1 || header.height < 1) throw InputError(path, "there are no pixels to write");
     // OpenJPEG's encoder halves a picture five times, and writes nothing at all of a smaller one.
-    constexpr int kLeastJpeg2000 = 32;
-    if (format.extensions[0] == ".jp2" && std::min(header.width, header.height) < kLeastJpeg2000)
+    constexpr int kMinJpeg2000 = 32;
+    if (format.extensions[0] == ".jp2" && std::min(header.width, header.height) < kMinJpeg2000)
         throw InputError(path, "pictures of less than 32 pixels a side cannot be written as .jp2");
     const PixelLayout layout = fileLayout(format, header);
     writeWhole(path, [&](const std::string& temporary) {

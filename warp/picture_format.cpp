@@ -126,7 +126,7 @@ struct TgaHeader {
         return type == 3 && (bits == 8 || bits == 16);
     }
     /// The least that a file with it has. A packet of a packed file holds up to 128 pixels.
-    double leastSize() const {
+    double minSize() const {
         const double pixels = 1.0 * width * height, each = (bits + 7) / 8;
         const double stored = packed ? pixels / 128 * (1 + each) : pixels * each;
         return 18 + idLength + paletteLength * ((paletteBits + 7) / 8) + stored;
@@ -137,7 +137,7 @@ bool isTga(std::string_view head, double size) {
     if (head.size() < 18) return false;
     const TgaHeader header(head);
     return header.typeKnown && header.paletteFits() && header.depthFits() && header.width > 0 &&
-           header.height > 0 && (header.flags & 0xc0U) == 0 && header.leastSize() <= size;
+           header.height > 0 && (header.flags & 0xc0U) == 0 && header.minSize() <= size;
 }
 
 // ---

@@ -45,8 +45,8 @@ Timing measure(int repeats, const std::function<void()>& work, const std::functi
         walls.push_back(one.wall);
         processors.push_back(one.processor);
     }
-    const auto [least, greatest] = std::minmax_element(walls.begin(), walls.end());
-    Timing timing{0, *least, *greatest, middle(processors), repeats};
+    const auto [minimum, maximum] = std::minmax_element(walls.begin(), walls.end());
+    Timing timing{0, *minimum, *maximum, middle(processors), repeats};
     timing.median = middle(walls);
     return timing;
 }
@@ -65,7 +65,7 @@ double readBandwidth(double bytes) {
             for (std::size_t k = 0; k < 8; ++k) sums[k] += block[i + k];
         sink = sums[0] + sums[1] + sums[2] + sums[3] + sums[4] + sums[5] + sums[6] + sums[7];
     });
-    return static_cast<double>(block.size() * sizeof(double)) / timing.least;
+    return static_cast<double>(block.size() * sizeof(double)) / timing.minimum;
 }
 
 double growthExponent(const std::vector<double>& n, const std::vector<double>& t) {

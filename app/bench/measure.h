@@ -8,7 +8,7 @@ namespace wend {
 /// Seconds of a piece of work over several runs: the clock on the wall, and the processors' time of all
 /// threads, which other programs on the machine disturb less.
 struct Timing {
-    double median = 0, least = 0, greatest = 0;
+    double median = 0, minimum = 0, maximum = 0;
     double processor = 0;  // the median
     int repeats = 0;
 };

@@ -165,10 +165,10 @@ BenchClaim judged(const PaperClaim& claim, const std::map<std::string, Figures>&
 BenchClaim below(const std::string& what, const std::string& name, double bound,
                  const std::map<std::string, Figures>& results) {
     BenchClaim claim{what, true, {}};
-    double greatest = 0;
-    for (const auto& [key, figures] : results) greatest = std::max(greatest, figure(figures, name));
-    claim.holds = greatest <= bound;
-    claim.values = {{name, greatest}};
+    double maximum = 0;
+    for (const auto& [key, figures] : results) maximum = std::max(maximum, figure(figures, name));
+    claim.holds = maximum <= bound;
+    claim.values = {{name, maximum}};
     return claim;
 }
 

@@ -53,8 +53,8 @@ std::vector<Growth> growthOf(const BenchTable& table) {
     std::vector<Growth> growth;
     for (const auto& [key, s] : series) {
         // Of shapes of one size nothing can be told.
-        const auto [least, most] = std::minmax_element(s.vertices.begin(), s.vertices.end());
-        if (*most < 1.5 * *least) continue;
+        const auto [minimum, most] = std::minmax_element(s.vertices.begin(), s.vertices.end());
+        if (*most < 1.5 * *minimum) continue;
         const auto& [dimension, what, threads] = key;
         growth.push_back({dimension, what, threads, growthExponent(s.vertices, s.seconds)});
     }
@@ -101,8 +101,8 @@ std::string jsonOf(const BenchTable& table) {
             Json entry{{"what", row.what},
                        {"threads", row.threads == 0 ? table.cores : row.threads},
                        {"seconds", row.time.median},
-                       {"least", row.time.least},
-                       {"greatest", row.time.greatest},
+                       {"least", row.time.minimum},
+                       {"greatest", row.time.maximum},
                        {"processorSeconds", row.time.processor},
                        {"repeats", row.time.repeats}};
             for (const auto& [figure, value] : row.figures) entry["figures"][figure] = value;

@@ -6,11 +6,13 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/terminal.h"
 #include "app/document/json_text.h"
+#include "app/session/flat_shape.h"
 #include "app/session/mesh_rest.h"
 #include "app/session/output_set.h"
 #include "app/session/overwriting.h"
 #include "app/session/report.h"
 #include "app/session/run_options.h"
+#include "app/session/shape_builder.h"
 #include "app/session/shape_file.h"
 #include "core/mesh/error.h"
 #include "core/mesh/file_name.h"
@@ -95,10 +97,10 @@ Meshed meshOf(const Input& input, const std::string& path, std::stop_token stop)
         meshed.file = toMeshFile<2>(*rest);
         return meshed;
     }
-    const AnyScene any = loadScene(project, input.folder, stop);
+    const AnyShape any = loadShape(project, input.folder, stop);
     return std::visit(
-        []<int Dim>(const Scene<Dim>& scene) {
-            return Meshed{poseFile<Dim>(scene, scene.rest->points), scene.notices, scene.verdict, scene.cage};
+        []<int Dim>(const Shape<Dim>& shape) {
+            return Meshed{poseFile<Dim>(shape, shape.rest->points), shape.notices, shape.verdict, shape.cage};
         },
         any);
 }

@@ -7,9 +7,9 @@ namespace wend {
 
 namespace {
 
-constexpr double kParallel = 1e-6;    // sine of the angle below which two directions are one
-constexpr double kSameArm = 1e-9;     // of the way between the neighbours
-constexpr double kLeastShare = 0.02;  // of a piece that two are joined to
+constexpr double kParallel = 1e-6;  // sine of the angle below which two directions are one
+constexpr double kSameArm = 1e-9;   // of the way between the neighbours
+constexpr double kMinShare = 0.02;  // of a piece that two are joined to
 
 /// The directions at a joint, both as they are travelled.
 template <int Dim>
@@ -71,7 +71,7 @@ double shareAt(const std::vector<Vec<Dim>>& points, int joint) {
     const double before = smooth ? in : (points[3 * joint] - points[3 * joint - 3]).norm();
     const double after = smooth ? out : (points[3 * joint + 3] - points[3 * joint]).norm();
     if (before + after == 0) return 0.5;
-    return std::clamp(before / (before + after), kLeastShare, 1 - kLeastShare);
+    return std::clamp(before / (before + after), kMinShare, 1 - kMinShare);
 }
 
 }  // namespace
@@ -183,9 +183,9 @@ CurveMotion<Dim> withPointOn(CurveMotion<Dim> motion, int piece, double v) {
 template <int Dim>
 std::optional<CurveMotion<Dim>> withoutPoint(CurveMotion<Dim> motion, int point) {
     const bool bezier = motion.interpolation == Interpolation::Bezier;
-    const std::size_t least = bezier ? 7 : 3;
+    const std::size_t minimum = bezier ? 7 : 3;
     const int which = bezier ? jointOf(point) : point;
-    if (which <= 0 || motion.points.size() < least) return {};
+    if (which <= 0 || motion.points.size() < minimum) return {};
     if (bezier)
         motion.points = withoutJoint<Dim>(std::move(motion.points), which);
     else

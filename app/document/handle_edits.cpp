@@ -12,7 +12,7 @@ namespace wend {
 namespace {
 
 // Of the film: what a gesture gets at least, however short its way, and what it leaves at least.
-constexpr double kLeastShare = 0.002;
+constexpr double kMinShare = 0.002;
 
 template <int Dim>
 Design<Dim>& design(Project& project) {
@@ -177,7 +177,7 @@ double lengthOf(const Gesture& gesture) {
 
 /// When what was before ends and a gesture begins that goes as far as `added`.
 double borderAfter(double before, double added, double end) {
-    return end * std::clamp(before / (before + added), kLeastShare, 1 - kLeastShare);
+    return end * std::clamp(before / (before + added), kMinShare, 1 - kMinShare);
 }
 
 /// What lies before a gesture, with the time that it leaves to that.

@@ -47,7 +47,7 @@ struct MeasureRow {
     Measure measure;
     bool flat;  // pictures have it too
     Scale scale;
-    double least;  // that the range spans
+    double minimum;  // that the range spans
     const char *before, *after;
     std::vector<double> Distortion::*ranks;  // the cells by how far they are from rest; none: by length
     CellValue<2> ofTriangle;
@@ -163,10 +163,10 @@ MeasureRange rangeOf(const std::vector<double>& values, Measure measure, int dim
     if (values.empty()) return row.scale == Scale::Ratio ? MeasureRange{0.9, 1 / 0.9} : MeasureRange{0, 0.01};
     const auto [low, high] = std::ranges::minmax(values);
     if (row.scale == Scale::Times)  // of the design, not of an outcome
-        return {1, std::max(row.least, high), dimension};
+        return {1, std::max(row.minimum, high), dimension};
     if (row.scale == Scale::Logarithm) {
-        const double least = std::max(low, 1e-300);
-        return {least, std::max(high, row.least * least)};
+        const double minimum = std::max(low, 1e-300);
+        return {minimum, std::max(high, row.minimum * minimum)};
     }
     std::vector<double> sizes;
     sizes.reserve(values.size());
@@ -175,7 +175,7 @@ MeasureRange rangeOf(const std::vector<double>& values, Measure measure, int dim
     const auto nth =
         sizes.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(sizes.size() - 1));
     std::nth_element(sizes.begin(), nth, sizes.end());
-    const double span = std::max(*nth, row.least);
+    const double span = std::max(*nth, row.minimum);
     return row.scale == Scale::Ratio ? MeasureRange{std::exp(-span), std::exp(span)} : MeasureRange{0, span};
 }
 

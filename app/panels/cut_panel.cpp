@@ -29,7 +29,7 @@ CutPanel::CutPanel(QWidget* parent)
     connect(m_kind, &QComboBox::activated, this, &CutPanel::kindChosen);
     connect(m_slider, &QSlider::valueChanged, this, [this](int value) {
         CutPlane plane = m_plane;
-        const double height = least() + (greatest() - least()) * value / kSteps;
+        const double height = minimum() + (maximum() - minimum()) * value / kSteps;
         plane.point += (height - plane.normal.dot(plane.point)) * plane.normal;
         emit planeChosen(plane);
     });
@@ -91,11 +91,11 @@ void CutPanel::arrange() {
     layout->addWidget(m_numbers);
 }
 
-double CutPanel::least() const {
+double CutPanel::minimum() const {
     return m_plane.normal.cwiseProduct(m_low).cwiseMin(m_plane.normal.cwiseProduct(m_high)).sum();
 }
 
-double CutPanel::greatest() const {
+double CutPanel::maximum() const {
     return m_plane.normal.cwiseProduct(m_low).cwiseMax(m_plane.normal.cwiseProduct(m_high)).sum();
 }
 
@@ -136,9 +136,9 @@ void CutPanel::show(int kind, const CutPlane& plane, const Vec<3>& low, const Ve
         m_place->setSingleStep(diagonal > 0 ? diagonal / 100 : 0.01);
     m_place->put(height);
     const QSignalBlocker quiet(m_slider);
-    const double span = greatest() - least();
+    const double span = maximum() - minimum();
     if (!m_slider->isSliderDown() && span > 0)
-        m_slider->setValue(static_cast<int>(std::lround(kSteps * (height - least()) / span)));
+        m_slider->setValue(static_cast<int>(std::lround(kSteps * (height - minimum()) / span)));
 }
 
 }  // namespace wend

@@ -33,8 +33,8 @@ class CutPanel : public QWidget {
     void arrange();
     void chooseNormal(const Vec<3>& normal);
     void chooseNumbers();
-    double least() const;
-    double greatest() const;
+    double minimum() const;
+    double maximum() const;
 
     QComboBox* m_kind;
     std::array<QToolButton*, 4> m_ways;

@@ -137,8 +137,8 @@ void HandlePanel::showHandle() {
         m_name->setText(
             handle >= 0 ? QString::fromStdString(handles[handle].name)
                         : tr("%n pins", nullptr, static_cast<int>(m_session.selection().handles().size())));
-    const double least = 1e-9 * (m_session.frame() ? m_session.frame()->diagonal : 1);
-    const Vec<3> at = (middle().array().abs() < least).select(0, middle());
+    const double minimum = 1e-9 * (m_session.frame() ? m_session.frame()->diagonal : 1);
+    const Vec<3> at = (middle().array().abs() < minimum).select(0, middle());
     const QLocale locale;
     m_place->setText(tr("at %1, %2, %3")
                          .arg(locale.toString(at.x(), 'g', 5), locale.toString(at.y(), 'g', 5),

@@ -10,6 +10,7 @@
 #include "app/panels/colour_map.h"
 #include "app/panels/legend.h"
 #include "app/panels/panel_parts.h"
+#include "app/session/shape.h"
 #include "app/session/solid_places.h"
 #include "core/mesh/quality.h"
 
@@ -101,7 +102,7 @@ void MeasurePanel::refresh() {
 
 void MeasurePanel::showSizes() {
     const auto frame = m_session.frame<3>();
-    if (!frame || !frame->facets) return;
+    if (!frame || !frame->built->facets) return;
     const auto text = [](const QString& title, const SolidSize& now, const SolidSize& rest) {
         const QString both = tr("%1, at rest %2");
         return QStringLiteral("<b>%1</b><table>").arg(title.toHtmlEscaped()) +

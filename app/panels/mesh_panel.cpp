@@ -32,12 +32,12 @@ int verticesOf(int slider) {
 enum Aim { ByVertices, ByVolume };
 
 /// The greatest cell that there is now, to two digits.
-double greatestVolume(const PosedFrame<3>& frame) {
-    double greatest = 0;
+double largestCell(const PosedFrame<3>& frame) {
+    double maximum = 0;
     for (const Cell<3>& cell : frame.rest->cells)
-        greatest = std::max(greatest, std::abs(cellMeasure<3>(frame.rest->points, cell)));
-    const double unit = std::pow(10, std::floor(std::log10(greatest)) - 1);
-    return std::ceil(greatest / unit) * unit;
+        maximum = std::max(maximum, std::abs(cellMeasure<3>(frame.rest->points, cell)));
+    const double unit = std::pow(10, std::floor(std::log10(maximum)) - 1);
+    return std::ceil(maximum / unit) * unit;
 }
 
 }  // namespace
@@ -122,7 +122,7 @@ void MeshPanel::setAim(bool volume) {
         return;
     }
     Project next = *m_session.document().project();
-    next.domain.maxVolume = volume ? greatestVolume(*frame) : 0;
+    next.domain.maxVolume = volume ? largestCell(*frame) : 0;
     m_session.document().change(volume ? tr("Aim at a volume") : tr("Aim at vertices"), std::move(next));
 }
 

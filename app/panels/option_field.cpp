@@ -42,7 +42,7 @@ OptionField::OptionField(std::string_view keyOrFlag, QWidget* parent)
     else
         m_option.kind == OptionKind::Integer ? makeInteger() : makeNumber();
     setFocusProxy(findChild<QWidget*>());
-    describe(focusProxy(), *words.name ? told(words.name) : label().remove('&'),
+    describe(focusProxy(), *words.name ? told(words.name) : withoutKey(label()),
              *words.help ? told(words.help) : sentence(m_option.meaning));
     setToolTip(focusProxy()->toolTip());
     row->addWidget(focusProxy());
@@ -119,8 +119,8 @@ void OptionField::setRange(const Range& range) {
 void OptionField::limitNumber() {
     constexpr double kMost = 1e9;
     const double digit = std::pow(0.1, m_number->decimals()), factor = m_option.row.factor;
-    const double least = std::max(-kMost, factor * m_range.min) + (m_range.openMin ? digit : 0);
-    m_number->setRange(*m_option.row.zero ? 0 : least,
+    const double minimum = std::max(-kMost, factor * m_range.min) + (m_range.openMin ? digit : 0);
+    m_number->setRange(*m_option.row.zero ? 0 : minimum,
                        std::min(kMost, factor * m_range.max) - (m_range.openMax ? digit : 0));
 }
 

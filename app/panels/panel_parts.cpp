@@ -1,6 +1,7 @@
 #include "app/panels/panel_parts.h"
 
 #include <QFrame>
+#include <QRegularExpression>
 
 namespace wend {
 
@@ -42,6 +43,11 @@ QWidget* panelRowIn(const QString& label, QWidget* control, QWidget* parent) {
     line->setContentsMargins(0, 0, 0, 0);
     row->setLayout(line);
     return row;
+}
+
+QString withoutKey(QString label) {
+    static const QRegularExpression keyInBrackets(QStringLiteral("\\(&.\\)"));
+    return label.remove(keyInBrackets).remove('&');
 }
 
 void describe(QWidget* widget, const QString& name, const QString& help) {

@@ -16,6 +16,8 @@ QFrame* panelLine(QWidget* parent);
 QHBoxLayout* panelRow(const QString& label, QWidget* control, QWidget* parent);
 /// The same in a widget that can be hidden.
 QWidget* panelRowIn(const QString& label, QWidget* control, QWidget* parent);
+/// A label as it is read, without its key: "Pin" of "&Pin", and "ピン" of "ピン(&P)".
+QString withoutKey(QString label);
 /// Tooltip, status tip and accessible description at once.
 void describe(QWidget* widget, const QString& name, const QString& help);
 

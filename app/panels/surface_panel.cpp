@@ -20,6 +20,7 @@ SurfacePanel::SurfacePanel(QWidget* parent)
       m_next(new QToolButton(this)),
       m_show(new QPushButton(tr("Show them"), this)),
       m_save(new QPushButton(tr("Save list…"), this)),
+      m_preview(new QPushButton(tr("See the repair"), this)),
       m_repair(new QPushButton(tr("Repair"), this)),
       m_fit(new QPushButton(this)),
       m_hole(new OptionField("domain.repair.largestHole", this)) {
@@ -39,10 +40,13 @@ SurfacePanel::SurfacePanel(QWidget* parent)
     for (QPushButton* button : {m_show, m_save}) row->addWidget(button);
     layout->addLayout(row);
     layout->addWidget(panelRowIn(m_hole->label(), m_hole, this));
-    layout->addWidget(m_repair);
+    auto* repairs = new QHBoxLayout;
+    for (QPushButton* button : {m_preview, m_repair}) repairs->addWidget(button);
+    layout->addLayout(repairs);
     layout->addWidget(m_fit);
     m_case->setAlignment(Qt::AlignCenter);
     m_show->setCheckable(true);
+    m_preview->setCheckable(true);
     describe(m_kind, tr("What is wrong"), tr("The kinds of what is wrong, and how often each occurs."));
     describe(m_previous, tr("Previous place"), tr("Looks at the previous place where this is wrong."));
     describe(m_next, tr("Next place"), tr("Looks at the next place where this is wrong."));
@@ -50,6 +54,9 @@ SurfacePanel::SurfacePanel(QWidget* parent)
              tr("Colours the triangles that are wrong, and looks at them: what hides them is left out."));
     describe(m_save, tr("Save the list"),
              tr("Writes the numbers of all wrong triangles and edges to a file."));
+    describe(m_preview, m_preview->text(),
+             tr("Shows the surface as the repair would leave it: what it adds in green, what stays wrong in "
+                "red."));
     describe(
         m_repair, tr("Repair"),
         tr("Merges points at one place, drops degenerate and double triangles, orients them and fills small "
@@ -61,12 +68,17 @@ SurfacePanel::SurfacePanel(QWidget* parent)
     connect(m_previous, &QToolButton::clicked, this, [this] { step(-1); });
     connect(m_next, &QToolButton::clicked, this, [this] { step(1); });
     connect(m_show, &QPushButton::clicked, this, [this](bool on) {
+        m_preview->setChecked(false);
         if (on)
             step(0);
         else
             emit solidWanted();
     });
     connect(m_save, &QPushButton::clicked, this, &SurfacePanel::saveRequested);
+    connect(m_preview, &QPushButton::clicked, this, [this](bool on) {
+        m_show->setChecked(!on && !m_contents.isCaged);
+        emit repairShown(on);
+    });
     connect(m_repair, &QPushButton::clicked, this,
             [this] { emit repairRequested(static_cast<int>(m_hole->number())); });
     connect(m_fit, &QPushButton::clicked, this, [this] { emit fitRequested(!m_contents.isCaged); });
@@ -78,6 +90,7 @@ void SurfacePanel::step(int by) {
     const int count = m_contents.kinds[kind].count;
     m_number = (m_number + by + count) % count;
     m_show->setChecked(true);
+    m_preview->setChecked(false);
     tellCase();
     emit caseChosen(kind, m_number);
 }
@@ -103,7 +116,12 @@ void SurfacePanel::showProblems(const Contents& contents) {
     m_hole->setNumber(contents.largestHole);
     const QString repair = contents.mayRepair ? tr("“Repair” helps.")
                                               : tr("“Repair” does not help: a cage around it can carry it.");
-    m_text->setText((contents.more + QStringList{repair}).join('\n'));
+    m_text->setText((contents.more + QStringList{repair, contents.repair}).join('\n').trimmed());
+    m_preview->setChecked(false);
+    m_preview->setEnabled(!contents.repair.isEmpty());
+    m_preview->setStatusTip(contents.repair.isEmpty()
+                                ? tr("There is nothing that the simple repairs would change.")
+                                : m_preview->accessibleDescription());
     m_repair->setEnabled(contents.mayRepair);
     m_repair->setStatusTip(contents.mayRepair ? m_repair->accessibleDescription()
                                               : tr("The simple repairs do not help: fit a cage."));

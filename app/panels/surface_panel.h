@@ -25,6 +25,7 @@ class SurfacePanel : public QWidget {
         std::vector<Kind> kinds;
         QStringList more;  // what has no place
         bool mayRepair = false;
+        QString repair;        // what it would do
         bool isCaged = false;  // the surface rides in a cage all the same
         int largestHole = 30;
     };
@@ -38,6 +39,8 @@ class SurfacePanel : public QWidget {
     void solidWanted();
     void saveRequested();
     void repairRequested(int largestHole);
+    /// The surface as the repair would leave it is to be seen, or as it is.
+    void repairShown(bool shown);
     /// A cage around it, or else the exact surface.
     void fitRequested(bool cage);
 
@@ -48,7 +51,7 @@ class SurfacePanel : public QWidget {
     QLabel *m_title, *m_text, *m_case;
     QComboBox* m_kind;
     QToolButton *m_previous, *m_next;
-    QPushButton *m_show, *m_save, *m_repair, *m_fit;
+    QPushButton *m_show, *m_save, *m_preview, *m_repair, *m_fit;
     OptionField* m_hole;
     Contents m_contents;
     int m_number = 0;

@@ -32,7 +32,7 @@ std::shared_ptr<const MeshFile> fileOf(const SimplicialMesh<3>& mesh) {
     return file;
 }
 
-void tellOfParts(const Domain& domain, const Cage& cage, Advice advice, Solid& solid) {
+void tellOfParts(const Domain& domain, const Cage& cage, Advice advice, Shape<3>& solid) {
     if (cage.apart < cage.parts)
         solid.notices.push_back(
             "its " + std::to_string(cage.parts) + " parts share cells of the cage and move together as " +
@@ -44,7 +44,8 @@ void tellOfParts(const Domain& domain, const Cage& cage, Advice advice, Solid& s
             " bodies that do not hang together: each needs a handle of its own to follow");
 }
 
-void tellOfCage(const Domain& domain, const Cage& cage, const std::string& why, Advice advice, Solid& solid) {
+void tellOfCage(const Domain& domain, const Cage& cage, const std::string& why, Advice advice,
+                Shape<3>& solid) {
     const std::string size = std::to_string(cage.mesh.vertexCount()) + " vertices";
     if (!why.empty()) solid.notices.push_back("the surface rides in a cage of " + size + ", since " + why);
     if (!cage.aimMet)
@@ -60,8 +61,8 @@ void tellOfCage(const Domain& domain, const Cage& cage, const std::string& why, 
 
 }  // namespace
 
-Solid cagedSolid(const Domain& domain, const std::shared_ptr<const Skin>& skin, const std::string& why,
-                 std::stop_token stop, Advice advice) {
+Shape<3> cagedSolid(const Domain& domain, const std::shared_ptr<const Skin>& skin, const std::string& why,
+                    std::stop_token stop, Advice advice) {
     CageOptions options;
     options.vertices = domain.vertices;
     options.maxVolume = domain.maxVolume;
@@ -69,7 +70,7 @@ Solid cagedSolid(const Domain& domain, const std::shared_ptr<const Skin>& skin, 
     options.offset = domain.cageOffset;
     options.stop = stop;
     const Cage cage = fitCage(surfaceOf(*skin), options);
-    Solid solid;
+    Shape<3> solid;
     solid.cage = CageFacts{why, cage.edge, cage.bodies, cage.parts, cage.apart};
     tellOfCage(domain, cage, why, advice, solid);
     solid.verdict = verdictOn(cage.mesh, {}, domain.quality, false);
@@ -99,16 +100,6 @@ std::string tooManyVertices(const Project& project, const Skin& skin) {
 
 bool liesInAPlane(const Skin& skin) {
     return checkSurface(surfaceOf(skin), 0).flat;
-}
-
-std::vector<Vec<3>> placesOf(const std::vector<int>& vertices, const Skin& skin) {
-    std::vector<Vec<3>> places;
-    for (const int v : vertices) {
-        if (v < 0 || v >= skin.vertexCount())
-            throw InputError("handles: the surface has no vertex " + std::to_string(v));
-        places.emplace_back(skin.points.col(v));
-    }
-    return places;
 }
 
 bool canBeCaged(const Skin& skin) {

@@ -6,8 +6,8 @@ namespace wend {
 
 /// A cage of even cells that a surface rides in; `why` says why it was chosen by itself, and is empty if it
 /// was asked for. Throws InputError, Cancelled.
-Solid cagedSolid(const Domain& domain, const std::shared_ptr<const Skin>& skin, const std::string& why,
-                 std::stop_token stop, Advice advice);
+Shape<3> cagedSolid(const Domain& domain, const std::shared_ptr<const Skin>& skin, const std::string& why,
+                    std::stop_token stop, Advice advice);
 
 /// Whether the mesh that was made for a surface is a cage around it: its border is then one group, "cage",
 /// where the exact surface's has those of the surface.
@@ -19,9 +19,6 @@ std::string tooManyVertices(const Project& project, const Skin& skin);
 
 /// What lies in a plane is meant as a mesh of the plane: only who asks for it gets a slab.
 bool liesInAPlane(const Skin& skin);
-
-/// Where vertices of the surface are. Throws InputError for one that it does not have.
-std::vector<Vec<3>> placesOf(const std::vector<int>& vertices, const Skin& skin);
 
 /// Whether there is anything that a cage could be made around.
 bool canBeCaged(const Skin& skin);

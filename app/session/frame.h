@@ -45,14 +45,13 @@ using FramePtr = std::shared_ptr<const ShapeFrame>;
 using VelocityPtr = std::shared_ptr<const Eigen::MatrixXd>;
 
 template <int Dim>
-struct BuiltShape;
+struct Shape;
 
 /// The shape itself.
 template <int Dim>
 struct PosedFrame : ShapeFrame {
-    std::shared_ptr<const BuiltShape<Dim>> built;  // the same and what else came with it: file, picture, skin
+    std::shared_ptr<const Shape<Dim>> built;  // the same and what else came with it: file, picture, skin
     std::shared_ptr<const SimplicialMesh<Dim>> rest;
-    std::shared_ptr<const std::vector<Facet<Dim>>> facets;  // in space only
     std::shared_ptr<const Material<Dim>> material;
     Points<Dim> pose;
 };

@@ -5,8 +5,8 @@
 #include <filesystem>
 
 #include "app/session/depth.h"
+#include "app/session/flat_shape.h"
 #include "app/session/run_options.h"
-#include "app/session/shape_builder.h"
 #include "app/session/shape_file.h"
 #include "app/session/velocity_probe.h"
 #include "core/mesh/error.h"
@@ -22,11 +22,6 @@ namespace fs = std::filesystem;
 
 constexpr double kMeasured = 2e6;  // pixels: a picture up to here is written once to tell its size
 constexpr int kBands = 4;          // of a larger one, as many pixels in strips
-
-Points<2> inPixels(const PosedFrame<2>& frame) {
-    const auto& texture = frame.built->texture;
-    return texture ? texture->toPixels(frame.pose) : frame.pose;
-}
 
 /// Bytes of what `write` leaves in a folder of its own, which goes.
 double bytesOf(const std::string& extension, const std::function<void(const std::string&)>& write) {
@@ -56,8 +51,7 @@ template <int Dim>
 Points<Dim> velocityAt(const Project& project, const PosedFrame<Dim>& frame, std::string& remark) {
     Points<Dim> velocity;
     try {
-        velocity = VelocityProbe<Dim>(frame.rest, frame.material, project, frame.built->frame)
-                       .at(frame.time, frame.pose);
+        velocity = VelocityProbe<Dim>(*frame.built, project).at(frame.time, frame.pose);
         if (velocity.cols() == 0) remark = "the velocity field cannot be solved for";
     } catch (const InputError& error) {
         remark = error.what();
@@ -73,14 +67,12 @@ FrameExport::FrameExport(const Document& document, FramePtr frame, std::vector<F
       m_name(QDir(document.folder()).filePath(document.displayName()).toStdString()),
       m_frame(std::move(frame)),
       m_motion(std::move(motion)),
-      m_seconds(seconds),
-      m_documentPicture(document.picture()) {
+      m_seconds(seconds) {
     const auto flat = posed<2>(m_frame);
     if (!flat) return;
-    const auto& texture = flat->built->texture;
-    m_picture = m_documentPicture || !texture ? m_documentPicture : texture->picture;
-    m_rest = texture ? texture->rest : flat->rest;
-    m_pose = inPixels(*flat);
+    m_picture = flat->built->picture;
+    m_rest = flat->built->texture ? flat->built->texture->rest : flat->rest;
+    m_pose = inPixels(*flat->built, flat->pose);
     m_depths = cellDepths(m_project->depth, *flat->rest);
 }
 
@@ -89,7 +81,7 @@ Extent<2> FrameExport::extent(ExportKind kind) const {
     if (kind != ExportKind::Frames) return all;
     for (const FramePtr& frame : m_motion)
         if (const auto flat = posed<2>(frame)) {
-            const Extent<2> one = extentOf<2>(inPixels(*flat), m_rest->cells);
+            const Extent<2> one = extentOf<2>(inPixels(*flat->built, flat->pose), m_rest->cells);
             all.low = all.low.cwiseMin(one.low);
             all.high = all.high.cwiseMax(one.high);
         }
@@ -118,30 +110,6 @@ WarpOptions FrameExport::warpOptions(const RunOptions& options) const {
     return warp;
 }
 
-template <>
-Scene<2> FrameExport::scene<2>() const {
-    const auto flat = posed<2>(m_frame);
-    Scene<2> scene;
-    scene.rest = flat->rest;
-    scene.material = flat->material;
-    scene.source = flat->built->source;
-    scene.picture = m_documentPicture;
-    if (scene.picture) scene.texture = textureOf(scene.picture, scene.rest, {});
-    return scene;
-}
-
-template <>
-Scene<3> FrameExport::scene<3>() const {
-    const auto solid = posed<3>(m_frame);
-    Scene<3> scene;
-    scene.rest = solid->rest;
-    scene.material = solid->material;
-    scene.source = solid->built->source;
-    scene.skin = solid->built->skin;
-    scene.embedding = solid->built->embedding;
-    return scene;
-}
-
 void FrameExport::writePicture(const std::string& path, const View& view, const RunOptions& options,
                                const RunWatch& watch) const {
     WarpOptions warp = warpOptions(options);
@@ -159,15 +127,14 @@ template <int Dim>
 void FrameExport::writeMesh(const std::string& path, const RunOptions& options, bool inSequence,
                             const RunWatch& watch, std::string& remark) const {
     const auto frame = posed<Dim>(m_frame);
-    const Scene<Dim> own = scene<Dim>();
     std::vector<MeshField> fields;
     if (options.fields && holdsFields(path)) {
         const Points<Dim> none;
-        fields = shapeFields<Dim>(own, frame->pose,
+        fields = shapeFields<Dim>(*frame->built, frame->pose,
                                   inSequence ? none : velocityAt<Dim>(*m_project, *frame, remark));
     }
     if (watch.stop.stop_requested()) throw Cancelled();
-    writeShape<Dim>(path, own, frame->pose, fields, options.meshes);
+    writeShape<Dim>(path, *frame->built, frame->pose, fields, options.meshes);
 }
 
 /// Tetrahedra with all fields, or their surface where the format has only triangles.
@@ -239,11 +206,11 @@ FileSize FrameExport::pictureSize(ExportKind kind, const std::string& extension,
 
 /// A film in one file grows by the same with every frame.
 double FrameExport::filmSize(const RunOptions& options) const {
-    const Scene<3> own = scene<3>();
+    const auto solid = posed<3>(m_frame);
     const auto bytes = [&](int count) {
-        const std::vector<Points<3>> poses(static_cast<std::size_t>(count), posed<3>(m_frame)->pose);
+        const std::vector<Points<3>> poses(static_cast<std::size_t>(count), solid->pose);
         return bytesOf(".glb", [&](const std::string& file) {
-            writeAnimation(file, own, poses, options.outputs.framesPerSecond);
+            writeAnimation(file, *solid->built, poses, options.outputs.framesPerSecond);
         });
     };
     const double two = bytes(2), three = bytes(3);

@@ -65,8 +65,6 @@ class FrameExport {
     FileSize pictureSize(ExportKind kind, const std::string& extension, const RunOptions& options,
                          std::stop_token stop) const;
     double filmSize(const RunOptions& options) const;
-    template <int Dim>
-    Scene<Dim> scene() const;
     Extent<2> extent(ExportKind kind) const;
 
     std::shared_ptr<const Project> m_project;
@@ -74,7 +72,7 @@ class FrameExport {
     FramePtr m_frame;
     std::vector<FramePtr> m_motion;
     double m_seconds = 0;
-    std::shared_ptr<const Image> m_documentPicture, m_picture;
+    std::shared_ptr<const Image> m_picture;
     std::shared_ptr<const SimplicialMesh<2>> m_rest;
     Points<2> m_pose;
     std::vector<float> m_depths;  // per cell: see WarpOptions

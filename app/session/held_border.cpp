@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "core/mesh/error.h"
+
 namespace wend {
 
 namespace {
@@ -50,15 +52,25 @@ void add(std::vector<Handle<2>>& handles, const std::vector<int>& vertices, unsi
     handles.push_back(std::move(handle));
 }
 
+std::vector<Vec<3>> placesOf(const std::vector<int>& vertices, const Skin& skin) {
+    std::vector<Vec<3>> places;
+    for (const int v : vertices) {
+        if (v < 0 || v >= skin.vertexCount())
+            throw InputError("handles: the surface has no vertex " + std::to_string(v));
+        places.emplace_back(skin.points.col(v));
+    }
+    return places;
+}
+
 }  // namespace
 
 template <>
-std::vector<Handle<2>> heldHandles<2>(const Project& project, const SimplicialMesh<2>& rest,
-                                      const Vec<2>& frame) {
+std::vector<Handle<2>> heldHandles<2>(const Project& project, const Shape<2>& shape) {
     std::vector<Handle<2>> handles = std::get<Design<2>>(project.design).handles;
     const Border kind = project.domain.border;
-    if (kind == Border::Free || frame.isZero(0)) return handles;
-    const auto border = freeBorder(handles, rest, frame);
+    if (kind == Border::Free || project.domain.kind != DomainKind::Image) return handles;
+    const Vec<2> frame(shape.picture->width, shape.picture->height);
+    const auto border = freeBorder(handles, *shape.rest, frame);
     const bool slide = kind == Border::Slide;
     add(handles, border[Corner], 0);
     add(handles, border[LeftOrRight], slide ? unsigned{TopOrBottom} : 0U);  // along the other coordinate
@@ -67,8 +79,13 @@ std::vector<Handle<2>> heldHandles<2>(const Project& project, const SimplicialMe
 }
 
 template <>
-std::vector<Handle<3>> heldHandles<3>(const Project& project, const SimplicialMesh<3>&, const Vec<2>&) {
-    return std::get<Design<3>>(project.design).handles;
+std::vector<Handle<3>> heldHandles<3>(const Project& project, const Shape<3>& shape) {
+    std::vector<Handle<3>> handles = std::get<Design<3>>(project.design).handles;
+    if (!shape.cage) return handles;
+    for (Handle<3>& handle : handles)
+        if (const auto* vertices = std::get_if<std::vector<int>>(&handle.at))
+            handle.at = placesOf(*vertices, *shape.skin);
+    return handles;
 }
 
 }  // namespace wend

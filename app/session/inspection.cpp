@@ -238,8 +238,8 @@ MeshInspection inspect(const MeshFile& file) {
     if (isVolume(file)) {
         inspectPartition<3>({file.points, file.tetrahedra}, inspection);
         if (std::ranges::none_of(inspection.problems, &MeshProblem::fatal)) {
-            const Skin border = borderOf({file.points, file.tetrahedra});
-            inspection.facts = factsOf({border.points, border.triangles, {}});
+            const Skin boundary = boundaryOf({file.points, file.tetrahedra});
+            inspection.facts = factsOf({boundary.points, boundary.triangles, {}});
         }
     } else if (isPlanar(file))
         inspectPartition<2>({file.points.topRows<2>(), file.triangles}, inspection);

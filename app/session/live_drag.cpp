@@ -18,14 +18,14 @@ constexpr double kArm = 0.25;           // of the size: what turning and growing
 }  // namespace
 
 template <int Dim>
-LiveDrag<Dim>::LiveDrag(const BuiltShape<Dim>& shape, std::vector<Handle<Dim>> handles)
+LiveDrag<Dim>::LiveDrag(const Shape<Dim>& shape, std::vector<Handle<Dim>> handles)
     : m_shape(shape),
       m_size(shapeSize<Dim>(shape.rest->points, shape.rest->cells).size),
       m_handles(std::move(handles)),
       m_flow(shape.rest, shape.material, m_handles, backEndFactory<Dim>(BackEndKind::Automatic)) {}
 
 template <int Dim>
-bool LiveDrag<Dim>::fits(const BuiltShape<Dim>& shape, const std::vector<Handle<Dim>>& handles) const {
+bool LiveDrag<Dim>::fits(const Shape<Dim>& shape, const std::vector<Handle<Dim>>& handles) const {
     return shape.rest == m_shape.rest && shape.material == m_shape.material &&
            std::equal(handles.begin(), handles.end(), m_handles.begin(), m_handles.end(), samePlace<Dim>);
 }

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "app/document/grip.h"
-#include "app/session/shape_builder.h"
+#include "app/session/shape.h"
 #include "core/integration/drag_flow.h"
 
 namespace wend {
@@ -22,10 +22,10 @@ class LiveDrag {
 
     /// `handles` hold the shape; their motions do not matter. Analyzes at once, so that a drag begins
     /// promptly.
-    LiveDrag(const BuiltShape<Dim>& shape, std::vector<Handle<Dim>> handles);
+    LiveDrag(const Shape<Dim>& shape, std::vector<Handle<Dim>> handles);
 
     /// True if a drag of these handles can begin without another analysis.
-    bool fits(const BuiltShape<Dim>& shape, const std::vector<Handle<Dim>>& handles) const;
+    bool fits(const Shape<Dim>& shape, const std::vector<Handle<Dim>>& handles) const;
     /// A drag of some handles, by their index, from a pose.
     void begin(std::vector<int> dragged, const Grip& grip, const Points<Dim>& pose);
     Step follow(const Amount& amount);
@@ -34,7 +34,7 @@ class LiveDrag {
   private:
     double length(const Amount& way) const;
 
-    BuiltShape<Dim> m_shape;
+    Shape<Dim> m_shape;
     double m_size;
     std::vector<Handle<Dim>> m_handles;
     std::vector<int> m_dragged;

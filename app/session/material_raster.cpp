@@ -2,7 +2,6 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "app/session/scene.h"
 #include "core/mesh/error.h"
 
 namespace wend {

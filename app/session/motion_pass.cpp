@@ -54,7 +54,7 @@ void MotionPass<Dim>::clear() {
 }
 
 template <int Dim>
-KeptFrames MotionPass<Dim>::set(const BuiltShape<Dim>& shape, std::shared_ptr<const Project> project) {
+KeptFrames MotionPass<Dim>::set(const Shape<Dim>& shape, std::shared_ptr<const Project> project) {
     KeptFrames kept{1, -kInfinity};
     const double end = motionEnd(*project);
     if (m_project && shape.rest == m_shape.rest && shape.material == m_shape.material &&
@@ -85,20 +85,20 @@ KeptFrames MotionPass<Dim>::set(const BuiltShape<Dim>& shape, std::shared_ptr<co
 
 template <int Dim>
 void MotionPass<Dim>::forgetFrom(double time) {
-    for (const double border : borders())
-        if (sameTime(border, time)) time = border;
+    for (const double breakpoint : breakpoints())
+        if (sameTime(breakpoint, time)) time = breakpoint;
     m_cache.keepUpTo(time);
     while (!m_sent.empty() && (!m_cache.last() || m_sent.back() > m_cache.last()->time)) m_sent.pop_back();
 }
 
-/// States stay where they lie on a border still, to the bit: the integrator begins anew there.
+/// States stay where they lie on a breakpoint still, to the bit: the integrator begins anew there.
 template <int Dim>
 void MotionPass<Dim>::changeClock(double scale) {
-    const std::vector<double> all = borders();
+    const std::vector<double> all = breakpoints();
     m_cache.retime([&](double time) -> std::optional<double> {
-        const auto border =
+        const auto breakpoint =
             std::find_if(all.begin(), all.end(), [&](double t) { return sameTime(t, scale * time); });
-        return border == all.end() ? std::nullopt : std::optional<double>(*border);
+        return breakpoint == all.end() ? std::nullopt : std::optional<double>(*breakpoint);
     });
     for (double& time : m_sent) time *= scale;
 }
@@ -120,9 +120,8 @@ void MotionPass<Dim>::begin(const Sink& sink) {
         m_sent = {0};
         m_restSent = true;
     }
-    m_deformer.emplace(m_shape.rest, m_shape.material,
-                       heldHandles<Dim>(*m_project, *m_shape.rest, m_shape.frame), integrationOf(*m_project),
-                       backEndFactory<Dim>(BackEndKind::Automatic));
+    m_deformer.emplace(m_shape.rest, m_shape.material, heldHandles<Dim>(*m_project, m_shape),
+                       integrationOf(*m_project), backEndFactory<Dim>(BackEndKind::Automatic));
     if (m_cache.last())
         m_deformer->restore(*m_cache.last());
     else
@@ -131,7 +130,7 @@ void MotionPass<Dim>::begin(const Sink& sink) {
 
 /// When the integrator stops: where motions and handles begin and end, at the start and the end.
 template <int Dim>
-std::vector<double> MotionPass<Dim>::borders() const {
+std::vector<double> MotionPass<Dim>::breakpoints() const {
     std::vector<double> times = {0, m_end};
     for (const Handle<Dim>& handle : designOf<Dim>(*m_project).handles) {
         times.insert(times.end(), {handle.activeFrom, handle.activeTo});
@@ -145,9 +144,9 @@ std::vector<double> MotionPass<Dim>::borders() const {
 }
 
 template <int Dim>
-double MotionPass<Dim>::nextBorder(double time) const {
+double MotionPass<Dim>::nextBreakpoint(double time) const {
     double next = m_end;
-    for (const double t : borders())
+    for (const double t : breakpoints())
         if (t > time) next = std::min(next, t);
     return next;
 }
@@ -176,13 +175,13 @@ void MotionPass<Dim>::run(const Sink& sink, std::stop_token stop) {
     };
     while (m_deformer->state().time < m_end) {
         typename Deformer<Dim>::Watch watch;
-        const double border = nextBorder(m_deformer->state().time);
+        const double breakpoint = nextBreakpoint(m_deformer->state().time);
         watch.frames =
-            frameTimes(std::max(m_sent.empty() ? 0 : m_sent.back(), m_deformer->state().time), border);
+            frameTimes(std::max(m_sent.empty() ? 0 : m_sent.back(), m_deformer->state().time), breakpoint);
         watch.onFrame = send;
         watch.progress = [&](double time) { sink.progress(time, m_end); };
         watch.stop = stop;
-        const AdvanceResult result = m_deformer->advance(border, watch);
+        const AdvanceResult result = m_deformer->advance(breakpoint, watch);
         if (result.outcome == Outcome::Cancelled) return;
         m_cache.add(m_deformer->state());
         send(m_deformer->state());
@@ -197,7 +196,7 @@ template <int Dim>
 Points<Dim> MotionPass<Dim>::velocity(double time, const Points<Dim>& pose, std::stop_token stop) try {
     const Points<Dim> none(Dim, 0);
     if (!m_project || stop.stop_requested()) return none;
-    if (!m_probe) m_probe.emplace(m_shape.rest, m_shape.material, *m_project, m_shape.frame);
+    if (!m_probe) m_probe.emplace(m_shape, *m_project);
     return stop.stop_requested() ? none : m_probe->at(time, pose);
 } catch (...) {
     m_probe.reset();

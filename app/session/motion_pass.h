@@ -4,15 +4,15 @@
 
 #include "app/session/frame.h"
 #include "app/session/pose_cache.h"
-#include "app/session/shape_builder.h"
+#include "app/session/shape.h"
 #include "app/session/velocity_probe.h"
 
 namespace wend {
 
 /// The whole motion of a project at final quality, computed once and continued where it changes. Stops at the
-/// borders of the motions' windows, which the integrator never crosses anyway, and keeps the states there:
-/// the result is the same bits as one run from the start. Where only the clock changes, the states stay and
-/// get other times: then it is the same but for rounding.
+/// breakpoints of the motions' windows, which the integrator never crosses anyway, and keeps the states
+/// there: the result is the same bits as one run from the start. Where only the clock changes, the states
+/// stay and get other times: then it is the same but for rounding.
 template <int Dim>
 class MotionPass {
   public:
@@ -22,7 +22,7 @@ class MotionPass {
     };
 
     /// The problem from now on; what earlier frames are worth.
-    KeptFrames set(const BuiltShape<Dim>& shape, std::shared_ptr<const Project> project);
+    KeptFrames set(const Shape<Dim>& shape, std::shared_ptr<const Project> project);
     void clear();
 
     bool isSet() const { return m_project != nullptr; }
@@ -41,14 +41,14 @@ class MotionPass {
   private:
     void begin(const Sink& sink);
     std::vector<double> frameTimes(double from, double to) const;
-    std::vector<double> borders() const;
-    double nextBorder(double time) const;
+    std::vector<double> breakpoints() const;
+    double nextBreakpoint(double time) const;
     void changeClock(double scale);
     void forgetFrom(double time);
     double frameSpacing() const;
     bool isDense() const;
 
-    BuiltShape<Dim> m_shape;
+    Shape<Dim> m_shape;
     std::shared_ptr<const Project> m_project;
     std::optional<Deformer<Dim>> m_deformer;
     std::optional<VelocityProbe<Dim>> m_probe;  // once a velocity was asked for

@@ -7,7 +7,7 @@ namespace wend {
 
 namespace {
 
-constexpr int kLeastHeld = 3;  // vertices: fewer do not hold a part in its place
+constexpr int kMinHeld = 3;  // vertices: fewer do not hold a part in its place
 
 Vec<2> meanOfVertices(const std::vector<int>& vertices, const SimplicialMesh<2>& rest) {
     std::vector<Vec<2>> points;
@@ -34,7 +34,7 @@ bool widenPin(ShapeSession& session, int handle, double radius) {
     Document& document = session.document();
     const Handle<2>& own = document.design().handles.at(handle);
     const Region<2> wide = Ball<2>{middleOf(own.at, *shape->rest), radius};
-    if (static_cast<int>(verticesInside<2>(wide, *shape->rest).size()) < kLeastHeld) {
+    if (static_cast<int>(verticesInside<2>(wide, *shape->rest).size()) < kMinHeld) {
         emit session.notice(
             ShapeSession::tr("This circle is smaller than the mesh: drag further, or set more vertices."));
         return false;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "app/session/cage_facts.h"
+#include "app/session/mesh_verdict.h"
 #include "app/session/run.h"
 #include "core/energy/distortion.h"
 

@@ -6,10 +6,12 @@
 #include "app/document/options.h"
 #include "app/document/text_file.h"
 #include "app/session/depth.h"
+#include "app/session/held_border.h"
 #include "app/session/output_set.h"
 #include "app/session/pose_file.h"
 #include "app/session/report.h"
 #include "app/session/run_options.h"
+#include "app/session/shape_builder.h"
 #include "app/session/shape_file.h"
 #include "core/energy/distortion.h"
 #include "core/mesh/error.h"
@@ -25,19 +27,20 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double kCrushed = 1e-3;  // of a cell's measure at rest: the picture is ruined there
 
-/// One run: the scene, its deformer, and the files that are being made. Frames are written as they come, so
+/// One run: the shape, its deformer, and the files that are being made. Frames are written as they come, so
 /// that a long sequence needs no more memory than a short one.
 template <int Dim>
 class Run {
   public:
-    Run(const Project& project, Scene<Dim> scene, const RunOptions& options, const RunWatch& watch,
+    Run(const Project& project, Shape<Dim> shape, const RunOptions& options, const RunWatch& watch,
         Clock::time_point start)
         : m_project(project),
-          m_scene(std::move(scene)),
+          m_shape(std::move(shape)),
           m_options(options),
           m_watch(watch),
           m_start(start),
-          m_deformer(m_scene.rest, m_scene.material, m_scene.handles, integrationOf(project),
+          m_deformer(m_shape.rest, m_shape.material, heldHandles<Dim>(project, m_shape),
+                     integrationOf(project),
                      backEndFactory<Dim>(options.backEnd, {}, watch.notice, m_device)) {}
 
     AdvanceResult run() {
@@ -106,9 +109,9 @@ class Run {
 
     /// No cell folds over, but one may be next to nothing.
     void warnOfCrushedCells() const {
-        const double least = distortion<Dim>(*m_scene.rest, m_deformer.state().points).minDet;
-        if (least < kCrushed && m_watch.notice)
-            m_watch.notice("a cell has shrunk to " + shortNumber(least) + " of its size");
+        const double minimum = distortion<Dim>(*m_shape.rest, m_deformer.state().points).minDet;
+        if (minimum < kCrushed && m_watch.notice)
+            m_watch.notice("a cell has shrunk to " + shortNumber(minimum) + " of its size");
     }
 
     /// The numbers that are written are those that were checked, but for the one format that rounds them.
@@ -117,7 +120,7 @@ class Run {
                             m_options.meshes.encoding != MeshWriteOptions::Encoding::Text;
         if (!rounds || !m_watch.notice) return;
         const Points<Dim> rounded = pose.template cast<float>().template cast<double>();
-        if (const int flips = distortion<Dim>(*m_scene.rest, rounded).flips; flips > 0)
+        if (const int flips = distortion<Dim>(*m_shape.rest, rounded).flips; flips > 0)
             m_watch.notice(
                 path + ": " + std::to_string(flips) +
                 " triangles are turned over by the single precision of binary STL; --encoding text "
@@ -127,16 +130,16 @@ class Run {
     void writeMesh(const Points<Dim>& pose) {
         warnOfRounding(m_options.outputs.mesh, pose);
         std::vector<MeshField> fields;
-        if (m_options.fields) fields = shapeFields(m_scene, pose, m_velocity);
+        if (m_options.fields) fields = shapeFields(m_shape, pose, m_velocity);
         m_files.add(m_options.outputs.mesh, ".vtu", [&](const std::string& file) {
-            writeShape(file, m_scene, pose, fields, m_options.meshes);
+            writeShape(file, m_shape, pose, fields, m_options.meshes);
         });
     }
 
     /// The columns of the vertices that meshes are written with: see MeshFile::made.
     Points<Dim> written(const Points<Dim>& points) const {
-        if (!m_scene.source || !m_scene.source->made) return points;
-        const std::vector<bool> used = usedVertices<Dim>(points.cols(), m_scene.rest->cells);
+        if (!m_shape.source || !m_shape.source->made) return points;
+        const std::vector<bool> used = usedVertices<Dim>(points.cols(), m_shape.rest->cells);
         std::vector<int> kept;
         for (int v = 0; v < points.cols(); ++v)
             if (used[v]) kept.push_back(v);
@@ -149,12 +152,12 @@ class Run {
         const bool table = path == "-" || lowerExtension(path) == ".csv";
         m_files.add(path, ".csv", [&](const std::string& file) {
             if (table) return writeTextFile(file, velocityTable<Dim>(written(pose), written(m_velocity)));
-            const auto fields = shapeFields(m_scene, pose, m_velocity);
-            writeMeshFile(file, poseFile(m_scene, pose, {fields.back()}), m_options.meshes);
+            const auto fields = shapeFields(m_shape, pose, m_velocity);
+            writeMeshFile(file, poseFile(m_shape, pose, {fields.back()}), m_options.meshes);
         });
     }
 
-    const std::vector<float>& depths() { return *m_depths.of(m_project.depth, m_scene.rest); }
+    const std::vector<float>& depths() { return *m_depths.of(m_project.depth, m_shape.rest); }
 
     /// Writes the picture in the pixels of `view`. Throws Cancelled.
     void writePicture(const std::string& file, const Points<2>& pixels, const View& view,
@@ -165,7 +168,7 @@ class Run {
         options.makePainter = m_painters;
         options.stop = m_watch.stop;
         options.progress = progress;
-        writeWarped(file, WarpedPicture(*m_scene.picture, *m_scene.texture.rest, pixels, view, options),
+        writeWarped(file, WarpedPicture(*m_shape.picture, restInPixels(m_shape), pixels, view, options),
                     m_options.depth);
     }
 
@@ -176,21 +179,21 @@ class Run {
     }
 
     Extent<2> extent(const Points<2>& pixels) const {
-        return extentOf<2>(pixels, m_scene.texture.rest->cells);
+        return extentOf<2>(pixels, restInPixels(m_shape).cells);
     }
 
     void writePictures(const Points<2>& pose) {
         const RunOutputs& outputs = m_options.outputs;
         if (outputs.image.empty() && outputs.stMap.empty()) return;
-        const Points<2> pixels = m_scene.texture.toPixels(pose);
-        const View view = canvasView(*m_scene.picture, extent(pixels), m_options.canvas);
+        const Points<2> pixels = inPixels(m_shape, pose);
+        const View view = canvasView(*m_shape.picture, extent(pixels), m_options.canvas);
         if (!outputs.image.empty())
             m_files.add(outputs.image, ".png",
                         [&](const std::string& file) { writePicture(file, pixels, view, warping(0, 1)); });
         if (!outputs.stMap.empty())
             m_files.add(outputs.stMap, ".exr", [&](const std::string& file) {
-                writeImage(file, stMap(*m_scene.texture.rest, pixels, view, m_scene.picture->width,
-                                       m_scene.picture->height, depths()));
+                writeImage(file, stMap(restInPixels(m_shape), pixels, view, m_shape.picture->width,
+                                       m_shape.picture->height, depths()));
             });
     }
 
@@ -198,8 +201,7 @@ class Run {
         const std::string& pattern = m_options.outputs.frames;
         const int number = m_frames++;
         if constexpr (Dim == 2)
-            if (canWriteImage(pattern))
-                return takePictureFrame(number, m_scene.texture.toPixels(state.points));
+            if (canWriteImage(pattern)) return takePictureFrame(number, inPixels(m_shape, state.points));
         if constexpr (Dim == 3)
             if (isAnimation(pattern)) return m_animation.push_back(state.points);
         takeMeshFrame(number, state);
@@ -207,11 +209,11 @@ class Run {
 
     void takeMeshFrame(int number, const State<Dim>& state) {
         std::vector<MeshField> fields;
-        if (m_options.fields) fields = shapeFields(m_scene, state.points);
+        if (m_options.fields) fields = shapeFields(m_shape, state.points);
         const std::string name = frameName(m_options.outputs.frames, number);
         warnOfRounding(name, state.points);
         m_files.add(name, "", [&](const std::string& file) {
-            writeShape(file, m_scene, state.points, fields, m_options.meshes);
+            writeShape(file, m_shape, state.points, fields, m_options.meshes);
         });
         m_names.push_back(std::filesystem::path(name).filename().string());
         m_times.push_back(state.time);
@@ -229,7 +231,7 @@ class Run {
         const std::string& path = m_options.outputs.frames;
         if (!isAnimation(path)) return;
         m_files.add(path, ".glb", [&](const std::string& file) {
-            wend::writeAnimation(file, m_scene, m_animation, m_options.outputs.framesPerSecond);
+            wend::writeAnimation(file, m_shape, m_animation, m_options.outputs.framesPerSecond);
         });
     }
 
@@ -237,7 +239,7 @@ class Run {
     void takePictureFrame(int number, const Points<2>& pixels) {
         const Extent<2> shape = extent(pixels);
         if (m_options.canvas == Canvas::Picture)
-            return writePictureFrame(number, pixels, canvasView(*m_scene.picture, shape, Canvas::Picture),
+            return writePictureFrame(number, pixels, canvasView(*m_shape.picture, shape, Canvas::Picture),
                                      {});
         if (!m_waiting) {
             m_waiting.emplace(m_options.outputs.frames);
@@ -250,7 +252,7 @@ class Run {
 
     void writeWaitingFrames() {
         if (!m_waiting) return;
-        const View view = canvasView(*m_scene.picture, m_allFrames, m_options.canvas);
+        const View view = canvasView(*m_shape.picture, m_allFrames, m_options.canvas);
         const double count = m_waiting->count();
         for (int k = 0; k < m_waiting->count(); ++k) {
             tell("warping", k / count);
@@ -271,24 +273,24 @@ class Run {
         const std::chrono::duration<double> total = Clock::now() - m_start;
         const RunFigures figures{
             static_cast<int>(written(pose).cols()),
-            m_scene.rest->cellCount(),
+            m_shape.rest->cellCount(),
             Dim,
             m_deformer.state().time,
             total.count(),
             m_deformer.backEndName(),
             m_deformer.deviceName(),
-            distortionOf<Dim>(m_options.backEnd, *m_scene.rest, {}, m_watch.notice, m_device)(pose),
+            distortionOf<Dim>(m_options.backEnd, *m_shape.rest, {}, m_watch.notice, m_device)(pose),
             m_deformer.statistics(),
             m_deformer.restEnergy(),
             m_deformer.restForce(),
-            m_scene.verdict,
-            m_scene.cage};
+            m_shape.verdict,
+            m_shape.cage};
         m_files.add(path, ".json",
                     [&](const std::string& file) { writeTextFile(file, reportJson(figures)); });
     }
 
     const Project& m_project;
-    const Scene<Dim> m_scene;
+    const Shape<Dim> m_shape;
     const RunOptions& m_options;
     const RunWatch& m_watch;
     Clock::time_point m_start;
@@ -315,14 +317,14 @@ AdvanceResult runProject(const Project& project, const std::string& path, const 
     for (const std::string& picture : {options.outputs.image, options.outputs.frames})
         requireDepth(picture, options);
     if (watch.progress) watch.progress("reading", 0);
-    AnyScene scene = loadScene(project, folderOf(path), watch.stop);
+    AnyShape shape = loadShape(project, folderOf(path), watch.stop);
     return std::visit(
-        [&]<int Dim>(Scene<Dim>& one) {
+        [&]<int Dim>(Shape<Dim>& one) {
             for (const std::string& notice : one.notices)
                 if (watch.notice) watch.notice(notice);
             return Run<Dim>(project, std::move(one), options, watch, start).run();
         },
-        scene);
+        shape);
 } catch (const InputError& error) {
     throw error.named(path);
 }

@@ -6,7 +6,6 @@
 #include <string>
 
 #include "app/document/project.h"
-#include "app/session/scene.h"
 #include "core/mesh/mesh_write_options.h"
 #include "core/mesh/used_vertices.h"
 #include "warp/sampling.h"

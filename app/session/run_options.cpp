@@ -1,5 +1,7 @@
 #include "app/session/run_options.h"
 
+#include "app/session/flat_shape.h"
+
 #include "core/mesh/error.h"
 #include "warp/image_formats.h"
 #include "warp/warp.h"
@@ -32,7 +34,7 @@ void takeOutside(const std::string& name, RunOptions& options) {
 MeshWriteOptions meshOptionsFrom(const OptionValues& values) {
     MeshWriteOptions options;
     options.encoding = values.choice<MeshWriteOptions::Encoding>("--encoding");
-    options.border = values.has("--border");
+    options.boundary = values.has("--border");
     options.gmshVersion = values.text("--msh") == "2.2" ? 2 : 4;
     return options;
 }

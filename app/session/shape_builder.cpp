@@ -3,8 +3,9 @@
 #include <algorithm>
 
 #include "app/document/settings.h"
+#include "app/session/flat_shape.h"
+#include "app/session/material_raster.h"
 #include "app/session/mesh_rest.h"
-#include "app/session/solid.h"
 #include "core/mesh/error.h"
 #include "core/mesh/mesh_file.h"
 
@@ -65,47 +66,50 @@ bool ShapeBuilder<Dim>::hasMaterial(const Made& made, const ShapeInputs& inputs)
            sameRegionsAndCells(designOf<Dim>(made.inputs).material, designOf<Dim>(inputs).material);
 }
 
+/// The outline is kept: most changes leave it as it is.
+template <int Dim>
+std::shared_ptr<const SimplicialMesh<2>> ShapeBuilder<Dim>::meshOutline(const ShapeInputs& inputs,
+                                                                        const Image& picture,
+                                                                        std::stop_token stop) try {
+    const Project& project = *inputs.project;
+    if (!m_outline || m_outlineFrom.generation != inputs.generation ||
+        !sameOutline(*m_outlineFrom.project, project)) {
+        m_outline.reset();
+        m_outline = std::make_shared<const Outline>(domainOutline(project.domain, picture));
+        m_outlineFrom = inputs;
+    }
+    return meshPicture(project, *m_outline, stop);
+} catch (const InputError& error) {
+    if (m_advice == Advice::None) throw;
+    // Polygons stand in the project, whose file the caller names.
+    if (inputs.project->domain.outline == OutlineKind::Polygons)
+        throw InputError("domain.outline.polygons: " + error.reason());
+    throw error.named(pathIn(inputs.folder, inputs.project->domain.path));
+}
+
 template <>
-BuiltShape<3> ShapeBuilder<3>::makeMesh(const ShapeInputs& inputs, std::stop_token stop) {
-    Solid solid = loadSolid(*inputs.project, inputs.folder, stop, Advice::None);
-    BuiltShape<3> shape;
-    shape.rest = std::move(solid.rest);
-    if (!shape.rest) return shape;
+Shape<3> ShapeBuilder<3>::makeMesh(const ShapeInputs& inputs, std::stop_token stop) {
+    Shape<3> shape = loadSolid(*inputs.project, inputs.folder, stop, m_advice);
     shape.facets = std::make_shared<const std::vector<Facet<3>>>(facetsOf(*shape.rest));
-    shape.skin = std::move(solid.skin);
-    shape.embedding = std::move(solid.embedding);
-    shape.source = std::move(solid.source);
-    shape.notices = std::move(solid.notices);
-    shape.refineHelps = solid.refineHelps;
     return shape;
 }
 
 template <>
-BuiltShape<2> ShapeBuilder<2>::makeMesh(const ShapeInputs& inputs, std::stop_token stop) {
+Shape<2> ShapeBuilder<2>::makeMesh(const ShapeInputs& inputs, std::stop_token stop) {
     const Project& project = *inputs.project;
-    BuiltShape<2> shape;
-    if (project.domain.kind != DomainKind::Image) {
-        const Scene<2> scene = std::get<Scene<2>>(loadScene(project, inputs.folder));
-        shape.rest = scene.rest;
-        shape.source = scene.source;
-        shape.notices = scene.notices;
-        if (scene.picture) shape.texture = std::make_shared<const Texture>(scene.texture);
-        return shape;
+    Shape<2> shape;
+    if (project.domain.kind == DomainKind::Image) {
+        shape.picture = inputs.picture ? inputs.picture : loadPicture(project, inputs.folder);
+        shape.rest = meshOutline(inputs, *shape.picture, stop);
+    } else {
+        shape = loadFlatMesh(project, inputs.folder);
     }
-    if (!m_outline || m_outlineFrom.generation != inputs.generation ||
-        !sameOutline(*m_outlineFrom.project, project)) {
-        m_outline.reset();
-        m_outline = std::make_shared<const Outline>(domainOutline(project.domain, *inputs.picture));
-        m_outlineFrom = inputs;
-    }
-    shape.rest = meshPicture(project, *m_outline, stop);
-    shape.frame = Vec<2>(inputs.picture->width, inputs.picture->height);
     tellOfHanging<2>(*shape.rest, shape.notices);
     return shape;
 }
 
 template <int Dim>
-BuiltShape<Dim> ShapeBuilder<Dim>::build(const ShapeInputs& inputs, std::stop_token stop) try {
+Shape<Dim> ShapeBuilder<Dim>::build(const ShapeInputs& inputs, std::stop_token stop) try {
     std::erase_if(m_made, [&](const Made& made) { return made.inputs.generation != inputs.generation; });
     const auto known = std::ranges::find_if(m_made, [&](const Made& made) { return hasMesh(made, inputs); });
     const bool isKnown = known != m_made.end();
@@ -120,6 +124,19 @@ BuiltShape<Dim> ShapeBuilder<Dim>::build(const ShapeInputs& inputs, std::stop_to
     return now.shape;
 } catch (const Cancelled&) {
     return {};
+}
+
+AnyShape loadShape(const Project& project, const std::string& folder, std::stop_token stop) {
+    const auto load = [&]<int Dim>(ShapeBuilder<Dim> builder) -> AnyShape {
+        ShapeInputs inputs;
+        inputs.project = std::make_shared<const Project>(project);
+        inputs.folder = folder;
+        Shape<Dim> shape = builder.build(inputs, stop);
+        if (!shape.rest) throw Cancelled();
+        return shape;
+    };
+    return project.dimension() == 3 ? load(ShapeBuilder<3>(Advice::Keys))
+                                    : load(ShapeBuilder<2>(Advice::Keys));
 }
 
 template class ShapeBuilder<2>;

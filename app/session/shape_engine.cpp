@@ -63,12 +63,12 @@ void ShapeEngineOf<Dim>::work(std::stop_token stop) {
 
 template <int Dim>
 void ShapeEngineOf<Dim>::build(std::stop_token stop) {
-    const BuiltShape<Dim> shape = m_builder.build(m_wanted->inputs, stop);
+    const Shape<Dim> shape = m_builder.build(m_wanted->inputs, stop);
     if (!shape.rest) return;  // stopped: again, unless something else is wanted by then
     m_wanted.reset();
     const bool recalled = m_shape && shape.rest != m_shape->rest && recall(shape);
     if (!m_shape || shape.rest != m_shape->rest || shape.material != m_shape->material)
-        m_shape = std::make_shared<const BuiltShape<Dim>>(shape);
+        m_shape = std::make_shared<const Shape<Dim>>(shape);
     const KeptFrames kept = m_pass.set(shape, m_project);
     m_track.keep(kept);
     m_sink.shapeReady(m_revision, shape.rest, recalled ? KeptFrames{1, -1} : kept);
@@ -79,7 +79,7 @@ void ShapeEngineOf<Dim>::build(std::stop_token stop) {
 
 /// For another mesh: lays a complete motion aside, and takes up the one that was, if it is of that mesh.
 template <int Dim>
-bool ShapeEngineOf<Dim>::recall(const BuiltShape<Dim>& shape) {
+bool ShapeEngineOf<Dim>::recall(const Shape<Dim>& shape) {
     std::optional<Past> past = std::move(m_past);
     m_past.reset();
     const bool isPast = past && past->shape->rest == shape.rest;
@@ -145,9 +145,9 @@ std::vector<int> ShapeEngineOf<Dim>::activeHandles(double time) const {
 
 template <int Dim>
 void ShapeEngineOf<Dim>::prepareDrag(const BuiltPtr& shape, double time) {
+    const std::vector<Handle<Dim>> all = heldHandles<Dim>(*m_project, *shape);
     std::vector<Handle<Dim>> own;
-    for (const int h : activeHandles(time)) own.push_back(handles()[h]);
-    const auto all = heldHandles<Dim>(*m_project, *shape->rest, shape->frame);
+    for (const int h : activeHandles(time)) own.push_back(all[h]);
     own.insert(own.end(), all.begin() + static_cast<std::ptrdiff_t>(handles().size()), all.end());
     if (!m_live || !m_live->fits(*shape, own)) m_live.emplace(*shape, std::move(own));
 }
@@ -248,7 +248,6 @@ std::shared_ptr<PosedFrame<Dim>> ShapeEngineOf<Dim>::makeFrame(const BuiltPtr& s
     frame->diagonal = shapeSize<Dim>(rest.points, rest.cells).size;
     frame->built = shape;
     frame->rest = shape->rest;
-    frame->facets = shape->facets;
     frame->material = shape->material;
     frame->pose = pose;
     frame->distortion = std::make_shared<const Distortion>(distortion<Dim>(rest, pose));

@@ -63,7 +63,7 @@ class ShapeEngineOf : public ShapeEngine {
   private:
     const std::vector<Handle<Dim>>& handles() const;
     std::vector<int> activeHandles(double time) const;
-    using BuiltPtr = std::shared_ptr<const BuiltShape<Dim>>;
+    using BuiltPtr = std::shared_ptr<const Shape<Dim>>;
     struct Seen {  // where a drag begins
         BuiltPtr shape;
         Points<Dim> pose;
@@ -71,7 +71,7 @@ class ShapeEngineOf : public ShapeEngine {
     };
     Seen seen(const BeginDrag& request) const;
     void prepareDrag(const BuiltPtr& shape, double time);
-    bool recall(const BuiltShape<Dim>& shape);
+    bool recall(const Shape<Dim>& shape);
     void build(std::stop_token stop);
     void runPass(std::stop_token stop);
     void answer(std::stop_token stop);

@@ -50,53 +50,53 @@ std::vector<double> atVertices(const SimplicialMesh<3>& rest, const MeshField& f
 }
 
 /// A field of the solid, at the vertices of the skin that rides in it.
-MeshField onSkin(const Scene<3>& scene, const MeshField& field) {
-    const std::vector<double> values = field.perCell ? atVertices(*scene.rest, field) : field.values;
+MeshField onSkin(const Shape<3>& shape, const MeshField& field) {
+    const std::vector<double> values = field.perCell ? atVertices(*shape.rest, field) : field.values;
     MeshField carried{field.name, false, field.components, {}};
-    carried.values.resize(static_cast<std::size_t>(scene.skin->vertexCount()) * field.components);
-    Points<3> one = Points<3>::Zero(3, scene.rest->vertexCount());
+    carried.values.resize(static_cast<std::size_t>(shape.skin->vertexCount()) * field.components);
+    Points<3> one = Points<3>::Zero(3, shape.rest->vertexCount());
     for (int k = 0; k < field.components; ++k) {
-        for (int v = 0; v < scene.rest->vertexCount(); ++v) one(0, v) = values[v * field.components + k];
-        const Points<3> there = scene.embedding->interpolate(*scene.rest, one);
-        for (int v = 0; v < scene.skin->vertexCount(); ++v)
+        for (int v = 0; v < shape.rest->vertexCount(); ++v) one(0, v) = values[v * field.components + k];
+        const Points<3> there = shape.embedding->interpolate(*shape.rest, one);
+        for (int v = 0; v < shape.skin->vertexCount(); ++v)
             carried.values[v * field.components + k] = there(0, v);
     }
     return carried;
 }
 
-void addUv(const Scene<2>& scene, MeshFile& file) {
-    const auto& pixels = scene.texture.rest->points;
+void addUv(const Shape<2>& shape, MeshFile& file) {
+    const auto& pixels = restInPixels(shape).points;
     file.uv.resize(2, pixels.cols());
-    file.uv.row(0) = pixels.row(0) / scene.picture->width;
-    file.uv.row(1) = 1 - pixels.row(1).array() / scene.picture->height;
+    file.uv.row(0) = pixels.row(0) / shape.picture->width;
+    file.uv.row(1) = 1 - pixels.row(1).array() / shape.picture->height;
 }
 
 }  // namespace
 
 template <int Dim>
-std::vector<MeshField> shapeFields(const Scene<Dim>& scene, const Points<Dim>& pose,
+std::vector<MeshField> shapeFields(const Shape<Dim>& shape, const Points<Dim>& pose,
                                    const Points<Dim>& velocity) {
-    const Distortion error = distortion(*scene.rest, pose);
+    const Distortion error = distortion(*shape.rest, pose);
     std::vector<MeshField> fields{{"error_angle", true, 1, error.angle},
                                   {"error_volume", true, 1, error.volume},
                                   {"error_metric", true, 1, error.metric},
                                   {"ratio", true, 1, error.ratio},
-                                  {"phi", true, 1, scene.material->phi}};
-    if (!scene.material->anisotropy.empty())
-        fields.push_back(directionsField<Dim>(scene.material->anisotropy));
+                                  {"phi", true, 1, shape.material->phi}};
+    if (!shape.material->anisotropy.empty())
+        fields.push_back(directionsField<Dim>(shape.material->anisotropy));
     if (velocity.cols() > 0) fields.push_back(velocityField<Dim>(velocity));
     return fields;
 }
 
 template <int Dim>
-MeshFile poseFile(const Scene<Dim>& scene, const Points<Dim>& pose, const std::vector<MeshField>& fields) {
-    MeshFile file = scene.source ? *scene.source : toMeshFile<Dim>(*scene.rest);
+MeshFile poseFile(const Shape<Dim>& shape, const Points<Dim>& pose, const std::vector<MeshField>& fields) {
+    MeshFile file = shape.source ? *shape.source : toMeshFile<Dim>(*shape.rest);
     if (file.points.cols() != pose.cols())
         throw InputError("the mesh has " + std::to_string(file.points.cols()) + " vertices, its pose " +
                          std::to_string(pose.cols()));
     file.points.template topRows<Dim>() = pose;
     if constexpr (Dim == 2)
-        if (!scene.source && scene.picture) addUv(scene, file);
+        if (!shape.source && shape.picture) addUv(shape, file);
     for (const MeshField& field : fields) {
         std::erase_if(file.fields, [&](const MeshField& old) {
             return old.name == field.name && old.perCell == field.perCell;
@@ -107,16 +107,16 @@ MeshFile poseFile(const Scene<Dim>& scene, const Points<Dim>& pose, const std::v
 }
 
 template <int Dim>
-void writeShape(const std::string& path, const Scene<Dim>& scene, const Points<Dim>& pose,
+void writeShape(const std::string& path, const Shape<Dim>& shape, const Points<Dim>& pose,
                 const std::vector<MeshField>& fields, const MeshWriteOptions& options) {
     if constexpr (Dim == 3)
         if (isSkinFile(path)) {
             std::vector<MeshField> carried;
             if (holdsFields(path))
-                for (const MeshField& field : fields) carried.push_back(onSkin(scene, field));
-            return writeSkin(path, *scene.skin, scene.embedding->carry(*scene.rest, pose), carried, options);
+                for (const MeshField& field : fields) carried.push_back(onSkin(shape, field));
+            return writeSkin(path, *shape.skin, shape.embedding->carry(*shape.rest, pose), carried, options);
         }
-    writeMeshFile(path, poseFile(scene, pose, fields), options);
+    writeMeshFile(path, poseFile(shape, pose, fields), options);
 }
 
 void requireShapeFormat(const std::string& path, const std::string& extension, int dimension) {
@@ -156,15 +156,15 @@ bool isSkinFile(const std::string& path) {
     return std::ranges::count(skinFileExtensions(), lowerExtension(path)) > 0;
 }
 
-void writeAnimation(const std::string& path, const Scene<3>& scene, const std::vector<Points<3>>& poses,
+void writeAnimation(const std::string& path, const Shape<3>& shape, const std::vector<Points<3>>& poses,
                     double framesPerSecond) {
     std::vector<Points<3>> carried;
     std::vector<double> times;
     for (const Points<3>& pose : poses) {
         times.push_back(static_cast<double>(times.size()) / framesPerSecond);
-        carried.push_back(scene.embedding->carry(*scene.rest, pose));
+        carried.push_back(shape.embedding->carry(*shape.rest, pose));
     }
-    writeGltf(path, gltfScene(*scene.skin, carried, times));
+    writeGltf(path, gltfScene(*shape.skin, carried, times));
 }
 
 std::string collectionText(const std::vector<std::string>& files, const std::vector<double>& times) {
@@ -182,10 +182,10 @@ std::string collectionText(const std::vector<std::string>& files, const std::vec
 }
 
 #define WEND_INSTANTIATE(Dim)                                                                              \
-    template std::vector<MeshField> shapeFields<Dim>(const Scene<Dim>&, const Points<Dim>&,                \
+    template std::vector<MeshField> shapeFields<Dim>(const Shape<Dim>&, const Points<Dim>&,                \
                                                      const Points<Dim>&);                                  \
-    template MeshFile poseFile<Dim>(const Scene<Dim>&, const Points<Dim>&, const std::vector<MeshField>&); \
-    template void writeShape<Dim>(const std::string&, const Scene<Dim>&, const Points<Dim>&,               \
+    template MeshFile poseFile<Dim>(const Shape<Dim>&, const Points<Dim>&, const std::vector<MeshField>&); \
+    template void writeShape<Dim>(const std::string&, const Shape<Dim>&, const Points<Dim>&,               \
                                   const std::vector<MeshField>&, const MeshWriteOptions&);
 WEND_INSTANTIATE(2)
 WEND_INSTANTIATE(3)

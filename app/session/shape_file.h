@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "app/session/scene.h"
+#include "app/session/shape.h"
 #include "core/mesh/mesh_file.h"
 
 namespace wend {
@@ -12,20 +12,20 @@ namespace wend {
 /// "ratio" (of its volume or area), "phi", and "B" (row-major) if the material has directions; per vertex
 /// "velocity", if it has columns. `pose` may be the rest.
 template <int Dim>
-std::vector<MeshField> shapeFields(const Scene<Dim>& scene, const Points<Dim>& pose,
+std::vector<MeshField> shapeFields(const Shape<Dim>& shape, const Points<Dim>& pose,
                                    const Points<Dim>& velocity = {});
 
 /// The mesh of a pose with what the domain's file said beside it: uv, fields, labels, order and count. Of a
 /// picture, uv come from the rest mesh. `fields` win over those of the same name. Throws InputError for a
 /// pose of another mesh.
 template <int Dim>
-MeshFile poseFile(const Scene<Dim>& scene, const Points<Dim>& pose,
+MeshFile poseFile(const Shape<Dim>& shape, const Points<Dim>& pose,
                   const std::vector<MeshField>& fields = {});
 
 /// Writes a pose. In space, formats of surfaces get the skin, with the fields at its vertices; others the
 /// tetrahedra. Throws InputError.
 template <int Dim>
-void writeShape(const std::string& path, const Scene<Dim>& scene, const Points<Dim>& pose,
+void writeShape(const std::string& path, const Shape<Dim>& shape, const Points<Dim>& pose,
                 const std::vector<MeshField>& fields = {}, const MeshWriteOptions& options = {});
 
 /// Throws InputError that lists the formats that a shape of this dimension can be written in if `extension`,
@@ -44,7 +44,7 @@ bool knowsEncodings(const std::string& path);
 bool isSkinFile(const std::string& path);
 
 /// Poses one after another as one file: morph targets of a .glb, `framesPerSecond` of them a second.
-void writeAnimation(const std::string& path, const Scene<3>& scene, const std::vector<Points<3>>& poses,
+void writeAnimation(const std::string& path, const Shape<3>& shape, const std::vector<Points<3>>& poses,
                     double framesPerSecond);
 
 /// A ParaView collection (.pvd) of files that lie beside it.

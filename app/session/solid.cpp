@@ -60,7 +60,7 @@ std::string largerHoles(const RepairReport& report, int limit, Advice advice) {
                                    : "");
 }
 
-Surface repaired(const Surface& surface, const Domain& domain, Solid& solid, Repairing& repairing,
+Surface repaired(const Surface& surface, const Domain& domain, Shape<3>& solid, Repairing& repairing,
                  Advice advice) {
     RepairReport report;
     Surface better = repairSurface(surface, domain.largestHole, report);
@@ -118,7 +118,7 @@ std::shared_ptr<const MeshFile> fileOf(const VolumeMesh& volume, const Skin& ski
 
 /// What the mesh could not be, and the key that helps.
 void tellOfMesh(const Domain& domain, const Surface& surface, const VolumeMesh& volume, Advice advice,
-                Solid& solid) {
+                Shape<3>& solid) {
     const bool keys = advice == Advice::Keys;
     if (!volume.aimMet) {
         std::string why = "the quality asked for needs them";
@@ -139,7 +139,7 @@ void tellOfMesh(const Domain& domain, const Surface& surface, const VolumeMesh& 
                                    volume.mesh.vertexCount() < domain.vertices);
 }
 
-void tellOfSpares(const VolumeMesh& volume, Solid& solid) {
+void tellOfSpares(const VolumeMesh& volume, Shape<3>& solid) {
     const auto used = usedVertices<3>(volume.mesh.vertexCount(), volume.mesh.cells);
     const auto spare = std::ranges::count(used, false);
     if (spare > 0)
@@ -148,9 +148,9 @@ void tellOfSpares(const VolumeMesh& volume, Solid& solid) {
                                 "written without them, and so with other numbers behind them");
 }
 
-Solid exactSolid(const Domain& domain, const std::shared_ptr<const Skin>& skin,
-                 const VolumeMeshOptions& options, Advice advice) {
-    Solid solid;
+Shape<3> exactSolid(const Domain& domain, const std::shared_ptr<const Skin>& skin,
+                    const VolumeMeshOptions& options, Advice advice) {
+    Shape<3> solid;
     Surface surface = surfaceOf(*skin);
     Repairing repairing;
     if (domain.repair) surface = repaired(surface, domain, solid, repairing, advice);
@@ -166,7 +166,7 @@ Solid exactSolid(const Domain& domain, const std::shared_ptr<const Skin>& skin,
 }
 
 /// The exact surface, or a cage around it: as asked for, or else where the exact one does not do.
-Solid fromSurface(const Project& project, const std::string& folder, std::stop_token stop, Advice advice) {
+Shape<3> fromSurface(const Project& project, const std::string& folder, std::stop_token stop, Advice advice) {
     const Domain& domain = project.domain;
     const auto skin = std::make_shared<const Skin>(readSkin(pathIn(folder, domain.path)));
     // Painted sizes belong to the vertices as the file has them.
@@ -187,18 +187,18 @@ Solid fromSurface(const Project& project, const std::string& folder, std::stop_t
     }
 }
 
-Solid fromMesh(const Domain& domain, const std::string& folder) {
+Shape<3> fromMesh(const Domain& domain, const std::string& folder) {
     const std::string path = pathIn(folder, domain.path);
     auto file = std::make_shared<MeshFile>(readMeshFile(path));
     if (!isVolume(*file)) throw InputError(path, "holds no tetrahedra, but the project is in space");
-    Solid solid;
+    Shape<3> solid;
     solid.rest = joinedRest<3>(meshFrom<3>(*file), solid.notices);
     solid.source = file;
-    solid.skin = std::make_shared<const Skin>(borderOf(*solid.rest));
+    solid.skin = std::make_shared<const Skin>(boundaryOf(*solid.rest));
     return solid;
 }
 
-void tellOfOutside(const Domain& domain, Solid& solid) {
+void tellOfOutside(const Domain& domain, Shape<3>& solid) {
     const int outside = solid.embedding->outside(), all = solid.skin->vertexCount();
     if (!domain.detail.empty() && 2 * outside > all)
         solid.notices.push_back(domain.detail + ": " + std::to_string(outside) + " of " +
@@ -211,10 +211,10 @@ Surface surfaceOf(const Skin& skin) {
     return {skin.points, skin.triangles, skin.labels};
 }
 
-Solid loadSolid(const Project& project, const std::string& folder, std::stop_token stop, Advice advice) {
+Shape<3> loadSolid(const Project& project, const std::string& folder, std::stop_token stop, Advice advice) {
     const Domain& domain = project.domain;
     const std::string path = pathIn(folder, domain.path);
-    Solid solid;
+    Shape<3> solid;
     try {
         solid = domain.kind == DomainKind::Surface ? fromSurface(project, folder, stop, advice)
                                                    : fromMesh(domain, folder);

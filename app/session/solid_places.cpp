@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/session/shape.h"
+
 namespace wend {
 
 namespace {
@@ -26,7 +28,7 @@ SolidSize sizeWhere(const PosedFrame<3>& frame, const Points<3>& points, const s
     SolidSize size;
     for (const Cell<3>& cell : frame.rest->cells)
         if (all(cell)) size.volume += std::abs(cellMeasure<3>(points, cell));
-    for (const Facet<3>& facet : *frame.facets) {
+    for (const Facet<3>& facet : *frame.built->facets) {
         if (facet.interior() || !all(facet.vertices)) continue;
         const Vec<3> a = points.col(facet.vertices[0]);
         const Vec<3> u = points.col(facet.vertices[1]) - a, v = points.col(facet.vertices[2]) - a;

@@ -6,10 +6,8 @@
 namespace wend {
 
 template <int Dim>
-VelocityProbe<Dim>::VelocityProbe(std::shared_ptr<const SimplicialMesh<Dim>> rest,
-                                  std::shared_ptr<const Material<Dim>> material, const Project& project,
-                                  const Vec<2>& frame)
-    : m_deformer(rest, std::move(material), heldHandles<Dim>(project, *rest, frame), integrationOf(project),
+VelocityProbe<Dim>::VelocityProbe(const Shape<Dim>& shape, const Project& project)
+    : m_deformer(shape.rest, shape.material, heldHandles<Dim>(project, shape), integrationOf(project),
                  backEndFactory<Dim>(BackEndKind::Automatic)) {}
 
 template <int Dim>

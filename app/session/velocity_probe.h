@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/document/project.h"
+#include "app/session/shape.h"
 #include "core/integration/deformer.h"
 
 namespace wend {
@@ -10,9 +11,8 @@ namespace wend {
 template <int Dim>
 class VelocityProbe {
   public:
-    /// `frame`: see heldHandles(). Throws InputError for what the deformer refuses.
-    VelocityProbe(std::shared_ptr<const SimplicialMesh<Dim>> rest,
-                  std::shared_ptr<const Material<Dim>> material, const Project& project, const Vec<2>& frame);
+    /// Throws InputError for what the deformer refuses.
+    VelocityProbe(const Shape<Dim>& shape, const Project& project);
 
     /// One column per vertex, or none if it cannot be solved for.
     Points<Dim> at(double time, const Points<Dim>& pose);

@@ -7,7 +7,6 @@
 #include "app/session/brush.h"
 #include "app/session/energy_stops.h"
 #include "app/session/material_raster.h"
-#include "app/session/scene.h"
 #include "app/tools/brush_paint.h"
 
 namespace wend {

@@ -17,7 +17,7 @@ namespace {
 constexpr double kLargestBrush = 200;  // pixels
 constexpr double kDetail = 0.75;       // pixels of the screen that an outline may deviate
 constexpr double kLongestEdge = 12;    // pixels of the screen: the shape may be bent under it
-constexpr int kLeastHeld = 3;          // vertices
+constexpr int kMinHeld = 3;            // vertices
 
 QString said(const char* text) {
     return QCoreApplication::translate("HoldTool", text);
@@ -163,7 +163,7 @@ Polygon HoldTool::atRest(const QPolygonF& outline) const {
 
 bool HoldTool::holdsSomething(const Polygon& polygon) const {
     const auto held = verticesInside<2>(Region<2>(polygon), *session().frame<2>()->rest);
-    if (static_cast<int>(held.size()) >= kLeastHeld) return true;
+    if (static_cast<int>(held.size()) >= kMinHeld) return true;
     emit session().notice(
         said(QT_TRANSLATE_NOOP("HoldTool", "There is nothing of the shape in this outline.")));
     return false;

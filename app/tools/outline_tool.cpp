@@ -6,7 +6,7 @@
 
 #include "app/document/outline_edits.h"
 #include "app/session/accent.h"
-#include "app/session/scene.h"
+#include "app/session/flat_shape.h"
 #include "core/mesh/error.h"
 #include "core/meshing/outline_combination.h"
 #include "core/meshing/outline_simplify.h"
@@ -16,10 +16,10 @@ namespace wend {
 
 namespace {
 
-constexpr double kCut = 2, kLeastCut = 1;  // width of a cut, in pixels of the screen, and of the picture
-constexpr double kClose = 8;               // pixels of the screen
-constexpr double kDetail = 0.5;            // pixels of the screen that what is drawn may deviate
-constexpr double kSmallest = 9;            // pixels² of the picture: parts and holes below it are noise
+constexpr double kCut = 2, kMinCut = 1;  // width of a cut, in pixels of the screen, and of the picture
+constexpr double kClose = 8;             // pixels of the screen
+constexpr double kDetail = 0.5;          // pixels of the screen that what is drawn may deviate
+constexpr double kSmallest = 9;          // pixels² of the picture: parts and holes below it are noise
 constexpr QRgb kAway = 0xB3261E;
 const QColor kLeftOut(90, 92, 100, 150);  // a veil
 
@@ -167,7 +167,7 @@ QPainterPath OutlineTool::area() const {
         return path;
     }
     const double pixel = QLineF(m_surface.toWidget({0, 0}), m_surface.toWidget({1, 0})).length();
-    const double width = m_shape == Shape::Cut ? std::max(kCut, kLeastCut * pixel) : 2 * m_pen.now().radius;
+    const double width = m_shape == Shape::Cut ? std::max(kCut, kMinCut * pixel) : 2 * m_pen.now().radius;
     QPainterPath way(m_line.first());
     for (const QPointF& p : m_line) way.lineTo(p);
     QPainterPathStroker stroker;

@@ -13,7 +13,7 @@ namespace {
 constexpr double kRadius = 44, kDot = 5, kSquare = 4;  // pixels
 constexpr double kReach = 9, kRingReach = 5;
 constexpr double kSnap = std::numbers::pi / 12;
-constexpr double kLeastFactor = 0.05;
+constexpr double kMinFactor = 0.05;
 
 double distance(const QPointF& a, const QPointF& b) {
     return QLineF(a, b).length();
@@ -61,7 +61,7 @@ Grip PinRing::grip() const {
 
 Amount PinRing::drag(const QPointF& widget, const ToShape& toShape, bool snaps) {
     if (m_part == Part::Scale) {
-        const double factor = std::max(distance(m_at, widget) / m_startDistance, kLeastFactor);
+        const double factor = std::max(distance(m_at, widget) / m_startDistance, kMinFactor);
         return {factor - 1, 0, 0};
     }
     const Vec<2> arm = toShape(widget) - m_centre;
@@ -74,7 +74,7 @@ Amount PinRing::drag(const QPointF& widget, const ToShape& toShape, bool snaps) 
 
 Amount PinRing::typed(double number) const {
     if (m_part == Part::Rotate) return {number * std::numbers::pi / 180, 0, 0};
-    return {std::max(number, kLeastFactor) - 1, 0, 0};
+    return {std::max(number, kMinFactor) - 1, 0, 0};
 }
 
 QString PinRing::text(const Amount& amount) const {

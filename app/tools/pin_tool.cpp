@@ -17,7 +17,7 @@ constexpr double kReach = 8;           // pixels of the screen
 constexpr double kGhostReach = 5;      // of handles that do not hold now: a new pin may be wanted there
 constexpr double kStrokeDetail = 0.5;  // pixels of the screen that a recorded path may deviate
 constexpr double kTurnDetail = 0.005;  // radians, or of a factor, that a recorded turn may deviate
-constexpr double kLeastDetail = 0.2;   // but no less than this, in pixels of the picture
+constexpr double kMinDetail = 0.2;     // but no less than this, in pixels of the picture
 
 QString said(const char* text) {
     return QCoreApplication::translate("PinTool", text);
@@ -218,7 +218,7 @@ void PinTool::finishDrag() {
     const double pixel = (surface().toShape({1, 0}) - surface().toShape({0, 0})).norm();
     session().endDrag(gesture == Gesture::Ring
                           ? kTurnDetail
-                          : std::max(kStrokeDetail * pixel, kLeastDetail * session().pixel()));
+                          : std::max(kStrokeDetail * pixel, kMinDetail * session().pixel()));
 }
 
 /// From the middle of the pin to the pointer, in the domain's units.

@@ -42,12 +42,12 @@ class ShapeSurface {
     void takePressure(QTabletEvent& event) {
         const bool tells = event.pointingDevice()->hasCapability(QInputDevice::Capability::Pressure);
         const bool pressed = event.buttons() & Qt::LeftButton;
-        m_pressure = tells && pressed ? std::max(kLeastPressure, event.pressure()) : 1;
+        m_pressure = tells && pressed ? std::max(kMinPressure, event.pressure()) : 1;
         event.ignore();
     }
 
   private:
-    static constexpr double kLeastPressure = 0.01;
+    static constexpr double kMinPressure = 0.01;
     double m_pressure = 1;
 };
 

@@ -1,5 +1,6 @@
 #include "app/view/action_maker.h"
 
+#include "app/panels/panel_parts.h"
 #include "app/panels/theme.h"
 
 namespace wend {
@@ -24,8 +25,7 @@ QAction* ActionMaker::addToggle(const Words& words, const QKeySequence& keys, co
 /// Why it can do nothing now stands first.
 void ActionMaker::describe(QAction* action) {
     const QString help = helpOf(*action), extra = action->property("whyNot").toString();
-    QString name = action->text();
-    name.remove('&');
+    const QString name = withoutKey(action->text());
     const QString keys = action->shortcut().toString(QKeySequence::NativeText);
     const QString keyText =
         keys.isEmpty()

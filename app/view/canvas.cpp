@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "app/session/rest_frame.h"
-#include "app/session/shape_builder.h"
+#include "app/session/shape.h"
 #include "app/tools/pin_picking.h"
 #include "app/tools/stiffness_marks.h"
 #include "app/view/overlay_painter.h"
@@ -134,10 +134,10 @@ void ShapeCanvas::preparePicture(const std::shared_ptr<const Image>& picture) {
 /// A mesh may bring its picture; y points down where its coordinates are pixels.
 void ShapeCanvas::takeTexture(const PosedFrame<2>& frame) {
     const auto& texture = frame.built->texture;
-    if (!texture || texture->picture == m_source) return;
+    if (!texture || frame.built->picture == m_source) return;
     const Mat<2>& A = texture->toPixels.A;
     m_view.setPointsUp(A(0, 0) * A(1, 1) < A(0, 1) * A(1, 0));
-    preparePicture(texture->picture);
+    preparePicture(frame.built->picture);
 }
 
 PosedPtr<2> ShapeCanvas::drawnFrame() const {

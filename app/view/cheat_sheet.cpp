@@ -7,6 +7,7 @@
 #include <QTextBrowser>
 #include <QVBoxLayout>
 
+#include "app/panels/panel_parts.h"
 #include "app/view/action_maker.h"
 
 namespace wend {
@@ -25,8 +26,8 @@ QString row(const QString& keys, const QString& what) {
         .arg(keys.toHtmlEscaped(), what.toHtmlEscaped());
 }
 
-QString plain(QString name) {
-    return name.remove('&').remove(QStringLiteral("…"));
+QString plain(const QString& name) {
+    return withoutKey(name).remove(QStringLiteral("…"));
 }
 
 QString keysOf(const QAction& action) {

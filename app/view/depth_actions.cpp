@@ -13,10 +13,10 @@ namespace wend {
 namespace {
 
 /// The least or the greatest order that there is, 0 among them.
-double extreme(const Project& project, bool greatest) {
+double extreme(const Project& project, bool maximum) {
     double order = 0;
     for (const DepthRegion& region : project.depth)
-        order = greatest ? std::max(order, region.order) : std::min(order, region.order);
+        order = maximum ? std::max(order, region.order) : std::min(order, region.order);
     return order;
 }
 

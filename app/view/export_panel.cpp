@@ -28,9 +28,8 @@ QWidget* ExportPanel::row(QAction* action) {
     column->addWidget(button);
     column->addWidget(help);
     const auto show = [action, button, help] {
-        QString name = action->text();
-        button->setText(name.remove('&'));
-        button->setAccessibleName(name);
+        button->setText(withoutKey(action->text()));
+        button->setAccessibleName(button->text());
         button->setEnabled(action->isEnabled());
         button->setToolTip(action->toolTip());
         button->setStatusTip(action->statusTip());

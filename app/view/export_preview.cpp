@@ -3,7 +3,7 @@
 #include <QPainter>
 #include <cmath>
 
-#include "app/session/shape_builder.h"
+#include "app/session/shape.h"
 #include "app/view/render_thread.h"
 #include "warp/convert.h"
 #include "warp/image_formats.h"

@@ -98,14 +98,14 @@ void ModeRow::resizeEvent(QResizeEvent* event) {
 }
 
 void ModeRow::collapse() {
-    int least = minimumSizeHint().width();
-    int wish = least;
+    int minimum = minimumSizeHint().width();
+    int wish = minimum;
     for (const QToolButton* step : m_steps) wish += std::max(0, kStepWidth - step->sizeHint().width());
     const int buttons = static_cast<int>(m_spare.size()) + 1;
     const bool wide = width() >= wish + buttons * (kButton + 2);
     for (QToolButton* step : m_steps)
         step->setFixedWidth(wide ? std::max(kStepWidth, step->sizeHint().width()) : step->sizeHint().width());
-    int room = width() - least - (kButton + 2);  // the map always stays
+    int room = width() - minimum - (kButton + 2);  // the map always stays
     auto kept = static_cast<int>(m_spare.size());
     if (!wide) kept = std::clamp(room / (kButton + 2), 0, kept);
     for (int i = 0; i < static_cast<int>(m_spare.size()); ++i)

@@ -2,6 +2,7 @@
 
 #include <QLabel>
 
+#include "app/panels/panel_parts.h"
 #include "app/view/solid_actions.h"
 #include "app/view/toolbox.h"
 
@@ -25,8 +26,7 @@ void OptionRow::showTool() {
     const ToolKind* kind = m_tools.current();
     if (!kind) return;
     QAction* tool = m_tools.action(QString::fromLatin1(kind->id));
-    QString name = tool->text();
-    auto* title = new QLabel(name.remove('&'));
+    auto* title = new QLabel(withoutKey(tool->text()));
     title->setProperty("role", "title");
     title->setContentsMargins(8, 0, 8, 0);
     addWidget(title);

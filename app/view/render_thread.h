@@ -9,7 +9,7 @@
 
 #include "app/panels/colour_map.h"
 #include "app/session/frame.h"
-#include "app/session/scene.h"
+#include "app/session/shape.h"
 #include "app/view/screen_picture.h"
 #include "app/view/view_transform.h"
 #include "warp/sampling.h"

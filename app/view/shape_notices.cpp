@@ -1,6 +1,6 @@
 #include "app/view/shape_notices.h"
 
-#include "app/session/shape_builder.h"
+#include "app/session/shape.h"
 
 namespace wend {
 

@@ -5,6 +5,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHash>
+#include <QLocale>
 #include <QSaveFile>
 #include <QTextStream>
 #include <QtConcurrent>
@@ -21,7 +22,8 @@ namespace wend {
 namespace {
 
 const Vec<3> kAskew(-1, 1.4, -0.8);
-const QRgb kFine = qRgb(199, 186, 164), kWrong = qRgb(214, 44, 60), kChosen = qRgb(255, 170, 0);
+const QRgb kFine = qRgb(199, 186, 164), kWrong = qRgb(214, 44, 60), kChosen = qRgb(255, 170, 0),
+           kAdded = qRgb(46, 158, 92);
 
 /// Points around some triangles, a little farther off than their corners.
 Points<3> surroundingsOf(const Surface& surface, const std::vector<int>& triangles) {
@@ -103,6 +105,7 @@ SurfaceCheck::SurfaceCheck(ShapeSession& session, SurfacePanel& panel, QWidget& 
     connect(&panel, &SurfacePanel::fitRequested, this, &SurfaceCheck::fitCage);
     connect(&panel, &SurfacePanel::saveRequested, this, &SurfaceCheck::saveList);
     connect(&panel, &SurfacePanel::repairRequested, this, &SurfaceCheck::repair);
+    connect(&panel, &SurfacePanel::repairShown, this, &SurfaceCheck::showRepair);
 }
 
 void SurfaceCheck::hide() {
@@ -140,8 +143,8 @@ void SurfaceCheck::look() {
             found->surface = {file.points, file.triangles, {}};
             found->problems = checkSurface(found->surface);
             found->faults = faultsOf(found->surface, found->problems);
-            RepairReport report;
-            found->mendable = checkSurface(repairSurface(found->surface, largestHole, report)).boundsVolume();
+            found->repaired = repairSurface(found->surface, largestHole, found->report);
+            found->left = checkSurface(found->repaired);
         } catch (const std::exception& error) {
             found->error = QString::fromStdString(messageOf(error));
         }
@@ -180,7 +183,8 @@ void SurfaceCheck::take(const std::shared_ptr<const Found>& found) {
             {names.value(QString::fromStdString(kind.name)), static_cast<int>(kind.cases.size())});
     if (found->problems.flat) contents.more << tr("All points lie in one plane.");
     const Domain& domain = m_session.document().project()->domain;
-    contents.mayRepair = found->mendable && !domain.repair;
+    contents.mayRepair = found->left.boundsVolume() && !domain.repair;
+    contents.repair = domain.repair ? QString() : repairText();
     contents.isCaged = m_isCaged;
     contents.largestHole = domain.largestHole;
     m_panel.showProblems(contents);
@@ -259,6 +263,37 @@ void SurfaceCheck::repair(int largestHole) {
     next.domain.repair = true;
     next.domain.largestHole = largestHole;
     document.change(tr("Repair surface"), std::move(next));
+}
+
+/// One part of a sentence for each repair that would change something.
+QString SurfaceCheck::repairText() const {
+    const RepairReport& report = m_found->report;
+    QStringList parts;
+    const auto add = [&parts](const QString& text, int count) {
+        if (count > 0) parts << text.arg(QLocale().toString(count));
+    };
+    add(tr("merge points (%1)"), report.mergedVertices);
+    add(tr("drop triangles (%1)"), report.droppedDegenerate + report.droppedDuplicate);
+    add(tr("turn triangles (%1)"), report.flipped);
+    add(tr("fill holes (%1)"), report.filledHoles);
+    return parts.isEmpty() ? QString() : tr("It would %1.").arg(parts.join(QStringLiteral(", ")));
+}
+
+/// What fills holes in a colour of its own.
+void SurfaceCheck::showRepair(bool shown) {
+    if (!m_found || !m_canvas) return;
+    if (!shown) return showSolid();
+    const Surface& surface = m_found->repaired;
+    const int kept = surface.triangleCount() - m_found->report.addedTriangles;
+    std::vector<QRgb> colours(surface.triangles.size(), kFine);
+    std::fill(colours.begin() + kept, colours.end(), kAdded);
+    for (const int t : m_found->left.triangles(surface)) colours[t] = kWrong;
+    const Vec<3> direction =
+        kept < surface.triangleCount() ? intoTriangle(surface, kept) : directionToWrong();
+    VolumePicture picture = pictureOfSurface(surface.points, surface.triangles, std::move(colours));
+    picture.isOpen = !m_found->left.boundsVolume();
+    m_canvas->setCutKind(CutKind::None);
+    m_canvas->showRefused(std::move(picture), direction);
 }
 
 void SurfaceCheck::fitCage(bool cage) {

@@ -27,7 +27,9 @@ class SurfaceCheck : public QObject {
         Surface surface;
         SurfaceProblems problems;
         std::vector<FaultKind> faults;
-        bool mendable = false;  // the repair would leave nothing of them
+        Surface repaired;      // what the repair would leave …
+        RepairReport report;   // … and what it would do
+        SurfaceProblems left;  // in the repaired surface
         QString error;
     };
     void preview();
@@ -42,6 +44,8 @@ class SurfaceCheck : public QObject {
     void fitCage(bool cage);
     void saveList();
     void repair(int largestHole);
+    void showRepair(bool shown);
+    QString repairText() const;
 
     ShapeSession& m_session;
     SurfacePanel& m_panel;

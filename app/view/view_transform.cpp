@@ -19,7 +19,7 @@ QTransform ViewTransform::matrix() const {
 
 void ViewTransform::setZoom(double zoom, const QPointF& fixed) {
     const Vec<2> below = toShape(fixed);
-    m_zoom = std::clamp(zoom, m_least, m_greatest);
+    m_zoom = std::clamp(zoom, m_minimum, m_maximum);
     m_origin += fixed - toWidget(below);
 }
 
@@ -27,15 +27,15 @@ void ViewTransform::fit(const QRectF& shape, const QSizeF& widget, double margin
     if (shape.isEmpty() || widget.width() <= 2 * margin || widget.height() <= 2 * margin) return;
     const double zoom = std::min((widget.width() - 2 * margin) / shape.width(),
                                  (widget.height() - 2 * margin) / shape.height());
-    m_zoom = std::clamp(zoom, m_least, m_greatest);
+    m_zoom = std::clamp(zoom, m_minimum, m_maximum);
     const QPointF centre(widget.width() / 2, widget.height() / 2);
     m_origin = {};
     m_origin = centre - toWidget({shape.center().x(), shape.center().y()});
 }
 
-void ViewTransform::setZoomLimits(double least, double greatest) {
-    m_least = least;
-    m_greatest = greatest;
+void ViewTransform::setZoomLimits(double minimum, double maximum) {
+    m_minimum = minimum;
+    m_maximum = maximum;
 }
 
 }  // namespace wend

@@ -25,14 +25,14 @@ class ViewTransform {
     void setZoom(double zoom, const QPointF& fixed);
     /// Shows a rectangle of the domain as large as it fits, with a margin in widget pixels.
     void fit(const QRectF& shape, const QSizeF& widget, double margin);
-    void setZoomLimits(double least, double greatest);
+    void setZoomLimits(double minimum, double maximum);
 
     bool operator==(const ViewTransform&) const = default;
 
   private:
     QPointF m_origin;  // of the domain, in the widget
     double m_zoom = 1;
-    double m_least = 0.01, m_greatest = 64;
+    double m_minimum = 0.01, m_maximum = 64;
     bool m_up = false;
 };
 

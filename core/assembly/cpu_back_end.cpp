@@ -135,7 +135,7 @@ int CpuBackEnd<Dim>::setShape(const Points<Dim>& shape) {
                 if (!m_restInverse.empty()) updateStressMatrix(shape, c);
                 continue;
             }
-            for (int least = firstBad; c < least && !firstBad.compare_exchange_weak(least, c);) {
+            for (int minimum = firstBad; c < minimum && !firstBad.compare_exchange_weak(minimum, c);) {
             }
         }
     });

@@ -15,7 +15,7 @@ class HostStages final : public StageVectors<Dim> {
 
     double distance(const Nodal<Dim>& other) override { return (*m_shape - *other).cwiseAbs().maxCoeff(); }
 
-    double greatest(Terms terms) override {
+    double maximum(Terms terms) override {
         if (terms.empty()) return 0;
         const auto& first = *terms.front().field;
         const Nodal<Dim> total = sum(Points<Dim>::Zero(Dim, first.cols()), terms);

@@ -35,7 +35,7 @@ class StageVectors {
     /// The greatest difference of a coordinate between the stage's shape and another one.
     virtual double distance(const Nodal<Dim>& other) = 0;
     /// max over the vertices of |Σ w_i k_i|; no number if a vector has none.
-    virtual double greatest(Terms terms) = 0;
+    virtual double maximum(Terms terms) = 0;
 };
 
 /// In the processor's memory.

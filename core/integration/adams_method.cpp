@@ -14,7 +14,7 @@ constexpr double kFirstMove = 1;
 // Of the tolerance: what the control aims at. A whole deformation then ends with about the tolerance's error,
 // and few steps are rejected.
 constexpr double kAim = 0.1;
-constexpr double kLeast = 0.2, kMost = 3, kMostAtStart = 4;
+constexpr double kMinimum = 0.2, kMost = 3, kMostAtStart = 4;
 constexpr double kUnknown = std::numeric_limits<double>::infinity();
 
 double growth(double error, int order) {
@@ -68,7 +68,7 @@ double AdamsMethod<Dim>::estimate(StageVectors<Dim>& stages, int order) const {
     auto difference = integral(m_fields, order + 1, m_to);
     const auto lower = integral(m_fields, order, m_to);
     for (int i = 0; i < order; ++i) difference[i + 1].weight -= lower[i].weight;
-    return stages.greatest(difference) / m_tolerance;
+    return stages.maximum(difference) / m_tolerance;
 }
 
 template <int Dim>
@@ -100,7 +100,7 @@ void AdamsMethod<Dim>::retry(Pace<Dim>& pace) const {
     const bool lower = m_errors[0] < m_errors[1];
     pace.order = lower ? m_order - 1 : m_order;
     const double factor = lower ? growth(m_errors[0], m_order - 1) : growth(m_errors[1], m_order);
-    pace.step = (m_to - m_from) * (std::isfinite(factor) ? std::clamp(factor, kLeast, 0.9) : kLeast);
+    pace.step = (m_to - m_from) * (std::isfinite(factor) ? std::clamp(factor, kMinimum, 0.9) : kMinimum);
 }
 
 template <int Dim>
@@ -120,7 +120,7 @@ void AdamsMethod<Dim>::accept(Pace<Dim>& pace, bool shortened, bool cut) {
             order = other;
         }
     }
-    factor = std::clamp(factor, kLeast, shortened ? 1.0 : starting ? kMostAtStart : kMost);
+    factor = std::clamp(factor, kMinimum, shortened ? 1.0 : starting ? kMostAtStart : kMost);
     const double wanted = (m_to - m_from) * factor;
     pace.step = cut ? std::max(wanted, pace.step) : wanted;
     pace.error = m_errors[1];

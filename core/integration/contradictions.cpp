@@ -23,7 +23,7 @@ namespace {
 // Of the greatest velocity: frames are tabulated to about 1e-10.
 constexpr double kAgree = 1e-7;
 
-/// Follows the constrained points alone from border to border.
+/// Follows the constrained points alone from breakpoint to breakpoint.
 template <int Dim>
 class Rehearsal {
   public:
@@ -35,11 +35,11 @@ class Rehearsal {
 
     void run() {
         double from = 0;
-        for (double to = m_constraints.nextBorder(from); std::isfinite(to);
-             to = m_constraints.nextBorder(from)) {
+        for (double to = m_constraints.nextBreakpoint(from); std::isfinite(to);
+             to = m_constraints.nextBreakpoint(from)) {
             stretch(from, to);
             from = to;
-        }  // behind the last border all hold still
+        }  // behind the last breakpoint all hold still
     }
 
   private:

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/integration/engine.h"
+#include "core/integration/integrator.h"
 #include "core/mesh/error.h"
 
 namespace wend {
@@ -22,7 +22,7 @@ template <int Dim>
 Deformer<Dim>::Deformer(std::shared_ptr<const SimplicialMesh<Dim>> rest,
                         std::shared_ptr<const Material<Dim>> material, std::vector<Handle<Dim>> handles,
                         IntegrationOptions options, BackEndKind backEnd)
-    : m_engine(std::make_unique<Engine>(
+    : m_integrator(std::make_unique<Integrator>(
           rest, material, handles, options, [&](std::shared_ptr<const SimplicialMesh<Dim>> normalizedRest) {
               return VelocitySolver<Dim>(normalizedRest, material, backEnd, options.threads);
           })) {}
@@ -31,7 +31,7 @@ template <int Dim>
 Deformer<Dim>::Deformer(std::shared_ptr<const SimplicialMesh<Dim>> rest,
                         std::shared_ptr<const Material<Dim>> material, std::vector<Handle<Dim>> handles,
                         IntegrationOptions options, const BackEndFactory<Dim>& backEnd)
-    : m_engine(std::make_unique<Engine>(
+    : m_integrator(std::make_unique<Integrator>(
           rest, material, handles, options, [&](std::shared_ptr<const SimplicialMesh<Dim>> normalizedRest) {
               return VelocitySolver<Dim>(normalizedRest, material, backEnd, options.threads);
           })) {}
@@ -45,57 +45,57 @@ Deformer<Dim>& Deformer<Dim>::operator=(Deformer&&) noexcept = default;
 
 template <int Dim>
 const State<Dim>& Deformer<Dim>::state() const {
-    return m_engine->state;
+    return m_integrator->state;
 }
 
 template <int Dim>
 void Deformer<Dim>::restore(const State<Dim>& state) {
-    m_engine->restore(state);
+    m_integrator->restore(state);
 }
 
 template <int Dim>
 void Deformer<Dim>::setHandles(std::vector<Handle<Dim>> handles) {
-    m_engine->setHandles(handles);
+    m_integrator->setHandles(handles);
 }
 
 template <int Dim>
 AdvanceResult Deformer<Dim>::advance(double time, const Watch& watch) {
-    return m_engine->advance(time, watch);
+    return m_integrator->advance(time, watch);
 }
 
 template <int Dim>
 Points<Dim> Deformer<Dim>::velocity() {
-    return m_engine->velocity();
+    return m_integrator->velocity();
 }
 
 template <int Dim>
 double Deformer<Dim>::restEnergy() const {
-    return m_engine->velocitySolver().restEnergy(m_engine->state.normalized);
+    return m_integrator->velocitySolver().restEnergy(m_integrator->state.normalized);
 }
 
 template <int Dim>
 double Deformer<Dim>::restForce() {
-    return m_engine->restForce();
+    return m_integrator->restForce();
 }
 
 template <int Dim>
 AdvanceResult Deformer<Dim>::failure() const {
-    return m_engine->stopped();
+    return m_integrator->stopped();
 }
 
 template <int Dim>
 const Statistics& Deformer<Dim>::statistics() const {
-    return m_engine->statistics;
+    return m_integrator->statistics;
 }
 
 template <int Dim>
 std::string Deformer<Dim>::backEndName() const {
-    return m_engine->velocitySolver().backEndName();
+    return m_integrator->velocitySolver().backEndName();
 }
 
 template <int Dim>
 std::string Deformer<Dim>::deviceName() const {
-    return m_engine->velocitySolver().deviceName();
+    return m_integrator->velocitySolver().deviceName();
 }
 
 template class Deformer<2>;

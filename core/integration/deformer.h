@@ -19,11 +19,11 @@ namespace wend {
 struct IntegrationOptions {
     Method method = Method::Adams;
     double tolerance = 1e-4;  // error per step allowed, relative to the size
-    int steps = 0;   // > 0: this many equal steps over the whole time [0, end], cut at borders of motions;
-                     // 0: adaptive (Dormand–Prince and Adams only). Adams, which cannot start with a long
-                     // step, then leaves them to Dormand–Prince.
-    double end = 1;  // with steps: the time that they are spread over
-    double smallestStep = 1e-6;  // of the stretch between two borders of motions: below it the run stops
+    int steps = 0;  // > 0: this many equal steps over the whole time [0, end], cut at breakpoints of motions;
+                    // 0: adaptive (Dormand–Prince and Adams only). Adams, which cannot start with a long
+                    // step, then leaves them to Dormand–Prince.
+    double end = 1;              // with steps: the time that they are spread over
+    double smallestStep = 1e-6;  // of the stretch between two breakpoints of motions: below it the run stops
     int threads = 0;             // 0: all cores
     /// Error of a velocity field that is allowed, relative to the greatest velocity; < 0: as the tolerance
     /// needs. 0: every field is solved for directly with a factorization of its own, as in the paper.
@@ -127,8 +127,8 @@ class Deformer {
     std::string deviceName() const;
 
   private:
-    struct Engine;
-    std::unique_ptr<Engine> m_engine;
+    struct Integrator;
+    std::unique_ptr<Integrator> m_integrator;
 };
 
 }  // namespace wend

@@ -26,11 +26,11 @@ double cubeOnLongestEdge(const Points<Dim>& points, const Cell<Dim>& cell) {
 template <int Dim>
 Orientation<Dim>::Orientation(std::shared_ptr<const SimplicialMesh<Dim>> rest)
     : m_rest(std::move(rest)), m_sign(cellMeasure<Dim>(m_rest->points, m_rest->cells.front()) > 0 ? 1 : -1) {
-    m_least.reserve(m_rest->cells.size());
+    m_minimum.reserve(m_rest->cells.size());
     for (const Cell<Dim>& cell : m_rest->cells) {
         const double flatness =
             std::abs(cellMeasure<Dim>(m_rest->points, cell)) / cubeOnLongestEdge<Dim>(m_rest->points, cell);
-        m_least.push_back(std::max(kCrushed * flatness, std::min(kRounding, 0.5 * flatness)));
+        m_minimum.push_back(std::max(kCrushed * flatness, std::min(kRounding, 0.5 * flatness)));
     }
 }
 
@@ -38,7 +38,7 @@ template <int Dim>
 int Orientation<Dim>::firstInverted(const Points<Dim>& shape) const {
     for (int c = 0; c < m_rest->cellCount(); ++c) {
         const Cell<Dim>& cell = m_rest->cells[c];
-        if (!(m_sign * cellMeasure<Dim>(shape, cell) > m_least[c] * cubeOnLongestEdge<Dim>(shape, cell)))
+        if (!(m_sign * cellMeasure<Dim>(shape, cell) > m_minimum[c] * cubeOnLongestEdge<Dim>(shape, cell)))
             return c;
     }
     return -1;
@@ -47,12 +47,12 @@ int Orientation<Dim>::firstInverted(const Points<Dim>& shape) const {
 template <int Dim>
 int Orientation<Dim>::mostShrunk(const Points<Dim>& shape) const {
     int worst = 0;
-    double least = 1e300;
+    double minimum = 1e300;
     for (int c = 0; c < m_rest->cellCount(); ++c) {
         const double ratio =
             cellMeasure<Dim>(shape, m_rest->cells[c]) / cellMeasure<Dim>(m_rest->points, m_rest->cells[c]);
-        if (ratio >= least) continue;
-        least = ratio;
+        if (ratio >= minimum) continue;
+        minimum = ratio;
         worst = c;
     }
     return worst;

@@ -22,7 +22,7 @@ class Orientation {
   private:
     std::shared_ptr<const SimplicialMesh<Dim>> m_rest;
     double m_sign;
-    std::vector<double> m_least;  // per cell: the least measure over that of a cube on its longest edge
+    std::vector<double> m_minimum;  // per cell: the least measure over that of a cube on its longest edge
 };
 
 }  // namespace wend

@@ -53,7 +53,7 @@ class RungeKuttaStep {
     const Nodal<Dim>& result() const { return m_result; }
     /// The greatest |h Σ (b − b̂)_i k_i| of a node.
     double error(StageVectors<Dim>& stages) const {
-        return stages.greatest(terms(m_tableau.error, m_tableau.stages));
+        return stages.maximum(terms(m_tableau.error, m_tableau.stages));
     }
     bool firstSameAsLast() const { return m_tableau.firstSameAsLast; }
     /// f at the result, for a method that has it.

@@ -50,7 +50,7 @@ template <int Dim>
 void RungeKuttaMethod<Dim>::accept(Pace<Dim>& pace, bool shortened, bool cut) {
     if (m_tolerance > 0) {
         const double growth = growthAfterStep(m_error, pace.error);
-        // A rejection speaks against a longer step, being cut short before a border does not.
+        // A rejection speaks against a longer step, being cut short before a breakpoint does not.
         const double wanted = (m_to - m_from) * (shortened ? std::min(growth, 1.0) : growth);
         pace.step = cut ? std::max(wanted, pace.step) : wanted;
         pace.error = m_error;

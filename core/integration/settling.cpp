@@ -34,7 +34,7 @@ double Settling::rate(double t, Side side) const {
     return 0;
 }
 
-double Settling::nextBorder(double t) const {
+double Settling::nextBreakpoint(double t) const {
     double next = std::numeric_limits<double>::infinity();
     for (const SettleWindow& window : m_windows)
         for (const double end : {window.start, window.end})
@@ -42,7 +42,7 @@ double Settling::nextBorder(double t) const {
     return next;
 }
 
-double Settling::lastBorder(double t) const {
+double Settling::lastBreakpoint(double t) const {
     double last = -std::numeric_limits<double>::infinity();
     for (const SettleWindow& window : m_windows)
         for (const double end : {window.start, window.end})

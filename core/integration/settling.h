@@ -27,8 +27,8 @@ class Settling {
     /// is left at its end; 0 outside.
     double rate(double t, Side side) const;
     /// The first end of a window after t, or +infinity; the last one up to t, or −infinity.
-    double nextBorder(double t) const;
-    double lastBorder(double t) const;
+    double nextBreakpoint(double t) const;
+    double lastBreakpoint(double t) const;
 
   private:
     std::vector<SettleWindow> m_windows;

@@ -7,7 +7,7 @@ namespace wend {
 
 namespace {
 
-constexpr double kSafety = 0.9, kLeast = 0.2, kMost = 5;
+constexpr double kSafety = 0.9, kMinimum = 0.2, kMost = 5;
 constexpr double kExactly = 1e-4;  // an error that counts as none: one lucky step must not weigh on the next
 
 }  // namespace
@@ -15,11 +15,11 @@ constexpr double kExactly = 1e-4;  // an error that counts as none: one lucky st
 double growthAfterStep(double e, double last) {
     e = std::max(e, kExactly);
     last = last > 0 ? std::max(last, kExactly) : e;
-    return std::clamp(kSafety * std::pow(e, -0.7 / 5) * std::pow(last, 0.4 / 5), kLeast, kMost);
+    return std::clamp(kSafety * std::pow(e, -0.7 / 5) * std::pow(last, 0.4 / 5), kMinimum, kMost);
 }
 
 double shrinkAfterError(double e) {
-    return std::isfinite(e) ? std::clamp(kSafety * std::pow(e, -1.0 / 5), kLeast, kSafety) : kLeast;
+    return std::isfinite(e) ? std::clamp(kSafety * std::pow(e, -1.0 / 5), kMinimum, kSafety) : kMinimum;
 }
 
 }  // namespace wend

@@ -47,7 +47,7 @@ Eigen::Matrix<double, Dim, Dim + 1> hatGradients(const Points<Dim>& points, cons
 
 }  // namespace
 
-/// The border of the partition, and what points in front of it depend on.
+/// The boundary of the partition, and what points in front of it depend on.
 template <int Dim>
 class Embedding<Dim>::Outside {
   public:

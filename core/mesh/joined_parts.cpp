@@ -27,7 +27,7 @@ bool sortedOddly(std::array<int, N>& ids) {
     return odd;
 }
 
-/// The facets of the border at one place, and which way they run.
+/// The facets of the boundary at one place, and which way they run.
 template <int Dim>
 struct Place {
     std::vector<Facet<Dim>> facets;

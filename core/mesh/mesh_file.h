@@ -30,13 +30,13 @@ struct MeshFile {
     Eigen::Matrix3Xd points;
     std::vector<std::array<int, 3>> triangles;  // polygons of more corners are split into fans
     std::vector<std::array<int, 4>>
-        tetrahedra;       // if there are any, the mesh is a volume and the triangles its border
+        tetrahedra;       // if there are any, the mesh is a volume and the triangles its boundary
     Eigen::Matrix2Xd uv;  // per vertex; empty if there is none
     std::vector<MeshField> fields;
-    std::vector<int> labels;              // of the triangles of a volume's border; empty if there are none
+    std::vector<int> labels;              // of the triangles of a volume's boundary; empty if there are none
     std::vector<std::string> labelNames;  // of the labels 1, 2, …; empty if they have none
-    /// The cells were made here, not read: the triangles are the border of a volume's tetrahedra, and what is
-    /// written has no vertex without a cell.
+    /// The cells were made here, not read: the triangles are the boundary of a volume's tetrahedra, and what
+    /// is written has no vertex without a cell.
     bool made = false;
 };
 

@@ -13,9 +13,9 @@ struct MeshFormatFacts {
     std::vector<std::string_view> extensions;  // lower case, with the dot
     bool together;                             // one mesh is a file of each extension, in this order
     bool holdsTetrahedra;                      // the others get the surface of a solid
-    bool bordered;     // a volume's border that was made with its cells goes along unasked
-    bool holdsFields;  // values of vertices and cells
-    bool knowsBinary;  // and not text alone
+    bool withBoundary;  // a volume's boundary that was made with its cells goes along unasked
+    bool holdsFields;   // values of vertices and cells
+    bool knowsBinary;   // and not text alone
 };
 std::vector<MeshFormatFacts> meshFormatFacts();
 

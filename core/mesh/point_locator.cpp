@@ -133,7 +133,7 @@ struct PointLocator<Dim>::Grid {
     const std::vector<Cell<Dim>>& cells;
     std::vector<int> vertices;  // those of cells (of a mere set of points all), as far as they are finite
     Bounds<Dim> bounds;
-    Vec<Dim> greatestExtent = Vec<Dim>::Zero();  // of any cell, per axis
+    Vec<Dim> maxExtent = Vec<Dim>::Zero();  // of any cell, per axis
     BinLayout<Dim> layout;
     BinnedIds cellsOfBin;
     BinnedIds verticesOfBin;
@@ -146,7 +146,7 @@ struct PointLocator<Dim>::Grid {
         for (int v : vertices) bounds.add(points.col(v));
         for (const auto& cell : cells)
             if (finite<Dim>(points, cell))
-                greatestExtent = greatestExtent.cwiseMax(boundsOf<Dim>(points, cell).extent());
+                maxExtent = maxExtent.cwiseMax(boundsOf<Dim>(points, cell).extent());
         chooseLayout();
         binCells();
         binVertices();
@@ -250,7 +250,7 @@ template <int Dim>
 std::optional<Location<Dim>> PointLocator<Dim>::find(const Vec<Dim>& p, double tolerance) const {
     if (!p.allFinite()) return std::nullopt;
     // weights ≥ −tolerance reach beyond the cell's bounding box by at most Dim · tolerance of its extent
-    const Vec<Dim> reach = Dim * std::max(tolerance, 0.0) * m_grid->greatestExtent;
+    const Vec<Dim> reach = Dim * std::max(tolerance, 0.0) * m_grid->maxExtent;
     std::optional<Location<Dim>> found;
     if (((p + reach).array() < m_grid->bounds.low.array()).any()) return found;
     if (((p - reach).array() > m_grid->bounds.high.array()).any()) return found;

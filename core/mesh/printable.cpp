@@ -13,7 +13,8 @@ struct Character {
 };
 
 Character firstOf(std::string_view text) {
-    constexpr std::array<char32_t, 5> least{0, 0, 0x80, 0x800, 0x10000};  // by length: no longer than needed
+    constexpr std::array<char32_t, 5> minimum{0, 0, 0x80, 0x800,
+                                              0x10000};  // by length: no longer than needed
     const auto first = static_cast<unsigned char>(text[0]);
     if (first < 0x80) return {first, 1};
     const std::size_t length = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : first >= 0xc0 ? 2 : 0;
@@ -24,7 +25,7 @@ Character firstOf(std::string_view text) {
         code = code << 6 | (byte & 0x3fU);
     }
     const bool surrogate = code >= 0xd800 && code <= 0xdfff;
-    if (code < least[length] || code > 0x10ffff || surrogate) return {};
+    if (code < minimum[length] || code > 0x10ffff || surrogate) return {};
     return {code, length};
 }
 

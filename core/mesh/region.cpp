@@ -11,7 +11,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Even–odd rule: inside where a ray crosses the border an odd number of times.
+/// Even–odd rule: inside where a ray crosses the boundary an odd number of times.
 double distanceOf(const Polygon& polygon, const Vec<2>& p) {
     const auto& points = polygon.points;
     double nearest = infinity;
@@ -54,7 +54,7 @@ double alongBlend(const Blend<Dim>& blend, const Vec<Dim>& p) {
     return lengthSquared > 0 ? std::clamp(along.dot(p - blend.from) / lengthSquared, 0.0, 1.0) : 0.0;
 }
 
-/// 3t² − 2t³ over the width, ½ on the border.
+/// 3t² − 2t³ over the width, ½ on the boundary.
 double smoothEdge(double distance, double feather) {
     const double t = std::clamp(0.5 - distance / feather, 0.0, 1.0);
     return t * t * (3 - 2 * t);

@@ -49,12 +49,12 @@ struct RegionOf<3> {
 template <int Dim>
 using Region = typename RegionOf<Dim>::Type;
 
-/// Signed distance to the border of the region, negative inside (a Blend has none and returns −infinity).
+/// Signed distance to the boundary of the region, negative inside (a Blend has none and returns −infinity).
 template <int Dim>
 double signedDistance(const Region<Dim>& region, const Vec<Dim>& p);
 
 /// How much p belongs to the region, in [0, 1]: 1 inside, 0 outside, smooth (C¹) over the width `feather`
-/// centred on the border; for a Blend the linear parameter along its segment, clamped to [0, 1].
+/// centred on the boundary; for a Blend the linear parameter along its segment, clamped to [0, 1].
 template <int Dim>
 double membership(const Region<Dim>& region, const Vec<Dim>& p, double feather);
 

@@ -12,7 +12,7 @@ Vec<Dim> nearestOnSegment(const Vec<Dim>& p, const Vec<Dim>& a, const Vec<Dim>& 
 template <int Dim>
 double distanceToSegment(const Vec<Dim>& p, const Vec<Dim>& a, const Vec<Dim>& b);
 
-/// True if the segment a → b crosses the ray from p towards greater x: p is inside a border that an odd
+/// True if the segment a → b crosses the ray from p towards greater x: p is inside a boundary that an odd
 /// number of whose segments do. Half-open in y, so that a ray through a corner counts once.
 bool crossesRay(const Vec<2>& a, const Vec<2>& b, const Vec<2>& p);
 

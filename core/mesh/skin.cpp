@@ -5,7 +5,7 @@
 
 namespace wend {
 
-Skin borderOf(const SimplicialMesh<3>& mesh) {
+Skin boundaryOf(const SimplicialMesh<3>& mesh) {
     Skin skin;
     std::vector<int> newId(static_cast<std::size_t>(mesh.vertexCount()), -1);
     for (const auto& facet : facetsOf(mesh)) {

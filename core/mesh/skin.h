@@ -15,7 +15,7 @@ struct SkinMaterial {
 };
 
 /// The surface of a solid as it is seen and exported: the surface that it was made from, a detailed one that
-/// rides in it, or its border.
+/// rides in it, or its boundary.
 struct Skin {
     Points<3> points;
     std::vector<std::array<int, 3>> triangles;
@@ -27,14 +27,14 @@ struct Skin {
     std::vector<SkinMaterial> materials;
     std::vector<int> labels;              // per triangle; empty if there are none
     std::vector<std::string> labelNames;  // names of the labels 1, 2, …, if they have some
-    std::string path;                     // the file that it comes from; empty for a border
+    std::string path;                     // the file that it comes from; empty for a boundary
     std::vector<std::string> warnings;    // what the file names and is not there
 
     int vertexCount() const { return static_cast<int>(points.cols()); }
 };
 
-/// The border of a solid, outward oriented where its cells are positive; only vertices on it.
-Skin borderOf(const SimplicialMesh<3>& mesh);
+/// The boundary of a solid, outward oriented where its cells are positive; only vertices on it.
+Skin boundaryOf(const SimplicialMesh<3>& mesh);
 
 /// A skin in which every vertex has one texture point, as graphics hardware and glTF want it.
 struct UnfoldedSkin {

@@ -61,13 +61,13 @@ Vec<3> nearestOnTriangle(const Vec<3>& p, const std::array<Vec<3>, 3>& x) {
         if (w1 >= 0 && w2 >= 0 && w1 + w2 <= 1) return {1 - w1 - w2, w1, w2};
     }
     Vec<3> best = Vec<3>::UnitX();
-    double least = kNothing;
+    double minimum = kNothing;
     for (int k = 0; k < 3; ++k) {
         const int next = (k + 1) % 3;
         const Eigen::Vector2d t = nearestOnEdge(p, x[k], x[next]);
         const double distance = (t[0] * x[k] + t[1] * x[next] - p).squaredNorm();
-        if (distance >= least) continue;
-        least = distance;
+        if (distance >= minimum) continue;
+        minimum = distance;
         best.setZero();
         best[k] = t[0];
         best[next] = t[1];
@@ -182,13 +182,13 @@ TriangleTree::Hit TriangleTree::firstHit(const Vec<3>& origin, const Vec<3>& dir
 
 TriangleTree::Nearest TriangleTree::nearest(const Vec<3>& p) const {
     Nearest best;
-    double least = kNothing;
+    double minimum = kNothing;
     std::vector<std::pair<int, double>> open;
     if (!m_nodes.empty()) open.emplace_back(0, squaredDistance(m_nodes[0].low, m_nodes[0].high, p));
     while (!open.empty()) {
         const auto [index, distance] = open.back();
         open.pop_back();
-        if (!(distance < least)) continue;
+        if (!(distance < minimum)) continue;
         const Node& node = m_nodes[index];
         for (int i = node.first; i < node.first + node.count; ++i) {
             const auto& t = m_triangles[m_order[i]];
@@ -196,8 +196,8 @@ TriangleTree::Nearest TriangleTree::nearest(const Vec<3>& p) const {
             const Vec<3> weights = nearestOnTriangle(p, x);
             const double there =
                 (weights[0] * x[0] + weights[1] * x[1] + weights[2] * x[2] - p).squaredNorm();
-            if (!(there < least)) continue;
-            least = there;
+            if (!(there < minimum)) continue;
+            minimum = there;
             best = {m_order[i], weights};
         }
         if (node.count > 0) continue;

@@ -15,9 +15,9 @@
 namespace wend {
 namespace {
 
-constexpr double kMostCubes = 5e7;       // of a grid: half a gigabyte while they are filled
-constexpr double kLeastDistance = 1e-9;  // of the diagonal: more than rounding
-constexpr double kNearEnough = 0.03;     // to the aim, to stop looking
+constexpr double kMostCubes = 5e7;     // of a grid: half a gigabyte while they are filled
+constexpr double kMinDistance = 1e-9;  // of the diagonal: more than rounding
+constexpr double kNearEnough = 0.03;   // to the aim, to stop looking
 constexpr double kPromised = 0.15;
 constexpr int kMostTries = 16;
 
@@ -122,7 +122,7 @@ class CageFitter {
 
     Cage ofEdge(double edge) const {
         Cage cage;
-        cage.edge = std::max(edge, leastEdge());
+        cage.edge = std::max(edge, minEdge());
         cage.aimMet = cage.edge <= edge;
         const CubeGrid grid = gridOf(cage.edge);
         CubeMesher mesher(grid, fullCubes(grid, m_surface, distance(cage.edge), gap(), m_options.stop));
@@ -160,7 +160,7 @@ class CageFitter {
         const CubeGrid grid = gridOf(cage.edge);
         std::map<std::int64_t, int> owner;
         for (int t = 0; t < m_surface.triangleCount(); ++t)
-            grid.forEachNear(cornersOf(m_surface, t), kLeastDistance * m_diagonal, [&](std::int64_t cube) {
+            grid.forEachNear(cornersOf(m_surface, t), kMinDistance * m_diagonal, [&](std::int64_t cube) {
                 const int mine = first[m_surface.triangles[t][0]];
                 parts.join(owner.try_emplace(cube, mine).first->second, mine);
             });
@@ -190,8 +190,8 @@ class CageFitter {
                 bestError = error;
                 best = std::move(cage);
             }
-            if (!tooMany && edge <= leastEdge()) break;
-            edge = std::max(leastEdge(), edge * std::clamp(std::pow(count / aim, 1 / 2.6), 0.2, 5.0));
+            if (!tooMany && edge <= minEdge()) break;
+            edge = std::max(minEdge(), edge * std::clamp(std::pow(count / aim, 1 / 2.6), 0.2, 5.0));
             if (edge <= 1.001 * tooFine || edge >= 0.999 * tooCoarse) edge = std::sqrt(tooFine * tooCoarse);
             if (tooFine >= 0.999 * tooCoarse) break;
         }
@@ -208,27 +208,26 @@ class CageFitter {
 
     double gap() const { return m_options.detail > 0 ? m_diagonal / (20 * m_options.detail) : 0; }
     double distance(double edge) const {
-        return std::max(kLeastDistance * m_diagonal, m_options.offset * (gap() > 0 ? gap() : edge));
+        return std::max(kMinDistance * m_diagonal, m_options.offset * (gap() > 0 ? gap() : edge));
     }
     /// Room for the distance, and for a way around of the width of the gap.
     int layers(double edge) const {
         return 2 + static_cast<int>(std::ceil(distance(edge) / edge)) + static_cast<int>(gap() / edge);
     }
     CubeGrid gridOf(double edge) const { return {m_box, edge, layers(edge), m_shift}; }
-    double leastEdge() const {
-        if (m_leastEdge == 0) {
-            m_leastEdge = m_diagonal / 1e4;
-            while (CubeGrid::sizeFor(m_box, m_leastEdge, layers(m_leastEdge)) > kMostCubes)
-                m_leastEdge *= 1.1;
+    double minEdge() const {
+        if (m_minEdge == 0) {
+            m_minEdge = m_diagonal / 1e4;
+            while (CubeGrid::sizeFor(m_box, m_minEdge, layers(m_minEdge)) > kMostCubes) m_minEdge *= 1.1;
         }
-        return m_leastEdge;
+        return m_minEdge;
     }
 
     const Surface& m_surface;
     const CageOptions& m_options;
     Eigen::AlignedBox3d m_box;
     double m_diagonal = 0;
-    mutable double m_leastEdge = 0;
+    mutable double m_minEdge = 0;
     Vec<3> m_shift = Vec<3>::Zero();  // of the cubes
 };
 

@@ -24,7 +24,7 @@ constexpr double edgePerRadius = 1.3;
 
 // Edges that are not split for the angle's sake, relative to the aimed spacing: the first that does it is
 // taken.
-constexpr std::array leastEdges{1e-5, 1e-3, 0.03, 1.0};
+constexpr std::array minEdges{1e-5, 1e-3, 0.03, 1.0};
 
 double diagonalOf(const Outline& outline) {
     Vec<2> low = outline.loops[0][0], high = low;
@@ -62,7 +62,7 @@ class PlanarMesher {
     std::optional<SimplicialMesh<2>> attempt(double radius, int maxVertices) const;
     /// The mesh at which only angle and outline ask for vertices, at the least `shortest` edge for which it
     /// is not out of proportion.
-    SimplicialMesh<2> least();
+    SimplicialMesh<2> coarsest();
     SimplicialMesh<2> searched(double radius);
     bool accepts(int count, int tries) const;
 
@@ -76,10 +76,10 @@ std::optional<SimplicialMesh<2>> PlanarMesher::attempt(double radius, int maxVer
     return m_domain.refined({radius, m_options.minAngle, m_shortest, maxVertices}, m_options.stop);
 }
 
-SimplicialMesh<2> PlanarMesher::least() {
+SimplicialMesh<2> PlanarMesher::coarsest() {
     const int enough = std::max(m_options.vertices, 8 * m_domain.vertexCount() + 2000);
-    const double spacing = m_shortest / leastEdges[0];
-    for (const double part : leastEdges) {
+    const double spacing = m_shortest / minEdges[0];
+    for (const double part : minEdges) {
         m_shortest = part * spacing;
         if (auto mesh = attempt(std::numeric_limits<double>::infinity(), enough)) return *std::move(mesh);
     }
@@ -94,7 +94,7 @@ SimplicialMesh<2> PlanarMesher::byEdge() {
         throw InputError("an edge length of " + std::to_string(m_options.edge) + " would take more than " +
                          std::to_string(mostVertices) + " vertices");
     const int enough = static_cast<int>(2 * expected) + 20 * m_domain.vertexCount() + 5000;
-    for (const double part : leastEdges) {
+    for (const double part : minEdges) {
         m_shortest = part * radius;
         if (auto mesh = attempt(radius, enough)) return *std::move(mesh);
     }
@@ -108,17 +108,18 @@ bool PlanarMesher::accepts(int count, int tries) const {
 
 SimplicialMesh<2> PlanarMesher::byCount() {
     const double aim = m_options.vertices;
-    // aim = n₀ + k a / r² + p / 2r, the border's own share included
+    // aim = n₀ + k a / r² + p / 2r, the boundary's own share included
     const double inner = std::max(aim - m_domain.vertexCount(), 0.3 * aim);
-    const double border = m_domain.perimeter() / 4;
-    const double radius = (border + std::sqrt(border * border + inner * verticesPerArea * m_area)) / inner;
-    m_shortest = leastEdges[0] * radius;
+    const double boundary = m_domain.perimeter() / 4;
+    const double radius =
+        (boundary + std::sqrt(boundary * boundary + inner * verticesPerArea * m_area)) / inner;
+    m_shortest = minEdges[0] * radius;
     return searched(radius);
 }
 
 /// Counts follow n(r) = n(∞) + c / r², c from the last try. A try that has too many vertices is repeated with
-/// a radius from n(∞), once that is known, and then with a larger least edge: borders that run side by side
-/// closely are what defies the rule.
+/// a radius from n(∞), once that is known, and then with a larger least edge: boundaries that run side by
+/// side closely are what defies the rule.
 SimplicialMesh<2> PlanarMesher::searched(double radius) {
     const int aim = m_options.vertices, enough = 2 * aim + 100;
     std::optional<SimplicialMesh<2>> best, atInfinity;
@@ -128,7 +129,7 @@ SimplicialMesh<2> PlanarMesher::searched(double radius) {
         const int count = mesh ? mesh->vertexCount() : enough;
         if (mesh && accepts(count, tries)) return *std::move(mesh);
         if (count > 1.2 * aim && !atInfinity) {
-            atInfinity = least();
+            atInfinity = coarsest();
             base = atInfinity->vertexCount();
             if (base >= 0.95 * aim) return *std::move(atInfinity);
             if (!mesh) radius = std::max(radius, std::sqrt(verticesPerArea * m_area / (aim - base)));

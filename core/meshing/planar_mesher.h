@@ -14,7 +14,7 @@ struct PlanarMeshOptions {
     double edge = 0;       // aim for the mean edge length
     double minAngle = 25;  // degrees, 0 … 30, away from corners of the input that are sharper
     /// Most that the outline may be simplified by, and is only, when it has more detail than the aimed number
-    /// of vertices allows. 0: the mesh's border is the outline exactly.
+    /// of vertices allows. 0: the mesh's boundary is the outline exactly.
     double simplify = 0;
     /// Length of edges at a place, relative to elsewhere; positive. Empty: even.
     std::function<double(const Vec<2>&)> factor;
@@ -25,12 +25,12 @@ struct PlanarMeshOptions {
 /// Conforming constrained Delaunay refinement (CGAL Delaunay_mesher_2) of the inside: triangles of even size
 /// (a bound on the circumradius; times the factor, if there is one), finer only where the outline or the
 /// points ask for it. Vertex i is options.points[i], bit for bit, for every point; all cells have positive
-/// measure det[x1 − x0, x2 − x0] / 2; the borders are subdivided outline segments. A point within 1e-9
+/// measure det[x1 − x0, x2 − x0] / 2; the boundaries are subdivided outline segments. A point within 1e-9
 /// (relative to the bounding box's diagonal) of the outline becomes a point of the outline.
 ///
 /// An aim below what the outline needs at the minimum angle gives that least mesh, a larger one (after
-/// simplification within options.simplify); it does not fail. Where borders or points nearly touch, edges are
-/// not split for the angle's sake below 1e-5 of the aimed spacing, or below more if the mesh would become
+/// simplification within options.simplify); it does not fail. Where boundaries or points nearly touch, edges
+/// are not split for the angle's sake below 1e-5 of the aimed spacing, or below more if the mesh would become
 /// many times larger than the aim, so that meshing always ends.
 ///
 /// The outline may touch itself in points; edges that cross or run over each other are refused. Polygons nest

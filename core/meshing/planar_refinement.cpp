@@ -19,9 +19,9 @@ using Mesher = CGAL::Delaunay_mesher_2<MarkedTriangulation, planar::SizeAndAngle
 using Face = MarkedTriangulation::Face_handle;
 using Vertex = MarkedTriangulation::Vertex_handle;
 
-// Borders are split into pieces of this times the circumradius: about the mean edge that the refinement makes
-// inside.
-constexpr double borderPerRadius = 1.3;
+// Boundaries are split into pieces of this times the circumradius: about the mean edge that the refinement
+// makes inside.
+constexpr double boundaryPerRadius = 1.3;
 
 void insertOutline(MarkedTriangulation& triangulation, const Outline& outline) {
     // All points at once (in spatial order) first: inserting them one by one with their edges is ten times
@@ -103,7 +103,7 @@ double areaOf(const Point& a, const Point& b, const Point& c, const PlanarDomain
 
 /// Splits the edges of the outline evenly into pieces of at most `length`, times the factor. Left to the
 /// refinement they would be halved, and the number of vertices would go in powers of two.
-void splitBorders(MarkedTriangulation& triangulation, double length, const PlanarDomain::Factor& factor) {
+void splitBoundaries(MarkedTriangulation& triangulation, double length, const PlanarDomain::Factor& factor) {
     std::vector<std::pair<Vertex, Vertex>> edges;
     for (const auto& edge : triangulation.finite_edges())
         if (triangulation.is_constrained(edge) &&
@@ -279,7 +279,7 @@ std::optional<SimplicialMesh<2>> PlanarDomain::refined(const RefinementBounds& b
                                                        const std::stop_token& stop) const {
     return guarded([&]() -> std::optional<SimplicialMesh<2>> {
         MarkedTriangulation triangulation(*m_triangulation);
-        splitBorders(triangulation, borderPerRadius * bounds.circumradius, m_factor);
+        splitBoundaries(triangulation, boundaryPerRadius * bounds.circumradius, m_factor);
         markInside(triangulation);
         if (!refine(triangulation, bounds, m_factor, stop)) return {};
         return toMesh(triangulation, m_pointCount);

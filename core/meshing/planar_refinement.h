@@ -14,7 +14,8 @@ namespace wend {
 struct RefinementBounds {
     double circumradius = 0;  // of every triangle at most, times the factor there
     double minAngle = 25;     // degrees
-    double shortest = 0;  // edges at or below this length are not split for the angle's or the border's sake
+    double shortest =
+        0;  // edges at or below this length are not split for the angle's or the boundary's sake
     int maxVertices = 0;  // beyond that there is no result
 };
 

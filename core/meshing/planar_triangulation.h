@@ -21,7 +21,7 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_2;
 
 /// A face that knows whether it is inside the outline. CGAL's own mark (is_in_domain) is undefined in the
-/// middle of an insertion, which is when borders are tested for encroachment.
+/// middle of an insertion, which is when boundaries are tested for encroachment.
 template <typename Base = CGAL::Delaunay_mesh_face_base_2<Kernel>>
 class MarkedFace : public Base {
   public:
@@ -46,7 +46,7 @@ constexpr int newVertex = -1;
 constexpr int frameVertex = -2;
 
 /// The triangulation as the mesher sees it: keeps the faces' marks up to date through its one way to add a
-/// point, and holds the length below which borders count as conforming.
+/// point, and holds the length below which boundaries count as conforming.
 class MarkedTriangulation : public Cdt {
   public:
     using Cdt::Cdt;
@@ -114,7 +114,7 @@ class SizeAndAngle {
 
   private:
     /// Triangles whose edges are all at or below `shortest` are never bad: their circumcentres may lie beyond
-    /// a border that counts as conforming. Triangles with one such edge are not refined for their angle.
+    /// a boundary that counts as conforming. Triangles with one such edge are not refined for their angle.
     Quality quality(const Face_handle& face) const {
         const Point &p = face->vertex(0)->point(), &q = face->vertex(1)->point(),
                     &r = face->vertex(2)->point();
@@ -149,9 +149,9 @@ class SizeAndAngle {
 
 namespace CGAL::Mesh_2 {
 
-/// A border segment needs its diametral circle empty on its inner side only (CGAL's own rule looks at both):
-/// what lies across a gap outside of the shape has no part in the mesh, and narrow gaps would be filled with
-/// tiny edges for nothing.
+/// A boundary segment needs its diametral circle empty on its inner side only (CGAL's own rule looks at
+/// both): what lies across a gap outside of the shape has no part in the mesh, and narrow gaps would be
+/// filled with tiny edges for nothing.
 template <>
 struct Is_locally_conforming_Gabriel<wend::planar::MarkedTriangulation> {
     using Triangulation = wend::planar::MarkedTriangulation;

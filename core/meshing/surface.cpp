@@ -155,7 +155,9 @@ Surface repairSurface(const Surface& input, int largestHole, RepairReport& repor
             if (id >= 0 && id < static_cast<int>(newId.size())) id = newId[id];
     dropTriangles(surface, checkSurface(surface, 0), report);
     orient(surface, report);
+    const int before = surface.triangleCount();
     report.filledHoles = fillHoles(surface, largestHole, report.largerHoles);
+    report.addedTriangles = surface.triangleCount() - before;
     std::ranges::sort(report.largerHoles);
     return surface;
 }

@@ -49,6 +49,7 @@ SurfaceProblems checkSurface(const Surface& surface, int limit = 10000);
 
 struct RepairReport {
     int mergedVertices = 0, droppedDegenerate = 0, droppedDuplicate = 0, flipped = 0, filledHoles = 0;
+    int addedTriangles = 0;        // that fill them: the last of the surface
     std::vector<int> largerHoles;  // edges of each hole beyond the limit, the largest last
     std::string summary() const;   // one line; empty if nothing was done
 };

@@ -76,15 +76,15 @@ int partsOf(const Surface& surface, const std::vector<SurfaceEdge>& edges) {
 
 int loopsOf(const Surface& surface, const std::vector<SurfaceEdge>& edges, Corners& corners) {
     DisjointSets sets(3 * surface.triangleCount());
-    std::vector<bool> onBorder(3 * surface.triangles.size(), false);
+    std::vector<bool> onBoundary(3 * surface.triangles.size(), false);
     for (const SurfaceEdge& edge : edges) {
         if (edge.triangles.size() != 1) continue;
         const int a = corners.at(edge.triangles[0], edge.vertices[0]),
                   b = corners.at(edge.triangles[0], edge.vertices[1]);
         sets.join(a, b);
-        onBorder[a] = onBorder[b] = true;
+        onBoundary[a] = onBoundary[b] = true;
     }
-    return countSets(sets, onBorder);
+    return countSets(sets, onBoundary);
 }
 
 bool isOriented(const Surface& surface, const std::vector<SurfaceEdge>& edges) {

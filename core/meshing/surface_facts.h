@@ -13,7 +13,7 @@ struct SurfaceFacts {
     int edges = 0;
     double shortestEdge = 0, meanEdge = 0, longestEdge = 0;
     int parts = 0;             // that hang together by edges
-    int boundaryLoops = 0;     // borders of holes
+    int boundaryLoops = 0;     // boundaries of holes
     std::optional<int> genus;  // handles of all parts together, if the surface is a manifold with two sides
     std::optional<double> volume;  // enclosed, inner shells being holes; if it is closed and oriented too
 };

@@ -79,14 +79,14 @@ class Followers {
         const auto first = std::lower_bound(m_sides.begin(), m_sides.end(), side.to,
                                             [](const Side& s, int vertex) { return s.from < vertex; });
         int best = -1;
-        double least = 0;
+        double minimum = 0;
         for (auto it = first; it != m_sides.end() && it->from == side.to; ++it) {
             const int candidate = static_cast<int>(it - m_sides.begin());
             if (m_taken[candidate]) continue;
             const double turn = clockwise(side, *it);
-            if (best >= 0 && turn >= least) continue;
+            if (best >= 0 && turn >= minimum) continue;
             best = candidate;
-            least = turn;
+            minimum = turn;
         }
         if (best >= 0) m_taken[best] = true;
         return best;
@@ -170,7 +170,7 @@ int fillHoles(Surface& surface, int largest, std::vector<int>& larger) {
             larger.push_back(static_cast<int>(loop.size()));
             continue;
         }
-        // A triangle that hangs at one vertex only has the same border.
+        // A triangle that hangs at one vertex only has the same boundary.
         if (loop.size() == 3 && known.has({loop[0], loop[1], loop[2]})) continue;
         ++filled;
         const int apex = apexOf(surface, loop);

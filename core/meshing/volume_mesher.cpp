@@ -208,7 +208,7 @@ class VolumeMesher {
         request.sizeCounts.assign(sizes.counts.begin(), sizes.counts.end());
     }
 
-    /// All points of the surface, then those that the mesher has made, and its cells and border in terms of
+    /// All points of the surface, then those that the mesher has made, and its cells and boundary in terms of
     /// them: it would drop points that no triangle has, and with them the numbers of the others.
     TetgenReply renumbered(const TetgenReply& reply) const {
         const auto sent = static_cast<std::ptrdiff_t>(m_sent.size());

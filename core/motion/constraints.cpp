@@ -83,7 +83,7 @@ MovingMap<Dim> HandleTimeline<Dim>::at(double t, Side side) const {
 }
 
 template <int Dim>
-std::vector<double> HandleTimeline<Dim>::borders() const {
+std::vector<double> HandleTimeline<Dim>::breakpoints() const {
     std::vector<double> times;
     for (const Trajectory<Dim>& motion : m_motions) {
         times.push_back(motion.start());
@@ -110,11 +110,11 @@ Constraints<Dim>::Constraints(const SimplicialMesh<Dim>& rest, const std::vector
         } catch (const InputError& error) {
             throw InputError(m_names.back() + ": " + error.reason());
         }
-        const std::vector<double> times = m_timelines.back().borders();
-        m_borders.insert(m_borders.end(), times.begin(), times.end());
+        const std::vector<double> times = m_timelines.back().breakpoints();
+        m_breakpoints.insert(m_breakpoints.end(), times.begin(), times.end());
     }
-    std::sort(m_borders.begin(), m_borders.end());
-    m_borders.erase(std::unique(m_borders.begin(), m_borders.end()), m_borders.end());
+    std::sort(m_breakpoints.begin(), m_breakpoints.end());
+    m_breakpoints.erase(std::unique(m_breakpoints.begin(), m_breakpoints.end()), m_breakpoints.end());
 }
 
 template <int Dim>
@@ -130,15 +130,15 @@ void Constraints<Dim>::take(std::vector<ConstrainedPoint> points, unsigned slide
 }
 
 template <int Dim>
-double Constraints<Dim>::nextBorder(double t) const {
-    const auto next = std::upper_bound(m_borders.begin(), m_borders.end(), t);
-    return next == m_borders.end() ? std::numeric_limits<double>::infinity() : *next;
+double Constraints<Dim>::nextBreakpoint(double t) const {
+    const auto next = std::upper_bound(m_breakpoints.begin(), m_breakpoints.end(), t);
+    return next == m_breakpoints.end() ? std::numeric_limits<double>::infinity() : *next;
 }
 
 template <int Dim>
-double Constraints<Dim>::lastBorder(double t) const {
-    const auto next = std::upper_bound(m_borders.begin(), m_borders.end(), t);
-    return next == m_borders.begin() ? -std::numeric_limits<double>::infinity() : *(next - 1);
+double Constraints<Dim>::lastBreakpoint(double t) const {
+    const auto next = std::upper_bound(m_breakpoints.begin(), m_breakpoints.end(), t);
+    return next == m_breakpoints.begin() ? -std::numeric_limits<double>::infinity() : *(next - 1);
 }
 
 template <int Dim>
@@ -180,7 +180,7 @@ auto Constraints<Dim>::anchors(const Points<Dim>& shape, double t, Side side) co
 }
 
 template <int Dim>
-void Constraints<Dim>::crossBorder(double t, const Points<Dim>& shape, Anchors& anchors) const {
+void Constraints<Dim>::crossBreakpoint(double t, const Points<Dim>& shape, Anchors& anchors) const {
     const std::vector<MovingMap<Dim>> before = maps(t, Side::Before), after = maps(t, Side::After);
     for (size_t k = 0; k < m_points.size(); ++k) {
         const int handle = m_points[k].handle;

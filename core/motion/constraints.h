@@ -39,7 +39,7 @@ class HandleTimeline {
     /// still.
     MovingMap<Dim> at(double t, Side side) const;
     /// All times at which the constraints or their velocities are not smooth.
-    std::vector<double> borders() const;
+    std::vector<double> breakpoints() const;
 
   private:
     std::vector<Trajectory<Dim>> m_motions;
@@ -71,11 +71,11 @@ class Constraints {
     const std::string& handleName(int handle) const { return m_names[handle]; }
 
     /// Sorted times that no step may cross: windows, breaks of velocity, active ranges.
-    const std::vector<double>& borders() const { return m_borders; }
-    /// The first border after t, or +infinity.
-    double nextBorder(double t) const;
-    /// The last border up to t, or −infinity.
-    double lastBorder(double t) const;
+    const std::vector<double>& breakpoints() const { return m_breakpoints; }
+    /// The first breakpoint after t, or +infinity.
+    double nextBreakpoint(double t) const;
+    /// The last breakpoint up to t, or −infinity.
+    double lastBreakpoint(double t) const;
 
     std::vector<int> activePoints(double t, Side side) const;
     /// Whether any active handle is inside a window.
@@ -85,8 +85,8 @@ class Constraints {
     Vec<Dim> anchor(int id, const Vec<Dim>& p, double t, Side side = Side::After) const;
     /// Anchors for going on from a shape at time t.
     Anchors anchors(const Points<Dim>& shape, double t, Side side = Side::After) const;
-    /// Anchors for going on over the border t, from those that led to it.
-    void crossBorder(double t, const Points<Dim>& shape, Anchors& anchors) const;
+    /// Anchors for going on over the breakpoint t, from those that led to it.
+    void crossBreakpoint(double t, const Points<Dim>& shape, Anchors& anchors) const;
     /// Anchors for going on from a shape at time t, given those that other constraints had there: kept to the
     /// bit where a point was constrained before and its trajectory leads on, else as anchors().
     Anchors adopt(const std::vector<ConstrainedPoint>& others, const Anchors& theirs,
@@ -104,7 +104,7 @@ class Constraints {
     std::vector<std::pair<int, unsigned>> m_sliders;
     std::vector<HandleTimeline<Dim>> m_timelines;
     std::vector<std::string> m_names;
-    std::vector<double> m_borders;
+    std::vector<double> m_breakpoints;
 };
 
 /// (x, y) or (x, y, z) with six digits, for messages.

@@ -14,7 +14,7 @@ namespace {
 // Relative to the size: a point this near to a vertex is the vertex; a vertex this near to a region is
 // inside.
 constexpr double kSameVertex = 1e-12;
-constexpr double kRegionBorder = 1e-9;
+constexpr double kRegionBoundary = 1e-9;
 // A point drawn on the outline lies outside by rounding; in barycentric coordinates.
 constexpr double kOutside = 1e-9;
 // A weight that only rounding has made: the point lies on the opposite facet.
@@ -83,7 +83,7 @@ auto HandlePlacer<Dim>::termsOf(const Region<Dim>& region) const -> std::vector<
     std::vector<Terms> result;
     for (int v = 0; v < m_rest.vertexCount(); ++v) {
         if (m_standsFor[v] == v &&
-            signedDistance<Dim>(region, m_rest.points.col(v)) <= kRegionBorder * m_size)
+            signedDistance<Dim>(region, m_rest.points.col(v)) <= kRegionBoundary * m_size)
             result.push_back({{v, 1.0}});
     }
     if (result.empty()) throw InputError("its region holds no vertex");

@@ -28,7 +28,7 @@ Mat<3> columns(const Vec<3>& tangent, const Vec<3>& normal) {
 }
 
 /// The least rotation from one unit vector to another that is not its opposite.
-Eigen::AngleAxisd leastRotation(const Vec<3>& from, const Vec<3>& to) {
+Eigen::AngleAxisd minimalRotation(const Vec<3>& from, const Vec<3>& to) {
     const Vec<3> cross = from.cross(to);
     const double sine = cross.norm();
     if (sine == 0) return {0, Vec<3>::UnitZ()};
@@ -56,7 +56,7 @@ bool MovingFrame::usesTable(const Piece& piece) const {
 /// Steps whose halving changes the normal by less than 1e-14: the sum over a table stays below 1e-11.
 void MovingFrame::makeTable(Piece& piece) const {
     const TangentPiece& tangent = piece.tangent;
-    constexpr double kTolerance = 1e-14, kLeast = 1.0 / (1 << 15);
+    constexpr double kTolerance = 1e-14, kMinimum = 1.0 / (1 << 15);
     Node node{0, tangent.tangent(0).unitOrthogonal()};
     piece.table = {node};
     double step = 1.0 / 64;
@@ -65,7 +65,7 @@ void MovingFrame::makeTable(Piece& piece) const {
         const Vec<3> half = doubleReflection(tangent, node.v, middle, node.normal);
         const Vec<3> full = doubleReflection(tangent, middle, end, half);
         const double error = (full - doubleReflection(tangent, node.v, end, node.normal)).norm();
-        if (error > kTolerance && step > kLeast) {
+        if (error > kTolerance && step > kMinimum) {
             step /= 2;
             continue;
         }
@@ -131,7 +131,7 @@ void MovingFrame::joinAt(size_t index, const Vec<3>& before, double& sign) {
         sign = -sign;
         return;
     }
-    const Eigen::AngleAxisd turn = leastRotation(before, after);
+    const Eigen::AngleAxisd turn = minimalRotation(before, after);
     if (turn.angle() < 1e-10) return;
     piece.rotation = turn * piece.rotation;
     piece.turn = turn.angle();

@@ -56,7 +56,7 @@ typename ConjugateGradients<Dim>::Result ConjugateGradients<Dim>::run(
             record(size / before, result);
             if (size / before > goal.poorestContraction) break;
         }
-        const double contraction = first ? goal.contraction : std::max(goal.leastContraction, size / before);
+        const double contraction = first ? goal.contraction : std::max(goal.minContraction, size / before);
         if (first)
             m_p = m_z;
         else

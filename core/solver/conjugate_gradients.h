@@ -23,7 +23,7 @@ class ConjugateGradients {
         double contraction = 1;  // by how much the first step is expected to reduce the error
         // And by how much any step at best: z shows little of what the factor can hardly see, which is what a
         // matrix of bad condition loses in single precision.
-        double leastContraction = 0.05;
+        double minContraction = 0.05;
         // A step that leaves more ends the run: such a factor is not to be trusted.
         double poorestContraction = std::numeric_limits<double>::infinity();
         /// Whether to give up, if about so many iterations are still to do.

@@ -7,7 +7,7 @@ namespace {
 
 // Enough subtrees for several threads to end at about the same time; more of them would make the separator
 // long.
-constexpr double kGreatestShare = 0.15;
+constexpr double kMaxShare = 0.15;
 // An entry of a front is moved about as often as this many multiplications are done.
 constexpr double kEntryCost = 32;
 
@@ -46,12 +46,12 @@ void split(const std::vector<double>& work, EliminationTree& tree) {
         first[s] = tree.children[s].empty() ? s : first[tree.children[s].front()];
         if (tree.parent[s] < 0) total += work[s];
     }
-    const double greatest = kGreatestShare * total;
+    const double maximum = kMaxShare * total;
     for (int s = 0; s < count; ++s) {
         const int parent = tree.parent[s];
-        if (work[s] > greatest)
+        if (work[s] > maximum)
             tree.separator.push_back(s);
-        else if (parent < 0 || work[parent] > greatest)
+        else if (parent < 0 || work[parent] > maximum)
             tree.subtrees.push_back({first[s], s + 1});
     }
     std::stable_sort(tree.subtrees.begin(), tree.subtrees.end(),

@@ -21,7 +21,7 @@ bool isShared(int leading, int columns) {
 /// up in a fixed order.
 template <class Real>
 void SupernodalFactor<Real>::placeWorkspaces() {
-    const auto greatest = [&](auto begin, auto end) {
+    const auto maximum = [&](auto begin, auto end) {
         std::size_t most = 0;
         for (; begin != end; ++begin) most = std::max(most, static_cast<std::size_t>(leading(*begin)));
         return most + dense::kPad<Real>;
@@ -33,7 +33,7 @@ void SupernodalFactor<Real>::placeWorkspaces() {
         group.clear();
         for (int s = subtree.begin; s < subtree.end; ++s) group.push_back(s);
         m_workspace.push_back(w);
-        w += greatest(group.begin(), group.end());
+        w += maximum(group.begin(), group.end());
         m_contribution.push_back(x);
         const int root = subtree.root(), end = m_symbolic.first[subtree.end];
         for (int i = m_symbolic.rowStart[root] + m_symbolic.columnsOf(root);
@@ -43,7 +43,7 @@ void SupernodalFactor<Real>::placeWorkspaces() {
             if (m_target[i] >= end) m_target[i] = place[m_target[i]];
     }
     m_workspace.push_back(w);
-    m_w.resize(w + greatest(m_tree.separator.begin(), m_tree.separator.end()));
+    m_w.resize(w + maximum(m_tree.separator.begin(), m_tree.separator.end()));
     m_x.resize(x);
 }
 

@@ -19,7 +19,7 @@ constexpr double kMassRegularization = 1e-4;
 constexpr double kResidual = 1e-10;
 constexpr int kRefinements = 3;
 // Below this iterations with a stale factor save nothing.
-constexpr double kLeastTolerance = 1e-8;
+constexpr double kMinTolerance = 1e-8;
 // Of an iteration with a factor of this very shape in double precision. In single the condition of the matrix
 // decides: 0.02 with 11 000 vertices in the plane, 0.2 with 40 000, 0.6 with 160 000.
 constexpr double kFreshContractionDouble = 1e-6;
@@ -150,7 +150,7 @@ void VelocitySolver<Dim>::Engine::setConstraints(std::vector<ConstraintRow> newR
 
 template <int Dim>
 bool VelocitySolver<Dim>::Engine::reuses() const {
-    return reusable && tolerance >= kLeastTolerance;
+    return reusable && tolerance >= kMinTolerance;
 }
 
 template <int Dim>
@@ -302,19 +302,20 @@ SolveOutcome VelocitySolver<Dim>::Engine::solveReduced(Points<Dim>& v) {
 /// the distance. What is not known is taken to be 1, so that there is a second iteration, which measures it.
 template <int Dim>
 double VelocitySolver<Dim>::Engine::expectedContraction(double lag) const {
-    const double least = leastContraction();
+    const double minimum = minContraction();
     const double fresh = memory.kind == FactorKind::Single
-                             ? std::max(least, memory.freshContraction.value_or(1))
+                             ? std::max(minimum, memory.freshContraction.value_or(1))
                              : kFreshContractionDouble;
     if (lag == 0) return fresh;
     if (memory.contraction.value_or(1) >= 1) return 1;
-    return std::min(1.0, std::max(fresh, std::max(least, *memory.contraction) * lag / memory.contractionLag));
+    return std::min(1.0,
+                    std::max(fresh, std::max(minimum, *memory.contraction) * lag / memory.contractionLag));
 }
 
 /// A single lucky step is not believed: the next one is expected to gain a factor of 20 at most, and less
 /// with a factor that is known to be poor.
 template <int Dim>
-double VelocitySolver<Dim>::Engine::leastContraction() const {
+double VelocitySolver<Dim>::Engine::minContraction() const {
     const bool single = memory.kind == FactorKind::Single;
     return std::max(kBestContraction, single ? memory.freshContraction.value_or(0) : 0.0);
 }
@@ -344,7 +345,7 @@ bool VelocitySolver<Dim>::Engine::iterate(Points<Dim>& v) {
     typename ConjugateGradients<Dim>::Goal goal;
     goal.tolerance = tolerance;
     goal.contraction = expectedContraction(lag);
-    goal.leastContraction = leastContraction();
+    goal.minContraction = minContraction();
     if (lag == 0 && memory.kind == FactorKind::Single) goal.poorestContraction = kPoorestContraction;
     goal.hopeless = [&](double iterations) { return lag > 0 && policy.hopeless(iterations); };
     const auto result = iteration.run(

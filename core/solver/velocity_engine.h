@@ -69,7 +69,7 @@ struct VelocitySolver<Dim>::Engine {
     bool factorizes(FactorKind kind);
     bool solveWithFactor(std::span<const double> b, std::span<double> x);
     double expectedContraction(double lag) const;
-    double leastContraction() const;
+    double minContraction() const;
     void learnContraction(double lag, const typename ConjugateGradients<Dim>::Result& result);
     bool makeFactorAgain();
     bool precondition(std::span<const double> r, std::span<double> z);

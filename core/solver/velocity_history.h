@@ -15,7 +15,7 @@ class VelocityHistory {
   public:
     /// What was solved for at a time; an earlier field of the same time is replaced.
     void record(double time, const Points<Dim>& prescribed, const Points<Dim>& velocity);
-    /// After a jump (other constraints, a border between motions, a restored state).
+    /// After a jump (other constraints, a breakpoint between motions, a restored state).
     void clear() { m_fields.clear(); }
     /// The polynomial in time through the last fields (quadratic, once there are three); none without a
     /// field. For a prescribed motion that is smooth in time.

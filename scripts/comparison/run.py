@@ -20,24 +20,14 @@ import numpy as np
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
+sys.path.insert(0, str(HERE.parent))
+from mesh_text import read_mesh  # noqa: E402
 WEND = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ROOT / "build/release/wend").resolve()
 CASES = ["strip_5k_stretch", "strip_5k_bend90", "strip_5k_bend180", "square_5k_point", "square_5k_swap",
          "giraffe_5k_drink", "giraffe_5k_back", "bar_1k5_bend90", "bar_1k5_twist90", "bar_1k5_twist180"]
 ENERGIES = ["equia", "metr", "akvf", "conf"]
 WAYS = {"flow": [], "memory 10": ["--memory", "10"], "settled": ["--settle"]}
 PIECES = 6  # cubic pieces of a way that is no motion of Wend's own: 1e-6 off for half a turn
-
-
-def read_mesh(path):
-    """Points, and cells by their corners."""
-    words = [line.split() for line in path.read_text().splitlines()]
-    if path.suffix == ".obj":
-        points = [w[1:4] for w in words if w[:1] == ["v"]]
-        cells = [[int(c.split("/")[0]) - 1 for c in w[1:4]] for w in words if w[:1] == ["f"]]
-        return np.array(points, float)[:, :2], np.array(cells)
-    flat = [word for line in words for word in line]
-    block = lambda name, width: np.array(flat[(i := flat.index(name)) + 2:i + 2 + width * int(flat[i + 1])], float).reshape(-1, width)
-    return block("Vertices", 4)[:, :3], block("Tetrahedra", 5)[:, :4].astype(int) - 1
 
 
 def rotation(angle, axis=None):

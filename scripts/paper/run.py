@@ -14,21 +14,12 @@ from scipy.interpolate import LinearNDInterpolator
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
+sys.path.insert(0, str(HERE.parent))
+from mesh_text import read_mesh  # noqa: E402
 WEND = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ROOT / "build/release/wend").resolve()
 PICTURES = ROOT / "docs/pictures"
 INK, PAPER = "#2b3038", "#eef1f4"
 LOW, MIDDLE, HIGH = np.array([38, 92, 158]), np.array([247, 247, 247]), np.array([217, 116, 20])  # smaller, kept, larger
-
-
-def read_mesh(path):
-    words = [line.split() for line in path.read_text().splitlines()]
-    if path.suffix == ".obj":
-        points = [w[1:4] for w in words if w[:1] == ["v"]]
-        cells = [[int(c.split("/")[0]) - 1 for c in w[1:4]] for w in words if w[:1] == ["f"]]
-        return np.array(points, float)[:, :2], np.array(cells)
-    flat = [word for line in words for word in line]
-    block = lambda name, width: np.array(flat[(i := flat.index(name)) + 2:i + 2 + width * int(flat[i + 1])], float).reshape(-1, width)
-    return block("Vertices", 4)[:, :3], block("Tetrahedra", 5)[:, :4].astype(int) - 1
 
 
 def measures(points, cells):

@@ -2,8 +2,9 @@
 
 #include "app/document/film_time.h"
 #include "app/document/handle_edits.h"
+#include "app/session/held_border.h"
 #include "app/session/opening.h"
-#include "app/session/scene.h"
+#include "app/session/shape_builder.h"
 #include "app/session/shape_engine.h"
 #include "core/energy/distortion.h"
 #include "core/mesh/mesh_file.h"
@@ -95,13 +96,13 @@ void TestCompute::drag(int handle, const std::vector<Vec<2>>& way) {
     QVERIFY(settle(*m_session));
 }
 
-/// The shape at the end as a fresh deformer makes it of the scene, in one run.
+/// The shape at the end as a fresh deformer makes it of the shape, in one run.
 Points<2> TestCompute::commandLinePose() const {
     const Project& project = *m_session->document().project();
-    const auto scene = std::get<Scene<2>>(loadScene(project, m_folder->path().toStdString()));
+    const auto shape = std::get<Shape<2>>(loadShape(project, m_folder->path().toStdString()));
     IntegrationOptions options = project.integration;
     options.end = project.end;
-    Deformer<2> deformer(scene.rest, scene.material, scene.handles, options);
+    Deformer<2> deformer(shape.rest, shape.material, heldHandles(project, shape), options);
     deformer.advance(project.end);
     return deformer.state().points;
 }

@@ -2,9 +2,10 @@
 
 #include "app/document/handle_edits.h"
 #include "app/session/drag_gesture.h"
+#include "app/session/held_border.h"
 #include "app/session/opening.h"
-#include "app/session/scene.h"
 #include "app/session/settle_step.h"
+#include "app/session/shape_builder.h"
 #include "core/energy/distortion.h"
 #include "tests/support/window_fixture.h"
 
@@ -81,8 +82,8 @@ void TestGestures::drag(int handle, const Vec<2>& way) {
 }
 
 Points<2> TestGestures::poseOf(const Project& project) const {
-    const auto scene = std::get<Scene<2>>(loadScene(project, m_folder->path().toStdString()));
-    Deformer<2> deformer(scene.rest, scene.material, scene.handles, integrationOf(project));
+    const auto shape = std::get<Shape<2>>(loadShape(project, m_folder->path().toStdString()));
+    Deformer<2> deformer(shape.rest, shape.material, heldHandles(project, shape), integrationOf(project));
     deformer.advance(project.end);
     return deformer.state().points;
 }

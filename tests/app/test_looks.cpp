@@ -59,9 +59,10 @@ void TestLooks::textIsReadable() {
     const QPalette look = wendPalette(static_cast<Appearance>(appearance), QApplication::palette());
     const Theme theme = Theme::of(look);
     QCOMPARE(theme.dark, static_cast<Appearance>(appearance) == Appearance::Dark);
-    const auto readable = [](const char* what, const QColor& text, const QColor& ground, double least = 4.5) {
+    const auto readable = [](const char* what, const QColor& text, const QColor& ground,
+                             double minimum = 4.5) {
         const double found = contrast(text, ground);
-        QVERIFY2(found >= least, qPrintable(QStringLiteral("%1: %2").arg(QLatin1String(what)).arg(found)));
+        QVERIFY2(found >= minimum, qPrintable(QStringLiteral("%1: %2").arg(QLatin1String(what)).arg(found)));
     };
     const QColor surface = look.color(QPalette::Window), raised = look.color(QPalette::Button);
     for (const QColor& ground : {surface, raised, look.color(QPalette::Base)}) {

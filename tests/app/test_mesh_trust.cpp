@@ -67,7 +67,7 @@ class TestMeshTrust : public QObject {
     Project project(const std::string& rest) const {
         return parseProject(json("{'format': 'wend', 'version': 1, " + rest + "}"), file("p.wend")).project;
     }
-    Solid solid(const std::string& domain) const {
+    Shape<3> solid(const std::string& domain) const {
         return loadSolid(project("'domain': {" + domain + "}"), m_base);
     }
     /// Runs it; what was told stays in m_notices.
@@ -133,7 +133,7 @@ void TestMeshTrust::solidsThatHangAreTold() {
 /// A plate a hundredth thick, whose faces may not be split, has no round cells.
 void TestMeshTrust::missedQualityIsTold() {
     writeMeshFile(file("plate.obj"), fileOf(test::box({0, 0, 0}, {1, 1, 0.01}, 1)));
-    const Solid plate = solid("'surface': 'plate.obj', 'maxVolume': 1, 'quality': 2");
+    const Shape<3> plate = solid("'surface': 'plate.obj', 'maxVolume': 1, 'quality': 2");
     const MeshVerdict& verdict = plate.verdict.value();
     double worst = 0;  // of the edges' lengths alone: R is at least half the longest edge
     for (const auto& cell : plate.rest->cells) {
@@ -161,7 +161,7 @@ void TestMeshTrust::missedQualityIsTold() {
 
 void TestMeshTrust::goodQualityIsNot() {
     writeMeshFile(file("cube.obj"), fileOf(test::box({0, 0, 0}, {1, 1, 1}, 5)));
-    const Solid bar = solid("'surface': 'cube.obj', 'vertices': 300");
+    const Shape<3> bar = solid("'surface': 'cube.obj', 'vertices': 300");
     QVERIFY(!anyContains(bar.notices, "was asked for"));
     QVERIFY(bar.verdict->got > 0.6 && !bar.verdict->missed());  // a regular tetrahedron's is 0.61
 }

@@ -4,7 +4,8 @@
 #include <map>
 #include <numbers>
 
-#include "app/session/scene.h"
+#include "app/session/held_border.h"
+#include "app/session/shape_builder.h"
 
 using namespace wend;
 
@@ -68,11 +69,11 @@ double roughnessOf(const std::string& sample, SmoothingKind kind, int vertices) 
     material.phi = phi::kEquia;
     material.smoothing.kind = kind;
     project.integration.tolerance = 1e-3;
-    const auto scene = std::get<Scene<2>>(loadScene(project, folder));
-    Deformer<2> deformer(scene.rest, scene.material, scene.handles, integrationOf(project));
+    const auto shape = std::get<Shape<2>>(loadShape(project, folder));
+    Deformer<2> deformer(shape.rest, shape.material, heldHandles(project, shape), integrationOf(project));
     const AdvanceResult result = deformer.advance(project.end);
     if (result.outcome != Outcome::Done) qWarning("%s", result.message.c_str());
-    return result.outcome == Outcome::Done ? roughness(*scene.rest, deformer.state().points) : NAN;
+    return result.outcome == Outcome::Done ? roughness(*shape.rest, deformer.state().points) : NAN;
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ class TestSolid : public QObject {
         const std::string text = "{'format': 'wend', 'version': 1, 'domain': {" + domain + "}}";
         return parseProject(json(text), m_base + "/p.wend").project;
     }
-    Solid solid(const std::string& domain) const { return loadSolid(project(domain), m_base); }
+    Shape<3> solid(const std::string& domain) const { return loadSolid(project(domain), m_base); }
 
     QTemporaryDir m_folder;
     std::string m_base;
@@ -84,7 +84,7 @@ void TestSolid::initTestCase() {
 }
 
 void TestSolid::surfaceBecomesSolid() {
-    const Solid bar = solid("'surface': 'bar.obj', 'vertices': 700");
+    const Shape<3> bar = solid("'surface': 'bar.obj', 'vertices': 700");
     QVERIFY(std::abs(bar.rest->vertexCount() - 700) <= 105);
     QVERIFY(bar.rest->points.leftCols(kBar.vertexCount()) == kBar.points);
     QVERIFY(bar.skin->triangles == kBar.triangles);
@@ -92,12 +92,12 @@ void TestSolid::surfaceBecomesSolid() {
     const Points<3> pose = 1.7 * bar.rest->points;
     QVERIFY(bar.embedding->carry(*bar.rest, pose) == pose.leftCols(kBar.vertexCount()));
     QVERIFY(bar.notices.empty());
-    const auto any = loadScene(project("'surface': 'bar.obj', 'vertices': 700"), m_base);
-    QVERIFY(std::get<Scene<3>>(any).rest->points == bar.rest->points);
+    const auto any = loadShape(project("'surface': 'bar.obj', 'vertices': 700"), m_base);
+    QVERIFY(std::get<Shape<3>>(any).rest->points == bar.rest->points);
 }
 
 void TestSolid::tetrahedraKeepOrder() {
-    const Solid bar = solid("'mesh': 'bar.mesh'");
+    const Shape<3> bar = solid("'mesh': 'bar.mesh'");
     QVERIFY(bar.rest->cells == barMesh(4).cells);
     QCOMPARE(bar.skin->triangles.size(), std::size_t(2 * (2 * 4 + 4 * 8)));
     QCOMPARE(bar.skin->vertexCount(), 9 * 5 - 3);  // three lie inside
@@ -106,20 +106,20 @@ void TestSolid::tetrahedraKeepOrder() {
 }
 
 void TestSolid::aimThatCannotBeMetIsTold() {
-    const Solid bar = solid("'surface': 'bar.obj', 'vertices': 20, 'cage': false");  // it has more
+    const Shape<3> bar = solid("'surface': 'bar.obj', 'vertices': 20, 'cage': false");  // it has more
     QCOMPARE(bar.notices.size(), std::size_t(1));
     QVERIFY(QString::fromStdString(bar.notices[0]).contains("where 20 were aimed at"));
 }
 
 void TestSolid::coarseSurfaceIsTold() {
     writeMeshFile(m_base + "/cube.obj", fileOf(test::box({0, 0, 0}, {1, 1, 1})));
-    const Solid kept = solid("'surface': 'cube.obj', 'vertices': 700");
+    const Shape<3> kept = solid("'surface': 'cube.obj', 'vertices': 700");
     QVERIFY(QString::fromStdString(kept.notices.at(0))
                 .contains("the surface is kept as it is (see `refineSurface`)"));
     writeMeshFile(m_base + "/coarse.obj", fileOf(test::box({0, 0, 0}, {4, 1, 1}, 4)));
-    const Solid coarse = solid("'surface': 'coarse.obj', 'vertices': 1500");
+    const Shape<3> coarse = solid("'surface': 'coarse.obj', 'vertices': 1500");
     QVERIFY(QString::fromStdString(coarse.notices.at(0)).contains("`refineSurface` splits them"));
-    const Solid refined = solid("'surface': 'cube.obj', 'vertices': 1000, 'refineSurface': true");
+    const Shape<3> refined = solid("'surface': 'cube.obj', 'vertices': 1000, 'refineSurface': true");
     QVERIFY(refined.notices.empty());
     QVERIFY(std::abs(refined.rest->vertexCount() - 1000) <= 150);
     QVERIFY((refined.embedding->carry(*refined.rest, refined.rest->points) == refined.skin->points));
@@ -141,7 +141,7 @@ void TestSolid::repairIsAsked() {
     QFETCH(QString, domain);
     QFETCH(QString, reason);
     try {
-        const Solid bar = solid(domain.toStdString() + ", 'vertices': 300, 'cage': false");
+        const Shape<3> bar = solid(domain.toStdString() + ", 'vertices': 300, 'cage': false");
         QVERIFY(reason.isEmpty());
         QCOMPARE(bar.notices[0], std::string("the surface was repaired: 1 hole filled"));
     } catch (const SurfaceError& error) {
@@ -168,7 +168,7 @@ void TestSolid::cageIsChosenByItself() {
     QFETCH(QString, domain);
     QFETCH(QString, why);
     writeMeshFile(m_base + "/dense.obj", fileOf(test::box({0, 0, 0}, {3, 1, 1}, 24)));
-    const Solid one = solid(domain.toStdString() + ", 'vertices': 300");
+    const Shape<3> one = solid(domain.toStdString() + ", 'vertices': 300");
     QCOMPARE(one.cage.has_value(), !why.isEmpty());
     QVERIFY(std::abs(one.rest->vertexCount() - 300) <= 45 || why.isEmpty());
     if (why.isEmpty()) return;
@@ -180,7 +180,7 @@ void TestSolid::cageIsChosenByItself() {
 /// At rest bit for bit, under affine maps to rounding; all of it inside.
 void TestSolid::cageCarriesTheSurface() {
     for (const char* file : {"crossing.obj", "holed.obj", "fine.ply"}) {
-        const Solid one =
+        const Shape<3> one =
             solid("'surface': '" + std::string(file) + "', 'vertices': 700, 'cage': {'detail': 2}");
         QVERIFY(one.cage && one.cage->why.empty());
         QCOMPARE(one.embedding->outside(), 0);
@@ -263,14 +263,15 @@ void TestSolid::sizesFollowRegionsAndPaint() {
     const Vec<3> here(0.7, 0.5, 0.5), there(2.3, 0.5, 0.5);
     const std::string region =
         "{'shape': {'sphere': {'centre': [0.7, 0.5, 0.5], 'radius': 0.4}}, 'factor': 0.4, 'feather': 0.1}";
-    const Solid byRegion = solid("'surface': 'bar.obj', 'vertices': 1500, 'sizes': [" + region + "]");
+    const Shape<3> byRegion = solid("'surface': 'bar.obj', 'vertices': 1500, 'sizes': [" + region + "]");
     const int fine = countNear(*byRegion.rest, here, 0.35), plain = countNear(*byRegion.rest, there, 0.35);
     QVERIFY2(fine > 4 * plain, qPrintable(QString("%1 %2").arg(fine).arg(plain)));
 
     std::string paint;
     for (int v = 0; v < kBar.vertexCount(); ++v) paint += kBar.points(0, v) > 1.5 ? "0.4\n" : "1\n";
     put(m_folder.path(), "paint.txt", paint);
-    const Solid byPaint = solid("'surface': 'bar.obj', 'vertices': 1500, 'sizes': [{'values': 'paint.txt'}]");
+    const Shape<3> byPaint =
+        solid("'surface': 'bar.obj', 'vertices': 1500, 'sizes': [{'values': 'paint.txt'}]");
     const int painted = countNear(*byPaint.rest, there, 0.45), bare = countNear(*byPaint.rest, here, 0.45);
     QVERIFY2(painted > 4 * bare, qPrintable(QString("%1 %2").arg(painted).arg(bare)));
 }
@@ -283,7 +284,7 @@ void TestSolid::wrongPaintIsRefused() {
 }
 
 void TestSolid::detailRides() {
-    const Solid bar = solid("'surface': 'bar.obj', 'vertices': 400, 'detail': 'fine.ply'");
+    const Shape<3> bar = solid("'surface': 'bar.obj', 'vertices': 400, 'detail': 'fine.ply'");
     QCOMPARE(bar.skin->vertexCount(), test::box({0, 0, 0}, {1, 1, 1}, 20).vertexCount());
     Mat<3> A;
     A << 1, 0.2, 0, -0.3, 1.1, 0, 0.1, 0, 0.9;
@@ -293,7 +294,7 @@ void TestSolid::detailRides() {
 }
 
 void TestSolid::detailFarOffIsTold() {
-    const Solid bar = solid("'mesh': 'bar.mesh', 'detail': 'far.ply'");
+    const Shape<3> bar = solid("'mesh': 'bar.mesh', 'detail': 'far.ply'");
     QVERIFY(QString::fromStdString(bar.notices.at(0)).contains("lie outside the solid"));
 }
 

@@ -2,7 +2,8 @@
 
 #include <QtTest>
 
-#include "app/session/scene.h"
+#include "app/session/held_border.h"
+#include "app/session/shape_builder.h"
 #include "core/energy/distortion.h"
 #include "core/mesh/error.h"
 #include "tests/app/cli_harness.h"
@@ -65,12 +66,13 @@ std::string turning(const std::string& centre, const std::string& axis, double a
 }
 
 Distortion deformed(const Project& project, const std::string& folder) {
-    const Scene<3> scene = std::get<Scene<3>>(loadScene(project, folder));
-    Deformer<3> deformer(scene.rest, scene.material, scene.handles, project.integration, BackEndKind::Cpu);
+    const Shape<3> shape = std::get<Shape<3>>(loadShape(project, folder));
+    Deformer<3> deformer(shape.rest, shape.material, heldHandles(project, shape), project.integration,
+                         BackEndKind::Cpu);
     const AdvanceResult result = deformer.advance(project.end);
     if (result.outcome != Outcome::Done) throw InputError(result.message);
     if (deformer.statistics().constraintError > 1e-12) throw InputError("a handle is off its way");
-    return distortion(*scene.rest, deformer.state().points);
+    return distortion(*shape.rest, deformer.state().points);
 }
 
 std::array<Distortion, 4> ofNamedEnergies(Project project, const std::string& folder) {
@@ -90,18 +92,18 @@ void requireOrder(const std::array<Distortion, 4>& errors, double slack) {
         QCOMPARE(error.flips, 0);
         QVERIFY(error.minDet > 0);
     }
-    const auto least = [&](double Distortion::*total) {
+    const auto minimum = [&](double Distortion::*total) {
         int best = 0;
         for (int k = 1; k < 4; ++k)
             if (errors[k].*total < errors[best].*total) best = k;
         return best;
     };
-    QCOMPARE(least(&Distortion::totalVolume), 0);
-    const double leastMetric = errors[least(&Distortion::totalMetric)].totalMetric;
-    QVERIFY2(errors[1].totalMetric <= slack * leastMetric,
-             qPrintable(QString::number(errors[1].totalMetric / leastMetric)));
+    QCOMPARE(minimum(&Distortion::totalVolume), 0);
+    const double minMetric = errors[minimum(&Distortion::totalMetric)].totalMetric;
+    QVERIFY2(errors[1].totalMetric <= slack * minMetric,
+             qPrintable(QString::number(errors[1].totalMetric / minMetric)));
     QVERIFY(errors[0].totalMetric > errors[1].totalMetric);
-    QCOMPARE(least(&Distortion::totalAngle), 3);
+    QCOMPARE(minimum(&Distortion::totalAngle), 3);
 }
 
 }  // namespace
@@ -146,9 +148,9 @@ void TestSolidBend::samples() {
     const std::string folder = WEND_SOURCE_DIR "/resources/samples";
     const LoadedProject loaded = readProject(folder + "/" + name.toStdString() + ".wend");
     QVERIFY(loaded.warnings.empty());
-    const Scene<3> scene = std::get<Scene<3>>(loadScene(loaded.project, folder));
-    QVERIFY(scene.notices.empty());
-    QVERIFY(scene.rest->vertexCount() >= 1500 && scene.rest->vertexCount() <= 5000);
+    const Shape<3> shape = std::get<Shape<3>>(loadShape(loaded.project, folder));
+    QVERIFY(shape.notices.empty());
+    QVERIFY(shape.rest->vertexCount() >= 1500 && shape.rest->vertexCount() <= 5000);
     const Distortion error = deformed(loaded.project, folder);
     QCOMPARE(error.flips, 0);
     QVERIFY(error.minDet > 0.5);

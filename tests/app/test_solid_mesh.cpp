@@ -24,7 +24,7 @@ class TestSolidMesh : public QObject {
     void init();
     void cleanup() { m_f.reset(); }
     void magnitudesOfAnySize();
-    void greatestVolumeByThePanel();
+    void maxVolumeByThePanel();
     void detailSurfaceIsChosenAndRemoved();
     void pointedCellTellsItsShape();
     void badDetailSurfacesAreRefused_data();
@@ -34,7 +34,7 @@ class TestSolidMesh : public QObject {
     MeshPanel& panel() { return *m_f->window().findChild<MeshPanel*>(); }
     MagnitudeBox& volume() { return *panel().findChild<MagnitudeBox*>(); }
     QToolButton& button(const char* name) { return *panel().findChild<QToolButton*>(name); }
-    double greatestCell() { return qualityOf<3>(*m_f->session().frame<3>()->rest).maxMeasure; }
+    double maxCell() { return qualityOf<3>(*m_f->session().frame<3>()->rest).maxMeasure; }
     void chooseAim(int row);
     QString write(const QString& name, const QByteArray& text);
     QTemporaryDir m_folder;
@@ -80,12 +80,12 @@ void TestSolidMesh::magnitudesOfAnySize() {
     QVERIFY(box.validate(text, at) != QValidator::Acceptable);
 }
 
-void TestSolidMesh::greatestVolumeByThePanel() {
+void TestSolidMesh::maxVolumeByThePanel() {
     QVERIFY(!volume().isVisible());
     panel().findChild<QCheckBox*>()->click();  // at a surface that is kept some cells stay larger
     QVERIFY(settle(m_f->session()));
     const int before = m_f->session().frame()->vertices;
-    const double cell = greatestCell();
+    const double cell = maxCell();
     chooseAim(1);
     QVERIFY(volume().isVisible());
     QVERIFY(settle(m_f->session()));

@@ -23,7 +23,9 @@
 #include "app/panels/material_panel.h"
 #include "app/panels/mesh_panel.h"
 #include "app/panels/surface_panel.h"
+#include "app/session/held_border.h"
 #include "app/session/opening.h"
+#include "app/session/shape_builder.h"
 #include "app/tools/measure_tool.h"
 #include "app/view/actions.h"
 #include "app/view/exporter.h"
@@ -85,6 +87,7 @@ class TestSolidWindow : public QObject {
     const std::vector<Handle<3>>& handles() { return session().document().design<3>().handles; }
     bool edgesAreAsTheButtonSays();
     bool axesAreSeen();
+    int greenPixels();
     void picture(const QString& name);
 
     std::unique_ptr<QTemporaryDir> m_folder;
@@ -417,10 +420,10 @@ void TestSolidWindow::sameShapeAsTheCommandLine() {
     drag(at(session().pins<3>()[1].centre), at(session().pins<3>()[1].centre) - QPoint(30, 80));
     QVERIFY(settle(session()));
     const Project& project = *session().document().project();
-    const auto scene = std::get<Scene<3>>(loadScene(project, m_folder->path().toStdString()));
+    const auto shape = std::get<Shape<3>>(loadShape(project, m_folder->path().toStdString()));
     IntegrationOptions options = project.integration;
     options.end = project.end;
-    Deformer<3> deformer(scene.rest, scene.material, scene.handles, options);
+    Deformer<3> deformer(shape.rest, shape.material, heldHandles(project, shape), options);
     deformer.advance(project.end);
     QVERIFY(session().frame<3>()->pose == deformer.state().points);
 }
@@ -622,6 +625,13 @@ void TestSolidWindow::badSurfacesAreShownAndRepaired() {
     repair->setEnabled(true);
     QVERIFY(edgesAreAsTheButtonSays());
     QVERIFY(axesAreSeen());
+    QVERIFY(panel->findChildren<QLabel*>()[1]->text().contains(QStringLiteral("It would fill holes (1).")));
+    QCOMPARE(greenPixels(), 0);
+    press(QStringLiteral("See the repair"));
+    picture(QStringLiteral("repair-seen"));
+    QVERIFY(greenPixels() > 50);  // what would close the hole
+    press(QStringLiteral("See the repair"));
+    QCOMPARE(greenPixels(), 0);
     QTest::mousePress(&canvas(), Qt::RightButton, {}, QPoint(300, 300));
     QTest::mouseMove(&canvas(), QPoint(340, 280));
     QTest::mouseRelease(&canvas(), Qt::RightButton, {}, QPoint(340, 280));
@@ -658,6 +668,17 @@ void TestSolidWindow::badSurfacesAreShownAndRepaired() {
     QVERIFY(settle(session()));
     QVERIFY(!saysThatThereIsNoSolid());
     QVERIFY(canvas().camera().view() == view);
+}
+
+int TestSolidWindow::greenPixels() {
+    const QImage seen = canvas().grabFramebuffer();
+    int count = 0;
+    for (int y = 0; y < seen.height(); ++y)
+        for (int x = 0; x < seen.width(); ++x) {
+            const QColor c = seen.pixelColor(x, y);
+            count += c.green() > 1.5 * c.red() && c.green() > 1.3 * c.blue() ? 1 : 0;
+        }
+    return count;
 }
 
 /// In the lower left corner, over whatever is shown.

@@ -559,17 +559,17 @@ void TestWindow::exportedPictureIsWhatIsShown() {
 
 /// 1600 × 1000 at two device pixels per pixel, with room for the frame and a task bar.
 void TestWindow::fitsASmallScreen() {
-    const QSize least(790, 450);
+    const QSize minimum(790, 450);
     const auto fits = [&] {
         const QSize need = m_window->minimumSizeHint();
-        return need.width() <= least.width() && need.height() <= least.height();
+        return need.width() <= minimum.width() && need.height() <= minimum.height();
     };
     QVERIFY(fits());
     open();
     QVERIFY(fits());
-    m_window->resize(least);
+    m_window->resize(minimum);
     QTest::qWait(20);
-    QCOMPARE(m_window->size(), least);
+    QCOMPARE(m_window->size(), minimum);
     QVERIFY(MainWindow().height() <= m_window->screen()->availableSize().height());
 }
 

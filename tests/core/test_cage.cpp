@@ -96,7 +96,7 @@ const std::vector<std::pair<const char*, Surface>>& surfaces() {
 }
 
 /// Faces that one cell only has, counted here.
-std::vector<Triangle> border(const SimplicialMesh<3>& mesh) {
+std::vector<Triangle> boundary(const SimplicialMesh<3>& mesh) {
     std::map<Triangle, std::vector<Triangle>> faces;
     for (const auto& c : mesh.cells)
         for (Triangle face : {Triangle{c[1], c[2], c[3]}, Triangle{c[0], c[3], c[2]},
@@ -111,10 +111,10 @@ std::vector<Triangle> border(const SimplicialMesh<3>& mesh) {
     return result;
 }
 
-/// Of the border around a point, by solid angles.
-double winding(const Points<3>& points, const std::vector<Triangle>& border, const Vec<3>& p) {
+/// Of the boundary around a point, by solid angles.
+double winding(const Points<3>& points, const std::vector<Triangle>& boundary, const Vec<3>& p) {
     double sum = 0;
-    for (const Triangle& t : border) {
+    for (const Triangle& t : boundary) {
         const Vec<3> a = points.col(t[0]) - p, b = points.col(t[1]) - p, c = points.col(t[2]) - p;
         const double la = a.norm(), lb = b.norm(), lc = c.norm();
         sum +=
@@ -148,7 +148,7 @@ void TestCage::holdsTheSurface() {
     const Surface& surface = surfaces()[index].second;
     for (const double detail : {0.0, 1.0}) {
         const Cage cage = cageOf(surface, 600, detail);
-        const auto faces = border(cage.mesh);
+        const auto faces = boundary(cage.mesh);
         std::map<std::array<int, 2>, int> sides;
         for (const Triangle& t : faces)
             for (int k = 0; k < 3; ++k) {
@@ -220,7 +220,7 @@ void TestCage::keepsItsDistance() {
     options.offset = offset;
     options.detail = detail;
     const Cage cage = fitCage(surface, options);
-    const auto faces = border(cage.mesh);
+    const auto faces = boundary(cage.mesh);
     const double width = detail > 0 ? std::sqrt(18) / 20 : cage.edge;  // of the diagonal
     for (int v = 0; v < surface.vertexCount(); ++v)
         for (int axis = 0; axis < 3; ++axis)

@@ -75,7 +75,7 @@ class TestConstraints : public QObject {
         inside[Dim - 1] = 0.46;
         const Vec<Dim> vertex = along<Dim>(0.5, 0.25), edge = along<Dim>(0.6, 0.25);
         Box<Dim> left{Vec<Dim>::Constant(-1), Vec<Dim>::Constant(2)};
-        left.max[0] = 0;  // exactly on the border
+        left.max[0] = 0;  // exactly on the breakpoint
         const Constraints<Dim> constraints(
             mesh,
             {handle<Dim>("points", at<Dim>({inside, vertex, edge, inside})),
@@ -133,7 +133,7 @@ class TestConstraints : public QObject {
             mesh, {handle<Dim>(
                       "hand", std::vector<int>{0},
                       {translate<Dim>(along<Dim>(1), 0, 1), translate<Dim>(along<Dim>(2), 1, 2), rotate})});
-        QCOMPARE(constraints.borders(), (std::vector<double>{0, 1, 2, 3, 4}));
+        QCOMPARE(constraints.breakpoints(), (std::vector<double>{0, 1, 2, 3, 4}));
         auto anchors = constraints.anchors(mesh.points, 0);
         const auto position = [&](double t, Side side) {
             Points<Dim> x, v;
@@ -141,12 +141,12 @@ class TestConstraints : public QObject {
             return Vec<Dim>(x.col(0));
         };
         QVERIFY((position(0.5, Side::After) - along<Dim>(0.5)).norm() < 1e-15);
-        for (const double border : {1.0, 2.0, 3.0}) {
-            const Vec<Dim> before = position(border, Side::Before);
-            constraints.crossBorder(border, mesh.points, anchors);
-            QVERIFY((position(border, Side::After) - before).norm() < 1e-15);
-            QVERIFY((position(border, Side::After) - along<Dim>(border == 1 ? 1 : 3)).norm() < 1e-15);
-            QCOMPARE(constraints.moving(border, Side::After), border != 2);
+        for (const double breakpoint : {1.0, 2.0, 3.0}) {
+            const Vec<Dim> before = position(breakpoint, Side::Before);
+            constraints.crossBreakpoint(breakpoint, mesh.points, anchors);
+            QVERIFY((position(breakpoint, Side::After) - before).norm() < 1e-15);
+            QVERIFY((position(breakpoint, Side::After) - along<Dim>(breakpoint == 1 ? 1 : 3)).norm() < 1e-15);
+            QCOMPARE(constraints.moving(breakpoint, Side::After), breakpoint != 2);
         }
         Vec<Dim> top = Vec<Dim>::Zero();
         top[1] = 3;
@@ -160,14 +160,14 @@ class TestConstraints : public QObject {
         Handle<Dim> late = handle<Dim>("late", std::vector<int>{0}, {translate<Dim>(along<Dim>(1), 0, 1)});
         late.activeFrom = 0.5, late.activeTo = 0.75;
         const Constraints<Dim> constraints(mesh, {late});
-        QCOMPARE(constraints.borders(), (std::vector<double>{0, 0.5, 0.75, 1}));
+        QCOMPARE(constraints.breakpoints(), (std::vector<double>{0, 0.5, 0.75, 1}));
         QVERIFY(constraints.activePoints(0.5, Side::Before).empty() && !constraints.moving(0.3, Side::After));
         QCOMPARE(constraints.activePoints(0.5, Side::After).size(), size_t(1));
         QVERIFY(constraints.activePoints(0.75, Side::After).empty());
         Points<Dim> shape = mesh.points;
         shape.col(0) = along<Dim>(-7, 2);
         auto anchors = constraints.anchors(mesh.points, 0);
-        constraints.crossBorder(0.5, shape, anchors);
+        constraints.crossBreakpoint(0.5, shape, anchors);
         Points<Dim> x, v;
         constraints.evaluate({0}, anchors, 0.75, Side::Before, x, v);
         QVERIFY((x.col(0) - along<Dim>(-6.75, 2)).norm() < 1e-14);

@@ -151,7 +151,7 @@ void TestGltf::skinHasPartsNormalsAndPictures() {
     QCOMPARE(texture.size(), std::size_t(2 * scene.points.cols()));
     std::array<int, 3> seen{};
     for (std::size_t i = 0; i < texture.size(); i += 2)
-        for (int k = 0; k < 3; ++k)  // glTF counts v from the upper border
+        for (int k = 0; k < 3; ++k)  // glTF counts v from the upper boundary
             seen[static_cast<std::size_t>(k)] += texture[i] == static_cast<float>(skin.uv(0, k)) &&
                                                  texture[i + 1] == static_cast<float>(1 - skin.uv(1, k));
     QCOMPARE(seen[0] + seen[1] + seen[2], int(scene.points.cols()));

@@ -216,7 +216,7 @@ class TestIntegrationDeformer : public QObject {
             QVERIFY(identical(resumed.state().points, state.points));
             QVERIFY(identical(runTo(resumed, 1), expected));
         }
-        // The state behind the last border but one, with the late handle only known from then on.
+        // The state behind the last breakpoint but one, with the late handle only known from then on.
         Bend<Dim> before = bend;
         before.handles.pop_back();
         Deformer<Dim> other = before.deformer(options);

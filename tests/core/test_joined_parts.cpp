@@ -55,7 +55,7 @@ void soupHangsTogether() {
             QVERIFY(joined.mesh.points.col(joined.mesh.cells[c][k]) == grid.points.col(grid.cells[c][k]));
 }
 
-/// Layers that share places but not borders are none of each other's business.
+/// Layers that share places but not boundaries are none of each other's business.
 template <int Dim>
 void layersStayApart() {
     const auto grid = samples::grid<Dim>(2);

@@ -119,7 +119,7 @@ class TestMeshQuality : public QObject {
         QVERIFY(std::abs(summary.minAngle - 45 * degree) < 1e-13 &&
                 std::abs(summary.meanMinAngle - 45 * degree) < 1e-13);
         QVERIFY(std::abs(summary.maxRadiusEdgeRatio - std::sqrt(0.5)) < 1e-13);
-        // 45° is the border of two bins
+        // 45° is the boundary of two bins
         QCOMPARE(summary.angleHistogram[8] + summary.angleHistogram[9], 2 * n * n);
     }
     void summary3D() {
@@ -137,7 +137,7 @@ class TestMeshQuality : public QObject {
         mesh.points *= 7;
         const auto summary = qualityOf<3>(mesh);
         const int cells = mesh.cellCount();
-        const auto around = [&](int degrees) {  // the border of two bins
+        const auto around = [&](int degrees) {  // the boundary of two bins
             return summary.allAngles[degrees / 5 - 1] + summary.allAngles[degrees / 5];
         };
         QCOMPARE(around(45), 2 * cells);

@@ -27,7 +27,7 @@ Polygon comb() {  // concave, with vertices at the height of query points
 }
 
 template <int Dim>
-std::vector<Region<Dim>> bordered() {
+std::vector<Region<Dim>> withBoundary() {
     std::vector<Region<Dim>> regions = {Ball<Dim>{Vec<Dim>::Constant(0.1), 0.6},
                                         Box<Dim>{Vec<Dim>::Constant(-0.5), Vec<Dim>::Constant(0.4)},
                                         HalfSpace<Dim>{Vec<Dim>::Constant(0.2), Vec<Dim>::LinSpaced(1, Dim)}};
@@ -42,7 +42,7 @@ std::vector<Region<Dim>> bordered() {
 template <int Dim>
 void distanceHasUnitSlope() {
     samples::Random random;
-    for (const auto& region : bordered<Dim>()) {
+    for (const auto& region : withBoundary<Dim>()) {
         int steep = 0;
         for (int i = 0; i < 300; ++i) {
             const Vec<Dim> p = random.point<Dim>(-1, 1), q = random.point<Dim>(-1, 1);
@@ -60,12 +60,12 @@ void distanceHasUnitSlope() {
     }
 }
 
-/// 1 inside, 0 outside, ½ on the border; slope bounded and continuous where the edge begins and ends.
+/// 1 inside, 0 outside, ½ on the boundary; slope bounded and continuous where the edge begins and ends.
 template <int Dim>
 void membershipIsSmooth() {
     const double feather = 0.3, h = 1e-5;
     samples::Random random(2);
-    for (const auto& region : bordered<Dim>()) {
+    for (const auto& region : withBoundary<Dim>()) {
         for (int i = 0; i < 300; ++i) {
             const Vec<Dim> p = random.point<Dim>(-1, 1);
             const double d = signedDistance<Dim>(region, p), m = membership<Dim>(region, p, feather);
@@ -92,7 +92,7 @@ void membershipIsSmooth() {
 template <int Dim>
 void sharpWithoutFeather() {
     samples::Random random(4);
-    for (const auto& region : bordered<Dim>())
+    for (const auto& region : withBoundary<Dim>())
         for (int i = 0; i < 200; ++i) {
             const Vec<Dim> p = random.point<Dim>(-1, 1);
             const double expected = signedDistance<Dim>(region, p) <= 0 ? 1 : 0;

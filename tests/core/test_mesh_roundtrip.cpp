@@ -128,8 +128,8 @@ class TestMeshRoundtrip : public QObject {
     }
 
     /// Boundary triangles of a volume are kept where the format knows them.
-    void borders_data() { allFormats(true); }
-    void borders() {
+    void boundaries_data() { allFormats(true); }
+    void boundaries() {
         QFETCH(Encoding, encoding);
         auto file = volumeFile();
         for (const auto& facet : facetsOf<3>(samples::grid<3>(3)))

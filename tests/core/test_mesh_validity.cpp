@@ -123,13 +123,13 @@ void acceptsGoodMeshes() {
     requireValid<Dim>(thin);  // a vertex without a cell is no error
 }
 
-/// Euler's formula, both sides of every facet, and the order of the vertices on the border.
+/// Euler's formula, both sides of every facet, and the order of the vertices on the boundary.
 template <int Dim>
 void facetsAreRight() {
     const int n = Dim == 2 ? 6 : 4;
     const auto mesh = samples::jitteredGrid<Dim>(n);
     const auto facets = facetsOf<Dim>(mesh);
-    int border = 0;
+    int boundary = 0;
     double enclosed = 0;
     std::set<std::array<int, Dim>> seen;
     int latest = 0;
@@ -146,8 +146,8 @@ void facetsAreRight() {
             QVERIFY(facet.cells[0] < facet.cells[1]);
             continue;
         }
-        ++border;
-        // divergence theorem: the border's cones from the origin add up to the measure
+        ++boundary;
+        // divergence theorem: the boundary's cones from the origin add up to the measure
         Mat<Dim> cone;
         for (int k = 0; k < Dim; ++k) cone.col(k) = mesh.points.col(facet.vertices[k]);
         enclosed += cone.determinant() / (Dim == 2 ? 2 : 6);
@@ -155,8 +155,8 @@ void facetsAreRight() {
     double total = 0;
     for (const auto& cell : mesh.cells) total += cellMeasure<Dim>(mesh.points, cell);
     QVERIFY(std::abs(enclosed - total) < 1e-13);
-    QCOMPARE(border, Dim == 2 ? 4 * n : 12 * n * n);
-    QCOMPARE(2 * static_cast<int>(facets.size()) - border, (Dim + 1) * mesh.cellCount());
+    QCOMPARE(boundary, Dim == 2 ? 4 * n : 12 * n * n);
+    QCOMPARE(2 * static_cast<int>(facets.size()) - boundary, (Dim + 1) * mesh.cellCount());
 }
 
 /// All cells round one vertex, in space round one edge.

@@ -135,7 +135,7 @@ class TestPlanarMesher : public QObject {
     Q_OBJECT
   private slots:
     /// As many vertices as asked for, and where they are asked for: edges in a disc a quarter as long, also
-    /// along the border, which it reaches.
+    /// along the boundary, which it reaches.
     void sizesFollowTheFactor() {
         const Outline square{{rectangle(0, 0, 1000, 1000)}};
         const Vec<2> centre(700, 200);
@@ -152,11 +152,11 @@ class TestPlanarMesher : public QObject {
                      coarse = meanEdge(mesh, [&](const Vec<2>&p) { return (p - centre).norm() > 450; });
         QVERIFY2(std::abs(fine / coarse - 0.25) < 0.05, qPrintable(QString("%1 %2").arg(fine).arg(coarse)));
         const auto onTop = [](const Vec<2>& p) { return p.y() < 1e-9; };
-        const double fineBorder = meanEdge(
+        const double fineBoundary = meanEdge(
                          mesh, [&](const Vec<2>&p) { return onTop(p) && std::abs(p.x() - 700) < 180; }),
-                     coarseBorder = meanEdge(mesh, [&](const Vec<2>&p) { return onTop(p) && p.x() < 300; });
-        QVERIFY2(std::abs(fineBorder / coarseBorder - 0.25) < 0.06,
-                 qPrintable(QString("%1 %2").arg(fineBorder).arg(coarseBorder)));
+                     coarseBoundary = meanEdge(mesh, [&](const Vec<2>&p) { return onTop(p) && p.x() < 300; });
+        QVERIFY2(std::abs(fineBoundary / coarseBoundary - 0.25) < 0.06,
+                 qPrintable(QString("%1 %2").arg(fineBoundary).arg(coarseBoundary)));
     }
     /// A factor that is the same everywhere changes nothing but rounding.
     void evenFactorsChangeNothing() {
@@ -194,7 +194,7 @@ class TestPlanarMesher : public QObject {
         QVERIFY(std::abs(areaOf(mesh) - area) <= 1e-9 * area);
     }
 
-    void bordersFollowTheOutline() {
+    void boundariesFollowTheOutline() {
         for (const auto& [name, outline] : outlines()) {
             const auto mesh = meshOutline(outline, {});
             for (const auto& facet : facetsOf(mesh))
@@ -243,7 +243,7 @@ class TestPlanarMesher : public QObject {
     void pointsComeFirstBitForBit() {
         PlanarMeshOptions options;
         options.points = {{500.1, 499.3}, {500.11, 499.3}, {0.1, 0.1},
-                          {1000, 333.3},  {700, 1e-8},  // beside or on the border
+                          {1000, 333.3},  {700, 1e-8},  // beside or on the boundary
                           {0, 0},         {3.3, 999.999},  {123.456, 654.321}};
         const auto mesh = meshOutline({{rectangle(0, 0, 1000, 1000)}}, options);
         requireSound(mesh);
@@ -253,7 +253,7 @@ class TestPlanarMesher : public QObject {
         QVERIFY2(smallestAngle(mesh) >= 25, qPrintable(QString::number(smallestAngle(mesh))));
     }
 
-    void pointsOnASlantedBorder() {
+    void pointsOnASlantedBoundary() {
         const Outline outline{{ngon({0, 0}, 500, 7)}};
         PlanarMeshOptions options;
         for (int k = 0; k < 7; ++k)
@@ -296,7 +296,7 @@ class TestPlanarMesher : public QObject {
         QVERIFY(shortest > 0.3);  // the mean is about 2
     }
 
-    void nearlyTouchingBordersEnd() {
+    void nearlyTouchingBoundariesEnd() {
         const Outline outline{{rectangle(0, 0, 100, 100), rectangle(1e-7, 40, 20, 20)}};
         const auto mesh = meshOutline(outline, {});
         requireSound(mesh);
@@ -318,7 +318,7 @@ class TestPlanarMesher : public QObject {
         QVERIFY(mesh.vertexCount() >= 300 && mesh.vertexCount() < 1500);
     }
 
-    /// The same circle may be simplified by one unit: now the aim is met, and the border keeps to that
+    /// The same circle may be simplified by one unit: now the aim is met, and the boundary keeps to that
     /// tolerance.
     void detailYieldsToTheAimWhereAllowed() {
         PlanarMeshOptions options;

@@ -263,8 +263,8 @@ void projectionPutsPointsOnTargets() {
     // Of all corrections that fit, the least: the pseudo-inverse's.
     const Eigen::MatrixXd W = denseRows<Dim>(scene.rows, scene.mesh->vertexCount());
     const Eigen::VectorXd gap = targets.reshaped() - W * scene.shape.reshaped();
-    const Eigen::VectorXd least = W.completeOrthogonalDecomposition().solve(gap);
-    QVERIFY(relative((shape - scene.shape).reshaped(), least) < 1e-11);
+    const Eigen::VectorXd minimum = W.completeOrthogonalDecomposition().solve(gap);
+    QVERIFY(relative((shape - scene.shape).reshaped(), minimum) < 1e-11);
 }
 
 template <int Dim>
@@ -316,8 +316,8 @@ std::vector<Mat<Dim>> skewBasis() {
 /// Closed form: of all v(x) = u + J (x − c) with J spanned by `basis` and v = prescribed at the points, the
 /// one of least ∫|v|². Unknown (u, coefficients of J); a quadratic form with linear constraints.
 template <int Dim>
-Points<Dim> leastNormMotion(const SimplicialMesh<Dim>& mesh, const std::vector<Mat<Dim>>& basis,
-                            const std::vector<Vec<Dim>>& at, const Points<Dim>& prescribed) {
+Points<Dim> minNormMotion(const SimplicialMesh<Dim>& mesh, const std::vector<Mat<Dim>>& basis,
+                          const std::vector<Vec<Dim>>& at, const Points<Dim>& prescribed) {
     const int n = Dim + static_cast<int>(basis.size());
     const Moments<Dim> moments(mesh);
     const auto column = [&](const Vec<Dim>& x) {
@@ -352,7 +352,7 @@ Points<Dim> leastNormMotion(const SimplicialMesh<Dim>& mesh, const std::vector<M
 }
 
 template <int Dim>
-void leastNormDragging(double phiValue, int pointCount) {
+void minNormDragging(double phiValue, int pointCount) {
     std::mt19937 random(17 + Dim);
     const auto mesh = share<Dim>(unitGrid<Dim>(Dim == 2 ? 8 : 4, 0.1, random));
     const auto material = share<Dim>(Material<Dim>::uniform(mesh->cellCount(), phiValue));
@@ -372,7 +372,7 @@ void leastNormDragging(double phiValue, int pointCount) {
     solver.setConstraints(rows);
     Points<Dim> v;
     QVERIFY(solver.solve(mesh->points, prescribed, v).done());
-    const auto expected = leastNormMotion<Dim>(*mesh, basis, at, prescribed);
+    const auto expected = minNormMotion<Dim>(*mesh, basis, at, prescribed);
     // ε = 1e-4 against the least elastic eigenvalue: what it leaves is the square of a small number only in
     // the energy.
     qInfo("phi %g, %d points in %dD: relative distance %g, energy %g", phiValue, pointCount, Dim,
@@ -482,14 +482,14 @@ class TestSolver : public QObject {
         noConstraintsNoMotion<2>();
         noConstraintsNoMotion<3>();
     }
-    void leastNorm() {
-        leastNormDragging<2>(phi::kMetr, 1);
-        leastNormDragging<2>(phi::kAkvf, 1);
-        leastNormDragging<2>(phi::conformal(2), 1);
-        leastNormDragging<3>(phi::kMetr, 1);
-        leastNormDragging<3>(phi::conformal(3), 1);
-        leastNormDragging<3>(phi::kMetr, 2);
-        leastNormDragging<3>(phi::kAkvf, 2);
+    void minNorm() {
+        minNormDragging<2>(phi::kMetr, 1);
+        minNormDragging<2>(phi::kAkvf, 1);
+        minNormDragging<2>(phi::conformal(2), 1);
+        minNormDragging<3>(phi::kMetr, 1);
+        minNormDragging<3>(phi::conformal(3), 1);
+        minNormDragging<3>(phi::kMetr, 2);
+        minNormDragging<3>(phi::kAkvf, 2);
     }
     void orientation() {
         negativeOrientationIsTheSame<2>();

@@ -59,8 +59,8 @@ class TestSpatialOrder : public QObject {
     static double meanDistance(const SimplicialMesh<Dim>& mesh) {
         double sum = 0;
         for (int c = 0; c < mesh.cellCount(); ++c) {
-            const auto [least, greatest] = std::minmax_element(mesh.cells[c].begin(), mesh.cells[c].end());
-            sum += *greatest - *least;
+            const auto [minimum, maximum] = std::minmax_element(mesh.cells[c].begin(), mesh.cells[c].end());
+            sum += *maximum - *minimum;
             if (c > 0) sum += std::abs(mesh.cells[c][0] - mesh.cells[c - 1][0]);
         }
         return sum / mesh.cellCount();

@@ -140,12 +140,12 @@ void TestTriangleTree::nearestIsThatOfAll() {
                    w[2] * shape.points.col(t[2]);
         };
         const double distance = (at(shape.triangles[nearest.triangle], nearest.weights) - p).norm();
-        double least = 1e9;
+        double minimum = 1e9;
         for (const auto& t : shape.triangles)
             for (int a = 0; a <= kSteps; ++a)
                 for (int b = 0; a + b <= kSteps; ++b)
-                    least = std::min(least, (at(t, Vec<3>(kSteps - a - b, a, b) / kSteps) - p).norm());
-        QVERIFY(distance <= least + 1e-12 && distance > least - 1.0 / kSteps);
+                    minimum = std::min(minimum, (at(t, Vec<3>(kSteps - a - b, a, b) / kSteps) - p).norm());
+        QVERIFY(distance <= minimum + 1e-12 && distance > minimum - 1.0 / kSteps);
     }
 }
 

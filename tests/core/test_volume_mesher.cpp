@@ -33,7 +33,7 @@ class TestVolumeMesher : public QObject {
     void repairs();
     void holesThatMeet_data();
     void holesThatMeet();
-    void bordersFollowTheHoles();
+    void boundariesFollowTheHoles();
     void timeLimitEnds();
     void cancelEnds();
 };
@@ -339,9 +339,9 @@ void TestVolumeMesher::holesThatMeet() {
     QVERIFY(std::abs(volumeOf(meshVolume(repaired, {}).mesh) - 49) < 1e-12);
 }
 
-/// Holes that meet at two vertices, around two squares that hang there: the border of the one does not go on
-/// along the other.
-void TestVolumeMesher::bordersFollowTheHoles() {
+/// Holes that meet at two vertices, around two squares that hang there: the boundary of the one does not go
+/// on along the other.
+void TestVolumeMesher::boundariesFollowTheHoles() {
     const Surface surface = plateWithout({{3, 1}, {4, 2}, {4, 3}, {4, 4}, {3, 4}, {2, 4}, {2, 3}, {2, 2}});
     std::vector<std::size_t> sizes;
     for (const auto& loop : holeLoops(surface)) sizes.push_back(loop.size());

@@ -79,7 +79,7 @@ void compare() {
         QVERIFY(*host->shape() == *onDevice.shape());
         QCOMPARE(onDevice.distance(other.y), host->distance(other.y));
         // Squares may be added in another order: a few roundings.
-        QVERIFY(std::abs(host->greatest(terms) - onDevice.greatest(terms)) < 1e-14);
+        QVERIFY(std::abs(host->maximum(terms) - onDevice.maximum(terms)) < 1e-14);
     }
 }
 
@@ -207,7 +207,7 @@ class LostDevice final : public BackEnd<Dim> {
         void combine(const Nodal<Dim>& y, Terms terms) override { m_owner.use().stages().combine(y, terms); }
         Nodal<Dim> shape() override { return m_owner.use().stages().shape(); }
         double distance(const Nodal<Dim>& other) override { return m_owner.use().stages().distance(other); }
-        double greatest(Terms terms) override { return m_owner.use().stages().greatest(terms); }
+        double maximum(Terms terms) override { return m_owner.use().stages().maximum(terms); }
 
       private:
         LostDevice& m_owner;
@@ -269,8 +269,8 @@ void TestOpenClStages::notANumberIsSeen() {
         Points<2> k = Points<2>::Zero(2, kVertices);
         k(1, where) = std::nan("");
         const std::vector<WeightedField<2>> terms{{1, std::make_shared<const Points<2>>(k)}};
-        QVERIFY(std::isnan(host->greatest(terms)));
-        QVERIFY(std::isnan(onDevice.greatest(terms)));
+        QVERIFY(std::isnan(host->maximum(terms)));
+        QVERIFY(std::isnan(onDevice.maximum(terms)));
     }
 }
 
@@ -280,7 +280,7 @@ void TestOpenClStages::vectorsGoToTheDeviceOnce() {
     OpenClStages<2> stages(cl, kVertices);
     const Sum<2> sum;
     for (std::size_t count = 0; count <= 4; ++count) stages.combine(sum.y, std::span(sum.terms).first(count));
-    stages.greatest(sum.terms);
+    stages.maximum(sum.terms);
     QCOMPARE(cl.copied().toDevice, 5 * kVector);
     QCOMPARE(cl.copied().fromDevice, 4 * sizeof(double));
     const Nodal<2> shape = stages.shape();

@@ -44,15 +44,15 @@ Image smoothChart(int width, int height, PixelLayout layout) {
     return image;
 }
 
-float greatestDifference(const Image& a, const Image& b) {
+float maxDifference(const Image& a, const Image& b) {
     std::vector<float> p(static_cast<std::size_t>(a.width * a.channels)), q(p);
-    float greatest = 0;
+    float maximum = 0;
     for (int y = 0; y < a.height; ++y) {
         loadRow(a, y, p.data());
         loadRow(b, y, q.data());
-        for (std::size_t i = 0; i < p.size(); ++i) greatest = std::max(greatest, std::abs(p[i] - q[i]));
+        for (std::size_t i = 0; i < p.size(); ++i) maximum = std::max(maximum, std::abs(p[i] - q[i]));
     }
-    return greatest;
+    return maximum;
 }
 
 /// The bytes that OpenImageIO finds in an 8-bit file, whatever its format.
@@ -187,7 +187,7 @@ class TestImage : public QObject {
         QVERIFY(tiff ? read.type >= PixelType::Half : read.type == PixelType(to));
         const float step = PixelType(to) == PixelType::UInt8 ? 0.5f / 255 : 0.5f / 65535;
         const float halfStep = PixelType(to) == PixelType::Half ? 0x1p-12f : step;
-        QVERIFY(greatestDifference(read, written) <= halfStep * 1.001f);
+        QVERIFY(maxDifference(read, written) <= halfStep * 1.001f);
         if (PixelType(from) == PixelType::UInt8)
             QVERIFY(converted(read, layoutOf(written)).data == written.data);
     }
@@ -229,7 +229,7 @@ class TestImage : public QObject {
         writeImage(path("lossy." + extension), written);
         const Image read = readImage(path("lossy." + extension));
         QCOMPARE(read.channels, channels);
-        QVERIFY(greatestDifference(read, written) < 8 / 255.0f);
+        QVERIFY(maxDifference(read, written) < 8 / 255.0f);
     }
 
     void jpegIsLaidOverWhite() {
@@ -415,7 +415,7 @@ class TestImage : public QObject {
             }
         writeImage(path("again.jpg"), shown);  // the tag must be gone, or it would be turned twice
         QCOMPARE(readImage(path("again.jpg")).width, shown.width);
-        QVERIFY(greatestDifference(readImage(path("again.jpg")), shown) < 8 / 255.0f);
+        QVERIFY(maxDifference(readImage(path("again.jpg")), shown) < 8 / 255.0f);
     }
 
     void damagedFilesAreRefused_data() {

@@ -119,7 +119,7 @@ QString errorOf(const std::function<void()>& f) {
     return {};
 }
 
-double greatestRadiusError(const Outline& outline, const Vec<2>& centre, double radius) {
+double maxRadiusError(const Outline& outline, const Vec<2>& centre, double radius) {
     double worst = 0;
     for (const auto& loop : outline.loops)
         for (const auto& p : loop) worst = std::max(worst, std::abs((p - centre).norm() - radius));
@@ -145,8 +145,8 @@ class TestOutline : public QObject {
             picture(100, 90, softDisc(51.3, 44.8, 33.37), static_cast<PixelType>(type), channels);
         const auto outline = outlineFromAlpha(image, plain());
         QCOMPARE(outline.loops.size(), std::size_t(1));
-        QVERIFY2(greatestRadiusError(outline, {51.3, 44.8}, 33.37) <= 0.05,
-                 qPrintable(QString::number(greatestRadiusError(outline, {51.3, 44.8}, 33.37))));
+        QVERIFY2(maxRadiusError(outline, {51.3, 44.8}, 33.37) <= 0.05,
+                 qPrintable(QString::number(maxRadiusError(outline, {51.3, 44.8}, 33.37))));
         const double area = pi * 33.37 * 33.37;
         QVERIFY(std::abs(areaOf(outline) - area) < 0.002 * area);
     }
@@ -155,7 +155,7 @@ class TestOutline : public QObject {
     /// 0.11 pixels about the true circle, but not on the average.
     void hardEdgesAreRightOnTheAverage() {
         const auto outline = outlineFromAlpha(picture(100, 90, disc(51.3, 44.8, 33.37)), plain());
-        QVERIFY(greatestRadiusError(outline, {51.3, 44.8}, 33.37) <= 0.12);
+        QVERIFY(maxRadiusError(outline, {51.3, 44.8}, 33.37) <= 0.12);
         QVERIFY(std::abs(std::sqrt(areaOf(outline) / pi) - 33.37) < 0.02);
     }
 
@@ -203,7 +203,7 @@ class TestOutline : public QObject {
         options.gap = 2;
         const auto outline = outlineFromAlpha(picture(100, 90, disc(51.3, 44.8, 30)), options);
         QCOMPARE(outline.loops.size(), std::size_t(1));
-        QVERIFY(greatestRadiusError(outline, {51.3, 44.8}, 30 + margin) <= 0.12);
+        QVERIFY(maxRadiusError(outline, {51.3, 44.8}, 30 + margin) <= 0.12);
         QVERIFY(std::abs(std::sqrt(areaOf(outline) / pi) - 30 - margin) < 0.05);
     }
 

@@ -610,7 +610,7 @@ Image lines(int size, double period) {
 void TestWarp::minifiedCoarsePatternStays() {
     const Image source = lines(256, 24);
     const auto mesh = rectangle({0, 0}, {256, 256}, 4);
-    for (const auto& [filter, least] :
+    for (const auto& [filter, minimum] :
          {std::pair(Filter::Bilinear, 0.93), {Filter::Bicubic, 0.93}, {Filter::Ewa, 0.8}}) {
         WarpOptions options;
         options.filter = filter;
@@ -620,7 +620,7 @@ void TestWarp::minifiedCoarsePatternStays() {
             sum +=
                 (valueAt<std::uint8_t>(small, x, 32, 0) - 127.5) * std::polar(1.0, x * std::numbers::pi / 3);
         const double left = std::abs(sum) / 30 / 100;
-        QVERIFY2(left > least && left < 0.98, qPrintable(QString("%1: %2").arg(int(filter)).arg(left)));
+        QVERIFY2(left > minimum && left < 0.98, qPrintable(QString("%1: %2").arg(int(filter)).arg(left)));
     }
 }
 
@@ -633,13 +633,13 @@ void TestWarp::squeezedPatternTurnsGrey() {
     along.row(1) /= 4;
     const View view{256, 256, Vec<2>::Zero(), 1};
     const Image grey = warpImage(source, mesh, across, view), sharp = warpImage(source, mesh, along, view);
-    double least = 255, most = 0;
+    double minimum = 255, most = 0;
     for (int x = 6; x < 58; ++x) {
         QVERIFY(std::abs(valueAt<std::uint8_t>(grey, x, 100, 0) - 127.5) <= 8);
-        least = std::min<double>(least, valueAt<std::uint8_t>(sharp, x, 30, 0));
+        minimum = std::min<double>(minimum, valueAt<std::uint8_t>(sharp, x, 30, 0));
         most = std::max<double>(most, valueAt<std::uint8_t>(sharp, x, 30, 0));
     }
-    QVERIFY2(most - least > 60, qPrintable(QString::number(most - least)));
+    QVERIFY2(most - minimum > 60, qPrintable(QString::number(most - minimum)));
 }
 
 void TestWarp::stMapOfIdentity() {

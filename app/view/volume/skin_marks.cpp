@@ -21,13 +21,13 @@ class NearestPoint {
     /// The lowest of equally near ones; −1 if there are none.
     int to(const Vec<3>& p) const {
         int best = -1;
-        double least = std::numeric_limits<double>::infinity();
+        double minimum = std::numeric_limits<double>::infinity();
         const auto look = [&](int i) {  // false once all that follow are further away
             const double across = m_points(0, i) - p.x();
-            if (across * across > least) return false;
+            if (across * across > minimum) return false;
             const double distance = (m_points.col(i) - p).squaredNorm();
-            if (distance < least || (distance == least && i < best)) best = i;
-            least = std::min(least, distance);
+            if (distance < minimum || (distance == minimum && i < best)) best = i;
+            minimum = std::min(minimum, distance);
             return true;
         };
         const auto middle = std::partition_point(m_order.begin(), m_order.end(),

@@ -8,6 +8,7 @@
 
 #include "app/panels/legend.h"
 #include "app/session/caged_solid.h"
+#include "app/session/shape.h"
 #include "app/session/solid_places.h"
 #include "app/tools/solid_pin_tool.h"
 #include "app/view/volume/glyphs.h"
@@ -277,7 +278,7 @@ void SolidCanvas::refresh() {
     if (!frame || m_held) return;
     VolumePicture picture;
     picture.rest = frame->rest;
-    picture.facets = frame->facets;
+    picture.facets = frame->built->facets;
     picture.pose = frame->pose;
     picture.cellColours = colours(*frame);
     // A map's colours are those of the tetrahedra: on their own border they are exact.

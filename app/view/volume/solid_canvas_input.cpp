@@ -97,8 +97,8 @@ void SolidCanvas::tellPointed(const QPointF& at) {
         return;
     }
     const QLocale locale;
-    const double least = 1e-9 * m_session.frame()->diagonal;
-    const auto number = [&](double x) { return locale.toString(std::abs(x) < least ? 0.0 : x, 'g', 4); };
+    const double minimum = 1e-9 * m_session.frame()->diagonal;
+    const auto number = [&](double x) { return locale.toString(std::abs(x) < minimum ? 0.0 : x, 'g', 4); };
     QString text =
         QStringLiteral("%1, %2, %3").arg(number(hit.point.x()), number(hit.point.y()), number(hit.point.z()));
     text = tr("Cell %1").arg(hit.cell) + QStringLiteral("   ") + text;

@@ -28,7 +28,7 @@ std::vector<double> CellCollector::perCell(const std::vector<double>& perElement
     return values;
 }
 
-std::vector<int> CellCollector::borderLabels(const std::vector<double>& perElement) const {
+std::vector<int> CellCollector::boundaryLabels(const std::vector<double>& perElement) const {
     std::vector<int> labels;
     if (m_tetrahedra.empty()) return labels;
     for (int element : m_triangleElements) {

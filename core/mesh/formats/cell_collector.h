@@ -18,9 +18,9 @@ class CellCollector {
     /// Values per element of the file → values per cell of the mesh: its tetrahedra if it has any, else its
     /// triangles.
     std::vector<double> perCell(const std::vector<double>& perElement, int components) const;
-    /// The values of the triangles that are the border of tetrahedra, as labels; empty if there are no
+    /// The values of the triangles that are the boundary of tetrahedra, as labels; empty if there are no
     /// tetrahedra or all values are 0.
-    std::vector<int> borderLabels(const std::vector<double>& perElement) const;
+    std::vector<int> boundaryLabels(const std::vector<double>& perElement) const;
     void moveInto(MeshFile& file);
 
   private:
@@ -34,7 +34,7 @@ int cellCount(const MeshFile& file);
 
 /// The first of these fields that the file has with one component per cell, or null.
 const MeshField* cellField(const MeshFile& file, std::initializer_list<const char*> names);
-/// The labels of a volume's border as a field of one value per triangle; nothing if it has none.
+/// The labels of a volume's boundary as a field of one value per triangle; nothing if it has none.
 std::optional<MeshField> labelField(const MeshFile& file);
 /// Its value for a cell as a whole number, or `otherwise` if there is no field.
 long tagOf(const MeshField* field, int cell, long otherwise);

@@ -27,14 +27,14 @@ long GmshGroups::tag(int dimension, std::size_t cell) const {
 }
 
 void GmshGroups::findRest(int dimension) {
-    long greatest = 0;
+    long maximum = 0;
     bool untagged = false;
     for (std::size_t c = 0; c < count(dimension); ++c) {
         const long one = tag(dimension, c);
-        greatest = std::max(greatest, one);
+        maximum = std::max(maximum, one);
         untagged = untagged || one == 0;
     }
-    if (untagged) m_rest[dimension] = greatest + 1;
+    if (untagged) m_rest[dimension] = maximum + 1;
 }
 
 long GmshGroups::physical(int dimension, std::size_t cell) const {
@@ -47,16 +47,16 @@ long GmshGroups::physical(int dimension, std::size_t cell) const {
 void GmshGroups::findEntities(int dimension) {
     std::map<long, long> groupOf;
     std::vector<std::array<long, 3>> late;
-    long greatest = 0;
+    long maximum = 0;
     for (std::size_t c = 0; c < count(dimension); ++c) {
         const std::array<long, 3> key{dimension, wishedEntity(dimension, c), physical(dimension, c)};
-        greatest = std::max(greatest, key[1]);
+        maximum = std::max(maximum, key[1]);
         if (m_entities.contains(key)) continue;
         const bool first = groupOf.try_emplace(key[1], key[2]).second;
         m_entities[key] = first ? key[1] : 0;
         if (!first) late.push_back(key);
     }
-    for (const auto& key : late) m_entities[key] = ++greatest;
+    for (const auto& key : late) m_entities[key] = ++maximum;
 }
 
 long GmshGroups::wishedEntity(int dimension, std::size_t cell) const {

@@ -14,7 +14,7 @@ namespace wend::formats {
 const char* groupOfTheRest(bool volume, int dimension);
 
 /// Physical groups and entities of a mesh in Gmsh's terms: numbers of its cells, and of the triangles of a
-/// volume's border, whose tags are the labels.
+/// volume's boundary, whose tags are the labels.
 class GmshGroups {
   public:
     explicit GmshGroups(const MeshFile& mesh);

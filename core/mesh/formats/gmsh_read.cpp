@@ -38,7 +38,7 @@ class GmshReader {
         for (const int dimension : {2, 3}) ungroupTheRest(dimension);
         m_file.fields.push_back({"physical", true, 1, m_cells.perCell(m_physical, 1)});
         m_file.fields.push_back({"entity", true, 1, m_cells.perCell(m_entity, 1)});
-        m_file.labels = m_cells.borderLabels(m_physical);
+        m_file.labels = m_cells.boundaryLabels(m_physical);
         takeNames();
         m_cells.moveInto(m_file);
         return std::move(m_file);
@@ -118,19 +118,19 @@ class GmshReader {
     }
     /// The group that GmshGroups gives to what has no tag.
     void ungroupTheRest(int dimension) {
-        int greatest = 0, before = 0;
+        int maximum = 0, before = 0;
         for (std::size_t e = 0; e < m_physical.size(); ++e)
-            if (m_dimensions[e] == dimension) greatest = std::max(greatest, static_cast<int>(m_physical[e]));
+            if (m_dimensions[e] == dimension) maximum = std::max(maximum, static_cast<int>(m_physical[e]));
         for (std::size_t e = 0; e < m_physical.size(); ++e)
-            if (m_dimensions[e] == dimension && m_physical[e] < greatest)
+            if (m_dimensions[e] == dimension && m_physical[e] < maximum)
                 before = std::max(before, static_cast<int>(m_physical[e]));
         const bool volume = std::ranges::count(m_dimensions, 3) > 0;
-        const auto name = m_names.find({dimension, greatest});
+        const auto name = m_names.find({dimension, maximum});
         if (name == m_names.end() || name->second != groupOfTheRest(volume, dimension) ||
-            greatest != before + 1)
+            maximum != before + 1)
             return;
         for (std::size_t e = 0; e < m_physical.size(); ++e)
-            if (m_dimensions[e] == dimension && m_physical[e] == greatest) m_physical[e] = 0;
+            if (m_dimensions[e] == dimension && m_physical[e] == maximum) m_physical[e] = 0;
         m_names.erase(name);
     }
     void passOver(const std::string& end) {
@@ -303,8 +303,8 @@ class GmshReader {
             if (k == 0) m_physicalOf[{dimension, tag}] = physical;
         }
         if (dimension == 0) return;
-        const int borders = count64("bounding entities", 1, Scalar::Int32);
-        for (int k = 0; k < borders; ++k) int32("a bounding entity");
+        const int boundaries = count64("bounding entities", 1, Scalar::Int32);
+        for (int k = 0; k < boundaries; ++k) int32("a bounding entity");
     }
 
     Scanner m_scanner;

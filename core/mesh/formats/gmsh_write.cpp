@@ -2,7 +2,7 @@
 #include <map>
 #include <optional>
 
-#include "core/mesh/formats/border_values.h"
+#include "core/mesh/formats/boundary_values.h"
 #include "core/mesh/formats/gmsh_groups.h"
 #include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/formats/scalar_type.h"
@@ -74,14 +74,14 @@ class GmshPrinter {
     }
     /// Values as post-processing data; tags stand with the cells already.
     void fields() {
-        const bool bordered = isVolume(m_mesh) && !m_mesh.triangles.empty();
-        const auto behind = bordered ? cellsBehind(m_mesh) : std::vector<int>();
+        const bool withBoundary = isVolume(m_mesh) && !m_mesh.triangles.empty();
+        const auto behind = withBoundary ? cellsBehind(m_mesh) : std::vector<int>();
         for (const auto& field : m_mesh.fields) {
             if (m_groups.holds(field)) continue;
             const auto drawable = inSpace(field);
             if (!drawable) continue;
             data(*drawable,
-                 bordered && field.perCell ? borderValues(*drawable, behind) : std::vector<double>());
+                 withBoundary && field.perCell ? boundaryValues(*drawable, behind) : std::vector<double>());
         }
     }
     /// Gmsh draws 1, 3 and 9 components: what has 2 or 2 × 2 is of the plane.
@@ -100,15 +100,15 @@ class GmshPrinter {
         return wide;
     }
     /// Elements are numbered triangles first. Every one has a value: meshio reads no data of a part of them.
-    void data(const MeshField& field, const std::vector<double>& ofBorder) {
+    void data(const MeshField& field, const std::vector<double>& ofBoundary) {
         std::string name = field.name;
         std::replace(name.begin(), name.end(), '"', '\'');
         section(field.perCell ? "$ElementData" : "$NodeData");
         m_out << "1\n\"" << name << "\"\n1\n0\n3\n0\n"
               << field.components << '\n'
-              << (ofBorder.size() + field.values.size()) / field.components << '\n';
+              << (ofBoundary.size() + field.values.size()) / field.components << '\n';
         std::size_t element = 1;
-        for (const auto* values : {&ofBorder, &field.values})
+        for (const auto* values : {&ofBoundary, &field.values})
             for (std::size_t i = 0; i < values->size(); i += field.components) {
                 whole(static_cast<std::int64_t>(element++), Scalar::Int32);
                 for (int k = 0; k < field.components; ++k) number((*values)[i + k]);
@@ -242,7 +242,8 @@ std::vector<std::string> printGmsh(const MeshFile& mesh, const MeshWriteOptions&
     if (options.gmshVersion != 2) return {GmshPrinter(mesh, options).print4()};
     // meshio takes no values on two kinds of cells from version 2.2 (it cuts them at two).
     const bool valued = std::ranges::any_of(mesh.fields, &MeshField::perCell);
-    if (mesh.made && valued && !options.border) return {GmshPrinter(withoutBorder(mesh), options).print2()};
+    if (mesh.made && valued && !options.boundary)
+        return {GmshPrinter(withoutBoundary(mesh), options).print2()};
     return {GmshPrinter(mesh, options).print2()};
 }
 

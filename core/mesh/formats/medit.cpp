@@ -30,7 +30,7 @@ class MeditReader {
         if (std::any_of(m_vertexRefs.begin(), m_vertexRefs.end(), [](double ref) { return ref != 0; }))
             m_file.fields.push_back({"ref", false, 1, std::move(m_vertexRefs)});
         m_file.fields.push_back({"ref", true, 1, m_cells.perCell(m_elementRefs, 1)});
-        m_file.labels = m_cells.borderLabels(m_elementRefs);
+        m_file.labels = m_cells.boundaryLabels(m_elementRefs);
         m_cells.moveInto(m_file);
         return std::move(m_file);
     }

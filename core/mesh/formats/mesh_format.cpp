@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "core/mesh/error.h"
-#include "core/mesh/formats/border_values.h"
+#include "core/mesh/formats/boundary_values.h"
 #include "core/mesh/formats/cell_collector.h"
 #include "core/mesh/formats/scanner.h"
 
@@ -55,19 +55,19 @@ void requireCarriable(const MeshFormat& format, const MeshFile& mesh) {
     throw InputError("a " + std::string(format.name) + " file cannot hold tetrahedra; these can:" + able);
 }
 
-/// What is written of a mesh that was made here, or whose border was asked for.
+/// What is written of a mesh that was made here, or whose boundary was asked for.
 MeshFile asWritten(const MeshFile& mesh, const MeshFormat& format, const MeshWriteOptions& options) {
     MeshFile file = usedPart(mesh);
     if (!isVolume(file)) return file;
-    if (file.triangles.empty() && options.border) return withBorder(std::move(file));
-    return mesh.made && !format.bordered && !options.border ? withoutBorder(std::move(file)) : file;
+    if (file.triangles.empty() && options.boundary) return withBoundary(std::move(file));
+    return mesh.made && !format.withBoundary && !options.boundary ? withoutBoundary(std::move(file)) : file;
 }
 
 }  // namespace
 
 const std::vector<MeshFormat>& meshFormats() {
     static const std::vector<MeshFormat> formats = {
-        // name, extensions, together, tetrahedra, bordered, fields, binary; reader, printer
+        // name, extensions, together, tetrahedra, withBoundary, fields, binary; reader, printer
         {{"Wavefront OBJ", {".obj"}, false, false, false, false, false}, readObj, printObj},
         {{"PLY", {".ply"}, false, false, false, true, true}, readPly, printPly},
         {{"OFF", {".off"}, false, false, false, false, false}, readOff, printOff},
@@ -108,7 +108,7 @@ std::vector<std::string> printed(const MeshFormat& format, const MeshFile& mesh,
                                  const MeshWriteOptions& options) {
     requireSound(mesh);
     requireCarriable(format, mesh);
-    if (!mesh.made && !options.border) return format.print(mesh, options);
+    if (!mesh.made && !options.boundary) return format.print(mesh, options);
     return format.print(asWritten(mesh, format, options), options);
 }
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/mesh/formats/border_values.h"
+#include "core/mesh/formats/boundary_values.h"
 
 namespace wend::formats {
 namespace {
@@ -28,14 +28,14 @@ VtkCells vtkCellsOf(const MeshFile& mesh) {
 
 std::vector<MeshField> vtkFieldsOf(const MeshFile& mesh) {
     auto fields = mesh.fields;
-    const bool bordered = isVolume(mesh) && !mesh.triangles.empty();
-    const auto behind = bordered ? cellsBehind(mesh) : std::vector<int>();
+    const bool withBoundary = isVolume(mesh) && !mesh.triangles.empty();
+    const auto behind = withBoundary ? cellsBehind(mesh) : std::vector<int>();
     auto labels = labelField(mesh);
     if (labels) std::erase_if(fields, isVtkLabels);
     for (auto& field : fields) {
-        if (!field.perCell || !bordered) continue;
-        const auto ofBorder = borderValues(field, behind);
-        field.values.insert(field.values.end(), ofBorder.begin(), ofBorder.end());
+        if (!field.perCell || !withBoundary) continue;
+        const auto ofBoundary = boundaryValues(field, behind);
+        field.values.insert(field.values.end(), ofBoundary.begin(), ofBoundary.end());
     }
     if (labels) {
         labels->values.insert(labels->values.begin(), mesh.tetrahedra.size(), 0.0);
@@ -49,7 +49,7 @@ bool isVtkLabels(const MeshField& field) {
 }
 
 void takeVtkLabels(const MeshField& field, const CellCollector& collector, MeshFile& file) {
-    file.labels = collector.borderLabels(field.values);
+    file.labels = collector.boundaryLabels(field.values);
     MeshField ofCells = field;
     ofCells.values = collector.perCell(field.values, 1);
     const bool none = std::ranges::all_of(ofCells.values, [](double value) { return value == 0; });

@@ -12,8 +12,8 @@
 namespace wend::formats {
 namespace {
 
-constexpr std::size_t blockSize = 1 << 15;   // VTK's
-constexpr std::size_t greatestRatio = 1032;  // zlib compresses by no more
+constexpr std::size_t blockSize = 1 << 15;  // VTK's
+constexpr std::size_t maxRatio = 1032;      // zlib compresses by no more
 
 /// Takes pieces off the front of the data, each of which is base64 for itself or raw.
 class Pieces {
@@ -85,7 +85,7 @@ std::vector<Block> takeBlocks(Pieces& pieces, std::size_t textSize, const VtuEnc
         const auto packed = headerNumber(header, 3 + b, encoding);
         const auto size = b + 1 == count && partial ? partial : full;
         if (packed > room) throw InputError("the data ends too early");
-        if (size > greatestRatio * (packed + 1)) throw InputError("the data's header makes no sense");
+        if (size > maxRatio * (packed + 1)) throw InputError("the data's header makes no sense");
         blocks.push_back({packed, size});
         room -= packed;
     }

@@ -1,4 +1,4 @@
-// Borders, fields and groups in files for other programs, read by readers that know nothing of Wend's.
+// Boundaries, fields and groups in files for other programs, read by readers that know nothing of Wend's.
 
 #include <QtTest>
 
@@ -10,7 +10,7 @@ using samples::PlainMesh;
 
 namespace {
 
-/// Cubes of tetrahedra with their border, whose triangles are labelled 0, 1 and 2, and fields of all kinds.
+/// Cubes of tetrahedra with their boundary, whose triangles are labelled 0, 1 and 2, and fields of all kinds.
 MeshFile solidFile() {
     const auto cube = samples::jitteredGrid<3>(2);
     MeshFile file = toMeshFile<3>(cube);
@@ -75,13 +75,13 @@ void everyFormat() {
 
 }  // namespace
 
-class TestMeshBorder : public QObject {
+class TestMeshBoundary : public QObject {
     Q_OBJECT
 
   private slots:
     /// Every triangle has its tetrahedron's values, wherever it stands in the file.
-    void borderHasItsCellsValues_data() { everyFormat(); }
-    void borderHasItsCellsValues() {
+    void boundaryHasItsCellsValues_data() { everyFormat(); }
+    void boundaryHasItsCellsValues() {
         QFETCH(QString, name);
         const MeshFile file = solidFile();
         const PlainMesh mesh = written(file, name.toStdString());
@@ -107,9 +107,9 @@ class TestMeshBorder : public QObject {
         QVERIFY(std::isnan(mesh.cellData.at("error").back()));
     }
 
-    /// A border that was made with the cells stays out of formats for looking at, unless it is asked for.
-    void madeBorderGoesToSolvers_data() { everyFormat(); }
-    void madeBorderGoesToSolvers() {
+    /// A boundary that was made with the cells stays out of formats for looking at, unless it is asked for.
+    void madeBoundaryGoesToSolvers_data() { everyFormat(); }
+    void madeBoundaryGoesToSolvers() {
         QFETCH(QString, name);
         MeshFile file = solidFile();
         file.made = true;
@@ -118,12 +118,12 @@ class TestMeshBorder : public QObject {
         QCOMPARE(cellsOf(unasked, 3).size(), forSolvers ? file.triangles.size() : 0);
         QCOMPARE(unasked.cellData.at("error").size(), unasked.cells.size());
         QCOMPARE(unasked.cellData.contains("label"), false);
-        MeshFile bare = file;  // meshio reads version 2.2 so, and with values without the border
+        MeshFile bare = file;  // meshio reads version 2.2 so, and with values without the boundary
         bare.fields.clear();
         QCOMPARE(cellsOf(written(bare, name.toStdString()), 3).size(),
                  name.endsWith(".msh") ? file.triangles.size() : 0);
         MeshWriteOptions options;
-        options.border = true;
+        options.boundary = true;
         QCOMPARE(cellsOf(written(file, name.toStdString(), options), 3).size(), file.triangles.size());
         MeshFile read = solidFile();  // that has none
         read.triangles.clear();
@@ -228,5 +228,5 @@ class TestMeshBorder : public QObject {
     }
 };
 
-QTEST_APPLESS_MAIN(TestMeshBorder)
-#include "test_mesh_border.moc"
+QTEST_APPLESS_MAIN(TestMeshBoundary)
+#include "test_mesh_boundary.moc"

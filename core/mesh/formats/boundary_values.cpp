@@ -1,4 +1,4 @@
-#include "core/mesh/formats/border_values.h"
+#include "core/mesh/formats/boundary_values.h"
 
 #include <algorithm>
 #include <limits>
@@ -51,7 +51,7 @@ std::vector<int> cellsBehind(const MeshFile& mesh) {
     return behind;
 }
 
-std::vector<double> borderValues(const MeshField& field, const std::vector<int>& cellsBehind) {
+std::vector<double> boundaryValues(const MeshField& field, const std::vector<int>& cellsBehind) {
     std::vector<double> values;
     values.reserve(cellsBehind.size() * field.components);
     for (const int cell : cellsBehind)
@@ -61,13 +61,13 @@ std::vector<double> borderValues(const MeshField& field, const std::vector<int>&
     return values;
 }
 
-MeshFile withBorder(MeshFile mesh) {
+MeshFile withBoundary(MeshFile mesh) {
     for (const auto& facet : facetsOf<3>({mesh.points, mesh.tetrahedra}))
         if (!facet.interior()) mesh.triangles.push_back(facet.vertices);
     return mesh;
 }
 
-MeshFile withoutBorder(MeshFile mesh) {
+MeshFile withoutBoundary(MeshFile mesh) {
     mesh.triangles.clear();
     mesh.labels.clear();
     mesh.labelNames.clear();

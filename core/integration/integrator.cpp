@@ -1,4 +1,4 @@
-#include "core/integration/engine.h"
+#include "core/integration/integrator.h"
 
 #include <algorithm>
 #include <chrono>
@@ -26,7 +26,7 @@ double velocityTolerance(const IntegrationOptions& options) {
 }  // namespace
 
 template <int Dim>
-Deformer<Dim>::Engine::Engine(
+Deformer<Dim>::Integrator::Integrator(
     std::shared_ptr<const SimplicialMesh<Dim>> rest, std::shared_ptr<const Material<Dim>> material,
     const std::vector<Handle<Dim>>& handles, const IntegrationOptions& options,
     const std::function<VelocitySolver<Dim>(std::shared_ptr<const SimplicialMesh<Dim>>)>& makeSolver)
@@ -53,7 +53,7 @@ Deformer<Dim>::Engine::Engine(
 }
 
 template <int Dim>
-void Deformer<Dim>::Engine::setHandles(const std::vector<Handle<Dim>>& handles) {
+void Deformer<Dim>::Integrator::setHandles(const std::vector<Handle<Dim>>& handles) {
     std::vector<Handle<Dim>> moved;
     moved.reserve(handles.size());
     for (const Handle<Dim>& handle : handles) moved.push_back(m_units.normal(handle));
@@ -65,7 +65,7 @@ void Deformer<Dim>::Engine::setHandles(const std::vector<Handle<Dim>>& handles) 
 }
 
 template <int Dim>
-void Deformer<Dim>::Engine::restore(const State<Dim>& from) {
+void Deformer<Dim>::Integrator::restore(const State<Dim>& from) {
     if (from.points.cols() != m_rest->vertexCount()) {
         throw InputError("a state of " + std::to_string(from.points.cols()) + " vertices for a shape of " +
                          std::to_string(m_rest->vertexCount()));
@@ -81,11 +81,11 @@ void Deformer<Dim>::Engine::restore(const State<Dim>& from) {
     state.anchors = m_constraints->adopt(from.constrained ? *from.constrained : none, from.anchors,
                                          state.normalized, state.time);
     state.constrained = points;
-    if (lastBorder(state.time) == state.time) startAnew();
+    if (lastBreakpoint(state.time) == state.time) startAnew();
 }
 
 template <int Dim>
-void Deformer<Dim>::Engine::startAnew() {
+void Deformer<Dim>::Integrator::startAnew() {
     state.pace = {};
     state.history = {};
     state.factor = {};
@@ -93,20 +93,20 @@ void Deformer<Dim>::Engine::startAnew() {
 
 /// Once the constraints are those of the current time.
 template <int Dim>
-void Deformer<Dim>::Engine::recall() {
+void Deformer<Dim>::Integrator::recall() {
     m_history = state.history;
     m_solver->recall(state.factor);
 }
 
 template <int Dim>
-void Deformer<Dim>::Engine::remember() {
+void Deformer<Dim>::Integrator::remember() {
     state.history = m_history;
     state.factor = m_solver->remember();
 }
 
 /// Rest plus displacement: what does not move keeps its bits.
 template <int Dim>
-Points<Dim> Deformer<Dim>::Engine::inDomain(const Points<Dim>& shape) const {
+Points<Dim> Deformer<Dim>::Integrator::inDomain(const Points<Dim>& shape) const {
     Points<Dim> points = m_domainRest->points + m_units.size * (shape - m_rest->points);
     takeAlong<Dim>(m_twins, points);
     return points;
@@ -114,51 +114,51 @@ Points<Dim> Deformer<Dim>::Engine::inDomain(const Points<Dim>& shape) const {
 
 /// Both in the frame of the computation and in the numbers that are handed out; −1 if none is.
 template <int Dim>
-int Deformer<Dim>::Engine::firstInverted(const Points<Dim>& shape) const {
+int Deformer<Dim>::Integrator::firstInverted(const Points<Dim>& shape) const {
     const int cell = m_orientation.firstInverted(shape);
     return cell >= 0 ? cell : m_domainOrientation.firstInverted(inDomain(shape));
 }
 
 /// The constraints that hold on one side of the current time.
 template <int Dim>
-void Deformer<Dim>::Engine::activate(Side side) {
+void Deformer<Dim>::Integrator::activate(Side side) {
     m_ids = m_constraints->activePoints(state.time, side);
     m_solver->setConstraints(rowsOf(*m_constraints, m_ids), m_constraints->sliders());
 }
 
 /// Whether anything moves: a handle, or the shape that settles.
 template <int Dim>
-bool Deformer<Dim>::Engine::flows(double t, Side side) const {
+bool Deformer<Dim>::Integrator::flows(double t, Side side) const {
     return m_constraints->moving(t, side) || m_settling.rate(t, side) > 0;
 }
 
 template <int Dim>
-double Deformer<Dim>::Engine::nextBorder(double t) const {
-    return std::min(m_constraints->nextBorder(t), m_settling.nextBorder(t));
+double Deformer<Dim>::Integrator::nextBreakpoint(double t) const {
+    return std::min(m_constraints->nextBreakpoint(t), m_settling.nextBreakpoint(t));
 }
 
 template <int Dim>
-double Deformer<Dim>::Engine::lastBorder(double t) const {
-    return std::max(m_constraints->lastBorder(t), m_settling.lastBorder(t));
+double Deformer<Dim>::Integrator::lastBreakpoint(double t) const {
+    return std::max(m_constraints->lastBreakpoint(t), m_settling.lastBreakpoint(t));
 }
 
 /// Of the step that begins at the current time. Settling is stiff: of Adams' methods too little is stable.
 template <int Dim>
-StepMethod<Dim>& Deformer<Dim>::Engine::method() const {
+StepMethod<Dim>& Deformer<Dim>::Integrator::method() const {
     return m_settlingMethod && m_settling.rate(state.time, Side::After) > 0 ? *m_settlingMethod : *m_method;
 }
 
 /// Of the gradient of W: while settling that of the window, else ρ times the greatest speed of a constrained
 /// point (method.md, Memory and settling), which m_prescribed holds.
 template <int Dim>
-double Deformer<Dim>::Engine::memoryRate(double t, Side side) const {
+double Deformer<Dim>::Integrator::memoryRate(double t, Side side) const {
     const double settling = m_settling.rate(t, side);
     return settling > 0 ? settling : m_memory * largestColumn<Dim>(m_prescribed);
 }
 
 /// dx/dt = v̂(x, t) at the stages' shape (method.md, Integration), constrained points as all others.
 template <int Dim>
-bool Deformer<Dim>::Engine::evaluate(double t, Side side, Points<Dim>& velocity) {
+bool Deformer<Dim>::Integrator::evaluate(double t, Side side, Points<Dim>& velocity) {
     m_failure = {};
     m_failure.time = t;
     if (m_watch && m_watch->stop.stop_requested()) {
@@ -176,26 +176,26 @@ bool Deformer<Dim>::Engine::evaluate(double t, Side side, Points<Dim>& velocity)
 }
 
 template <int Dim>
-void Deformer<Dim>::Engine::project(double t, Points<Dim>& shape) {
+void Deformer<Dim>::Integrator::project(double t, Points<Dim>& shape) {
     m_constraints->evaluate(m_ids, state.anchors, t, Side::Before, m_targets, m_prescribed);
     m_solver->project(shape, m_targets);
 }
 
 /// The next time after the current one where a step has to end.
 template <int Dim>
-double Deformer<Dim>::Engine::nextStop(double time) const {
-    double stop = std::min(time, nextBorder(state.time));
+double Deformer<Dim>::Integrator::nextStop(double time) const {
+    double stop = std::min(time, nextBreakpoint(state.time));
     if (m_options.steps == 0 || !flows(state.time, Side::After)) return stop;
     const double width = m_options.end / m_options.steps;
     const double number = std::floor(state.time / width * (1 + 1e-14) + 1e-9) + 1;
     const double grid = number == m_options.steps ? m_options.end : number * width;
-    return grid > stop - 1e-9 * width ? stop : grid;  // no sliver of a step before a border
+    return grid > stop - 1e-9 * width ? stop : grid;  // no sliver of a step before a breakpoint
 }
 
-/// From the greatest speed of the constrained points up to the next border (a motion eases in from rest), and
-/// from the rate at which the shape is drawn back.
+/// From the greatest speed of the constrained points up to the next breakpoint (a motion eases in from rest),
+/// and from the rate at which the shape is drawn back.
 template <int Dim>
-double Deformer<Dim>::Engine::startStep(double to) const {
+double Deformer<Dim>::Integrator::startStep(double to) const {
     constexpr int kSamples = 16;
     double fastest = 0;
     Points<Dim> positions, velocities;
@@ -215,7 +215,7 @@ double Deformer<Dim>::Engine::startStep(double to) const {
 
 /// Where to go next on the way to a stop: no sliver of a step before it.
 template <int Dim>
-double Deformer<Dim>::Engine::proposedStep(double stop) const {
+double Deformer<Dim>::Integrator::proposedStep(double stop) const {
     const double rest = stop - state.time;
     if (m_options.steps > 0) return stop;
     const double step = state.pace.step;
@@ -224,15 +224,15 @@ double Deformer<Dim>::Engine::proposedStep(double stop) const {
 }
 
 template <int Dim>
-double Deformer<Dim>::Engine::smallestStep() const {
-    const double from = std::max(0.0, lastBorder(state.time));
-    return m_options.smallestStep * (nextBorder(state.time) - from);
+double Deformer<Dim>::Integrator::smallestStep() const {
+    const double from = std::max(0.0, lastBreakpoint(state.time));
+    return m_options.smallestStep * (nextBreakpoint(state.time) - from);
 }
 
 /// Tries to step from the current state to a time. The error over the tolerance (0 for fixed steps), or
 /// nothing if a stage or the result could not be had.
 template <int Dim>
-std::optional<double> Deformer<Dim>::Engine::attempt(const Nodal<Dim>& start, double to) {
+std::optional<double> Deformer<Dim>::Integrator::attempt(const Nodal<Dim>& start, double to) {
     const auto rhs = [this](double t, Side side, StageVectors<Dim>&, Points<Dim>& v) {
         return evaluate(t, side, v);
     };
@@ -254,7 +254,7 @@ std::optional<double> Deformer<Dim>::Engine::attempt(const Nodal<Dim>& start, do
 /// which stops the shape.
 constexpr double kNearlyFlat = 1e-2;  // of the cell's measure at rest
 template <int Dim>
-void Deformer<Dim>::Engine::failForSmallStep(double to) {
+void Deformer<Dim>::Integrator::failForSmallStep(double to) {
     m_failure = {};
     m_failure.time = to;
     const int cell = m_orientation.mostShrunk(state.normalized);
@@ -269,9 +269,9 @@ void Deformer<Dim>::Engine::failForSmallStep(double to) {
 /// One accepted step towards a stop, after as many attempts as it takes. False: the run ends, m_failure says
 /// why.
 template <int Dim>
-bool Deformer<Dim>::Engine::step(double stop) {
+bool Deformer<Dim>::Integrator::step(double stop) {
     const Pace<Dim> before = state.pace;
-    if (state.pace.step == 0) state.pace.step = startStep(nextBorder(state.time));
+    if (state.pace.step == 0) state.pace.step = startStep(nextBreakpoint(state.time));
     if (!(state.pace.step >= smallestStep()) && m_options.steps == 0) {
         failForSmallStep(state.time);
         state.pace = before;
@@ -308,7 +308,7 @@ bool Deformer<Dim>::Engine::step(double stop) {
 }
 
 template <int Dim>
-void Deformer<Dim>::Engine::accept(double to, bool shortened, bool cut) {
+void Deformer<Dim>::Integrator::accept(double to, bool shortened, bool cut) {
     ++statistics.steps;
     if (m_options.steps == 0) statistics.errorEstimate += method().error() * m_options.tolerance;
     remember();  // frames may need a field of their own
@@ -320,7 +320,7 @@ void Deformer<Dim>::Engine::accept(double to, bool shortened, bool cut) {
 
 /// No handle moves: v̂ = 0, nothing to solve.
 template <int Dim>
-void Deformer<Dim>::Engine::standStill(double to) {
+void Deformer<Dim>::Integrator::standStill(double to) {
     m_next = state.normalized;
     while (m_watch && m_frame < m_watch->frames.size() && m_watch->frames[m_frame] < to) {
         State<Dim> frame;
@@ -333,19 +333,19 @@ void Deformer<Dim>::Engine::standStill(double to) {
 }
 
 template <int Dim>
-void Deformer<Dim>::Engine::arrive(double to) {
+void Deformer<Dim>::Integrator::arrive(double to) {
     state.time = to;
     state.points = inDomain(state.normalized);
     measureError(to);
-    if (lastBorder(to) == to) {
-        m_constraints->crossBorder(to, state.normalized, state.anchors);
+    if (lastBreakpoint(to) == to) {
+        m_constraints->crossBreakpoint(to, state.normalized, state.anchors);
         startAnew();
     }
     if (m_watch && m_watch->progress) m_watch->progress(to);
 }
 
 template <int Dim>
-void Deformer<Dim>::Engine::measureError(double t) {
+void Deformer<Dim>::Integrator::measureError(double t) {
     m_constraints->evaluate(m_ids, state.anchors, t, Side::Before, m_targets, m_prescribed);
     for (size_t i = 0; i < m_ids.size(); ++i) {
         const Vec<Dim> p = m_constraints->points()[m_ids[i]].template in<Dim>(state.normalized);
@@ -358,7 +358,7 @@ void Deformer<Dim>::Engine::measureError(double t) {
 /// that is nearer, and its constrained points back to where they are at the time t. If that does not help
 /// either, it is that end.
 template <int Dim>
-void Deformer<Dim>::Engine::unfold(double t, Points<Dim>& shape, const Points<Dim>& end) {
+void Deformer<Dim>::Integrator::unfold(double t, Points<Dim>& shape, const Points<Dim>& end) {
     constexpr int kHalvings = 8;
     for (int k = 0; firstInverted(shape) >= 0; ++k) {
         if (k == kHalvings) {
@@ -372,7 +372,7 @@ void Deformer<Dim>::Engine::unfold(double t, Points<Dim>& shape, const Points<Di
 
 /// The frames strictly inside the step that m_method holds; one at its end is the state itself.
 template <int Dim>
-void Deformer<Dim>::Engine::emitFrames(double from, double to) {
+void Deformer<Dim>::Integrator::emitFrames(double from, double to) {
     if (!m_watch || !m_watch->onFrame) return;
     const auto& times = m_watch->frames;
     if (m_frame >= times.size() || times[m_frame] >= to) return;
@@ -396,7 +396,7 @@ void Deformer<Dim>::Engine::emitFrames(double from, double to) {
 }
 
 template <int Dim>
-AdvanceResult Deformer<Dim>::Engine::advance(double time, const Watch& watch) {
+AdvanceResult Deformer<Dim>::Integrator::advance(double time, const Watch& watch) {
     const auto begin = std::chrono::steady_clock::now();
     m_watch = &watch;
     m_frame = 0;
@@ -427,7 +427,7 @@ AdvanceResult Deformer<Dim>::Engine::advance(double time, const Watch& watch) {
 }
 
 template <int Dim>
-Points<Dim> Deformer<Dim>::Engine::velocity() {
+Points<Dim> Deformer<Dim>::Integrator::velocity() {
     const bool begins = flows(state.time, Side::After);
     const Side side = begins || !flows(state.time, Side::Before) ? Side::After : Side::Before;
     activate(side);
@@ -448,13 +448,13 @@ Points<Dim> Deformer<Dim>::Engine::velocity() {
 
 /// With the constraints that led to the current time.
 template <int Dim>
-double Deformer<Dim>::Engine::restForce() {
+double Deformer<Dim>::Integrator::restForce() {
     activate(flows(state.time, Side::Before) ? Side::Before : Side::After);
     return m_solver->restForce(state.normalized);
 }
 
 template <int Dim>
-void Deformer<Dim>::Engine::collectStatistics() {
+void Deformer<Dim>::Integrator::collectStatistics() {
     const SolverStatistics& solver = m_solver->statistics();
     statistics.factorizations = solver.factorizations;
     statistics.solverIterations = solver.iterations;
@@ -466,7 +466,7 @@ void Deformer<Dim>::Engine::collectStatistics() {
     statistics.copied = m_solver->copied();
 }
 
-template struct Deformer<2>::Engine;
-template struct Deformer<3>::Engine;
+template struct Deformer<2>::Integrator;
+template struct Deformer<3>::Integrator;
 
 }  // namespace wend

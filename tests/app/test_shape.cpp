@@ -2,8 +2,11 @@
 
 #include <QtTest>
 
+#include "app/session/flat_shape.h"
+#include "app/session/held_border.h"
+#include "app/session/material_raster.h"
 #include "app/session/run.h"
-#include "app/session/scene.h"
+#include "app/session/shape_builder.h"
 #include "core/mesh/error.h"
 #include "core/mesh/mesh_file.h"
 #include "tests/app/cli_harness.h"
@@ -28,7 +31,7 @@ Vec<2> centroid(const SimplicialMesh<2>& mesh, int cell) {
 
 }  // namespace
 
-class TestScene : public QObject {
+class TestShape : public QObject {
     Q_OBJECT
 
   private slots:
@@ -40,11 +43,11 @@ class TestScene : public QObject {
 
     void frame() {
         const Project project = parsed("'domain': {'image': 'disc.png', 'vertices': 500}", m_base);
-        const auto scene = std::get<Scene<2>>(loadScene(project, m_base));
-        QVERIFY(std::abs(scene.rest->vertexCount() - 500) <= 50);
-        QCOMPARE(scene.picture->width, 200);
+        const auto shape = std::get<Shape<2>>(loadShape(project, m_base));
+        QVERIFY(std::abs(shape.rest->vertexCount() - 500) <= 50);
+        QCOMPARE(shape.picture->width, 200);
         double area = 0;
-        for (const auto& cell : scene.rest->cells) area += cellMeasure<2>(scene.rest->points, cell);
+        for (const auto& cell : shape.rest->cells) area += cellMeasure<2>(shape.rest->points, cell);
         QVERIFY(std::abs(area - 200 * 200) < 1e-6);
     }
 
@@ -56,32 +59,32 @@ class TestScene : public QObject {
             "{'at': {'points': [[100.25, 90.5], [60, 100]]}}, {'at': {'points': [[60, 100], [120, 130]]}},"
             "{'at': {'points': [[111, 111]]}, 'active': [0.5, 1]}, {'at': {'points': [[1, 1]]}}]",
             m_base);
-        const auto scene = std::get<Scene<2>>(loadScene(project, m_base));
-        QCOMPARE(scene.rest->points.col(0), Vec<2>(100.25, 90.5));
-        QCOMPARE(scene.rest->points.col(1), Vec<2>(60, 100));
-        QCOMPARE(scene.rest->points.col(2), Vec<2>(120, 130));
-        for (int i = 0; i < scene.rest->vertexCount(); ++i)
-            QVERIFY((scene.rest->points.col(i) - Vec<2>(111, 111)).norm() > 1e-6);
-        QCOMPARE(scene.handles.size(), std::size_t(4));
+        const auto shape = std::get<Shape<2>>(loadShape(project, m_base));
+        QCOMPARE(shape.rest->points.col(0), Vec<2>(100.25, 90.5));
+        QCOMPARE(shape.rest->points.col(1), Vec<2>(60, 100));
+        QCOMPARE(shape.rest->points.col(2), Vec<2>(120, 130));
+        for (int i = 0; i < shape.rest->vertexCount(); ++i)
+            QVERIFY((shape.rest->points.col(i) - Vec<2>(111, 111)).norm() > 1e-6);
+        QCOMPARE(heldHandles(project, shape).size(), std::size_t(4));
     }
 
     void edgeLength() {
         const Project project = parsed("'domain': {'image': 'disc.png', 'edge': 20}", m_base);
-        const auto scene = std::get<Scene<2>>(loadScene(project, m_base));
+        const auto shape = std::get<Shape<2>>(loadShape(project, m_base));
         double sum = 0;
-        for (const auto& cell : scene.rest->cells)
+        for (const auto& cell : shape.rest->cells)
             for (int k = 0; k < 3; ++k)
-                sum += (scene.rest->points.col(cell[k]) - scene.rest->points.col(cell[(k + 1) % 3])).norm();
-        const double mean = sum / (3 * scene.rest->cellCount());
+                sum += (shape.rest->points.col(cell[k]) - shape.rest->points.col(cell[(k + 1) % 3])).norm();
+        const double mean = sum / (3 * shape.rest->cellCount());
         QVERIFY2(std::abs(mean - 20) < 4, qPrintable(QString::number(mean)));
     }
 
     void meshDomainKeepsOrder() {
         const Project project = parsed("'domain': {'mesh': 'grid.obj'}", m_base);
-        const auto scene = std::get<Scene<2>>(loadScene(project, m_base));
-        QCOMPARE(scene.rest->points, grid(4).points);
-        QVERIFY(scene.rest->cells == grid(4).cells);
-        QVERIFY(!scene.picture);
+        const auto shape = std::get<Shape<2>>(loadShape(project, m_base));
+        QCOMPARE(shape.rest->points, grid(4).points);
+        QVERIFY(shape.rest->cells == grid(4).cells);
+        QVERIFY(!shape.picture);
     }
 
     /// φ goes linearly with the membership, from what the regions before have left.
@@ -148,7 +151,7 @@ class TestScene : public QObject {
         auto picture = std::make_shared<Image>(discPicture(200, 50));
         auto rest = std::make_shared<SimplicialMesh<2>>(grid(4));
         Eigen::Matrix2Xd uv = rest->points / 4;  // y up, as v
-        const Texture texture = textureOf(picture, rest, uv);
+        const Texture texture = textureOf(*picture, rest, uv);
         for (int i = 0; i < rest->vertexCount(); ++i) {
             const Vec<2> expected(50 * rest->points(0, i), 200 - 50 * rest->points(1, i));
             QVERIFY((texture.rest->points.col(i) - expected).norm() < 1e-11);
@@ -160,9 +163,9 @@ class TestScene : public QObject {
         Eigen::Matrix2Xd more = uv;
         more.conservativeResize(2, uv.cols() + 1);
         more.col(uv.cols()) << 0.5, 0.5;
-        const Texture same = textureOf(picture, std::make_shared<const SimplicialMesh<2>>(spare), more);
+        const Texture same = textureOf(*picture, std::make_shared<const SimplicialMesh<2>>(spare), more);
         QVERIFY((same.toPixels(rest->points) - texture.rest->points).norm() < 1e-9);
-        const Texture plain = textureOf(picture, rest, {});
+        const Texture plain = textureOf(*picture, rest, {});
         QVERIFY(plain.toPixels(rest->points) ==
                 rest->points);  // to the last bit: an identity warp must be one
     }
@@ -239,7 +242,7 @@ class TestScene : public QObject {
         QFETCH(QString, file);
         const Project project = parsed("'domain': " + domain.toStdString(), m_base);
         try {
-            loadScene(project, m_base);
+            loadShape(project, m_base);
             QFAIL("nothing was thrown");
         } catch (const InputError& error) {
             QVERIFY2(QString(error.what()).contains(file), error.what());
@@ -250,7 +253,7 @@ class TestScene : public QObject {
         std::stop_source source;
         source.request_stop();
         const Project project = parsed("'domain': {'image': 'disc.png', 'vertices': 20000}", m_base);
-        QVERIFY_EXCEPTION_THROWN(loadScene(project, m_base, source.get_token()), Cancelled);
+        QVERIFY_EXCEPTION_THROWN(loadShape(project, m_base, source.get_token()), Cancelled);
     }
 
   private:
@@ -258,5 +261,5 @@ class TestScene : public QObject {
     std::string m_base;
 };
 
-QTEST_APPLESS_MAIN(TestScene)
-#include "test_scene.moc"
+QTEST_APPLESS_MAIN(TestShape)
+#include "test_shape.moc"

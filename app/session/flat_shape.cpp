@@ -1,13 +1,10 @@
-#include "app/session/scene.h"
+#include "app/session/flat_shape.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/QR>
 #include <algorithm>
 
-#include "app/session/caged_solid.h"
-#include "app/session/held_border.h"
 #include "app/session/mesh_rest.h"
-#include "app/session/solid.h"
 #include "core/mesh/error.h"
 #include "core/mesh/mesh_file.h"
 #include "core/mesh/segments.h"
@@ -19,8 +16,6 @@ namespace wend {
 namespace {
 
 constexpr double kCoincident = 1e-9;  // of the diagonal: the mesher's own measure
-
-// --- Pictures ---
 
 double outlineDiagonal(const Outline& outline) {
     Eigen::AlignedBox2d box;
@@ -64,81 +59,6 @@ double outlineSlack(const Domain& domain) {
                                                 : 0;
 }
 
-Scene<2> imageScene(const Project& project, const std::string& folder, std::stop_token stop) {
-    const std::string path = pathIn(folder, project.domain.path);
-    Scene<2> scene;
-    scene.picture = loadPicture(project, folder);
-    try {
-        scene.rest = meshPicture(project, domainOutline(project.domain, *scene.picture), stop);
-    } catch (const InputError& error) {
-        // Polygons stand in the project, whose file the caller names.
-        if (project.domain.outline == OutlineKind::Polygons)
-            throw InputError("domain.outline.polygons: " + error.reason());
-        throw error.named(path);
-    }
-    tellOfHanging<2>(*scene.rest, scene.notices);
-    scene.texture = textureOf(scene.picture, scene.rest, {});
-    return scene;
-}
-
-// --- Meshes and solids ---
-
-Scene<2> planarMeshScene(const Project& project, const std::string& folder) {
-    const std::string path = pathIn(folder, project.domain.path);
-    Scene<2> scene;
-    auto file = std::make_shared<MeshFile>(readMeshFile(path));
-    std::shared_ptr<const SimplicialMesh<2>> textured;
-    if (isVolume(*file)) throw InputError(path, "holds tetrahedra, but the project is in the plane");
-    try {
-        textured = std::make_shared<const SimplicialMesh<2>>(meshFrom<2>(*file));
-        scene.rest = joinedRest<2>(*textured, scene.notices);
-    } catch (const InputError& error) {
-        throw error.named(path);
-    }
-    scene.source = file;
-    tellOfHanging<2>(*scene.rest, scene.notices);
-    scene.picture = loadPicture(project, folder);
-    // On the file's own cells: at a seam, vertices at one place have texture points of their own.
-    if (scene.picture) scene.texture = textureOf(scene.picture, textured, scene.source->uv);
-    return scene;
-}
-
-Scene<3> solidScene(const Project& project, const std::string& folder, std::stop_token stop) {
-    Solid solid = loadSolid(project, folder, stop);
-    Scene<3> scene;
-    scene.rest = std::move(solid.rest);
-    scene.source = std::move(solid.source);
-    scene.skin = std::move(solid.skin);
-    scene.embedding = std::move(solid.embedding);
-    scene.verdict = solid.verdict;
-    scene.cage = solid.cage;
-    scene.notices = std::move(solid.notices);
-    return scene;
-}
-
-/// Vertices by number are the surface's: in a cage, where those have none, they are the points at their
-/// places.
-std::vector<Handle<3>> handlesOn(const Scene<3>& scene, std::vector<Handle<3>> handles) {
-    if (!scene.cage) return handles;
-    for (Handle<3>& handle : handles)
-        if (const auto* vertices = std::get_if<std::vector<int>>(&handle.at))
-            handle.at = placesOf(*vertices, *scene.skin);
-    return handles;
-}
-std::vector<Handle<2>> handlesOn(const Scene<2>&, std::vector<Handle<2>> handles) {
-    return handles;
-}
-
-template <int Dim>
-AnyScene furnished(Scene<Dim> scene, const Project& project, const std::string& folder) {
-    const auto& design = std::get<Design<Dim>>(project.design);
-    scene.material = rasterizeMaterial<Dim>(design.material, *scene.rest, folder);
-    const bool framed = project.domain.kind == DomainKind::Image && scene.picture;
-    const Vec<2> frame = framed ? Vec<2>(scene.picture->width, scene.picture->height) : Vec<2>(0, 0);
-    scene.handles = handlesOn(scene, heldHandles<Dim>(project, *scene.rest, frame));
-    return scene;
-}
-
 }  // namespace
 
 std::shared_ptr<const Image> loadPicture(const Project& project, const std::string& folder) {
@@ -177,13 +97,13 @@ int restMarginOf(const Domain& domain) {
     return static_cast<int>(std::ceil(domain.alpha.margin + domain.alpha.gap)) + 1;
 }
 
-Texture textureOf(std::shared_ptr<const Image> picture, std::shared_ptr<const SimplicialMesh<2>> rest,
+Texture textureOf(const Image& picture, std::shared_ptr<const SimplicialMesh<2>> rest,
                   const Eigen::Matrix2Xd& uv) {
-    Texture texture{picture, rest, {}};
+    Texture texture{rest, {}};
     if (uv.cols() != rest->points.cols() || uv.cols() == 0) return texture;
     SimplicialMesh<2> pixels = *rest;
-    pixels.points.row(0) = picture->width * uv.row(0);
-    pixels.points.row(1) = picture->height * (1 - uv.row(1).array());
+    pixels.points.row(0) = picture.width * uv.row(0);
+    pixels.points.row(1) = picture.height * (1 - uv.row(1).array());
     // Least squares for pixels = [A b] [p; 1], over the vertices that cells have.
     const std::vector<bool> used = usedVertices<2>(rest->vertexCount(), rest->cells);
     std::vector<int> rows;
@@ -197,11 +117,32 @@ Texture textureOf(std::shared_ptr<const Image> picture, std::shared_ptr<const Si
     return texture;
 }
 
-AnyScene loadScene(const Project& project, const std::string& folder, std::stop_token stop) {
-    if (project.dimension() == 3) return furnished(solidScene(project, folder, stop), project, folder);
-    if (project.domain.kind == DomainKind::Image)
-        return furnished(imageScene(project, folder, stop), project, folder);
-    return furnished(planarMeshScene(project, folder), project, folder);
+Shape<2> loadFlatMesh(const Project& project, const std::string& folder) {
+    const std::string path = pathIn(folder, project.domain.path);
+    Shape<2> shape;
+    auto file = std::make_shared<MeshFile>(readMeshFile(path));
+    std::shared_ptr<const SimplicialMesh<2>> textured;
+    if (isVolume(*file)) throw InputError(path, "holds tetrahedra, but the project is in the plane");
+    try {
+        textured = std::make_shared<const SimplicialMesh<2>>(meshFrom<2>(*file));
+        shape.rest = joinedRest<2>(*textured, shape.notices);
+    } catch (const InputError& error) {
+        throw error.named(path);
+    }
+    shape.source = file;
+    shape.picture = loadPicture(project, folder);
+    // On the file's own cells: at a seam, vertices at one place have texture points of their own.
+    if (shape.picture)
+        shape.texture = std::make_shared<const Texture>(textureOf(*shape.picture, textured, file->uv));
+    return shape;
+}
+
+const SimplicialMesh<2>& restInPixels(const Shape<2>& shape) {
+    return shape.texture ? *shape.texture->rest : *shape.rest;
+}
+
+Points<2> inPixels(const Shape<2>& shape, const Points<2>& pose) {
+    return shape.texture ? shape.texture->toPixels(pose) : pose;
 }
 
 }  // namespace wend

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "core/integration/engine.h"
+#include "core/integration/integrator.h"
 #include "core/integration/stop_message.h"
 #include "core/mesh/cell_geometry.h"
 
@@ -12,7 +12,7 @@ namespace wend {
 /// The constrained point that is the fastest where the attempt began or failed; −1 without any. What is not a
 /// number is the fastest.
 template <int Dim>
-int Deformer<Dim>::Engine::fastestPoint() const {
+int Deformer<Dim>::Integrator::fastestPoint() const {
     int fastest = -1;
     double most = -1;
     Points<Dim> positions, velocities;
@@ -33,23 +33,23 @@ int Deformer<Dim>::Engine::fastestPoint() const {
 /// The constrained point next to a place (normalized) among those of handles that move, or of all if none
 /// does; −1 without any.
 template <int Dim>
-int Deformer<Dim>::Engine::nearestPoint(const Vec<Dim>& place) const {
+int Deformer<Dim>::Integrator::nearestPoint(const Vec<Dim>& place) const {
     const bool any = m_constraints->moving(state.time, Side::After);
     int nearest = -1;
-    double least = std::numeric_limits<double>::infinity();
+    double minimum = std::numeric_limits<double>::infinity();
     for (const int id : m_ids) {
         const ConstrainedPoint& point = m_constraints->points()[id];
         if (any && m_constraints->timeline(point.handle).motionAt(state.time, Side::After) < 0) continue;
         const double distance = (point.template in<Dim>(state.normalized) - place).norm();
-        if (nearest >= 0 && !(distance < least)) continue;
-        least = distance;
+        if (nearest >= 0 && !(distance < minimum)) continue;
+        minimum = distance;
         nearest = id;
     }
     return nearest;
 }
 
 template <int Dim>
-AdvanceResult Deformer<Dim>::Engine::stopped() const {
+AdvanceResult Deformer<Dim>::Integrator::stopped() const {
     AdvanceResult result{Outcome::Cancelled, state.time, -1, {}};
     std::ostringstream message;
     message.imbue(std::locale::classic());
@@ -86,11 +86,11 @@ AdvanceResult Deformer<Dim>::Engine::stopped() const {
     return result;
 }
 
-template int Deformer<2>::Engine::fastestPoint() const;
-template int Deformer<2>::Engine::nearestPoint(const Vec<2>&) const;
-template AdvanceResult Deformer<2>::Engine::stopped() const;
-template int Deformer<3>::Engine::fastestPoint() const;
-template int Deformer<3>::Engine::nearestPoint(const Vec<3>&) const;
-template AdvanceResult Deformer<3>::Engine::stopped() const;
+template int Deformer<2>::Integrator::fastestPoint() const;
+template int Deformer<2>::Integrator::nearestPoint(const Vec<2>&) const;
+template AdvanceResult Deformer<2>::Integrator::stopped() const;
+template int Deformer<3>::Integrator::fastestPoint() const;
+template int Deformer<3>::Integrator::nearestPoint(const Vec<3>&) const;
+template AdvanceResult Deformer<3>::Integrator::stopped() const;
 
 }  // namespace wend

@@ -11,16 +11,17 @@ namespace wend {
 /// The integration of one deformation in the frame where the rest shape has size 1 (method.md,
 /// Integration).
 ///
-/// Time is cut at the borders of the constraints: windows, jumps of a trajectory's velocity, active ranges,
-/// and at those of settling. A step never crosses one, and at each the step control starts anew, so that a
-/// run that begins there takes the same steps. A step depends on the state alone: before each, the solver and
-/// the guesses are brought to what the state says, so that a run goes on to the same bits after a rejection,
-/// a cancellation, a question in between, and in another deformer.
+/// Time is cut at the breakpoints of the constraints: windows, jumps of a trajectory's velocity, active
+/// ranges, and at those of settling. A step never crosses one, and at each the step control starts anew, so
+/// that a run that begins there takes the same steps. A step depends on the state alone: before each, the
+/// solver and the guesses are brought to what the state says, so that a run goes on to the same bits after a
+/// rejection, a cancellation, a question in between, and in another deformer.
 template <int Dim>
-struct Deformer<Dim>::Engine {
-    Engine(std::shared_ptr<const SimplicialMesh<Dim>> rest, std::shared_ptr<const Material<Dim>> material,
-           const std::vector<Handle<Dim>>& handles, const IntegrationOptions& options,
-           const std::function<VelocitySolver<Dim>(std::shared_ptr<const SimplicialMesh<Dim>>)>& makeSolver);
+struct Deformer<Dim>::Integrator {
+    Integrator(
+        std::shared_ptr<const SimplicialMesh<Dim>> rest, std::shared_ptr<const Material<Dim>> material,
+        const std::vector<Handle<Dim>>& handles, const IntegrationOptions& options,
+        const std::function<VelocitySolver<Dim>(std::shared_ptr<const SimplicialMesh<Dim>>)>& makeSolver);
 
     void setHandles(const std::vector<Handle<Dim>>& handles);
     void restore(const State<Dim>& state);
@@ -57,8 +58,8 @@ struct Deformer<Dim>::Engine {
 
     // Steps
     bool flows(double t, Side side) const;
-    double nextBorder(double t) const;
-    double lastBorder(double t) const;
+    double nextBreakpoint(double t) const;
+    double lastBreakpoint(double t) const;
     StepMethod<Dim>& method() const;
     double nextStop(double time) const;
     double startStep(double to) const;

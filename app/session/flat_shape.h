@@ -1,0 +1,31 @@
+#pragma once
+
+#include <stop_token>
+
+#include "app/document/project.h"
+#include "app/session/shape.h"
+
+namespace wend {
+
+/// The picture of the domain, or null if it has none.
+std::shared_ptr<const Image> loadPicture(const Project& project, const std::string& folder);
+
+/// What of a picture is bent.
+Outline domainOutline(const Domain& domain, const Image& picture);
+
+/// The mesh of an outline; points of handles that are there from the start become vertices.
+std::shared_ptr<const SimplicialMesh<2>> meshPicture(const Project& project, const Outline& outline,
+                                                     std::stop_token stop = {});
+
+/// The shape of a file's mesh in the plane, without material. Throws InputError that names the file.
+Shape<2> loadFlatMesh(const Project& project, const std::string& folder);
+
+/// WarpOptions::restMargin for the domain's outline: what growing it reaches, if it follows alpha.
+int restMarginOf(const Domain& domain);
+
+/// Where the rest mesh lies in the picture: with uv (one per vertex, origin at the bottom left) by them, and
+/// poses through the affine map that fits them best; without uv, coordinates are pixels.
+Texture textureOf(const Image& picture, std::shared_ptr<const SimplicialMesh<2>> rest,
+                  const Eigen::Matrix2Xd& uv);
+
+}  // namespace wend
