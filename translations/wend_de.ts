@@ -1657,6 +1657,14 @@
         <source>?</source>
         <translation>?</translation>
     </message>
+    <message>
+        <source>&amp;Tutorial</source>
+        <translation>&amp;Einführung</translation>
+    </message>
+    <message>
+        <source>The first five minutes, on a sample, step by step</source>
+        <translation>Die ersten fünf Minuten an einem Beispiel, Schritt für Schritt</translation>
+    </message>
 </context>
 <context>
     <name>wend::BalancePanel</name>
@@ -4383,6 +4391,14 @@
         <source>Recent</source>
         <translation>Zuletzt geöffnet</translation>
     </message>
+    <message>
+        <source>Five-minute tutorial</source>
+        <translation>Einführung in fünf Minuten</translation>
+    </message>
+    <message>
+        <source>The first steps on a sample, one after another.</source>
+        <translation>Die ersten Schritte an einem Beispiel, einer nach dem anderen.</translation>
+    </message>
 </context>
 <context>
     <name>wend::StatusFields</name>
@@ -4510,6 +4526,26 @@
         <source>Exact surface only</source>
         <translation>Nur die genaue Oberfläche</translation>
     </message>
+    <message>
+        <source>merge points (%1)</source>
+        <translation>Punkte verschmelzen (%1)</translation>
+    </message>
+    <message>
+        <source>drop triangles (%1)</source>
+        <translation>Dreiecke weglassen (%1)</translation>
+    </message>
+    <message>
+        <source>turn triangles (%1)</source>
+        <translation>Dreiecke umdrehen (%1)</translation>
+    </message>
+    <message>
+        <source>fill holes (%1)</source>
+        <translation>Löcher füllen (%1)</translation>
+    </message>
+    <message>
+        <source>It would %1.</source>
+        <translation>Sie würde: %1.</translation>
+    </message>
 </context>
 <context>
     <name>wend::SurfacePanel</name>
@@ -4613,6 +4649,18 @@
         <source>Fills a cage of even cells around the surface, which rides in it.</source>
         <translation>Füllt einen Käfig gleichmäßiger Zellen um die Oberfläche, die in ihm mitfährt.</translation>
     </message>
+    <message>
+        <source>See the repair</source>
+        <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>Shows the surface as the repair would leave it: what it adds in green, what stays wrong in red.</source>
+        <translation>Zeigt die Oberfläche, wie die Reparatur sie hinterließe: was sie ergänzt, grün, was falsch bleibt, rot.</translation>
+    </message>
+    <message>
+        <source>There is nothing that the simple repairs would change.</source>
+        <translation>Es gibt nichts, was die einfachen Reparaturen ändern würden.</translation>
+    </message>
 </context>
 <context>
     <name>wend::TimeStrip</name>
@@ -4702,6 +4750,65 @@
     <message>
         <source>Open a solid first.</source>
         <translation>Zuerst einen Körper öffnen.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::Tutorial</name>
+    <message>
+        <source>End</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>Ends the tutorial; the picture stays open</source>
+        <translation>Beendet die Einführung; das Bild bleibt offen</translation>
+    </message>
+    <message>
+        <source>Only what is pinned holds. &lt;b&gt;Click a hoof&lt;/b&gt; of the giraffe to pin it.</source>
+        <translation>Nur was festgesteckt ist, hält. &lt;b&gt;Klicken Sie auf einen Huf&lt;/b&gt; der Giraffe, um ihn festzustecken.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Pin the other hooves&lt;/b&gt;, too: a click each. Ctrl+Z takes a pin back.</source>
+        <translation>&lt;b&gt;Stecken Sie auch die anderen Hufe fest&lt;/b&gt;, je mit einem Klick. Strg+Z nimmt einen Pin zurück.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Click its nose&lt;/b&gt;, and &lt;b&gt;drag the new pin&lt;/b&gt; down to the ground. The shape flows along.</source>
+        <translation>&lt;b&gt;Klicken Sie auf die Nase&lt;/b&gt; und &lt;b&gt;ziehen Sie den neuen Pin&lt;/b&gt; hinunter zum Boden. Die Form fließt mit.</translation>
+    </message>
+    <message>
+        <source>What it keeps on the way is your choice: at the top right, under &lt;b&gt;Keep&lt;/b&gt;, &lt;b&gt;choose Area, Rigid or Angle&lt;/b&gt;, and see the neck change.</source>
+        <translation>Was sie dabei bewahrt, bestimmen Sie: &lt;b&gt;Wählen Sie&lt;/b&gt; oben rechts, unter &lt;b&gt;Erhalt, Fläche, Starr oder Winkel&lt;/b&gt;, und sehen Sie, wie sich der Hals ändert.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Press D&lt;/b&gt; to see in colours what the bend has changed, and where most. D again hides it.</source>
+        <translation>&lt;b&gt;Drücken Sie D&lt;/b&gt;: Farben zeigen, was die Biegung geändert hat, und wo am meisten. Noch einmal D blendet sie aus.</translation>
+    </message>
+    <message>
+        <source>The same for a part only: &lt;b&gt;press Ctrl+3&lt;/b&gt; for the step &lt;i&gt;Paint&lt;/i&gt;, and &lt;b&gt;brush over the neck&lt;/b&gt;. [ and ] change the size of the brush.</source>
+        <translation>Dasselbe nur für einen Teil: &lt;b&gt;Strg+3&lt;/b&gt; führt zum Schritt &lt;i&gt;Malen&lt;/i&gt;; &lt;b&gt;pinseln Sie über den Hals&lt;/b&gt;. [ und ] ändern die Größe des Pinsels.</translation>
+    </message>
+    <message>
+        <source>Your drag is already a film: &lt;b&gt;press K&lt;/b&gt; to play it. Click into the strip below to go to a time, and drag on from there.</source>
+        <translation>Ihr Ziehen ist schon ein Film: &lt;b&gt;K&lt;/b&gt; spielt ihn ab. Ein Klick in den Streifen unten führt zu einer Zeit, und von dort ziehen Sie weiter.</translation>
+    </message>
+    <message>
+        <source>At last, &lt;b&gt;press Ctrl+5&lt;/b&gt; for the step &lt;i&gt;Export&lt;/i&gt;: a picture, a sequence, a map of the warp, or the mesh.</source>
+        <translation>Zuletzt führt &lt;b&gt;Strg+5&lt;/b&gt; zum Schritt &lt;i&gt;Export&lt;/i&gt;: ein Bild, eine Bildfolge, eine Karte der Verzerrung oder das Netz.</translation>
+    </message>
+    <message>
+        <source>That is all you need to begin. &lt;b&gt;F1&lt;/b&gt; opens the manual, &lt;b&gt;?&lt;/b&gt; lists the keys. Drop a picture of your own on the window.</source>
+        <translation>Mehr braucht es nicht für den Anfang. &lt;b&gt;F1&lt;/b&gt; öffnet das Handbuch, &lt;b&gt;?&lt;/b&gt; nennt die Tasten. Ziehen Sie ein eigenes Bild auf das Fenster.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation>Überspringen</translation>
     </message>
 </context>
 <context>

@@ -5,7 +5,7 @@
 #include <QFileInfo>
 #include <QStandardPaths>
 
-#include "app/session/scene.h"
+#include "app/session/flat_shape.h"
 #include "core/mesh/error.h"
 #include "core/mesh/mesh_file.h"
 #include "core/mesh/segments.h"
@@ -209,7 +209,8 @@ QString picturePathOf(const QString& project) {
 }
 
 QString proposedFolder(const Document& document) {
-    const bool isSample = document.path().isEmpty() && samplePaths().contains(document.source());
+    const bool isSample =
+        document.path().isEmpty() && QFileInfo(document.source()).absolutePath() == sampleFolder();
     return isSample ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) : document.folder();
 }
 

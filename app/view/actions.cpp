@@ -107,6 +107,7 @@ void Actions::makeMotion() {
 void Actions::makeHelp() {
     manual = add({tr("&Manual"), tr("How it works, page by page, with a search")}, QKeySequence(Qt::Key_F1),
                  "help");
+    tutorial = add({tr("&Tutorial"), tr("The first five minutes, on a sample, step by step")}, {});
     shortcuts = add({tr("&Keys and Mouse"), tr("What pointer and keys do")}, QKeySequence(tr("?")));
     about = add({tr("&About Wend"), tr("Version and licence")}, {});
     about->setMenuRole(QAction::AboutRole);
@@ -138,11 +139,11 @@ void Actions::fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve, const 
     fillTools(*window.menuBar()->addMenu(tr("&Tools")));
     window.menuBar()->addMenu(more);
     QMenu* motion = window.menuBar()->addMenu(tr("&Motion"));
-    motion->addActions({play, loop, toStart, toEnd, settle});
+    motion->addActions({play, loop, toStart, toEnd});
     motion->addSeparator();
     motion->addAction(settle);
     motion->addMenu(curve);
-    window.menuBar()->addMenu(tr("&Help"))->addActions({manual, shortcuts, about});
+    window.menuBar()->addMenu(tr("&Help"))->addActions({tutorial, manual, shortcuts, about});
 }
 
 /// The steps, and under the name of each what belongs to it first.

@@ -28,7 +28,7 @@ class Actions : public ActionMaker {
     QAction *fit, *actualSize, *zoomIn, *zoomOut, *fullScreen;
     QAction *play, *loop, *toStart, *toEnd, *settle;
     QAction *systemLook, *lightLook, *darkLook;
-    QAction *about, *manual, *shortcuts, *history;
+    QAction *about, *manual, *tutorial, *shortcuts, *history;
     const std::unique_ptr<QMenu> recent, samples, exports;
 
     /// Menus of the whole program, in the order of the work.

@@ -41,6 +41,7 @@
 #include "app/view/status_fields.h"
 #include "app/view/time_strip.h"
 #include "app/view/toolbox.h"
+#include "app/view/tutorial.h"
 #include "app/view/volume/solid_canvas.h"
 #include "app/view/work_note.h"
 #include "app/view/workspace.h"
@@ -73,6 +74,7 @@ MainWindow::MainWindow(QWidget* parent)
       m_pages(new QStackedWidget),
       m_note(new BusyNote(*m_pages)),
       m_work(new WorkNote(m_session, *m_pages)),
+      m_tutorial(new Tutorial({m_session, *m_actions, *m_tools}, *m_pages)),
       m_systemPalette(QApplication::palette()) {
     setAcceptDrops(true);
     setWindowTitle(QStringLiteral("Wend[*]"));
@@ -93,7 +95,7 @@ MainWindow::MainWindow(QWidget* parent)
     connectEdit();
     connectView();
     connectMotion();
-    new SideWindows(m_session, *m_actions, *this);
+    connectHelp();
     setAppearance(static_cast<Appearance>(QSettings().value("appearance", 0).toInt()));
     showDocument();
 }
@@ -298,6 +300,15 @@ void MainWindow::connectMotion() {
         m_actions->play->setText(playing ? tr("&Pause") : tr("&Play"));
     });
     connect(&playback, &Playback::endChanged, this, &MainWindow::showSelection);
+}
+
+void MainWindow::connectHelp() {
+    new SideWindows(m_session, *m_actions, *this);
+    connect(m_start, &StartPage::tutorialRequested, m_actions->tutorial, &QAction::trigger);
+    connect(m_actions->tutorial, &QAction::triggered, this, [this] {
+        m_tutorial->begin();
+        m_files->open(Tutorial::picture());
+    });
 }
 
 void MainWindow::openPath(const QString& path) {

@@ -33,6 +33,7 @@ class StartPage;
 class StatusFields;
 class TimeStrip;
 class Toolbox;
+class Tutorial;
 class WorkNote;
 class Workspace;
 
@@ -79,6 +80,7 @@ class MainWindow : public QMainWindow {
     void connectView();
     void connectMotion();
     void connectHiding();
+    void connectHelp();
     void tell(const QString& text);
     void tellDone(const QString& text);
     void showDocument();
@@ -113,6 +115,7 @@ class MainWindow : public QMainWindow {
     QStackedWidget* m_pages;
     BusyNote* m_note;
     WorkNote* m_work;
+    Tutorial* m_tutorial;
     QString m_told;  // in the status bar: stays a while, though hints of buttons come and go
     QDeadlineTimer m_toldUntil;
     QString m_hint;     // the last one of a button or field

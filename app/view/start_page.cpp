@@ -144,6 +144,11 @@ QWidget* StartPage::makeHeader() {
     row->setSpacing(16);
     row->addWidget(logo);
     row->addLayout(column, 1);
+    auto* tutorial = new QPushButton(tr("Five-minute tutorial"), header);
+    tutorial->setObjectName(QStringLiteral("startTutorial"));
+    describe(tutorial, tutorial->text(), tr("The first steps on a sample, one after another."));
+    row->addWidget(tutorial, 0, Qt::AlignVCenter);
+    connect(tutorial, &QPushButton::clicked, this, &StartPage::tutorialRequested);
     return header;
 }
 

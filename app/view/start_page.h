@@ -19,6 +19,7 @@ class StartPage : public QWidget {
   signals:
     void openRequested();
     void fileChosen(QString path);
+    void tutorialRequested();
 
   private:
     QWidget* makeHeader();
