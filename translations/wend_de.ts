@@ -4776,7 +4776,7 @@
     </message>
     <message>
         <source>What it keeps on the way is your choice: at the top right, under &lt;b&gt;Keep&lt;/b&gt;, &lt;b&gt;choose Area, Rigid or Angle&lt;/b&gt;, and see the neck change.</source>
-        <translation>Was sie dabei bewahrt, bestimmen Sie: &lt;b&gt;Wählen Sie&lt;/b&gt; oben rechts, unter &lt;b&gt;Erhalt, Fläche, Starr oder Winkel&lt;/b&gt;, und sehen Sie, wie sich der Hals ändert.</translation>
+        <translation>Was sie dabei bewahrt, bestimmen Sie: Wählen Sie oben rechts, unter &lt;b&gt;Erhalt&lt;/b&gt;, &lt;b&gt;Fläche, Starr oder Winkel&lt;/b&gt;, und sehen Sie, wie sich der Hals ändert.</translation>
     </message>
     <message>
         <source>&lt;b&gt;Press D&lt;/b&gt; to see in colours what the bend has changed, and where most. D again hides it.</source>

@@ -1,11 +1,14 @@
 #include "app/bench/window_rows.h"
 
 #include <QApplication>
+#include <QElapsedTimer>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QThreadPool>
+#include <QTimer>
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <numbers>
 #include <stdexcept>
 
@@ -163,14 +166,30 @@ class Stage {
     }
     template <class Condition>
     void wait(const Condition& condition) {
+        m_tick.start(kTick);
         do {
             if (m_stop.stop_requested()) throw Cancelled();
-            QCoreApplication::processEvents(QEventLoop::AllEvents, 10);
+            QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
         } while (!condition());
+        rest();
+        m_tick.stop();
+    }
+    /// Until nothing works: the next drag is made ready once the motion is known.
+    void rest() {
         QThreadPool::globalInstance()->waitForDone();  // pictures of the start page
+        for (std::clock_t before = 0, now = std::clock(); now - before > CLOCKS_PER_SEC / 50;) {
+            before = std::clock();
+            QElapsedTimer clock;
+            for (clock.start(); clock.elapsed() < 200;)
+                QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+            now = std::clock();
+        }
     }
 
+    static constexpr int kTick = 20;  // milliseconds: events that wake what waits
+
     OwnSettings m_settings;
+    QTimer m_tick;
     MainWindow m_window;
     std::stop_token m_stop;
     std::unique_ptr<WindowDrag> m_hand;

@@ -33,7 +33,15 @@ void Marks::halo(const QPolygonF& line, double width) {
     }
 }
 
+void Marks::hairline(const QPolygonF& line, const QColor& colour) {
+    m_painter.setRenderHint(QPainter::Antialiasing, false);
+    m_painter.setPen(QPen(colour, 0));
+    m_painter.drawPolyline(line);
+    m_painter.setRenderHint(QPainter::Antialiasing);
+}
+
 void Marks::line(const QPolygonF& line, const QColor& colour, double width, Qt::PenStyle style) {
+    if (m_quick) return hairline(line, colour);
     halo(line, width);
     QPen pen(colour, width, style, Qt::FlatCap, Qt::RoundJoin);
     if (style == Qt::CustomDashLine) pen.setDashPattern({4, 3});
@@ -46,6 +54,7 @@ void Marks::path(const QPolygonF& line, const std::vector<double>& times, bool s
     QColor colour = selected ? QColor(kAccent) : kInk;
     if (!selected) colour.setAlpha(153);
     const double width = selected || hovered ? 2 : 1.25;
+    if (m_quick) return hairline(line, colour);
     QPolygonF gone, coming;
     for (int i = 0; i < line.size(); ++i) {
         if (times[i] <= now + 1e-9) gone << line[i];
@@ -126,6 +135,21 @@ void Marks::name(const QPointF& at, const QString& text) {
     m_painter.drawRoundedRect(box, 5, 5);
     m_painter.setPen(Qt::white);
     m_painter.drawText(box, Qt::AlignCenter, text);
+}
+
+void Marks::spots(const std::vector<QPointF>& places, const QColor& fill, double radius, const QPen& rim) {
+    if (places.empty()) return;
+    const double ratio = m_painter.device()->devicePixelRatioF(), half = std::ceil(radius + 1.5);
+    QPixmap stamp((QSizeF(2 * half, 2 * half) * ratio).toSize());
+    stamp.setDevicePixelRatio(ratio);
+    stamp.fill(Qt::transparent);
+    QPainter painter(&stamp);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(rim);
+    painter.setBrush(fill);
+    painter.drawEllipse(QPointF(half, half), radius, radius);
+    painter.end();
+    for (const QPointF& at : places) m_painter.drawPixmap(at - QPointF(half, half), stamp);
 }
 
 void Marks::worst(const QPointF& at, bool hidden) {

@@ -22,6 +22,8 @@ class Marks {
   public:
     explicit Marks(QPainter& painter) : m_painter(painter) {}
 
+    /// While a shape follows the hand, lines are thin and have no rim: they leave their time to the shape.
+    void setQuick(bool quick) { m_quick = quick; }
     void line(const QPolygonF& line, const QColor& colour, double width, Qt::PenStyle style);
     /// The way of a handle, with a dot each tenth of a second, a larger one each second.
     /// What has been gone is solid, what is to come dashed.
@@ -36,14 +38,18 @@ class Marks {
     };
     void pin(const QPointF& at, const Pin& look);
     void name(const QPointF& at, const QString& text);
+    /// Small discs of one look, many of them: drawn once and copied.
+    void spots(const std::vector<QPointF>& places, const QColor& fill, double radius, const QPen& rim);
     /// A cross of hairs; of a hidden place a faint ring alone: what is seen there is something else.
     void worst(const QPointF& at, bool hidden = false);
 
   private:
     void halo(const QPolygonF& line, double width);
     void padlock(const QPointF& at);
+    void hairline(const QPolygonF& line, const QColor& colour);
 
     QPainter& m_painter;
+    bool m_quick = false;
 };
 
 }  // namespace wend

@@ -14,6 +14,23 @@ namespace {
 constexpr double kLongestPiece = 0.06;  // of the size
 constexpr double kMostPieces = 2;       // per sample: the pointer is more urgent than the path
 constexpr double kArm = 0.25;           // of the size: what turning and growing are measured at
+// Vertices up to which a factor for every field is quick enough.
+template <int Dim>
+constexpr int kExactVertices = Dim == 2 ? 20000 : 2500;
+constexpr double kStiffestPreview = 16;  // w_r / w_q of which factors still last
+
+/// On the way to EQUIA every field needs a factor of its own: the preview of a large shape keeps areas and
+/// volumes a little less strictly, so that it keeps up.
+template <int Dim>
+std::shared_ptr<const Material<Dim>> previewMaterial(const Shape<Dim>& shape) {
+    const double minimum = std::atan(1 / kStiffestPreview);
+    const auto& phi = shape.material->phi;
+    const bool lasts = std::all_of(phi.begin(), phi.end(), [&](double x) { return x >= minimum; });
+    if (lasts || shape.rest->vertexCount() <= kExactVertices<Dim>) return shape.material;
+    auto softer = std::make_shared<Material<Dim>>(*shape.material);
+    for (double& x : softer->phi) x = std::max(x, minimum);
+    return softer;
+}
 
 }  // namespace
 
@@ -22,7 +39,8 @@ LiveDrag<Dim>::LiveDrag(const Shape<Dim>& shape, std::vector<Handle<Dim>> handle
     : m_shape(shape),
       m_size(shapeSize<Dim>(shape.rest->points, shape.rest->cells).size),
       m_handles(std::move(handles)),
-      m_flow(shape.rest, shape.material, m_handles, backEndFactory<Dim>(BackEndKind::Automatic)) {}
+      m_flow(shape.rest, previewMaterial<Dim>(shape), m_handles,
+             backEndFactory<Dim>(BackEndKind::Automatic)) {}
 
 template <int Dim>
 bool LiveDrag<Dim>::fits(const Shape<Dim>& shape, const std::vector<Handle<Dim>>& handles) const {

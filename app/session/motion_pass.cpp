@@ -46,6 +46,7 @@ template <int Dim>
 void MotionPass<Dim>::clear() {
     m_project.reset();
     m_deformer.reset();
+    m_begun = false;
     m_probe.reset();
     m_cache.clear();
     m_result.reset();
@@ -57,8 +58,10 @@ template <int Dim>
 KeptFrames MotionPass<Dim>::set(const Shape<Dim>& shape, std::shared_ptr<const Project> project) {
     KeptFrames kept{1, -kInfinity};
     const double end = motionEnd(*project);
-    if (m_project && shape.rest == m_shape.rest && shape.material == m_shape.material &&
-        sameIntegration(*m_project, *project)) {
+    const bool sameFlow = m_project && shape.rest == m_shape.rest && shape.material == m_shape.material &&
+                          sameIntegration(*m_project, *project);
+    const bool fits = sameFlow && project->integration.steps == 0 && m_project->settle == project->settle;
+    if (sameFlow) {
         const auto &before = designOf<Dim>(*m_project).handles, &after = designOf<Dim>(*project).handles;
         const double scale = timeScale<Dim>(before, after);
         // Steps of fixed number lie elsewhere on the way when the clock changes.
@@ -71,15 +74,18 @@ KeptFrames MotionPass<Dim>::set(const Shape<Dim>& shape, std::shared_ptr<const P
     m_project = std::move(project);
     if (same) return kept;
     m_end = end;
-    m_deformer.reset();
+    if (!fits) m_deformer.reset();
+    m_begun = false;
     m_probe.reset();
     m_result.reset();
     if (kept.timeScale != 1) changeClock(kept.timeScale);
     forgetFrom(std::min(kept.upTo, end));
     if (m_cache.last() && isDense()) return {kept.timeScale, m_cache.last()->time};
     const auto own = std::move(m_project);
+    auto deformer = std::move(m_deformer);
     clear();
     m_project = own;
+    if (fits) m_deformer = std::move(deformer);
     return {1, -kInfinity};
 }
 
@@ -120,12 +126,27 @@ void MotionPass<Dim>::begin(const Sink& sink) {
         m_sent = {0};
         m_restSent = true;
     }
-    m_deformer.emplace(m_shape.rest, m_shape.material, heldHandles<Dim>(*m_project, m_shape),
-                       integrationOf(*m_project), backEndFactory<Dim>(BackEndKind::Automatic));
+    makeDeformer();
     if (m_cache.last())
         m_deformer->restore(*m_cache.last());
     else
         m_cache.add(m_deformer->state());
+}
+
+/// One of the same shape with other handles goes on with its analysis.
+template <int Dim>
+void MotionPass<Dim>::makeDeformer() {
+    auto handles = heldHandles<Dim>(*m_project, m_shape);
+    if (m_deformer) {
+        m_deformer->setHandles(std::move(handles));
+        State<Dim> rest;
+        rest.points = m_shape.rest->points;
+        m_deformer->restore(rest);
+    } else {
+        m_deformer.emplace(m_shape.rest, m_shape.material, std::move(handles), integrationOf(*m_project),
+                           backEndFactory<Dim>(BackEndKind::Automatic));
+    }
+    m_begun = true;
 }
 
 /// When the integrator stops: where motions and handles begin and end, at the start and the end.
@@ -167,7 +188,7 @@ std::vector<double> MotionPass<Dim>::frameTimes(double from, double to) const {
 
 template <int Dim>
 void MotionPass<Dim>::run(const Sink& sink, std::stop_token stop) {
-    if (!m_deformer) begin(sink);
+    if (!m_begun) begin(sink);
     const double size = shapeSize<Dim>(m_shape.rest->points, m_shape.rest->cells).size;
     const auto send = [&](const State<Dim>& state) {
         m_sent.push_back(state.time);

@@ -40,6 +40,7 @@ class MotionPass {
 
   private:
     void begin(const Sink& sink);
+    void makeDeformer();
     std::vector<double> frameTimes(double from, double to) const;
     std::vector<double> breakpoints() const;
     double nextBreakpoint(double time) const;
@@ -51,6 +52,7 @@ class MotionPass {
     Shape<Dim> m_shape;
     std::shared_ptr<const Project> m_project;
     std::optional<Deformer<Dim>> m_deformer;
+    bool m_begun = false;                       // the deformer is that of this project
     std::optional<VelocityProbe<Dim>> m_probe;  // once a velocity was asked for
     PoseCache<Dim> m_cache;
     std::optional<AdvanceResult> m_result;

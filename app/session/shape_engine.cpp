@@ -235,9 +235,11 @@ void ShapeEngineOf<Dim>::tellFinished() {
 
 template <int Dim>
 std::shared_ptr<PosedFrame<Dim>> ShapeEngineOf<Dim>::makeFrame(const BuiltPtr& shape, double time,
-                                                               const Points<Dim>& pose,
-                                                               double pinError) const {
+                                                               const Points<Dim>& pose, double pinError) {
     const SimplicialMesh<Dim>& rest = *shape->rest;
+    if (m_measured.rest != shape->rest)
+        m_measured = {shape->rest, shapeSize<Dim>(rest.points, rest.cells).size,
+                      measureOf<Dim>(rest, rest.points)};
     auto frame = std::make_shared<PosedFrame<Dim>>();
     frame->generation = m_generation;
     frame->time = time;
@@ -245,13 +247,13 @@ std::shared_ptr<PosedFrame<Dim>> ShapeEngineOf<Dim>::makeFrame(const BuiltPtr& s
     frame->shape = shape->rest;
     frame->vertices = rest.vertexCount();
     frame->cells = rest.cellCount();
-    frame->diagonal = shapeSize<Dim>(rest.points, rest.cells).size;
+    frame->diagonal = m_measured.diagonal;
     frame->built = shape;
     frame->rest = shape->rest;
     frame->material = shape->material;
     frame->pose = pose;
     frame->distortion = std::make_shared<const Distortion>(distortion<Dim>(rest, pose));
-    frame->growth = measureOf<Dim>(rest, pose) / measureOf<Dim>(rest, rest.points);
+    frame->growth = measureOf<Dim>(rest, pose) / m_measured.measure;
     frame->pinError = pinError;
     return frame;
 }

@@ -77,7 +77,7 @@ class ShapeEngineOf : public ShapeEngine {
     void answer(std::stop_token stop);
     void tellFinished();
     std::shared_ptr<PosedFrame<Dim>> makeFrame(const BuiltPtr& shape, double time, const Points<Dim>& pose,
-                                               double pinError) const;
+                                               double pinError);
 
     Sink m_sink;
     ShapeBuilder<Dim> m_builder;
@@ -100,6 +100,11 @@ class ShapeEngineOf : public ShapeEngine {
     Seen m_held;            // of the drag that goes on
     int m_gesture = 0;      // its number
     std::string m_refusal;  // why it cannot move anything
+    struct Measured {       // of the rest mesh of the last frame
+        std::shared_ptr<const SimplicialMesh<Dim>> rest;
+        double diagonal = 0, measure = 0;
+    };
+    Measured m_measured;
 };
 
 }  // namespace wend

@@ -18,7 +18,10 @@ namespace {
 
 constexpr double kMargin = 36;
 constexpr int kRefineAfter = 140;  // milliseconds
+constexpr int kRefineInDrag = 400;
+constexpr double kMostMoving = 3e6;  // pixels that are drawn while the shape moves; of more every second one
 constexpr int kDimAfter = 250;
+constexpr int kMarksEvery = 20;
 
 /// A picture at rest on two triangles.
 PosedPtr<2> unbent(const Image& picture) {
@@ -45,7 +48,6 @@ ShapeCanvas::ShapeCanvas(ShapeSession& session, QWidget* parent) : QWidget(paren
     setAccessibleName(tr("Canvas"));
     setAccessibleDescription(tr("The picture with its pins"));
     m_refine.setSingleShot(true);
-    m_refine.setInterval(kRefineAfter);
     m_dim.setSingleShot(true);
     m_dim.setInterval(kDimAfter);
     connect(&m_refine, &QTimer::timeout, this, [this] { m_renderer.post(request(Filter::Ewa)); });
@@ -53,10 +55,13 @@ ShapeCanvas::ShapeCanvas(ShapeSession& session, QWidget* parent) : QWidget(paren
         m_dimmed = m_session.isStale();
         update();
     });
+    m_marksDue.setSingleShot(true);
+    m_marksDue.setInterval(kMarksEvery);
+    connect(&m_marksDue, &QTimer::timeout, this, qOverload<>(&QWidget::update));
     connect(&m_renderer, &RenderThread::rendered, this, &ShapeCanvas::takeRendered);
     connect(&m_session.document(), &Document::opened, this, &ShapeCanvas::takeOpened);
     connect(&m_session, &ShapeSession::frameChanged, this, &ShapeCanvas::takeFrame);
-    connect(&m_session, &ShapeSession::pinsChanged, this, qOverload<>(&QWidget::update));
+    connect(&m_session, &ShapeSession::pinsChanged, this, &ShapeCanvas::redraw);
     connect(&m_session.document(), &Document::projectChanged, this, [this] { m_preview.takeProject(); });
 }
 
@@ -187,6 +192,8 @@ RenderRequest ShapeCanvas::request(Filter filter) const {
     request.size = size();
     request.ratio = devicePixelRatioF();
     request.filter = filter;
+    const double pixels = request.ratio * request.ratio * width() * height();
+    if (filter == Filter::Bilinear && pixels > kMostMoving) request.coarseness = 2;
     const bool isShape = request.frame != m_unbent;
     request.mesh = isShape && (m_mesh || !m_picture) && !m_hidden;
     request.map = isShape && m_map && !m_hidden;
@@ -201,9 +208,17 @@ RenderRequest ShapeCanvas::request(Filter filter) const {
 void ShapeCanvas::render() {
     if (drawnFrame() && (m_picture || !m_session.document().picture())) {
         m_renderer.post(request(Filter::Bilinear));
-        m_refine.start();
+        m_refine.start(m_session.isDragging() ? kRefineInDrag : kRefineAfter);
     }
-    update();
+    redraw();
+}
+
+/// While a shape follows the hand, painting for the pointer alone would take the time that the shape needs.
+void ShapeCanvas::redraw() {
+    if (!m_session.isDragging())
+        update();
+    else if (!m_marksDue.isActive())
+        m_marksDue.start();
 }
 
 void ShapeCanvas::takeRendered(const std::shared_ptr<const RenderResult>& result) {
@@ -290,7 +305,7 @@ void ShapeCanvas::paintShape(QPainter& painter) {
     const QPointF origin = m_view.toWidget(request.view.toShape({0, 0}));
     painter.save();
     painter.setOpacity(m_dimmed ? 0.55 : 1);
-    const QRectF target(origin, QSizeF(m_drawn->image.size()) / request.ratio * scale);
+    const QRectF target(origin, QSizeF(m_drawn->image.size()) / request.scale() * scale);
     painter.setRenderHint(QPainter::SmoothPixmapTransform, request.view != m_view);
     if (request.view == m_view) {
         painter.drawImage(QPointF(0, 0), m_drawn->image);
@@ -301,6 +316,7 @@ void ShapeCanvas::paintShape(QPainter& painter) {
 }
 
 void ShapeCanvas::paintEvent(QPaintEvent*) {
+    m_marksDue.stop();
     QPainter painter(this);
     const Theme theme = Theme::of(palette());
     painter.fillRect(rect(), theme.workspace);

@@ -37,7 +37,7 @@ class ShapeCanvas : public QWidget, public ToolSurface {
     void showMaterial(std::shared_ptr<const Material<2>> painted, bool lasts) override;
     void setMarquee(const QRectF& rectangle) override;
     void setHovered(int handle) override;
-    void redraw() override { update(); }
+    void redraw() override;
 
   public slots:
     void setMeshShown(bool shown);
@@ -102,8 +102,9 @@ class ShapeCanvas : public QWidget, public ToolSurface {
     bool m_marks = false;  // of stiffness
     ViewTransform m_view;
     std::shared_ptr<const RenderResult> m_drawn;
-    QTimer m_refine;  // draws at full quality once nothing has moved for a while
-    QTimer m_dim;     // a stale frame is dimmed after a while
+    QTimer m_refine;    // draws at full quality once nothing has moved for a while
+    QTimer m_dim;       // a stale frame is dimmed after a while
+    QTimer m_marksDue;  // in a drag: moves of the pointer alone are painted no more often
     mutable CellDepths m_depths;
     bool m_mesh = false, m_map = false, m_hidden = false, m_dimmed = false;
     bool m_rest = false;

@@ -33,10 +33,13 @@ void OverlayPainter::paper(const QRectF& frame) {
     const QRectF onScreen = m_view.matrix().mapRect(frame);
     const QRect aligned = onScreen.toAlignedRect();
     m_painter.setPen(Qt::NoPen);
-    for (int i = 6; i > 0; --i) {  // a soft shadow
+    m_painter.save();
+    m_painter.setClipRegion(QRegion(aligned.adjusted(-8, -8, 8, 10)) - aligned, Qt::IntersectClip);
+    for (int i = 6; i > 0; --i) {  // a soft shadow, where the paper does not cover it
         m_painter.setBrush(QColor(0, 0, 0, m_theme.dark ? 14 : 6));
         m_painter.drawRoundedRect(QRectF(aligned).adjusted(-i, -i + 2, i, i + 2), i, i);
     }
+    m_painter.restore();
     m_painter.setBrushOrigin(aligned.topLeft());
     m_painter.fillRect(aligned, QBrush(checker(m_theme)));
     m_painter.setBrushOrigin(0, 0);
@@ -68,6 +71,7 @@ void OverlayPainter::frames(const Handle<2>& handle, const Vec<2>& start) {
 
 void OverlayPainter::paths(ShapeSession& session, int hovered) {
     if (session.document().isEmpty()) return;
+    m_marks.setQuick(session.isDragging());
     const auto& handles = session.document().design().handles;
     for (const bool selected : {false, true})
         for (int h = 0; h < static_cast<int>(handles.size()); ++h) {
@@ -96,9 +100,9 @@ void OverlayPainter::ghost(const QPointF& at, bool selected, bool hovered) {
 }
 
 void OverlayPainter::spots(const PinView<2>& view, const QColor& colour) {
-    m_painter.setPen(QPen(Qt::white, 1));
-    m_painter.setBrush(colour);
-    for (const Vec<2>& p : view.points) m_painter.drawEllipse(m_view.toWidget(p), 3.2, 3.2);
+    std::vector<QPointF> places;
+    for (const Vec<2>& p : view.points) places.push_back(m_view.toWidget(p));
+    m_marks.spots(places, colour, 3.2, QPen(Qt::white, 1));
 }
 
 /// A part of the shape that is held as a whole: its outline veils nothing until it is pointed at.
@@ -135,6 +139,7 @@ void OverlayPainter::pins(ShapeSession& session, int hovered,
     const auto frame = session.frame<2>();
     const auto pins = session.pins();
     const auto& handles = session.document().design().handles;
+    m_marks.setQuick(session.isDragging());
     for (const PinView<2>& view : pins) {
         const bool selected = session.selection().contains(view.handle);
         if (view.region && frame)

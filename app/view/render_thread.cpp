@@ -20,7 +20,7 @@ Points<2> poseOf(const RenderRequest& request) {
     if (!request.texture) return request.frame->pose;
     Points<2> pose = request.frame->pose;
     for (Eigen::Index i = 0; i < pose.cols(); ++i) {
-        const QPointF p = request.ratio * request.view.toWidget(pose.col(i));
+        const QPointF p = request.scale() * request.view.toWidget(pose.col(i));
         pose.col(i) = Vec<2>(p.x(), p.y());
     }
     return pose;
@@ -33,10 +33,10 @@ std::vector<float> depthsOf(const RenderRequest& request) {
 /// The picture on the screen, by the same code as an export.
 QImage warped(const RenderRequest& request, std::stop_token stop) {
     View view;
-    view.width = static_cast<int>(std::lround(request.size.width() * request.ratio));
-    view.height = static_cast<int>(std::lround(request.size.height() * request.ratio));
+    view.width = static_cast<int>(std::lround(request.size.width() * request.scale()));
+    view.height = static_cast<int>(std::lround(request.size.height() * request.scale()));
     view.origin = request.view.toShape({0, 0});
-    view.scale = 1 / (request.view.zoom() * request.ratio);
+    view.scale = 1 / (request.view.zoom() * request.scale());
     WarpOptions options;
     options.filter = request.filter;
     options.stop = stop;
@@ -54,7 +54,7 @@ constexpr double kPaintOpacity = 0.55;  // of what is painted on it
 constexpr double kFullPaint = 0.1;      // wholly, so far in the range from what is plain
 
 QTransform toPixels(const RenderRequest& request) {
-    return request.view.matrix() * QTransform::fromScale(request.ratio, request.ratio);
+    return request.view.matrix() * QTransform::fromScale(request.scale(), request.scale());
 }
 
 int alphaAt(const RenderRequest& request, double position) {
@@ -178,7 +178,7 @@ QImage RenderThread::render(const RenderRequest& request, std::stop_token stop) 
     if (request.picture) image = warped(request, stop);
     if (stop.stop_requested()) return {};
     if (image.isNull()) {
-        image = QImage(request.size * request.ratio, QImage::Format_ARGB32_Premultiplied);
+        image = QImage(request.size * request.scale(), QImage::Format_ARGB32_Premultiplied);
         image.fill(Qt::transparent);
     }
     if (request.map || !request.picture) fillCells(image, request);
@@ -188,7 +188,7 @@ QImage RenderThread::render(const RenderRequest& request, std::stop_token stop) 
         painter.setRenderHint(QPainter::Antialiasing);
         drawEdges(painter, request);
     }
-    image.setDevicePixelRatio(request.ratio);
+    image.setDevicePixelRatio(request.scale());
     return image;
 }
 

@@ -24,8 +24,9 @@ struct RenderRequest {
     PosedPtr<2> frame;
     std::shared_ptr<const std::vector<float>> depths;  // per cell: see WarpOptions; or null
     ViewTransform view;
-    QSize size;        // of the widget
-    double ratio = 1;  // device pixels per widget pixel
+    QSize size;          // of the widget
+    double ratio = 1;    // device pixels per widget pixel
+    int coarseness = 1;  // device pixels per side of a drawn one
     Filter filter = Filter::Bilinear;
     bool allOfPicture = false;  // also what the shape leaves out
     bool mesh = false;
@@ -34,6 +35,9 @@ struct RenderRequest {
     MeasureRange range;
     std::optional<double> plain;  // of the map: where it has this value the picture is not coloured
     QColor fill, line;            // of the mesh and, without a picture, of the shape
+
+    /// Drawn pixels per widget pixel.
+    double scale() const { return ratio / coarseness; }
 };
 
 struct RenderResult {

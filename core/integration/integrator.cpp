@@ -59,7 +59,8 @@ void Deformer<Dim>::Integrator::setHandles(const std::vector<Handle<Dim>>& handl
     for (const Handle<Dim>& handle : handles) moved.push_back(m_units.normal(handle));
     const auto constraints = std::make_shared<const Constraints<Dim>>(*m_rest, moved, m_units);
     requireConsistent(*constraints, m_rest->points, m_units);
-    startAnew();  // the fields belong to the old motions
+    startAnew();                     // the fields belong to the old motions,
+    statistics.constraintError = 0;  // and so do the errors
     m_constraints = constraints;
     restore(State<Dim>(state));
 }

@@ -1,6 +1,7 @@
 // Distortion measures: zero where nothing is lost, the closed forms on stretched shapes, totals and the worst
 // cell.
 #include <Eigen/Geometry>
+#include <Eigen/SVD>
 #include <QTest>
 
 #include "core/energy/distortion.h"
@@ -61,6 +62,36 @@ void stretched(const Vec<Dim>& s) {
     QVERIFY(std::abs(d.totalMetric - metric) < 1e-11);
 }
 
+/// The forms of method.md with the singular values of another method, from nearly rigid to nearly flat; of
+/// two that are nearly equal, too.
+template <int Dim>
+void anyMap() {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> exponent(-1, 1);
+    SimplicialMesh<Dim> mesh = unitGrid<Dim>(1, 0, random);
+    for (int i = 0; i < 4000; ++i) {
+        const double spread = std::pow(10.0, -6 + 8.0 * i / 4000);
+        Vec<Dim> s;
+        for (int k = 0; k < Dim; ++k) s[k] = std::exp(spread / 25 * exponent(random));
+        if (i % 3 == 0) s[1] = s[0] * (1 + 1e-7 * exponent(random));
+        const Mat<Dim> F = rotation<Dim>() * s.asDiagonal() * rotation<Dim>();
+        const auto d = distortion<Dim>(mesh, affineField<Dim>(mesh.points, F, Vec<Dim>::Zero()));
+        const Vec<Dim> sigma = Eigen::JacobiSVD<Mat<Dim>>(F).singularValues();
+        double angle = 0, metric = (sigma.array() - 1).square().sum();
+        for (int j = 0; j < Dim; ++j)
+            for (int k = 0; k < j; ++k) {
+                angle += std::pow(sigma[j] - sigma[k], 2) / (sigma[j] * sigma[k]);
+                metric -= std::pow(sigma[j] - sigma[k], 2) / (Dim + 2);
+            }
+        // Rounding of F is in both: relative to the greatest σ, and squared where σ is far from 1.
+        const double rounding = 1e-13 * std::pow(sigma.maxCoeff() / sigma.minCoeff(), 2) * (1 + angle);
+        QVERIFY2(std::abs(d.angle[0] - angle) < 1e-9 * angle + rounding * spread + 1e-26,
+                 qPrintable(QString::number(d.angle[0]) + ' ' + QString::number(angle)));
+        QVERIFY2(std::abs(d.metric[0] - metric) < 1e-9 * std::abs(metric) + rounding * spread + 1e-26,
+                 qPrintable(QString::number(d.metric[0]) + ' ' + QString::number(metric)));
+    }
+}
+
 template <int Dim>
 void weightedTotals() {
     std::mt19937 random(3);
@@ -106,6 +137,10 @@ class TestDistortion : public QObject {
             rigidIsNothing<2>(negative);
             rigidIsNothing<3>(negative);
         }
+    }
+    void maps() {
+        anyMap<2>();
+        anyMap<3>();
     }
     void closedForms() {
         stretched<2>({1.5, 0.8});

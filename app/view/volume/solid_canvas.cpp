@@ -20,7 +20,8 @@ namespace wend {
 
 namespace {
 
-constexpr int kDimAfter = 250;           // milliseconds
+constexpr int kDimAfter = 250;  // milliseconds
+constexpr int kMarksEvery = 40;
 constexpr std::size_t kMostRays = 4000;  // of one handle's vertices: beyond it all count as seen
 const QRgb kPlain = qRgb(199, 186, 164), kPlainDark = qRgb(176, 164, 146);
 const QRgb kArrowColour = qRgb(54, 84, 196), kGlyphColour = qRgb(226, 140, 44);
@@ -69,6 +70,9 @@ SolidCanvas::SolidCanvas(ShapeSession& session, QWidget* parent)
         m_dimmed = m_session.isStale();
         refresh();
     });
+    m_marksDue.setSingleShot(true);
+    m_marksDue.setInterval(kMarksEvery);
+    connect(&m_marksDue, &QTimer::timeout, m_overlay, qOverload<>(&QWidget::update));
     connect(&m_session, &ShapeSession::frameChanged, this, &SolidCanvas::takeFrame);
     connect(&m_session, &ShapeSession::pinsChanged, this, &SolidCanvas::redraw);
     connect(&m_session.document(), &Document::projectChanged, this, [this] { m_preview.takeProject(); });
@@ -214,8 +218,12 @@ Points<3> SolidCanvas::fitted() const {
     return all;
 }
 
+/// While a solid follows the hand, painting for the pointer alone would take the time that the solid needs.
 void SolidCanvas::redraw() {
-    m_overlay->update();
+    if (!m_session.isDragging())
+        m_overlay->update();
+    else if (!m_marksDue.isActive())
+        m_marksDue.start();
 }
 
 /// What a gesture has gathered are cells and vertices of the mesh that it began on.
@@ -302,6 +310,10 @@ void SolidCanvas::refresh() {
     redraw();
 }
 
+bool SolidCanvas::isMoving() const {
+    return VolumeView::isMoving() || m_session.isDragging() || m_session.playback().isPlaying();
+}
+
 void SolidCanvas::setHeld(bool held) {
     m_held = held;
     if (!held && m_missed) refresh();
@@ -357,6 +369,7 @@ void SolidCanvas::showGlyphs(const PosedFrame<3>& frame) {
 }
 
 void SolidCanvas::paintOver(QPainter& painter) {
+    m_marksDue.stop();
     paintMarks(painter);
     if (m_hidden || !m_session.frame<3>()) return;
     m_cutTool.paint(painter);

@@ -96,6 +96,7 @@ class SolidCanvas : public VolumeView, public SolidSurface {
 
   protected:
     Points<3> fitted() const override;
+    bool isMoving() const override;
     void resizeEvent(QResizeEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
@@ -135,8 +136,8 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     LayerLines<3> m_layer;
     QWidget* m_overlay;
     SurfaceStyle m_style;
-    QTimer m_dim;
-    int m_generation = -1;  // of the document that the view was fitted to
+    QTimer m_dim, m_marksDue;  // in a drag: moves of the pointer alone are painted no more often
+    int m_generation = -1;     // of the document that the view was fitted to
     bool m_map = false, m_arrows = false, m_values = false, m_glyphs = false, m_hidden = false,
          m_rest = false, m_dimmed = false, m_held = false, m_missed = false, m_hasSolid = false;
     bool m_detail = true;

@@ -63,6 +63,7 @@ void SolidPainter::frames(const Handle<3>& handle, const Vec<3>& start) {
 void SolidPainter::paths() {
     ShapeSession& session = m_surface.session();
     if (session.document().dimension() != 3) return;
+    m_marks.setQuick(session.isDragging());
     const auto& handles = session.document().design<3>().handles;
     for (const bool selected : {false, true})
         for (int h = 0; h < static_cast<int>(handles.size()); ++h) {
@@ -96,15 +97,14 @@ std::vector<Vec<3>> pathPoints(ShapeSession& session) {
 void SolidPainter::spots(const PinView<3>& view, const QColor& colour) {
     const bool selected = m_surface.session().selection().contains(view.handle);
     const double r = selected ? 2.3 : 1.7;
-    for (const VertexMark& mark : m_surface.marksOf(m_surface.session().verticesOf(view.handle))) {
-        if (mark.hidden && !selected) continue;
-        QColor fill = colour;
-        fill.setAlpha(mark.hidden ? 70 : selected ? 255 : 110);
-        const bool ringed = selected && !mark.hidden;
-        m_painter.setPen(ringed ? QPen(QColor(255, 255, 255, 190), 0.75) : QPen(Qt::NoPen));
-        m_painter.setBrush(fill);
-        m_painter.drawEllipse(m_surface.toWidget(mark.at), r, r);
-    }
+    std::vector<QPointF> seen, hidden;
+    for (const VertexMark& mark : m_surface.marksOf(m_surface.session().verticesOf(view.handle)))
+        (mark.hidden ? hidden : seen).push_back(m_surface.toWidget(mark.at));
+    QColor fill = colour;
+    fill.setAlpha(70);
+    if (selected) m_marks.spots(hidden, fill, r, Qt::NoPen);
+    fill.setAlpha(selected ? 255 : 110);
+    m_marks.spots(seen, fill, r, selected ? QPen(QColor(255, 255, 255, 190), 0.75) : QPen(Qt::NoPen));
 }
 
 /// The outline of a selected handle's region, carried to where its vertices are now.
@@ -128,6 +128,7 @@ void SolidPainter::pins(int hovered) {
     ShapeSession& session = m_surface.session();
     if (session.document().dimension() != 3) return;
     const auto pins = session.pins<3>();
+    m_marks.setQuick(session.isDragging());
     for (const PinView<3>& view : pins)
         if (view.region && session.selection().contains(view.handle)) region(view);
     for (const PinView<3>& view : pins)

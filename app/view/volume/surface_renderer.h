@@ -31,12 +31,18 @@ struct SurfaceStyle {
     QColor edgeColour = QColor(20, 24, 32);
     QColor backColour = QColor(150, 92, 86);
     double ownFromBehind = 0;  // 0 … 1: how much of its own colour a face seen from behind keeps
+
+    bool operator==(const SurfaceStyle&) const = default;
 };
 
 /// From where a scene is seen.
 struct Sight {
     Eigen::Matrix4d view, projection;
     bool orthographic = false;
+
+    bool operator==(const Sight& other) const {
+        return view == other.view && projection == other.projection && orthographic == other.orthographic;
+    }
 };
 
 /// Triangle meshes on the GPU (OpenGL 3.3). What a pose changes is uploaded alone: positions and normals of

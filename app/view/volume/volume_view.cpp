@@ -52,9 +52,12 @@ VolumeView::VolumeView(QWidget* parent) : QOpenGLWidget(parent) {
     format.setProfile(QSurfaceFormat::CoreProfile);
     format.setDepthBufferSize(24);
     setFormat(format);
+    setUpdateBehavior(PartialUpdate);  // marks over a solid that stands still cost no drawing of it
     m_rest.setSingleShot(true);
     m_rest.setInterval(kRestAfter);
-    connect(&m_rest, &QTimer::timeout, this, qOverload<>(&QWidget::update));
+    connect(&m_rest, &QTimer::timeout, this, [this] {
+        if (!isMoving()) update();
+    });
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
     setAccessibleName(tr("View of the solid"));
@@ -220,10 +223,12 @@ void VolumeView::initializeGL() {
             static_cast<Qt::ConnectionType>(Qt::DirectConnection | Qt::UniqueConnection));
     m_ready = m_renderer.initialize();
     m_meshStale = m_poseStale = m_coloursStale = m_texturesStale = m_glyphsStale = true;
+    m_painted.reset();
 }
 
 void VolumeView::resizeGL(int, int) {
     m_fine.reset();
+    m_painted.reset();
 }
 
 void VolumeView::hurry() {
@@ -303,10 +308,31 @@ void VolumeView::drawScene(const Sight& sight, const QColor& background) {
     upload();
     m_times.prepare = static_cast<double>(clock.nsecsElapsed()) * 1e-6;
     const bool clips = isRiding() && m_cut == CutKind::Exact;
+    m_renderer.draw(sight, style(), isRiding() && m_picture.materials,
+                    clips ? std::optional(m_plane) : std::nullopt);
+}
+
+SurfaceStyle VolumeView::style() const {
     SurfaceStyle style = m_style;
     if (m_picture.isOpen) style.ownFromBehind = kOwnFromBehind;
-    m_renderer.draw(sight, style, isRiding() && m_picture.materials,
-                    clips ? std::optional(m_plane) : std::nullopt);
+    return style;
+}
+
+/// Smoothed edges cost a processor that draws far more than the rest: they come when nothing moves.
+VolumeView::Scene VolumeView::scene() const {
+    const Sight sight{m_camera.view(), m_camera.projection(size()), m_camera.orthographic()};
+    return {sight,
+            style(),
+            background(),
+            size() * devicePixelRatioF(),
+            m_renderer.isSoftware() && isMoving(),
+            m_picture.materials};
+}
+
+/// True if what is to be drawn is not that of the last drawing.
+bool VolumeView::isStale() const {
+    return m_meshStale || m_poseStale || m_coloursStale || m_texturesStale || m_glyphsStale ||
+           m_style.flat == m_hasNormals;
 }
 
 QColor VolumeView::background() const {
@@ -328,20 +354,22 @@ bool VolumeView::bindFine() {
     return false;
 }
 
-/// Smoothed edges cost a processor that draws far more than the rest: they come when nothing moves.
+/// Where only marks over the solid have changed, its last drawing stays.
 void VolumeView::paintGL() {
     if (!m_ready) {
         QPainter(this).drawText(rect(), Qt::AlignCenter, obstacle());
         return;
     }
-    const Sight sight{m_camera.view(), m_camera.projection(size()), m_camera.orthographic()};
+    const Scene now = scene();
+    if (m_painted == now && !isStale()) return;
+    m_painted = now;
     QElapsedTimer clock;
     clock.start();
-    if (m_renderer.isSoftware() && m_rest.isActive()) {
-        drawScene(sight, background());
+    if (now.coarse) {
+        drawScene(now.sight, now.background);
     } else {
         const bool isFine = bindFine();
-        drawScene(sight, background());
+        drawScene(now.sight, now.background);
         if (isFine) QOpenGLFramebufferObject::bindDefault();
         if (isFine) QOpenGLFramebufferObject::blitFramebuffer(nullptr, m_fine.get());
     }
@@ -391,6 +419,7 @@ QImage VolumeView::pictureRows(const QSize& size, int top, int rows, bool transp
             if (piece.isNull()) image = {};
         }
     doneCurrent();
+    m_painted.reset();  // what was uploaded for the picture is new to the view as well
     update();
     return image;
 }

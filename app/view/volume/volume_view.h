@@ -129,6 +129,8 @@ class VolumeView : public QOpenGLWidget {
     virtual Points<3> fitted() const;
     /// The nearest triangle of the solid that the ray meets.
     SolidHit hitOf(const Ray& ray) const;
+    /// True while what is shown will change again soon.
+    virtual bool isMoving() const { return m_rest.isActive(); }
     /// Drops the vertices that the solid hides.
     void keepVisible(std::vector<int>& vertices) const;
 
@@ -142,6 +144,19 @@ class VolumeView : public QOpenGLWidget {
     void uploadPose();
     void uploadColours();
     std::vector<QRgb> coloursOf(const DrawMesh& mesh, bool riding) const;
+    /// What a painting of the view depends on beside what is uploaded.
+    struct Scene {
+        Sight sight;
+        SurfaceStyle style;
+        QColor background;
+        QSize pixels;
+        bool coarse = false, materials = false;
+
+        bool operator==(const Scene&) const = default;
+    };
+    Scene scene() const;
+    bool isStale() const;
+    SurfaceStyle style() const;
     void drawScene(const Sight& sight, const QColor& background);
     QImage tile(const QRect& part, const QSize& whole, const QColor& background);
     QColor background() const;
@@ -170,6 +185,7 @@ class VolumeView : public QOpenGLWidget {
     std::unique_ptr<QOpenGLFramebufferObject> m_fine;
     QTimer m_rest;  // runs while something moves
     FrameTimes m_times;
+    std::optional<Scene> m_painted;  // what is in the view's buffer
     int m_largestTile = 2048, m_drawnTriangles = 0;
     bool m_meshStale = true, m_poseStale = true, m_coloursStale = true, m_texturesStale = true;
     bool m_glyphsStale = false, m_ready = false, m_hasNormals = false;

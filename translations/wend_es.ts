@@ -1,0 +1,4851 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="es_ES">
+<context>
+    <name>AreaTool</name>
+    <message>
+        <source>Draw a rectangle over the vertices to hold; Shift adds to the selected handle, Ctrl takes away</source>
+        <translation>Trace un rectángulo sobre los vértices que quiera sujetar; Mayús los añade al agarre seleccionado, Ctrl los quita</translation>
+    </message>
+    <message>
+        <source>Draw around the vertices to hold; Shift adds to the selected handle, Ctrl takes away</source>
+        <translation>Rodee los vértices que quiera sujetar; Mayús los añade al agarre seleccionado, Ctrl los quita</translation>
+    </message>
+    <message>
+        <source>Brush over the vertices to hold, [ and ] change the size; Shift adds, Ctrl takes away</source>
+        <translation>Pase el pincel sobre los vértices que quiera sujetar, [ y ] cambian el tamaño; Mayús añade, Ctrl quita</translation>
+    </message>
+    <message>
+        <source>Drag from a point of the surface to hold a ball; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
+        <translation>Arrastre desde un punto de la superficie para sujetar una esfera; Mayús añade su contenido al agarre seleccionado, Ctrl lo quita</translation>
+    </message>
+    <message>
+        <source>Drag from a point of the surface towards what to hold: all beyond the point</source>
+        <translation>Arrastre desde un punto de la superficie hacia lo que quiera sujetar: todo lo que haya más allá del punto</translation>
+    </message>
+    <message>
+        <source>Drag from a point of the surface to hold a box; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
+        <translation>Arrastre desde un punto de la superficie para sujetar una caja; Mayús añade su contenido al agarre seleccionado, Ctrl lo quita</translation>
+    </message>
+    <message>
+        <source>Select one handle to take away from.</source>
+        <translation>Seleccione un solo agarre del que quitar vértices.</translation>
+    </message>
+    <message>
+        <source>There is no vertex in this region.</source>
+        <translation>No hay ningún vértice en esta región.</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Región</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Zona</translation>
+    </message>
+    <message>
+        <source>A handle cannot hold nothing: remove it with Delete.</source>
+        <translation>Un agarre no puede quedar vacío: elimínelo con Supr.</translation>
+    </message>
+</context>
+<context>
+    <name>CheatSheet</name>
+    <message>
+        <source>Pointer</source>
+        <translation>Puntero</translation>
+    </message>
+    <message>
+        <source>Click</source>
+        <translation>Clic</translation>
+    </message>
+    <message>
+        <source>sets a pin</source>
+        <translation>pone un alfiler</translation>
+    </message>
+    <message>
+        <source>Drag a pin</source>
+        <translation>Arrastrar un alfiler</translation>
+    </message>
+    <message>
+        <source>moves it; Esc puts it back</source>
+        <translation>lo mueve; Esc lo devuelve a su sitio</translation>
+    </message>
+    <message>
+        <source>Shift-click</source>
+        <translation>Mayús+clic</translation>
+    </message>
+    <message>
+        <source>selects several pins</source>
+        <translation>selecciona varios alfileres</translation>
+    </message>
+    <message>
+        <source>Digits while dragging</source>
+        <translation>Cifras al arrastrar</translation>
+    </message>
+    <message>
+        <source>set the number, Enter takes it</source>
+        <translation>fijan el valor, Intro lo acepta</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Rueda</translation>
+    </message>
+    <message>
+        <source>zooms to the pointer</source>
+        <translation>acerca o aleja en el puntero</translation>
+    </message>
+    <message>
+        <source>[ and ]</source>
+        <translation>[ y ]</translation>
+    </message>
+    <message>
+        <source>size of a brush</source>
+        <translation>tamaño del pincel</translation>
+    </message>
+    <message>
+        <source>Hold H</source>
+        <translation>Mantener H</translation>
+    </message>
+    <message>
+        <source>hides pins and maps</source>
+        <translation>oculta alfileres y mapas</translation>
+    </message>
+    <message>
+        <source>Hold \</source>
+        <translation>Mantener \</translation>
+    </message>
+    <message>
+        <source>shows the shape before it was bent</source>
+        <translation>muestra la forma sin deformar</translation>
+    </message>
+    <message>
+        <source>X, Y, Z while dragging</source>
+        <translation>X, Y, Z al arrastrar</translation>
+    </message>
+    <message>
+        <source>lock an axis</source>
+        <translation>bloquean un eje</translation>
+    </message>
+    <message>
+        <source>Right or middle button</source>
+        <translation>Botón derecho o central</translation>
+    </message>
+    <message>
+        <source>turns the view; with Shift it moves</source>
+        <translation>gira la vista; con Mayús, la desplaza</translation>
+    </message>
+    <message>
+        <source>Middle click</source>
+        <translation>Clic central</translation>
+    </message>
+    <message>
+        <source>sets the point to turn around</source>
+        <translation>fija el punto en torno al que girar</translation>
+    </message>
+    <message>
+        <source>Alt-drag a pin</source>
+        <translation>Alt + arrastrar un alfiler</translation>
+    </message>
+    <message>
+        <source>widens it to a circle</source>
+        <translation>lo ensancha en un círculo</translation>
+    </message>
+    <message>
+        <source>Drag the ring&apos;s dot or square</source>
+        <translation>Arrastrar el punto o el cuadrado del anillo</translation>
+    </message>
+    <message>
+        <source>rotates or scales; Shift snaps to 15°</source>
+        <translation>rota o escala; Mayús, en pasos de 15°</translation>
+    </message>
+    <message>
+        <source>Arrow keys</source>
+        <translation>Flechas</translation>
+    </message>
+    <message>
+        <source>nudge by a pixel, with Shift by ten</source>
+        <translation>desplazan un píxel; con Mayús, diez</translation>
+    </message>
+    <message>
+        <source>Space or middle button</source>
+        <translation>Espacio o botón central</translation>
+    </message>
+    <message>
+        <source>pans</source>
+        <translation>desplaza la vista</translation>
+    </message>
+</context>
+<context>
+    <name>CurveEditor</name>
+    <message>
+        <source>Drag the curve&apos;s point, with Ctrl one direction alone; Delete removes it, a right click shows more</source>
+        <translation>Arrastre el punto de la curva, con Ctrl una sola dirección; Supr lo elimina, el clic derecho ofrece más</translation>
+    </message>
+    <message>
+        <source>Double-click to insert a point into the curve</source>
+        <translation>Haga doble clic para insertar un punto en la curva</translation>
+    </message>
+    <message>
+        <source>Change curve</source>
+        <translation>Cambiar curva</translation>
+    </message>
+    <message>
+        <source>Insert curve point</source>
+        <translation>Insertar punto de curva</translation>
+    </message>
+    <message>
+        <source>Delete curve point</source>
+        <translation>Eliminar punto de curva</translation>
+    </message>
+    <message>
+        <source>The ends of a curve must stay.</source>
+        <translation>Los extremos de una curva deben quedarse.</translation>
+    </message>
+</context>
+<context>
+    <name>CutTool</name>
+    <message>
+        <source>Drag the arrow to move the cut, the rings to tilt it; Esc puts it back</source>
+        <translation>Arrastre la flecha para mover el corte, los anillos para inclinarlo; Esc lo devuelve a su sitio</translation>
+    </message>
+</context>
+<context>
+    <name>DepthTool</name>
+    <message>
+        <source>Brush over what lies in front or behind; Ctrl takes it back, Shift turns it round, [ and ] change the size</source>
+        <translation>Pase el pincel sobre lo que quede delante o detrás; Ctrl lo anula, Mayús lo invierte, [ y ] cambian el tamaño</translation>
+    </message>
+    <message>
+        <source>Paint in front</source>
+        <translation>Pintar delante</translation>
+    </message>
+    <message>
+        <source>Paint behind</source>
+        <translation>Pintar detrás</translation>
+    </message>
+    <message>
+        <source>Take back depth</source>
+        <translation>Borrar profundidad</translation>
+    </message>
+</context>
+<context>
+    <name>EnergyScale</name>
+    <message>
+        <source>Area</source>
+        <translation>Área</translation>
+    </message>
+    <message>
+        <source>Nothing grows or shrinks. Parts may get thin.</source>
+        <translation>Nada crece ni encoge. Algunas partes pueden adelgazar.</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Longitud</translation>
+    </message>
+    <message>
+        <source>Stretches least. Start here.</source>
+        <translation>Estira lo mínimo. Empiece aquí.</translation>
+    </message>
+    <message>
+        <source>Rigid</source>
+        <translation>Rígido</translation>
+    </message>
+    <message>
+        <source>Parts turn like card.</source>
+        <translation>Las partes giran como cartulina.</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Ángulo</translation>
+    </message>
+    <message>
+        <source>Details keep their look. Parts may swell.</source>
+        <translation>Los detalles conservan su aspecto. Algunas partes pueden hincharse.</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+</context>
+<context>
+    <name>FileCard</name>
+    <message>
+        <source>Eyes stay round</source>
+        <translation>Los ojos siguen redondos</translation>
+    </message>
+    <message>
+        <source>Pins and paths</source>
+        <translation>Alfileres y trayectorias</translation>
+    </message>
+    <message>
+        <source>Many pins at once</source>
+        <translation>Muchos alfileres a la vez</translation>
+    </message>
+    <message>
+        <source>What is kept</source>
+        <translation>Qué se conserva</translation>
+    </message>
+    <message>
+        <source>Flight, with a skin</source>
+        <translation>Un vuelo, con piel</translation>
+    </message>
+    <message>
+        <source>A stiff middle</source>
+        <translation>Un centro rígido</translation>
+    </message>
+</context>
+<context>
+    <name>FillTool</name>
+    <message>
+        <source>Click to take up what is painted there</source>
+        <translation>Haga clic para tomar una muestra de lo pintado ahí</translation>
+    </message>
+    <message>
+        <source>Click to fill what hangs together there; Shift fills all, Ctrl empties, Alt picks up</source>
+        <translation>Haga clic para rellenar la zona contigua; Mayús rellena todo, Ctrl vacía, Alt toma una muestra</translation>
+    </message>
+    <message>
+        <source>Emptied</source>
+        <translation>Vaciado</translation>
+    </message>
+    <message>
+        <source>Empty %1</source>
+        <translation>Vaciar %1</translation>
+    </message>
+    <message>
+        <source>Fill %1 with %2</source>
+        <translation>Rellenar %1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>FlatSizeTool</name>
+    <message>
+        <source>Brush over what shall be meshed finer; Shift makes it coarser, Ctrl even again, [ and ] change the size</source>
+        <translation>Pase el pincel donde la malla deba ser más fina; Mayús la hace más gruesa, Ctrl la deja uniforme, [ y ] cambian el tamaño</translation>
+    </message>
+    <message>
+        <source>The mesh comes from a file and is used as it is.</source>
+        <translation>La malla procede de un archivo y se usa tal cual.</translation>
+    </message>
+    <message>
+        <source>Paint finer mesh</source>
+        <translation>Pintar malla más fina</translation>
+    </message>
+    <message>
+        <source>Paint coarser mesh</source>
+        <translation>Pintar malla más gruesa</translation>
+    </message>
+    <message>
+        <source>Paint even mesh</source>
+        <translation>Pintar malla uniforme</translation>
+    </message>
+</context>
+<context>
+    <name>GradientTool</name>
+    <message>
+        <source>Drag over the shape: from what is there it changes evenly into what is chosen on the right; Alt picks up, Esc gives up</source>
+        <translation>Arrastre sobre la forma: lo que hay pasa gradualmente a lo elegido a la derecha; Alt toma una muestra, Esc cancela</translation>
+    </message>
+    <message>
+        <source>Move gradient</source>
+        <translation>Mover degradado</translation>
+    </message>
+    <message>
+        <source>To %1</source>
+        <translation>Hacia %1</translation>
+    </message>
+    <message>
+        <source>Blend %1 to %2</source>
+        <translation>Degradado en %1 hacia %2</translation>
+    </message>
+</context>
+<context>
+    <name>HoldTool</name>
+    <message>
+        <source>Draw around the part to hold; Shift adds to the selected part, Ctrl takes away</source>
+        <translation>Rodee la parte que quiera sujetar; Mayús añade a la parte seleccionada, Ctrl quita</translation>
+    </message>
+    <message>
+        <source>Brush over the part to hold, [ and ] change the size; Shift adds, Ctrl takes away</source>
+        <translation>Pase el pincel sobre la parte que quiera sujetar, [ y ] cambian el tamaño; Mayús añade, Ctrl quita</translation>
+    </message>
+    <message>
+        <source>Draw a rectangle over the part to hold; Shift adds to the selected part, Ctrl takes away</source>
+        <translation>Trace un rectángulo sobre la parte que quiera sujetar; Mayús añade a la parte seleccionada, Ctrl quita</translation>
+    </message>
+    <message>
+        <source>There is nothing of the shape in this outline.</source>
+        <translation>En este contorno no hay nada de la forma.</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Parte</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>Cambiar %1</translation>
+    </message>
+    <message>
+        <source>Select one part to take away from.</source>
+        <translation>Seleccione una sola parte de la que quitar.</translation>
+    </message>
+</context>
+<context>
+    <name>Measure</name>
+    <message>
+        <source>Stretch</source>
+        <translation>Estiramiento</translation>
+    </message>
+    <message>
+        <source>stretch %1</source>
+        <translation>estiramiento %1</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Área</translation>
+    </message>
+    <message>
+        <source>area ×%1</source>
+        <translation>área ×%1</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>volume ×%1</source>
+        <translation>volumen ×%1</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Ángulo</translation>
+    </message>
+    <message>
+        <source>angle error %1</source>
+        <translation>error de ángulo %1</translation>
+    </message>
+    <message>
+        <source>Shear</source>
+        <translation>Cizalladura</translation>
+    </message>
+    <message>
+        <source>What is kept (φ)</source>
+        <translation>Se conserva (φ)</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Rigidez</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Velocidad</translation>
+    </message>
+    <message>
+        <source>Cell size</source>
+        <translation>Tamaño de celda</translation>
+    </message>
+</context>
+<context>
+    <name>MeasureTool</name>
+    <message>
+        <source>Click two points for a length, a third for the angle; Ctrl takes vertices, Esc clears</source>
+        <translation>Haga clic en dos puntos para una longitud, en un tercero para el ángulo; Ctrl toma vértices, Esc borra</translation>
+    </message>
+    <message>
+        <source>angle %1, at rest %2</source>
+        <translation>ángulo %1, en reposo %2</translation>
+    </message>
+    <message>
+        <source>length %1, at rest %2</source>
+        <translation>longitud %1, en reposo %2</translation>
+    </message>
+</context>
+<context>
+    <name>Options</name>
+    <message>
+        <source>Det&amp;ail, in vertices</source>
+        <translation>&amp;Detalle, en vértices</translation>
+    </message>
+    <message>
+        <source>Vertices</source>
+        <translation>Vértices</translation>
+    </message>
+    <message>
+        <source>How fine the mesh is. More vertices bend more smoothly and take longer.</source>
+        <translation>Finura de la malla. Con más vértices la forma se curva con más suavidad, pero tarda más.</translation>
+    </message>
+    <message>
+        <source>Change detail</source>
+        <translation>Cambiar detalle</translation>
+    </message>
+    <message>
+        <source>&amp;Outline</source>
+        <translation>&amp;Contorno</translation>
+    </message>
+    <message>
+        <source>What bends: only what is opaque in the picture, or the picture as a whole.</source>
+        <translation>Qué se deforma: solo lo opaco de la imagen o la imagen entera.</translation>
+    </message>
+    <message>
+        <source>Change outline</source>
+        <translation>Cambiar contorno</translation>
+    </message>
+    <message>
+        <source>Whole picture</source>
+        <translation>Imagen entera</translation>
+    </message>
+    <message>
+        <source>Cut-out</source>
+        <translation>Recorte</translation>
+    </message>
+    <message>
+        <source>Drawn polygons</source>
+        <translation>Polígonos trazados</translation>
+    </message>
+    <message>
+        <source>Count as so&amp;lid above</source>
+        <translation>O&amp;paco a partir de</translation>
+    </message>
+    <message>
+        <source>Pixels that are more opaque than this belong to the shape.</source>
+        <translation>Los píxeles más opacos que este valor forman parte de la forma.</translation>
+    </message>
+    <message>
+        <source>Change what counts as solid</source>
+        <translation>Cambiar umbral de opacidad</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Ma&amp;rgin</source>
+        <translation>Mar&amp;gen</translation>
+    </message>
+    <message>
+        <source>The outline is grown by this much, so that soft edges come along whole.</source>
+        <translation>El contorno se amplía en esta medida para que los bordes suaves queden dentro por completo.</translation>
+    </message>
+    <message>
+        <source>Change margin</source>
+        <translation>Cambiar margen</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>&amp;Border</source>
+        <translation>&amp;Borde</translation>
+    </message>
+    <message>
+        <source>Picture&apos;s border</source>
+        <translation>Borde de la imagen</translation>
+    </message>
+    <message>
+        <source>Holds the frame of a photograph, so that no gap opens beside it: it stays where it is, or its sides slide along themselves. Pins on it move all the same.</source>
+        <translation>Sujeta el marco de una foto para que no se abran huecos junto a él: se queda en su sitio o sus lados se deslizan sobre sí mismos. Los alfileres puestos en él se mueven de todos modos.</translation>
+    </message>
+    <message>
+        <source>Hold the border</source>
+        <translation>Sujetar borde</translation>
+    </message>
+    <message>
+        <source>Moves freely</source>
+        <translation>Se mueve libre</translation>
+    </message>
+    <message>
+        <source>Stays in place</source>
+        <translation>Se queda fijo</translation>
+    </message>
+    <message>
+        <source>Slides along itself</source>
+        <translation>Se desliza sobre sí</translation>
+    </message>
+    <message>
+        <source>Radius–edge rati&amp;o</source>
+        <translation>&amp;Relación radio–arista</translation>
+    </message>
+    <message>
+        <source>How flat the tetrahedra may be: the greatest ratio of circumradius to shortest edge. Smaller is rounder and takes more of them.</source>
+        <translation>Lo planos que pueden ser los tetraedros: relación máxima entre circunradio y arista más corta. Cuanto menor, más redondos y más numerosos.</translation>
+    </message>
+    <message>
+        <source>Change radius–edge ratio</source>
+        <translation>Cambiar relación radio–arista</translation>
+    </message>
+    <message>
+        <source>&amp;Greatest volume</source>
+        <translation>Vo&amp;lumen máximo</translation>
+    </message>
+    <message>
+        <source>Larger tetrahedra are split; in cubed units of the file. Half of it makes about twice as many. At a surface that is kept some may stay larger.</source>
+        <translation>Los tetraedros mayores se dividen; en unidades del archivo al cubo. Con la mitad salen aproximadamente el doble. Junto a una superficie conservada, algunos pueden quedar más grandes.</translation>
+    </message>
+    <message>
+        <source>Change greatest volume</source>
+        <translation>Cambiar volumen máximo</translation>
+    </message>
+    <message>
+        <source>Refine s&amp;urface</source>
+        <translation>Refinar s&amp;uperficie</translation>
+    </message>
+    <message>
+        <source>Lets the triangles of the surface be split where they are larger than the tetrahedra inside. Off, the surface is kept exactly as it is.</source>
+        <translation>Permite dividir los triángulos de la superficie mayores que los tetraedros interiores. Si no, la superficie se conserva tal cual.</translation>
+    </message>
+    <message>
+        <source>Refine surface</source>
+        <translation>Refinar superficie</translation>
+    </message>
+    <message>
+        <source>Fill holes up to (edges)</source>
+        <translation>Tapar huecos (aristas)</translation>
+    </message>
+    <message>
+        <source>Largest hole</source>
+        <translation>Hueco máximo</translation>
+    </message>
+    <message>
+        <source>“Repair” fills holes of at most so many edges.</source>
+        <translation>«Reparar» tapa los huecos de hasta este número de aristas.</translation>
+    </message>
+    <message>
+        <source>F&amp;it</source>
+        <translation>Relle&amp;no</translation>
+    </message>
+    <message>
+        <source>What is filled: the surface itself, or a cage of even cells around it, in which it rides. Automatic takes the cage where the surface cannot be filled or has far too many vertices.</source>
+        <translation>Qué se rellena: la propia superficie o una jaula de celdas uniformes que la rodea y la lleva consigo. Automático elige la jaula si la superficie no se puede rellenar o tiene demasiados vértices.</translation>
+    </message>
+    <message>
+        <source>Change fit</source>
+        <translation>Cambiar relleno</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automático</translation>
+    </message>
+    <message>
+        <source>Exact surface</source>
+        <translation>Superficie exacta</translation>
+    </message>
+    <message>
+        <source>Cage</source>
+        <translation>Jaula</translation>
+    </message>
+    <message>
+        <source>Exact &amp;balance</source>
+        <translation>Valor e&amp;xacto</translation>
+    </message>
+    <message>
+        <source>What is kept as a number, φ, as it stands in the project file: 0.002 keeps area or volume, 0.464 length, 1.571 is rigid, 2.678 keeps angles (2.498 in a solid).</source>
+        <translation>Qué se conserva, como el número φ que figura en el proyecto: 0,002 conserva el área o el volumen, 0,464 la longitud, 1,571 es rígido, 2,678 conserva los ángulos (2,498 en un sólido).</translation>
+    </message>
+    <message>
+        <source>Change energy</source>
+        <translation>Cambiar energía</translation>
+    </message>
+    <message>
+        <source> rad</source>
+        <translation> rad</translation>
+    </message>
+    <message>
+        <source>Smoothi&amp;ng length</source>
+        <translation>&amp;Longitud de suavizado</translation>
+    </message>
+    <message>
+        <source>How far a pin&apos;s pull is spread, as a part of the shape&apos;s size. Small: close to the pin, sharp. Large: soft and wide.</source>
+        <translation>Hasta dónde se reparte el tirón de un alfiler, en proporción al tamaño de la forma. Pequeña: junto al alfiler, marcado. Grande: amplio y suave.</translation>
+    </message>
+    <message>
+        <source>Change smoothing</source>
+        <translation>Cambiar suavizado</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguno</translation>
+    </message>
+    <message>
+        <source>Remembers its shape</source>
+        <translation>Memoria de forma</translation>
+    </message>
+    <message>
+        <source>How strongly the shape is drawn back to its rest while a pin moves. Not at all: where it ends depends on the way that the pin has gone. Fully: a pin that comes back brings the shape back.</source>
+        <translation>Fuerza con que la forma vuelve hacia su reposo mientras se mueve un alfiler. Nula: el resultado depende del camino que siguió el alfiler. Total: al volver el alfiler, vuelve también la forma.</translation>
+    </message>
+    <message>
+        <source>Change memory</source>
+        <translation>Cambiar memoria de forma</translation>
+    </message>
+    <message>
+        <source>number of frames, at equal times from the start to the last time</source>
+        <translation>número de fotogramas, a intervalos iguales del principio al final</translation>
+    </message>
+    <message>
+        <source>F&amp;rames</source>
+        <translation>&amp;Fotogramas</translation>
+    </message>
+    <message>
+        <source>frames per second of an animated .glb</source>
+        <translation>fotogramas por segundo de un .glb animado</translation>
+    </message>
+    <message>
+        <source>Frames per &amp;second</source>
+        <translation>Fotogramas por &amp;segundo</translation>
+    </message>
+    <message>
+        <source>whether distortion, φ, directions and velocity go with meshes, in formats that carry values</source>
+        <translation>si la distorsión, φ, las direcciones y la velocidad acompañan a las mallas, en los formatos que admiten valores</translation>
+    </message>
+    <message>
+        <source>&amp;Values</source>
+        <translation>&amp;Valores</translation>
+    </message>
+    <message>
+        <source>Errors, material, velocity</source>
+        <translation>Errores, material, velocidad</translation>
+    </message>
+    <message>
+        <source>The shape alone</source>
+        <translation>Solo la forma</translation>
+    </message>
+    <message>
+        <source>how numbers stand in mesh files that know several ways (ply, stl, msh, vtk, vtu)</source>
+        <translation>cómo se escriben los números en las mallas que admiten varias formas (ply, stl, msh, vtk, vtu)</translation>
+    </message>
+    <message>
+        <source>&amp;Numbers</source>
+        <translation>&amp;Números</translation>
+    </message>
+    <message>
+        <source>As text</source>
+        <translation>Como texto</translation>
+    </message>
+    <message>
+        <source>Binary</source>
+        <translation>Binario</translation>
+    </message>
+    <message>
+        <source>Binary, compressed</source>
+        <translation>Binario, comprimido</translation>
+    </message>
+    <message>
+        <source>version of .msh files</source>
+        <translation>versión de los archivos .msh</translation>
+    </message>
+    <message>
+        <source>&amp;Gmsh version</source>
+        <translation>Versión de &amp;Gmsh</translation>
+    </message>
+    <message>
+        <source>write the triangles of a solid&apos;s border as cells too, with the values of the tetrahedra behind them; without it .vtu and .vtk hold tetrahedra only, unless the input had such triangles</source>
+        <translation>escribir también como celdas los triángulos del borde de un sólido, con los valores de los tetraedros que hay detrás; si no, .vtu y .vtk solo contienen tetraedros, salvo que la entrada tuviera tales triángulos</translation>
+    </message>
+    <message>
+        <source>&amp;Border triangles</source>
+        <translation>&amp;Triángulos del borde</translation>
+    </message>
+    <message>
+        <source>how the picture is sampled</source>
+        <translation>cómo se muestrea la imagen</translation>
+    </message>
+    <message>
+        <source>Fil&amp;ter</source>
+        <translation>Fil&amp;tro</translation>
+    </message>
+    <message>
+        <source>Nearest – hard pixels</source>
+        <translation>Más cercano: píxeles duros</translation>
+    </message>
+    <message>
+        <source>Bilinear – quick</source>
+        <translation>Bilineal: rápido</translation>
+    </message>
+    <message>
+        <source>Bicubic – sharp</source>
+        <translation>Bicúbico: nítido</translation>
+    </message>
+    <message>
+        <source>EWA – best</source>
+        <translation>EWA: el mejor</translation>
+    </message>
+    <message>
+        <source>pixels that pictures show: those of the source, or as many as the shape needs</source>
+        <translation>píxeles que muestran las imágenes: los del original o los que la forma necesite</translation>
+    </message>
+    <message>
+        <source>&amp;Canvas</source>
+        <translation>&amp;Lienzo</translation>
+    </message>
+    <message>
+        <source>As large as the picture</source>
+        <translation>Tan grande como la imagen</translation>
+    </message>
+    <message>
+        <source>Fit to the shape</source>
+        <translation>Ajustado a la forma</translation>
+    </message>
+    <message>
+        <source>bits of a channel in pictures: as in the source, 8 or 16, or a half or full floating-point number; values stay what they are</source>
+        <translation>bits por canal de las imágenes: como el original, 8 o 16, o en coma flotante, media o completa; los valores no cambian</translation>
+    </message>
+    <message>
+        <source>&amp;Depth</source>
+        <translation>&amp;Profundidad</translation>
+    </message>
+    <message>
+        <source>As in the picture</source>
+        <translation>Como en la imagen</translation>
+    </message>
+    <message>
+        <source>8 bit</source>
+        <translation>8 bits</translation>
+    </message>
+    <message>
+        <source>16 bit</source>
+        <translation>16 bits</translation>
+    </message>
+    <message>
+        <source>16 bit floating point (half)</source>
+        <translation>16 bits en coma flotante (half)</translation>
+    </message>
+    <message>
+        <source>32 bit floating point</source>
+        <translation>32 bits en coma flotante</translation>
+    </message>
+    <message>
+        <source>what pictures show beside the shape: nothing, its border drawn out, the source as it was, or a colour</source>
+        <translation>qué muestran las imágenes junto a la forma: nada, su borde prolongado, el original tal cual o un color</translation>
+    </message>
+    <message>
+        <source>&amp;Background</source>
+        <translation>Fon&amp;do</translation>
+    </message>
+    <message>
+        <source>Transparent</source>
+        <translation>Transparente</translation>
+    </message>
+    <message>
+        <source>The border, drawn out</source>
+        <translation>El borde, prolongado</translation>
+    </message>
+    <message>
+        <source>The picture as it was</source>
+        <translation>La imagen original</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>Blanco</translation>
+    </message>
+    <message>
+        <source>Black</source>
+        <translation>Negro</translation>
+    </message>
+</context>
+<context>
+    <name>OutlineTool</name>
+    <message>
+        <source>Draw around what shall bend too; with Ctrl it is taken away. Esc gives up</source>
+        <translation>Rodee lo que también deba deformarse; con Ctrl se quita. Esc cancela</translation>
+    </message>
+    <message>
+        <source>Click corner after corner, double-click closes; Ctrl takes away, Backspace takes back a corner, Esc gives up</source>
+        <translation>Haga clic esquina a esquina, el doble clic cierra; Ctrl quita, Retroceso deshace una esquina, Esc cancela</translation>
+    </message>
+    <message>
+        <source>Brush over what shall bend too, [ and ] change the size; Ctrl takes away</source>
+        <translation>Pase el pincel sobre lo que también deba deformarse, [ y ] cambian el tamaño; Ctrl quita</translation>
+    </message>
+    <message>
+        <source>Click on a colour that shall bend too; Ctrl takes it away, [ and ] take fewer or more colours</source>
+        <translation>Haga clic en un color que también deba deformarse; Ctrl lo quita, [ y ] toman menos o más colores</translation>
+    </message>
+    <message>
+        <source>Draw a line along which the shape is parted; Esc gives up</source>
+        <translation>Trace una línea por la que separar la forma; Esc cancela</translation>
+    </message>
+    <message>
+        <source>Nothing would be left of the shape.</source>
+        <translation>No quedaría nada de la forma.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pins lay beside the new outline and were removed.</source>
+        <translation>
+            <numerusform>%n alfiler quedaba fuera del nuevo contorno y se ha eliminado.</numerusform>
+            <numerusform>%n alfileres quedaban fuera del nuevo contorno y se han eliminado.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Separar</translation>
+    </message>
+    <message>
+        <source>Take away from the outline</source>
+        <translation>Quitar del contorno</translation>
+    </message>
+    <message>
+        <source>Add to the outline</source>
+        <translation>Añadir al contorno</translation>
+    </message>
+</context>
+<context>
+    <name>PaintTool</name>
+    <message>
+        <source>Area</source>
+        <translation>Área</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Longitud</translation>
+    </message>
+    <message>
+        <source>Rigid</source>
+        <translation>Rígido</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Ángulo</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Conservar</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Stiff</source>
+        <translation>Rigidez</translation>
+    </message>
+    <message>
+        <source>Combed</source>
+        <translation>Peinado</translation>
+    </message>
+    <message>
+        <source>Erased</source>
+        <translation>Borrado</translation>
+    </message>
+    <message>
+        <source>Smoothed</source>
+        <translation>Suavizado</translation>
+    </message>
+    <message>
+        <source>Take paint off %1</source>
+        <translation>Quitar pintura de %1</translation>
+    </message>
+    <message>
+        <source>Smooth %1</source>
+        <translation>Suavizar %1</translation>
+    </message>
+    <message>
+        <source>Comb %1</source>
+        <translation>Peinar %1</translation>
+    </message>
+    <message>
+        <source>Paint %1 on %2</source>
+        <translation>Pintar %1 en %2</translation>
+    </message>
+    <message>
+        <source>There is no direction to follow: the numbers on the right were taken.</source>
+        <translation>No hay dirección que seguir: se han tomado los números de la derecha.</translation>
+    </message>
+    <message>
+        <source>Comb along the way in which it is to be stiff; Ctrl takes away, Shift smooths, Shift-click draws a line, Alt-click picks up, Esc gives up the stroke</source>
+        <translation>Peine en el sentido en que deba ser rígida; Ctrl quita, Mayús suaviza, Mayús+clic traza una línea, Alt+clic toma una muestra, Esc cancela el trazo</translation>
+    </message>
+    <message>
+        <source>Paint what is chosen on the right; Ctrl takes away, Shift smooths, Shift-click draws a line, Alt-click picks up, Esc gives up the stroke</source>
+        <translation>Pinte lo elegido a la derecha; Ctrl quita, Mayús suaviza, Mayús+clic traza una línea, Alt+clic toma una muestra, Esc cancela el trazo</translation>
+    </message>
+</context>
+<context>
+    <name>PinTool</name>
+    <message>
+        <source>Drag the pin; Esc puts the shape back</source>
+        <translation>Arrastre el alfiler; Esc restablece la forma</translation>
+    </message>
+    <message>
+        <source>Drag as far as the pin shall hold; Esc gives it up</source>
+        <translation>Arrastre hasta donde el alfiler deba sujetar; Esc cancela</translation>
+    </message>
+    <message>
+        <source>Drag the dot to rotate, Shift by 15°, or the square to scale; digits set the number</source>
+        <translation>Arrastre el punto para rotar, con Mayús de 15° en 15°, o el cuadrado para escalar; las cifras fijan el valor</translation>
+    </message>
+    <message>
+        <source>Drag to move the pin, Alt-drag to widen it, Shift-click to select more, Delete to remove</source>
+        <translation>Arrastre para mover el alfiler, con Alt para ensancharlo, Mayús+clic selecciona más, Supr elimina</translation>
+    </message>
+    <message>
+        <source>A point cannot rotate – Alt-drag to widen it</source>
+        <translation>Un punto no puede rotar: arrastre con Alt para ensancharlo</translation>
+    </message>
+    <message>
+        <source>Click on the shape to set a pin, then drag pins to bend it</source>
+        <translation>Haga clic en la forma para poner un alfiler y luego arrastre los alfileres para deformarla</translation>
+    </message>
+    <message>
+        <source>Click or draw a rectangle to select pins, drag to move them, arrow keys nudge</source>
+        <translation>Haga clic o trace un rectángulo para seleccionar, arrastre para mover, las flechas desplazan</translation>
+    </message>
+    <message>
+        <source>%1: does not hold now</source>
+        <translation>%1: no sujeta en este momento</translation>
+    </message>
+</context>
+<context>
+    <name>SizeTool</name>
+    <message>
+        <source>Paint finer or coarser cells; Ctrl the other way round, [ and ] change the size, Esc gives up</source>
+        <translation>Pase el pincel donde las celdas deban ser más finas o más gruesas; Ctrl invierte, [ y ] cambian el tamaño, Esc cancela</translation>
+    </message>
+    <message>
+        <source>Paint finer cells</source>
+        <translation>Pintar celdas más finas</translation>
+    </message>
+    <message>
+        <source>Paint coarser cells</source>
+        <translation>Pintar celdas más gruesas</translation>
+    </message>
+    <message>
+        <source>Paint plain cells</source>
+        <translation>Pintar celdas normales</translation>
+    </message>
+</context>
+<context>
+    <name>SolidPinTool</name>
+    <message>
+        <source>X, Y, Z lock an axis, numbers set the amount, Esc puts the solid back</source>
+        <translation>X, Y, Z bloquean un eje, los números fijan el valor, Esc restablece el sólido</translation>
+    </message>
+    <message>
+        <source>Drag an arrow, a square or a ring; G moves, R turns, S scales</source>
+        <translation>Arrastre una flecha, un cuadrado o un anillo; G mueve, R rota, S escala</translation>
+    </message>
+    <message>
+        <source>Drag to move along the screen, Shift-click to select more</source>
+        <translation>Arrastre para mover en el plano de la pantalla, Mayús+clic selecciona más</translation>
+    </message>
+    <message>
+        <source>Click on the solid to set a pin, or draw around pins to select them</source>
+        <translation>Haga clic en el sólido para poner un alfiler, o rodee alfileres para seleccionarlos</translation>
+    </message>
+    <message>
+        <source>Draw around pins to select them; Shift adds, Ctrl takes away</source>
+        <translation>Rodee alfileres para seleccionarlos; Mayús añade, Ctrl quita</translation>
+    </message>
+    <message>
+        <source>Click on the solid to set a pin, or brush over pins to select them; [ and ] change the size</source>
+        <translation>Haga clic en el sólido para poner un alfiler, o pase el pincel sobre alfileres para seleccionarlos; [ y ] cambian el tamaño</translation>
+    </message>
+    <message>
+        <source>Brush over pins to select them, [ and ] change the size; Shift adds, Ctrl takes away</source>
+        <translation>Pase el pincel sobre alfileres para seleccionarlos, [ y ] cambian el tamaño; Mayús añade, Ctrl quita</translation>
+    </message>
+    <message>
+        <source>Click on the solid to set a pin, then drag pins to bend it</source>
+        <translation>Haga clic en el sólido para poner un alfiler y luego arrastre los alfileres para deformarlo</translation>
+    </message>
+    <message>
+        <source>Click, or draw beside pins, to select; Shift adds, Ctrl takes away; drag or arrow keys move</source>
+        <translation>Haga clic, o trace junto a los alfileres, para seleccionar; Mayús añade, Ctrl quita; arrastre o use las flechas para mover</translation>
+    </message>
+</context>
+<context>
+    <name>StiffnessFields</name>
+    <message>
+        <source>Stiffness</source>
+        <translation>Rigidez</translation>
+    </message>
+</context>
+<context>
+    <name>Tools</name>
+    <message>
+        <source>&amp;Pin</source>
+        <translation>&amp;Alfiler</translation>
+    </message>
+    <message>
+        <source>Set pins and drag them</source>
+        <translation>Poner alfileres y arrastrarlos</translation>
+    </message>
+    <message>
+        <source>Se&amp;lect</source>
+        <translation>&amp;Seleccionar</translation>
+    </message>
+    <message>
+        <source>Select and drag pins without setting new ones</source>
+        <translation>Seleccionar y arrastrar alfileres sin poner nuevos</translation>
+    </message>
+    <message>
+        <source>Grab by &amp;Lasso</source>
+        <translation>Agarrar con &amp;lazo</translation>
+    </message>
+    <message>
+        <source>Take hold of all that lies in a drawn outline as one handle</source>
+        <translation>Sujetar como un solo agarre todo lo que haya dentro de un contorno trazado</translation>
+    </message>
+    <message>
+        <source>Grab by Bo&amp;x</source>
+        <translation>Agarrar con rectán&amp;gulo</translation>
+    </message>
+    <message>
+        <source>Take hold of all that lies in a rectangle as one handle</source>
+        <translation>Sujetar como un solo agarre todo lo que haya dentro de un rectángulo</translation>
+    </message>
+    <message>
+        <source>Grab by &amp;Brush</source>
+        <translation>Agarrar con &amp;pincel</translation>
+    </message>
+    <message>
+        <source>Take hold of what is brushed over as one handle</source>
+        <translation>Sujetar como un solo agarre todo lo que recorra el pincel</translation>
+    </message>
+    <message>
+        <source>Grab a B&amp;all</source>
+        <translation>Agarrar una es&amp;fera</translation>
+    </message>
+    <message>
+        <source>Take hold of all that lies in a ball around a point of the surface</source>
+        <translation>Agarrar todo lo que haya en una esfera en torno a un punto de la superficie</translation>
+    </message>
+    <message>
+        <source>Grab a Bloc&amp;k</source>
+        <translation>Agarrar una ca&amp;ja</translation>
+    </message>
+    <message>
+        <source>Take hold of all that lies in a block around a point of the surface</source>
+        <translation>Agarrar todo lo que haya en una caja en torno a un punto de la superficie</translation>
+    </message>
+    <message>
+        <source>Grab &amp;One Side</source>
+        <translation>Agarrar u&amp;n lado</translation>
+    </message>
+    <message>
+        <source>Take hold of all that lies beyond a plane through a point of the surface</source>
+        <translation>Agarrar todo lo que haya más allá de un plano que pasa por un punto de la superficie</translation>
+    </message>
+    <message>
+        <source>Outline by &amp;Lasso</source>
+        <translation>Contorno con la&amp;zo</translation>
+    </message>
+    <message>
+        <source>Draw around what shall bend, or shall not</source>
+        <translation>Rodear lo que deba deformarse, o no</translation>
+    </message>
+    <message>
+        <source>Outline by &amp;Polygon</source>
+        <translation>Contorno con políg&amp;ono</translation>
+    </message>
+    <message>
+        <source>Set the corners of what shall bend, or shall not</source>
+        <translation>Poner las esquinas de lo que deba deformarse, o no</translation>
+    </message>
+    <message>
+        <source>Outline by &amp;Brush</source>
+        <translation>Co&amp;ntorno con pincel</translation>
+    </message>
+    <message>
+        <source>Brush over what shall bend, or shall not</source>
+        <translation>Pasar el pincel sobre lo que deba deformarse, o no</translation>
+    </message>
+    <message>
+        <source>Outline by &amp;Colour</source>
+        <translation>Contorno por &amp;color</translation>
+    </message>
+    <message>
+        <source>Click on a colour that shall bend, or shall not</source>
+        <translation>Hacer clic en un color que deba deformarse, o no</translation>
+    </message>
+    <message>
+        <source>Cut &amp;Apart</source>
+        <translation>Sepa&amp;rar</translation>
+    </message>
+    <message>
+        <source>Draw a line along which the shape is parted</source>
+        <translation>Trazar una línea por la que se separa la forma</translation>
+    </message>
+    <message>
+        <source>&amp;Detail Brush</source>
+        <translation>Pincel de de&amp;talle</translation>
+    </message>
+    <message>
+        <source>Brush where the mesh is to be finer or coarser</source>
+        <translation>Pintar dónde la malla debe ser más fina o más gruesa</translation>
+    </message>
+    <message>
+        <source>&amp;Paint</source>
+        <translation>P&amp;intar</translation>
+    </message>
+    <message>
+        <source>Paint what is kept, or how stiff it is</source>
+        <translation>Pintar qué se conserva o lo rígida que es</translation>
+    </message>
+    <message>
+        <source>&amp;Comb</source>
+        <translation>P&amp;einar</translation>
+    </message>
+    <message>
+        <source>Comb the direction along which it is stiff</source>
+        <translation>Peinar la dirección en la que es rígida</translation>
+    </message>
+    <message>
+        <source>&amp;Gradient</source>
+        <translation>&amp;Degradado</translation>
+    </message>
+    <message>
+        <source>Drag: what is there changes evenly into what is chosen</source>
+        <translation>Arrastrar: lo que hay pasa gradualmente a lo elegido</translation>
+    </message>
+    <message>
+        <source>&amp;Fill</source>
+        <translation>&amp;Rellenar</translation>
+    </message>
+    <message>
+        <source>Fill with what is chosen all that hangs together</source>
+        <translation>Rellenar con lo elegido toda la zona contigua</translation>
+    </message>
+    <message>
+        <source>E&amp;yedropper</source>
+        <translation>C&amp;uentagotas</translation>
+    </message>
+    <message>
+        <source>Take up what is painted under the pointer</source>
+        <translation>Tomar una muestra de lo pintado bajo el puntero</translation>
+    </message>
+    <message>
+        <source>Depth Brus&amp;h</source>
+        <translation>Pincel de pro&amp;fundidad</translation>
+    </message>
+    <message>
+        <source>Brush over what lies in front where the shape covers itself</source>
+        <translation>Pasar el pincel sobre lo que queda delante donde la forma se tapa a sí misma</translation>
+    </message>
+    <message>
+        <source>M&amp;easure</source>
+        <translation>&amp;Medir</translation>
+    </message>
+    <message>
+        <source>Measure lengths and angles between points of the shape</source>
+        <translation>Medir longitudes y ángulos entre puntos de la forma</translation>
+    </message>
+</context>
+<context>
+    <name>wend::Actions</name>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>&amp;Abrir…</translation>
+    </message>
+    <message>
+        <source>Open a picture, a mesh, a surface or a project</source>
+        <translation>Abrir una imagen, una malla, una superficie o un proyecto</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Guardar</translation>
+    </message>
+    <message>
+        <source>Save the project</source>
+        <translation>Guardar el proyecto</translation>
+    </message>
+    <message>
+        <source>Save &amp;As…</source>
+        <translation>Guardar &amp;como…</translation>
+    </message>
+    <message>
+        <source>Save the project under another name</source>
+        <translation>Guardar el proyecto con otro nombre</translation>
+    </message>
+    <message>
+        <source>&amp;Picture…</source>
+        <translation>&amp;Imagen…</translation>
+    </message>
+    <message>
+        <source>Write the picture as it is bent now, at its full size</source>
+        <translation>Exportar la imagen tal como está deformada, a tamaño completo</translation>
+    </message>
+    <message>
+        <source>Ctrl+E</source>
+        <translation>Ctrl+E</translation>
+    </message>
+    <message>
+        <source>&amp;Sequence…</source>
+        <translation>&amp;Secuencia…</translation>
+    </message>
+    <message>
+        <source>Write the motion as a sequence of pictures or meshes</source>
+        <translation>Exportar el movimiento como secuencia de imágenes o mallas</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+E</source>
+        <translation>Ctrl+Shift+E</translation>
+    </message>
+    <message>
+        <source>Warp &amp;Map (ST)…</source>
+        <translation>&amp;Mapa de deformación (ST)…</translation>
+    </message>
+    <message>
+        <source>Write where each pixel comes from, for compositing programs</source>
+        <translation>Exportar de dónde viene cada píxel, para programas de composición</translation>
+    </message>
+    <message>
+        <source>&amp;Mesh…</source>
+        <translation>Ma&amp;lla…</translation>
+    </message>
+    <message>
+        <source>Write the bent mesh as OBJ, PLY, VTU …</source>
+        <translation>Exportar la malla deformada como OBJ, PLY, VTU…</translation>
+    </message>
+    <message>
+        <source>&amp;View…</source>
+        <translation>&amp;Vista…</translation>
+    </message>
+    <message>
+        <source>Write the view as a picture, as large as you like</source>
+        <translation>Exportar la vista como imagen, del tamaño que quiera</translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>E&amp;xportar</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>C&amp;errar</translation>
+    </message>
+    <message>
+        <source>Close the file and go back to the start page</source>
+        <translation>Cerrar el archivo y volver a la página de inicio</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Salir</translation>
+    </message>
+    <message>
+        <source>Leave Wend</source>
+        <translation>Salir de Wend</translation>
+    </message>
+    <message>
+        <source>Open &amp;Recent</source>
+        <translation>Abrir &amp;reciente</translation>
+    </message>
+    <message>
+        <source>Open Sa&amp;mple</source>
+        <translation>Abrir e&amp;jemplo</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Deshacer</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Rehacer</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+Z</source>
+        <translation>Ctrl+Shift+Z</translation>
+    </message>
+    <message>
+        <source>Ctrl+Y</source>
+        <translation>Ctrl+Y</translation>
+    </message>
+    <message>
+        <source>Take back the last step</source>
+        <translation>Deshacer el último paso</translation>
+    </message>
+    <message>
+        <source>Do again what was taken back</source>
+        <translation>Rehacer lo que se deshizo</translation>
+    </message>
+    <message>
+        <source>&amp;Steps…</source>
+        <translation>&amp;Historial…</translation>
+    </message>
+    <message>
+        <source>See what was done, and go back to any of it</source>
+        <translation>Ver lo que se ha hecho y volver a cualquier paso</translation>
+    </message>
+    <message>
+        <source>Ctrl+H</source>
+        <translation>Ctrl+H</translation>
+    </message>
+    <message>
+        <source>Select &amp;All Pins</source>
+        <translation>Seleccionar &amp;todos los alfileres</translation>
+    </message>
+    <message>
+        <source>Select all pins</source>
+        <translation>Seleccionar todos los alfileres</translation>
+    </message>
+    <message>
+        <source>Select &amp;None</source>
+        <translation>Dese&amp;leccionar todo</translation>
+    </message>
+    <message>
+        <source>Select no pin</source>
+        <translation>No seleccionar ningún alfiler</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+A</source>
+        <translation>Ctrl+Shift+A</translation>
+    </message>
+    <message>
+        <source>&amp;Remove Pins</source>
+        <translation>Eli&amp;minar alfileres</translation>
+    </message>
+    <message>
+        <source>Remove the selected pins; what has already moved stays</source>
+        <translation>Eliminar los alfileres seleccionados; lo que ya se movió se queda</translation>
+    </message>
+    <message>
+        <source>M&amp;esh</source>
+        <translation>&amp;Malla</translation>
+    </message>
+    <message>
+        <source>Show the triangles that carry the picture</source>
+        <translation>Mostrar los triángulos que llevan la imagen</translation>
+    </message>
+    <message>
+        <source>M</source>
+        <translation>M</translation>
+    </message>
+    <message>
+        <source>&amp;Map</source>
+        <translation>Ma&amp;pa</translation>
+    </message>
+    <message>
+        <source>Colour the shape by what changed</source>
+        <translation>Colorear la forma según lo que ha cambiado</translation>
+    </message>
+    <message>
+        <source>D</source>
+        <translation>D</translation>
+    </message>
+    <message>
+        <source>&amp;Stiffness Marks</source>
+        <translation>Marcas de &amp;rigidez</translation>
+    </message>
+    <message>
+        <source>Show where it is stiff, and along which direction</source>
+        <translation>Mostrar dónde es rígida y en qué dirección</translation>
+    </message>
+    <message>
+        <source>Shift+S</source>
+        <translation>Shift+S</translation>
+    </message>
+    <message>
+        <source>&amp;Hide Pins and Maps</source>
+        <translation>&amp;Ocultar alfileres y mapas</translation>
+    </message>
+    <message>
+        <source>Show the bare picture; hold H to do so for a moment</source>
+        <translation>Mostrar la imagen sola; mantenga H para hacerlo un momento</translation>
+    </message>
+    <message>
+        <source>Shift+H</source>
+        <translation>Shift+H</translation>
+    </message>
+    <message>
+        <source>&amp;Before</source>
+        <translation>Ver ori&amp;ginal</translation>
+    </message>
+    <message>
+        <source>Show the shape as it was before it was bent; hold \ to do so for a moment</source>
+        <translation>Mostrar la forma antes de deformarla; mantenga \ para hacerlo un momento</translation>
+    </message>
+    <message>
+        <source>&amp;Fit</source>
+        <translation>A&amp;justar</translation>
+    </message>
+    <message>
+        <source>Show the whole picture</source>
+        <translation>Mostrar toda la imagen</translation>
+    </message>
+    <message>
+        <source>F</source>
+        <translation>F</translation>
+    </message>
+    <message>
+        <source>&amp;Actual Size</source>
+        <translation>Tamaño r&amp;eal</translation>
+    </message>
+    <message>
+        <source>One pixel of the picture on one of the screen</source>
+        <translation>Un píxel de la imagen por cada píxel de la pantalla</translation>
+    </message>
+    <message>
+        <source>1</source>
+        <translation>1</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;In</source>
+        <translation>A&amp;cercar</translation>
+    </message>
+    <message>
+        <source>Look closer</source>
+        <translation>Ver más de cerca</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;Out</source>
+        <translation>A&amp;lejar</translation>
+    </message>
+    <message>
+        <source>See more</source>
+        <translation>Ver más</translation>
+    </message>
+    <message>
+        <source>Full &amp;Screen</source>
+        <translation>Pantalla comple&amp;ta</translation>
+    </message>
+    <message>
+        <source>Use the whole screen</source>
+        <translation>Usar toda la pantalla</translation>
+    </message>
+    <message>
+        <source>As the &amp;Desktop</source>
+        <translation>Como el &amp;escritorio</translation>
+    </message>
+    <message>
+        <source>Light or dark as the desktop is</source>
+        <translation>Claro u oscuro, como el escritorio</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Claro</translation>
+    </message>
+    <message>
+        <source>Dark on light</source>
+        <translation>Oscuro sobre claro</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>&amp;Oscuro</translation>
+    </message>
+    <message>
+        <source>Light on dark</source>
+        <translation>Claro sobre oscuro</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>&amp;Reproducir</translation>
+    </message>
+    <message>
+        <source>Play the motion, or pause it</source>
+        <translation>Reproducir el movimiento o pausarlo</translation>
+    </message>
+    <message>
+        <source>K</source>
+        <translation>K</translation>
+    </message>
+    <message>
+        <source>&amp;Loop</source>
+        <translation>&amp;Bucle</translation>
+    </message>
+    <message>
+        <source>Begin again at the end</source>
+        <translation>Volver a empezar al final</translation>
+    </message>
+    <message>
+        <source>Shift+L</source>
+        <translation>Shift+L</translation>
+    </message>
+    <message>
+        <source>To the &amp;Start</source>
+        <translation>Al &amp;principio</translation>
+    </message>
+    <message>
+        <source>Show the shape at rest</source>
+        <translation>Mostrar la forma en reposo</translation>
+    </message>
+    <message>
+        <source>To the &amp;End</source>
+        <translation>Al &amp;final</translation>
+    </message>
+    <message>
+        <source>Show the end of the motion</source>
+        <translation>Mostrar el final del movimiento</translation>
+    </message>
+    <message>
+        <source>S&amp;ettle</source>
+        <translation>Re&amp;lajar</translation>
+    </message>
+    <message>
+        <source>Let the shape relax towards its rest at the end, with the pins where they are</source>
+        <translation>Dejar que la forma se relaje hacia su reposo al final, con los alfileres donde están</translation>
+    </message>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>&amp;Manual</translation>
+    </message>
+    <message>
+        <source>How it works, page by page, with a search</source>
+        <translation>Cómo funciona, página por página, con buscador</translation>
+    </message>
+    <message>
+        <source>&amp;Keys and Mouse</source>
+        <translation>&amp;Teclado y ratón</translation>
+    </message>
+    <message>
+        <source>What pointer and keys do</source>
+        <translation>Qué hacen el puntero y las teclas</translation>
+    </message>
+    <message>
+        <source>?</source>
+        <translation>?</translation>
+    </message>
+    <message>
+        <source>&amp;About Wend</source>
+        <translation>&amp;Acerca de Wend</translation>
+    </message>
+    <message>
+        <source>Version and licence</source>
+        <translation>Versión y licencia</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Archivo</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Edición</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ver</translation>
+    </message>
+    <message>
+        <source>A&amp;ppearance</source>
+        <translation>Aparie&amp;ncia</translation>
+    </message>
+    <message>
+        <source>&amp;Tools</source>
+        <translation>&amp;Herramientas</translation>
+    </message>
+    <message>
+        <source>&amp;Motion</source>
+        <translation>&amp;Movimiento</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>A&amp;yuda</translation>
+    </message>
+    <message>
+        <source>Open a picture first.</source>
+        <translation>Abra primero una imagen.</translation>
+    </message>
+    <message>
+        <source>A solid has no pixels.</source>
+        <translation>Un sólido no tiene píxeles.</translation>
+    </message>
+    <message>
+        <source>This project has no picture.</source>
+        <translation>Este proyecto no tiene imagen.</translation>
+    </message>
+    <message>
+        <source>A solid has no pixels: export the view.</source>
+        <translation>Un sólido no tiene píxeles: exporte la vista.</translation>
+    </message>
+    <message>
+        <source>Of a picture, export the picture itself.</source>
+        <translation>De una imagen, exporte la propia imagen.</translation>
+    </message>
+    <message>
+        <source>Select a pin first.</source>
+        <translation>Seleccione primero un alfiler.</translation>
+    </message>
+    <message>
+        <source>Nothing moves yet: drag a pin.</source>
+        <translation>Todavía no se mueve nada: arrastre un alfiler.</translation>
+    </message>
+    <message>
+        <source>&amp;Tutorial</source>
+        <translation>T&amp;utorial</translation>
+    </message>
+    <message>
+        <source>The first five minutes, on a sample, step by step</source>
+        <translation>Los primeros cinco minutos, con un ejemplo, paso a paso</translation>
+    </message>
+</context>
+<context>
+    <name>wend::BalancePanel</name>
+    <message>
+        <source>This project smooths as in the paper, with λ; its file says how much.</source>
+        <translation>Este proyecto se suaviza como en el artículo, con λ; su archivo dice cuánto.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::CheatSheet</name>
+    <message>
+        <source>Keys and Mouse</source>
+        <translation>Teclado y ratón</translation>
+    </message>
+</context>
+<context>
+    <name>wend::CurveActions</name>
+    <message>
+        <source>&amp;Curve</source>
+        <translation>&amp;Curva</translation>
+    </message>
+    <message>
+        <source>Edit &amp;Path</source>
+        <translation>Editar tra&amp;yectoria</translation>
+    </message>
+    <message>
+        <source>Turn the last way of the selected pin into a Bézier curve</source>
+        <translation>Convertir la última trayectoria del alfiler seleccionado en una curva de Bézier</translation>
+    </message>
+    <message>
+        <source>Shift+C</source>
+        <translation>Shift+C</translation>
+    </message>
+    <message>
+        <source>&amp;Insert Point</source>
+        <translation>&amp;Insertar punto</translation>
+    </message>
+    <message>
+        <source>Split the curve where it was pointed at, or behind the chosen point; its shape stays</source>
+        <translation>Dividir la curva donde se señaló o tras el punto elegido; su forma se mantiene</translation>
+    </message>
+    <message>
+        <source>I</source>
+        <translation>I</translation>
+    </message>
+    <message>
+        <source>&amp;Delete Point</source>
+        <translation>&amp;Eliminar punto</translation>
+    </message>
+    <message>
+        <source>Remove the chosen point from the curve</source>
+        <translation>Eliminar de la curva el punto elegido</translation>
+    </message>
+    <message>
+        <source>Ctrl+Del</source>
+        <translation>Ctrl+Del</translation>
+    </message>
+    <message>
+        <source>&amp;Free</source>
+        <translation>&amp;Libre</translation>
+    </message>
+    <message>
+        <source>Let both directions at the point go their own way</source>
+        <translation>Dejar que cada dirección del punto vaya por su lado</translation>
+    </message>
+    <message>
+        <source>Alt+1</source>
+        <translation>Alt+1</translation>
+    </message>
+    <message>
+        <source>&amp;Aligned</source>
+        <translation>&amp;Alineado</translation>
+    </message>
+    <message>
+        <source>Keep both directions at the point on one line</source>
+        <translation>Mantener ambas direcciones del punto en una misma recta</translation>
+    </message>
+    <message>
+        <source>Alt+2</source>
+        <translation>Alt+2</translation>
+    </message>
+    <message>
+        <source>A&amp;utomatic</source>
+        <translation>A&amp;utomático</translation>
+    </message>
+    <message>
+        <source>Lead the curve smoothly through the point by its neighbours</source>
+        <translation>Llevar la curva con suavidad por el punto según sus vecinos</translation>
+    </message>
+    <message>
+        <source>Alt+3</source>
+        <translation>Alt+3</translation>
+    </message>
+    <message>
+        <source>Select one pin that was dragged along a way.</source>
+        <translation>Seleccione un alfiler que se haya arrastrado por una trayectoria.</translation>
+    </message>
+    <message>
+        <source>Select one pin that follows a curve.</source>
+        <translation>Seleccione un alfiler que siga una curva.</translation>
+    </message>
+    <message>
+        <source>Click a point of the curve first; two must stay.</source>
+        <translation>Haga clic primero en un punto de la curva; deben quedar dos.</translation>
+    </message>
+    <message>
+        <source>Click an inner point of a Bézier curve first.</source>
+        <translation>Haga clic primero en un punto interior de una curva de Bézier.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::CurvePanel</name>
+    <message>
+        <source>Edit path</source>
+        <translation>Editar trayectoria</translation>
+    </message>
+    <message>
+        <source>Turns the way that was drawn into a Bézier curve with points to drag.</source>
+        <translation>Convierte la trayectoria trazada en una curva de Bézier con puntos que se arrastran.</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>no</translation>
+    </message>
+    <message>
+        <source>as it bends (Frenet)</source>
+        <translation>curvatura (Frenet)</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>sí</translation>
+    </message>
+    <message>
+        <source>Rotate with path</source>
+        <translation>Autoorientación</translation>
+    </message>
+    <message>
+        <source>Whether what is held turns along the curve, and how.</source>
+        <translation>Si lo sujeto gira al seguir la curva, y cómo.</translation>
+    </message>
+    <message>
+        <source>Twist</source>
+        <translation>Torsión</translation>
+    </message>
+    <message>
+        <source>How far it turns around the curve&apos;s direction, over the whole curve.</source>
+        <translation>Cuánto gira en torno a la dirección de la curva, a lo largo de toda ella.</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Escala</translation>
+    </message>
+    <message>
+        <source>How large it has become at the end of the curve.</source>
+        <translation>El tamaño alcanzado al final de la curva.</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Trayectoria</translation>
+    </message>
+    <message>
+        <source>Rot&amp;ate with path</source>
+        <translation>Autoo&amp;rientación</translation>
+    </message>
+    <message>
+        <source>T&amp;wist</source>
+        <translation>&amp;Torsión</translation>
+    </message>
+    <message>
+        <source>S&amp;cale</source>
+        <translation>Esca&amp;la</translation>
+    </message>
+    <message>
+        <source>A point cannot rotate or grow – Alt-drag the pin to widen it.</source>
+        <translation>Un punto no puede rotar ni crecer: arrastre el alfiler con Alt para ensancharlo.</translation>
+    </message>
+    <message>
+        <source>A point cannot rotate or grow: hold more vertices.</source>
+        <translation>Un punto no puede rotar ni crecer: sujete más vértices.</translation>
+    </message>
+    <message>
+        <source>Change curve</source>
+        <translation>Cambiar curva</translation>
+    </message>
+</context>
+<context>
+    <name>wend::CutPanel</name>
+    <message>
+        <source>Not cut</source>
+        <translation>Sin corte</translation>
+    </message>
+    <message>
+        <source>Whole cells</source>
+        <translation>Celdas enteras</translation>
+    </message>
+    <message>
+        <source>Exact</source>
+        <translation>Exacto</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>Flip</source>
+        <translation>Invertir</translation>
+    </message>
+    <message>
+        <source>Cut across %1</source>
+        <translation>Corte perpendicular a %1</translation>
+    </message>
+    <message>
+        <source>Other side</source>
+        <translation>Otro lado</translation>
+    </message>
+    <message>
+        <source>Turns the plane so that it stands across this axis.</source>
+        <translation>Coloca el plano perpendicular a este eje.</translation>
+    </message>
+    <message>
+        <source>Takes away the other side of the plane.</source>
+        <translation>Quita el otro lado del plano.</translation>
+    </message>
+    <message>
+        <source>Place of the cut</source>
+        <translation>Posición del corte</translation>
+    </message>
+    <message>
+        <source>Moves the plane through the solid.</source>
+        <translation>Mueve el plano a través del sólido.</translation>
+    </message>
+    <message>
+        <source>Normal of the cut</source>
+        <translation>Normal del corte</translation>
+    </message>
+    <message>
+        <source>The direction that the plane looks in, as x, y and z.</source>
+        <translation>Dirección hacia la que mira el plano, en x, y y z.</translation>
+    </message>
+    <message>
+        <source>Distance of the cut</source>
+        <translation>Distancia del corte</translation>
+    </message>
+    <message>
+        <source>How far the plane is from the origin, along its normal.</source>
+        <translation>Distancia del plano al origen, a lo largo de su normal.</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Corte</translation>
+    </message>
+    <message>
+        <source>&amp;Look inside</source>
+        <translation>&amp;Interior</translation>
+    </message>
+    <message>
+        <source>&amp;Distance</source>
+        <translation>Distan&amp;cia</translation>
+    </message>
+    <message>
+        <source>There is no solid yet that could be cut.</source>
+        <translation>Todavía no hay ningún sólido que cortar.</translation>
+    </message>
+    <message>
+        <source>Looks inside: by whole tetrahedra, or along the exact plane.</source>
+        <translation>Muestra el interior: por tetraedros enteros o por el plano exacto.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::DepthActions</name>
+    <message>
+        <source>Bring to &amp;Front</source>
+        <translation>Traer al &amp;frente</translation>
+    </message>
+    <message>
+        <source>Where the shape covers itself, what is around the selected pins lies in front of all else</source>
+        <translation>Donde la forma se tapa a sí misma, lo que rodea los alfileres seleccionados queda delante de todo lo demás</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+]</source>
+        <translation>Ctrl+Shift+]</translation>
+    </message>
+    <message>
+        <source>Send to &amp;Back</source>
+        <translation>Enviar al f&amp;ondo</translation>
+    </message>
+    <message>
+        <source>Where the shape covers itself, what is around the selected pins lies behind all else</source>
+        <translation>Donde la forma se tapa a sí misma, lo que rodea los alfileres seleccionados queda detrás de todo lo demás</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+[</source>
+        <translation>Ctrl+Shift+[</translation>
+    </message>
+    <message>
+        <source>As &amp;Drawn</source>
+        <translation>Como se &amp;dibujó</translation>
+    </message>
+    <message>
+        <source>What is around the selected pins has no order of its own</source>
+        <translation>Lo que rodea los alfileres seleccionados no tiene orden propio</translation>
+    </message>
+    <message>
+        <source>&amp;Number…</source>
+        <translation>&amp;Número…</translation>
+    </message>
+    <message>
+        <source>Give what is around the selected pins an order: greater lies in front</source>
+        <translation>Dar un orden a lo que rodea los alfileres seleccionados: el mayor queda delante</translation>
+    </message>
+    <message>
+        <source>&amp;Depth</source>
+        <translation>&amp;Profundidad</translation>
+    </message>
+    <message>
+        <source>A solid has its depth by itself.</source>
+        <translation>Un sólido ya tiene su profundidad.</translation>
+    </message>
+    <message>
+        <source>Select a pin first.</source>
+        <translation>Seleccione primero un alfiler.</translation>
+    </message>
+    <message>
+        <source>Bring to front</source>
+        <translation>Traer al frente</translation>
+    </message>
+    <message>
+        <source>Send to back</source>
+        <translation>Enviar al fondo</translation>
+    </message>
+    <message>
+        <source>Depth as drawn</source>
+        <translation>Profundidad original</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Profundidad</translation>
+    </message>
+    <message>
+        <source>Order (in front: greater than 0, behind: less):</source>
+        <translation>Orden (delante: mayor que 0, detrás: menor):</translation>
+    </message>
+</context>
+<context>
+    <name>wend::DetailChooser</name>
+    <message>
+        <source>Choose Skin</source>
+        <translation>Elegir piel</translation>
+    </message>
+    <message>
+        <source>Surfaces (%1)</source>
+        <translation>Superficies (%1)</translation>
+    </message>
+    <message>
+        <source>This surface cannot ride in the solid. %1</source>
+        <translation>Esta superficie no puede seguir al sólido. %1</translation>
+    </message>
+    <message>
+        <source>Choose skin</source>
+        <translation>Elegir piel</translation>
+    </message>
+    <message>
+        <source>Remove skin</source>
+        <translation>Eliminar piel</translation>
+    </message>
+</context>
+<context>
+    <name>wend::DetailRow</name>
+    <message>
+        <source>Choose…</source>
+        <translation>Elegir…</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Eliminar</translation>
+    </message>
+    <message>
+        <source>Choose skin</source>
+        <translation>Elegir piel</translation>
+    </message>
+    <message>
+        <source>Takes a detailed, perhaps textured surface from a file: it rides in the solid, is what the view shows and what surface formats get.</source>
+        <translation>Toma de un archivo una superficie detallada, quizá con texturas: sigue al sólido, es lo que muestra la vista y lo que reciben los formatos de superficie.</translation>
+    </message>
+    <message>
+        <source>Remove skin</source>
+        <translation>Eliminar piel</translation>
+    </message>
+    <message>
+        <source>The solid is seen and exported with its own surface again.</source>
+        <translation>El sólido vuelve a mostrarse y exportarse con su propia superficie.</translation>
+    </message>
+    <message>
+        <source>Skin</source>
+        <translation>Piel</translation>
+    </message>
+</context>
+<context>
+    <name>wend::DistortionPanel</name>
+    <message>
+        <source>Keep these colours</source>
+        <translation>Fijar los colores</translation>
+    </message>
+    <message>
+        <source>Keep the colours&apos; range, to compare different shapes and energies.</source>
+        <translation>Mantener el rango de colores para comparar formas y energías.</translation>
+    </message>
+    <message>
+        <source>Go there</source>
+        <translation>Ir allí</translation>
+    </message>
+    <message>
+        <source>Go to the worst place</source>
+        <translation>Ir al peor punto</translation>
+    </message>
+    <message>
+        <source>Brings the most distorted triangle into view; it is ringed in the map.</source>
+        <translation>Lleva a la vista el triángulo más deformado; el mapa lo rodea con un anillo.</translation>
+    </message>
+    <message>
+        <source>What changed</source>
+        <translation>Qué ha cambiado</translation>
+    </message>
+    <message>
+        <source>Colour &amp;by</source>
+        <translation>C&amp;olor según</translation>
+    </message>
+    <message>
+        <source>Angle error</source>
+        <translation>Error de ángulo</translation>
+    </message>
+    <message>
+        <source>Sum over the shape of σ₁/σ₂ + σ₂/σ₁ − 2: zero if all angles are kept.</source>
+        <translation>Suma sobre la forma de σ₁/σ₂ + σ₂/σ₁ − 2: cero si se conservan todos los ángulos.</translation>
+    </message>
+    <message>
+        <source>Area error</source>
+        <translation>Error de área</translation>
+    </message>
+    <message>
+        <source>Stretch</source>
+        <translation>Estiramiento</translation>
+    </message>
+    <message>
+        <source>How far lengths are from those at rest: zero for a rigid motion.</source>
+        <translation>Cuánto se apartan las longitudes de las del reposo: cero en un movimiento rígido.</translation>
+    </message>
+    <message>
+        <source>Worst place</source>
+        <translation>Peor punto</translation>
+    </message>
+    <message>
+        <source>Volume error</source>
+        <translation>Error de volumen</translation>
+    </message>
+    <message>
+        <source>Sum over the shape of det F + 1/det F − 2: zero if all volumes are kept.</source>
+        <translation>Suma sobre la forma de det F + 1/det F − 2: cero si se conservan todos los volúmenes.</translation>
+    </message>
+    <message>
+        <source>Sum over the shape of σ₁σ₂ + 1/(σ₁σ₂) − 2: zero if all areas are kept.</source>
+        <translation>Suma sobre la forma de σ₁σ₂ + 1/(σ₁σ₂) − 2: cero si se conservan todas las áreas.</translation>
+    </message>
+    <message>
+        <source>The tetrahedron that is farthest from rest by what the map shows.</source>
+        <translation>El tetraedro más alejado del reposo según lo que muestra el mapa.</translation>
+    </message>
+    <message>
+        <source>The triangle that is farthest from rest by what the map shows.</source>
+        <translation>El triángulo más alejado del reposo según lo que muestra el mapa.</translation>
+    </message>
+    <message>
+        <source>Colour by</source>
+        <translation>Color según</translation>
+    </message>
+    <message>
+        <source>What is coloured over the solid: the error of lengths, volumes or angles, the material, how fast it moves, or how fine its mesh is.</source>
+        <translation>Lo que los colores muestran sobre el sólido: el error de longitudes, volúmenes o ángulos, el material, la velocidad o la finura de la malla.</translation>
+    </message>
+    <message>
+        <source>What is coloured over the picture: the error of lengths, areas or angles, or the material that is painted on it.</source>
+        <translation>Lo que los colores muestran sobre la imagen: el error de longitudes, áreas o ángulos, o el material pintado en ella.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::EnergySlider</name>
+    <message>
+        <source>What is kept</source>
+        <translation>Qué se conserva</translation>
+    </message>
+    <message>
+        <source>What the shape keeps where it has to give way: from its volume, over lengths and stiff parts, to the look of its details. Between two names it is something of both.</source>
+        <translation>Qué conserva la forma donde tiene que ceder: desde su volumen, pasando por las longitudes y las partes rígidas, hasta el aspecto de sus detalles. Entre dos nombres hay algo de ambos.</translation>
+    </message>
+    <message>
+        <source>What the shape keeps where it has to give way: from its area, over lengths and stiff parts, to the look of its details. Between two names it is something of both.</source>
+        <translation>Qué conserva la forma donde tiene que ceder: desde su área, pasando por las longitudes y las partes rígidas, hasta el aspecto de sus detalles. Entre dos nombres hay algo de ambos.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::ExportDialog</name>
+    <message>
+        <source>Export Picture</source>
+        <translation>Exportar imagen</translation>
+    </message>
+    <message>
+        <source>Export Sequence</source>
+        <translation>Exportar secuencia</translation>
+    </message>
+    <message>
+        <source>Export ST Map</source>
+        <translation>Exportar mapa ST</translation>
+    </message>
+    <message>
+        <source>Export Mesh</source>
+        <translation>Exportar malla</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Formato</translation>
+    </message>
+    <message>
+        <source>What kind of file is written.</source>
+        <translation>El tipo de archivo que se exporta.</translation>
+    </message>
+    <message>
+        <source>Fit the &amp;Canvas</source>
+        <translation>A&amp;justar el lienzo</translation>
+    </message>
+    <message>
+        <source>Fit the canvas</source>
+        <translation>Ajustar el lienzo</translation>
+    </message>
+    <message>
+        <source>Make the canvas as large as the shape needs, so that nothing is cut off.</source>
+        <translation>Dar al lienzo el tamaño que la forma necesita, para que no se corte nada.</translation>
+    </message>
+    <message>
+        <source>F&amp;ormat</source>
+        <translation>F&amp;ormato</translation>
+    </message>
+    <message>
+        <source>E&amp;xport…</source>
+        <translation>E&amp;xportar…</translation>
+    </message>
+    <message>
+        <source>As in the picture</source>
+        <translation>Como en la imagen</translation>
+    </message>
+    <message>
+        <source>As the format holds it best</source>
+        <translation>Lo mejor que permita el formato</translation>
+    </message>
+    <message>
+        <source>%1 px on the left</source>
+        <translation>%1 px a la izquierda</translation>
+    </message>
+    <message>
+        <source>%1 px at the top</source>
+        <translation>%1 px arriba</translation>
+    </message>
+    <message>
+        <source>%1 px on the right</source>
+        <translation>%1 px a la derecha</translation>
+    </message>
+    <message>
+        <source>%1 px at the bottom</source>
+        <translation>%1 px abajo</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>On its way the shape leaves the picture and is cut off there: %1.</source>
+        <translation>En su recorrido, la forma sale de la imagen y ahí se corta: %1.</translation>
+    </message>
+    <message>
+        <source>The shape reaches beyond the picture and is cut off there: %1.</source>
+        <translation>La forma sobresale de la imagen y ahí se corta: %1.</translation>
+    </message>
+    <message>
+        <source>%1 vertices</source>
+        <translation>%1 vértices</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n shapes of %1</source>
+        <translation>
+            <numerusform>%n forma de %1</numerusform>
+            <numerusform>%n formas de %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels</source>
+        <translation>%1 × %2 píxeles</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pictures of %1</source>
+        <translation>
+            <numerusform>%n imagen de %1</numerusform>
+            <numerusform>%n imágenes de %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 (measured)</source>
+        <translation>%1 (medido)</translation>
+    </message>
+    <message>
+        <source>about %1 (estimated)</source>
+        <translation>aprox. %1 (estimado)</translation>
+    </message>
+</context>
+<context>
+    <name>wend::ExportPanel</name>
+    <message>
+        <source>Export</source>
+        <translation>Exportar</translation>
+    </message>
+</context>
+<context>
+    <name>wend::ExportPreview</name>
+    <message>
+        <source>Preview</source>
+        <translation>Vista previa</translation>
+    </message>
+    <message>
+        <source>What will be written, smaller</source>
+        <translation>Lo que se exportará, más pequeño</translation>
+    </message>
+</context>
+<context>
+    <name>wend::Exporter</name>
+    <message>
+        <source>Export Picture</source>
+        <translation>Exportar imagen</translation>
+    </message>
+    <message>
+        <source>Export Sequence</source>
+        <translation>Exportar secuencia</translation>
+    </message>
+    <message>
+        <source>Export ST Map</source>
+        <translation>Exportar mapa ST</translation>
+    </message>
+    <message>
+        <source>Export Mesh</source>
+        <translation>Exportar malla</translation>
+    </message>
+    <message>
+        <source>Writing the picture …</source>
+        <translation>Exportando la imagen…</translation>
+    </message>
+    <message numerus="yes">
+        <source>Writing %n frames …</source>
+        <translation>
+            <numerusform>Exportando %n fotograma…</numerusform>
+            <numerusform>Exportando %n fotogramas…</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Writing the map …</source>
+        <translation>Exportando el mapa…</translation>
+    </message>
+    <message>
+        <source>Writing the mesh …</source>
+        <translation>Exportando la malla…</translation>
+    </message>
+    <message>
+        <source>“%1” is this project itself. Replace it?</source>
+        <translation>«%1» es este mismo proyecto. ¿Reemplazarlo?</translation>
+    </message>
+    <message>
+        <source>“%1” is the picture that this project bends. Replace it?</source>
+        <translation>«%1» es la imagen que este proyecto deforma. ¿Reemplazarla?</translation>
+    </message>
+    <message>
+        <source>“%1” is the mesh that this project bends. Replace it?</source>
+        <translation>«%1» es la malla que este proyecto deforma. ¿Reemplazarla?</translation>
+    </message>
+    <message>
+        <source>“%1” belongs to this project. Replace it?</source>
+        <translation>«%1» forma parte de este proyecto. ¿Reemplazarlo?</translation>
+    </message>
+    <message>
+        <source>Another export is still being written. Try again in a moment.</source>
+        <translation>Aún hay otra exportación en curso. Vuelva a intentarlo en un momento.</translation>
+    </message>
+    <message>
+        <source>The shape is still being computed. Try again in a moment.</source>
+        <translation>La forma aún se está calculando. Vuelva a intentarlo en un momento.</translation>
+    </message>
+    <message>
+        <source>There is no shape to export: it could not be computed.</source>
+        <translation>No hay forma que exportar: no se ha podido calcular.</translation>
+    </message>
+    <message>
+        <source>Wend</source>
+        <translation>Wend</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of these frames exist. Replace them?</source>
+        <translation>
+            <numerusform>%n de estos fotogramas ya existe. ¿Reemplazarlo?</numerusform>
+            <numerusform>%n de estos fotogramas ya existen. ¿Reemplazarlos?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>What it holds now is lost, and the project will not open as it is any more.</source>
+        <translation>Su contenido actual se perderá y el proyecto ya no se abrirá como está ahora.</translation>
+    </message>
+    <message>
+        <source>What they hold now is lost.</source>
+        <translation>Su contenido actual se perderá.</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Reemplazar</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Nothing was written. %1</source>
+        <translation>No se ha exportado nada. %1</translation>
+    </message>
+    <message>
+        <source>Written without velocities: %1 (%2)</source>
+        <translation>Exportado sin velocidades: %1 (%2)</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Exportado: %1</translation>
+    </message>
+</context>
+<context>
+    <name>wend::FileCard</name>
+    <message>
+        <source>Sample: %1</source>
+        <translation>Ejemplo: %1</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>Abrir %1</translation>
+    </message>
+    <message>
+        <source>Open the sample “%1”</source>
+        <translation>Abrir el ejemplo «%1»</translation>
+    </message>
+    <message>
+        <source>%1, solid</source>
+        <translation>%1, sólido</translation>
+    </message>
+    <message>
+        <source>Solid</source>
+        <translation>Sólido</translation>
+    </message>
+</context>
+<context>
+    <name>wend::FileWorkflow</name>
+    <message>
+        <source>All that Wend opens (%1)</source>
+        <translation>Todo lo que abre Wend (%1)</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>Imágenes (%1)</translation>
+    </message>
+    <message>
+        <source>Projects (*.wend)</source>
+        <translation>Proyectos (*.wend)</translation>
+    </message>
+    <message>
+        <source>Meshes (%1)</source>
+        <translation>Mallas (%1)</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Abrir</translation>
+    </message>
+    <message>
+        <source>%1 has moved.</source>
+        <translation>%1 ya no está en su sitio.</translation>
+    </message>
+    <message>
+        <source>Find It…</source>
+        <translation>Buscar…</translation>
+    </message>
+    <message>
+        <source>This file cannot be opened. %1</source>
+        <translation>No se puede abrir este archivo. %1</translation>
+    </message>
+    <message>
+        <source>Nothing to see in this picture.</source>
+        <translation>No hay nada visible en esta imagen.</translation>
+    </message>
+    <message>
+        <source>Use Whole Frame</source>
+        <translation>Usar imagen entera</translation>
+    </message>
+    <message>
+        <source>Open Another…</source>
+        <translation>Abrir otra…</translation>
+    </message>
+    <message>
+        <source>All files</source>
+        <translation>Todos los archivos</translation>
+    </message>
+    <message>
+        <source>Find %1</source>
+        <translation>Buscar %1</translation>
+    </message>
+    <message>
+        <source>There is no copy of your changes if the program crashes: please save. %1</source>
+        <translation>No hay copia de sus cambios por si el programa falla: guárdelos. %1</translation>
+    </message>
+    <message>
+        <source>Wend</source>
+        <translation>Wend</translation>
+    </message>
+    <message>
+        <source>Recover unsaved changes to “%1”?</source>
+        <translation>¿Recuperar los cambios sin guardar de «%1»?</translation>
+    </message>
+    <message>
+        <source>Wend was not closed properly. The last change was on %1.</source>
+        <translation>Wend no se cerró correctamente. El último cambio es del %1.</translation>
+    </message>
+    <message>
+        <source>“%1” is not opened then.</source>
+        <translation>En ese caso no se abrirá «%1».</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Recuperar</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Descartar</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>Más tarde</translation>
+    </message>
+    <message>
+        <source>“%1” was changed by another program or window.</source>
+        <translation>Otro programa u otra ventana ha modificado «%1».</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>Recargar</translation>
+    </message>
+    <message>
+        <source>Keep Mine</source>
+        <translation>Conservar el mío</translation>
+    </message>
+    <message>
+        <source>Save As…</source>
+        <translation>Guardar como…</translation>
+    </message>
+    <message>
+        <source>Reload “%1”?</source>
+        <translation>¿Recargar «%1»?</translation>
+    </message>
+    <message>
+        <source>Your changes since it was saved are lost.</source>
+        <translation>Se perderán los cambios que ha hecho desde que se guardó.</translation>
+    </message>
+    <message>
+        <source>Saving replaces those changes; reloading drops yours.</source>
+        <translation>Guardar reemplaza esos cambios; recargar descarta los suyos.</translation>
+    </message>
+    <message>
+        <source>The project was not saved: it needs the file “%1” itself. Choose another name.</source>
+        <translation>No se ha guardado el proyecto: necesita el propio archivo «%1». Elija otro nombre.</translation>
+    </message>
+    <message>
+        <source>Save Project</source>
+        <translation>Guardar proyecto</translation>
+    </message>
+    <message>
+        <source>The project was not saved. %1</source>
+        <translation>No se ha guardado el proyecto. %1</translation>
+    </message>
+    <message>
+        <source>Save the changes to “%1”?</source>
+        <translation>¿Guardar los cambios de «%1»?</translation>
+    </message>
+    <message>
+        <source>If you do not save, they are lost.</source>
+        <translation>Si no los guarda, se perderán.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::FlowPanel</name>
+    <message>
+        <source>Settle</source>
+        <translation>Relajar</translation>
+    </message>
+    <message>
+        <source>Let the shape relax with the pins where they are, until it is as near to its rest as it can be. This takes a moment at the end of the motion.</source>
+        <translation>Deja que la forma se relaje, con los alfileres donde están, hasta acercarse todo lo posible a su reposo. Ocupa un momento al final del movimiento.</translation>
+    </message>
+    <message>
+        <source>Remembers its shape</source>
+        <translation>Memoria de forma</translation>
+    </message>
+</context>
+<context>
+    <name>wend::HandlePanel</name>
+    <message>
+        <source>Select a pin to see its numbers.</source>
+        <translation>Seleccione un alfiler para ver sus valores.</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Aplicar</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Renombrar</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>What the handle is called in the project and in messages.</source>
+        <translation>El nombre del agarre en el proyecto y en los mensajes.</translation>
+    </message>
+    <message>
+        <source>Move by</source>
+        <translation>Mover</translation>
+    </message>
+    <message>
+        <source>Rotate by</source>
+        <translation>Rotar</translation>
+    </message>
+    <message>
+        <source>Scale by</source>
+        <translation>Escalar</translation>
+    </message>
+    <message>
+        <source>Exact step</source>
+        <translation>Paso exacto</translation>
+    </message>
+    <message>
+        <source>Moves, turns or scales what is selected by exact numbers.</source>
+        <translation>Mueve, rota o escala la selección con valores exactos.</translation>
+    </message>
+    <message>
+        <source>Amount</source>
+        <translation>Valor</translation>
+    </message>
+    <message>
+        <source>How far along x, y and z; an angle; or a factor.</source>
+        <translation>La distancia en x, y y z, un ángulo o un factor.</translation>
+    </message>
+    <message>
+        <source>around X</source>
+        <translation>eje X</translation>
+    </message>
+    <message>
+        <source>around Y</source>
+        <translation>eje Y</translation>
+    </message>
+    <message>
+        <source>around Z</source>
+        <translation>eje Z</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Eje</translation>
+    </message>
+    <message>
+        <source>The axis of the turn, through the middle of what is selected.</source>
+        <translation>El eje de giro, por el centro de la selección.</translation>
+    </message>
+    <message>
+        <source>Does this step; it becomes part of the motion.</source>
+        <translation>Ejecuta este paso; pasa a formar parte del movimiento.</translation>
+    </message>
+    <message>
+        <source>Pin</source>
+        <translation>Alfiler</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pins</source>
+        <translation>
+            <numerusform>%n alfiler</numerusform>
+            <numerusform>%n alfileres</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>at %1, %2, %3</source>
+        <translation>en %1, %2, %3</translation>
+    </message>
+</context>
+<context>
+    <name>wend::InfoBanner</name>
+    <message>
+        <source>Close this message</source>
+        <translation>Cerrar este mensaje</translation>
+    </message>
+</context>
+<context>
+    <name>wend::LayerPanel</name>
+    <message>
+        <source>It is the same everywhere: brush over the shape to change a part.</source>
+        <translation>Es igual en todas partes: pinte sobre la forma para cambiar una parte.</translation>
+    </message>
+    <message>
+        <source>Keep here</source>
+        <translation>Conservar aquí</translation>
+    </message>
+    <message>
+        <source>Each along a direction of its own.</source>
+        <translation>Cada una en su propia dirección.</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Capas</translation>
+    </message>
+    <message>
+        <source>Where the material is another. The topmost wins. A click shows its values, a double click changes its name.</source>
+        <translation>Dónde el material es distinto. Prevalece la capa superior. Un clic muestra sus valores, un doble clic cambia su nombre.</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Subir</translation>
+    </message>
+    <message>
+        <source>Lets the chosen layer win over the one above it.</source>
+        <translation>Hace que la capa elegida prevalezca sobre la de encima.</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Bajar</translation>
+    </message>
+    <message>
+        <source>Lets the layer below win over the chosen one.</source>
+        <translation>Hace que la capa de debajo prevalezca sobre la elegida.</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Eliminar</translation>
+    </message>
+    <message>
+        <source>Takes the chosen layer away.</source>
+        <translation>Elimina la capa elegida.</translation>
+    </message>
+    <message>
+        <source>Whether the layer changes what is kept, and to what.</source>
+        <translation>Si la capa cambia lo que se conserva, y a qué.</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Rigidez</translation>
+    </message>
+    <message>
+        <source>How many times stiffer the layer is along its direction; ×1 is as everywhere.</source>
+        <translation>Cuántas veces es más rígida la capa en su dirección; ×1 es como en todas partes.</translation>
+    </message>
+    <message>
+        <source>Stiff direction</source>
+        <translation>Dirección rígida</translation>
+    </message>
+    <message>
+        <source>At rest; it turns with the shape. Another one is for all regions of the layer.</source>
+        <translation>En reposo; gira con la forma. Cambiarla vale para todas las regiones de la capa.</translation>
+    </message>
+    <message>
+        <source>Soft edge</source>
+        <translation>Borde suave</translation>
+    </message>
+    <message>
+        <source>How wide the edge fades, in the shape&apos;s own units.</source>
+        <translation>Anchura en la que se difumina el borde, en las unidades de la forma.</translation>
+    </message>
+    <message>
+        <source>Soft ed&amp;ge</source>
+        <translation>&amp;Borde suave</translation>
+    </message>
+    <message>
+        <source>Rename layer</source>
+        <translation>Renombrar capa</translation>
+    </message>
+    <message>
+        <source>Move layer</source>
+        <translation>Mover capa</translation>
+    </message>
+    <message>
+        <source>Remove layer</source>
+        <translation>Eliminar capa</translation>
+    </message>
+    <message>
+        <source>Change soft edge</source>
+        <translation>Cambiar borde suave</translation>
+    </message>
+    <message>
+        <source>Change layer</source>
+        <translation>Cambiar capa</translation>
+    </message>
+    <message>
+        <source>Unnamed</source>
+        <translation>Sin nombre</translation>
+    </message>
+</context>
+<context>
+    <name>wend::Legend</name>
+    <message>
+        <source>Legend</source>
+        <translation>Leyenda</translation>
+    </message>
+    <message>
+        <source>%1: from %2 to %3</source>
+        <translation>%1: de %2 a %3</translation>
+    </message>
+</context>
+<context>
+    <name>wend::MainWindow</name>
+    <message>
+        <source>Main</source>
+        <translation>Principal</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Herramientas</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>&amp;Pausa</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>&amp;Reproducir</translation>
+    </message>
+    <message>
+        <source>Opening %1 …</source>
+        <translation>Abriendo %1…</translation>
+    </message>
+    <message>
+        <source>%1[*] – Wend</source>
+        <translation>%1[*] – Wend</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Más</translation>
+    </message>
+</context>
+<context>
+    <name>wend::ManualWindow</name>
+    <message>
+        <source>Manual</source>
+        <translation>Manual</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Contenido</translation>
+    </message>
+    <message>
+        <source>The first page</source>
+        <translation>La primera página</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Atrás</translation>
+    </message>
+    <message>
+        <source>The page before</source>
+        <translation>La página anterior</translation>
+    </message>
+    <message>
+        <source>Search this page</source>
+        <translation>Buscar en esta página</translation>
+    </message>
+    <message>
+        <source>Enter goes to the next place where these words stand.</source>
+        <translation>Intro va al siguiente lugar donde aparecen estas palabras.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::MaterialPanel</name>
+    <message>
+        <source>Keep</source>
+        <translation>Conservar</translation>
+    </message>
+    <message>
+        <source>Between %1 and %2.</source>
+        <translation>Entre %1 y %2.</translation>
+    </message>
+    <message>
+        <source>⚠ Grown ×%1 – try %2</source>
+        <translation>⚠ Creció ×%1: pruebe %2</translation>
+    </message>
+    <message>
+        <source>The shape has become much larger than at rest. A click keeps more of its size.</source>
+        <translation>La forma es ahora mucho mayor que en reposo. Un clic conserva mejor su tamaño.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::MeasurePanel</name>
+    <message>
+        <source>Measures</source>
+        <translation>Medidas</translation>
+    </message>
+    <message>
+        <source>Size of the solid</source>
+        <translation>Tamaño del sólido</translation>
+    </message>
+    <message>
+        <source>Volume and area of the surface, now and at rest.</source>
+        <translation>Volumen y área de la superficie, ahora y en reposo.</translation>
+    </message>
+    <message>
+        <source>Size of what is selected</source>
+        <translation>Tamaño de la selección</translation>
+    </message>
+    <message>
+        <source>Volume of the tetrahedra and area of the outer triangles that the selected handles hold.</source>
+        <translation>Volumen de los tetraedros y área de los triángulos exteriores que sujetan los agarres seleccionados.</translation>
+    </message>
+    <message>
+        <source>Vertex under the pointer</source>
+        <translation>Vértice bajo el puntero</translation>
+    </message>
+    <message>
+        <source>The nearest vertex and where it is.</source>
+        <translation>El vértice más cercano y su posición.</translation>
+    </message>
+    <message>
+        <source>Tetrahedron under the pointer</source>
+        <translation>Tetraedro bajo el puntero</translation>
+    </message>
+    <message>
+        <source>All values of the tetrahedron.</source>
+        <translation>Todos los valores del tetraedro.</translation>
+    </message>
+    <message>
+        <source>%1, at rest %2</source>
+        <translation>%1, en reposo %2</translation>
+    </message>
+    <message>
+        <source>volume</source>
+        <translation>volumen</translation>
+    </message>
+    <message>
+        <source>area</source>
+        <translation>área</translation>
+    </message>
+    <message>
+        <source>The whole</source>
+        <translation>Sólido entero</translation>
+    </message>
+    <message numerus="yes">
+        <source>Selected: %n vertices</source>
+        <translation>
+            <numerusform>Selección: %n vértice</numerusform>
+            <numerusform>Selección: %n vértices</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Point at the solid for the values there.</source>
+        <translation>Señale el sólido para ver ahí los valores.</translation>
+    </message>
+    <message>
+        <source>Vertex %1</source>
+        <translation>Vértice %1</translation>
+    </message>
+    <message>
+        <source>place</source>
+        <translation>posición</translation>
+    </message>
+    <message>
+        <source>at rest</source>
+        <translation>en reposo</translation>
+    </message>
+    <message>
+        <source>pointed at</source>
+        <translation>señalado</translation>
+    </message>
+    <message>
+        <source>velocity</source>
+        <translation>velocidad</translation>
+    </message>
+    <message>
+        <source>dihedral angles</source>
+        <translation>ángulos diedros</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 a %2</translation>
+    </message>
+    <message>
+        <source>circumradius to shortest edge</source>
+        <translation>circunradio / arista más corta</translation>
+    </message>
+    <message>
+        <source>Tetrahedron %1</source>
+        <translation>Tetraedro %1</translation>
+    </message>
+</context>
+<context>
+    <name>wend::MemorySlider</name>
+    <message>
+        <source>not at all</source>
+        <translation>nula</translation>
+    </message>
+    <message>
+        <source>fully</source>
+        <translation>total</translation>
+    </message>
+</context>
+<context>
+    <name>wend::MeshPanel</name>
+    <message>
+        <source>Vertices</source>
+        <translation>Vértices</translation>
+    </message>
+    <message>
+        <source>Greatest volume</source>
+        <translation>Volumen máximo</translation>
+    </message>
+    <message>
+        <source>Aim</source>
+        <translation>Objetivo</translation>
+    </message>
+    <message>
+        <source>What says how fine the mesh is: how many vertices it has in all, or how large a tetrahedron may be.</source>
+        <translation>Qué determina la finura de la malla: cuántos vértices tiene en total o lo grande que puede ser un tetraedro.</translation>
+    </message>
+    <message>
+        <source>Paint…</source>
+        <translation>Pintar…</translation>
+    </message>
+    <message>
+        <source>Cell sizes</source>
+        <translation>Tamaños de celda</translation>
+    </message>
+    <message>
+        <source>Paints where the mesh is to be finer or coarser, or says it by regions in numbers.</source>
+        <translation>Pinta dónde la malla debe ser más fina o más gruesa, o lo indica con números por regiones.</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>Malla</translation>
+    </message>
+    <message>
+        <source>A&amp;im at</source>
+        <translation>Ob&amp;jetivo</translation>
+    </message>
+    <message>
+        <source>Detail: coarse – fine</source>
+        <translation>Detalle: grueso – fino</translation>
+    </message>
+    <message>
+        <source>Finer and coarser</source>
+        <translation>Más fino y más grueso</translation>
+    </message>
+    <message>
+        <source>Aim at a volume</source>
+        <translation>Objetivo: volumen</translation>
+    </message>
+    <message>
+        <source>Aim at vertices</source>
+        <translation>Objetivo: vértices</translation>
+    </message>
+    <message>
+        <source>The mesh comes from a file and is used as it is.</source>
+        <translation>La malla procede de un archivo y se usa tal cual.</translation>
+    </message>
+    <message>
+        <source>This picture has no transparency.</source>
+        <translation>Esta imagen no tiene transparencia.</translation>
+    </message>
+    <message>
+        <source>No outline has been drawn.</source>
+        <translation>No se ha trazado ningún contorno.</translation>
+    </message>
+    <message>
+        <source>%1 vertices, %2 tetrahedra</source>
+        <translation>%1 vértices, %2 tetraedros</translation>
+    </message>
+    <message>
+        <source>%1 vertices, %2 triangles</source>
+        <translation>%1 vértices, %2 triángulos</translation>
+    </message>
+</context>
+<context>
+    <name>wend::ModeRow</name>
+    <message>
+        <source>Export</source>
+        <translation>Exportar</translation>
+    </message>
+    <message>
+        <source>Write what is shown: as picture, sequence, warp map, mesh or view</source>
+        <translation>Exportar lo que se ve: como imagen, secuencia, mapa de deformación, malla o vista</translation>
+    </message>
+</context>
+<context>
+    <name>wend::OptionRow</name>
+    <message>
+        <source>Options</source>
+        <translation>Opciones</translation>
+    </message>
+</context>
+<context>
+    <name>wend::PaintPanel</name>
+    <message>
+        <source>Keep</source>
+        <translation>Conservar</translation>
+    </message>
+    <message>
+        <source>Paint what the shape keeps when it has to give way.</source>
+        <translation>Pintar qué conserva la forma cuando tiene que ceder.</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Rigidez</translation>
+    </message>
+    <message>
+        <source>Paint how many times stiffer the shape is along a direction.</source>
+        <translation>Pintar cuántas veces es más rígida la forma en una dirección.</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Dirección</translation>
+    </message>
+    <message>
+        <source>Comb the direction along which the shape is stiff.</source>
+        <translation>Peinar la dirección en la que la forma es rígida.</translation>
+    </message>
+    <message>
+        <source>How many times stiffer the painted part is along its direction; ×1 is as everywhere.</source>
+        <translation>Cuántas veces es más rígida la parte pintada en su dirección; ×1 es como en todas partes.</translation>
+    </message>
+    <message>
+        <source>Stiff direction</source>
+        <translation>Dirección rígida</translation>
+    </message>
+    <message>
+        <source>The direction at rest, which turns with the shape: the stroke&apos;s own, the one that is there, an axis, numbers, or the way of the selected pin where it is nearest.</source>
+        <translation>La dirección en reposo, que gira con la forma: la del trazo, la que ya hay, un eje, números o la trayectoria del alfiler seleccionado donde queda más cerca.</translation>
+    </message>
+    <message>
+        <source>Direction in numbers</source>
+        <translation>Dirección en números</translation>
+    </message>
+    <message>
+        <source>At rest; its length does not matter.</source>
+        <translation>En reposo; su longitud no importa.</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Amount</source>
+        <translation>Intensidad</translation>
+    </message>
+    <message>
+        <source>How far a stroke goes from what is there to what is painted.</source>
+        <translation>Cuánto acerca un trazo lo que hay a lo que se pinta.</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Tamaño</translation>
+    </message>
+    <message>
+        <source>The brush across, on the screen; also by the keys [ and ].</source>
+        <translation>El diámetro del pincel en pantalla; también con las teclas [ y ].</translation>
+    </message>
+    <message>
+        <source>Hardness</source>
+        <translation>Dureza</translation>
+    </message>
+    <message>
+        <source>How much of the brush paints wholly; beyond it fades out. Also by Shift with [ and ].</source>
+        <translation>Qué parte del pincel pinta del todo; más allá se difumina. También con Mayús y [ o ].</translation>
+    </message>
+    <message>
+        <source>St&amp;iffness</source>
+        <translation>Ri&amp;gidez</translation>
+    </message>
+    <message>
+        <source>Di&amp;rection</source>
+        <translation>Di&amp;rección</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>Pintar</translation>
+    </message>
+    <message>
+        <source>Am&amp;ount</source>
+        <translation>I&amp;ntensidad</translation>
+    </message>
+    <message>
+        <source>Si&amp;ze</source>
+        <translation>&amp;Tamaño</translation>
+    </message>
+    <message>
+        <source>Hard&amp;ness</source>
+        <translation>D&amp;ureza</translation>
+    </message>
+    <message>
+        <source>along the stroke</source>
+        <translation>según el trazo</translation>
+    </message>
+    <message>
+        <source>as it is there</source>
+        <translation>la que ya hay</translation>
+    </message>
+    <message>
+        <source>along X</source>
+        <translation>según X</translation>
+    </message>
+    <message>
+        <source>along Y</source>
+        <translation>según Y</translation>
+    </message>
+    <message>
+        <source>along Z</source>
+        <translation>según Z</translation>
+    </message>
+    <message>
+        <source>as numbers</source>
+        <translation>en números</translation>
+    </message>
+    <message>
+        <source>along the view</source>
+        <translation>según la vista</translation>
+    </message>
+    <message>
+        <source>along the pin&apos;s way</source>
+        <translation>según el alfiler</translation>
+    </message>
+</context>
+<context>
+    <name>wend::PictureActions</name>
+    <message>
+        <source>&amp;Add</source>
+        <translation>Añad&amp;ir</translation>
+    </message>
+    <message>
+        <source>What is drawn shall bend, too; with Ctrl it is taken away</source>
+        <translation>Lo que se trace también se deformará; con Ctrl se quita</translation>
+    </message>
+    <message>
+        <source>&amp;Take Away</source>
+        <translation>&amp;Quitar</translation>
+    </message>
+    <message>
+        <source>What is drawn shall not bend; with Ctrl it is added</source>
+        <translation>Lo que se trace no se deformará; con Ctrl se añade</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Tamaño</translation>
+    </message>
+    <message>
+        <source>How wide the brush is, on the screen; also [ and ]</source>
+        <translation>La anchura del pincel en pantalla; también [ y ]</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Tolerancia</translation>
+    </message>
+    <message>
+        <source>How far colours may be apart; also [ and ]</source>
+        <translation>Cuánto pueden diferir los colores; también [ y ]</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Orden</translation>
+    </message>
+    <message>
+        <source>What is brushed lies in front where it is greater than 0, behind where it is less</source>
+        <translation>Lo que recorre el pincel queda delante si es mayor que 0 y detrás si es menor</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>Aristas</translation>
+    </message>
+    <message>
+        <source>How long the edges of the mesh are where it is brushed, of those elsewhere</source>
+        <translation>Longitud de las aristas de la malla donde pasa el pincel, respecto a las demás</translation>
+    </message>
+    <message>
+        <source>S&amp;nap</source>
+        <translation>A&amp;dherir</translation>
+    </message>
+    <message>
+        <source>New pins sit on corners of the mesh, instead of where one clicks</source>
+        <translation>Poner los alfileres nuevos en vértices de la malla en vez de donde se hace clic</translation>
+    </message>
+    <message>
+        <source>&amp;Pressure</source>
+        <translation>&amp;Presión</translation>
+    </message>
+    <message>
+        <source>The harder a pen is pressed, the more of the amount is painted</source>
+        <translation>Cuanto más se aprieta el lápiz, mayor es la intensidad con que se pinta</translation>
+    </message>
+</context>
+<context>
+    <name>wend::PictureDialog</name>
+    <message>
+        <source>&amp;Proportions of the view</source>
+        <translation>&amp;Proporciones de la vista</translation>
+    </message>
+    <message>
+        <source>&amp;Transparent background</source>
+        <translation>Fondo &amp;transparente</translation>
+    </message>
+    <message>
+        <source>P&amp;ins and axes</source>
+        <translation>Alf&amp;ileres y ejes</translation>
+    </message>
+    <message>
+        <source>&amp;Legend of the map</source>
+        <translation>&amp;Leyenda del mapa</translation>
+    </message>
+    <message>
+        <source>Export View</source>
+        <translation>Exportar vista</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Formato</translation>
+    </message>
+    <message>
+        <source>What kind of file is written.</source>
+        <translation>El tipo de archivo que se exporta.</translation>
+    </message>
+    <message>
+        <source>Proportions of the view</source>
+        <translation>Proporciones de la vista</translation>
+    </message>
+    <message>
+        <source>Width and height follow each other, so that the picture shows what the view shows.</source>
+        <translation>La anchura y la altura van unidas, para que la imagen muestre lo mismo que la vista.</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Anchura</translation>
+    </message>
+    <message>
+        <source>Width of the picture in pixels.</source>
+        <translation>Anchura de la imagen en píxeles.</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Altura</translation>
+    </message>
+    <message>
+        <source>Height of the picture in pixels; it decides how large the solid is.</source>
+        <translation>Altura de la imagen en píxeles; determina el tamaño del sólido.</translation>
+    </message>
+    <message>
+        <source>Transparent background</source>
+        <translation>Fondo transparente</translation>
+    </message>
+    <message>
+        <source>Only the solid, on nothing.</source>
+        <translation>Solo el sólido, sin fondo.</translation>
+    </message>
+    <message>
+        <source>Pins and axes</source>
+        <translation>Alfileres y ejes</translation>
+    </message>
+    <message>
+        <source>Pins, their paths and the axes, as large as in the window.</source>
+        <translation>Alfileres, trayectorias y ejes, al mismo tamaño que en la ventana.</translation>
+    </message>
+    <message>
+        <source>Legend of the map</source>
+        <translation>Leyenda del mapa</translation>
+    </message>
+    <message>
+        <source>The colours of the map and their values.</source>
+        <translation>Los colores del mapa y sus valores.</translation>
+    </message>
+    <message>
+        <source>Show a map first: only then there is something to explain.</source>
+        <translation>Muestre primero un mapa: sin él no hay nada que explicar.</translation>
+    </message>
+    <message>
+        <source>F&amp;ormat</source>
+        <translation>F&amp;ormato</translation>
+    </message>
+    <message>
+        <source>&amp;Width</source>
+        <translation>&amp;Anchura</translation>
+    </message>
+    <message>
+        <source>&amp;Height</source>
+        <translation>Alt&amp;ura</translation>
+    </message>
+    <message>
+        <source>E&amp;xport…</source>
+        <translation>E&amp;xportar…</translation>
+    </message>
+    <message>
+        <source>Width and height must be between %1 and %2 pixels.</source>
+        <translation>La anchura y la altura deben estar entre %1 y %2 píxeles.</translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels</source>
+        <translation>%1 × %2 píxeles</translation>
+    </message>
+    <message>
+        <source>about %1 (estimated)</source>
+        <translation>aprox. %1 (estimado)</translation>
+    </message>
+</context>
+<context>
+    <name>wend::PinActions</name>
+    <message>
+        <source>&amp;Pins</source>
+        <translation>&amp;Alfileres</translation>
+    </message>
+    <message>
+        <source>&amp;Lock</source>
+        <translation>&amp;Bloquear</translation>
+    </message>
+    <message>
+        <source>The selected pins are neither moved nor removed until unlocked</source>
+        <translation>Impedir que los alfileres seleccionados se muevan o eliminen hasta que se desbloqueen</translation>
+    </message>
+    <message>
+        <source>Ctrl+L</source>
+        <translation>Ctrl+L</translation>
+    </message>
+    <message>
+        <source>&amp;Hide</source>
+        <translation>Oc&amp;ultar</translation>
+    </message>
+    <message>
+        <source>The selected pins hold on, but are neither drawn nor picked</source>
+        <translation>No mostrar ni dejar elegir los alfileres seleccionados, que siguen sujetando</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+H</source>
+        <translation>Ctrl+Shift+H</translation>
+    </message>
+    <message>
+        <source>&amp;Show All</source>
+        <translation>Mostrar ocu&amp;ltos</translation>
+    </message>
+    <message>
+        <source>Show all hidden pins again</source>
+        <translation>Volver a mostrar todos los alfileres ocultos</translation>
+    </message>
+    <message>
+        <source>Alt+Shift+H</source>
+        <translation>Alt+Shift+H</translation>
+    </message>
+    <message>
+        <source>&amp;Group…</source>
+        <translation>A&amp;grupar…</translation>
+    </message>
+    <message>
+        <source>Put the selected pins under a heading of the list</source>
+        <translation>Reunir los alfileres seleccionados bajo un título de la lista</translation>
+    </message>
+    <message>
+        <source>Ctrl+G</source>
+        <translation>Ctrl+G</translation>
+    </message>
+    <message>
+        <source>&amp;Ungroup</source>
+        <translation>&amp;Desagrupar</translation>
+    </message>
+    <message>
+        <source>Take the selected pins out of their groups</source>
+        <translation>Sacar los alfileres seleccionados de sus grupos</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+G</source>
+        <translation>Ctrl+Shift+G</translation>
+    </message>
+    <message>
+        <source>Lin&amp;k</source>
+        <translation>&amp;Vincular</translation>
+    </message>
+    <message>
+        <source>The selected pins move together, whichever of them is dragged</source>
+        <translation>Mover juntos los alfileres seleccionados, se arrastre el que se arrastre</translation>
+    </message>
+    <message>
+        <source>Ctrl+K</source>
+        <translation>Ctrl+K</translation>
+    </message>
+    <message>
+        <source>&amp;Mirror</source>
+        <translation>Re&amp;flejar</translation>
+    </message>
+    <message>
+        <source>Set pins where the selected ones lie in a mirror through the middle of the shape, with mirrored motions</source>
+        <translation>Poner alfileres simétricos a los seleccionados respecto al centro de la forma, con movimientos reflejados</translation>
+    </message>
+    <message>
+        <source>Ctrl+M</source>
+        <translation>Ctrl+M</translation>
+    </message>
+    <message>
+        <source>Mirror M&amp;otion</source>
+        <translation>Refle&amp;jar movimiento</translation>
+    </message>
+    <message>
+        <source>The selected pins move to the other side instead</source>
+        <translation>Hacer que los alfileres seleccionados se muevan hacia el otro lado</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+M</source>
+        <translation>Ctrl+Shift+M</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>Azul</translation>
+    </message>
+    <message>
+        <source>Orange</source>
+        <translation>Naranja</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>Verde</translation>
+    </message>
+    <message>
+        <source>Red</source>
+        <translation>Rojo</translation>
+    </message>
+    <message>
+        <source>Violet</source>
+        <translation>Violeta</translation>
+    </message>
+    <message>
+        <source>Brown</source>
+        <translation>Marrón</translation>
+    </message>
+    <message>
+        <source>Turquoise</source>
+        <translation>Turquesa</translation>
+    </message>
+    <message>
+        <source>Plum</source>
+        <translation>Ciruela</translation>
+    </message>
+    <message>
+        <source>&amp;Colour</source>
+        <translation>&amp;Color</translation>
+    </message>
+    <message>
+        <source>By &amp;Place in the List</source>
+        <translation>Según el &amp;puesto en la lista</translation>
+    </message>
+    <message>
+        <source>&amp;Other…</source>
+        <translation>&amp;Otro…</translation>
+    </message>
+    <message>
+        <source>Select a pin first.</source>
+        <translation>Seleccione primero un alfiler.</translation>
+    </message>
+    <message>
+        <source>The selected pin is in no group.</source>
+        <translation>El alfiler seleccionado no está en ningún grupo.</translation>
+    </message>
+    <message>
+        <source>Select several pins first.</source>
+        <translation>Seleccione primero varios alfileres.</translation>
+    </message>
+    <message>
+        <source>Select a pin that moves.</source>
+        <translation>Seleccione un alfiler que se mueva.</translation>
+    </message>
+    <message>
+        <source>No pin is hidden.</source>
+        <translation>No hay ningún alfiler oculto.</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Agrupar</translation>
+    </message>
+    <message>
+        <source>Name of the group:</source>
+        <translation>Nombre del grupo:</translation>
+    </message>
+    <message>
+        <source>Colour of the Pin</source>
+        <translation>Color del alfiler</translation>
+    </message>
+</context>
+<context>
+    <name>wend::PinList</name>
+    <message>
+        <source>Pins</source>
+        <translation>Alfileres</translation>
+    </message>
+    <message>
+        <source>Does not hold at the time that is shown.</source>
+        <translation>No sujeta en el momento que se muestra.</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Renombrar</translation>
+    </message>
+    <message>
+        <source>Choose pins here; F2 renames, Delete removes, Enter goes to the picture, where the arrow keys move them. The eye hides, the lock holds back from changes; a right click groups, links and mirrors.</source>
+        <translation>Elija aquí los alfileres; F2 renombra, Supr elimina, Intro pasa a la imagen, donde las flechas los mueven. El ojo oculta, el candado protege de cambios; el clic derecho agrupa, vincula y refleja.</translation>
+    </message>
+    <message>
+        <source>Moves together with others</source>
+        <translation>Se mueve junto con otros</translation>
+    </message>
+    <message>
+        <source>Hidden: a click shows it</source>
+        <translation>Oculto: un clic lo muestra</translation>
+    </message>
+    <message>
+        <source>A click hides it</source>
+        <translation>Un clic lo oculta</translation>
+    </message>
+    <message>
+        <source>Locked: a click unlocks it</source>
+        <translation>Bloqueado: un clic lo desbloquea</translation>
+    </message>
+    <message>
+        <source>A click locks it</source>
+        <translation>Un clic lo bloquea</translation>
+    </message>
+</context>
+<context>
+    <name>wend::Properties</name>
+    <message>
+        <source>Advanced</source>
+        <translation>Avanzado</translation>
+    </message>
+    <message>
+        <source>The same in numbers, for those who want them.</source>
+        <translation>Lo mismo en números, para quien los quiera.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::RegionNumbers</name>
+    <message>
+        <source>Numbers of the region</source>
+        <translation>Números de la región</translation>
+    </message>
+    <message>
+        <source>As x, y and z, in the coordinates of the rest shape.</source>
+        <translation>En x, y y z, en las coordenadas de la forma en reposo.</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>Esfera</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Caja</translation>
+    </message>
+    <message>
+        <source>Half-space</source>
+        <translation>Semiespacio</translation>
+    </message>
+    <message>
+        <source>Kind of region</source>
+        <translation>Tipo de región</translation>
+    </message>
+    <message>
+        <source>What the region is; another kind keeps its place.</source>
+        <translation>Qué es la región; otro tipo conserva su sitio.</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radio</translation>
+    </message>
+    <message>
+        <source>The radius of the ball.</source>
+        <translation>El radio de la esfera.</translation>
+    </message>
+    <message>
+        <source>&amp;Region</source>
+        <translation>Re&amp;gión</translation>
+    </message>
+    <message>
+        <source>Ra&amp;dius</source>
+        <translation>Ra&amp;dio</translation>
+    </message>
+    <message>
+        <source>centre</source>
+        <translation>centro</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>de</translation>
+    </message>
+    <message>
+        <source>point of the plane</source>
+        <translation>punto del plano</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>a</translation>
+    </message>
+    <message>
+        <source>direction into it</source>
+        <translation>dirección hacia dentro</translation>
+    </message>
+</context>
+<context>
+    <name>wend::RegionPanel</name>
+    <message>
+        <source>Region</source>
+        <translation>Región</translation>
+    </message>
+    <message>
+        <source>There is no vertex in this region: nothing was changed.</source>
+        <translation>No hay ningún vértice en esta región: no se ha cambiado nada.</translation>
+    </message>
+    <message>
+        <source>Change region</source>
+        <translation>Cambiar región</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n vertices</source>
+        <translation>
+            <numerusform>%n vértice</numerusform>
+            <numerusform>%n vértices</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>wend::ShapeCanvas</name>
+    <message>
+        <source>Canvas</source>
+        <translation>Lienzo</translation>
+    </message>
+    <message>
+        <source>The picture with its pins</source>
+        <translation>La imagen con sus alfileres</translation>
+    </message>
+</context>
+<context>
+    <name>wend::ShapeNotices</name>
+    <message>
+        <source>“Refine surface” in the panel “Mesh” lets the surface&apos;s triangles be split.</source>
+        <translation>«Refinar superficie», en el panel «Malla», permite dividir los triángulos de la superficie.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::ShapeSession</name>
+    <message>
+        <source>Make a curve</source>
+        <translation>Crear curva</translation>
+    </message>
+    <message>
+        <source>This circle is smaller than the mesh: drag further, or set more vertices.</source>
+        <translation>Este círculo es menor que las celdas de la malla: arrastre más lejos o ponga más vértices.</translation>
+    </message>
+    <message>
+        <source>Widen %1</source>
+        <translation>Ensanchar %1</translation>
+    </message>
+    <message>
+        <source>Settle</source>
+        <translation>Relajar</translation>
+    </message>
+    <message>
+        <source>%1 cannot go further: %2</source>
+        <translation>%1 no puede ir más lejos: %2</translation>
+    </message>
+    <message>
+        <source>The motion stops at %1: %2</source>
+        <translation>El movimiento se detiene en %1: %2</translation>
+    </message>
+    <message>
+        <source>Cancelled: everything is as it was before the last change.</source>
+        <translation>Cancelado: todo está como antes del último cambio.</translation>
+    </message>
+    <message>
+        <source>Meshing was cancelled. Any change makes a mesh again, such as fewer vertices.</source>
+        <translation>Se ha cancelado el mallado. Cualquier cambio vuelve a mallar, por ejemplo reducir los vértices.</translation>
+    </message>
+    <message>
+        <source>The motion was cancelled. Any change computes it again.</source>
+        <translation>Se ha cancelado el movimiento. Cualquier cambio lo vuelve a calcular.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>There is no pin: this place lies outside of the shape.</source>
+        <translation>Aquí no hay alfiler: este lugar queda fuera de la forma.</translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <translation>Añadir %1</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>Cambiar %1</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>Eliminar %1</translation>
+    </message>
+    <message>
+        <source>Move %1</source>
+        <translation>Mover %1</translation>
+    </message>
+    <message>
+        <source>%1 does not hold the shape at the time that is shown.</source>
+        <translation>%1 no sujeta la forma en el momento que se muestra.</translation>
+    </message>
+    <message>
+        <source>Turn %1</source>
+        <translation>Rotar %1</translation>
+    </message>
+    <message>
+        <source>Scale %1</source>
+        <translation>Escalar %1</translation>
+    </message>
+    <message>
+        <source>What came after is replaced by this; Undo brings it back.</source>
+        <translation>Esto reemplaza lo que venía después; Deshacer lo recupera.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pins</source>
+        <translation>
+            <numerusform>%n alfiler</numerusform>
+            <numerusform>%n alfileres</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 mirrored</source>
+        <translation>%1 (reflejo)</translation>
+    </message>
+    <message>
+        <source>There is no pin where a mirror image lies outside of the shape.</source>
+        <translation>Donde el reflejo cae fuera de la forma no se pone ningún alfiler.</translation>
+    </message>
+    <message>
+        <source>There is a pin already where the mirror image would be.</source>
+        <translation>Ya hay un alfiler donde quedaría el reflejo.</translation>
+    </message>
+    <message>
+        <source>Mirror %1</source>
+        <translation>Reflejar %1</translation>
+    </message>
+    <message>
+        <source>Mirror the motion of %1</source>
+        <translation>Reflejar el movimiento de %1</translation>
+    </message>
+    <message>
+        <source>Lock %1</source>
+        <translation>Bloquear %1</translation>
+    </message>
+    <message>
+        <source>Unlock %1</source>
+        <translation>Desbloquear %1</translation>
+    </message>
+    <message>
+        <source>Hide %1</source>
+        <translation>Ocultar %1</translation>
+    </message>
+    <message>
+        <source>Show %1</source>
+        <translation>Mostrar %1</translation>
+    </message>
+    <message>
+        <source>Ungroup %1</source>
+        <translation>Desagrupar %1</translation>
+    </message>
+    <message>
+        <source>Group %1</source>
+        <translation>Agrupar %1</translation>
+    </message>
+    <message>
+        <source>Rename group</source>
+        <translation>Renombrar grupo</translation>
+    </message>
+    <message>
+        <source>Colour %1</source>
+        <translation>Cambiar el color de %1</translation>
+    </message>
+    <message>
+        <source>Link %1</source>
+        <translation>Vincular %1</translation>
+    </message>
+    <message>
+        <source>Unlink %1</source>
+        <translation>Desvincular %1</translation>
+    </message>
+    <message>
+        <source>%1 is locked. A right click or the list of pins unlocks it.</source>
+        <translation>%1 está bloqueado. El clic derecho o la lista de alfileres lo desbloquea.</translation>
+    </message>
+    <message>
+        <source>%1 are locked. A right click or the list of pins unlocks them.</source>
+        <translation>%1 están bloqueados. El clic derecho o la lista de alfileres los desbloquea.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::SideWindows</name>
+    <message>
+        <source>Steps</source>
+        <translation>Historial</translation>
+    </message>
+    <message>
+        <source>As it was opened</source>
+        <translation>Tal como se abrió</translation>
+    </message>
+    <message>
+        <source>What was done; a click goes back to that step, or forth.</source>
+        <translation>Lo que se ha hecho; un clic retrocede o avanza hasta ese paso.</translation>
+    </message>
+    <message>
+        <source>About Wend</source>
+        <translation>Acerca de Wend</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Wend %1&lt;/h3&gt;&lt;p&gt;Bends pictures and solids by letting them flow.&lt;/p&gt;&lt;p&gt;After J. Martinez Esturo, C. Rössl, H. Theisel: Generalized Metric Energies for Continuous Shape Deformation, 2013.&lt;/p&gt;&lt;p&gt;Free software under the GNU Affero General Public License, version 3 or later.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Wend %1&lt;/h3&gt;&lt;p&gt;Deforma imágenes y sólidos dejándolos fluir.&lt;/p&gt;&lt;p&gt;Basado en J. Martinez Esturo, C. Rössl, H. Theisel: Generalized Metric Energies for Continuous Shape Deformation, 2013.&lt;/p&gt;&lt;p&gt;Software libre bajo la licencia GNU Affero General Public License, versión 3 o posterior.&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>wend::SizePanel</name>
+    <message>
+        <source>Length of edges</source>
+        <translation>Longitud de las aristas</translation>
+    </message>
+    <message>
+        <source>How long edges are there, against elsewhere: 0.5 is half as long, which is finer; 2 is twice as long, which is coarser.</source>
+        <translation>Longitud de las aristas en ese lugar respecto a las demás: 0,5 es la mitad de largo, más fino; 2 es el doble de largo, más grueso.</translation>
+    </message>
+    <message>
+        <source>Where cells are finer or coarser</source>
+        <translation>Dónde las celdas son más finas o más gruesas</translation>
+    </message>
+    <message>
+        <source>What the next stroke does, and the strokes and regions that are there; of two at one place the lower one counts. A click shows the numbers, for changing.</source>
+        <translation>Qué hace el próximo trazo, y los trazos y regiones que hay; de dos en un mismo lugar cuenta el de abajo. Un clic muestra los números para cambiarlos.</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Añadir</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Eliminar</translation>
+    </message>
+    <message>
+        <source>Add region</source>
+        <translation>Añadir región</translation>
+    </message>
+    <message>
+        <source>A ball, a box or a half-space in the middle, or what the selected handle holds as a region; its numbers can be changed then.</source>
+        <translation>Una esfera, una caja o un semiespacio en el centro, o la región que sujeta el agarre seleccionado; luego se pueden cambiar sus números.</translation>
+    </message>
+    <message>
+        <source>Remove sizes</source>
+        <translation>Eliminar tamaños</translation>
+    </message>
+    <message>
+        <source>Takes the chosen stroke or region away.</source>
+        <translation>Elimina el trazo o la región elegidos.</translation>
+    </message>
+    <message>
+        <source>Soft edge</source>
+        <translation>Borde suave</translation>
+    </message>
+    <message>
+        <source>Over what width the size goes over into that around, in units of the file.</source>
+        <translation>Anchura en la que el tamaño pasa al de alrededor, en unidades del archivo.</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>Esfera</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Caja</translation>
+    </message>
+    <message>
+        <source>Half-space</source>
+        <translation>Semiespacio</translation>
+    </message>
+    <message>
+        <source>Region of the selected handle</source>
+        <translation>Región del agarre seleccionado</translation>
+    </message>
+    <message>
+        <source>Cell sizes</source>
+        <translation>Tamaños de celda</translation>
+    </message>
+    <message>
+        <source>E&amp;dges</source>
+        <translation>Aris&amp;tas</translation>
+    </message>
+    <message>
+        <source>Soft ed&amp;ge</source>
+        <translation>&amp;Borde suave</translation>
+    </message>
+    <message>
+        <source>Change size</source>
+        <translation>Cambiar tamaño</translation>
+    </message>
+    <message>
+        <source>Change region</source>
+        <translation>Cambiar región</translation>
+    </message>
+    <message>
+        <source>Add size region</source>
+        <translation>Añadir región de tamaño</translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation>Degradado</translation>
+    </message>
+    <message>
+        <source>%1: edges %2</source>
+        <translation>%1: aristas %2</translation>
+    </message>
+    <message>
+        <source>Next stroke</source>
+        <translation>Próximo trazo</translation>
+    </message>
+    <message>
+        <source>Beneath them: the factors in %1.</source>
+        <translation>Debajo: los factores de %1.</translation>
+    </message>
+    <message>
+        <source>The surface&apos;s triangles are kept, and only what is inside changes. “Refine surface” in the panel “Mesh” lets them be split, too.</source>
+        <translation>Los triángulos de la superficie se conservan y solo cambia el interior. «Refinar superficie», en el panel «Malla», permite dividirlos también.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::SolidActions</name>
+    <message>
+        <source>Through the &amp;Solid</source>
+        <translation>A &amp;través del sólido</translation>
+    </message>
+    <message>
+        <source>Rectangle, lasso and brush also take or select what is hidden</source>
+        <translation>Rectángulo, lazo y pincel también toman o seleccionan lo que está oculto</translation>
+    </message>
+    <message>
+        <source>T</source>
+        <translation>T</translation>
+    </message>
+    <message>
+        <source>Grab Beyond the &amp;Cut</source>
+        <translation>Agarrar &amp;más allá del corte</translation>
+    </message>
+    <message>
+        <source>Take hold of all that the cut takes away, as one handle</source>
+        <translation>Sujetar como un solo agarre todo lo que el corte quita</translation>
+    </message>
+    <message>
+        <source>Ctrl+B</source>
+        <translation>Ctrl+B</translation>
+    </message>
+    <message>
+        <source>What is drawn beside pins with the pin or the select tool, to select them</source>
+        <translation>Lo que se traza junto a los alfileres, con la herramienta Alfiler o Seleccionar, para seleccionarlos</translation>
+    </message>
+    <message>
+        <source>By &amp;Rectangle</source>
+        <translation>Con &amp;rectángulo</translation>
+    </message>
+    <message>
+        <source>Shift+R</source>
+        <translation>Shift+R</translation>
+    </message>
+    <message>
+        <source>By &amp;Lasso</source>
+        <translation>Con &amp;lazo</translation>
+    </message>
+    <message>
+        <source>Shift+O</source>
+        <translation>Shift+O</translation>
+    </message>
+    <message>
+        <source>By &amp;Brush</source>
+        <translation>Con &amp;pincel</translation>
+    </message>
+    <message>
+        <source>Shift+U</source>
+        <translation>Shift+U</translation>
+    </message>
+    <message>
+        <source>&amp;Move</source>
+        <translation>M&amp;over</translation>
+    </message>
+    <message>
+        <source>Show arrows that move the selected pins</source>
+        <translation>Mostrar flechas que mueven los alfileres seleccionados</translation>
+    </message>
+    <message>
+        <source>G</source>
+        <translation>G</translation>
+    </message>
+    <message>
+        <source>&amp;Rotate</source>
+        <translation>&amp;Rotar</translation>
+    </message>
+    <message>
+        <source>Show rings that rotate the selected pins</source>
+        <translation>Mostrar anillos que rotan los alfileres seleccionados</translation>
+    </message>
+    <message>
+        <source>R</source>
+        <translation>R</translation>
+    </message>
+    <message>
+        <source>&amp;Scale</source>
+        <translation>&amp;Escalar</translation>
+    </message>
+    <message>
+        <source>Show a ring that scales the selected pins</source>
+        <translation>Mostrar un anillo que escala los alfileres seleccionados</translation>
+    </message>
+    <message>
+        <source>S</source>
+        <translation>S</translation>
+    </message>
+    <message>
+        <source>S&amp;kin</source>
+        <translation>P&amp;iel</translation>
+    </message>
+    <message>
+        <source>Show the detailed or textured surface that rides in the solid; off: the border of the tetrahedra, which bend</source>
+        <translation>Mostrar la superficie detallada o con texturas que sigue al sólido; si no, el borde de los tetraedros, que son los que se deforman</translation>
+    </message>
+    <message>
+        <source>Shift+D</source>
+        <translation>Shift+D</translation>
+    </message>
+    <message>
+        <source>Choose Sk&amp;in…</source>
+        <translation>Ele&amp;gir piel…</translation>
+    </message>
+    <message>
+        <source>Let a detailed, perhaps textured surface from a file ride in the solid</source>
+        <translation>Hacer que una superficie detallada de un archivo, quizá con texturas, siga al sólido</translation>
+    </message>
+    <message>
+        <source>Re&amp;move Skin</source>
+        <translation>&amp;Quitar piel</translation>
+    </message>
+    <message>
+        <source>See and export the solid with its own surface again</source>
+        <translation>Volver a mostrar y exportar el sólido con su propia superficie</translation>
+    </message>
+    <message>
+        <source>&amp;Flat Faces</source>
+        <translation>Caras &amp;planas</translation>
+    </message>
+    <message>
+        <source>Shade every triangle by itself instead of smoothly</source>
+        <translation>Sombrear cada triángulo por separado, sin suavizar</translation>
+    </message>
+    <message>
+        <source>Shift+F</source>
+        <translation>Shift+F</translation>
+    </message>
+    <message>
+        <source>&amp;Parallel View</source>
+        <translation>Vista paralel&amp;a</translation>
+    </message>
+    <message>
+        <source>See without perspective</source>
+        <translation>Ver sin perspectiva</translation>
+    </message>
+    <message>
+        <source>5</source>
+        <translation>5</translation>
+    </message>
+    <message>
+        <source>&amp;Velocity Arrows</source>
+        <translation>&amp;Flechas de velocidad</translation>
+    </message>
+    <message>
+        <source>Show where the surface moves at this time</source>
+        <translation>Mostrar hacia dónde se mueve la superficie en este momento</translation>
+    </message>
+    <message>
+        <source>Shift+V</source>
+        <translation>Shift+V</translation>
+    </message>
+    <message>
+        <source>&amp;Cut Open</source>
+        <translation>&amp;Cortar</translation>
+    </message>
+    <message>
+        <source>Look inside along a plane; an arrow and rings move and tilt it</source>
+        <translation>Mirar dentro por un plano; una flecha y unos anillos lo mueven y lo inclinan</translation>
+    </message>
+    <message>
+        <source>C</source>
+        <translation>C</translation>
+    </message>
+    <message>
+        <source>Look along an axis of the world</source>
+        <translation>Mirar a lo largo de un eje del mundo</translation>
+    </message>
+    <message>
+        <source>&amp;Front</source>
+        <translation>Fr&amp;ente</translation>
+    </message>
+    <message>
+        <source>1</source>
+        <translation>1</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>De&amp;trás</translation>
+    </message>
+    <message>
+        <source>&amp;Right</source>
+        <translation>&amp;Derecha</translation>
+    </message>
+    <message>
+        <source>3</source>
+        <translation>3</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>&amp;Izquierda</translation>
+    </message>
+    <message>
+        <source>&amp;Top</source>
+        <translation>&amp;Arriba</translation>
+    </message>
+    <message>
+        <source>7</source>
+        <translation>7</translation>
+    </message>
+    <message>
+        <source>B&amp;ottom</source>
+        <translation>A&amp;bajo</translation>
+    </message>
+    <message>
+        <source>&amp;Oblique</source>
+        <translation>&amp;Oblicua</translation>
+    </message>
+    <message>
+        <source>Look from the side and above</source>
+        <translation>Mirar desde un lado y desde arriba</translation>
+    </message>
+    <message>
+        <source>0</source>
+        <translation>0</translation>
+    </message>
+    <message>
+        <source>&amp;Wend</source>
+        <translation>&amp;Wend</translation>
+    </message>
+    <message>
+        <source>Right or middle button turns, with Shift moves; the wheel zooms</source>
+        <translation>El botón derecho o central gira, con Mayús desplaza; la rueda acerca o aleja</translation>
+    </message>
+    <message>
+        <source>Like &amp;VTK</source>
+        <translation>Como &amp;VTK</translation>
+    </message>
+    <message>
+        <source>Left button turns, middle moves, right zooms, as in ParaView</source>
+        <translation>El botón izquierdo gira, el central desplaza, el derecho acerca o aleja, como en ParaView</translation>
+    </message>
+    <message>
+        <source>Like &amp;Blender</source>
+        <translation>Como &amp;Blender</translation>
+    </message>
+    <message>
+        <source>Middle button turns, with Shift moves, with Ctrl zooms</source>
+        <translation>El botón central gira, con Mayús desplaza, con Ctrl acerca o aleja</translation>
+    </message>
+    <message>
+        <source>&amp;Solid</source>
+        <translation>&amp;Sólido</translation>
+    </message>
+    <message>
+        <source>Select &amp;Pins</source>
+        <translation>Seleccionar alfi&amp;leres</translation>
+    </message>
+    <message>
+        <source>L&amp;ook from</source>
+        <translation>&amp;Ver desde</translation>
+    </message>
+    <message>
+        <source>&amp;Navigation</source>
+        <translation>&amp;Navegación</translation>
+    </message>
+    <message>
+        <source>The solid has neither a detailed surface nor materials.</source>
+        <translation>El sólido no tiene superficie detallada ni materiales.</translation>
+    </message>
+    <message>
+        <source>No detailed surface was chosen for the solid.</source>
+        <translation>No se ha elegido ninguna superficie detallada para el sólido.</translation>
+    </message>
+    <message>
+        <source>The mesh comes from a file and is used as it is.</source>
+        <translation>La malla procede de un archivo y se usa tal cual.</translation>
+    </message>
+    <message>
+        <source>Open a solid first.</source>
+        <translation>Abra primero un sólido.</translation>
+    </message>
+    <message>
+        <source>S&amp;nap</source>
+        <translation>A&amp;dherir</translation>
+    </message>
+    <message>
+        <source>New pins sit on corners of the mesh, instead of where one clicks</source>
+        <translation>Poner los alfileres nuevos en vértices de la malla en vez de donde se hace clic</translation>
+    </message>
+</context>
+<context>
+    <name>wend::SolidCanvas</name>
+    <message>
+        <source>the memory does not suffice for a picture of %1 x %2 pixels</source>
+        <translation>la memoria no alcanza para una imagen de %1 x %2 píxeles</translation>
+    </message>
+    <message>
+        <source>Writing the picture …</source>
+        <translation>Exportando la imagen…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Cell %1</source>
+        <translation>Celda %1</translation>
+    </message>
+</context>
+<context>
+    <name>wend::SolidWorkshop</name>
+    <message>
+        <source>Solids need OpenGL 3.3, which this system does not have. The command line (wend run) works with them all the same.</source>
+        <translation>Los sólidos necesitan OpenGL 3.3, que este sistema no tiene. La línea de comandos (wend run) funciona con ellos de todos modos.</translation>
+    </message>
+    <message>
+        <source>These pictures of the surface cannot be read: %1</source>
+        <translation>No se pueden leer estas imágenes de la superficie: %1</translation>
+    </message>
+    <message>
+        <source>Export View</source>
+        <translation>Exportar vista</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Exportado: %1</translation>
+    </message>
+    <message>
+        <source>Nothing was written. %1</source>
+        <translation>No se ha exportado nada. %1</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Región</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Zona</translation>
+    </message>
+</context>
+<context>
+    <name>wend::StartPage</name>
+    <message>
+        <source>Pin a picture, pull it into shape, and let it flow.</source>
+        <translation>Clave alfileres en una imagen, tire de ellos y déjela fluir.</translation>
+    </message>
+    <message>
+        <source>Drop a picture here</source>
+        <translation>Suelte aquí una imagen</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Abrir…</translation>
+    </message>
+    <message>
+        <source>Choose a picture, a flat mesh or a project.</source>
+        <translation>Elegir una imagen, una malla plana o un proyecto.</translation>
+    </message>
+    <message>
+        <source>PNG, TIFF, EXR, JPEG, WebP — cut-outs with transparency work best. Projects, meshes and solids too.</source>
+        <translation>PNG, TIFF, EXR, JPEG, WebP: mejor recortadas y con transparencia. También proyectos, mallas y sólidos.</translation>
+    </message>
+    <message>
+        <source>Try a sample</source>
+        <translation>Pruebe un ejemplo</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>Recientes</translation>
+    </message>
+    <message>
+        <source>Five-minute tutorial</source>
+        <translation>Tutorial de cinco minutos</translation>
+    </message>
+    <message>
+        <source>The first steps on a sample, one after another.</source>
+        <translation>Los primeros pasos con un ejemplo, uno tras otro.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::StatusFields</name>
+    <message>
+        <source>Position</source>
+        <translation>Posición</translation>
+    </message>
+    <message>
+        <source>Where the pointer is, in the picture&apos;s pixels</source>
+        <translation>Dónde está el puntero, en píxeles de la imagen</translation>
+    </message>
+    <message>
+        <source>Pin error</source>
+        <translation>Error de alfiler</translation>
+    </message>
+    <message>
+        <source>How far the worst pin is from where it should be</source>
+        <translation>Cuánto se aparta el peor alfiler de su sitio</translation>
+    </message>
+    <message>
+        <source>pin error %1 px</source>
+        <translation>error de alfiler %1 px</translation>
+    </message>
+    <message>
+        <source>Worst place</source>
+        <translation>Peor punto</translation>
+    </message>
+    <message>
+        <source>How far the worst place is from rest, by what the map shows</source>
+        <translation>Cuánto se aparta el peor punto del reposo, según lo que muestra el mapa</translation>
+    </message>
+    <message>
+        <source>worst %1</source>
+        <translation>peor %1</translation>
+    </message>
+    <message>
+        <source>Area change</source>
+        <translation>Cambio de área</translation>
+    </message>
+    <message>
+        <source>How much larger or smaller the shape is than at rest</source>
+        <translation>Cuánto mayor o menor es la forma que en reposo</translation>
+    </message>
+    <message>
+        <source>area %1 %</source>
+        <translation>área %1 %</translation>
+    </message>
+    <message>
+        <source>Time per frame</source>
+        <translation>Tiempo por fotograma</translation>
+    </message>
+    <message>
+        <source>What computing the last frame took</source>
+        <translation>Lo que tardó en calcularse el último fotograma</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>pin error %1</source>
+        <translation>error de alfiler %1</translation>
+    </message>
+    <message>
+        <source>worst %1</source>
+        <comment>a ratio</comment>
+        <translation>extremo: %1</translation>
+    </message>
+    <message>
+        <source>volume %1 %</source>
+        <translation>volumen %1 %</translation>
+    </message>
+</context>
+<context>
+    <name>wend::SurfaceCheck</name>
+    <message>
+        <source>Triangles of missing points</source>
+        <translation>Triángulos con puntos ausentes</translation>
+    </message>
+    <message>
+        <source>Triangles that cross</source>
+        <translation>Triángulos que se cruzan</translation>
+    </message>
+    <message>
+        <source>Holes</source>
+        <translation>Huecos</translation>
+    </message>
+    <message>
+        <source>Edges of more than two</source>
+        <translation>Aristas con más de dos triángulos</translation>
+    </message>
+    <message>
+        <source>Triangles without area</source>
+        <translation>Triángulos sin área</translation>
+    </message>
+    <message>
+        <source>Double triangles</source>
+        <translation>Triángulos duplicados</translation>
+    </message>
+    <message>
+        <source>Turned neighbours</source>
+        <translation>Vecinos invertidos</translation>
+    </message>
+    <message>
+        <source>All points lie in one plane.</source>
+        <translation>Todos los puntos están en un mismo plano.</translation>
+    </message>
+    <message>
+        <source>Save List</source>
+        <translation>Guardar lista</translation>
+    </message>
+    <message>
+        <source>Text (*.txt)</source>
+        <translation>Texto (*.txt)</translation>
+    </message>
+    <message>
+        <source>Repair surface</source>
+        <translation>Reparar superficie</translation>
+    </message>
+    <message>
+        <source>Fit a cage</source>
+        <translation>Crear jaula</translation>
+    </message>
+    <message>
+        <source>Exact surface only</source>
+        <translation>Solo superficie exacta</translation>
+    </message>
+    <message>
+        <source>merge points (%1)</source>
+        <translation>unir puntos (%1)</translation>
+    </message>
+    <message>
+        <source>drop triangles (%1)</source>
+        <translation>eliminar triángulos (%1)</translation>
+    </message>
+    <message>
+        <source>turn triangles (%1)</source>
+        <translation>voltear triángulos (%1)</translation>
+    </message>
+    <message>
+        <source>fill holes (%1)</source>
+        <translation>tapar huecos (%1)</translation>
+    </message>
+    <message>
+        <source>It would %1.</source>
+        <translation>Operaciones previstas: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::SurfacePanel</name>
+    <message>
+        <source>Show them</source>
+        <translation>Mostrarlos</translation>
+    </message>
+    <message>
+        <source>Save list…</source>
+        <translation>Guardar lista…</translation>
+    </message>
+    <message>
+        <source>Repair</source>
+        <translation>Reparar</translation>
+    </message>
+    <message>
+        <source>What is wrong</source>
+        <translation>Qué está mal</translation>
+    </message>
+    <message>
+        <source>The kinds of what is wrong, and how often each occurs.</source>
+        <translation>Los tipos de defectos y cuántas veces aparece cada uno.</translation>
+    </message>
+    <message>
+        <source>Previous place</source>
+        <translation>Lugar anterior</translation>
+    </message>
+    <message>
+        <source>Looks at the previous place where this is wrong.</source>
+        <translation>Va al lugar anterior donde hay este defecto.</translation>
+    </message>
+    <message>
+        <source>Next place</source>
+        <translation>Lugar siguiente</translation>
+    </message>
+    <message>
+        <source>Looks at the next place where this is wrong.</source>
+        <translation>Va al lugar siguiente donde hay este defecto.</translation>
+    </message>
+    <message>
+        <source>Show the triangles</source>
+        <translation>Mostrar los triángulos</translation>
+    </message>
+    <message>
+        <source>Colours the triangles that are wrong, and looks at them: what hides them is left out.</source>
+        <translation>Colorea los triángulos defectuosos y los muestra: lo que los tapa se omite.</translation>
+    </message>
+    <message>
+        <source>Save the list</source>
+        <translation>Guardar la lista</translation>
+    </message>
+    <message>
+        <source>Writes the numbers of all wrong triangles and edges to a file.</source>
+        <translation>Escribe en un archivo los números de todos los triángulos y aristas defectuosos.</translation>
+    </message>
+    <message>
+        <source>Merges points at one place, drops degenerate and double triangles, orients them and fills small holes.</source>
+        <translation>Une los puntos coincidentes, elimina triángulos degenerados y duplicados, los orienta y tapa los huecos pequeños.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>The surface rides in a cage</source>
+        <translation>Una jaula lleva la superficie</translation>
+    </message>
+    <message>
+        <source>The surface bounds no solid</source>
+        <translation>La superficie no encierra ningún sólido</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>“Repair” helps.</source>
+        <translation>«Reparar» lo soluciona.</translation>
+    </message>
+    <message>
+        <source>“Repair” does not help: a cage around it can carry it.</source>
+        <translation>«Reparar» no lo soluciona: una jaula a su alrededor puede llevarla.</translation>
+    </message>
+    <message>
+        <source>The simple repairs do not help: fit a cage.</source>
+        <translation>Las reparaciones simples no bastan: cree una jaula.</translation>
+    </message>
+    <message>
+        <source>Exact surface only</source>
+        <translation>Solo superficie exacta</translation>
+    </message>
+    <message>
+        <source>Fit a cage</source>
+        <translation>Crear jaula</translation>
+    </message>
+    <message>
+        <source>Takes the cage away: without repair there is no solid then.</source>
+        <translation>Quita la jaula: sin reparar, entonces no hay sólido.</translation>
+    </message>
+    <message>
+        <source>Fills a cage of even cells around the surface, which rides in it.</source>
+        <translation>Rellena una jaula de celdas uniformes en torno a la superficie, a la que lleva consigo.</translation>
+    </message>
+    <message>
+        <source>See the repair</source>
+        <translation>Vista previa</translation>
+    </message>
+    <message>
+        <source>Shows the surface as the repair would leave it: what it adds in green, what stays wrong in red.</source>
+        <translation>Muestra la superficie tal como la dejaría la reparación: en verde lo que añade, en rojo lo que sigue mal.</translation>
+    </message>
+    <message>
+        <source>There is nothing that the simple repairs would change.</source>
+        <translation>No hay nada que las reparaciones simples fueran a cambiar.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::TimeStrip</name>
+    <message>
+        <source>Time</source>
+        <translation>Tiempo</translation>
+    </message>
+    <message>
+        <source>Which moment of the motion is shown.</source>
+        <translation>Qué momento del movimiento se muestra.</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Duración</translation>
+    </message>
+    <message>
+        <source>How long the film is. The poses stay as they are, however fast it goes.</source>
+        <translation>Lo que dura la película. Las poses no cambian, por rápida que vaya.</translation>
+    </message>
+    <message>
+        <source>Change length</source>
+        <translation>Cambiar duración</translation>
+    </message>
+    <message>
+        <source>Nothing moves yet: drag a pin.</source>
+        <translation>Todavía no se mueve nada: arrastre un alfiler.</translation>
+    </message>
+    <message>
+        <source>%1 /</source>
+        <translation>%1 /</translation>
+    </message>
+    <message>
+        <source>Drag a pin to begin</source>
+        <translation>Arrastre un alfiler para empezar</translation>
+    </message>
+</context>
+<context>
+    <name>wend::Toolbox</name>
+    <message>
+        <source>Mesh</source>
+        <translation>Malla</translation>
+    </message>
+    <message>
+        <source>What bends, and how finely</source>
+        <translation>Qué se deforma y con qué finura</translation>
+    </message>
+    <message>
+        <source>Pins</source>
+        <translation>Alfileres</translation>
+    </message>
+    <message>
+        <source>Hold parts and drag them</source>
+        <translation>Sujetar partes y arrastrarlas</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>Pintar</translation>
+    </message>
+    <message>
+        <source>What it is made of: soft, stiff, and what is kept where</source>
+        <translation>De qué está hecho: blando, rígido y qué se conserva en cada sitio</translation>
+    </message>
+    <message>
+        <source>Animate</source>
+        <translation>Animar</translation>
+    </message>
+    <message>
+        <source>How it moves in time</source>
+        <translation>Cómo se mueve en el tiempo</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportar</translation>
+    </message>
+    <message>
+        <source>Write pictures, sequences, maps and meshes</source>
+        <translation>Exportar imágenes, secuencias, mapas y mallas</translation>
+    </message>
+    <message>
+        <source>Open a picture first.</source>
+        <translation>Abra primero una imagen.</translation>
+    </message>
+    <message>
+        <source>Open a solid first.</source>
+        <translation>Abra primero un sólido.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::Tutorial</name>
+    <message>
+        <source>End</source>
+        <translation>Terminar</translation>
+    </message>
+    <message>
+        <source>Ends the tutorial; the picture stays open</source>
+        <translation>Termina el tutorial; la imagen sigue abierta</translation>
+    </message>
+    <message>
+        <source>Only what is pinned holds. &lt;b&gt;Click a hoof&lt;/b&gt; of the giraffe to pin it.</source>
+        <translation>Solo queda fijo lo que tiene un alfiler. &lt;b&gt;Haga clic en una pezuña&lt;/b&gt; de la jirafa para poner uno.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Pin the other hooves&lt;/b&gt;, too: a click each. Ctrl+Z takes a pin back.</source>
+        <translation>&lt;b&gt;Ponga alfileres también en las otras pezuñas&lt;/b&gt;, con un clic en cada una. Ctrl+Z deshace un alfiler.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Click its nose&lt;/b&gt;, and &lt;b&gt;drag the new pin&lt;/b&gt; down to the ground. The shape flows along.</source>
+        <translation>&lt;b&gt;Haga clic en el hocico&lt;/b&gt; y &lt;b&gt;arrastre el nuevo alfiler&lt;/b&gt; hasta el suelo. La forma lo acompaña con fluidez.</translation>
+    </message>
+    <message>
+        <source>What it keeps on the way is your choice: at the top right, under &lt;b&gt;Keep&lt;/b&gt;, &lt;b&gt;choose Area, Rigid or Angle&lt;/b&gt;, and see the neck change.</source>
+        <translation>Usted decide qué conserva por el camino: arriba a la derecha, en &lt;b&gt;Conservar&lt;/b&gt;, &lt;b&gt;elija Área, Rígido o Ángulo&lt;/b&gt; y vea cómo cambia el cuello.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Press D&lt;/b&gt; to see in colours what the bend has changed, and where most. D again hides it.</source>
+        <translation>&lt;b&gt;Pulse D&lt;/b&gt; para ver en colores qué ha cambiado la deformación, y dónde más. D otra vez lo oculta.</translation>
+    </message>
+    <message>
+        <source>The same for a part only: &lt;b&gt;press Ctrl+3&lt;/b&gt; for the step &lt;i&gt;Paint&lt;/i&gt;, and &lt;b&gt;brush over the neck&lt;/b&gt;. [ and ] change the size of the brush.</source>
+        <translation>Lo mismo solo para una parte: &lt;b&gt;pulse Ctrl+3&lt;/b&gt; para el paso &lt;i&gt;Pintar&lt;/i&gt; y &lt;b&gt;pase el pincel por el cuello&lt;/b&gt;. [ y ] cambian el tamaño del pincel.</translation>
+    </message>
+    <message>
+        <source>Your drag is already a film: &lt;b&gt;press K&lt;/b&gt; to play it. Click into the strip below to go to a time, and drag on from there.</source>
+        <translation>Lo que ha arrastrado ya es una película: &lt;b&gt;pulse K&lt;/b&gt; para reproducirla. Haga clic en la franja de abajo para ir a un momento y siga arrastrando desde ahí.</translation>
+    </message>
+    <message>
+        <source>At last, &lt;b&gt;press Ctrl+5&lt;/b&gt; for the step &lt;i&gt;Export&lt;/i&gt;: a picture, a sequence, a map of the warp, or the mesh.</source>
+        <translation>Por último, &lt;b&gt;pulse Ctrl+5&lt;/b&gt; para el paso &lt;i&gt;Exportar&lt;/i&gt;: una imagen, una secuencia, un mapa de deformación o la malla.</translation>
+    </message>
+    <message>
+        <source>That is all you need to begin. &lt;b&gt;F1&lt;/b&gt; opens the manual, &lt;b&gt;?&lt;/b&gt; lists the keys. Drop a picture of your own on the window.</source>
+        <translation>Es todo lo que necesita para empezar. &lt;b&gt;F1&lt;/b&gt; abre el manual, &lt;b&gt;?&lt;/b&gt; muestra las teclas. Suelte una imagen suya en la ventana.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Listo</translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation>Omitir</translation>
+    </message>
+</context>
+<context>
+    <name>wend::VolumeView</name>
+    <message>
+        <source>View of the solid</source>
+        <translation>Vista del sólido</translation>
+    </message>
+    <message>
+        <source>The solid cannot be drawn: %1</source>
+        <translation>No se puede dibujar el sólido: %1</translation>
+    </message>
+</context>
+<context>
+    <name>wend::WorkNote</name>
+    <message>
+        <source>Cancel (Esc)</source>
+        <translation>Cancelar (Esc)</translation>
+    </message>
+    <message>
+        <source>Ends what is being computed and goes back to the last state that is complete</source>
+        <translation>Detiene el cálculo en curso y vuelve al último estado completo</translation>
+    </message>
+    <message>
+        <source>Computing the motion: %1 %</source>
+        <translation>Calculando el movimiento: %1 %</translation>
+    </message>
+    <message>
+        <source>Meshing %1 …</source>
+        <translation>Mallando %1…</translation>
+    </message>
+    <message numerus="yes">
+        <source>Meshing %1 with about %Ln vertices …</source>
+        <translation>
+            <numerusform>Mallando %1 con unos %Ln vértices…</numerusform>
+            <numerusform>Mallando %1 con unos %Ln vértices…</numerusform>
+        </translation>
+    </message>
+</context>
+</TS>

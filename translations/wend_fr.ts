@@ -1,0 +1,4851 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="fr_FR">
+<context>
+    <name>AreaTool</name>
+    <message>
+        <source>Draw a rectangle over the vertices to hold; Shift adds to the selected handle, Ctrl takes away</source>
+        <translation>Tracez un rectangle sur les sommets à maintenir&#x202f;; Maj les ajoute à la poignée sélectionnée, Ctrl les retire</translation>
+    </message>
+    <message>
+        <source>Draw around the vertices to hold; Shift adds to the selected handle, Ctrl takes away</source>
+        <translation>Entourez les sommets à maintenir&#x202f;; Maj les ajoute à la poignée sélectionnée, Ctrl les retire</translation>
+    </message>
+    <message>
+        <source>Brush over the vertices to hold, [ and ] change the size; Shift adds, Ctrl takes away</source>
+        <translation>Passez le pinceau sur les sommets à maintenir, [ et ] changent la taille&#x202f;; Maj ajoute, Ctrl retire</translation>
+    </message>
+    <message>
+        <source>Drag from a point of the surface to hold a ball; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
+        <translation>Glissez depuis un point de la surface pour maintenir une sphère&#x202f;; Maj ajoute son contenu à la poignée sélectionnée, Ctrl le retire</translation>
+    </message>
+    <message>
+        <source>Drag from a point of the surface towards what to hold: all beyond the point</source>
+        <translation>Glissez depuis un point de la surface vers ce qu’il faut maintenir&#x202f;: tout ce qui est au-delà du point</translation>
+    </message>
+    <message>
+        <source>Drag from a point of the surface to hold a box; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
+        <translation>Glissez depuis un point de la surface pour maintenir une boîte&#x202f;; Maj ajoute son contenu à la poignée sélectionnée, Ctrl le retire</translation>
+    </message>
+    <message>
+        <source>Select one handle to take away from.</source>
+        <translation>Sélectionnez une seule poignée pour en retirer des sommets.</translation>
+    </message>
+    <message>
+        <source>There is no vertex in this region.</source>
+        <translation>Il n’y a aucun sommet dans cette région.</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Région</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Zone</translation>
+    </message>
+    <message>
+        <source>A handle cannot hold nothing: remove it with Delete.</source>
+        <translation>Une poignée ne peut pas rester vide&#x202f;: supprimez-la avec Suppr.</translation>
+    </message>
+</context>
+<context>
+    <name>CheatSheet</name>
+    <message>
+        <source>Pointer</source>
+        <translation>Pointeur</translation>
+    </message>
+    <message>
+        <source>Click</source>
+        <translation>Clic</translation>
+    </message>
+    <message>
+        <source>sets a pin</source>
+        <translation>pose une épingle</translation>
+    </message>
+    <message>
+        <source>Drag a pin</source>
+        <translation>Tirer une épingle</translation>
+    </message>
+    <message>
+        <source>moves it; Esc puts it back</source>
+        <translation>la déplace&#x202f;; Échap la remet en place</translation>
+    </message>
+    <message>
+        <source>Shift-click</source>
+        <translation>Maj+clic</translation>
+    </message>
+    <message>
+        <source>selects several pins</source>
+        <translation>sélectionne plusieurs épingles</translation>
+    </message>
+    <message>
+        <source>Digits while dragging</source>
+        <translation>Chiffres pendant le geste</translation>
+    </message>
+    <message>
+        <source>set the number, Enter takes it</source>
+        <translation>donnent la valeur, Entrée la valide</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Molette</translation>
+    </message>
+    <message>
+        <source>zooms to the pointer</source>
+        <translation>zoome vers le pointeur</translation>
+    </message>
+    <message>
+        <source>[ and ]</source>
+        <translation>[ et ]</translation>
+    </message>
+    <message>
+        <source>size of a brush</source>
+        <translation>taille du pinceau</translation>
+    </message>
+    <message>
+        <source>Hold H</source>
+        <translation>Maintenir H</translation>
+    </message>
+    <message>
+        <source>hides pins and maps</source>
+        <translation>masque épingles et cartes</translation>
+    </message>
+    <message>
+        <source>Hold \</source>
+        <translation>Maintenir \</translation>
+    </message>
+    <message>
+        <source>shows the shape before it was bent</source>
+        <translation>montre la forme avant déformation</translation>
+    </message>
+    <message>
+        <source>X, Y, Z while dragging</source>
+        <translation>X, Y, Z pendant le geste</translation>
+    </message>
+    <message>
+        <source>lock an axis</source>
+        <translation>verrouillent un axe</translation>
+    </message>
+    <message>
+        <source>Right or middle button</source>
+        <translation>Bouton droit ou central</translation>
+    </message>
+    <message>
+        <source>turns the view; with Shift it moves</source>
+        <translation>tourne la vue&#x202f;; avec Maj, la déplace</translation>
+    </message>
+    <message>
+        <source>Middle click</source>
+        <translation>Clic central</translation>
+    </message>
+    <message>
+        <source>sets the point to turn around</source>
+        <translation>fixe le point autour duquel tourner</translation>
+    </message>
+    <message>
+        <source>Alt-drag a pin</source>
+        <translation>Alt + tirer une épingle</translation>
+    </message>
+    <message>
+        <source>widens it to a circle</source>
+        <translation>l’élargit en cercle</translation>
+    </message>
+    <message>
+        <source>Drag the ring&apos;s dot or square</source>
+        <translation>Tirer le point ou le carré de l’anneau</translation>
+    </message>
+    <message>
+        <source>rotates or scales; Shift snaps to 15°</source>
+        <translation>fait pivoter ou met à l’échelle&#x202f;; Maj par pas de 15°</translation>
+    </message>
+    <message>
+        <source>Arrow keys</source>
+        <translation>Flèches</translation>
+    </message>
+    <message>
+        <source>nudge by a pixel, with Shift by ten</source>
+        <translation>décalent d’un pixel, avec Maj de dix</translation>
+    </message>
+    <message>
+        <source>Space or middle button</source>
+        <translation>Espace ou bouton central</translation>
+    </message>
+    <message>
+        <source>pans</source>
+        <translation>déplace la vue</translation>
+    </message>
+</context>
+<context>
+    <name>CurveEditor</name>
+    <message>
+        <source>Drag the curve&apos;s point, with Ctrl one direction alone; Delete removes it, a right click shows more</source>
+        <translation>Tirez le point de la courbe, avec Ctrl une seule direction&#x202f;; Suppr le supprime, le clic droit offre plus</translation>
+    </message>
+    <message>
+        <source>Double-click to insert a point into the curve</source>
+        <translation>Double-cliquez pour insérer un point dans la courbe</translation>
+    </message>
+    <message>
+        <source>Change curve</source>
+        <translation>Modifier la courbe</translation>
+    </message>
+    <message>
+        <source>Insert curve point</source>
+        <translation>Insérer un point de courbe</translation>
+    </message>
+    <message>
+        <source>Delete curve point</source>
+        <translation>Supprimer un point de courbe</translation>
+    </message>
+    <message>
+        <source>The ends of a curve must stay.</source>
+        <translation>Les extrémités d’une courbe doivent rester.</translation>
+    </message>
+</context>
+<context>
+    <name>CutTool</name>
+    <message>
+        <source>Drag the arrow to move the cut, the rings to tilt it; Esc puts it back</source>
+        <translation>Tirez la flèche pour déplacer la coupe, les anneaux pour l’incliner&#x202f;; Échap la remet en place</translation>
+    </message>
+</context>
+<context>
+    <name>DepthTool</name>
+    <message>
+        <source>Brush over what lies in front or behind; Ctrl takes it back, Shift turns it round, [ and ] change the size</source>
+        <translation>Passez le pinceau sur ce qui est devant ou derrière&#x202f;; Ctrl l’annule, Maj l’inverse, [ et ] changent la taille</translation>
+    </message>
+    <message>
+        <source>Paint in front</source>
+        <translation>Peindre devant</translation>
+    </message>
+    <message>
+        <source>Paint behind</source>
+        <translation>Peindre derrière</translation>
+    </message>
+    <message>
+        <source>Take back depth</source>
+        <translation>Effacer la profondeur</translation>
+    </message>
+</context>
+<context>
+    <name>EnergyScale</name>
+    <message>
+        <source>Area</source>
+        <translation>Aire</translation>
+    </message>
+    <message>
+        <source>Nothing grows or shrinks. Parts may get thin.</source>
+        <translation>Rien ne grandit ni ne rétrécit. Certaines parties peuvent s’amincir.</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Longueur</translation>
+    </message>
+    <message>
+        <source>Stretches least. Start here.</source>
+        <translation>Étire le moins. Commencez ici.</translation>
+    </message>
+    <message>
+        <source>Rigid</source>
+        <translation>Rigide</translation>
+    </message>
+    <message>
+        <source>Parts turn like card.</source>
+        <translation>Les parties tournent comme du carton.</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Angle</translation>
+    </message>
+    <message>
+        <source>Details keep their look. Parts may swell.</source>
+        <translation>Les détails gardent leur aspect. Certaines parties peuvent gonfler.</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volume</translation>
+    </message>
+</context>
+<context>
+    <name>FileCard</name>
+    <message>
+        <source>Eyes stay round</source>
+        <translation>Les yeux restent ronds</translation>
+    </message>
+    <message>
+        <source>Pins and paths</source>
+        <translation>Épingles et trajectoires</translation>
+    </message>
+    <message>
+        <source>Many pins at once</source>
+        <translation>Beaucoup d’épingles</translation>
+    </message>
+    <message>
+        <source>What is kept</source>
+        <translation>Ce qui est conservé</translation>
+    </message>
+    <message>
+        <source>Flight, with a skin</source>
+        <translation>Un vol, avec une peau</translation>
+    </message>
+    <message>
+        <source>A stiff middle</source>
+        <translation>Un milieu raide</translation>
+    </message>
+</context>
+<context>
+    <name>FillTool</name>
+    <message>
+        <source>Click to take up what is painted there</source>
+        <translation>Cliquez pour prélever ce qui est peint là</translation>
+    </message>
+    <message>
+        <source>Click to fill what hangs together there; Shift fills all, Ctrl empties, Alt picks up</source>
+        <translation>Cliquez pour remplir la zone contiguë&#x202f;; Maj remplit tout, Ctrl vide, Alt prélève</translation>
+    </message>
+    <message>
+        <source>Emptied</source>
+        <translation>Vidé</translation>
+    </message>
+    <message>
+        <source>Empty %1</source>
+        <translation>Vider %1</translation>
+    </message>
+    <message>
+        <source>Fill %1 with %2</source>
+        <translation>Remplir %1&#x202f;: %2</translation>
+    </message>
+</context>
+<context>
+    <name>FlatSizeTool</name>
+    <message>
+        <source>Brush over what shall be meshed finer; Shift makes it coarser, Ctrl even again, [ and ] change the size</source>
+        <translation>Passez le pinceau où le maillage doit être plus fin&#x202f;; Maj le rend plus grossier, Ctrl de nouveau uniforme, [ et ] changent la taille</translation>
+    </message>
+    <message>
+        <source>The mesh comes from a file and is used as it is.</source>
+        <translation>Le maillage vient d’un fichier et sert tel quel.</translation>
+    </message>
+    <message>
+        <source>Paint finer mesh</source>
+        <translation>Maillage plus fin</translation>
+    </message>
+    <message>
+        <source>Paint coarser mesh</source>
+        <translation>Maillage plus grossier</translation>
+    </message>
+    <message>
+        <source>Paint even mesh</source>
+        <translation>Maillage uniforme</translation>
+    </message>
+</context>
+<context>
+    <name>GradientTool</name>
+    <message>
+        <source>Drag over the shape: from what is there it changes evenly into what is chosen on the right; Alt picks up, Esc gives up</source>
+        <translation>Glissez sur la forme&#x202f;: ce qui s’y trouve passe progressivement à ce qui est choisi à droite&#x202f;; Alt prélève, Échap annule</translation>
+    </message>
+    <message>
+        <source>Move gradient</source>
+        <translation>Déplacer le dégradé</translation>
+    </message>
+    <message>
+        <source>To %1</source>
+        <translation>Vers %1</translation>
+    </message>
+    <message>
+        <source>Blend %1 to %2</source>
+        <translation>Dégradé sur %1 vers %2</translation>
+    </message>
+</context>
+<context>
+    <name>HoldTool</name>
+    <message>
+        <source>Draw around the part to hold; Shift adds to the selected part, Ctrl takes away</source>
+        <translation>Entourez la partie à maintenir&#x202f;; Maj ajoute à la partie sélectionnée, Ctrl retire</translation>
+    </message>
+    <message>
+        <source>Brush over the part to hold, [ and ] change the size; Shift adds, Ctrl takes away</source>
+        <translation>Passez le pinceau sur la partie à maintenir, [ et ] changent la taille&#x202f;; Maj ajoute, Ctrl retire</translation>
+    </message>
+    <message>
+        <source>Draw a rectangle over the part to hold; Shift adds to the selected part, Ctrl takes away</source>
+        <translation>Tracez un rectangle sur la partie à maintenir&#x202f;; Maj ajoute à la partie sélectionnée, Ctrl retire</translation>
+    </message>
+    <message>
+        <source>There is nothing of the shape in this outline.</source>
+        <translation>Ce contour ne contient rien de la forme.</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Partie</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>Modifier %1</translation>
+    </message>
+    <message>
+        <source>Select one part to take away from.</source>
+        <translation>Sélectionnez une seule partie pour en retirer.</translation>
+    </message>
+</context>
+<context>
+    <name>Measure</name>
+    <message>
+        <source>Stretch</source>
+        <translation>Étirement</translation>
+    </message>
+    <message>
+        <source>stretch %1</source>
+        <translation>étirement %1</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Aire</translation>
+    </message>
+    <message>
+        <source>area ×%1</source>
+        <translation>aire ×%1</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volume</translation>
+    </message>
+    <message>
+        <source>volume ×%1</source>
+        <translation>volume ×%1</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Angle</translation>
+    </message>
+    <message>
+        <source>angle error %1</source>
+        <translation>erreur d’angle %1</translation>
+    </message>
+    <message>
+        <source>Shear</source>
+        <translation>Cisaillement</translation>
+    </message>
+    <message>
+        <source>What is kept (φ)</source>
+        <translation>Conservé (φ)</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Raideur</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Vitesse</translation>
+    </message>
+    <message>
+        <source>Cell size</source>
+        <translation>Taille de cellule</translation>
+    </message>
+</context>
+<context>
+    <name>MeasureTool</name>
+    <message>
+        <source>Click two points for a length, a third for the angle; Ctrl takes vertices, Esc clears</source>
+        <translation>Cliquez deux points pour une longueur, un troisième pour l’angle&#x202f;; Ctrl prend des sommets, Échap efface</translation>
+    </message>
+    <message>
+        <source>angle %1, at rest %2</source>
+        <translation>angle %1, au repos %2</translation>
+    </message>
+    <message>
+        <source>length %1, at rest %2</source>
+        <translation>longueur %1, au repos %2</translation>
+    </message>
+</context>
+<context>
+    <name>Options</name>
+    <message>
+        <source>Det&amp;ail, in vertices</source>
+        <translation>Détai&amp;l, en sommets</translation>
+    </message>
+    <message>
+        <source>Vertices</source>
+        <translation>Sommets</translation>
+    </message>
+    <message>
+        <source>How fine the mesh is. More vertices bend more smoothly and take longer.</source>
+        <translation>Finesse du maillage. Avec plus de sommets, la forme se courbe plus doucement, mais c’est plus long.</translation>
+    </message>
+    <message>
+        <source>Change detail</source>
+        <translation>Modifier le détail</translation>
+    </message>
+    <message>
+        <source>&amp;Outline</source>
+        <translation>Co&amp;ntour</translation>
+    </message>
+    <message>
+        <source>What bends: only what is opaque in the picture, or the picture as a whole.</source>
+        <translation>Ce qui se déforme&#x202f;: seulement ce qui est opaque dans l’image, ou l’image entière.</translation>
+    </message>
+    <message>
+        <source>Change outline</source>
+        <translation>Modifier le contour</translation>
+    </message>
+    <message>
+        <source>Whole picture</source>
+        <translation>Image entière</translation>
+    </message>
+    <message>
+        <source>Cut-out</source>
+        <translation>Détourage</translation>
+    </message>
+    <message>
+        <source>Drawn polygons</source>
+        <translation>Polygones tracés</translation>
+    </message>
+    <message>
+        <source>Count as so&amp;lid above</source>
+        <translation>Opa&amp;que au-delà de</translation>
+    </message>
+    <message>
+        <source>Pixels that are more opaque than this belong to the shape.</source>
+        <translation>Les pixels plus opaques que cette valeur font partie de la forme.</translation>
+    </message>
+    <message>
+        <source>Change what counts as solid</source>
+        <translation>Modifier le seuil d’opacité</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Ma&amp;rgin</source>
+        <translation>Mar&amp;ge</translation>
+    </message>
+    <message>
+        <source>The outline is grown by this much, so that soft edges come along whole.</source>
+        <translation>Le contour est élargi d’autant, pour que les bords doux suivent en entier.</translation>
+    </message>
+    <message>
+        <source>Change margin</source>
+        <translation>Modifier la marge</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>&amp;Border</source>
+        <translation>&amp;Bord</translation>
+    </message>
+    <message>
+        <source>Picture&apos;s border</source>
+        <translation>Bord de l’image</translation>
+    </message>
+    <message>
+        <source>Holds the frame of a photograph, so that no gap opens beside it: it stays where it is, or its sides slide along themselves. Pins on it move all the same.</source>
+        <translation>Maintient le cadre d’une photo, pour qu’aucun vide ne s’ouvre à côté&#x202f;: il reste en place, ou ses côtés glissent sur eux-mêmes. Les épingles posées dessus bougent quand même.</translation>
+    </message>
+    <message>
+        <source>Hold the border</source>
+        <translation>Maintenir le bord</translation>
+    </message>
+    <message>
+        <source>Moves freely</source>
+        <translation>Bouge librement</translation>
+    </message>
+    <message>
+        <source>Stays in place</source>
+        <translation>Reste en place</translation>
+    </message>
+    <message>
+        <source>Slides along itself</source>
+        <translation>Glisse sur lui-même</translation>
+    </message>
+    <message>
+        <source>Radius–edge rati&amp;o</source>
+        <translation>Rapport ra&amp;yon–arête</translation>
+    </message>
+    <message>
+        <source>How flat the tetrahedra may be: the greatest ratio of circumradius to shortest edge. Smaller is rounder and takes more of them.</source>
+        <translation>Aplatissement permis des tétraèdres&#x202f;: rapport maximal entre le rayon circonscrit et la plus petite arête. Plus il est petit, plus ils sont ronds et nombreux.</translation>
+    </message>
+    <message>
+        <source>Change radius–edge ratio</source>
+        <translation>Modifier le rapport rayon–arête</translation>
+    </message>
+    <message>
+        <source>&amp;Greatest volume</source>
+        <translation>&amp;Volume maximal</translation>
+    </message>
+    <message>
+        <source>Larger tetrahedra are split; in cubed units of the file. Half of it makes about twice as many. At a surface that is kept some may stay larger.</source>
+        <translation>Les tétraèdres plus grands sont divisés&#x202f;; en unités du fichier au cube. Diviser la valeur par deux double à peu près leur nombre. Le long d’une surface conservée, certains peuvent rester plus grands.</translation>
+    </message>
+    <message>
+        <source>Change greatest volume</source>
+        <translation>Modifier le volume maximal</translation>
+    </message>
+    <message>
+        <source>Refine s&amp;urface</source>
+        <translation>Raffiner la s&amp;urface</translation>
+    </message>
+    <message>
+        <source>Lets the triangles of the surface be split where they are larger than the tetrahedra inside. Off, the surface is kept exactly as it is.</source>
+        <translation>Permet de diviser les triangles de la surface plus grands que les tétraèdres intérieurs. Sinon, la surface est conservée telle quelle.</translation>
+    </message>
+    <message>
+        <source>Refine surface</source>
+        <translation>Raffiner la surface</translation>
+    </message>
+    <message>
+        <source>Fill holes up to (edges)</source>
+        <translation>Boucher les trous (arêtes)</translation>
+    </message>
+    <message>
+        <source>Largest hole</source>
+        <translation>Trou maximal</translation>
+    </message>
+    <message>
+        <source>“Repair” fills holes of at most so many edges.</source>
+        <translation>«&#x202f;Réparer&#x202f;» bouche les trous d’au plus ce nombre d’arêtes.</translation>
+    </message>
+    <message>
+        <source>F&amp;it</source>
+        <translation>Rem&amp;plissage</translation>
+    </message>
+    <message>
+        <source>What is filled: the surface itself, or a cage of even cells around it, in which it rides. Automatic takes the cage where the surface cannot be filled or has far too many vertices.</source>
+        <translation>Ce qui est rempli&#x202f;: la surface elle-même, ou une cage de cellules uniformes qui l’entoure et l’entraîne. Automatique choisit la cage si la surface ne peut pas être remplie ou a beaucoup trop de sommets.</translation>
+    </message>
+    <message>
+        <source>Change fit</source>
+        <translation>Modifier le remplissage</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatique</translation>
+    </message>
+    <message>
+        <source>Exact surface</source>
+        <translation>Surface exacte</translation>
+    </message>
+    <message>
+        <source>Cage</source>
+        <translation>Cage</translation>
+    </message>
+    <message>
+        <source>Exact &amp;balance</source>
+        <translation>Valeur e&amp;xacte</translation>
+    </message>
+    <message>
+        <source>What is kept as a number, φ, as it stands in the project file: 0.002 keeps area or volume, 0.464 length, 1.571 is rigid, 2.678 keeps angles (2.498 in a solid).</source>
+        <translation>Ce qui est conservé, sous forme du nombre φ inscrit dans le projet&#x202f;: 0,002 conserve l’aire ou le volume, 0,464 la longueur, 1,571 est rigide, 2,678 conserve les angles (2,498 pour un solide).</translation>
+    </message>
+    <message>
+        <source>Change energy</source>
+        <translation>Modifier l’énergie</translation>
+    </message>
+    <message>
+        <source> rad</source>
+        <translation> rad</translation>
+    </message>
+    <message>
+        <source>Smoothi&amp;ng length</source>
+        <translation>Lon&amp;gueur de lissage</translation>
+    </message>
+    <message>
+        <source>How far a pin&apos;s pull is spread, as a part of the shape&apos;s size. Small: close to the pin, sharp. Large: soft and wide.</source>
+        <translation>Jusqu’où se répartit la traction d’une épingle, par rapport à la taille de la forme. Petite&#x202f;: près de l’épingle, net. Grande&#x202f;: large et doux.</translation>
+    </message>
+    <message>
+        <source>Change smoothing</source>
+        <translation>Modifier le lissage</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucun</translation>
+    </message>
+    <message>
+        <source>Remembers its shape</source>
+        <translation>Mémoire de forme</translation>
+    </message>
+    <message>
+        <source>How strongly the shape is drawn back to its rest while a pin moves. Not at all: where it ends depends on the way that the pin has gone. Fully: a pin that comes back brings the shape back.</source>
+        <translation>Force qui ramène la forme vers son repos pendant qu’une épingle bouge. Nulle&#x202f;: le résultat dépend du chemin suivi par l’épingle. Totale&#x202f;: quand l’épingle revient, la forme revient aussi.</translation>
+    </message>
+    <message>
+        <source>Change memory</source>
+        <translation>Modifier la mémoire de forme</translation>
+    </message>
+    <message>
+        <source>number of frames, at equal times from the start to the last time</source>
+        <translation>nombre d’images, à intervalles égaux du début à la fin</translation>
+    </message>
+    <message>
+        <source>F&amp;rames</source>
+        <translation>&amp;Images</translation>
+    </message>
+    <message>
+        <source>frames per second of an animated .glb</source>
+        <translation>images par seconde d’un .glb animé</translation>
+    </message>
+    <message>
+        <source>Frames per &amp;second</source>
+        <translation>Images par &amp;seconde</translation>
+    </message>
+    <message>
+        <source>whether distortion, φ, directions and velocity go with meshes, in formats that carry values</source>
+        <translation>si la distorsion, φ, les directions et la vitesse accompagnent les maillages, dans les formats qui portent des valeurs</translation>
+    </message>
+    <message>
+        <source>&amp;Values</source>
+        <translation>&amp;Valeurs</translation>
+    </message>
+    <message>
+        <source>Errors, material, velocity</source>
+        <translation>Erreurs, matériau, vitesse</translation>
+    </message>
+    <message>
+        <source>The shape alone</source>
+        <translation>La forme seule</translation>
+    </message>
+    <message>
+        <source>how numbers stand in mesh files that know several ways (ply, stl, msh, vtk, vtu)</source>
+        <translation>écriture des nombres dans les maillages qui en offrent plusieurs (ply, stl, msh, vtk, vtu)</translation>
+    </message>
+    <message>
+        <source>&amp;Numbers</source>
+        <translation>&amp;Nombres</translation>
+    </message>
+    <message>
+        <source>As text</source>
+        <translation>En texte</translation>
+    </message>
+    <message>
+        <source>Binary</source>
+        <translation>Binaire</translation>
+    </message>
+    <message>
+        <source>Binary, compressed</source>
+        <translation>Binaire, compressé</translation>
+    </message>
+    <message>
+        <source>version of .msh files</source>
+        <translation>version des fichiers .msh</translation>
+    </message>
+    <message>
+        <source>&amp;Gmsh version</source>
+        <translation>Version &amp;Gmsh</translation>
+    </message>
+    <message>
+        <source>write the triangles of a solid&apos;s border as cells too, with the values of the tetrahedra behind them; without it .vtu and .vtk hold tetrahedra only, unless the input had such triangles</source>
+        <translation>écrire aussi comme cellules les triangles du bord d’un solide, avec les valeurs des tétraèdres derrière eux&#x202f;; sinon .vtu et .vtk ne contiennent que des tétraèdres, sauf si l’entrée avait de tels triangles</translation>
+    </message>
+    <message>
+        <source>&amp;Border triangles</source>
+        <translation>&amp;Triangles du bord</translation>
+    </message>
+    <message>
+        <source>how the picture is sampled</source>
+        <translation>manière d’échantillonner l’image</translation>
+    </message>
+    <message>
+        <source>Fil&amp;ter</source>
+        <translation>&amp;Filtre</translation>
+    </message>
+    <message>
+        <source>Nearest – hard pixels</source>
+        <translation>Au plus proche – pixels nets</translation>
+    </message>
+    <message>
+        <source>Bilinear – quick</source>
+        <translation>Bilinéaire – rapide</translation>
+    </message>
+    <message>
+        <source>Bicubic – sharp</source>
+        <translation>Bicubique – précis</translation>
+    </message>
+    <message>
+        <source>EWA – best</source>
+        <translation>EWA – le meilleur</translation>
+    </message>
+    <message>
+        <source>pixels that pictures show: those of the source, or as many as the shape needs</source>
+        <translation>pixels que montrent les images&#x202f;: ceux de l’original, ou autant qu’il en faut à la forme</translation>
+    </message>
+    <message>
+        <source>&amp;Canvas</source>
+        <translation>&amp;Toile</translation>
+    </message>
+    <message>
+        <source>As large as the picture</source>
+        <translation>Aussi grande que l’image</translation>
+    </message>
+    <message>
+        <source>Fit to the shape</source>
+        <translation>Ajustée à la forme</translation>
+    </message>
+    <message>
+        <source>bits of a channel in pictures: as in the source, 8 or 16, or a half or full floating-point number; values stay what they are</source>
+        <translation>bits par couche des images&#x202f;: comme l’original, 8 ou 16, ou en virgule flottante, demi ou simple&#x202f;; les valeurs ne changent pas</translation>
+    </message>
+    <message>
+        <source>&amp;Depth</source>
+        <translation>&amp;Profondeur</translation>
+    </message>
+    <message>
+        <source>As in the picture</source>
+        <translation>Comme dans l’image</translation>
+    </message>
+    <message>
+        <source>8 bit</source>
+        <translation>8 bits</translation>
+    </message>
+    <message>
+        <source>16 bit</source>
+        <translation>16 bits</translation>
+    </message>
+    <message>
+        <source>16 bit floating point (half)</source>
+        <translation>16 bits en virgule flottante (half)</translation>
+    </message>
+    <message>
+        <source>32 bit floating point</source>
+        <translation>32 bits en virgule flottante</translation>
+    </message>
+    <message>
+        <source>what pictures show beside the shape: nothing, its border drawn out, the source as it was, or a colour</source>
+        <translation>ce que les images montrent à côté de la forme&#x202f;: rien, son bord prolongé, l’original tel quel ou une couleur</translation>
+    </message>
+    <message>
+        <source>&amp;Background</source>
+        <translation>&amp;Arrière-plan</translation>
+    </message>
+    <message>
+        <source>Transparent</source>
+        <translation>Transparent</translation>
+    </message>
+    <message>
+        <source>The border, drawn out</source>
+        <translation>Le bord, prolongé</translation>
+    </message>
+    <message>
+        <source>The picture as it was</source>
+        <translation>L’image d’origine</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>Blanc</translation>
+    </message>
+    <message>
+        <source>Black</source>
+        <translation>Noir</translation>
+    </message>
+</context>
+<context>
+    <name>OutlineTool</name>
+    <message>
+        <source>Draw around what shall bend too; with Ctrl it is taken away. Esc gives up</source>
+        <translation>Entourez ce qui doit aussi se déformer&#x202f;; avec Ctrl, c’est retiré. Échap annule</translation>
+    </message>
+    <message>
+        <source>Click corner after corner, double-click closes; Ctrl takes away, Backspace takes back a corner, Esc gives up</source>
+        <translation>Cliquez coin après coin, le double-clic ferme&#x202f;; Ctrl retire, Retour arrière reprend un coin, Échap annule</translation>
+    </message>
+    <message>
+        <source>Brush over what shall bend too, [ and ] change the size; Ctrl takes away</source>
+        <translation>Passez le pinceau sur ce qui doit aussi se déformer, [ et ] changent la taille&#x202f;; Ctrl retire</translation>
+    </message>
+    <message>
+        <source>Click on a colour that shall bend too; Ctrl takes it away, [ and ] take fewer or more colours</source>
+        <translation>Cliquez sur une couleur qui doit aussi se déformer&#x202f;; Ctrl la retire, [ et ] prennent moins ou plus de couleurs</translation>
+    </message>
+    <message>
+        <source>Draw a line along which the shape is parted; Esc gives up</source>
+        <translation>Tracez une ligne le long de laquelle séparer la forme&#x202f;; Échap annule</translation>
+    </message>
+    <message>
+        <source>Nothing would be left of the shape.</source>
+        <translation>Il ne resterait rien de la forme.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pins lay beside the new outline and were removed.</source>
+        <translation>
+            <numerusform>%n épingle se trouvait hors du nouveau contour et a été supprimée.</numerusform>
+            <numerusform>%n épingles se trouvaient hors du nouveau contour et ont été supprimées.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Séparer</translation>
+    </message>
+    <message>
+        <source>Take away from the outline</source>
+        <translation>Retirer du contour</translation>
+    </message>
+    <message>
+        <source>Add to the outline</source>
+        <translation>Ajouter au contour</translation>
+    </message>
+</context>
+<context>
+    <name>PaintTool</name>
+    <message>
+        <source>Area</source>
+        <translation>Aire</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Longueur</translation>
+    </message>
+    <message>
+        <source>Rigid</source>
+        <translation>Rigide</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Angle</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Conserver</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volume</translation>
+    </message>
+    <message>
+        <source>Stiff</source>
+        <translation>Raideur</translation>
+    </message>
+    <message>
+        <source>Combed</source>
+        <translation>Peigné</translation>
+    </message>
+    <message>
+        <source>Erased</source>
+        <translation>Effacé</translation>
+    </message>
+    <message>
+        <source>Smoothed</source>
+        <translation>Lissé</translation>
+    </message>
+    <message>
+        <source>Take paint off %1</source>
+        <translation>Retirer la peinture de %1</translation>
+    </message>
+    <message>
+        <source>Smooth %1</source>
+        <translation>Lisser %1</translation>
+    </message>
+    <message>
+        <source>Comb %1</source>
+        <translation>Peigner %1</translation>
+    </message>
+    <message>
+        <source>Paint %1 on %2</source>
+        <translation>Peindre %1 sur %2</translation>
+    </message>
+    <message>
+        <source>There is no direction to follow: the numbers on the right were taken.</source>
+        <translation>Il n’y a pas de direction à suivre&#x202f;: les nombres à droite ont été pris.</translation>
+    </message>
+    <message>
+        <source>Comb along the way in which it is to be stiff; Ctrl takes away, Shift smooths, Shift-click draws a line, Alt-click picks up, Esc gives up the stroke</source>
+        <translation>Peignez dans le sens où la forme doit être raide ; Ctrl retire, Maj lisse, Maj+clic trace une ligne, Alt+clic prélève, Échap annule le trait</translation>
+    </message>
+    <message>
+        <source>Paint what is chosen on the right; Ctrl takes away, Shift smooths, Shift-click draws a line, Alt-click picks up, Esc gives up the stroke</source>
+        <translation>Appliquez au pinceau ce qui est choisi à droite ; Ctrl retire, Maj lisse, Maj+clic trace une ligne, Alt+clic prélève, Échap annule le trait</translation>
+    </message>
+</context>
+<context>
+    <name>PinTool</name>
+    <message>
+        <source>Drag the pin; Esc puts the shape back</source>
+        <translation>Tirez l’épingle&#x202f;; Échap rétablit la forme</translation>
+    </message>
+    <message>
+        <source>Drag as far as the pin shall hold; Esc gives it up</source>
+        <translation>Glissez jusqu’où l’épingle doit maintenir la forme&#x202f;; Échap annule</translation>
+    </message>
+    <message>
+        <source>Drag the dot to rotate, Shift by 15°, or the square to scale; digits set the number</source>
+        <translation>Tirez le point pour faire pivoter, avec Maj par pas de 15°, ou le carré pour mettre à l’échelle&#x202f;; les chiffres fixent la valeur</translation>
+    </message>
+    <message>
+        <source>Drag to move the pin, Alt-drag to widen it, Shift-click to select more, Delete to remove</source>
+        <translation>Tirez pour déplacer l’épingle, avec Alt pour l’élargir, Maj+clic en sélectionne d’autres, Suppr supprime</translation>
+    </message>
+    <message>
+        <source>A point cannot rotate – Alt-drag to widen it</source>
+        <translation>Un point ne peut pas pivoter – tirez avec Alt pour l’élargir</translation>
+    </message>
+    <message>
+        <source>Click on the shape to set a pin, then drag pins to bend it</source>
+        <translation>Cliquez sur la forme pour poser une épingle, puis tirez les épingles pour la déformer</translation>
+    </message>
+    <message>
+        <source>Click or draw a rectangle to select pins, drag to move them, arrow keys nudge</source>
+        <translation>Cliquez ou tracez un rectangle pour sélectionner, tirez pour déplacer, les flèches décalent</translation>
+    </message>
+    <message>
+        <source>%1: does not hold now</source>
+        <translation>%1&#x202f;: ne maintient rien à cet instant</translation>
+    </message>
+</context>
+<context>
+    <name>SizeTool</name>
+    <message>
+        <source>Paint finer or coarser cells; Ctrl the other way round, [ and ] change the size, Esc gives up</source>
+        <translation>Passez le pinceau où les cellules doivent être plus fines ou plus grossières&#x202f;; Ctrl inverse, [ et ] changent la taille, Échap annule</translation>
+    </message>
+    <message>
+        <source>Paint finer cells</source>
+        <translation>Cellules plus fines</translation>
+    </message>
+    <message>
+        <source>Paint coarser cells</source>
+        <translation>Cellules plus grossières</translation>
+    </message>
+    <message>
+        <source>Paint plain cells</source>
+        <translation>Cellules ordinaires</translation>
+    </message>
+</context>
+<context>
+    <name>SolidPinTool</name>
+    <message>
+        <source>X, Y, Z lock an axis, numbers set the amount, Esc puts the solid back</source>
+        <translation>X, Y, Z verrouillent un axe, les nombres fixent la valeur, Échap rétablit le solide</translation>
+    </message>
+    <message>
+        <source>Drag an arrow, a square or a ring; G moves, R turns, S scales</source>
+        <translation>Tirez une flèche, un carré ou un anneau&#x202f;; G déplace, R fait pivoter, S met à l’échelle</translation>
+    </message>
+    <message>
+        <source>Drag to move along the screen, Shift-click to select more</source>
+        <translation>Tirez pour déplacer dans le plan de l’écran, Maj+clic en sélectionne d’autres</translation>
+    </message>
+    <message>
+        <source>Click on the solid to set a pin, or draw around pins to select them</source>
+        <translation>Cliquez sur le solide pour poser une épingle, ou entourez des épingles pour les sélectionner</translation>
+    </message>
+    <message>
+        <source>Draw around pins to select them; Shift adds, Ctrl takes away</source>
+        <translation>Entourez des épingles pour les sélectionner&#x202f;; Maj ajoute, Ctrl retire</translation>
+    </message>
+    <message>
+        <source>Click on the solid to set a pin, or brush over pins to select them; [ and ] change the size</source>
+        <translation>Cliquez sur le solide pour poser une épingle, ou passez le pinceau sur des épingles pour les sélectionner&#x202f;; [ et ] changent la taille</translation>
+    </message>
+    <message>
+        <source>Brush over pins to select them, [ and ] change the size; Shift adds, Ctrl takes away</source>
+        <translation>Passez le pinceau sur des épingles pour les sélectionner, [ et ] changent la taille&#x202f;; Maj ajoute, Ctrl retire</translation>
+    </message>
+    <message>
+        <source>Click on the solid to set a pin, then drag pins to bend it</source>
+        <translation>Cliquez sur le solide pour poser une épingle, puis tirez les épingles pour le déformer</translation>
+    </message>
+    <message>
+        <source>Click, or draw beside pins, to select; Shift adds, Ctrl takes away; drag or arrow keys move</source>
+        <translation>Cliquez, ou tracez à côté des épingles, pour sélectionner&#x202f;; Maj ajoute, Ctrl retire&#x202f;; tirez ou utilisez les flèches pour déplacer</translation>
+    </message>
+</context>
+<context>
+    <name>StiffnessFields</name>
+    <message>
+        <source>Stiffness</source>
+        <translation>Raideur</translation>
+    </message>
+</context>
+<context>
+    <name>Tools</name>
+    <message>
+        <source>&amp;Pin</source>
+        <translation>É&amp;pingle</translation>
+    </message>
+    <message>
+        <source>Set pins and drag them</source>
+        <translation>Poser des épingles et les tirer</translation>
+    </message>
+    <message>
+        <source>Se&amp;lect</source>
+        <translation>Sé&amp;lection</translation>
+    </message>
+    <message>
+        <source>Select and drag pins without setting new ones</source>
+        <translation>Sélectionner et tirer des épingles sans en poser de nouvelles</translation>
+    </message>
+    <message>
+        <source>Grab by &amp;Lasso</source>
+        <translation>Saisir au la&amp;sso</translation>
+    </message>
+    <message>
+        <source>Take hold of all that lies in a drawn outline as one handle</source>
+        <translation>Saisir en une seule poignée tout ce qui se trouve dans un contour tracé</translation>
+    </message>
+    <message>
+        <source>Grab by Bo&amp;x</source>
+        <translation>Saisir au &amp;rectangle</translation>
+    </message>
+    <message>
+        <source>Take hold of all that lies in a rectangle as one handle</source>
+        <translation>Saisir en une seule poignée tout ce qui se trouve dans un rectangle</translation>
+    </message>
+    <message>
+        <source>Grab by &amp;Brush</source>
+        <translation>Saisir au pin&amp;ceau</translation>
+    </message>
+    <message>
+        <source>Take hold of what is brushed over as one handle</source>
+        <translation>Saisir en une seule poignée tout ce que parcourt le pinceau</translation>
+    </message>
+    <message>
+        <source>Grab a B&amp;all</source>
+        <translation>Saisir une sp&amp;hère</translation>
+    </message>
+    <message>
+        <source>Take hold of all that lies in a ball around a point of the surface</source>
+        <translation>Saisir tout ce qui se trouve dans une sphère autour d’un point de la surface</translation>
+    </message>
+    <message>
+        <source>Grab a Bloc&amp;k</source>
+        <translation>Saisir une &amp;boîte</translation>
+    </message>
+    <message>
+        <source>Take hold of all that lies in a block around a point of the surface</source>
+        <translation>Saisir tout ce qui se trouve dans une boîte autour d’un point de la surface</translation>
+    </message>
+    <message>
+        <source>Grab &amp;One Side</source>
+        <translation>Saisir u&amp;n côté</translation>
+    </message>
+    <message>
+        <source>Take hold of all that lies beyond a plane through a point of the surface</source>
+        <translation>Saisir tout ce qui se trouve au-delà d’un plan passant par un point de la surface</translation>
+    </message>
+    <message>
+        <source>Outline by &amp;Lasso</source>
+        <translation>C&amp;ontour au lasso</translation>
+    </message>
+    <message>
+        <source>Draw around what shall bend, or shall not</source>
+        <translation>Entourer ce qui doit se déformer, ou non</translation>
+    </message>
+    <message>
+        <source>Outline by &amp;Polygon</source>
+        <translation>Contour au pol&amp;ygone</translation>
+    </message>
+    <message>
+        <source>Set the corners of what shall bend, or shall not</source>
+        <translation>Placer les coins de ce qui doit se déformer, ou non</translation>
+    </message>
+    <message>
+        <source>Outline by &amp;Brush</source>
+        <translation>Co&amp;ntour au pinceau</translation>
+    </message>
+    <message>
+        <source>Brush over what shall bend, or shall not</source>
+        <translation>Passer le pinceau sur ce qui doit se déformer, ou non</translation>
+    </message>
+    <message>
+        <source>Outline by &amp;Colour</source>
+        <translation>Contour par co&amp;uleur</translation>
+    </message>
+    <message>
+        <source>Click on a colour that shall bend, or shall not</source>
+        <translation>Cliquer sur une couleur qui doit se déformer, ou non</translation>
+    </message>
+    <message>
+        <source>Cut &amp;Apart</source>
+        <translation>Sép&amp;arer</translation>
+    </message>
+    <message>
+        <source>Draw a line along which the shape is parted</source>
+        <translation>Tracer une ligne le long de laquelle séparer la forme</translation>
+    </message>
+    <message>
+        <source>&amp;Detail Brush</source>
+        <translation>Pinceau de déta&amp;il</translation>
+    </message>
+    <message>
+        <source>Brush where the mesh is to be finer or coarser</source>
+        <translation>Peindre où le maillage doit être plus fin ou plus grossier</translation>
+    </message>
+    <message>
+        <source>&amp;Paint</source>
+        <translation>P&amp;eindre</translation>
+    </message>
+    <message>
+        <source>Paint what is kept, or how stiff it is</source>
+        <translation>Peindre ce qui est conservé, ou la raideur</translation>
+    </message>
+    <message>
+        <source>&amp;Comb</source>
+        <translation>Pei&amp;gner</translation>
+    </message>
+    <message>
+        <source>Comb the direction along which it is stiff</source>
+        <translation>Peigner la direction dans laquelle la forme est raide</translation>
+    </message>
+    <message>
+        <source>&amp;Gradient</source>
+        <translation>&amp;Dégradé</translation>
+    </message>
+    <message>
+        <source>Drag: what is there changes evenly into what is chosen</source>
+        <translation>Glisser&#x202f;: ce qui s’y trouve passe progressivement à ce qui est choisi</translation>
+    </message>
+    <message>
+        <source>&amp;Fill</source>
+        <translation>Re&amp;mplir</translation>
+    </message>
+    <message>
+        <source>Fill with what is chosen all that hangs together</source>
+        <translation>Remplir de ce qui est choisi toute la zone contiguë</translation>
+    </message>
+    <message>
+        <source>E&amp;yedropper</source>
+        <translation>Pipe&amp;tte</translation>
+    </message>
+    <message>
+        <source>Take up what is painted under the pointer</source>
+        <translation>Prélever ce qui est peint sous le pointeur</translation>
+    </message>
+    <message>
+        <source>Depth Brus&amp;h</source>
+        <translation>Pinceau de pro&amp;fondeur</translation>
+    </message>
+    <message>
+        <source>Brush over what lies in front where the shape covers itself</source>
+        <translation>Passer le pinceau sur ce qui est devant, là où la forme se recouvre</translation>
+    </message>
+    <message>
+        <source>M&amp;easure</source>
+        <translation>Mes&amp;urer</translation>
+    </message>
+    <message>
+        <source>Measure lengths and angles between points of the shape</source>
+        <translation>Mesurer longueurs et angles entre des points de la forme</translation>
+    </message>
+</context>
+<context>
+    <name>wend::Actions</name>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>&amp;Ouvrir…</translation>
+    </message>
+    <message>
+        <source>Open a picture, a mesh, a surface or a project</source>
+        <translation>Ouvrir une image, un maillage, une surface ou un projet</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Enregistrer</translation>
+    </message>
+    <message>
+        <source>Save the project</source>
+        <translation>Enregistrer le projet</translation>
+    </message>
+    <message>
+        <source>Save &amp;As…</source>
+        <translation>Enregistrer &amp;sous…</translation>
+    </message>
+    <message>
+        <source>Save the project under another name</source>
+        <translation>Enregistrer le projet sous un autre nom</translation>
+    </message>
+    <message>
+        <source>&amp;Picture…</source>
+        <translation>&amp;Image…</translation>
+    </message>
+    <message>
+        <source>Write the picture as it is bent now, at its full size</source>
+        <translation>Exporter l’image telle qu’elle est déformée, en pleine taille</translation>
+    </message>
+    <message>
+        <source>Ctrl+E</source>
+        <translation>Ctrl+E</translation>
+    </message>
+    <message>
+        <source>&amp;Sequence…</source>
+        <translation>&amp;Séquence…</translation>
+    </message>
+    <message>
+        <source>Write the motion as a sequence of pictures or meshes</source>
+        <translation>Exporter le mouvement en séquence d’images ou de maillages</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+E</source>
+        <translation>Ctrl+Shift+E</translation>
+    </message>
+    <message>
+        <source>Warp &amp;Map (ST)…</source>
+        <translation>&amp;Carte de déformation (ST)…</translation>
+    </message>
+    <message>
+        <source>Write where each pixel comes from, for compositing programs</source>
+        <translation>Exporter l’origine de chaque pixel, pour les logiciels de compositing</translation>
+    </message>
+    <message>
+        <source>&amp;Mesh…</source>
+        <translation>&amp;Maillage…</translation>
+    </message>
+    <message>
+        <source>Write the bent mesh as OBJ, PLY, VTU …</source>
+        <translation>Exporter le maillage déformé en OBJ, PLY, VTU…</translation>
+    </message>
+    <message>
+        <source>&amp;View…</source>
+        <translation>&amp;Vue…</translation>
+    </message>
+    <message>
+        <source>Write the view as a picture, as large as you like</source>
+        <translation>Exporter la vue en image, aussi grande que vous voulez</translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>Ex&amp;porter</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Fermer</translation>
+    </message>
+    <message>
+        <source>Close the file and go back to the start page</source>
+        <translation>Fermer le fichier et revenir à la page d’accueil</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Quitter</translation>
+    </message>
+    <message>
+        <source>Leave Wend</source>
+        <translation>Quitter Wend</translation>
+    </message>
+    <message>
+        <source>Open &amp;Recent</source>
+        <translation>Fichiers &amp;récents</translation>
+    </message>
+    <message>
+        <source>Open Sa&amp;mple</source>
+        <translation>Ouvrir un e&amp;xemple</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Annuler</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Rétablir</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+Z</source>
+        <translation>Ctrl+Shift+Z</translation>
+    </message>
+    <message>
+        <source>Ctrl+Y</source>
+        <translation>Ctrl+Y</translation>
+    </message>
+    <message>
+        <source>Take back the last step</source>
+        <translation>Annuler la dernière étape</translation>
+    </message>
+    <message>
+        <source>Do again what was taken back</source>
+        <translation>Rétablir ce qui a été annulé</translation>
+    </message>
+    <message>
+        <source>&amp;Steps…</source>
+        <translation>&amp;Historique…</translation>
+    </message>
+    <message>
+        <source>See what was done, and go back to any of it</source>
+        <translation>Voir ce qui a été fait et revenir à n’importe quelle étape</translation>
+    </message>
+    <message>
+        <source>Ctrl+H</source>
+        <translation>Ctrl+H</translation>
+    </message>
+    <message>
+        <source>Select &amp;All Pins</source>
+        <translation>Sélectionner &amp;toutes les épingles</translation>
+    </message>
+    <message>
+        <source>Select all pins</source>
+        <translation>Sélectionner toutes les épingles</translation>
+    </message>
+    <message>
+        <source>Select &amp;None</source>
+        <translation>&amp;Désélectionner tout</translation>
+    </message>
+    <message>
+        <source>Select no pin</source>
+        <translation>Ne sélectionner aucune épingle</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+A</source>
+        <translation>Ctrl+Shift+A</translation>
+    </message>
+    <message>
+        <source>&amp;Remove Pins</source>
+        <translation>&amp;Supprimer les épingles</translation>
+    </message>
+    <message>
+        <source>Remove the selected pins; what has already moved stays</source>
+        <translation>Supprimer les épingles sélectionnées&#x202f;; ce qui a déjà bougé reste</translation>
+    </message>
+    <message>
+        <source>M&amp;esh</source>
+        <translation>&amp;Maillage</translation>
+    </message>
+    <message>
+        <source>Show the triangles that carry the picture</source>
+        <translation>Afficher les triangles qui portent l’image</translation>
+    </message>
+    <message>
+        <source>M</source>
+        <translation>M</translation>
+    </message>
+    <message>
+        <source>&amp;Map</source>
+        <translation>&amp;Carte</translation>
+    </message>
+    <message>
+        <source>Colour the shape by what changed</source>
+        <translation>Colorer la forme selon ce qui a changé</translation>
+    </message>
+    <message>
+        <source>D</source>
+        <translation>D</translation>
+    </message>
+    <message>
+        <source>&amp;Stiffness Marks</source>
+        <translation>Marques de &amp;raideur</translation>
+    </message>
+    <message>
+        <source>Show where it is stiff, and along which direction</source>
+        <translation>Montrer où la forme est raide, et dans quelle direction</translation>
+    </message>
+    <message>
+        <source>Shift+S</source>
+        <translation>Shift+S</translation>
+    </message>
+    <message>
+        <source>&amp;Hide Pins and Maps</source>
+        <translation>Mas&amp;quer épingles et cartes</translation>
+    </message>
+    <message>
+        <source>Show the bare picture; hold H to do so for a moment</source>
+        <translation>Montrer l’image nue&#x202f;; maintenez H pour le faire un instant</translation>
+    </message>
+    <message>
+        <source>Shift+H</source>
+        <translation>Shift+H</translation>
+    </message>
+    <message>
+        <source>&amp;Before</source>
+        <translation>&amp;Voir l’original</translation>
+    </message>
+    <message>
+        <source>Show the shape as it was before it was bent; hold \ to do so for a moment</source>
+        <translation>Montrer la forme avant sa déformation&#x202f;; maintenez \ pour le faire un instant</translation>
+    </message>
+    <message>
+        <source>&amp;Fit</source>
+        <translation>A&amp;juster</translation>
+    </message>
+    <message>
+        <source>Show the whole picture</source>
+        <translation>Montrer l’image entière</translation>
+    </message>
+    <message>
+        <source>F</source>
+        <translation>F</translation>
+    </message>
+    <message>
+        <source>&amp;Actual Size</source>
+        <translation>Taille réell&amp;e</translation>
+    </message>
+    <message>
+        <source>One pixel of the picture on one of the screen</source>
+        <translation>Un pixel de l’image pour un pixel de l’écran</translation>
+    </message>
+    <message>
+        <source>1</source>
+        <translation>1</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;In</source>
+        <translation>&amp;Zoom avant</translation>
+    </message>
+    <message>
+        <source>Look closer</source>
+        <translation>Voir de plus près</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;Out</source>
+        <translation>Z&amp;oom arrière</translation>
+    </message>
+    <message>
+        <source>See more</source>
+        <translation>Voir plus large</translation>
+    </message>
+    <message>
+        <source>Full &amp;Screen</source>
+        <translation>&amp;Plein écran</translation>
+    </message>
+    <message>
+        <source>Use the whole screen</source>
+        <translation>Utiliser tout l’écran</translation>
+    </message>
+    <message>
+        <source>As the &amp;Desktop</source>
+        <translation>Comme le &amp;bureau</translation>
+    </message>
+    <message>
+        <source>Light or dark as the desktop is</source>
+        <translation>Clair ou sombre comme le bureau</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Clair</translation>
+    </message>
+    <message>
+        <source>Dark on light</source>
+        <translation>Sombre sur clair</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>&amp;Sombre</translation>
+    </message>
+    <message>
+        <source>Light on dark</source>
+        <translation>Clair sur sombre</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>&amp;Lecture</translation>
+    </message>
+    <message>
+        <source>Play the motion, or pause it</source>
+        <translation>Lire le mouvement ou le mettre en pause</translation>
+    </message>
+    <message>
+        <source>K</source>
+        <translation>K</translation>
+    </message>
+    <message>
+        <source>&amp;Loop</source>
+        <translation>&amp;Boucle</translation>
+    </message>
+    <message>
+        <source>Begin again at the end</source>
+        <translation>Recommencer à la fin</translation>
+    </message>
+    <message>
+        <source>Shift+L</source>
+        <translation>Shift+L</translation>
+    </message>
+    <message>
+        <source>To the &amp;Start</source>
+        <translation>Au &amp;début</translation>
+    </message>
+    <message>
+        <source>Show the shape at rest</source>
+        <translation>Montrer la forme au repos</translation>
+    </message>
+    <message>
+        <source>To the &amp;End</source>
+        <translation>À la &amp;fin</translation>
+    </message>
+    <message>
+        <source>Show the end of the motion</source>
+        <translation>Montrer la fin du mouvement</translation>
+    </message>
+    <message>
+        <source>S&amp;ettle</source>
+        <translation>Dé&amp;tendre</translation>
+    </message>
+    <message>
+        <source>Let the shape relax towards its rest at the end, with the pins where they are</source>
+        <translation>Laisser la forme se détendre vers son repos à la fin, épingles en place</translation>
+    </message>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>&amp;Manuel</translation>
+    </message>
+    <message>
+        <source>How it works, page by page, with a search</source>
+        <translation>Le fonctionnement, page par page, avec une recherche</translation>
+    </message>
+    <message>
+        <source>&amp;Keys and Mouse</source>
+        <translation>&amp;Clavier et souris</translation>
+    </message>
+    <message>
+        <source>What pointer and keys do</source>
+        <translation>Ce que font le pointeur et les touches</translation>
+    </message>
+    <message>
+        <source>?</source>
+        <translation>?</translation>
+    </message>
+    <message>
+        <source>&amp;About Wend</source>
+        <translation>À &amp;propos de Wend</translation>
+    </message>
+    <message>
+        <source>Version and licence</source>
+        <translation>Version et licence</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Fichier</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>É&amp;dition</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Affichage</translation>
+    </message>
+    <message>
+        <source>A&amp;ppearance</source>
+        <translation>Appare&amp;nce</translation>
+    </message>
+    <message>
+        <source>&amp;Tools</source>
+        <translation>&amp;Outils</translation>
+    </message>
+    <message>
+        <source>&amp;Motion</source>
+        <translation>&amp;Mouvement</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>Aid&amp;e</translation>
+    </message>
+    <message>
+        <source>Open a picture first.</source>
+        <translation>Ouvrez d’abord une image.</translation>
+    </message>
+    <message>
+        <source>A solid has no pixels.</source>
+        <translation>Un solide n’a pas de pixels.</translation>
+    </message>
+    <message>
+        <source>This project has no picture.</source>
+        <translation>Ce projet n’a pas d’image.</translation>
+    </message>
+    <message>
+        <source>A solid has no pixels: export the view.</source>
+        <translation>Un solide n’a pas de pixels&#x202f;: exportez la vue.</translation>
+    </message>
+    <message>
+        <source>Of a picture, export the picture itself.</source>
+        <translation>Pour une image, exportez l’image elle-même.</translation>
+    </message>
+    <message>
+        <source>Select a pin first.</source>
+        <translation>Sélectionnez d’abord une épingle.</translation>
+    </message>
+    <message>
+        <source>Nothing moves yet: drag a pin.</source>
+        <translation>Rien ne bouge encore&#x202f;: tirez une épingle.</translation>
+    </message>
+    <message>
+        <source>&amp;Tutorial</source>
+        <translation>&amp;Tutoriel</translation>
+    </message>
+    <message>
+        <source>The first five minutes, on a sample, step by step</source>
+        <translation>Les cinq premières minutes, sur un exemple, pas à pas</translation>
+    </message>
+</context>
+<context>
+    <name>wend::BalancePanel</name>
+    <message>
+        <source>This project smooths as in the paper, with λ; its file says how much.</source>
+        <translation>Ce projet est lissé comme dans l’article, avec λ&#x202f;; son fichier dit de combien.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::CheatSheet</name>
+    <message>
+        <source>Keys and Mouse</source>
+        <translation>Clavier et souris</translation>
+    </message>
+</context>
+<context>
+    <name>wend::CurveActions</name>
+    <message>
+        <source>&amp;Curve</source>
+        <translation>&amp;Courbe</translation>
+    </message>
+    <message>
+        <source>Edit &amp;Path</source>
+        <translation>Modifier la tra&amp;jectoire</translation>
+    </message>
+    <message>
+        <source>Turn the last way of the selected pin into a Bézier curve</source>
+        <translation>Convertir en courbe de Bézier la dernière trajectoire de l’épingle sélectionnée</translation>
+    </message>
+    <message>
+        <source>Shift+C</source>
+        <translation>Shift+C</translation>
+    </message>
+    <message>
+        <source>&amp;Insert Point</source>
+        <translation>&amp;Insérer un point</translation>
+    </message>
+    <message>
+        <source>Split the curve where it was pointed at, or behind the chosen point; its shape stays</source>
+        <translation>Diviser la courbe à l’endroit pointé ou après le point choisi&#x202f;; sa forme reste</translation>
+    </message>
+    <message>
+        <source>I</source>
+        <translation>I</translation>
+    </message>
+    <message>
+        <source>&amp;Delete Point</source>
+        <translation>&amp;Supprimer le point</translation>
+    </message>
+    <message>
+        <source>Remove the chosen point from the curve</source>
+        <translation>Supprimer de la courbe le point choisi</translation>
+    </message>
+    <message>
+        <source>Ctrl+Del</source>
+        <translation>Ctrl+Del</translation>
+    </message>
+    <message>
+        <source>&amp;Free</source>
+        <translation>&amp;Libre</translation>
+    </message>
+    <message>
+        <source>Let both directions at the point go their own way</source>
+        <translation>Laisser chacune des deux directions du point suivre son chemin</translation>
+    </message>
+    <message>
+        <source>Alt+1</source>
+        <translation>Alt+1</translation>
+    </message>
+    <message>
+        <source>&amp;Aligned</source>
+        <translation>&amp;Aligné</translation>
+    </message>
+    <message>
+        <source>Keep both directions at the point on one line</source>
+        <translation>Garder les deux directions du point sur une même droite</translation>
+    </message>
+    <message>
+        <source>Alt+2</source>
+        <translation>Alt+2</translation>
+    </message>
+    <message>
+        <source>A&amp;utomatic</source>
+        <translation>A&amp;utomatique</translation>
+    </message>
+    <message>
+        <source>Lead the curve smoothly through the point by its neighbours</source>
+        <translation>Faire passer la courbe en douceur par le point, d’après ses voisins</translation>
+    </message>
+    <message>
+        <source>Alt+3</source>
+        <translation>Alt+3</translation>
+    </message>
+    <message>
+        <source>Select one pin that was dragged along a way.</source>
+        <translation>Sélectionnez une épingle qui a été tirée le long d’une trajectoire.</translation>
+    </message>
+    <message>
+        <source>Select one pin that follows a curve.</source>
+        <translation>Sélectionnez une épingle qui suit une courbe.</translation>
+    </message>
+    <message>
+        <source>Click a point of the curve first; two must stay.</source>
+        <translation>Cliquez d’abord sur un point de la courbe&#x202f;; deux doivent rester.</translation>
+    </message>
+    <message>
+        <source>Click an inner point of a Bézier curve first.</source>
+        <translation>Cliquez d’abord sur un point intérieur d’une courbe de Bézier.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::CurvePanel</name>
+    <message>
+        <source>Edit path</source>
+        <translation>Modifier la trajectoire</translation>
+    </message>
+    <message>
+        <source>Turns the way that was drawn into a Bézier curve with points to drag.</source>
+        <translation>Convertit la trajectoire tracée en une courbe de Bézier avec des points à tirer.</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>non</translation>
+    </message>
+    <message>
+        <source>as it bends (Frenet)</source>
+        <translation>courbure (Frenet)</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>oui</translation>
+    </message>
+    <message>
+        <source>Rotate with path</source>
+        <translation>Auto-orientation</translation>
+    </message>
+    <message>
+        <source>Whether what is held turns along the curve, and how.</source>
+        <translation>Si ce qui est maintenu tourne en suivant la courbe, et comment.</translation>
+    </message>
+    <message>
+        <source>Twist</source>
+        <translation>Torsion</translation>
+    </message>
+    <message>
+        <source>How far it turns around the curve&apos;s direction, over the whole curve.</source>
+        <translation>Rotation autour de la direction de la courbe, sur toute sa longueur.</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Échelle</translation>
+    </message>
+    <message>
+        <source>How large it has become at the end of the curve.</source>
+        <translation>Taille atteinte à la fin de la courbe.</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Trajectoire</translation>
+    </message>
+    <message>
+        <source>Rot&amp;ate with path</source>
+        <translation>A&amp;uto-orientation</translation>
+    </message>
+    <message>
+        <source>T&amp;wist</source>
+        <translation>&amp;Torsion</translation>
+    </message>
+    <message>
+        <source>S&amp;cale</source>
+        <translation>É&amp;chelle</translation>
+    </message>
+    <message>
+        <source>A point cannot rotate or grow – Alt-drag the pin to widen it.</source>
+        <translation>Un point ne peut ni pivoter ni grandir – tirez l’épingle avec Alt pour l’élargir.</translation>
+    </message>
+    <message>
+        <source>A point cannot rotate or grow: hold more vertices.</source>
+        <translation>Un point ne peut ni pivoter ni grandir&#x202f;: saisissez plus de sommets.</translation>
+    </message>
+    <message>
+        <source>Change curve</source>
+        <translation>Modifier la courbe</translation>
+    </message>
+</context>
+<context>
+    <name>wend::CutPanel</name>
+    <message>
+        <source>Not cut</source>
+        <translation>Sans coupe</translation>
+    </message>
+    <message>
+        <source>Whole cells</source>
+        <translation>Cellules entières</translation>
+    </message>
+    <message>
+        <source>Exact</source>
+        <translation>Exacte</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>Flip</source>
+        <translation>Inverser</translation>
+    </message>
+    <message>
+        <source>Cut across %1</source>
+        <translation>Coupe perpendiculaire à %1</translation>
+    </message>
+    <message>
+        <source>Other side</source>
+        <translation>Autre côté</translation>
+    </message>
+    <message>
+        <source>Turns the plane so that it stands across this axis.</source>
+        <translation>Place le plan perpendiculairement à cet axe.</translation>
+    </message>
+    <message>
+        <source>Takes away the other side of the plane.</source>
+        <translation>Retire l’autre côté du plan.</translation>
+    </message>
+    <message>
+        <source>Place of the cut</source>
+        <translation>Position de la coupe</translation>
+    </message>
+    <message>
+        <source>Moves the plane through the solid.</source>
+        <translation>Déplace le plan à travers le solide.</translation>
+    </message>
+    <message>
+        <source>Normal of the cut</source>
+        <translation>Normale de la coupe</translation>
+    </message>
+    <message>
+        <source>The direction that the plane looks in, as x, y and z.</source>
+        <translation>Direction vers laquelle le plan est tourné, en x, y et z.</translation>
+    </message>
+    <message>
+        <source>Distance of the cut</source>
+        <translation>Distance de la coupe</translation>
+    </message>
+    <message>
+        <source>How far the plane is from the origin, along its normal.</source>
+        <translation>Distance du plan à l’origine, le long de sa normale.</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Coupe</translation>
+    </message>
+    <message>
+        <source>&amp;Look inside</source>
+        <translation>&amp;Intérieur</translation>
+    </message>
+    <message>
+        <source>&amp;Distance</source>
+        <translation>Dista&amp;nce</translation>
+    </message>
+    <message>
+        <source>There is no solid yet that could be cut.</source>
+        <translation>Il n’y a pas encore de solide à couper.</translation>
+    </message>
+    <message>
+        <source>Looks inside: by whole tetrahedra, or along the exact plane.</source>
+        <translation>Montre l’intérieur&#x202f;: par tétraèdres entiers ou le long du plan exact.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::DepthActions</name>
+    <message>
+        <source>Bring to &amp;Front</source>
+        <translation>Au &amp;premier plan</translation>
+    </message>
+    <message>
+        <source>Where the shape covers itself, what is around the selected pins lies in front of all else</source>
+        <translation>Là où la forme se recouvre, ce qui entoure les épingles sélectionnées passe devant tout le reste</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+]</source>
+        <translation>Ctrl+Shift+]</translation>
+    </message>
+    <message>
+        <source>Send to &amp;Back</source>
+        <translation>À l’&amp;arrière-plan</translation>
+    </message>
+    <message>
+        <source>Where the shape covers itself, what is around the selected pins lies behind all else</source>
+        <translation>Là où la forme se recouvre, ce qui entoure les épingles sélectionnées passe derrière tout le reste</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+[</source>
+        <translation>Ctrl+Shift+[</translation>
+    </message>
+    <message>
+        <source>As &amp;Drawn</source>
+        <translation>Comme &amp;dessiné</translation>
+    </message>
+    <message>
+        <source>What is around the selected pins has no order of its own</source>
+        <translation>Ce qui entoure les épingles sélectionnées n’a pas d’ordre propre</translation>
+    </message>
+    <message>
+        <source>&amp;Number…</source>
+        <translation>&amp;Nombre…</translation>
+    </message>
+    <message>
+        <source>Give what is around the selected pins an order: greater lies in front</source>
+        <translation>Donner un ordre à ce qui entoure les épingles sélectionnées&#x202f;: plus grand passe devant</translation>
+    </message>
+    <message>
+        <source>&amp;Depth</source>
+        <translation>Pr&amp;ofondeur</translation>
+    </message>
+    <message>
+        <source>A solid has its depth by itself.</source>
+        <translation>Un solide a déjà sa profondeur.</translation>
+    </message>
+    <message>
+        <source>Select a pin first.</source>
+        <translation>Sélectionnez d’abord une épingle.</translation>
+    </message>
+    <message>
+        <source>Bring to front</source>
+        <translation>Mettre au premier plan</translation>
+    </message>
+    <message>
+        <source>Send to back</source>
+        <translation>Mettre à l’arrière-plan</translation>
+    </message>
+    <message>
+        <source>Depth as drawn</source>
+        <translation>Profondeur d’origine</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Profondeur</translation>
+    </message>
+    <message>
+        <source>Order (in front: greater than 0, behind: less):</source>
+        <translation>Ordre (devant&#x202f;: supérieur à 0, derrière&#x202f;: inférieur)&#x202f;:</translation>
+    </message>
+</context>
+<context>
+    <name>wend::DetailChooser</name>
+    <message>
+        <source>Choose Skin</source>
+        <translation>Choisir une peau</translation>
+    </message>
+    <message>
+        <source>Surfaces (%1)</source>
+        <translation>Surfaces (%1)</translation>
+    </message>
+    <message>
+        <source>This surface cannot ride in the solid. %1</source>
+        <translation>Cette surface ne peut pas suivre le solide. %1</translation>
+    </message>
+    <message>
+        <source>Choose skin</source>
+        <translation>Choisir une peau</translation>
+    </message>
+    <message>
+        <source>Remove skin</source>
+        <translation>Supprimer la peau</translation>
+    </message>
+</context>
+<context>
+    <name>wend::DetailRow</name>
+    <message>
+        <source>Choose…</source>
+        <translation>Choisir…</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Choose skin</source>
+        <translation>Choisir une peau</translation>
+    </message>
+    <message>
+        <source>Takes a detailed, perhaps textured surface from a file: it rides in the solid, is what the view shows and what surface formats get.</source>
+        <translation>Prend dans un fichier une surface détaillée, éventuellement texturée&#x202f;: elle suit le solide, c’est elle que montre la vue et que reçoivent les formats de surface.</translation>
+    </message>
+    <message>
+        <source>Remove skin</source>
+        <translation>Supprimer la peau</translation>
+    </message>
+    <message>
+        <source>The solid is seen and exported with its own surface again.</source>
+        <translation>Le solide est de nouveau affiché et exporté avec sa propre surface.</translation>
+    </message>
+    <message>
+        <source>Skin</source>
+        <translation>Peau</translation>
+    </message>
+</context>
+<context>
+    <name>wend::DistortionPanel</name>
+    <message>
+        <source>Keep these colours</source>
+        <translation>Fixer ces couleurs</translation>
+    </message>
+    <message>
+        <source>Keep the colours&apos; range, to compare different shapes and energies.</source>
+        <translation>Garder la plage des couleurs, pour comparer formes et énergies.</translation>
+    </message>
+    <message>
+        <source>Go there</source>
+        <translation>Y aller</translation>
+    </message>
+    <message>
+        <source>Go to the worst place</source>
+        <translation>Aller au pire endroit</translation>
+    </message>
+    <message>
+        <source>Brings the most distorted triangle into view; it is ringed in the map.</source>
+        <translation>Amène à l’écran le triangle le plus déformé&#x202f;; la carte l’entoure d’un anneau.</translation>
+    </message>
+    <message>
+        <source>What changed</source>
+        <translation>Ce qui a changé</translation>
+    </message>
+    <message>
+        <source>Colour &amp;by</source>
+        <translation>Colore&amp;r par</translation>
+    </message>
+    <message>
+        <source>Angle error</source>
+        <translation>Erreur d’angle</translation>
+    </message>
+    <message>
+        <source>Sum over the shape of σ₁/σ₂ + σ₂/σ₁ − 2: zero if all angles are kept.</source>
+        <translation>Somme sur la forme de σ₁/σ₂ + σ₂/σ₁ − 2&#x202f;: zéro si tous les angles sont conservés.</translation>
+    </message>
+    <message>
+        <source>Area error</source>
+        <translation>Erreur d’aire</translation>
+    </message>
+    <message>
+        <source>Stretch</source>
+        <translation>Étirement</translation>
+    </message>
+    <message>
+        <source>How far lengths are from those at rest: zero for a rigid motion.</source>
+        <translation>Écart des longueurs par rapport au repos&#x202f;: zéro pour un mouvement rigide.</translation>
+    </message>
+    <message>
+        <source>Worst place</source>
+        <translation>Pire endroit</translation>
+    </message>
+    <message>
+        <source>Volume error</source>
+        <translation>Erreur de volume</translation>
+    </message>
+    <message>
+        <source>Sum over the shape of det F + 1/det F − 2: zero if all volumes are kept.</source>
+        <translation>Somme sur la forme de det F + 1/det F − 2&#x202f;: zéro si tous les volumes sont conservés.</translation>
+    </message>
+    <message>
+        <source>Sum over the shape of σ₁σ₂ + 1/(σ₁σ₂) − 2: zero if all areas are kept.</source>
+        <translation>Somme sur la forme de σ₁σ₂ + 1/(σ₁σ₂) − 2&#x202f;: zéro si toutes les aires sont conservées.</translation>
+    </message>
+    <message>
+        <source>The tetrahedron that is farthest from rest by what the map shows.</source>
+        <translation>Le tétraèdre le plus éloigné du repos selon ce que montre la carte.</translation>
+    </message>
+    <message>
+        <source>The triangle that is farthest from rest by what the map shows.</source>
+        <translation>Le triangle le plus éloigné du repos selon ce que montre la carte.</translation>
+    </message>
+    <message>
+        <source>Colour by</source>
+        <translation>Colorer par</translation>
+    </message>
+    <message>
+        <source>What is coloured over the solid: the error of lengths, volumes or angles, the material, how fast it moves, or how fine its mesh is.</source>
+        <translation>Ce que les couleurs montrent sur le solide&#x202f;: l’erreur des longueurs, des volumes ou des angles, le matériau, la vitesse ou la finesse du maillage.</translation>
+    </message>
+    <message>
+        <source>What is coloured over the picture: the error of lengths, areas or angles, or the material that is painted on it.</source>
+        <translation>Ce que les couleurs montrent sur l’image&#x202f;: l’erreur des longueurs, des aires ou des angles, ou le matériau qui y est peint.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::EnergySlider</name>
+    <message>
+        <source>What is kept</source>
+        <translation>Ce qui est conservé</translation>
+    </message>
+    <message>
+        <source>What the shape keeps where it has to give way: from its volume, over lengths and stiff parts, to the look of its details. Between two names it is something of both.</source>
+        <translation>Ce que la forme conserve là où elle doit céder&#x202f;: de son volume, en passant par les longueurs et les parties rigides, à l’aspect de ses détails. Entre deux noms, c’est un peu des deux.</translation>
+    </message>
+    <message>
+        <source>What the shape keeps where it has to give way: from its area, over lengths and stiff parts, to the look of its details. Between two names it is something of both.</source>
+        <translation>Ce que la forme conserve là où elle doit céder&#x202f;: de son aire, en passant par les longueurs et les parties rigides, à l’aspect de ses détails. Entre deux noms, c’est un peu des deux.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::ExportDialog</name>
+    <message>
+        <source>Export Picture</source>
+        <translation>Exporter l’image</translation>
+    </message>
+    <message>
+        <source>Export Sequence</source>
+        <translation>Exporter la séquence</translation>
+    </message>
+    <message>
+        <source>Export ST Map</source>
+        <translation>Exporter la carte ST</translation>
+    </message>
+    <message>
+        <source>Export Mesh</source>
+        <translation>Exporter le maillage</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>What kind of file is written.</source>
+        <translation>Le type de fichier à exporter.</translation>
+    </message>
+    <message>
+        <source>Fit the &amp;Canvas</source>
+        <translation>Adapter &amp;la toile</translation>
+    </message>
+    <message>
+        <source>Fit the canvas</source>
+        <translation>Adapter la toile</translation>
+    </message>
+    <message>
+        <source>Make the canvas as large as the shape needs, so that nothing is cut off.</source>
+        <translation>Donner à la toile la taille qu’il faut à la forme, pour que rien ne soit coupé.</translation>
+    </message>
+    <message>
+        <source>F&amp;ormat</source>
+        <translation>Fo&amp;rmat</translation>
+    </message>
+    <message>
+        <source>E&amp;xport…</source>
+        <translation>E&amp;xporter…</translation>
+    </message>
+    <message>
+        <source>As in the picture</source>
+        <translation>Comme dans l’image</translation>
+    </message>
+    <message>
+        <source>As the format holds it best</source>
+        <translation>Au mieux du format</translation>
+    </message>
+    <message>
+        <source>%1 px on the left</source>
+        <translation>%1 px à gauche</translation>
+    </message>
+    <message>
+        <source>%1 px at the top</source>
+        <translation>%1 px en haut</translation>
+    </message>
+    <message>
+        <source>%1 px on the right</source>
+        <translation>%1 px à droite</translation>
+    </message>
+    <message>
+        <source>%1 px at the bottom</source>
+        <translation>%1 px en bas</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>On its way the shape leaves the picture and is cut off there: %1.</source>
+        <translation>En chemin, la forme sort de l’image et y est coupée&#x202f;: %1.</translation>
+    </message>
+    <message>
+        <source>The shape reaches beyond the picture and is cut off there: %1.</source>
+        <translation>La forme dépasse de l’image et y est coupée&#x202f;: %1.</translation>
+    </message>
+    <message>
+        <source>%1 vertices</source>
+        <translation>%1 sommets</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n shapes of %1</source>
+        <translation>
+            <numerusform>%n forme de %1</numerusform>
+            <numerusform>%n formes de %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels</source>
+        <translation>%1 × %2 pixels</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pictures of %1</source>
+        <translation>
+            <numerusform>%n image de %1</numerusform>
+            <numerusform>%n images de %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 (measured)</source>
+        <translation>%1 (mesuré)</translation>
+    </message>
+    <message>
+        <source>about %1 (estimated)</source>
+        <translation>environ %1 (estimé)</translation>
+    </message>
+</context>
+<context>
+    <name>wend::ExportPanel</name>
+    <message>
+        <source>Export</source>
+        <translation>Exporter</translation>
+    </message>
+</context>
+<context>
+    <name>wend::ExportPreview</name>
+    <message>
+        <source>Preview</source>
+        <translation>Aperçu</translation>
+    </message>
+    <message>
+        <source>What will be written, smaller</source>
+        <translation>Ce qui sera exporté, en plus petit</translation>
+    </message>
+</context>
+<context>
+    <name>wend::Exporter</name>
+    <message>
+        <source>Export Picture</source>
+        <translation>Exporter l’image</translation>
+    </message>
+    <message>
+        <source>Export Sequence</source>
+        <translation>Exporter la séquence</translation>
+    </message>
+    <message>
+        <source>Export ST Map</source>
+        <translation>Exporter la carte ST</translation>
+    </message>
+    <message>
+        <source>Export Mesh</source>
+        <translation>Exporter le maillage</translation>
+    </message>
+    <message>
+        <source>Writing the picture …</source>
+        <translation>Export de l’image…</translation>
+    </message>
+    <message numerus="yes">
+        <source>Writing %n frames …</source>
+        <translation>
+            <numerusform>Export de %n image…</numerusform>
+            <numerusform>Export de %n images…</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Writing the map …</source>
+        <translation>Export de la carte…</translation>
+    </message>
+    <message>
+        <source>Writing the mesh …</source>
+        <translation>Export du maillage…</translation>
+    </message>
+    <message>
+        <source>“%1” is this project itself. Replace it?</source>
+        <translation>«&#x202f;%1&#x202f;» est ce projet lui-même. Le remplacer&#x202f;?</translation>
+    </message>
+    <message>
+        <source>“%1” is the picture that this project bends. Replace it?</source>
+        <translation>«&#x202f;%1&#x202f;» est l’image que ce projet déforme. La remplacer&#x202f;?</translation>
+    </message>
+    <message>
+        <source>“%1” is the mesh that this project bends. Replace it?</source>
+        <translation>«&#x202f;%1&#x202f;» est le maillage que ce projet déforme. Le remplacer&#x202f;?</translation>
+    </message>
+    <message>
+        <source>“%1” belongs to this project. Replace it?</source>
+        <translation>«&#x202f;%1&#x202f;» fait partie de ce projet. Le remplacer&#x202f;?</translation>
+    </message>
+    <message>
+        <source>Another export is still being written. Try again in a moment.</source>
+        <translation>Un autre export est encore en cours. Réessayez dans un instant.</translation>
+    </message>
+    <message>
+        <source>The shape is still being computed. Try again in a moment.</source>
+        <translation>La forme est encore en cours de calcul. Réessayez dans un instant.</translation>
+    </message>
+    <message>
+        <source>There is no shape to export: it could not be computed.</source>
+        <translation>Aucune forme à exporter&#x202f;: elle n’a pas pu être calculée.</translation>
+    </message>
+    <message>
+        <source>Wend</source>
+        <translation>Wend</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of these frames exist. Replace them?</source>
+        <translation>
+            <numerusform>%n de ces images existe déjà. La remplacer&#x202f;?</numerusform>
+            <numerusform>%n de ces images existent déjà. Les remplacer&#x202f;?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>What it holds now is lost, and the project will not open as it is any more.</source>
+        <translation>Son contenu actuel sera perdu, et le projet ne s’ouvrira plus tel qu’il est.</translation>
+    </message>
+    <message>
+        <source>What they hold now is lost.</source>
+        <translation>Leur contenu actuel sera perdu.</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Remplacer</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Nothing was written. %1</source>
+        <translation>Rien n’a été exporté. %1</translation>
+    </message>
+    <message>
+        <source>Written without velocities: %1 (%2)</source>
+        <translation>Exporté sans vitesses&#x202f;: %1 (%2)</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Exporté&#x202f;: %1</translation>
+    </message>
+</context>
+<context>
+    <name>wend::FileCard</name>
+    <message>
+        <source>Sample: %1</source>
+        <translation>Exemple&#x202f;: %1</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>Ouvrir %1</translation>
+    </message>
+    <message>
+        <source>Open the sample “%1”</source>
+        <translation>Ouvrir l’exemple «&#x202f;%1&#x202f;»</translation>
+    </message>
+    <message>
+        <source>%1, solid</source>
+        <translation>%1, solide</translation>
+    </message>
+    <message>
+        <source>Solid</source>
+        <translation>Solide</translation>
+    </message>
+</context>
+<context>
+    <name>wend::FileWorkflow</name>
+    <message>
+        <source>All that Wend opens (%1)</source>
+        <translation>Tout ce que Wend ouvre (%1)</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>Images (%1)</translation>
+    </message>
+    <message>
+        <source>Projects (*.wend)</source>
+        <translation>Projets (*.wend)</translation>
+    </message>
+    <message>
+        <source>Meshes (%1)</source>
+        <translation>Maillages (%1)</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Ouvrir</translation>
+    </message>
+    <message>
+        <source>%1 has moved.</source>
+        <translation>%1 a été déplacé.</translation>
+    </message>
+    <message>
+        <source>Find It…</source>
+        <translation>Localiser…</translation>
+    </message>
+    <message>
+        <source>This file cannot be opened. %1</source>
+        <translation>Impossible d’ouvrir ce fichier. %1</translation>
+    </message>
+    <message>
+        <source>Nothing to see in this picture.</source>
+        <translation>Rien de visible dans cette image.</translation>
+    </message>
+    <message>
+        <source>Use Whole Frame</source>
+        <translation>Toute l’image</translation>
+    </message>
+    <message>
+        <source>Open Another…</source>
+        <translation>En ouvrir une autre…</translation>
+    </message>
+    <message>
+        <source>All files</source>
+        <translation>Tous les fichiers</translation>
+    </message>
+    <message>
+        <source>Find %1</source>
+        <translation>Localiser %1</translation>
+    </message>
+    <message>
+        <source>There is no copy of your changes if the program crashes: please save. %1</source>
+        <translation>Il n’existe aucune copie de vos modifications en cas de plantage&#x202f;: enregistrez. %1</translation>
+    </message>
+    <message>
+        <source>Wend</source>
+        <translation>Wend</translation>
+    </message>
+    <message>
+        <source>Recover unsaved changes to “%1”?</source>
+        <translation>Récupérer les modifications non enregistrées de «&#x202f;%1&#x202f;»&#x202f;?</translation>
+    </message>
+    <message>
+        <source>Wend was not closed properly. The last change was on %1.</source>
+        <translation>Wend n’a pas été fermé correctement. La dernière modification date du %1.</translation>
+    </message>
+    <message>
+        <source>“%1” is not opened then.</source>
+        <translation>Dans ce cas, «&#x202f;%1&#x202f;» ne sera pas ouvert.</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Récupérer</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Abandonner</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>Plus tard</translation>
+    </message>
+    <message>
+        <source>“%1” was changed by another program or window.</source>
+        <translation>«&#x202f;%1&#x202f;» a été modifié par un autre programme ou une autre fenêtre.</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>Recharger</translation>
+    </message>
+    <message>
+        <source>Keep Mine</source>
+        <translation>Garder le mien</translation>
+    </message>
+    <message>
+        <source>Save As…</source>
+        <translation>Enregistrer sous…</translation>
+    </message>
+    <message>
+        <source>Reload “%1”?</source>
+        <translation>Recharger «&#x202f;%1&#x202f;»&#x202f;?</translation>
+    </message>
+    <message>
+        <source>Your changes since it was saved are lost.</source>
+        <translation>Vos modifications depuis l’enregistrement seront perdues.</translation>
+    </message>
+    <message>
+        <source>Saving replaces those changes; reloading drops yours.</source>
+        <translation>Enregistrer remplace ces modifications&#x202f;; recharger abandonne les vôtres.</translation>
+    </message>
+    <message>
+        <source>The project was not saved: it needs the file “%1” itself. Choose another name.</source>
+        <translation>Le projet n’a pas été enregistré&#x202f;: il a besoin du fichier «&#x202f;%1&#x202f;» lui-même. Choisissez un autre nom.</translation>
+    </message>
+    <message>
+        <source>Save Project</source>
+        <translation>Enregistrer le projet</translation>
+    </message>
+    <message>
+        <source>The project was not saved. %1</source>
+        <translation>Le projet n’a pas été enregistré. %1</translation>
+    </message>
+    <message>
+        <source>Save the changes to “%1”?</source>
+        <translation>Enregistrer les modifications de «&#x202f;%1&#x202f;»&#x202f;?</translation>
+    </message>
+    <message>
+        <source>If you do not save, they are lost.</source>
+        <translation>Sinon, elles seront perdues.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::FlowPanel</name>
+    <message>
+        <source>Settle</source>
+        <translation>Détendre</translation>
+    </message>
+    <message>
+        <source>Let the shape relax with the pins where they are, until it is as near to its rest as it can be. This takes a moment at the end of the motion.</source>
+        <translation>Laisse la forme se détendre, épingles en place, jusqu’à être aussi près que possible de son repos. Cela occupe un instant à la fin du mouvement.</translation>
+    </message>
+    <message>
+        <source>Remembers its shape</source>
+        <translation>Mémoire de forme</translation>
+    </message>
+</context>
+<context>
+    <name>wend::HandlePanel</name>
+    <message>
+        <source>Select a pin to see its numbers.</source>
+        <translation>Sélectionnez une épingle pour voir ses valeurs.</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Appliquer</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Renommer</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>What the handle is called in the project and in messages.</source>
+        <translation>Le nom de la poignée dans le projet et les messages.</translation>
+    </message>
+    <message>
+        <source>Move by</source>
+        <translation>Décalage</translation>
+    </message>
+    <message>
+        <source>Rotate by</source>
+        <translation>Rotation</translation>
+    </message>
+    <message>
+        <source>Scale by</source>
+        <translation>Échelle</translation>
+    </message>
+    <message>
+        <source>Exact step</source>
+        <translation>Pas exact</translation>
+    </message>
+    <message>
+        <source>Moves, turns or scales what is selected by exact numbers.</source>
+        <translation>Déplace, fait pivoter ou met à l’échelle la sélection avec des valeurs exactes.</translation>
+    </message>
+    <message>
+        <source>Amount</source>
+        <translation>Valeur</translation>
+    </message>
+    <message>
+        <source>How far along x, y and z; an angle; or a factor.</source>
+        <translation>La distance en x, y et z, un angle ou un facteur.</translation>
+    </message>
+    <message>
+        <source>around X</source>
+        <translation>axe X</translation>
+    </message>
+    <message>
+        <source>around Y</source>
+        <translation>axe Y</translation>
+    </message>
+    <message>
+        <source>around Z</source>
+        <translation>axe Z</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Axe</translation>
+    </message>
+    <message>
+        <source>The axis of the turn, through the middle of what is selected.</source>
+        <translation>L’axe de rotation, passant par le milieu de la sélection.</translation>
+    </message>
+    <message>
+        <source>Does this step; it becomes part of the motion.</source>
+        <translation>Exécute ce pas&#x202f;; il devient une partie du mouvement.</translation>
+    </message>
+    <message>
+        <source>Pin</source>
+        <translation>Épingle</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pins</source>
+        <translation>
+            <numerusform>%n épingle</numerusform>
+            <numerusform>%n épingles</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>at %1, %2, %3</source>
+        <translation>à %1, %2, %3</translation>
+    </message>
+</context>
+<context>
+    <name>wend::InfoBanner</name>
+    <message>
+        <source>Close this message</source>
+        <translation>Fermer ce message</translation>
+    </message>
+</context>
+<context>
+    <name>wend::LayerPanel</name>
+    <message>
+        <source>It is the same everywhere: brush over the shape to change a part.</source>
+        <translation>C’est partout pareil&#x202f;: passez le pinceau sur la forme pour en changer une partie.</translation>
+    </message>
+    <message>
+        <source>Keep here</source>
+        <translation>Conserver ici</translation>
+    </message>
+    <message>
+        <source>Each along a direction of its own.</source>
+        <translation>Chacune selon sa propre direction.</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Calques</translation>
+    </message>
+    <message>
+        <source>Where the material is another. The topmost wins. A click shows its values, a double click changes its name.</source>
+        <translation>Là où le matériau est différent. Le calque du haut l’emporte. Un clic montre ses valeurs, un double-clic change son nom.</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Monter</translation>
+    </message>
+    <message>
+        <source>Lets the chosen layer win over the one above it.</source>
+        <translation>Donne au calque choisi la priorité sur celui du dessus.</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Descendre</translation>
+    </message>
+    <message>
+        <source>Lets the layer below win over the chosen one.</source>
+        <translation>Donne au calque du dessous la priorité sur celui choisi.</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Takes the chosen layer away.</source>
+        <translation>Supprime le calque choisi.</translation>
+    </message>
+    <message>
+        <source>Whether the layer changes what is kept, and to what.</source>
+        <translation>Si le calque change ce qui est conservé, et en quoi.</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Raideur</translation>
+    </message>
+    <message>
+        <source>How many times stiffer the layer is along its direction; ×1 is as everywhere.</source>
+        <translation>Combien de fois le calque est plus raide dans sa direction&#x202f;; ×1&#x202f;: comme partout.</translation>
+    </message>
+    <message>
+        <source>Stiff direction</source>
+        <translation>Direction raide</translation>
+    </message>
+    <message>
+        <source>At rest; it turns with the shape. Another one is for all regions of the layer.</source>
+        <translation>Au repos&#x202f;; elle tourne avec la forme. En changer vaut pour toutes les régions du calque.</translation>
+    </message>
+    <message>
+        <source>Soft edge</source>
+        <translation>Bord doux</translation>
+    </message>
+    <message>
+        <source>How wide the edge fades, in the shape&apos;s own units.</source>
+        <translation>Largeur sur laquelle le bord s’estompe, dans les unités de la forme.</translation>
+    </message>
+    <message>
+        <source>Soft ed&amp;ge</source>
+        <translation>&amp;Bord doux</translation>
+    </message>
+    <message>
+        <source>Rename layer</source>
+        <translation>Renommer le calque</translation>
+    </message>
+    <message>
+        <source>Move layer</source>
+        <translation>Déplacer le calque</translation>
+    </message>
+    <message>
+        <source>Remove layer</source>
+        <translation>Supprimer le calque</translation>
+    </message>
+    <message>
+        <source>Change soft edge</source>
+        <translation>Modifier le bord doux</translation>
+    </message>
+    <message>
+        <source>Change layer</source>
+        <translation>Modifier le calque</translation>
+    </message>
+    <message>
+        <source>Unnamed</source>
+        <translation>Sans nom</translation>
+    </message>
+</context>
+<context>
+    <name>wend::Legend</name>
+    <message>
+        <source>Legend</source>
+        <translation>Légende</translation>
+    </message>
+    <message>
+        <source>%1: from %2 to %3</source>
+        <translation>%1&#x202f;: de %2 à %3</translation>
+    </message>
+</context>
+<context>
+    <name>wend::MainWindow</name>
+    <message>
+        <source>Main</source>
+        <translation>Principale</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Outils</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>&amp;Pause</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>&amp;Lecture</translation>
+    </message>
+    <message>
+        <source>Opening %1 …</source>
+        <translation>Ouverture de %1…</translation>
+    </message>
+    <message>
+        <source>%1[*] – Wend</source>
+        <translation>%1[*] – Wend</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Plus</translation>
+    </message>
+</context>
+<context>
+    <name>wend::ManualWindow</name>
+    <message>
+        <source>Manual</source>
+        <translation>Manuel</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Sommaire</translation>
+    </message>
+    <message>
+        <source>The first page</source>
+        <translation>La première page</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Retour</translation>
+    </message>
+    <message>
+        <source>The page before</source>
+        <translation>La page précédente</translation>
+    </message>
+    <message>
+        <source>Search this page</source>
+        <translation>Chercher dans cette page</translation>
+    </message>
+    <message>
+        <source>Enter goes to the next place where these words stand.</source>
+        <translation>Entrée passe à l’endroit suivant où se trouvent ces mots.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::MaterialPanel</name>
+    <message>
+        <source>Keep</source>
+        <translation>Conserver</translation>
+    </message>
+    <message>
+        <source>Between %1 and %2.</source>
+        <translation>Entre %1 et %2.</translation>
+    </message>
+    <message>
+        <source>⚠ Grown ×%1 – try %2</source>
+        <translation>⚠ Agrandi ×%1 – essayez %2</translation>
+    </message>
+    <message>
+        <source>The shape has become much larger than at rest. A click keeps more of its size.</source>
+        <translation>La forme est devenue bien plus grande qu’au repos. Un clic conserve mieux sa taille.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::MeasurePanel</name>
+    <message>
+        <source>Measures</source>
+        <translation>Mesures</translation>
+    </message>
+    <message>
+        <source>Size of the solid</source>
+        <translation>Taille du solide</translation>
+    </message>
+    <message>
+        <source>Volume and area of the surface, now and at rest.</source>
+        <translation>Volume et aire de la surface, maintenant et au repos.</translation>
+    </message>
+    <message>
+        <source>Size of what is selected</source>
+        <translation>Taille de la sélection</translation>
+    </message>
+    <message>
+        <source>Volume of the tetrahedra and area of the outer triangles that the selected handles hold.</source>
+        <translation>Volume des tétraèdres et aire des triangles extérieurs que maintiennent les poignées sélectionnées.</translation>
+    </message>
+    <message>
+        <source>Vertex under the pointer</source>
+        <translation>Sommet sous le pointeur</translation>
+    </message>
+    <message>
+        <source>The nearest vertex and where it is.</source>
+        <translation>Le sommet le plus proche et sa position.</translation>
+    </message>
+    <message>
+        <source>Tetrahedron under the pointer</source>
+        <translation>Tétraèdre sous le pointeur</translation>
+    </message>
+    <message>
+        <source>All values of the tetrahedron.</source>
+        <translation>Toutes les valeurs du tétraèdre.</translation>
+    </message>
+    <message>
+        <source>%1, at rest %2</source>
+        <translation>%1, au repos %2</translation>
+    </message>
+    <message>
+        <source>volume</source>
+        <translation>volume</translation>
+    </message>
+    <message>
+        <source>area</source>
+        <translation>aire</translation>
+    </message>
+    <message>
+        <source>The whole</source>
+        <translation>Solide entier</translation>
+    </message>
+    <message numerus="yes">
+        <source>Selected: %n vertices</source>
+        <translation>
+            <numerusform>Sélection&#x202f;: %n sommet</numerusform>
+            <numerusform>Sélection&#x202f;: %n sommets</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Point at the solid for the values there.</source>
+        <translation>Pointez le solide pour y voir les valeurs.</translation>
+    </message>
+    <message>
+        <source>Vertex %1</source>
+        <translation>Sommet %1</translation>
+    </message>
+    <message>
+        <source>place</source>
+        <translation>position</translation>
+    </message>
+    <message>
+        <source>at rest</source>
+        <translation>au repos</translation>
+    </message>
+    <message>
+        <source>pointed at</source>
+        <translation>point visé</translation>
+    </message>
+    <message>
+        <source>velocity</source>
+        <translation>vitesse</translation>
+    </message>
+    <message>
+        <source>dihedral angles</source>
+        <translation>angles dièdres</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 à %2</translation>
+    </message>
+    <message>
+        <source>circumradius to shortest edge</source>
+        <translation>rayon circonscrit / plus petite arête</translation>
+    </message>
+    <message>
+        <source>Tetrahedron %1</source>
+        <translation>Tétraèdre %1</translation>
+    </message>
+</context>
+<context>
+    <name>wend::MemorySlider</name>
+    <message>
+        <source>not at all</source>
+        <translation>nulle</translation>
+    </message>
+    <message>
+        <source>fully</source>
+        <translation>totale</translation>
+    </message>
+</context>
+<context>
+    <name>wend::MeshPanel</name>
+    <message>
+        <source>Vertices</source>
+        <translation>Sommets</translation>
+    </message>
+    <message>
+        <source>Greatest volume</source>
+        <translation>Volume maximal</translation>
+    </message>
+    <message>
+        <source>Aim</source>
+        <translation>Cible</translation>
+    </message>
+    <message>
+        <source>What says how fine the mesh is: how many vertices it has in all, or how large a tetrahedron may be.</source>
+        <translation>Ce qui détermine la finesse du maillage&#x202f;: son nombre total de sommets, ou la taille que peut avoir un tétraèdre.</translation>
+    </message>
+    <message>
+        <source>Paint…</source>
+        <translation>Peindre…</translation>
+    </message>
+    <message>
+        <source>Cell sizes</source>
+        <translation>Tailles de cellule</translation>
+    </message>
+    <message>
+        <source>Paints where the mesh is to be finer or coarser, or says it by regions in numbers.</source>
+        <translation>Peint où le maillage doit être plus fin ou plus grossier, ou l’indique en nombres, par régions.</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>Maillage</translation>
+    </message>
+    <message>
+        <source>A&amp;im at</source>
+        <translation>&amp;Cible</translation>
+    </message>
+    <message>
+        <source>Detail: coarse – fine</source>
+        <translation>Détail&#x202f;: grossier – fin</translation>
+    </message>
+    <message>
+        <source>Finer and coarser</source>
+        <translation>Plus fin et plus grossier</translation>
+    </message>
+    <message>
+        <source>Aim at a volume</source>
+        <translation>Cible&#x202f;: volume</translation>
+    </message>
+    <message>
+        <source>Aim at vertices</source>
+        <translation>Cible&#x202f;: sommets</translation>
+    </message>
+    <message>
+        <source>The mesh comes from a file and is used as it is.</source>
+        <translation>Le maillage vient d’un fichier et sert tel quel.</translation>
+    </message>
+    <message>
+        <source>This picture has no transparency.</source>
+        <translation>Cette image n’a pas de transparence.</translation>
+    </message>
+    <message>
+        <source>No outline has been drawn.</source>
+        <translation>Aucun contour n’a été tracé.</translation>
+    </message>
+    <message>
+        <source>%1 vertices, %2 tetrahedra</source>
+        <translation>%1 sommets, %2 tétraèdres</translation>
+    </message>
+    <message>
+        <source>%1 vertices, %2 triangles</source>
+        <translation>%1 sommets, %2 triangles</translation>
+    </message>
+</context>
+<context>
+    <name>wend::ModeRow</name>
+    <message>
+        <source>Export</source>
+        <translation>Exporter</translation>
+    </message>
+    <message>
+        <source>Write what is shown: as picture, sequence, warp map, mesh or view</source>
+        <translation>Exporter ce qui est affiché&#x202f;: image, séquence, carte de déformation, maillage ou vue</translation>
+    </message>
+</context>
+<context>
+    <name>wend::OptionRow</name>
+    <message>
+        <source>Options</source>
+        <translation>Options</translation>
+    </message>
+</context>
+<context>
+    <name>wend::PaintPanel</name>
+    <message>
+        <source>Keep</source>
+        <translation>Conserver</translation>
+    </message>
+    <message>
+        <source>Paint what the shape keeps when it has to give way.</source>
+        <translation>Peindre ce que la forme conserve quand elle doit céder.</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Raideur</translation>
+    </message>
+    <message>
+        <source>Paint how many times stiffer the shape is along a direction.</source>
+        <translation>Peindre combien de fois la forme est plus raide dans une direction.</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Direction</translation>
+    </message>
+    <message>
+        <source>Comb the direction along which the shape is stiff.</source>
+        <translation>Peigner la direction dans laquelle la forme est raide.</translation>
+    </message>
+    <message>
+        <source>How many times stiffer the painted part is along its direction; ×1 is as everywhere.</source>
+        <translation>Combien de fois la partie peinte est plus raide dans sa direction&#x202f;; ×1&#x202f;: comme partout.</translation>
+    </message>
+    <message>
+        <source>Stiff direction</source>
+        <translation>Direction raide</translation>
+    </message>
+    <message>
+        <source>The direction at rest, which turns with the shape: the stroke&apos;s own, the one that is there, an axis, numbers, or the way of the selected pin where it is nearest.</source>
+        <translation>La direction au repos, qui tourne avec la forme&#x202f;: celle du trait, celle qui est déjà là, un axe, des nombres, ou la trajectoire de l’épingle sélectionnée là où elle est le plus proche.</translation>
+    </message>
+    <message>
+        <source>Direction in numbers</source>
+        <translation>Direction en nombres</translation>
+    </message>
+    <message>
+        <source>At rest; its length does not matter.</source>
+        <translation>Au repos&#x202f;; sa longueur n’importe pas.</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Amount</source>
+        <translation>Intensité</translation>
+    </message>
+    <message>
+        <source>How far a stroke goes from what is there to what is painted.</source>
+        <translation>De combien un trait rapproche ce qui est là de ce qui est peint.</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <source>The brush across, on the screen; also by the keys [ and ].</source>
+        <translation>Le diamètre du pinceau à l’écran&#x202f;; aussi avec les touches [ et ].</translation>
+    </message>
+    <message>
+        <source>Hardness</source>
+        <translation>Dureté</translation>
+    </message>
+    <message>
+        <source>How much of the brush paints wholly; beyond it fades out. Also by Shift with [ and ].</source>
+        <translation>La part du pinceau qui peint pleinement&#x202f;; au-delà, il s’estompe. Aussi avec Maj et [ ou ].</translation>
+    </message>
+    <message>
+        <source>St&amp;iffness</source>
+        <translation>Ra&amp;ideur</translation>
+    </message>
+    <message>
+        <source>Di&amp;rection</source>
+        <translation>Dire&amp;ction</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>Peindre</translation>
+    </message>
+    <message>
+        <source>Am&amp;ount</source>
+        <translation>I&amp;ntensité</translation>
+    </message>
+    <message>
+        <source>Si&amp;ze</source>
+        <translation>Tai&amp;lle</translation>
+    </message>
+    <message>
+        <source>Hard&amp;ness</source>
+        <translation>D&amp;ureté</translation>
+    </message>
+    <message>
+        <source>along the stroke</source>
+        <translation>selon le trait</translation>
+    </message>
+    <message>
+        <source>as it is there</source>
+        <translation>telle qu’elle est</translation>
+    </message>
+    <message>
+        <source>along X</source>
+        <translation>selon X</translation>
+    </message>
+    <message>
+        <source>along Y</source>
+        <translation>selon Y</translation>
+    </message>
+    <message>
+        <source>along Z</source>
+        <translation>selon Z</translation>
+    </message>
+    <message>
+        <source>as numbers</source>
+        <translation>en nombres</translation>
+    </message>
+    <message>
+        <source>along the view</source>
+        <translation>selon la vue</translation>
+    </message>
+    <message>
+        <source>along the pin&apos;s way</source>
+        <translation>selon l’épingle</translation>
+    </message>
+</context>
+<context>
+    <name>wend::PictureActions</name>
+    <message>
+        <source>&amp;Add</source>
+        <translation>A&amp;jouter</translation>
+    </message>
+    <message>
+        <source>What is drawn shall bend, too; with Ctrl it is taken away</source>
+        <translation>Ce que vous tracez se déformera aussi&#x202f;; avec Ctrl, c’est retiré</translation>
+    </message>
+    <message>
+        <source>&amp;Take Away</source>
+        <translation>Re&amp;tirer</translation>
+    </message>
+    <message>
+        <source>What is drawn shall not bend; with Ctrl it is added</source>
+        <translation>Ce que vous tracez ne se déformera pas&#x202f;; avec Ctrl, c’est ajouté</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <source>How wide the brush is, on the screen; also [ and ]</source>
+        <translation>La largeur du pinceau à l’écran&#x202f;; aussi [ et ]</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Tolérance</translation>
+    </message>
+    <message>
+        <source>How far colours may be apart; also [ and ]</source>
+        <translation>De combien les couleurs peuvent différer&#x202f;; aussi [ et ]</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Ordre</translation>
+    </message>
+    <message>
+        <source>What is brushed lies in front where it is greater than 0, behind where it is less</source>
+        <translation>Ce que parcourt le pinceau passe devant si l’ordre est supérieur à 0, derrière s’il est inférieur</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>Arêtes</translation>
+    </message>
+    <message>
+        <source>How long the edges of the mesh are where it is brushed, of those elsewhere</source>
+        <translation>Longueur des arêtes du maillage là où passe le pinceau, par rapport à ailleurs</translation>
+    </message>
+    <message>
+        <source>S&amp;nap</source>
+        <translation>Aima&amp;nter</translation>
+    </message>
+    <message>
+        <source>New pins sit on corners of the mesh, instead of where one clicks</source>
+        <translation>Poser les nouvelles épingles sur les sommets du maillage plutôt qu’à l’endroit cliqué</translation>
+    </message>
+    <message>
+        <source>&amp;Pressure</source>
+        <translation>&amp;Pression</translation>
+    </message>
+    <message>
+        <source>The harder a pen is pressed, the more of the amount is painted</source>
+        <translation>Plus le stylet est appuyé, plus l’intensité peinte est forte</translation>
+    </message>
+</context>
+<context>
+    <name>wend::PictureDialog</name>
+    <message>
+        <source>&amp;Proportions of the view</source>
+        <translation>&amp;Proportions de la vue</translation>
+    </message>
+    <message>
+        <source>&amp;Transparent background</source>
+        <translation>Arrière-plan &amp;transparent</translation>
+    </message>
+    <message>
+        <source>P&amp;ins and axes</source>
+        <translation>Ép&amp;ingles et axes</translation>
+    </message>
+    <message>
+        <source>&amp;Legend of the map</source>
+        <translation>&amp;Légende de la carte</translation>
+    </message>
+    <message>
+        <source>Export View</source>
+        <translation>Exporter la vue</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>What kind of file is written.</source>
+        <translation>Le type de fichier à exporter.</translation>
+    </message>
+    <message>
+        <source>Proportions of the view</source>
+        <translation>Proportions de la vue</translation>
+    </message>
+    <message>
+        <source>Width and height follow each other, so that the picture shows what the view shows.</source>
+        <translation>Largeur et hauteur se suivent, pour que l’image montre ce que montre la vue.</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Largeur</translation>
+    </message>
+    <message>
+        <source>Width of the picture in pixels.</source>
+        <translation>Largeur de l’image en pixels.</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Hauteur</translation>
+    </message>
+    <message>
+        <source>Height of the picture in pixels; it decides how large the solid is.</source>
+        <translation>Hauteur de l’image en pixels&#x202f;; elle détermine la taille du solide.</translation>
+    </message>
+    <message>
+        <source>Transparent background</source>
+        <translation>Arrière-plan transparent</translation>
+    </message>
+    <message>
+        <source>Only the solid, on nothing.</source>
+        <translation>Le solide seul, sans fond.</translation>
+    </message>
+    <message>
+        <source>Pins and axes</source>
+        <translation>Épingles et axes</translation>
+    </message>
+    <message>
+        <source>Pins, their paths and the axes, as large as in the window.</source>
+        <translation>Épingles, trajectoires et axes, à la même taille que dans la fenêtre.</translation>
+    </message>
+    <message>
+        <source>Legend of the map</source>
+        <translation>Légende de la carte</translation>
+    </message>
+    <message>
+        <source>The colours of the map and their values.</source>
+        <translation>Les couleurs de la carte et leurs valeurs.</translation>
+    </message>
+    <message>
+        <source>Show a map first: only then there is something to explain.</source>
+        <translation>Affichez d’abord une carte&#x202f;: sans elle, il n’y a rien à expliquer.</translation>
+    </message>
+    <message>
+        <source>F&amp;ormat</source>
+        <translation>Fo&amp;rmat</translation>
+    </message>
+    <message>
+        <source>&amp;Width</source>
+        <translation>Lar&amp;geur</translation>
+    </message>
+    <message>
+        <source>&amp;Height</source>
+        <translation>&amp;Hauteur</translation>
+    </message>
+    <message>
+        <source>E&amp;xport…</source>
+        <translation>E&amp;xporter…</translation>
+    </message>
+    <message>
+        <source>Width and height must be between %1 and %2 pixels.</source>
+        <translation>Largeur et hauteur doivent être comprises entre %1 et %2 pixels.</translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels</source>
+        <translation>%1 × %2 pixels</translation>
+    </message>
+    <message>
+        <source>about %1 (estimated)</source>
+        <translation>environ %1 (estimé)</translation>
+    </message>
+</context>
+<context>
+    <name>wend::PinActions</name>
+    <message>
+        <source>&amp;Pins</source>
+        <translation>É&amp;pingles</translation>
+    </message>
+    <message>
+        <source>&amp;Lock</source>
+        <translation>Verrouille&amp;r</translation>
+    </message>
+    <message>
+        <source>The selected pins are neither moved nor removed until unlocked</source>
+        <translation>Empêcher de déplacer ou de supprimer les épingles sélectionnées jusqu’à leur déverrouillage</translation>
+    </message>
+    <message>
+        <source>Ctrl+L</source>
+        <translation>Ctrl+L</translation>
+    </message>
+    <message>
+        <source>&amp;Hide</source>
+        <translation>Mas&amp;quer</translation>
+    </message>
+    <message>
+        <source>The selected pins hold on, but are neither drawn nor picked</source>
+        <translation>Ne plus afficher ni laisser saisir les épingles sélectionnées, qui continuent de maintenir</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+H</source>
+        <translation>Ctrl+Shift+H</translation>
+    </message>
+    <message>
+        <source>&amp;Show All</source>
+        <translation>Tout a&amp;fficher</translation>
+    </message>
+    <message>
+        <source>Show all hidden pins again</source>
+        <translation>Afficher de nouveau toutes les épingles masquées</translation>
+    </message>
+    <message>
+        <source>Alt+Shift+H</source>
+        <translation>Alt+Shift+H</translation>
+    </message>
+    <message>
+        <source>&amp;Group…</source>
+        <translation>&amp;Grouper…</translation>
+    </message>
+    <message>
+        <source>Put the selected pins under a heading of the list</source>
+        <translation>Ranger les épingles sélectionnées sous un titre de la liste</translation>
+    </message>
+    <message>
+        <source>Ctrl+G</source>
+        <translation>Ctrl+G</translation>
+    </message>
+    <message>
+        <source>&amp;Ungroup</source>
+        <translation>Dégro&amp;uper</translation>
+    </message>
+    <message>
+        <source>Take the selected pins out of their groups</source>
+        <translation>Retirer les épingles sélectionnées de leurs groupes</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+G</source>
+        <translation>Ctrl+Shift+G</translation>
+    </message>
+    <message>
+        <source>Lin&amp;k</source>
+        <translation>L&amp;ier</translation>
+    </message>
+    <message>
+        <source>The selected pins move together, whichever of them is dragged</source>
+        <translation>Déplacer ensemble les épingles sélectionnées, quelle que soit celle que l’on tire</translation>
+    </message>
+    <message>
+        <source>Ctrl+K</source>
+        <translation>Ctrl+K</translation>
+    </message>
+    <message>
+        <source>&amp;Mirror</source>
+        <translation>Mettre en &amp;miroir</translation>
+    </message>
+    <message>
+        <source>Set pins where the selected ones lie in a mirror through the middle of the shape, with mirrored motions</source>
+        <translation>Poser des épingles symétriques de celles sélectionnées par rapport au milieu de la forme, avec des mouvements en miroir</translation>
+    </message>
+    <message>
+        <source>Ctrl+M</source>
+        <translation>Ctrl+M</translation>
+    </message>
+    <message>
+        <source>Mirror M&amp;otion</source>
+        <translation>Mouveme&amp;nt en miroir</translation>
+    </message>
+    <message>
+        <source>The selected pins move to the other side instead</source>
+        <translation>Diriger plutôt les épingles sélectionnées vers l’autre côté</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+M</source>
+        <translation>Ctrl+Shift+M</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>Bleu</translation>
+    </message>
+    <message>
+        <source>Orange</source>
+        <translation>Orange</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>Vert</translation>
+    </message>
+    <message>
+        <source>Red</source>
+        <translation>Rouge</translation>
+    </message>
+    <message>
+        <source>Violet</source>
+        <translation>Violet</translation>
+    </message>
+    <message>
+        <source>Brown</source>
+        <translation>Brun</translation>
+    </message>
+    <message>
+        <source>Turquoise</source>
+        <translation>Turquoise</translation>
+    </message>
+    <message>
+        <source>Plum</source>
+        <translation>Prune</translation>
+    </message>
+    <message>
+        <source>&amp;Colour</source>
+        <translation>&amp;Couleur</translation>
+    </message>
+    <message>
+        <source>By &amp;Place in the List</source>
+        <translation>Selon la &amp;place dans la liste</translation>
+    </message>
+    <message>
+        <source>&amp;Other…</source>
+        <translation>&amp;Autre…</translation>
+    </message>
+    <message>
+        <source>Select a pin first.</source>
+        <translation>Sélectionnez d’abord une épingle.</translation>
+    </message>
+    <message>
+        <source>The selected pin is in no group.</source>
+        <translation>L’épingle sélectionnée n’est dans aucun groupe.</translation>
+    </message>
+    <message>
+        <source>Select several pins first.</source>
+        <translation>Sélectionnez d’abord plusieurs épingles.</translation>
+    </message>
+    <message>
+        <source>Select a pin that moves.</source>
+        <translation>Sélectionnez une épingle qui bouge.</translation>
+    </message>
+    <message>
+        <source>No pin is hidden.</source>
+        <translation>Aucune épingle n’est masquée.</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Grouper</translation>
+    </message>
+    <message>
+        <source>Name of the group:</source>
+        <translation>Nom du groupe :</translation>
+    </message>
+    <message>
+        <source>Colour of the Pin</source>
+        <translation>Couleur de l’épingle</translation>
+    </message>
+</context>
+<context>
+    <name>wend::PinList</name>
+    <message>
+        <source>Pins</source>
+        <translation>Épingles</translation>
+    </message>
+    <message>
+        <source>Does not hold at the time that is shown.</source>
+        <translation>Ne maintient rien à l’instant affiché.</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Renommer</translation>
+    </message>
+    <message>
+        <source>Choose pins here; F2 renames, Delete removes, Enter goes to the picture, where the arrow keys move them. The eye hides, the lock holds back from changes; a right click groups, links and mirrors.</source>
+        <translation>Choisissez ici des épingles ; F2 renomme, Suppr supprime, Entrée passe à l’image, où les flèches les déplacent. L’œil masque, le cadenas protège des modifications ; le clic droit groupe, lie et met en miroir.</translation>
+    </message>
+    <message>
+        <source>Moves together with others</source>
+        <translation>Bouge avec d’autres</translation>
+    </message>
+    <message>
+        <source>Hidden: a click shows it</source>
+        <translation>Masquée : un clic l’affiche</translation>
+    </message>
+    <message>
+        <source>A click hides it</source>
+        <translation>Un clic la masque</translation>
+    </message>
+    <message>
+        <source>Locked: a click unlocks it</source>
+        <translation>Verrouillée : un clic la déverrouille</translation>
+    </message>
+    <message>
+        <source>A click locks it</source>
+        <translation>Un clic la verrouille</translation>
+    </message>
+</context>
+<context>
+    <name>wend::Properties</name>
+    <message>
+        <source>Advanced</source>
+        <translation>Avancé</translation>
+    </message>
+    <message>
+        <source>The same in numbers, for those who want them.</source>
+        <translation>La même chose en nombres, pour qui le souhaite.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::RegionNumbers</name>
+    <message>
+        <source>Numbers of the region</source>
+        <translation>Nombres de la région</translation>
+    </message>
+    <message>
+        <source>As x, y and z, in the coordinates of the rest shape.</source>
+        <translation>En x, y et z, dans les coordonnées de la forme au repos.</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>Sphère</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Boîte</translation>
+    </message>
+    <message>
+        <source>Half-space</source>
+        <translation>Demi-espace</translation>
+    </message>
+    <message>
+        <source>Kind of region</source>
+        <translation>Type de région</translation>
+    </message>
+    <message>
+        <source>What the region is; another kind keeps its place.</source>
+        <translation>Ce qu’est la région&#x202f;; un autre type garde sa place.</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Rayon</translation>
+    </message>
+    <message>
+        <source>The radius of the ball.</source>
+        <translation>Le rayon de la sphère.</translation>
+    </message>
+    <message>
+        <source>&amp;Region</source>
+        <translation>Ré&amp;gion</translation>
+    </message>
+    <message>
+        <source>Ra&amp;dius</source>
+        <translation>Ra&amp;yon</translation>
+    </message>
+    <message>
+        <source>centre</source>
+        <translation>centre</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>de</translation>
+    </message>
+    <message>
+        <source>point of the plane</source>
+        <translation>point du plan</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>à</translation>
+    </message>
+    <message>
+        <source>direction into it</source>
+        <translation>direction intérieure</translation>
+    </message>
+</context>
+<context>
+    <name>wend::RegionPanel</name>
+    <message>
+        <source>Region</source>
+        <translation>Région</translation>
+    </message>
+    <message>
+        <source>There is no vertex in this region: nothing was changed.</source>
+        <translation>Il n’y a aucun sommet dans cette région&#x202f;: rien n’a été changé.</translation>
+    </message>
+    <message>
+        <source>Change region</source>
+        <translation>Modifier la région</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n vertices</source>
+        <translation>
+            <numerusform>%n sommet</numerusform>
+            <numerusform>%n sommets</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>wend::ShapeCanvas</name>
+    <message>
+        <source>Canvas</source>
+        <translation>Toile</translation>
+    </message>
+    <message>
+        <source>The picture with its pins</source>
+        <translation>L’image avec ses épingles</translation>
+    </message>
+</context>
+<context>
+    <name>wend::ShapeNotices</name>
+    <message>
+        <source>“Refine surface” in the panel “Mesh” lets the surface&apos;s triangles be split.</source>
+        <translation>«&#x202f;Raffiner la surface&#x202f;» dans le panneau «&#x202f;Maillage&#x202f;» permet de diviser les triangles de la surface.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::ShapeSession</name>
+    <message>
+        <source>Make a curve</source>
+        <translation>Créer une courbe</translation>
+    </message>
+    <message>
+        <source>This circle is smaller than the mesh: drag further, or set more vertices.</source>
+        <translation>Ce cercle est plus petit que les mailles&#x202f;: tirez plus loin, ou augmentez le nombre de sommets.</translation>
+    </message>
+    <message>
+        <source>Widen %1</source>
+        <translation>Élargir %1</translation>
+    </message>
+    <message>
+        <source>Settle</source>
+        <translation>Détendre</translation>
+    </message>
+    <message>
+        <source>%1 cannot go further: %2</source>
+        <translation>%1 ne peut pas aller plus loin&#x202f;: %2</translation>
+    </message>
+    <message>
+        <source>The motion stops at %1: %2</source>
+        <translation>Le mouvement s’arrête à %1&#x202f;: %2</translation>
+    </message>
+    <message>
+        <source>Cancelled: everything is as it was before the last change.</source>
+        <translation>Annulé&#x202f;: tout est comme avant la dernière modification.</translation>
+    </message>
+    <message>
+        <source>Meshing was cancelled. Any change makes a mesh again, such as fewer vertices.</source>
+        <translation>Le maillage a été annulé. Toute modification le relance, par exemple réduire le nombre de sommets.</translation>
+    </message>
+    <message>
+        <source>The motion was cancelled. Any change computes it again.</source>
+        <translation>Le mouvement a été annulé. Toute modification le recalcule.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>There is no pin: this place lies outside of the shape.</source>
+        <translation>Pas d’épingle ici&#x202f;: cet endroit est hors de la forme.</translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <translation>Ajouter %1</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>Modifier %1</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>Supprimer %1</translation>
+    </message>
+    <message>
+        <source>Move %1</source>
+        <translation>Déplacer %1</translation>
+    </message>
+    <message>
+        <source>%1 does not hold the shape at the time that is shown.</source>
+        <translation>%1 ne maintient pas la forme à l’instant affiché.</translation>
+    </message>
+    <message>
+        <source>Turn %1</source>
+        <translation>Faire pivoter %1</translation>
+    </message>
+    <message>
+        <source>Scale %1</source>
+        <translation>Mettre %1 à l’échelle</translation>
+    </message>
+    <message>
+        <source>What came after is replaced by this; Undo brings it back.</source>
+        <translation>Ce qui venait après est remplacé&#x202f;; Annuler le rétablit.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pins</source>
+        <translation>
+            <numerusform>%n épingle</numerusform>
+            <numerusform>%n épingles</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 mirrored</source>
+        <translation>%1 en miroir</translation>
+    </message>
+    <message>
+        <source>There is no pin where a mirror image lies outside of the shape.</source>
+        <translation>Là où l’image en miroir tombe hors de la forme, aucune épingle n’est posée.</translation>
+    </message>
+    <message>
+        <source>There is a pin already where the mirror image would be.</source>
+        <translation>Il y a déjà une épingle là où serait l’image en miroir.</translation>
+    </message>
+    <message>
+        <source>Mirror %1</source>
+        <translation>Mettre %1 en miroir</translation>
+    </message>
+    <message>
+        <source>Mirror the motion of %1</source>
+        <translation>Mettre en miroir le mouvement de %1</translation>
+    </message>
+    <message>
+        <source>Lock %1</source>
+        <translation>Verrouiller %1</translation>
+    </message>
+    <message>
+        <source>Unlock %1</source>
+        <translation>Déverrouiller %1</translation>
+    </message>
+    <message>
+        <source>Hide %1</source>
+        <translation>Masquer %1</translation>
+    </message>
+    <message>
+        <source>Show %1</source>
+        <translation>Afficher %1</translation>
+    </message>
+    <message>
+        <source>Ungroup %1</source>
+        <translation>Dégrouper %1</translation>
+    </message>
+    <message>
+        <source>Group %1</source>
+        <translation>Grouper %1</translation>
+    </message>
+    <message>
+        <source>Rename group</source>
+        <translation>Renommer le groupe</translation>
+    </message>
+    <message>
+        <source>Colour %1</source>
+        <translation>Changer la couleur de %1</translation>
+    </message>
+    <message>
+        <source>Link %1</source>
+        <translation>Lier %1</translation>
+    </message>
+    <message>
+        <source>Unlink %1</source>
+        <translation>Délier %1</translation>
+    </message>
+    <message>
+        <source>%1 is locked. A right click or the list of pins unlocks it.</source>
+        <translation>%1 est verrouillée. Le clic droit ou la liste des épingles la déverrouille.</translation>
+    </message>
+    <message>
+        <source>%1 are locked. A right click or the list of pins unlocks them.</source>
+        <translation>%1 sont verrouillées. Le clic droit ou la liste des épingles les déverrouille.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::SideWindows</name>
+    <message>
+        <source>Steps</source>
+        <translation>Historique</translation>
+    </message>
+    <message>
+        <source>As it was opened</source>
+        <translation>À l’ouverture</translation>
+    </message>
+    <message>
+        <source>What was done; a click goes back to that step, or forth.</source>
+        <translation>Ce qui a été fait&#x202f;; un clic ramène à cette étape, ou y avance.</translation>
+    </message>
+    <message>
+        <source>About Wend</source>
+        <translation>À propos de Wend</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Wend %1&lt;/h3&gt;&lt;p&gt;Bends pictures and solids by letting them flow.&lt;/p&gt;&lt;p&gt;After J. Martinez Esturo, C. Rössl, H. Theisel: Generalized Metric Energies for Continuous Shape Deformation, 2013.&lt;/p&gt;&lt;p&gt;Free software under the GNU Affero General Public License, version 3 or later.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Wend %1&lt;/h3&gt;&lt;p&gt;Déforme images et solides en les laissant s’écouler comme un fluide.&lt;/p&gt;&lt;p&gt;D’après J. Martinez Esturo, C. Rössl, H. Theisel&#x202f;: Generalized Metric Energies for Continuous Shape Deformation, 2013.&lt;/p&gt;&lt;p&gt;Logiciel libre sous licence GNU Affero General Public License, version 3 ou ultérieure.&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>wend::SizePanel</name>
+    <message>
+        <source>Length of edges</source>
+        <translation>Longueur des arêtes</translation>
+    </message>
+    <message>
+        <source>How long edges are there, against elsewhere: 0.5 is half as long, which is finer; 2 is twice as long, which is coarser.</source>
+        <translation>Longueur des arêtes à cet endroit par rapport à ailleurs&#x202f;: 0,5 est moitié moins long, donc plus fin&#x202f;; 2 est deux fois plus long, donc plus grossier.</translation>
+    </message>
+    <message>
+        <source>Where cells are finer or coarser</source>
+        <translation>Où les cellules sont plus fines ou plus grossières</translation>
+    </message>
+    <message>
+        <source>What the next stroke does, and the strokes and regions that are there; of two at one place the lower one counts. A click shows the numbers, for changing.</source>
+        <translation>Ce que fait le prochain trait, puis les traits et régions existants&#x202f;; de deux au même endroit, celui du bas compte. Un clic montre les nombres, pour les changer.</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Ajouter</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Add region</source>
+        <translation>Ajouter une région</translation>
+    </message>
+    <message>
+        <source>A ball, a box or a half-space in the middle, or what the selected handle holds as a region; its numbers can be changed then.</source>
+        <translation>Une sphère, une boîte ou un demi-espace au milieu, ou la région que maintient la poignée sélectionnée&#x202f;; on peut ensuite en changer les nombres.</translation>
+    </message>
+    <message>
+        <source>Remove sizes</source>
+        <translation>Supprimer les tailles</translation>
+    </message>
+    <message>
+        <source>Takes the chosen stroke or region away.</source>
+        <translation>Supprime le trait choisi ou la région choisie.</translation>
+    </message>
+    <message>
+        <source>Soft edge</source>
+        <translation>Bord doux</translation>
+    </message>
+    <message>
+        <source>Over what width the size goes over into that around, in units of the file.</source>
+        <translation>Largeur sur laquelle la taille passe à celle d’alentour, en unités du fichier.</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>Sphère</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Boîte</translation>
+    </message>
+    <message>
+        <source>Half-space</source>
+        <translation>Demi-espace</translation>
+    </message>
+    <message>
+        <source>Region of the selected handle</source>
+        <translation>Région de la poignée sélectionnée</translation>
+    </message>
+    <message>
+        <source>Cell sizes</source>
+        <translation>Tailles de cellule</translation>
+    </message>
+    <message>
+        <source>E&amp;dges</source>
+        <translation>Arê&amp;tes</translation>
+    </message>
+    <message>
+        <source>Soft ed&amp;ge</source>
+        <translation>&amp;Bord doux</translation>
+    </message>
+    <message>
+        <source>Change size</source>
+        <translation>Modifier la taille</translation>
+    </message>
+    <message>
+        <source>Change region</source>
+        <translation>Modifier la région</translation>
+    </message>
+    <message>
+        <source>Add size region</source>
+        <translation>Ajouter une région de taille</translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation>Dégradé</translation>
+    </message>
+    <message>
+        <source>%1: edges %2</source>
+        <translation>%1&#x202f;: arêtes %2</translation>
+    </message>
+    <message>
+        <source>Next stroke</source>
+        <translation>Prochain trait</translation>
+    </message>
+    <message>
+        <source>Beneath them: the factors in %1.</source>
+        <translation>En dessous&#x202f;: les facteurs de %1.</translation>
+    </message>
+    <message>
+        <source>The surface&apos;s triangles are kept, and only what is inside changes. “Refine surface” in the panel “Mesh” lets them be split, too.</source>
+        <translation>Les triangles de la surface sont conservés, seul l’intérieur change. «&#x202f;Raffiner la surface&#x202f;» dans le panneau «&#x202f;Maillage&#x202f;» permet de les diviser aussi.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::SolidActions</name>
+    <message>
+        <source>Through the &amp;Solid</source>
+        <translation>À &amp;travers le solide</translation>
+    </message>
+    <message>
+        <source>Rectangle, lasso and brush also take or select what is hidden</source>
+        <translation>Rectangle, lasso et pinceau prennent ou sélectionnent aussi ce qui est caché</translation>
+    </message>
+    <message>
+        <source>T</source>
+        <translation>T</translation>
+    </message>
+    <message>
+        <source>Grab Beyond the &amp;Cut</source>
+        <translation>Saisir au-&amp;delà de la coupe</translation>
+    </message>
+    <message>
+        <source>Take hold of all that the cut takes away, as one handle</source>
+        <translation>Saisir en une seule poignée tout ce que la coupe retire</translation>
+    </message>
+    <message>
+        <source>Ctrl+B</source>
+        <translation>Ctrl+B</translation>
+    </message>
+    <message>
+        <source>What is drawn beside pins with the pin or the select tool, to select them</source>
+        <translation>Ce qu’on trace à côté des épingles, avec l’outil Épingle ou Sélection, pour les sélectionner</translation>
+    </message>
+    <message>
+        <source>By &amp;Rectangle</source>
+        <translation>Au &amp;rectangle</translation>
+    </message>
+    <message>
+        <source>Shift+R</source>
+        <translation>Shift+R</translation>
+    </message>
+    <message>
+        <source>By &amp;Lasso</source>
+        <translation>Au &amp;lasso</translation>
+    </message>
+    <message>
+        <source>Shift+O</source>
+        <translation>Shift+O</translation>
+    </message>
+    <message>
+        <source>By &amp;Brush</source>
+        <translation>Au &amp;pinceau</translation>
+    </message>
+    <message>
+        <source>Shift+U</source>
+        <translation>Shift+U</translation>
+    </message>
+    <message>
+        <source>&amp;Move</source>
+        <translation>Dép&amp;lacer</translation>
+    </message>
+    <message>
+        <source>Show arrows that move the selected pins</source>
+        <translation>Afficher des flèches qui déplacent les épingles sélectionnées</translation>
+    </message>
+    <message>
+        <source>G</source>
+        <translation>G</translation>
+    </message>
+    <message>
+        <source>&amp;Rotate</source>
+        <translation>Faire pi&amp;voter</translation>
+    </message>
+    <message>
+        <source>Show rings that rotate the selected pins</source>
+        <translation>Afficher des anneaux qui font pivoter les épingles sélectionnées</translation>
+    </message>
+    <message>
+        <source>R</source>
+        <translation>R</translation>
+    </message>
+    <message>
+        <source>&amp;Scale</source>
+        <translation>Mettre à l’éc&amp;helle</translation>
+    </message>
+    <message>
+        <source>Show a ring that scales the selected pins</source>
+        <translation>Afficher un anneau qui met à l’échelle les épingles sélectionnées</translation>
+    </message>
+    <message>
+        <source>S</source>
+        <translation>S</translation>
+    </message>
+    <message>
+        <source>S&amp;kin</source>
+        <translation>&amp;Peau</translation>
+    </message>
+    <message>
+        <source>Show the detailed or textured surface that rides in the solid; off: the border of the tetrahedra, which bend</source>
+        <translation>Afficher la surface détaillée ou texturée qui suit le solide&#x202f;; sinon, le bord des tétraèdres, qui se déforment</translation>
+    </message>
+    <message>
+        <source>Shift+D</source>
+        <translation>Shift+D</translation>
+    </message>
+    <message>
+        <source>Choose Sk&amp;in…</source>
+        <translation>Ch&amp;oisir une peau…</translation>
+    </message>
+    <message>
+        <source>Let a detailed, perhaps textured surface from a file ride in the solid</source>
+        <translation>Faire suivre le solide par une surface détaillée, éventuellement texturée, prise dans un fichier</translation>
+    </message>
+    <message>
+        <source>Re&amp;move Skin</source>
+        <translation>Supprimer l&amp;a peau</translation>
+    </message>
+    <message>
+        <source>See and export the solid with its own surface again</source>
+        <translation>Afficher et exporter de nouveau le solide avec sa propre surface</translation>
+    </message>
+    <message>
+        <source>&amp;Flat Faces</source>
+        <translation>&amp;Faces planes</translation>
+    </message>
+    <message>
+        <source>Shade every triangle by itself instead of smoothly</source>
+        <translation>Ombrer chaque triangle à part, sans adoucir</translation>
+    </message>
+    <message>
+        <source>Shift+F</source>
+        <translation>Shift+F</translation>
+    </message>
+    <message>
+        <source>&amp;Parallel View</source>
+        <translation>Vue pa&amp;rallèle</translation>
+    </message>
+    <message>
+        <source>See without perspective</source>
+        <translation>Voir sans perspective</translation>
+    </message>
+    <message>
+        <source>5</source>
+        <translation>5</translation>
+    </message>
+    <message>
+        <source>&amp;Velocity Arrows</source>
+        <translation>Flèches de vite&amp;sse</translation>
+    </message>
+    <message>
+        <source>Show where the surface moves at this time</source>
+        <translation>Montrer où va la surface à cet instant</translation>
+    </message>
+    <message>
+        <source>Shift+V</source>
+        <translation>Shift+V</translation>
+    </message>
+    <message>
+        <source>&amp;Cut Open</source>
+        <translation>&amp;Couper</translation>
+    </message>
+    <message>
+        <source>Look inside along a plane; an arrow and rings move and tilt it</source>
+        <translation>Regarder à l’intérieur le long d’un plan&#x202f;; une flèche et des anneaux le déplacent et l’inclinent</translation>
+    </message>
+    <message>
+        <source>C</source>
+        <translation>C</translation>
+    </message>
+    <message>
+        <source>Look along an axis of the world</source>
+        <translation>Regarder le long d’un axe du monde</translation>
+    </message>
+    <message>
+        <source>&amp;Front</source>
+        <translation>&amp;Face</translation>
+    </message>
+    <message>
+        <source>1</source>
+        <translation>1</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>&amp;Arrière</translation>
+    </message>
+    <message>
+        <source>&amp;Right</source>
+        <translation>&amp;Droite</translation>
+    </message>
+    <message>
+        <source>3</source>
+        <translation>3</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>&amp;Gauche</translation>
+    </message>
+    <message>
+        <source>&amp;Top</source>
+        <translation>Dess&amp;us</translation>
+    </message>
+    <message>
+        <source>7</source>
+        <translation>7</translation>
+    </message>
+    <message>
+        <source>B&amp;ottom</source>
+        <translation>Dess&amp;ous</translation>
+    </message>
+    <message>
+        <source>&amp;Oblique</source>
+        <translation>O&amp;blique</translation>
+    </message>
+    <message>
+        <source>Look from the side and above</source>
+        <translation>Regarder de côté et d’en haut</translation>
+    </message>
+    <message>
+        <source>0</source>
+        <translation>0</translation>
+    </message>
+    <message>
+        <source>&amp;Wend</source>
+        <translation>&amp;Wend</translation>
+    </message>
+    <message>
+        <source>Right or middle button turns, with Shift moves; the wheel zooms</source>
+        <translation>Le bouton droit ou central tourne, avec Maj déplace&#x202f;; la molette zoome</translation>
+    </message>
+    <message>
+        <source>Like &amp;VTK</source>
+        <translation>Comme &amp;VTK</translation>
+    </message>
+    <message>
+        <source>Left button turns, middle moves, right zooms, as in ParaView</source>
+        <translation>Le bouton gauche tourne, le central déplace, le droit zoome, comme dans ParaView</translation>
+    </message>
+    <message>
+        <source>Like &amp;Blender</source>
+        <translation>Comme &amp;Blender</translation>
+    </message>
+    <message>
+        <source>Middle button turns, with Shift moves, with Ctrl zooms</source>
+        <translation>Le bouton central tourne, avec Maj déplace, avec Ctrl zoome</translation>
+    </message>
+    <message>
+        <source>&amp;Solid</source>
+        <translation>&amp;Solide</translation>
+    </message>
+    <message>
+        <source>Select &amp;Pins</source>
+        <translation>Sélectionner des épin&amp;gles</translation>
+    </message>
+    <message>
+        <source>L&amp;ook from</source>
+        <translation>Point de v&amp;ue</translation>
+    </message>
+    <message>
+        <source>&amp;Navigation</source>
+        <translation>&amp;Navigation</translation>
+    </message>
+    <message>
+        <source>The solid has neither a detailed surface nor materials.</source>
+        <translation>Le solide n’a ni surface détaillée ni matériaux.</translation>
+    </message>
+    <message>
+        <source>No detailed surface was chosen for the solid.</source>
+        <translation>Aucune surface détaillée n’a été choisie pour le solide.</translation>
+    </message>
+    <message>
+        <source>The mesh comes from a file and is used as it is.</source>
+        <translation>Le maillage vient d’un fichier et sert tel quel.</translation>
+    </message>
+    <message>
+        <source>Open a solid first.</source>
+        <translation>Ouvrez d’abord un solide.</translation>
+    </message>
+    <message>
+        <source>S&amp;nap</source>
+        <translation>Aima&amp;nter</translation>
+    </message>
+    <message>
+        <source>New pins sit on corners of the mesh, instead of where one clicks</source>
+        <translation>Poser les nouvelles épingles sur les sommets du maillage plutôt qu’à l’endroit cliqué</translation>
+    </message>
+</context>
+<context>
+    <name>wend::SolidCanvas</name>
+    <message>
+        <source>the memory does not suffice for a picture of %1 x %2 pixels</source>
+        <translation>la mémoire ne suffit pas pour une image de %1 x %2 pixels</translation>
+    </message>
+    <message>
+        <source>Writing the picture …</source>
+        <translation>Export de l’image…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Cell %1</source>
+        <translation>Cellule %1</translation>
+    </message>
+</context>
+<context>
+    <name>wend::SolidWorkshop</name>
+    <message>
+        <source>Solids need OpenGL 3.3, which this system does not have. The command line (wend run) works with them all the same.</source>
+        <translation>Les solides demandent OpenGL 3.3, dont ce système ne dispose pas. La ligne de commande (wend run) fonctionne quand même avec eux.</translation>
+    </message>
+    <message>
+        <source>These pictures of the surface cannot be read: %1</source>
+        <translation>Impossible de lire ces images de la surface&#x202f;: %1</translation>
+    </message>
+    <message>
+        <source>Export View</source>
+        <translation>Exporter la vue</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Exporté&#x202f;: %1</translation>
+    </message>
+    <message>
+        <source>Nothing was written. %1</source>
+        <translation>Rien n’a été exporté. %1</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Région</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Zone</translation>
+    </message>
+</context>
+<context>
+    <name>wend::StartPage</name>
+    <message>
+        <source>Pin a picture, pull it into shape, and let it flow.</source>
+        <translation>Épinglez une image, tirez, et laissez-la prendre forme.</translation>
+    </message>
+    <message>
+        <source>Drop a picture here</source>
+        <translation>Déposez une image ici</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Ouvrir…</translation>
+    </message>
+    <message>
+        <source>Choose a picture, a flat mesh or a project.</source>
+        <translation>Choisir une image, un maillage plan ou un projet.</translation>
+    </message>
+    <message>
+        <source>PNG, TIFF, EXR, JPEG, WebP — cut-outs with transparency work best. Projects, meshes and solids too.</source>
+        <translation>PNG, TIFF, EXR, JPEG, WebP — de préférence détourés, avec transparence. Projets, maillages et solides aussi.</translation>
+    </message>
+    <message>
+        <source>Try a sample</source>
+        <translation>Essayer un exemple</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>Récents</translation>
+    </message>
+    <message>
+        <source>Five-minute tutorial</source>
+        <translation>Tutoriel en cinq minutes</translation>
+    </message>
+    <message>
+        <source>The first steps on a sample, one after another.</source>
+        <translation>Les premiers pas sur un exemple, l’un après l’autre.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::StatusFields</name>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Where the pointer is, in the picture&apos;s pixels</source>
+        <translation>Position du pointeur, en pixels de l’image</translation>
+    </message>
+    <message>
+        <source>Pin error</source>
+        <translation>Erreur d’épingle</translation>
+    </message>
+    <message>
+        <source>How far the worst pin is from where it should be</source>
+        <translation>Écart de la pire épingle par rapport à sa place</translation>
+    </message>
+    <message>
+        <source>pin error %1 px</source>
+        <translation>erreur d’épingle %1 px</translation>
+    </message>
+    <message>
+        <source>Worst place</source>
+        <translation>Pire endroit</translation>
+    </message>
+    <message>
+        <source>How far the worst place is from rest, by what the map shows</source>
+        <translation>Écart du pire endroit par rapport au repos, selon ce que montre la carte</translation>
+    </message>
+    <message>
+        <source>worst %1</source>
+        <translation>pire %1</translation>
+    </message>
+    <message>
+        <source>Area change</source>
+        <translation>Variation d’aire</translation>
+    </message>
+    <message>
+        <source>How much larger or smaller the shape is than at rest</source>
+        <translation>De combien la forme est plus grande ou plus petite qu’au repos</translation>
+    </message>
+    <message>
+        <source>area %1 %</source>
+        <translation>aire %1&#x202f;%</translation>
+    </message>
+    <message>
+        <source>Time per frame</source>
+        <translation>Temps par image</translation>
+    </message>
+    <message>
+        <source>What computing the last frame took</source>
+        <translation>Durée du calcul de la dernière image</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>pin error %1</source>
+        <translation>erreur d’épingle %1</translation>
+    </message>
+    <message>
+        <source>worst %1</source>
+        <comment>a ratio</comment>
+        <translation>extrême&#x202f;: %1</translation>
+    </message>
+    <message>
+        <source>volume %1 %</source>
+        <translation>volume %1&#x202f;%</translation>
+    </message>
+</context>
+<context>
+    <name>wend::SurfaceCheck</name>
+    <message>
+        <source>Triangles of missing points</source>
+        <translation>Triangles à points manquants</translation>
+    </message>
+    <message>
+        <source>Triangles that cross</source>
+        <translation>Triangles qui se croisent</translation>
+    </message>
+    <message>
+        <source>Holes</source>
+        <translation>Trous</translation>
+    </message>
+    <message>
+        <source>Edges of more than two</source>
+        <translation>Arêtes à plus de deux triangles</translation>
+    </message>
+    <message>
+        <source>Triangles without area</source>
+        <translation>Triangles sans aire</translation>
+    </message>
+    <message>
+        <source>Double triangles</source>
+        <translation>Triangles en double</translation>
+    </message>
+    <message>
+        <source>Turned neighbours</source>
+        <translation>Voisins retournés</translation>
+    </message>
+    <message>
+        <source>All points lie in one plane.</source>
+        <translation>Tous les points sont dans un même plan.</translation>
+    </message>
+    <message>
+        <source>Save List</source>
+        <translation>Exporter la liste</translation>
+    </message>
+    <message>
+        <source>Text (*.txt)</source>
+        <translation>Texte (*.txt)</translation>
+    </message>
+    <message>
+        <source>Repair surface</source>
+        <translation>Réparer la surface</translation>
+    </message>
+    <message>
+        <source>Fit a cage</source>
+        <translation>Créer une cage</translation>
+    </message>
+    <message>
+        <source>Exact surface only</source>
+        <translation>Surface exacte seule</translation>
+    </message>
+    <message>
+        <source>merge points (%1)</source>
+        <translation>fusionner des points (%1)</translation>
+    </message>
+    <message>
+        <source>drop triangles (%1)</source>
+        <translation>supprimer des triangles (%1)</translation>
+    </message>
+    <message>
+        <source>turn triangles (%1)</source>
+        <translation>retourner des triangles (%1)</translation>
+    </message>
+    <message>
+        <source>fill holes (%1)</source>
+        <translation>boucher des trous (%1)</translation>
+    </message>
+    <message>
+        <source>It would %1.</source>
+        <translation>Opérations prévues : %1.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::SurfacePanel</name>
+    <message>
+        <source>Show them</source>
+        <translation>Montrer</translation>
+    </message>
+    <message>
+        <source>Save list…</source>
+        <translation>Exporter la liste…</translation>
+    </message>
+    <message>
+        <source>Repair</source>
+        <translation>Réparer</translation>
+    </message>
+    <message>
+        <source>What is wrong</source>
+        <translation>Ce qui ne va pas</translation>
+    </message>
+    <message>
+        <source>The kinds of what is wrong, and how often each occurs.</source>
+        <translation>Les types de défauts, et combien de fois chacun se présente.</translation>
+    </message>
+    <message>
+        <source>Previous place</source>
+        <translation>Endroit précédent</translation>
+    </message>
+    <message>
+        <source>Looks at the previous place where this is wrong.</source>
+        <translation>Va à l’endroit précédent où ce défaut se trouve.</translation>
+    </message>
+    <message>
+        <source>Next place</source>
+        <translation>Endroit suivant</translation>
+    </message>
+    <message>
+        <source>Looks at the next place where this is wrong.</source>
+        <translation>Va à l’endroit suivant où ce défaut se trouve.</translation>
+    </message>
+    <message>
+        <source>Show the triangles</source>
+        <translation>Montrer les triangles</translation>
+    </message>
+    <message>
+        <source>Colours the triangles that are wrong, and looks at them: what hides them is left out.</source>
+        <translation>Colore les triangles défectueux et les montre&#x202f;: ce qui les cache est omis.</translation>
+    </message>
+    <message>
+        <source>Save the list</source>
+        <translation>Exporter la liste</translation>
+    </message>
+    <message>
+        <source>Writes the numbers of all wrong triangles and edges to a file.</source>
+        <translation>Écrit dans un fichier les numéros de tous les triangles et arêtes défectueux.</translation>
+    </message>
+    <message>
+        <source>Merges points at one place, drops degenerate and double triangles, orients them and fills small holes.</source>
+        <translation>Fusionne les points confondus, supprime les triangles dégénérés et en double, les oriente et bouche les petits trous.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>The surface rides in a cage</source>
+        <translation>La surface est portée par une cage</translation>
+    </message>
+    <message>
+        <source>The surface bounds no solid</source>
+        <translation>La surface n’enferme aucun solide</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1&#x202f;: %2</translation>
+    </message>
+    <message>
+        <source>“Repair” helps.</source>
+        <translation>«&#x202f;Réparer&#x202f;» suffit.</translation>
+    </message>
+    <message>
+        <source>“Repair” does not help: a cage around it can carry it.</source>
+        <translation>«&#x202f;Réparer&#x202f;» ne suffit pas&#x202f;: une cage autour d’elle peut la porter.</translation>
+    </message>
+    <message>
+        <source>The simple repairs do not help: fit a cage.</source>
+        <translation>Les réparations simples ne suffisent pas&#x202f;: créez une cage.</translation>
+    </message>
+    <message>
+        <source>Exact surface only</source>
+        <translation>Surface exacte seule</translation>
+    </message>
+    <message>
+        <source>Fit a cage</source>
+        <translation>Créer une cage</translation>
+    </message>
+    <message>
+        <source>Takes the cage away: without repair there is no solid then.</source>
+        <translation>Retire la cage&#x202f;: sans réparation, il n’y a alors plus de solide.</translation>
+    </message>
+    <message>
+        <source>Fills a cage of even cells around the surface, which rides in it.</source>
+        <translation>Remplit une cage de cellules uniformes autour de la surface, qu’elle entraîne.</translation>
+    </message>
+    <message>
+        <source>See the repair</source>
+        <translation>Aperçu</translation>
+    </message>
+    <message>
+        <source>Shows the surface as the repair would leave it: what it adds in green, what stays wrong in red.</source>
+        <translation>Montre la surface telle que la réparation la laisserait : en vert ce qu’elle ajoute, en rouge ce qui reste défectueux.</translation>
+    </message>
+    <message>
+        <source>There is nothing that the simple repairs would change.</source>
+        <translation>Il n’y a rien que les réparations simples changeraient.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::TimeStrip</name>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Which moment of the motion is shown.</source>
+        <translation>L’instant du mouvement qui est affiché.</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Durée</translation>
+    </message>
+    <message>
+        <source>How long the film is. The poses stay as they are, however fast it goes.</source>
+        <translation>La durée du film. Les poses restent les mêmes, quelle que soit la vitesse.</translation>
+    </message>
+    <message>
+        <source>Change length</source>
+        <translation>Modifier la durée</translation>
+    </message>
+    <message>
+        <source>Nothing moves yet: drag a pin.</source>
+        <translation>Rien ne bouge encore&#x202f;: tirez une épingle.</translation>
+    </message>
+    <message>
+        <source>%1 /</source>
+        <translation>%1 /</translation>
+    </message>
+    <message>
+        <source>Drag a pin to begin</source>
+        <translation>Tirez une épingle pour commencer</translation>
+    </message>
+</context>
+<context>
+    <name>wend::Toolbox</name>
+    <message>
+        <source>Mesh</source>
+        <translation>Maillage</translation>
+    </message>
+    <message>
+        <source>What bends, and how finely</source>
+        <translation>Ce qui se déforme, et avec quelle finesse</translation>
+    </message>
+    <message>
+        <source>Pins</source>
+        <translation>Épingles</translation>
+    </message>
+    <message>
+        <source>Hold parts and drag them</source>
+        <translation>Maintenir des parties et les tirer</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>Peindre</translation>
+    </message>
+    <message>
+        <source>What it is made of: soft, stiff, and what is kept where</source>
+        <translation>La matière&#x202f;: souple, raide, et ce qui est conservé à chaque endroit</translation>
+    </message>
+    <message>
+        <source>Animate</source>
+        <translation>Animer</translation>
+    </message>
+    <message>
+        <source>How it moves in time</source>
+        <translation>Comment cela bouge dans le temps</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exporter</translation>
+    </message>
+    <message>
+        <source>Write pictures, sequences, maps and meshes</source>
+        <translation>Exporter images, séquences, cartes et maillages</translation>
+    </message>
+    <message>
+        <source>Open a picture first.</source>
+        <translation>Ouvrez d’abord une image.</translation>
+    </message>
+    <message>
+        <source>Open a solid first.</source>
+        <translation>Ouvrez d’abord un solide.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::Tutorial</name>
+    <message>
+        <source>End</source>
+        <translation>Arrêter</translation>
+    </message>
+    <message>
+        <source>Ends the tutorial; the picture stays open</source>
+        <translation>Arrête le tutoriel ; l’image reste ouverte</translation>
+    </message>
+    <message>
+        <source>Only what is pinned holds. &lt;b&gt;Click a hoof&lt;/b&gt; of the giraffe to pin it.</source>
+        <translation>Seul ce qui est épinglé reste en place. &lt;b&gt;Cliquez sur un sabot&lt;/b&gt; de la girafe pour l’épingler.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Pin the other hooves&lt;/b&gt;, too: a click each. Ctrl+Z takes a pin back.</source>
+        <translation>&lt;b&gt;Épinglez aussi les autres sabots&lt;/b&gt;, un clic pour chacun. Ctrl+Z reprend une épingle.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Click its nose&lt;/b&gt;, and &lt;b&gt;drag the new pin&lt;/b&gt; down to the ground. The shape flows along.</source>
+        <translation>&lt;b&gt;Cliquez sur son museau&lt;/b&gt;, puis &lt;b&gt;tirez la nouvelle épingle&lt;/b&gt; jusqu’au sol. La forme suit en souplesse.</translation>
+    </message>
+    <message>
+        <source>What it keeps on the way is your choice: at the top right, under &lt;b&gt;Keep&lt;/b&gt;, &lt;b&gt;choose Area, Rigid or Angle&lt;/b&gt;, and see the neck change.</source>
+        <translation>Ce qu’elle conserve en chemin, c’est vous qui le choisissez : en haut à droite, sous &lt;b&gt;Conserver&lt;/b&gt;, &lt;b&gt;choisissez Aire, Rigide ou Angle&lt;/b&gt;, et voyez le cou changer.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Press D&lt;/b&gt; to see in colours what the bend has changed, and where most. D again hides it.</source>
+        <translation>&lt;b&gt;Appuyez sur D&lt;/b&gt; pour voir en couleurs ce que la déformation a changé, et où le plus. D de nouveau le masque.</translation>
+    </message>
+    <message>
+        <source>The same for a part only: &lt;b&gt;press Ctrl+3&lt;/b&gt; for the step &lt;i&gt;Paint&lt;/i&gt;, and &lt;b&gt;brush over the neck&lt;/b&gt;. [ and ] change the size of the brush.</source>
+        <translation>La même chose pour une partie seulement : &lt;b&gt;appuyez sur Ctrl+3&lt;/b&gt; pour l’étape &lt;i&gt;Peindre&lt;/i&gt;, et &lt;b&gt;passez le pinceau sur le cou&lt;/b&gt;. [ et ] changent la taille du pinceau.</translation>
+    </message>
+    <message>
+        <source>Your drag is already a film: &lt;b&gt;press K&lt;/b&gt; to play it. Click into the strip below to go to a time, and drag on from there.</source>
+        <translation>Votre geste est déjà un film : &lt;b&gt;appuyez sur K&lt;/b&gt; pour le lire. Cliquez dans la bande du bas pour aller à un instant, et continuez à tirer à partir de là.</translation>
+    </message>
+    <message>
+        <source>At last, &lt;b&gt;press Ctrl+5&lt;/b&gt; for the step &lt;i&gt;Export&lt;/i&gt;: a picture, a sequence, a map of the warp, or the mesh.</source>
+        <translation>Enfin, &lt;b&gt;appuyez sur Ctrl+5&lt;/b&gt; pour l’étape &lt;i&gt;Exporter&lt;/i&gt; : une image, une séquence, une carte de déformation ou le maillage.</translation>
+    </message>
+    <message>
+        <source>That is all you need to begin. &lt;b&gt;F1&lt;/b&gt; opens the manual, &lt;b&gt;?&lt;/b&gt; lists the keys. Drop a picture of your own on the window.</source>
+        <translation>C’est tout ce qu’il faut pour commencer. &lt;b&gt;F1&lt;/b&gt; ouvre le manuel, &lt;b&gt;?&lt;/b&gt; liste les touches. Déposez une de vos images sur la fenêtre.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Terminé</translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation>Passer</translation>
+    </message>
+</context>
+<context>
+    <name>wend::VolumeView</name>
+    <message>
+        <source>View of the solid</source>
+        <translation>Vue du solide</translation>
+    </message>
+    <message>
+        <source>The solid cannot be drawn: %1</source>
+        <translation>Impossible de dessiner le solide&#x202f;: %1</translation>
+    </message>
+</context>
+<context>
+    <name>wend::WorkNote</name>
+    <message>
+        <source>Cancel (Esc)</source>
+        <translation>Annuler (Échap)</translation>
+    </message>
+    <message>
+        <source>Ends what is being computed and goes back to the last state that is complete</source>
+        <translation>Arrête le calcul en cours et revient au dernier état complet</translation>
+    </message>
+    <message>
+        <source>Computing the motion: %1 %</source>
+        <translation>Calcul du mouvement&#x202f;: %1&#x202f;%</translation>
+    </message>
+    <message>
+        <source>Meshing %1 …</source>
+        <translation>Maillage de %1…</translation>
+    </message>
+    <message numerus="yes">
+        <source>Meshing %1 with about %Ln vertices …</source>
+        <translation>
+            <numerusform>Maillage de %1 avec environ %Ln sommet…</numerusform>
+            <numerusform>Maillage de %1 avec environ %Ln sommets…</numerusform>
+        </translation>
+    </message>
+</context>
+</TS>

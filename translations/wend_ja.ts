@@ -1,0 +1,4841 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="ja_JP">
+<context>
+    <name>AreaTool</name>
+    <message>
+        <source>Draw a rectangle over the vertices to hold; Shift adds to the selected handle, Ctrl takes away</source>
+        <translation>つかむ頂点を長方形で囲みます。Shift で選択中のハンドルに追加、Ctrl で除外</translation>
+    </message>
+    <message>
+        <source>Draw around the vertices to hold; Shift adds to the selected handle, Ctrl takes away</source>
+        <translation>つかむ頂点を囲んで描きます。Shift で選択中のハンドルに追加、Ctrl で除外</translation>
+    </message>
+    <message>
+        <source>Brush over the vertices to hold, [ and ] change the size; Shift adds, Ctrl takes away</source>
+        <translation>つかむ頂点をブラシでなぞります。[ と ] でサイズを変更、Shift で追加、Ctrl で除外</translation>
+    </message>
+    <message>
+        <source>Drag from a point of the surface to hold a ball; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
+        <translation>表面の点からドラッグして球でつかみます。Shift で中身を選択中のハンドルに追加、Ctrl で除外</translation>
+    </message>
+    <message>
+        <source>Drag from a point of the surface towards what to hold: all beyond the point</source>
+        <translation>表面の点から、つかむ側へドラッグします。その点より先がすべて対象になります</translation>
+    </message>
+    <message>
+        <source>Drag from a point of the surface to hold a box; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
+        <translation>表面の点からドラッグして直方体でつかみます。Shift で中身を選択中のハンドルに追加、Ctrl で除外</translation>
+    </message>
+    <message>
+        <source>Select one handle to take away from.</source>
+        <translation>除外元のハンドルを 1 つ選択してください。</translation>
+    </message>
+    <message>
+        <source>There is no vertex in this region.</source>
+        <translation>この領域に頂点はありません。</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>領域</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>範囲</translation>
+    </message>
+    <message>
+        <source>A handle cannot hold nothing: remove it with Delete.</source>
+        <translation>ハンドルを空にはできません。削除するには Delete キーを押してください。</translation>
+    </message>
+</context>
+<context>
+    <name>CheatSheet</name>
+    <message>
+        <source>Pointer</source>
+        <translation>マウス</translation>
+    </message>
+    <message>
+        <source>Click</source>
+        <translation>クリック</translation>
+    </message>
+    <message>
+        <source>sets a pin</source>
+        <translation>ピンを打つ</translation>
+    </message>
+    <message>
+        <source>Drag a pin</source>
+        <translation>ピンをドラッグ</translation>
+    </message>
+    <message>
+        <source>moves it; Esc puts it back</source>
+        <translation>移動（Esc で元に戻す）</translation>
+    </message>
+    <message>
+        <source>Shift-click</source>
+        <translation>Shift + クリック</translation>
+    </message>
+    <message>
+        <source>selects several pins</source>
+        <translation>複数のピンを選択</translation>
+    </message>
+    <message>
+        <source>Digits while dragging</source>
+        <translation>ドラッグ中に数字</translation>
+    </message>
+    <message>
+        <source>set the number, Enter takes it</source>
+        <translation>数値を入力、Enter で確定</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>ホイール</translation>
+    </message>
+    <message>
+        <source>zooms to the pointer</source>
+        <translation>ポインターの位置でズーム</translation>
+    </message>
+    <message>
+        <source>[ and ]</source>
+        <translation>[ と ]</translation>
+    </message>
+    <message>
+        <source>size of a brush</source>
+        <translation>ブラシのサイズ</translation>
+    </message>
+    <message>
+        <source>Hold H</source>
+        <translation>H を押している間</translation>
+    </message>
+    <message>
+        <source>hides pins and maps</source>
+        <translation>ピンとマップを隠す</translation>
+    </message>
+    <message>
+        <source>Hold \</source>
+        <translation>\ を押している間</translation>
+    </message>
+    <message>
+        <source>shows the shape before it was bent</source>
+        <translation>変形前の形状を表示</translation>
+    </message>
+    <message>
+        <source>X, Y, Z while dragging</source>
+        <translation>ドラッグ中に X、Y、Z</translation>
+    </message>
+    <message>
+        <source>lock an axis</source>
+        <translation>軸を固定</translation>
+    </message>
+    <message>
+        <source>Right or middle button</source>
+        <translation>右ボタンまたは中ボタン</translation>
+    </message>
+    <message>
+        <source>turns the view; with Shift it moves</source>
+        <translation>視点を回転、Shift で移動</translation>
+    </message>
+    <message>
+        <source>Middle click</source>
+        <translation>中クリック</translation>
+    </message>
+    <message>
+        <source>sets the point to turn around</source>
+        <translation>回転の中心を指定</translation>
+    </message>
+    <message>
+        <source>Alt-drag a pin</source>
+        <translation>Alt + ピンをドラッグ</translation>
+    </message>
+    <message>
+        <source>widens it to a circle</source>
+        <translation>円に広げる</translation>
+    </message>
+    <message>
+        <source>Drag the ring&apos;s dot or square</source>
+        <translation>リングの点または四角をドラッグ</translation>
+    </message>
+    <message>
+        <source>rotates or scales; Shift snaps to 15°</source>
+        <translation>回転または拡大・縮小、Shift で 15° 刻み</translation>
+    </message>
+    <message>
+        <source>Arrow keys</source>
+        <translation>矢印キー</translation>
+    </message>
+    <message>
+        <source>nudge by a pixel, with Shift by ten</source>
+        <translation>1 ピクセル移動、Shift で 10 ピクセル</translation>
+    </message>
+    <message>
+        <source>Space or middle button</source>
+        <translation>スペースキーまたは中ボタン</translation>
+    </message>
+    <message>
+        <source>pans</source>
+        <translation>画面を移動</translation>
+    </message>
+</context>
+<context>
+    <name>CurveEditor</name>
+    <message>
+        <source>Drag the curve&apos;s point, with Ctrl one direction alone; Delete removes it, a right click shows more</source>
+        <translation>曲線のポイントをドラッグ、Ctrl で片側の方向だけ。Delete で削除、右クリックでその他の操作</translation>
+    </message>
+    <message>
+        <source>Double-click to insert a point into the curve</source>
+        <translation>曲線をダブルクリックするとポイントを挿入します</translation>
+    </message>
+    <message>
+        <source>Change curve</source>
+        <translation>曲線を変更</translation>
+    </message>
+    <message>
+        <source>Insert curve point</source>
+        <translation>曲線にポイントを挿入</translation>
+    </message>
+    <message>
+        <source>Delete curve point</source>
+        <translation>曲線のポイントを削除</translation>
+    </message>
+    <message>
+        <source>The ends of a curve must stay.</source>
+        <translation>曲線の両端は削除できません。</translation>
+    </message>
+</context>
+<context>
+    <name>CutTool</name>
+    <message>
+        <source>Drag the arrow to move the cut, the rings to tilt it; Esc puts it back</source>
+        <translation>矢印で断面を移動、リングで傾けます。Esc で元に戻します</translation>
+    </message>
+</context>
+<context>
+    <name>DepthTool</name>
+    <message>
+        <source>Brush over what lies in front or behind; Ctrl takes it back, Shift turns it round, [ and ] change the size</source>
+        <translation>手前または奥にくる部分をブラシでなぞります。Ctrl で消去、Shift で前後を反転、[ と ] でサイズを変更</translation>
+    </message>
+    <message>
+        <source>Paint in front</source>
+        <translation>手前にペイント</translation>
+    </message>
+    <message>
+        <source>Paint behind</source>
+        <translation>奥にペイント</translation>
+    </message>
+    <message>
+        <source>Take back depth</source>
+        <translation>奥行きを消去</translation>
+    </message>
+</context>
+<context>
+    <name>EnergyScale</name>
+    <message>
+        <source>Area</source>
+        <translation>面積</translation>
+    </message>
+    <message>
+        <source>Nothing grows or shrinks. Parts may get thin.</source>
+        <translation>拡大も縮小もしません。細くなる部分が出ることがあります。</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>長さ</translation>
+    </message>
+    <message>
+        <source>Stretches least. Start here.</source>
+        <translation>伸びが最小です。まずはこれから。</translation>
+    </message>
+    <message>
+        <source>Rigid</source>
+        <translation>剛体</translation>
+    </message>
+    <message>
+        <source>Parts turn like card.</source>
+        <translation>各部が厚紙のように回ります。</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>角度</translation>
+    </message>
+    <message>
+        <source>Details keep their look. Parts may swell.</source>
+        <translation>細部の見た目を保ちます。膨らむ部分が出ることがあります。</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>体積</translation>
+    </message>
+</context>
+<context>
+    <name>FileCard</name>
+    <message>
+        <source>Eyes stay round</source>
+        <translation>目は丸いまま</translation>
+    </message>
+    <message>
+        <source>Pins and paths</source>
+        <translation>ピンとパス</translation>
+    </message>
+    <message>
+        <source>Many pins at once</source>
+        <translation>多数のピンを同時に</translation>
+    </message>
+    <message>
+        <source>What is kept</source>
+        <translation>保持するもの</translation>
+    </message>
+    <message>
+        <source>Flight, with a skin</source>
+        <translation>羽ばたき、スキン付き</translation>
+    </message>
+    <message>
+        <source>A stiff middle</source>
+        <translation>中央だけ硬く</translation>
+    </message>
+</context>
+<context>
+    <name>FillTool</name>
+    <message>
+        <source>Click to take up what is painted there</source>
+        <translation>クリックした場所のペイントを取得します</translation>
+    </message>
+    <message>
+        <source>Click to fill what hangs together there; Shift fills all, Ctrl empties, Alt picks up</source>
+        <translation>クリックでつながった部分を塗りつぶします。Shift で全体、Ctrl で消去、Alt で取得</translation>
+    </message>
+    <message>
+        <source>Emptied</source>
+        <translation>消去</translation>
+    </message>
+    <message>
+        <source>Empty %1</source>
+        <translation>%1 を消去</translation>
+    </message>
+    <message>
+        <source>Fill %1 with %2</source>
+        <translation>%1 を「%2」で塗りつぶし</translation>
+    </message>
+</context>
+<context>
+    <name>FlatSizeTool</name>
+    <message>
+        <source>Brush over what shall be meshed finer; Shift makes it coarser, Ctrl even again, [ and ] change the size</source>
+        <translation>メッシュを細かくする部分をブラシでなぞります。Shift で粗く、Ctrl で均一に戻し、[ と ] でサイズを変更</translation>
+    </message>
+    <message>
+        <source>The mesh comes from a file and is used as it is.</source>
+        <translation>メッシュはファイルから読み込まれ、そのまま使われます。</translation>
+    </message>
+    <message>
+        <source>Paint finer mesh</source>
+        <translation>メッシュを細かくペイント</translation>
+    </message>
+    <message>
+        <source>Paint coarser mesh</source>
+        <translation>メッシュを粗くペイント</translation>
+    </message>
+    <message>
+        <source>Paint even mesh</source>
+        <translation>メッシュを均一にペイント</translation>
+    </message>
+</context>
+<context>
+    <name>GradientTool</name>
+    <message>
+        <source>Drag over the shape: from what is there it changes evenly into what is chosen on the right; Alt picks up, Esc gives up</source>
+        <translation>形状の上をドラッグすると、今の状態から右側で選んだものへ均一に変化します。Alt で取得、Esc で中止</translation>
+    </message>
+    <message>
+        <source>Move gradient</source>
+        <translation>グラデーションを移動</translation>
+    </message>
+    <message>
+        <source>To %1</source>
+        <translation>「%1」へ</translation>
+    </message>
+    <message>
+        <source>Blend %1 to %2</source>
+        <translation>%1 を「%2」へ変化</translation>
+    </message>
+</context>
+<context>
+    <name>HoldTool</name>
+    <message>
+        <source>Draw around the part to hold; Shift adds to the selected part, Ctrl takes away</source>
+        <translation>つかむパーツを囲んで描きます。Shift で選択中のパーツに追加、Ctrl で除外</translation>
+    </message>
+    <message>
+        <source>Brush over the part to hold, [ and ] change the size; Shift adds, Ctrl takes away</source>
+        <translation>つかむパーツをブラシでなぞります。[ と ] でサイズを変更、Shift で追加、Ctrl で除外</translation>
+    </message>
+    <message>
+        <source>Draw a rectangle over the part to hold; Shift adds to the selected part, Ctrl takes away</source>
+        <translation>つかむパーツを長方形で囲みます。Shift で選択中のパーツに追加、Ctrl で除外</translation>
+    </message>
+    <message>
+        <source>There is nothing of the shape in this outline.</source>
+        <translation>この輪郭の中に形状はありません。</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>パーツ</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>%1 を変更</translation>
+    </message>
+    <message>
+        <source>Select one part to take away from.</source>
+        <translation>除外元のパーツを 1 つ選択してください。</translation>
+    </message>
+</context>
+<context>
+    <name>Measure</name>
+    <message>
+        <source>Stretch</source>
+        <translation>伸び</translation>
+    </message>
+    <message>
+        <source>stretch %1</source>
+        <translation>伸び %1</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>面積</translation>
+    </message>
+    <message>
+        <source>area ×%1</source>
+        <translation>面積 ×%1</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>体積</translation>
+    </message>
+    <message>
+        <source>volume ×%1</source>
+        <translation>体積 ×%1</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>角度</translation>
+    </message>
+    <message>
+        <source>angle error %1</source>
+        <translation>角度誤差 %1</translation>
+    </message>
+    <message>
+        <source>Shear</source>
+        <translation>せん断</translation>
+    </message>
+    <message>
+        <source>What is kept (φ)</source>
+        <translation>保持するもの (φ)</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>剛性</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速さ</translation>
+    </message>
+    <message>
+        <source>Cell size</source>
+        <translation>セルサイズ</translation>
+    </message>
+</context>
+<context>
+    <name>MeasureTool</name>
+    <message>
+        <source>Click two points for a length, a third for the angle; Ctrl takes vertices, Esc clears</source>
+        <translation>2 点をクリックで長さ、3 点目で角度を測ります。Ctrl で頂点に吸着、Esc でクリア</translation>
+    </message>
+    <message>
+        <source>angle %1, at rest %2</source>
+        <translation>角度 %1（変形前 %2）</translation>
+    </message>
+    <message>
+        <source>length %1, at rest %2</source>
+        <translation>長さ %1（変形前 %2）</translation>
+    </message>
+</context>
+<context>
+    <name>Options</name>
+    <message>
+        <source>Det&amp;ail, in vertices</source>
+        <translation>細かさ（頂点数）(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Vertices</source>
+        <translation>頂点数</translation>
+    </message>
+    <message>
+        <source>How fine the mesh is. More vertices bend more smoothly and take longer.</source>
+        <translation>メッシュの細かさです。頂点が多いほど滑らかに変形しますが、時間がかかります。</translation>
+    </message>
+    <message>
+        <source>Change detail</source>
+        <translation>細かさを変更</translation>
+    </message>
+    <message>
+        <source>&amp;Outline</source>
+        <translation>輪郭(&amp;O)</translation>
+    </message>
+    <message>
+        <source>What bends: only what is opaque in the picture, or the picture as a whole.</source>
+        <translation>変形する範囲：画像の不透明な部分だけ、または画像全体。</translation>
+    </message>
+    <message>
+        <source>Change outline</source>
+        <translation>輪郭を変更</translation>
+    </message>
+    <message>
+        <source>Whole picture</source>
+        <translation>画像全体</translation>
+    </message>
+    <message>
+        <source>Cut-out</source>
+        <translation>切り抜き</translation>
+    </message>
+    <message>
+        <source>Drawn polygons</source>
+        <translation>描いた多角形</translation>
+    </message>
+    <message>
+        <source>Count as so&amp;lid above</source>
+        <translation>不透明とみなす下限(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Pixels that are more opaque than this belong to the shape.</source>
+        <translation>これより不透明なピクセルが形状に含まれます。</translation>
+    </message>
+    <message>
+        <source>Change what counts as solid</source>
+        <translation>不透明とみなす下限を変更</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source>Ma&amp;rgin</source>
+        <translation>余白(&amp;R)</translation>
+    </message>
+    <message>
+        <source>The outline is grown by this much, so that soft edges come along whole.</source>
+        <translation>ぼけた縁まで含めて変形するように、輪郭をこの幅だけ広げます。</translation>
+    </message>
+    <message>
+        <source>Change margin</source>
+        <translation>余白を変更</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>&amp;Border</source>
+        <translation>画像の端(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Picture&apos;s border</source>
+        <translation>画像の端</translation>
+    </message>
+    <message>
+        <source>Holds the frame of a photograph, so that no gap opens beside it: it stays where it is, or its sides slide along themselves. Pins on it move all the same.</source>
+        <translation>写真の枠を固定し、周囲に隙間ができないようにします。枠はその場に留まるか、各辺が辺に沿って滑ります。枠の上のピンはそれでも動きます。</translation>
+    </message>
+    <message>
+        <source>Hold the border</source>
+        <translation>画像の端を固定</translation>
+    </message>
+    <message>
+        <source>Moves freely</source>
+        <translation>自由に動く</translation>
+    </message>
+    <message>
+        <source>Stays in place</source>
+        <translation>その場に留める</translation>
+    </message>
+    <message>
+        <source>Slides along itself</source>
+        <translation>辺に沿って滑る</translation>
+    </message>
+    <message>
+        <source>Radius–edge rati&amp;o</source>
+        <translation>半径・辺長比(&amp;O)</translation>
+    </message>
+    <message>
+        <source>How flat the tetrahedra may be: the greatest ratio of circumradius to shortest edge. Smaller is rounder and takes more of them.</source>
+        <translation>四面体の扁平さの上限：外接球半径と最短辺の比の最大値。小さいほど丸く、四面体の数が増えます。</translation>
+    </message>
+    <message>
+        <source>Change radius–edge ratio</source>
+        <translation>半径・辺長比を変更</translation>
+    </message>
+    <message>
+        <source>&amp;Greatest volume</source>
+        <translation>最大体積(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Larger tetrahedra are split; in cubed units of the file. Half of it makes about twice as many. At a surface that is kept some may stay larger.</source>
+        <translation>これより大きい四面体は分割されます（単位はファイルの単位の 3 乗）。半分にすると数はおよそ 2 倍になります。サーフェスを保つ場合、その付近に大きいものが残ることがあります。</translation>
+    </message>
+    <message>
+        <source>Change greatest volume</source>
+        <translation>最大体積を変更</translation>
+    </message>
+    <message>
+        <source>Refine s&amp;urface</source>
+        <translation>サーフェスを細分化(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Lets the triangles of the surface be split where they are larger than the tetrahedra inside. Off, the surface is kept exactly as it is.</source>
+        <translation>内部の四面体より大きいサーフェスの三角形を分割します。オフの場合、サーフェスはそのまま保たれます。</translation>
+    </message>
+    <message>
+        <source>Refine surface</source>
+        <translation>サーフェスを細分化</translation>
+    </message>
+    <message>
+        <source>Fill holes up to (edges)</source>
+        <translation>穴埋めの上限（辺数）</translation>
+    </message>
+    <message>
+        <source>Largest hole</source>
+        <translation>最大の穴</translation>
+    </message>
+    <message>
+        <source>“Repair” fills holes of at most so many edges.</source>
+        <translation>「修復」は、辺の数がこの値以下の穴を埋めます。</translation>
+    </message>
+    <message>
+        <source>F&amp;it</source>
+        <translation>充填方法(&amp;I)</translation>
+    </message>
+    <message>
+        <source>What is filled: the surface itself, or a cage of even cells around it, in which it rides. Automatic takes the cage where the surface cannot be filled or has far too many vertices.</source>
+        <translation>何を充填するか：サーフェスそのもの、またはそれを包む均一なセルのケージ（サーフェスはそれに追従します）。「自動」では、サーフェスを充填できない場合や頂点が多すぎる場合にケージを使います。</translation>
+    </message>
+    <message>
+        <source>Change fit</source>
+        <translation>充填方法を変更</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>自動</translation>
+    </message>
+    <message>
+        <source>Exact surface</source>
+        <translation>正確なサーフェス</translation>
+    </message>
+    <message>
+        <source>Cage</source>
+        <translation>ケージ</translation>
+    </message>
+    <message>
+        <source>Exact &amp;balance</source>
+        <translation>バランス値(&amp;B)</translation>
+    </message>
+    <message>
+        <source>What is kept as a number, φ, as it stands in the project file: 0.002 keeps area or volume, 0.464 length, 1.571 is rigid, 2.678 keeps angles (2.498 in a solid).</source>
+        <translation>保持するものを表す数値 φ。プロジェクトファイルと同じ値です。0.002 は面積または体積、0.464 は長さ、1.571 は剛体、2.678 は角度（ソリッドでは 2.498）を保ちます。</translation>
+    </message>
+    <message>
+        <source>Change energy</source>
+        <translation>エネルギーを変更</translation>
+    </message>
+    <message>
+        <source> rad</source>
+        <translation> rad</translation>
+    </message>
+    <message>
+        <source>Smoothi&amp;ng length</source>
+        <translation>平滑化の長さ(&amp;N)</translation>
+    </message>
+    <message>
+        <source>How far a pin&apos;s pull is spread, as a part of the shape&apos;s size. Small: close to the pin, sharp. Large: soft and wide.</source>
+        <translation>ピンの引く力が広がる範囲を、形状の大きさに対する割合で表します。小さいとピンの近くだけ鋭く、大きいと柔らかく広く変形します。</translation>
+    </message>
+    <message>
+        <source>Change smoothing</source>
+        <translation>平滑化を変更</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>Remembers its shape</source>
+        <translation>形状記憶</translation>
+    </message>
+    <message>
+        <source>How strongly the shape is drawn back to its rest while a pin moves. Not at all: where it ends depends on the way that the pin has gone. Fully: a pin that comes back brings the shape back.</source>
+        <translation>ピンが動く間に形状が元の形へ引き戻される強さ。「なし」では、最終的な形はピンが通ったパスで決まります。「完全」では、ピンが戻れば形状も元に戻ります。</translation>
+    </message>
+    <message>
+        <source>Change memory</source>
+        <translation>形状記憶を変更</translation>
+    </message>
+    <message>
+        <source>number of frames, at equal times from the start to the last time</source>
+        <translation>開始から最後の時刻までを等間隔に分けたフレーム数</translation>
+    </message>
+    <message>
+        <source>F&amp;rames</source>
+        <translation>フレーム数(&amp;R)</translation>
+    </message>
+    <message>
+        <source>frames per second of an animated .glb</source>
+        <translation>アニメーション .glb の 1 秒あたりのフレーム数</translation>
+    </message>
+    <message>
+        <source>Frames per &amp;second</source>
+        <translation>フレームレート(&amp;S)</translation>
+    </message>
+    <message>
+        <source>whether distortion, φ, directions and velocity go with meshes, in formats that carry values</source>
+        <translation>値を持てる形式のメッシュに、ひずみ、φ、方向、速度を含めるかどうか</translation>
+    </message>
+    <message>
+        <source>&amp;Values</source>
+        <translation>値(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Errors, material, velocity</source>
+        <translation>誤差、材質、速度</translation>
+    </message>
+    <message>
+        <source>The shape alone</source>
+        <translation>形状のみ</translation>
+    </message>
+    <message>
+        <source>how numbers stand in mesh files that know several ways (ply, stl, msh, vtk, vtu)</source>
+        <translation>複数の書き方があるメッシュ形式（ply、stl、msh、vtk、vtu）での数値の形式</translation>
+    </message>
+    <message>
+        <source>&amp;Numbers</source>
+        <translation>数値の形式(&amp;N)</translation>
+    </message>
+    <message>
+        <source>As text</source>
+        <translation>テキスト</translation>
+    </message>
+    <message>
+        <source>Binary</source>
+        <translation>バイナリ</translation>
+    </message>
+    <message>
+        <source>Binary, compressed</source>
+        <translation>バイナリ（圧縮）</translation>
+    </message>
+    <message>
+        <source>version of .msh files</source>
+        <translation>.msh ファイルのバージョン</translation>
+    </message>
+    <message>
+        <source>&amp;Gmsh version</source>
+        <translation>Gmsh バージョン(&amp;G)</translation>
+    </message>
+    <message>
+        <source>write the triangles of a solid&apos;s border as cells too, with the values of the tetrahedra behind them; without it .vtu and .vtk hold tetrahedra only, unless the input had such triangles</source>
+        <translation>ソリッドの境界の三角形もセルとして、裏側の四面体の値とともに書き出します。オフの場合、元のファイルにそうした三角形がない限り、.vtu と .vtk には四面体だけが入ります</translation>
+    </message>
+    <message>
+        <source>&amp;Border triangles</source>
+        <translation>境界の三角形(&amp;B)</translation>
+    </message>
+    <message>
+        <source>how the picture is sampled</source>
+        <translation>画像のサンプリング方法</translation>
+    </message>
+    <message>
+        <source>Fil&amp;ter</source>
+        <translation>補間(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Nearest – hard pixels</source>
+        <translation>ニアレストネイバー – ハードなピクセル</translation>
+    </message>
+    <message>
+        <source>Bilinear – quick</source>
+        <translation>バイリニア – 高速</translation>
+    </message>
+    <message>
+        <source>Bicubic – sharp</source>
+        <translation>バイキュービック – シャープ</translation>
+    </message>
+    <message>
+        <source>EWA – best</source>
+        <translation>EWA – 最高品質</translation>
+    </message>
+    <message>
+        <source>pixels that pictures show: those of the source, or as many as the shape needs</source>
+        <translation>画像に写るピクセル：元画像と同じ範囲、または形状に必要な範囲</translation>
+    </message>
+    <message>
+        <source>&amp;Canvas</source>
+        <translation>キャンバス(&amp;C)</translation>
+    </message>
+    <message>
+        <source>As large as the picture</source>
+        <translation>画像と同じサイズ</translation>
+    </message>
+    <message>
+        <source>Fit to the shape</source>
+        <translation>形状に合わせる</translation>
+    </message>
+    <message>
+        <source>bits of a channel in pictures: as in the source, 8 or 16, or a half or full floating-point number; values stay what they are</source>
+        <translation>画像のチャンネルあたりのビット数：元画像と同じ、8、16、または半精度・単精度の浮動小数点数。値は変わりません</translation>
+    </message>
+    <message>
+        <source>&amp;Depth</source>
+        <translation>ビット深度(&amp;D)</translation>
+    </message>
+    <message>
+        <source>As in the picture</source>
+        <translation>画像と同じ</translation>
+    </message>
+    <message>
+        <source>8 bit</source>
+        <translation>8 bit</translation>
+    </message>
+    <message>
+        <source>16 bit</source>
+        <translation>16 bit</translation>
+    </message>
+    <message>
+        <source>16 bit floating point (half)</source>
+        <translation>16 bit 浮動小数点（half）</translation>
+    </message>
+    <message>
+        <source>32 bit floating point</source>
+        <translation>32 bit 浮動小数点</translation>
+    </message>
+    <message>
+        <source>what pictures show beside the shape: nothing, its border drawn out, the source as it was, or a colour</source>
+        <translation>形状の外側に写るもの：なし、引き伸ばした縁、元画像、または単色</translation>
+    </message>
+    <message>
+        <source>&amp;Background</source>
+        <translation>背景(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Transparent</source>
+        <translation>透明</translation>
+    </message>
+    <message>
+        <source>The border, drawn out</source>
+        <translation>縁を引き伸ばす</translation>
+    </message>
+    <message>
+        <source>The picture as it was</source>
+        <translation>元画像のまま</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>白</translation>
+    </message>
+    <message>
+        <source>Black</source>
+        <translation>黒</translation>
+    </message>
+</context>
+<context>
+    <name>OutlineTool</name>
+    <message>
+        <source>Draw around what shall bend too; with Ctrl it is taken away. Esc gives up</source>
+        <translation>一緒に変形させる部分を囲みます。Ctrl で除外、Esc で中止</translation>
+    </message>
+    <message>
+        <source>Click corner after corner, double-click closes; Ctrl takes away, Backspace takes back a corner, Esc gives up</source>
+        <translation>角を順にクリックし、ダブルクリックで閉じます。Ctrl で除外、Backspace で角を 1 つ戻す、Esc で中止</translation>
+    </message>
+    <message>
+        <source>Brush over what shall bend too, [ and ] change the size; Ctrl takes away</source>
+        <translation>一緒に変形させる部分をブラシでなぞります。[ と ] でサイズを変更、Ctrl で除外</translation>
+    </message>
+    <message>
+        <source>Click on a colour that shall bend too; Ctrl takes it away, [ and ] take fewer or more colours</source>
+        <translation>一緒に変形させる色をクリックします。Ctrl で除外、[ と ] で色の範囲を狭く、または広く</translation>
+    </message>
+    <message>
+        <source>Draw a line along which the shape is parted; Esc gives up</source>
+        <translation>線を引くと、そこで形状が切り離されます。Esc で中止</translation>
+    </message>
+    <message>
+        <source>Nothing would be left of the shape.</source>
+        <translation>形状が何も残らなくなります。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pins lay beside the new outline and were removed.</source>
+        <translation>
+            <numerusform>新しい輪郭の外にあった %n 個のピンを削除しました。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>切り離し</translation>
+    </message>
+    <message>
+        <source>Take away from the outline</source>
+        <translation>輪郭から除外</translation>
+    </message>
+    <message>
+        <source>Add to the outline</source>
+        <translation>輪郭に追加</translation>
+    </message>
+</context>
+<context>
+    <name>PaintTool</name>
+    <message>
+        <source>Area</source>
+        <translation>面積</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>長さ</translation>
+    </message>
+    <message>
+        <source>Rigid</source>
+        <translation>剛体</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>角度</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>保持</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>体積</translation>
+    </message>
+    <message>
+        <source>Stiff</source>
+        <translation>剛性</translation>
+    </message>
+    <message>
+        <source>Combed</source>
+        <translation>コーム</translation>
+    </message>
+    <message>
+        <source>Erased</source>
+        <translation>消去</translation>
+    </message>
+    <message>
+        <source>Smoothed</source>
+        <translation>平滑化</translation>
+    </message>
+    <message>
+        <source>Take paint off %1</source>
+        <translation>%1 のペイントを消去</translation>
+    </message>
+    <message>
+        <source>Smooth %1</source>
+        <translation>%1 を平滑化</translation>
+    </message>
+    <message>
+        <source>Comb %1</source>
+        <translation>%1 をコーム</translation>
+    </message>
+    <message>
+        <source>Paint %1 on %2</source>
+        <translation>%2 に「%1」をペイント</translation>
+    </message>
+    <message>
+        <source>There is no direction to follow: the numbers on the right were taken.</source>
+        <translation>たどる方向がないため、右側の数値を使いました。</translation>
+    </message>
+    <message>
+        <source>Comb along the way in which it is to be stiff; Ctrl takes away, Shift smooths, Shift-click draws a line, Alt-click picks up, Esc gives up the stroke</source>
+        <translation>剛性を持たせる方向に、髪をとかすように描きます。Ctrl で消去、Shift で平滑化、Shift + クリックで直線、Alt + クリックで取得、Esc でストロークを中止</translation>
+    </message>
+    <message>
+        <source>Paint what is chosen on the right; Ctrl takes away, Shift smooths, Shift-click draws a line, Alt-click picks up, Esc gives up the stroke</source>
+        <translation>右側で選んだものをペイントします。Ctrl で消去、Shift で平滑化、Shift + クリックで直線、Alt + クリックで取得、Esc でストロークを中止</translation>
+    </message>
+</context>
+<context>
+    <name>PinTool</name>
+    <message>
+        <source>Drag the pin; Esc puts the shape back</source>
+        <translation>ピンをドラッグします。Esc で形状を元に戻します</translation>
+    </message>
+    <message>
+        <source>Drag as far as the pin shall hold; Esc gives it up</source>
+        <translation>ピンがつかむ大きさまでドラッグします。Esc で中止</translation>
+    </message>
+    <message>
+        <source>Drag the dot to rotate, Shift by 15°, or the square to scale; digits set the number</source>
+        <translation>点をドラッグで回転（Shift で 15° 刻み）、四角をドラッグで拡大・縮小。数字キーで数値を入力できます</translation>
+    </message>
+    <message>
+        <source>Drag to move the pin, Alt-drag to widen it, Shift-click to select more, Delete to remove</source>
+        <translation>ドラッグで移動、Alt + ドラッグで広げる、Shift + クリックで追加選択、Delete で削除</translation>
+    </message>
+    <message>
+        <source>A point cannot rotate – Alt-drag to widen it</source>
+        <translation>点は回転できません。Alt + ドラッグで広げてください</translation>
+    </message>
+    <message>
+        <source>Click on the shape to set a pin, then drag pins to bend it</source>
+        <translation>形状をクリックしてピンを打ち、ドラッグして変形させます</translation>
+    </message>
+    <message>
+        <source>Click or draw a rectangle to select pins, drag to move them, arrow keys nudge</source>
+        <translation>クリックまたは長方形でピンを選択、ドラッグで移動、矢印キーで微調整</translation>
+    </message>
+    <message>
+        <source>%1: does not hold now</source>
+        <translation>%1：現在は効いていません</translation>
+    </message>
+</context>
+<context>
+    <name>SizeTool</name>
+    <message>
+        <source>Paint finer or coarser cells; Ctrl the other way round, [ and ] change the size, Esc gives up</source>
+        <translation>セルを細かく、または粗くペイントします。Ctrl で逆に、[ と ] でサイズを変更、Esc で中止</translation>
+    </message>
+    <message>
+        <source>Paint finer cells</source>
+        <translation>セルを細かくペイント</translation>
+    </message>
+    <message>
+        <source>Paint coarser cells</source>
+        <translation>セルを粗くペイント</translation>
+    </message>
+    <message>
+        <source>Paint plain cells</source>
+        <translation>セルを標準に戻す</translation>
+    </message>
+</context>
+<context>
+    <name>SolidPinTool</name>
+    <message>
+        <source>X, Y, Z lock an axis, numbers set the amount, Esc puts the solid back</source>
+        <translation>X、Y、Z で軸を固定、数字で量を入力、Esc でソリッドを元に戻します</translation>
+    </message>
+    <message>
+        <source>Drag an arrow, a square or a ring; G moves, R turns, S scales</source>
+        <translation>矢印、四角、リングをドラッグします。G で移動、R で回転、S で拡大・縮小</translation>
+    </message>
+    <message>
+        <source>Drag to move along the screen, Shift-click to select more</source>
+        <translation>ドラッグで画面に沿って移動、Shift + クリックで追加選択</translation>
+    </message>
+    <message>
+        <source>Click on the solid to set a pin, or draw around pins to select them</source>
+        <translation>ソリッドをクリックしてピンを打つか、ピンを囲んで選択します</translation>
+    </message>
+    <message>
+        <source>Draw around pins to select them; Shift adds, Ctrl takes away</source>
+        <translation>ピンを囲んで選択します。Shift で追加、Ctrl で除外</translation>
+    </message>
+    <message>
+        <source>Click on the solid to set a pin, or brush over pins to select them; [ and ] change the size</source>
+        <translation>ソリッドをクリックしてピンを打つか、ピンをブラシでなぞって選択します。[ と ] でサイズを変更</translation>
+    </message>
+    <message>
+        <source>Brush over pins to select them, [ and ] change the size; Shift adds, Ctrl takes away</source>
+        <translation>ピンをブラシでなぞって選択します。[ と ] でサイズを変更、Shift で追加、Ctrl で除外</translation>
+    </message>
+    <message>
+        <source>Click on the solid to set a pin, then drag pins to bend it</source>
+        <translation>ソリッドをクリックしてピンを打ち、ドラッグして変形させます</translation>
+    </message>
+    <message>
+        <source>Click, or draw beside pins, to select; Shift adds, Ctrl takes away; drag or arrow keys move</source>
+        <translation>クリック、またはピンの横から囲んで選択。Shift で追加、Ctrl で除外。ドラッグまたは矢印キーで移動</translation>
+    </message>
+</context>
+<context>
+    <name>StiffnessFields</name>
+    <message>
+        <source>Stiffness</source>
+        <translation>剛性</translation>
+    </message>
+</context>
+<context>
+    <name>Tools</name>
+    <message>
+        <source>&amp;Pin</source>
+        <translation>ピン(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Set pins and drag them</source>
+        <translation>ピンを打ってドラッグします</translation>
+    </message>
+    <message>
+        <source>Se&amp;lect</source>
+        <translation>選択(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Select and drag pins without setting new ones</source>
+        <translation>新しいピンを打たずに、ピンを選択してドラッグします</translation>
+    </message>
+    <message>
+        <source>Grab by &amp;Lasso</source>
+        <translation>なげなわでつかむ(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Take hold of all that lies in a drawn outline as one handle</source>
+        <translation>描いた輪郭の内側すべてを 1 つのハンドルとしてつかみます</translation>
+    </message>
+    <message>
+        <source>Grab by Bo&amp;x</source>
+        <translation>長方形でつかむ(&amp;X)</translation>
+    </message>
+    <message>
+        <source>Take hold of all that lies in a rectangle as one handle</source>
+        <translation>長方形の内側すべてを 1 つのハンドルとしてつかみます</translation>
+    </message>
+    <message>
+        <source>Grab by &amp;Brush</source>
+        <translation>ブラシでつかむ(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Take hold of what is brushed over as one handle</source>
+        <translation>ブラシでなぞった部分を 1 つのハンドルとしてつかみます</translation>
+    </message>
+    <message>
+        <source>Grab a B&amp;all</source>
+        <translation>球でつかむ(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Take hold of all that lies in a ball around a point of the surface</source>
+        <translation>表面の点を中心とする球の中をすべてつかみます</translation>
+    </message>
+    <message>
+        <source>Grab a Bloc&amp;k</source>
+        <translation>直方体でつかむ(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Take hold of all that lies in a block around a point of the surface</source>
+        <translation>表面の点を中心とする直方体の中をすべてつかみます</translation>
+    </message>
+    <message>
+        <source>Grab &amp;One Side</source>
+        <translation>片側をつかむ(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Take hold of all that lies beyond a plane through a point of the surface</source>
+        <translation>表面の点を通る平面の向こう側をすべてつかみます</translation>
+    </message>
+    <message>
+        <source>Outline by &amp;Lasso</source>
+        <translation>なげなわで輪郭を描く(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Draw around what shall bend, or shall not</source>
+        <translation>変形させる部分、またはさせない部分を囲みます</translation>
+    </message>
+    <message>
+        <source>Outline by &amp;Polygon</source>
+        <translation>多角形で輪郭を描く(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Set the corners of what shall bend, or shall not</source>
+        <translation>変形させる部分、またはさせない部分の角を指定します</translation>
+    </message>
+    <message>
+        <source>Outline by &amp;Brush</source>
+        <translation>ブラシで輪郭を描く(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Brush over what shall bend, or shall not</source>
+        <translation>変形させる部分、またはさせない部分をブラシでなぞります</translation>
+    </message>
+    <message>
+        <source>Outline by &amp;Colour</source>
+        <translation>色で輪郭を選ぶ(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Click on a colour that shall bend, or shall not</source>
+        <translation>変形させる色、またはさせない色をクリックします</translation>
+    </message>
+    <message>
+        <source>Cut &amp;Apart</source>
+        <translation>切り離す(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Draw a line along which the shape is parted</source>
+        <translation>線を引いて、そこで形状を切り離します</translation>
+    </message>
+    <message>
+        <source>&amp;Detail Brush</source>
+        <translation>細かさブラシ(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Brush where the mesh is to be finer or coarser</source>
+        <translation>メッシュを細かくする、または粗くする部分をブラシでなぞります</translation>
+    </message>
+    <message>
+        <source>&amp;Paint</source>
+        <translation>ペイント(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Paint what is kept, or how stiff it is</source>
+        <translation>保持するもの、または剛性をペイントします</translation>
+    </message>
+    <message>
+        <source>&amp;Comb</source>
+        <translation>コーム(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Comb the direction along which it is stiff</source>
+        <translation>剛性の方向を、髪をとかすように描きます</translation>
+    </message>
+    <message>
+        <source>&amp;Gradient</source>
+        <translation>グラデーション(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Drag: what is there changes evenly into what is chosen</source>
+        <translation>ドラッグ：今の状態から選んだものへ均一に変化します</translation>
+    </message>
+    <message>
+        <source>&amp;Fill</source>
+        <translation>塗りつぶし(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Fill with what is chosen all that hangs together</source>
+        <translation>つながった部分全体を、選んだもので塗りつぶします</translation>
+    </message>
+    <message>
+        <source>E&amp;yedropper</source>
+        <translation>スポイト(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>Take up what is painted under the pointer</source>
+        <translation>ポインターの位置のペイントを取得します</translation>
+    </message>
+    <message>
+        <source>Depth Brus&amp;h</source>
+        <translation>奥行きブラシ(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Brush over what lies in front where the shape covers itself</source>
+        <translation>形状が重なるところで、手前にくる部分をブラシでなぞります</translation>
+    </message>
+    <message>
+        <source>M&amp;easure</source>
+        <translation>計測(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Measure lengths and angles between points of the shape</source>
+        <translation>形状上の点の間の長さと角度を測ります</translation>
+    </message>
+</context>
+<context>
+    <name>wend::Actions</name>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>開く(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Open a picture, a mesh, a surface or a project</source>
+        <translation>画像、メッシュ、サーフェス、プロジェクトを開きます</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>保存(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Save the project</source>
+        <translation>プロジェクトを保存します</translation>
+    </message>
+    <message>
+        <source>Save &amp;As…</source>
+        <translation>別名で保存(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>Save the project under another name</source>
+        <translation>プロジェクトを別の名前で保存します</translation>
+    </message>
+    <message>
+        <source>&amp;Picture…</source>
+        <translation>画像(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>Write the picture as it is bent now, at its full size</source>
+        <translation>現在の変形状態の画像を実寸で書き出します</translation>
+    </message>
+    <message>
+        <source>Ctrl+E</source>
+        <translation>Ctrl+E</translation>
+    </message>
+    <message>
+        <source>&amp;Sequence…</source>
+        <translation>連番(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>Write the motion as a sequence of pictures or meshes</source>
+        <translation>モーションを画像またはメッシュの連番として書き出します</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+E</source>
+        <translation>Ctrl+Shift+E</translation>
+    </message>
+    <message>
+        <source>Warp &amp;Map (ST)…</source>
+        <translation>ワープマップ (ST)(&amp;M)…</translation>
+    </message>
+    <message>
+        <source>Write where each pixel comes from, for compositing programs</source>
+        <translation>各ピクセルの元の位置を、コンポジットソフト用に書き出します</translation>
+    </message>
+    <message>
+        <source>&amp;Mesh…</source>
+        <translation>メッシュ(&amp;M)…</translation>
+    </message>
+    <message>
+        <source>Write the bent mesh as OBJ, PLY, VTU …</source>
+        <translation>変形したメッシュを OBJ、PLY、VTU… として書き出します</translation>
+    </message>
+    <message>
+        <source>&amp;View…</source>
+        <translation>ビュー(&amp;V)…</translation>
+    </message>
+    <message>
+        <source>Write the view as a picture, as large as you like</source>
+        <translation>ビューを好きな大きさの画像として書き出します</translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>書き出し(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>閉じる(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Close the file and go back to the start page</source>
+        <translation>ファイルを閉じてスタートページに戻ります</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>終了(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>Leave Wend</source>
+        <translation>Wend を終了します</translation>
+    </message>
+    <message>
+        <source>Open &amp;Recent</source>
+        <translation>最近使ったファイルを開く(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Open Sa&amp;mple</source>
+        <translation>サンプルを開く(&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>取り消し(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>やり直し(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+Z</source>
+        <translation>Ctrl+Shift+Z</translation>
+    </message>
+    <message>
+        <source>Ctrl+Y</source>
+        <translation>Ctrl+Y</translation>
+    </message>
+    <message>
+        <source>Take back the last step</source>
+        <translation>直前の操作を取り消します</translation>
+    </message>
+    <message>
+        <source>Do again what was taken back</source>
+        <translation>取り消した操作をやり直します</translation>
+    </message>
+    <message>
+        <source>&amp;Steps…</source>
+        <translation>ヒストリー(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>See what was done, and go back to any of it</source>
+        <translation>これまでの操作を一覧表示し、任意の時点に戻ります</translation>
+    </message>
+    <message>
+        <source>Ctrl+H</source>
+        <translation>Ctrl+H</translation>
+    </message>
+    <message>
+        <source>Select &amp;All Pins</source>
+        <translation>すべてのピンを選択(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Select all pins</source>
+        <translation>すべてのピンを選択します</translation>
+    </message>
+    <message>
+        <source>Select &amp;None</source>
+        <translation>選択を解除(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Select no pin</source>
+        <translation>ピンの選択を解除します</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+A</source>
+        <translation>Ctrl+Shift+A</translation>
+    </message>
+    <message>
+        <source>&amp;Remove Pins</source>
+        <translation>ピンを削除(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Remove the selected pins; what has already moved stays</source>
+        <translation>選択したピンを削除します。すでに動いた部分はそのまま残ります</translation>
+    </message>
+    <message>
+        <source>M&amp;esh</source>
+        <translation>メッシュ(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Show the triangles that carry the picture</source>
+        <translation>画像を支える三角形を表示します</translation>
+    </message>
+    <message>
+        <source>M</source>
+        <translation>M</translation>
+    </message>
+    <message>
+        <source>&amp;Map</source>
+        <translation>マップ(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Colour the shape by what changed</source>
+        <translation>形状を変化量で色分けします</translation>
+    </message>
+    <message>
+        <source>D</source>
+        <translation>D</translation>
+    </message>
+    <message>
+        <source>&amp;Stiffness Marks</source>
+        <translation>剛性マーク(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Show where it is stiff, and along which direction</source>
+        <translation>剛性のある場所とその方向を表示します</translation>
+    </message>
+    <message>
+        <source>Shift+S</source>
+        <translation>Shift+S</translation>
+    </message>
+    <message>
+        <source>&amp;Hide Pins and Maps</source>
+        <translation>ピンとマップを隠す(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Show the bare picture; hold H to do so for a moment</source>
+        <translation>画像だけを表示します。H を押している間だけの表示もできます</translation>
+    </message>
+    <message>
+        <source>Shift+H</source>
+        <translation>Shift+H</translation>
+    </message>
+    <message>
+        <source>&amp;Before</source>
+        <translation>変形前(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Show the shape as it was before it was bent; hold \ to do so for a moment</source>
+        <translation>変形前の形状を表示します。\ を押している間だけの表示もできます</translation>
+    </message>
+    <message>
+        <source>&amp;Fit</source>
+        <translation>全体表示(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Show the whole picture</source>
+        <translation>画像全体を表示します</translation>
+    </message>
+    <message>
+        <source>F</source>
+        <translation>F</translation>
+    </message>
+    <message>
+        <source>&amp;Actual Size</source>
+        <translation>等倍表示(&amp;A)</translation>
+    </message>
+    <message>
+        <source>One pixel of the picture on one of the screen</source>
+        <translation>画像の 1 ピクセルを画面の 1 ピクセルで表示します</translation>
+    </message>
+    <message>
+        <source>1</source>
+        <translation>1</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;In</source>
+        <translation>ズームイン(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Look closer</source>
+        <translation>拡大して表示します</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;Out</source>
+        <translation>ズームアウト(&amp;O)</translation>
+    </message>
+    <message>
+        <source>See more</source>
+        <translation>広い範囲を表示します</translation>
+    </message>
+    <message>
+        <source>Full &amp;Screen</source>
+        <translation>フルスクリーン(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Use the whole screen</source>
+        <translation>画面全体を使います</translation>
+    </message>
+    <message>
+        <source>As the &amp;Desktop</source>
+        <translation>デスクトップに合わせる(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Light or dark as the desktop is</source>
+        <translation>デスクトップの明暗に合わせます</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>ライト(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Dark on light</source>
+        <translation>明るい背景に暗い文字</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>ダーク(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Light on dark</source>
+        <translation>暗い背景に明るい文字</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>再生(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Play the motion, or pause it</source>
+        <translation>モーションを再生または一時停止します</translation>
+    </message>
+    <message>
+        <source>K</source>
+        <translation>K</translation>
+    </message>
+    <message>
+        <source>&amp;Loop</source>
+        <translation>ループ(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Begin again at the end</source>
+        <translation>最後まで再生したら最初に戻ります</translation>
+    </message>
+    <message>
+        <source>Shift+L</source>
+        <translation>Shift+L</translation>
+    </message>
+    <message>
+        <source>To the &amp;Start</source>
+        <translation>先頭へ(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Show the shape at rest</source>
+        <translation>変形前の形状を表示します</translation>
+    </message>
+    <message>
+        <source>To the &amp;End</source>
+        <translation>末尾へ(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Show the end of the motion</source>
+        <translation>モーションの最後を表示します</translation>
+    </message>
+    <message>
+        <source>S&amp;ettle</source>
+        <translation>落ち着かせる(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Let the shape relax towards its rest at the end, with the pins where they are</source>
+        <translation>モーションの最後で、ピンの位置は変えずに形状を元の形へ近づけます</translation>
+    </message>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>マニュアル(&amp;M)</translation>
+    </message>
+    <message>
+        <source>How it works, page by page, with a search</source>
+        <translation>使い方をページごとに説明します（検索付き）</translation>
+    </message>
+    <message>
+        <source>&amp;Keys and Mouse</source>
+        <translation>キーとマウス(&amp;K)</translation>
+    </message>
+    <message>
+        <source>What pointer and keys do</source>
+        <translation>マウスとキーの働きを表示します</translation>
+    </message>
+    <message>
+        <source>?</source>
+        <translation>?</translation>
+    </message>
+    <message>
+        <source>&amp;About Wend</source>
+        <translation>Wend について(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Version and licence</source>
+        <translation>バージョンとライセンス</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>ファイル(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>編集(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>表示(&amp;V)</translation>
+    </message>
+    <message>
+        <source>A&amp;ppearance</source>
+        <translation>外観(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Tools</source>
+        <translation>ツール(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Motion</source>
+        <translation>モーション(&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>ヘルプ(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Open a picture first.</source>
+        <translation>まず画像を開いてください。</translation>
+    </message>
+    <message>
+        <source>A solid has no pixels.</source>
+        <translation>ソリッドにはピクセルがありません。</translation>
+    </message>
+    <message>
+        <source>This project has no picture.</source>
+        <translation>このプロジェクトには画像がありません。</translation>
+    </message>
+    <message>
+        <source>A solid has no pixels: export the view.</source>
+        <translation>ソリッドにはピクセルがありません。ビューを書き出してください。</translation>
+    </message>
+    <message>
+        <source>Of a picture, export the picture itself.</source>
+        <translation>画像の場合は、画像そのものを書き出してください。</translation>
+    </message>
+    <message>
+        <source>Select a pin first.</source>
+        <translation>まずピンを選択してください。</translation>
+    </message>
+    <message>
+        <source>Nothing moves yet: drag a pin.</source>
+        <translation>まだ何も動いていません。ピンをドラッグしてください。</translation>
+    </message>
+    <message>
+        <source>&amp;Tutorial</source>
+        <translation>チュートリアル(&amp;T)</translation>
+    </message>
+    <message>
+        <source>The first five minutes, on a sample, step by step</source>
+        <translation>最初の 5 分間を、サンプルを使って順を追って案内します</translation>
+    </message>
+</context>
+<context>
+    <name>wend::BalancePanel</name>
+    <message>
+        <source>This project smooths as in the paper, with λ; its file says how much.</source>
+        <translation>このプロジェクトの平滑化は論文と同じ λ によるもので、強さはファイルに書かれています。</translation>
+    </message>
+</context>
+<context>
+    <name>wend::CheatSheet</name>
+    <message>
+        <source>Keys and Mouse</source>
+        <translation>キーとマウス</translation>
+    </message>
+</context>
+<context>
+    <name>wend::CurveActions</name>
+    <message>
+        <source>&amp;Curve</source>
+        <translation>曲線(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Edit &amp;Path</source>
+        <translation>パスを編集(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Turn the last way of the selected pin into a Bézier curve</source>
+        <translation>選択したピンの最後のパスをベジェ曲線にします</translation>
+    </message>
+    <message>
+        <source>Shift+C</source>
+        <translation>Shift+C</translation>
+    </message>
+    <message>
+        <source>&amp;Insert Point</source>
+        <translation>ポイントを挿入(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Split the curve where it was pointed at, or behind the chosen point; its shape stays</source>
+        <translation>指した位置、または選択したポイントの後ろで曲線を分割します。形は変わりません</translation>
+    </message>
+    <message>
+        <source>I</source>
+        <translation>I</translation>
+    </message>
+    <message>
+        <source>&amp;Delete Point</source>
+        <translation>ポイントを削除(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Remove the chosen point from the curve</source>
+        <translation>選択したポイントを曲線から削除します</translation>
+    </message>
+    <message>
+        <source>Ctrl+Del</source>
+        <translation>Ctrl+Del</translation>
+    </message>
+    <message>
+        <source>&amp;Free</source>
+        <translation>フリー(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Let both directions at the point go their own way</source>
+        <translation>ポイントの両側の方向を別々に動かします</translation>
+    </message>
+    <message>
+        <source>Alt+1</source>
+        <translation>Alt+1</translation>
+    </message>
+    <message>
+        <source>&amp;Aligned</source>
+        <translation>整列(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Keep both directions at the point on one line</source>
+        <translation>ポイントの両側の方向を一直線に保ちます</translation>
+    </message>
+    <message>
+        <source>Alt+2</source>
+        <translation>Alt+2</translation>
+    </message>
+    <message>
+        <source>A&amp;utomatic</source>
+        <translation>自動(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Lead the curve smoothly through the point by its neighbours</source>
+        <translation>隣のポイントに合わせて、曲線を滑らかに通します</translation>
+    </message>
+    <message>
+        <source>Alt+3</source>
+        <translation>Alt+3</translation>
+    </message>
+    <message>
+        <source>Select one pin that was dragged along a way.</source>
+        <translation>パスに沿って動かしたピンを 1 つ選択してください。</translation>
+    </message>
+    <message>
+        <source>Select one pin that follows a curve.</source>
+        <translation>曲線に沿って動くピンを 1 つ選択してください。</translation>
+    </message>
+    <message>
+        <source>Click a point of the curve first; two must stay.</source>
+        <translation>まず曲線のポイントをクリックしてください。2 つは残す必要があります。</translation>
+    </message>
+    <message>
+        <source>Click an inner point of a Bézier curve first.</source>
+        <translation>まずベジェ曲線の途中のポイントをクリックしてください。</translation>
+    </message>
+</context>
+<context>
+    <name>wend::CurvePanel</name>
+    <message>
+        <source>Edit path</source>
+        <translation>パスを編集</translation>
+    </message>
+    <message>
+        <source>Turns the way that was drawn into a Bézier curve with points to drag.</source>
+        <translation>描いたパスを、ポイントをドラッグできるベジェ曲線にします。</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>しない</translation>
+    </message>
+    <message>
+        <source>as it bends (Frenet)</source>
+        <translation>曲率 (Frenet)</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>する</translation>
+    </message>
+    <message>
+        <source>Rotate with path</source>
+        <translation>パスに沿って回転</translation>
+    </message>
+    <message>
+        <source>Whether what is held turns along the curve, and how.</source>
+        <translation>つかんだ部分を曲線に沿って回転させるかどうか、またその方法。</translation>
+    </message>
+    <message>
+        <source>Twist</source>
+        <translation>ねじれ</translation>
+    </message>
+    <message>
+        <source>How far it turns around the curve&apos;s direction, over the whole curve.</source>
+        <translation>曲線全体で、曲線の方向を軸に回転する角度。</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>拡大率</translation>
+    </message>
+    <message>
+        <source>How large it has become at the end of the curve.</source>
+        <translation>曲線の終点での大きさ。</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>パス</translation>
+    </message>
+    <message>
+        <source>Rot&amp;ate with path</source>
+        <translation>パスに沿って回転(&amp;A)</translation>
+    </message>
+    <message>
+        <source>T&amp;wist</source>
+        <translation>ねじれ(&amp;W)</translation>
+    </message>
+    <message>
+        <source>S&amp;cale</source>
+        <translation>拡大率(&amp;C)</translation>
+    </message>
+    <message>
+        <source>A point cannot rotate or grow – Alt-drag the pin to widen it.</source>
+        <translation>点は回転も拡大もできません。Alt + ドラッグでピンを広げてください。</translation>
+    </message>
+    <message>
+        <source>A point cannot rotate or grow: hold more vertices.</source>
+        <translation>点は回転も拡大もできません。つかむ頂点を増やしてください。</translation>
+    </message>
+    <message>
+        <source>Change curve</source>
+        <translation>曲線を変更</translation>
+    </message>
+</context>
+<context>
+    <name>wend::CutPanel</name>
+    <message>
+        <source>Not cut</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>Whole cells</source>
+        <translation>セル単位</translation>
+    </message>
+    <message>
+        <source>Exact</source>
+        <translation>正確</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>Flip</source>
+        <translation>反転</translation>
+    </message>
+    <message>
+        <source>Cut across %1</source>
+        <translation>%1 軸に垂直な断面</translation>
+    </message>
+    <message>
+        <source>Other side</source>
+        <translation>反対側</translation>
+    </message>
+    <message>
+        <source>Turns the plane so that it stands across this axis.</source>
+        <translation>断面をこの軸に垂直にします。</translation>
+    </message>
+    <message>
+        <source>Takes away the other side of the plane.</source>
+        <translation>断面の反対側を取り除きます。</translation>
+    </message>
+    <message>
+        <source>Place of the cut</source>
+        <translation>断面の位置</translation>
+    </message>
+    <message>
+        <source>Moves the plane through the solid.</source>
+        <translation>ソリッドの中で断面を移動します。</translation>
+    </message>
+    <message>
+        <source>Normal of the cut</source>
+        <translation>断面の法線</translation>
+    </message>
+    <message>
+        <source>The direction that the plane looks in, as x, y and z.</source>
+        <translation>断面が向く方向（x、y、z）。</translation>
+    </message>
+    <message>
+        <source>Distance of the cut</source>
+        <translation>断面の距離</translation>
+    </message>
+    <message>
+        <source>How far the plane is from the origin, along its normal.</source>
+        <translation>法線方向に測った、原点から断面までの距離。</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>断面</translation>
+    </message>
+    <message>
+        <source>&amp;Look inside</source>
+        <translation>内部を見る(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Distance</source>
+        <translation>距離(&amp;D)</translation>
+    </message>
+    <message>
+        <source>There is no solid yet that could be cut.</source>
+        <translation>切断できるソリッドがまだありません。</translation>
+    </message>
+    <message>
+        <source>Looks inside: by whole tetrahedra, or along the exact plane.</source>
+        <translation>内部を見ます。四面体単位、または正確な平面で切ります。</translation>
+    </message>
+</context>
+<context>
+    <name>wend::DepthActions</name>
+    <message>
+        <source>Bring to &amp;Front</source>
+        <translation>最前面へ(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Where the shape covers itself, what is around the selected pins lies in front of all else</source>
+        <translation>形状が重なるところで、選択したピンの周囲をほかのすべての手前に置きます</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+]</source>
+        <translation>Ctrl+Shift+]</translation>
+    </message>
+    <message>
+        <source>Send to &amp;Back</source>
+        <translation>最背面へ(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Where the shape covers itself, what is around the selected pins lies behind all else</source>
+        <translation>形状が重なるところで、選択したピンの周囲をほかのすべての奥に置きます</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+[</source>
+        <translation>Ctrl+Shift+[</translation>
+    </message>
+    <message>
+        <source>As &amp;Drawn</source>
+        <translation>元の順序(&amp;D)</translation>
+    </message>
+    <message>
+        <source>What is around the selected pins has no order of its own</source>
+        <translation>選択したピンの周囲に固有の順序を付けません</translation>
+    </message>
+    <message>
+        <source>&amp;Number…</source>
+        <translation>数値(&amp;N)…</translation>
+    </message>
+    <message>
+        <source>Give what is around the selected pins an order: greater lies in front</source>
+        <translation>選択したピンの周囲に順序を付けます。大きいほど手前になります</translation>
+    </message>
+    <message>
+        <source>&amp;Depth</source>
+        <translation>奥行き(&amp;D)</translation>
+    </message>
+    <message>
+        <source>A solid has its depth by itself.</source>
+        <translation>ソリッドにはもともと奥行きがあります。</translation>
+    </message>
+    <message>
+        <source>Select a pin first.</source>
+        <translation>まずピンを選択してください。</translation>
+    </message>
+    <message>
+        <source>Bring to front</source>
+        <translation>最前面へ</translation>
+    </message>
+    <message>
+        <source>Send to back</source>
+        <translation>最背面へ</translation>
+    </message>
+    <message>
+        <source>Depth as drawn</source>
+        <translation>奥行きを元の順序に</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>奥行き</translation>
+    </message>
+    <message>
+        <source>Order (in front: greater than 0, behind: less):</source>
+        <translation>順序（0 より大きいと手前、小さいと奥）：</translation>
+    </message>
+</context>
+<context>
+    <name>wend::DetailChooser</name>
+    <message>
+        <source>Choose Skin</source>
+        <translation>スキンを選択</translation>
+    </message>
+    <message>
+        <source>Surfaces (%1)</source>
+        <translation>サーフェス (%1)</translation>
+    </message>
+    <message>
+        <source>This surface cannot ride in the solid. %1</source>
+        <translation>このサーフェスはソリッドに追従させることができません。%1</translation>
+    </message>
+    <message>
+        <source>Choose skin</source>
+        <translation>スキンを選択</translation>
+    </message>
+    <message>
+        <source>Remove skin</source>
+        <translation>スキンを削除</translation>
+    </message>
+</context>
+<context>
+    <name>wend::DetailRow</name>
+    <message>
+        <source>Choose…</source>
+        <translation>選択…</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>削除</translation>
+    </message>
+    <message>
+        <source>Choose skin</source>
+        <translation>スキンを選択</translation>
+    </message>
+    <message>
+        <source>Takes a detailed, perhaps textured surface from a file: it rides in the solid, is what the view shows and what surface formats get.</source>
+        <translation>テクスチャ付きも可能な精細なサーフェスをファイルから読み込みます。ソリッドに追従し、ビューに表示され、サーフェス形式で書き出されます。</translation>
+    </message>
+    <message>
+        <source>Remove skin</source>
+        <translation>スキンを削除</translation>
+    </message>
+    <message>
+        <source>The solid is seen and exported with its own surface again.</source>
+        <translation>ソリッドの表示と書き出しを、元のサーフェスに戻します。</translation>
+    </message>
+    <message>
+        <source>Skin</source>
+        <translation>スキン</translation>
+    </message>
+</context>
+<context>
+    <name>wend::DistortionPanel</name>
+    <message>
+        <source>Keep these colours</source>
+        <translation>この配色を固定</translation>
+    </message>
+    <message>
+        <source>Keep the colours&apos; range, to compare different shapes and energies.</source>
+        <translation>色の範囲を固定し、異なる形状やエネルギーを比べられるようにします。</translation>
+    </message>
+    <message>
+        <source>Go there</source>
+        <translation>最大箇所へ</translation>
+    </message>
+    <message>
+        <source>Go to the worst place</source>
+        <translation>最大ひずみ箇所へ移動</translation>
+    </message>
+    <message>
+        <source>Brings the most distorted triangle into view; it is ringed in the map.</source>
+        <translation>最もひずんだ三角形を画面に表示します。マップでは丸で囲まれます。</translation>
+    </message>
+    <message>
+        <source>What changed</source>
+        <translation>変化</translation>
+    </message>
+    <message>
+        <source>Colour &amp;by</source>
+        <translation>色分け(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Angle error</source>
+        <translation>角度誤差</translation>
+    </message>
+    <message>
+        <source>Sum over the shape of σ₁/σ₂ + σ₂/σ₁ − 2: zero if all angles are kept.</source>
+        <translation>形状全体での σ₁/σ₂ + σ₂/σ₁ − 2 の総和。すべての角度が保たれていれば 0 です。</translation>
+    </message>
+    <message>
+        <source>Area error</source>
+        <translation>面積誤差</translation>
+    </message>
+    <message>
+        <source>Stretch</source>
+        <translation>伸び</translation>
+    </message>
+    <message>
+        <source>How far lengths are from those at rest: zero for a rigid motion.</source>
+        <translation>長さが変形前からどれだけ変わったか。剛体運動では 0 です。</translation>
+    </message>
+    <message>
+        <source>Worst place</source>
+        <translation>最大ひずみ箇所</translation>
+    </message>
+    <message>
+        <source>Volume error</source>
+        <translation>体積誤差</translation>
+    </message>
+    <message>
+        <source>Sum over the shape of det F + 1/det F − 2: zero if all volumes are kept.</source>
+        <translation>形状全体での det F + 1/det F − 2 の総和。すべての体積が保たれていれば 0 です。</translation>
+    </message>
+    <message>
+        <source>Sum over the shape of σ₁σ₂ + 1/(σ₁σ₂) − 2: zero if all areas are kept.</source>
+        <translation>形状全体での σ₁σ₂ + 1/(σ₁σ₂) − 2 の総和。すべての面積が保たれていれば 0 です。</translation>
+    </message>
+    <message>
+        <source>The tetrahedron that is farthest from rest by what the map shows.</source>
+        <translation>マップの示す量で、変形前から最も離れた四面体。</translation>
+    </message>
+    <message>
+        <source>The triangle that is farthest from rest by what the map shows.</source>
+        <translation>マップの示す量で、変形前から最も離れた三角形。</translation>
+    </message>
+    <message>
+        <source>Colour by</source>
+        <translation>色分け</translation>
+    </message>
+    <message>
+        <source>What is coloured over the solid: the error of lengths, volumes or angles, the material, how fast it moves, or how fine its mesh is.</source>
+        <translation>ソリッド上に色で示すもの：長さ、体積、角度の誤差、材質、動く速さ、またはメッシュの細かさ。</translation>
+    </message>
+    <message>
+        <source>What is coloured over the picture: the error of lengths, areas or angles, or the material that is painted on it.</source>
+        <translation>画像上に色で示すもの：長さ、面積、角度の誤差、またはペイントした材質。</translation>
+    </message>
+</context>
+<context>
+    <name>wend::EnergySlider</name>
+    <message>
+        <source>What is kept</source>
+        <translation>保持するもの</translation>
+    </message>
+    <message>
+        <source>What the shape keeps where it has to give way: from its volume, over lengths and stiff parts, to the look of its details. Between two names it is something of both.</source>
+        <translation>変形するときに形状が保とうとするもの。体積から、長さ、剛体的な部分、細部の見た目まで。2 つの名前の間では両方の性質を持ちます。</translation>
+    </message>
+    <message>
+        <source>What the shape keeps where it has to give way: from its area, over lengths and stiff parts, to the look of its details. Between two names it is something of both.</source>
+        <translation>変形するときに形状が保とうとするもの。面積から、長さ、剛体的な部分、細部の見た目まで。2 つの名前の間では両方の性質を持ちます。</translation>
+    </message>
+</context>
+<context>
+    <name>wend::ExportDialog</name>
+    <message>
+        <source>Export Picture</source>
+        <translation>画像を書き出し</translation>
+    </message>
+    <message>
+        <source>Export Sequence</source>
+        <translation>連番を書き出し</translation>
+    </message>
+    <message>
+        <source>Export ST Map</source>
+        <translation>ST マップを書き出し</translation>
+    </message>
+    <message>
+        <source>Export Mesh</source>
+        <translation>メッシュを書き出し</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>形式</translation>
+    </message>
+    <message>
+        <source>What kind of file is written.</source>
+        <translation>書き出すファイルの種類。</translation>
+    </message>
+    <message>
+        <source>Fit the &amp;Canvas</source>
+        <translation>キャンバスを合わせる(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Fit the canvas</source>
+        <translation>キャンバスを合わせる</translation>
+    </message>
+    <message>
+        <source>Make the canvas as large as the shape needs, so that nothing is cut off.</source>
+        <translation>形状に必要な大きさまでキャンバスを広げ、何も切り取られないようにします。</translation>
+    </message>
+    <message>
+        <source>F&amp;ormat</source>
+        <translation>形式(&amp;O)</translation>
+    </message>
+    <message>
+        <source>E&amp;xport…</source>
+        <translation>書き出し(&amp;X)…</translation>
+    </message>
+    <message>
+        <source>As in the picture</source>
+        <translation>画像と同じ</translation>
+    </message>
+    <message>
+        <source>As the format holds it best</source>
+        <translation>形式に応じて最適</translation>
+    </message>
+    <message>
+        <source>%1 px on the left</source>
+        <translation>左に %1 px</translation>
+    </message>
+    <message>
+        <source>%1 px at the top</source>
+        <translation>上に %1 px</translation>
+    </message>
+    <message>
+        <source>%1 px on the right</source>
+        <translation>右に %1 px</translation>
+    </message>
+    <message>
+        <source>%1 px at the bottom</source>
+        <translation>下に %1 px</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>、</translation>
+    </message>
+    <message>
+        <source>On its way the shape leaves the picture and is cut off there: %1.</source>
+        <translation>途中で形状が画像からはみ出し、切り取られます：%1。</translation>
+    </message>
+    <message>
+        <source>The shape reaches beyond the picture and is cut off there: %1.</source>
+        <translation>形状が画像からはみ出し、切り取られます：%1。</translation>
+    </message>
+    <message>
+        <source>%1 vertices</source>
+        <translation>%1 頂点</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n shapes of %1</source>
+        <translation>
+            <numerusform>%n 個の形状（各 %1）</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels</source>
+        <translation>%1 × %2 ピクセル</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pictures of %1</source>
+        <translation>
+            <numerusform>%n 枚の画像（各 %1）</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 (measured)</source>
+        <translation>%1（実測）</translation>
+    </message>
+    <message>
+        <source>about %1 (estimated)</source>
+        <translation>約 %1（推定）</translation>
+    </message>
+</context>
+<context>
+    <name>wend::ExportPanel</name>
+    <message>
+        <source>Export</source>
+        <translation>書き出し</translation>
+    </message>
+</context>
+<context>
+    <name>wend::ExportPreview</name>
+    <message>
+        <source>Preview</source>
+        <translation>プレビュー</translation>
+    </message>
+    <message>
+        <source>What will be written, smaller</source>
+        <translation>書き出される内容の縮小表示</translation>
+    </message>
+</context>
+<context>
+    <name>wend::Exporter</name>
+    <message>
+        <source>Export Picture</source>
+        <translation>画像を書き出し</translation>
+    </message>
+    <message>
+        <source>Export Sequence</source>
+        <translation>連番を書き出し</translation>
+    </message>
+    <message>
+        <source>Export ST Map</source>
+        <translation>ST マップを書き出し</translation>
+    </message>
+    <message>
+        <source>Export Mesh</source>
+        <translation>メッシュを書き出し</translation>
+    </message>
+    <message>
+        <source>Writing the picture …</source>
+        <translation>画像を書き出しています…</translation>
+    </message>
+    <message numerus="yes">
+        <source>Writing %n frames …</source>
+        <translation>
+            <numerusform>%n フレームを書き出しています…</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Writing the map …</source>
+        <translation>マップを書き出しています…</translation>
+    </message>
+    <message>
+        <source>Writing the mesh …</source>
+        <translation>メッシュを書き出しています…</translation>
+    </message>
+    <message>
+        <source>“%1” is this project itself. Replace it?</source>
+        <translation>「%1」はこのプロジェクトそのものです。置き換えますか？</translation>
+    </message>
+    <message>
+        <source>“%1” is the picture that this project bends. Replace it?</source>
+        <translation>「%1」はこのプロジェクトで変形している画像です。置き換えますか？</translation>
+    </message>
+    <message>
+        <source>“%1” is the mesh that this project bends. Replace it?</source>
+        <translation>「%1」はこのプロジェクトで変形しているメッシュです。置き換えますか？</translation>
+    </message>
+    <message>
+        <source>“%1” belongs to this project. Replace it?</source>
+        <translation>「%1」はこのプロジェクトの一部です。置き換えますか？</translation>
+    </message>
+    <message>
+        <source>Another export is still being written. Try again in a moment.</source>
+        <translation>別の書き出しがまだ終わっていません。しばらくしてからもう一度お試しください。</translation>
+    </message>
+    <message>
+        <source>The shape is still being computed. Try again in a moment.</source>
+        <translation>形状をまだ計算しています。しばらくしてからもう一度お試しください。</translation>
+    </message>
+    <message>
+        <source>There is no shape to export: it could not be computed.</source>
+        <translation>書き出す形状がありません。計算できませんでした。</translation>
+    </message>
+    <message>
+        <source>Wend</source>
+        <translation>Wend</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of these frames exist. Replace them?</source>
+        <translation>
+            <numerusform>このうち %n フレームはすでに存在します。置き換えますか？</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>What it holds now is lost, and the project will not open as it is any more.</source>
+        <translation>現在の内容は失われ、プロジェクトは今のようには開けなくなります。</translation>
+    </message>
+    <message>
+        <source>What they hold now is lost.</source>
+        <translation>現在の内容は失われます。</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>置き換え</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>Nothing was written. %1</source>
+        <translation>何も書き出されませんでした。%1</translation>
+    </message>
+    <message>
+        <source>Written without velocities: %1 (%2)</source>
+        <translation>速度なしで書き出しました：%1（%2）</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>書き出しました：%1</translation>
+    </message>
+</context>
+<context>
+    <name>wend::FileCard</name>
+    <message>
+        <source>Sample: %1</source>
+        <translation>サンプル：%1</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>%1 を開く</translation>
+    </message>
+    <message>
+        <source>Open the sample “%1”</source>
+        <translation>サンプル「%1」を開く</translation>
+    </message>
+    <message>
+        <source>%1, solid</source>
+        <translation>%1（ソリッド）</translation>
+    </message>
+    <message>
+        <source>Solid</source>
+        <translation>ソリッド</translation>
+    </message>
+</context>
+<context>
+    <name>wend::FileWorkflow</name>
+    <message>
+        <source>All that Wend opens (%1)</source>
+        <translation>Wend で開けるすべてのファイル (%1)</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>画像 (%1)</translation>
+    </message>
+    <message>
+        <source>Projects (*.wend)</source>
+        <translation>プロジェクト (*.wend)</translation>
+    </message>
+    <message>
+        <source>Meshes (%1)</source>
+        <translation>メッシュ (%1)</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>開く</translation>
+    </message>
+    <message>
+        <source>%1 has moved.</source>
+        <translation>%1 が元の場所にありません。</translation>
+    </message>
+    <message>
+        <source>Find It…</source>
+        <translation>場所を指定…</translation>
+    </message>
+    <message>
+        <source>This file cannot be opened. %1</source>
+        <translation>このファイルは開けません。%1</translation>
+    </message>
+    <message>
+        <source>Nothing to see in this picture.</source>
+        <translation>この画像には見える部分がありません。</translation>
+    </message>
+    <message>
+        <source>Use Whole Frame</source>
+        <translation>画像全体を使う</translation>
+    </message>
+    <message>
+        <source>Open Another…</source>
+        <translation>別のファイルを開く…</translation>
+    </message>
+    <message>
+        <source>All files</source>
+        <translation>すべてのファイル</translation>
+    </message>
+    <message>
+        <source>Find %1</source>
+        <translation>%1 の場所を指定</translation>
+    </message>
+    <message>
+        <source>There is no copy of your changes if the program crashes: please save. %1</source>
+        <translation>プログラムがクラッシュした場合、変更内容のコピーは残りません。保存してください。%1</translation>
+    </message>
+    <message>
+        <source>Wend</source>
+        <translation>Wend</translation>
+    </message>
+    <message>
+        <source>Recover unsaved changes to “%1”?</source>
+        <translation>「%1」の保存されていない変更を復元しますか？</translation>
+    </message>
+    <message>
+        <source>Wend was not closed properly. The last change was on %1.</source>
+        <translation>Wend が正しく終了されませんでした。最後の変更は %1 です。</translation>
+    </message>
+    <message>
+        <source>“%1” is not opened then.</source>
+        <translation>その場合「%1」は開かれません。</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>復元</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>破棄</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>後で</translation>
+    </message>
+    <message>
+        <source>“%1” was changed by another program or window.</source>
+        <translation>「%1」は別のプログラムまたはウィンドウで変更されました。</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>再読み込み</translation>
+    </message>
+    <message>
+        <source>Keep Mine</source>
+        <translation>自分の変更を残す</translation>
+    </message>
+    <message>
+        <source>Save As…</source>
+        <translation>別名で保存…</translation>
+    </message>
+    <message>
+        <source>Reload “%1”?</source>
+        <translation>「%1」を再読み込みしますか？</translation>
+    </message>
+    <message>
+        <source>Your changes since it was saved are lost.</source>
+        <translation>保存後に行った変更は失われます。</translation>
+    </message>
+    <message>
+        <source>Saving replaces those changes; reloading drops yours.</source>
+        <translation>保存するとその変更が置き換えられ、再読み込みすると自分の変更が失われます。</translation>
+    </message>
+    <message>
+        <source>The project was not saved: it needs the file “%1” itself. Choose another name.</source>
+        <translation>プロジェクトは保存されませんでした。ファイル「%1」そのものが必要です。別の名前を選んでください。</translation>
+    </message>
+    <message>
+        <source>Save Project</source>
+        <translation>プロジェクトを保存</translation>
+    </message>
+    <message>
+        <source>The project was not saved. %1</source>
+        <translation>プロジェクトは保存されませんでした。%1</translation>
+    </message>
+    <message>
+        <source>Save the changes to “%1”?</source>
+        <translation>「%1」への変更を保存しますか？</translation>
+    </message>
+    <message>
+        <source>If you do not save, they are lost.</source>
+        <translation>保存しない場合、変更は失われます。</translation>
+    </message>
+</context>
+<context>
+    <name>wend::FlowPanel</name>
+    <message>
+        <source>Settle</source>
+        <translation>落ち着かせる</translation>
+    </message>
+    <message>
+        <source>Let the shape relax with the pins where they are, until it is as near to its rest as it can be. This takes a moment at the end of the motion.</source>
+        <translation>ピンの位置は変えずに、形状を元の形にできるだけ近づけます。そのための時間がモーションの最後に少し加わります。</translation>
+    </message>
+    <message>
+        <source>Remembers its shape</source>
+        <translation>形状記憶</translation>
+    </message>
+</context>
+<context>
+    <name>wend::HandlePanel</name>
+    <message>
+        <source>Select a pin to see its numbers.</source>
+        <translation>ピンを選択すると数値が表示されます。</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>適用</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>名前を変更</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名前</translation>
+    </message>
+    <message>
+        <source>What the handle is called in the project and in messages.</source>
+        <translation>プロジェクトとメッセージで使われるハンドルの名前。</translation>
+    </message>
+    <message>
+        <source>Move by</source>
+        <translation>移動</translation>
+    </message>
+    <message>
+        <source>Rotate by</source>
+        <translation>回転</translation>
+    </message>
+    <message>
+        <source>Scale by</source>
+        <translation>拡大・縮小</translation>
+    </message>
+    <message>
+        <source>Exact step</source>
+        <translation>数値による変形</translation>
+    </message>
+    <message>
+        <source>Moves, turns or scales what is selected by exact numbers.</source>
+        <translation>選択したものを正確な数値で移動、回転、拡大・縮小します。</translation>
+    </message>
+    <message>
+        <source>Amount</source>
+        <translation>値</translation>
+    </message>
+    <message>
+        <source>How far along x, y and z; an angle; or a factor.</source>
+        <translation>x、y、z 方向の距離、角度、または倍率。</translation>
+    </message>
+    <message>
+        <source>around X</source>
+        <translation>X 軸まわり</translation>
+    </message>
+    <message>
+        <source>around Y</source>
+        <translation>Y 軸まわり</translation>
+    </message>
+    <message>
+        <source>around Z</source>
+        <translation>Z 軸まわり</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>軸</translation>
+    </message>
+    <message>
+        <source>The axis of the turn, through the middle of what is selected.</source>
+        <translation>選択したものの中心を通る回転軸。</translation>
+    </message>
+    <message>
+        <source>Does this step; it becomes part of the motion.</source>
+        <translation>この操作を実行し、モーションに加えます。</translation>
+    </message>
+    <message>
+        <source>Pin</source>
+        <translation>ピン</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pins</source>
+        <translation>
+            <numerusform>%n 個のピン</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>at %1, %2, %3</source>
+        <translation>位置 %1, %2, %3</translation>
+    </message>
+</context>
+<context>
+    <name>wend::InfoBanner</name>
+    <message>
+        <source>Close this message</source>
+        <translation>このメッセージを閉じる</translation>
+    </message>
+</context>
+<context>
+    <name>wend::LayerPanel</name>
+    <message>
+        <source>It is the same everywhere: brush over the shape to change a part.</source>
+        <translation>全体が同じ材質です。一部を変えるには形状をブラシでなぞってください。</translation>
+    </message>
+    <message>
+        <source>Keep here</source>
+        <translation>ここで保持</translation>
+    </message>
+    <message>
+        <source>Each along a direction of its own.</source>
+        <translation>それぞれ固有の方向を持ちます。</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>レイヤー</translation>
+    </message>
+    <message>
+        <source>Where the material is another. The topmost wins. A click shows its values, a double click changes its name.</source>
+        <translation>材質がほかと異なる部分です。一番上のレイヤーが優先されます。クリックで値を表示、ダブルクリックで名前を変更します。</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>上へ</translation>
+    </message>
+    <message>
+        <source>Lets the chosen layer win over the one above it.</source>
+        <translation>選択したレイヤーを 1 つ上のレイヤーより優先します。</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>下へ</translation>
+    </message>
+    <message>
+        <source>Lets the layer below win over the chosen one.</source>
+        <translation>1 つ下のレイヤーを選択したレイヤーより優先します。</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>削除</translation>
+    </message>
+    <message>
+        <source>Takes the chosen layer away.</source>
+        <translation>選択したレイヤーを削除します。</translation>
+    </message>
+    <message>
+        <source>Whether the layer changes what is kept, and to what.</source>
+        <translation>このレイヤーで保持するものを変えるかどうか、また何を保持するか。</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>剛性</translation>
+    </message>
+    <message>
+        <source>How many times stiffer the layer is along its direction; ×1 is as everywhere.</source>
+        <translation>レイヤーの方向に沿って何倍の剛性にするか。×1 はほかと同じです。</translation>
+    </message>
+    <message>
+        <source>Stiff direction</source>
+        <translation>剛性の方向</translation>
+    </message>
+    <message>
+        <source>At rest; it turns with the shape. Another one is for all regions of the layer.</source>
+        <translation>変形前の方向で、形状とともに回転します。変更するとレイヤーのすべての領域に適用されます。</translation>
+    </message>
+    <message>
+        <source>Soft edge</source>
+        <translation>境界のぼかし</translation>
+    </message>
+    <message>
+        <source>How wide the edge fades, in the shape&apos;s own units.</source>
+        <translation>境界をぼかす幅（形状の単位）。</translation>
+    </message>
+    <message>
+        <source>Soft ed&amp;ge</source>
+        <translation>境界のぼかし(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Rename layer</source>
+        <translation>レイヤー名を変更</translation>
+    </message>
+    <message>
+        <source>Move layer</source>
+        <translation>レイヤーを移動</translation>
+    </message>
+    <message>
+        <source>Remove layer</source>
+        <translation>レイヤーを削除</translation>
+    </message>
+    <message>
+        <source>Change soft edge</source>
+        <translation>境界のぼかしを変更</translation>
+    </message>
+    <message>
+        <source>Change layer</source>
+        <translation>レイヤーを変更</translation>
+    </message>
+    <message>
+        <source>Unnamed</source>
+        <translation>名称未設定</translation>
+    </message>
+</context>
+<context>
+    <name>wend::Legend</name>
+    <message>
+        <source>Legend</source>
+        <translation>凡例</translation>
+    </message>
+    <message>
+        <source>%1: from %2 to %3</source>
+        <translation>%1：%2 ～ %3</translation>
+    </message>
+</context>
+<context>
+    <name>wend::MainWindow</name>
+    <message>
+        <source>Main</source>
+        <translation>メイン</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>ツール</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>一時停止(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>再生(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Opening %1 …</source>
+        <translation>%1 を開いています…</translation>
+    </message>
+    <message>
+        <source>%1[*] – Wend</source>
+        <translation>%1[*] – Wend</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>その他</translation>
+    </message>
+</context>
+<context>
+    <name>wend::ManualWindow</name>
+    <message>
+        <source>Manual</source>
+        <translation>マニュアル</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>目次</translation>
+    </message>
+    <message>
+        <source>The first page</source>
+        <translation>最初のページ</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>戻る</translation>
+    </message>
+    <message>
+        <source>The page before</source>
+        <translation>前に見たページ</translation>
+    </message>
+    <message>
+        <source>Search this page</source>
+        <translation>このページを検索</translation>
+    </message>
+    <message>
+        <source>Enter goes to the next place where these words stand.</source>
+        <translation>Enter でこの語句の次の箇所へ移動します。</translation>
+    </message>
+</context>
+<context>
+    <name>wend::MaterialPanel</name>
+    <message>
+        <source>Keep</source>
+        <translation>保持</translation>
+    </message>
+    <message>
+        <source>Between %1 and %2.</source>
+        <translation>%1と%2の中間です。</translation>
+    </message>
+    <message>
+        <source>⚠ Grown ×%1 – try %2</source>
+        <translation>⚠ ×%1 に拡大 – %2を試す</translation>
+    </message>
+    <message>
+        <source>The shape has become much larger than at rest. A click keeps more of its size.</source>
+        <translation>形状が変形前よりかなり大きくなりました。クリックすると大きさをより保つようにします。</translation>
+    </message>
+</context>
+<context>
+    <name>wend::MeasurePanel</name>
+    <message>
+        <source>Measures</source>
+        <translation>計測値</translation>
+    </message>
+    <message>
+        <source>Size of the solid</source>
+        <translation>ソリッドのサイズ</translation>
+    </message>
+    <message>
+        <source>Volume and area of the surface, now and at rest.</source>
+        <translation>体積と表面積（現在と変形前）。</translation>
+    </message>
+    <message>
+        <source>Size of what is selected</source>
+        <translation>選択範囲のサイズ</translation>
+    </message>
+    <message>
+        <source>Volume of the tetrahedra and area of the outer triangles that the selected handles hold.</source>
+        <translation>選択したハンドルがつかむ四面体の体積と、外側の三角形の面積。</translation>
+    </message>
+    <message>
+        <source>Vertex under the pointer</source>
+        <translation>ポインター下の頂点</translation>
+    </message>
+    <message>
+        <source>The nearest vertex and where it is.</source>
+        <translation>最も近い頂点とその位置。</translation>
+    </message>
+    <message>
+        <source>Tetrahedron under the pointer</source>
+        <translation>ポインター下の四面体</translation>
+    </message>
+    <message>
+        <source>All values of the tetrahedron.</source>
+        <translation>四面体のすべての値。</translation>
+    </message>
+    <message>
+        <source>%1, at rest %2</source>
+        <translation>%1（変形前 %2）</translation>
+    </message>
+    <message>
+        <source>volume</source>
+        <translation>体積</translation>
+    </message>
+    <message>
+        <source>area</source>
+        <translation>面積</translation>
+    </message>
+    <message>
+        <source>The whole</source>
+        <translation>全体</translation>
+    </message>
+    <message numerus="yes">
+        <source>Selected: %n vertices</source>
+        <translation>
+            <numerusform>選択範囲：頂点 %n 個</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Point at the solid for the values there.</source>
+        <translation>ソリッドにポインターを合わせると、そこの値が表示されます。</translation>
+    </message>
+    <message>
+        <source>Vertex %1</source>
+        <translation>頂点 %1</translation>
+    </message>
+    <message>
+        <source>place</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>at rest</source>
+        <translation>変形前</translation>
+    </message>
+    <message>
+        <source>pointed at</source>
+        <translation>ポインター</translation>
+    </message>
+    <message>
+        <source>velocity</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>dihedral angles</source>
+        <translation>二面角</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 ～ %2</translation>
+    </message>
+    <message>
+        <source>circumradius to shortest edge</source>
+        <translation>外接球半径 / 最短辺</translation>
+    </message>
+    <message>
+        <source>Tetrahedron %1</source>
+        <translation>四面体 %1</translation>
+    </message>
+</context>
+<context>
+    <name>wend::MemorySlider</name>
+    <message>
+        <source>not at all</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>fully</source>
+        <translation>完全</translation>
+    </message>
+</context>
+<context>
+    <name>wend::MeshPanel</name>
+    <message>
+        <source>Vertices</source>
+        <translation>頂点数</translation>
+    </message>
+    <message>
+        <source>Greatest volume</source>
+        <translation>最大体積</translation>
+    </message>
+    <message>
+        <source>Aim</source>
+        <translation>目標</translation>
+    </message>
+    <message>
+        <source>What says how fine the mesh is: how many vertices it has in all, or how large a tetrahedron may be.</source>
+        <translation>メッシュの細かさの決め方：全体の頂点数、または四面体の最大の大きさ。</translation>
+    </message>
+    <message>
+        <source>Paint…</source>
+        <translation>ペイント…</translation>
+    </message>
+    <message>
+        <source>Cell sizes</source>
+        <translation>セルサイズ</translation>
+    </message>
+    <message>
+        <source>Paints where the mesh is to be finer or coarser, or says it by regions in numbers.</source>
+        <translation>メッシュを細かくする、または粗くする場所をペイントするか、領域の数値で指定します。</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>メッシュ</translation>
+    </message>
+    <message>
+        <source>A&amp;im at</source>
+        <translation>目標(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Detail: coarse – fine</source>
+        <translation>細かさ：粗い – 細かい</translation>
+    </message>
+    <message>
+        <source>Finer and coarser</source>
+        <translation>細かく・粗く</translation>
+    </message>
+    <message>
+        <source>Aim at a volume</source>
+        <translation>体積を目標に</translation>
+    </message>
+    <message>
+        <source>Aim at vertices</source>
+        <translation>頂点数を目標に</translation>
+    </message>
+    <message>
+        <source>The mesh comes from a file and is used as it is.</source>
+        <translation>メッシュはファイルから読み込まれ、そのまま使われます。</translation>
+    </message>
+    <message>
+        <source>This picture has no transparency.</source>
+        <translation>この画像には透明な部分がありません。</translation>
+    </message>
+    <message>
+        <source>No outline has been drawn.</source>
+        <translation>輪郭が描かれていません。</translation>
+    </message>
+    <message>
+        <source>%1 vertices, %2 tetrahedra</source>
+        <translation>頂点 %1、四面体 %2</translation>
+    </message>
+    <message>
+        <source>%1 vertices, %2 triangles</source>
+        <translation>頂点 %1、三角形 %2</translation>
+    </message>
+</context>
+<context>
+    <name>wend::ModeRow</name>
+    <message>
+        <source>Export</source>
+        <translation>書き出し</translation>
+    </message>
+    <message>
+        <source>Write what is shown: as picture, sequence, warp map, mesh or view</source>
+        <translation>表示中のものを、画像、連番、ワープマップ、メッシュ、ビューとして書き出します</translation>
+    </message>
+</context>
+<context>
+    <name>wend::OptionRow</name>
+    <message>
+        <source>Options</source>
+        <translation>オプション</translation>
+    </message>
+</context>
+<context>
+    <name>wend::PaintPanel</name>
+    <message>
+        <source>Keep</source>
+        <translation>保持</translation>
+    </message>
+    <message>
+        <source>Paint what the shape keeps when it has to give way.</source>
+        <translation>変形するときに形状が保とうとするものをペイントします。</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>剛性</translation>
+    </message>
+    <message>
+        <source>Paint how many times stiffer the shape is along a direction.</source>
+        <translation>ある方向に沿って何倍の剛性にするかをペイントします。</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>方向</translation>
+    </message>
+    <message>
+        <source>Comb the direction along which the shape is stiff.</source>
+        <translation>剛性の方向を、髪をとかすように描きます。</translation>
+    </message>
+    <message>
+        <source>How many times stiffer the painted part is along its direction; ×1 is as everywhere.</source>
+        <translation>ペイントした部分を、その方向に沿って何倍の剛性にするか。×1 はほかと同じです。</translation>
+    </message>
+    <message>
+        <source>Stiff direction</source>
+        <translation>剛性の方向</translation>
+    </message>
+    <message>
+        <source>The direction at rest, which turns with the shape: the stroke&apos;s own, the one that is there, an axis, numbers, or the way of the selected pin where it is nearest.</source>
+        <translation>形状とともに回転する、変形前の方向：ストロークの方向、今ある方向、軸、数値、または選択したピンのパスの最も近い部分の方向。</translation>
+    </message>
+    <message>
+        <source>Direction in numbers</source>
+        <translation>数値による方向</translation>
+    </message>
+    <message>
+        <source>At rest; its length does not matter.</source>
+        <translation>変形前の方向です。長さは関係ありません。</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Amount</source>
+        <translation>強さ</translation>
+    </message>
+    <message>
+        <source>How far a stroke goes from what is there to what is painted.</source>
+        <translation>1 回のストロークで、今の状態をペイントする値へどれだけ近づけるか。</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>サイズ</translation>
+    </message>
+    <message>
+        <source>The brush across, on the screen; also by the keys [ and ].</source>
+        <translation>画面上でのブラシの直径。[ と ] のキーでも変更できます。</translation>
+    </message>
+    <message>
+        <source>Hardness</source>
+        <translation>硬さ</translation>
+    </message>
+    <message>
+        <source>How much of the brush paints wholly; beyond it fades out. Also by Shift with [ and ].</source>
+        <translation>ブラシのうち完全に塗られる部分の割合。その外側は薄れていきます。Shift と [ または ] でも変更できます。</translation>
+    </message>
+    <message>
+        <source>St&amp;iffness</source>
+        <translation>剛性(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Di&amp;rection</source>
+        <translation>方向(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>ペイント</translation>
+    </message>
+    <message>
+        <source>Am&amp;ount</source>
+        <translation>強さ(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Si&amp;ze</source>
+        <translation>サイズ(&amp;Z)</translation>
+    </message>
+    <message>
+        <source>Hard&amp;ness</source>
+        <translation>硬さ(&amp;N)</translation>
+    </message>
+    <message>
+        <source>along the stroke</source>
+        <translation>ストロークに沿う</translation>
+    </message>
+    <message>
+        <source>as it is there</source>
+        <translation>今の方向のまま</translation>
+    </message>
+    <message>
+        <source>along X</source>
+        <translation>X 軸に沿う</translation>
+    </message>
+    <message>
+        <source>along Y</source>
+        <translation>Y 軸に沿う</translation>
+    </message>
+    <message>
+        <source>along Z</source>
+        <translation>Z 軸に沿う</translation>
+    </message>
+    <message>
+        <source>as numbers</source>
+        <translation>数値で指定</translation>
+    </message>
+    <message>
+        <source>along the view</source>
+        <translation>視線に沿う</translation>
+    </message>
+    <message>
+        <source>along the pin&apos;s way</source>
+        <translation>ピンのパスに沿う</translation>
+    </message>
+</context>
+<context>
+    <name>wend::PictureActions</name>
+    <message>
+        <source>&amp;Add</source>
+        <translation>追加(&amp;A)</translation>
+    </message>
+    <message>
+        <source>What is drawn shall bend, too; with Ctrl it is taken away</source>
+        <translation>描いた部分も変形させます。Ctrl で除外</translation>
+    </message>
+    <message>
+        <source>&amp;Take Away</source>
+        <translation>除外(&amp;T)</translation>
+    </message>
+    <message>
+        <source>What is drawn shall not bend; with Ctrl it is added</source>
+        <translation>描いた部分は変形させません。Ctrl で追加</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>サイズ</translation>
+    </message>
+    <message>
+        <source>How wide the brush is, on the screen; also [ and ]</source>
+        <translation>画面上でのブラシの幅。[ と ] でも変更できます</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>許容値</translation>
+    </message>
+    <message>
+        <source>How far colours may be apart; also [ and ]</source>
+        <translation>色の違いをどこまで許すか。[ と ] でも変更できます</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>順序</translation>
+    </message>
+    <message>
+        <source>What is brushed lies in front where it is greater than 0, behind where it is less</source>
+        <translation>ブラシでなぞった部分は、0 より大きいと手前、小さいと奥になります</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>辺の長さ</translation>
+    </message>
+    <message>
+        <source>How long the edges of the mesh are where it is brushed, of those elsewhere</source>
+        <translation>ブラシでなぞった部分のメッシュの辺の長さ（ほかの部分との比）</translation>
+    </message>
+    <message>
+        <source>S&amp;nap</source>
+        <translation>スナップ(&amp;N)</translation>
+    </message>
+    <message>
+        <source>New pins sit on corners of the mesh, instead of where one clicks</source>
+        <translation>新しいピンを、クリックした位置ではなくメッシュの頂点に打ちます</translation>
+    </message>
+    <message>
+        <source>&amp;Pressure</source>
+        <translation>筆圧(&amp;P)</translation>
+    </message>
+    <message>
+        <source>The harder a pen is pressed, the more of the amount is painted</source>
+        <translation>ペンを強く押すほど、強くペイントします</translation>
+    </message>
+</context>
+<context>
+    <name>wend::PictureDialog</name>
+    <message>
+        <source>&amp;Proportions of the view</source>
+        <translation>ビューの縦横比(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Transparent background</source>
+        <translation>背景を透明に(&amp;T)</translation>
+    </message>
+    <message>
+        <source>P&amp;ins and axes</source>
+        <translation>ピンと軸(&amp;I)</translation>
+    </message>
+    <message>
+        <source>&amp;Legend of the map</source>
+        <translation>マップの凡例(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Export View</source>
+        <translation>ビューを書き出し</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>形式</translation>
+    </message>
+    <message>
+        <source>What kind of file is written.</source>
+        <translation>書き出すファイルの種類。</translation>
+    </message>
+    <message>
+        <source>Proportions of the view</source>
+        <translation>ビューの縦横比</translation>
+    </message>
+    <message>
+        <source>Width and height follow each other, so that the picture shows what the view shows.</source>
+        <translation>幅と高さを連動させ、ビューと同じ範囲を画像にします。</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>幅</translation>
+    </message>
+    <message>
+        <source>Width of the picture in pixels.</source>
+        <translation>画像の幅（ピクセル）。</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>高さ</translation>
+    </message>
+    <message>
+        <source>Height of the picture in pixels; it decides how large the solid is.</source>
+        <translation>画像の高さ（ピクセル）。ソリッドの大きさを決めます。</translation>
+    </message>
+    <message>
+        <source>Transparent background</source>
+        <translation>背景を透明に</translation>
+    </message>
+    <message>
+        <source>Only the solid, on nothing.</source>
+        <translation>背景なしで、ソリッドだけを書き出します。</translation>
+    </message>
+    <message>
+        <source>Pins and axes</source>
+        <translation>ピンと軸</translation>
+    </message>
+    <message>
+        <source>Pins, their paths and the axes, as large as in the window.</source>
+        <translation>ピン、そのパス、軸を、ウィンドウと同じ大きさで含めます。</translation>
+    </message>
+    <message>
+        <source>Legend of the map</source>
+        <translation>マップの凡例</translation>
+    </message>
+    <message>
+        <source>The colours of the map and their values.</source>
+        <translation>マップの色とその値。</translation>
+    </message>
+    <message>
+        <source>Show a map first: only then there is something to explain.</source>
+        <translation>先にマップを表示してください。凡例はマップがあるときだけ使えます。</translation>
+    </message>
+    <message>
+        <source>F&amp;ormat</source>
+        <translation>形式(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Width</source>
+        <translation>幅(&amp;W)</translation>
+    </message>
+    <message>
+        <source>&amp;Height</source>
+        <translation>高さ(&amp;H)</translation>
+    </message>
+    <message>
+        <source>E&amp;xport…</source>
+        <translation>書き出し(&amp;X)…</translation>
+    </message>
+    <message>
+        <source>Width and height must be between %1 and %2 pixels.</source>
+        <translation>幅と高さは %1 ～ %2 ピクセルの範囲で指定してください。</translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels</source>
+        <translation>%1 × %2 ピクセル</translation>
+    </message>
+    <message>
+        <source>about %1 (estimated)</source>
+        <translation>約 %1（推定）</translation>
+    </message>
+</context>
+<context>
+    <name>wend::PinActions</name>
+    <message>
+        <source>&amp;Pins</source>
+        <translation>ピン(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Lock</source>
+        <translation>ロック(&amp;L)</translation>
+    </message>
+    <message>
+        <source>The selected pins are neither moved nor removed until unlocked</source>
+        <translation>選択したピンを、ロックを解除するまで移動も削除もできないようにします</translation>
+    </message>
+    <message>
+        <source>Ctrl+L</source>
+        <translation>Ctrl+L</translation>
+    </message>
+    <message>
+        <source>&amp;Hide</source>
+        <translation>隠す(&amp;H)</translation>
+    </message>
+    <message>
+        <source>The selected pins hold on, but are neither drawn nor picked</source>
+        <translation>選択したピンを、効かせたまま表示も選択もされないようにします</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+H</source>
+        <translation>Ctrl+Shift+H</translation>
+    </message>
+    <message>
+        <source>&amp;Show All</source>
+        <translation>すべて表示(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Show all hidden pins again</source>
+        <translation>隠したピンをすべて再び表示します</translation>
+    </message>
+    <message>
+        <source>Alt+Shift+H</source>
+        <translation>Alt+Shift+H</translation>
+    </message>
+    <message>
+        <source>&amp;Group…</source>
+        <translation>グループ化(&amp;G)…</translation>
+    </message>
+    <message>
+        <source>Put the selected pins under a heading of the list</source>
+        <translation>選択したピンを、リストの見出しの下にまとめます</translation>
+    </message>
+    <message>
+        <source>Ctrl+G</source>
+        <translation>Ctrl+G</translation>
+    </message>
+    <message>
+        <source>&amp;Ungroup</source>
+        <translation>グループ解除(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Take the selected pins out of their groups</source>
+        <translation>選択したピンをグループから外します</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+G</source>
+        <translation>Ctrl+Shift+G</translation>
+    </message>
+    <message>
+        <source>Lin&amp;k</source>
+        <translation>リンク(&amp;K)</translation>
+    </message>
+    <message>
+        <source>The selected pins move together, whichever of them is dragged</source>
+        <translation>選択したピンのどれをドラッグしても、すべて一緒に動くようにします</translation>
+    </message>
+    <message>
+        <source>Ctrl+K</source>
+        <translation>Ctrl+K</translation>
+    </message>
+    <message>
+        <source>&amp;Mirror</source>
+        <translation>ミラー(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Set pins where the selected ones lie in a mirror through the middle of the shape, with mirrored motions</source>
+        <translation>形状の中央を軸として、選択したピンと対称の位置に、対称のモーションを持つピンを打ちます</translation>
+    </message>
+    <message>
+        <source>Ctrl+M</source>
+        <translation>Ctrl+M</translation>
+    </message>
+    <message>
+        <source>Mirror M&amp;otion</source>
+        <translation>モーションをミラー(&amp;O)</translation>
+    </message>
+    <message>
+        <source>The selected pins move to the other side instead</source>
+        <translation>選択したピンが反対側へ動くようにします</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+M</source>
+        <translation>Ctrl+Shift+M</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>青</translation>
+    </message>
+    <message>
+        <source>Orange</source>
+        <translation>オレンジ</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>緑</translation>
+    </message>
+    <message>
+        <source>Red</source>
+        <translation>赤</translation>
+    </message>
+    <message>
+        <source>Violet</source>
+        <translation>紫</translation>
+    </message>
+    <message>
+        <source>Brown</source>
+        <translation>茶</translation>
+    </message>
+    <message>
+        <source>Turquoise</source>
+        <translation>ターコイズ</translation>
+    </message>
+    <message>
+        <source>Plum</source>
+        <translation>プラム</translation>
+    </message>
+    <message>
+        <source>&amp;Colour</source>
+        <translation>色(&amp;C)</translation>
+    </message>
+    <message>
+        <source>By &amp;Place in the List</source>
+        <translation>リストの順番で決める(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Other…</source>
+        <translation>その他(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Select a pin first.</source>
+        <translation>まずピンを選択してください。</translation>
+    </message>
+    <message>
+        <source>The selected pin is in no group.</source>
+        <translation>選択したピンはどのグループにも入っていません。</translation>
+    </message>
+    <message>
+        <source>Select several pins first.</source>
+        <translation>まず複数のピンを選択してください。</translation>
+    </message>
+    <message>
+        <source>Select a pin that moves.</source>
+        <translation>動くピンを選択してください。</translation>
+    </message>
+    <message>
+        <source>No pin is hidden.</source>
+        <translation>隠れているピンはありません。</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>グループ化</translation>
+    </message>
+    <message>
+        <source>Name of the group:</source>
+        <translation>グループ名：</translation>
+    </message>
+    <message>
+        <source>Colour of the Pin</source>
+        <translation>ピンの色</translation>
+    </message>
+</context>
+<context>
+    <name>wend::PinList</name>
+    <message>
+        <source>Pins</source>
+        <translation>ピン</translation>
+    </message>
+    <message>
+        <source>Does not hold at the time that is shown.</source>
+        <translation>表示中の時刻では効いていません。</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>名前を変更</translation>
+    </message>
+    <message>
+        <source>Choose pins here; F2 renames, Delete removes, Enter goes to the picture, where the arrow keys move them. The eye hides, the lock holds back from changes; a right click groups, links and mirrors.</source>
+        <translation>ここでピンを選択します。F2 で名前を変更、Delete で削除、Enter で画像に移り、矢印キーで動かせます。目のアイコンで隠し、錠のアイコンで変更から保護します。右クリックでグループ化、リンク、ミラー。</translation>
+    </message>
+    <message>
+        <source>Moves together with others</source>
+        <translation>ほかのピンと一緒に動きます</translation>
+    </message>
+    <message>
+        <source>Hidden: a click shows it</source>
+        <translation>非表示：クリックで表示します</translation>
+    </message>
+    <message>
+        <source>A click hides it</source>
+        <translation>クリックで隠します</translation>
+    </message>
+    <message>
+        <source>Locked: a click unlocks it</source>
+        <translation>ロック中：クリックで解除します</translation>
+    </message>
+    <message>
+        <source>A click locks it</source>
+        <translation>クリックでロックします</translation>
+    </message>
+</context>
+<context>
+    <name>wend::Properties</name>
+    <message>
+        <source>Advanced</source>
+        <translation>詳細設定</translation>
+    </message>
+    <message>
+        <source>The same in numbers, for those who want them.</source>
+        <translation>同じ設定を数値で指定します。</translation>
+    </message>
+</context>
+<context>
+    <name>wend::RegionNumbers</name>
+    <message>
+        <source>Numbers of the region</source>
+        <translation>領域の数値</translation>
+    </message>
+    <message>
+        <source>As x, y and z, in the coordinates of the rest shape.</source>
+        <translation>x、y、z の値（元の形の座標）。</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>球</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>直方体</translation>
+    </message>
+    <message>
+        <source>Half-space</source>
+        <translation>半空間</translation>
+    </message>
+    <message>
+        <source>Kind of region</source>
+        <translation>領域の種類</translation>
+    </message>
+    <message>
+        <source>What the region is; another kind keeps its place.</source>
+        <translation>領域の種類。変更しても位置は変わりません。</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>半径</translation>
+    </message>
+    <message>
+        <source>The radius of the ball.</source>
+        <translation>球の半径。</translation>
+    </message>
+    <message>
+        <source>&amp;Region</source>
+        <translation>領域(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Ra&amp;dius</source>
+        <translation>半径(&amp;D)</translation>
+    </message>
+    <message>
+        <source>centre</source>
+        <translation>中心</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>始点</translation>
+    </message>
+    <message>
+        <source>point of the plane</source>
+        <translation>平面上の点</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>終点</translation>
+    </message>
+    <message>
+        <source>direction into it</source>
+        <translation>内側への方向</translation>
+    </message>
+</context>
+<context>
+    <name>wend::RegionPanel</name>
+    <message>
+        <source>Region</source>
+        <translation>領域</translation>
+    </message>
+    <message>
+        <source>There is no vertex in this region: nothing was changed.</source>
+        <translation>この領域に頂点がないため、変更しませんでした。</translation>
+    </message>
+    <message>
+        <source>Change region</source>
+        <translation>領域を変更</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n vertices</source>
+        <translation>
+            <numerusform>頂点 %n 個</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>wend::ShapeCanvas</name>
+    <message>
+        <source>Canvas</source>
+        <translation>キャンバス</translation>
+    </message>
+    <message>
+        <source>The picture with its pins</source>
+        <translation>画像とそのピン</translation>
+    </message>
+</context>
+<context>
+    <name>wend::ShapeNotices</name>
+    <message>
+        <source>“Refine surface” in the panel “Mesh” lets the surface&apos;s triangles be split.</source>
+        <translation>「メッシュ」パネルの「サーフェスを細分化」をオンにすると、サーフェスの三角形を分割できます。</translation>
+    </message>
+</context>
+<context>
+    <name>wend::ShapeSession</name>
+    <message>
+        <source>Make a curve</source>
+        <translation>曲線にする</translation>
+    </message>
+    <message>
+        <source>This circle is smaller than the mesh: drag further, or set more vertices.</source>
+        <translation>円がメッシュの目より小さくなっています。さらにドラッグするか、頂点数を増やしてください。</translation>
+    </message>
+    <message>
+        <source>Widen %1</source>
+        <translation>%1 を広げる</translation>
+    </message>
+    <message>
+        <source>Settle</source>
+        <translation>落ち着かせる</translation>
+    </message>
+    <message>
+        <source>%1 cannot go further: %2</source>
+        <translation>%1 はこれ以上動かせません：%2</translation>
+    </message>
+    <message>
+        <source>The motion stops at %1: %2</source>
+        <translation>モーションは %1 で止まります：%2</translation>
+    </message>
+    <message>
+        <source>Cancelled: everything is as it was before the last change.</source>
+        <translation>キャンセルしました。すべて最後の変更の前の状態です。</translation>
+    </message>
+    <message>
+        <source>Meshing was cancelled. Any change makes a mesh again, such as fewer vertices.</source>
+        <translation>メッシュ化をキャンセルしました。頂点数を減らすなど、何か変更すると再び実行されます。</translation>
+    </message>
+    <message>
+        <source>The motion was cancelled. Any change computes it again.</source>
+        <translation>モーションの計算をキャンセルしました。何か変更すると再び計算されます。</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>There is no pin: this place lies outside of the shape.</source>
+        <translation>ピンは打てません。ここは形状の外です。</translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <translation>%1 を追加</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>%1 を変更</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>%1 を削除</translation>
+    </message>
+    <message>
+        <source>Move %1</source>
+        <translation>%1 を移動</translation>
+    </message>
+    <message>
+        <source>%1 does not hold the shape at the time that is shown.</source>
+        <translation>%1 は表示中の時刻では効いていません。</translation>
+    </message>
+    <message>
+        <source>Turn %1</source>
+        <translation>%1 を回転</translation>
+    </message>
+    <message>
+        <source>Scale %1</source>
+        <translation>%1 を拡大・縮小</translation>
+    </message>
+    <message>
+        <source>What came after is replaced by this; Undo brings it back.</source>
+        <translation>これより後の動きは置き換えられました。取り消しで元に戻せます。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pins</source>
+        <translation>
+            <numerusform>%n 個のピン</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 mirrored</source>
+        <translation>%1（ミラー）</translation>
+    </message>
+    <message>
+        <source>There is no pin where a mirror image lies outside of the shape.</source>
+        <translation>対称の位置が形状の外になるところには、ピンは打たれません。</translation>
+    </message>
+    <message>
+        <source>There is a pin already where the mirror image would be.</source>
+        <translation>対称の位置にはすでにピンがあります。</translation>
+    </message>
+    <message>
+        <source>Mirror %1</source>
+        <translation>%1 をミラー</translation>
+    </message>
+    <message>
+        <source>Mirror the motion of %1</source>
+        <translation>%1 のモーションをミラー</translation>
+    </message>
+    <message>
+        <source>Lock %1</source>
+        <translation>%1 をロック</translation>
+    </message>
+    <message>
+        <source>Unlock %1</source>
+        <translation>%1 のロックを解除</translation>
+    </message>
+    <message>
+        <source>Hide %1</source>
+        <translation>%1 を隠す</translation>
+    </message>
+    <message>
+        <source>Show %1</source>
+        <translation>%1 を表示</translation>
+    </message>
+    <message>
+        <source>Ungroup %1</source>
+        <translation>%1 のグループを解除</translation>
+    </message>
+    <message>
+        <source>Group %1</source>
+        <translation>%1 をグループ化</translation>
+    </message>
+    <message>
+        <source>Rename group</source>
+        <translation>グループ名を変更</translation>
+    </message>
+    <message>
+        <source>Colour %1</source>
+        <translation>%1 の色を変更</translation>
+    </message>
+    <message>
+        <source>Link %1</source>
+        <translation>%1 をリンク</translation>
+    </message>
+    <message>
+        <source>Unlink %1</source>
+        <translation>%1 のリンクを解除</translation>
+    </message>
+    <message>
+        <source>%1 is locked. A right click or the list of pins unlocks it.</source>
+        <translation>%1 はロックされています。右クリックまたはピンのリストで解除できます。</translation>
+    </message>
+    <message>
+        <source>%1 are locked. A right click or the list of pins unlocks them.</source>
+        <translation>%1 はロックされています。右クリックまたはピンのリストで解除できます。</translation>
+    </message>
+</context>
+<context>
+    <name>wend::SideWindows</name>
+    <message>
+        <source>Steps</source>
+        <translation>ヒストリー</translation>
+    </message>
+    <message>
+        <source>As it was opened</source>
+        <translation>開いたときの状態</translation>
+    </message>
+    <message>
+        <source>What was done; a click goes back to that step, or forth.</source>
+        <translation>これまでの操作です。クリックするとその時点に戻る、または進みます。</translation>
+    </message>
+    <message>
+        <source>About Wend</source>
+        <translation>Wend について</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Wend %1&lt;/h3&gt;&lt;p&gt;Bends pictures and solids by letting them flow.&lt;/p&gt;&lt;p&gt;After J. Martinez Esturo, C. Rössl, H. Theisel: Generalized Metric Energies for Continuous Shape Deformation, 2013.&lt;/p&gt;&lt;p&gt;Free software under the GNU Affero General Public License, version 3 or later.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Wend %1&lt;/h3&gt;&lt;p&gt;画像とソリッドを、流れるように変形させます。&lt;/p&gt;&lt;p&gt;次の論文に基づいています：J. Martinez Esturo, C. Rössl, H. Theisel: Generalized Metric Energies for Continuous Shape Deformation, 2013.&lt;/p&gt;&lt;p&gt;GNU Affero General Public License バージョン 3 またはそれ以降に基づくフリーソフトウェアです。&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>wend::SizePanel</name>
+    <message>
+        <source>Length of edges</source>
+        <translation>辺の長さ</translation>
+    </message>
+    <message>
+        <source>How long edges are there, against elsewhere: 0.5 is half as long, which is finer; 2 is twice as long, which is coarser.</source>
+        <translation>ほかの部分に対する辺の長さ。0.5 は半分で細かく、2 は 2 倍で粗くなります。</translation>
+    </message>
+    <message>
+        <source>Where cells are finer or coarser</source>
+        <translation>セルの細かい部分と粗い部分</translation>
+    </message>
+    <message>
+        <source>What the next stroke does, and the strokes and regions that are there; of two at one place the lower one counts. A click shows the numbers, for changing.</source>
+        <translation>次のストロークの効果と、既存のストロークや領域。同じ場所に 2 つある場合は下のものが有効です。クリックすると数値を表示し、変更できます。</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>追加</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>削除</translation>
+    </message>
+    <message>
+        <source>Add region</source>
+        <translation>領域を追加</translation>
+    </message>
+    <message>
+        <source>A ball, a box or a half-space in the middle, or what the selected handle holds as a region; its numbers can be changed then.</source>
+        <translation>中央に置く球、直方体、半空間、または選択したハンドルがつかむ領域。数値は後から変更できます。</translation>
+    </message>
+    <message>
+        <source>Remove sizes</source>
+        <translation>サイズ指定を削除</translation>
+    </message>
+    <message>
+        <source>Takes the chosen stroke or region away.</source>
+        <translation>選択したストロークまたは領域を削除します。</translation>
+    </message>
+    <message>
+        <source>Soft edge</source>
+        <translation>境界のぼかし</translation>
+    </message>
+    <message>
+        <source>Over what width the size goes over into that around, in units of the file.</source>
+        <translation>周囲のサイズへ移り変わる幅（ファイルの単位）。</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>球</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>直方体</translation>
+    </message>
+    <message>
+        <source>Half-space</source>
+        <translation>半空間</translation>
+    </message>
+    <message>
+        <source>Region of the selected handle</source>
+        <translation>選択したハンドルの領域</translation>
+    </message>
+    <message>
+        <source>Cell sizes</source>
+        <translation>セルサイズ</translation>
+    </message>
+    <message>
+        <source>E&amp;dges</source>
+        <translation>辺の長さ(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Soft ed&amp;ge</source>
+        <translation>境界のぼかし(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Change size</source>
+        <translation>サイズを変更</translation>
+    </message>
+    <message>
+        <source>Change region</source>
+        <translation>領域を変更</translation>
+    </message>
+    <message>
+        <source>Add size region</source>
+        <translation>サイズ領域を追加</translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation>グラデーション</translation>
+    </message>
+    <message>
+        <source>%1: edges %2</source>
+        <translation>%1：辺 %2</translation>
+    </message>
+    <message>
+        <source>Next stroke</source>
+        <translation>次のストローク</translation>
+    </message>
+    <message>
+        <source>Beneath them: the factors in %1.</source>
+        <translation>その下にあるもの：%1 の倍率。</translation>
+    </message>
+    <message>
+        <source>The surface&apos;s triangles are kept, and only what is inside changes. “Refine surface” in the panel “Mesh” lets them be split, too.</source>
+        <translation>サーフェスの三角形は保たれ、内部だけが変わります。「メッシュ」パネルの「サーフェスを細分化」をオンにすると、三角形も分割されます。</translation>
+    </message>
+</context>
+<context>
+    <name>wend::SolidActions</name>
+    <message>
+        <source>Through the &amp;Solid</source>
+        <translation>ソリッドを透過(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Rectangle, lasso and brush also take or select what is hidden</source>
+        <translation>長方形、なげなわ、ブラシで、隠れた部分もつかむ、または選択します</translation>
+    </message>
+    <message>
+        <source>T</source>
+        <translation>T</translation>
+    </message>
+    <message>
+        <source>Grab Beyond the &amp;Cut</source>
+        <translation>断面の向こう側をつかむ(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Take hold of all that the cut takes away, as one handle</source>
+        <translation>断面で取り除かれた部分すべてを 1 つのハンドルとしてつかみます</translation>
+    </message>
+    <message>
+        <source>Ctrl+B</source>
+        <translation>Ctrl+B</translation>
+    </message>
+    <message>
+        <source>What is drawn beside pins with the pin or the select tool, to select them</source>
+        <translation>ピンツールまたは選択ツールで、ピンの横からドラッグして選択するときの形</translation>
+    </message>
+    <message>
+        <source>By &amp;Rectangle</source>
+        <translation>長方形(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Shift+R</source>
+        <translation>Shift+R</translation>
+    </message>
+    <message>
+        <source>By &amp;Lasso</source>
+        <translation>なげなわ(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Shift+O</source>
+        <translation>Shift+O</translation>
+    </message>
+    <message>
+        <source>By &amp;Brush</source>
+        <translation>ブラシ(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Shift+U</source>
+        <translation>Shift+U</translation>
+    </message>
+    <message>
+        <source>&amp;Move</source>
+        <translation>移動(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Show arrows that move the selected pins</source>
+        <translation>選択したピンを移動する矢印を表示します</translation>
+    </message>
+    <message>
+        <source>G</source>
+        <translation>G</translation>
+    </message>
+    <message>
+        <source>&amp;Rotate</source>
+        <translation>回転(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Show rings that rotate the selected pins</source>
+        <translation>選択したピンを回転するリングを表示します</translation>
+    </message>
+    <message>
+        <source>R</source>
+        <translation>R</translation>
+    </message>
+    <message>
+        <source>&amp;Scale</source>
+        <translation>拡大・縮小(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Show a ring that scales the selected pins</source>
+        <translation>選択したピンを拡大・縮小するリングを表示します</translation>
+    </message>
+    <message>
+        <source>S</source>
+        <translation>S</translation>
+    </message>
+    <message>
+        <source>S&amp;kin</source>
+        <translation>スキン(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Show the detailed or textured surface that rides in the solid; off: the border of the tetrahedra, which bend</source>
+        <translation>ソリッドに追従する、精細な、またはテクスチャ付きのサーフェスを表示します。オフの場合は、変形している四面体の境界を表示します</translation>
+    </message>
+    <message>
+        <source>Shift+D</source>
+        <translation>Shift+D</translation>
+    </message>
+    <message>
+        <source>Choose Sk&amp;in…</source>
+        <translation>スキンを選択(&amp;I)…</translation>
+    </message>
+    <message>
+        <source>Let a detailed, perhaps textured surface from a file ride in the solid</source>
+        <translation>テクスチャ付きも可能な精細なサーフェスをファイルから読み込み、ソリッドに追従させます</translation>
+    </message>
+    <message>
+        <source>Re&amp;move Skin</source>
+        <translation>スキンを削除(&amp;M)</translation>
+    </message>
+    <message>
+        <source>See and export the solid with its own surface again</source>
+        <translation>ソリッドの表示と書き出しを、元のサーフェスに戻します</translation>
+    </message>
+    <message>
+        <source>&amp;Flat Faces</source>
+        <translation>フラットシェーディング(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Shade every triangle by itself instead of smoothly</source>
+        <translation>滑らかにせず、三角形ごとに陰影を付けます</translation>
+    </message>
+    <message>
+        <source>Shift+F</source>
+        <translation>Shift+F</translation>
+    </message>
+    <message>
+        <source>&amp;Parallel View</source>
+        <translation>平行投影(&amp;P)</translation>
+    </message>
+    <message>
+        <source>See without perspective</source>
+        <translation>遠近感なしで表示します</translation>
+    </message>
+    <message>
+        <source>5</source>
+        <translation>5</translation>
+    </message>
+    <message>
+        <source>&amp;Velocity Arrows</source>
+        <translation>速度の矢印(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Show where the surface moves at this time</source>
+        <translation>この時刻に表面が動く方向を表示します</translation>
+    </message>
+    <message>
+        <source>Shift+V</source>
+        <translation>Shift+V</translation>
+    </message>
+    <message>
+        <source>&amp;Cut Open</source>
+        <translation>断面表示(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Look inside along a plane; an arrow and rings move and tilt it</source>
+        <translation>平面で切って内部を見ます。矢印で移動、リングで傾けられます</translation>
+    </message>
+    <message>
+        <source>C</source>
+        <translation>C</translation>
+    </message>
+    <message>
+        <source>Look along an axis of the world</source>
+        <translation>ワールドの軸に沿って見ます</translation>
+    </message>
+    <message>
+        <source>&amp;Front</source>
+        <translation>前(&amp;F)</translation>
+    </message>
+    <message>
+        <source>1</source>
+        <translation>1</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>後ろ(&amp;B)</translation>
+    </message>
+    <message>
+        <source>&amp;Right</source>
+        <translation>右(&amp;R)</translation>
+    </message>
+    <message>
+        <source>3</source>
+        <translation>3</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>左(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Top</source>
+        <translation>上(&amp;T)</translation>
+    </message>
+    <message>
+        <source>7</source>
+        <translation>7</translation>
+    </message>
+    <message>
+        <source>B&amp;ottom</source>
+        <translation>下(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Oblique</source>
+        <translation>斜め(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Look from the side and above</source>
+        <translation>斜め上から見ます</translation>
+    </message>
+    <message>
+        <source>0</source>
+        <translation>0</translation>
+    </message>
+    <message>
+        <source>&amp;Wend</source>
+        <translation>Wend(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Right or middle button turns, with Shift moves; the wheel zooms</source>
+        <translation>右または中ボタンで回転、Shift と合わせて移動、ホイールでズーム</translation>
+    </message>
+    <message>
+        <source>Like &amp;VTK</source>
+        <translation>VTK 方式(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Left button turns, middle moves, right zooms, as in ParaView</source>
+        <translation>左ボタンで回転、中ボタンで移動、右ボタンでズーム（ParaView と同じ）</translation>
+    </message>
+    <message>
+        <source>Like &amp;Blender</source>
+        <translation>Blender 方式(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Middle button turns, with Shift moves, with Ctrl zooms</source>
+        <translation>中ボタンで回転、Shift と合わせて移動、Ctrl と合わせてズーム</translation>
+    </message>
+    <message>
+        <source>&amp;Solid</source>
+        <translation>ソリッド(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Select &amp;Pins</source>
+        <translation>ピンを選択(&amp;P)</translation>
+    </message>
+    <message>
+        <source>L&amp;ook from</source>
+        <translation>視点(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Navigation</source>
+        <translation>ナビゲーション(&amp;N)</translation>
+    </message>
+    <message>
+        <source>The solid has neither a detailed surface nor materials.</source>
+        <translation>このソリッドには精細なサーフェスもマテリアルもありません。</translation>
+    </message>
+    <message>
+        <source>No detailed surface was chosen for the solid.</source>
+        <translation>このソリッドには精細なサーフェスが選択されていません。</translation>
+    </message>
+    <message>
+        <source>The mesh comes from a file and is used as it is.</source>
+        <translation>メッシュはファイルから読み込まれ、そのまま使われます。</translation>
+    </message>
+    <message>
+        <source>Open a solid first.</source>
+        <translation>まずソリッドを開いてください。</translation>
+    </message>
+    <message>
+        <source>S&amp;nap</source>
+        <translation>スナップ(&amp;N)</translation>
+    </message>
+    <message>
+        <source>New pins sit on corners of the mesh, instead of where one clicks</source>
+        <translation>新しいピンを、クリックした位置ではなくメッシュの頂点に打ちます</translation>
+    </message>
+</context>
+<context>
+    <name>wend::SolidCanvas</name>
+    <message>
+        <source>the memory does not suffice for a picture of %1 x %2 pixels</source>
+        <translation>%1 x %2 ピクセルの画像にはメモリーが足りません</translation>
+    </message>
+    <message>
+        <source>Writing the picture …</source>
+        <translation>画像を書き出しています…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>Cell %1</source>
+        <translation>セル %1</translation>
+    </message>
+</context>
+<context>
+    <name>wend::SolidWorkshop</name>
+    <message>
+        <source>Solids need OpenGL 3.3, which this system does not have. The command line (wend run) works with them all the same.</source>
+        <translation>ソリッドには OpenGL 3.3 が必要ですが、このシステムにはありません。コマンドライン（wend run）では使えます。</translation>
+    </message>
+    <message>
+        <source>These pictures of the surface cannot be read: %1</source>
+        <translation>サーフェスの次の画像を読み込めません：%1</translation>
+    </message>
+    <message>
+        <source>Export View</source>
+        <translation>ビューを書き出し</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>書き出しました：%1</translation>
+    </message>
+    <message>
+        <source>Nothing was written. %1</source>
+        <translation>何も書き出されませんでした。%1</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>領域</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>範囲</translation>
+    </message>
+</context>
+<context>
+    <name>wend::StartPage</name>
+    <message>
+        <source>Pin a picture, pull it into shape, and let it flow.</source>
+        <translation>画像にピンを打ち、引っぱって、流れるように変形。</translation>
+    </message>
+    <message>
+        <source>Drop a picture here</source>
+        <translation>ここに画像をドロップ</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>開く…</translation>
+    </message>
+    <message>
+        <source>Choose a picture, a flat mesh or a project.</source>
+        <translation>画像、平面メッシュ、またはプロジェクトを選択します。</translation>
+    </message>
+    <message>
+        <source>PNG, TIFF, EXR, JPEG, WebP — cut-outs with transparency work best. Projects, meshes and solids too.</source>
+        <translation>PNG、TIFF、EXR、JPEG、WebP に対応。透明部分のある切り抜き画像が最適です。プロジェクト、メッシュ、ソリッドも開けます。</translation>
+    </message>
+    <message>
+        <source>Try a sample</source>
+        <translation>サンプルを試す</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>最近使ったファイル</translation>
+    </message>
+    <message>
+        <source>Five-minute tutorial</source>
+        <translation>5 分でわかるチュートリアル</translation>
+    </message>
+    <message>
+        <source>The first steps on a sample, one after another.</source>
+        <translation>サンプルを使った最初の操作を、1 つずつ案内します。</translation>
+    </message>
+</context>
+<context>
+    <name>wend::StatusFields</name>
+    <message>
+        <source>Position</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Where the pointer is, in the picture&apos;s pixels</source>
+        <translation>ポインターの位置（画像のピクセル）</translation>
+    </message>
+    <message>
+        <source>Pin error</source>
+        <translation>ピン誤差</translation>
+    </message>
+    <message>
+        <source>How far the worst pin is from where it should be</source>
+        <translation>最もずれたピンと、本来の位置との距離</translation>
+    </message>
+    <message>
+        <source>pin error %1 px</source>
+        <translation>ピン誤差 %1 px</translation>
+    </message>
+    <message>
+        <source>Worst place</source>
+        <translation>最大ひずみ箇所</translation>
+    </message>
+    <message>
+        <source>How far the worst place is from rest, by what the map shows</source>
+        <translation>マップの示す量で、最大ひずみ箇所が変形前からどれだけ離れているか</translation>
+    </message>
+    <message>
+        <source>worst %1</source>
+        <translation>最大%1</translation>
+    </message>
+    <message>
+        <source>Area change</source>
+        <translation>面積の変化</translation>
+    </message>
+    <message>
+        <source>How much larger or smaller the shape is than at rest</source>
+        <translation>形状が変形前よりどれだけ大きく、または小さくなったか</translation>
+    </message>
+    <message>
+        <source>area %1 %</source>
+        <translation>面積 %1%</translation>
+    </message>
+    <message>
+        <source>Time per frame</source>
+        <translation>フレームあたりの時間</translation>
+    </message>
+    <message>
+        <source>What computing the last frame took</source>
+        <translation>直前のフレームの計算にかかった時間</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>pin error %1</source>
+        <translation>ピン誤差 %1</translation>
+    </message>
+    <message>
+        <source>worst %1</source>
+        <comment>a ratio</comment>
+        <translation>最大変化：%1</translation>
+    </message>
+    <message>
+        <source>volume %1 %</source>
+        <translation>体積 %1%</translation>
+    </message>
+</context>
+<context>
+    <name>wend::SurfaceCheck</name>
+    <message>
+        <source>Triangles of missing points</source>
+        <translation>頂点が欠けた三角形</translation>
+    </message>
+    <message>
+        <source>Triangles that cross</source>
+        <translation>交差する三角形</translation>
+    </message>
+    <message>
+        <source>Holes</source>
+        <translation>穴</translation>
+    </message>
+    <message>
+        <source>Edges of more than two</source>
+        <translation>3 面以上が共有する辺</translation>
+    </message>
+    <message>
+        <source>Triangles without area</source>
+        <translation>面積のない三角形</translation>
+    </message>
+    <message>
+        <source>Double triangles</source>
+        <translation>重複した三角形</translation>
+    </message>
+    <message>
+        <source>Turned neighbours</source>
+        <translation>向きが逆の隣接三角形</translation>
+    </message>
+    <message>
+        <source>All points lie in one plane.</source>
+        <translation>すべての点が同一平面上にあります。</translation>
+    </message>
+    <message>
+        <source>Save List</source>
+        <translation>リストを保存</translation>
+    </message>
+    <message>
+        <source>Text (*.txt)</source>
+        <translation>テキスト (*.txt)</translation>
+    </message>
+    <message>
+        <source>Repair surface</source>
+        <translation>サーフェスを修復</translation>
+    </message>
+    <message>
+        <source>Fit a cage</source>
+        <translation>ケージを作る</translation>
+    </message>
+    <message>
+        <source>Exact surface only</source>
+        <translation>正確なサーフェスのみ</translation>
+    </message>
+    <message>
+        <source>merge points (%1)</source>
+        <translation>点の結合（%1）</translation>
+    </message>
+    <message>
+        <source>drop triangles (%1)</source>
+        <translation>三角形の除去（%1）</translation>
+    </message>
+    <message>
+        <source>turn triangles (%1)</source>
+        <translation>三角形の反転（%1）</translation>
+    </message>
+    <message>
+        <source>fill holes (%1)</source>
+        <translation>穴埋め（%1）</translation>
+    </message>
+    <message>
+        <source>It would %1.</source>
+        <translation>行われる処理：%1。</translation>
+    </message>
+</context>
+<context>
+    <name>wend::SurfacePanel</name>
+    <message>
+        <source>Show them</source>
+        <translation>表示</translation>
+    </message>
+    <message>
+        <source>Save list…</source>
+        <translation>リストを保存…</translation>
+    </message>
+    <message>
+        <source>Repair</source>
+        <translation>修復</translation>
+    </message>
+    <message>
+        <source>What is wrong</source>
+        <translation>問題点</translation>
+    </message>
+    <message>
+        <source>The kinds of what is wrong, and how often each occurs.</source>
+        <translation>問題の種類と、それぞれの件数。</translation>
+    </message>
+    <message>
+        <source>Previous place</source>
+        <translation>前の箇所</translation>
+    </message>
+    <message>
+        <source>Looks at the previous place where this is wrong.</source>
+        <translation>この問題がある前の箇所を表示します。</translation>
+    </message>
+    <message>
+        <source>Next place</source>
+        <translation>次の箇所</translation>
+    </message>
+    <message>
+        <source>Looks at the next place where this is wrong.</source>
+        <translation>この問題がある次の箇所を表示します。</translation>
+    </message>
+    <message>
+        <source>Show the triangles</source>
+        <translation>三角形を表示</translation>
+    </message>
+    <message>
+        <source>Colours the triangles that are wrong, and looks at them: what hides them is left out.</source>
+        <translation>問題のある三角形に色を付けて表示します。手前で隠しているものは省かれます。</translation>
+    </message>
+    <message>
+        <source>Save the list</source>
+        <translation>リストを保存</translation>
+    </message>
+    <message>
+        <source>Writes the numbers of all wrong triangles and edges to a file.</source>
+        <translation>問題のあるすべての三角形と辺の番号をファイルに書き出します。</translation>
+    </message>
+    <message>
+        <source>Merges points at one place, drops degenerate and double triangles, orients them and fills small holes.</source>
+        <translation>同じ位置の点を結合し、退化した三角形と重複した三角形を取り除き、向きをそろえ、小さな穴を埋めます。</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>The surface rides in a cage</source>
+        <translation>サーフェスはケージに追従しています</translation>
+    </message>
+    <message>
+        <source>The surface bounds no solid</source>
+        <translation>サーフェスがソリッドを囲んでいません</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>“Repair” helps.</source>
+        <translation>「修復」で直せます。</translation>
+    </message>
+    <message>
+        <source>“Repair” does not help: a cage around it can carry it.</source>
+        <translation>「修復」では直せませんが、包むケージに追従させることができます。</translation>
+    </message>
+    <message>
+        <source>The simple repairs do not help: fit a cage.</source>
+        <translation>簡単な修復では直せません。ケージを作ってください。</translation>
+    </message>
+    <message>
+        <source>Exact surface only</source>
+        <translation>正確なサーフェスのみ</translation>
+    </message>
+    <message>
+        <source>Fit a cage</source>
+        <translation>ケージを作る</translation>
+    </message>
+    <message>
+        <source>Takes the cage away: without repair there is no solid then.</source>
+        <translation>ケージを取り除きます。修復しなければソリッドはなくなります。</translation>
+    </message>
+    <message>
+        <source>Fills a cage of even cells around the surface, which rides in it.</source>
+        <translation>サーフェスを包む均一なセルのケージを充填します。サーフェスはそれに追従します。</translation>
+    </message>
+    <message>
+        <source>See the repair</source>
+        <translation>修復をプレビュー</translation>
+    </message>
+    <message>
+        <source>Shows the surface as the repair would leave it: what it adds in green, what stays wrong in red.</source>
+        <translation>修復後のサーフェスを表示します。追加される部分は緑、問題が残る部分は赤で示します。</translation>
+    </message>
+    <message>
+        <source>There is nothing that the simple repairs would change.</source>
+        <translation>簡単な修復で変わるところはありません。</translation>
+    </message>
+</context>
+<context>
+    <name>wend::TimeStrip</name>
+    <message>
+        <source>Time</source>
+        <translation>時刻</translation>
+    </message>
+    <message>
+        <source>Which moment of the motion is shown.</source>
+        <translation>モーションのどの時点を表示しているか。</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> 秒</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>長さ</translation>
+    </message>
+    <message>
+        <source>How long the film is. The poses stay as they are, however fast it goes.</source>
+        <translation>ムービーの長さ。速さが変わってもポーズは変わりません。</translation>
+    </message>
+    <message>
+        <source>Change length</source>
+        <translation>長さを変更</translation>
+    </message>
+    <message>
+        <source>Nothing moves yet: drag a pin.</source>
+        <translation>まだ何も動いていません。ピンをドラッグしてください。</translation>
+    </message>
+    <message>
+        <source>%1 /</source>
+        <translation>%1 /</translation>
+    </message>
+    <message>
+        <source>Drag a pin to begin</source>
+        <translation>ピンをドラッグして開始</translation>
+    </message>
+</context>
+<context>
+    <name>wend::Toolbox</name>
+    <message>
+        <source>Mesh</source>
+        <translation>メッシュ</translation>
+    </message>
+    <message>
+        <source>What bends, and how finely</source>
+        <translation>変形する範囲とその細かさ</translation>
+    </message>
+    <message>
+        <source>Pins</source>
+        <translation>ピン</translation>
+    </message>
+    <message>
+        <source>Hold parts and drag them</source>
+        <translation>部分をつかんでドラッグ</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>ペイント</translation>
+    </message>
+    <message>
+        <source>What it is made of: soft, stiff, and what is kept where</source>
+        <translation>材質：柔らかさ、剛性、どこで何を保つか</translation>
+    </message>
+    <message>
+        <source>Animate</source>
+        <translation>アニメーション</translation>
+    </message>
+    <message>
+        <source>How it moves in time</source>
+        <translation>時間とともにどう動くか</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>書き出し</translation>
+    </message>
+    <message>
+        <source>Write pictures, sequences, maps and meshes</source>
+        <translation>画像、連番、マップ、メッシュを書き出します</translation>
+    </message>
+    <message>
+        <source>Open a picture first.</source>
+        <translation>まず画像を開いてください。</translation>
+    </message>
+    <message>
+        <source>Open a solid first.</source>
+        <translation>まずソリッドを開いてください。</translation>
+    </message>
+</context>
+<context>
+    <name>wend::Tutorial</name>
+    <message>
+        <source>End</source>
+        <translation>終了</translation>
+    </message>
+    <message>
+        <source>Ends the tutorial; the picture stays open</source>
+        <translation>チュートリアルを終了します。画像は開いたままです</translation>
+    </message>
+    <message>
+        <source>Only what is pinned holds. &lt;b&gt;Click a hoof&lt;/b&gt; of the giraffe to pin it.</source>
+        <translation>ピンで留めたところだけが固定されます。キリンの&lt;b&gt;ひづめを 1 つクリック&lt;/b&gt;して、ピンを打ってください。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Pin the other hooves&lt;/b&gt;, too: a click each. Ctrl+Z takes a pin back.</source>
+        <translation>&lt;b&gt;ほかのひづめにもピンを打って&lt;/b&gt;ください（それぞれ 1 クリック）。Ctrl+Z でピンを 1 つ取り消せます。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Click its nose&lt;/b&gt;, and &lt;b&gt;drag the new pin&lt;/b&gt; down to the ground. The shape flows along.</source>
+        <translation>&lt;b&gt;鼻先をクリック&lt;/b&gt;し、地面まで&lt;b&gt;新しいピンをドラッグ&lt;/b&gt;してください。形状が滑らかについてきます。</translation>
+    </message>
+    <message>
+        <source>What it keeps on the way is your choice: at the top right, under &lt;b&gt;Keep&lt;/b&gt;, &lt;b&gt;choose Area, Rigid or Angle&lt;/b&gt;, and see the neck change.</source>
+        <translation>そのとき何を保つかは、自分で選べます。右上の&lt;b&gt;「保持」&lt;/b&gt;で&lt;b&gt;「面積」「剛体」「角度」のどれかを選び&lt;/b&gt;、首の変化を見てください。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Press D&lt;/b&gt; to see in colours what the bend has changed, and where most. D again hides it.</source>
+        <translation>&lt;b&gt;D を押す&lt;/b&gt;と、変形で何が変わり、どこが最も変わったかが色でわかります。もう一度 D を押すと隠れます。</translation>
+    </message>
+    <message>
+        <source>The same for a part only: &lt;b&gt;press Ctrl+3&lt;/b&gt; for the step &lt;i&gt;Paint&lt;/i&gt;, and &lt;b&gt;brush over the neck&lt;/b&gt;. [ and ] change the size of the brush.</source>
+        <translation>一部だけを変えることもできます。&lt;b&gt;Ctrl+3 を押して&lt;/b&gt;ステップ&lt;i&gt;「ペイント」&lt;/i&gt;に移り、&lt;b&gt;首をブラシでなぞって&lt;/b&gt;ください。[ と ] でブラシのサイズを変更します。</translation>
+    </message>
+    <message>
+        <source>Your drag is already a film: &lt;b&gt;press K&lt;/b&gt; to play it. Click into the strip below to go to a time, and drag on from there.</source>
+        <translation>ドラッグした動きは、もうムービーになっています。&lt;b&gt;K を押す&lt;/b&gt;と再生します。下の帯をクリックするとその時刻に移り、そこからドラッグを続けられます。</translation>
+    </message>
+    <message>
+        <source>At last, &lt;b&gt;press Ctrl+5&lt;/b&gt; for the step &lt;i&gt;Export&lt;/i&gt;: a picture, a sequence, a map of the warp, or the mesh.</source>
+        <translation>最後に、&lt;b&gt;Ctrl+5 を押して&lt;/b&gt;ステップ&lt;i&gt;「書き出し」&lt;/i&gt;に移ります。画像、連番、ワープマップ、メッシュを書き出せます。</translation>
+    </message>
+    <message>
+        <source>That is all you need to begin. &lt;b&gt;F1&lt;/b&gt; opens the manual, &lt;b&gt;?&lt;/b&gt; lists the keys. Drop a picture of your own on the window.</source>
+        <translation>始めるのに必要なことは、これですべてです。&lt;b&gt;F1&lt;/b&gt; でマニュアル、&lt;b&gt;?&lt;/b&gt; でキーの一覧が開きます。自分の画像をウィンドウにドロップしてください。</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>完了</translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation>スキップ</translation>
+    </message>
+</context>
+<context>
+    <name>wend::VolumeView</name>
+    <message>
+        <source>View of the solid</source>
+        <translation>ソリッドのビュー</translation>
+    </message>
+    <message>
+        <source>The solid cannot be drawn: %1</source>
+        <translation>ソリッドを描画できません：%1</translation>
+    </message>
+</context>
+<context>
+    <name>wend::WorkNote</name>
+    <message>
+        <source>Cancel (Esc)</source>
+        <translation>キャンセル (Esc)</translation>
+    </message>
+    <message>
+        <source>Ends what is being computed and goes back to the last state that is complete</source>
+        <translation>計算を中断し、最後に完了した状態に戻ります</translation>
+    </message>
+    <message>
+        <source>Computing the motion: %1 %</source>
+        <translation>モーションを計算しています：%1%</translation>
+    </message>
+    <message>
+        <source>Meshing %1 …</source>
+        <translation>%1 をメッシュ化しています…</translation>
+    </message>
+    <message numerus="yes">
+        <source>Meshing %1 with about %Ln vertices …</source>
+        <translation>
+            <numerusform>%1 を約 %Ln 頂点でメッシュ化しています…</numerusform>
+        </translation>
+    </message>
+</context>
+</TS>

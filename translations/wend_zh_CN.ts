@@ -1,0 +1,4841 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="zh_CN">
+<context>
+    <name>AreaTool</name>
+    <message>
+        <source>Draw a rectangle over the vertices to hold; Shift adds to the selected handle, Ctrl takes away</source>
+        <translation>用矩形框住要抓取的顶点；按住 Shift 添加到所选手柄，按住 Ctrl 减去</translation>
+    </message>
+    <message>
+        <source>Draw around the vertices to hold; Shift adds to the selected handle, Ctrl takes away</source>
+        <translation>圈出要抓取的顶点；按住 Shift 添加到所选手柄，按住 Ctrl 减去</translation>
+    </message>
+    <message>
+        <source>Brush over the vertices to hold, [ and ] change the size; Shift adds, Ctrl takes away</source>
+        <translation>用画笔刷过要抓取的顶点；[ 和 ] 更改大小，按住 Shift 添加，按住 Ctrl 减去</translation>
+    </message>
+    <message>
+        <source>Drag from a point of the surface to hold a ball; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
+        <translation>从表面上一点拖动，以球体抓取；按住 Shift 将其中内容添加到所选手柄，按住 Ctrl 减去</translation>
+    </message>
+    <message>
+        <source>Drag from a point of the surface towards what to hold: all beyond the point</source>
+        <translation>从表面上一点朝要抓取的一侧拖动：该点以外的部分全部抓取</translation>
+    </message>
+    <message>
+        <source>Drag from a point of the surface to hold a box; Shift adds what is in it to the selected handle, Ctrl takes it away</source>
+        <translation>从表面上一点拖动，以长方体抓取；按住 Shift 将其中内容添加到所选手柄，按住 Ctrl 减去</translation>
+    </message>
+    <message>
+        <source>Select one handle to take away from.</source>
+        <translation>请选择一个要从中减去的手柄。</translation>
+    </message>
+    <message>
+        <source>There is no vertex in this region.</source>
+        <translation>此区域中没有顶点。</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>区域</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>范围</translation>
+    </message>
+    <message>
+        <source>A handle cannot hold nothing: remove it with Delete.</source>
+        <translation>手柄不能为空：要移除它，请按 Delete 键。</translation>
+    </message>
+</context>
+<context>
+    <name>CheatSheet</name>
+    <message>
+        <source>Pointer</source>
+        <translation>鼠标</translation>
+    </message>
+    <message>
+        <source>Click</source>
+        <translation>单击</translation>
+    </message>
+    <message>
+        <source>sets a pin</source>
+        <translation>放置图钉</translation>
+    </message>
+    <message>
+        <source>Drag a pin</source>
+        <translation>拖动图钉</translation>
+    </message>
+    <message>
+        <source>moves it; Esc puts it back</source>
+        <translation>移动图钉；按 Esc 复原</translation>
+    </message>
+    <message>
+        <source>Shift-click</source>
+        <translation>按住 Shift 单击</translation>
+    </message>
+    <message>
+        <source>selects several pins</source>
+        <translation>选择多个图钉</translation>
+    </message>
+    <message>
+        <source>Digits while dragging</source>
+        <translation>拖动时输入数字</translation>
+    </message>
+    <message>
+        <source>set the number, Enter takes it</source>
+        <translation>设定数值，按 Enter 确认</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>滚轮</translation>
+    </message>
+    <message>
+        <source>zooms to the pointer</source>
+        <translation>以指针为中心缩放</translation>
+    </message>
+    <message>
+        <source>[ and ]</source>
+        <translation>[ 和 ]</translation>
+    </message>
+    <message>
+        <source>size of a brush</source>
+        <translation>画笔大小</translation>
+    </message>
+    <message>
+        <source>Hold H</source>
+        <translation>按住 H</translation>
+    </message>
+    <message>
+        <source>hides pins and maps</source>
+        <translation>隐藏图钉和色图</translation>
+    </message>
+    <message>
+        <source>Hold \</source>
+        <translation>按住 \</translation>
+    </message>
+    <message>
+        <source>shows the shape before it was bent</source>
+        <translation>显示变形前的形状</translation>
+    </message>
+    <message>
+        <source>X, Y, Z while dragging</source>
+        <translation>拖动时按 X、Y、Z</translation>
+    </message>
+    <message>
+        <source>lock an axis</source>
+        <translation>锁定轴</translation>
+    </message>
+    <message>
+        <source>Right or middle button</source>
+        <translation>右键或中键</translation>
+    </message>
+    <message>
+        <source>turns the view; with Shift it moves</source>
+        <translation>旋转视图；按住 Shift 平移</translation>
+    </message>
+    <message>
+        <source>Middle click</source>
+        <translation>单击中键</translation>
+    </message>
+    <message>
+        <source>sets the point to turn around</source>
+        <translation>设定旋转中心</translation>
+    </message>
+    <message>
+        <source>Alt-drag a pin</source>
+        <translation>按住 Alt 拖动图钉</translation>
+    </message>
+    <message>
+        <source>widens it to a circle</source>
+        <translation>扩大为圆</translation>
+    </message>
+    <message>
+        <source>Drag the ring&apos;s dot or square</source>
+        <translation>拖动圆环上的圆点或方块</translation>
+    </message>
+    <message>
+        <source>rotates or scales; Shift snaps to 15°</source>
+        <translation>旋转或缩放；按住 Shift 以 15° 为步长</translation>
+    </message>
+    <message>
+        <source>Arrow keys</source>
+        <translation>方向键</translation>
+    </message>
+    <message>
+        <source>nudge by a pixel, with Shift by ten</source>
+        <translation>移动 1 像素，按住 Shift 移动 10 像素</translation>
+    </message>
+    <message>
+        <source>Space or middle button</source>
+        <translation>空格键或中键</translation>
+    </message>
+    <message>
+        <source>pans</source>
+        <translation>平移</translation>
+    </message>
+</context>
+<context>
+    <name>CurveEditor</name>
+    <message>
+        <source>Drag the curve&apos;s point, with Ctrl one direction alone; Delete removes it, a right click shows more</source>
+        <translation>拖动曲线上的点，按住 Ctrl 只动一侧方向；按 Delete 删除，右键单击显示更多</translation>
+    </message>
+    <message>
+        <source>Double-click to insert a point into the curve</source>
+        <translation>双击曲线可插入点</translation>
+    </message>
+    <message>
+        <source>Change curve</source>
+        <translation>更改曲线</translation>
+    </message>
+    <message>
+        <source>Insert curve point</source>
+        <translation>插入曲线点</translation>
+    </message>
+    <message>
+        <source>Delete curve point</source>
+        <translation>删除曲线点</translation>
+    </message>
+    <message>
+        <source>The ends of a curve must stay.</source>
+        <translation>曲线的端点不能删除。</translation>
+    </message>
+</context>
+<context>
+    <name>CutTool</name>
+    <message>
+        <source>Drag the arrow to move the cut, the rings to tilt it; Esc puts it back</source>
+        <translation>拖动箭头移动剖切面，拖动圆环使其倾斜；按 Esc 复原</translation>
+    </message>
+</context>
+<context>
+    <name>DepthTool</name>
+    <message>
+        <source>Brush over what lies in front or behind; Ctrl takes it back, Shift turns it round, [ and ] change the size</source>
+        <translation>用画笔刷过位于前面或后面的部分；按住 Ctrl 清除，按住 Shift 前后互换，[ 和 ] 更改大小</translation>
+    </message>
+    <message>
+        <source>Paint in front</source>
+        <translation>绘制到前面</translation>
+    </message>
+    <message>
+        <source>Paint behind</source>
+        <translation>绘制到后面</translation>
+    </message>
+    <message>
+        <source>Take back depth</source>
+        <translation>清除深度</translation>
+    </message>
+</context>
+<context>
+    <name>EnergyScale</name>
+    <message>
+        <source>Area</source>
+        <translation>面积</translation>
+    </message>
+    <message>
+        <source>Nothing grows or shrinks. Parts may get thin.</source>
+        <translation>不胀不缩。局部可能变细。</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>长度</translation>
+    </message>
+    <message>
+        <source>Stretches least. Start here.</source>
+        <translation>拉伸最小。建议从这里开始。</translation>
+    </message>
+    <message>
+        <source>Rigid</source>
+        <translation>刚性</translation>
+    </message>
+    <message>
+        <source>Parts turn like card.</source>
+        <translation>各部分像硬纸板一样转动。</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>角度</translation>
+    </message>
+    <message>
+        <source>Details keep their look. Parts may swell.</source>
+        <translation>细节保持原样。局部可能膨胀。</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>体积</translation>
+    </message>
+</context>
+<context>
+    <name>FileCard</name>
+    <message>
+        <source>Eyes stay round</source>
+        <translation>眼睛始终是圆的</translation>
+    </message>
+    <message>
+        <source>Pins and paths</source>
+        <translation>图钉与路径</translation>
+    </message>
+    <message>
+        <source>Many pins at once</source>
+        <translation>同时使用多个图钉</translation>
+    </message>
+    <message>
+        <source>What is kept</source>
+        <translation>保持内容</translation>
+    </message>
+    <message>
+        <source>Flight, with a skin</source>
+        <translation>飞翔，带蒙皮</translation>
+    </message>
+    <message>
+        <source>A stiff middle</source>
+        <translation>坚硬的中段</translation>
+    </message>
+</context>
+<context>
+    <name>FillTool</name>
+    <message>
+        <source>Click to take up what is painted there</source>
+        <translation>单击以吸取该处绘制的内容</translation>
+    </message>
+    <message>
+        <source>Click to fill what hangs together there; Shift fills all, Ctrl empties, Alt picks up</source>
+        <translation>单击以填充相连的部分；按住 Shift 全部填充，按住 Ctrl 清空，按住 Alt 吸取</translation>
+    </message>
+    <message>
+        <source>Emptied</source>
+        <translation>已清空</translation>
+    </message>
+    <message>
+        <source>Empty %1</source>
+        <translation>清空 %1</translation>
+    </message>
+    <message>
+        <source>Fill %1 with %2</source>
+        <translation>用“%2”填充 %1</translation>
+    </message>
+</context>
+<context>
+    <name>FlatSizeTool</name>
+    <message>
+        <source>Brush over what shall be meshed finer; Shift makes it coarser, Ctrl even again, [ and ] change the size</source>
+        <translation>用画笔刷过网格要更细的部分；按住 Shift 变粗，按住 Ctrl 恢复均匀，[ 和 ] 更改大小</translation>
+    </message>
+    <message>
+        <source>The mesh comes from a file and is used as it is.</source>
+        <translation>网格来自文件，按原样使用。</translation>
+    </message>
+    <message>
+        <source>Paint finer mesh</source>
+        <translation>绘制更细的网格</translation>
+    </message>
+    <message>
+        <source>Paint coarser mesh</source>
+        <translation>绘制更粗的网格</translation>
+    </message>
+    <message>
+        <source>Paint even mesh</source>
+        <translation>绘制均匀的网格</translation>
+    </message>
+</context>
+<context>
+    <name>GradientTool</name>
+    <message>
+        <source>Drag over the shape: from what is there it changes evenly into what is chosen on the right; Alt picks up, Esc gives up</source>
+        <translation>在形状上拖动：从原有内容均匀过渡到右侧所选内容；按住 Alt 吸取，按 Esc 放弃</translation>
+    </message>
+    <message>
+        <source>Move gradient</source>
+        <translation>移动渐变</translation>
+    </message>
+    <message>
+        <source>To %1</source>
+        <translation>渐变到%1</translation>
+    </message>
+    <message>
+        <source>Blend %1 to %2</source>
+        <translation>将 %1 渐变到“%2”</translation>
+    </message>
+</context>
+<context>
+    <name>HoldTool</name>
+    <message>
+        <source>Draw around the part to hold; Shift adds to the selected part, Ctrl takes away</source>
+        <translation>圈出要抓取的部位；按住 Shift 添加到所选部位，按住 Ctrl 减去</translation>
+    </message>
+    <message>
+        <source>Brush over the part to hold, [ and ] change the size; Shift adds, Ctrl takes away</source>
+        <translation>用画笔刷过要抓取的部位，[ 和 ] 更改大小；按住 Shift 添加，按住 Ctrl 减去</translation>
+    </message>
+    <message>
+        <source>Draw a rectangle over the part to hold; Shift adds to the selected part, Ctrl takes away</source>
+        <translation>用矩形框住要抓取的部位；按住 Shift 添加到所选部位，按住 Ctrl 减去</translation>
+    </message>
+    <message>
+        <source>There is nothing of the shape in this outline.</source>
+        <translation>此轮廓内没有形状。</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>部位</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>更改 %1</translation>
+    </message>
+    <message>
+        <source>Select one part to take away from.</source>
+        <translation>请选择一个要从中减去的部位。</translation>
+    </message>
+</context>
+<context>
+    <name>Measure</name>
+    <message>
+        <source>Stretch</source>
+        <translation>拉伸</translation>
+    </message>
+    <message>
+        <source>stretch %1</source>
+        <translation>拉伸 %1</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>面积</translation>
+    </message>
+    <message>
+        <source>area ×%1</source>
+        <translation>面积 ×%1</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>体积</translation>
+    </message>
+    <message>
+        <source>volume ×%1</source>
+        <translation>体积 ×%1</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>角度</translation>
+    </message>
+    <message>
+        <source>angle error %1</source>
+        <translation>角度误差 %1</translation>
+    </message>
+    <message>
+        <source>Shear</source>
+        <translation>剪切</translation>
+    </message>
+    <message>
+        <source>What is kept (φ)</source>
+        <translation>保持内容 (φ)</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>刚度</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速率</translation>
+    </message>
+    <message>
+        <source>Cell size</source>
+        <translation>单元尺寸</translation>
+    </message>
+</context>
+<context>
+    <name>MeasureTool</name>
+    <message>
+        <source>Click two points for a length, a third for the angle; Ctrl takes vertices, Esc clears</source>
+        <translation>单击两点测长度，第三点测角度；按住 Ctrl 取顶点，按 Esc 清除</translation>
+    </message>
+    <message>
+        <source>angle %1, at rest %2</source>
+        <translation>角度 %1（变形前 %2）</translation>
+    </message>
+    <message>
+        <source>length %1, at rest %2</source>
+        <translation>长度 %1（变形前 %2）</translation>
+    </message>
+</context>
+<context>
+    <name>Options</name>
+    <message>
+        <source>Det&amp;ail, in vertices</source>
+        <translation>精细度（顶点数）(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Vertices</source>
+        <translation>顶点数</translation>
+    </message>
+    <message>
+        <source>How fine the mesh is. More vertices bend more smoothly and take longer.</source>
+        <translation>网格的精细程度。顶点越多，变形越平滑，耗时也越长。</translation>
+    </message>
+    <message>
+        <source>Change detail</source>
+        <translation>更改精细度</translation>
+    </message>
+    <message>
+        <source>&amp;Outline</source>
+        <translation>轮廓(&amp;O)</translation>
+    </message>
+    <message>
+        <source>What bends: only what is opaque in the picture, or the picture as a whole.</source>
+        <translation>变形的范围：仅图片中不透明的部分，或整张图片。</translation>
+    </message>
+    <message>
+        <source>Change outline</source>
+        <translation>更改轮廓</translation>
+    </message>
+    <message>
+        <source>Whole picture</source>
+        <translation>整张图片</translation>
+    </message>
+    <message>
+        <source>Cut-out</source>
+        <translation>抠图</translation>
+    </message>
+    <message>
+        <source>Drawn polygons</source>
+        <translation>手绘多边形</translation>
+    </message>
+    <message>
+        <source>Count as so&amp;lid above</source>
+        <translation>视为不透明的下限(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Pixels that are more opaque than this belong to the shape.</source>
+        <translation>比此值更不透明的像素属于形状。</translation>
+    </message>
+    <message>
+        <source>Change what counts as solid</source>
+        <translation>更改不透明的下限</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source>Ma&amp;rgin</source>
+        <translation>边距(&amp;R)</translation>
+    </message>
+    <message>
+        <source>The outline is grown by this much, so that soft edges come along whole.</source>
+        <translation>轮廓向外扩展的宽度，使柔和的边缘也能完整地随之变形。</translation>
+    </message>
+    <message>
+        <source>Change margin</source>
+        <translation>更改边距</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>&amp;Border</source>
+        <translation>图片边缘(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Picture&apos;s border</source>
+        <translation>图片边缘</translation>
+    </message>
+    <message>
+        <source>Holds the frame of a photograph, so that no gap opens beside it: it stays where it is, or its sides slide along themselves. Pins on it move all the same.</source>
+        <translation>固定照片的边框，避免旁边出现空隙：边框停在原处，或各边沿边线滑动。边框上的图钉仍可移动。</translation>
+    </message>
+    <message>
+        <source>Hold the border</source>
+        <translation>固定图片边缘</translation>
+    </message>
+    <message>
+        <source>Moves freely</source>
+        <translation>自由移动</translation>
+    </message>
+    <message>
+        <source>Stays in place</source>
+        <translation>停在原处</translation>
+    </message>
+    <message>
+        <source>Slides along itself</source>
+        <translation>沿边线滑动</translation>
+    </message>
+    <message>
+        <source>Radius–edge rati&amp;o</source>
+        <translation>半径边长比(&amp;O)</translation>
+    </message>
+    <message>
+        <source>How flat the tetrahedra may be: the greatest ratio of circumradius to shortest edge. Smaller is rounder and takes more of them.</source>
+        <translation>四面体允许的扁平程度：外接球半径与最短边之比的最大值。越小越圆整，所需四面体也越多。</translation>
+    </message>
+    <message>
+        <source>Change radius–edge ratio</source>
+        <translation>更改半径边长比</translation>
+    </message>
+    <message>
+        <source>&amp;Greatest volume</source>
+        <translation>最大体积(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Larger tetrahedra are split; in cubed units of the file. Half of it makes about twice as many. At a surface that is kept some may stay larger.</source>
+        <translation>更大的四面体会被分割；以文件单位的立方计。减半则数量约增一倍。若保留表面，表面附近可能仍有较大的四面体。</translation>
+    </message>
+    <message>
+        <source>Change greatest volume</source>
+        <translation>更改最大体积</translation>
+    </message>
+    <message>
+        <source>Refine s&amp;urface</source>
+        <translation>细分表面(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Lets the triangles of the surface be split where they are larger than the tetrahedra inside. Off, the surface is kept exactly as it is.</source>
+        <translation>表面三角形大于内部四面体时允许分割。关闭时，表面完全保持原样。</translation>
+    </message>
+    <message>
+        <source>Refine surface</source>
+        <translation>细分表面</translation>
+    </message>
+    <message>
+        <source>Fill holes up to (edges)</source>
+        <translation>补洞上限（边数）</translation>
+    </message>
+    <message>
+        <source>Largest hole</source>
+        <translation>最大孔洞</translation>
+    </message>
+    <message>
+        <source>“Repair” fills holes of at most so many edges.</source>
+        <translation>“修复”填补边数不超过此值的孔洞。</translation>
+    </message>
+    <message>
+        <source>F&amp;it</source>
+        <translation>填充方式(&amp;I)</translation>
+    </message>
+    <message>
+        <source>What is filled: the surface itself, or a cage of even cells around it, in which it rides. Automatic takes the cage where the surface cannot be filled or has far too many vertices.</source>
+        <translation>填充的对象：表面本身，或包围它的均匀单元笼体，表面随笼体变形。“自动”在表面无法填充或顶点过多时采用笼体。</translation>
+    </message>
+    <message>
+        <source>Change fit</source>
+        <translation>更改填充方式</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>自动</translation>
+    </message>
+    <message>
+        <source>Exact surface</source>
+        <translation>精确表面</translation>
+    </message>
+    <message>
+        <source>Cage</source>
+        <translation>笼体</translation>
+    </message>
+    <message>
+        <source>Exact &amp;balance</source>
+        <translation>平衡值(&amp;B)</translation>
+    </message>
+    <message>
+        <source>What is kept as a number, φ, as it stands in the project file: 0.002 keeps area or volume, 0.464 length, 1.571 is rigid, 2.678 keeps angles (2.498 in a solid).</source>
+        <translation>以数值 φ 表示保持内容，与项目文件中相同：0.002 保持面积或体积，0.464 保持长度，1.571 为刚性，2.678 保持角度（实体为 2.498）。</translation>
+    </message>
+    <message>
+        <source>Change energy</source>
+        <translation>更改能量</translation>
+    </message>
+    <message>
+        <source> rad</source>
+        <translation> rad</translation>
+    </message>
+    <message>
+        <source>Smoothi&amp;ng length</source>
+        <translation>平滑长度(&amp;N)</translation>
+    </message>
+    <message>
+        <source>How far a pin&apos;s pull is spread, as a part of the shape&apos;s size. Small: close to the pin, sharp. Large: soft and wide.</source>
+        <translation>图钉拉力的扩散范围，以形状大小的比例表示。小：集中在图钉附近，较尖锐。大：柔和而宽广。</translation>
+    </message>
+    <message>
+        <source>Change smoothing</source>
+        <translation>更改平滑</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Remembers its shape</source>
+        <translation>形状记忆</translation>
+    </message>
+    <message>
+        <source>How strongly the shape is drawn back to its rest while a pin moves. Not at all: where it ends depends on the way that the pin has gone. Fully: a pin that comes back brings the shape back.</source>
+        <translation>图钉移动时，形状被拉回原始形状的力度。“无”：最终形状取决于图钉走过的路径。“完全”：图钉回到原处，形状也随之复原。</translation>
+    </message>
+    <message>
+        <source>Change memory</source>
+        <translation>更改形状记忆</translation>
+    </message>
+    <message>
+        <source>number of frames, at equal times from the start to the last time</source>
+        <translation>从开始到最后时刻等间隔的帧数</translation>
+    </message>
+    <message>
+        <source>F&amp;rames</source>
+        <translation>帧数(&amp;R)</translation>
+    </message>
+    <message>
+        <source>frames per second of an animated .glb</source>
+        <translation>动画 .glb 每秒的帧数</translation>
+    </message>
+    <message>
+        <source>Frames per &amp;second</source>
+        <translation>帧速率(&amp;S)</translation>
+    </message>
+    <message>
+        <source>whether distortion, φ, directions and velocity go with meshes, in formats that carry values</source>
+        <translation>在支持附加数值的格式中，网格是否附带畸变、φ、方向和速度</translation>
+    </message>
+    <message>
+        <source>&amp;Values</source>
+        <translation>数值(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Errors, material, velocity</source>
+        <translation>误差、材料、速度</translation>
+    </message>
+    <message>
+        <source>The shape alone</source>
+        <translation>仅形状</translation>
+    </message>
+    <message>
+        <source>how numbers stand in mesh files that know several ways (ply, stl, msh, vtk, vtu)</source>
+        <translation>支持多种编码的网格文件（ply、stl、msh、vtk、vtu）中数值的编码方式</translation>
+    </message>
+    <message>
+        <source>&amp;Numbers</source>
+        <translation>数值编码(&amp;N)</translation>
+    </message>
+    <message>
+        <source>As text</source>
+        <translation>文本</translation>
+    </message>
+    <message>
+        <source>Binary</source>
+        <translation>二进制</translation>
+    </message>
+    <message>
+        <source>Binary, compressed</source>
+        <translation>二进制（压缩）</translation>
+    </message>
+    <message>
+        <source>version of .msh files</source>
+        <translation>.msh 文件的版本</translation>
+    </message>
+    <message>
+        <source>&amp;Gmsh version</source>
+        <translation>Gmsh 版本(&amp;G)</translation>
+    </message>
+    <message>
+        <source>write the triangles of a solid&apos;s border as cells too, with the values of the tetrahedra behind them; without it .vtu and .vtk hold tetrahedra only, unless the input had such triangles</source>
+        <translation>将实体边界的三角形也作为单元写入，并带上其后方四面体的数值；关闭时 .vtu 和 .vtk 仅含四面体，除非原文件已有这样的三角形</translation>
+    </message>
+    <message>
+        <source>&amp;Border triangles</source>
+        <translation>边界三角形(&amp;B)</translation>
+    </message>
+    <message>
+        <source>how the picture is sampled</source>
+        <translation>图片的采样方式</translation>
+    </message>
+    <message>
+        <source>Fil&amp;ter</source>
+        <translation>插值(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Nearest – hard pixels</source>
+        <translation>最近邻 – 硬像素</translation>
+    </message>
+    <message>
+        <source>Bilinear – quick</source>
+        <translation>双线性 – 快速</translation>
+    </message>
+    <message>
+        <source>Bicubic – sharp</source>
+        <translation>双三次 – 锐利</translation>
+    </message>
+    <message>
+        <source>EWA – best</source>
+        <translation>EWA – 最佳</translation>
+    </message>
+    <message>
+        <source>pixels that pictures show: those of the source, or as many as the shape needs</source>
+        <translation>图片包含的像素：与原图相同，或形状所需的范围</translation>
+    </message>
+    <message>
+        <source>&amp;Canvas</source>
+        <translation>画布(&amp;C)</translation>
+    </message>
+    <message>
+        <source>As large as the picture</source>
+        <translation>与图片一样大</translation>
+    </message>
+    <message>
+        <source>Fit to the shape</source>
+        <translation>适合形状</translation>
+    </message>
+    <message>
+        <source>bits of a channel in pictures: as in the source, 8 or 16, or a half or full floating-point number; values stay what they are</source>
+        <translation>图片每通道的位数：与原图相同、8、16，或半精度、单精度浮点数；数值保持不变</translation>
+    </message>
+    <message>
+        <source>&amp;Depth</source>
+        <translation>位深度(&amp;D)</translation>
+    </message>
+    <message>
+        <source>As in the picture</source>
+        <translation>与图片相同</translation>
+    </message>
+    <message>
+        <source>8 bit</source>
+        <translation>8 位</translation>
+    </message>
+    <message>
+        <source>16 bit</source>
+        <translation>16 位</translation>
+    </message>
+    <message>
+        <source>16 bit floating point (half)</source>
+        <translation>16 位浮点（half）</translation>
+    </message>
+    <message>
+        <source>32 bit floating point</source>
+        <translation>32 位浮点</translation>
+    </message>
+    <message>
+        <source>what pictures show beside the shape: nothing, its border drawn out, the source as it was, or a colour</source>
+        <translation>形状以外显示的内容：无、延伸的边缘、原图，或一种颜色</translation>
+    </message>
+    <message>
+        <source>&amp;Background</source>
+        <translation>背景(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Transparent</source>
+        <translation>透明</translation>
+    </message>
+    <message>
+        <source>The border, drawn out</source>
+        <translation>延伸边缘</translation>
+    </message>
+    <message>
+        <source>The picture as it was</source>
+        <translation>原图</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>白色</translation>
+    </message>
+    <message>
+        <source>Black</source>
+        <translation>黑色</translation>
+    </message>
+</context>
+<context>
+    <name>OutlineTool</name>
+    <message>
+        <source>Draw around what shall bend too; with Ctrl it is taken away. Esc gives up</source>
+        <translation>圈出也要变形的部分；按住 Ctrl 减去。按 Esc 放弃</translation>
+    </message>
+    <message>
+        <source>Click corner after corner, double-click closes; Ctrl takes away, Backspace takes back a corner, Esc gives up</source>
+        <translation>逐个单击角点，双击闭合；按住 Ctrl 减去，按 Backspace 退回一个角点，按 Esc 放弃</translation>
+    </message>
+    <message>
+        <source>Brush over what shall bend too, [ and ] change the size; Ctrl takes away</source>
+        <translation>用画笔刷过也要变形的部分，[ 和 ] 更改大小；按住 Ctrl 减去</translation>
+    </message>
+    <message>
+        <source>Click on a colour that shall bend too; Ctrl takes it away, [ and ] take fewer or more colours</source>
+        <translation>单击也要变形的颜色；按住 Ctrl 减去，[ 和 ] 缩小或扩大颜色范围</translation>
+    </message>
+    <message>
+        <source>Draw a line along which the shape is parted; Esc gives up</source>
+        <translation>画一条线，形状沿此线切开；按 Esc 放弃</translation>
+    </message>
+    <message>
+        <source>Nothing would be left of the shape.</source>
+        <translation>这样形状将什么都不剩。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pins lay beside the new outline and were removed.</source>
+        <translation>
+            <numerusform>%n 个图钉位于新轮廓之外，已移除。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>切开</translation>
+    </message>
+    <message>
+        <source>Take away from the outline</source>
+        <translation>从轮廓减去</translation>
+    </message>
+    <message>
+        <source>Add to the outline</source>
+        <translation>添加到轮廓</translation>
+    </message>
+</context>
+<context>
+    <name>PaintTool</name>
+    <message>
+        <source>Area</source>
+        <translation>面积</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>长度</translation>
+    </message>
+    <message>
+        <source>Rigid</source>
+        <translation>刚性</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>角度</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>保持</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>体积</translation>
+    </message>
+    <message>
+        <source>Stiff</source>
+        <translation>刚度</translation>
+    </message>
+    <message>
+        <source>Combed</source>
+        <translation>梳理</translation>
+    </message>
+    <message>
+        <source>Erased</source>
+        <translation>已擦除</translation>
+    </message>
+    <message>
+        <source>Smoothed</source>
+        <translation>已平滑</translation>
+    </message>
+    <message>
+        <source>Take paint off %1</source>
+        <translation>擦除 %1 上的绘制</translation>
+    </message>
+    <message>
+        <source>Smooth %1</source>
+        <translation>平滑 %1</translation>
+    </message>
+    <message>
+        <source>Comb %1</source>
+        <translation>梳理 %1</translation>
+    </message>
+    <message>
+        <source>Paint %1 on %2</source>
+        <translation>在 %2 上绘制“%1”</translation>
+    </message>
+    <message>
+        <source>There is no direction to follow: the numbers on the right were taken.</source>
+        <translation>没有可循的方向：已采用右侧的数值。</translation>
+    </message>
+    <message>
+        <source>Comb along the way in which it is to be stiff; Ctrl takes away, Shift smooths, Shift-click draws a line, Alt-click picks up, Esc gives up the stroke</source>
+        <translation>沿要加强刚度的方向梳理；按住 Ctrl 去除，按住 Shift 平滑，按住 Shift 单击画直线，按住 Alt 单击吸取，按 Esc 放弃笔画</translation>
+    </message>
+    <message>
+        <source>Paint what is chosen on the right; Ctrl takes away, Shift smooths, Shift-click draws a line, Alt-click picks up, Esc gives up the stroke</source>
+        <translation>绘制右侧所选内容；按住 Ctrl 去除，按住 Shift 平滑，按住 Shift 单击画直线，按住 Alt 单击吸取，按 Esc 放弃笔画</translation>
+    </message>
+</context>
+<context>
+    <name>PinTool</name>
+    <message>
+        <source>Drag the pin; Esc puts the shape back</source>
+        <translation>拖动图钉；按 Esc 复原形状</translation>
+    </message>
+    <message>
+        <source>Drag as far as the pin shall hold; Esc gives it up</source>
+        <translation>拖动到图钉要抓取的范围；按 Esc 放弃</translation>
+    </message>
+    <message>
+        <source>Drag the dot to rotate, Shift by 15°, or the square to scale; digits set the number</source>
+        <translation>拖动圆点旋转，按住 Shift 以 15° 为步长；拖动方块缩放；可键入数值</translation>
+    </message>
+    <message>
+        <source>Drag to move the pin, Alt-drag to widen it, Shift-click to select more, Delete to remove</source>
+        <translation>拖动以移动图钉，按住 Alt 拖动以扩大，按住 Shift 单击选择更多，按 Delete 移除</translation>
+    </message>
+    <message>
+        <source>A point cannot rotate – Alt-drag to widen it</source>
+        <translation>单个点无法旋转 – 按住 Alt 拖动以扩大</translation>
+    </message>
+    <message>
+        <source>Click on the shape to set a pin, then drag pins to bend it</source>
+        <translation>在形状上单击放置图钉，然后拖动图钉使其变形</translation>
+    </message>
+    <message>
+        <source>Click or draw a rectangle to select pins, drag to move them, arrow keys nudge</source>
+        <translation>单击或拉出矩形选择图钉，拖动以移动，方向键微调</translation>
+    </message>
+    <message>
+        <source>%1: does not hold now</source>
+        <translation>%1：当前不起作用</translation>
+    </message>
+</context>
+<context>
+    <name>SizeTool</name>
+    <message>
+        <source>Paint finer or coarser cells; Ctrl the other way round, [ and ] change the size, Esc gives up</source>
+        <translation>绘制更细或更粗的单元；按住 Ctrl 反向，[ 和 ] 更改大小，按 Esc 放弃</translation>
+    </message>
+    <message>
+        <source>Paint finer cells</source>
+        <translation>绘制更细的单元</translation>
+    </message>
+    <message>
+        <source>Paint coarser cells</source>
+        <translation>绘制更粗的单元</translation>
+    </message>
+    <message>
+        <source>Paint plain cells</source>
+        <translation>绘制普通单元</translation>
+    </message>
+</context>
+<context>
+    <name>SolidPinTool</name>
+    <message>
+        <source>X, Y, Z lock an axis, numbers set the amount, Esc puts the solid back</source>
+        <translation>按 X、Y、Z 锁定轴，键入数值设定量，按 Esc 复原实体</translation>
+    </message>
+    <message>
+        <source>Drag an arrow, a square or a ring; G moves, R turns, S scales</source>
+        <translation>拖动箭头、方块或圆环；G 移动，R 旋转，S 缩放</translation>
+    </message>
+    <message>
+        <source>Drag to move along the screen, Shift-click to select more</source>
+        <translation>拖动沿屏幕移动，按住 Shift 单击选择更多</translation>
+    </message>
+    <message>
+        <source>Click on the solid to set a pin, or draw around pins to select them</source>
+        <translation>在实体上单击放置图钉，或圈住图钉进行选择</translation>
+    </message>
+    <message>
+        <source>Draw around pins to select them; Shift adds, Ctrl takes away</source>
+        <translation>圈住图钉进行选择；按住 Shift 添加，按住 Ctrl 减去</translation>
+    </message>
+    <message>
+        <source>Click on the solid to set a pin, or brush over pins to select them; [ and ] change the size</source>
+        <translation>在实体上单击放置图钉，或用画笔刷过图钉进行选择；[ 和 ] 更改大小</translation>
+    </message>
+    <message>
+        <source>Brush over pins to select them, [ and ] change the size; Shift adds, Ctrl takes away</source>
+        <translation>用画笔刷过图钉进行选择，[ 和 ] 更改大小；按住 Shift 添加，按住 Ctrl 减去</translation>
+    </message>
+    <message>
+        <source>Click on the solid to set a pin, then drag pins to bend it</source>
+        <translation>在实体上单击放置图钉，然后拖动图钉使其变形</translation>
+    </message>
+    <message>
+        <source>Click, or draw beside pins, to select; Shift adds, Ctrl takes away; drag or arrow keys move</source>
+        <translation>单击，或在图钉旁拉框进行选择；按住 Shift 添加，按住 Ctrl 减去；拖动或用方向键移动</translation>
+    </message>
+</context>
+<context>
+    <name>StiffnessFields</name>
+    <message>
+        <source>Stiffness</source>
+        <translation>刚度</translation>
+    </message>
+</context>
+<context>
+    <name>Tools</name>
+    <message>
+        <source>&amp;Pin</source>
+        <translation>图钉(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Set pins and drag them</source>
+        <translation>放置并拖动图钉</translation>
+    </message>
+    <message>
+        <source>Se&amp;lect</source>
+        <translation>选择(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Select and drag pins without setting new ones</source>
+        <translation>选择并拖动图钉，不放置新图钉</translation>
+    </message>
+    <message>
+        <source>Grab by &amp;Lasso</source>
+        <translation>套索抓取(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Take hold of all that lies in a drawn outline as one handle</source>
+        <translation>将所画轮廓内的全部内容抓取为一个手柄</translation>
+    </message>
+    <message>
+        <source>Grab by Bo&amp;x</source>
+        <translation>矩形抓取(&amp;X)</translation>
+    </message>
+    <message>
+        <source>Take hold of all that lies in a rectangle as one handle</source>
+        <translation>将矩形内的全部内容抓取为一个手柄</translation>
+    </message>
+    <message>
+        <source>Grab by &amp;Brush</source>
+        <translation>画笔抓取(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Take hold of what is brushed over as one handle</source>
+        <translation>将画笔刷过的部分抓取为一个手柄</translation>
+    </message>
+    <message>
+        <source>Grab a B&amp;all</source>
+        <translation>球体抓取(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Take hold of all that lies in a ball around a point of the surface</source>
+        <translation>抓取以表面上一点为中心的球体内的全部内容</translation>
+    </message>
+    <message>
+        <source>Grab a Bloc&amp;k</source>
+        <translation>长方体抓取(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Take hold of all that lies in a block around a point of the surface</source>
+        <translation>抓取以表面上一点为中心的长方体内的全部内容</translation>
+    </message>
+    <message>
+        <source>Grab &amp;One Side</source>
+        <translation>单侧抓取(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Take hold of all that lies beyond a plane through a point of the surface</source>
+        <translation>抓取经过表面上一点的平面另一侧的全部内容</translation>
+    </message>
+    <message>
+        <source>Outline by &amp;Lasso</source>
+        <translation>套索轮廓(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Draw around what shall bend, or shall not</source>
+        <translation>圈出要变形或不变形的部分</translation>
+    </message>
+    <message>
+        <source>Outline by &amp;Polygon</source>
+        <translation>多边形轮廓(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Set the corners of what shall bend, or shall not</source>
+        <translation>逐点设定要变形或不变形部分的角点</translation>
+    </message>
+    <message>
+        <source>Outline by &amp;Brush</source>
+        <translation>画笔轮廓(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Brush over what shall bend, or shall not</source>
+        <translation>用画笔刷过要变形或不变形的部分</translation>
+    </message>
+    <message>
+        <source>Outline by &amp;Colour</source>
+        <translation>颜色轮廓(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Click on a colour that shall bend, or shall not</source>
+        <translation>单击要变形或不变形的颜色</translation>
+    </message>
+    <message>
+        <source>Cut &amp;Apart</source>
+        <translation>切开(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Draw a line along which the shape is parted</source>
+        <translation>画一条线，沿此线切开形状</translation>
+    </message>
+    <message>
+        <source>&amp;Detail Brush</source>
+        <translation>精细度画笔(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Brush where the mesh is to be finer or coarser</source>
+        <translation>用画笔刷过网格要更细或更粗的部分</translation>
+    </message>
+    <message>
+        <source>&amp;Paint</source>
+        <translation>绘制(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Paint what is kept, or how stiff it is</source>
+        <translation>绘制保持内容或刚度</translation>
+    </message>
+    <message>
+        <source>&amp;Comb</source>
+        <translation>梳理(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Comb the direction along which it is stiff</source>
+        <translation>梳理刚度的方向</translation>
+    </message>
+    <message>
+        <source>&amp;Gradient</source>
+        <translation>渐变(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Drag: what is there changes evenly into what is chosen</source>
+        <translation>拖动：从原有内容均匀过渡到所选内容</translation>
+    </message>
+    <message>
+        <source>&amp;Fill</source>
+        <translation>填充(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Fill with what is chosen all that hangs together</source>
+        <translation>用所选内容填充相连的全部</translation>
+    </message>
+    <message>
+        <source>E&amp;yedropper</source>
+        <translation>吸管(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>Take up what is painted under the pointer</source>
+        <translation>吸取指针处绘制的内容</translation>
+    </message>
+    <message>
+        <source>Depth Brus&amp;h</source>
+        <translation>深度画笔(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Brush over what lies in front where the shape covers itself</source>
+        <translation>在形状自身重叠处，用画笔刷过位于前面的部分</translation>
+    </message>
+    <message>
+        <source>M&amp;easure</source>
+        <translation>测量(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Measure lengths and angles between points of the shape</source>
+        <translation>测量形状上各点之间的长度和角度</translation>
+    </message>
+</context>
+<context>
+    <name>wend::Actions</name>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>打开(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Open a picture, a mesh, a surface or a project</source>
+        <translation>打开图片、网格、表面或项目</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>保存(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Save the project</source>
+        <translation>保存项目</translation>
+    </message>
+    <message>
+        <source>Save &amp;As…</source>
+        <translation>另存为(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>Save the project under another name</source>
+        <translation>以其他名称保存项目</translation>
+    </message>
+    <message>
+        <source>&amp;Picture…</source>
+        <translation>图片(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>Write the picture as it is bent now, at its full size</source>
+        <translation>按原尺寸导出当前变形的图片</translation>
+    </message>
+    <message>
+        <source>Ctrl+E</source>
+        <translation>Ctrl+E</translation>
+    </message>
+    <message>
+        <source>&amp;Sequence…</source>
+        <translation>序列(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>Write the motion as a sequence of pictures or meshes</source>
+        <translation>将运动导出为图片或网格序列</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+E</source>
+        <translation>Ctrl+Shift+E</translation>
+    </message>
+    <message>
+        <source>Warp &amp;Map (ST)…</source>
+        <translation>变形贴图 (ST)(&amp;M)…</translation>
+    </message>
+    <message>
+        <source>Write where each pixel comes from, for compositing programs</source>
+        <translation>导出每个像素的来源位置，供合成软件使用</translation>
+    </message>
+    <message>
+        <source>&amp;Mesh…</source>
+        <translation>网格(&amp;M)…</translation>
+    </message>
+    <message>
+        <source>Write the bent mesh as OBJ, PLY, VTU …</source>
+        <translation>将变形后的网格导出为 OBJ、PLY、VTU…</translation>
+    </message>
+    <message>
+        <source>&amp;View…</source>
+        <translation>视图(&amp;V)…</translation>
+    </message>
+    <message>
+        <source>Write the view as a picture, as large as you like</source>
+        <translation>将视图导出为任意大小的图片</translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>导出(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>关闭(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Close the file and go back to the start page</source>
+        <translation>关闭文件并返回起始页</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>退出(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>Leave Wend</source>
+        <translation>退出 Wend</translation>
+    </message>
+    <message>
+        <source>Open &amp;Recent</source>
+        <translation>最近打开的文件(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Open Sa&amp;mple</source>
+        <translation>打开示例(&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>撤销(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>重做(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+Z</source>
+        <translation>Ctrl+Shift+Z</translation>
+    </message>
+    <message>
+        <source>Ctrl+Y</source>
+        <translation>Ctrl+Y</translation>
+    </message>
+    <message>
+        <source>Take back the last step</source>
+        <translation>撤销上一步操作</translation>
+    </message>
+    <message>
+        <source>Do again what was taken back</source>
+        <translation>重做已撤销的操作</translation>
+    </message>
+    <message>
+        <source>&amp;Steps…</source>
+        <translation>历史记录(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>See what was done, and go back to any of it</source>
+        <translation>查看做过的操作，并可回到其中任意一步</translation>
+    </message>
+    <message>
+        <source>Ctrl+H</source>
+        <translation>Ctrl+H</translation>
+    </message>
+    <message>
+        <source>Select &amp;All Pins</source>
+        <translation>选择全部图钉(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Select all pins</source>
+        <translation>选择全部图钉</translation>
+    </message>
+    <message>
+        <source>Select &amp;None</source>
+        <translation>取消选择(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Select no pin</source>
+        <translation>不选择任何图钉</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+A</source>
+        <translation>Ctrl+Shift+A</translation>
+    </message>
+    <message>
+        <source>&amp;Remove Pins</source>
+        <translation>移除图钉(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Remove the selected pins; what has already moved stays</source>
+        <translation>移除所选图钉；已移动的部分保持不变</translation>
+    </message>
+    <message>
+        <source>M&amp;esh</source>
+        <translation>网格(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Show the triangles that carry the picture</source>
+        <translation>显示承载图片的三角形</translation>
+    </message>
+    <message>
+        <source>M</source>
+        <translation>M</translation>
+    </message>
+    <message>
+        <source>&amp;Map</source>
+        <translation>色图(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Colour the shape by what changed</source>
+        <translation>按变化程度为形状着色</translation>
+    </message>
+    <message>
+        <source>D</source>
+        <translation>D</translation>
+    </message>
+    <message>
+        <source>&amp;Stiffness Marks</source>
+        <translation>刚度标记(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Show where it is stiff, and along which direction</source>
+        <translation>显示何处有刚度以及沿哪个方向</translation>
+    </message>
+    <message>
+        <source>Shift+S</source>
+        <translation>Shift+S</translation>
+    </message>
+    <message>
+        <source>&amp;Hide Pins and Maps</source>
+        <translation>隐藏图钉和色图(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Show the bare picture; hold H to do so for a moment</source>
+        <translation>只显示图片；按住 H 可暂时显示</translation>
+    </message>
+    <message>
+        <source>Shift+H</source>
+        <translation>Shift+H</translation>
+    </message>
+    <message>
+        <source>&amp;Before</source>
+        <translation>变形前(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Show the shape as it was before it was bent; hold \ to do so for a moment</source>
+        <translation>显示变形前的形状；按住 \ 可暂时显示</translation>
+    </message>
+    <message>
+        <source>&amp;Fit</source>
+        <translation>适合窗口(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Show the whole picture</source>
+        <translation>显示整张图片</translation>
+    </message>
+    <message>
+        <source>F</source>
+        <translation>F</translation>
+    </message>
+    <message>
+        <source>&amp;Actual Size</source>
+        <translation>实际大小(&amp;A)</translation>
+    </message>
+    <message>
+        <source>One pixel of the picture on one of the screen</source>
+        <translation>图片的一个像素对应屏幕的一个像素</translation>
+    </message>
+    <message>
+        <source>1</source>
+        <translation>1</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;In</source>
+        <translation>放大(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Look closer</source>
+        <translation>靠近查看</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;Out</source>
+        <translation>缩小(&amp;O)</translation>
+    </message>
+    <message>
+        <source>See more</source>
+        <translation>查看更大范围</translation>
+    </message>
+    <message>
+        <source>Full &amp;Screen</source>
+        <translation>全屏(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Use the whole screen</source>
+        <translation>使用整个屏幕</translation>
+    </message>
+    <message>
+        <source>As the &amp;Desktop</source>
+        <translation>跟随桌面(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Light or dark as the desktop is</source>
+        <translation>明暗与桌面一致</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>浅色(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Dark on light</source>
+        <translation>浅底深字</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>深色(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Light on dark</source>
+        <translation>深底浅字</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>播放(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Play the motion, or pause it</source>
+        <translation>播放或暂停运动</translation>
+    </message>
+    <message>
+        <source>K</source>
+        <translation>K</translation>
+    </message>
+    <message>
+        <source>&amp;Loop</source>
+        <translation>循环(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Begin again at the end</source>
+        <translation>播放到结尾后从头开始</translation>
+    </message>
+    <message>
+        <source>Shift+L</source>
+        <translation>Shift+L</translation>
+    </message>
+    <message>
+        <source>To the &amp;Start</source>
+        <translation>跳到开头(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Show the shape at rest</source>
+        <translation>显示变形前的形状</translation>
+    </message>
+    <message>
+        <source>To the &amp;End</source>
+        <translation>跳到结尾(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Show the end of the motion</source>
+        <translation>显示运动的结尾</translation>
+    </message>
+    <message>
+        <source>S&amp;ettle</source>
+        <translation>松弛(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Let the shape relax towards its rest at the end, with the pins where they are</source>
+        <translation>在运动结尾，图钉不动，让形状向原始形状松弛</translation>
+    </message>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>手册(&amp;M)</translation>
+    </message>
+    <message>
+        <source>How it works, page by page, with a search</source>
+        <translation>逐页介绍用法，可搜索</translation>
+    </message>
+    <message>
+        <source>&amp;Keys and Mouse</source>
+        <translation>按键与鼠标(&amp;K)</translation>
+    </message>
+    <message>
+        <source>What pointer and keys do</source>
+        <translation>鼠标与按键的作用</translation>
+    </message>
+    <message>
+        <source>?</source>
+        <translation>?</translation>
+    </message>
+    <message>
+        <source>&amp;About Wend</source>
+        <translation>关于 Wend(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Version and licence</source>
+        <translation>版本与许可证</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>文件(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>编辑(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>视图(&amp;V)</translation>
+    </message>
+    <message>
+        <source>A&amp;ppearance</source>
+        <translation>外观(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Tools</source>
+        <translation>工具(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Motion</source>
+        <translation>运动(&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>帮助(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Open a picture first.</source>
+        <translation>请先打开图片。</translation>
+    </message>
+    <message>
+        <source>A solid has no pixels.</source>
+        <translation>实体没有像素。</translation>
+    </message>
+    <message>
+        <source>This project has no picture.</source>
+        <translation>此项目没有图片。</translation>
+    </message>
+    <message>
+        <source>A solid has no pixels: export the view.</source>
+        <translation>实体没有像素：请导出视图。</translation>
+    </message>
+    <message>
+        <source>Of a picture, export the picture itself.</source>
+        <translation>对于图片，请导出图片本身。</translation>
+    </message>
+    <message>
+        <source>Select a pin first.</source>
+        <translation>请先选择图钉。</translation>
+    </message>
+    <message>
+        <source>Nothing moves yet: drag a pin.</source>
+        <translation>还没有任何运动：请拖动图钉。</translation>
+    </message>
+    <message>
+        <source>&amp;Tutorial</source>
+        <translation>教程(&amp;T)</translation>
+    </message>
+    <message>
+        <source>The first five minutes, on a sample, step by step</source>
+        <translation>用示例一步一步带您度过最初五分钟</translation>
+    </message>
+</context>
+<context>
+    <name>wend::BalancePanel</name>
+    <message>
+        <source>This project smooths as in the paper, with λ; its file says how much.</source>
+        <translation>此项目按论文的方式用 λ 平滑；程度由其文件给出。</translation>
+    </message>
+</context>
+<context>
+    <name>wend::CheatSheet</name>
+    <message>
+        <source>Keys and Mouse</source>
+        <translation>按键与鼠标</translation>
+    </message>
+</context>
+<context>
+    <name>wend::CurveActions</name>
+    <message>
+        <source>&amp;Curve</source>
+        <translation>曲线(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Edit &amp;Path</source>
+        <translation>编辑路径(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Turn the last way of the selected pin into a Bézier curve</source>
+        <translation>将所选图钉的最后一段路径变为贝塞尔曲线</translation>
+    </message>
+    <message>
+        <source>Shift+C</source>
+        <translation>Shift+C</translation>
+    </message>
+    <message>
+        <source>&amp;Insert Point</source>
+        <translation>插入点(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Split the curve where it was pointed at, or behind the chosen point; its shape stays</source>
+        <translation>在所指位置或所选点之后分割曲线；其形状不变</translation>
+    </message>
+    <message>
+        <source>I</source>
+        <translation>I</translation>
+    </message>
+    <message>
+        <source>&amp;Delete Point</source>
+        <translation>删除点(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Remove the chosen point from the curve</source>
+        <translation>从曲线中删除所选的点</translation>
+    </message>
+    <message>
+        <source>Ctrl+Del</source>
+        <translation>Ctrl+Del</translation>
+    </message>
+    <message>
+        <source>&amp;Free</source>
+        <translation>自由(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Let both directions at the point go their own way</source>
+        <translation>点两侧的方向各自独立</translation>
+    </message>
+    <message>
+        <source>Alt+1</source>
+        <translation>Alt+1</translation>
+    </message>
+    <message>
+        <source>&amp;Aligned</source>
+        <translation>对齐(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Keep both directions at the point on one line</source>
+        <translation>点两侧的方向保持在一条直线上</translation>
+    </message>
+    <message>
+        <source>Alt+2</source>
+        <translation>Alt+2</translation>
+    </message>
+    <message>
+        <source>A&amp;utomatic</source>
+        <translation>自动(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Lead the curve smoothly through the point by its neighbours</source>
+        <translation>根据相邻点使曲线平滑地通过该点</translation>
+    </message>
+    <message>
+        <source>Alt+3</source>
+        <translation>Alt+3</translation>
+    </message>
+    <message>
+        <source>Select one pin that was dragged along a way.</source>
+        <translation>请选择一个沿路径拖动过的图钉。</translation>
+    </message>
+    <message>
+        <source>Select one pin that follows a curve.</source>
+        <translation>请选择一个沿曲线移动的图钉。</translation>
+    </message>
+    <message>
+        <source>Click a point of the curve first; two must stay.</source>
+        <translation>请先单击曲线上的点；至少须保留两个。</translation>
+    </message>
+    <message>
+        <source>Click an inner point of a Bézier curve first.</source>
+        <translation>请先单击贝塞尔曲线中间的点。</translation>
+    </message>
+</context>
+<context>
+    <name>wend::CurvePanel</name>
+    <message>
+        <source>Edit path</source>
+        <translation>编辑路径</translation>
+    </message>
+    <message>
+        <source>Turns the way that was drawn into a Bézier curve with points to drag.</source>
+        <translation>将画出的路径变为可拖动各点的贝塞尔曲线。</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>否</translation>
+    </message>
+    <message>
+        <source>as it bends (Frenet)</source>
+        <translation>曲率 (Frenet)</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>是</translation>
+    </message>
+    <message>
+        <source>Rotate with path</source>
+        <translation>随路径旋转</translation>
+    </message>
+    <message>
+        <source>Whether what is held turns along the curve, and how.</source>
+        <translation>抓取的部分是否沿曲线旋转，以及如何旋转。</translation>
+    </message>
+    <message>
+        <source>Twist</source>
+        <translation>扭转</translation>
+    </message>
+    <message>
+        <source>How far it turns around the curve&apos;s direction, over the whole curve.</source>
+        <translation>在整条曲线上绕曲线方向转过的角度。</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>缩放</translation>
+    </message>
+    <message>
+        <source>How large it has become at the end of the curve.</source>
+        <translation>到曲线终点时的大小。</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>路径</translation>
+    </message>
+    <message>
+        <source>Rot&amp;ate with path</source>
+        <translation>随路径旋转(&amp;A)</translation>
+    </message>
+    <message>
+        <source>T&amp;wist</source>
+        <translation>扭转(&amp;W)</translation>
+    </message>
+    <message>
+        <source>S&amp;cale</source>
+        <translation>缩放(&amp;C)</translation>
+    </message>
+    <message>
+        <source>A point cannot rotate or grow – Alt-drag the pin to widen it.</source>
+        <translation>单个点无法旋转或放大 – 按住 Alt 拖动图钉以扩大。</translation>
+    </message>
+    <message>
+        <source>A point cannot rotate or grow: hold more vertices.</source>
+        <translation>单个点无法旋转或放大：请抓取更多顶点。</translation>
+    </message>
+    <message>
+        <source>Change curve</source>
+        <translation>更改曲线</translation>
+    </message>
+</context>
+<context>
+    <name>wend::CutPanel</name>
+    <message>
+        <source>Not cut</source>
+        <translation>不剖切</translation>
+    </message>
+    <message>
+        <source>Whole cells</source>
+        <translation>完整单元</translation>
+    </message>
+    <message>
+        <source>Exact</source>
+        <translation>精确</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>Flip</source>
+        <translation>翻转</translation>
+    </message>
+    <message>
+        <source>Cut across %1</source>
+        <translation>垂直于 %1 剖切</translation>
+    </message>
+    <message>
+        <source>Other side</source>
+        <translation>另一侧</translation>
+    </message>
+    <message>
+        <source>Turns the plane so that it stands across this axis.</source>
+        <translation>使剖切面垂直于此轴。</translation>
+    </message>
+    <message>
+        <source>Takes away the other side of the plane.</source>
+        <translation>去掉剖切面的另一侧。</translation>
+    </message>
+    <message>
+        <source>Place of the cut</source>
+        <translation>剖切位置</translation>
+    </message>
+    <message>
+        <source>Moves the plane through the solid.</source>
+        <translation>在实体中移动剖切面。</translation>
+    </message>
+    <message>
+        <source>Normal of the cut</source>
+        <translation>剖切面法线</translation>
+    </message>
+    <message>
+        <source>The direction that the plane looks in, as x, y and z.</source>
+        <translation>剖切面朝向的方向，以 x、y、z 表示。</translation>
+    </message>
+    <message>
+        <source>Distance of the cut</source>
+        <translation>剖切面距离</translation>
+    </message>
+    <message>
+        <source>How far the plane is from the origin, along its normal.</source>
+        <translation>剖切面沿法线到原点的距离。</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>剖切</translation>
+    </message>
+    <message>
+        <source>&amp;Look inside</source>
+        <translation>查看内部(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Distance</source>
+        <translation>距离(&amp;D)</translation>
+    </message>
+    <message>
+        <source>There is no solid yet that could be cut.</source>
+        <translation>还没有可剖切的实体。</translation>
+    </message>
+    <message>
+        <source>Looks inside: by whole tetrahedra, or along the exact plane.</source>
+        <translation>查看内部：按完整四面体，或沿精确平面。</translation>
+    </message>
+</context>
+<context>
+    <name>wend::DepthActions</name>
+    <message>
+        <source>Bring to &amp;Front</source>
+        <translation>置于顶层(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Where the shape covers itself, what is around the selected pins lies in front of all else</source>
+        <translation>在形状自身重叠处，所选图钉周围的部分位于其他一切之前</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+]</source>
+        <translation>Ctrl+Shift+]</translation>
+    </message>
+    <message>
+        <source>Send to &amp;Back</source>
+        <translation>置于底层(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Where the shape covers itself, what is around the selected pins lies behind all else</source>
+        <translation>在形状自身重叠处，所选图钉周围的部分位于其他一切之后</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+[</source>
+        <translation>Ctrl+Shift+[</translation>
+    </message>
+    <message>
+        <source>As &amp;Drawn</source>
+        <translation>按原样(&amp;D)</translation>
+    </message>
+    <message>
+        <source>What is around the selected pins has no order of its own</source>
+        <translation>所选图钉周围的部分没有自己的顺序</translation>
+    </message>
+    <message>
+        <source>&amp;Number…</source>
+        <translation>数值(&amp;N)…</translation>
+    </message>
+    <message>
+        <source>Give what is around the selected pins an order: greater lies in front</source>
+        <translation>为所选图钉周围的部分指定顺序：数值越大越靠前</translation>
+    </message>
+    <message>
+        <source>&amp;Depth</source>
+        <translation>深度(&amp;D)</translation>
+    </message>
+    <message>
+        <source>A solid has its depth by itself.</source>
+        <translation>实体本身就有深度。</translation>
+    </message>
+    <message>
+        <source>Select a pin first.</source>
+        <translation>请先选择图钉。</translation>
+    </message>
+    <message>
+        <source>Bring to front</source>
+        <translation>置于顶层</translation>
+    </message>
+    <message>
+        <source>Send to back</source>
+        <translation>置于底层</translation>
+    </message>
+    <message>
+        <source>Depth as drawn</source>
+        <translation>深度按原样</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>深度</translation>
+    </message>
+    <message>
+        <source>Order (in front: greater than 0, behind: less):</source>
+        <translation>顺序（大于 0 在前，小于 0 在后）：</translation>
+    </message>
+</context>
+<context>
+    <name>wend::DetailChooser</name>
+    <message>
+        <source>Choose Skin</source>
+        <translation>选择蒙皮</translation>
+    </message>
+    <message>
+        <source>Surfaces (%1)</source>
+        <translation>表面 (%1)</translation>
+    </message>
+    <message>
+        <source>This surface cannot ride in the solid. %1</source>
+        <translation>此表面无法随实体变形。%1</translation>
+    </message>
+    <message>
+        <source>Choose skin</source>
+        <translation>选择蒙皮</translation>
+    </message>
+    <message>
+        <source>Remove skin</source>
+        <translation>移除蒙皮</translation>
+    </message>
+</context>
+<context>
+    <name>wend::DetailRow</name>
+    <message>
+        <source>Choose…</source>
+        <translation>选择…</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>Choose skin</source>
+        <translation>选择蒙皮</translation>
+    </message>
+    <message>
+        <source>Takes a detailed, perhaps textured surface from a file: it rides in the solid, is what the view shows and what surface formats get.</source>
+        <translation>从文件载入精细的、可带纹理的表面：它随实体变形，显示在视图中，并写入各种表面格式。</translation>
+    </message>
+    <message>
+        <source>Remove skin</source>
+        <translation>移除蒙皮</translation>
+    </message>
+    <message>
+        <source>The solid is seen and exported with its own surface again.</source>
+        <translation>重新以实体自身的表面显示和导出。</translation>
+    </message>
+    <message>
+        <source>Skin</source>
+        <translation>蒙皮</translation>
+    </message>
+</context>
+<context>
+    <name>wend::DistortionPanel</name>
+    <message>
+        <source>Keep these colours</source>
+        <translation>固定当前配色</translation>
+    </message>
+    <message>
+        <source>Keep the colours&apos; range, to compare different shapes and energies.</source>
+        <translation>固定颜色的范围，便于比较不同的形状和能量。</translation>
+    </message>
+    <message>
+        <source>Go there</source>
+        <translation>前往</translation>
+    </message>
+    <message>
+        <source>Go to the worst place</source>
+        <translation>前往变形最大处</translation>
+    </message>
+    <message>
+        <source>Brings the most distorted triangle into view; it is ringed in the map.</source>
+        <translation>将畸变最大的三角形移入视图；色图中以圆圈标出。</translation>
+    </message>
+    <message>
+        <source>What changed</source>
+        <translation>变化</translation>
+    </message>
+    <message>
+        <source>Colour &amp;by</source>
+        <translation>着色依据(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Angle error</source>
+        <translation>角度误差</translation>
+    </message>
+    <message>
+        <source>Sum over the shape of σ₁/σ₂ + σ₂/σ₁ − 2: zero if all angles are kept.</source>
+        <translation>σ₁/σ₂ + σ₂/σ₁ − 2 在整个形状上的总和：所有角度都保持时为零。</translation>
+    </message>
+    <message>
+        <source>Area error</source>
+        <translation>面积误差</translation>
+    </message>
+    <message>
+        <source>Stretch</source>
+        <translation>拉伸</translation>
+    </message>
+    <message>
+        <source>How far lengths are from those at rest: zero for a rigid motion.</source>
+        <translation>长度与变形前相差多少：刚体运动时为零。</translation>
+    </message>
+    <message>
+        <source>Worst place</source>
+        <translation>变形最大处</translation>
+    </message>
+    <message>
+        <source>Volume error</source>
+        <translation>体积误差</translation>
+    </message>
+    <message>
+        <source>Sum over the shape of det F + 1/det F − 2: zero if all volumes are kept.</source>
+        <translation>det F + 1/det F − 2 在整个形状上的总和：所有体积都保持时为零。</translation>
+    </message>
+    <message>
+        <source>Sum over the shape of σ₁σ₂ + 1/(σ₁σ₂) − 2: zero if all areas are kept.</source>
+        <translation>σ₁σ₂ + 1/(σ₁σ₂) − 2 在整个形状上的总和：所有面积都保持时为零。</translation>
+    </message>
+    <message>
+        <source>The tetrahedron that is farthest from rest by what the map shows.</source>
+        <translation>按色图所示的量，与变形前相差最大的四面体。</translation>
+    </message>
+    <message>
+        <source>The triangle that is farthest from rest by what the map shows.</source>
+        <translation>按色图所示的量，与变形前相差最大的三角形。</translation>
+    </message>
+    <message>
+        <source>Colour by</source>
+        <translation>着色依据</translation>
+    </message>
+    <message>
+        <source>What is coloured over the solid: the error of lengths, volumes or angles, the material, how fast it moves, or how fine its mesh is.</source>
+        <translation>在实体上用颜色显示的内容：长度、体积或角度的误差，材料，运动快慢，或网格的精细度。</translation>
+    </message>
+    <message>
+        <source>What is coloured over the picture: the error of lengths, areas or angles, or the material that is painted on it.</source>
+        <translation>在图片上用颜色显示的内容：长度、面积或角度的误差，或所绘制的材料。</translation>
+    </message>
+</context>
+<context>
+    <name>wend::EnergySlider</name>
+    <message>
+        <source>What is kept</source>
+        <translation>保持内容</translation>
+    </message>
+    <message>
+        <source>What the shape keeps where it has to give way: from its volume, over lengths and stiff parts, to the look of its details. Between two names it is something of both.</source>
+        <translation>形状在变形时尽量保持的内容：从体积，经长度和刚性部分，到细节的外观。位于两个名称之间时兼具两者。</translation>
+    </message>
+    <message>
+        <source>What the shape keeps where it has to give way: from its area, over lengths and stiff parts, to the look of its details. Between two names it is something of both.</source>
+        <translation>形状在变形时尽量保持的内容：从面积，经长度和刚性部分，到细节的外观。位于两个名称之间时兼具两者。</translation>
+    </message>
+</context>
+<context>
+    <name>wend::ExportDialog</name>
+    <message>
+        <source>Export Picture</source>
+        <translation>导出图片</translation>
+    </message>
+    <message>
+        <source>Export Sequence</source>
+        <translation>导出序列</translation>
+    </message>
+    <message>
+        <source>Export ST Map</source>
+        <translation>导出 ST 贴图</translation>
+    </message>
+    <message>
+        <source>Export Mesh</source>
+        <translation>导出网格</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>格式</translation>
+    </message>
+    <message>
+        <source>What kind of file is written.</source>
+        <translation>要导出的文件类型。</translation>
+    </message>
+    <message>
+        <source>Fit the &amp;Canvas</source>
+        <translation>调整画布(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Fit the canvas</source>
+        <translation>调整画布</translation>
+    </message>
+    <message>
+        <source>Make the canvas as large as the shape needs, so that nothing is cut off.</source>
+        <translation>使画布达到形状所需的大小，不裁掉任何内容。</translation>
+    </message>
+    <message>
+        <source>F&amp;ormat</source>
+        <translation>格式(&amp;O)</translation>
+    </message>
+    <message>
+        <source>E&amp;xport…</source>
+        <translation>导出(&amp;X)…</translation>
+    </message>
+    <message>
+        <source>As in the picture</source>
+        <translation>与图片相同</translation>
+    </message>
+    <message>
+        <source>As the format holds it best</source>
+        <translation>按格式取最佳</translation>
+    </message>
+    <message>
+        <source>%1 px on the left</source>
+        <translation>左侧 %1 px</translation>
+    </message>
+    <message>
+        <source>%1 px at the top</source>
+        <translation>顶部 %1 px</translation>
+    </message>
+    <message>
+        <source>%1 px on the right</source>
+        <translation>右侧 %1 px</translation>
+    </message>
+    <message>
+        <source>%1 px at the bottom</source>
+        <translation>底部 %1 px</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>、</translation>
+    </message>
+    <message>
+        <source>On its way the shape leaves the picture and is cut off there: %1.</source>
+        <translation>形状在运动途中超出图片，会被裁掉：%1。</translation>
+    </message>
+    <message>
+        <source>The shape reaches beyond the picture and is cut off there: %1.</source>
+        <translation>形状超出图片，会被裁掉：%1。</translation>
+    </message>
+    <message>
+        <source>%1 vertices</source>
+        <translation>%1 个顶点</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n shapes of %1</source>
+        <translation>
+            <numerusform>%n 个形状，每个 %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels</source>
+        <translation>%1 × %2 像素</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pictures of %1</source>
+        <translation>
+            <numerusform>%n 张图片，每张 %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 (measured)</source>
+        <translation>%1（实测）</translation>
+    </message>
+    <message>
+        <source>about %1 (estimated)</source>
+        <translation>约 %1（估计）</translation>
+    </message>
+</context>
+<context>
+    <name>wend::ExportPanel</name>
+    <message>
+        <source>Export</source>
+        <translation>导出</translation>
+    </message>
+</context>
+<context>
+    <name>wend::ExportPreview</name>
+    <message>
+        <source>Preview</source>
+        <translation>预览</translation>
+    </message>
+    <message>
+        <source>What will be written, smaller</source>
+        <translation>将要导出的内容（缩小显示）</translation>
+    </message>
+</context>
+<context>
+    <name>wend::Exporter</name>
+    <message>
+        <source>Export Picture</source>
+        <translation>导出图片</translation>
+    </message>
+    <message>
+        <source>Export Sequence</source>
+        <translation>导出序列</translation>
+    </message>
+    <message>
+        <source>Export ST Map</source>
+        <translation>导出 ST 贴图</translation>
+    </message>
+    <message>
+        <source>Export Mesh</source>
+        <translation>导出网格</translation>
+    </message>
+    <message>
+        <source>Writing the picture …</source>
+        <translation>正在导出图片…</translation>
+    </message>
+    <message numerus="yes">
+        <source>Writing %n frames …</source>
+        <translation>
+            <numerusform>正在导出 %n 帧…</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Writing the map …</source>
+        <translation>正在导出贴图…</translation>
+    </message>
+    <message>
+        <source>Writing the mesh …</source>
+        <translation>正在导出网格…</translation>
+    </message>
+    <message>
+        <source>“%1” is this project itself. Replace it?</source>
+        <translation>“%1”就是此项目本身。要替换吗？</translation>
+    </message>
+    <message>
+        <source>“%1” is the picture that this project bends. Replace it?</source>
+        <translation>“%1”是此项目正在变形的图片。要替换吗？</translation>
+    </message>
+    <message>
+        <source>“%1” is the mesh that this project bends. Replace it?</source>
+        <translation>“%1”是此项目正在变形的网格。要替换吗？</translation>
+    </message>
+    <message>
+        <source>“%1” belongs to this project. Replace it?</source>
+        <translation>“%1”属于此项目。要替换吗？</translation>
+    </message>
+    <message>
+        <source>Another export is still being written. Try again in a moment.</source>
+        <translation>另一个导出仍在写入。请稍后再试。</translation>
+    </message>
+    <message>
+        <source>The shape is still being computed. Try again in a moment.</source>
+        <translation>形状仍在计算中。请稍后再试。</translation>
+    </message>
+    <message>
+        <source>There is no shape to export: it could not be computed.</source>
+        <translation>没有可导出的形状：未能计算出来。</translation>
+    </message>
+    <message>
+        <source>Wend</source>
+        <translation>Wend</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of these frames exist. Replace them?</source>
+        <translation>
+            <numerusform>其中 %n 帧已存在。要替换吗？</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>What it holds now is lost, and the project will not open as it is any more.</source>
+        <translation>其当前内容将丢失，项目将无法再按原样打开。</translation>
+    </message>
+    <message>
+        <source>What they hold now is lost.</source>
+        <translation>它们当前的内容将丢失。</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>替换</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Nothing was written. %1</source>
+        <translation>未导出任何内容。%1</translation>
+    </message>
+    <message>
+        <source>Written without velocities: %1 (%2)</source>
+        <translation>已导出，不含速度：%1（%2）</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>已导出：%1</translation>
+    </message>
+</context>
+<context>
+    <name>wend::FileCard</name>
+    <message>
+        <source>Sample: %1</source>
+        <translation>示例：%1</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>打开 %1</translation>
+    </message>
+    <message>
+        <source>Open the sample “%1”</source>
+        <translation>打开示例“%1”</translation>
+    </message>
+    <message>
+        <source>%1, solid</source>
+        <translation>%1（实体）</translation>
+    </message>
+    <message>
+        <source>Solid</source>
+        <translation>实体</translation>
+    </message>
+</context>
+<context>
+    <name>wend::FileWorkflow</name>
+    <message>
+        <source>All that Wend opens (%1)</source>
+        <translation>Wend 可打开的所有文件 (%1)</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>图片 (%1)</translation>
+    </message>
+    <message>
+        <source>Projects (*.wend)</source>
+        <translation>项目 (*.wend)</translation>
+    </message>
+    <message>
+        <source>Meshes (%1)</source>
+        <translation>网格 (%1)</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>打开</translation>
+    </message>
+    <message>
+        <source>%1 has moved.</source>
+        <translation>%1 已不在原处。</translation>
+    </message>
+    <message>
+        <source>Find It…</source>
+        <translation>查找…</translation>
+    </message>
+    <message>
+        <source>This file cannot be opened. %1</source>
+        <translation>无法打开此文件。%1</translation>
+    </message>
+    <message>
+        <source>Nothing to see in this picture.</source>
+        <translation>此图片中没有可见内容。</translation>
+    </message>
+    <message>
+        <source>Use Whole Frame</source>
+        <translation>使用整张图片</translation>
+    </message>
+    <message>
+        <source>Open Another…</source>
+        <translation>打开其他文件…</translation>
+    </message>
+    <message>
+        <source>All files</source>
+        <translation>所有文件</translation>
+    </message>
+    <message>
+        <source>Find %1</source>
+        <translation>查找 %1</translation>
+    </message>
+    <message>
+        <source>There is no copy of your changes if the program crashes: please save. %1</source>
+        <translation>如果程序崩溃，您的更改没有副本：请保存。%1</translation>
+    </message>
+    <message>
+        <source>Wend</source>
+        <translation>Wend</translation>
+    </message>
+    <message>
+        <source>Recover unsaved changes to “%1”?</source>
+        <translation>要恢复对“%1”未保存的更改吗？</translation>
+    </message>
+    <message>
+        <source>Wend was not closed properly. The last change was on %1.</source>
+        <translation>Wend 上次未正常关闭。最后一次更改是在 %1。</translation>
+    </message>
+    <message>
+        <source>“%1” is not opened then.</source>
+        <translation>这样“%1”将不会打开。</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>恢复</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>放弃</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>稍后</translation>
+    </message>
+    <message>
+        <source>“%1” was changed by another program or window.</source>
+        <translation>“%1”已被其他程序或窗口更改。</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>重新载入</translation>
+    </message>
+    <message>
+        <source>Keep Mine</source>
+        <translation>保留我的更改</translation>
+    </message>
+    <message>
+        <source>Save As…</source>
+        <translation>另存为…</translation>
+    </message>
+    <message>
+        <source>Reload “%1”?</source>
+        <translation>要重新载入“%1”吗？</translation>
+    </message>
+    <message>
+        <source>Your changes since it was saved are lost.</source>
+        <translation>您自上次保存以来的更改将丢失。</translation>
+    </message>
+    <message>
+        <source>Saving replaces those changes; reloading drops yours.</source>
+        <translation>保存会替换那些更改；重新载入会丢弃您的更改。</translation>
+    </message>
+    <message>
+        <source>The project was not saved: it needs the file “%1” itself. Choose another name.</source>
+        <translation>项目未保存：它需要文件“%1”本身。请选择其他名称。</translation>
+    </message>
+    <message>
+        <source>Save Project</source>
+        <translation>保存项目</translation>
+    </message>
+    <message>
+        <source>The project was not saved. %1</source>
+        <translation>项目未保存。%1</translation>
+    </message>
+    <message>
+        <source>Save the changes to “%1”?</source>
+        <translation>要保存对“%1”的更改吗？</translation>
+    </message>
+    <message>
+        <source>If you do not save, they are lost.</source>
+        <translation>如果不保存，更改将丢失。</translation>
+    </message>
+</context>
+<context>
+    <name>wend::FlowPanel</name>
+    <message>
+        <source>Settle</source>
+        <translation>松弛</translation>
+    </message>
+    <message>
+        <source>Let the shape relax with the pins where they are, until it is as near to its rest as it can be. This takes a moment at the end of the motion.</source>
+        <translation>图钉不动，让形状松弛到尽可能接近原始形状。这会在运动末尾占用一小段时间。</translation>
+    </message>
+    <message>
+        <source>Remembers its shape</source>
+        <translation>形状记忆</translation>
+    </message>
+</context>
+<context>
+    <name>wend::HandlePanel</name>
+    <message>
+        <source>Select a pin to see its numbers.</source>
+        <translation>选择图钉以查看其数值。</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>应用</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>重命名</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>What the handle is called in the project and in messages.</source>
+        <translation>手柄在项目和消息中的名称。</translation>
+    </message>
+    <message>
+        <source>Move by</source>
+        <translation>移动</translation>
+    </message>
+    <message>
+        <source>Rotate by</source>
+        <translation>旋转</translation>
+    </message>
+    <message>
+        <source>Scale by</source>
+        <translation>缩放</translation>
+    </message>
+    <message>
+        <source>Exact step</source>
+        <translation>精确变换</translation>
+    </message>
+    <message>
+        <source>Moves, turns or scales what is selected by exact numbers.</source>
+        <translation>按精确数值移动、旋转或缩放所选内容。</translation>
+    </message>
+    <message>
+        <source>Amount</source>
+        <translation>数值</translation>
+    </message>
+    <message>
+        <source>How far along x, y and z; an angle; or a factor.</source>
+        <translation>沿 x、y、z 的距离；角度；或倍数。</translation>
+    </message>
+    <message>
+        <source>around X</source>
+        <translation>绕 X</translation>
+    </message>
+    <message>
+        <source>around Y</source>
+        <translation>绕 Y</translation>
+    </message>
+    <message>
+        <source>around Z</source>
+        <translation>绕 Z</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>轴</translation>
+    </message>
+    <message>
+        <source>The axis of the turn, through the middle of what is selected.</source>
+        <translation>经过所选内容中心的旋转轴。</translation>
+    </message>
+    <message>
+        <source>Does this step; it becomes part of the motion.</source>
+        <translation>执行此变换，并计入运动。</translation>
+    </message>
+    <message>
+        <source>Pin</source>
+        <translation>图钉</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pins</source>
+        <translation>
+            <numerusform>%n 个图钉</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>at %1, %2, %3</source>
+        <translation>位于 %1, %2, %3</translation>
+    </message>
+</context>
+<context>
+    <name>wend::InfoBanner</name>
+    <message>
+        <source>Close this message</source>
+        <translation>关闭此消息</translation>
+    </message>
+</context>
+<context>
+    <name>wend::LayerPanel</name>
+    <message>
+        <source>It is the same everywhere: brush over the shape to change a part.</source>
+        <translation>各处相同：用画笔刷过形状可更改局部。</translation>
+    </message>
+    <message>
+        <source>Keep here</source>
+        <translation>此处保持</translation>
+    </message>
+    <message>
+        <source>Each along a direction of its own.</source>
+        <translation>各有自己的方向。</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>图层</translation>
+    </message>
+    <message>
+        <source>Where the material is another. The topmost wins. A click shows its values, a double click changes its name.</source>
+        <translation>材料与别处不同的部分。最上面的图层优先。单击显示其数值，双击更改名称。</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>上移</translation>
+    </message>
+    <message>
+        <source>Lets the chosen layer win over the one above it.</source>
+        <translation>使所选图层优先于其上方的图层。</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>下移</translation>
+    </message>
+    <message>
+        <source>Lets the layer below win over the chosen one.</source>
+        <translation>使下方的图层优先于所选图层。</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>Takes the chosen layer away.</source>
+        <translation>移除所选图层。</translation>
+    </message>
+    <message>
+        <source>Whether the layer changes what is kept, and to what.</source>
+        <translation>此图层是否更改保持内容，以及改为什么。</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>刚度</translation>
+    </message>
+    <message>
+        <source>How many times stiffer the layer is along its direction; ×1 is as everywhere.</source>
+        <translation>图层沿其方向的刚度是几倍；×1 与别处相同。</translation>
+    </message>
+    <message>
+        <source>Stiff direction</source>
+        <translation>刚度方向</translation>
+    </message>
+    <message>
+        <source>At rest; it turns with the shape. Another one is for all regions of the layer.</source>
+        <translation>变形前的方向；随形状转动。更改后适用于图层的所有区域。</translation>
+    </message>
+    <message>
+        <source>Soft edge</source>
+        <translation>羽化</translation>
+    </message>
+    <message>
+        <source>How wide the edge fades, in the shape&apos;s own units.</source>
+        <translation>边缘淡出的宽度，以形状自身的单位计。</translation>
+    </message>
+    <message>
+        <source>Soft ed&amp;ge</source>
+        <translation>羽化(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Rename layer</source>
+        <translation>重命名图层</translation>
+    </message>
+    <message>
+        <source>Move layer</source>
+        <translation>移动图层</translation>
+    </message>
+    <message>
+        <source>Remove layer</source>
+        <translation>移除图层</translation>
+    </message>
+    <message>
+        <source>Change soft edge</source>
+        <translation>更改羽化</translation>
+    </message>
+    <message>
+        <source>Change layer</source>
+        <translation>更改图层</translation>
+    </message>
+    <message>
+        <source>Unnamed</source>
+        <translation>未命名</translation>
+    </message>
+</context>
+<context>
+    <name>wend::Legend</name>
+    <message>
+        <source>Legend</source>
+        <translation>图例</translation>
+    </message>
+    <message>
+        <source>%1: from %2 to %3</source>
+        <translation>%1：从 %2 到 %3</translation>
+    </message>
+</context>
+<context>
+    <name>wend::MainWindow</name>
+    <message>
+        <source>Main</source>
+        <translation>主工具栏</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>工具</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>暂停(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>播放(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Opening %1 …</source>
+        <translation>正在打开 %1…</translation>
+    </message>
+    <message>
+        <source>%1[*] – Wend</source>
+        <translation>%1[*] – Wend</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>更多</translation>
+    </message>
+</context>
+<context>
+    <name>wend::ManualWindow</name>
+    <message>
+        <source>Manual</source>
+        <translation>手册</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>目录</translation>
+    </message>
+    <message>
+        <source>The first page</source>
+        <translation>第一页</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>后退</translation>
+    </message>
+    <message>
+        <source>The page before</source>
+        <translation>上一个页面</translation>
+    </message>
+    <message>
+        <source>Search this page</source>
+        <translation>在此页中搜索</translation>
+    </message>
+    <message>
+        <source>Enter goes to the next place where these words stand.</source>
+        <translation>按 Enter 转到这些词的下一处。</translation>
+    </message>
+</context>
+<context>
+    <name>wend::MaterialPanel</name>
+    <message>
+        <source>Keep</source>
+        <translation>保持</translation>
+    </message>
+    <message>
+        <source>Between %1 and %2.</source>
+        <translation>介于%1与%2之间。</translation>
+    </message>
+    <message>
+        <source>⚠ Grown ×%1 – try %2</source>
+        <translation>⚠ 已放大 ×%1 – 试试%2</translation>
+    </message>
+    <message>
+        <source>The shape has become much larger than at rest. A click keeps more of its size.</source>
+        <translation>形状比变形前大了许多。单击可更多地保持其大小。</translation>
+    </message>
+</context>
+<context>
+    <name>wend::MeasurePanel</name>
+    <message>
+        <source>Measures</source>
+        <translation>测量值</translation>
+    </message>
+    <message>
+        <source>Size of the solid</source>
+        <translation>实体尺寸</translation>
+    </message>
+    <message>
+        <source>Volume and area of the surface, now and at rest.</source>
+        <translation>体积和表面积，当前与变形前。</translation>
+    </message>
+    <message>
+        <source>Size of what is selected</source>
+        <translation>所选内容的尺寸</translation>
+    </message>
+    <message>
+        <source>Volume of the tetrahedra and area of the outer triangles that the selected handles hold.</source>
+        <translation>所选手柄抓取的四面体体积和外侧三角形面积。</translation>
+    </message>
+    <message>
+        <source>Vertex under the pointer</source>
+        <translation>指针处的顶点</translation>
+    </message>
+    <message>
+        <source>The nearest vertex and where it is.</source>
+        <translation>最近的顶点及其位置。</translation>
+    </message>
+    <message>
+        <source>Tetrahedron under the pointer</source>
+        <translation>指针处的四面体</translation>
+    </message>
+    <message>
+        <source>All values of the tetrahedron.</source>
+        <translation>该四面体的所有数值。</translation>
+    </message>
+    <message>
+        <source>%1, at rest %2</source>
+        <translation>%1（变形前 %2）</translation>
+    </message>
+    <message>
+        <source>volume</source>
+        <translation>体积</translation>
+    </message>
+    <message>
+        <source>area</source>
+        <translation>面积</translation>
+    </message>
+    <message>
+        <source>The whole</source>
+        <translation>整体</translation>
+    </message>
+    <message numerus="yes">
+        <source>Selected: %n vertices</source>
+        <translation>
+            <numerusform>已选择：%n 个顶点</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Point at the solid for the values there.</source>
+        <translation>将指针移到实体上以查看该处的数值。</translation>
+    </message>
+    <message>
+        <source>Vertex %1</source>
+        <translation>顶点 %1</translation>
+    </message>
+    <message>
+        <source>place</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>at rest</source>
+        <translation>变形前</translation>
+    </message>
+    <message>
+        <source>pointed at</source>
+        <translation>指针位置</translation>
+    </message>
+    <message>
+        <source>velocity</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>dihedral angles</source>
+        <translation>二面角</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 至 %2</translation>
+    </message>
+    <message>
+        <source>circumradius to shortest edge</source>
+        <translation>外接球半径与最短边之比</translation>
+    </message>
+    <message>
+        <source>Tetrahedron %1</source>
+        <translation>四面体 %1</translation>
+    </message>
+</context>
+<context>
+    <name>wend::MemorySlider</name>
+    <message>
+        <source>not at all</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>fully</source>
+        <translation>完全</translation>
+    </message>
+</context>
+<context>
+    <name>wend::MeshPanel</name>
+    <message>
+        <source>Vertices</source>
+        <translation>顶点数</translation>
+    </message>
+    <message>
+        <source>Greatest volume</source>
+        <translation>最大体积</translation>
+    </message>
+    <message>
+        <source>Aim</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>What says how fine the mesh is: how many vertices it has in all, or how large a tetrahedron may be.</source>
+        <translation>网格的精细度由什么决定：顶点总数，或允许的最大四面体。</translation>
+    </message>
+    <message>
+        <source>Paint…</source>
+        <translation>绘制…</translation>
+    </message>
+    <message>
+        <source>Cell sizes</source>
+        <translation>单元尺寸</translation>
+    </message>
+    <message>
+        <source>Paints where the mesh is to be finer or coarser, or says it by regions in numbers.</source>
+        <translation>绘制网格要更细或更粗之处，或用区域以数值指定。</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>网格</translation>
+    </message>
+    <message>
+        <source>A&amp;im at</source>
+        <translation>目标(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Detail: coarse – fine</source>
+        <translation>精细度：粗 – 细</translation>
+    </message>
+    <message>
+        <source>Finer and coarser</source>
+        <translation>更细与更粗</translation>
+    </message>
+    <message>
+        <source>Aim at a volume</source>
+        <translation>以体积为目标</translation>
+    </message>
+    <message>
+        <source>Aim at vertices</source>
+        <translation>以顶点数为目标</translation>
+    </message>
+    <message>
+        <source>The mesh comes from a file and is used as it is.</source>
+        <translation>网格来自文件，按原样使用。</translation>
+    </message>
+    <message>
+        <source>This picture has no transparency.</source>
+        <translation>此图片没有透明部分。</translation>
+    </message>
+    <message>
+        <source>No outline has been drawn.</source>
+        <translation>尚未绘制轮廓。</translation>
+    </message>
+    <message>
+        <source>%1 vertices, %2 tetrahedra</source>
+        <translation>%1 个顶点，%2 个四面体</translation>
+    </message>
+    <message>
+        <source>%1 vertices, %2 triangles</source>
+        <translation>%1 个顶点，%2 个三角形</translation>
+    </message>
+</context>
+<context>
+    <name>wend::ModeRow</name>
+    <message>
+        <source>Export</source>
+        <translation>导出</translation>
+    </message>
+    <message>
+        <source>Write what is shown: as picture, sequence, warp map, mesh or view</source>
+        <translation>导出所显示的内容：图片、序列、变形贴图、网格或视图</translation>
+    </message>
+</context>
+<context>
+    <name>wend::OptionRow</name>
+    <message>
+        <source>Options</source>
+        <translation>选项</translation>
+    </message>
+</context>
+<context>
+    <name>wend::PaintPanel</name>
+    <message>
+        <source>Keep</source>
+        <translation>保持</translation>
+    </message>
+    <message>
+        <source>Paint what the shape keeps when it has to give way.</source>
+        <translation>绘制形状在变形时尽量保持的内容。</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>刚度</translation>
+    </message>
+    <message>
+        <source>Paint how many times stiffer the shape is along a direction.</source>
+        <translation>绘制形状沿某一方向的刚度倍数。</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>方向</translation>
+    </message>
+    <message>
+        <source>Comb the direction along which the shape is stiff.</source>
+        <translation>梳理刚度的方向。</translation>
+    </message>
+    <message>
+        <source>How many times stiffer the painted part is along its direction; ×1 is as everywhere.</source>
+        <translation>绘制部分沿其方向的刚度是几倍；×1 与别处相同。</translation>
+    </message>
+    <message>
+        <source>Stiff direction</source>
+        <translation>刚度方向</translation>
+    </message>
+    <message>
+        <source>The direction at rest, which turns with the shape: the stroke&apos;s own, the one that is there, an axis, numbers, or the way of the selected pin where it is nearest.</source>
+        <translation>变形前的方向，随形状转动：笔画的方向、原有方向、轴、数值，或所选图钉的路径在最近处的方向。</translation>
+    </message>
+    <message>
+        <source>Direction in numbers</source>
+        <translation>以数值表示的方向</translation>
+    </message>
+    <message>
+        <source>At rest; its length does not matter.</source>
+        <translation>变形前的方向；其长度无关紧要。</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Amount</source>
+        <translation>强度</translation>
+    </message>
+    <message>
+        <source>How far a stroke goes from what is there to what is painted.</source>
+        <translation>每一笔使原有内容向所绘内容靠近多少。</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>大小</translation>
+    </message>
+    <message>
+        <source>The brush across, on the screen; also by the keys [ and ].</source>
+        <translation>画笔在屏幕上的直径；也可用 [ 和 ] 键更改。</translation>
+    </message>
+    <message>
+        <source>Hardness</source>
+        <translation>硬度</translation>
+    </message>
+    <message>
+        <source>How much of the brush paints wholly; beyond it fades out. Also by Shift with [ and ].</source>
+        <translation>画笔中完全绘制部分的比例；其外逐渐淡出。也可用 Shift 加 [ 或 ] 更改。</translation>
+    </message>
+    <message>
+        <source>St&amp;iffness</source>
+        <translation>刚度(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Di&amp;rection</source>
+        <translation>方向(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>绘制</translation>
+    </message>
+    <message>
+        <source>Am&amp;ount</source>
+        <translation>强度(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Si&amp;ze</source>
+        <translation>大小(&amp;Z)</translation>
+    </message>
+    <message>
+        <source>Hard&amp;ness</source>
+        <translation>硬度(&amp;N)</translation>
+    </message>
+    <message>
+        <source>along the stroke</source>
+        <translation>沿笔画</translation>
+    </message>
+    <message>
+        <source>as it is there</source>
+        <translation>沿原有方向</translation>
+    </message>
+    <message>
+        <source>along X</source>
+        <translation>沿 X</translation>
+    </message>
+    <message>
+        <source>along Y</source>
+        <translation>沿 Y</translation>
+    </message>
+    <message>
+        <source>along Z</source>
+        <translation>沿 Z</translation>
+    </message>
+    <message>
+        <source>as numbers</source>
+        <translation>按数值</translation>
+    </message>
+    <message>
+        <source>along the view</source>
+        <translation>沿视线</translation>
+    </message>
+    <message>
+        <source>along the pin&apos;s way</source>
+        <translation>沿图钉路径</translation>
+    </message>
+</context>
+<context>
+    <name>wend::PictureActions</name>
+    <message>
+        <source>&amp;Add</source>
+        <translation>添加(&amp;A)</translation>
+    </message>
+    <message>
+        <source>What is drawn shall bend, too; with Ctrl it is taken away</source>
+        <translation>所画部分也要变形；按住 Ctrl 减去</translation>
+    </message>
+    <message>
+        <source>&amp;Take Away</source>
+        <translation>减去(&amp;T)</translation>
+    </message>
+    <message>
+        <source>What is drawn shall not bend; with Ctrl it is added</source>
+        <translation>所画部分不变形；按住 Ctrl 添加</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>大小</translation>
+    </message>
+    <message>
+        <source>How wide the brush is, on the screen; also [ and ]</source>
+        <translation>画笔在屏幕上的宽度；也可用 [ 和 ]</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>容差</translation>
+    </message>
+    <message>
+        <source>How far colours may be apart; also [ and ]</source>
+        <translation>颜色允许相差多少；也可用 [ 和 ]</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>顺序</translation>
+    </message>
+    <message>
+        <source>What is brushed lies in front where it is greater than 0, behind where it is less</source>
+        <translation>画笔刷过的部分，大于 0 时在前，小于 0 时在后</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>边长</translation>
+    </message>
+    <message>
+        <source>How long the edges of the mesh are where it is brushed, of those elsewhere</source>
+        <translation>画笔刷过处的网格边长，相对于别处</translation>
+    </message>
+    <message>
+        <source>S&amp;nap</source>
+        <translation>吸附(&amp;N)</translation>
+    </message>
+    <message>
+        <source>New pins sit on corners of the mesh, instead of where one clicks</source>
+        <translation>将新图钉放在网格顶点上，而不是单击处</translation>
+    </message>
+    <message>
+        <source>&amp;Pressure</source>
+        <translation>压感(&amp;P)</translation>
+    </message>
+    <message>
+        <source>The harder a pen is pressed, the more of the amount is painted</source>
+        <translation>笔压得越重，绘制的强度越大</translation>
+    </message>
+</context>
+<context>
+    <name>wend::PictureDialog</name>
+    <message>
+        <source>&amp;Proportions of the view</source>
+        <translation>视图的宽高比(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Transparent background</source>
+        <translation>透明背景(&amp;T)</translation>
+    </message>
+    <message>
+        <source>P&amp;ins and axes</source>
+        <translation>图钉和轴(&amp;I)</translation>
+    </message>
+    <message>
+        <source>&amp;Legend of the map</source>
+        <translation>色图的图例(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Export View</source>
+        <translation>导出视图</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>格式</translation>
+    </message>
+    <message>
+        <source>What kind of file is written.</source>
+        <translation>要导出的文件类型。</translation>
+    </message>
+    <message>
+        <source>Proportions of the view</source>
+        <translation>视图的宽高比</translation>
+    </message>
+    <message>
+        <source>Width and height follow each other, so that the picture shows what the view shows.</source>
+        <translation>宽度和高度联动，使图片与视图所示相同。</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>宽度</translation>
+    </message>
+    <message>
+        <source>Width of the picture in pixels.</source>
+        <translation>图片的宽度，以像素计。</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>高度</translation>
+    </message>
+    <message>
+        <source>Height of the picture in pixels; it decides how large the solid is.</source>
+        <translation>图片的高度，以像素计；它决定实体的大小。</translation>
+    </message>
+    <message>
+        <source>Transparent background</source>
+        <translation>透明背景</translation>
+    </message>
+    <message>
+        <source>Only the solid, on nothing.</source>
+        <translation>只有实体，没有背景。</translation>
+    </message>
+    <message>
+        <source>Pins and axes</source>
+        <translation>图钉和轴</translation>
+    </message>
+    <message>
+        <source>Pins, their paths and the axes, as large as in the window.</source>
+        <translation>图钉、其路径和轴，与窗口中一样大。</translation>
+    </message>
+    <message>
+        <source>Legend of the map</source>
+        <translation>色图的图例</translation>
+    </message>
+    <message>
+        <source>The colours of the map and their values.</source>
+        <translation>色图的颜色及其数值。</translation>
+    </message>
+    <message>
+        <source>Show a map first: only then there is something to explain.</source>
+        <translation>请先显示色图：只有这样才有图例。</translation>
+    </message>
+    <message>
+        <source>F&amp;ormat</source>
+        <translation>格式(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Width</source>
+        <translation>宽度(&amp;W)</translation>
+    </message>
+    <message>
+        <source>&amp;Height</source>
+        <translation>高度(&amp;H)</translation>
+    </message>
+    <message>
+        <source>E&amp;xport…</source>
+        <translation>导出(&amp;X)…</translation>
+    </message>
+    <message>
+        <source>Width and height must be between %1 and %2 pixels.</source>
+        <translation>宽度和高度必须介于 %1 和 %2 像素之间。</translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels</source>
+        <translation>%1 × %2 像素</translation>
+    </message>
+    <message>
+        <source>about %1 (estimated)</source>
+        <translation>约 %1（估计）</translation>
+    </message>
+</context>
+<context>
+    <name>wend::PinActions</name>
+    <message>
+        <source>&amp;Pins</source>
+        <translation>图钉(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Lock</source>
+        <translation>锁定(&amp;L)</translation>
+    </message>
+    <message>
+        <source>The selected pins are neither moved nor removed until unlocked</source>
+        <translation>所选图钉在解锁之前不能移动，也不能移除</translation>
+    </message>
+    <message>
+        <source>Ctrl+L</source>
+        <translation>Ctrl+L</translation>
+    </message>
+    <message>
+        <source>&amp;Hide</source>
+        <translation>隐藏(&amp;H)</translation>
+    </message>
+    <message>
+        <source>The selected pins hold on, but are neither drawn nor picked</source>
+        <translation>所选图钉仍起作用，但不显示，也无法选取</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+H</source>
+        <translation>Ctrl+Shift+H</translation>
+    </message>
+    <message>
+        <source>&amp;Show All</source>
+        <translation>全部显示(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Show all hidden pins again</source>
+        <translation>重新显示所有隐藏的图钉</translation>
+    </message>
+    <message>
+        <source>Alt+Shift+H</source>
+        <translation>Alt+Shift+H</translation>
+    </message>
+    <message>
+        <source>&amp;Group…</source>
+        <translation>编组(&amp;G)…</translation>
+    </message>
+    <message>
+        <source>Put the selected pins under a heading of the list</source>
+        <translation>将所选图钉归到列表的一个标题下</translation>
+    </message>
+    <message>
+        <source>Ctrl+G</source>
+        <translation>Ctrl+G</translation>
+    </message>
+    <message>
+        <source>&amp;Ungroup</source>
+        <translation>取消编组(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Take the selected pins out of their groups</source>
+        <translation>将所选图钉移出其所在的组</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+G</source>
+        <translation>Ctrl+Shift+G</translation>
+    </message>
+    <message>
+        <source>Lin&amp;k</source>
+        <translation>链接(&amp;K)</translation>
+    </message>
+    <message>
+        <source>The selected pins move together, whichever of them is dragged</source>
+        <translation>无论拖动其中哪一个，所选图钉都一起移动</translation>
+    </message>
+    <message>
+        <source>Ctrl+K</source>
+        <translation>Ctrl+K</translation>
+    </message>
+    <message>
+        <source>&amp;Mirror</source>
+        <translation>镜像(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Set pins where the selected ones lie in a mirror through the middle of the shape, with mirrored motions</source>
+        <translation>以形状中央为镜面，在所选图钉的对称位置放置图钉，其运动也成镜像</translation>
+    </message>
+    <message>
+        <source>Ctrl+M</source>
+        <translation>Ctrl+M</translation>
+    </message>
+    <message>
+        <source>Mirror M&amp;otion</source>
+        <translation>镜像运动(&amp;O)</translation>
+    </message>
+    <message>
+        <source>The selected pins move to the other side instead</source>
+        <translation>使所选图钉改为朝另一侧移动</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+M</source>
+        <translation>Ctrl+Shift+M</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>蓝色</translation>
+    </message>
+    <message>
+        <source>Orange</source>
+        <translation>橙色</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>绿色</translation>
+    </message>
+    <message>
+        <source>Red</source>
+        <translation>红色</translation>
+    </message>
+    <message>
+        <source>Violet</source>
+        <translation>紫色</translation>
+    </message>
+    <message>
+        <source>Brown</source>
+        <translation>棕色</translation>
+    </message>
+    <message>
+        <source>Turquoise</source>
+        <translation>青绿色</translation>
+    </message>
+    <message>
+        <source>Plum</source>
+        <translation>梅红色</translation>
+    </message>
+    <message>
+        <source>&amp;Colour</source>
+        <translation>颜色(&amp;C)</translation>
+    </message>
+    <message>
+        <source>By &amp;Place in the List</source>
+        <translation>按在列表中的位置(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Other…</source>
+        <translation>其他(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Select a pin first.</source>
+        <translation>请先选择图钉。</translation>
+    </message>
+    <message>
+        <source>The selected pin is in no group.</source>
+        <translation>所选图钉不在任何组中。</translation>
+    </message>
+    <message>
+        <source>Select several pins first.</source>
+        <translation>请先选择多个图钉。</translation>
+    </message>
+    <message>
+        <source>Select a pin that moves.</source>
+        <translation>请选择一个会移动的图钉。</translation>
+    </message>
+    <message>
+        <source>No pin is hidden.</source>
+        <translation>没有隐藏的图钉。</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>编组</translation>
+    </message>
+    <message>
+        <source>Name of the group:</source>
+        <translation>组名称：</translation>
+    </message>
+    <message>
+        <source>Colour of the Pin</source>
+        <translation>图钉颜色</translation>
+    </message>
+</context>
+<context>
+    <name>wend::PinList</name>
+    <message>
+        <source>Pins</source>
+        <translation>图钉</translation>
+    </message>
+    <message>
+        <source>Does not hold at the time that is shown.</source>
+        <translation>在当前显示的时刻不起作用。</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>重命名</translation>
+    </message>
+    <message>
+        <source>Choose pins here; F2 renames, Delete removes, Enter goes to the picture, where the arrow keys move them. The eye hides, the lock holds back from changes; a right click groups, links and mirrors.</source>
+        <translation>在此选择图钉；F2 重命名，Delete 移除，按 Enter 转到图片，可用方向键移动图钉。眼睛图标用于隐藏，锁图标用于防止更改；右键单击可编组、链接和镜像。</translation>
+    </message>
+    <message>
+        <source>Moves together with others</source>
+        <translation>与其他图钉一起移动</translation>
+    </message>
+    <message>
+        <source>Hidden: a click shows it</source>
+        <translation>已隐藏：单击显示</translation>
+    </message>
+    <message>
+        <source>A click hides it</source>
+        <translation>单击隐藏</translation>
+    </message>
+    <message>
+        <source>Locked: a click unlocks it</source>
+        <translation>已锁定：单击解锁</translation>
+    </message>
+    <message>
+        <source>A click locks it</source>
+        <translation>单击锁定</translation>
+    </message>
+</context>
+<context>
+    <name>wend::Properties</name>
+    <message>
+        <source>Advanced</source>
+        <translation>高级</translation>
+    </message>
+    <message>
+        <source>The same in numbers, for those who want them.</source>
+        <translation>同样的设置，以数值指定。</translation>
+    </message>
+</context>
+<context>
+    <name>wend::RegionNumbers</name>
+    <message>
+        <source>Numbers of the region</source>
+        <translation>区域的数值</translation>
+    </message>
+    <message>
+        <source>As x, y and z, in the coordinates of the rest shape.</source>
+        <translation>以 x、y、z 表示，采用原始形状的坐标。</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>球体</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>长方体</translation>
+    </message>
+    <message>
+        <source>Half-space</source>
+        <translation>半空间</translation>
+    </message>
+    <message>
+        <source>Kind of region</source>
+        <translation>区域类型</translation>
+    </message>
+    <message>
+        <source>What the region is; another kind keeps its place.</source>
+        <translation>区域的类型；更换类型时位置不变。</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>半径</translation>
+    </message>
+    <message>
+        <source>The radius of the ball.</source>
+        <translation>球体的半径。</translation>
+    </message>
+    <message>
+        <source>&amp;Region</source>
+        <translation>区域(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Ra&amp;dius</source>
+        <translation>半径(&amp;D)</translation>
+    </message>
+    <message>
+        <source>centre</source>
+        <translation>中心</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>起点</translation>
+    </message>
+    <message>
+        <source>point of the plane</source>
+        <translation>平面上的点</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>终点</translation>
+    </message>
+    <message>
+        <source>direction into it</source>
+        <translation>指向内部的方向</translation>
+    </message>
+</context>
+<context>
+    <name>wend::RegionPanel</name>
+    <message>
+        <source>Region</source>
+        <translation>区域</translation>
+    </message>
+    <message>
+        <source>There is no vertex in this region: nothing was changed.</source>
+        <translation>此区域中没有顶点：未作任何更改。</translation>
+    </message>
+    <message>
+        <source>Change region</source>
+        <translation>更改区域</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n vertices</source>
+        <translation>
+            <numerusform>%n 个顶点</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>wend::ShapeCanvas</name>
+    <message>
+        <source>Canvas</source>
+        <translation>画布</translation>
+    </message>
+    <message>
+        <source>The picture with its pins</source>
+        <translation>图片及其图钉</translation>
+    </message>
+</context>
+<context>
+    <name>wend::ShapeNotices</name>
+    <message>
+        <source>“Refine surface” in the panel “Mesh” lets the surface&apos;s triangles be split.</source>
+        <translation>“网格”面板中的“细分表面”允许分割表面的三角形。</translation>
+    </message>
+</context>
+<context>
+    <name>wend::ShapeSession</name>
+    <message>
+        <source>Make a curve</source>
+        <translation>变为曲线</translation>
+    </message>
+    <message>
+        <source>This circle is smaller than the mesh: drag further, or set more vertices.</source>
+        <translation>此圆比网格的格子还小：请拖得更远，或增加顶点数。</translation>
+    </message>
+    <message>
+        <source>Widen %1</source>
+        <translation>扩大 %1</translation>
+    </message>
+    <message>
+        <source>Settle</source>
+        <translation>松弛</translation>
+    </message>
+    <message>
+        <source>%1 cannot go further: %2</source>
+        <translation>%1 无法再移动：%2</translation>
+    </message>
+    <message>
+        <source>The motion stops at %1: %2</source>
+        <translation>运动在 %1 处停止：%2</translation>
+    </message>
+    <message>
+        <source>Cancelled: everything is as it was before the last change.</source>
+        <translation>已取消：一切恢复到上次更改之前。</translation>
+    </message>
+    <message>
+        <source>Meshing was cancelled. Any change makes a mesh again, such as fewer vertices.</source>
+        <translation>网格划分已取消。任何更改都会重新划分网格，例如减少顶点数。</translation>
+    </message>
+    <message>
+        <source>The motion was cancelled. Any change computes it again.</source>
+        <translation>运动计算已取消。任何更改都会重新计算。</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>There is no pin: this place lies outside of the shape.</source>
+        <translation>没有放置图钉：此处在形状之外。</translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <translation>添加 %1</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>更改 %1</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>移除 %1</translation>
+    </message>
+    <message>
+        <source>Move %1</source>
+        <translation>移动 %1</translation>
+    </message>
+    <message>
+        <source>%1 does not hold the shape at the time that is shown.</source>
+        <translation>%1 在当前显示的时刻不起作用。</translation>
+    </message>
+    <message>
+        <source>Turn %1</source>
+        <translation>旋转 %1</translation>
+    </message>
+    <message>
+        <source>Scale %1</source>
+        <translation>缩放 %1</translation>
+    </message>
+    <message>
+        <source>What came after is replaced by this; Undo brings it back.</source>
+        <translation>此后的内容已被替换；撤销可恢复。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pins</source>
+        <translation>
+            <numerusform>%n 个图钉</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 mirrored</source>
+        <translation>%1（镜像）</translation>
+    </message>
+    <message>
+        <source>There is no pin where a mirror image lies outside of the shape.</source>
+        <translation>镜像落在形状之外的地方不放置图钉。</translation>
+    </message>
+    <message>
+        <source>There is a pin already where the mirror image would be.</source>
+        <translation>镜像所在的位置已有图钉。</translation>
+    </message>
+    <message>
+        <source>Mirror %1</source>
+        <translation>镜像 %1</translation>
+    </message>
+    <message>
+        <source>Mirror the motion of %1</source>
+        <translation>镜像 %1 的运动</translation>
+    </message>
+    <message>
+        <source>Lock %1</source>
+        <translation>锁定 %1</translation>
+    </message>
+    <message>
+        <source>Unlock %1</source>
+        <translation>解锁 %1</translation>
+    </message>
+    <message>
+        <source>Hide %1</source>
+        <translation>隐藏 %1</translation>
+    </message>
+    <message>
+        <source>Show %1</source>
+        <translation>显示 %1</translation>
+    </message>
+    <message>
+        <source>Ungroup %1</source>
+        <translation>取消 %1 的编组</translation>
+    </message>
+    <message>
+        <source>Group %1</source>
+        <translation>将 %1 编组</translation>
+    </message>
+    <message>
+        <source>Rename group</source>
+        <translation>重命名组</translation>
+    </message>
+    <message>
+        <source>Colour %1</source>
+        <translation>更改 %1 的颜色</translation>
+    </message>
+    <message>
+        <source>Link %1</source>
+        <translation>链接 %1</translation>
+    </message>
+    <message>
+        <source>Unlink %1</source>
+        <translation>取消 %1 的链接</translation>
+    </message>
+    <message>
+        <source>%1 is locked. A right click or the list of pins unlocks it.</source>
+        <translation>%1 已锁定。可通过右键单击或图钉列表解锁。</translation>
+    </message>
+    <message>
+        <source>%1 are locked. A right click or the list of pins unlocks them.</source>
+        <translation>%1 已锁定。可通过右键单击或图钉列表解锁。</translation>
+    </message>
+</context>
+<context>
+    <name>wend::SideWindows</name>
+    <message>
+        <source>Steps</source>
+        <translation>历史记录</translation>
+    </message>
+    <message>
+        <source>As it was opened</source>
+        <translation>打开时的状态</translation>
+    </message>
+    <message>
+        <source>What was done; a click goes back to that step, or forth.</source>
+        <translation>做过的操作；单击可后退或前进到该步。</translation>
+    </message>
+    <message>
+        <source>About Wend</source>
+        <translation>关于 Wend</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Wend %1&lt;/h3&gt;&lt;p&gt;Bends pictures and solids by letting them flow.&lt;/p&gt;&lt;p&gt;After J. Martinez Esturo, C. Rössl, H. Theisel: Generalized Metric Energies for Continuous Shape Deformation, 2013.&lt;/p&gt;&lt;p&gt;Free software under the GNU Affero General Public License, version 3 or later.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Wend %1&lt;/h3&gt;&lt;p&gt;让图片和实体如流动般变形。&lt;/p&gt;&lt;p&gt;基于以下论文：J. Martinez Esturo, C. Rössl, H. Theisel: Generalized Metric Energies for Continuous Shape Deformation, 2013.&lt;/p&gt;&lt;p&gt;自由软件，依据 GNU Affero General Public License 第 3 版或更新版本发布。&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>wend::SizePanel</name>
+    <message>
+        <source>Length of edges</source>
+        <translation>边长</translation>
+    </message>
+    <message>
+        <source>How long edges are there, against elsewhere: 0.5 is half as long, which is finer; 2 is twice as long, which is coarser.</source>
+        <translation>该处的边长，相对于别处：0.5 为一半，更细；2 为两倍，更粗。</translation>
+    </message>
+    <message>
+        <source>Where cells are finer or coarser</source>
+        <translation>单元更细或更粗之处</translation>
+    </message>
+    <message>
+        <source>What the next stroke does, and the strokes and regions that are there; of two at one place the lower one counts. A click shows the numbers, for changing.</source>
+        <translation>下一笔的效果，以及已有的笔画和区域；同一处有两个时以下方为准。单击可显示数值并更改。</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>添加</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>Add region</source>
+        <translation>添加区域</translation>
+    </message>
+    <message>
+        <source>A ball, a box or a half-space in the middle, or what the selected handle holds as a region; its numbers can be changed then.</source>
+        <translation>位于中央的球体、长方体或半空间，或所选手柄抓取的区域；之后可更改其数值。</translation>
+    </message>
+    <message>
+        <source>Remove sizes</source>
+        <translation>移除尺寸</translation>
+    </message>
+    <message>
+        <source>Takes the chosen stroke or region away.</source>
+        <translation>移除所选的笔画或区域。</translation>
+    </message>
+    <message>
+        <source>Soft edge</source>
+        <translation>羽化</translation>
+    </message>
+    <message>
+        <source>Over what width the size goes over into that around, in units of the file.</source>
+        <translation>尺寸过渡到周围尺寸的宽度，以文件单位计。</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>球体</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>长方体</translation>
+    </message>
+    <message>
+        <source>Half-space</source>
+        <translation>半空间</translation>
+    </message>
+    <message>
+        <source>Region of the selected handle</source>
+        <translation>所选手柄的区域</translation>
+    </message>
+    <message>
+        <source>Cell sizes</source>
+        <translation>单元尺寸</translation>
+    </message>
+    <message>
+        <source>E&amp;dges</source>
+        <translation>边长(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Soft ed&amp;ge</source>
+        <translation>羽化(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Change size</source>
+        <translation>更改尺寸</translation>
+    </message>
+    <message>
+        <source>Change region</source>
+        <translation>更改区域</translation>
+    </message>
+    <message>
+        <source>Add size region</source>
+        <translation>添加尺寸区域</translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation>渐变</translation>
+    </message>
+    <message>
+        <source>%1: edges %2</source>
+        <translation>%1：边长 %2</translation>
+    </message>
+    <message>
+        <source>Next stroke</source>
+        <translation>下一笔</translation>
+    </message>
+    <message>
+        <source>Beneath them: the factors in %1.</source>
+        <translation>在其之下：%1 中的系数。</translation>
+    </message>
+    <message>
+        <source>The surface&apos;s triangles are kept, and only what is inside changes. “Refine surface” in the panel “Mesh” lets them be split, too.</source>
+        <translation>表面的三角形保持不变，只有内部改变。“网格”面板中的“细分表面”也允许分割它们。</translation>
+    </message>
+</context>
+<context>
+    <name>wend::SolidActions</name>
+    <message>
+        <source>Through the &amp;Solid</source>
+        <translation>穿透实体(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Rectangle, lasso and brush also take or select what is hidden</source>
+        <translation>矩形、套索和画笔也抓取或选择被遮挡的部分</translation>
+    </message>
+    <message>
+        <source>T</source>
+        <translation>T</translation>
+    </message>
+    <message>
+        <source>Grab Beyond the &amp;Cut</source>
+        <translation>抓取剖切掉的一侧(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Take hold of all that the cut takes away, as one handle</source>
+        <translation>将剖切去掉的全部内容抓取为一个手柄</translation>
+    </message>
+    <message>
+        <source>Ctrl+B</source>
+        <translation>Ctrl+B</translation>
+    </message>
+    <message>
+        <source>What is drawn beside pins with the pin or the select tool, to select them</source>
+        <translation>用图钉或选择工具在图钉旁拖动进行选择时所画的形状</translation>
+    </message>
+    <message>
+        <source>By &amp;Rectangle</source>
+        <translation>矩形(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Shift+R</source>
+        <translation>Shift+R</translation>
+    </message>
+    <message>
+        <source>By &amp;Lasso</source>
+        <translation>套索(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Shift+O</source>
+        <translation>Shift+O</translation>
+    </message>
+    <message>
+        <source>By &amp;Brush</source>
+        <translation>画笔(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Shift+U</source>
+        <translation>Shift+U</translation>
+    </message>
+    <message>
+        <source>&amp;Move</source>
+        <translation>移动(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Show arrows that move the selected pins</source>
+        <translation>显示用于移动所选图钉的箭头</translation>
+    </message>
+    <message>
+        <source>G</source>
+        <translation>G</translation>
+    </message>
+    <message>
+        <source>&amp;Rotate</source>
+        <translation>旋转(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Show rings that rotate the selected pins</source>
+        <translation>显示用于旋转所选图钉的圆环</translation>
+    </message>
+    <message>
+        <source>R</source>
+        <translation>R</translation>
+    </message>
+    <message>
+        <source>&amp;Scale</source>
+        <translation>缩放(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Show a ring that scales the selected pins</source>
+        <translation>显示用于缩放所选图钉的圆环</translation>
+    </message>
+    <message>
+        <source>S</source>
+        <translation>S</translation>
+    </message>
+    <message>
+        <source>S&amp;kin</source>
+        <translation>蒙皮(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Show the detailed or textured surface that rides in the solid; off: the border of the tetrahedra, which bend</source>
+        <translation>显示随实体变形的精细或带纹理的表面；关闭时显示变形的四面体的边界</translation>
+    </message>
+    <message>
+        <source>Shift+D</source>
+        <translation>Shift+D</translation>
+    </message>
+    <message>
+        <source>Choose Sk&amp;in…</source>
+        <translation>选择蒙皮(&amp;I)…</translation>
+    </message>
+    <message>
+        <source>Let a detailed, perhaps textured surface from a file ride in the solid</source>
+        <translation>让文件中精细的、可带纹理的表面随实体变形</translation>
+    </message>
+    <message>
+        <source>Re&amp;move Skin</source>
+        <translation>移除蒙皮(&amp;M)</translation>
+    </message>
+    <message>
+        <source>See and export the solid with its own surface again</source>
+        <translation>重新以实体自身的表面显示和导出</translation>
+    </message>
+    <message>
+        <source>&amp;Flat Faces</source>
+        <translation>平直着色(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Shade every triangle by itself instead of smoothly</source>
+        <translation>逐个三角形着色，而非平滑着色</translation>
+    </message>
+    <message>
+        <source>Shift+F</source>
+        <translation>Shift+F</translation>
+    </message>
+    <message>
+        <source>&amp;Parallel View</source>
+        <translation>平行投影(&amp;P)</translation>
+    </message>
+    <message>
+        <source>See without perspective</source>
+        <translation>不带透视地查看</translation>
+    </message>
+    <message>
+        <source>5</source>
+        <translation>5</translation>
+    </message>
+    <message>
+        <source>&amp;Velocity Arrows</source>
+        <translation>速度箭头(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Show where the surface moves at this time</source>
+        <translation>显示此刻表面向何处运动</translation>
+    </message>
+    <message>
+        <source>Shift+V</source>
+        <translation>Shift+V</translation>
+    </message>
+    <message>
+        <source>&amp;Cut Open</source>
+        <translation>剖开(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Look inside along a plane; an arrow and rings move and tilt it</source>
+        <translation>沿平面查看内部；箭头移动平面，圆环使其倾斜</translation>
+    </message>
+    <message>
+        <source>C</source>
+        <translation>C</translation>
+    </message>
+    <message>
+        <source>Look along an axis of the world</source>
+        <translation>沿世界坐标轴观察</translation>
+    </message>
+    <message>
+        <source>&amp;Front</source>
+        <translation>前(&amp;F)</translation>
+    </message>
+    <message>
+        <source>1</source>
+        <translation>1</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>后(&amp;B)</translation>
+    </message>
+    <message>
+        <source>&amp;Right</source>
+        <translation>右(&amp;R)</translation>
+    </message>
+    <message>
+        <source>3</source>
+        <translation>3</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>左(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Top</source>
+        <translation>上(&amp;T)</translation>
+    </message>
+    <message>
+        <source>7</source>
+        <translation>7</translation>
+    </message>
+    <message>
+        <source>B&amp;ottom</source>
+        <translation>下(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Oblique</source>
+        <translation>斜向(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Look from the side and above</source>
+        <translation>从侧上方观察</translation>
+    </message>
+    <message>
+        <source>0</source>
+        <translation>0</translation>
+    </message>
+    <message>
+        <source>&amp;Wend</source>
+        <translation>Wend(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Right or middle button turns, with Shift moves; the wheel zooms</source>
+        <translation>右键或中键旋转，加 Shift 平移；滚轮缩放</translation>
+    </message>
+    <message>
+        <source>Like &amp;VTK</source>
+        <translation>类似 VTK(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Left button turns, middle moves, right zooms, as in ParaView</source>
+        <translation>左键旋转，中键平移，右键缩放，与 ParaView 相同</translation>
+    </message>
+    <message>
+        <source>Like &amp;Blender</source>
+        <translation>类似 Blender(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Middle button turns, with Shift moves, with Ctrl zooms</source>
+        <translation>中键旋转，加 Shift 平移，加 Ctrl 缩放</translation>
+    </message>
+    <message>
+        <source>&amp;Solid</source>
+        <translation>实体(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Select &amp;Pins</source>
+        <translation>选择图钉(&amp;P)</translation>
+    </message>
+    <message>
+        <source>L&amp;ook from</source>
+        <translation>视角(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Navigation</source>
+        <translation>导航(&amp;N)</translation>
+    </message>
+    <message>
+        <source>The solid has neither a detailed surface nor materials.</source>
+        <translation>此实体既没有精细表面，也没有材质。</translation>
+    </message>
+    <message>
+        <source>No detailed surface was chosen for the solid.</source>
+        <translation>尚未为此实体选择精细表面。</translation>
+    </message>
+    <message>
+        <source>The mesh comes from a file and is used as it is.</source>
+        <translation>网格来自文件，按原样使用。</translation>
+    </message>
+    <message>
+        <source>Open a solid first.</source>
+        <translation>请先打开实体。</translation>
+    </message>
+    <message>
+        <source>S&amp;nap</source>
+        <translation>吸附(&amp;N)</translation>
+    </message>
+    <message>
+        <source>New pins sit on corners of the mesh, instead of where one clicks</source>
+        <translation>将新图钉放在网格顶点上，而不是单击处</translation>
+    </message>
+</context>
+<context>
+    <name>wend::SolidCanvas</name>
+    <message>
+        <source>the memory does not suffice for a picture of %1 x %2 pixels</source>
+        <translation>内存不足以生成 %1 x %2 像素的图片</translation>
+    </message>
+    <message>
+        <source>Writing the picture …</source>
+        <translation>正在导出图片…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Cell %1</source>
+        <translation>单元 %1</translation>
+    </message>
+</context>
+<context>
+    <name>wend::SolidWorkshop</name>
+    <message>
+        <source>Solids need OpenGL 3.3, which this system does not have. The command line (wend run) works with them all the same.</source>
+        <translation>实体需要 OpenGL 3.3，而此系统不支持。命令行（wend run）仍可处理实体。</translation>
+    </message>
+    <message>
+        <source>These pictures of the surface cannot be read: %1</source>
+        <translation>无法读取表面的这些图片：%1</translation>
+    </message>
+    <message>
+        <source>Export View</source>
+        <translation>导出视图</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>已导出：%1</translation>
+    </message>
+    <message>
+        <source>Nothing was written. %1</source>
+        <translation>未导出任何内容。%1</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>区域</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>范围</translation>
+    </message>
+</context>
+<context>
+    <name>wend::StartPage</name>
+    <message>
+        <source>Pin a picture, pull it into shape, and let it flow.</source>
+        <translation>钉住图片，拉出形状，让它流动。</translation>
+    </message>
+    <message>
+        <source>Drop a picture here</source>
+        <translation>将图片拖放到此处</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>打开…</translation>
+    </message>
+    <message>
+        <source>Choose a picture, a flat mesh or a project.</source>
+        <translation>选择图片、平面网格或项目。</translation>
+    </message>
+    <message>
+        <source>PNG, TIFF, EXR, JPEG, WebP — cut-outs with transparency work best. Projects, meshes and solids too.</source>
+        <translation>支持 PNG、TIFF、EXR、JPEG、WebP，带透明背景的抠图效果最好。也可打开项目、网格和实体。</translation>
+    </message>
+    <message>
+        <source>Try a sample</source>
+        <translation>试试示例</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>最近打开</translation>
+    </message>
+    <message>
+        <source>Five-minute tutorial</source>
+        <translation>五分钟教程</translation>
+    </message>
+    <message>
+        <source>The first steps on a sample, one after another.</source>
+        <translation>用示例逐一学习最初的步骤。</translation>
+    </message>
+</context>
+<context>
+    <name>wend::StatusFields</name>
+    <message>
+        <source>Position</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Where the pointer is, in the picture&apos;s pixels</source>
+        <translation>指针所在位置，以图片像素计</translation>
+    </message>
+    <message>
+        <source>Pin error</source>
+        <translation>图钉误差</translation>
+    </message>
+    <message>
+        <source>How far the worst pin is from where it should be</source>
+        <translation>偏差最大的图钉距其应在位置多远</translation>
+    </message>
+    <message>
+        <source>pin error %1 px</source>
+        <translation>图钉误差 %1 px</translation>
+    </message>
+    <message>
+        <source>Worst place</source>
+        <translation>变形最大处</translation>
+    </message>
+    <message>
+        <source>How far the worst place is from rest, by what the map shows</source>
+        <translation>按色图所示的量，变形最大处与变形前相差多少</translation>
+    </message>
+    <message>
+        <source>worst %1</source>
+        <translation>最大%1</translation>
+    </message>
+    <message>
+        <source>Area change</source>
+        <translation>面积变化</translation>
+    </message>
+    <message>
+        <source>How much larger or smaller the shape is than at rest</source>
+        <translation>形状比变形前大了或小了多少</translation>
+    </message>
+    <message>
+        <source>area %1 %</source>
+        <translation>面积 %1%</translation>
+    </message>
+    <message>
+        <source>Time per frame</source>
+        <translation>每帧用时</translation>
+    </message>
+    <message>
+        <source>What computing the last frame took</source>
+        <translation>计算上一帧所用的时间</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>pin error %1</source>
+        <translation>图钉误差 %1</translation>
+    </message>
+    <message>
+        <source>worst %1</source>
+        <comment>a ratio</comment>
+        <translation>变化最大：%1</translation>
+    </message>
+    <message>
+        <source>volume %1 %</source>
+        <translation>体积 %1%</translation>
+    </message>
+</context>
+<context>
+    <name>wend::SurfaceCheck</name>
+    <message>
+        <source>Triangles of missing points</source>
+        <translation>缺少顶点的三角形</translation>
+    </message>
+    <message>
+        <source>Triangles that cross</source>
+        <translation>相交的三角形</translation>
+    </message>
+    <message>
+        <source>Holes</source>
+        <translation>孔洞</translation>
+    </message>
+    <message>
+        <source>Edges of more than two</source>
+        <translation>由两个以上三角形共用的边</translation>
+    </message>
+    <message>
+        <source>Triangles without area</source>
+        <translation>面积为零的三角形</translation>
+    </message>
+    <message>
+        <source>Double triangles</source>
+        <translation>重复的三角形</translation>
+    </message>
+    <message>
+        <source>Turned neighbours</source>
+        <translation>朝向相反的相邻三角形</translation>
+    </message>
+    <message>
+        <source>All points lie in one plane.</source>
+        <translation>所有点都在同一平面上。</translation>
+    </message>
+    <message>
+        <source>Save List</source>
+        <translation>保存列表</translation>
+    </message>
+    <message>
+        <source>Text (*.txt)</source>
+        <translation>文本 (*.txt)</translation>
+    </message>
+    <message>
+        <source>Repair surface</source>
+        <translation>修复表面</translation>
+    </message>
+    <message>
+        <source>Fit a cage</source>
+        <translation>生成笼体</translation>
+    </message>
+    <message>
+        <source>Exact surface only</source>
+        <translation>仅精确表面</translation>
+    </message>
+    <message>
+        <source>merge points (%1)</source>
+        <translation>合并点（%1）</translation>
+    </message>
+    <message>
+        <source>drop triangles (%1)</source>
+        <translation>去除三角形（%1）</translation>
+    </message>
+    <message>
+        <source>turn triangles (%1)</source>
+        <translation>翻转三角形（%1）</translation>
+    </message>
+    <message>
+        <source>fill holes (%1)</source>
+        <translation>填补孔洞（%1）</translation>
+    </message>
+    <message>
+        <source>It would %1.</source>
+        <translation>将执行：%1。</translation>
+    </message>
+</context>
+<context>
+    <name>wend::SurfacePanel</name>
+    <message>
+        <source>Show them</source>
+        <translation>显示</translation>
+    </message>
+    <message>
+        <source>Save list…</source>
+        <translation>保存列表…</translation>
+    </message>
+    <message>
+        <source>Repair</source>
+        <translation>修复</translation>
+    </message>
+    <message>
+        <source>What is wrong</source>
+        <translation>问题</translation>
+    </message>
+    <message>
+        <source>The kinds of what is wrong, and how often each occurs.</source>
+        <translation>问题的种类，以及各有多少处。</translation>
+    </message>
+    <message>
+        <source>Previous place</source>
+        <translation>上一处</translation>
+    </message>
+    <message>
+        <source>Looks at the previous place where this is wrong.</source>
+        <translation>查看存在此问题的上一处。</translation>
+    </message>
+    <message>
+        <source>Next place</source>
+        <translation>下一处</translation>
+    </message>
+    <message>
+        <source>Looks at the next place where this is wrong.</source>
+        <translation>查看存在此问题的下一处。</translation>
+    </message>
+    <message>
+        <source>Show the triangles</source>
+        <translation>显示三角形</translation>
+    </message>
+    <message>
+        <source>Colours the triangles that are wrong, and looks at them: what hides them is left out.</source>
+        <translation>为有问题的三角形着色并查看：遮挡它们的部分会略去。</translation>
+    </message>
+    <message>
+        <source>Save the list</source>
+        <translation>保存列表</translation>
+    </message>
+    <message>
+        <source>Writes the numbers of all wrong triangles and edges to a file.</source>
+        <translation>将所有有问题的三角形和边的编号写入文件。</translation>
+    </message>
+    <message>
+        <source>Merges points at one place, drops degenerate and double triangles, orients them and fills small holes.</source>
+        <translation>合并同一位置的点，去除退化和重复的三角形，统一朝向，并填补小孔洞。</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>The surface rides in a cage</source>
+        <translation>表面随笼体变形</translation>
+    </message>
+    <message>
+        <source>The surface bounds no solid</source>
+        <translation>表面未围成实体</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>“Repair” helps.</source>
+        <translation>“修复”有效。</translation>
+    </message>
+    <message>
+        <source>“Repair” does not help: a cage around it can carry it.</source>
+        <translation>“修复”无效：可用包围它的笼体来承载。</translation>
+    </message>
+    <message>
+        <source>The simple repairs do not help: fit a cage.</source>
+        <translation>简单修复无效：请生成笼体。</translation>
+    </message>
+    <message>
+        <source>Exact surface only</source>
+        <translation>仅精确表面</translation>
+    </message>
+    <message>
+        <source>Fit a cage</source>
+        <translation>生成笼体</translation>
+    </message>
+    <message>
+        <source>Takes the cage away: without repair there is no solid then.</source>
+        <translation>去掉笼体：若不修复，就没有实体。</translation>
+    </message>
+    <message>
+        <source>Fills a cage of even cells around the surface, which rides in it.</source>
+        <translation>在表面周围填充由均匀单元构成的笼体，表面随之变形。</translation>
+    </message>
+    <message>
+        <source>See the repair</source>
+        <translation>预览修复</translation>
+    </message>
+    <message>
+        <source>Shows the surface as the repair would leave it: what it adds in green, what stays wrong in red.</source>
+        <translation>显示修复后的表面：新增部分为绿色，仍有问题的部分为红色。</translation>
+    </message>
+    <message>
+        <source>There is nothing that the simple repairs would change.</source>
+        <translation>没有简单修复可以更改的内容。</translation>
+    </message>
+</context>
+<context>
+    <name>wend::TimeStrip</name>
+    <message>
+        <source>Time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Which moment of the motion is shown.</source>
+        <translation>显示运动的哪一时刻。</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> 秒</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>时长</translation>
+    </message>
+    <message>
+        <source>How long the film is. The poses stay as they are, however fast it goes.</source>
+        <translation>影片的长度。无论快慢，姿势都不变。</translation>
+    </message>
+    <message>
+        <source>Change length</source>
+        <translation>更改时长</translation>
+    </message>
+    <message>
+        <source>Nothing moves yet: drag a pin.</source>
+        <translation>还没有任何运动：请拖动图钉。</translation>
+    </message>
+    <message>
+        <source>%1 /</source>
+        <translation>%1 /</translation>
+    </message>
+    <message>
+        <source>Drag a pin to begin</source>
+        <translation>拖动图钉即可开始</translation>
+    </message>
+</context>
+<context>
+    <name>wend::Toolbox</name>
+    <message>
+        <source>Mesh</source>
+        <translation>网格</translation>
+    </message>
+    <message>
+        <source>What bends, and how finely</source>
+        <translation>变形的范围与精细度</translation>
+    </message>
+    <message>
+        <source>Pins</source>
+        <translation>图钉</translation>
+    </message>
+    <message>
+        <source>Hold parts and drag them</source>
+        <translation>抓取各部分并拖动</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>绘制</translation>
+    </message>
+    <message>
+        <source>What it is made of: soft, stiff, and what is kept where</source>
+        <translation>材料：柔软、坚硬，以及何处保持什么</translation>
+    </message>
+    <message>
+        <source>Animate</source>
+        <translation>动画</translation>
+    </message>
+    <message>
+        <source>How it moves in time</source>
+        <translation>随时间如何运动</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>导出</translation>
+    </message>
+    <message>
+        <source>Write pictures, sequences, maps and meshes</source>
+        <translation>导出图片、序列、贴图和网格</translation>
+    </message>
+    <message>
+        <source>Open a picture first.</source>
+        <translation>请先打开图片。</translation>
+    </message>
+    <message>
+        <source>Open a solid first.</source>
+        <translation>请先打开实体。</translation>
+    </message>
+</context>
+<context>
+    <name>wend::Tutorial</name>
+    <message>
+        <source>End</source>
+        <translation>结束</translation>
+    </message>
+    <message>
+        <source>Ends the tutorial; the picture stays open</source>
+        <translation>结束教程；图片保持打开</translation>
+    </message>
+    <message>
+        <source>Only what is pinned holds. &lt;b&gt;Click a hoof&lt;/b&gt; of the giraffe to pin it.</source>
+        <translation>只有钉住的地方才固定不动。&lt;b&gt;单击长颈鹿的一只蹄子&lt;/b&gt;，将它钉住。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Pin the other hooves&lt;/b&gt;, too: a click each. Ctrl+Z takes a pin back.</source>
+        <translation>&lt;b&gt;把其他蹄子也钉住&lt;/b&gt;，各单击一次。Ctrl+Z 撤销一个图钉。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Click its nose&lt;/b&gt;, and &lt;b&gt;drag the new pin&lt;/b&gt; down to the ground. The shape flows along.</source>
+        <translation>&lt;b&gt;单击它的鼻子&lt;/b&gt;，再把&lt;b&gt;新图钉拖动&lt;/b&gt;到地面。形状会流畅地跟随。</translation>
+    </message>
+    <message>
+        <source>What it keeps on the way is your choice: at the top right, under &lt;b&gt;Keep&lt;/b&gt;, &lt;b&gt;choose Area, Rigid or Angle&lt;/b&gt;, and see the neck change.</source>
+        <translation>变形时保持什么由您决定：在右上方的&lt;b&gt;“保持”&lt;/b&gt;下&lt;b&gt;选择“面积”“刚性”或“角度”&lt;/b&gt;，看看脖子如何变化。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Press D&lt;/b&gt; to see in colours what the bend has changed, and where most. D again hides it.</source>
+        <translation>&lt;b&gt;按 D&lt;/b&gt; 以颜色查看变形改变了什么、哪里改变最大。再按一次 D 隐藏。</translation>
+    </message>
+    <message>
+        <source>The same for a part only: &lt;b&gt;press Ctrl+3&lt;/b&gt; for the step &lt;i&gt;Paint&lt;/i&gt;, and &lt;b&gt;brush over the neck&lt;/b&gt;. [ and ] change the size of the brush.</source>
+        <translation>也可以只改局部：&lt;b&gt;按 Ctrl+3&lt;/b&gt; 进入&lt;i&gt;“绘制”&lt;/i&gt;步骤，&lt;b&gt;用画笔刷过脖子&lt;/b&gt;。[ 和 ] 更改画笔大小。</translation>
+    </message>
+    <message>
+        <source>Your drag is already a film: &lt;b&gt;press K&lt;/b&gt; to play it. Click into the strip below to go to a time, and drag on from there.</source>
+        <translation>您的拖动已经成为一段影片：&lt;b&gt;按 K&lt;/b&gt; 播放。单击下方的时间条可跳到某一时间，并从那里继续拖动。</translation>
+    </message>
+    <message>
+        <source>At last, &lt;b&gt;press Ctrl+5&lt;/b&gt; for the step &lt;i&gt;Export&lt;/i&gt;: a picture, a sequence, a map of the warp, or the mesh.</source>
+        <translation>最后，&lt;b&gt;按 Ctrl+5&lt;/b&gt; 进入&lt;i&gt;“导出”&lt;/i&gt;步骤：图片、序列、变形贴图或网格。</translation>
+    </message>
+    <message>
+        <source>That is all you need to begin. &lt;b&gt;F1&lt;/b&gt; opens the manual, &lt;b&gt;?&lt;/b&gt; lists the keys. Drop a picture of your own on the window.</source>
+        <translation>入门所需就是这些。&lt;b&gt;F1&lt;/b&gt; 打开手册，&lt;b&gt;?&lt;/b&gt; 列出按键。将您自己的图片拖放到窗口中吧。</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>完成</translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation>跳过</translation>
+    </message>
+</context>
+<context>
+    <name>wend::VolumeView</name>
+    <message>
+        <source>View of the solid</source>
+        <translation>实体视图</translation>
+    </message>
+    <message>
+        <source>The solid cannot be drawn: %1</source>
+        <translation>无法绘制实体：%1</translation>
+    </message>
+</context>
+<context>
+    <name>wend::WorkNote</name>
+    <message>
+        <source>Cancel (Esc)</source>
+        <translation>取消 (Esc)</translation>
+    </message>
+    <message>
+        <source>Ends what is being computed and goes back to the last state that is complete</source>
+        <translation>停止正在进行的计算，并回到上一个完整状态</translation>
+    </message>
+    <message>
+        <source>Computing the motion: %1 %</source>
+        <translation>正在计算运动：%1%</translation>
+    </message>
+    <message>
+        <source>Meshing %1 …</source>
+        <translation>正在为 %1 划分网格…</translation>
+    </message>
+    <message numerus="yes">
+        <source>Meshing %1 with about %Ln vertices …</source>
+        <translation>
+            <numerusform>正在以约 %Ln 个顶点为 %1 划分网格…</numerusform>
+        </translation>
+    </message>
+</context>
+</TS>
