@@ -41,8 +41,8 @@ void TestBenchWindow::everyRowWasSeen() {
     const std::vector<BenchRow> found = dimension == 2 ? rowsOf<2>(400) : rowsOf<3>(300);
     QCOMPARE(static_cast<int>(found.size()), rows);
     for (const BenchRow& row : found) {
-        QVERIFY2(row.time.repeats > 0 && row.time.least > 0, row.what.c_str());
-        QVERIFY2(row.time.least <= row.time.median && row.time.median <= row.time.greatest, row.what.c_str());
+        QVERIFY2(row.time.repeats > 0 && row.time.minimum > 0, row.what.c_str());
+        QVERIFY2(row.time.minimum <= row.time.median && row.time.median <= row.time.maximum, row.what.c_str());
         for (const auto& [figure, value] : row.figures) {
             if (figure == "updates a second") continue;  // of a single one there is no rate
             QVERIFY2(value > 0, (row.what + ": " + figure).c_str());
