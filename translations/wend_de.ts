@@ -174,6 +174,22 @@
         <source>pans</source>
         <translation>verschiebt die Ansicht</translation>
     </message>
+    <message>
+        <source>Shift-click with the brush</source>
+        <translation>Klick mit Umschalt beim Malen</translation>
+    </message>
+    <message>
+        <source>paints a straight line</source>
+        <translation>malt eine gerade Linie</translation>
+    </message>
+    <message>
+        <source>Arrow keys without a pin</source>
+        <translation>Pfeiltasten ohne Pin</translation>
+    </message>
+    <message>
+        <source>move a cross, Enter clicks there</source>
+        <translation>bewegen ein Kreuz, Eingabe klickt dort</translation>
+    </message>
 </context>
 <context>
     <name>CurveEditor</name>

@@ -203,7 +203,10 @@ void PinList::showRow(int handle) {
     if (item.toolTip(Name) != tip) item.setToolTip(Name, tip);
     showSigns(item, isLinked(project, handle), traits.hidden, traits.locked);
     const bool selected = m_session.selection().contains(handle);
-    if (item.isSelected() != selected) item.setSelected(selected);
+    if (item.isSelected() == selected) return;
+    item.setSelected(selected);
+    const bool folded = item.parent() && !item.parent()->isExpanded();
+    if (m_session.singleHandle() == handle && !folded) m_list->scrollToItem(&item);
 }
 
 /// Bold while something of it is selected, which may be folded away.

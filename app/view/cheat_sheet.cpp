@@ -59,6 +59,10 @@ Group pointer(int dimension) {
         QT_TRANSLATE_NOOP("CheatSheet", "set the number, Enter takes it"));
     add(QT_TRANSLATE_NOOP("CheatSheet", "Wheel"), QT_TRANSLATE_NOOP("CheatSheet", "zooms to the pointer"));
     add(QT_TRANSLATE_NOOP("CheatSheet", "[ and ]"), QT_TRANSLATE_NOOP("CheatSheet", "size of a brush"));
+    add(QT_TRANSLATE_NOOP("CheatSheet", "Shift-click with the brush"),
+        QT_TRANSLATE_NOOP("CheatSheet", "paints a straight line"));
+    add(QT_TRANSLATE_NOOP("CheatSheet", "Arrow keys without a pin"),
+        QT_TRANSLATE_NOOP("CheatSheet", "move a cross, Enter clicks there"));
     add(QT_TRANSLATE_NOOP("CheatSheet", "Hold H"), QT_TRANSLATE_NOOP("CheatSheet", "hides pins and maps"));
     add(QT_TRANSLATE_NOOP("CheatSheet", "Hold \\"),
         QT_TRANSLATE_NOOP("CheatSheet", "shows the shape before it was bent"));

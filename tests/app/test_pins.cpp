@@ -456,6 +456,12 @@ void TestPins::setByKeys() {
     QVERIFY(settle(session()));
     if (Dim == 2) QCOMPARE(session().handleCount(), 1);  // within reach of the pin: it is selected
     QVERIFY(!session().selection().isEmpty());
+    for (int i = 0; i < 8; ++i) {  // more than the list has room for: the new one is seen in it
+        session().addPin<Dim>(session().frame<Dim>()->pose.col(7 * i));
+        const QTreeWidget& rows = *list().list();
+        QVERIFY(
+            rows.viewport()->rect().contains(rows.visualItemRect(list().rowOf(session().handleCount() - 1))));
+    }
 }
 
 QTEST_MAIN(TestPins)
