@@ -200,7 +200,10 @@ class BandPainter {
     /// What shows of each cell, from the top one down, and of the outside where there is none.
     void resolve(int x, int y, const Piece* begin, const Piece* end) {
         Layers seen = layers();
-        for (const Piece* piece = end; piece-- != begin;) put(piece->cell, x, y, piece->samples, seen);
+        for (const Piece* piece = end; piece != begin;) {
+            --piece;
+            put(piece->cell, x, y, piece->samples, seen);
+        }
         if (seen.bare() != 0) seen.put(outsideColour(x, y), seen.bare());
         putOut(seen.colour(), target(x, y));
     }
