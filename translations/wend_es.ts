@@ -174,6 +174,22 @@
         <source>pans</source>
         <translation>desplaza la vista</translation>
     </message>
+    <message>
+        <source>Shift-click with the brush</source>
+        <translation>Mayús-clic con el pincel</translation>
+    </message>
+    <message>
+        <source>paints a straight line</source>
+        <translation>pinta una línea recta</translation>
+    </message>
+    <message>
+        <source>Arrow keys without a pin</source>
+        <translation>Teclas de flecha sin alfiler</translation>
+    </message>
+    <message>
+        <source>move a cross, Enter clicks there</source>
+        <translation>mueven una cruz, Intro hace clic allí</translation>
+    </message>
 </context>
 <context>
     <name>CurveEditor</name>

@@ -174,6 +174,22 @@
         <source>pans</source>
         <translation>déplace la vue</translation>
     </message>
+    <message>
+        <source>Shift-click with the brush</source>
+        <translation>Maj-clic avec le pinceau</translation>
+    </message>
+    <message>
+        <source>paints a straight line</source>
+        <translation>peint une ligne droite</translation>
+    </message>
+    <message>
+        <source>Arrow keys without a pin</source>
+        <translation>Touches fléchées sans épingle</translation>
+    </message>
+    <message>
+        <source>move a cross, Enter clicks there</source>
+        <translation>déplacent une croix, Entrée clique à cet endroit</translation>
+    </message>
 </context>
 <context>
     <name>CurveEditor</name>
@@ -953,11 +969,11 @@
     </message>
     <message>
         <source>Comb along the way in which it is to be stiff; Ctrl takes away, Shift smooths, Shift-click draws a line, Alt-click picks up, Esc gives up the stroke</source>
-        <translation>Peignez dans le sens où la forme doit être raide ; Ctrl retire, Maj lisse, Maj+clic trace une ligne, Alt+clic prélève, Échap annule le trait</translation>
+        <translation>Peignez dans le sens où la forme doit être raide&#x202f;; Ctrl retire, Maj lisse, Maj+clic trace une ligne, Alt+clic prélève, Échap annule le trait</translation>
     </message>
     <message>
         <source>Paint what is chosen on the right; Ctrl takes away, Shift smooths, Shift-click draws a line, Alt-click picks up, Esc gives up the stroke</source>
-        <translation>Appliquez au pinceau ce qui est choisi à droite ; Ctrl retire, Maj lisse, Maj+clic trace une ligne, Alt+clic prélève, Échap annule le trait</translation>
+        <translation>Appliquez au pinceau ce qui est choisi à droite&#x202f;; Ctrl retire, Maj lisse, Maj+clic trace une ligne, Alt+clic prélève, Échap annule le trait</translation>
     </message>
 </context>
 <context>
@@ -3576,7 +3592,7 @@
     </message>
     <message>
         <source>Name of the group:</source>
-        <translation>Nom du groupe :</translation>
+        <translation>Nom du groupe&#x202f;:</translation>
     </message>
     <message>
         <source>Colour of the Pin</source>
@@ -3599,7 +3615,7 @@
     </message>
     <message>
         <source>Choose pins here; F2 renames, Delete removes, Enter goes to the picture, where the arrow keys move them. The eye hides, the lock holds back from changes; a right click groups, links and mirrors.</source>
-        <translation>Choisissez ici des épingles ; F2 renomme, Suppr supprime, Entrée passe à l’image, où les flèches les déplacent. L’œil masque, le cadenas protège des modifications ; le clic droit groupe, lie et met en miroir.</translation>
+        <translation>Choisissez ici des épingles&#x202f;; F2 renomme, Suppr supprime, Entrée passe à l’image, où les flèches les déplacent. L’œil masque, le cadenas protège des modifications&#x202f;; le clic droit groupe, lie et met en miroir.</translation>
     </message>
     <message>
         <source>Moves together with others</source>
@@ -3607,7 +3623,7 @@
     </message>
     <message>
         <source>Hidden: a click shows it</source>
-        <translation>Masquée : un clic l’affiche</translation>
+        <translation>Masquée&#x202f;: un clic l’affiche</translation>
     </message>
     <message>
         <source>A click hides it</source>
@@ -3615,7 +3631,7 @@
     </message>
     <message>
         <source>Locked: a click unlocks it</source>
-        <translation>Verrouillée : un clic la déverrouille</translation>
+        <translation>Verrouillée&#x202f;: un clic la déverrouille</translation>
     </message>
     <message>
         <source>A click locks it</source>
@@ -4544,7 +4560,7 @@
     </message>
     <message>
         <source>It would %1.</source>
-        <translation>Opérations prévues : %1.</translation>
+        <translation>Opérations prévues&#x202f;: %1.</translation>
     </message>
 </context>
 <context>
@@ -4655,7 +4671,7 @@
     </message>
     <message>
         <source>Shows the surface as the repair would leave it: what it adds in green, what stays wrong in red.</source>
-        <translation>Montre la surface telle que la réparation la laisserait : en vert ce qu’elle ajoute, en rouge ce qui reste défectueux.</translation>
+        <translation>Montre la surface telle que la réparation la laisserait&#x202f;: en vert ce qu’elle ajoute, en rouge ce qui reste défectueux.</translation>
     </message>
     <message>
         <source>There is nothing that the simple repairs would change.</source>
@@ -4760,7 +4776,7 @@
     </message>
     <message>
         <source>Ends the tutorial; the picture stays open</source>
-        <translation>Arrête le tutoriel ; l’image reste ouverte</translation>
+        <translation>Arrête le tutoriel&#x202f;; l’image reste ouverte</translation>
     </message>
     <message>
         <source>Only what is pinned holds. &lt;b&gt;Click a hoof&lt;/b&gt; of the giraffe to pin it.</source>
@@ -4776,7 +4792,7 @@
     </message>
     <message>
         <source>What it keeps on the way is your choice: at the top right, under &lt;b&gt;Keep&lt;/b&gt;, &lt;b&gt;choose Area, Rigid or Angle&lt;/b&gt;, and see the neck change.</source>
-        <translation>Ce qu’elle conserve en chemin, c’est vous qui le choisissez : en haut à droite, sous &lt;b&gt;Conserver&lt;/b&gt;, &lt;b&gt;choisissez Aire, Rigide ou Angle&lt;/b&gt;, et voyez le cou changer.</translation>
+        <translation>Ce qu’elle conserve en chemin, c’est vous qui le choisissez&#x202f;: en haut à droite, sous &lt;b&gt;Conserver&lt;/b&gt;, &lt;b&gt;choisissez Aire, Rigide ou Angle&lt;/b&gt;, et voyez le cou changer.</translation>
     </message>
     <message>
         <source>&lt;b&gt;Press D&lt;/b&gt; to see in colours what the bend has changed, and where most. D again hides it.</source>
@@ -4784,15 +4800,15 @@
     </message>
     <message>
         <source>The same for a part only: &lt;b&gt;press Ctrl+3&lt;/b&gt; for the step &lt;i&gt;Paint&lt;/i&gt;, and &lt;b&gt;brush over the neck&lt;/b&gt;. [ and ] change the size of the brush.</source>
-        <translation>La même chose pour une partie seulement : &lt;b&gt;appuyez sur Ctrl+3&lt;/b&gt; pour l’étape &lt;i&gt;Peindre&lt;/i&gt;, et &lt;b&gt;passez le pinceau sur le cou&lt;/b&gt;. [ et ] changent la taille du pinceau.</translation>
+        <translation>La même chose pour une partie seulement&#x202f;: &lt;b&gt;appuyez sur Ctrl+3&lt;/b&gt; pour l’étape &lt;i&gt;Peindre&lt;/i&gt;, et &lt;b&gt;passez le pinceau sur le cou&lt;/b&gt;. [ et ] changent la taille du pinceau.</translation>
     </message>
     <message>
         <source>Your drag is already a film: &lt;b&gt;press K&lt;/b&gt; to play it. Click into the strip below to go to a time, and drag on from there.</source>
-        <translation>Votre geste est déjà un film : &lt;b&gt;appuyez sur K&lt;/b&gt; pour le lire. Cliquez dans la bande du bas pour aller à un instant, et continuez à tirer à partir de là.</translation>
+        <translation>Votre geste est déjà un film&#x202f;: &lt;b&gt;appuyez sur K&lt;/b&gt; pour le lire. Cliquez dans la bande du bas pour aller à un instant, et continuez à tirer à partir de là.</translation>
     </message>
     <message>
         <source>At last, &lt;b&gt;press Ctrl+5&lt;/b&gt; for the step &lt;i&gt;Export&lt;/i&gt;: a picture, a sequence, a map of the warp, or the mesh.</source>
-        <translation>Enfin, &lt;b&gt;appuyez sur Ctrl+5&lt;/b&gt; pour l’étape &lt;i&gt;Exporter&lt;/i&gt; : une image, une séquence, une carte de déformation ou le maillage.</translation>
+        <translation>Enfin, &lt;b&gt;appuyez sur Ctrl+5&lt;/b&gt; pour l’étape &lt;i&gt;Exporter&lt;/i&gt;&#x202f;: une image, une séquence, une carte de déformation ou le maillage.</translation>
     </message>
     <message>
         <source>That is all you need to begin. &lt;b&gt;F1&lt;/b&gt; opens the manual, &lt;b&gt;?&lt;/b&gt; lists the keys. Drop a picture of your own on the window.</source>

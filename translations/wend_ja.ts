@@ -174,6 +174,22 @@
         <source>pans</source>
         <translation>画面を移動</translation>
     </message>
+    <message>
+        <source>Shift-click with the brush</source>
+        <translation>ブラシで Shift+クリック</translation>
+    </message>
+    <message>
+        <source>paints a straight line</source>
+        <translation>直線を描きます</translation>
+    </message>
+    <message>
+        <source>Arrow keys without a pin</source>
+        <translation>ピンなしで矢印キー</translation>
+    </message>
+    <message>
+        <source>move a cross, Enter clicks there</source>
+        <translation>十字を動かし、Enter でそこをクリック</translation>
+    </message>
 </context>
 <context>
     <name>CurveEditor</name>

@@ -174,6 +174,22 @@
         <source>pans</source>
         <translation>平移</translation>
     </message>
+    <message>
+        <source>Shift-click with the brush</source>
+        <translation>用画笔 Shift+单击</translation>
+    </message>
+    <message>
+        <source>paints a straight line</source>
+        <translation>画一条直线</translation>
+    </message>
+    <message>
+        <source>Arrow keys without a pin</source>
+        <translation>没有图钉时按方向键</translation>
+    </message>
+    <message>
+        <source>move a cross, Enter clicks there</source>
+        <translation>移动十字，Enter 在那里单击</translation>
+    </message>
 </context>
 <context>
     <name>CurveEditor</name>

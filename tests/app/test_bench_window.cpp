@@ -42,7 +42,8 @@ void TestBenchWindow::everyRowWasSeen() {
     QCOMPARE(static_cast<int>(found.size()), rows);
     for (const BenchRow& row : found) {
         QVERIFY2(row.time.repeats > 0 && row.time.minimum > 0, row.what.c_str());
-        QVERIFY2(row.time.minimum <= row.time.median && row.time.median <= row.time.maximum, row.what.c_str());
+        QVERIFY2(row.time.minimum <= row.time.median && row.time.median <= row.time.maximum,
+                 row.what.c_str());
         for (const auto& [figure, value] : row.figures) {
             if (figure == "updates a second") continue;  // of a single one there is no rate
             QVERIFY2(value > 0, (row.what + ": " + figure).c_str());
