@@ -460,6 +460,10 @@
         <source>Shear</source>
         <translation>Scherung</translation>
     </message>
+    <message>
+        <source>Way from rest</source>
+        <translation>Weg seit der Ruhe</translation>
+    </message>
 </context>
 <context>
     <name>MeasureTool</name>
@@ -1681,6 +1685,30 @@
         <source>The first five minutes, on a sample, step by step</source>
         <translation>Die ersten fünf Minuten an einem Beispiel, Schritt für Schritt</translation>
     </message>
+    <message>
+        <source>&amp;Velocity Arrows</source>
+        <translation>&amp;Geschwindigkeitspfeile</translation>
+    </message>
+    <message>
+        <source>Show where the shape moves at this time</source>
+        <translation>Zeigen, wohin sich die Form zu dieser Zeit bewegt</translation>
+    </message>
+    <message>
+        <source>Shift+V</source>
+        <translation>Shift+V</translation>
+    </message>
+    <message>
+        <source>&amp;Compare Energies</source>
+        <translation>&amp;Erhalt vergleichen</translation>
+    </message>
+    <message>
+        <source>Show another energy on the same pins beside; or drag a tile of Keep onto the shape</source>
+        <translation>Daneben zeigen, was bei anderem Erhalt aus denselben Pins wird; oder eine Kachel von Erhalt auf die Form ziehen</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
 </context>
 <context>
     <name>wend::BalancePanel</name>
@@ -1694,6 +1722,45 @@
     <message>
         <source>Keys and Mouse</source>
         <translation>Tasten und Maus</translation>
+    </message>
+</context>
+<context>
+    <name>wend::CompareView</name>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>is being computed …</source>
+        <translation>wird berechnet …</translation>
+    </message>
+    <message>
+        <source>angle %1 · volume %2 · stretch %3</source>
+        <translation>Winkel %1 · Volumen %2 · Dehnung %3</translation>
+    </message>
+    <message>
+        <source>angle %1 · area %2 · stretch %3</source>
+        <translation>Winkel %1 · Fläche %2 · Dehnung %3</translation>
+    </message>
+    <message>
+        <source>The same with another energy</source>
+        <translation>Dasselbe mit anderem Erhalt</translation>
+    </message>
+    <message>
+        <source>Compare with</source>
+        <translation>Vergleichen mit</translation>
+    </message>
+    <message>
+        <source>What this half keeps, on the same pins and motions.</source>
+        <translation>Was diese Hälfte erhält, mit denselben Pins und Bewegungen.</translation>
+    </message>
+    <message>
+        <source>End the comparison</source>
+        <translation>Vergleich beenden</translation>
+    </message>
+    <message>
+        <source>Shows one shape again.</source>
+        <translation>Zeigt wieder eine einzige Form.</translation>
     </message>
 </context>
 <context>
@@ -2137,14 +2204,6 @@
         <translation>Das Dreieck, das nach dem, was die Karte zeigt, am weitesten von der Ruhe entfernt ist.</translation>
     </message>
     <message>
-        <source>What is coloured over the solid: the error of lengths, volumes or angles, the material, how fast it moves, or how fine its mesh is.</source>
-        <translation>Was über dem Körper farbig ist: der Fehler von Längen, Volumen oder Winkeln, das Material, wie schnell er sich bewegt, oder wie fein sein Netz ist.</translation>
-    </message>
-    <message>
-        <source>What is coloured over the picture: the error of lengths, areas or angles, or the material that is painted on it.</source>
-        <translation>Was über dem Bild eingefärbt wird: der Fehler der Längen, Flächen oder Winkel, oder das Material, das darauf gemalt ist.</translation>
-    </message>
-    <message>
         <source>Keep these colours</source>
         <translation>Farben behalten</translation>
     </message>
@@ -2171,6 +2230,26 @@
     <message>
         <source>Colour by</source>
         <translation>Färben nach</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <source>How much the map covers the picture below it.</source>
+        <translation>Wie sehr die Karte das Bild unter ihr verdeckt.</translation>
+    </message>
+    <message>
+        <source>O&amp;pacity</source>
+        <translation>&amp;Deckkraft</translation>
+    </message>
+    <message>
+        <source>What is coloured over the solid: the error of lengths, volumes or angles, how far it is from where it was, the material, how fast it moves, or how fine its mesh is.</source>
+        <translation>Was über den Körper gefärbt wird: der Fehler von Längen, Volumen oder Winkeln, wie weit er von seinem Ort entfernt ist, das Material, wie schnell er sich bewegt oder wie fein sein Netz ist.</translation>
+    </message>
+    <message>
+        <source>What is coloured over the picture: the error of lengths, areas or angles, how far it is from where it was, the material, how fast it moves, or how fine its mesh is.</source>
+        <translation>Was über das Bild gefärbt wird: der Fehler von Längen, Flächen oder Winkeln, wie weit es von seinem Ort entfernt ist, das Material, wie schnell es sich bewegt oder wie fein sein Netz ist.</translation>
     </message>
 </context>
 <context>
@@ -2422,6 +2501,14 @@
     <message>
         <source>Replace</source>
         <translation>Ersetzen</translation>
+    </message>
+    <message>
+        <source>Write Material</source>
+        <translation>Material schreiben</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.tif *.exr)</source>
+        <translation>Bilder (*.png *.tif *.exr)</translation>
     </message>
 </context>
 <context>
@@ -2713,10 +2800,6 @@
         <translation>Ebenen</translation>
     </message>
     <message>
-        <source>Where the material is another. The topmost wins. A click shows its values, a double click changes its name.</source>
-        <translation>Wo das Material ein anderes ist. Die oberste gilt. Ein Klick zeigt ihre Werte, ein Doppelklick ändert ihren Namen.</translation>
-    </message>
-    <message>
         <source>Up</source>
         <translation>Nach oben</translation>
     </message>
@@ -2796,6 +2879,62 @@
         <source>Unnamed</source>
         <translation>Ohne Namen</translation>
     </message>
+    <message>
+        <source>Where the material is another. The topmost wins: drag a layer to its place. A click shows its values, a double click changes its name, its eye or the space bar switches it off.</source>
+        <translation>Wo das Material ein anderes ist. Die oberste gewinnt: Ebenen lassen sich an ihren Platz ziehen. Ein Klick zeigt ihre Werte, ein Doppelklick ändert den Namen, das Auge oder die Leertaste schaltet sie aus.</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>Brings the material in from pictures of a paint program, and writes it as such.</source>
+        <translation>Holt das Material aus Bildern eines Malprogramms und schreibt es als solche.</translation>
+    </message>
+    <message>
+        <source>Read Again</source>
+        <translation>Neu lesen</translation>
+    </message>
+    <message>
+        <source>Takes the pictures as they are now: after they were saved in a paint program.</source>
+        <translation>Nimmt die Bilder, wie sie jetzt sind: nachdem sie in einem Malprogramm gespeichert wurden.</translation>
+    </message>
+    <message>
+        <source>Read pictures again</source>
+        <translation>Bilder neu lesen</translation>
+    </message>
+    <message>
+        <source>Hide layer</source>
+        <translation>Ebene ausblenden</translation>
+    </message>
+    <message>
+        <source>Show layer</source>
+        <translation>Ebene einblenden</translation>
+    </message>
+    <message>
+        <source>Keep: %1</source>
+        <translation>Erhalt: %1</translation>
+    </message>
+    <message>
+        <source>Stiffness: %1</source>
+        <translation>Steifigkeit: %1</translation>
+    </message>
+    <message>
+        <source>Direction: %1</source>
+        <translation>Richtung: %1</translation>
+    </message>
+    <message>
+        <source>As the project&apos;s file says, cell by cell.</source>
+        <translation>Wie es in der Projektdatei steht, Zelle für Zelle.</translation>
+    </message>
+    <message>
+        <source>Cell by cell: %1</source>
+        <translation>Zelle für Zelle: %1</translation>
+    </message>
+    <message>
+        <source>Values of cells</source>
+        <translation>Werte der Zellen</translation>
+    </message>
 </context>
 <context>
     <name>wend::Legend</name>
@@ -2868,6 +3007,89 @@
     <message>
         <source>Enter goes to the next place where these words stand.</source>
         <translation>Eingabe geht zur nächsten Stelle, an der diese Worte stehen.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::MaterialActions</name>
+    <message>
+        <source>Bring In What Is &amp;Kept…</source>
+        <translation>&amp;Erhalt holen …</translation>
+    </message>
+    <message>
+        <source>A gray picture over the whole, as a layer: black keeps area, white angles</source>
+        <translation>Ein graues Bild über das Ganze, als Ebene: Schwarz erhält Flächen, Weiß Winkel</translation>
+    </message>
+    <message>
+        <source>Bring In &amp;Stiffness…</source>
+        <translation>&amp;Steifigkeit holen …</translation>
+    </message>
+    <message>
+        <source>A gray picture over the whole, as a layer: black is as everywhere, white 1000 times stiffer</source>
+        <translation>Ein graues Bild über das Ganze, als Ebene: Schwarz ist wie überall, Weiß 1000-mal steifer</translation>
+    </message>
+    <message>
+        <source>Bring In &amp;Directions…</source>
+        <translation>&amp;Richtungen holen …</translation>
+    </message>
+    <message>
+        <source>A gray picture over the whole, as a layer: black lies, middle gray stands, and what is stiff is so along it</source>
+        <translation>Ein graues Bild über das Ganze, als Ebene: Schwarz liegt, mittleres Grau steht, und was steif ist, ist es in dieser Richtung</translation>
+    </message>
+    <message>
+        <source>Bring In Values of &amp;Cells…</source>
+        <translation>Werte der &amp;Zellen holen …</translation>
+    </message>
+    <message>
+        <source>φ and B of every cell from a mesh file that holds them, such as one that was exported</source>
+        <translation>φ und B jeder Zelle aus einer Netzdatei, die sie enthält, etwa einer exportierten</translation>
+    </message>
+    <message>
+        <source>Write What Is K&amp;ept…</source>
+        <translation>E&amp;rhalt schreiben …</translation>
+    </message>
+    <message>
+        <source>As a gray picture, to go on with in a paint program</source>
+        <translation>Als graues Bild, zum Weitermalen in einem Malprogramm</translation>
+    </message>
+    <message>
+        <source>Write S&amp;tiffness…</source>
+        <translation>S&amp;teifigkeit schreiben …</translation>
+    </message>
+    <message>
+        <source>Write Di&amp;rections…</source>
+        <translation>R&amp;ichtungen schreiben …</translation>
+    </message>
+    <message>
+        <source>&amp;Material</source>
+        <translation>&amp;Material</translation>
+    </message>
+    <message>
+        <source>Open a picture first.</source>
+        <translation>Zuerst ein Bild öffnen.</translation>
+    </message>
+    <message>
+        <source>Of a solid, values of cells; they are written with its mesh.</source>
+        <translation>Bei einem Körper sind es Werte der Zellen; sie werden mit seinem Netz geschrieben.</translation>
+    </message>
+    <message>
+        <source>Only the cells of a mesh file stay the same.</source>
+        <translation>Nur die Zellen einer Netzdatei bleiben dieselben.</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>Bilder (%1)</translation>
+    </message>
+    <message>
+        <source>Bring in %1</source>
+        <translation>%1 holen</translation>
+    </message>
+    <message>
+        <source>Values of cells (*.vtu *.vtk *.json)</source>
+        <translation>Werte der Zellen (*.vtu *.vtk *.json)</translation>
+    </message>
+    <message>
+        <source>The layers are switched off: what is brought in stands below them.</source>
+        <translation>Die Ebenen sind ausgeschaltet: Was geholt wurde, steht unter ihnen.</translation>
     </message>
 </context>
 <context>
@@ -4113,18 +4335,6 @@
     <message>
         <source>5</source>
         <translation>5</translation>
-    </message>
-    <message>
-        <source>&amp;Velocity Arrows</source>
-        <translation>&amp;Geschwindigkeitspfeile</translation>
-    </message>
-    <message>
-        <source>Show where the surface moves at this time</source>
-        <translation>Zeigen, wohin sich die Oberfläche gerade bewegt</translation>
-    </message>
-    <message>
-        <source>Shift+V</source>
-        <translation>Shift+V</translation>
     </message>
     <message>
         <source>&amp;Cut Open</source>

@@ -460,6 +460,10 @@
         <source>Cell size</source>
         <translation>Taille de cellule</translation>
     </message>
+    <message>
+        <source>Way from rest</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>MeasureTool</name>
@@ -1681,6 +1685,30 @@
         <source>The first five minutes, on a sample, step by step</source>
         <translation>Les cinq premières minutes, sur un exemple, pas à pas</translation>
     </message>
+    <message>
+        <source>&amp;Velocity Arrows</source>
+        <translation type="unfinished">Flèches de vite&amp;sse</translation>
+    </message>
+    <message>
+        <source>Show where the shape moves at this time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shift+V</source>
+        <translation type="unfinished">Shift+V</translation>
+    </message>
+    <message>
+        <source>&amp;Compare Energies</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show another energy on the same pins beside; or drag a tile of Keep onto the shape</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation type="unfinished">Y</translation>
+    </message>
 </context>
 <context>
     <name>wend::BalancePanel</name>
@@ -1694,6 +1722,45 @@
     <message>
         <source>Keys and Mouse</source>
         <translation>Clavier et souris</translation>
+    </message>
+</context>
+<context>
+    <name>wend::CompareView</name>
+    <message>
+        <source>%1 – %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is being computed …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>angle %1 · volume %2 · stretch %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>angle %1 · area %2 · stretch %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The same with another energy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What this half keeps, on the same pins and motions.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End the comparison</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows one shape again.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2165,12 +2232,24 @@
         <translation>Colorer par</translation>
     </message>
     <message>
-        <source>What is coloured over the solid: the error of lengths, volumes or angles, the material, how fast it moves, or how fine its mesh is.</source>
-        <translation>Ce que les couleurs montrent sur le solide&#x202f;: l’erreur des longueurs, des volumes ou des angles, le matériau, la vitesse ou la finesse du maillage.</translation>
+        <source>Opacity</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What is coloured over the picture: the error of lengths, areas or angles, or the material that is painted on it.</source>
-        <translation>Ce que les couleurs montrent sur l’image&#x202f;: l’erreur des longueurs, des aires ou des angles, ou le matériau qui y est peint.</translation>
+        <source>How much the map covers the picture below it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>O&amp;pacity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is coloured over the solid: the error of lengths, volumes or angles, how far it is from where it was, the material, how fast it moves, or how fine its mesh is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is coloured over the picture: the error of lengths, areas or angles, how far it is from where it was, the material, how fast it moves, or how fine its mesh is.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2422,6 +2501,14 @@
     <message>
         <source>Written: %1</source>
         <translation>Exporté&#x202f;: %1</translation>
+    </message>
+    <message>
+        <source>Write Material</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.tif *.exr)</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2713,10 +2800,6 @@
         <translation>Calques</translation>
     </message>
     <message>
-        <source>Where the material is another. The topmost wins. A click shows its values, a double click changes its name.</source>
-        <translation>Là où le matériau est différent. Le calque du haut l’emporte. Un clic montre ses valeurs, un double-clic change son nom.</translation>
-    </message>
-    <message>
         <source>Up</source>
         <translation>Monter</translation>
     </message>
@@ -2796,6 +2879,62 @@
         <source>Unnamed</source>
         <translation>Sans nom</translation>
     </message>
+    <message>
+        <source>Where the material is another. The topmost wins: drag a layer to its place. A click shows its values, a double click changes its name, its eye or the space bar switches it off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Brings the material in from pictures of a paint program, and writes it as such.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read Again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Takes the pictures as they are now: after they were saved in a paint program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read pictures again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hide layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stiffness: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Direction: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As the project&apos;s file says, cell by cell.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cell by cell: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Values of cells</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>wend::Legend</name>
@@ -2868,6 +3007,89 @@
     <message>
         <source>Enter goes to the next place where these words stand.</source>
         <translation>Entrée passe à l’endroit suivant où se trouvent ces mots.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::MaterialActions</name>
+    <message>
+        <source>Bring In What Is &amp;Kept…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A gray picture over the whole, as a layer: black keeps area, white angles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bring In &amp;Stiffness…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A gray picture over the whole, as a layer: black is as everywhere, white 1000 times stiffer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bring In &amp;Directions…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A gray picture over the whole, as a layer: black lies, middle gray stands, and what is stiff is so along it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bring In Values of &amp;Cells…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>φ and B of every cell from a mesh file that holds them, such as one that was exported</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write What Is K&amp;ept…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As a gray picture, to go on with in a paint program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write S&amp;tiffness…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write Di&amp;rections…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Material</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a picture first.</source>
+        <translation type="unfinished">Ouvrez d’abord une image.</translation>
+    </message>
+    <message>
+        <source>Of a solid, values of cells; they are written with its mesh.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only the cells of a mesh file stay the same.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation type="unfinished">Images (%1)</translation>
+    </message>
+    <message>
+        <source>Bring in %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Values of cells (*.vtu *.vtk *.json)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The layers are switched off: what is brought in stands below them.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4185,18 +4407,6 @@
     <message>
         <source>5</source>
         <translation>5</translation>
-    </message>
-    <message>
-        <source>&amp;Velocity Arrows</source>
-        <translation>Flèches de vite&amp;sse</translation>
-    </message>
-    <message>
-        <source>Show where the surface moves at this time</source>
-        <translation>Montrer où va la surface à cet instant</translation>
-    </message>
-    <message>
-        <source>Shift+V</source>
-        <translation>Shift+V</translation>
     </message>
     <message>
         <source>&amp;Cut Open</source>

@@ -460,6 +460,10 @@
         <source>Cell size</source>
         <translation>セルサイズ</translation>
     </message>
+    <message>
+        <source>Way from rest</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>MeasureTool</name>
@@ -1680,6 +1684,30 @@
         <source>The first five minutes, on a sample, step by step</source>
         <translation>最初の 5 分間を、サンプルを使って順を追って案内します</translation>
     </message>
+    <message>
+        <source>&amp;Velocity Arrows</source>
+        <translation type="unfinished">速度の矢印(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Show where the shape moves at this time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shift+V</source>
+        <translation type="unfinished">Shift+V</translation>
+    </message>
+    <message>
+        <source>&amp;Compare Energies</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show another energy on the same pins beside; or drag a tile of Keep onto the shape</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation type="unfinished">Y</translation>
+    </message>
 </context>
 <context>
     <name>wend::BalancePanel</name>
@@ -1693,6 +1721,45 @@
     <message>
         <source>Keys and Mouse</source>
         <translation>キーとマウス</translation>
+    </message>
+</context>
+<context>
+    <name>wend::CompareView</name>
+    <message>
+        <source>%1 – %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is being computed …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>angle %1 · volume %2 · stretch %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>angle %1 · area %2 · stretch %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The same with another energy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What this half keeps, on the same pins and motions.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End the comparison</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows one shape again.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2164,12 +2231,24 @@
         <translation>色分け</translation>
     </message>
     <message>
-        <source>What is coloured over the solid: the error of lengths, volumes or angles, the material, how fast it moves, or how fine its mesh is.</source>
-        <translation>ソリッド上に色で示すもの：長さ、体積、角度の誤差、材質、動く速さ、またはメッシュの細かさ。</translation>
+        <source>Opacity</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What is coloured over the picture: the error of lengths, areas or angles, or the material that is painted on it.</source>
-        <translation>画像上に色で示すもの：長さ、面積、角度の誤差、またはペイントした材質。</translation>
+        <source>How much the map covers the picture below it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>O&amp;pacity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is coloured over the solid: the error of lengths, volumes or angles, how far it is from where it was, the material, how fast it moves, or how fine its mesh is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is coloured over the picture: the error of lengths, areas or angles, how far it is from where it was, the material, how fast it moves, or how fine its mesh is.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2417,6 +2496,14 @@
     <message>
         <source>Written: %1</source>
         <translation>書き出しました：%1</translation>
+    </message>
+    <message>
+        <source>Write Material</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.tif *.exr)</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2707,10 +2794,6 @@
         <translation>レイヤー</translation>
     </message>
     <message>
-        <source>Where the material is another. The topmost wins. A click shows its values, a double click changes its name.</source>
-        <translation>材質がほかと異なる部分です。一番上のレイヤーが優先されます。クリックで値を表示、ダブルクリックで名前を変更します。</translation>
-    </message>
-    <message>
         <source>Up</source>
         <translation>上へ</translation>
     </message>
@@ -2790,6 +2873,62 @@
         <source>Unnamed</source>
         <translation>名称未設定</translation>
     </message>
+    <message>
+        <source>Where the material is another. The topmost wins: drag a layer to its place. A click shows its values, a double click changes its name, its eye or the space bar switches it off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Brings the material in from pictures of a paint program, and writes it as such.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read Again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Takes the pictures as they are now: after they were saved in a paint program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read pictures again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hide layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stiffness: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Direction: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As the project&apos;s file says, cell by cell.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cell by cell: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Values of cells</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>wend::Legend</name>
@@ -2862,6 +3001,89 @@
     <message>
         <source>Enter goes to the next place where these words stand.</source>
         <translation>Enter でこの語句の次の箇所へ移動します。</translation>
+    </message>
+</context>
+<context>
+    <name>wend::MaterialActions</name>
+    <message>
+        <source>Bring In What Is &amp;Kept…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A gray picture over the whole, as a layer: black keeps area, white angles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bring In &amp;Stiffness…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A gray picture over the whole, as a layer: black is as everywhere, white 1000 times stiffer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bring In &amp;Directions…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A gray picture over the whole, as a layer: black lies, middle gray stands, and what is stiff is so along it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bring In Values of &amp;Cells…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>φ and B of every cell from a mesh file that holds them, such as one that was exported</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write What Is K&amp;ept…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As a gray picture, to go on with in a paint program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write S&amp;tiffness…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write Di&amp;rections…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Material</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a picture first.</source>
+        <translation type="unfinished">まず画像を開いてください。</translation>
+    </message>
+    <message>
+        <source>Of a solid, values of cells; they are written with its mesh.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only the cells of a mesh file stay the same.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation type="unfinished">画像 (%1)</translation>
+    </message>
+    <message>
+        <source>Bring in %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Values of cells (*.vtu *.vtk *.json)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The layers are switched off: what is brought in stands below them.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4176,18 +4398,6 @@
     <message>
         <source>5</source>
         <translation>5</translation>
-    </message>
-    <message>
-        <source>&amp;Velocity Arrows</source>
-        <translation>速度の矢印(&amp;V)</translation>
-    </message>
-    <message>
-        <source>Show where the surface moves at this time</source>
-        <translation>この時刻に表面が動く方向を表示します</translation>
-    </message>
-    <message>
-        <source>Shift+V</source>
-        <translation>Shift+V</translation>
     </message>
     <message>
         <source>&amp;Cut Open</source>

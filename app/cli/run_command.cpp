@@ -1,6 +1,10 @@
+#include <filesystem>
+
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/terminal.h"
+#include "app/document/material_edits.h"
+#include "app/session/material_picture.h"
 #include "app/session/overwriting.h"
 #include "app/session/run_options.h"
 #include "core/mesh/error.h"
@@ -16,11 +20,15 @@ RunOutputs outputsFrom(const Arguments& arguments) {
     outputs.stMap = arguments.text("--stmap");
     outputs.frames = arguments.text("--frames");
     outputs.report = arguments.text("--report");
+    outputs.material.phi = arguments.text("--phi-picture");
+    outputs.material.stiffness = arguments.text("--stiffness-picture");
+    outputs.material.direction = arguments.text("--direction-picture");
     outputs.count = arguments.integer("--count");
     outputs.framesPerSecond = arguments.number("--fps");
     int standardOutputs = 0;
     for (const auto* name :
-         {&outputs.image, &outputs.mesh, &outputs.velocity, &outputs.stMap, &outputs.report})
+         {&outputs.image, &outputs.mesh, &outputs.velocity, &outputs.stMap, &outputs.report,
+          &outputs.material.phi, &outputs.material.stiffness, &outputs.material.direction})
         standardOutputs += *name == "-";
     if (standardOutputs > 1) throw UsageError("only one output can go to standard output (-)");
     if (outputs.frames == "-") throw UsageError("--frames cannot go to standard output (-)");
@@ -33,7 +41,8 @@ RunOutputs outputsFrom(const Arguments& arguments) {
 bool asksForAnything(const RunOutputs& outputs) {
     return !(outputs.image + outputs.mesh + outputs.velocity + outputs.stMap + outputs.frames +
              outputs.report)
-                .empty();
+                .empty() ||
+           outputs.material.any();
 }
 
 RunOptions optionsFrom(const Arguments& arguments) {
@@ -42,6 +51,19 @@ RunOptions optionsFrom(const Arguments& arguments) {
     options.at = arguments.given("--at");
     options.backEnd = arguments.values().choice<BackEndKind>("--backend");
     return options;
+}
+
+/// As the topmost layer. The line's files are named from where it is typed.
+void paint(Project& project, const std::string& folder, const Arguments& arguments) {
+    MaterialPictures pictures;
+    for (const auto& [flag, file] : {std::pair{"--paint-phi", &pictures.phi},
+                                     {"--paint-stiffness", &pictures.stiffness},
+                                     {"--paint-direction", &pictures.direction}})
+        if (arguments.has(flag)) *file = std::filesystem::absolute(arguments.text(flag)).string();
+    if (!pictures.any()) return;
+    const PictureFrame frame = pictureFrame(project, folder);
+    pictures.up = frame.up;
+    project = withPictures(project, "painted", frame.box, pictures);
 }
 
 /// What the line says wins over the project.
@@ -66,6 +88,7 @@ ExitCode runRun(const Arguments& arguments) {
     LoadedProject loaded = readProject(path);
     for (const std::string& warning : loaded.warnings) terminal.warn(path + ": " + warning);
     override(loaded.project, arguments);
+    paint(loaded.project, folderOf(path), arguments);
     const std::vector<OwnInput> inputs = inputsOf(loaded.project, path, folderOf(path));
     if (const std::string clash = overwriting(inputs, options.outputs); !clash.empty())
         throw UsageError(clash);

@@ -114,6 +114,18 @@ Stiffness<Dim> readStiffness(const JsonValue& value) {
     return stiffness;
 }
 
+MaterialPictures readPictures(const JsonValue& value) {
+    JsonObject object(value);
+    MaterialPictures pictures;
+    for (const auto& [key, file] : {std::pair{"phi", &pictures.phi},
+                                    {"stiffness", &pictures.stiffness},
+                                    {"direction", &pictures.direction}})
+        if (auto found = object.find(key)) *file = found->text();
+    if (auto up = object.find("up")) pictures.up = up->boolean();
+    object.finish();
+    return pictures;
+}
+
 template <int Dim>
 MaterialRegion<Dim> readMaterialRegion(const JsonValue& value) {
     MaterialRegion<Dim> region;
@@ -123,7 +135,15 @@ MaterialRegion<Dim> readMaterialRegion(const JsonValue& value) {
     if (auto feather = object.find("feather")) region.feather = feather->number("material.regions[].feather");
     if (auto phi = object.find("phi")) region.phi = readPhi(*phi, Dim);
     if (auto stiffness = object.find("stiffness")) region.stiffness = readStiffness<Dim>(*stiffness);
-    if (!region.phi && !region.stiffness) value.warn("has neither phi nor stiffness and changes nothing");
+    if constexpr (Dim == 2)
+        if (auto pictures = object.find("pictures")) {
+            region.pictures = readPictures(*pictures);
+            if (!std::holds_alternative<Box<2>>(region.shape)) pictures->fail("need a box, which they fill");
+            if (region.phi || region.stiffness) pictures->fail("stand in the place of phi and stiffness");
+        }
+    if (auto hidden = object.find("hidden")) region.hidden = hidden->boolean();
+    if (!region.phi && !region.stiffness && !region.pictures.any())
+        value.warn("has neither phi nor stiffness and changes nothing");
     object.finish();
     return region;
 }

@@ -43,8 +43,13 @@ std::vector<RegionGroup<Dim>> regionGroups(const Project& project) {
         auto it =
             std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.name == region.name; });
         if (it == groups.end())
-            it = groups.insert(it, {region.name, 0, region.feather, {region.phi, region.stiffness}, {}});
+            it = groups.insert(it, {.name = region.name,
+                                    .feather = region.feather,
+                                    .paint = {region.phi, region.stiffness},
+                                    .pictures = region.pictures,
+                                    .hidden = region.hidden});
         ++it->count;
+        it->hidden = it->hidden || region.hidden;
         if (!region.stiffness) continue;
         if (!it->axis) it->axis = region.stiffness->axis;
         if (*it->axis != region.stiffness->axis) it->oneAxis = false;
@@ -86,6 +91,41 @@ Project withGroupFeather(const Project& project, const std::string& name, double
     });
 }
 
+bool isGroupHidden(const Project& project, const std::string& name) {
+    return std::visit(
+        [&](const auto& design) {
+            const auto& regions = design.material.regions;
+            return std::any_of(regions.begin(), regions.end(),
+                               [&](const auto& region) { return region.name == name && region.hidden; });
+        },
+        project.design);
+}
+
+Project withGroupHidden(const Project& project, const std::string& name, bool hidden) {
+    return changed(project, [&](auto& regions) {
+        for (auto& region : regions)
+            if (region.name == name) region.hidden = hidden;
+    });
+}
+
+Project withPictures(const Project& project, const std::string& name, const Box<2>& box,
+                     const MaterialPictures& pictures) {
+    Project next = project;
+    MaterialRegion<2> region;
+    region.name = freeGroupName(project, {}, name);
+    region.shape = box;
+    region.pictures = pictures;
+    std::get<Design<2>>(next.design).material.regions.push_back(std::move(region));
+    return next;
+}
+
+Project withPicturesReread(const Project& project, const std::string& name) {
+    return changed(project, [&](auto& regions) {
+        for (auto& region : regions)
+            if (region.name == name) ++region.pictures.readings;
+    });
+}
+
 std::string freeGroupName(const Project& project, const std::string& name, const std::string& wish) {
     std::vector<std::string> taken = groupNames(project);
     std::erase(taken, name);
@@ -121,6 +161,24 @@ Project withGroupMoved(const Project& project, const std::string& name, int by) 
 Project withoutGroup(const Project& project, const std::string& name) {
     return changed(project, [&](auto& regions) {
         std::erase_if(regions, [&](const auto& region) { return region.name == name; });
+    });
+}
+
+Project withCellsFile(const Project& project, const std::string& file) {
+    Project next = project;
+    std::visit(
+        [&](auto& design) {
+            design.material.cellsFile = file;
+            design.material.cellPhi.clear();
+            design.material.cellB.clear();
+        },
+        next.design);
+    return next;
+}
+
+Project withAllHidden(const Project& project) {
+    return changed(project, [](auto& regions) {
+        for (auto& region : regions) region.hidden = true;
     });
 }
 

@@ -23,8 +23,10 @@ struct RegionGroup {
     int count = 0;
     double feather = 0;
     MaterialPaint<Dim> paint;
-    std::optional<Vec<Dim>> axis;  // of the first that is stiff
-    bool oneAxis = true;           // all that are stiff are so along it
+    MaterialPictures pictures;
+    bool hidden = false;
+    std::optional<Vec<Dim>> axis = {};  // of the first that is stiff
+    bool oneAxis = true;                // all that are stiff are so along it
 };
 template <int Dim = 3>
 std::vector<RegionGroup<Dim>> regionGroups(const Project& project);
@@ -38,6 +40,13 @@ template <int Dim>
 Project withGroupPaint(const Project& project, const std::string& name, const MaterialPaint<Dim>& paint,
                        bool keepAxes = false);
 Project withGroupFeather(const Project& project, const std::string& name, double feather);
+bool isGroupHidden(const Project& project, const std::string& name);
+Project withGroupHidden(const Project& project, const std::string& name, bool hidden);
+/// Pictures of the material over a box, as a layer on top, named as that.
+Project withPictures(const Project& project, const std::string& name, const Box<2>& box,
+                     const MaterialPictures& pictures);
+/// The group's pictures are read again from their files.
+Project withPicturesReread(const Project& project, const std::string& name);
 /// What a group can be called: the wish, with a number behind it if another group is called so already.
 std::string freeGroupName(const Project& project, const std::string& name, const std::string& wish);
 Project withGroupName(const Project& project, const std::string& name, const std::string& next);
@@ -45,5 +54,11 @@ Project withGroupName(const Project& project, const std::string& name, const std
 Project withGroupMoved(const Project& project, const std::string& name, int by);
 /// The group without its regions.
 Project withoutGroup(const Project& project, const std::string& name);
+/// With what a file says cell by cell, or nothing.
+Project withCellsFile(const Project& project, const std::string& file);
+inline Project withoutCells(const Project& project) {
+    return withCellsFile(project, {});
+}
+Project withAllHidden(const Project& project);
 
 }  // namespace wend

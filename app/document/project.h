@@ -66,6 +66,17 @@ struct Stiffness {
     double ratio = 1;  // s ≥ 1: B₀ = I + (s − 1) a aᵀ
 };
 
+/// Pictures that say what a region of the plane keeps, how stiff it is and along which direction: see
+/// material_picture.h. Without one it stays as it is there.
+struct MaterialPictures {
+    std::string phi, stiffness, direction;
+    bool up = false;   // their first row lies where y is greatest
+    int readings = 0;  // other than before: they were written anew; not in the file
+
+    bool any() const { return !(phi + stiffness + direction).empty(); }
+    bool operator==(const MaterialPictures&) const = default;
+};
+
 template <int Dim>
 struct MaterialRegion {
     std::string name;
@@ -73,6 +84,8 @@ struct MaterialRegion {
     double feather = 0;
     std::optional<double> phi;
     std::optional<Stiffness<Dim>> stiffness;
+    MaterialPictures pictures = {};  // in the plane only, instead of phi and stiffness; they fill a box
+    bool hidden = false;             // changes nothing, as if it were not there
     Extras extras = {};
 };
 
@@ -137,8 +150,12 @@ LoadedProject parseProject(const std::string& text, const std::string& path);
 void writeProject(const std::string& path, const Project& project, const std::string& folder = {});
 std::string toJson(const Project& project);
 
-/// The file of material.cells, a JSON object {"phi": [one per cell], "B": [[row-major] per cell]}; `path` as
-/// it is. Throws InputError(path, key and reason).
+/// The files that a project names, in their places.
+std::vector<std::string*> filesOf(Project& project);
+
+/// The file of material.cells, a JSON object {"phi": [one per cell], "B": [[row-major] per cell]}, or a mesh
+/// file with these as values per cell (.vtu, .vtk); `path` as it is. Throws InputError(path, key and
+/// reason).
 template <int Dim>
 void readCells(const std::string& path, MaterialSpec<Dim>& spec);
 

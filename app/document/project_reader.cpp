@@ -257,8 +257,39 @@ LoadedProject readProject(const std::string& path) {
     return parseProject(readTextFile(path), path);
 }
 
+namespace {
+
+/// The values per cell of that name; empty if there are none.
+std::vector<double> cellField(const MeshFile& file, const std::string& name, int components) {
+    for (const MeshField& field : file.fields)
+        if (field.perCell && field.name == name) {
+            if (field.components == components) return field.values;
+            throw InputError("field " + name + ": has " + std::to_string(field.components) +
+                             " components instead of " + std::to_string(components));
+        }
+    return {};
+}
+
+template <int Dim>
+void readCellFields(const MeshFile& file, MaterialSpec<Dim>& spec) {
+    spec.cellPhi = cellField(file, "phi", 1);
+    const std::vector<double> B = cellField(file, "B", Dim * Dim);
+    spec.cellB.clear();
+    for (std::size_t i = 0; i < B.size(); i += Dim * Dim)
+        spec.cellB.push_back(Eigen::Map<const Eigen::Matrix<double, Dim, Dim, Eigen::RowMajor>>(&B[i]));
+    if (spec.cellPhi.empty() && spec.cellB.empty()) throw InputError("has no values phi or B per cell");
+}
+
+bool isMeshFile(const std::string& path) {
+    const std::vector<std::string> known = meshFileExtensions();
+    return std::find(known.begin(), known.end(), lowerExtension(path)) != known.end();
+}
+
+}  // namespace
+
 template <int Dim>
 void readCells(const std::string& path, MaterialSpec<Dim>& spec) try {
+    if (isMeshFile(path)) return readCellFields<Dim>(readMeshFile(path), spec);
     const Json json = parseJson(readTextFile(path), path);
     Extras extras;
     std::vector<std::string> warnings;

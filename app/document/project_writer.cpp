@@ -131,6 +131,16 @@ Json domainJson(const Project& project) {
 
 // --- Material ---
 
+Json picturesJson(const MaterialPictures& pictures) {
+    Json json = Json::object();
+    for (const auto& [key, file] : {std::pair{"phi", &pictures.phi},
+                                    {"stiffness", &pictures.stiffness},
+                                    {"direction", &pictures.direction}})
+        if (!file->empty()) json[key] = *file;
+    if (pictures.up) json["up"] = true;
+    return json;
+}
+
 template <int Dim>
 Json materialRegionJson(const MaterialRegion<Dim>& region) {
     Json json = Json::object();
@@ -141,6 +151,8 @@ Json materialRegionJson(const MaterialRegion<Dim>& region) {
     if (region.stiffness)
         json["stiffness"] = {{"axis", point(region.stiffness->axis)},
                              {"ratio", numberJson(region.stiffness->ratio)}};
+    if (region.pictures.any()) json["pictures"] = picturesJson(region.pictures);
+    if (region.hidden) json["hidden"] = true;
     return withExtras(std::move(json), region.extras);
 }
 
@@ -281,24 +293,30 @@ std::string rebased(const std::string& file, const fs::path& from, const fs::pat
     return relative.empty() ? absolute.string() : relative.generic_string();
 }
 
-template <int Dim>
-void rebaseCells(Design<Dim>& design, const fs::path& from, const fs::path& to) {
-    design.material.cellsFile = rebased(design.material.cellsFile, from, to);
-}
-
 Project rebased(Project project, const std::string& path, const std::string& folder) {
     fs::path to = fs::path(path).parent_path();
     if (to.empty()) to = ".";
     const fs::path from = folder.empty() ? to : fs::path(folder);
-    project.domain.path = rebased(project.domain.path, from, to);
-    project.domain.texture = rebased(project.domain.texture, from, to);
-    project.domain.sizesFile = rebased(project.domain.sizesFile, from, to);
-    project.domain.detail = rebased(project.domain.detail, from, to);
-    std::visit([&](auto& design) { rebaseCells(design, from, to); }, project.design);
+    for (std::string* file : filesOf(project)) *file = rebased(*file, from, to);
     return project;
 }
 
 }  // namespace
+
+std::vector<std::string*> filesOf(Project& project) {
+    Domain& domain = project.domain;
+    std::vector<std::string*> files{&domain.path, &domain.texture, &domain.sizesFile, &domain.detail};
+    std::visit(
+        [&](auto& design) {
+            files.push_back(&design.material.cellsFile);
+            for (auto& region : design.material.regions)
+                for (std::string* file :
+                     {&region.pictures.phi, &region.pictures.stiffness, &region.pictures.direction})
+                    files.push_back(file);
+        },
+        project.design);
+    return files;
+}
 
 std::string toJson(const Project& project) {
     Json json{{"format", "wend"}, {"version", 1}, {"domain", domainJson(project)}};

@@ -83,11 +83,13 @@ const MeasureRow kMeasures[] = {
                QT_TRANSLATE_NOOP("Measure", "Angle"), QT_TRANSLATE_NOOP("Measure", "angle error %1")},
     MeasureRow{Measure::Shear, true, Scale::Even, 1, "", "°", &Distortion::angle, shearAt<2>, shearAt<3>,
                QT_TRANSLATE_NOOP("Measure", "Shear"), QT_TRANSLATE_NOOP("Measure", "angle error %1")},
+    MeasureRow{Measure::Way, true, Scale::Even, 1e-9, "", "", nullptr, wayAt<2>, wayAt<3>,
+               QT_TRANSLATE_NOOP("Measure", "Way from rest")},
     MeasureRow{Measure::Phi, true, Scale::Energies, 0, "", "", nullptr, phiAt<2>, phiAt<3>,
                QT_TRANSLATE_NOOP("Measure", "What is kept (φ)")},
     MeasureRow{Measure::Stiffness, true, Scale::Times, 100, "×", "", nullptr, stiffnessAt<2>, stiffnessAt<3>,
                QT_TRANSLATE_NOOP("Measure", "Stiffness")},
-    MeasureRow{Measure::Speed, false, Scale::Even, 1e-9, "", "", nullptr, speedAt<2>, speedAt<3>,
+    MeasureRow{Measure::Speed, true, Scale::Even, 1e-9, "", "", nullptr, speedAt<2>, speedAt<3>,
                QT_TRANSLATE_NOOP("Measure", "Speed")},
     MeasureRow{Measure::CellSize, false, Scale::Logarithm, 1.01, "", "", nullptr, sizeAt<2>, sizeAt<3>,
                QT_TRANSLATE_NOOP("Measure", "Cell size")},
@@ -192,6 +194,16 @@ double valueAt(const MeasureRange& range, Measure measure, double position) {
     if (scale == Scale::Energies) return phiAtStop(position * (kEnergyStops - 1), range.dimension);
     if (!isLogarithmic(scale)) return range.low + position * (range.high - range.low);
     return range.low * std::pow(range.high / range.low, position);
+}
+
+std::vector<int> histogramOf(const std::vector<double>& values, Measure measure, const MeasureRange& range,
+                             int parts) {
+    std::vector<int> counts(static_cast<std::size_t>(parts), 0);
+    for (const double value : values) {
+        const double position = std::clamp(positionIn(range, measure, value), 0.0, 1.0);
+        if (std::isfinite(position)) ++counts[std::min(static_cast<int>(parts * position), parts - 1)];
+    }
+    return counts;
 }
 
 QRgb colourAt(Measure measure, double position) {

@@ -10,9 +10,12 @@ namespace wend {
 
 struct Distortion;
 
-/// What is coloured over the shape: a measure of distortion, its material (φ, and how many times stiffer than
-/// elsewhere), or how fine its mesh is; of a solid also how fast it moves.
-enum class Measure { Angle, Area, Length, Shear, Phi, Stiffness, Speed, CellSize };
+/// What is coloured over the shape: a measure of distortion, how far it is from where it was at rest, its
+/// material (φ, and how many times stiffer than elsewhere), how fast it moves, or how fine its mesh is.
+enum class Measure { Angle, Area, Length, Shear, Way, Phi, Stiffness, Speed, CellSize };
+
+/// How much a map covers the picture below it, unless another amount is chosen.
+inline constexpr double kMapOpacity = 0.65;
 
 /// True for those that tell how far the shape is from rest.
 bool isDistortion(Measure measure);
@@ -43,6 +46,9 @@ MeasureRange rangeOf(const std::vector<double>& values, Measure measure, int dim
 /// scale, area with 1 in the middle; φ as on the slider of energies.
 double positionIn(const MeasureRange& range, Measure measure, double value);
 double valueAt(const MeasureRange& range, Measure measure, double position);
+/// How many of the values stand in each of that many equal parts of the range; those beyond it in the last.
+std::vector<int> histogramOf(const std::vector<double>& values, Measure measure, const MeasureRange& range,
+                             int parts);
 
 /// A colour for a position in [0, 1]: for φ those of the four energies, for stiffness from cream to brown,
 /// for errors a scale of even perceived steps from light yellow over red to dark violet; for the ratio blue

@@ -3,8 +3,10 @@
 #include <QComboBox>
 #include <QGridLayout>
 #include <QLocale>
+#include <QSettings>
 #include <QToolButton>
 
+#include "app/panels/jump_slider.h"
 #include "app/panels/panel_parts.h"
 #include "core/energy/distortion.h"
 
@@ -15,6 +17,8 @@ DistortionPanel::DistortionPanel(ShapeSession& session, QWidget* parent)
       m_session(session),
       m_measure(new QComboBox(this)),
       m_legend(new Legend(this)),
+      m_opacityRow(new QWidget(this)),
+      m_opacity(new JumpSlider(m_opacityRow)),
       m_lock(new QToolButton(this)),
       m_totals(new QWidget(this)),
       m_angle(new QLabel(m_totals)),
@@ -34,12 +38,22 @@ DistortionPanel::DistortionPanel(ShapeSession& session, QWidget* parent)
     });
     connect(m_measure, &QComboBox::activated, this, &DistortionPanel::mapChosen);
     connect(m_lock, &QToolButton::toggled, this, &DistortionPanel::takeFrame);
+    connect(m_opacity, &QSlider::valueChanged, this, [this](int percent) {
+        QSettings().setValue("mapOpacity", percent);
+        emit opacityChanged(opacity());
+    });
     connect(m_find, &QToolButton::clicked, this, &DistortionPanel::showWorst);
     takeFrame();
 }
 
 void DistortionPanel::makeControls() {
     m_measure->setFixedWidth(116);
+    m_opacity->setObjectName(QStringLiteral("mapOpacity"));
+    m_opacity->setFixedWidth(116);
+    m_opacity->setRange(5, 100);
+    m_opacity->setPageStep(10);
+    m_opacity->setValue(QSettings().value("mapOpacity", 100 * kMapOpacity).toInt());
+    describe(m_opacity, tr("Opacity"), tr("How much the map covers the picture below it."));
     m_lock->setCheckable(true);
     m_lock->setText(tr("Keep these colours"));
     describe(m_lock, tr("Keep these colours"),
@@ -57,6 +71,9 @@ void DistortionPanel::arrange() {
     layout->addWidget(panelTitle(tr("What changed"), this));
     layout->addLayout(panelRow(tr("Colour &by"), m_measure, this));
     layout->addWidget(m_legend);
+    m_opacityRow->setLayout(panelRow(tr("O&pacity"), m_opacity, m_opacityRow));
+    m_opacityRow->layout()->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_opacityRow);
     auto* totals = new QGridLayout(m_totals);
     totals->setContentsMargins(16, 4, 16, 10);
     totals->setVerticalSpacing(6);
@@ -92,6 +109,7 @@ void DistortionPanel::setDimension(int dimension) {
     for (const Measure measure : measuresOf(dimension))
         m_measure->addItem(measureName(measure, dimension), static_cast<int>(measure));
     const bool solid = dimension == 3;
+    m_opacityRow->setVisible(!solid);
     m_areaName->setText(solid ? tr("Volume error") : tr("Area error"));
     const QString help = solid
                              ? tr("Sum over the shape of det F + 1/det F − 2: zero if all volumes are kept.")
@@ -100,10 +118,15 @@ void DistortionPanel::setDimension(int dimension) {
     m_worst->setToolTip(solid ? tr("The tetrahedron that is farthest from rest by what the map shows.")
                               : tr("The triangle that is farthest from rest by what the map shows."));
     describe(m_measure, tr("Colour by"),
-             solid ? tr("What is coloured over the solid: the error of lengths, volumes or angles, the "
-                        "material, how fast it moves, or how fine its mesh is.")
-                   : tr("What is coloured over the picture: the error of lengths, areas or angles, or the "
-                        "material that is painted on it."));
+             solid
+                 ? tr("What is coloured over the solid: the error of lengths, volumes or angles, how far it "
+                      "is from where it was, the material, how fast it moves, or how fine its mesh is.")
+                 : tr("What is coloured over the picture: the error of lengths, areas or angles, how far it "
+                      "is from where it was, the material, how fast it moves, or how fine its mesh is."));
+}
+
+double DistortionPanel::opacity() const {
+    return m_opacity->value() / 100.0;
 }
 
 Measure DistortionPanel::measure() const {
@@ -123,11 +146,12 @@ void DistortionPanel::takeFrame() {
     if (!frame) return;
     setDimension(frame->dimension);
     showTotals(*frame->distortion);
+    const std::vector<double> values = shownValues(m_session, measure());
     if (!m_lock->isChecked()) {
-        m_range = rangeOf(shownValues(m_session, measure()), measure(), m_dimension);
+        m_range = rangeOf(values, measure(), m_dimension);
         emit mapChanged();
     }
-    m_legend->set(measure(), m_range, m_dimension);
+    m_legend->set(measure(), m_range, m_dimension, values);
 }
 
 void DistortionPanel::showTotals(const Distortion& distortion) {

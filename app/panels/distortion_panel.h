@@ -7,6 +7,7 @@
 
 class QComboBox;
 class QLabel;
+class QSlider;
 class QToolButton;
 
 namespace wend {
@@ -21,6 +22,8 @@ class DistortionPanel : public QWidget {
     Measure measure() const;
     void setMeasure(Measure measure);
     const MeasureRange& range() const { return m_range; }
+    /// Of the map over a picture; remembered for other documents and other days.
+    double opacity() const;
     /// The sums over the shape and the worst place in numbers, to be shown elsewhere.
     QWidget* totals() const { return m_totals; }
 
@@ -28,6 +31,7 @@ class DistortionPanel : public QWidget {
     /// The measure or its range changed.
     void mapChanged();
     void showWorst();
+    void opacityChanged(double opacity);
     /// The user has chosen one.
     void mapChosen();
 
@@ -41,6 +45,8 @@ class DistortionPanel : public QWidget {
     ShapeSession& m_session;
     QComboBox* m_measure;
     Legend* m_legend;
+    QWidget* m_opacityRow;
+    QSlider* m_opacity;
     QToolButton* m_lock;
     QWidget* m_totals;
     QLabel* m_angle;

@@ -1,10 +1,15 @@
 #include "app/panels/energy_slider.h"
 
+#include <QApplication>
+#include <QDrag>
+#include <QMimeData>
+#include <QMouseEvent>
 #include <QPainter>
 #include <QStyle>
 #include <QStyleOptionSlider>
 #include <QToolButton>
 #include <cmath>
+#include <limits>
 
 #include "app/panels/panel_parts.h"
 #include "app/panels/theme.h"
@@ -19,6 +24,9 @@ constexpr int kHandle = 16;
 constexpr int kLabelGap = 3;
 constexpr int kTileHeight = 76, kTileGap = 4;
 constexpr QSize kTilePicture(46, 48);
+constexpr int kRest = 250;  // milliseconds of the pointer on a tile
+constexpr double kFaint = 0.4;
+constexpr const char* kMime = "application/x-wend-energy";
 constexpr std::array<const char*, EnergyScale::kStops> kPictures = {"area", "length", "rigid", "angle"};
 
 int nearestStop(int value) {
@@ -41,6 +49,10 @@ EnergySlider::EnergySlider(QWidget* parent, Stops stops)
     describe(m_slider, tr("What is kept"), helpText());
     setFocusProxy(m_slider);
     for (int i = 0; i < EnergyScale::kStops; ++i) makeStop(i);
+    showPictures();
+    m_rest.setSingleShot(true);
+    m_rest.setInterval(kRest);
+    connect(&m_rest, &QTimer::timeout, this, [this] { emit hovered(m_scale.stops().at(m_under).phi); });
     connect(m_slider, &QSlider::sliderPressed, this, [this] { ++m_gesture; });
     connect(m_slider, &QSlider::valueChanged, this, &EnergySlider::choose);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
@@ -56,7 +68,7 @@ void EnergySlider::makeStop(int stop) {
     if (m_stops == Stops::Tiles) {
         label->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
         label->setIconSize(kTilePicture);
-        label->setIcon(QIcon(QStringLiteral(":/wend/keep/%1.png").arg(QLatin1String(kPictures.at(stop)))));
+        label->installEventFilter(this);
     }
     describe(label, m_scale.stops()[stop].name, m_scale.stops()[stop].shortHelp);
     connect(label, &QToolButton::clicked, this, [this, stop] {
@@ -65,6 +77,84 @@ void EnergySlider::makeStop(int stop) {
         setPhi(m_phi);
     });
     m_labels[stop] = label;
+}
+
+QSize EnergySlider::pictureSize() {
+    return kTilePicture;
+}
+
+void EnergySlider::setPictures(const std::vector<QPixmap>& pictures) {
+    m_pictures = pictures;
+    m_stale = false;
+    showPictures();
+}
+
+void EnergySlider::setPicturesStale(bool stale) {
+    if (std::exchange(m_stale, stale) != stale) showPictures();
+}
+
+void EnergySlider::showPictures() {
+    if (m_stops != Stops::Tiles) return;
+    for (std::size_t i = 0; i < m_labels.size(); ++i) {
+        if (m_pictures.empty()) {
+            m_labels[i]->setIcon(
+                QIcon(QStringLiteral(":/wend/keep/%1.png").arg(QLatin1String(kPictures[i]))));
+            continue;
+        }
+        QPixmap picture = m_pictures[i];
+        if (m_stale) {
+            QPixmap faint(picture.size());
+            faint.setDevicePixelRatio(picture.devicePixelRatio());
+            faint.fill(Qt::transparent);
+            QPainter painter(&faint);
+            painter.setOpacity(kFaint);
+            painter.drawPixmap(0, 0, picture);
+            painter.end();
+            picture = faint;
+        }
+        m_labels[i]->setIcon(QIcon(picture));
+    }
+}
+
+std::optional<double> EnergySlider::phiIn(const QMimeData* data) {
+    if (!data->hasFormat(QLatin1String(kMime))) return {};
+    return data->data(QLatin1String(kMime)).toDouble();
+}
+
+void EnergySlider::dragTile(int stop) {
+    m_labels[stop]->setDown(false);
+    auto* carried = new QMimeData;
+    carried->setData(QLatin1String(kMime), QByteArray::number(m_scale.stops()[stop].phi, 'g', 17));
+    QDrag drag(this);
+    drag.setMimeData(carried);
+    drag.setPixmap(m_labels[stop]->icon().pixmap(kTilePicture));
+    drag.exec(Qt::CopyAction);
+}
+
+/// Of the tiles: the pointer rests on one, or drags it away.
+bool EnergySlider::eventFilter(QObject* watched, QEvent* event) {
+    const auto it = std::find(m_labels.begin(), m_labels.end(), watched);
+    if (it == m_labels.end()) return QWidget::eventFilter(watched, event);
+    const int stop = static_cast<int>(it - m_labels.begin());
+    if (event->type() == QEvent::Enter && isEnabled()) {
+        m_under = stop;
+        m_rest.start();
+    } else if (event->type() == QEvent::Leave) {
+        m_rest.stop();
+        if (std::exchange(m_under, -1) >= 0) emit hovered(std::numeric_limits<double>::quiet_NaN());
+    } else if (event->type() == QEvent::MouseButtonPress) {
+        m_pressed = static_cast<QMouseEvent*>(event)->pos();
+    } else if (event->type() == QEvent::MouseMove) {
+        const auto& move = static_cast<QMouseEvent&>(*event);
+        const int way = (move.pos() - m_pressed).manhattanLength();
+        if (move.buttons() == Qt::LeftButton && way >= QApplication::startDragDistance()) {
+            m_rest.stop();
+            emit hovered(std::numeric_limits<double>::quiet_NaN());
+            dragTile(stop);
+            return true;
+        }
+    }
+    return QWidget::eventFilter(watched, event);
 }
 
 void EnergySlider::setDimension(int dimension) {

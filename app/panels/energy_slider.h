@@ -1,10 +1,15 @@
 #pragma once
 
+#include <QPixmap>
 #include <QSlider>
+#include <QTimer>
 #include <QWidget>
+#include <optional>
+#include <vector>
 
 #include "app/panels/energy_scale.h"
 
+class QMimeData;
 class QToolButton;
 
 namespace wend {
@@ -25,12 +30,22 @@ class EnergySlider : public QWidget {
     void setDimension(int dimension);
     QSlider* slider() const { return m_slider; }
     QSize sizeHint() const override;
+    /// What the tiles show, in place of the pictures that are for every shape; empty: those again. What is
+    /// out of date is faint.
+    void setPictures(const std::vector<QPixmap>& pictures);
+    void setPicturesStale(bool stale);
+    static QSize pictureSize();
+    /// What a tile that is dragged to the shape carries, and its φ; none for other data.
+    static std::optional<double> phiIn(const QMimeData* data);
 
   signals:
+    /// The pointer rests on a tile; NaN: no longer.
+    void hovered(double phi);
     /// The user chose another φ; the number is the same for all values of one gesture.
     void phiChosen(double phi, int gesture);
 
   protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
 
@@ -39,6 +54,8 @@ class EnergySlider : public QWidget {
     void makeStop(int stop);
     void placeLabels();
     void placeTiles();
+    void showPictures();
+    void dragTile(int stop);
     int stopX(int stop) const;
     int tileWidth() const;
     QString helpText() const;
@@ -50,6 +67,11 @@ class EnergySlider : public QWidget {
     std::array<QToolButton*, EnergyScale::kStops> m_labels;
     double m_phi;
     int m_gesture = 0;
+    std::vector<QPixmap> m_pictures;  // of the shape itself; empty: of a sample
+    bool m_stale = false;
+    QTimer m_rest;  // the pointer on a tile
+    int m_under = -1;
+    QPoint m_pressed;
 };
 
 }  // namespace wend

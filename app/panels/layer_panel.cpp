@@ -1,27 +1,32 @@
 #include "app/panels/layer_panel.h"
 
 #include <QCheckBox>
+#include <QFileInfo>
 #include <QListWidget>
 #include <QToolButton>
 #include <cmath>
 
 #include "app/panels/energy_slider.h"
 #include "app/panels/exact_box.h"
+#include "app/panels/layer_items.h"
 #include "app/panels/magnitude_box.h"
 #include "app/panels/panel_parts.h"
 #include "app/panels/stiffness_fields.h"
-#include "app/session/accent.h"
 
 namespace wend {
 
 namespace {
 
-/// A square in the colour of what the layer keeps; of stiffness for one that is only stiff.
-template <int Dim>
-QIcon swatch(const MaterialPaint<Dim>& paint) {
-    QPixmap pixmap(12, 12);
-    pixmap.fill(paint.phi ? energyColour(stopOfPhi(*paint.phi, Dim)) : kStiffColour);
-    return pixmap;
+constexpr int kGroup = Qt::UserRole;      // the name of an item's regions
+constexpr int kCells = Qt::UserRole + 1;  // it stands for what is given cell by cell
+
+bool hasCells(const Project& project) {
+    return std::visit(
+        [](const auto& design) {
+            const auto& material = design.material;
+            return !(material.cellsFile.empty() && material.cellPhi.empty() && material.cellB.empty());
+        },
+        project.design);
 }
 
 }  // namespace
@@ -33,13 +38,18 @@ LayerPanel::LayerPanel(ShapeSession& session, QWidget* parent)
       m_up(new QToolButton(this)),
       m_down(new QToolButton(this)),
       m_remove(new QToolButton(this)),
+      m_pictureMenu(new QToolButton(this)),
       m_none(secondLabel(tr("It is the same everywhere: brush over the shape to change a part."), this)),
       m_values(new QWidget(this)),
-      m_hasPhi(new QCheckBox(tr("Keep here"), m_values)),
-      m_phi(new EnergySlider(m_values)),
+      m_paint(new QWidget(m_values)),
+      m_pictures(new QWidget(m_values)),
+      m_files(secondLabel({}, m_pictures)),
+      m_readAgain(new QToolButton(m_pictures)),
+      m_hasPhi(new QCheckBox(tr("Keep here"), m_paint)),
+      m_phi(new EnergySlider(m_paint)),
       m_ratio(stiffnessField(
-          tr("How many times stiffer the layer is along its direction; ×1 is as everywhere."), m_values)),
-      m_axisNote(secondLabel(tr("Each along a direction of its own."), m_values)),
+          tr("How many times stiffer the layer is along its direction; ×1 is as everywhere."), m_paint)),
+      m_axisNote(secondLabel(tr("Each along a direction of its own."), m_paint)),
       m_feather(new MagnitudeBox(m_values)) {
     makeList();
     makeControls();
@@ -53,9 +63,12 @@ void LayerPanel::makeList() {
     m_list->setFixedHeight(96);
     m_none->setObjectName(QStringLiteral("noLayers"));
     m_list->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+    m_list->setDragDropMode(QAbstractItemView::InternalMove);
+    m_list->setDefaultDropAction(Qt::MoveAction);
+    m_list->setItemDelegate(new EyeDelegate(m_list));
     describe(m_list, tr("Layers"),
-             tr("Where the material is another. The topmost wins. A click shows its values, a double click "
-                "changes its name."));
+             tr("Where the material is another. The topmost wins: drag a layer to its place. A click shows "
+                "its values, a double click changes its name, its eye or the space bar switches it off."));
     const auto make = [](QToolButton* button, const char* id, const QString& text, const QString& help) {
         button->setObjectName(QLatin1String(id));
         button->setText(text);
@@ -65,6 +78,11 @@ void LayerPanel::makeList() {
     make(m_up, "layerUp", tr("Up"), tr("Lets the chosen layer win over the one above it."));
     make(m_down, "layerDown", tr("Down"), tr("Lets the layer below win over the chosen one."));
     make(m_remove, "layerRemove", tr("Remove"), tr("Takes the chosen layer away."));
+    make(m_pictureMenu, "layerPictures", tr("Pictures"),
+         tr("Brings the material in from pictures of a paint program, and writes it as such."));
+    m_pictureMenu->setPopupMode(QToolButton::InstantPopup);
+    make(m_readAgain, "layerReadAgain", tr("Read Again"),
+         tr("Takes the pictures as they are now: after they were saved in a paint program."));
 }
 
 void LayerPanel::makeControls() {
@@ -72,7 +90,7 @@ void LayerPanel::makeControls() {
     m_ratio->setObjectName(QStringLiteral("layerRatio"));
     m_axis = directionFields(
         tr("Stiff direction"),
-        tr("At rest; it turns with the shape. Another one is for all regions of the layer."), m_values);
+        tr("At rest; it turns with the shape. Another one is for all regions of the layer."), m_paint);
     m_feather->setObjectName(QStringLiteral("layerFeather"));
     m_feather->setRange(0, 1e9);
     m_feather->setFixedWidth(116);
@@ -83,7 +101,11 @@ void LayerPanel::arrange() {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(16, 14, 16, 14);
     layout->setSpacing(10);
-    layout->addWidget(panelTitle(tr("Layers"), this));
+    auto* head = new QHBoxLayout;
+    head->addWidget(panelTitle(tr("Layers"), this));
+    head->addStretch(1);
+    head->addWidget(m_pictureMenu);
+    layout->addLayout(head);
     layout->addWidget(m_none);
     layout->addWidget(m_list);
     auto* buttons = new QHBoxLayout;
@@ -91,41 +113,50 @@ void LayerPanel::arrange() {
     buttons->addStretch(1);
     buttons->addWidget(m_remove);
     layout->addLayout(buttons);
-    auto* values = new QVBoxLayout(m_values);
-    values->setContentsMargins(0, 0, 0, 0);
-    values->setSpacing(8);
-    values->addWidget(m_hasPhi);
-    values->addWidget(m_phi);
-    values->addLayout(panelRow(tr("Stiffness"), m_ratio, m_values));
+    const auto column = [](QWidget* of) {
+        auto* values = new QVBoxLayout(of);
+        values->setContentsMargins(0, 0, 0, 0);
+        values->setSpacing(8);
+        return values;
+    };
+    QVBoxLayout* paint = column(m_paint);
+    paint->addWidget(m_hasPhi);
+    paint->addWidget(m_phi);
+    paint->addLayout(panelRow(tr("Stiffness"), m_ratio, m_paint));
     auto* axis = new QHBoxLayout;
     for (ExactBox* box : m_axis) axis->addWidget(box);
-    values->addLayout(axis);
-    values->addWidget(m_axisNote);
-    values->addLayout(panelRow(tr("Soft ed&ge"), m_feather, m_values));
+    paint->addLayout(axis);
+    paint->addWidget(m_axisNote);
+    QVBoxLayout* pictures = column(m_pictures);
+    pictures->addWidget(m_files);
+    pictures->addWidget(m_readAgain, 0, Qt::AlignLeft);
+    QVBoxLayout* values = column(m_values);
+    values->addWidget(m_paint);
+    values->addWidget(m_pictures);
+    values->addWidget(m_featherRow = panelRowIn(tr("Soft ed&ge"), m_feather, m_values));
     layout->addWidget(m_values);
 }
 
 void LayerPanel::connectControls() {
     connect(&m_session.document(), &Document::projectChanged, this, &LayerPanel::showLayers);
     connect(m_list, &QListWidget::currentRowChanged, this, &LayerPanel::showValues);
-    connect(m_list, &QListWidget::itemChanged, this, [this](QListWidgetItem* item) {
-        const Project& project = *m_session.document().project();
-        const std::string before = item->data(Qt::UserRole).toString().toStdString();
-        const std::string wish = item->text().trimmed().toStdString();
-        if (wish.empty() || wish == before) return showLayers();
-        const std::string name = freeGroupName(project, before, wish);
-        const QSignalBlocker quiet(m_list);
-        item->setData(Qt::UserRole, QString::fromStdString(name));  // it stays the chosen one
-        changeBy(tr("Rename layer"), withGroupName(project, before, name));
+    connect(m_list, &QListWidget::itemChanged, this, &LayerPanel::takeItem);
+    // The list is in the middle of the drop.
+    connect(
+        m_list->model(), &QAbstractItemModel::rowsMoved, this,
+        [this](const QModelIndex&, int from, int, const QModelIndex&, int before) {
+            takeOrder(from, before > from ? before - 1 : before);
+        },
+        Qt::QueuedConnection);
+    connect(m_readAgain, &QToolButton::clicked, this, [this] {
+        changeBy(tr("Read pictures again"), withPicturesReread(*m_session.document().project(), selected()));
     });
     const auto move = [this](int by) {
         changeBy(tr("Move layer"), withGroupMoved(*m_session.document().project(), selected(), by));
     };
     connect(m_up, &QToolButton::clicked, this, [move] { move(1); });
     connect(m_down, &QToolButton::clicked, this, [move] { move(-1); });
-    connect(m_remove, &QToolButton::clicked, this, [this] {
-        changeBy(tr("Remove layer"), withoutGroup(*m_session.document().project(), selected()));
-    });
+    connect(m_remove, &QToolButton::clicked, this, &LayerPanel::remove);
     const auto changeMaterial = [this] {
         m_session.document().dimension() == 2 ? changePaint<2>() : changePaint<3>();
     };
@@ -144,13 +175,52 @@ void LayerPanel::connectControls() {
     });
 }
 
+void LayerPanel::setPictureMenu(QMenu* menu) {
+    m_pictureMenu->setMenu(menu);
+}
+
+/// Its name or its eye.
+void LayerPanel::takeItem(QListWidgetItem* item) {
+    const Project& project = *m_session.document().project();
+    const std::string before = item->data(kGroup).toString().toStdString();
+    const std::string wish = item->text().trimmed().toStdString();
+    const bool hidden = item->checkState() == Qt::Unchecked;
+    if (hidden != isGroupHidden(project, before))
+        return changeBy(hidden ? tr("Hide layer") : tr("Show layer"),
+                        withGroupHidden(project, before, hidden));
+    if (wish.empty() || wish == before) return showLayers();
+    const std::string name = freeGroupName(project, before, wish);
+    const QSignalBlocker quiet(m_list);
+    item->setData(kGroup, QString::fromStdString(name));  // it stays the chosen one
+    changeBy(tr("Rename layer"), withGroupName(project, before, name));
+}
+
+/// The list shows the topmost first. What is given cell by cell stays at the bottom.
+void LayerPanel::takeOrder(int from, int to) {
+    if (m_session.document().isEmpty() || to >= m_list->count()) return;
+    const QListWidgetItem* moved = m_list->item(to);
+    if (moved->data(kCells).toBool()) return showLayers();
+    changeBy(tr("Move layer"), withGroupMoved(*m_session.document().project(),
+                                              moved->data(kGroup).toString().toStdString(), from - to));
+    showLayers();
+}
+
+void LayerPanel::remove() {
+    const Project& project = *m_session.document().project();
+    changeBy(tr("Remove layer"), isCells() ? withoutCells(project) : withoutGroup(project, selected()));
+}
+
+bool LayerPanel::isCells() const {
+    return m_list->currentItem() && m_list->currentItem()->data(kCells).toBool();
+}
+
 std::string LayerPanel::selected() const {
     const QListWidgetItem* item = m_list->currentItem();
-    return item ? item->data(Qt::UserRole).toString().toStdString() : std::string();
+    return item ? item->data(kGroup).toString().toStdString() : std::string();
 }
 
 void LayerPanel::changeBy(const QString& step, Project next, const QString& key) {
-    if (m_session.document().isEmpty() || !m_list->currentItem()) return;
+    if (m_session.document().isEmpty()) return;
     m_session.document().change(step, std::move(next), key);
 }
 
@@ -187,7 +257,33 @@ void LayerPanel::showGroup() {
         for (int k = 0; k < Dim; ++k) m_axis[k]->put(axis[k]);
         const QSignalBlocker quiet(m_feather);
         if (m_feather->value() != group.feather) m_feather->setValue(group.feather);
+        showPictures(group.pictures);
     }
+}
+
+void LayerPanel::showPictures(const MaterialPictures& pictures) {
+    QStringList lines;
+    for (const auto& [text, file] : {std::pair{tr("Keep: %1"), pictures.phi},
+                                     {tr("Stiffness: %1"), pictures.stiffness},
+                                     {tr("Direction: %1"), pictures.direction}})
+        if (!file.empty()) lines << text.arg(QFileInfo(QString::fromStdString(file)).fileName());
+    m_files->setText(lines.join('\n'));
+    m_paint->setVisible(lines.isEmpty());
+    m_pictures->setVisible(!lines.isEmpty());
+    m_readAgain->show();
+    m_featherRow->show();
+}
+
+void LayerPanel::showCells() {
+    const std::string file = std::visit([](const auto& design) { return design.material.cellsFile; },
+                                        m_session.document().project()->design);
+    m_files->setText(file.empty()
+                         ? tr("As the project's file says, cell by cell.")
+                         : tr("Cell by cell: %1").arg(QFileInfo(QString::fromStdString(file)).fileName()));
+    m_paint->hide();
+    m_pictures->show();
+    m_readAgain->hide();
+    m_featherRow->hide();
 }
 
 void LayerPanel::showValues() {
@@ -201,16 +297,18 @@ void LayerPanel::showValues() {
     }
     if (has && m_session.document().dimension() == 2) showGroup<2>();
     if (has && m_session.document().dimension() == 3) showGroup<3>();
+    if (isCells()) showCells();
     if (has) {
-        m_up->setEnabled(m_list->currentRow() > 0);
-        m_down->setEnabled(m_list->currentRow() + 1 < m_list->count());
+        const QListWidgetItem* below = m_list->item(m_list->currentRow() + 1);
+        m_up->setEnabled(m_list->currentRow() > 0 && !isCells());
+        m_down->setEnabled(below && !below->data(kCells).toBool());
     }
     tellChosen();
 }
 
 void LayerPanel::tellChosen() {
     const bool has = m_list->currentItem() && isVisible();
-    emit chosen(has ? m_list->currentItem()->data(Qt::UserRole).toString() : QString());
+    emit chosen(has ? m_list->currentItem()->data(kGroup).toString() : QString());
 }
 
 void LayerPanel::showEvent(QShowEvent* event) {
@@ -225,26 +323,52 @@ void LayerPanel::hideEvent(QHideEvent* event) {
 
 template <int Dim>
 void LayerPanel::fill() {
-    const auto groups = regionGroups<Dim>(*m_session.document().project());
+    const Project& project = *m_session.document().project();
+    const auto groups = regionGroups<Dim>(project);
+    int row = 0;
     for (auto group = groups.rbegin(); group != groups.rend(); ++group) {
         const QString name = QString::fromStdString(group->name);
-        auto* item = new QListWidgetItem(swatch<Dim>(group->paint), name.isEmpty() ? tr("Unnamed") : name);
-        item->setData(Qt::UserRole, name);
-        item->setFlags(item->flags() | Qt::ItemIsEditable);
-        m_list->addItem(item);
+        QListWidgetItem* item = itemAt(row++);
+        item->setIcon(group->pictures.any() ? graySwatch() : layerSwatch<Dim>(group->paint));
+        item->setText(name.isEmpty() ? tr("Unnamed") : name);
+        item->setData(kGroup, name);
+        item->setData(kCells, false);
+        item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsDragEnabled | Qt::ItemIsEditable |
+                       Qt::ItemIsUserCheckable);
+        item->setCheckState(group->hidden ? Qt::Unchecked : Qt::Checked);
     }
+    if (hasCells(project)) {
+        QListWidgetItem* cells = itemAt(row++);
+        cells->setIcon(graySwatch());
+        cells->setText(tr("Values of cells"));
+        cells->setData(kGroup, {});
+        cells->setData(kCells, true);
+        cells->setData(Qt::CheckStateRole, {});
+        cells->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
+    }
+    while (m_list->count() > row) delete m_list->takeItem(row);
+}
+
+/// One that is there stays: the list may be in the middle of a change of it.
+QListWidgetItem* LayerPanel::itemAt(int row) {
+    if (row == m_list->count()) m_list->addItem(new QListWidgetItem);
+    return m_list->item(row);
 }
 
 void LayerPanel::showLayers() {
     const QString before = QString::fromStdString(selected());
-    const bool had = m_list->currentItem();
+    const bool had = m_list->currentItem(), cells = isCells();
     {
         const QSignalBlocker quiet(m_list);
-        m_list->clear();
+        if (m_session.document().isEmpty()) m_list->clear();
         if (m_session.document().dimension() == 2) fill<2>();
         if (m_session.document().dimension() == 3) fill<3>();
-        for (int i = 0; had && i < m_list->count(); ++i)
-            if (m_list->item(i)->data(Qt::UserRole).toString() == before) m_list->setCurrentRow(i);
+        m_list->setCurrentRow(-1);
+        for (int i = 0; had && i < m_list->count(); ++i) {
+            const QListWidgetItem* item = m_list->item(i);
+            if (item->data(kGroup).toString() == before && item->data(kCells).toBool() == cells)
+                m_list->setCurrentRow(i);
+        }
     }
     showValues();
 }

@@ -9,6 +9,8 @@
 class QCheckBox;
 class QLabel;
 class QListWidget;
+class QListWidgetItem;
+class QMenu;
 class QToolButton;
 
 namespace wend {
@@ -18,13 +20,16 @@ class ExactBox;
 class MagnitudeBox;
 
 /// The regions of the material, of pictures and of solids, as layers: the topmost wins. A click on one shows
-/// its values, which then can be changed; its name by a double click, its place by the arrows.
+/// its values, which then can be changed; its name by a double click, its place by dragging or the arrows,
+/// whether it counts by its eye. What is given cell by cell lies below them all.
 class LayerPanel : public QWidget {
     Q_OBJECT
 
   public:
     explicit LayerPanel(ShapeSession& session, QWidget* parent = nullptr);
     QListWidget* list() const { return m_list; }
+    /// What brings pictures in and out.
+    void setPictureMenu(QMenu* menu);
 
   signals:
     /// Another layer, by its name; null if there is none, or nobody sees the panel.
@@ -41,6 +46,13 @@ class LayerPanel : public QWidget {
     void connectControls();
     void showLayers();
     void showValues();
+    void showPictures(const MaterialPictures& pictures);
+    void showCells();
+    void takeItem(QListWidgetItem* item);
+    void takeOrder(int from, int to);
+    void remove();
+    bool isCells() const;
+    QListWidgetItem* itemAt(int row);
     template <int Dim>
     void fill();
     template <int Dim>
@@ -53,9 +65,14 @@ class LayerPanel : public QWidget {
 
     ShapeSession& m_session;
     QListWidget* m_list;
-    QToolButton *m_up, *m_down, *m_remove;
+    QToolButton *m_up, *m_down, *m_remove, *m_pictureMenu;
     QLabel* m_none;
     QWidget* m_values;
+    QWidget* m_paint;     // of a layer with values of its own,
+    QWidget* m_pictures;  // and of one that has them from pictures
+    QLabel* m_files;
+    QToolButton* m_readAgain;
+    QWidget* m_featherRow = nullptr;
     QCheckBox* m_hasPhi;
     EnergySlider* m_phi;
     ExactBox* m_ratio;

@@ -2,6 +2,8 @@
 
 #include <QPainter>
 #include <QPainterPath>
+#include <algorithm>
+#include <cmath>
 
 #include "app/panels/energy_scale.h"
 #include "app/panels/theme.h"
@@ -10,7 +12,9 @@ namespace wend {
 
 namespace {
 
-constexpr int kBar = 12;
+constexpr int kBar = 12, kBars = 26;  // the height of the colours, and of the histogram
+constexpr QSize kCard(216, 56);
+constexpr int kEdge = 12;  // from the view's
 
 /// The four names below their colours.
 void paintStops(QPainter& painter, const QRect& where, int dimension) {
@@ -25,6 +29,21 @@ void paintStops(QPainter& painter, const QRect& where, int dimension) {
     }
 }
 
+/// By the square root: what is rare is seen as well.
+void paintHistogram(QPainter& painter, const QRect& where, const std::vector<int>& counts,
+                    const QColor& colour) {
+    const int most = counts.empty() ? 0 : *std::max_element(counts.begin(), counts.end());
+    if (most == 0) return;
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(colour);
+    const double width = static_cast<double>(where.width()) / static_cast<double>(counts.size());
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        const double height = std::sqrt(static_cast<double>(counts[i]) / most) * where.height();
+        painter.drawRect(QRectF(where.left() + static_cast<double>(i) * width, where.bottom() + 1 - height,
+                                std::max(1.0, width - 1), height));
+    }
+}
+
 }  // namespace
 
 Legend::Legend(QWidget* parent) : QWidget(parent) {
@@ -33,12 +52,14 @@ Legend::Legend(QWidget* parent) : QWidget(parent) {
 }
 
 QSize Legend::sizeHint() const {
-    return {160, kBar + 4 + fontMetrics().height()};
+    return {160, kBars + kBar + 4 + fontMetrics().height()};
 }
 
-void Legend::set(Measure measure, const MeasureRange& range, int dimension) {
+void Legend::set(Measure measure, const MeasureRange& range, int dimension,
+                 const std::vector<double>& values) {
     m_measure = measure;
     m_range = range;
+    m_histogram = histogramOf(values, measure, range, kParts);
     setAccessibleDescription(tr("%1: from %2 to %3")
                                  .arg(measureName(measure, dimension), measureText(measure, range.low),
                                       measureText(measure, range.high)));
@@ -48,7 +69,28 @@ void Legend::set(Measure measure, const MeasureRange& range, int dimension) {
 void Legend::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    paintLegend(painter, rect(), m_measure, m_range, Theme::of(palette()).secondText);
+    const QColor text = Theme::of(palette()).secondText;
+    paintHistogram(painter, QRect(0, 0, width(), kBars - 1), m_histogram, text);
+    paintLegend(painter, rect().adjusted(0, kBars, 0, 0), m_measure, m_range, text);
+}
+
+void paintLegendCard(QPainter& painter, const QSize& view, Measure measure, const MeasureRange& range,
+                     const QPalette& palette, int dimension) {
+    const QRect card(QPoint(view.width() - kCard.width() - kEdge, view.height() - kCard.height() - kEdge),
+                     kCard);
+    QColor ground = palette.color(QPalette::Button);
+    ground.setAlphaF(0.92F);
+    const Theme theme = Theme::of(palette);
+    painter.save();
+    painter.setPen(theme.line);
+    painter.setBrush(ground);
+    painter.drawRoundedRect(card, 8, 8);
+    const QRect inside = card.adjusted(8, 4, -8, -4);
+    painter.setPen(palette.color(QPalette::WindowText));
+    painter.drawText(inside, Qt::AlignLeft | Qt::AlignTop, measureName(measure, dimension));
+    paintLegend(painter, inside.adjusted(0, painter.fontMetrics().height() + 1, 0, 0), measure, range,
+                theme.secondText);
+    painter.restore();
 }
 
 void paintLegend(QPainter& painter, const QRect& where, Measure measure, const MeasureRange& range,

@@ -6,13 +6,17 @@
 
 namespace wend {
 
-/// A bar with the colours of a measure and the values at its ends and middle.
+/// A bar with the colours of a measure and the values at its ends and middle; above it how much of the shape
+/// has which.
 class Legend : public QWidget {
     Q_OBJECT
 
   public:
     explicit Legend(QWidget* parent = nullptr);
-    void set(Measure measure, const MeasureRange& range, int dimension = 2);
+    void set(Measure measure, const MeasureRange& range, int dimension = 2,
+             const std::vector<double>& values = {});
+    static constexpr int kParts = 48;  // of the histogram
+    const std::vector<int>& histogram() const { return m_histogram; }
     QSize sizeHint() const override;
 
   protected:
@@ -21,10 +25,15 @@ class Legend : public QWidget {
   private:
     Measure m_measure = Measure::Length;
     MeasureRange m_range;
+    std::vector<int> m_histogram;
 };
 
 /// The bar and its values in a rectangle, in the painter's font.
 void paintLegend(QPainter& painter, const QRect& where, Measure measure, const MeasureRange& range,
                  const QColor& textColour);
+
+/// The same on a card at the lower right of a view of that size.
+void paintLegendCard(QPainter& painter, const QSize& view, Measure measure, const MeasureRange& range,
+                     const QPalette& palette, int dimension);
 
 }  // namespace wend

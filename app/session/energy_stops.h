@@ -2,14 +2,9 @@
 
 #include <QRgb>
 
-namespace wend {
+#include "core/energy/energy_stops.h"
 
-/// φ as its place among the four named energies: 0 area, 1 length, 2 rigid, 3 angle; φ is linear between
-/// neighbours. What an energy keeps changes fast in φ near Area and slowly near Angle; equal parts between
-/// the named ones make it even to the eye.
-inline constexpr int kEnergyStops = 4;
-double phiAtStop(double stop, int dimension);
-double stopOfPhi(double phi, int dimension);
+namespace wend {
 
 /// The colour of an energy at its place, the same wherever energies are seen. Its lightness falls all along
 /// (L* 83, 69, 48, 26), so that the order survives colour blindness.

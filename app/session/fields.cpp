@@ -35,6 +35,14 @@ double shearAt(const PosedFrame<Dim>& frame, const Points<Dim>&, int cell) {
     return 90 - 360 / std::numbers::pi * std::atan2(sigma.minCoeff(), sigma.maxCoeff());
 }
 
+template <int Dim>
+double wayAt(const PosedFrame<Dim>& frame, const Points<Dim>&, int cell) {
+    Vec<Dim> way = Vec<Dim>::Zero();
+    for (const int v : frame.rest->cells[cell])
+        way += (frame.pose.col(v) - frame.rest->points.col(v)) / (Dim + 1);
+    return way.norm();
+}
+
 /// The area of an equilateral triangle is √3/4 a², the volume of a regular tetrahedron a³/(6√2).
 template <int Dim>
 double sizeAt(const PosedFrame<Dim>& frame, const Points<Dim>&, int cell) {
@@ -67,6 +75,7 @@ Points<Dim> velocityBetween(const FrameTrack& track, const PosedFrame<Dim>& fram
     template double phiAt<Dim>(const PosedFrame<Dim>&, const Points<Dim>&, int);       \
     template double stiffnessAt<Dim>(const PosedFrame<Dim>&, const Points<Dim>&, int); \
     template double shearAt<Dim>(const PosedFrame<Dim>&, const Points<Dim>&, int);     \
+    template double wayAt<Dim>(const PosedFrame<Dim>&, const Points<Dim>&, int);       \
     template double sizeAt<Dim>(const PosedFrame<Dim>&, const Points<Dim>&, int);      \
     template double speedAt<Dim>(const PosedFrame<Dim>&, const Points<Dim>&, int);     \
     template Points<Dim> velocityBetween<Dim>(const FrameTrack&, const PosedFrame<Dim>&)

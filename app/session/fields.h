@@ -18,6 +18,9 @@ double stiffnessAt(const PosedFrame<Dim>& frame, const Points<Dim>& velocity, in
 /// moves, turns and grows, near 90 where it is squeezed flat.
 template <int Dim>
 double shearAt(const PosedFrame<Dim>& frame, const Points<Dim>& velocity, int cell);
+/// How far its middle is from where it was at rest.
+template <int Dim>
+double wayAt(const PosedFrame<Dim>& frame, const Points<Dim>& velocity, int cell);
 /// How large it is at rest: the edge of a regular one of its area or volume.
 template <int Dim>
 double sizeAt(const PosedFrame<Dim>& frame, const Points<Dim>& velocity, int cell);

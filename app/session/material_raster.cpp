@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "app/session/material_picture.h"
 #include "core/mesh/error.h"
 
 namespace wend {
@@ -83,7 +84,15 @@ std::shared_ptr<const Material<Dim>> rasterizeMaterial(const MaterialSpec<Dim>& 
     material->memory = spec.memory;
     if (!spec.cellPhi.empty()) material->phi = spec.cellPhi;
     material->anisotropy = spec.cellB;
-    for (const auto& region : spec.regions) layRegion(region, rest, *material);
+    for (const auto& region : spec.regions) {
+        if (region.hidden) continue;
+        if constexpr (Dim == 2)
+            if (region.pictures.any()) {
+                layPictures(region, rest, folder, *material);
+                continue;
+            }
+        layRegion(region, rest, *material);
+    }
     return material;
 }
 

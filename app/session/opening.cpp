@@ -24,14 +24,6 @@ std::string absolute(const QString& folder, const std::string& file) {
     return file.empty() ? file : QDir(folder).absoluteFilePath(QString::fromStdString(file)).toStdString();
 }
 
-/// The places in a project that name files.
-std::vector<std::string*> filesOf(Project& project) {
-    Domain& domain = project.domain;
-    std::string& cells =
-        std::visit([](auto& design) -> std::string& { return design.material.cellsFile; }, project.design);
-    return {&domain.path, &domain.texture, &domain.sizesFile, &domain.detail, &cells};
-}
-
 OpenedFile openProject(const QString& path, const QMap<QString, QString>& found = {}) {
     OpenedFile file;
     LoadedProject loaded = readProject(path.toStdString());

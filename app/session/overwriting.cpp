@@ -26,7 +26,8 @@ std::vector<Place> singlePlaces(const RunOutputs& outputs) {
     const bool animation = isAnimation(outputs.frames);
     std::vector<Place> places;
     for (const std::string& path :
-         {outputs.image, outputs.mesh, outputs.velocity, outputs.stMap, outputs.report,
+         {outputs.image, outputs.mesh, outputs.velocity, outputs.stMap, outputs.report, outputs.material.phi,
+          outputs.material.stiffness, outputs.material.direction,
           animation ? outputs.frames : collectionName(outputs.frames)})
         if (replacesAFile(path))
             for (const std::string& file : writtenAlong(path)) places.push_back({file, path});
@@ -76,8 +77,15 @@ std::vector<OwnInput> inputsOf(const Project& project, const std::string& path, 
             if (!surface.empty())
                 for (const std::string& file : lookFilesOf(pathIn(folder, surface)))
                     inputs.push_back({OwnFile::Look, file});
-    add(OwnFile::Material,
-        std::visit([](const auto& own) { return own.material.cellsFile; }, project.design));
+    std::visit(
+        [&](const auto& own) {
+            add(OwnFile::Material, own.material.cellsFile);
+            for (const auto& region : own.material.regions)
+                for (const std::string& file :
+                     {region.pictures.phi, region.pictures.stiffness, region.pictures.direction})
+                    add(OwnFile::Material, file);
+        },
+        project.design);
     return inputs;
 }
 

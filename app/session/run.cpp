@@ -7,6 +7,7 @@
 #include "app/document/text_file.h"
 #include "app/session/depth.h"
 #include "app/session/held_border.h"
+#include "app/session/material_picture.h"
 #include "app/session/output_set.h"
 #include "app/session/pose_file.h"
 #include "app/session/report.h"
@@ -91,6 +92,7 @@ class Run {
         if (!outputs.mesh.empty()) writeMesh(pose);
         if constexpr (Dim == 2) {
             writePictures(pose);
+            writeMaterial();
             writeWaitingFrames();
         } else {
             writeAnimation();
@@ -195,6 +197,18 @@ class Run {
                 writeImage(file, stMap(restInPixels(m_shape), pixels, view, m_shape.picture->width,
                                        m_shape.picture->height, depths()));
             });
+    }
+
+    void writeMaterial() {
+        const Image none;
+        const bool isPicture = m_project.domain.kind == DomainKind::Image;
+        const Image& picture = isPicture ? *m_shape.picture : none;
+        for (const MaterialPart part : kMaterialParts)
+            if (const std::string& path = m_options.outputs.material.*fileOf(part); !path.empty())
+                m_files.add(path, ".png", [&](const std::string& file) {
+                    const PictureFrame frame = pictureFrame(picture.width, picture.height, *m_shape.rest);
+                    writeImage(file, materialPicture(part, frame, *m_shape.rest, *m_shape.material));
+                });
     }
 
     void takeFrame(const State<Dim>& state) {

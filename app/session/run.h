@@ -15,6 +15,7 @@ namespace wend {
 /// What a run writes; an empty name is not asked for, "-" is standard output.
 struct RunOutputs {
     std::string image, mesh, velocity, stMap, report;
+    MaterialPictures material;    // at rest, of what there is in the plane
     std::string frames;           // with #### for the number, counted from 0; or one .glb that holds them all
     int count = 25;               // of frames, at equal times from 0 to the end, both included
     double framesPerSecond = 24;  // of a .glb

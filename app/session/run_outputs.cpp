@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "app/document/options.h"
+#include "app/session/material_picture.h"
 #include "app/session/output_set.h"
 #include "app/session/run.h"
 #include "app/session/shape_file.h"
@@ -21,6 +22,14 @@ void requirePicture(const Project& project, const std::string& path) {
                          "--mesh or --frames");
     if (domain.kind == DomainKind::Mesh && domain.texture.empty())
         throw InputError(path, "there is no picture to warp: the project's domain has none");
+}
+
+void requireMaterialPicture(const Project& project, const std::string& path) {
+    if (path.empty()) return;
+    if (project.dimension() == 3)
+        throw InputError(path, "a solid's material goes with its mesh, as values of cells: --mesh FILE.vtu");
+    if (path != "-" && !canWriteImage(path))
+        throw InputError(path, "is in no picture format that can be written");
 }
 
 bool isOneOf(const std::string& word, std::initializer_list<const char*> words) {
@@ -73,9 +82,12 @@ void requirePossible(const Project& project, const RunOutputs& outputs) {
             throw InputError(outputs.stMap,
                              "an ST map needs a format with floating-point pixels: .exr or .tif");
     }
+    for (const MaterialPart part : kMaterialParts)
+        requireMaterialPicture(project, outputs.material.*fileOf(part));
     if (!outputs.frames.empty()) requireFrames(project, outputs.frames);
     const bool animation = isAnimation(outputs.frames);
     requirePlaces({outputs.image, outputs.mesh, outputs.velocity, outputs.stMap, outputs.report,
+                   outputs.material.phi, outputs.material.stiffness, outputs.material.direction,
                    animation ? outputs.frames : collectionName(outputs.frames)});
     if (!outputs.frames.empty() && !animation) requirePlaces({outputs.frames});
 }

@@ -43,7 +43,7 @@ template <int Dim>
 bool sameRegionsAndCells(const MaterialSpec<Dim>& a, const MaterialSpec<Dim>& b) {
     const auto same = [](const MaterialRegion<Dim>& p, const MaterialRegion<Dim>& q) {
         return p.feather == q.feather && p.phi == q.phi && sameStiffness<Dim>(p.stiffness, q.stiffness) &&
-               p.shape == q.shape;
+               p.shape == q.shape && p.pictures == q.pictures && p.hidden == q.hidden;
     };
     return a.cellsFile == b.cellsFile && a.cellPhi == b.cellPhi && a.cellB == b.cellB &&
            std::equal(a.regions.begin(), a.regions.end(), b.regions.begin(), b.regions.end(), same);

@@ -118,12 +118,21 @@ class ShapeSession : public QObject {
     /// Records the straight way to where it ended: its amount was given as a number.
     void endDragStraight();
     void cancelDrag();
+    /// Ends the drag and records nothing: what was reached stands for the end of the motion until that is
+    /// there, of a project that is to come.
+    void letGo();
     /// The gesture that goes on: how far it has come.
     const DragGesture* gesture() const { return m_drag ? &*m_drag : nullptr; }
 
   signals:
     void frameChanged();
     void pinsChanged();
+    /// The drag of gesture(): another session may go along with it.
+    void dragBegan();
+    void dragMoved(const wend::Amount& amount);
+    /// Before the document changes.
+    void dragEnded();
+    void dragCancelled();
     void busyChanged(bool busy);
     void progress(double time, double end);
     /// A line for the status bar: what could not be done, and where.

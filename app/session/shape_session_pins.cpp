@@ -257,12 +257,14 @@ void ShapeSession::beginDrag(const Grip& grip) {
     m_dragFrom = gestureTime();
     m_drag.emplace(handles, grip);
     m_compute.post(BeginDrag{handles, grip, ++m_gesture, m_revision, m_frame, m_dragFrom});
+    emit dragBegan();
 }
 
 void ShapeSession::dragBy(const Amount& amount) {
     if (!m_drag) return;
     const int sample = m_drag->add(amount);
     m_compute.post(DragTo{amount, sample});
+    emit dragMoved(amount);
     emit pinsChanged();
 }
 
@@ -307,20 +309,25 @@ void ShapeSession::endDragStraight() {
 }
 
 void ShapeSession::endDrag(const std::vector<Amount>& path) {
-    const DragGesture drag = std::move(*m_drag);
-    m_drag.reset();
-    m_compute.post(EndDrag{});
     if (path.size() < 2) {
-        m_preview = m_previewBefore;
-        showTime();
+        cancelDrag();
         return;
     }
-    // From now on it stands for the end of the motion; its last frames may be yet to come.
-    m_preview = atTime(m_preview ? m_preview : m_frame, m_document.project()->end);
+    const DragGesture drag = *m_drag;
+    letGo();
     if (m_document.dimension() == 2)
         pushGesture<2>(drag, path, m_dragFrom);
     else
         pushGesture<3>(drag, path, m_dragFrom);
+}
+
+/// Its last frames may be yet to come.
+void ShapeSession::letGo() {
+    if (!m_drag) return;
+    m_drag.reset();
+    m_compute.post(EndDrag{});
+    m_preview = atTime(m_preview ? m_preview : m_frame, m_document.project()->end);
+    emit dragEnded();
 }
 
 void ShapeSession::cancelDrag() {
@@ -329,6 +336,7 @@ void ShapeSession::cancelDrag() {
     m_preview = m_previewBefore;
     ++m_gesture;  // frames of it that are under way are void
     m_compute.post(EndDrag{});
+    emit dragCancelled();
     showTime();
     emit pinsChanged();
 }

@@ -72,12 +72,18 @@ void Actions::makeView() {
         addToggle({tr("&Map"), tr("Colour the shape by what changed")}, QKeySequence(tr("D")), "distortion");
     showMarks = addToggle({tr("&Stiffness Marks"), tr("Show where it is stiff, and along which direction")},
                           QKeySequence(tr("Shift+S")), "marks");
+    showArrows = addToggle({tr("&Velocity Arrows"), tr("Show where the shape moves at this time")},
+                           QKeySequence(tr("Shift+V")));
     hideOverlays =
         addToggle({tr("&Hide Pins and Maps"), tr("Show the bare picture; hold H to do so for a moment")},
                   QKeySequence(tr("Shift+H")), "hide");
     showRest = addToggle(
         {tr("&Before"), tr("Show the shape as it was before it was bent; hold \\ to do so for a moment")}, {},
         "compare");
+    compare =
+        addToggle({tr("&Compare Energies"),
+                   tr("Show another energy on the same pins beside; or drag a tile of Keep onto the shape")},
+                  QKeySequence(tr("Y")));
     fit = add({tr("&Fit"), tr("Show the whole picture")}, QKeySequence(tr("F")), "fit");
     actualSize = add({tr("&Actual Size"), tr("One pixel of the picture on one of the screen")},
                      QKeySequence(tr("1")), "zoom-100");
@@ -113,7 +119,7 @@ void Actions::makeHelp() {
     about->setMenuRole(QAction::AboutRole);
 }
 
-void Actions::fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve, const QList<QMenu*>& pins) {
+void Actions::fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve, const QList<QMenu*>& edits) {
     QMenu* file = window.menuBar()->addMenu(tr("&File"));
     file->addAction(open);
     file->addMenu(recent.get());
@@ -128,9 +134,9 @@ void Actions::fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve, const 
     edit->addActions({undo, redo, history});
     edit->addSeparator();
     edit->addActions({selectAll, selectNone, remove});
-    for (QMenu* menu : pins) edit->addMenu(menu);
+    for (QMenu* menu : edits) edit->addMenu(menu);
     QMenu* view = window.menuBar()->addMenu(tr("&View"));
-    view->addActions({showMesh, showMap, showMarks, hideOverlays, showRest});
+    view->addActions({showMesh, showMap, showMarks, showArrows, hideOverlays, showRest, compare});
     view->addSeparator();
     view->addActions({fit, actualSize, zoomIn, zoomOut});
     view->addSeparator();
@@ -159,7 +165,7 @@ void Actions::fillTools(QMenu& menu) const {
 void Actions::setHasFile(bool has, bool hasPicture, bool isSolid) {
     const QString why = tr("Open a picture first.");
     for (QAction* action : {save, saveAs, closeFile, exportMesh, selectAll, selectNone, showMesh, showMap,
-                            showMarks, hideOverlays, showRest, fit, zoomIn, zoomOut})
+                            showMarks, showArrows, hideOverlays, showRest, compare, fit, zoomIn, zoomOut})
         enable(action, has, why);
     enable(actualSize, has && !isSolid, has ? tr("A solid has no pixels.") : why);
     const QString noPicture = tr("This project has no picture.");
@@ -174,7 +180,8 @@ void Actions::setHasFile(bool has, bool hasPicture, bool isSolid) {
 }
 
 void Actions::resetView() {
-    for (QAction* action : {showMesh, showMap, showMarks, hideOverlays, showRest}) action->setChecked(false);
+    for (QAction* action : {showMesh, showMap, showMarks, showArrows, hideOverlays, showRest, compare})
+        action->setChecked(false);
 }
 
 void Actions::setHasSelection(bool has) {

@@ -24,7 +24,7 @@ class Actions : public ActionMaker {
     QAction *exportPicture, *exportMesh, *exportFrames, *exportStMap, *exportView;
     QAction *undo, *redo, *selectAll, *selectNone, *remove;
     QAction *selectTool, *pinTool;  // of the tools, what others come back to
-    QAction *showMesh, *showMap, *showMarks, *hideOverlays, *showRest;
+    QAction *showMesh, *showMap, *showMarks, *showArrows, *hideOverlays, *showRest, *compare;
     QAction *fit, *actualSize, *zoomIn, *zoomOut, *fullScreen;
     QAction *play, *loop, *toStart, *toEnd, *settle;
     QAction *systemLook, *lightLook, *darkLook;
@@ -32,9 +32,9 @@ class Actions : public ActionMaker {
     const std::unique_ptr<QMenu> recent, samples, exports;
 
     /// Menus of the whole program, in the order of the work.
-    /// `more` stands between those of the view and of the motion; `curve` within that of the motion, and what
-    /// can be done with `pins` in that of edits.
-    void fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve, const QList<QMenu*>& pins);
+    /// `more` stands between those of the view and of the motion; `curve` within that of the motion, `edits`
+    /// within Edit.
+    void fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve, const QList<QMenu*>& edits);
     /// What needs a shape, a selection, a motion.
     void setHasFile(bool has, bool hasPicture, bool isSolid);
     void setHasSelection(bool has);

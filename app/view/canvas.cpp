@@ -5,10 +5,12 @@
 #include <cmath>
 #include <utility>
 
+#include "app/panels/legend.h"
 #include "app/session/rest_frame.h"
 #include "app/session/shape.h"
 #include "app/tools/pin_picking.h"
 #include "app/tools/stiffness_marks.h"
+#include "app/tools/velocity_arrows.h"
 #include "app/view/overlay_painter.h"
 #include "core/energy/distortion.h"
 
@@ -136,6 +138,12 @@ void ShapeCanvas::preparePicture(const std::shared_ptr<const Image>& picture) {
                                     });
 }
 
+/// What moves in space is another view's.
+void ShapeCanvas::wantVelocity() {
+    if (m_session.document().dimension() == 2)
+        m_session.setVelocityWanted(m_arrows || (m_map && m_measure == Measure::Speed));
+}
+
 /// A mesh may bring its picture; y points down where its coordinates are pixels.
 void ShapeCanvas::takeTexture(const PosedFrame<2>& frame) {
     const auto& texture = frame.built->texture;
@@ -146,14 +154,17 @@ void ShapeCanvas::takeTexture(const PosedFrame<2>& frame) {
 }
 
 PosedPtr<2> ShapeCanvas::drawnFrame() const {
-    const auto frame = shownFrame();
+    const auto own = shownFrame();
+    const auto frame = own && m_standIn ? posed<2>(m_standIn) : own;
     return !frame ? m_unbent : m_rest ? atRest<2>(frame) : frame;
 }
 
 /// Of the frame that is drawn; null before the first mesh.
 CellDepths::Values ShapeCanvas::depths() const {
     const auto frame = m_session.frame<2>();
-    return frame ? m_depths.of(m_session.document().project()->depth, frame->rest) : nullptr;
+    if (!frame) return nullptr;
+    const auto drawn = m_standIn ? posed<2>(m_standIn) : frame;
+    return m_depths.of(m_session.document().project()->depth, drawn->rest);
 }
 
 QRectF ShapeCanvas::frameRect() const {
@@ -199,7 +210,9 @@ RenderRequest ShapeCanvas::request(Filter filter) const {
     request.map = isShape && m_map && !m_hidden;
     request.measure = m_measure;
     request.range = m_range;
+    request.opacity = m_opacity;
     if (request.map) request.plain = plainValue(m_session, m_measure);
+    if (request.map && m_measure == Measure::Speed) request.velocity = m_session.velocity<2>();
     request.fill = Theme::of(palette()).dark ? QColor(0x5b6070) : QColor(0xbfc6dd);
     request.line = QColor(24, 28, 44);
     return request;
@@ -236,13 +249,18 @@ void ShapeCanvas::fit() {
     m_view.setZoomLimits(0.005 * natural, 64 * natural);
     m_view.fit(frame, size(), kMargin);
     m_fitted = true;
+    showView();
+}
+
+void ShapeCanvas::showView() {
     render();
+    emit viewChanged();
 }
 
 void ShapeCanvas::zoomTo(double zoom) {
     m_fitted = false;
     m_view.setZoom(zoom, rect().center());
-    render();
+    showView();
 }
 
 void ShapeCanvas::zoomBy(double factor) {
@@ -257,14 +275,30 @@ void ShapeCanvas::showWorst() {
     for (const int v : frame->rest->cells[cell]) centre += frame->pose.col(v) / 3;
     m_fitted = false;
     m_view.pan(QPointF(rect().center()) - m_view.toWidget(centre));
-    render();
+    showView();
+}
+
+void ShapeCanvas::takeView(const ShapeCanvas& other) {
+    m_fitted = other.m_fitted;
+    if (std::exchange(m_view, other.m_view) != other.m_view) render();
+}
+
+void ShapeCanvas::setStandIn(const FramePtr& frame) {
+    if (std::exchange(m_standIn, frame) != frame) render();
 }
 
 void ShapeCanvas::setMeshShown(bool shown) {
     m_mesh = shown, render();
 }
 void ShapeCanvas::setMapShown(bool shown) {
-    m_map = shown, render();
+    m_map = shown, wantVelocity(), render();
+}
+void ShapeCanvas::setMapOpacity(double opacity) {
+    m_opacity = opacity;
+    if (m_map) render();
+}
+void ShapeCanvas::setArrowsShown(bool shown) {
+    m_arrows = shown, wantVelocity(), update();
 }
 void ShapeCanvas::setOverlaysHidden(bool hidden) {
     m_hidden = hidden, render();
@@ -277,6 +311,7 @@ void ShapeCanvas::setRestShown(bool shown) {
 void ShapeCanvas::setMap(Measure measure, const MeasureRange& range) {
     m_measure = measure;
     m_range = range;
+    wantVelocity();
     if (m_map) render();
 }
 
@@ -315,6 +350,10 @@ void ShapeCanvas::paintShape(QPainter& painter) {
     painter.restore();
 }
 
+void ShapeCanvas::paintLegend(QPainter& painter) {
+    if (m_map) paintLegendCard(painter, size(), m_measure, m_range, palette(), 2);
+}
+
 void ShapeCanvas::paintEvent(QPaintEvent*) {
     m_marksDue.stop();
     QPainter painter(this);
@@ -329,11 +368,13 @@ void ShapeCanvas::paintEvent(QPaintEvent*) {
             overlay.worst(*frame, worstOf(*frame->distortion, m_measure).cell);
         if (m_marks || (m_map && m_measure == Measure::Stiffness))
             paintStiffnessMarks(painter, *this, size());
+        if (m_arrows) paintVelocityArrows(painter, *this, m_session.velocity<2>(), size());
         m_layer.paint(painter, *this);
         overlay.paths(m_session, m_hovered);
         overlay.pins(m_session, m_hovered,
                      [this](const PinView<2>& pin) { return wend::isCovered<2>(*this, pin); });
         if (m_tool) m_tool->paint(painter);
+        paintLegend(painter);
     }
     overlay.marquee(m_marquee);
 }
@@ -374,7 +415,7 @@ void ShapeCanvas::mouseMoveEvent(QMouseEvent* event) {
         m_fitted = false;
         m_view.pan(event->position() - m_lastPan);
         m_lastPan = event->position();
-        render();
+        showView();
     } else if (m_tool) {
         m_tool->move(*event);
         emit hintChanged(m_tool->hint());
@@ -407,7 +448,7 @@ void ShapeCanvas::wheelEvent(QWheelEvent* event) {
     if (steps == 0) return;
     m_fitted = false;
     m_view.setZoom(m_view.zoom() * std::pow(1.2, steps), event->position());
-    render();
+    showView();
     event->accept();
 }
 

@@ -22,6 +22,11 @@ class ShapeCanvas : public QWidget, public ToolSurface {
     Tool* tool() const { return m_tool; }
 
     const ViewTransform& view() const { return m_view; }
+    /// The same part of the domain as another canvas of that size shows.
+    void takeView(const ShapeCanvas& other);
+    /// The document's picture, or that of a file's mesh, as it is drawn; null where there is none, or not
+    /// yet.
+    const std::shared_ptr<const ScreenPicture>& screenPicture() const { return m_picture; }
     /// What was drawn last; null before.
     const std::shared_ptr<const RenderResult>& drawn() const { return m_drawn; }
     /// True if what was drawn last is what there is to show, at full quality.
@@ -43,12 +48,16 @@ class ShapeCanvas : public QWidget, public ToolSurface {
     void setMeshShown(bool shown);
     void setMapShown(bool shown);
     void setMap(Measure measure, const MeasureRange& range);
+    void setMapOpacity(double opacity);
+    void setArrowsShown(bool shown);
     void setMarksShown(bool shown);
     /// Draws the border of a layer of the material; null: of none.
     void setLayer(const QString& name);
     void setOverlaysHidden(bool hidden);
     /// The shape as it was before it was bent.
     void setRestShown(bool shown);
+    /// Another frame in the place of the session's, which does not change; null: none.
+    void setStandIn(const wend::FramePtr& frame);
     void fit();
     void zoomTo(double zoom);
     void zoomBy(double factor);
@@ -56,6 +65,7 @@ class ShapeCanvas : public QWidget, public ToolSurface {
 
   signals:
     void hintChanged(QString hint);
+    void viewChanged();
     /// A menu for what is under the pointer is asked for.
     void menuWanted(QPoint global, wend::MenuPlace place);
     /// Where the pointer is in the domain; `inside` is false when it has left.
@@ -89,6 +99,9 @@ class ShapeCanvas : public QWidget, public ToolSurface {
     void render();
     QRectF frameRect() const;
     void paintShape(QPainter& painter);
+    void showView();
+    void paintLegend(QPainter& painter);
+    void wantVelocity();
     void updateCursor();
     void endPan();
 
@@ -96,10 +109,12 @@ class ShapeCanvas : public QWidget, public ToolSurface {
     Tool* m_tool = nullptr;
     std::shared_ptr<const Image> m_source;  // the document's picture, or that of a file's mesh
     std::shared_ptr<const ScreenPicture> m_picture;
+    FramePtr m_standIn;
     PosedPtr<2> m_unbent;  // the picture as it is, before the first mesh
     MaterialPreview<2> m_preview;
     LayerLines<2> m_layer;
     bool m_marks = false;  // of stiffness
+    bool m_arrows = false;
     ViewTransform m_view;
     std::shared_ptr<const RenderResult> m_drawn;
     QTimer m_refine;    // draws at full quality once nothing has moved for a while
@@ -114,6 +129,7 @@ class ShapeCanvas : public QWidget, public ToolSurface {
     QPointF m_lastPan;
     Measure m_measure = Measure::Length;
     MeasureRange m_range;
+    double m_opacity = kMapOpacity;
     QRectF m_marquee;
     int m_hovered = -1;
     RenderThread m_renderer;  // the last member: it stops before the others go

@@ -166,6 +166,30 @@ void Exporter::write(ExportKind kind, QString path, const RunOptions& options) {
     });
 }
 
+void Exporter::exportMaterial(MaterialPart part) {
+    if (!shownFrame()) return;
+    const QString base = QFileInfo(m_session.document().displayName()).completeBaseName();
+    const QString name = base + (part == MaterialPart::Keep        ? QStringLiteral("-keep.png")
+                                 : part == MaterialPart::Stiffness ? QStringLiteral("-stiffness.png")
+                                                                   : QStringLiteral("-direction.png"));
+    const QString path = askFileToWrite(&m_window, tr("Write Material"),
+                                        QDir(proposedFolder(m_session.document())).filePath(name),
+                                        tr("Pictures (*.png *.tif *.exr)"));
+    if (!path.isEmpty() && mayReplace(ExportKind::Picture, path, 0)) writeMaterial(part, path);
+}
+
+void Exporter::writeMaterial(MaterialPart part, const QString& path) {
+    const auto shown = posed<2>(shownFrame());
+    if (!shown) return;
+    const auto picture = m_session.document().picture();
+    emit begun();
+    run(tr("Writing the picture …"), path, [=](const RunWatch&, std::string&) {
+        const PictureFrame frame =
+            pictureFrame(picture ? picture->width : 0, picture ? picture->height : 0, *shown->rest);
+        writeImage(path.toStdString(), materialPicture(part, frame, *shown->rest, *shown->material));
+    });
+}
+
 void Exporter::run(const QString& what, const QString& path, Job job) {
     auto* dialog = new QProgressDialog(what, tr("Cancel"), 0, 1000, &m_window);
     dialog->setWindowModality(Qt::WindowModal);

@@ -8,6 +8,7 @@
 #include <stop_token>
 
 #include "app/session/frame_export.h"
+#include "app/session/material_picture.h"
 #include "app/session/shape_session.h"
 
 class QWidget;
@@ -31,12 +32,15 @@ class Exporter : public QObject {
     /// Whether this may be written there: asks if it would replace one of the document's own files, or frames
     /// that are there.
     bool mayReplace(ExportKind kind, const QString& path, int count);
+    void writeMaterial(MaterialPart part, const QString& path);
 
   public slots:
     void exportPicture() { ask(ExportKind::Picture); }
     void exportMesh() { ask(ExportKind::Mesh); }
     void exportFrames() { ask(ExportKind::Frames); }
     void exportStMap() { ask(ExportKind::StMap); }
+    /// The material at rest as a gray picture.
+    void exportMaterial(MaterialPart part);
 
   signals:
     void failed(QString text);

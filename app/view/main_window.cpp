@@ -15,6 +15,7 @@
 
 #include "app/panels/distortion_panel.h"
 #include "app/panels/layer_panel.h"
+#include "app/panels/material_panel.h"
 #include "app/panels/mesh_panel.h"
 #include "app/panels/panel_fields.h"
 #include "app/panels/pin_list.h"
@@ -22,6 +23,7 @@
 #include "app/view/actions.h"
 #include "app/view/busy_note.h"
 #include "app/view/canvas.h"
+#include "app/view/compare_view.h"
 #include "app/view/context_menu.h"
 #include "app/view/curve_actions.h"
 #include "app/view/depth_actions.h"
@@ -29,6 +31,7 @@
 #include "app/view/file_workflow.h"
 #include "app/view/held_key.h"
 #include "app/view/info_banner.h"
+#include "app/view/material_actions.h"
 #include "app/view/mode_row.h"
 #include "app/view/option_row.h"
 #include "app/view/picture_actions.h"
@@ -39,6 +42,7 @@
 #include "app/view/solid_workshop.h"
 #include "app/view/start_page.h"
 #include "app/view/status_fields.h"
+#include "app/view/tile_pictures.h"
 #include "app/view/time_strip.h"
 #include "app/view/toolbox.h"
 #include "app/view/tutorial.h"
@@ -85,15 +89,18 @@ MainWindow::MainWindow(QWidget* parent)
         Workspace::Parts{*m_tools, *m_actions, *m_canvas, *m_solids, *m_properties, *m_pictureActions});
     m_curves = new CurveActions(
         m_session, [this] { return m_workspace->curve(); }, this);
-    m_tools->shareKeysWith({m_solidActions, m_curves, m_depth, m_pins, m_actions});
+    m_material = new MaterialActions(m_session, *m_exporter, this);
+    m_properties->layers().setPictureMenu(m_material->menu());
+    m_tools->shareKeysWith({m_solidActions, m_curves, m_depth, m_pins, m_material, m_actions});
     m_menu = new ContextMenu({m_session, *m_actions, *m_curves, *m_solidActions, *m_depth, *m_pins}, this);
     m_actions->fillMenuBar(*this, m_solidActions->menu(), m_curves->menu(),
-                           {m_pins->menu(), m_depth->menu()});
+                           {m_pins->menu(), m_depth->menu(), m_material->menu()});
     makeToolBars();
     makeCentre();
     connectFiles();
     connectEdit();
     connectView();
+    connectComparison();
     connectMotion();
     connectHelp();
     setAppearance(static_cast<Appearance>(QSettings().value("appearance", 0).toInt()));
@@ -159,7 +166,8 @@ void MainWindow::makeCentre() {
     column->addWidget(m_banner);
     m_pages->addWidget(m_start);
     m_pages->addWidget(m_canvas);
-    column->addWidget(m_pages, 1);
+    m_compare = new CompareView({m_session, *m_pages, *m_canvas, [this] { return m_solids->canvas(); }});
+    column->addWidget(m_compare, 1);
     column->addWidget(m_time);
     row->addLayout(column, 1);
     row->addWidget(m_properties);
@@ -194,6 +202,8 @@ void MainWindow::connectFiles() {
     connect(m_exporter, &Exporter::failed, this, tellIn(Topic::Export));
     connect(m_exporter, &Exporter::begun, this, [this] { m_banner->clear(Topic::Export); });
     connect(m_exporter, &Exporter::done, this, &MainWindow::tellDone);
+    connect(m_material, &MaterialActions::failed, this, tellIn(Topic::Export));
+    connect(m_material, &MaterialActions::done, this, &MainWindow::tell);
     connect(m_start, &StartPage::openRequested, m_files, &FileWorkflow::askOpen);
     connect(m_start, &StartPage::fileChosen, m_files, &FileWorkflow::open);
     connect(m_files, &FileWorkflow::said, m_banner, &InfoBanner::tell);
@@ -232,9 +242,7 @@ void MainWindow::connectEdit() {
 
 void MainWindow::connectView() {
     Actions& a = *m_actions;
-    connect(a.showMesh, &QAction::toggled, m_canvas, &ShapeCanvas::setMeshShown);
-    connect(a.showMap, &QAction::toggled, m_canvas, &ShapeCanvas::setMapShown);
-    connect(a.showMarks, &QAction::toggled, m_canvas, &ShapeCanvas::setMarksShown);
+    connectLooks(*m_canvas);
     connect(&m_properties->layers(), &LayerPanel::chosen, m_canvas, &ShapeCanvas::setLayer);
     connectHiding();
     connect(a.fit, &QAction::triggered, m_canvas, &ShapeCanvas::fit);
@@ -247,10 +255,8 @@ void MainWindow::connectView() {
     connect(a.lightLook, &QAction::triggered, this, [this] { setAppearance(Appearance::Light); });
     connect(a.darkLook, &QAction::triggered, this, [this] { setAppearance(Appearance::Dark); });
     const DistortionPanel* distortion = &m_properties->distortion();
-    connect(distortion, &DistortionPanel::mapChanged, this, [this, distortion] {
-        m_canvas->setMap(distortion->measure(), distortion->range());
-        m_fields->setMeasure(distortion->measure());
-    });
+    connect(distortion, &DistortionPanel::mapChanged, this,
+            [this, distortion] { m_fields->setMeasure(distortion->measure()); });
     connect(distortion, &DistortionPanel::mapChosen, this, [this] { m_actions->showMap->setChecked(true); });
     connect(distortion, &DistortionPanel::showWorst, this, [this] {
         m_actions->showMap->setChecked(true);
@@ -264,6 +270,37 @@ void MainWindow::connectView() {
     connect(m_canvas, &ShapeCanvas::pointed, m_fields, &StatusFields::setPointer);
 }
 
+/// What is seen of the shape, in one canvas or in both halves.
+void MainWindow::connectLooks(ShapeCanvas& canvas) {
+    const Actions& a = *m_actions;
+    connect(a.showMesh, &QAction::toggled, &canvas, &ShapeCanvas::setMeshShown);
+    connect(a.showMap, &QAction::toggled, &canvas, &ShapeCanvas::setMapShown);
+    connect(a.showMarks, &QAction::toggled, &canvas, &ShapeCanvas::setMarksShown);
+    connect(a.showArrows, &QAction::toggled, &canvas, &ShapeCanvas::setArrowsShown);
+    const DistortionPanel* map = &m_properties->distortion();
+    connect(map, &DistortionPanel::mapChanged, &canvas,
+            [&canvas, map] { canvas.setMap(map->measure(), map->range()); });
+    connect(map, &DistortionPanel::opacityChanged, &canvas, &ShapeCanvas::setMapOpacity);
+    canvas.setMapOpacity(map->opacity());
+}
+
+/// By a tile that is dragged to the shape, or with the energy beside the one that is chosen; the pointer on a
+/// tile is enough for a look.
+void MainWindow::connectComparison() {
+    EnergySlider& tiles = *m_properties->material().energySlider();
+    connectLooks(m_compare->picture());
+    connect(m_compare, &CompareView::solidMade, m_solids, &SolidWorkshop::connectLooks);
+    connect(&tiles, &EnergySlider::hovered, m_compare, &CompareView::preview);
+    connect(m_compare, &CompareView::splitChanged, m_actions->compare, &QAction::setChecked);
+    connect(m_actions->compare, &QAction::toggled, this, [this, &tiles](bool on) {
+        if (!on) return m_compare->join();
+        const auto& stops = tiles.scale().stops();
+        if (!m_compare->isSplit())
+            m_compare->split(stops[tiles.scale().stopAt(tiles.phi()) == 1 ? 3 : 1].phi);
+    });
+    new TilePictures(m_session, *m_canvas, tiles);
+}
+
 /// Pins and maps hide for good or while a key is held; so the shape is seen as it was before, without them.
 void MainWindow::connectHiding() {
     auto* bare = new HeldKey(Qt::Key_H, *this);
@@ -271,9 +308,12 @@ void MainWindow::connectHiding() {
     const auto show = [this, bare, before] {
         const bool rest = m_actions->showRest->isChecked() || before->isHeld();
         const bool hidden = rest || m_actions->hideOverlays->isChecked() || bare->isHeld();
-        m_canvas->setOverlaysHidden(hidden);
-        m_canvas->setRestShown(rest);
-        if (SolidCanvas* solid = m_solids->canvas()) {
+        for (ShapeCanvas* canvas : {m_canvas, &m_compare->picture()}) {
+            canvas->setOverlaysHidden(hidden);
+            canvas->setRestShown(rest);
+        }
+        for (SolidCanvas* solid : {m_solids->canvas(), m_compare->solid()}) {
+            if (!solid) continue;
             solid->setOverlaysHidden(hidden);
             solid->setRestShown(rest);
         }
@@ -437,6 +477,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    if (EnergySlider::phiIn(event->mimeData())) return event->acceptProposedAction();
     if (!event->mimeData()->hasUrls() || !event->mimeData()->urls().first().isLocalFile()) return;
     event->acceptProposedAction();
     m_start->setDropHighlighted(true);
@@ -447,6 +488,11 @@ void MainWindow::dragLeaveEvent(QDragLeaveEvent*) {
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
+    if (const auto phi = EnergySlider::phiIn(event->mimeData())) {
+        const QPoint at = m_compare->mapFrom(this, event->position().toPoint());
+        if (m_compare->rect().contains(at)) m_compare->split(*phi);
+        return;
+    }
     m_start->setDropHighlighted(false);
     openPath(event->mimeData()->urls().first().toLocalFile());
     event->acceptProposedAction();

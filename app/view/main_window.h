@@ -13,6 +13,7 @@ namespace wend {
 
 class Actions;
 class BusyNote;
+class CompareView;
 class ContextMenu;
 class CurveActions;
 class DepthActions;
@@ -23,6 +24,7 @@ class DistortionPanel;
 class Exporter;
 class FileWorkflow;
 class InfoBanner;
+class MaterialActions;
 class MaterialPanel;
 class ModeRow;
 class OptionRow;
@@ -59,6 +61,8 @@ class MainWindow : public QMainWindow {
     MaterialPanel& materialPanel();
     SolidWorkshop& solids() { return *m_solids; }
     DistortionPanel& distortionPanel();
+    MaterialActions& materialActions() { return *m_material; }
+    CompareView& compared() { return *m_compare; }
     WorkNote& work() { return *m_work; }
     InfoBanner& banner() { return *m_banner; }
 
@@ -79,8 +83,10 @@ class MainWindow : public QMainWindow {
     void connectEdit();
     void connectView();
     void connectMotion();
+    void connectLooks(ShapeCanvas& canvas);
     void connectHiding();
     void connectHelp();
+    void connectComparison();
     void tell(const QString& text);
     void tellDone(const QString& text);
     void showDocument();
@@ -100,6 +106,7 @@ class MainWindow : public QMainWindow {
     SolidActions* m_solidActions;
     DepthActions* m_depth;
     PinActions* m_pins;
+    MaterialActions* m_material = nullptr;
     Properties* m_properties;
     PictureActions* m_pictureActions;
     CurveActions* m_curves = nullptr;
@@ -107,6 +114,7 @@ class MainWindow : public QMainWindow {
     FileWorkflow* m_files;
     Exporter* m_exporter;
     ShapeCanvas* m_canvas;
+    CompareView* m_compare = nullptr;
     StartPage* m_start;
     InfoBanner* m_banner;
     TimeStrip* m_time;

@@ -49,8 +49,7 @@ QImage warped(const RenderRequest& request, std::stop_token stop) {
     return request.picture->warped(restOf(request), poseOf(request), view, options);
 }
 
-constexpr double kMapOpacity = 0.82;    // over a picture
-constexpr double kPaintOpacity = 0.55;  // of what is painted on it
+constexpr double kPaintOpacity = 0.55;  // of what is painted on a picture, where maps have kMapOpacity
 constexpr double kFullPaint = 0.1;      // wholly, so far in the range from what is plain
 
 QTransform toPixels(const RenderRequest& request) {
@@ -59,9 +58,10 @@ QTransform toPixels(const RenderRequest& request) {
 
 int alphaAt(const RenderRequest& request, double position) {
     if (!request.picture) return 255;
-    if (!request.plain) return static_cast<int>(std::lround(255 * kMapOpacity));
+    if (!request.plain) return static_cast<int>(std::lround(255 * request.opacity));
     const double from = std::abs(position - positionIn(request.range, request.measure, *request.plain));
-    return static_cast<int>(std::lround(255 * kPaintOpacity * std::min(1.0, from / kFullPaint)));
+    const double most = std::min(1.0, request.opacity * kPaintOpacity / kMapOpacity);
+    return static_cast<int>(std::lround(255 * most * std::min(1.0, from / kFullPaint)));
 }
 
 bool isPainted(Measure measure) {
@@ -91,15 +91,28 @@ void fillSoftly(CellFiller& filler, const SimplicialMesh<2>& rest, const std::ve
     }
 }
 
+/// Colours mean the map's: the picture below it has none.
+void takeColours(QImage& image) {
+    for (int y = 0; y < image.height(); ++y) {
+        auto* row = reinterpret_cast<QRgb*>(image.scanLine(y));
+        for (int x = 0; x < image.width(); ++x) {
+            const int gray = qGray(row[x]);
+            row[x] = qRgba(gray, gray, gray, qAlpha(row[x]));
+        }
+    }
+}
+
 void fillCells(QImage& image, const RenderRequest& request) {
     const PosedFrame<2>& frame = *request.frame;
-    const auto values = request.map ? cellValues<2>(frame, request.measure) : std::vector<double>();
+    const auto values =
+        request.map ? cellValues<2>(frame, request.measure, request.velocity) : std::vector<double>();
     const auto colourOf = [&](std::size_t c) {
         const double position = positionIn(request.range, request.measure, values[c]);
         const QRgb colour = colourAt(request.measure, position);
         return qRgba(qRed(colour), qGreen(colour), qBlue(colour), alphaAt(request, position));
     };
     image.convertTo(QImage::Format_ARGB32_Premultiplied);
+    if (request.map && request.picture && !request.plain) takeColours(image);
     CellFiller filler(image, frame.pose, toPixels(request));
     const std::vector<int> order = paintingOrder(frame.rest->cellCount(), depthsOf(request));
     if (request.map && isPainted(request.measure)) {

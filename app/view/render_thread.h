@@ -33,8 +33,10 @@ struct RenderRequest {
     bool map = false;
     Measure measure = Measure::Length;
     MeasureRange range;
-    std::optional<double> plain;  // of the map: where it has this value the picture is not coloured
-    QColor fill, line;            // of the mesh and, without a picture, of the shape
+    double opacity = kMapOpacity;  // of the map over a picture
+    Points<2> velocity;            // of the vertices, for the map of their speed; or none
+    std::optional<double> plain;   // of the map: where it has this value the picture is not coloured
+    QColor fill, line;             // of the mesh and, without a picture, of the shape
 
     /// Drawn pixels per widget pixel.
     double scale() const { return ratio / coarseness; }

@@ -74,8 +74,6 @@ void SolidActions::makeView() {
     flat = addToggle({tr("&Flat Faces"), tr("Shade every triangle by itself instead of smoothly")},
                      QKeySequence(tr("Shift+F")));
     orthographic = addToggle({tr("&Parallel View"), tr("See without perspective")}, QKeySequence(tr("5")));
-    arrows = addToggle({tr("&Velocity Arrows"), tr("Show where the surface moves at this time")},
-                       QKeySequence(tr("Shift+V")));
     cut = addToggle({tr("&Cut Open"), tr("Look inside along a plane; an arrow and rings move and tilt it")},
                     QKeySequence(tr("C")), "cut");
     const QString look = tr("Look along an axis of the world");
@@ -106,14 +104,13 @@ void SolidActions::makeMenu() {
     m_menu->addSeparator();
     m_menu->addMenu(tr("L&ook from"))->addActions({front, back, right, left, top, bottom, oblique});
     m_menu->addMenu(tr("&Navigation"))->addActions({wendKeys, vtkKeys, blenderKeys});
-    m_menu->addActions({detail, orthographic, flat, cut, arrows});
+    m_menu->addActions({detail, orthographic, flat, cut});
     m_menu->addSeparator();
     m_menu->addActions({chooseDetail, removeDetail});
 }
 
 void SolidActions::resetView() {
     detail->setChecked(true);
-    arrows->setChecked(false);
 }
 
 void SolidActions::setHasDetail(bool has) {

@@ -22,7 +22,7 @@ class SolidActions : public ActionMaker {
     QAction *move, *turn, *grow;
     QAction *through, *snap, *holdBeyond;
     QAction *selectRectangle, *selectLasso, *selectBrush;
-    QAction *detail, *flat, *orthographic, *arrows;
+    QAction *detail, *flat, *orthographic;
     QAction *front, *back, *right, *left, *top, *bottom, *oblique;
     QAction *wendKeys, *vtkKeys, *blenderKeys;
     QAction* cut;

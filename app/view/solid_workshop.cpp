@@ -64,36 +64,27 @@ void SolidWorkshop::makePage() {
     m_page = m_canvas = new SolidCanvas(m_around.session);
     m_check->setCanvas(m_canvas);
     connectView();
-    connectLooks();
+    connectNavigation();
     connectSteps();
     connectCut();
 }
 
 void SolidWorkshop::connectView() {
-    SolidActions& a = m_actions;
     Actions& common = m_around.actions;
     DistortionPanel& maps = m_around.properties.distortion();
-    connect(common.showMesh, &QAction::toggled, m_canvas, &SolidCanvas::setEdgesShown);
-    connect(common.showMap, &QAction::toggled, m_canvas, &SolidCanvas::setMapShown);
+    connectLooks(m_canvas);
     connect(common.fit, &QAction::triggered, m_canvas, &VolumeView::fit);
     const auto zoom = [this](double factor) {
         m_canvas->camera().zoom(factor, {m_canvas->width() / 2.0, m_canvas->height() / 2.0},
                                 m_canvas->size());
         m_canvas->update();
-        m_canvas->redraw();
+        emit m_canvas->cameraChanged();
     };
     connect(common.zoomIn, &QAction::triggered, m_canvas, [zoom] { zoom(1.25); });
     connect(common.zoomOut, &QAction::triggered, m_canvas, [zoom] { zoom(0.8); });
-    connect(a.detail, &QAction::toggled, m_canvas, &SolidCanvas::setDetailShown);
     connect(&m_around.session, &ShapeSession::frameChanged, this,
             [this] { m_actions.setHasDetail(m_canvas->hasDetail()); });
-    connect(a.flat, &QAction::toggled, m_canvas, &SolidCanvas::setFlat);
-    connect(a.orthographic, &QAction::toggled, m_canvas, &VolumeView::setOrthographic);
-    connect(a.arrows, &QAction::toggled, m_canvas, &SolidCanvas::setArrowsShown);
-    connect(common.showMarks, &QAction::toggled, m_canvas, &SolidCanvas::setGlyphsShown);
     connect(&m_around.properties.layers(), &LayerPanel::chosen, m_canvas, &SolidCanvas::setLayer);
-    connect(&maps, &DistortionPanel::mapChanged, m_canvas,
-            [this, &maps] { m_canvas->setMap(maps.measure(), maps.range()); });
     connect(&maps, &DistortionPanel::showWorst, m_canvas, [this] {
         if (m_isActive) m_canvas->showWorst();
     });
@@ -109,8 +100,28 @@ void SolidWorkshop::connectView() {
     connect(m_canvas, &SolidCanvas::pointed, &m_around.fields, &StatusFields::setPointerText);
 }
 
+void SolidWorkshop::connectLooks(SolidCanvas* canvas) {
+    const SolidActions& a = m_actions;
+    const Actions& common = m_around.actions;
+    const auto follow = [canvas](const QAction* action, auto take) {
+        (canvas->*take)(action->isChecked());
+        connect(action, &QAction::toggled, canvas, take);
+    };
+    follow(common.showMesh, &SolidCanvas::setEdgesShown);
+    follow(common.showMap, &SolidCanvas::setMapShown);
+    follow(common.showArrows, &SolidCanvas::setArrowsShown);
+    follow(common.showMarks, &SolidCanvas::setGlyphsShown);
+    follow(a.detail, &SolidCanvas::setDetailShown);
+    follow(a.flat, &SolidCanvas::setFlat);
+    follow(a.orthographic, &VolumeView::setOrthographic);
+    const DistortionPanel* map = &m_around.properties.distortion();
+    const auto colour = [canvas, map] { canvas->setMap(map->measure(), map->range()); };
+    colour();
+    connect(map, &DistortionPanel::mapChanged, canvas, colour);
+}
+
 /// From where, and how the mouse turns the view.
-void SolidWorkshop::connectLooks() {
+void SolidWorkshop::connectNavigation() {
     SolidActions& a = m_actions;
     using Axis = Camera::Axis;
     for (const auto& [action, axis] : {std::pair{a.front, Axis::Front},

@@ -44,6 +44,8 @@ class SolidWorkshop : public QObject {
     void exportView();
     /// The view without what lies over it; null without one.
     QImage smallView(const QSize& size);
+    /// What is seen of the solid, in one canvas or in both halves.
+    void connectLooks(wend::SolidCanvas* canvas);
     /// Asked before a file is written.
     void setMayReplace(std::function<bool(const QString&)> may) { m_mayReplace = std::move(may); }
     /// The page of the window; null before the first solid.
@@ -60,7 +62,7 @@ class SolidWorkshop : public QObject {
   private:
     void makePage();
     void connectView();
-    void connectLooks();
+    void connectNavigation();
     void connectSteps();
     void connectCut();
     void connectDetail();

@@ -337,7 +337,7 @@ void TestSolidLooks::anotherDocumentIsSeenAsItIs() {
 void TestSolidLooks::movedSolidsAreClosed() {
     open(project("inside.obj"));
     m_window->actions().showMap->setChecked(true);
-    solids().actions().arrows->setChecked(true);
+    m_window->actions().showArrows->setChecked(true);
     session().selection().set({0});
     session().playback().setTime(session().playback().end());
     QVERIFY(settle(session()));

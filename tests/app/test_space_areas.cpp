@@ -282,7 +282,7 @@ void TestSpaceAreas::velocityIsTheFieldItself() {
     ShapeSession& session = m_f->session();
     session.moveSelected<3>(Grip{Grip::Kind::Turn, m_f->pin(1), Vec<3>::UnitX()}, {1.2, 0, 0});
     QVERIFY(settle(session));
-    m_f->actions().arrows->setChecked(true);
+    m_f->window().actions().showArrows->setChecked(true);
     for (const double time : {0.5, 1.0}) {
         session.playback().setTime(time);
         QVERIFY(QTest::qWaitFor([&] { return session.hasVelocity(); }, 20000));

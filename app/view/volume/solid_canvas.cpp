@@ -279,7 +279,7 @@ bool SolidCanvas::meetsNewDocument() {
 
 /// A new solid is seen whole: first as it comes, then, when its motion is known, as it is shown then.
 void SolidCanvas::refresh() {
-    auto frame = shownFrame();
+    auto frame = m_standIn ? posed<3>(m_standIn) : shownFrame();
     if (frame && m_rest) frame = atRest<3>(frame);
     m_missed = m_held;
     if (!frame) setGlyphs({});  // those of the last solid
@@ -375,6 +375,7 @@ void SolidCanvas::paintOver(QPainter& painter) {
     m_cutTool.paint(painter);
     m_layer.paint(painter, *this);
     if (m_tool) m_tool->paint(painter);
+    if (hasLegend()) paintLegendCard(painter, size(), m_measure, m_range, palette(), 3);
 }
 
 void SolidCanvas::paintMarks(QPainter& painter) {
@@ -403,7 +404,8 @@ void SolidCanvas::paintLegend(QPainter& painter) const {
 }
 
 void SolidCanvas::wantVelocity() {
-    m_session.setVelocityWanted(m_arrows || m_values || (m_map && m_measure == Measure::Speed));
+    if (m_session.document().dimension() == 3)
+        m_session.setVelocityWanted(m_arrows || m_values || (m_map && m_measure == Measure::Speed));
 }
 
 void SolidCanvas::setFlat(bool flat) {
@@ -436,6 +438,19 @@ void SolidCanvas::setLayer(const QString& name) {
 }
 void SolidCanvas::setRestShown(bool shown) {
     if (std::exchange(m_rest, shown) != shown) refresh();
+}
+
+void SolidCanvas::setStandIn(const FramePtr& frame) {
+    if (std::exchange(m_standIn, frame) != frame) refresh();
+}
+
+void SolidCanvas::takeView(const SolidCanvas& other) {
+    m_fitted = other.m_fitted;
+    camera() = other.camera();
+    m_cutTool.setPlane(other.plane());
+    setCut(other.cut(), other.plane());
+    update();
+    redraw();
 }
 
 void SolidCanvas::setOverlaysHidden(bool hidden) {

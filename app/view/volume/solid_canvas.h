@@ -78,6 +78,10 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     void setOverlaysHidden(bool hidden);
     /// The solid as it was before it was bent.
     void setRestShown(bool shown);
+    /// Another frame in the place of the session's, which does not change; null: none.
+    void setStandIn(const wend::FramePtr& frame);
+    /// The same look from the same place as another canvas of that size, cut as it is.
+    void takeView(const SolidCanvas& other);
     /// Values under the pointer are shown elsewhere, the velocity among them.
     void setValuesShown(bool shown);
     void setCutKind(wend::CutKind kind);
@@ -133,6 +137,7 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     std::shared_ptr<const void> m_mesh;  // of the last frame
     CutTool m_cutTool;
     MaterialPreview<3> m_preview;
+    FramePtr m_standIn;
     LayerLines<3> m_layer;
     QWidget* m_overlay;
     SurfaceStyle m_style;

@@ -1,0 +1,64 @@
+#include "app/session/comparison.h"
+
+#include "app/document/options.h"
+
+namespace wend {
+
+Comparison::Comparison(ShapeSession& session, QObject* parent) : QObject(parent), m_session(session) {
+    m_other.document().undoStack()->setUndoLimit(1);
+    connect(&m_session.document(), &Document::opened, this, [this] {
+        end();
+        m_generation = -1;
+        m_other.document().close();
+    });
+    connect(&m_session.document(), &Document::projectChanged, this, &Comparison::take);
+    connect(&m_session.playback(), &Playback::timeChanged, &m_other.playback(), &Playback::setTime);
+    connect(&m_session, &ShapeSession::dragBegan, this, [this] {
+        if (!m_on) return;
+        m_other.selection().set(m_session.gesture()->handles());
+        m_other.beginDrag(m_session.gesture()->grip());
+    });
+    connect(&m_session, &ShapeSession::dragMoved, &m_other, &ShapeSession::dragBy);
+    connect(&m_session, &ShapeSession::dragEnded, &m_other, &ShapeSession::letGo);
+    connect(&m_session, &ShapeSession::dragCancelled, &m_other, &ShapeSession::cancelDrag);
+}
+
+void Comparison::begin(double phi) {
+    if (m_session.document().isEmpty()) return;
+    m_phi = phi;
+    m_on = true;
+    take();
+    emit changed();
+}
+
+void Comparison::end() {
+    if (std::exchange(m_on, false)) emit changed();
+}
+
+FramePtr Comparison::frame() const {
+    return m_on && !m_other.isStale() && !m_other.isMeshing() ? m_other.frame() : FramePtr();
+}
+
+Project Comparison::wanted() const {
+    Project project = *m_session.document().project();
+    option("material.phi").field.at.set(project, m_phi);
+    return project;
+}
+
+void Comparison::take() {
+    if (!m_on) return;
+    const Document& document = m_session.document();
+    if (std::exchange(m_generation, document.generation()) == document.generation()) {
+        m_other.document().change({}, wanted());
+    } else {
+        OpenedFile file;
+        file.project = std::make_shared<const Project>(wanted());
+        file.picture = document.picture();
+        file.path = document.path();
+        file.source = document.source();
+        m_other.document().open(std::move(file));
+    }
+    m_other.playback().setTime(m_session.playback().time());
+}
+
+}  // namespace wend

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "app/session/shape_session.h"
+
+namespace wend {
+
+/// The same document with another energy: a second session that goes along with the first, with every change,
+/// drag and time. It computes in a thread of its own.
+class Comparison : public QObject {
+    Q_OBJECT
+
+  public:
+    explicit Comparison(ShapeSession& session, QObject* parent = nullptr);
+
+    ShapeSession& other() { return m_other; }
+    bool isOn() const { return m_on; }
+    double phi() const { return m_phi; }
+    /// From now on that one.
+    void begin(double phi);
+    /// It rests, with what it has, until it is wanted again.
+    void end();
+    /// What it shows now is of the same project and time as the first session's; null before.
+    FramePtr frame() const;
+
+  signals:
+    void changed();
+
+  private:
+    void take();
+    Project wanted() const;
+
+    ShapeSession& m_session;
+    ShapeSession m_other;
+    int m_generation = -1;  // of the document that it has
+    double m_phi = 0;
+    bool m_on = false;
+};
+
+}  // namespace wend

@@ -1,0 +1,200 @@
+#include "app/view/compare_view.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <QLocale>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "app/document/settings.h"
+#include "app/panels/energy_scale.h"
+#include "app/panels/panel_parts.h"
+#include "app/view/canvas.h"
+#include "app/view/volume/solid_canvas.h"
+#include "core/energy/distortion.h"
+
+namespace wend {
+
+namespace {
+
+constexpr int kHead = 32;
+
+QString nameOf(double phi, int dimension) {
+    const EnergyScale scale(dimension);
+    if (const int stop = scale.stopAt(phi); stop >= 0) return scale.stops()[stop].name;
+    const int below = static_cast<int>(scale.positionOf(phi));
+    return CompareView::tr("%1 – %2").arg(scale.stops()[below].name, scale.stops()[below + 1].name);
+}
+
+/// The three of the properties, in their order.
+QString totalsOf(const ShapeSession& session) {
+    if (!session.frame()) return CompareView::tr("is being computed …");
+    const Distortion& distortion = *session.frame()->distortion;
+    const QLocale locale;
+    const auto text = [&locale](double value) { return locale.toString(value, 'f', 3); };
+    const QString all = session.frame()->dimension == 3 ? CompareView::tr("angle %1 · volume %2 · stretch %3")
+                                                        : CompareView::tr("angle %1 · area %2 · stretch %3");
+    return all.arg(text(distortion.totalAngle), text(distortion.totalVolume), text(distortion.totalMetric));
+}
+
+}  // namespace
+
+CompareView::CompareView(const Parts& parts, QWidget* parent)
+    : QWidget(parent),
+      m_parts(parts),
+      m_comparison(parts.session),
+      m_ownName(new QLabel),
+      m_ownTotals(secondLabel({}, nullptr)),
+      m_otherTotals(secondLabel({}, nullptr)),
+      m_energy(new QComboBox),
+      m_ownHead(ownHead()),
+      m_otherHead(otherHead()),
+      m_other(new QWidget),
+      m_picture(new ShapeCanvas(m_comparison.other())) {
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(1);
+    auto* own = new QVBoxLayout;
+    own->setSpacing(0);
+    own->addWidget(m_ownHead);
+    own->addWidget(&m_parts.page, 1);
+    row->addLayout(own, 1);
+    auto* other = new QVBoxLayout(m_other);
+    other->setContentsMargins(0, 0, 0, 0);
+    other->setSpacing(0);
+    other->addWidget(m_otherHead);
+    other->addWidget(m_picture, 1);
+    row->addWidget(m_other, 1);
+    m_picture->setObjectName(QStringLiteral("comparedPicture"));
+    m_picture->setAccessibleName(tr("The same with another energy"));
+    m_ownHead->hide();
+    m_other->hide();
+    connectViews();
+}
+
+QWidget* CompareView::ownHead() {
+    auto* head = new QWidget(this);
+    head->setFixedHeight(kHead);
+    auto* row = new QHBoxLayout(head);
+    row->setContentsMargins(12, 0, 12, 0);
+    m_ownName->setProperty("role", "title");
+    m_ownTotals->setObjectName(QStringLiteral("ownTotals"));
+    for (QLabel* totals : {m_ownTotals, m_otherTotals}) totals->setWordWrap(false);
+    row->addWidget(m_ownName);
+    row->addWidget(m_ownTotals, 1, Qt::AlignRight);
+    return head;
+}
+
+QWidget* CompareView::otherHead() {
+    auto* head = new QWidget(this);
+    head->setFixedHeight(kHead);
+    auto* row = new QHBoxLayout(head);
+    row->setContentsMargins(12, 0, 4, 0);
+    m_energy->setObjectName(QStringLiteral("comparedEnergy"));
+    describe(m_energy, tr("Compare with"), tr("What this half keeps, on the same pins and motions."));
+    connect(m_energy, &QComboBox::activated, this,
+            [this](int i) { split(m_energy->itemData(i).toDouble()); });
+    m_otherTotals->setObjectName(QStringLiteral("otherTotals"));
+    auto* close = new QToolButton(head);
+    close->setObjectName(QStringLiteral("endComparison"));
+    close->setText(QStringLiteral("✕"));
+    close->setAutoRaise(true);
+    describe(close, tr("End the comparison"), tr("Shows one shape again."));
+    connect(close, &QToolButton::clicked, this, &CompareView::join);
+    row->addWidget(m_energy);
+    row->addWidget(m_otherTotals, 1, Qt::AlignRight);
+    row->addWidget(close);
+    return head;
+}
+
+void CompareView::connectViews() {
+    connect(&m_parts.picture, &ShapeCanvas::viewChanged, this,
+            [this] { m_picture->takeView(m_parts.picture); });
+    connect(m_picture, &ShapeCanvas::viewChanged, this, [this] {
+        if (m_picture->underMouse()) m_parts.picture.takeView(*m_picture);
+    });
+    connect(&m_comparison.other(), &ShapeSession::frameChanged, this, &CompareView::takeFrame);
+    connect(&m_parts.session, &ShapeSession::frameChanged, this, &CompareView::showHeads);
+    connect(&m_parts.session.document(), &Document::opened, this, &CompareView::join);
+}
+
+void CompareView::split(double phi) {
+    if (m_parts.session.document().isEmpty()) return;
+    preview(std::nan(""));
+    m_comparison.begin(phi);
+    const bool first = !std::exchange(m_split, true);
+    if (m_parts.session.document().dimension() == 3) makeSolid();
+    showHalf();
+    showHeads();
+    if (first) emit splitChanged(true);
+}
+
+void CompareView::join() {
+    if (!std::exchange(m_split, false)) return;
+    m_comparison.end();
+    showHalf();
+    emit splitChanged(false);
+}
+
+void CompareView::makeSolid() {
+    SolidCanvas* own = m_parts.solid();
+    if (m_solid || !own) return;
+    m_solid = new SolidCanvas(m_comparison.other());
+    m_solid->setObjectName(QStringLiteral("comparedSolid"));
+    m_other->layout()->addWidget(m_solid);
+    connect(own, &VolumeView::cameraChanged, this, [this, own] { m_solid->takeView(*own); });
+    connect(own, &SolidCanvas::cutChanged, this, [this, own] { m_solid->takeView(*own); });
+    connect(m_solid, &VolumeView::cameraChanged, this, [this, own] {
+        if (m_solid->underMouse()) own->takeView(*m_solid);
+    });
+    emit solidMade(m_solid);
+}
+
+void CompareView::showHalf() {
+    const bool solid = m_split && m_parts.session.document().dimension() == 3;
+    m_ownHead->setVisible(m_split);
+    m_picture->setVisible(!solid);
+    if (m_solid) m_solid->setVisible(solid);
+    m_other->setVisible(m_split);
+}
+
+void CompareView::showHeads() {
+    if (!m_split || m_parts.session.document().isEmpty()) return;
+    const int dimension = m_parts.session.document().dimension();
+    m_ownName->setText(nameOf(settingOf(*m_parts.session.document().project(), "material.phi"), dimension));
+    m_ownTotals->setText(totalsOf(m_parts.session));
+    m_otherTotals->setText(totalsOf(m_comparison.other()));
+    const EnergyScale scale(dimension);
+    const QSignalBlocker quiet(m_energy);
+    m_energy->clear();
+    for (const EnergyStop& stop : scale.stops()) m_energy->addItem(stop.name, stop.phi);
+    const int stop = scale.stopAt(m_comparison.phi());
+    if (stop < 0) m_energy->addItem(nameOf(m_comparison.phi(), dimension), m_comparison.phi());
+    m_energy->setCurrentIndex(stop < 0 ? m_energy->count() - 1 : stop);
+}
+
+void CompareView::preview(double phi) {
+    if (m_split) return;
+    if (std::isnan(phi)) {
+        if (!std::exchange(m_previews, false)) return;
+        m_comparison.end();
+    } else {
+        m_previews = true;
+        m_comparison.begin(phi);
+    }
+    takeFrame();
+}
+
+/// Until it is there the shape stays as it is.
+void CompareView::takeFrame() {
+    const FramePtr frame = m_previews ? m_comparison.frame() : FramePtr();
+    m_parts.picture.setStandIn(frame && frame->dimension == 2 ? frame : FramePtr());
+    if (SolidCanvas* solid = m_parts.solid())
+        solid->setStandIn(frame && frame->dimension == 3 ? frame : FramePtr());
+    if (m_split && m_picture->isVisible()) m_picture->takeView(m_parts.picture);
+    if (m_split && m_solid && m_solid->isVisible()) m_solid->takeView(*m_parts.solid());
+    showHeads();
+}
+
+}  // namespace wend

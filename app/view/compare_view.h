@@ -1,0 +1,67 @@
+#pragma once
+
+#include <QWidget>
+#include <functional>
+
+#include "app/session/comparison.h"
+
+class QComboBox;
+class QLabel;
+
+namespace wend {
+
+class ShapeCanvas;
+class SolidCanvas;
+
+/// The page of the shape, and beside it, while two energies are compared, the same shape with another one:
+/// the same part of it, at the same time. Above both stands what is kept, and what that changed.
+class CompareView : public QWidget {
+    Q_OBJECT
+
+  public:
+    struct Parts {
+        ShapeSession& session;
+        QWidget& page;                        // with the views
+        ShapeCanvas& picture;                 // of pictures,
+        std::function<SolidCanvas*()> solid;  // and of solids; null before the first one
+    };
+    explicit CompareView(const Parts& parts, QWidget* parent = nullptr);
+
+    Comparison& comparison() { return m_comparison; }
+    bool isSplit() const { return m_split; }
+    /// The other half for pictures.
+    ShapeCanvas& picture() { return *m_picture; }
+    /// The other half for solids; null before the first one is compared.
+    SolidCanvas* solid() { return m_solid; }
+
+  public slots:
+    void split(double phi);
+    void join();
+    /// While the pointer rests on an energy the shape is shown as that bends it. NaN: no longer.
+    void preview(double phi);
+
+  signals:
+    void splitChanged(bool split);
+    /// The other half for solids is there.
+    void solidMade(wend::SolidCanvas* solid);
+
+  private:
+    QWidget* ownHead();
+    QWidget* otherHead();
+    void showHeads();
+    void showHalf();
+    void makeSolid();
+    void connectViews();
+    void takeFrame();
+
+    Parts m_parts;
+    Comparison m_comparison;
+    QLabel *m_ownName, *m_ownTotals, *m_otherTotals;
+    QComboBox* m_energy;
+    QWidget *m_ownHead, *m_otherHead, *m_other;
+    ShapeCanvas* m_picture;
+    SolidCanvas* m_solid = nullptr;
+    bool m_split = false, m_previews = false;
+};
+
+}  // namespace wend

@@ -1,0 +1,113 @@
+#include "app/view/tile_pictures.h"
+
+#include "app/document/options.h"
+#include "app/panels/energy_slider.h"
+#include "app/session/shape_builder.h"
+#include "app/view/canvas.h"
+
+namespace wend {
+
+namespace {
+
+constexpr int kIdle = 500;  // milliseconds
+constexpr int kVertices = 600;
+constexpr double kMargin = 2;  // pixels
+
+}  // namespace
+
+TilePictures::TilePictures(ShapeSession& session, const ShapeCanvas& canvas, EnergySlider& tiles)
+    : QObject(&tiles), m_session(session), m_canvas(canvas), m_tiles(tiles) {
+    m_coarse.document().undoStack()->setUndoLimit(1);
+    m_idle.setSingleShot(true);
+    m_idle.setInterval(kIdle);
+    connect(&m_idle, &QTimer::timeout, this, &TilePictures::begin);
+    connect(&m_session, &ShapeSession::frameChanged, this, &TilePictures::expire);
+    connect(&m_session.document(), &Document::opened, this, [this] {
+        m_coarse.document().close();
+        m_project.reset();
+        m_tiles.setPictures({});
+        expire();
+    });
+    connect(&m_coarse, &ShapeSession::busyChanged, this, &TilePictures::take);
+}
+
+/// Of a mesh that comes from a file there is no coarser one.
+bool TilePictures::isPossible() const {
+    return m_session.frame<2>() && m_session.document().picture() && m_session.playback().end() > 0 &&
+           m_session.document().project()->domain.kind == DomainKind::Image;
+}
+
+void TilePictures::expire() {
+    const bool same = m_project == m_session.document().project() && m_time == m_session.playback().time();
+    if (same && (m_done || m_running)) return;
+    m_running = m_done = false;
+    if (!isPossible()) {
+        m_idle.stop();
+        return m_tiles.setPictures({});
+    }
+    m_tiles.setPicturesStale(true);
+    m_idle.start();
+}
+
+void TilePictures::begin() {
+    if (!isPossible() || m_running) return;
+    const bool moves = m_session.isBusy() || m_session.isDragging() || m_session.playback().isPlaying();
+    if (moves || !m_tiles.isVisible() || !m_canvas.screenPicture()) return m_idle.start();
+    m_project = m_session.document().project();
+    m_time = m_session.playback().time();
+    m_made.clear();
+    m_running = true;
+    ask();
+}
+
+/// The next one.
+void TilePictures::ask() {
+    Project project = *m_project;
+    const auto set = [&project](const char* key, double value) { option(key).field.at.set(project, value); };
+    set("material.phi", m_tiles.scale().stops().at(m_made.size()).phi);
+    set("domain.vertices",
+        std::min(project.domain.edge > 0 ? kVertices : project.domain.vertices, kVertices));
+    Document& document = m_coarse.document();
+    if (!document.isEmpty()) {
+        document.change({}, std::move(project));
+    } else {
+        const Document& own = m_session.document();
+        OpenedFile file;
+        file.project = std::make_shared<const Project>(std::move(project));
+        file.picture = own.picture();
+        file.path = own.path();
+        file.source = own.source();
+        document.open(std::move(file));
+    }
+    m_coarse.playback().setTime(m_time);
+}
+
+void TilePictures::take() {
+    if (!m_running || m_coarse.isBusy()) return;
+    if (!m_coarse.frame<2>()) {  // it cannot be: the window tells why
+        m_running = false;
+        m_done = true;
+        return m_tiles.setPictures({});
+    }
+    m_made.push_back(drawn(m_coarse.frame()));
+    if (m_made.size() < EnergyScale::kStops) return ask();
+    m_running = false;
+    m_done = true;
+    m_tiles.setPictures(m_made);
+}
+
+QPixmap TilePictures::drawn(const FramePtr& frame) const {
+    RenderRequest request;
+    request.frame = posed<2>(frame);
+    request.picture = m_canvas.screenPicture();
+    request.size = EnergySlider::pictureSize();
+    request.ratio = m_tiles.devicePixelRatioF();
+    request.filter = Filter::Ewa;
+    const Points<2>& pose = request.frame->pose;
+    const Vec<2> low = pose.rowwise().minCoeff(), size = pose.rowwise().maxCoeff() - low;
+    request.view.setZoomLimits(1e-9, 1e9);
+    request.view.fit(QRectF(low.x(), low.y(), size.x(), size.y()), request.size, kMargin);
+    return QPixmap::fromImage(RenderThread::render(request));
+}
+
+}  // namespace wend

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <QTimer>
+#include <memory>
+
+#include "app/session/shape_session.h"
+
+namespace wend {
+
+class EnergySlider;
+class ShapeCanvas;
+
+/// Shows on the tiles of the energies what each makes of the user's own picture: computed on a coarse mesh,
+/// one after the other, once nothing has changed for a while. Before anything moves, and for shapes of which
+/// there is no coarse mesh, the tiles show a sample.
+class TilePictures : public QObject {
+    Q_OBJECT
+
+  public:
+    TilePictures(ShapeSession& session, const ShapeCanvas& canvas, EnergySlider& tiles);
+    /// Those that are there are of what is shown.
+    bool isDone() const { return m_done; }
+
+  private:
+    bool isPossible() const;
+    void expire();
+    void begin();
+    void ask();
+    void take();
+    QPixmap drawn(const FramePtr& frame) const;
+
+    ShapeSession& m_session;
+    const ShapeCanvas& m_canvas;
+    EnergySlider& m_tiles;
+    ShapeSession m_coarse;
+    QTimer m_idle;
+    std::shared_ptr<const Project> m_project;  // that they are made of,
+    double m_time = 0;                         // and when
+    std::vector<QPixmap> m_made;
+    bool m_running = false, m_done = false;
+};
+
+}  // namespace wend

@@ -1,0 +1,261 @@
+#include <QComboBox>
+#include <QLabel>
+#include <QMimeData>
+#include <QToolButton>
+
+#include "app/document/handle_edits.h"
+#include "app/panels/distortion_panel.h"
+#include "app/panels/material_panel.h"
+#include "app/view/compare_view.h"
+#include "app/view/tile_pictures.h"
+#include "core/energy/distortion.h"
+#include "tests/support/solid_fixture.h"
+
+using namespace wend;
+using namespace wend::test;
+
+namespace {
+
+/// The same bar as a cut-out and as a solid.
+template <int Dim>
+struct Bar;
+
+template <>
+struct Bar<2> {
+    static bool open(SolidFixture& f) { return f.openPicture(); }
+    static ShapeCanvas& canvas(SolidFixture& f) { return f.window().canvas(); }
+    static ShapeCanvas& other(SolidFixture& f) { return f.window().compared().picture(); }
+    static bool hold(SolidFixture& f) {
+        f.session().addPin<2>({40, 80});
+        f.session().addPin<2>({200, 80});
+        f.window().actions().selectTool->trigger();
+        return settle(f.session());
+    }
+    static Vec<2> end() { return {200, 80}; }
+    static Vec<2> way() { return {-60, 30}; }
+};
+
+template <>
+struct Bar<3> {
+    static bool open(SolidFixture& f) { return f.open(300); }
+    static SolidCanvas& canvas(SolidFixture& f) { return f.canvas(); }
+    static SolidCanvas& other(SolidFixture& f) { return *f.window().compared().solid(); }
+    static bool hold(SolidFixture& f) { return f.holdEnds(); }
+    static Vec<3> end() { return {2, 0, 0}; }
+    static Vec<3> way() { return {-1, 0, 0.7}; }
+};
+
+}  // namespace
+
+/// Another energy beside, on the same handles.
+class TestComparison : public QObject {
+    Q_OBJECT
+  private slots:
+    void init();
+    void cleanup() { m_f.reset(); }
+    void halvesGoTogether_data() { dimensions(); }
+    void halvesGoTogether();
+    void halvesShowTheSamePart();
+    void tilesAreDropped();
+    void tilesArePreviewed();
+    void tilesShowTheShape();
+    void anotherFileEndsIt();
+
+  private:
+    static void dimensions();
+    template <int Dim>
+    void goTogether();
+    template <int Dim>
+    bool begin();
+    CompareView& view() { return m_f->window().compared(); }
+    ShapeSession& other() { return view().comparison().other(); }
+    EnergySlider& tiles() { return *m_f->window().properties().material().energySlider(); }
+    QToolButton* tile(int i) {
+        QToolButton* found = nullptr;
+        for (auto* button : tiles().findChildren<QToolButton*>())
+            if (button->text() == tiles().scale().stops().at(i).name) found = button;
+        return found;
+    }
+    std::unique_ptr<SolidFixture> m_f;
+};
+
+#define BOTH(body)          \
+    QFETCH(int, dimension); \
+    if (dimension == 2)     \
+        body<2>();          \
+    else                    \
+        body<3>()
+
+void TestComparison::dimensions() {
+    QTest::addColumn<int>("dimension");
+    QTest::newRow("picture") << 2;
+    QTest::newRow("solid") << 3;
+}
+
+void TestComparison::init() {
+    if (!VolumeView::available()) QSKIP("needs OpenGL (run under xvfb-run)");
+    m_f = std::make_unique<SolidFixture>();
+    QVERIFY(QTest::qWaitForWindowActive(&m_f->window(), 20000));
+}
+
+template <int Dim>
+bool TestComparison::begin() {
+    if (!Bar<Dim>::open(*m_f) || !Bar<Dim>::hold(*m_f)) return false;
+    QTest::keyClick(&Bar<Dim>::canvas(*m_f), Qt::Key_Y);
+    settleLayout(m_f->window());
+    return view().isSplit() && settle(other());
+}
+
+void TestComparison::halvesGoTogether() {
+    BOTH(goTogether);
+}
+
+/// With the mouse: live, after the release, in time, undone; and the other half is what the document would be
+/// with that energy.
+template <int Dim>
+void TestComparison::goTogether() {
+    QVERIFY(begin<Dim>());
+    auto& session = m_f->session();
+    QVERIFY(session.template frame<Dim>()->rest->cells == other().template frame<Dim>()->rest->cells);
+    auto& canvas = Bar<Dim>::canvas(*m_f);
+    if constexpr (Dim == 3) canvas.look(Camera::Axis::Front);
+    const QPoint from = canvas.toWidget(Bar<Dim>::end()).toPoint();
+    const QPoint to = canvas.toWidget(Bar<Dim>::end() + Bar<Dim>::way()).toPoint();
+    session.selection().set({1});
+    QTest::mouseMove(&canvas, from);
+    QTest::mousePress(&canvas, Qt::LeftButton, {}, from);
+    for (int i = 1; i <= 8; ++i) QTest::mouseMove(&canvas, from + (to - from) * i / 8);
+    QVERIFY(session.isDragging() && other().isDragging());
+    const auto hasCome = [&](ShapeSession& one) {
+        const auto frame = one.template frame<Dim>();
+        return frame->live && (frame->pose - frame->rest->points).norm() > 0.1 * Bar<Dim>::way().norm();
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(hasCome(session) && hasCome(other()), 60000);
+    QTest::mouseRelease(&canvas, Qt::LeftButton, {}, to);
+    QVERIFY(!other().isDragging());
+    QVERIFY(settle(session) && settle(other()));
+    QVERIFY(session.playback().end() > 0);
+    QCOMPARE(other().frame()->time, session.frame()->time);
+    const Points<Dim> own = session.template frame<Dim>()->pose, its = other().template frame<Dim>()->pose;
+    QVERIFY((own - its).cwiseAbs().maxCoeff() > 1e-3 * Bar<Dim>::way().norm());
+    QVERIFY(std::abs(own.col(0).norm()) > 0);
+    const QString totals = view().template findChild<QLabel*>("otherTotals")->text();
+    QVERIFY(totals.contains(QLocale().toString(other().frame()->distortion->totalAngle, 'f', 3)));
+    QVERIFY(totals != view().template findChild<QLabel*>("ownTotals")->text());
+    session.playback().setTime(session.playback().end() / 2);
+    QVERIFY(settle(session) && settle(other()));
+    QCOMPARE(other().playback().time(), session.playback().time());
+    QVERIFY(other().frame()->time < session.playback().end());
+    session.playback().setTime(session.playback().end());
+    // The other energy as that of the document, computed alone.
+    const double phi = view().comparison().phi();
+    view().join();
+    QVERIFY(!view().comparison().isOn());
+    Project changed = m_f->project();
+    std::get<Design<Dim>>(changed.design).material.phi = phi;
+    session.document().change("Energy", changed);
+    QVERIFY(settle(session));
+    QVERIFY((session.template frame<Dim>()->pose - its).cwiseAbs().maxCoeff() <
+            1e-9 * Bar<Dim>::way().norm());
+}
+
+void TestComparison::halvesShowTheSamePart() {
+    QVERIFY(begin<2>());
+    auto &own = m_f->window().canvas(), &its = view().picture();
+    QTRY_COMPARE(its.size(), own.size());
+    QVERIFY(own.view() == its.view());
+    QTest::keyClick(&own, Qt::Key_1);
+    m_f->window().actions().zoomIn->trigger();
+    QVERIFY(own.view() == its.view());
+    // Maps have the same colours in both.
+    m_f->window().actions().showMap->setChecked(true);
+    const auto mapOf = [](const ShapeCanvas& canvas) {
+        return canvas.drawn() ? canvas.drawn()->request : RenderRequest();
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(mapOf(own).map && mapOf(its).map, 20000);
+    QCOMPARE(mapOf(its).range.high, mapOf(own).range.high);
+    QTest::keyClick(&own, Qt::Key_Y);
+    QVERIFY(!view().isSplit() && !its.isVisible());
+}
+
+/// As Qt brings it when a tile is dragged to the shape; beside it nothing happens.
+void TestComparison::tilesAreDropped() {
+    QVERIFY(m_f->openPicture());
+    QMimeData data;
+    const double phi = tiles().scale().stops()[2].phi;
+    data.setData("application/x-wend-energy", QByteArray::number(phi, 'g', 17));
+    QCOMPARE(EnergySlider::phiIn(&data), std::optional<double>(phi));
+    const auto drop = [&](const QPoint& at) {
+        QDragEnterEvent enter(at, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(&m_f->window(), &enter);
+        QVERIFY(enter.isAccepted());
+        QDropEvent event(at, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(&m_f->window(), &event);
+    };
+    drop(tiles().mapTo(&m_f->window(), tiles().rect().center()));
+    QVERIFY(!view().isSplit());
+    drop(m_f->window().canvas().mapTo(&m_f->window(), m_f->window().canvas().rect().center()));
+    QVERIFY(view().isSplit());
+    QCOMPARE(view().comparison().phi(), phi);
+    auto* energy = view().findChild<QComboBox*>("comparedEnergy");
+    QCOMPARE(energy->currentText(), tiles().scale().stops()[2].name);
+    QVERIFY(settle(other()));
+    energy->setFocus();
+    QTest::keyClick(energy, Qt::Key_Down);
+    QCOMPARE(view().comparison().phi(), tiles().scale().stops()[3].phi);
+    QTest::mouseClick(view().findChild<QToolButton*>("endComparison"), Qt::LeftButton);
+    QVERIFY(!view().isSplit() && !m_f->window().actions().compare->isChecked());
+}
+
+void TestComparison::tilesArePreviewed() {
+    QVERIFY(m_f->openPicture() && Bar<2>::hold(*m_f));
+    m_f->session().nudgeSelected<2>({-60, 30});
+    QVERIFY(settle(m_f->session()));
+    const auto& canvas = m_f->window().canvas();
+    const auto before = m_f->session().document().project();
+    const auto isOwn = [&] {
+        return canvas.drawn() && canvas.drawn()->request.frame == m_f->session().frame<2>();
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(isOwn(), 20000);
+    QTest::mouseMove(tile(3), tile(3)->rect().center());
+    QEnterEvent enter(QPointF(5, 5), QPointF(5, 5), QPointF(5, 5));
+    QApplication::sendEvent(tile(3), &enter);
+    QTRY_VERIFY_WITH_TIMEOUT(!isOwn() && canvas.drawn()->request.frame == other().frame<2>(), 60000);
+    QVERIFY((other().frame<2>()->pose - m_f->session().frame<2>()->pose).norm() > 1);
+    QEvent leave(QEvent::Leave);
+    QApplication::sendEvent(tile(3), &leave);
+    QTRY_VERIFY_WITH_TIMEOUT(isOwn(), 20000);
+    QVERIFY(m_f->session().document().project() == before && !view().isSplit());
+}
+
+/// Samples while nothing moves; then what each energy does to this picture.
+void TestComparison::tilesShowTheShape() {
+    QVERIFY(m_f->openPicture());
+    const auto picture = [&](int i) { return tile(i)->icon().pixmap(EnergySlider::pictureSize()).toImage(); };
+    const QImage sample = picture(1);
+    QVERIFY(Bar<2>::hold(*m_f));
+    m_f->session().nudgeSelected<2>({-100, 40});
+    QVERIFY(settle(m_f->session()));
+    auto* made = tiles().findChild<TilePictures*>();
+    QTRY_VERIFY_WITH_TIMEOUT(made->isDone(), 60000);
+    QVERIFY(picture(1) != sample);
+    for (int i = 0; i < 4; ++i)
+        for (int k = 0; k < i; ++k) QVERIFY(picture(i) != picture(k));
+    const QImage bent = picture(1);
+    m_f->session().playback().setTime(0.5 * m_f->session().playback().end());
+    QVERIFY(!made->isDone() && picture(1) != bent);  // faint until it is there
+    QTRY_VERIFY_WITH_TIMEOUT(made->isDone(), 60000);
+    while (m_f->window().actions().undo->isEnabled()) m_f->window().actions().undo->trigger();
+    QVERIFY(settle(m_f->session()));
+    QCOMPARE(picture(1), sample);
+}
+
+void TestComparison::anotherFileEndsIt() {
+    QVERIFY(begin<2>());
+    m_f->session().document().close();
+    QVERIFY(!view().isSplit() && !view().picture().isVisible());
+    QVERIFY(other().document().isEmpty());
+}
+
+QTEST_MAIN(TestComparison)
+#include "test_comparison.moc"
