@@ -124,7 +124,8 @@ void Tutorial::turnTo(int page) {
     m_end->setVisible(!last);
     m_next->setText(last ? tr("Done") : tr("Skip"));
     place();
-    raise();
+    // Who hears of the same file later may put a page over it.
+    QMetaObject::invokeMethod(this, &QWidget::raise, Qt::QueuedConnection);
 }
 
 void Tutorial::follow() {

@@ -11,7 +11,7 @@ server=$!
 trap 'kill $program $server 2>/dev/null; rm -rf "$scratch" "$XDG_RUNTIME_DIR"' EXIT
 sleep 1
 
-shot() { # NAME ARGUMENT…: opens the window, waits, sends the keys in KEYS, drags along DRAG (x y x y), takes a picture of it
+shot() { # NAME ARGUMENT…: opens the window, waits, sends the keys in KEYS, waits for PAUSE, drags along DRAG (x y x y), takes a picture of it
     local name=$1
     shift
     [ -z "$only" ] || [ "$only" = "$name" ] || return 0
@@ -30,6 +30,7 @@ shot() { # NAME ARGUMENT…: opens the window, waits, sends the keys in KEYS, dr
         xdotool key "$key"
         sleep 0.5
     done
+    sleep "${PAUSE:-0}"
     if [ -n "$DRAG" ]; then
         local from_x from_y to_x to_y
         read -r from_x from_y to_x to_y <<<"$DRAG"
@@ -48,6 +49,7 @@ shot() { # NAME ARGUMENT…: opens the window, waits, sends the keys in KEYS, dr
 }
 
 shot start.png
+KEYS="alt+h t" PAUSE=20 DRAG="414 762 414 762" shot tutorial.png
 shot window.png "$root/resources/samples/giraffe.wend"
 WAIT=12 KEYS="y d" shot compare.png "$root/resources/samples/giraffe.wend"
 sed -e 's|"octopus.png"|"'"$root"'/resources/samples/octopus.png"|' -e 's|"name": "right .* arm"|"group": "Right arms", &|' -e 's|"name": "left .* arm"|"group": "Left arms", &|' \

@@ -127,22 +127,22 @@ void TestMaterialPictures::everythingComesBack() {
     auto& regions = std::get<Design<2>>(project.design).material.regions;
     regions.push_back(
         {"ramp", Blend<2>{{20, 80}, {220, 80}}, 0, phi::conformal(2), Stiffness<2>{{1, 2}, 500}});
-    const Shape<2> scene = std::get<Shape<2>>(loadShape(project, {}));
-    const PictureFrame frame = pictureFrame(240, 160, *scene.rest);
+    const Shape<2> shape = std::get<Shape<2>>(loadShape(project, {}));
+    const PictureFrame frame = pictureFrame(240, 160, *shape.rest);
     MaterialPictures pictures;
     for (const MaterialPart part : kMaterialParts) {
         const std::string path = folder.filePath("part%1.png").arg(static_cast<int>(part)).toStdString();
-        writeImage(path, materialPicture(part, frame, *scene.rest, *scene.material));
+        writeImage(path, materialPicture(part, frame, *shape.rest, *shape.material));
         pictures.*fileOf(part) = path;
     }
     const QImage keep(QString::fromStdString(pictures.phi)),
         stiff(QString::fromStdString(pictures.stiffness));
     QCOMPARE(keep.size(), QSize(240, 160));
     QCOMPARE(keep.pixelColor(2, 2).alpha(), 0);  // beside the shape
-    for (int c = 0; c < scene.rest->cellCount(); ++c) {
-        const Vec<2> p = middleOf(*scene.rest, c);
-        QVERIFY(std::abs(phiOfGray(grayAt(keep, p)) - scene.material->phi[c]) < 1e-3);
-        const auto B = scene.material->anisotropy[c];
+    for (int c = 0; c < shape.rest->cellCount(); ++c) {
+        const Vec<2> p = middleOf(*shape.rest, c);
+        QVERIFY(std::abs(phiOfGray(grayAt(keep, p)) - shape.material->phi[c]) < 1e-3);
+        const auto B = shape.material->anisotropy[c];
         const double half = (B(0, 0) - B(1, 1)) / 2, mean = B.trace() / 2, r = std::hypot(half, B(0, 1));
         QVERIFY(std::abs(1000 * std::pow(1000, grayAt(stiff, p) - 1) - (mean + r) / (mean - r)) <
                 1e-3 * (mean + r));
@@ -150,10 +150,10 @@ void TestMaterialPictures::everythingComesBack() {
     regions.clear();
     project = withPictures(project, "all", frame.box, pictures);
     const Material<2> again = materialOf(project);
-    for (int c = 0; c < scene.rest->cellCount(); ++c) {
-        QVERIFY(std::abs(again.phi[c] - scene.material->phi[c]) < 1e-4);
-        QVERIFY((again.anisotropy[c] - scene.material->anisotropy[c]).norm() <
-                1e-3 * scene.material->anisotropy[c].norm());
+    for (int c = 0; c < shape.rest->cellCount(); ++c) {
+        QVERIFY(std::abs(again.phi[c] - shape.material->phi[c]) < 1e-4);
+        QVERIFY((again.anisotropy[c] - shape.material->anisotropy[c]).norm() <
+                1e-3 * shape.material->anisotropy[c].norm());
     }
 }
 

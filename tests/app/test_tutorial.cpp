@@ -27,6 +27,7 @@ class TestTutorial : public QObject {
 
   private:
     void begin();
+    bool isSeen();
     Tutorial& card() { return *m_window->findChild<Tutorial*>(); }
     QPushButton& button(const char* text) {
         for (auto* one : card().findChildren<QPushButton*>())
@@ -58,6 +59,13 @@ void TestTutorial::begin() {
     QTRY_VERIFY_WITH_TIMEOUT(card().isVisible(), 30000);
     QVERIFY(settle(m_window->session()));
     QCOMPARE(card().page(), 0);
+    QVERIFY(isSeen());
+}
+
+/// Nothing lies over it.
+bool TestTutorial::isSeen() {
+    const QWidget* there = m_window->childAt(card().mapTo(m_window.get(), QPoint(3, 3)));
+    return there == &card();
 }
 
 void TestTutorial::drag(double x, double y, double toX, double toY) {
