@@ -462,7 +462,7 @@
     </message>
     <message>
         <source>Way from rest</source>
-        <translation type="unfinished"></translation>
+        <translation>Distancia al reposo</translation>
     </message>
 </context>
 <context>
@@ -1687,27 +1687,27 @@
     </message>
     <message>
         <source>&amp;Velocity Arrows</source>
-        <translation type="unfinished">&amp;Flechas de velocidad</translation>
+        <translation>&amp;Flechas de velocidad</translation>
     </message>
     <message>
         <source>Show where the shape moves at this time</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrar hacia dónde se mueve la forma en este momento</translation>
     </message>
     <message>
         <source>Shift+V</source>
-        <translation type="unfinished">Shift+V</translation>
+        <translation>Shift+V</translation>
     </message>
     <message>
         <source>&amp;Compare Energies</source>
-        <translation type="unfinished"></translation>
+        <translation>Comparar energía&amp;s</translation>
     </message>
     <message>
         <source>Show another energy on the same pins beside; or drag a tile of Keep onto the shape</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrar al lado otra energía con los mismos alfileres; o arrastrar una miniatura de Conservar a la forma</translation>
     </message>
     <message>
         <source>Y</source>
-        <translation type="unfinished">Y</translation>
+        <translation>Y</translation>
     </message>
 </context>
 <context>
@@ -1728,39 +1728,39 @@
     <name>wend::CompareView</name>
     <message>
         <source>%1 – %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 – %2</translation>
     </message>
     <message>
         <source>is being computed …</source>
-        <translation type="unfinished"></translation>
+        <translation>calculando…</translation>
     </message>
     <message>
         <source>angle %1 · volume %2 · stretch %3</source>
-        <translation type="unfinished"></translation>
+        <translation>ángulo %1 · volumen %2 · estiramiento %3</translation>
     </message>
     <message>
         <source>angle %1 · area %2 · stretch %3</source>
-        <translation type="unfinished"></translation>
+        <translation>ángulo %1 · área %2 · estiramiento %3</translation>
     </message>
     <message>
         <source>The same with another energy</source>
-        <translation type="unfinished"></translation>
+        <translation>La misma forma con otra energía</translation>
     </message>
     <message>
         <source>Compare with</source>
-        <translation type="unfinished"></translation>
+        <translation>Comparar con</translation>
     </message>
     <message>
         <source>What this half keeps, on the same pins and motions.</source>
-        <translation type="unfinished"></translation>
+        <translation>Qué conserva esta mitad, con los mismos alfileres y movimientos.</translation>
     </message>
     <message>
         <source>End the comparison</source>
-        <translation type="unfinished"></translation>
+        <translation>Terminar la comparación</translation>
     </message>
     <message>
         <source>Shows one shape again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vuelve a mostrar una sola forma.</translation>
     </message>
 </context>
 <context>
@@ -2233,23 +2233,23 @@
     </message>
     <message>
         <source>Opacity</source>
-        <translation type="unfinished"></translation>
+        <translation>Opacidad</translation>
     </message>
     <message>
         <source>How much the map covers the picture below it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cuánto cubre el mapa la imagen que tiene debajo.</translation>
     </message>
     <message>
         <source>O&amp;pacity</source>
-        <translation type="unfinished"></translation>
+        <translation>Opac&amp;idad</translation>
     </message>
     <message>
         <source>What is coloured over the solid: the error of lengths, volumes or angles, how far it is from where it was, the material, how fast it moves, or how fine its mesh is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Qué se colorea sobre el sólido: el error de longitudes, volúmenes o ángulos, la distancia a su lugar original, el material, la velocidad con que se mueve o lo fina que es su malla.</translation>
     </message>
     <message>
         <source>What is coloured over the picture: the error of lengths, areas or angles, how far it is from where it was, the material, how fast it moves, or how fine its mesh is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Qué se colorea sobre la imagen: el error de longitudes, áreas o ángulos, la distancia a su lugar original, el material, la velocidad con que se mueve o lo fina que es su malla.</translation>
     </message>
 </context>
 <context>
@@ -2504,11 +2504,11 @@
     </message>
     <message>
         <source>Write Material</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportar material</translation>
     </message>
     <message>
         <source>Pictures (*.png *.tif *.exr)</source>
-        <translation type="unfinished"></translation>
+        <translation>Imágenes (*.png *.tif *.exr)</translation>
     </message>
 </context>
 <context>
@@ -2881,59 +2881,59 @@
     </message>
     <message>
         <source>Where the material is another. The topmost wins: drag a layer to its place. A click shows its values, a double click changes its name, its eye or the space bar switches it off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dónde el material es otro. Prevalece la capa de más arriba: arrastre una capa a su lugar. Un clic muestra sus valores, un doble clic cambia su nombre, su ojo o la barra espaciadora la desactiva.</translation>
     </message>
     <message>
         <source>Pictures</source>
-        <translation type="unfinished"></translation>
+        <translation>Imágenes</translation>
     </message>
     <message>
         <source>Brings the material in from pictures of a paint program, and writes it as such.</source>
-        <translation type="unfinished"></translation>
+        <translation>Importa el material desde imágenes de un programa de pintura, y lo exporta igual.</translation>
     </message>
     <message>
         <source>Read Again</source>
-        <translation type="unfinished"></translation>
+        <translation>Volver a leer</translation>
     </message>
     <message>
         <source>Takes the pictures as they are now: after they were saved in a paint program.</source>
-        <translation type="unfinished"></translation>
+        <translation>Toma las imágenes como están ahora, tras guardarlas en un programa de pintura.</translation>
     </message>
     <message>
         <source>Read pictures again</source>
-        <translation type="unfinished"></translation>
+        <translation>Volver a leer imágenes</translation>
     </message>
     <message>
         <source>Hide layer</source>
-        <translation type="unfinished"></translation>
+        <translation>Ocultar capa</translation>
     </message>
     <message>
         <source>Show layer</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrar capa</translation>
     </message>
     <message>
         <source>Keep: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Se conserva: %1</translation>
     </message>
     <message>
         <source>Stiffness: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Rigidez: %1</translation>
     </message>
     <message>
         <source>Direction: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Dirección: %1</translation>
     </message>
     <message>
         <source>As the project&apos;s file says, cell by cell.</source>
-        <translation type="unfinished"></translation>
+        <translation>Según el archivo del proyecto, celda por celda.</translation>
     </message>
     <message>
         <source>Cell by cell: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Celda por celda: %1</translation>
     </message>
     <message>
         <source>Values of cells</source>
-        <translation type="unfinished"></translation>
+        <translation>Valores de celdas</translation>
     </message>
 </context>
 <context>
@@ -3013,83 +3013,83 @@
     <name>wend::MaterialActions</name>
     <message>
         <source>Bring In What Is &amp;Kept…</source>
-        <translation type="unfinished"></translation>
+        <translation>Importar qué se &amp;conserva…</translation>
     </message>
     <message>
         <source>A gray picture over the whole, as a layer: black keeps area, white angles</source>
-        <translation type="unfinished"></translation>
+        <translation>Una imagen gris sobre el conjunto, como capa: el negro conserva el área, el blanco los ángulos</translation>
     </message>
     <message>
         <source>Bring In &amp;Stiffness…</source>
-        <translation type="unfinished"></translation>
+        <translation>Importar &amp;rigidez…</translation>
     </message>
     <message>
         <source>A gray picture over the whole, as a layer: black is as everywhere, white 1000 times stiffer</source>
-        <translation type="unfinished"></translation>
+        <translation>Una imagen gris sobre el conjunto, como capa: negro es como en todas partes, blanco 1000 veces más rígido</translation>
     </message>
     <message>
         <source>Bring In &amp;Directions…</source>
-        <translation type="unfinished"></translation>
+        <translation>Importar &amp;direcciones…</translation>
     </message>
     <message>
         <source>A gray picture over the whole, as a layer: black lies, middle gray stands, and what is stiff is so along it</source>
-        <translation type="unfinished"></translation>
+        <translation>Una imagen gris sobre el conjunto, como capa: negro horizontal, gris medio vertical; lo rígido lo es en esa dirección</translation>
     </message>
     <message>
         <source>Bring In Values of &amp;Cells…</source>
-        <translation type="unfinished"></translation>
+        <translation>Importar valores de c&amp;eldas…</translation>
     </message>
     <message>
         <source>φ and B of every cell from a mesh file that holds them, such as one that was exported</source>
-        <translation type="unfinished"></translation>
+        <translation>φ y B de cada celda desde un archivo de malla que los contenga, por ejemplo uno exportado</translation>
     </message>
     <message>
         <source>Write What Is K&amp;ept…</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportar qué se co&amp;nserva…</translation>
     </message>
     <message>
         <source>As a gray picture, to go on with in a paint program</source>
-        <translation type="unfinished"></translation>
+        <translation>Como imagen gris, para continuar en un programa de pintura</translation>
     </message>
     <message>
         <source>Write S&amp;tiffness…</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportar ri&amp;gidez…</translation>
     </message>
     <message>
         <source>Write Di&amp;rections…</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportar direcci&amp;ones…</translation>
     </message>
     <message>
         <source>&amp;Material</source>
-        <translation type="unfinished"></translation>
+        <translation>Mat&amp;erial</translation>
     </message>
     <message>
         <source>Open a picture first.</source>
-        <translation type="unfinished">Abra primero una imagen.</translation>
+        <translation>Abra primero una imagen.</translation>
     </message>
     <message>
         <source>Of a solid, values of cells; they are written with its mesh.</source>
-        <translation type="unfinished"></translation>
+        <translation>En un sólido son valores de celdas; se exportan con su malla.</translation>
     </message>
     <message>
         <source>Only the cells of a mesh file stay the same.</source>
-        <translation type="unfinished"></translation>
+        <translation>Solo las celdas de un archivo de malla siguen siendo las mismas.</translation>
     </message>
     <message>
         <source>Pictures (%1)</source>
-        <translation type="unfinished">Imágenes (%1)</translation>
+        <translation>Imágenes (%1)</translation>
     </message>
     <message>
         <source>Bring in %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Importar %1</translation>
     </message>
     <message>
         <source>Values of cells (*.vtu *.vtk *.json)</source>
-        <translation type="unfinished"></translation>
+        <translation>Valores de celdas (*.vtu *.vtk *.json)</translation>
     </message>
     <message>
         <source>The layers are switched off: what is brought in stands below them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Las capas están desactivadas: lo importado queda debajo de ellas.</translation>
     </message>
 </context>
 <context>

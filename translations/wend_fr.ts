@@ -462,7 +462,7 @@
     </message>
     <message>
         <source>Way from rest</source>
-        <translation type="unfinished"></translation>
+        <translation>Distance au repos</translation>
     </message>
 </context>
 <context>
@@ -1687,27 +1687,27 @@
     </message>
     <message>
         <source>&amp;Velocity Arrows</source>
-        <translation type="unfinished">Flèches de vite&amp;sse</translation>
+        <translation>Flèches de vite&amp;sse</translation>
     </message>
     <message>
         <source>Show where the shape moves at this time</source>
-        <translation type="unfinished"></translation>
+        <translation>Montrer où va la forme à cet instant</translation>
     </message>
     <message>
         <source>Shift+V</source>
-        <translation type="unfinished">Shift+V</translation>
+        <translation>Shift+V</translation>
     </message>
     <message>
         <source>&amp;Compare Energies</source>
-        <translation type="unfinished"></translation>
+        <translation>Comp&amp;arer les énergies</translation>
     </message>
     <message>
         <source>Show another energy on the same pins beside; or drag a tile of Keep onto the shape</source>
-        <translation type="unfinished"></translation>
+        <translation>Montrer à côté une autre énergie avec les mêmes épingles ; ou glisser une vignette de Conserver sur la forme</translation>
     </message>
     <message>
         <source>Y</source>
-        <translation type="unfinished">Y</translation>
+        <translation>Y</translation>
     </message>
 </context>
 <context>
@@ -1728,39 +1728,39 @@
     <name>wend::CompareView</name>
     <message>
         <source>%1 – %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 – %2</translation>
     </message>
     <message>
         <source>is being computed …</source>
-        <translation type="unfinished"></translation>
+        <translation>calcul en cours…</translation>
     </message>
     <message>
         <source>angle %1 · volume %2 · stretch %3</source>
-        <translation type="unfinished"></translation>
+        <translation>angle %1 · volume %2 · étirement %3</translation>
     </message>
     <message>
         <source>angle %1 · area %2 · stretch %3</source>
-        <translation type="unfinished"></translation>
+        <translation>angle %1 · aire %2 · étirement %3</translation>
     </message>
     <message>
         <source>The same with another energy</source>
-        <translation type="unfinished"></translation>
+        <translation>La même forme avec une autre énergie</translation>
     </message>
     <message>
         <source>Compare with</source>
-        <translation type="unfinished"></translation>
+        <translation>Comparer avec</translation>
     </message>
     <message>
         <source>What this half keeps, on the same pins and motions.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce que conserve cette moitié, avec les mêmes épingles et mouvements.</translation>
     </message>
     <message>
         <source>End the comparison</source>
-        <translation type="unfinished"></translation>
+        <translation>Terminer la comparaison</translation>
     </message>
     <message>
         <source>Shows one shape again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Montre de nouveau une seule forme.</translation>
     </message>
 </context>
 <context>
@@ -2233,23 +2233,23 @@
     </message>
     <message>
         <source>Opacity</source>
-        <translation type="unfinished"></translation>
+        <translation>Opacité</translation>
     </message>
     <message>
         <source>How much the map covers the picture below it.</source>
-        <translation type="unfinished"></translation>
+        <translation>À quel point la carte couvre l’image en dessous.</translation>
     </message>
     <message>
         <source>O&amp;pacity</source>
-        <translation type="unfinished"></translation>
+        <translation>Opaci&amp;té</translation>
     </message>
     <message>
         <source>What is coloured over the solid: the error of lengths, volumes or angles, how far it is from where it was, the material, how fast it moves, or how fine its mesh is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce qui est coloré sur le solide : l’erreur des longueurs, des volumes ou des angles, la distance à la place d’origine, le matériau, la vitesse du mouvement ou la finesse du maillage.</translation>
     </message>
     <message>
         <source>What is coloured over the picture: the error of lengths, areas or angles, how far it is from where it was, the material, how fast it moves, or how fine its mesh is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce qui est coloré sur l’image : l’erreur des longueurs, des aires ou des angles, la distance à la place d’origine, le matériau, la vitesse du mouvement ou la finesse du maillage.</translation>
     </message>
 </context>
 <context>
@@ -2504,11 +2504,11 @@
     </message>
     <message>
         <source>Write Material</source>
-        <translation type="unfinished"></translation>
+        <translation>Exporter le matériau</translation>
     </message>
     <message>
         <source>Pictures (*.png *.tif *.exr)</source>
-        <translation type="unfinished"></translation>
+        <translation>Images (*.png *.tif *.exr)</translation>
     </message>
 </context>
 <context>
@@ -2881,59 +2881,59 @@
     </message>
     <message>
         <source>Where the material is another. The topmost wins: drag a layer to its place. A click shows its values, a double click changes its name, its eye or the space bar switches it off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Où le matériau est différent. Le calque du haut l’emporte : glissez un calque à sa place. Un clic montre ses valeurs, un double clic change son nom, son œil ou la barre d’espace le désactive.</translation>
     </message>
     <message>
         <source>Pictures</source>
-        <translation type="unfinished"></translation>
+        <translation>Images</translation>
     </message>
     <message>
         <source>Brings the material in from pictures of a paint program, and writes it as such.</source>
-        <translation type="unfinished"></translation>
+        <translation>Importe le matériau depuis des images d’un logiciel de peinture, et l’exporte de même.</translation>
     </message>
     <message>
         <source>Read Again</source>
-        <translation type="unfinished"></translation>
+        <translation>Relire</translation>
     </message>
     <message>
         <source>Takes the pictures as they are now: after they were saved in a paint program.</source>
-        <translation type="unfinished"></translation>
+        <translation>Reprend les images telles qu’elles sont à présent, une fois enregistrées dans un logiciel de peinture.</translation>
     </message>
     <message>
         <source>Read pictures again</source>
-        <translation type="unfinished"></translation>
+        <translation>Relire les images</translation>
     </message>
     <message>
         <source>Hide layer</source>
-        <translation type="unfinished"></translation>
+        <translation>Masquer le calque</translation>
     </message>
     <message>
         <source>Show layer</source>
-        <translation type="unfinished"></translation>
+        <translation>Afficher le calque</translation>
     </message>
     <message>
         <source>Keep: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Conservé : %1</translation>
     </message>
     <message>
         <source>Stiffness: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Raideur : %1</translation>
     </message>
     <message>
         <source>Direction: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Direction : %1</translation>
     </message>
     <message>
         <source>As the project&apos;s file says, cell by cell.</source>
-        <translation type="unfinished"></translation>
+        <translation>Selon le fichier du projet, cellule par cellule.</translation>
     </message>
     <message>
         <source>Cell by cell: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Cellule par cellule : %1</translation>
     </message>
     <message>
         <source>Values of cells</source>
-        <translation type="unfinished"></translation>
+        <translation>Valeurs de cellules</translation>
     </message>
 </context>
 <context>
@@ -3013,83 +3013,83 @@
     <name>wend::MaterialActions</name>
     <message>
         <source>Bring In What Is &amp;Kept…</source>
-        <translation type="unfinished"></translation>
+        <translation>Importer ce qui est &amp;conservé…</translation>
     </message>
     <message>
         <source>A gray picture over the whole, as a layer: black keeps area, white angles</source>
-        <translation type="unfinished"></translation>
+        <translation>Une image grise sur le tout, comme calque : le noir conserve l’aire, le blanc les angles</translation>
     </message>
     <message>
         <source>Bring In &amp;Stiffness…</source>
-        <translation type="unfinished"></translation>
+        <translation>Importer la &amp;raideur…</translation>
     </message>
     <message>
         <source>A gray picture over the whole, as a layer: black is as everywhere, white 1000 times stiffer</source>
-        <translation type="unfinished"></translation>
+        <translation>Une image grise sur le tout, comme calque : noir comme partout, blanc 1000 fois plus raide</translation>
     </message>
     <message>
         <source>Bring In &amp;Directions…</source>
-        <translation type="unfinished"></translation>
+        <translation>Importer les &amp;directions…</translation>
     </message>
     <message>
         <source>A gray picture over the whole, as a layer: black lies, middle gray stands, and what is stiff is so along it</source>
-        <translation type="unfinished"></translation>
+        <translation>Une image grise sur le tout, comme calque : noir horizontal, gris moyen vertical ; ce qui est raide l’est dans cette direction</translation>
     </message>
     <message>
         <source>Bring In Values of &amp;Cells…</source>
-        <translation type="unfinished"></translation>
+        <translation>Importer des valeurs de c&amp;ellules…</translation>
     </message>
     <message>
         <source>φ and B of every cell from a mesh file that holds them, such as one that was exported</source>
-        <translation type="unfinished"></translation>
+        <translation>φ et B de chaque cellule depuis un fichier de maillage qui les contient, par exemple un maillage exporté</translation>
     </message>
     <message>
         <source>Write What Is K&amp;ept…</source>
-        <translation type="unfinished"></translation>
+        <translation>Exporter ce qui est co&amp;nservé…</translation>
     </message>
     <message>
         <source>As a gray picture, to go on with in a paint program</source>
-        <translation type="unfinished"></translation>
+        <translation>En image grise, à poursuivre dans un logiciel de peinture</translation>
     </message>
     <message>
         <source>Write S&amp;tiffness…</source>
-        <translation type="unfinished"></translation>
+        <translation>Exporter la r&amp;aideur…</translation>
     </message>
     <message>
         <source>Write Di&amp;rections…</source>
-        <translation type="unfinished"></translation>
+        <translation>Exporter les d&amp;irections…</translation>
     </message>
     <message>
         <source>&amp;Material</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Matériau</translation>
     </message>
     <message>
         <source>Open a picture first.</source>
-        <translation type="unfinished">Ouvrez d’abord une image.</translation>
+        <translation>Ouvrez d’abord une image.</translation>
     </message>
     <message>
         <source>Of a solid, values of cells; they are written with its mesh.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pour un solide, ce sont des valeurs de cellules ; elles s’exportent avec son maillage.</translation>
     </message>
     <message>
         <source>Only the cells of a mesh file stay the same.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seules les cellules d’un fichier de maillage restent les mêmes.</translation>
     </message>
     <message>
         <source>Pictures (%1)</source>
-        <translation type="unfinished">Images (%1)</translation>
+        <translation>Images (%1)</translation>
     </message>
     <message>
         <source>Bring in %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Importer %1</translation>
     </message>
     <message>
         <source>Values of cells (*.vtu *.vtk *.json)</source>
-        <translation type="unfinished"></translation>
+        <translation>Valeurs de cellules (*.vtu *.vtk *.json)</translation>
     </message>
     <message>
         <source>The layers are switched off: what is brought in stands below them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les calques sont désactivés : ce qui est importé se trouve en dessous.</translation>
     </message>
 </context>
 <context>

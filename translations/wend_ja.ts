@@ -462,7 +462,7 @@
     </message>
     <message>
         <source>Way from rest</source>
-        <translation type="unfinished"></translation>
+        <translation>変形前からの距離</translation>
     </message>
 </context>
 <context>
@@ -1686,27 +1686,27 @@
     </message>
     <message>
         <source>&amp;Velocity Arrows</source>
-        <translation type="unfinished">速度の矢印(&amp;V)</translation>
+        <translation>速度の矢印(&amp;V)</translation>
     </message>
     <message>
         <source>Show where the shape moves at this time</source>
-        <translation type="unfinished"></translation>
+        <translation>この時点で形状がどこへ動くかを表示します</translation>
     </message>
     <message>
         <source>Shift+V</source>
-        <translation type="unfinished">Shift+V</translation>
+        <translation>Shift+V</translation>
     </message>
     <message>
         <source>&amp;Compare Energies</source>
-        <translation type="unfinished"></translation>
+        <translation>エネルギーを比較(&amp;C)</translation>
     </message>
     <message>
         <source>Show another energy on the same pins beside; or drag a tile of Keep onto the shape</source>
-        <translation type="unfinished"></translation>
+        <translation>同じピンで別のエネルギーを使った結果を横に表示します。「保持」のタイルを形状にドラッグしてもできます</translation>
     </message>
     <message>
         <source>Y</source>
-        <translation type="unfinished">Y</translation>
+        <translation>Y</translation>
     </message>
 </context>
 <context>
@@ -1727,39 +1727,39 @@
     <name>wend::CompareView</name>
     <message>
         <source>%1 – %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 – %2</translation>
     </message>
     <message>
         <source>is being computed …</source>
-        <translation type="unfinished"></translation>
+        <translation>計算中…</translation>
     </message>
     <message>
         <source>angle %1 · volume %2 · stretch %3</source>
-        <translation type="unfinished"></translation>
+        <translation>角度 %1 · 体積 %2 · 伸び %3</translation>
     </message>
     <message>
         <source>angle %1 · area %2 · stretch %3</source>
-        <translation type="unfinished"></translation>
+        <translation>角度 %1 · 面積 %2 · 伸び %3</translation>
     </message>
     <message>
         <source>The same with another energy</source>
-        <translation type="unfinished"></translation>
+        <translation>別のエネルギーによる同じ形状</translation>
     </message>
     <message>
         <source>Compare with</source>
-        <translation type="unfinished"></translation>
+        <translation>比較対象</translation>
     </message>
     <message>
         <source>What this half keeps, on the same pins and motions.</source>
-        <translation type="unfinished"></translation>
+        <translation>同じピンとモーションで、こちら側が保持するもの。</translation>
     </message>
     <message>
         <source>End the comparison</source>
-        <translation type="unfinished"></translation>
+        <translation>比較を終了</translation>
     </message>
     <message>
         <source>Shows one shape again.</source>
-        <translation type="unfinished"></translation>
+        <translation>1 つの形状だけの表示に戻します。</translation>
     </message>
 </context>
 <context>
@@ -2232,23 +2232,23 @@
     </message>
     <message>
         <source>Opacity</source>
-        <translation type="unfinished"></translation>
+        <translation>不透明度</translation>
     </message>
     <message>
         <source>How much the map covers the picture below it.</source>
-        <translation type="unfinished"></translation>
+        <translation>マップが下の画像をどれだけ覆うか。</translation>
     </message>
     <message>
         <source>O&amp;pacity</source>
-        <translation type="unfinished"></translation>
+        <translation>不透明度(&amp;P)</translation>
     </message>
     <message>
         <source>What is coloured over the solid: the error of lengths, volumes or angles, how far it is from where it was, the material, how fast it moves, or how fine its mesh is.</source>
-        <translation type="unfinished"></translation>
+        <translation>ソリッドを何で色分けするか：長さ、体積、角度の誤差、元の位置からの距離、材質、動く速さ、またはメッシュの細かさ。</translation>
     </message>
     <message>
         <source>What is coloured over the picture: the error of lengths, areas or angles, how far it is from where it was, the material, how fast it moves, or how fine its mesh is.</source>
-        <translation type="unfinished"></translation>
+        <translation>画像を何で色分けするか：長さ、面積、角度の誤差、元の位置からの距離、材質、動く速さ、またはメッシュの細かさ。</translation>
     </message>
 </context>
 <context>
@@ -2499,11 +2499,11 @@
     </message>
     <message>
         <source>Write Material</source>
-        <translation type="unfinished"></translation>
+        <translation>材質を書き出し</translation>
     </message>
     <message>
         <source>Pictures (*.png *.tif *.exr)</source>
-        <translation type="unfinished"></translation>
+        <translation>画像 (*.png *.tif *.exr)</translation>
     </message>
 </context>
 <context>
@@ -2875,59 +2875,59 @@
     </message>
     <message>
         <source>Where the material is another. The topmost wins: drag a layer to its place. A click shows its values, a double click changes its name, its eye or the space bar switches it off.</source>
-        <translation type="unfinished"></translation>
+        <translation>材質が異なる部分。いちばん上のレイヤーが優先されます。レイヤーはドラッグで並べ替えられます。クリックで値を表示、ダブルクリックで名前を変更、目のアイコンまたはスペースキーでオフにします。</translation>
     </message>
     <message>
         <source>Pictures</source>
-        <translation type="unfinished"></translation>
+        <translation>画像</translation>
     </message>
     <message>
         <source>Brings the material in from pictures of a paint program, and writes it as such.</source>
-        <translation type="unfinished"></translation>
+        <translation>材質をペイントソフトの画像から読み込み、また画像として書き出します。</translation>
     </message>
     <message>
         <source>Read Again</source>
-        <translation type="unfinished"></translation>
+        <translation>再読み込み</translation>
     </message>
     <message>
         <source>Takes the pictures as they are now: after they were saved in a paint program.</source>
-        <translation type="unfinished"></translation>
+        <translation>ペイントソフトで保存された後の、現在の画像を読み込みます。</translation>
     </message>
     <message>
         <source>Read pictures again</source>
-        <translation type="unfinished"></translation>
+        <translation>画像を再読み込み</translation>
     </message>
     <message>
         <source>Hide layer</source>
-        <translation type="unfinished"></translation>
+        <translation>レイヤーを隠す</translation>
     </message>
     <message>
         <source>Show layer</source>
-        <translation type="unfinished"></translation>
+        <translation>レイヤーを表示</translation>
     </message>
     <message>
         <source>Keep: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>保持：%1</translation>
     </message>
     <message>
         <source>Stiffness: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>剛性：%1</translation>
     </message>
     <message>
         <source>Direction: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>方向：%1</translation>
     </message>
     <message>
         <source>As the project&apos;s file says, cell by cell.</source>
-        <translation type="unfinished"></translation>
+        <translation>プロジェクトファイルの値のとおり、セルごと。</translation>
     </message>
     <message>
         <source>Cell by cell: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>セルごと：%1</translation>
     </message>
     <message>
         <source>Values of cells</source>
-        <translation type="unfinished"></translation>
+        <translation>セルの値</translation>
     </message>
 </context>
 <context>
@@ -3007,83 +3007,83 @@
     <name>wend::MaterialActions</name>
     <message>
         <source>Bring In What Is &amp;Kept…</source>
-        <translation type="unfinished"></translation>
+        <translation>保持するものを読み込む(&amp;K)…</translation>
     </message>
     <message>
         <source>A gray picture over the whole, as a layer: black keeps area, white angles</source>
-        <translation type="unfinished"></translation>
+        <translation>全体を覆うグレー画像をレイヤーとして読み込みます。黒は面積、白は角度を保ちます</translation>
     </message>
     <message>
         <source>Bring In &amp;Stiffness…</source>
-        <translation type="unfinished"></translation>
+        <translation>剛性を読み込む(&amp;S)…</translation>
     </message>
     <message>
         <source>A gray picture over the whole, as a layer: black is as everywhere, white 1000 times stiffer</source>
-        <translation type="unfinished"></translation>
+        <translation>全体を覆うグレー画像をレイヤーとして読み込みます。黒はほかと同じ、白は 1000 倍の剛性です</translation>
     </message>
     <message>
         <source>Bring In &amp;Directions…</source>
-        <translation type="unfinished"></translation>
+        <translation>方向を読み込む(&amp;D)…</translation>
     </message>
     <message>
         <source>A gray picture over the whole, as a layer: black lies, middle gray stands, and what is stiff is so along it</source>
-        <translation type="unfinished"></translation>
+        <translation>全体を覆うグレー画像をレイヤーとして読み込みます。黒は水平、中間のグレーは垂直で、剛性はその方向に働きます</translation>
     </message>
     <message>
         <source>Bring In Values of &amp;Cells…</source>
-        <translation type="unfinished"></translation>
+        <translation>セルの値を読み込む(&amp;C)…</translation>
     </message>
     <message>
         <source>φ and B of every cell from a mesh file that holds them, such as one that was exported</source>
-        <translation type="unfinished"></translation>
+        <translation>書き出したメッシュなど、各セルの φ と B を含むメッシュファイルから読み込みます</translation>
     </message>
     <message>
         <source>Write What Is K&amp;ept…</source>
-        <translation type="unfinished"></translation>
+        <translation>保持するものを書き出す(&amp;E)…</translation>
     </message>
     <message>
         <source>As a gray picture, to go on with in a paint program</source>
-        <translation type="unfinished"></translation>
+        <translation>ペイントソフトで続きを描けるよう、グレー画像として書き出します</translation>
     </message>
     <message>
         <source>Write S&amp;tiffness…</source>
-        <translation type="unfinished"></translation>
+        <translation>剛性を書き出す(&amp;T)…</translation>
     </message>
     <message>
         <source>Write Di&amp;rections…</source>
-        <translation type="unfinished"></translation>
+        <translation>方向を書き出す(&amp;R)…</translation>
     </message>
     <message>
         <source>&amp;Material</source>
-        <translation type="unfinished"></translation>
+        <translation>材質(&amp;M)</translation>
     </message>
     <message>
         <source>Open a picture first.</source>
-        <translation type="unfinished">まず画像を開いてください。</translation>
+        <translation>まず画像を開いてください。</translation>
     </message>
     <message>
         <source>Of a solid, values of cells; they are written with its mesh.</source>
-        <translation type="unfinished"></translation>
+        <translation>ソリッドではセルの値になり、メッシュとともに書き出されます。</translation>
     </message>
     <message>
         <source>Only the cells of a mesh file stay the same.</source>
-        <translation type="unfinished"></translation>
+        <translation>同じセルのまま変わらないのは、メッシュファイルのセルだけです。</translation>
     </message>
     <message>
         <source>Pictures (%1)</source>
-        <translation type="unfinished">画像 (%1)</translation>
+        <translation>画像 (%1)</translation>
     </message>
     <message>
         <source>Bring in %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 を読み込み</translation>
     </message>
     <message>
         <source>Values of cells (*.vtu *.vtk *.json)</source>
-        <translation type="unfinished"></translation>
+        <translation>セルの値 (*.vtu *.vtk *.json)</translation>
     </message>
     <message>
         <source>The layers are switched off: what is brought in stands below them.</source>
-        <translation type="unfinished"></translation>
+        <translation>レイヤーをオフにしました。読み込んだ値はレイヤーの下にあります。</translation>
     </message>
 </context>
 <context>

@@ -462,7 +462,7 @@
     </message>
     <message>
         <source>Way from rest</source>
-        <translation type="unfinished"></translation>
+        <translation>与变形前的距离</translation>
     </message>
 </context>
 <context>
@@ -1686,27 +1686,27 @@
     </message>
     <message>
         <source>&amp;Velocity Arrows</source>
-        <translation type="unfinished">速度箭头(&amp;V)</translation>
+        <translation>速度箭头(&amp;V)</translation>
     </message>
     <message>
         <source>Show where the shape moves at this time</source>
-        <translation type="unfinished"></translation>
+        <translation>显示形状此刻向何处运动</translation>
     </message>
     <message>
         <source>Shift+V</source>
-        <translation type="unfinished">Shift+V</translation>
+        <translation>Shift+V</translation>
     </message>
     <message>
         <source>&amp;Compare Energies</source>
-        <translation type="unfinished"></translation>
+        <translation>比较能量(&amp;C)</translation>
     </message>
     <message>
         <source>Show another energy on the same pins beside; or drag a tile of Keep onto the shape</source>
-        <translation type="unfinished"></translation>
+        <translation>在旁边显示相同图钉下的另一种能量；也可将“保持”中的图块拖到形状上</translation>
     </message>
     <message>
         <source>Y</source>
-        <translation type="unfinished">Y</translation>
+        <translation>Y</translation>
     </message>
 </context>
 <context>
@@ -1727,39 +1727,39 @@
     <name>wend::CompareView</name>
     <message>
         <source>%1 – %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 – %2</translation>
     </message>
     <message>
         <source>is being computed …</source>
-        <translation type="unfinished"></translation>
+        <translation>正在计算…</translation>
     </message>
     <message>
         <source>angle %1 · volume %2 · stretch %3</source>
-        <translation type="unfinished"></translation>
+        <translation>角度 %1 · 体积 %2 · 拉伸 %3</translation>
     </message>
     <message>
         <source>angle %1 · area %2 · stretch %3</source>
-        <translation type="unfinished"></translation>
+        <translation>角度 %1 · 面积 %2 · 拉伸 %3</translation>
     </message>
     <message>
         <source>The same with another energy</source>
-        <translation type="unfinished"></translation>
+        <translation>采用另一种能量的同一形状</translation>
     </message>
     <message>
         <source>Compare with</source>
-        <translation type="unfinished"></translation>
+        <translation>比较对象</translation>
     </message>
     <message>
         <source>What this half keeps, on the same pins and motions.</source>
-        <translation type="unfinished"></translation>
+        <translation>图钉和运动相同时，这一半的保持内容。</translation>
     </message>
     <message>
         <source>End the comparison</source>
-        <translation type="unfinished"></translation>
+        <translation>结束比较</translation>
     </message>
     <message>
         <source>Shows one shape again.</source>
-        <translation type="unfinished"></translation>
+        <translation>恢复为只显示一个形状。</translation>
     </message>
 </context>
 <context>
@@ -2232,23 +2232,23 @@
     </message>
     <message>
         <source>Opacity</source>
-        <translation type="unfinished"></translation>
+        <translation>不透明度</translation>
     </message>
     <message>
         <source>How much the map covers the picture below it.</source>
-        <translation type="unfinished"></translation>
+        <translation>色图遮盖其下方图片的程度。</translation>
     </message>
     <message>
         <source>O&amp;pacity</source>
-        <translation type="unfinished"></translation>
+        <translation>不透明度(&amp;P)</translation>
     </message>
     <message>
         <source>What is coloured over the solid: the error of lengths, volumes or angles, how far it is from where it was, the material, how fast it moves, or how fine its mesh is.</source>
-        <translation type="unfinished"></translation>
+        <translation>实体上以颜色表示的内容：长度、体积或角度的误差，与原位置的距离，材料，运动的快慢，或网格的精细程度。</translation>
     </message>
     <message>
         <source>What is coloured over the picture: the error of lengths, areas or angles, how far it is from where it was, the material, how fast it moves, or how fine its mesh is.</source>
-        <translation type="unfinished"></translation>
+        <translation>图片上以颜色表示的内容：长度、面积或角度的误差，与原位置的距离，材料，运动的快慢，或网格的精细程度。</translation>
     </message>
 </context>
 <context>
@@ -2499,11 +2499,11 @@
     </message>
     <message>
         <source>Write Material</source>
-        <translation type="unfinished"></translation>
+        <translation>导出材料</translation>
     </message>
     <message>
         <source>Pictures (*.png *.tif *.exr)</source>
-        <translation type="unfinished"></translation>
+        <translation>图片 (*.png *.tif *.exr)</translation>
     </message>
 </context>
 <context>
@@ -2875,59 +2875,59 @@
     </message>
     <message>
         <source>Where the material is another. The topmost wins: drag a layer to its place. A click shows its values, a double click changes its name, its eye or the space bar switches it off.</source>
-        <translation type="unfinished"></translation>
+        <translation>材料与别处不同之处。最上面的图层优先：可将图层拖到所需位置。单击显示其数值，双击更改名称，单击眼睛图标或按空格键将其关闭。</translation>
     </message>
     <message>
         <source>Pictures</source>
-        <translation type="unfinished"></translation>
+        <translation>图片</translation>
     </message>
     <message>
         <source>Brings the material in from pictures of a paint program, and writes it as such.</source>
-        <translation type="unfinished"></translation>
+        <translation>从绘画软件的图片导入材料，也可导出为图片。</translation>
     </message>
     <message>
         <source>Read Again</source>
-        <translation type="unfinished"></translation>
+        <translation>重新读取</translation>
     </message>
     <message>
         <source>Takes the pictures as they are now: after they were saved in a paint program.</source>
-        <translation type="unfinished"></translation>
+        <translation>读取图片的当前内容：在绘画软件中保存之后使用。</translation>
     </message>
     <message>
         <source>Read pictures again</source>
-        <translation type="unfinished"></translation>
+        <translation>重新读取图片</translation>
     </message>
     <message>
         <source>Hide layer</source>
-        <translation type="unfinished"></translation>
+        <translation>隐藏图层</translation>
     </message>
     <message>
         <source>Show layer</source>
-        <translation type="unfinished"></translation>
+        <translation>显示图层</translation>
     </message>
     <message>
         <source>Keep: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>保持：%1</translation>
     </message>
     <message>
         <source>Stiffness: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>刚度：%1</translation>
     </message>
     <message>
         <source>Direction: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>方向：%1</translation>
     </message>
     <message>
         <source>As the project&apos;s file says, cell by cell.</source>
-        <translation type="unfinished"></translation>
+        <translation>按项目文件所载，逐个单元。</translation>
     </message>
     <message>
         <source>Cell by cell: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>逐个单元：%1</translation>
     </message>
     <message>
         <source>Values of cells</source>
-        <translation type="unfinished"></translation>
+        <translation>单元数值</translation>
     </message>
 </context>
 <context>
@@ -3007,83 +3007,83 @@
     <name>wend::MaterialActions</name>
     <message>
         <source>Bring In What Is &amp;Kept…</source>
-        <translation type="unfinished"></translation>
+        <translation>导入保持内容(&amp;K)…</translation>
     </message>
     <message>
         <source>A gray picture over the whole, as a layer: black keeps area, white angles</source>
-        <translation type="unfinished"></translation>
+        <translation>覆盖整体的灰度图片，作为图层：黑色保持面积，白色保持角度</translation>
     </message>
     <message>
         <source>Bring In &amp;Stiffness…</source>
-        <translation type="unfinished"></translation>
+        <translation>导入刚度(&amp;S)…</translation>
     </message>
     <message>
         <source>A gray picture over the whole, as a layer: black is as everywhere, white 1000 times stiffer</source>
-        <translation type="unfinished"></translation>
+        <translation>覆盖整体的灰度图片，作为图层：黑色与别处相同，白色的刚度为 1000 倍</translation>
     </message>
     <message>
         <source>Bring In &amp;Directions…</source>
-        <translation type="unfinished"></translation>
+        <translation>导入方向(&amp;D)…</translation>
     </message>
     <message>
         <source>A gray picture over the whole, as a layer: black lies, middle gray stands, and what is stiff is so along it</source>
-        <translation type="unfinished"></translation>
+        <translation>覆盖整体的灰度图片，作为图层：黑色为水平，中灰为竖直，刚度沿该方向起作用</translation>
     </message>
     <message>
         <source>Bring In Values of &amp;Cells…</source>
-        <translation type="unfinished"></translation>
+        <translation>导入单元数值(&amp;C)…</translation>
     </message>
     <message>
         <source>φ and B of every cell from a mesh file that holds them, such as one that was exported</source>
-        <translation type="unfinished"></translation>
+        <translation>从含有 φ 和 B 的网格文件（例如导出的文件）读取每个单元的 φ 和 B</translation>
     </message>
     <message>
         <source>Write What Is K&amp;ept…</source>
-        <translation type="unfinished"></translation>
+        <translation>导出保持内容(&amp;E)…</translation>
     </message>
     <message>
         <source>As a gray picture, to go on with in a paint program</source>
-        <translation type="unfinished"></translation>
+        <translation>导出为灰度图片，以便在绘画软件中继续绘制</translation>
     </message>
     <message>
         <source>Write S&amp;tiffness…</source>
-        <translation type="unfinished"></translation>
+        <translation>导出刚度(&amp;T)…</translation>
     </message>
     <message>
         <source>Write Di&amp;rections…</source>
-        <translation type="unfinished"></translation>
+        <translation>导出方向(&amp;R)…</translation>
     </message>
     <message>
         <source>&amp;Material</source>
-        <translation type="unfinished"></translation>
+        <translation>材料(&amp;M)</translation>
     </message>
     <message>
         <source>Open a picture first.</source>
-        <translation type="unfinished">请先打开图片。</translation>
+        <translation>请先打开图片。</translation>
     </message>
     <message>
         <source>Of a solid, values of cells; they are written with its mesh.</source>
-        <translation type="unfinished"></translation>
+        <translation>对于实体，这些是单元数值，随其网格一起导出。</translation>
     </message>
     <message>
         <source>Only the cells of a mesh file stay the same.</source>
-        <translation type="unfinished"></translation>
+        <translation>只有网格文件的单元保持不变。</translation>
     </message>
     <message>
         <source>Pictures (%1)</source>
-        <translation type="unfinished">图片 (%1)</translation>
+        <translation>图片 (%1)</translation>
     </message>
     <message>
         <source>Bring in %1</source>
-        <translation type="unfinished"></translation>
+        <translation>导入 %1</translation>
     </message>
     <message>
         <source>Values of cells (*.vtu *.vtk *.json)</source>
-        <translation type="unfinished"></translation>
+        <translation>单元数值 (*.vtu *.vtk *.json)</translation>
     </message>
     <message>
         <source>The layers are switched off: what is brought in stands below them.</source>
-        <translation type="unfinished"></translation>
+        <translation>图层已关闭：导入的内容位于图层之下。</translation>
     </message>
 </context>
 <context>
