@@ -138,7 +138,7 @@ void Tutorial::place() {
     const int width = std::min(kWidth, parentWidget()->width() - 2 * kMargin);
     setFixedWidth(width);
     resize(width, heightForWidth(width));
-    move(kMargin, parentWidget()->height() - height() - kMargin);
+    move(kMargin, kMargin);  // where the giraffe is not
 }
 
 bool Tutorial::eventFilter(QObject* watched, QEvent* event) {

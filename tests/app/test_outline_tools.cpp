@@ -19,7 +19,6 @@
 
 using namespace wend;
 using namespace wend::test;
-using Shape = OutlineTool::Shape;
 
 namespace {
 
@@ -67,7 +66,7 @@ class TestOutlineTools : public QObject {
     void finerWhereItIsBrushed();
 
   private:
-    void use(Shape shape, bool takesAway = false);
+    void use(OutlineTool::Shape shape, bool takesAway = false);
     QPoint at(double x, double y) const { return m_canvas->toWidget({x, y}).toPoint(); }
     void draw(const std::vector<QPointF>& way, Qt::KeyboardModifiers modifiers = {});
     void click(double x, double y, Qt::KeyboardModifiers modifiers = {});
@@ -103,7 +102,7 @@ void TestOutlineTools::init() {
     m_canvas->zoomTo(2);
 }
 
-void TestOutlineTools::use(Shape shape, bool takesAway) {
+void TestOutlineTools::use(OutlineTool::Shape shape, bool takesAway) {
     m_canvas->setTool(nullptr);
     m_pen.set({takesAway});
     m_tool = std::make_unique<OutlineTool>(*m_canvas, shape, m_pen);
@@ -139,7 +138,7 @@ void TestOutlineTools::verify(double area, double tolerance, int parts) {
 }
 
 void TestOutlineTools::lassoOfAPhotographBecomesTheOutline() {
-    use(Shape::Lasso);
+    use(OutlineTool::Shape::Lasso);
     draw({{50, 40}, {150, 40}, {150, 120}, {50, 120}});
     verify(100 * 80, 30);
     QCOMPARE(steps(), 1);
@@ -156,7 +155,7 @@ void TestOutlineTools::lassoOfAPhotographBecomesTheOutline() {
 }
 
 void TestOutlineTools::polygonTakesAway() {
-    use(Shape::Polygon, true);
+    use(OutlineTool::Shape::Polygon, true);
     click(100, 50);
     click(200, 50);
     click(260, 170);  // taken back
@@ -175,7 +174,7 @@ void TestOutlineTools::polygonTakesAway() {
 }
 
 void TestOutlineTools::brushAddsAndMakesHoles() {
-    use(Shape::Brush, true);
+    use(OutlineTool::Shape::Brush, true);
     m_pen.set({true, 20});  // 10 pixels of the picture
     draw({{100, 100}, {150, 100}, {200, 100}});
     const double capsule = 20 * 100 + std::numbers::pi * 100;
@@ -190,14 +189,14 @@ void TestOutlineTools::brushAddsAndMakesHoles() {
 }
 
 void TestOutlineTools::cutParts() {
-    use(Shape::Cut);
+    use(OutlineTool::Shape::Cut);
     draw({{150, -10}, {150, 100}, {150, 210}});
     verify(kWidth * kHeight - 200, 40, 2);
     QCOMPARE(m_session->document().undoStack()->undoText(), QStringLiteral("Cut"));
 }
 
 void TestOutlineTools::wandTakesAColour() {
-    use(Shape::Wand);
+    use(OutlineTool::Shape::Wand);
     click(200, 100);
     QVERIFY(settle(*m_session));
     const double disc = std::numbers::pi * 60 * 60;
@@ -231,7 +230,7 @@ void TestOutlineTools::whatIsAtRestStays() {
     m_session->document().change(QStringLiteral("Paint"), painted);
     QVERIFY(settle(*m_session));
     const auto before = m_session->document().project();
-    use(Shape::Brush, true);
+    use(OutlineTool::Shape::Brush, true);
     draw({{150, 20}, {150, 60}});
     const auto after = m_session->document().project();
     QVERIFY(after != before);
@@ -251,7 +250,7 @@ void TestOutlineTools::pinsBesideItGo() {
     QVERIFY(settle(*m_session));
     QSignalSpy notices(m_session.get(), &ShapeSession::notice);
     QSignalSpy problems(m_session.get(), &ShapeSession::problem);
-    use(Shape::Lasso);
+    use(OutlineTool::Shape::Lasso);
     draw({{30, 30}, {120, 30}, {120, 120}, {30, 120}});
     const auto& handles = m_session->document().design<2>().handles;
     QCOMPARE(handles.size(), std::size_t(1));
@@ -274,7 +273,7 @@ void TestOutlineTools::pinsOnTheLineStay() {
 
 /// Less than nine pixels of the picture are a slip of the hand.
 void TestOutlineTools::noiseIsLeftOut() {
-    use(Shape::Lasso);
+    use(OutlineTool::Shape::Lasso);
     draw({{50, 40}, {150, 40}, {150, 120}, {50, 120}});
     draw({{200, 150}, {202, 150}, {202, 152}, {200, 152}});
     verify(100 * 80, 30);
@@ -290,7 +289,7 @@ void TestOutlineTools::drawnLinesAreKept() {
         const double angle = i * std::numbers::pi / 12, radius = i % 2 == 0 ? 62 : 58;
         star.emplace_back(150 + radius * std::cos(angle), 100 + radius * std::sin(angle));
     }
-    use(Shape::Lasso);
+    use(OutlineTool::Shape::Lasso);
     draw(star);
     for (const QPointF& p : star) {
         double nearest = INFINITY;
@@ -301,13 +300,13 @@ void TestOutlineTools::drawnLinesAreKept() {
 }
 
 void TestOutlineTools::gesturesAreGivenUp() {
-    use(Shape::Lasso);
+    use(OutlineTool::Shape::Lasso);
     QTest::mousePress(m_canvas.get(), Qt::LeftButton, {}, at(50, 50));
     QTest::mouseMove(m_canvas.get(), at(100, 50));
     QTest::keyClick(m_canvas.get(), Qt::Key_Escape);
     QTest::mouseRelease(m_canvas.get(), Qt::LeftButton, {}, at(100, 100));
     QCOMPARE(steps(), 0);
-    use(Shape::Lasso, true);
+    use(OutlineTool::Shape::Lasso, true);
     QSignalSpy notices(m_session.get(), &ShapeSession::notice);
     draw({{-20, -20}, {320, -20}, {320, 220}, {-20, 220}});  // all of it
     QCOMPARE(steps(), 0);
@@ -324,7 +323,7 @@ void TestOutlineTools::drawnAtRest() {
     m_session->endDrag(0.2);
     QVERIFY(settle(*m_session));
     QVERIFY(m_session->playback().time() > 0);
-    use(Shape::Brush);
+    use(OutlineTool::Shape::Brush);
     QTest::mouseMove(m_canvas.get(), at(100, 100));
     QCOMPARE(m_session->playback().time(), 0.0);
 }
