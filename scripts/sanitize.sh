@@ -13,17 +13,18 @@ tests_of() { # BUILD-FOLDER: the names of all tests
 }
 
 # Groups, one a line, each after what it needs built: `wend` or nothing. What no line names is the last one, what is left out in none.
-groups_of() { # BUILD-FOLDER
+groups_of() { # BUILD-FOLDER [ci]: only those of .ci/run
     local all named kind group
     all=$(tests_of "$1")
-    named=" $(listed '\(group\|parts\)' | tr '\n' ' ') $(listed not | sed 's/ .*//' | tr '\n' ' ') "
-    for kind in parts group; do
+    named=" $(listed '\(group\|parts\|ci\)' | tr '\n' ' ') $(listed not | sed 's/ .*//' | tr '\n' ' ') "
+    for kind in ${2:-ci parts group}; do
         while read -r -a group; do
             [ "$kind" = group ] && printf 'wend '
             for name in "${group[@]}"; do grep -qx "$name" <<<"$all" && printf '%s ' "$name"; done
             echo
         done < <(listed "$kind")
     done
+    [ -n "$2" ] && return
     printf 'wend '
     for name in $all; do case "$named" in *" $name "*) ;; *) printf '%s ' "$name" ;; esac; done
     echo
@@ -46,7 +47,7 @@ run_group() { # BUILD-FOLDER SECONDS NAME…
     return 0
 }
 
-sanitize() { # PRESET LAST-MINUTE: what is not built by then is named and not run; sets all_passed and all_failed
+sanitize() { # PRESET LAST-MINUTE [ci]: what is not built by then is named and not run; sets all_passed and all_failed
     local folder=$root/build/$1 group left late=()
     all_passed=0 all_failed=0
     configure "$1" || { all_failed=1; return; }
@@ -56,7 +57,7 @@ sanitize() { # PRESET LAST-MINUTE: what is not built by then is named and not ru
         if [ "$left" -le 0 ] || ! run_group "$folder" "$left" "${group[@]}"; then late+=("${group[@]}"); continue; fi
         all_passed=$((all_passed + passed)) all_failed=$((all_failed + failed))
         echo "$1: $all_passed passed, $all_failed failed after $((SECONDS / 60)) minutes: ${group[*]}"
-    done < <(groups_of "$folder")
+    done < <(groups_of "$folder" "$3")
     [ "${#late[@]}" -gt 0 ] && echo "$1: not run, for lack of time: ${late[*]}"
     listed not | sed "s/^/$1: left out: /"
 }
