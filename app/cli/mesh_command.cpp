@@ -16,6 +16,7 @@
 #include "app/session/shape_file.h"
 #include "core/mesh/error.h"
 #include "core/mesh/file_name.h"
+#include "core/mesh/mesh_file.h"
 
 namespace wend {
 namespace {

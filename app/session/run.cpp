@@ -17,6 +17,7 @@
 #include "core/energy/distortion.h"
 #include "core/mesh/error.h"
 #include "core/mesh/file_name.h"
+#include "core/mesh/mesh_file.h"
 #include "kernels/back_end_choice.h"
 #include "warp/warp.h"
 #include "warp/warped_picture.h"

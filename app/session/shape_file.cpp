@@ -7,6 +7,7 @@
 #include "core/mesh/error.h"
 #include "core/mesh/file_name.h"
 #include "core/mesh/gltf.h"
+#include "core/mesh/mesh_file.h"
 #include "core/mesh/mesh_formats.h"
 #include "core/mesh/number_text.h"
 #include "core/mesh/skin_file.h"

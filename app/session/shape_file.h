@@ -4,9 +4,12 @@
 #include <vector>
 
 #include "app/session/shape.h"
-#include "core/mesh/mesh_file.h"
+#include "core/mesh/mesh_write_options.h"
 
 namespace wend {
+
+struct MeshField;
+struct MeshFile;
 
 /// The values that go along with a deformed mesh: per cell "error_angle", "error_volume", "error_metric",
 /// "ratio" (of its volume or area), "phi", and "B" (row-major) if the material has directions; per vertex
