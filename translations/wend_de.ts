@@ -2801,7 +2801,7 @@
     </message>
     <message>
         <source>Up</source>
-        <translation>Nach oben</translation>
+        <translation>Hoch</translation>
     </message>
     <message>
         <source>Lets the chosen layer win over the one above it.</source>
@@ -2809,7 +2809,7 @@
     </message>
     <message>
         <source>Down</source>
-        <translation>Nach unten</translation>
+        <translation>Runter</translation>
     </message>
     <message>
         <source>Lets the layer below win over the chosen one.</source>
@@ -2817,7 +2817,7 @@
     </message>
     <message>
         <source>Remove</source>
-        <translation>Entfernen</translation>
+        <translation>Weg</translation>
     </message>
     <message>
         <source>Takes the chosen layer away.</source>

@@ -2817,7 +2817,7 @@
     </message>
     <message>
         <source>Remove</source>
-        <translation>Eliminar</translation>
+        <translation>Quitar</translation>
     </message>
     <message>
         <source>Takes the chosen layer away.</source>

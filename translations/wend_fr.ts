@@ -2801,7 +2801,7 @@
     </message>
     <message>
         <source>Up</source>
-        <translation>Monter</translation>
+        <translation>Haut</translation>
     </message>
     <message>
         <source>Lets the chosen layer win over the one above it.</source>
@@ -2809,7 +2809,7 @@
     </message>
     <message>
         <source>Down</source>
-        <translation>Descendre</translation>
+        <translation>Bas</translation>
     </message>
     <message>
         <source>Lets the layer below win over the chosen one.</source>
@@ -2817,7 +2817,7 @@
     </message>
     <message>
         <source>Remove</source>
-        <translation>Supprimer</translation>
+        <translation>Ôter</translation>
     </message>
     <message>
         <source>Takes the chosen layer away.</source>
