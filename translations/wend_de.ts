@@ -728,7 +728,7 @@
     </message>
     <message>
         <source>Remembers its shape</source>
-        <translation>Erinnert sich an ihre Form</translation>
+        <translation>Formgedächtnis</translation>
     </message>
     <message>
         <source>How strongly the shape is drawn back to its rest while a pin moves. Not at all: where it ends depends on the way that the pin has gone. Fully: a pin that comes back brings the shape back.</source>
@@ -2681,7 +2681,7 @@
     </message>
     <message>
         <source>Remembers its shape</source>
-        <translation>Erinnert sich an ihre Form</translation>
+        <translation>Formgedächtnis</translation>
     </message>
 </context>
 <context>

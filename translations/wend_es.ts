@@ -584,7 +584,7 @@
     </message>
     <message>
         <source>Radius–edge rati&amp;o</source>
-        <translation>&amp;Relación radio–arista</translation>
+        <translation>&amp;Radio–arista</translation>
     </message>
     <message>
         <source>How flat the tetrahedra may be: the greatest ratio of circumradius to shortest edge. Smaller is rounder and takes more of them.</source>

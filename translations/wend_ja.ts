@@ -524,7 +524,7 @@
     </message>
     <message>
         <source>Count as so&amp;lid above</source>
-        <translation>不透明とみなす下限(&amp;L)</translation>
+        <translation>不透明度の下限(&amp;L)</translation>
     </message>
     <message>
         <source>Pixels that are more opaque than this belong to the shape.</source>

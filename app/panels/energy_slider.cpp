@@ -23,6 +23,7 @@ constexpr int kSnap = 45;
 constexpr int kHandle = 16;
 constexpr int kLabelGap = 3;
 constexpr int kTileHeight = 76, kTileGap = 4;
+constexpr int kTileText = 54, kTileFont = 12;  // pixels: of the narrowest tile, and as in window.qss
 constexpr QSize kTilePicture(46, 48);
 constexpr int kRest = 250;  // milliseconds of the pointer on a tile
 constexpr double kFaint = 0.4;
@@ -36,6 +37,14 @@ int nearestStop(int value) {
 int snapped(int value) {
     const int stop = nearestStop(value) * kStepsPerStop;
     return std::abs(value - stop) <= kSnap ? stop : value;
+}
+
+/// Where a tile has no room for its text when it is chosen and bold; window.qss makes it smaller there.
+bool isLong(const QString& text) {
+    QFont bold = QApplication::font();
+    bold.setPixelSize(kTileFont);
+    bold.setWeight(QFont::DemiBold);
+    return QFontMetrics(bold).horizontalAdvance(text) > kTileText;
 }
 
 }  // namespace
@@ -69,6 +78,7 @@ void EnergySlider::makeStop(int stop) {
         label->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
         label->setIconSize(kTilePicture);
         label->installEventFilter(this);
+        label->setProperty("long", isLong(label->text()));
     }
     describe(label, m_scale.stops()[stop].name, m_scale.stops()[stop].shortHelp);
     connect(label, &QToolButton::clicked, this, [this, stop] {
