@@ -126,6 +126,7 @@ void CompareView::split(double phi) {
     const bool first = !std::exchange(m_split, true);
     if (m_parts.session.document().dimension() == 3) makeSolid();
     showHalf();
+    showEnergies();
     showHeads();
     if (first) emit splitChanged(true);
 }
@@ -165,6 +166,10 @@ void CompareView::showHeads() {
     m_ownName->setText(nameOf(settingOf(*m_parts.session.document().project(), "material.phi"), dimension));
     m_ownTotals->setText(totalsOf(m_parts.session));
     m_otherTotals->setText(totalsOf(m_comparison.other()));
+}
+
+void CompareView::showEnergies() {
+    const int dimension = m_parts.session.document().dimension();
     const EnergyScale scale(dimension);
     const QSignalBlocker quiet(m_energy);
     m_energy->clear();

@@ -49,6 +49,7 @@ class CompareView : public QWidget {
     QWidget* ownHead();
     QWidget* otherHead();
     void showHeads();
+    void showEnergies();
     void showHalf();
     void makeSolid();
     void connectViews();
