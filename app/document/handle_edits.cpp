@@ -39,15 +39,18 @@ std::vector<double> timesByLength(const std::vector<Vec<Dim>>& path, double star
     return times;
 }
 
-/// A stroke's own times need not be those of its window, which may be moved.
+/// A stroke's own times go from 0 to 1: its window may be moved.
 template <int Dim>
-Motion<Dim> recorded(const Vec<Dim>& from, const std::vector<Vec<Dim>>& offsets, double start, double end) {
-    Recorded<Dim> stroke{timesByLength<Dim>(offsets, 0, 1), {}};
-    for (const Vec<Dim>& offset : offsets) stroke.points.push_back(from + offset);
+Motion<Dim> recorded(const Vec<Dim>& from, const std::vector<Amount>& path,
+                     const std::vector<double>& times) {
+    Recorded<Dim> stroke;
+    const double start = times.front(), length = times.back() - start;
+    for (const double time : times) stroke.times.push_back((time - start) / length);
+    for (const Amount& amount : path) stroke.points.push_back(from + amount.template head<Dim>());
     Motion<Dim> motion;
     motion.kind = std::move(stroke);
-    motion.start = start;
-    motion.end = end;
+    motion.start = times.front();
+    motion.end = times.back();
     return motion;
 }
 
@@ -153,13 +156,13 @@ void letGo(Design<Dim>& design, const std::vector<int>& handles, double time) {
     design.handles = std::move(kept);
 }
 
-/// Motions that follow each other along the path, in [start, end] in proportion to the way.
+/// Motions that follow each other along the path; none where it rests.
 template <int Dim>
-std::vector<Motion<Dim>> motionsAlong(const Grip& grip, const std::vector<Amount>& path, double start,
-                                      double end) {
-    const std::vector<double> times = timesByLength<3>(path, start, end);
+std::vector<Motion<Dim>> motionsAlong(const Grip& grip, const std::vector<Amount>& path,
+                                      const std::vector<double>& times) {
     std::vector<Motion<Dim>> motions;
     for (std::size_t i = 1; i < path.size(); ++i) {
+        if (path[i] == path[i - 1]) continue;
         Motion<Dim> motion = motionBetween<Dim>(grip, path[i - 1], path[i]);
         motion.start = times[i - 1];
         motion.end = times[i];
@@ -180,15 +183,35 @@ double borderAfter(double before, double added, double end) {
     return end * std::clamp(before / (before + added), kMinShare, 1 - kMinShare);
 }
 
-/// What lies before a gesture, with the time that it leaves to that.
+/// A project that has room for a gesture, and when that is at each point of its way.
+struct Room {
+    Project project;
+    std::vector<double> times;
+};
+
+/// By way: what lies before leaves as much time as is due to it.
 template <int Dim>
-std::pair<Project, double> roomFor(const Project& project, const Gesture& gesture) {
-    if (!hasMotion(design<Dim>(project))) return {project, 0};
+Room roomFor(const Project& project, const Gesture& gesture) {
+    const auto timed = [&](Project before, double begin) -> Room {
+        return {std::move(before), timesByLength<3>(gesture.path, begin, project.end)};
+    };
+    if (!hasMotion(design<Dim>(project))) return timed(project, 0);
     Project before = endedAt(project, gesture.from);
-    if (gesture.from <= 0) return {std::move(before), 0};
+    if (gesture.from <= 0) return timed(std::move(before), 0);
     const double way = wayLength<Dim>(design<Dim>(before).handles, gesture.arm);
     const double border = borderAfter(way, lengthOf(gesture), project.end);
-    return {withTimesMoved(std::move(before), gesture.from, border), border};
+    return timed(withTimesMoved(std::move(before), gesture.from, border), border);
+}
+
+/// By its own clock: what others do stays. The first motion of all makes the film as long as itself.
+template <int Dim>
+Room roomForRecording(const Project& project, const Gesture& gesture) {
+    Room room{project, gesture.times};
+    for (double& time : room.times) time += gesture.from;
+    for (const int h : gesture.handles) endMotionsAt(design<Dim>(room.project).handles.at(h), gesture.from);
+    const double end = room.times.back();
+    room.project.end = hasMotion(design<Dim>(project)) ? std::max(project.end, end) : end;
+    return room;
 }
 
 }  // namespace
@@ -230,16 +253,15 @@ Project withLongerStroke(const Project& project, const std::vector<int>& handles
 
 template <int Dim>
 Project withGesture(const Project& project, const Gesture& gesture, const std::vector<Vec<Dim>>& starts) {
-    auto [next, begin] = roomFor<Dim>(project, gesture);
-    std::vector<Vec<Dim>> offsets;
-    for (const Amount& amount : gesture.path) offsets.push_back(amount.template head<Dim>());
+    auto [next, times] =
+        gesture.times.empty() ? roomFor<Dim>(project, gesture) : roomForRecording<Dim>(project, gesture);
     for (std::size_t i = 0; i < gesture.handles.size(); ++i) {
         auto& own = design<Dim>(next).handles.at(gesture.handles[i]).motions;
         if (gesture.grip.kind == Grip::Kind::Move) {
-            own.push_back(recorded<Dim>(starts[i], offsets, begin, next.end));
+            own.push_back(recorded<Dim>(starts[i], gesture.path, times));
             continue;
         }
-        const auto motions = motionsAlong<Dim>(gesture.grip, gesture.path, begin, next.end);
+        const auto motions = motionsAlong<Dim>(gesture.grip, gesture.path, times);
         own.insert(own.end(), motions.begin(), motions.end());
     }
     return next;
@@ -275,6 +297,7 @@ std::vector<Vec<Dim>> simplified(const std::vector<Vec<Dim>>& path, double toler
     template Project withGesture<Dim>(const Project&, const Gesture&, const std::vector<Vec<Dim>>&);        \
     template std::vector<Vec<Dim>> simplified<Dim>(const std::vector<Vec<Dim>>&, double)
 
+template std::vector<Vec<4>> simplified<4>(const std::vector<Vec<4>>&, double);
 WEND_INSTANTIATE(2);
 WEND_INSTANTIATE(3);
 #undef WEND_INSTANTIATE

@@ -47,11 +47,14 @@ struct Gesture {
     std::vector<Amount> path;
     double from = 0;  // when it begins, by the clock of the project that it changes
     double arm = 1;   // in the domain's units: where turning and growing count as a way
+    std::vector<double> times = {};  // of a recording: when it is at each point of the path, the first zero
 };
 /// A gesture goes on from a time of the motion and replaces what came after. The film keeps its length: the
 /// gesture takes its place at the end, and what lies before moves together, each in proportion to its way.
 /// No pose on the way changes. It becomes a Recorded motion if it moves, and one motion per piece of the way
-/// if it turns or grows. `starts` is where each handle is at its beginning.
+/// if it turns or grows. `starts` is where each handle is at its beginning. A recording has its own clock: it
+/// replaces only what its own handles did from then on, and lasts as long as it took; the film becomes longer
+/// where it must.
 template <int Dim>
 Project withGesture(const Project& project, const Gesture& gesture, const std::vector<Vec<Dim>>& starts);
 /// A move at the end of the motion, by offsets of which the first is zero.

@@ -39,8 +39,12 @@ void Playback::setLoops(bool loops) {
     m_loops = loops;
 }
 
+void Playback::setSpeed(double speed) {
+    m_speed = speed;
+}
+
 void Playback::tick() {
-    const double passed = static_cast<double>(m_clock.restart()) * 1e-3 / kSecondsPerUnit;
+    const double passed = m_speed * static_cast<double>(m_clock.restart()) * 1e-3 / kSecondsPerUnit;
     if (!isAtEnd()) {
         setTime(std::min(m_time + passed, std::max(m_ready, m_time)));
         return;

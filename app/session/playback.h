@@ -19,6 +19,8 @@ class Playback : public QObject {
     double end() const { return m_end; }
     bool isPlaying() const { return m_timer.isActive(); }
     bool loops() const { return m_loops; }
+    /// Of a film that is shown as fast as it is: 1.
+    double speed() const { return m_speed; }
     bool isAtEnd() const { return m_time >= m_end; }
 
     /// Another end; the time follows if it was there, or lies beyond.
@@ -30,6 +32,7 @@ class Playback : public QObject {
     void setTime(double time);
     void setPlaying(bool playing);
     void setLoops(bool loops);
+    void setSpeed(double speed);
 
   signals:
     void timeChanged(double time);
@@ -42,6 +45,7 @@ class Playback : public QObject {
     QTimer m_timer;
     QElapsedTimer m_clock;
     double m_time = 0, m_end = 0, m_ready = 0;
+    double m_speed = 1;
     bool m_loops = false;
 };
 

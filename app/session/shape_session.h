@@ -27,6 +27,7 @@ class ShapeSession : public QObject {
     Selection& selection() { return m_selection; }
     const Selection& selection() const { return m_selection; }
     Playback& playback() { return m_playback; }
+    const Playback& playback() const { return m_playback; }
     const FrameTrack& track() const { return m_track; }
     /// The handle if one alone is selected, else −1. (In the middle of an undo the selection may be that of
     /// the project before.)
@@ -107,18 +108,22 @@ class ShapeSession : public QObject {
     /// Of the selected handles, and those that are linked with them, the ones that hold at the time that is
     /// shown and are not locked; a notice if there are none. The gesture goes on from there and replaces what
     /// came after.
-    void beginDrag(const Grip& grip = {});
+    /// One that `records` keeps its own times, from a clock that comes with its samples, and replaces only
+    /// what its own handles did after.
+    void beginDrag(const Grip& grip = {}, bool records = false);
     template <int Dim = 2>
-    void dragTo(const Vec<Dim>& offset) {
-        dragBy(amountOf<Dim>(offset));
+    void dragTo(const Vec<Dim>& offset, double seconds = 0) {
+        dragBy(amountOf<Dim>(offset), seconds);
     }
-    void dragBy(const Amount& amount);
-    /// Records the way as it was gone, within the tolerance.
+    void dragBy(const Amount& amount, double seconds = 0);
+    /// From now on every drag records.
+    void setRecording(bool records) { m_records = records; }
+    /// Keeps the way as it was gone, within the tolerance.
     void endDrag(double tolerance);
-    /// Records the straight way to where it ended: its amount was given as a number.
+    /// Keeps the straight way to where it ended: its amount was given as a number.
     void endDragStraight();
     void cancelDrag();
-    /// Ends the drag and records nothing: what was reached stands for the end of the motion until that is
+    /// Ends the drag and keeps nothing: what was reached stands for the end of the motion until that is
     /// there, of a project that is to come.
     void letGo();
     /// The gesture that goes on: how far it has come.
@@ -168,9 +173,10 @@ class ShapeSession : public QObject {
     template <int Dim>
     void takeHold(const std::vector<int>& handles);
     template <int Dim>
-    void pushGesture(const DragGesture& drag, const std::vector<Amount>& path, double from,
-                     const QString& key = {});
-    void endDrag(const std::vector<Amount>& path);
+    void pushGesture(const DragGesture& drag, const TimedPath& path, double from, const QString& key = {});
+    void endDrag(const TimedPath& path);
+    template <int Dim>
+    void tellReplaced(const std::vector<Handle<Dim>>& before, const std::vector<int>& recorded, double from);
     std::vector<int> unlocked(std::vector<int> handles);
 
     Document m_document;
@@ -183,6 +189,7 @@ class ShapeSession : public QObject {
     FramePtr m_velocityOf, m_askedFor;
     VelocityPtr m_velocity;
     bool m_velocityWanted = false;
+    bool m_records = false;
     bool m_stale = false, m_busy = false, m_failed = false;
     bool m_addsHandle = false;  // a change that moves nothing is being made
     bool m_sameShape = false;   // what is shown stays as it is, though something is computed

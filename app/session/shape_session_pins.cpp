@@ -187,7 +187,7 @@ void ShapeSession::nudgeSelected(const Vec<Dim>& by) {
         m_document.change(tr("Move %1").arg(nameOf(handles)),
                           withLongerStroke<Dim>(*m_document.project(), handles, by, armOf<Dim>(drag)), key);
     else
-        pushGesture<Dim>(drag, {Amount::Zero(), amountOf<Dim>(by)}, gestureTime(), key);
+        pushGesture<Dim>(drag, {{Amount::Zero(), amountOf<Dim>(by)}, {}}, gestureTime(), key);
 }
 
 template <int Dim>
@@ -196,7 +196,7 @@ void ShapeSession::moveSelected(const Grip& grip, const Amount& amount) {
     const auto handles = movableHandles();
     if (handles.empty()) return;
     takeHold<Dim>(handles);
-    pushGesture<Dim>(DragGesture(handles, grip), {Amount::Zero(), amount}, gestureTime());
+    pushGesture<Dim>(DragGesture(handles, grip), {{Amount::Zero(), amount}, {}}, gestureTime());
 }
 
 /// The selected handles that hold the shape at the time that is shown, with those that go along.
@@ -246,7 +246,7 @@ void ShapeSession::takeHold(const std::vector<int>& handles) {
     });
 }
 
-void ShapeSession::beginDrag(const Grip& grip) {
+void ShapeSession::beginDrag(const Grip& grip, bool records) {
     const auto handles = movableHandles();
     if (handles.empty()) return;
     if (m_frame->dimension == 2)
@@ -255,14 +255,14 @@ void ShapeSession::beginDrag(const Grip& grip) {
         takeHold<3>(handles);
     m_previewBefore = m_preview;
     m_dragFrom = gestureTime();
-    m_drag.emplace(handles, grip);
+    m_drag.emplace(handles, grip, records || m_records);
     m_compute.post(BeginDrag{handles, grip, ++m_gesture, m_revision, m_frame, m_dragFrom});
     emit dragBegan();
 }
 
-void ShapeSession::dragBy(const Amount& amount) {
+void ShapeSession::dragBy(const Amount& amount, double seconds) {
     if (!m_drag) return;
-    const int sample = m_drag->add(amount);
+    const int sample = m_drag->add(amount, seconds);
     m_compute.post(DragTo{amount, sample});
     emit dragMoved(amount);
     emit pinsChanged();
@@ -283,38 +283,60 @@ double ShapeSession::armOf(const DragGesture& drag) const {
 }
 
 template <int Dim>
-void ShapeSession::pushGesture(const DragGesture& drag, const std::vector<Amount>& path, double from,
+void ShapeSession::pushGesture(const DragGesture& drag, const TimedPath& path, double from,
                                const QString& key) {
-    const QString what = drag.grip().kind == Grip::Kind::Turn   ? tr("Turn %1")
+    const bool records = !path.seconds.empty();
+    const QString what = records                                ? tr("Record %1")
+                         : drag.grip().kind == Grip::Kind::Turn   ? tr("Turn %1")
                          : drag.grip().kind == Grip::Kind::Grow ? tr("Scale %1")
                                                                 : tr("Move %1");
     std::vector<Vec<Dim>> starts(drag.handles().size(), Vec<Dim>::Zero());
     for (const auto& view : std::get<Hold<Dim>>(m_holds).grabbed)
         for (std::size_t i = 0; i < starts.size(); ++i)
             if (drag.handles()[i] == view.handle) starts[i] = view.centre;
-    const Gesture gesture{drag.handles(), drag.grip(), path, from, armOf<Dim>(drag)};
-    const bool replaces = movesAfter<Dim>(m_document.design<Dim>(), from);
+    const Gesture gesture{drag.handles(), drag.grip(), path.points, from, armOf<Dim>(drag), path.seconds};
+    const std::vector<Handle<Dim>> before = m_document.design<Dim>().handles;
     m_document.change(what.arg(nameOf(drag.handles())),
                       withGesture<Dim>(*m_document.project(), gesture, starts), key);
-    m_playback.setTime(m_playback.end());
-    if (replaces) emit notice(tr("What came after is replaced by this; Undo brings it back."));
+    // What was recorded is seen by playing it, and others may be recorded to it.
+    m_playback.setTime(records ? from : m_playback.end());
+    tellReplaced<Dim>(before, records ? drag.handles() : std::vector<int>(), from);
+}
+
+/// A recording replaces what its own handles did, any other gesture (of none) what all did.
+template <int Dim>
+void ShapeSession::tellReplaced(const std::vector<Handle<Dim>>& before, const std::vector<int>& recorded,
+                                double from) {
+    Design<Dim> replaced;
+    for (int h = 0; h < static_cast<int>(before.size()); ++h)
+        if (recorded.empty() || std::count(recorded.begin(), recorded.end(), h))
+            replaced.handles.push_back(before[h]);
+    if (movesAfter<Dim>(replaced, from))
+        emit notice(tr("What came after is replaced by this; Undo brings it back."));
+    else if (!recorded.empty())
+        emit notice(tr("Recorded. K plays it; record other pins from the same time, and they move together."));
 }
 
 void ShapeSession::endDrag(double tolerance) {
-    if (m_drag) endDrag(m_drag->path(tolerance));
+    if (!m_drag) return;
+    if (!m_drag->records()) return endDrag({m_drag->path(tolerance), {}});
+    TimedPath path = m_drag->timedPath(tolerance);
+    for (double& second : path.seconds) second *= m_playback.speed() / Playback::kSecondsPerUnit;
+    endDrag(path);
 }
 
 void ShapeSession::endDragStraight() {
-    if (m_drag) endDrag(m_drag->straight());
+    if (m_drag) endDrag({m_drag->straight(), {}});
 }
 
-void ShapeSession::endDrag(const std::vector<Amount>& path) {
-    if (path.size() < 2) {
+void ShapeSession::endDrag(const TimedPath& path) {
+    if (path.points.size() < 2) {
         cancelDrag();
         return;
     }
     const DragGesture drag = *m_drag;
     letGo();
+    if (!path.seconds.empty()) m_preview.reset();  // what is shown next is its beginning
     if (m_document.dimension() == 2)
         pushGesture<2>(drag, path, m_dragFrom);
     else

@@ -5,6 +5,7 @@
 
 #include "app/session/accent.h"
 #include "app/session/solid_places.h"
+#include "app/tools/drag_label.h"
 #include "app/tools/region_outline.h"
 
 namespace wend {
@@ -263,12 +264,7 @@ void AreaTool::paintCaught(QPainter& painter, const std::vector<int>& held) cons
     for (const int v : held) painter.drawEllipse(surface().toWidget(frame->pose.col(v)), 2.6, 2.6);
     const QString text =
         QCoreApplication::translate("AreaTool", "%n vertices", nullptr, static_cast<int>(held.size()));
-    const QRectF box(m_at + QPointF(16, 12), QSizeF(painter.fontMetrics().horizontalAdvance(text) + 16, 24));
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(QColor(28, 30, 38, 225));
-    painter.drawRoundedRect(box, 5, 5);
-    painter.setPen(Qt::white);
-    painter.drawText(box, Qt::AlignCenter, text);
+    paintLabel(painter, m_at + QPointF(16, 12), text);
 }
 
 }  // namespace wend

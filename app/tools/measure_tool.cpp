@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "app/session/solid_places.h"
+#include "app/tools/drag_label.h"
 
 namespace wend {
 
@@ -117,12 +118,7 @@ void MeasureTool<Dim>::paint(QPainter& painter) const {
     for (const QPointF& p : line) painter.drawEllipse(p, 4, 4);
     if (text().isEmpty()) return;
     const QPointF at = line.size() == 3 ? line[1] : (line[0] + line[1]) / 2;
-    const QRectF box(at + QPointF(14, 10), QSizeF(painter.fontMetrics().horizontalAdvance(text()) + 16, 24));
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(QColor(28, 30, 38, 225));
-    painter.drawRoundedRect(box, 5, 5);
-    painter.setPen(Qt::white);
-    painter.drawText(box, Qt::AlignCenter, text());
+    paintLabel(painter, at + QPointF(14, 10), text());
 }
 
 template class MeasureTool<2>;

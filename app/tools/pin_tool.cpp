@@ -6,6 +6,7 @@
 
 #include "app/session/accent.h"
 #include "app/session/pin_shapes.h"
+#include "app/tools/drag_label.h"
 #include "app/tools/pin_picking.h"
 #include "app/tools/region_outline.h"
 
@@ -41,6 +42,7 @@ PinTool::PinTool(ToolSurface& surface, bool adds)
 QString PinTool::hint() const {
     if (m_gesture == Gesture::Curve || curvePointAt(m_at) > 0) return curveHint(true);
     if (m_gesture == Gesture::None && m_hovered < 0 && m_curve.isOnCurve(m_at)) return curveHint(false);
+    if (isRecording(session())) return recordingHint();
     if (m_gesture == Gesture::Drag)
         return said(QT_TRANSLATE_NOOP("PinTool", "Drag the pin; Esc puts the shape back"));
     if (m_gesture == Gesture::Widen)
@@ -52,7 +54,7 @@ QString PinTool::hint() const {
     if (m_hovered >= 0)
         return said(QT_TRANSLATE_NOOP(
             "PinTool",
-            "Drag to move the pin, Alt-drag to widen it, Shift-click to select more, Delete to remove"));
+            "Drag to move the pin, Ctrl-drag to record it, Alt-drag to widen it, Shift-click to select more"));
     if (m_gesture == Gesture::None && m_hasRing && !m_ring.canTurn() && m_ring.isOn(m_at))
         return said(QT_TRANSLATE_NOOP("PinTool", "A point cannot rotate – Alt-drag to widen it"));
     if (m_adds)
@@ -139,6 +141,8 @@ void PinTool::press(const QMouseEvent& event) {
     m_gesture = Gesture::Pressed;
     m_cross.hide();
     m_widens = event.modifiers() & Qt::AltModifier;
+    m_records = event.modifiers() & Qt::ControlModifier;
+    m_seconds = secondsOf(event);
     m_from = m_at = event.position();
     if (const int point = curvePointAt(m_from); point > 0) {
         m_gesture = Gesture::Curve;
@@ -164,6 +168,7 @@ void PinTool::pressHandle(int handle, bool extend) {
 void PinTool::move(const QMouseEvent& event) {
     const QPointF at = event.position();
     m_at = at;
+    m_seconds = secondsOf(event);
     if (m_gesture == Gesture::None) hover(at);
     if (m_gesture == Gesture::OnCurve && distance(at, m_from) >= 3) m_gesture = Gesture::Pressed;
     if (m_gesture == Gesture::Curve) m_curve.drag(at, event.modifiers() & Qt::ControlModifier);
@@ -173,7 +178,8 @@ void PinTool::move(const QMouseEvent& event) {
 
 void PinTool::follow(const QMouseEvent& event) {
     const QPointF at = event.position();
-    if (m_gesture == Gesture::Drag) session().dragTo<2>(surface().toShape(at) - surface().toShape(m_from));
+    if (m_gesture == Gesture::Drag)
+        session().dragTo<2>(surface().toShape(at) - surface().toShape(m_from), m_seconds);
     if (m_gesture == Gesture::Ring) dragRing(event.modifiers() & Qt::ShiftModifier);
     if (m_gesture == Gesture::Marquee) surface().setMarquee(QRectF(m_from, at).normalized());
     if (m_gesture == Gesture::None || m_gesture == Gesture::Widen || m_gesture == Gesture::Ring)
@@ -189,7 +195,7 @@ void PinTool::begin() {
         return;
     }
     m_gesture = onPin ? Gesture::Drag : Gesture::Marquee;
-    if (onPin) session().beginDrag();
+    if (onPin) session().beginDrag({}, m_records);
     if (onPin && !session().isDragging()) m_gesture = Gesture::None;
 }
 
@@ -197,7 +203,7 @@ void PinTool::beginRing() {
     m_ring.begin(*m_part, m_from, [this](const QPointF& p) { return surface().toShape(p); });
     m_typed.clear();
     m_amount.setZero();
-    session().beginDrag(m_ring.grip());
+    session().beginDrag(m_ring.grip(), m_records);
     m_gesture = session().isDragging() ? Gesture::Ring : Gesture::None;
 }
 
@@ -205,7 +211,7 @@ void PinTool::dragRing(bool snaps) {
     m_amount = m_ring.drag(
         m_at, [this](const QPointF& p) { return surface().toShape(p); }, snaps);
     if (!m_typed.isEmpty()) m_amount = m_ring.typed(m_typed.value());
-    session().dragBy(m_amount);
+    session().dragBy(m_amount, m_seconds);
 }
 
 void PinTool::finishDrag() {
@@ -231,6 +237,9 @@ double PinTool::widenedTo(const QPointF& at) const {
 void PinTool::release(const QMouseEvent& event) {
     if (event.button() != Qt::LeftButton) return;
     if (m_gesture == Gesture::Drag || m_gesture == Gesture::Ring) {
+        m_seconds = secondsOf(event);
+        if (isRecording(session()))  // it has rested until now
+            session().dragBy(session().gesture()->amount(), m_seconds);
         finishDrag();
         hover(event.position());
         return;
@@ -349,11 +358,12 @@ void PinTool::cancel() {
 
 void PinTool::paint(QPainter& painter) const {
     m_curve.paint(painter, m_at);
+    paintRecording(painter, session(), m_at + QPointF(16, -34));
     if (session().selection().isEmpty()) m_cross.paint(painter);
     if (m_gesture == Gesture::Widen) return paintWidened(painter);
     if (!placeRing()) return;
     m_ring.paint(painter, m_part);
-    if (m_gesture == Gesture::Ring) paintNumber(painter);
+    if (m_gesture == Gesture::Ring) paintLabel(painter, m_at + QPointF(16, 16), m_ring.text(m_amount));
 }
 
 void PinTool::paintWidened(QPainter& painter) const {
@@ -364,16 +374,6 @@ void PinTool::paintWidened(QPainter& painter) const {
         painter.setBrush(QColor(0x4a, 0x5b, 0xd4, 20));
         painter.drawEllipse(centre, distance(centre, m_at), distance(centre, m_at));
     }
-}
-
-void PinTool::paintNumber(QPainter& painter) const {
-    const QString text = m_ring.text(m_amount);
-    const QRectF box(m_at + QPointF(16, 16), QSizeF(painter.fontMetrics().horizontalAdvance(text) + 16, 24));
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(QColor(28, 30, 38, 225));
-    painter.drawRoundedRect(box, 5, 5);
-    painter.setPen(Qt::white);
-    painter.drawText(box, Qt::AlignCenter, text);
 }
 
 }  // namespace wend

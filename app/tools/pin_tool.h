@@ -43,7 +43,6 @@ class PinTool : public Tool {
     int regionAt(const QPointF& widget) const;
     std::optional<Location<2>> placeAt(const QPointF& widget) const;
     bool placeRing() const;
-    void paintNumber(QPainter& painter) const;
     void paintWidened(QPainter& painter) const;
     void begin();
     void beginRing();
@@ -67,6 +66,8 @@ class PinTool : public Tool {
     int m_pressed = -1;
     int m_hovered = -1;
     bool m_widens = false;   // Alt was held when it was pressed
+    bool m_records = false;  // Ctrl was
+    double m_seconds = 0;    // of the pointer's last event
     mutable PinRing m_ring;  // where the selection was last seen
     mutable bool m_hasRing = false;
     std::optional<PinRing::Part> m_part;  // of the ring: pressed, or under the pointer

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "app/session/accent.h"
+#include "app/tools/drag_label.h"
 #include "app/tools/pin_picking.h"
 
 namespace wend {
@@ -41,6 +42,7 @@ SolidPinTool::SolidPinTool(SolidSurface& surface, Manipulator& manipulator, bool
 QString SolidPinTool::hint() const {
     if (m_gesture == Gesture::Curve || (m_gesture == Gesture::None && m_curve.pointAt(m_at) > 0))
         return curveHint(true);
+    if (isRecording(session())) return recordingHint();
     if (m_gesture == Gesture::Drag)
         return said(QT_TRANSLATE_NOOP(
             "SolidPinTool", "X, Y, Z lock an axis, numbers set the amount, Esc puts the solid back"));
@@ -49,7 +51,7 @@ QString SolidPinTool::hint() const {
                                       "Drag an arrow, a square or a ring; G moves, R turns, S scales"));
     if (m_hovered >= 0)
         return said(
-            QT_TRANSLATE_NOOP("SolidPinTool", "Drag to move along the screen, Shift-click to select more"));
+            QT_TRANSLATE_NOOP("SolidPinTool", "Drag to move along the screen, Ctrl-drag to record it, Shift-click to select more"));
     if (m_gesture == Gesture::None && m_curve.isOnCurve(m_at)) return curveHint(false);
     return outlineHint();
 }
@@ -119,6 +121,8 @@ void SolidPinTool::press(const QMouseEvent& event) {
     m_gesture = Gesture::Pressed;
     m_cross.hide();
     m_from = m_at = event.position();
+    m_records = event.modifiers() & Qt::ControlModifier;
+    m_seconds = secondsOf(event);
     m_over = true;
     if (const int point = m_curve.pointAt(m_from); point > 0) {
         m_gesture = Gesture::Curve;
@@ -137,6 +141,7 @@ void SolidPinTool::press(const QMouseEvent& event) {
 
 void SolidPinTool::move(const QMouseEvent& event) {
     m_at = event.position();
+    m_seconds = secondsOf(event);
     m_over = true;
     if (m_gesture == Gesture::None) {
         m_hovered = handleAt(m_at);
@@ -162,7 +167,7 @@ void SolidPinTool::begin(const QPointF& at) {
     m_part = m_manipulator.part();
     m_typed.clear();
     m_amount.setZero();
-    session().beginDrag(m_manipulator.grip(surface()));
+    session().beginDrag(m_manipulator.grip(surface()), m_records);
     m_gesture = session().isDragging() ? Gesture::Drag : Gesture::None;
     Q_UNUSED(at);
 }
@@ -170,7 +175,7 @@ void SolidPinTool::begin(const QPointF& at) {
 void SolidPinTool::drag(const QPointF& at) {
     m_amount = m_manipulator.drag(surface(), at);
     if (!m_typed.isEmpty()) m_amount = m_manipulator.typed(m_typed.value(), surface());
-    session().dragBy(m_amount);
+    session().dragBy(m_amount, m_seconds);
 }
 
 /// Another axis for the gesture that goes on: it begins again from where it began.
@@ -182,7 +187,7 @@ void SolidPinTool::lock(int axis) {
     m_part = part;
     if (part.kind == Grip::Kind::Turn) {  // around another axis it is another gesture
         session().cancelDrag();
-        session().beginDrag(m_manipulator.grip(surface()));
+        session().beginDrag(m_manipulator.grip(surface()), m_records);
     }
     drag(m_at);
 }
@@ -203,6 +208,7 @@ void SolidPinTool::release(const QMouseEvent& event) {
     if (event.button() != Qt::LeftButton) return;
     const bool extend = event.modifiers() & Qt::ShiftModifier;
     if (m_gesture == Gesture::Drag) {
+        m_seconds = secondsOf(event);
         drag(event.position());
         finish();
         return;
@@ -395,13 +401,8 @@ void SolidPinTool::paint(QPainter& painter) const {
     Manipulator moved = m_manipulator;
     if (m_manipulator.part().kind == Grip::Kind::Move) moved.place(m_manipulator.centre() + m_amount);
     moved.paint(painter, surface(), m_part);
-    const QPointF at = surface().toWidget(moved.centre()) + QPointF(18, 34);
-    const QRectF box(at, QSizeF(painter.fontMetrics().horizontalAdvance(numbers()) + 16, 24));
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(QColor(28, 30, 38, 225));
-    painter.drawRoundedRect(box, 5, 5);
-    painter.setPen(Qt::white);
-    painter.drawText(box, Qt::AlignCenter, numbers());
+    paintLabel(painter, surface().toWidget(moved.centre()) + QPointF(18, 34), numbers());
+    paintRecording(painter, session(), m_at + QPointF(16, -34));
 }
 
 }  // namespace wend

@@ -71,6 +71,8 @@ class SolidPinTool : public SolidTool {
     double m_radius = 18;  // of the brush, in pixels
     Gesture m_gesture = Gesture::None;
     QPointF m_from, m_at;
+    bool m_records = false;  // Ctrl was held when it was pressed
+    double m_seconds = 0;    // of the pointer's last event
     int m_pressed = -1, m_hovered = -1;
     std::optional<Manipulator::Part> m_part;  // pressed, or under the pointer
     Amount m_amount = Amount::Zero();

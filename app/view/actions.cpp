@@ -15,6 +15,7 @@ Actions::Actions(QUndoStack& undoStack, Toolbox& tools, QObject* parent)
       recent(std::make_unique<QMenu>()),
       samples(std::make_unique<QMenu>()),
       exports(std::make_unique<QMenu>()),
+      speed(std::make_unique<QMenu>()),
       m_tools(tools) {
     makeFile();
     makeEdit(undoStack);
@@ -105,9 +106,28 @@ void Actions::makeMotion() {
         add({tr("To the &Start"), tr("Show the shape at rest")}, QKeySequence(Qt::Key_Home), "first-frame");
     toEnd =
         add({tr("To the &End"), tr("Show the end of the motion")}, QKeySequence(Qt::Key_End), "last-frame");
+    record = addToggle({tr("&Record"), tr("Every drag is kept as it goes, in real time; Ctrl does so for one drag")},
+                       QKeySequence(tr("Ctrl+R")), "record");
+    onionSkin = addToggle({tr("&Onion Skin"), tr("Show what was a little before and what comes a little after")},
+                          QKeySequence(tr("Shift+N")), "onion");
+    auto* speeds = new QActionGroup(this);
+    for (const int percent : {25, 50, 100, 200}) {
+        QAction* one = speed->addAction(tr("%1 %").arg(percent));
+        one->setData(percent / 100.0);
+        one->setCheckable(true);
+        one->setChecked(percent == 100);
+        speeds->addAction(one);
+    }
+    speed->menuAction()->setStatusTip(tr("How fast it plays, and by which clock drags are recorded"));
+    speed->menuAction()->setToolTip(speed->menuAction()->statusTip());
+    setSpeed(1);
     settle = add(
         {tr("S&ettle"), tr("Let the shape relax towards its rest at the end, with the pins where they are")},
         {});
+}
+
+void Actions::setSpeed(double factor) {
+    speed->setTitle(tr("Speed: %1 %").arg(qRound(100 * factor)));
 }
 
 void Actions::makeHelp() {
@@ -146,8 +166,9 @@ void Actions::fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve, const 
     window.menuBar()->addMenu(more);
     QMenu* motion = window.menuBar()->addMenu(tr("&Motion"));
     motion->addActions({play, loop, toStart, toEnd});
+    motion->addMenu(speed.get());
     motion->addSeparator();
-    motion->addAction(settle);
+    motion->addActions({record, onionSkin, settle});
     motion->addMenu(curve);
     window.menuBar()->addMenu(tr("&Help"))->addActions({tutorial, manual, shortcuts, about});
 }
@@ -165,7 +186,7 @@ void Actions::fillTools(QMenu& menu) const {
 void Actions::setHasFile(bool has, bool hasPicture, bool isSolid) {
     const QString why = tr("Open a picture first.");
     for (QAction* action : {save, saveAs, closeFile, exportMesh, selectAll, selectNone, showMesh, showMap,
-                            showMarks, showArrows, hideOverlays, showRest, compare, fit, zoomIn, zoomOut})
+                            showMarks, showArrows, hideOverlays, showRest, compare, fit, zoomIn, zoomOut, record})
         enable(action, has, why);
     enable(actualSize, has && !isSolid, has ? tr("A solid has no pixels.") : why);
     const QString noPicture = tr("This project has no picture.");
@@ -180,7 +201,8 @@ void Actions::setHasFile(bool has, bool hasPicture, bool isSolid) {
 }
 
 void Actions::resetView() {
-    for (QAction* action : {showMesh, showMap, showMarks, showArrows, hideOverlays, showRest, compare})
+    for (QAction* action : {showMesh, showMap, showMarks, showArrows, hideOverlays, showRest, compare, record,
+                            onionSkin})
         action->setChecked(false);
 }
 
@@ -189,7 +211,7 @@ void Actions::setHasSelection(bool has) {
 }
 
 void Actions::setHasMotion(bool has) {
-    for (QAction* action : {play, loop, toStart, toEnd})
+    for (QAction* action : {play, loop, toStart, toEnd, onionSkin})
         enable(action, has, tr("Nothing moves yet: drag a pin."));
     if (!has) enable(exportFrames, false, tr("Nothing moves yet: drag a pin."));
 }

@@ -26,10 +26,11 @@ class Actions : public ActionMaker {
     QAction *selectTool, *pinTool;  // of the tools, what others come back to
     QAction *showMesh, *showMap, *showMarks, *showArrows, *hideOverlays, *showRest, *compare;
     QAction *fit, *actualSize, *zoomIn, *zoomOut, *fullScreen;
-    QAction *play, *loop, *toStart, *toEnd, *settle;
+    QAction *play, *loop, *toStart, *toEnd, *settle, *record, *onionSkin;
     QAction *systemLook, *lightLook, *darkLook;
     QAction *about, *manual, *tutorial, *shortcuts, *history;
     const std::unique_ptr<QMenu> recent, samples, exports;
+    const std::unique_ptr<QMenu> speed;  // of playing and recording; the factor is the data of its actions
 
     /// Menus of the whole program, in the order of the work.
     /// `more` stands between those of the view and of the motion; `curve` within that of the motion, `edits`
@@ -41,6 +42,7 @@ class Actions : public ActionMaker {
     /// What is shown of a document, and the tool, as at the start: another document is seen as it is.
     void resetView();
     void setHasMotion(bool has);
+    void setSpeed(double factor);
 
   private:
     void makeFile();

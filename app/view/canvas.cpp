@@ -300,6 +300,9 @@ void ShapeCanvas::setMapOpacity(double opacity) {
 void ShapeCanvas::setArrowsShown(bool shown) {
     m_arrows = shown, wantVelocity(), update();
 }
+void ShapeCanvas::setOnionSkin(bool shown) {
+    m_onion.setShown(shown), update();
+}
 void ShapeCanvas::setOverlaysHidden(bool hidden) {
     m_hidden = hidden, render();
 }
@@ -361,6 +364,9 @@ void ShapeCanvas::paintEvent(QPaintEvent*) {
     painter.fillRect(rect(), theme.workspace);
     OverlayPainter overlay(painter, m_view, theme);
     if (m_session.document().picture()) overlay.paper(frameRect());
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (!m_hidden) m_onion.paintFills(painter, *this);
+    painter.setRenderHint(QPainter::Antialiasing, false);
     paintShape(painter);
     painter.setRenderHint(QPainter::Antialiasing);
     if (const auto frame = m_session.frame<2>(); !m_hidden && frame) {
@@ -370,6 +376,7 @@ void ShapeCanvas::paintEvent(QPaintEvent*) {
             paintStiffnessMarks(painter, *this, size());
         if (m_arrows) paintVelocityArrows(painter, *this, m_session.velocity<2>(), size());
         m_layer.paint(painter, *this);
+        m_onion.paintOutlines(painter, *this);
         overlay.paths(m_session, m_hovered);
         overlay.pins(m_session, m_hovered,
                      [this](const PinView<2>& pin) { return wend::isCovered<2>(*this, pin); });

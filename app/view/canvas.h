@@ -6,6 +6,7 @@
 #include "app/session/depth.h"
 #include "app/session/material_preview.h"
 #include "app/tools/layer_lines.h"
+#include "app/tools/onion_skin.h"
 #include "app/view/render_thread.h"
 
 namespace wend {
@@ -50,6 +51,8 @@ class ShapeCanvas : public QWidget, public ToolSurface {
     void setMap(Measure measure, const MeasureRange& range);
     void setMapOpacity(double opacity);
     void setArrowsShown(bool shown);
+    /// What was before and comes after.
+    void setOnionSkin(bool shown);
     void setMarksShown(bool shown);
     /// Draws the border of a layer of the material; null: of none.
     void setLayer(const QString& name);
@@ -113,6 +116,7 @@ class ShapeCanvas : public QWidget, public ToolSurface {
     PosedPtr<2> m_unbent;  // the picture as it is, before the first mesh
     MaterialPreview<2> m_preview;
     LayerLines<2> m_layer;
+    OnionSkin<2> m_onion;
     bool m_marks = false;  // of stiffness
     bool m_arrows = false;
     ViewTransform m_view;

@@ -6,6 +6,7 @@
 #include <QMimeData>
 #include <QScreen>
 #include <QSettings>
+#include <QSplitter>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QStatusTipEvent>
@@ -45,6 +46,7 @@
 #include "app/view/tile_pictures.h"
 #include "app/view/time_strip.h"
 #include "app/view/toolbox.h"
+#include "app/view/track_view.h"
 #include "app/view/tutorial.h"
 #include "app/view/volume/solid_canvas.h"
 #include "app/view/work_note.h"
@@ -75,6 +77,7 @@ MainWindow::MainWindow(QWidget* parent)
       m_start(new StartPage),
       m_banner(new InfoBanner),
       m_time(new TimeStrip(m_session)),
+      m_tracks(new TrackView(m_session)),
       m_pages(new QStackedWidget),
       m_note(new BusyNote(*m_pages)),
       m_work(new WorkNote(m_session, *m_pages)),
@@ -138,11 +141,16 @@ void MainWindow::makeToolBars() {
     m_topBar->addWidget(m_modes = new ModeRow(*m_actions, *m_tools));
     addToolBarBreak();
     addToolBar(Qt::TopToolBarArea,
-               m_options = new OptionRow(*m_tools, *m_solidActions, *m_pictureActions, this));
+               m_options = new OptionRow(*m_tools, *m_actions, *m_solidActions, *m_pictureActions, this));
     m_toolBar = makeBar(Qt::LeftToolBarArea, tr("Tools"), "toolBar");
     connect(m_tools, &Toolbox::changed, this, &MainWindow::showTools);
     showTools();
     setContextMenuPolicy(Qt::NoContextMenu);
+}
+
+/// In the step that is about time.
+void MainWindow::showTracks() {
+    m_tracks->setVisible(!m_session.document().isEmpty() && m_tools->mode() == Mode::Animate);
 }
 
 /// Those of the current step.
@@ -167,7 +175,12 @@ void MainWindow::makeCentre() {
     m_pages->addWidget(m_start);
     m_pages->addWidget(m_canvas);
     m_compare = new CompareView({m_session, *m_pages, *m_canvas, [this] { return m_solids->canvas(); }});
-    column->addWidget(m_compare, 1);
+    auto* parts = new QSplitter(Qt::Vertical);
+    parts->setChildrenCollapsible(false);
+    parts->addWidget(m_compare);
+    parts->addWidget(m_tracks);
+    parts->setStretchFactor(0, 1);
+    column->addWidget(parts, 1);
     column->addWidget(m_time);
     row->addLayout(column, 1);
     row->addWidget(m_properties);
@@ -277,6 +290,7 @@ void MainWindow::connectLooks(ShapeCanvas& canvas) {
     connect(a.showMap, &QAction::toggled, &canvas, &ShapeCanvas::setMapShown);
     connect(a.showMarks, &QAction::toggled, &canvas, &ShapeCanvas::setMarksShown);
     connect(a.showArrows, &QAction::toggled, &canvas, &ShapeCanvas::setArrowsShown);
+    connect(a.onionSkin, &QAction::toggled, &canvas, &ShapeCanvas::setOnionSkin);
     const DistortionPanel* map = &m_properties->distortion();
     connect(map, &DistortionPanel::mapChanged, &canvas,
             [&canvas, map] { canvas.setMap(map->measure(), map->range()); });
@@ -331,6 +345,12 @@ void MainWindow::connectMotion() {
     connect(a.play, &QAction::triggered, &playback,
             [&playback] { playback.setPlaying(!playback.isPlaying()); });
     connect(a.loop, &QAction::toggled, &playback, &Playback::setLoops);
+    connect(a.record, &QAction::toggled, &m_session, &ShapeSession::setRecording);
+    connect(a.speed.get(), &QMenu::triggered, this, [this, &playback](const QAction* chosen) {
+        playback.setSpeed(chosen->data().toDouble());
+        m_actions->setSpeed(playback.speed());
+    });
+    connect(m_tools, &Toolbox::changed, this, &MainWindow::showTracks);
     connect(a.toStart, &QAction::triggered, &playback, [&playback] { playback.setTime(0); });
     connect(a.settle, &QAction::triggered, this, [this] { settleAtEnd(m_session); });
     connect(a.toEnd, &QAction::triggered, &playback, [&playback] { playback.setTime(playback.end()); });
@@ -369,6 +389,7 @@ void MainWindow::showDocument() {
     for (QWidget* widget :
          std::initializer_list<QWidget*>{m_properties, m_time, m_toolBar, m_topBar, m_options})
         widget->setVisible(has);
+    showTracks();
     if (has) shape->setFocus();
     m_fields->setVisible(has);
     m_toldUntil.setRemainingTime(0);

@@ -34,6 +34,7 @@ class SolidWorkshop;
 class StartPage;
 class StatusFields;
 class TimeStrip;
+class TrackView;
 class Toolbox;
 class Tutorial;
 class WorkNote;
@@ -93,6 +94,7 @@ class MainWindow : public QMainWindow {
     void addSolidPage();
     void showWork();
     void showTools();
+    void showTracks();
     void fitToScreen();
     void showTitle();
     void showSelection();
@@ -118,6 +120,7 @@ class MainWindow : public QMainWindow {
     StartPage* m_start;
     InfoBanner* m_banner;
     TimeStrip* m_time;
+    TrackView* m_tracks;
     StatusFields* m_fields = nullptr;
     SolidWorkshop* m_solids = nullptr;
     QStackedWidget* m_pages;

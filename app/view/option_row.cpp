@@ -1,16 +1,22 @@
 #include "app/view/option_row.h"
 
 #include <QLabel>
+#include <QToolButton>
 
 #include "app/panels/panel_parts.h"
+#include "app/view/actions.h"
 #include "app/view/solid_actions.h"
 #include "app/view/toolbox.h"
 
 namespace wend {
 
-OptionRow::OptionRow(const Toolbox& tools, const SolidActions& solids, const PictureActions& outline,
-                     QWidget* parent)
-    : QToolBar(tr("Options"), parent), m_tools(tools), m_solids(solids), m_pictureActions(outline) {
+OptionRow::OptionRow(const Toolbox& tools, const Actions& actions, const SolidActions& solids,
+                     const PictureActions& outline, QWidget* parent)
+    : QToolBar(tr("Options"), parent),
+      m_tools(tools),
+      m_actions(actions),
+      m_solids(solids),
+      m_pictureActions(outline) {
     setObjectName(QStringLiteral("optionRow"));
     setMovable(false);
     setIconSize({20, 20});
@@ -37,10 +43,22 @@ void OptionRow::showTool() {
         option ? addAction(option) : static_cast<void>(addSeparator());
         any = any || (option && option->isVisible());
     }
+    if (m_tools.mode() == Mode::Animate) return showMotion();
     if (any) return;
     auto* help = new QLabel(ActionMaker::helpOf(*tool));
     help->setProperty("role", "second");
     addWidget(help);
+}
+
+void OptionRow::showMotion() {
+    QAction* speed = m_actions.speed->menuAction();
+    addSeparator();
+    for (QAction* action : {m_actions.record, m_actions.onionSkin, m_actions.loop}) {
+        addAction(action);
+        qobject_cast<QToolButton*>(widgetForAction(action))->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    }
+    addAction(speed);
+    qobject_cast<QToolButton*>(widgetForAction(speed))->setPopupMode(QToolButton::InstantPopup);
 }
 
 }  // namespace wend

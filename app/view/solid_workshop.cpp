@@ -110,6 +110,7 @@ void SolidWorkshop::connectLooks(SolidCanvas* canvas) {
     follow(common.showMesh, &SolidCanvas::setEdgesShown);
     follow(common.showMap, &SolidCanvas::setMapShown);
     follow(common.showArrows, &SolidCanvas::setArrowsShown);
+    follow(common.onionSkin, &SolidCanvas::setOnionSkin);
     follow(common.showMarks, &SolidCanvas::setGlyphsShown);
     follow(a.detail, &SolidCanvas::setDetailShown);
     follow(a.flat, &SolidCanvas::setFlat);

@@ -37,5 +37,6 @@ double loopArea(const std::vector<Vec<2>>& loop) {
     template double distanceToSegment<Dim>(const Vec<Dim>&, const Vec<Dim>&, const Vec<Dim>&);
 WEND_INSTANTIATE(2)
 WEND_INSTANTIATE(3)
+WEND_INSTANTIATE(4)
 
 }  // namespace wend

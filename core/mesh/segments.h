@@ -6,7 +6,8 @@
 
 namespace wend {
 
-/// The point of the segment a → b (which may be a point) that is nearest to p, and how far that is.
+/// The point of the segment a → b (which may be a point) that is nearest to p, and how far that is. In 4D for
+/// ways in space and time.
 template <int Dim>
 Vec<Dim> nearestOnSegment(const Vec<Dim>& p, const Vec<Dim>& a, const Vec<Dim>& b);
 template <int Dim>

@@ -389,6 +389,7 @@ void SolidCanvas::paintMarks(QPainter& painter) {
     if (m_hidden || !frame) return;
     if (m_map && isDistortion(m_measure))
         painterOfSolid.worst(*frame, worstOf(*frame->distortion, m_measure).cell);
+    m_onion.paintOutlines(painter, *this);
     painterOfSolid.paths();
     const auto* pinTool = dynamic_cast<const SolidPinTool*>(m_tool);
     painterOfSolid.pins(pinTool ? pinTool->hovered() : -1);
@@ -451,6 +452,10 @@ void SolidCanvas::takeView(const SolidCanvas& other) {
     setCut(other.cut(), other.plane());
     update();
     redraw();
+}
+
+void SolidCanvas::setOnionSkin(bool shown) {
+    m_onion.setShown(shown), redraw();
 }
 
 void SolidCanvas::setOverlaysHidden(bool hidden) {

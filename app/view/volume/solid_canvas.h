@@ -6,6 +6,7 @@
 #include "app/session/material_preview.h"
 #include "app/tools/cut_tool.h"
 #include "app/tools/layer_lines.h"
+#include "app/tools/onion_skin.h"
 #include "app/view/volume/volume_view.h"
 
 namespace wend {
@@ -72,6 +73,8 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     void setDetailShown(bool shown);
     void setMap(Measure measure, const MeasureRange& range);
     void setArrowsShown(bool shown);
+    /// What was before and comes after.
+    void setOnionSkin(bool shown);
     void setGlyphsShown(bool shown);
     /// Draws the regions of a layer of the material; null: of none.
     void setLayer(const QString& name);
@@ -139,6 +142,7 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     MaterialPreview<3> m_preview;
     FramePtr m_standIn;
     LayerLines<3> m_layer;
+    OnionSkin<3> m_onion;
     QWidget* m_overlay;
     SurfaceStyle m_style;
     QTimer m_dim, m_marksDue;  // in a drag: moves of the pointer alone are painted no more often

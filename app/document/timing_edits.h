@@ -1,0 +1,26 @@
+#pragma once
+
+#include "app/document/project.h"
+
+namespace wend {
+
+/// When single motions of a film happen: pure functions from a project to the next one. Other motions keep
+/// their times, so the poses on the way change. `handle` and `motion` are indices.
+
+/// The time window of a motion.
+struct MotionTime {
+    double start = 0, end = 1;
+    bool operator==(const MotionTime&) const = default;
+};
+MotionTime timeOf(const Project& project, int handle, int motion);
+/// How far the window may reach: to the motions of the same handle before and after it, and no further than
+/// the handle holds. +∞ where nothing comes after; the film becomes longer then.
+MotionTime roomOf(const Project& project, int handle, int motion);
+/// The nearest window within that room; at least kShortestMotion long.
+inline constexpr double kShortestMotion = 0.02;
+Project withMotionTime(const Project& project, int handle, int motion, const MotionTime& time);
+Project withMotionEase(const Project& project, int handle, int motion, Ease ease);
+/// What the handle does later goes on from where the motion would have begun; rotations keep their centre.
+Project withoutMotion(const Project& project, int handle, int motion);
+
+}  // namespace wend

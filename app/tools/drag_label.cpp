@@ -1,0 +1,46 @@
+#include "app/tools/drag_label.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+namespace wend {
+
+namespace {
+
+constexpr double kHeight = 24, kDot = 5;  // pixels
+
+/// The ground of a label; the room that is left for its text.
+QRectF paintGround(QPainter& painter, const QPointF& at, const QString& text, double before) {
+    const double width = painter.fontMetrics().horizontalAdvance(text) + before + 16;
+    const QRectF box(at, QSizeF(width, kHeight));
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(28, 30, 38, 225));
+    painter.drawRoundedRect(box, 5, 5);
+    return box.adjusted(before, 0, 0, 0);
+}
+
+}  // namespace
+
+void paintLabel(QPainter& painter, const QPointF& at, const QString& text) {
+    const QRectF room = paintGround(painter, at, text, 0);
+    painter.setPen(Qt::white);
+    painter.drawText(room, Qt::AlignCenter, text);
+}
+
+void paintRecording(QPainter& painter, const ShapeSession& session, const QPointF& at) {
+    if (!isRecording(session)) return;
+    const double seconds = session.gesture()->seconds() * session.playback().speed();
+    const QString text =
+        QCoreApplication::translate("Recording", "%1 s").arg(QLocale().toString(seconds, 'f', 1));
+    const QRectF room = paintGround(painter, at, text, 2 * kDot + 4);
+    painter.setBrush(QColor(0xff, 0x5a, 0x4d));
+    painter.drawEllipse(QPointF(room.left() - 2, room.center().y()), kDot, kDot);
+    painter.setPen(Qt::white);
+    painter.drawText(room, Qt::AlignCenter, text);
+}
+
+QString recordingHint() {
+    return QCoreApplication::translate("Recording", "Recorded as it goes until you let go; Esc gives it up");
+}
+
+}  // namespace wend

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <QPainter>
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "app/tools/shape_tool.h"
+
+namespace wend {
+
+/// What the shape was a little before and will be a little after what is shown: three each way, a tenth of
+/// the film apart, in two colours, fainter the farther. Nothing while it plays.
+template <int Dim>
+class OnionSkin {
+  public:
+    void setShown(bool shown) { m_shown = shown; }
+    /// Below a picture; a solid has outlines only.
+    void paintFills(QPainter& painter, SurfaceOf<Dim>& surface);
+    void paintOutlines(QPainter& painter, SurfaceOf<Dim>& surface);
+
+  private:
+    using Loop = std::vector<int>;
+    struct Layer {
+        PosedPtr<Dim> frame;
+        QColor colour;  // of the tint
+    };
+    /// A line between two corners, and the triangles at its sides (the second −1 at an end of the surface).
+    struct Edge {
+        int from, to;
+        std::array<int, 2> sides;
+    };
+    std::vector<Layer> layers(ShapeSession& session) const;
+    void takeBoundary(const PosedFrame<Dim>& frame);
+    std::vector<QPolygonF> outline(const PosedFrame<Dim>& frame, SurfaceOf<Dim>& surface) const;
+
+    bool m_shown = false;
+    std::shared_ptr<const SimplicialMesh<Dim>> m_rest;  // whose boundary it is:
+    std::vector<Loop> m_loops;                          // in the plane closed lines,
+    std::vector<std::array<int, 3>> m_triangles;        // of a solid what is seen of it
+    std::vector<Edge> m_edges;
+    bool m_rides = false;  // the triangles are those of the surface that rides in the solid
+};
+
+}  // namespace wend

@@ -1,0 +1,346 @@
+#include "app/view/track_view.h"
+
+#include <QContextMenuEvent>
+#include <QHelpEvent>
+#include <QLocale>
+#include <QMenu>
+#include <QScrollBar>
+#include <QToolTip>
+#include <algorithm>
+#include <cmath>
+
+#include "app/panels/marks.h"
+#include "app/panels/panel_parts.h"
+
+namespace wend {
+
+namespace {
+
+constexpr double kGrip = 5;     // pixels of a bar's end, to both sides
+constexpr double kSnap = 6;     // to other ends, and to the time that is shown
+constexpr double kDragged = 3;  // before a press is a drag
+constexpr double kStep = 0.04;  // seconds, of a key
+
+template <int Dim>
+QString kindOf(const Motion<Dim>& motion) {
+    if (std::holds_alternative<Rotate<Dim>>(motion.kind)) return TrackView::tr("Rotate");
+    const auto* curve = std::get_if<CurveMotion<Dim>>(&motion.kind);
+    if (!curve) return TrackView::tr("Move");
+    const bool stays = std::all_of(curve->points.begin(), curve->points.end(),
+                                   [&](const Vec<Dim>& p) { return p == curve->points.front(); });
+    return stays && curve->scale != 1 ? TrackView::tr("Scale") : TrackView::tr("Path");
+}
+
+QString easeName(Ease ease) {
+    switch (ease) {
+        case Ease::In:
+            return TrackView::tr("Begins &Softly");
+        case Ease::Out:
+            return TrackView::tr("&Ends Softly");
+        case Ease::InOut:
+            return TrackView::tr("&Both Softly");
+        case Ease::Linear:
+            break;
+    }
+    return TrackView::tr("&Even");
+}
+
+QString seconds(double time) {
+    return QLocale().toString(time, 'f', 2);
+}
+
+}  // namespace
+
+TrackView::TrackView(ShapeSession& session, QWidget* parent)
+    : QAbstractScrollArea(parent), m_session(session) {
+    setObjectName(QStringLiteral("trackView"));
+    setFrameShape(QFrame::NoFrame);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setFocusPolicy(Qt::StrongFocus);
+    viewport()->setMouseTracking(true);
+    setAccessibleName(tr("Tracks"));
+    setAccessibleDescription(
+        tr("A row for each pin, with a bar for each of its motions; Up and Down choose a pin, Left and Right "
+           "another time, with Alt they move the chosen bar"));
+    setStatusTip(
+        tr("Drag a bar or its ends to another time; bars at the same time move together. A right click sets "
+           "how it begins and ends"));
+    const auto repaint = [this] { viewport()->update(); };
+    connect(&m_session.document(), &Document::opened, this, &TrackView::takeProject);
+    connect(&m_session.document(), &Document::projectChanged, this, &TrackView::takeProject);
+    connect(&m_session.selection(), &Selection::changed, this, &TrackView::showSelection);
+    connect(&m_session.playback(), &Playback::timeChanged, this, repaint);
+    connect(&m_session.playback(), &Playback::endChanged, this, [this, repaint] { arrange(), repaint(); });
+    takeProject();
+}
+
+void TrackView::takeProject() {
+    m_grabbed.reset();
+    m_rows.clear();
+    if (!m_session.document().isEmpty())
+        std::visit(
+            [this](const auto& design) {
+                for (const auto& handle : design.handles) {
+                    const int h = static_cast<int>(m_rows.size());
+                    Row row{QString::fromStdString(handle.name),
+                            pinColour(h, handle.traits),
+                            handle.traits.locked,
+                            handle.activeFrom,
+                            handle.activeTo,
+                            {}};
+                    for (const auto& motion : handle.motions)
+                        row.bars.push_back({h, static_cast<int>(row.bars.size()), {motion.start, motion.end},
+                                            motion.ease, kindOf(motion)});
+                    m_rows.push_back(std::move(row));
+                }
+            },
+            m_session.document().project()->design);
+    const auto& rows = m_rows;
+    if (m_chosen && (m_chosen->handle >= static_cast<int>(rows.size()) ||
+                     m_chosen->motion >= static_cast<int>(rows[m_chosen->handle].bars.size())))
+        m_chosen.reset();
+    arrange();
+    viewport()->update();
+}
+
+void TrackView::arrange() {
+    const int whole = end() > 0 ? static_cast<int>(kRowHeight * static_cast<double>(m_rows.size())) : 0;
+    const int room = static_cast<int>(viewport()->height() - kRuler);
+    verticalScrollBar()->setRange(0, std::max(whole - room, 0));
+    verticalScrollBar()->setPageStep(room);
+    verticalScrollBar()->setSingleStep(static_cast<int>(kRowHeight));
+}
+
+/// A pin that is chosen alone is brought into view.
+void TrackView::showSelection() {
+    if (const int row = m_session.singleHandle(); row >= 0) {
+        const double below = rowRect(row).bottom() - viewport()->height(), above = kRuler - rowRect(row).top();
+        const double way = below > 0 ? below : std::min(-above, 0.0);
+        verticalScrollBar()->setValue(verticalScrollBar()->value() + static_cast<int>(std::lround(way)));
+    }
+    viewport()->update();
+}
+
+double TrackView::end() const {
+    return m_session.playback().end();
+}
+
+double TrackView::xOf(double time) const {
+    const double width = viewport()->width() - kNames - kMargin;
+    return kNames + (end() > 0 ? time / end() * width : 0);
+}
+
+double TrackView::timeAt(double x) const {
+    const double width = viewport()->width() - kNames - kMargin;
+    return (x - kNames) / width * end();
+}
+
+QRectF TrackView::rowRect(int row) const {
+    return {0, kRuler + row * kRowHeight - verticalScrollBar()->value(), double(viewport()->width()),
+            kRowHeight};
+}
+
+QRectF TrackView::barRect(const Bar& bar) const {
+    const MotionTime time = m_grabbed && m_grabbed->bar == bar ? m_grabbed->time : bar.time;
+    const QRectF row = rowRect(bar.handle);
+    return {xOf(time.start), row.center().y() - kBarHeight / 2,
+            std::max(xOf(time.end) - xOf(time.start), 4.0), kBarHeight};
+}
+
+QRectF TrackView::barOf(int handle, int motion) const {
+    if (handle < 0 || handle >= static_cast<int>(m_rows.size())) return {};
+    const auto& bars = m_rows[static_cast<std::size_t>(handle)].bars;
+    return motion < static_cast<int>(bars.size()) ? barRect(bars[static_cast<std::size_t>(motion)])
+                                                  : QRectF();
+}
+
+/// A short bar is moved in its middle; its ends reach a little beyond it.
+std::optional<std::pair<TrackView::Bar, TrackView::Part>> TrackView::barAt(const QPointF& at) const {
+    const int row = rowAt(at);
+    if (row < 0) return {};
+    for (const Bar& bar : m_rows[static_cast<std::size_t>(row)].bars) {
+        const QRectF box = barRect(bar);
+        if (at.x() < box.left() - kGrip || at.x() > box.right() + kGrip) continue;
+        const double inner = std::min(kGrip, box.width() / 4);
+        if (at.x() < box.left() + inner) return std::pair{bar, Part::Start};
+        return std::pair{bar, at.x() > box.right() - inner ? Part::End : Part::Body};
+    }
+    return {};
+}
+
+int TrackView::rowAt(const QPointF& at) const {
+    if (at.y() < kRuler) return -1;
+    const int row = static_cast<int>((at.y() - kRuler + verticalScrollBar()->value()) / kRowHeight);
+    return row < static_cast<int>(m_rows.size()) ? row : -1;
+}
+
+/// The nearest end of another bar, or what is shown, within reach.
+double TrackView::snapped(double time, const Bar& own) const {
+    std::vector<double> marks = {0, end(), m_session.playback().time()};
+    for (const Row& row : m_rows)
+        for (const Bar& bar : row.bars)
+            if (!(bar == own)) marks.insert(marks.end(), {bar.time.start, bar.time.end});
+    double best = time, reach = kSnap;
+    for (const double mark : marks)
+        if (const double d = std::abs(xOf(mark) - xOf(time)); d < reach) reach = d, best = mark;
+    return best;
+}
+
+MotionTime TrackView::dragged(const Grabbed& grabbed, double time) const {
+    const Bar& bar = grabbed.bar;
+    const MotionTime room = roomOf(*m_session.document().project(), bar.handle, bar.motion);
+    const double way = time - grabbed.at;
+    if (grabbed.part == Part::Start)
+        return {std::clamp(snapped(bar.time.start + way, bar), room.start, bar.time.end - kShortestMotion),
+                bar.time.end};
+    if (grabbed.part == Part::End)
+        return {bar.time.start,
+                std::clamp(snapped(bar.time.end + way, bar), bar.time.start + kShortestMotion,
+                           std::max(room.end, bar.time.start + kShortestMotion))};
+    const double length = bar.time.end - bar.time.start;
+    const double toStart = snapped(bar.time.start + way, bar), toEnd = snapped(bar.time.end + way, bar);
+    const bool byEnd = toEnd != bar.time.end + way && toStart == bar.time.start + way;
+    const double start =
+        std::clamp(byEnd ? toEnd - length : toStart, room.start, std::max(room.end - length, room.start));
+    return {start, start + length};
+}
+
+void TrackView::change(const QString& what, const std::function<Project(const Project&)>& edit) {
+    m_session.playback().setPlaying(false);
+    m_session.document().change(what, edit(*m_session.document().project()));
+}
+
+void TrackView::move(const Bar& bar, const MotionTime& time, const QString& what, const QString& key) {
+    if (time == bar.time) return;
+    m_session.playback().setPlaying(false);
+    Document& document = m_session.document();
+    document.change(what, withMotionTime(*document.project(), bar.handle, bar.motion, time), key);
+}
+
+void TrackView::scrub(double x) {
+    m_session.playback().setPlaying(false);
+    m_session.playback().setTime(timeAt(x));
+}
+
+void TrackView::mousePressEvent(QMouseEvent* event) {
+    if (event->button() != Qt::LeftButton) return;
+    const QPointF at = event->position();
+    if (at.y() < kRuler && at.x() >= kNames - kGrip) {
+        m_scrubbing = true;
+        return scrub(at.x());
+    }
+    const auto hit = barAt(at);
+    m_chosen = hit ? std::optional(hit->first) : std::nullopt;
+    if (const int row = rowAt(at); row >= 0) m_session.selection().set({row});
+    if (!hit) return viewport()->update();
+    if (m_session.mayChange(hit->first.handle))
+        m_grabbed = Grabbed{hit->first, hit->second, timeAt(at.x()), hit->first.time};
+    viewport()->update();
+}
+
+void TrackView::mouseMoveEvent(QMouseEvent* event) {
+    const QPointF at = event->position();
+    if (m_scrubbing) return scrub(at.x());
+    if (m_grabbed) {
+        const bool moves = m_grabbed->time != m_grabbed->bar.time ||
+                           std::abs(at.x() - xOf(m_grabbed->at)) >= kDragged;
+        if (moves) m_grabbed->time = dragged(*m_grabbed, timeAt(at.x()));
+        return viewport()->update();
+    }
+    const auto hit = barAt(at);
+    viewport()->setCursor(!hit                       ? Qt::ArrowCursor
+                          : hit->second == Part::Body ? Qt::OpenHandCursor
+                                                      : Qt::SizeHorCursor);
+}
+
+void TrackView::mouseReleaseEvent(QMouseEvent* event) {
+    if (event->button() != Qt::LeftButton) return;
+    m_scrubbing = false;
+    if (const auto grabbed = std::exchange(m_grabbed, std::nullopt))
+        move(grabbed->bar, grabbed->time,
+             grabbed->part == Part::Body ? tr("Move in time") : tr("Change duration"));
+    viewport()->update();
+}
+
+void TrackView::contextMenuEvent(QContextMenuEvent* event) {
+    const auto hit = barAt(event->pos());
+    if (!hit || m_grabbed) return;
+    m_chosen = hit->first;
+    m_session.selection().set({hit->first.handle});
+    showMenu(hit->first, event->globalPos());
+}
+
+void TrackView::showMenu(const Bar& bar, const QPoint& global) {
+    auto* menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->addSection(tr("How it begins and ends"));
+    for (const Ease ease : {Ease::Linear, Ease::In, Ease::Out, Ease::InOut}) {
+        QAction* action = menu->addAction(easeName(ease), this, [this, bar, ease] {
+            if (!m_session.mayChange(bar.handle)) return;
+            change(tr("Ease"),
+                   [&](const Project& p) { return withMotionEase(p, bar.handle, bar.motion, ease); });
+        });
+        action->setCheckable(true);
+        action->setChecked(bar.ease == ease);
+    }
+    menu->addSeparator();
+    menu->addAction(tr("&Remove Motion"), this, [this, bar] {
+        if (!m_session.mayChange(bar.handle)) return;
+        change(tr("Remove motion"),
+               [&](const Project& p) { return withoutMotion(p, bar.handle, bar.motion); });
+    });
+    menu->popup(global);
+}
+
+/// Left and Right move the chosen bar with Alt, else what is shown.
+bool TrackView::nudge(const QKeyEvent& event) {
+    const double way = event.key() == Qt::Key_Left ? -kStep : event.key() == Qt::Key_Right ? kStep : 0;
+    if (way == 0) return false;
+    if (!(event.modifiers() & Qt::AltModifier)) {
+        m_session.playback().setPlaying(false);
+        m_session.playback().setTime(m_session.playback().time() + way);
+    } else if (m_chosen && m_session.mayChange(m_chosen->handle)) {
+        const Bar bar =
+            m_rows[static_cast<std::size_t>(m_chosen->handle)].bars[static_cast<std::size_t>(m_chosen->motion)];
+        move(bar, {bar.time.start + way, bar.time.end + way}, tr("Move in time"),
+             QStringLiteral("track %1 %2").arg(bar.handle).arg(bar.motion));
+    }
+    return true;
+}
+
+void TrackView::keyPressEvent(QKeyEvent* event) {
+    const int step = event->key() == Qt::Key_Up ? -1 : event->key() == Qt::Key_Down ? 1 : 0;
+    if (nudge(*event)) return;
+    if (event->key() == Qt::Key_Escape && m_grabbed) {
+        m_grabbed.reset();
+        return viewport()->update();
+    }
+    if (step == 0 || m_rows.empty()) return QAbstractScrollArea::keyPressEvent(event);
+    const int last = static_cast<int>(m_rows.size()) - 1, now = m_session.singleHandle();
+    const int next = std::clamp(now < 0 ? 0 : now + step, 0, last);
+    m_session.selection().set({next});
+    const auto& bars = m_rows[static_cast<std::size_t>(next)].bars;
+    m_chosen = bars.empty() ? std::nullopt : std::optional(bars.front());
+}
+
+/// What a bar is, and when.
+bool TrackView::viewportEvent(QEvent* event) {
+    if (event->type() != QEvent::ToolTip) return QAbstractScrollArea::viewportEvent(event);
+    const auto* help = static_cast<QHelpEvent*>(event);
+    const auto hit = barAt(help->pos());
+    if (!hit) {
+        QToolTip::hideText();
+        return true;
+    }
+    QToolTip::showText(help->globalPos(), tr("%1: %2 to %3 s, %4")
+                                              .arg(hit->first.kind, seconds(hit->first.time.start),
+                                                   seconds(hit->first.time.end),
+                                                   withoutKey(easeName(hit->first.ease)).toLower()));
+    return true;
+}
+
+void TrackView::resizeEvent(QResizeEvent*) {
+    arrange();
+}
+
+}  // namespace wend

@@ -1,0 +1,397 @@
+#include <QActionGroup>
+#include <QMenu>
+#include <QPainter>
+#include <QScrollBar>
+
+#include "app/document/timing_edits.h"
+#include "app/tools/onion_skin.h"
+#include "app/view/track_view.h"
+#include "tests/support/solid_fixture.h"
+
+using namespace wend;
+using namespace wend::test;
+
+/// The step Animate on the real window, for pictures and solids alike: drags that are recorded in real time,
+/// tracks, onion skin.
+class TestFilm : public QObject {
+    Q_OBJECT
+  private slots:
+    void init();
+    void cleanup() { m_window.reset(); }
+    void recordsWhatTheHandDoes_data() { dimensions(); }
+    void recordsWhatTheHandDoes();
+    void recordsWithTheSwitch();
+    void othersGoOnWhileOneIsRecorded();
+    void recordsByTheClockOfTheFilm();
+    void givenUpRecordingLeavesNothing();
+    void tracksAreThereInTheirStep();
+    void barsAreDragged_data() { dimensions(); }
+    void barsAreDragged();
+    void barsSnapToEachOther();
+    void lockedBarsStay();
+    void barsByKeyboard();
+    void menuOfABar();
+    void rulerIsScrubbed();
+    void manyPinsScroll();
+    void onionSkinShowsWhatWasAndComes();
+    void onionSkinOfASolid();
+
+  private:
+    static void dimensions();
+    void open(int dimension);
+    void openFilm(int dimension);
+    ShapeSession& session() { return m_window->session(); }
+    const Project& project() { return *session().document().project(); }
+    TrackView& tracks() { return *m_window->window().findChild<TrackView*>(); }
+    QWidget& canvas() {
+        return session().document().dimension() == 2 ? static_cast<QWidget&>(m_window->window().canvas())
+                                                     : m_window->canvas();
+    }
+    QPoint pin(int handle);
+    void record(int handle, Qt::KeyboardModifiers modifiers = Qt::ControlModifier, int pause = 0);
+    void dragBar(int handle, int motion, double fromX, double by);
+    std::size_t motions(int handle);
+    double span() { return tracks().viewport()->width() - 132 - 16; }
+
+    std::unique_ptr<SolidFixture> m_window;
+};
+
+void TestFilm::dimensions() {
+    QTest::addColumn<int>("dimension");
+    QTest::newRow("picture") << 2;
+    QTest::newRow("solid") << 3;
+}
+
+void TestFilm::init() {
+    m_window = std::make_unique<SolidFixture>();
+}
+
+/// A bar with two handles.
+void TestFilm::open(int dimension) {
+    if (dimension == 3) {
+        QVERIFY(m_window->open() && m_window->holdEnds());
+    } else {
+        QVERIFY(m_window->openPicture());
+        session().addPin({40, 80});
+        session().addPin({200, 80});
+        QVERIFY(settle(session()));
+    }
+    m_window->window().findChild<Toolbox*>()->setMode(Mode::Animate);
+    settleLayout(canvas());
+}
+
+/// The first handle moves from 0 to 1, the second from 1 to 2, in a film of 4 s.
+void TestFilm::openFilm(int dimension) {
+    open(dimension);
+    Project next = project();
+    next.end = 4;
+    std::visit(
+        [](auto& design) {
+            for (std::size_t h = 0; h < 2; ++h) {
+                auto& motions = design.handles[h].motions;
+                motions.resize(1);
+                auto& by = std::get<0>(motions[0].kind).by;
+                by.setZero();
+                by[1] = design.handles.size() == 2 && by.size() == 2 ? 20 : 0.5;
+                motions[0].start = static_cast<double>(h);
+                motions[0].end = static_cast<double>(h) + 1;
+            }
+        },
+        next.design);
+    session().document().change(QStringLiteral("Film"), next);
+    QVERIFY(settle(session()));
+}
+
+QPoint TestFilm::pin(int handle) {
+    if (session().document().dimension() == 2)
+        return m_window->window().canvas().toWidget(session().pins()[handle].centre).toPoint();
+    return m_window->canvas().toWidget(session().pins<3>()[handle].centre).toPoint();
+}
+
+std::size_t TestFilm::motions(int handle) {
+    return std::visit([=](const auto& design) { return design.handles[handle].motions.size(); },
+                      project().design);
+}
+
+/// Ten moves, a rest of half a second if there is a pause, and back half the way.
+void TestFilm::record(int handle, Qt::KeyboardModifiers modifiers, int pause) {
+    const QPoint from = pin(handle);
+    QTest::mouseMove(&canvas(), from);
+    QTest::mousePress(&canvas(), Qt::LeftButton, modifiers, from);
+    for (int i = 1; i <= 10; ++i) QTest::mouseMove(&canvas(), from + QPoint(0, 6 * i), 20);
+    if (pause > 0) QTest::mouseMove(&canvas(), from + QPoint(0, 54), pause);
+    for (int i = 8; i >= 5; --i) QTest::mouseMove(&canvas(), from + QPoint(0, 6 * i), 20);
+    QTest::mouseRelease(&canvas(), Qt::LeftButton, modifiers, from + QPoint(0, 30), 20);
+    QVERIFY(settle(session()));
+}
+
+/// The recording lasts as long as the events tell, its rest among them, begins at the time that is shown, and
+/// the film goes back to there.
+void TestFilm::recordsWhatTheHandDoes() {
+    QFETCH(int, dimension);
+    open(dimension);
+    record(1, Qt::ControlModifier, 500);
+    QCOMPARE(motions(1), std::size_t(1));
+    QCOMPARE(session().playback().time(), 0.0);
+    const MotionTime time = timeOf(project(), 1, 0);
+    QCOMPARE(time.start, 0.0);
+    QCOMPARE(time.end, project().end);
+    // The clock of the events runs at least as long as their pauses.
+    QVERIFY2(time.end > 0.7 && time.end < 1.5, qPrintable(QString::number(time.end)));
+    QCOMPARE(session().document().undoStack()->undoText().left(6), QString("Record"));
+    session().playback().setTime(session().playback().end());
+    QVERIFY(settle(session()));
+    session().document().undoStack()->undo();
+    QCOMPARE(motions(1), std::size_t(0));
+}
+
+void TestFilm::recordsWithTheSwitch() {
+    open(2);
+    QAction* switchOn = m_window->window().actions().record;
+    switchOn->trigger();
+    record(1, Qt::NoModifier, 300);
+    QCOMPARE(session().playback().time(), 0.0);
+    QVERIFY(project().end > 0.4 && project().end != 1.0);
+    switchOn->trigger();
+    const double end = project().end;
+    session().playback().setTime(end);
+    record(1, Qt::NoModifier);
+    QCOMPARE(project().end, end);  // a drag as ever: by way
+    QCOMPARE(motions(1), std::size_t(2));
+}
+
+void TestFilm::othersGoOnWhileOneIsRecorded() {
+    openFilm(2);
+    session().playback().setTime(0);
+    QVERIFY(settle(session()));
+    const MotionTime before = timeOf(project(), 0, 0);
+    record(1, Qt::ControlModifier, 200);
+    QCOMPARE(timeOf(project(), 0, 0), before);
+    QCOMPARE(project().end, 4.0);
+    QCOMPARE(motions(1), std::size_t(1));  // its own, which was later, is replaced
+    QCOMPARE(timeOf(project(), 1, 0).start, 0.0);
+}
+
+/// At half the speed the same deed takes half as much of the film.
+void TestFilm::recordsByTheClockOfTheFilm() {
+    open(2);
+    record(1, Qt::ControlModifier, 400);
+    const double whole = project().end;
+    session().document().undoStack()->undo();
+    QVERIFY(settle(session()));
+    const QList<QAction*> speeds = m_window->window().actions().speed->actions();
+    QCOMPARE(speeds.size(), 4);
+    speeds[1]->trigger();
+    QVERIFY(m_window->window().actions().speed->title().contains("50"));
+    record(1, Qt::ControlModifier, 400);
+    QVERIFY2(std::abs(project().end / whole - 0.5) < 0.02, qPrintable(QString::number(project().end / whole)));
+}
+
+void TestFilm::givenUpRecordingLeavesNothing() {
+    open(2);
+    const auto before = session().document().project();
+    const QPoint from = pin(1);
+    QTest::mousePress(&canvas(), Qt::LeftButton, Qt::ControlModifier, from);
+    for (int i = 1; i <= 5; ++i) QTest::mouseMove(&canvas(), from + QPoint(0, 6 * i), 20);
+    QVERIFY(session().isDragging());
+    QTest::keyClick(&canvas(), Qt::Key_Escape);
+    QTest::mouseRelease(&canvas(), Qt::LeftButton, Qt::ControlModifier, from);
+    QCOMPARE(session().document().project(), before);
+}
+
+void TestFilm::tracksAreThereInTheirStep() {
+    open(2);
+    QVERIFY(tracks().isVisible());
+    QVERIFY(!tracks().accessibleName().isEmpty());
+    m_window->window().findChild<Toolbox*>()->setMode(Mode::Paint);
+    QVERIFY(!tracks().isVisible());
+}
+
+void TestFilm::dragBar(int handle, int motion, double fromX, double by) {
+    QWidget* area = tracks().viewport();
+    const QRectF bar = tracks().barOf(handle, motion);
+    const QPoint from(static_cast<int>(std::lround(fromX)), static_cast<int>(bar.center().y()));
+    QTest::mousePress(area, Qt::LeftButton, {}, from);
+    for (int i = 1; i <= 5; ++i)
+        QTest::mouseMove(area, from + QPoint(static_cast<int>(std::lround(by * i / 5)), 0));
+    QTest::mouseRelease(area, Qt::LeftButton, {}, from + QPoint(static_cast<int>(std::lround(by)), 0));
+    QVERIFY(settle(session()));
+}
+
+/// In its middle a bar moves, at its ends it becomes longer or shorter; the shape follows.
+void TestFilm::barsAreDragged() {
+    QFETCH(int, dimension);
+    openFilm(dimension);
+    const double second = span() / 4;
+    const double pixel = 4 / span();
+    const QRectF bar = tracks().barOf(0, 0);
+    QVERIFY(std::abs(bar.width() - second) <= 1);
+    const int steps = session().document().undoStack()->count();
+    dragBar(0, 0, bar.center().x(), 0.3 * second);
+    MotionTime time = timeOf(project(), 0, 0);
+    QVERIFY(std::abs(time.start - 0.3) <= pixel && std::abs(time.end - 1.3) <= pixel);
+    QCOMPARE(session().document().undoStack()->count(), steps + 1);
+    QCOMPARE(timeOf(project(), 1, 0), (MotionTime{1, 2}));
+    dragBar(0, 0, tracks().barOf(0, 0).right() - 1, 0.4 * second);
+    time = timeOf(project(), 0, 0);
+    QVERIFY(std::abs(time.start - 0.3) <= pixel && std::abs(time.end - 1.7) <= 2 * pixel);
+    dragBar(0, 0, tracks().barOf(0, 0).left() + 1, 0.2 * second);
+    time = timeOf(project(), 0, 0);
+    QVERIFY(std::abs(time.start - 0.5) <= 3 * pixel && std::abs(time.end - 1.7) <= 2 * pixel);
+    QCOMPARE(session().selection().handles(), std::vector<int>{0});
+    // Both ends of its time are where the handle begins and ends to move.
+    session().playback().setTime(time.start - 0.2);
+    const auto still = session().frame();
+    session().playback().setTime(0);
+    QVERIFY(still && session().frame());
+    const auto moved = [&] {
+        return dimension == 2 ? (posed<2>(still)->pose - session().frame<2>()->pose).norm()
+                              : (posed<3>(still)->pose - session().frame<3>()->pose).norm();
+    };
+    QVERIFY(moved() < 1e-12);
+    session().playback().setTime(1.2);
+    QVERIFY(moved() > 0.01);
+}
+
+void TestFilm::barsSnapToEachOther() {
+    openFilm(2);
+    const double second = span() / 4;
+    dragBar(0, 0, tracks().barOf(0, 0).center().x(), 1.0 * second + 4);
+    QCOMPARE(timeOf(project(), 0, 0), (MotionTime{1, 2}));  // with the other, exactly
+}
+
+void TestFilm::lockedBarsStay() {
+    openFilm(2);
+    Project next = project();
+    std::get<Design<2>>(next.design).handles[0].traits.locked = true;
+    session().document().change(QStringLiteral("Lock"), next);
+    QVERIFY(settle(session()));
+    dragBar(0, 0, tracks().barOf(0, 0).center().x(), 60);
+    QCOMPARE(timeOf(project(), 0, 0), (MotionTime{0, 1}));
+}
+
+void TestFilm::barsByKeyboard() {
+    openFilm(2);
+    session().playback().setTime(0);
+    tracks().setFocus();
+    session().selection().clear();
+    QTest::keyClick(&tracks(), Qt::Key_Down);
+    QCOMPARE(session().selection().handles(), std::vector<int>{0});
+    QTest::keyClick(&tracks(), Qt::Key_Down);
+    QCOMPARE(session().selection().handles(), std::vector<int>{1});
+    QTest::keyClick(&tracks(), Qt::Key_Right);
+    QVERIFY(std::abs(session().playback().time() - 0.04) < 1e-12);
+    const int steps = session().document().undoStack()->count();
+    for (int i = 0; i < 5; ++i) QTest::keyClick(&tracks(), Qt::Key_Right, Qt::AltModifier);
+    const MotionTime time = timeOf(project(), 1, 0);
+    QVERIFY(std::abs(time.start - 1.2) < 1e-9 && std::abs(time.end - 2.2) < 1e-9);
+    QCOMPARE(session().document().undoStack()->count(), steps + 1);  // keys in a row are one step
+}
+
+void TestFilm::menuOfABar() {
+    openFilm(3);
+    const QPoint at = tracks().barOf(1, 0).center().toPoint();
+    QContextMenuEvent event(QContextMenuEvent::Mouse, at, tracks().viewport()->mapToGlobal(at));
+    QCoreApplication::sendEvent(tracks().viewport(), &event);
+    auto* menu = tracks().findChild<QMenu*>();
+    QVERIFY(menu && menu->isVisible());
+    QList<QAction*> actions;
+    for (QAction* action : menu->actions())
+        if (!action->isSeparator()) actions << action;
+    QCOMPARE(actions.size(), 5);
+    QVERIFY(actions[0]->isChecked());
+    actions[3]->trigger();
+    QCOMPARE(std::get<Design<3>>(project().design).handles[1].motions[0].ease, Ease::InOut);
+    QCOMPARE(std::get<Design<3>>(project().design).handles[0].motions[0].ease, Ease::Linear);
+    actions[4]->trigger();
+    QCOMPARE(motions(1), std::size_t(0));
+    QCOMPARE(motions(0), std::size_t(1));
+    menu->close();
+}
+
+void TestFilm::rulerIsScrubbed() {
+    openFilm(2);
+    QWidget* area = tracks().viewport();
+    const auto at = [&](double time) { return QPoint(static_cast<int>(std::lround(132 + time * span() / 4)), 8); };
+    QTest::mousePress(area, Qt::LeftButton, {}, at(1));
+    QVERIFY(std::abs(session().playback().time() - 1) < 4 / span());
+    QTest::mouseMove(area, at(2.5));
+    QVERIFY(std::abs(session().playback().time() - 2.5) < 4 / span());
+    QTest::mouseRelease(area, Qt::LeftButton, {}, at(2.5));
+    QTest::mouseMove(area, at(1));
+    QVERIFY(std::abs(session().playback().time() - 2.5) < 4 / span());
+}
+
+/// A pin that is chosen on the shape has its row in view.
+void TestFilm::manyPinsScroll() {
+    openFilm(2);
+    for (int i = 0; i < 12; ++i) session().addPin({60.0 + 10 * i, 80});
+    QVERIFY(settle(session()));
+    QVERIFY(tracks().verticalScrollBar()->maximum() > 0);
+    session().selection().set({0});
+    QCOMPARE(tracks().verticalScrollBar()->value(), 0);
+    session().selection().set({13});
+    QCOMPARE(tracks().verticalScrollBar()->value(), tracks().verticalScrollBar()->maximum());
+}
+
+/// Where the shape was the canvas is tinted, in another colour where it will be; not while it plays.
+void TestFilm::onionSkinShowsWhatWasAndComes() {
+    openFilm(2);
+    Project next = project();  // the whole bar goes down, evenly
+    for (auto& handle : std::get<Design<2>>(next.design).handles) {
+        std::get<Translate<2>>(handle.motions[0].kind).by = {0, 60};
+        handle.motions[0].start = 0, handle.motions[0].end = 4;
+    }
+    session().document().change(QStringLiteral("Down"), next);
+    QVERIFY(settle(session()));
+    session().playback().setTime(2);
+    ShapeCanvas& canvas = m_window->window().canvas();
+    QVERIFY(QTest::qWaitFor([&] { return canvas.isSettled(); }, 20000));
+    const auto at = [&](double y) {
+        const QPoint p = canvas.toWidget({120, y}).toPoint();
+        return QColor(canvas.grab().toImage().pixel(p));
+    };
+    // At rest the bar lies from 60 to 100; now from 90 to 130; 0.4 s before and after 6 higher and lower.
+    const QColor above = at(87), below = at(133);
+    m_window->window().actions().onionSkin->trigger();
+    const QColor past = at(87), future = at(133);
+    QVERIFY(past != above && future != below);
+    QVERIFY(past.red() - past.blue() > above.red() - above.blue() + 15);        // orange
+    QVERIFY(future.blue() - future.red() > below.blue() - below.red() + 15);    // blue
+    session().playback().setTime(0);
+    QVERIFY(QTest::qWaitFor([&] { return canvas.isSettled(); }, 20000));
+    QCOMPARE(at(57), QColor(canvas.grab().toImage().pixel(canvas.toWidget({120, 57}).toPoint())));
+    const QColor before = at(50);
+    m_window->window().actions().onionSkin->trigger();
+    QCOMPARE(at(50), before);  // nothing was before the beginning
+}
+
+void TestFilm::onionSkinOfASolid() {
+    openFilm(3);
+    session().playback().setTime(2);
+    QVERIFY(settle(session()));
+    SolidCanvas& canvas = m_window->canvas();
+    const auto marks = [&] {
+        QImage image(canvas.size(), QImage::Format_ARGB32_Premultiplied);
+        image.fill(Qt::white);
+        QPainter painter(&image);
+        canvas.paintMarks(painter);
+        return image;
+    };
+    const QImage without = marks();
+    m_window->window().actions().onionSkin->trigger();
+    const QImage with = marks();
+    int orange = 0;
+    for (int y = 0; y < with.height(); ++y)
+        for (int x = 0; x < with.width(); ++x) {
+            const QColor colour = with.pixelColor(x, y);
+            if (with.pixel(x, y) != without.pixel(x, y) && colour.red() > colour.blue() + 30) ++orange;
+        }
+    QVERIFY2(orange > 200, qPrintable(QString::number(orange)));
+    session().playback().setPlaying(true);
+    QVERIFY(marks() == without);
+    session().playback().setPlaying(false);
+}
+
+QTEST_MAIN(TestFilm)
+#include "test_film.moc"
