@@ -19,6 +19,7 @@ DragGesture::DragGesture(std::vector<int> handles, const Grip& grip, bool record
 
 /// The drag began a tick before its first sample, and no two samples have one time.
 int DragGesture::add(const Amount& amount, double seconds) {
+    m_newest = amount;
     if (m_samples.size() == 1) m_samples.front().seconds = seconds - kTick;
     m_samples.push_back({amount, std::max(seconds, m_samples.back().seconds + 1e-3)});
     return static_cast<int>(m_samples.size()) - 1;

@@ -22,6 +22,9 @@ class DragGesture {
     const std::vector<int>& handles() const { return m_handles; }
     const Grip& grip() const { return m_grip; }
     bool records() const { return m_records; }
+    /// The newest sample as it was taken, and its number.
+    const Amount& newest() const { return m_newest; }
+    int sampleCount() const { return static_cast<int>(m_samples.size()) - 1; }
     /// That it lasts so far.
     double seconds() const { return m_samples.back().seconds - m_samples.front().seconds; }
 
@@ -50,6 +53,7 @@ class DragGesture {
     Grip m_grip;
     bool m_records;
     std::vector<Sample> m_samples;
+    Amount m_newest = Amount::Zero();  // the newest, before the shape was there
     int m_followed = 0;  // samples that live frames have covered
     bool m_stopped = false;
 };

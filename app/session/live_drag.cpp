@@ -49,11 +49,39 @@ bool LiveDrag<Dim>::fits(const Shape<Dim>& shape, const std::vector<Handle<Dim>>
 }
 
 template <int Dim>
-void LiveDrag<Dim>::begin(std::vector<int> dragged, const Grip& grip, const Points<Dim>& pose) {
+void LiveDrag<Dim>::begin(std::vector<int> dragged, const Grip& grip, const Points<Dim>& pose,
+                          const std::vector<Handle<Dim>>& handles, double time) {
     m_dragged = std::move(dragged);
     m_grip = grip;
     m_amount.setZero();
+    m_time = time;
+    m_others.clear();
+    for (int h = 0; h < static_cast<int>(handles.size()); ++h) {
+        if (std::count(m_dragged.begin(), m_dragged.end(), h)) continue;
+        Other other{h, {}};
+        for (const Motion<Dim>& motion : handles[static_cast<std::size_t>(h)].motions)
+            if (motion.end > time) other.motions.emplace_back(motion);
+        if (!other.motions.empty()) m_others.push_back(std::move(other));
+    }
     m_flow.begin(pose);
+}
+
+/// From where they are at the time so far: M(t₁) ∘ M(t₀)⁻¹, motion after motion.
+template <int Dim>
+std::vector<typename DragFlow<Dim>::Alongside> LiveDrag<Dim>::othersUntil(double time) const {
+    std::vector<typename DragFlow<Dim>::Alongside> others;
+    for (const Other& other : m_others) {
+        AffineMap<Dim> all;
+        for (const Trajectory<Dim>& motion : other.motions) {
+            if (time <= motion.start() || m_time >= motion.end()) continue;
+            const AffineMap<Dim> from = motion.at(m_time).position, to = motion.at(time, Side::Before).position;
+            const Mat<Dim> A = to.A * from.A.inverse();
+            const Vec<Dim> b = to.b - A * from.b;
+            all = {A * all.A, A * all.b + b};
+        }
+        others.push_back({other.handle, all});
+    }
+    return others;
 }
 
 /// Of a way in the domain's units, as far as it can be told.
@@ -63,14 +91,18 @@ double LiveDrag<Dim>::length(const Amount& way) const {
 }
 
 template <int Dim>
-typename LiveDrag<Dim>::Step LiveDrag<Dim>::follow(const Amount& amount) {
+typename LiveDrag<Dim>::Step LiveDrag<Dim>::follow(const Amount& amount, std::optional<double> time) {
     Step step;
     const Amount from = m_amount, way = amount - m_amount;
+    const double begin = m_time, later = time && !m_others.empty() ? std::max(*time - m_time, 0.0) : 0;
     const double pieces = std::clamp(std::ceil(length(way) / (kLongestPiece * m_size)), 1.0, kMostPieces);
-    for (int i = 0; i < pieces && !step.stopped && way != Amount::Zero(); ++i) {
-        const Amount next = from + (i + 1) / pieces * way;
-        const auto led = m_flow.lead(m_dragged, motionBetween<Dim>(m_grip, m_amount, next));
+    for (int i = 0; i < pieces && !step.stopped && (way != Amount::Zero() || later > 0); ++i) {
+        const double part = (i + 1) / pieces, then = begin + part * later;
+        const Amount next = from + part * way;
+        const auto led =
+            m_flow.lead(m_dragged, motionBetween<Dim>(m_grip, m_amount, next), othersUntil(then));
         m_amount += led.done * (next - m_amount);
+        m_time += led.done * (then - m_time);
         step.stopped = led.done < 1;
         step.message = led.problem;
     }

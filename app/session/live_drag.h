@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "app/document/grip.h"
@@ -9,7 +10,8 @@
 namespace wend {
 
 /// The flow while a drag goes on: the dragged handles go straight from where they are to the newest target,
-/// all others hold still: a preview, replaced by the exact motion after the release.
+/// all others hold still, or go on as they do when a recording tells the time: a preview, replaced by the
+/// exact motion after the release.
 template <int Dim>
 class LiveDrag {
   public:
@@ -26,13 +28,17 @@ class LiveDrag {
 
     /// True if a drag of these handles can begin without another analysis.
     bool fits(const Shape<Dim>& shape, const std::vector<Handle<Dim>>& handles) const;
-    /// A drag of some handles, by their index, from a pose.
-    void begin(std::vector<int> dragged, const Grip& grip, const Points<Dim>& pose);
-    Step follow(const Amount& amount);
+    /// A drag of some handles, by their index, from a pose that is that of a time. `handles`: all with the
+    /// motions that they have now; none: they have none.
+    void begin(std::vector<int> dragged, const Grip& grip, const Points<Dim>& pose,
+               const std::vector<Handle<Dim>>& handles = {}, double time = 0);
+    /// With a time the other handles are where they are then.
+    Step follow(const Amount& amount, std::optional<double> time = {});
     const Points<Dim>& pose() const { return m_flow.pose(); }
 
   private:
     double length(const Amount& way) const;
+    std::vector<typename DragFlow<Dim>::Alongside> othersUntil(double time) const;
 
     Shape<Dim> m_shape;
     double m_size;
@@ -41,6 +47,12 @@ class LiveDrag {
     DragFlow<Dim> m_flow;
     Grip m_grip;
     Amount m_amount = Amount::Zero();
+    struct Other {  // a handle that moves by itself
+        int handle;
+        std::vector<Trajectory<Dim>> motions;
+    };
+    std::vector<Other> m_others;
+    double m_time = 0;
 };
 
 }  // namespace wend

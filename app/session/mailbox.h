@@ -28,6 +28,7 @@ struct BeginDrag {
 struct DragTo {
     Amount amount = Amount::Zero();  // from where the drag began
     int sample = 0;                  // its number in the gesture
+    std::optional<double> time = {};  // of the motion: of a recording, to which the others go on
 };
 struct EndDrag {};
 struct AskVelocity {  // of a frame of the motion

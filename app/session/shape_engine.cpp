@@ -123,8 +123,8 @@ void ShapeEngineOf<Dim>::beginDrag(const BeginDrag& request) try {
     for (std::size_t i = 0; i < active.size(); ++i)
         if (std::count(request.handles.begin(), request.handles.end(), active[i]))
             dragged.push_back(static_cast<int>(i));
-    prepareDrag(m_held.shape, m_held.time);
-    m_live->begin(std::move(dragged), request.grip, m_held.pose);
+    const auto held = prepareDrag(m_held.shape, m_held.time);
+    m_live->begin(std::move(dragged), request.grip, m_held.pose, held, request.time);
 } catch (const InputError& error) {
     m_refusal = messageOf(error);
     m_live.reset();
@@ -143,13 +143,15 @@ std::vector<int> ShapeEngineOf<Dim>::activeHandles(double time) const {
     return active;
 }
 
+/// Returns the handles that hold, in the order of the drag.
 template <int Dim>
-void ShapeEngineOf<Dim>::prepareDrag(const BuiltPtr& shape, double time) {
+std::vector<Handle<Dim>> ShapeEngineOf<Dim>::prepareDrag(const BuiltPtr& shape, double time) {
     const std::vector<Handle<Dim>> all = heldHandles<Dim>(*m_project, *shape);
     std::vector<Handle<Dim>> own;
     for (const int h : activeHandles(time)) own.push_back(all[h]);
     own.insert(own.end(), all.begin() + static_cast<std::ptrdiff_t>(handles().size()), all.end());
-    if (!m_live || !m_live->fits(*shape, own)) m_live.emplace(*shape, std::move(own));
+    if (!m_live || !m_live->fits(*shape, own)) m_live.emplace(*shape, own);
+    return own;
 }
 
 /// What cannot be moved, such as a pin within a part that is held, ends this drag only.
@@ -159,7 +161,7 @@ void ShapeEngineOf<Dim>::dragTo(const DragTo& request) {
     Stopwatch clock;
     typename LiveDrag<Dim>::Step step;
     try {
-        if (m_live) step = m_live->follow(request.amount);
+        if (m_live) step = m_live->follow(request.amount, request.time);
     } catch (const InputError& error) {
         m_refusal = messageOf(error);
         m_live.reset();

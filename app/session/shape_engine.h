@@ -70,7 +70,7 @@ class ShapeEngineOf : public ShapeEngine {
         double time = 0;
     };
     Seen seen(const BeginDrag& request) const;
-    void prepareDrag(const BuiltPtr& shape, double time);
+    std::vector<Handle<Dim>> prepareDrag(const BuiltPtr& shape, double time);
     bool recall(const Shape<Dim>& shape);
     void build(std::stop_token stop);
     void runPass(std::stop_token stop);

@@ -9,6 +9,8 @@ namespace wend {
 
 namespace {
 
+constexpr int kTick = 20;  // milliseconds
+
 bool isIn(const FrameTrack& track, const FramePtr& frame) {
     const auto& frames = track.frames();
     return std::find(frames.begin(), frames.end(), frame) != frames.end();
@@ -17,6 +19,8 @@ bool isIn(const FrameTrack& track, const FramePtr& frame) {
 }  // namespace
 
 ShapeSession::ShapeSession(QObject* parent) : QObject(parent) {
+    m_goOn.setInterval(kTick);
+    connect(&m_goOn, &QTimer::timeout, this, &ShapeSession::goOn);
     connect(&m_document, &Document::projectChanged, this, &ShapeSession::postShape);
     connect(&m_document, &Document::opened, this, &ShapeSession::reset);
     connect(&m_playback, &Playback::timeChanged, this, [this](double time) {
@@ -50,6 +54,7 @@ void ShapeSession::dropAll() {
     if (m_drag) m_compute.post(EndDrag{});
     if (m_document.isEmpty()) m_compute.post(CancelWork{});
     m_drag.reset();
+    m_goOn.stop();
     ++m_gesture;   // frames of a drag that are under way are void,
     ++m_revision;  // and so is a shape
     m_complete.reset();

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <QElapsedTimer>
 #include <QObject>
+#include <QTimer>
 #include <optional>
 #include <tuple>
 
@@ -175,6 +177,8 @@ class ShapeSession : public QObject {
     template <int Dim>
     void pushGesture(const DragGesture& drag, const TimedPath& path, double from, const QString& key = {});
     void endDrag(const TimedPath& path);
+    void goOn();
+    double recordedTime() const;
     template <int Dim>
     void tellReplaced(const std::vector<Handle<Dim>>& before, const std::vector<int>& recorded, double from);
     std::vector<int> unlocked(std::vector<int> handles);
@@ -195,6 +199,8 @@ class ShapeSession : public QObject {
     bool m_sameShape = false;   // what is shown stays as it is, though something is computed
     int m_gesture = 0;          // number of the newest drag
     double m_dragFrom = 0;      // when it began, by the clock of the motion
+    QTimer m_goOn;              // while a drag records: others go on though the hand rests
+    QElapsedTimer m_sinceSample;
     int m_revision = 0;         // of the newest request for a shape
     bool m_trackIsCurrent = false;
     std::shared_ptr<const void> m_shape;        // the newest rest mesh

@@ -257,14 +257,35 @@ void ShapeSession::beginDrag(const Grip& grip, bool records) {
     m_dragFrom = gestureTime();
     m_drag.emplace(handles, grip, records || m_records);
     m_compute.post(BeginDrag{handles, grip, ++m_gesture, m_revision, m_frame, m_dragFrom});
+    m_sinceSample.start();
+    if (m_drag->records()) m_goOn.start();
     emit dragBegan();
 }
 
 void ShapeSession::dragBy(const Amount& amount, double seconds) {
     if (!m_drag) return;
     const int sample = m_drag->add(amount, seconds);
-    m_compute.post(DragTo{amount, sample});
+    m_sinceSample.start();
+    const bool records = m_drag->records();
+    m_compute.post(DragTo{amount, sample, records ? std::optional(recordedTime()) : std::nullopt});
     emit dragMoved(amount);
+    emit pinsChanged();
+}
+
+/// Of the film: when the recording is, by the last sample and the clock since then.
+double ShapeSession::recordedTime() const {
+    const double seconds = m_drag->seconds() + 1e-3 * static_cast<double>(m_sinceSample.elapsed());
+    return m_dragFrom + seconds * m_playback.speed() / Playback::kSecondsPerUnit;
+}
+
+/// The hand rests, the others go on.
+void ShapeSession::goOn() {
+    if (!m_drag) return;
+    m_playback.setTime(recordedTime());
+    const bool moves = std::visit([this](const auto& d) { return movesAfter(d, m_dragFrom); },
+                                  m_document.project()->design);
+    if (moves && m_drag->sampleCount() > 0)
+        m_compute.post(DragTo{m_drag->newest(), m_drag->sampleCount(), recordedTime()});
     emit pinsChanged();
 }
 
@@ -347,6 +368,7 @@ void ShapeSession::endDrag(const TimedPath& path) {
 void ShapeSession::letGo() {
     if (!m_drag) return;
     m_drag.reset();
+    m_goOn.stop();
     m_compute.post(EndDrag{});
     m_preview = atTime(m_preview ? m_preview : m_frame, m_document.project()->end);
     emit dragEnded();
@@ -354,7 +376,9 @@ void ShapeSession::letGo() {
 
 void ShapeSession::cancelDrag() {
     if (!m_drag) return;
+    if (m_drag->records()) m_playback.setTime(m_dragFrom);
     m_drag.reset();
+    m_goOn.stop();
     m_preview = m_previewBefore;
     ++m_gesture;  // frames of it that are under way are void
     m_compute.post(EndDrag{});

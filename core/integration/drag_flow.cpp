@@ -49,15 +49,10 @@ Trajectory<Dim> trajectory(const Motion<Dim>& motion, const Normalization<Dim>& 
     return Trajectory<Dim>(units.normal(handle).motions[0]);
 }
 
-/// Points where the led ones are moved.
+/// The same map of points in normalized coordinates.
 template <int Dim>
-Points<Dim> moved(const Points<Dim>& points, const std::vector<bool>& led, const AffineMap<Dim>& map) {
-    Points<Dim> result = points;
-    for (std::size_t i = 0; i < led.size(); ++i) {
-        const auto column = static_cast<Eigen::Index>(i);
-        if (led[i]) result.col(column) = map(points.col(column));
-    }
-    return result;
+AffineMap<Dim> normalized(const AffineMap<Dim>& map, const Normalization<Dim>& units) {
+    return {map.A, units.normal(Vec<Dim>(map(units.centre))).eval()};
 }
 
 template <int Dim>
@@ -113,24 +108,42 @@ void DragFlow<Dim>::begin(const Points<Dim>& pose) {
 }
 
 template <int Dim>
-typename DragFlow<Dim>::Led DragFlow<Dim>::lead(const std::vector<int>& handles, const Motion<Dim>& motion) {
+typename DragFlow<Dim>::Led DragFlow<Dim>::lead(const std::vector<int>& handles, const Motion<Dim>& motion,
+                                                const std::vector<Alongside>& alongside) {
     const Trajectory<Dim> path = trajectory(motion, m_units);
-    std::vector<bool> led;
-    for (const ConstrainedPoint& point : m_constraints.points())
-        led.push_back(std::find(handles.begin(), handles.end(), point.handle) != handles.end());
     const Targets start = m_targets;
+    Targets others = start;  // at the end
+    for (const Alongside& other : alongside)
+        others = moved(others, {other.handle}, normalized(other.map, m_units));
+    const auto targetsAt = [&](double part) {
+        const Targets along = start + part * (others - start);
+        return moved(along, handles, path.at(part, Side::Before).position);
+    };
     SolveOutcome failure;
-    double done = 0, part = firstPart(moved<Dim>(start, led, path.at(1, Side::Before).position) - start);
+    double done = 0, part = firstPart(targetsAt(1) - start);
     for (int attempts = 0; done < 1; ++attempts) {
         if (part < kSmallestPart || attempts == kMostAttempts) break;
         const double to = std::min(1.0, done + part);
-        if (step(moved<Dim>(start, led, path.at(to, Side::Before).position)))
+        if (step(targetsAt(to)))
             done = to;
         else
             failure = m_failure, part /= 2;
     }
     publish();
     return done < 1 ? Led{done, describe(failure, handles)} : Led{};
+}
+
+/// The points of some handles are moved.
+template <int Dim>
+typename DragFlow<Dim>::Targets DragFlow<Dim>::moved(const Targets& start, const std::vector<int>& handles,
+                                                     const AffineMap<Dim>& map) const {
+    Targets result = start;
+    for (Eigen::Index i = 0; i < start.cols(); ++i) {
+        const int handle = m_constraints.points()[static_cast<std::size_t>(i)].handle;
+        if (std::find(handles.begin(), handles.end(), handle) != handles.end())
+            result.col(i) = map(start.col(i));
+    }
+    return result;
 }
 
 /// The whole way, unless the memory would draw the shape back so strongly that the midpoint rule overshoots.

@@ -31,10 +31,16 @@ class DragFlow {
         double done = 1;      // part of the motion that was possible
         std::string problem;  // why it ended early: one line
     };
+    /// Where the points of a handle (by index) go meanwhile, along straight lines.
+    struct Alongside {
+        int handle;
+        AffineMap<Dim> map;
+    };
     /// Leads some handles (by index) through a whole motion, whose window does not matter, in one step: a
-    /// few percent of the size. The others hold still. Where cells would fold over, as far as is
-    /// possible.
-    Led lead(const std::vector<int>& handles, const Motion<Dim>& motion);
+    /// few percent of the size. The others go alongside, or hold still. Where cells would fold over, as far
+    /// as is possible.
+    Led lead(const std::vector<int>& handles, const Motion<Dim>& motion,
+             const std::vector<Alongside>& alongside = {});
 
     const Points<Dim>& pose() const { return m_pose; }
     /// Greatest distance of a constrained point from where it should be.
@@ -44,6 +50,7 @@ class DragFlow {
 
   private:
     using Targets = Points<Dim>;  // one column per constrained point
+    Targets moved(const Targets& start, const std::vector<int>& handles, const AffineMap<Dim>& map) const;
     double firstPart(const Targets& way) const;
     bool step(const Targets& targets);
     bool solve(const Points<Dim>& shape, const Targets& way, Points<Dim>& field);

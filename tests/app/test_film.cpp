@@ -4,7 +4,7 @@
 #include <QScrollBar>
 
 #include "app/document/timing_edits.h"
-#include "app/tools/onion_skin.h"
+#include "app/session/drag_gesture.h"
 #include "app/view/track_view.h"
 #include "tests/support/solid_fixture.h"
 
@@ -23,6 +23,8 @@ class TestFilm : public QObject {
     void recordsWithTheSwitch();
     void othersGoOnWhileOneIsRecorded();
     void recordsByTheClockOfTheFilm();
+    void othersAreSeenGoingOn_data() { dimensions(); }
+    void othersAreSeenGoingOn();
     void givenUpRecordingLeavesNothing();
     void tracksAreThereInTheirStep();
     void barsAreDragged_data() { dimensions(); }
@@ -185,6 +187,32 @@ void TestFilm::recordsByTheClockOfTheFilm() {
     QVERIFY(m_window->window().actions().speed->title().contains("50"));
     record(1, Qt::ControlModifier, 400);
     QVERIFY2(std::abs(project().end / whole - 0.5) < 0.02, qPrintable(QString::number(project().end / whole)));
+}
+
+/// While the hand rests in a recording the other pin goes its way, and the time is shown; given up, all is as
+/// before.
+void TestFilm::othersAreSeenGoingOn() {
+    QFETCH(int, dimension);
+    openFilm(dimension);
+    session().playback().setTime(0);
+    QVERIFY(settle(session()));
+    const auto other = [&] {
+        return dimension == 2 ? session().pins()[0].centre.y() : session().pins<3>()[0].centre.y();
+    };
+    const double begin = other();
+    const QPoint from = pin(1);
+    QTest::mouseMove(&canvas(), from);
+    QTest::mousePress(&canvas(), Qt::LeftButton, Qt::ControlModifier, from);
+    for (int i = 1; i <= 3; ++i) QTest::mouseMove(&canvas(), from + QPoint(0, 6 * i), 20);
+    QVERIFY(session().gesture() && session().gesture()->records());
+    const double whole = dimension == 2 ? 20 : 0.5;
+    QVERIFY(QTest::qWaitFor([&] { return other() > begin + 0.5 * whole; }, 20000));
+    QVERIFY(session().playback().time() >= 0.5);
+    QTest::keyClick(&canvas(), Qt::Key_Escape);
+    QTest::mouseRelease(&canvas(), Qt::LeftButton, Qt::ControlModifier, from);
+    QVERIFY(settle(session()));
+    QCOMPARE(session().playback().time(), 0.0);
+    QVERIFY(std::abs(other() - begin) < 1e-9);
 }
 
 void TestFilm::givenUpRecordingLeavesNothing() {

@@ -19,6 +19,7 @@ class TestLiveDrag : public QObject {
   private slots:
     void largeShapesNearEquiaArePreviewedSofter();
     void smallShapesArePreviewedAsTheyAre();
+    void othersGoAlongWithARecording();
     void releasedShapeIsTheCommandLines_data();
     void releasedShapeIsTheCommandLines();
 };
@@ -83,6 +84,47 @@ void TestLiveDrag::largeShapesNearEquiaArePreviewedSofter() {
 void TestLiveDrag::smallShapesArePreviewedAsTheyAre() {
     QCOMPARE(softening(shapeOf(40, phi::kEquia)), 0.0);
     QCOMPARE(softening(shapeOf(300, phi::kMetr)), 0.0);
+}
+
+/// While the upper end is led the lower one turns and then moves by itself: it is exactly where its motions
+/// have it, and the preview is near the motion that the film will have.
+void TestLiveDrag::othersGoAlongWithARecording() {
+    constexpr double kBegin = 0.25, kEnd = 1;
+    constexpr int kSamples = 15;
+    const Shape<3> shape = shapeOf(40, phi::kMetr);
+    std::vector<Handle<3>> film = ends();
+    film[0].motions = {{Rotate<3>{Vec<3>(1, 1, 0), Vec<3>::UnitZ(), 0.5}, 0, 0.75},
+                       {Translate<3>{Vec<3>(0.3, 0, 0)}, 0.75, 1}};
+    Recorded<3> led;
+    const auto timeAt = [](int i) { return kBegin + (kEnd - kBegin) * i / kSamples; };
+    for (int i = 0; i <= kSamples; ++i) {
+        led.times.push_back(timeAt(i));
+        led.points.push_back(i == 0 ? Vec<3>::Zero() : Vec<3>(0.5 * handAt(i)));
+    }
+    film[1].motions = {{led, kBegin, kEnd}};
+    Deformer<3> exact(shape.rest, shape.material, film, {}, backEndFactory<3>(BackEndKind::Automatic));
+    QCOMPARE(exact.advance(kBegin).outcome, Outcome::Done);
+    LiveDrag<3> preview(shape, film);
+    preview.begin({1}, {}, exact.state().points, film, kBegin);
+    for (int i = 1; i <= kSamples; ++i) {
+        const auto step = preview.follow(0.5 * handAt(i), timeAt(i));
+        QVERIFY(!step.stopped && step.pinError < 1e-9);
+        const Trajectory<3> turn(film[0].motions[0]), shift(film[0].motions[1]);
+        for (int v = 0; v < shape.rest->vertexCount(); ++v) {
+            const Vec<3> p = shape.rest->points.col(v);
+            if (p.z() > 1e-9) continue;
+            const Vec<3> there =
+                shift.at(timeAt(i), Side::Before).position(turn.at(timeAt(i), Side::Before).position(p));
+            QVERIFY((preview.pose().col(v) - there).norm() < 1e-9 * kLength);
+        }
+    }
+    QCOMPARE(exact.advance(kEnd).outcome, Outcome::Done);
+    const double off = (preview.pose() - exact.state().points).colwise().norm().maxCoeff() / kLength;
+    QVERIFY2(off < 2e-3, qPrintable(QString::number(off)));
+    // After the end of their motions they stand still.
+    const Points<3> before = preview.pose();
+    preview.follow(0.5 * handAt(kSamples), kEnd + 1);
+    QVERIFY((preview.pose() - before).cwiseAbs().maxCoeff() < 1e-9 * kLength);
 }
 
 void TestLiveDrag::releasedShapeIsTheCommandLines_data() {
