@@ -1007,12 +1007,23 @@
         <translation>Den Punkt ziehen dreht, mit Umschalt um je 15°, das Quadrat skaliert; Ziffern setzen die Zahl</translation>
     </message>
     <message>
-        <source>Drag to move the pin, Alt-drag to widen it, Shift-click to select more, Delete to remove</source>
-        <translation>Ziehen bewegt den Pin, mit Alt weitet es ihn, Umschalt-Klick wählt weitere, Entf entfernt ihn</translation>
-    </message>
-    <message>
         <source>A point cannot rotate – Alt-drag to widen it</source>
         <translation>Ein Punkt kann sich nicht drehen – mit Alt ziehen weitet ihn</translation>
+    </message>
+    <message>
+        <source>Drag to move the pin, Ctrl-drag to record it, Alt-drag to widen it, Shift-click to select more</source>
+        <translation>Ziehen bewegt den Pin, mit Strg wird es aufgenommen, mit Alt weitet es ihn; Shift-Klick wählt weitere</translation>
+    </message>
+</context>
+<context>
+    <name>Recording</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>Recorded as it goes until you let go; Esc gives it up</source>
+        <translation>Wird aufgenommen, wie es geschieht, bis Sie loslassen; Esc gibt es auf</translation>
     </message>
 </context>
 <context>
@@ -1045,10 +1056,6 @@
         <translation>Pfeil, Quadrat oder Ring ziehen; G bewegt, R dreht, S skaliert</translation>
     </message>
     <message>
-        <source>Drag to move along the screen, Shift-click to select more</source>
-        <translation>Ziehen bewegt am Bildschirm entlang, Umschalt-Klick wählt weitere</translation>
-    </message>
-    <message>
         <source>Click on the solid to set a pin, then drag pins to bend it</source>
         <translation>Klick auf den Körper setzt einen Pin, Ziehen an Pins biegt ihn</translation>
     </message>
@@ -1071,6 +1078,10 @@
     <message>
         <source>Brush over pins to select them, [ and ] change the size; Shift adds, Ctrl takes away</source>
         <translation>Über Pins pinseln wählt sie aus, [ und ] ändern die Größe; Umschalt dazu, Strg ab</translation>
+    </message>
+    <message>
+        <source>Drag to move along the screen, Ctrl-drag to record it, Shift-click to select more</source>
+        <translation>Ziehen bewegt entlang des Bildschirms, mit Strg wird es aufgenommen; Shift-Klick wählt weitere</translation>
     </message>
 </context>
 <context>
@@ -1708,6 +1719,42 @@
     <message>
         <source>Y</source>
         <translation>Y</translation>
+    </message>
+    <message>
+        <source>&amp;Record</source>
+        <translation>Auf&amp;nehmen</translation>
+    </message>
+    <message>
+        <source>Every drag is kept as it goes, in real time; Ctrl does so for one drag</source>
+        <translation>Jedes Ziehen wird aufgenommen, wie es geschieht, in Echtzeit; Strg tut das für ein Mal</translation>
+    </message>
+    <message>
+        <source>Ctrl+R</source>
+        <translation>Ctrl+R</translation>
+    </message>
+    <message>
+        <source>&amp;Onion Skin</source>
+        <translation>&amp;Zwiebelhaut</translation>
+    </message>
+    <message>
+        <source>Show what was a little before and what comes a little after</source>
+        <translation>Zeigen, was kurz davor war und was kurz danach kommt</translation>
+    </message>
+    <message>
+        <source>Shift+N</source>
+        <translation>Shift+N</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>How fast it plays, and by which clock drags are recorded</source>
+        <translation>Wie schnell abgespielt und nach welcher Uhr aufgenommen wird</translation>
+    </message>
+    <message>
+        <source>Speed: %1 %</source>
+        <translation>Tempo: %1 %</translation>
     </message>
 </context>
 <context>
@@ -4131,6 +4178,14 @@
         <source>%1 mirrored</source>
         <translation>%1 gespiegelt</translation>
     </message>
+    <message>
+        <source>Record %1</source>
+        <translation>%1 aufnehmen</translation>
+    </message>
+    <message>
+        <source>Recorded. K plays it; record other pins from the same time, and they move together.</source>
+        <translation>Aufgenommen. K spielt es ab; andere Pins, vom selben Zeitpunkt an aufgenommen, bewegen sich gemeinsam.</translation>
+    </message>
 </context>
 <context>
     <name>wend::SideWindows</name>
@@ -4976,6 +5031,85 @@
     <message>
         <source>Open a solid first.</source>
         <translation>Zuerst einen Körper öffnen.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::TrackView</name>
+    <message>
+        <source>Rotate</source>
+        <translation>Drehen</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Bewegen</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Skalieren</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>Begins &amp;Softly</source>
+        <translation>Beginnt &amp;sanft</translation>
+    </message>
+    <message>
+        <source>&amp;Ends Softly</source>
+        <translation>&amp;Endet sanft</translation>
+    </message>
+    <message>
+        <source>&amp;Both Softly</source>
+        <translation>&amp;Beides sanft</translation>
+    </message>
+    <message>
+        <source>&amp;Even</source>
+        <translation>&amp;Gleichmäßig</translation>
+    </message>
+    <message>
+        <source>Tracks</source>
+        <translation>Spuren</translation>
+    </message>
+    <message>
+        <source>A row for each pin, with a bar for each of its motions; Up and Down choose a pin, Left and Right another time, with Alt they move the chosen bar</source>
+        <translation>Eine Zeile je Pin, ein Balken je Bewegung; Auf und Ab wählen einen Pin, Links und Rechts eine andere Zeit, mit Alt bewegen sie den gewählten Balken</translation>
+    </message>
+    <message>
+        <source>Drag a bar or its ends to another time; bars at the same time move together. A right click sets how it begins and ends</source>
+        <translation>Einen Balken oder seine Enden zu einer anderen Zeit ziehen; was gleichzeitig liegt, bewegt sich gemeinsam. Ein Rechtsklick sagt, wie es beginnt und endet</translation>
+    </message>
+    <message>
+        <source>Move in time</source>
+        <translation>Zeitlich verschieben</translation>
+    </message>
+    <message>
+        <source>Change duration</source>
+        <translation>Dauer ändern</translation>
+    </message>
+    <message>
+        <source>How it begins and ends</source>
+        <translation>Wie es beginnt und endet</translation>
+    </message>
+    <message>
+        <source>Ease</source>
+        <translation>Verlauf ändern</translation>
+    </message>
+    <message>
+        <source>&amp;Remove Motion</source>
+        <translation>Bewegung &amp;entfernen</translation>
+    </message>
+    <message>
+        <source>Remove motion</source>
+        <translation>Bewegung entfernen</translation>
+    </message>
+    <message>
+        <source>%1: %2 to %3 s, %4</source>
+        <translation>%1: %2 bis %3 s, %4</translation>
+    </message>
+    <message>
+        <source>Nothing moves yet. Drag a pin, or record it with Ctrl held: what you do then is here, pin by pin.</source>
+        <translation>Noch bewegt sich nichts. Ziehen Sie einen Pin, oder nehmen Sie es mit Strg auf: Dann steht hier, Pin für Pin, was Sie getan haben.</translation>
     </message>
 </context>
 <context>

@@ -995,10 +995,6 @@
         <translation>Arrastre el punto para rotar, con Mayús de 15° en 15°, o el cuadrado para escalar; las cifras fijan el valor</translation>
     </message>
     <message>
-        <source>Drag to move the pin, Alt-drag to widen it, Shift-click to select more, Delete to remove</source>
-        <translation>Arrastre para mover el alfiler, con Alt para ensancharlo, Mayús+clic selecciona más, Supr elimina</translation>
-    </message>
-    <message>
         <source>A point cannot rotate – Alt-drag to widen it</source>
         <translation>Un punto no puede rotar: arrastre con Alt para ensancharlo</translation>
     </message>
@@ -1013,6 +1009,21 @@
     <message>
         <source>%1: does not hold now</source>
         <translation>%1: no sujeta en este momento</translation>
+    </message>
+    <message>
+        <source>Drag to move the pin, Ctrl-drag to record it, Alt-drag to widen it, Shift-click to select more</source>
+        <translation>Arrastre para mover el alfiler, con Ctrl para grabarlo, con Alt para ensancharlo; Mayús-clic selecciona más</translation>
+    </message>
+</context>
+<context>
+    <name>Recording</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>Recorded as it goes until you let go; Esc gives it up</source>
+        <translation>Se graba tal cual hasta que suelte; Esc lo abandona</translation>
     </message>
 </context>
 <context>
@@ -1045,10 +1056,6 @@
         <translation>Arrastre una flecha, un cuadrado o un anillo; G mueve, R rota, S escala</translation>
     </message>
     <message>
-        <source>Drag to move along the screen, Shift-click to select more</source>
-        <translation>Arrastre para mover en el plano de la pantalla, Mayús+clic selecciona más</translation>
-    </message>
-    <message>
         <source>Click on the solid to set a pin, or draw around pins to select them</source>
         <translation>Haga clic en el sólido para poner un alfiler, o rodee alfileres para seleccionarlos</translation>
     </message>
@@ -1071,6 +1078,10 @@
     <message>
         <source>Click, or draw beside pins, to select; Shift adds, Ctrl takes away; drag or arrow keys move</source>
         <translation>Haga clic, o trace junto a los alfileres, para seleccionar; Mayús añade, Ctrl quita; arrastre o use las flechas para mover</translation>
+    </message>
+    <message>
+        <source>Drag to move along the screen, Ctrl-drag to record it, Shift-click to select more</source>
+        <translation>Arrastre para mover a lo largo de la pantalla, con Ctrl para grabarlo; Mayús-clic selecciona más</translation>
     </message>
 </context>
 <context>
@@ -1708,6 +1719,42 @@
     <message>
         <source>Y</source>
         <translation>Y</translation>
+    </message>
+    <message>
+        <source>&amp;Record</source>
+        <translation>&amp;Grabar</translation>
+    </message>
+    <message>
+        <source>Every drag is kept as it goes, in real time; Ctrl does so for one drag</source>
+        <translation>Cada arrastre se guarda tal cual, en tiempo real; Ctrl lo hace para uno solo</translation>
+    </message>
+    <message>
+        <source>Ctrl+R</source>
+        <translation>Ctrl+R</translation>
+    </message>
+    <message>
+        <source>&amp;Onion Skin</source>
+        <translation>&amp;Papel cebolla</translation>
+    </message>
+    <message>
+        <source>Show what was a little before and what comes a little after</source>
+        <translation>Mostrar lo que hubo poco antes y lo que viene poco después</translation>
+    </message>
+    <message>
+        <source>Shift+N</source>
+        <translation>Shift+N</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>How fast it plays, and by which clock drags are recorded</source>
+        <translation>A qué velocidad se reproduce y con qué reloj se graba</translation>
+    </message>
+    <message>
+        <source>Speed: %1 %</source>
+        <translation>Velocidad: %1 %</translation>
     </message>
 </context>
 <context>
@@ -4131,6 +4178,14 @@
         <source>%1 are locked. A right click or the list of pins unlocks them.</source>
         <translation>%1 están bloqueados. El clic derecho o la lista de alfileres los desbloquea.</translation>
     </message>
+    <message>
+        <source>Record %1</source>
+        <translation>Grabar %1</translation>
+    </message>
+    <message>
+        <source>Recorded. K plays it; record other pins from the same time, and they move together.</source>
+        <translation>Grabado. K lo reproduce; otros alfileres grabados desde el mismo momento se mueven a la vez.</translation>
+    </message>
 </context>
 <context>
     <name>wend::SideWindows</name>
@@ -4976,6 +5031,85 @@
     <message>
         <source>Open a solid first.</source>
         <translation>Abra primero un sólido.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::TrackView</name>
+    <message>
+        <source>Rotate</source>
+        <translation>Rotar</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Mover</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Escalar</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Trayectoria</translation>
+    </message>
+    <message>
+        <source>Begins &amp;Softly</source>
+        <translation>&amp;Comienza suave</translation>
+    </message>
+    <message>
+        <source>&amp;Ends Softly</source>
+        <translation>&amp;Termina suave</translation>
+    </message>
+    <message>
+        <source>&amp;Both Softly</source>
+        <translation>&amp;Ambos suaves</translation>
+    </message>
+    <message>
+        <source>&amp;Even</source>
+        <translation>&amp;Uniforme</translation>
+    </message>
+    <message>
+        <source>Tracks</source>
+        <translation>Pistas</translation>
+    </message>
+    <message>
+        <source>A row for each pin, with a bar for each of its motions; Up and Down choose a pin, Left and Right another time, with Alt they move the chosen bar</source>
+        <translation>Una fila por alfiler, una barra por movimiento; Arriba y Abajo eligen un alfiler, Izquierda y Derecha otro momento, con Alt mueven la barra elegida</translation>
+    </message>
+    <message>
+        <source>Drag a bar or its ends to another time; bars at the same time move together. A right click sets how it begins and ends</source>
+        <translation>Arrastre una barra o sus extremos a otro momento; las simultáneas se mueven a la vez. Un clic derecho ajusta cómo empieza y termina</translation>
+    </message>
+    <message>
+        <source>Move in time</source>
+        <translation>Mover en el tiempo</translation>
+    </message>
+    <message>
+        <source>Change duration</source>
+        <translation>Cambiar la duración</translation>
+    </message>
+    <message>
+        <source>How it begins and ends</source>
+        <translation>Cómo empieza y termina</translation>
+    </message>
+    <message>
+        <source>Ease</source>
+        <translation>Cambiar la aceleración</translation>
+    </message>
+    <message>
+        <source>&amp;Remove Motion</source>
+        <translation>&amp;Eliminar movimiento</translation>
+    </message>
+    <message>
+        <source>Remove motion</source>
+        <translation>Eliminar movimiento</translation>
+    </message>
+    <message>
+        <source>%1: %2 to %3 s, %4</source>
+        <translation>%1: %2 a %3 s, %4</translation>
+    </message>
+    <message>
+        <source>Nothing moves yet. Drag a pin, or record it with Ctrl held: what you do then is here, pin by pin.</source>
+        <translation>Todavía no se mueve nada. Arrastre un alfiler, o grábelo con Ctrl: lo que haga estará aquí, alfiler por alfiler.</translation>
     </message>
 </context>
 <context>

@@ -995,10 +995,6 @@
         <translation>Tirez le point pour faire pivoter, avec Maj par pas de 15°, ou le carré pour mettre à l’échelle&#x202f;; les chiffres fixent la valeur</translation>
     </message>
     <message>
-        <source>Drag to move the pin, Alt-drag to widen it, Shift-click to select more, Delete to remove</source>
-        <translation>Tirez pour déplacer l’épingle, avec Alt pour l’élargir, Maj+clic en sélectionne d’autres, Suppr supprime</translation>
-    </message>
-    <message>
         <source>A point cannot rotate – Alt-drag to widen it</source>
         <translation>Un point ne peut pas pivoter – tirez avec Alt pour l’élargir</translation>
     </message>
@@ -1013,6 +1009,21 @@
     <message>
         <source>%1: does not hold now</source>
         <translation>%1&#x202f;: ne maintient rien à cet instant</translation>
+    </message>
+    <message>
+        <source>Drag to move the pin, Ctrl-drag to record it, Alt-drag to widen it, Shift-click to select more</source>
+        <translation>Tirez pour déplacer l’épingle, avec Ctrl pour l’enregistrer, avec Alt pour l’élargir&#x202f;; Maj-clic en sélectionne d’autres</translation>
+    </message>
+</context>
+<context>
+    <name>Recording</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1&#x202f;s</translation>
+    </message>
+    <message>
+        <source>Recorded as it goes until you let go; Esc gives it up</source>
+        <translation>Enregistré tel quel jusqu’à ce que vous lâchiez&#x202f;; Échap abandonne</translation>
     </message>
 </context>
 <context>
@@ -1045,10 +1056,6 @@
         <translation>Tirez une flèche, un carré ou un anneau&#x202f;; G déplace, R fait pivoter, S met à l’échelle</translation>
     </message>
     <message>
-        <source>Drag to move along the screen, Shift-click to select more</source>
-        <translation>Tirez pour déplacer dans le plan de l’écran, Maj+clic en sélectionne d’autres</translation>
-    </message>
-    <message>
         <source>Click on the solid to set a pin, or draw around pins to select them</source>
         <translation>Cliquez sur le solide pour poser une épingle, ou entourez des épingles pour les sélectionner</translation>
     </message>
@@ -1071,6 +1078,10 @@
     <message>
         <source>Click, or draw beside pins, to select; Shift adds, Ctrl takes away; drag or arrow keys move</source>
         <translation>Cliquez, ou tracez à côté des épingles, pour sélectionner&#x202f;; Maj ajoute, Ctrl retire&#x202f;; tirez ou utilisez les flèches pour déplacer</translation>
+    </message>
+    <message>
+        <source>Drag to move along the screen, Ctrl-drag to record it, Shift-click to select more</source>
+        <translation>Tirez pour déplacer le long de l’écran, avec Ctrl pour l’enregistrer&#x202f;; Maj-clic en sélectionne d’autres</translation>
     </message>
 </context>
 <context>
@@ -1703,11 +1714,47 @@
     </message>
     <message>
         <source>Show another energy on the same pins beside; or drag a tile of Keep onto the shape</source>
-        <translation>Montrer à côté une autre énergie avec les mêmes épingles ; ou glisser une vignette de Conserver sur la forme</translation>
+        <translation>Montrer à côté une autre énergie avec les mêmes épingles&#x202f;; ou glisser une vignette de Conserver sur la forme</translation>
     </message>
     <message>
         <source>Y</source>
         <translation>Y</translation>
+    </message>
+    <message>
+        <source>&amp;Record</source>
+        <translation>Enregi&amp;strer</translation>
+    </message>
+    <message>
+        <source>Every drag is kept as it goes, in real time; Ctrl does so for one drag</source>
+        <translation>Chaque geste est gardé tel quel, en temps réel&#x202f;; Ctrl le fait pour un seul</translation>
+    </message>
+    <message>
+        <source>Ctrl+R</source>
+        <translation>Ctrl+R</translation>
+    </message>
+    <message>
+        <source>&amp;Onion Skin</source>
+        <translation>Pelure d’&amp;oignon</translation>
+    </message>
+    <message>
+        <source>Show what was a little before and what comes a little after</source>
+        <translation>Montrer ce qui précède et ce qui suit de peu</translation>
+    </message>
+    <message>
+        <source>Shift+N</source>
+        <translation>Shift+N</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1&#x202f;%</translation>
+    </message>
+    <message>
+        <source>How fast it plays, and by which clock drags are recorded</source>
+        <translation>La vitesse de lecture, et l’horloge des enregistrements</translation>
+    </message>
+    <message>
+        <source>Speed: %1 %</source>
+        <translation>Vitesse&#x202f;: %1&#x202f;%</translation>
     </message>
 </context>
 <context>
@@ -2245,11 +2292,11 @@
     </message>
     <message>
         <source>What is coloured over the solid: the error of lengths, volumes or angles, how far it is from where it was, the material, how fast it moves, or how fine its mesh is.</source>
-        <translation>Ce qui est coloré sur le solide : l’erreur des longueurs, des volumes ou des angles, la distance à la place d’origine, le matériau, la vitesse du mouvement ou la finesse du maillage.</translation>
+        <translation>Ce qui est coloré sur le solide&#x202f;: l’erreur des longueurs, des volumes ou des angles, la distance à la place d’origine, le matériau, la vitesse du mouvement ou la finesse du maillage.</translation>
     </message>
     <message>
         <source>What is coloured over the picture: the error of lengths, areas or angles, how far it is from where it was, the material, how fast it moves, or how fine its mesh is.</source>
-        <translation>Ce qui est coloré sur l’image : l’erreur des longueurs, des aires ou des angles, la distance à la place d’origine, le matériau, la vitesse du mouvement ou la finesse du maillage.</translation>
+        <translation>Ce qui est coloré sur l’image&#x202f;: l’erreur des longueurs, des aires ou des angles, la distance à la place d’origine, le matériau, la vitesse du mouvement ou la finesse du maillage.</translation>
     </message>
 </context>
 <context>
@@ -2881,7 +2928,7 @@
     </message>
     <message>
         <source>Where the material is another. The topmost wins: drag a layer to its place. A click shows its values, a double click changes its name, its eye or the space bar switches it off.</source>
-        <translation>Où le matériau est différent. Le calque du haut l’emporte : glissez un calque à sa place. Un clic montre ses valeurs, un double clic change son nom, son œil ou la barre d’espace le désactive.</translation>
+        <translation>Où le matériau est différent. Le calque du haut l’emporte&#x202f;: glissez un calque à sa place. Un clic montre ses valeurs, un double clic change son nom, son œil ou la barre d’espace le désactive.</translation>
     </message>
     <message>
         <source>Pictures</source>
@@ -2913,15 +2960,15 @@
     </message>
     <message>
         <source>Keep: %1</source>
-        <translation>Conservé : %1</translation>
+        <translation>Conservé&#x202f;: %1</translation>
     </message>
     <message>
         <source>Stiffness: %1</source>
-        <translation>Raideur : %1</translation>
+        <translation>Raideur&#x202f;: %1</translation>
     </message>
     <message>
         <source>Direction: %1</source>
-        <translation>Direction : %1</translation>
+        <translation>Direction&#x202f;: %1</translation>
     </message>
     <message>
         <source>As the project&apos;s file says, cell by cell.</source>
@@ -2929,7 +2976,7 @@
     </message>
     <message>
         <source>Cell by cell: %1</source>
-        <translation>Cellule par cellule : %1</translation>
+        <translation>Cellule par cellule&#x202f;: %1</translation>
     </message>
     <message>
         <source>Values of cells</source>
@@ -3017,7 +3064,7 @@
     </message>
     <message>
         <source>A gray picture over the whole, as a layer: black keeps area, white angles</source>
-        <translation>Une image grise sur le tout, comme calque : le noir conserve l’aire, le blanc les angles</translation>
+        <translation>Une image grise sur le tout, comme calque&#x202f;: le noir conserve l’aire, le blanc les angles</translation>
     </message>
     <message>
         <source>Bring In &amp;Stiffness…</source>
@@ -3025,7 +3072,7 @@
     </message>
     <message>
         <source>A gray picture over the whole, as a layer: black is as everywhere, white 1000 times stiffer</source>
-        <translation>Une image grise sur le tout, comme calque : noir comme partout, blanc 1000 fois plus raide</translation>
+        <translation>Une image grise sur le tout, comme calque&#x202f;: noir comme partout, blanc 1000 fois plus raide</translation>
     </message>
     <message>
         <source>Bring In &amp;Directions…</source>
@@ -3033,7 +3080,7 @@
     </message>
     <message>
         <source>A gray picture over the whole, as a layer: black lies, middle gray stands, and what is stiff is so along it</source>
-        <translation>Une image grise sur le tout, comme calque : noir horizontal, gris moyen vertical ; ce qui est raide l’est dans cette direction</translation>
+        <translation>Une image grise sur le tout, comme calque&#x202f;: noir horizontal, gris moyen vertical&#x202f;; ce qui est raide l’est dans cette direction</translation>
     </message>
     <message>
         <source>Bring In Values of &amp;Cells…</source>
@@ -3069,7 +3116,7 @@
     </message>
     <message>
         <source>Of a solid, values of cells; they are written with its mesh.</source>
-        <translation>Pour un solide, ce sont des valeurs de cellules ; elles s’exportent avec son maillage.</translation>
+        <translation>Pour un solide, ce sont des valeurs de cellules&#x202f;; elles s’exportent avec son maillage.</translation>
     </message>
     <message>
         <source>Only the cells of a mesh file stay the same.</source>
@@ -3089,7 +3136,7 @@
     </message>
     <message>
         <source>The layers are switched off: what is brought in stands below them.</source>
-        <translation>Les calques sont désactivés : ce qui est importé se trouve en dessous.</translation>
+        <translation>Les calques sont désactivés&#x202f;: ce qui est importé se trouve en dessous.</translation>
     </message>
 </context>
 <context>
@@ -4131,6 +4178,14 @@
         <source>%1 are locked. A right click or the list of pins unlocks them.</source>
         <translation>%1 sont verrouillées. Le clic droit ou la liste des épingles les déverrouille.</translation>
     </message>
+    <message>
+        <source>Record %1</source>
+        <translation>Enregistrer %1</translation>
+    </message>
+    <message>
+        <source>Recorded. K plays it; record other pins from the same time, and they move together.</source>
+        <translation>Enregistré. K le lit&#x202f;; d’autres épingles enregistrées depuis le même instant bougent ensemble.</translation>
+    </message>
 </context>
 <context>
     <name>wend::SideWindows</name>
@@ -4976,6 +5031,85 @@
     <message>
         <source>Open a solid first.</source>
         <translation>Ouvrez d’abord un solide.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::TrackView</name>
+    <message>
+        <source>Rotate</source>
+        <translation>Rotation</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Déplacement</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Échelle</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Trajectoire</translation>
+    </message>
+    <message>
+        <source>Begins &amp;Softly</source>
+        <translation>&amp;Début en douceur</translation>
+    </message>
+    <message>
+        <source>&amp;Ends Softly</source>
+        <translation>&amp;Fin en douceur</translation>
+    </message>
+    <message>
+        <source>&amp;Both Softly</source>
+        <translation>Les de&amp;ux en douceur</translation>
+    </message>
+    <message>
+        <source>&amp;Even</source>
+        <translation>&amp;Régulier</translation>
+    </message>
+    <message>
+        <source>Tracks</source>
+        <translation>Pistes</translation>
+    </message>
+    <message>
+        <source>A row for each pin, with a bar for each of its motions; Up and Down choose a pin, Left and Right another time, with Alt they move the chosen bar</source>
+        <translation>Une ligne par épingle, une barre par mouvement&#x202f;; Haut et Bas choisissent une épingle, Gauche et Droite un autre instant, avec Alt ils déplacent la barre choisie</translation>
+    </message>
+    <message>
+        <source>Drag a bar or its ends to another time; bars at the same time move together. A right click sets how it begins and ends</source>
+        <translation>Tirez une barre ou ses extrémités vers un autre instant&#x202f;; les barres simultanées bougent ensemble. Un clic droit règle le début et la fin</translation>
+    </message>
+    <message>
+        <source>Move in time</source>
+        <translation>Déplacer dans le temps</translation>
+    </message>
+    <message>
+        <source>Change duration</source>
+        <translation>Changer la durée</translation>
+    </message>
+    <message>
+        <source>How it begins and ends</source>
+        <translation>Le début et la fin</translation>
+    </message>
+    <message>
+        <source>Ease</source>
+        <translation>Changer l’accélération</translation>
+    </message>
+    <message>
+        <source>&amp;Remove Motion</source>
+        <translation>&amp;Supprimer le mouvement</translation>
+    </message>
+    <message>
+        <source>Remove motion</source>
+        <translation>Supprimer le mouvement</translation>
+    </message>
+    <message>
+        <source>%1: %2 to %3 s, %4</source>
+        <translation>%1&#x202f;: %2 à %3&#x202f;s, %4</translation>
+    </message>
+    <message>
+        <source>Nothing moves yet. Drag a pin, or record it with Ctrl held: what you do then is here, pin by pin.</source>
+        <translation>Rien ne bouge encore. Tirez une épingle, ou enregistrez-la avec Ctrl&#x202f;: vos gestes seront ici, épingle par épingle.</translation>
     </message>
 </context>
 <context>

@@ -994,10 +994,6 @@
         <translation>点をドラッグで回転（Shift で 15° 刻み）、四角をドラッグで拡大・縮小。数字キーで数値を入力できます</translation>
     </message>
     <message>
-        <source>Drag to move the pin, Alt-drag to widen it, Shift-click to select more, Delete to remove</source>
-        <translation>ドラッグで移動、Alt + ドラッグで広げる、Shift + クリックで追加選択、Delete で削除</translation>
-    </message>
-    <message>
         <source>A point cannot rotate – Alt-drag to widen it</source>
         <translation>点は回転できません。Alt + ドラッグで広げてください</translation>
     </message>
@@ -1012,6 +1008,21 @@
     <message>
         <source>%1: does not hold now</source>
         <translation>%1：現在は効いていません</translation>
+    </message>
+    <message>
+        <source>Drag to move the pin, Ctrl-drag to record it, Alt-drag to widen it, Shift-click to select more</source>
+        <translation>ドラッグでピンを移動、Ctrl+ドラッグで記録、Alt+ドラッグで広げます。Shift+クリックで追加選択</translation>
+    </message>
+</context>
+<context>
+    <name>Recording</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+    <message>
+        <source>Recorded as it goes until you let go; Esc gives it up</source>
+        <translation>離すまでの動きがそのまま記録されます。Esc で中止します</translation>
     </message>
 </context>
 <context>
@@ -1044,10 +1055,6 @@
         <translation>矢印、四角、リングをドラッグします。G で移動、R で回転、S で拡大・縮小</translation>
     </message>
     <message>
-        <source>Drag to move along the screen, Shift-click to select more</source>
-        <translation>ドラッグで画面に沿って移動、Shift + クリックで追加選択</translation>
-    </message>
-    <message>
         <source>Click on the solid to set a pin, or draw around pins to select them</source>
         <translation>ソリッドをクリックしてピンを打つか、ピンを囲んで選択します</translation>
     </message>
@@ -1070,6 +1077,10 @@
     <message>
         <source>Click, or draw beside pins, to select; Shift adds, Ctrl takes away; drag or arrow keys move</source>
         <translation>クリック、またはピンの横から囲んで選択。Shift で追加、Ctrl で除外。ドラッグまたは矢印キーで移動</translation>
+    </message>
+    <message>
+        <source>Drag to move along the screen, Ctrl-drag to record it, Shift-click to select more</source>
+        <translation>ドラッグで画面に沿って移動、Ctrl+ドラッグで記録します。Shift+クリックで追加選択</translation>
     </message>
 </context>
 <context>
@@ -1707,6 +1718,42 @@
     <message>
         <source>Y</source>
         <translation>Y</translation>
+    </message>
+    <message>
+        <source>&amp;Record</source>
+        <translation>記録(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Every drag is kept as it goes, in real time; Ctrl does so for one drag</source>
+        <translation>すべてのドラッグを実時間のまま記録します。Ctrl を押すと 1 回だけ記録します</translation>
+    </message>
+    <message>
+        <source>Ctrl+R</source>
+        <translation>Ctrl+R</translation>
+    </message>
+    <message>
+        <source>&amp;Onion Skin</source>
+        <translation>オニオンスキン(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Show what was a little before and what comes a little after</source>
+        <translation>少し前と少し後の形を表示します</translation>
+    </message>
+    <message>
+        <source>Shift+N</source>
+        <translation>Shift+N</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>How fast it plays, and by which clock drags are recorded</source>
+        <translation>再生の速さと、記録に使う時計の速さ</translation>
+    </message>
+    <message>
+        <source>Speed: %1 %</source>
+        <translation>速度: %1 %</translation>
     </message>
 </context>
 <context>
@@ -4122,6 +4169,14 @@
         <source>%1 are locked. A right click or the list of pins unlocks them.</source>
         <translation>%1 はロックされています。右クリックまたはピンのリストで解除できます。</translation>
     </message>
+    <message>
+        <source>Record %1</source>
+        <translation>%1 を記録</translation>
+    </message>
+    <message>
+        <source>Recorded. K plays it; record other pins from the same time, and they move together.</source>
+        <translation>記録しました。K で再生します。同じ時刻から他のピンを記録すると、一緒に動きます。</translation>
+    </message>
 </context>
 <context>
     <name>wend::SideWindows</name>
@@ -4967,6 +5022,85 @@
     <message>
         <source>Open a solid first.</source>
         <translation>まずソリッドを開いてください。</translation>
+    </message>
+</context>
+<context>
+    <name>wend::TrackView</name>
+    <message>
+        <source>Rotate</source>
+        <translation>回転</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>移動</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>拡大・縮小</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>パス</translation>
+    </message>
+    <message>
+        <source>Begins &amp;Softly</source>
+        <translation>ゆっくり始まる(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Ends Softly</source>
+        <translation>ゆっくり終わる(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Both Softly</source>
+        <translation>両方ゆっくり(&amp;B)</translation>
+    </message>
+    <message>
+        <source>&amp;Even</source>
+        <translation>一定(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Tracks</source>
+        <translation>トラック</translation>
+    </message>
+    <message>
+        <source>A row for each pin, with a bar for each of its motions; Up and Down choose a pin, Left and Right another time, with Alt they move the chosen bar</source>
+        <translation>ピンごとに 1 行、動きごとに 1 本のバー。上下でピンを、左右で時刻を選び、Alt を押すと選んだバーが動きます</translation>
+    </message>
+    <message>
+        <source>Drag a bar or its ends to another time; bars at the same time move together. A right click sets how it begins and ends</source>
+        <translation>バーや端を別の時刻へドラッグします。同じ時刻のバーは一緒に動きます。右クリックで始まり方と終わり方を決めます</translation>
+    </message>
+    <message>
+        <source>Move in time</source>
+        <translation>時刻を変更</translation>
+    </message>
+    <message>
+        <source>Change duration</source>
+        <translation>長さを変更</translation>
+    </message>
+    <message>
+        <source>How it begins and ends</source>
+        <translation>始まり方と終わり方</translation>
+    </message>
+    <message>
+        <source>Ease</source>
+        <translation>緩急を変更</translation>
+    </message>
+    <message>
+        <source>&amp;Remove Motion</source>
+        <translation>動きを削除(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Remove motion</source>
+        <translation>動きを削除</translation>
+    </message>
+    <message>
+        <source>%1: %2 to %3 s, %4</source>
+        <translation>%1：%2～%3 秒、%4</translation>
+    </message>
+    <message>
+        <source>Nothing moves yet. Drag a pin, or record it with Ctrl held: what you do then is here, pin by pin.</source>
+        <translation>まだ何も動いていません。ピンをドラッグするか、Ctrl を押しながら記録すると、動きがピンごとにここに並びます。</translation>
     </message>
 </context>
 <context>

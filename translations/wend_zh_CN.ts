@@ -994,10 +994,6 @@
         <translation>拖动圆点旋转，按住 Shift 以 15° 为步长；拖动方块缩放；可键入数值</translation>
     </message>
     <message>
-        <source>Drag to move the pin, Alt-drag to widen it, Shift-click to select more, Delete to remove</source>
-        <translation>拖动以移动图钉，按住 Alt 拖动以扩大，按住 Shift 单击选择更多，按 Delete 移除</translation>
-    </message>
-    <message>
         <source>A point cannot rotate – Alt-drag to widen it</source>
         <translation>单个点无法旋转 – 按住 Alt 拖动以扩大</translation>
     </message>
@@ -1012,6 +1008,21 @@
     <message>
         <source>%1: does not hold now</source>
         <translation>%1：当前不起作用</translation>
+    </message>
+    <message>
+        <source>Drag to move the pin, Ctrl-drag to record it, Alt-drag to widen it, Shift-click to select more</source>
+        <translation>拖动可移动图钉，按住 Ctrl 拖动可录制，按住 Alt 拖动可扩大；Shift+单击可多选</translation>
+    </message>
+</context>
+<context>
+    <name>Recording</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+    <message>
+        <source>Recorded as it goes until you let go; Esc gives it up</source>
+        <translation>松开之前的动作会原样录制；按 Esc 放弃</translation>
     </message>
 </context>
 <context>
@@ -1044,10 +1055,6 @@
         <translation>拖动箭头、方块或圆环；G 移动，R 旋转，S 缩放</translation>
     </message>
     <message>
-        <source>Drag to move along the screen, Shift-click to select more</source>
-        <translation>拖动沿屏幕移动，按住 Shift 单击选择更多</translation>
-    </message>
-    <message>
         <source>Click on the solid to set a pin, or draw around pins to select them</source>
         <translation>在实体上单击放置图钉，或圈住图钉进行选择</translation>
     </message>
@@ -1070,6 +1077,10 @@
     <message>
         <source>Click, or draw beside pins, to select; Shift adds, Ctrl takes away; drag or arrow keys move</source>
         <translation>单击，或在图钉旁拉框进行选择；按住 Shift 添加，按住 Ctrl 减去；拖动或用方向键移动</translation>
+    </message>
+    <message>
+        <source>Drag to move along the screen, Ctrl-drag to record it, Shift-click to select more</source>
+        <translation>拖动可沿屏幕移动，按住 Ctrl 拖动可录制；Shift+单击可多选</translation>
     </message>
 </context>
 <context>
@@ -1707,6 +1718,42 @@
     <message>
         <source>Y</source>
         <translation>Y</translation>
+    </message>
+    <message>
+        <source>&amp;Record</source>
+        <translation>录制(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Every drag is kept as it goes, in real time; Ctrl does so for one drag</source>
+        <translation>每次拖动都按实际时间原样保留；按住 Ctrl 仅对一次拖动有效</translation>
+    </message>
+    <message>
+        <source>Ctrl+R</source>
+        <translation>Ctrl+R</translation>
+    </message>
+    <message>
+        <source>&amp;Onion Skin</source>
+        <translation>洋葱皮(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Show what was a little before and what comes a little after</source>
+        <translation>显示稍前和稍后的形状</translation>
+    </message>
+    <message>
+        <source>Shift+N</source>
+        <translation>Shift+N</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>How fast it plays, and by which clock drags are recorded</source>
+        <translation>播放的速度，也是录制所用的时钟</translation>
+    </message>
+    <message>
+        <source>Speed: %1 %</source>
+        <translation>速度：%1 %</translation>
     </message>
 </context>
 <context>
@@ -4122,6 +4169,14 @@
         <source>%1 are locked. A right click or the list of pins unlocks them.</source>
         <translation>%1 已锁定。可通过右键单击或图钉列表解锁。</translation>
     </message>
+    <message>
+        <source>Record %1</source>
+        <translation>录制 %1</translation>
+    </message>
+    <message>
+        <source>Recorded. K plays it; record other pins from the same time, and they move together.</source>
+        <translation>已录制。按 K 播放；从同一时刻录制其他图钉，它们会一起运动。</translation>
+    </message>
 </context>
 <context>
     <name>wend::SideWindows</name>
@@ -4967,6 +5022,85 @@
     <message>
         <source>Open a solid first.</source>
         <translation>请先打开实体。</translation>
+    </message>
+</context>
+<context>
+    <name>wend::TrackView</name>
+    <message>
+        <source>Rotate</source>
+        <translation>旋转</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>移动</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>缩放</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>路径</translation>
+    </message>
+    <message>
+        <source>Begins &amp;Softly</source>
+        <translation>缓入(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Ends Softly</source>
+        <translation>缓出(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Both Softly</source>
+        <translation>缓入缓出(&amp;B)</translation>
+    </message>
+    <message>
+        <source>&amp;Even</source>
+        <translation>匀速(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Tracks</source>
+        <translation>轨道</translation>
+    </message>
+    <message>
+        <source>A row for each pin, with a bar for each of its motions; Up and Down choose a pin, Left and Right another time, with Alt they move the chosen bar</source>
+        <translation>每个图钉一行，每个运动一条；上下键选择图钉，左右键更改时间，按住 Alt 移动所选的条</translation>
+    </message>
+    <message>
+        <source>Drag a bar or its ends to another time; bars at the same time move together. A right click sets how it begins and ends</source>
+        <translation>将条或其端点拖到其他时间；同一时间的条一起运动。右键单击设置如何开始和结束</translation>
+    </message>
+    <message>
+        <source>Move in time</source>
+        <translation>移动时间</translation>
+    </message>
+    <message>
+        <source>Change duration</source>
+        <translation>更改时长</translation>
+    </message>
+    <message>
+        <source>How it begins and ends</source>
+        <translation>如何开始和结束</translation>
+    </message>
+    <message>
+        <source>Ease</source>
+        <translation>更改缓动</translation>
+    </message>
+    <message>
+        <source>&amp;Remove Motion</source>
+        <translation>移除运动(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Remove motion</source>
+        <translation>移除运动</translation>
+    </message>
+    <message>
+        <source>%1: %2 to %3 s, %4</source>
+        <translation>%1：%2 到 %3 秒，%4</translation>
+    </message>
+    <message>
+        <source>Nothing moves yet. Drag a pin, or record it with Ctrl held: what you do then is here, pin by pin.</source>
+        <translation>还没有任何运动。拖动图钉，或按住 Ctrl 录制：所做的动作会按图钉列在这里。</translation>
     </message>
 </context>
 <context>
