@@ -464,6 +464,10 @@
         <source>Way from rest</source>
         <translation>Weg seit der Ruhe</translation>
     </message>
+    <message>
+        <source>Influence of the pin</source>
+        <translation>Einfluss des Pins</translation>
+    </message>
 </context>
 <context>
     <name>MeasureTool</name>

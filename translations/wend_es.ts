@@ -464,6 +464,10 @@
         <source>Way from rest</source>
         <translation>Distancia al reposo</translation>
     </message>
+    <message>
+        <source>Influence of the pin</source>
+        <translation>Influencia del alfiler</translation>
+    </message>
 </context>
 <context>
     <name>MeasureTool</name>

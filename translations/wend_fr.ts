@@ -464,6 +464,10 @@
         <source>Way from rest</source>
         <translation>Distance au repos</translation>
     </message>
+    <message>
+        <source>Influence of the pin</source>
+        <translation>Influence de l’épingle</translation>
+    </message>
 </context>
 <context>
     <name>MeasureTool</name>

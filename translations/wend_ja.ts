@@ -464,6 +464,10 @@
         <source>Way from rest</source>
         <translation>変形前からの距離</translation>
     </message>
+    <message>
+        <source>Influence of the pin</source>
+        <translation>ピンの影響</translation>
+    </message>
 </context>
 <context>
     <name>MeasureTool</name>

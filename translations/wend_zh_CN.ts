@@ -464,6 +464,10 @@
         <source>Way from rest</source>
         <translation>与变形前的距离</translation>
     </message>
+    <message>
+        <source>Influence of the pin</source>
+        <translation>图钉的影响</translation>
+    </message>
 </context>
 <context>
     <name>MeasureTool</name>

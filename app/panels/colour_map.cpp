@@ -91,6 +91,8 @@ const MeasureRow kMeasures[] = {
                QT_TRANSLATE_NOOP("Measure", "Stiffness")},
     MeasureRow{Measure::Speed, true, Scale::Even, 1e-9, "", "", nullptr, speedAt<2>, speedAt<3>,
                QT_TRANSLATE_NOOP("Measure", "Speed")},
+    MeasureRow{Measure::Influence, true, Scale::Even, 100, "", " %", nullptr, influenceOn<2>, influenceOn<3>,
+               QT_TRANSLATE_NOOP("Measure", "Influence of the pin")},
     MeasureRow{Measure::CellSize, false, Scale::Logarithm, 1.01, "", "", nullptr, sizeAt<2>, sizeAt<3>,
                QT_TRANSLATE_NOOP("Measure", "Cell size")},
 };
@@ -109,6 +111,20 @@ double sizeOf(double value, Scale scale) {
 }
 
 }  // namespace
+
+ShapeSession::FieldKind wantedField(bool map, Measure measure, bool arrows) {
+    using Kind = ShapeSession::FieldKind;
+    if (map && measure == Measure::Influence) return Kind::Influence;
+    return arrows || (map && measure == Measure::Speed) ? Kind::Velocity : Kind::None;
+}
+
+template <int Dim>
+Points<Dim> fieldOf(const ShapeSession& session, Measure measure) {
+    if (measure == Measure::Speed) return session.velocity<Dim>();
+    return measure == Measure::Influence ? session.influence<Dim>() : Points<Dim>(Dim, 0);
+}
+template Points<2> fieldOf<2>(const ShapeSession&, Measure);
+template Points<3> fieldOf<3>(const ShapeSession&, Measure);
 
 bool isDistortion(Measure measure) {
     return rowOf(measure).ranks;
@@ -141,7 +157,7 @@ namespace {
 
 template <int Dim>
 std::vector<double> valuesOfShown(const ShapeSession& session, Measure measure) {
-    return cellValues<Dim>(*session.frame<Dim>(), measure, session.velocity<Dim>());
+    return cellValues<Dim>(*session.frame<Dim>(), measure, fieldOf<Dim>(session, measure));
 }
 
 }  // namespace

@@ -11,8 +11,9 @@ namespace wend {
 struct Distortion;
 
 /// What is coloured over the shape: a measure of distortion, how far it is from where it was at rest, its
-/// material (φ, and how many times stiffer than elsewhere), how fast it moves, or how fine its mesh is.
-enum class Measure { Angle, Area, Length, Shear, Way, Phi, Stiffness, Speed, CellSize };
+/// material (φ, and how many times stiffer than elsewhere), how fast it moves, how far the selected handles
+/// take it along, or how fine its mesh is.
+enum class Measure { Angle, Area, Length, Shear, Way, Phi, Stiffness, Speed, Influence, CellSize };
 
 /// How much a map covers the picture below it, unless another amount is chosen.
 inline constexpr double kMapOpacity = 0.65;
@@ -28,8 +29,13 @@ struct MeasureRange {
     int dimension = 2;
 };
 
+/// The field that a measure is made of, in the session as it stands: the velocity, the influence, or none.
+template <int Dim>
+Points<Dim> fieldOf(const ShapeSession& session, Measure measure);
+/// What is to be solved for: for a map, where one is shown, otherwise for arrows.
+ShapeSession::FieldKind wantedField(bool map, Measure measure, bool arrows);
 /// The value of one cell: the errors of method.md for angle and length, the ratio det F for area. Without a
-/// velocity (no columns) nothing has a speed.
+/// field (no columns) nothing has a speed or an influence.
 template <int Dim>
 double cellValue(const PosedFrame<Dim>& frame, const Points<Dim>& velocity, Measure measure, int cell);
 /// Of all cells.

@@ -46,7 +46,7 @@ void ComputeThread::handle(const Request& request) {
     if (const auto* to = std::get_if<DragTo>(&request)) m_engine->dragTo(*to);
     if (std::holds_alternative<EndDrag>(request)) m_engine->endDrag();
     if (std::holds_alternative<CancelWork>(request)) m_engine->giveUp();
-    if (const auto* ask = std::get_if<AskVelocity>(&request)) m_engine->askVelocity(*ask);
+    if (const auto* ask = std::get_if<AskField>(&request)) m_engine->askField(*ask);
 }
 
 void ComputeThread::requireEngine(int dimension) {
@@ -60,8 +60,8 @@ ShapeEngine::Sink ComputeThread::sink() {
         emit shapeReady(revision, std::move(shape), kept);
     };
     sink.frameReady = [this](FramePtr frame) { emit frameReady(std::move(frame)); };
-    sink.velocityReady = [this](FramePtr frame, VelocityPtr velocity) {
-        emit velocityReady(std::move(frame), std::move(velocity));
+    sink.fieldReady = [this](int number, VelocityPtr field) {
+        emit fieldReady(number, std::move(field));
     };
     sink.progress = [this](double time, double end) { emit progress(time, end); };
     sink.finished = [this](double time, const std::string& problem) {

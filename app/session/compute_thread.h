@@ -23,7 +23,7 @@ class ComputeThread : public QObject {
     /// Another rest mesh, or the same one again, with what earlier frames are worth.
     void shapeReady(int revision, std::shared_ptr<const void> shape, wend::KeptFrames kept);
     void frameReady(wend::FramePtr frame);
-    void velocityReady(wend::FramePtr frame, wend::VelocityPtr velocity);
+    void fieldReady(int number, wend::VelocityPtr field);
     void progress(double time, double end);
     /// The whole motion is there; `problem` is empty, or says what could not be completed.
     void finished(double time, QString problem);

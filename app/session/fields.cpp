@@ -59,6 +59,11 @@ double speedAt(const PosedFrame<Dim>& frame, const Points<Dim>& velocity, int ce
 }
 
 template <int Dim>
+double influenceOn(const PosedFrame<Dim>& frame, const Points<Dim>& influence, int cell) {
+    return 100 * speedAt<Dim>(frame, influence, cell);
+}
+
+template <int Dim>
 Points<Dim> velocityBetween(const FrameTrack& track, const PosedFrame<Dim>& frame) {
     const auto& frames = track.frames();
     const auto it = std::find_if(frames.begin(), frames.end(),
@@ -78,6 +83,7 @@ Points<Dim> velocityBetween(const FrameTrack& track, const PosedFrame<Dim>& fram
     template double wayAt<Dim>(const PosedFrame<Dim>&, const Points<Dim>&, int);       \
     template double sizeAt<Dim>(const PosedFrame<Dim>&, const Points<Dim>&, int);      \
     template double speedAt<Dim>(const PosedFrame<Dim>&, const Points<Dim>&, int);     \
+    template double influenceOn<Dim>(const PosedFrame<Dim>&, const Points<Dim>&, int); \
     template Points<Dim> velocityBetween<Dim>(const FrameTrack&, const PosedFrame<Dim>&)
 
 WEND_INSTANTIATE(2);

@@ -5,8 +5,8 @@
 
 namespace wend {
 
-/// Of one cell. They have no use for a velocity but speedAt(), for which nothing moves without one; so all
-/// can stand in one table.
+/// Of one cell. They have no use for a field but speedAt() and influenceOn(), for which nothing moves without
+/// one; so all can stand in one table.
 ///
 /// φ, and how many times stiffer the cell is along its stiffest direction than an isotropic one (the largest
 /// eigenvalue of B₀).
@@ -21,6 +21,10 @@ double shearAt(const PosedFrame<Dim>& frame, const Points<Dim>& velocity, int ce
 /// How far its middle is from where it was at rest.
 template <int Dim>
 double wayAt(const PosedFrame<Dim>& frame, const Points<Dim>& velocity, int cell);
+/// How far the selected handles take it along, in percent of their own way; what goes for a velocity here is
+/// their influence (ShapeSession::influence).
+template <int Dim>
+double influenceOn(const PosedFrame<Dim>& frame, const Points<Dim>& influence, int cell);
 /// How large it is at rest: the edge of a regular one of its area or volume.
 template <int Dim>
 double sizeAt(const PosedFrame<Dim>& frame, const Points<Dim>& velocity, int cell);

@@ -8,7 +8,7 @@ namespace {
 bool replaces(const Request& next, const Request& last) {
     return next.index() == last.index() &&
            (std::holds_alternative<SetShape>(next) || std::holds_alternative<DragTo>(next) ||
-            std::holds_alternative<AskVelocity>(next));
+            std::holds_alternative<AskField>(next));
 }
 
 }  // namespace

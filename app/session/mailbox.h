@@ -31,15 +31,19 @@ struct DragTo {
     std::optional<double> time = {};  // of the motion: of a recording, to which the others go on
 };
 struct EndDrag {};
-struct AskVelocity {  // of a frame of the motion
+/// For a velocity field at a frame of the motion: its own, or how far some handles take everything along
+/// (method.md, Influence).
+struct AskField {
     FramePtr frame;
     int revision = 0;
+    std::vector<int> influenceOf = {};
+    int number = 0;  // of the question, for its answer
 };
 struct CancelWork {};  // what is being made is not wanted any more, and nothing else is
-using Request = std::variant<SetShape, BeginDrag, DragTo, EndDrag, AskVelocity, CancelWork>;
+using Request = std::variant<SetShape, BeginDrag, DragTo, EndDrag, AskField, CancelWork>;
 
 /// What waits to be done, in order. Of shapes that follow each other only the newest is kept, and of
-/// questions for a velocity and targets of a drag as well: the preview goes straight to where the pointer is.
+/// questions for a field and targets of a drag as well: the preview goes straight to where the pointer is.
 class Mailbox {
   public:
     void post(Request request);

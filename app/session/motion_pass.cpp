@@ -224,6 +224,13 @@ Points<Dim> MotionPass<Dim>::velocity(double time, const Points<Dim>& pose, std:
     throw;
 }
 
+template <int Dim>
+Points<Dim> MotionPass<Dim>::influence(const std::vector<int>& handles, double time, const Points<Dim>& pose,
+                                       std::stop_token stop) {
+    if (!m_project || stop.stop_requested()) return Points<Dim>(Dim, 0);
+    return influenceAt<Dim>(m_shape, *m_project, handles, time, pose);
+}
+
 template class MotionPass<2>;
 template class MotionPass<3>;
 

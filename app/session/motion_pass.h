@@ -37,6 +37,9 @@ class MotionPass {
     /// v̂ for a pose of this motion, solved for exactly; no columns if that fails, or if it was stopped before
     /// the solver began. Does not touch the motion, whatever it throws.
     Points<Dim> velocity(double time, const Points<Dim>& pose, std::stop_token stop);
+    /// How far some handles of that time take everything along, in the first row (influenceAt).
+    Points<Dim> influence(const std::vector<int>& handles, double time, const Points<Dim>& pose,
+                          std::stop_token stop);
 
   private:
     void begin(const Sink& sink);

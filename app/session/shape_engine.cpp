@@ -204,20 +204,23 @@ void ShapeEngineOf<Dim>::runPass(std::stop_token stop) {
 /// Whatever goes wrong here, the motion is what counts; what is wrong with it is told there.
 template <int Dim>
 void ShapeEngineOf<Dim>::answer(std::stop_token stop) {
-    const AskVelocity question = *m_asked;
+    const AskField question = *m_asked;
     const auto frame = posed<Dim>(question.frame);
     const bool isCurrent =
         frame && question.revision == m_revision && m_shape && frame->rest == m_shape->rest && m_pass.isSet();
     Points<Dim> field;
     try {
-        if (isCurrent) field = m_pass.velocity(frame->time, frame->pose, stop);
+        if (isCurrent)
+            field = question.influenceOf.empty()
+                        ? m_pass.velocity(frame->time, frame->pose, stop)
+                        : m_pass.influence(question.influenceOf, frame->time, frame->pose, stop);
     } catch (const std::exception&) {
         field.resize(Dim, 0);
     }
     if (isCurrent && field.cols() == 0 && stop.stop_requested()) return;  // again, when there is time
     m_asked.reset();
     if (isCurrent && field.cols() == frame->pose.cols())
-        m_sink.velocityReady(question.frame, std::make_shared<const Eigen::MatrixXd>(field));
+        m_sink.fieldReady(question.number, std::make_shared<const Eigen::MatrixXd>(field));
 }
 
 template <int Dim>

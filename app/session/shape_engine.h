@@ -19,7 +19,7 @@ class ShapeEngine {
     struct Sink {
         std::function<void(int revision, std::shared_ptr<const void> shape, KeptFrames kept)> shapeReady;
         std::function<void(FramePtr)> frameReady;
-        std::function<void(FramePtr, VelocityPtr)> velocityReady;
+        std::function<void(int number, VelocityPtr)> fieldReady;
         std::function<void(double time, double end)> progress;
         std::function<void(double time, std::string problem)> finished;
     };
@@ -36,7 +36,7 @@ class ShapeEngine {
     virtual void dragTo(const DragTo& request) = 0;
     virtual void endDrag() = 0;
     /// Is answered by work(), before the motion goes on, unless the frame is of another shape or motion.
-    virtual void askVelocity(const AskVelocity& request) = 0;
+    virtual void askField(const AskField& request) = 0;
     /// The mesh, or an answer, or the motion; goes on where it was stopped.
     virtual void work(std::stop_token stop) = 0;
     /// After a failure, or when it is cancelled: forgets what it was doing.
@@ -56,7 +56,7 @@ class ShapeEngineOf : public ShapeEngine {
     void beginDrag(const BeginDrag& request) override;
     void dragTo(const DragTo& request) override;
     void endDrag() override { m_dragging = false; }
-    void askVelocity(const AskVelocity& request) override { m_asked = request; }
+    void askField(const AskField& request) override { m_asked = request; }
     void work(std::stop_token stop) override;
     void giveUp() override;
 
@@ -85,7 +85,7 @@ class ShapeEngineOf : public ShapeEngine {
     std::shared_ptr<const Project> m_project;  // the newest, of m_revision: its mesh may be yet to come
     int m_generation = 0, m_revision = 0;
     std::optional<SetShape> m_wanted;    // to be built
-    std::optional<AskVelocity> m_asked;  // to be answered
+    std::optional<AskField> m_asked;  // to be answered
     MotionPass<Dim> m_pass;
     FrameTrack m_track;  // its frames so far
     /// The last complete motion of another mesh: undo and cancelling go back to it at once.

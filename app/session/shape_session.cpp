@@ -28,11 +28,16 @@ ShapeSession::ShapeSession(QObject* parent) : QObject(parent) {
         if (m_preview && m_preview->time != time) m_preview.reset();
         showTime();
     });
-    connect(&m_playback, &Playback::playingChanged, this, &ShapeSession::askVelocity);
+    connect(&m_playback, &Playback::playingChanged, this, &ShapeSession::askField);
     connect(&m_selection, &Selection::changed, this, &ShapeSession::pinsChanged);
+    connect(&m_selection, &Selection::changed, this, [this] {
+        if (m_fieldWanted != FieldKind::Influence) return;
+        askField();
+        emit frameChanged();  // its influence is another one, or none
+    });
     connect(&m_compute, &ComputeThread::shapeReady, this, &ShapeSession::takeShape);
     connect(&m_compute, &ComputeThread::frameReady, this, &ShapeSession::takeFrame);
-    connect(&m_compute, &ComputeThread::velocityReady, this, &ShapeSession::takeVelocity);
+    connect(&m_compute, &ComputeThread::fieldReady, this, &ShapeSession::takeField);
     connect(&m_compute, &ComputeThread::finished, this, &ShapeSession::takeFinished);
     connect(&m_compute, &ComputeThread::failed, this, &ShapeSession::takeFailure);
     connect(&m_compute, &ComputeThread::progress, this, &ShapeSession::progress);
@@ -66,9 +71,8 @@ void ShapeSession::dropShape() {
     m_frame.reset();
     m_preview.reset();
     m_previewBefore.reset();
-    m_velocityOf.reset();
-    m_askedFor.reset();
-    m_velocity.reset();
+    m_asked = m_answered = {};
+    m_field.reset();
     m_shape.reset();
     m_holds = {};
     m_trackIsCurrent = m_stale = m_sameShape = false;
@@ -95,8 +99,7 @@ void ShapeSession::postShape() {
 
 void ShapeSession::takeShape(int revision, const std::shared_ptr<const void>& shape, const KeptFrames& kept) {
     if (revision != m_revision) return;
-    m_askedFor.reset();  // the question may have been dropped with the last shape
-    m_velocityOf.reset();
+    m_asked = m_answered = {};  // the question may have been dropped with the last shape
     if (m_failed) emit problem({});
     m_failed = false;
     m_shape = shape;
@@ -205,34 +208,53 @@ void ShapeSession::showTime() {
 void ShapeSession::show(const FramePtr& frame, bool stale) {
     m_frame = frame;
     m_stale = stale;
-    askVelocity();
+    askField();
     emit frameChanged();
 }
 
-void ShapeSession::setVelocityWanted(bool wanted) {
-    m_velocityWanted = wanted;
-    askVelocity();
+void ShapeSession::setFieldWanted(FieldKind wanted) {
+    m_fieldWanted = wanted;
+    askField();
 }
 
-void ShapeSession::askVelocity() {
+/// What is wanted of what is shown.
+ShapeSession::Question ShapeSession::question() const {
+    if (m_fieldWanted != FieldKind::Influence) return {m_frame, m_fieldWanted};
+    return {m_frame, m_selection.isEmpty() ? FieldKind::None : m_fieldWanted, m_selection.handles()};
+}
+
+bool ShapeSession::answers(FieldKind kind) const {
+    return m_frame && m_field && m_answered.kind == kind && m_answered.frame == m_frame;
+}
+
+void ShapeSession::askField() {
     const bool stands = m_frame && !m_frame->live && !m_stale && !m_drag && !m_playback.isPlaying();
-    if (!m_velocityWanted || !stands || !m_trackIsCurrent) return;
-    if (m_velocityOf == m_frame || m_askedFor == m_frame || !isIn(m_track, m_frame)) return;
-    m_askedFor = m_frame;
-    m_compute.post(AskVelocity{m_frame, m_revision});
+    const Question next = question();
+    if (next.kind == FieldKind::None || !stands || !m_trackIsCurrent) return;
+    if (next == m_asked || !isIn(m_track, m_frame)) return;
+    m_asked = next;
+    m_compute.post(AskField{m_frame, m_revision, next.handles, ++m_question});
 }
 
-void ShapeSession::takeVelocity(const FramePtr& frame, const VelocityPtr& velocity) {
-    m_velocityOf = frame;
-    m_velocity = velocity;
-    if (frame == m_frame) emit frameChanged();
+void ShapeSession::takeField(int number, const VelocityPtr& field) {
+    if (number != m_question) return;
+    m_answered = m_asked;
+    m_field = field;
+    if (m_answered.frame == m_frame) emit frameChanged();
 }
 
 template <int Dim>
 Points<Dim> ShapeSession::velocity() const {
-    if (hasVelocity() && m_velocity->rows() == Dim) return *m_velocity;
+    if (hasVelocity() && m_field->rows() == Dim) return *m_field;
     const auto shown = frame<Dim>();
     return shown ? velocityBetween<Dim>(m_track, *shown) : Points<Dim>(Dim, 0);
+}
+
+template <int Dim>
+Points<Dim> ShapeSession::influence() const {
+    const bool isThere = answers(FieldKind::Influence) && m_field->rows() == Dim &&
+                         m_answered.handles == m_selection.handles();
+    return isThere ? Points<Dim>(*m_field) : Points<Dim>(Dim, 0);
 }
 
 void ShapeSession::setBusy(bool busy) {
@@ -241,6 +263,8 @@ void ShapeSession::setBusy(bool busy) {
     emit busyChanged(busy);
 }
 
+template Points<2> ShapeSession::influence<2>() const;
+template Points<3> ShapeSession::influence<3>() const;
 template Points<2> ShapeSession::velocity<2>() const;
 template Points<3> ShapeSession::velocity<3>() const;
 

@@ -67,14 +67,19 @@ class ShapeSession : public QObject {
     /// Where a handle's points are when it begins to hold: the starts of its paths.
     template <int Dim = 2>
     std::vector<Vec<Dim>> pathStarts(int handle) const;
-    /// How the vertices move at the time that is shown: v̂ itself once it is there (see
-    /// setVelocityWanted), until then the difference of the neighbouring frames.
+    /// How the vertices move at the time that is shown: v̂ itself once it is there (see setFieldWanted), until
+    /// then the difference of the neighbouring frames.
     template <int Dim>
     Points<Dim> velocity() const;
-    bool hasVelocity() const { return m_frame && m_velocity && m_velocityOf == m_frame; }
-    /// From now on v̂ is solved for at the time that is shown, unless it plays; `frameChanged` tells when it
+    bool hasVelocity() const { return answers(FieldKind::Velocity); }
+    /// How far the selected handles take each vertex along, in the first row; no columns where it is not
+    /// known (yet), or if nothing is selected.
+    template <int Dim>
+    Points<Dim> influence() const;
+    /// From now on that is solved for at the time that is shown, unless it plays; `frameChanged` tells when it
     /// is there.
-    void setVelocityWanted(bool wanted);
+    enum class FieldKind { None, Velocity, Influence };
+    void setFieldWanted(FieldKind wanted);
     /// The length in domain units that a tolerance of the stroke is measured in: one pixel of a picture, or a
     /// 2000th of the shape's diagonal.
     double pixel() const;
@@ -159,8 +164,11 @@ class ShapeSession : public QObject {
     void takeFailure(int revision, const QString& reason, bool shapeless);
     void showTime();
     void show(const FramePtr& frame, bool stale);
-    void askVelocity();
-    void takeVelocity(const FramePtr& frame, const VelocityPtr& velocity);
+    void askField();
+    void takeField(int number, const VelocityPtr& field);
+    struct Question;
+    Question question() const;
+    bool answers(FieldKind kind) const;
     void setBusy(bool busy);
     void goBack();
     template <int Dim>
@@ -190,9 +198,16 @@ class ShapeSession : public QObject {
     FramePtr m_frame;          // shown
     FramePtr m_preview;        // the last frame of a drag, until the exact motion is there
     FramePtr m_previewBefore;  // the drag that goes on
-    FramePtr m_velocityOf, m_askedFor;
-    VelocityPtr m_velocity;
-    bool m_velocityWanted = false;
+    struct Question {  // for a field
+        FramePtr frame;
+        FieldKind kind = FieldKind::None;
+        std::vector<int> handles = {};
+        bool operator==(const Question&) const = default;
+    };
+    FieldKind m_fieldWanted = FieldKind::None;
+    Question m_asked, m_answered;
+    int m_question = 0;  // number of the newest
+    VelocityPtr m_field;
     bool m_records = false;
     bool m_stale = false, m_busy = false, m_failed = false;
     bool m_addsHandle = false;  // a change that moves nothing is being made

@@ -21,4 +21,12 @@ class VelocityProbe {
     Deformer<Dim> m_deformer;
 };
 
+/// How far some handles take each vertex along, held as the project holds the others at that time: with v̂ₖ
+/// the field in which those handles move by one unit along coordinate k and all others rest,
+/// (Σₖ |v̂ₖ|² / Dim)^½ in the first row. 1 at the handles, 0 where others hold; without the memory, which has
+/// a velocity of its own. No columns if it cannot be solved for.
+template <int Dim>
+Points<Dim> influenceAt(const Shape<Dim>& shape, const Project& project, const std::vector<int>& handles,
+                        double time, const Points<Dim>& pose);
+
 }  // namespace wend

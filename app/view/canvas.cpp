@@ -141,7 +141,7 @@ void ShapeCanvas::preparePicture(const std::shared_ptr<const Image>& picture) {
 /// What moves in space is another view's.
 void ShapeCanvas::wantVelocity() {
     if (m_session.document().dimension() == 2)
-        m_session.setVelocityWanted(m_arrows || (m_map && m_measure == Measure::Speed));
+        m_session.setFieldWanted(wantedField(m_map, m_measure, m_arrows));
 }
 
 /// A mesh may bring its picture; y points down where its coordinates are pixels.
@@ -212,7 +212,7 @@ RenderRequest ShapeCanvas::request(Filter filter) const {
     request.range = m_range;
     request.opacity = m_opacity;
     if (request.map) request.plain = plainValue(m_session, m_measure);
-    if (request.map && m_measure == Measure::Speed) request.velocity = m_session.velocity<2>();
+    if (request.map) request.velocity = fieldOf<2>(m_session, m_measure);
     request.fill = Theme::of(palette()).dark ? QColor(0x5b6070) : QColor(0xbfc6dd);
     request.line = QColor(24, 28, 44);
     return request;

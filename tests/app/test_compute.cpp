@@ -443,8 +443,8 @@ void TestCompute::velocitiesWaitForRequests() {
     sink.progress = [](double, double) {};
     sink.finished = [](double, const std::string&) {};
     sink.frameReady = [&](const FramePtr& frame) { last = frame; };
-    sink.velocityReady = [&](const FramePtr& frame, const VelocityPtr& velocity) {
-        QVERIFY(frame == last && velocity->cols() == frame->vertices && !velocity->isZero(0));
+    sink.fieldReady = [&](int number, const VelocityPtr& field) {
+        QVERIFY(number == 7 && field->cols() == last->vertices && !field->isZero(0));
         ++answers;
     };
     const auto engine = ShapeEngine::make(2, sink);
@@ -453,14 +453,14 @@ void TestCompute::velocitiesWaitForRequests() {
                        document.folder().toStdString()}});
     while (!engine->isIdle()) engine->work({});
     QVERIFY(last);
-    engine->askVelocity({last, 1});
+    engine->askField({last, 1, {}, 7});
     std::stop_source stop;
     stop.request_stop();
     engine->work(stop.get_token());
     QVERIFY(answers == 0 && !engine->isIdle());
     engine->work({});
     QVERIFY(answers == 1 && engine->isIdle());
-    engine->askVelocity({last, 2});  // of another shape
+    engine->askField({last, 2, {}, 7});  // of another shape
     engine->work({});
     QVERIFY(answers == 1 && engine->isIdle());
 }

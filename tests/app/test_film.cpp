@@ -4,6 +4,7 @@
 #include <QScrollBar>
 
 #include "app/document/timing_edits.h"
+#include "app/panels/distortion_panel.h"
 #include "app/session/drag_gesture.h"
 #include "app/view/track_view.h"
 #include "tests/support/solid_fixture.h"
@@ -37,6 +38,8 @@ class TestFilm : public QObject {
     void manyPinsScroll();
     void onionSkinShowsWhatWasAndComes();
     void onionSkinOfASolid();
+    void influenceOfPins_data() { dimensions(); }
+    void influenceOfPins();
 
   private:
     static void dimensions();
@@ -419,6 +422,56 @@ void TestFilm::onionSkinOfASolid() {
     session().playback().setPlaying(true);
     QVERIFY(marks() == without);
     session().playback().setPlaying(false);
+}
+
+namespace {
+
+/// In percent, of the vertices of the frame that is shown: the least, the greatest, and at a handle.
+template <int Dim>
+std::array<double, 3> influence(ShapeSession& session, int handle) {
+    const Points<Dim> field = session.influence<Dim>();
+    if (field.cols() == 0) return {-1, -1, -1};
+    const Points<Dim>& pose = session.frame<Dim>()->pose;
+    Eigen::Index nearest = 0;
+    (pose.colwise() - session.pins<Dim>()[handle].centre).colwise().norm().minCoeff(&nearest);
+    return {100 * field.row(0).minCoeff(), 100 * field.row(0).maxCoeff(), 100 * field(0, nearest)};
+}
+
+}  // namespace
+
+/// What the selected pin takes along: all of it where it is, nothing where the other one holds; with both
+/// selected the whole shape goes along.
+void TestFilm::influenceOfPins() {
+    QFETCH(int, dimension);
+    open(dimension);
+    DistortionPanel& maps = m_window->window().distortionPanel();
+    maps.setMeasure(Measure::Influence);
+    m_window->window().actions().showMap->setChecked(true);
+    const auto of = [&](int handle) {
+        return dimension == 2 ? influence<2>(session(), handle) : influence<3>(session(), handle);
+    };
+    const auto select = [&](const std::vector<int>& handles) {
+        session().selection().set(handles);
+        return QTest::qWaitFor([&] { return of(0)[0] >= 0; }, 20000);
+    };
+    QVERIFY(select({1}));
+    QVERIFY(of(1)[2] > 90 && of(0)[2] < 10);
+    QVERIFY(of(0)[0] >= 0 && of(1)[1] < 200);
+    const std::vector<double> one = shownValues(session(), Measure::Influence);
+    QVERIFY(select({0}));
+    QVERIFY(of(1)[2] < 10 && of(0)[2] > 90);
+    QVERIFY(shownValues(session(), Measure::Influence) != one);
+    QVERIFY(select({0, 1}));
+    QVERIFY2(std::abs(of(0)[0] - 100) < 1e-3 && std::abs(of(0)[1] - 100) < 1e-3,
+             qPrintable(QStringLiteral("%1 %2").arg(of(0)[0]).arg(of(0)[1])));
+    session().selection().clear();
+    QCOMPARE(of(0)[0], -1.0);
+    const std::vector<double> none = shownValues(session(), Measure::Influence);
+    QVERIFY(std::ranges::all_of(none, [](double value) { return value == 0; }));
+    // The arrows still tell how it moves.
+    m_window->window().actions().showMap->setChecked(false);
+    m_window->window().actions().showArrows->setChecked(true);
+    QVERIFY(QTest::qWaitFor([&] { return session().hasVelocity(); }, 20000));
 }
 
 QTEST_MAIN(TestFilm)

@@ -253,8 +253,7 @@ std::vector<QRgb> SolidCanvas::colours(const PosedFrame<3>& frame) const {
     const QRgb plain = Theme::of(palette()).dark ? kPlainDark : kPlain;
     if (!m_map || m_hidden) return std::vector<QRgb>(count, m_dimmed ? dimmed(plain) : plain);
     std::vector<QRgb> colours;
-    const Points<3> velocity = m_measure == Measure::Speed ? m_session.velocity<3>() : Points<3>();
-    for (const double value : cellValues<3>(frame, m_measure, velocity)) {
+    for (const double value : cellValues<3>(frame, m_measure, fieldOf<3>(m_session, m_measure))) {
         const QRgb colour = colourAt(m_measure, positionIn(m_range, m_measure, value));
         colours.push_back(m_dimmed ? dimmed(colour) : colour);
     }
@@ -406,7 +405,7 @@ void SolidCanvas::paintLegend(QPainter& painter) const {
 
 void SolidCanvas::wantVelocity() {
     if (m_session.document().dimension() == 3)
-        m_session.setVelocityWanted(m_arrows || m_values || (m_map && m_measure == Measure::Speed));
+        m_session.setFieldWanted(wantedField(m_map, m_measure, m_arrows || m_values));
 }
 
 void SolidCanvas::setFlat(bool flat) {
