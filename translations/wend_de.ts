@@ -445,10 +445,6 @@
         <translation>Zellgröße</translation>
     </message>
     <message>
-        <source>What is kept (φ)</source>
-        <translation>Was erhalten bleibt (φ)</translation>
-    </message>
-    <message>
         <source>Stretch</source>
         <translation>Dehnung</translation>
     </message>
@@ -467,6 +463,10 @@
     <message>
         <source>Influence of the pin</source>
         <translation>Einfluss des Pins</translation>
+    </message>
+    <message>
+        <source>What is kept</source>
+        <translation>Was bleibt</translation>
     </message>
 </context>
 <context>

@@ -445,10 +445,6 @@
         <translation>Cizalladura</translation>
     </message>
     <message>
-        <source>What is kept (φ)</source>
-        <translation>Se conserva (φ)</translation>
-    </message>
-    <message>
         <source>Stiffness</source>
         <translation>Rigidez</translation>
     </message>
@@ -467,6 +463,10 @@
     <message>
         <source>Influence of the pin</source>
         <translation>Influencia del alfiler</translation>
+    </message>
+    <message>
+        <source>What is kept</source>
+        <translation>Lo que se conserva</translation>
     </message>
 </context>
 <context>

@@ -445,10 +445,6 @@
         <translation>Cisaillement</translation>
     </message>
     <message>
-        <source>What is kept (φ)</source>
-        <translation>Conservé (φ)</translation>
-    </message>
-    <message>
         <source>Stiffness</source>
         <translation>Raideur</translation>
     </message>
@@ -467,6 +463,10 @@
     <message>
         <source>Influence of the pin</source>
         <translation>Influence de l’épingle</translation>
+    </message>
+    <message>
+        <source>What is kept</source>
+        <translation>Ce qui est gardé</translation>
     </message>
 </context>
 <context>

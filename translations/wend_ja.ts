@@ -445,10 +445,6 @@
         <translation>せん断</translation>
     </message>
     <message>
-        <source>What is kept (φ)</source>
-        <translation>保持するもの (φ)</translation>
-    </message>
-    <message>
         <source>Stiffness</source>
         <translation>剛性</translation>
     </message>
@@ -467,6 +463,10 @@
     <message>
         <source>Influence of the pin</source>
         <translation>ピンの影響</translation>
+    </message>
+    <message>
+        <source>What is kept</source>
+        <translation>保たれるもの</translation>
     </message>
 </context>
 <context>

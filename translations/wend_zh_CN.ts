@@ -445,10 +445,6 @@
         <translation>剪切</translation>
     </message>
     <message>
-        <source>What is kept (φ)</source>
-        <translation>保持内容 (φ)</translation>
-    </message>
-    <message>
         <source>Stiffness</source>
         <translation>刚度</translation>
     </message>
@@ -467,6 +463,10 @@
     <message>
         <source>Influence of the pin</source>
         <translation>图钉的影响</translation>
+    </message>
+    <message>
+        <source>What is kept</source>
+        <translation>保持的内容</translation>
     </message>
 </context>
 <context>

@@ -86,7 +86,7 @@ const MeasureRow kMeasures[] = {
     MeasureRow{Measure::Way, true, Scale::Even, 1e-9, "", "", nullptr, wayAt<2>, wayAt<3>,
                QT_TRANSLATE_NOOP("Measure", "Way from rest")},
     MeasureRow{Measure::Phi, true, Scale::Energies, 0, "", "", nullptr, phiAt<2>, phiAt<3>,
-               QT_TRANSLATE_NOOP("Measure", "What is kept (φ)")},
+               QT_TRANSLATE_NOOP("Measure", "What is kept")},
     MeasureRow{Measure::Stiffness, true, Scale::Times, 100, "×", "", nullptr, stiffnessAt<2>, stiffnessAt<3>,
                QT_TRANSLATE_NOOP("Measure", "Stiffness")},
     MeasureRow{Measure::Speed, true, Scale::Even, 1e-9, "", "", nullptr, speedAt<2>, speedAt<3>,

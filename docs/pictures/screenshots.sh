@@ -55,20 +55,18 @@ WAIT=12 KEYS="y d" shot compare.png "$root/resources/samples/giraffe.wend"
 sed -e 's|"octopus.png"|"'"$root"'/resources/samples/octopus.png"|' -e 's|"name": "right .* arm"|"group": "Right arms", &|' -e 's|"name": "left .* arm"|"group": "Left arms", &|' \
     -e 's|"name": ".* middle arm"|"link": 1, &|' -e 's|"name": "head"|"locked": true, &|' "$root/resources/samples/octopus.wend" >"$scratch/arms.wend"
 WAIT=10 DRAG="740 500 830 575" shot pin-list.png "$scratch/arms.wend"
-python3 - "$root/resources/samples/octopus.wend" "$root/resources/samples/octopus.png" "$scratch/film.wend" <<'END'
+python3 - "$root/resources/samples/giraffe.wend" "$root/resources/samples/giraffe.png" "$scratch/film.wend" <<'END'
 import json, sys
 project = json.load(open(sys.argv[1]))
 project["domain"]["image"] = sys.argv[2]
-begin = 0
-for handle in project["handles"]:
-    for motion in handle.get("motion", []):
-        motion["time"] = [begin, begin + 1.2]
-        motion["ease"] = "inOut"
-        begin += 0.3
-project["time"]["end"] = begin + 0.9
+own = {handle["name"]: handle for handle in project["handles"]}
+own["head"]["motion"][0].update(time=[0.4, 2.4], ease="inOut")
+for name, by, begin in (("front hoof", [60, -200], 0), ("far front hoof", [90, -160], 0.5), ("rump", [-60, -60], 1.2)):
+    own[name]["motion"] = [{"kind": "translate", "by": by, "time": [begin, begin + 1], "ease": "inOut"}]
+project["time"]["end"] = 3
 json.dump(project, open(sys.argv[3], "w"))
 END
-WAIT=12 KEYS="ctrl+4 shift+n" DRAG="420 842 420 842" shot film.png "$scratch/film.wend"
+WAIT=12 KEYS="ctrl+4 shift+n" DRAG="600 858 600 858" shot film.png "$scratch/film.wend"
 WAIT=10 KEYS="ctrl+3 n" DRAG="690 490 760 595" shot painting.png "$root/resources/samples/octopus.wend"
 WAIT=20 KEYS="f" shot solid-detail.png "$root/resources/samples/eagle.wend"
 WAIT=20 KEYS="d f" shot solid-window.png "$root/resources/samples/eagle.wend"
