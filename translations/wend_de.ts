@@ -2721,6 +2721,17 @@
     </message>
 </context>
 <context>
+    <name>wend::FilmControls</name>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>An&amp;halten</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>&amp;Abspielen</translation>
+    </message>
+</context>
+<context>
     <name>wend::FlowPanel</name>
     <message>
         <source>Settle</source>
@@ -3011,14 +3022,6 @@
     <message>
         <source>Opening %1 …</source>
         <translation>%1 wird geöffnet …</translation>
-    </message>
-    <message>
-        <source>&amp;Pause</source>
-        <translation>An&amp;halten</translation>
-    </message>
-    <message>
-        <source>&amp;Play</source>
-        <translation>&amp;Abspielen</translation>
     </message>
     <message>
         <source>%1[*] – Wend</source>

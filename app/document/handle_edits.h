@@ -45,8 +45,8 @@ struct Gesture {
     std::vector<int> handles;
     Grip grip = {};
     std::vector<Amount> path;
-    double from = 0;  // when it begins, by the clock of the project that it changes
-    double arm = 1;   // in the domain's units: where turning and growing count as a way
+    double from = 0;                 // when it begins, by the clock of the project that it changes
+    double arm = 1;                  // in the domain's units: where turning and growing count as a way
     std::vector<double> times = {};  // of a recording: when it is at each point of the path, the first zero
 };
 /// A gesture goes on from a time of the motion and replaces what came after. The film keeps its length: the

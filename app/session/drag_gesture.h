@@ -54,7 +54,7 @@ class DragGesture {
     bool m_records;
     std::vector<Sample> m_samples;
     Amount m_newest = Amount::Zero();  // the newest, before the shape was there
-    int m_followed = 0;  // samples that live frames have covered
+    int m_followed = 0;                // samples that live frames have covered
     bool m_stopped = false;
 };
 

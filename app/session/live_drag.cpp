@@ -74,7 +74,8 @@ std::vector<typename DragFlow<Dim>::Alongside> LiveDrag<Dim>::othersUntil(double
         AffineMap<Dim> all;
         for (const Trajectory<Dim>& motion : other.motions) {
             if (time <= motion.start() || m_time >= motion.end()) continue;
-            const AffineMap<Dim> from = motion.at(m_time).position, to = motion.at(time, Side::Before).position;
+            const AffineMap<Dim> from = motion.at(m_time).position,
+                                 to = motion.at(time, Side::Before).position;
             const Mat<Dim> A = to.A * from.A.inverse();
             const Vec<Dim> b = to.b - A * from.b;
             all = {A * all.A, A * all.b + b};

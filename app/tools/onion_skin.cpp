@@ -14,8 +14,8 @@ constexpr int kEachWay = 3;
 constexpr double kSpacing = 0.1;  // of the film
 const QColor kPast(0xd9, 0x82, 0x2b), kFuture(0x1e, 0x8f, 0xb5);
 constexpr double kTints[kEachWay] = {0.18, 0.12, 0.06};
-constexpr double kLine = 1.5;          // pixels
-constexpr double kLineStrength = 3.5;  // of an outline, against the tint
+constexpr double kLine = 1.5;                  // pixels
+constexpr double kLineStrength = 3.5;          // of an outline, against the tint
 constexpr std::size_t kMostTriangles = 60000;  // of a riding surface; of a finer one the solid is shown
 
 /// Closed lines along the edges of a boundary, each edge once.
@@ -103,8 +103,8 @@ std::vector<QPolygonF> OnionSkin<Dim>::outline(const PosedFrame<Dim>& frame, Sur
         faces.push_back(u.x() * v.y() - u.y() * v.x() < 0);
     }
     for (const Edge& edge : m_edges)
-        if (edge.sides[1] < 0 || faces[static_cast<std::size_t>(edge.sides[0])] !=
-                                     faces[static_cast<std::size_t>(edge.sides[1])])
+        if (edge.sides[1] < 0 ||
+            faces[static_cast<std::size_t>(edge.sides[0])] != faces[static_cast<std::size_t>(edge.sides[1])])
             lines.push_back(QPolygonF({place(edge.from), place(edge.to)}));
     return lines;
 }

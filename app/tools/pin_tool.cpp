@@ -52,9 +52,9 @@ QString PinTool::hint() const {
             "PinTool",
             "Drag the dot to rotate, Shift by 15°, or the square to scale; digits set the number"));
     if (m_hovered >= 0)
-        return said(QT_TRANSLATE_NOOP(
-            "PinTool",
-            "Drag to move the pin, Ctrl-drag to record it, Alt-drag to widen it, Shift-click to select more"));
+        return said(QT_TRANSLATE_NOOP("PinTool",
+                                      "Drag to move the pin, Ctrl-drag to record it, Alt-drag to widen it, "
+                                      "Shift-click to select more"));
     if (m_gesture == Gesture::None && m_hasRing && !m_ring.canTurn() && m_ring.isOn(m_at))
         return said(QT_TRANSLATE_NOOP("PinTool", "A point cannot rotate – Alt-drag to widen it"));
     if (m_adds)

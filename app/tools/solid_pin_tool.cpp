@@ -50,8 +50,9 @@ QString SolidPinTool::hint() const {
         return said(QT_TRANSLATE_NOOP("SolidPinTool",
                                       "Drag an arrow, a square or a ring; G moves, R turns, S scales"));
     if (m_hovered >= 0)
-        return said(
-            QT_TRANSLATE_NOOP("SolidPinTool", "Drag to move along the screen, Ctrl-drag to record it, Shift-click to select more"));
+        return said(QT_TRANSLATE_NOOP(
+            "SolidPinTool",
+            "Drag to move along the screen, Ctrl-drag to record it, Shift-click to select more"));
     if (m_gesture == Gesture::None && m_curve.isOnCurve(m_at)) return curveHint(false);
     return outlineHint();
 }

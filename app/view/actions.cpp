@@ -106,10 +106,12 @@ void Actions::makeMotion() {
         add({tr("To the &Start"), tr("Show the shape at rest")}, QKeySequence(Qt::Key_Home), "first-frame");
     toEnd =
         add({tr("To the &End"), tr("Show the end of the motion")}, QKeySequence(Qt::Key_End), "last-frame");
-    record = addToggle({tr("&Record"), tr("Every drag is kept as it goes, in real time; Ctrl does so for one drag")},
-                       QKeySequence(tr("Ctrl+R")), "record");
-    onionSkin = addToggle({tr("&Onion Skin"), tr("Show what was a little before and what comes a little after")},
-                          QKeySequence(tr("Shift+N")), "onion");
+    record = addToggle(
+        {tr("&Record"), tr("Every drag is kept as it goes, in real time; Ctrl does so for one drag")},
+        QKeySequence(tr("Ctrl+R")), "record");
+    onionSkin =
+        addToggle({tr("&Onion Skin"), tr("Show what was a little before and what comes a little after")},
+                  QKeySequence(tr("Shift+N")), "onion");
     auto* speeds = new QActionGroup(this);
     for (const int percent : {25, 50, 100, 200}) {
         QAction* one = speed->addAction(tr("%1 %").arg(percent));
@@ -185,8 +187,9 @@ void Actions::fillTools(QMenu& menu) const {
 
 void Actions::setHasFile(bool has, bool hasPicture, bool isSolid) {
     const QString why = tr("Open a picture first.");
-    for (QAction* action : {save, saveAs, closeFile, exportMesh, selectAll, selectNone, showMesh, showMap,
-                            showMarks, showArrows, hideOverlays, showRest, compare, fit, zoomIn, zoomOut, record})
+    for (QAction* action :
+         {save, saveAs, closeFile, exportMesh, selectAll, selectNone, showMesh, showMap, showMarks,
+          showArrows, hideOverlays, showRest, compare, fit, zoomIn, zoomOut, record})
         enable(action, has, why);
     enable(actualSize, has && !isSolid, has ? tr("A solid has no pixels.") : why);
     const QString noPicture = tr("This project has no picture.");
@@ -201,8 +204,8 @@ void Actions::setHasFile(bool has, bool hasPicture, bool isSolid) {
 }
 
 void Actions::resetView() {
-    for (QAction* action : {showMesh, showMap, showMarks, showArrows, hideOverlays, showRest, compare, record,
-                            onionSkin})
+    for (QAction* action :
+         {showMesh, showMap, showMarks, showArrows, hideOverlays, showRest, compare, record, onionSkin})
         action->setChecked(false);
 }
 

@@ -5,7 +5,6 @@
 #include <QMenuBar>
 #include <QMimeData>
 #include <QScreen>
-#include <QSettings>
 #include <QSplitter>
 #include <QStackedWidget>
 #include <QStatusBar>
@@ -20,8 +19,8 @@
 #include "app/panels/mesh_panel.h"
 #include "app/panels/panel_fields.h"
 #include "app/panels/pin_list.h"
-#include "app/session/settle_step.h"
 #include "app/view/actions.h"
+#include "app/view/appearance_choice.h"
 #include "app/view/busy_note.h"
 #include "app/view/canvas.h"
 #include "app/view/compare_view.h"
@@ -30,7 +29,7 @@
 #include "app/view/depth_actions.h"
 #include "app/view/exporter.h"
 #include "app/view/file_workflow.h"
-#include "app/view/held_key.h"
+#include "app/view/film_controls.h"
 #include "app/view/info_banner.h"
 #include "app/view/material_actions.h"
 #include "app/view/mode_row.h"
@@ -43,24 +42,18 @@
 #include "app/view/solid_workshop.h"
 #include "app/view/start_page.h"
 #include "app/view/status_fields.h"
-#include "app/view/tile_pictures.h"
 #include "app/view/time_strip.h"
 #include "app/view/toolbox.h"
 #include "app/view/track_view.h"
 #include "app/view/tutorial.h"
+#include "app/view/view_looks.h"
 #include "app/view/volume/solid_canvas.h"
 #include "app/view/work_note.h"
 #include "app/view/workspace.h"
 
 namespace wend {
 
-namespace {
-
 using Topic = InfoBanner::Topic;
-
-constexpr int kTold = 10000;  // milliseconds
-
-}  // namespace
 
 MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent),
@@ -82,7 +75,7 @@ MainWindow::MainWindow(QWidget* parent)
       m_note(new BusyNote(*m_pages)),
       m_work(new WorkNote(m_session, *m_pages)),
       m_tutorial(new Tutorial({m_session, *m_actions, *m_tools}, *m_pages)),
-      m_systemPalette(QApplication::palette()) {
+      m_appearance(new AppearanceChoice(*m_actions, *this)) {
     setAcceptDrops(true);
     setWindowTitle(QStringLiteral("Wend[*]"));
     fitToScreen();
@@ -103,10 +96,12 @@ MainWindow::MainWindow(QWidget* parent)
     connectFiles();
     connectEdit();
     connectView();
-    connectComparison();
-    connectMotion();
+    new ViewLooks({m_session, *m_actions, *m_properties, *m_canvas, *m_compare, *m_solids}, this);
+    connect(&m_session.playback(), &Playback::endChanged, this, &MainWindow::showSelection);
+    new FilmControls({m_session, *m_actions, *m_tools, *m_time, *m_tracks}, this);
     connectHelp();
-    setAppearance(static_cast<Appearance>(QSettings().value("appearance", 0).toInt()));
+    connect(m_appearance, &AppearanceChoice::changed, this, &MainWindow::updateIcons);
+    m_appearance->restore();
     showDocument();
 }
 
@@ -146,11 +141,6 @@ void MainWindow::makeToolBars() {
     connect(m_tools, &Toolbox::changed, this, &MainWindow::showTools);
     showTools();
     setContextMenuPolicy(Qt::NoContextMenu);
-}
-
-/// In the step that is about time.
-void MainWindow::showTracks() {
-    m_tracks->setVisible(!m_session.document().isEmpty() && m_tools->mode() == Mode::Animate);
 }
 
 /// Those of the current step.
@@ -216,7 +206,7 @@ void MainWindow::connectFiles() {
     connect(m_exporter, &Exporter::begun, this, [this] { m_banner->clear(Topic::Export); });
     connect(m_exporter, &Exporter::done, this, &MainWindow::tellDone);
     connect(m_material, &MaterialActions::failed, this, tellIn(Topic::Export));
-    connect(m_material, &MaterialActions::done, this, &MainWindow::tell);
+    connect(m_material, &MaterialActions::done, m_fields, &StatusFields::tell);
     connect(m_start, &StartPage::openRequested, m_files, &FileWorkflow::askOpen);
     connect(m_start, &StartPage::fileChosen, m_files, &FileWorkflow::open);
     connect(m_files, &FileWorkflow::said, m_banner, &InfoBanner::tell);
@@ -235,7 +225,7 @@ void MainWindow::connectFiles() {
     connect(&m_session.document(), &Document::opened, this, &MainWindow::showDocument);
     connect(&m_session.document(), &Document::titleChanged, this, &MainWindow::showTitle);
     connect(&m_session, &ShapeSession::problem, this, tellIn(Topic::Shape));
-    connect(&m_session, &ShapeSession::notice, this, &MainWindow::tell);
+    connect(&m_session, &ShapeSession::notice, m_fields, &StatusFields::tell);
 }
 
 void MainWindow::connectEdit() {
@@ -255,18 +245,13 @@ void MainWindow::connectEdit() {
 
 void MainWindow::connectView() {
     Actions& a = *m_actions;
-    connectLooks(*m_canvas);
     connect(&m_properties->layers(), &LayerPanel::chosen, m_canvas, &ShapeCanvas::setLayer);
-    connectHiding();
     connect(a.fit, &QAction::triggered, m_canvas, &ShapeCanvas::fit);
     connect(a.actualSize, &QAction::triggered, this,
             [this] { m_canvas->zoomTo(1 / m_canvas->devicePixelRatioF()); });
     connect(a.zoomIn, &QAction::triggered, this, [this] { m_canvas->zoomBy(1.25); });
     connect(a.zoomOut, &QAction::triggered, this, [this] { m_canvas->zoomBy(0.8); });
     connect(a.fullScreen, &QAction::toggled, this, [this](bool on) { on ? showFullScreen() : showNormal(); });
-    connect(a.systemLook, &QAction::triggered, this, [this] { setAppearance(Appearance::System); });
-    connect(a.lightLook, &QAction::triggered, this, [this] { setAppearance(Appearance::Light); });
-    connect(a.darkLook, &QAction::triggered, this, [this] { setAppearance(Appearance::Dark); });
     const DistortionPanel* distortion = &m_properties->distortion();
     connect(distortion, &DistortionPanel::mapChanged, this,
             [this, distortion] { m_fields->setMeasure(distortion->measure()); });
@@ -281,85 +266,6 @@ void MainWindow::connectView() {
     connect(m_solids, &SolidWorkshop::hintChanged, m_curves, &CurveActions::refresh);
     connect(m_solids, &SolidWorkshop::menuWanted, m_menu, &ContextMenu::popUp);
     connect(m_canvas, &ShapeCanvas::pointed, m_fields, &StatusFields::setPointer);
-}
-
-/// What is seen of the shape, in one canvas or in both halves.
-void MainWindow::connectLooks(ShapeCanvas& canvas) {
-    const Actions& a = *m_actions;
-    connect(a.showMesh, &QAction::toggled, &canvas, &ShapeCanvas::setMeshShown);
-    connect(a.showMap, &QAction::toggled, &canvas, &ShapeCanvas::setMapShown);
-    connect(a.showMarks, &QAction::toggled, &canvas, &ShapeCanvas::setMarksShown);
-    connect(a.showArrows, &QAction::toggled, &canvas, &ShapeCanvas::setArrowsShown);
-    connect(a.onionSkin, &QAction::toggled, &canvas, &ShapeCanvas::setOnionSkin);
-    const DistortionPanel* map = &m_properties->distortion();
-    connect(map, &DistortionPanel::mapChanged, &canvas,
-            [&canvas, map] { canvas.setMap(map->measure(), map->range()); });
-    connect(map, &DistortionPanel::opacityChanged, &canvas, &ShapeCanvas::setMapOpacity);
-    canvas.setMapOpacity(map->opacity());
-}
-
-/// By a tile that is dragged to the shape, or with the energy beside the one that is chosen; the pointer on a
-/// tile is enough for a look.
-void MainWindow::connectComparison() {
-    EnergySlider& tiles = *m_properties->material().energySlider();
-    connectLooks(m_compare->picture());
-    connect(m_compare, &CompareView::solidMade, m_solids, &SolidWorkshop::connectLooks);
-    connect(&tiles, &EnergySlider::hovered, m_compare, &CompareView::preview);
-    connect(m_compare, &CompareView::splitChanged, m_actions->compare, &QAction::setChecked);
-    connect(m_actions->compare, &QAction::toggled, this, [this, &tiles](bool on) {
-        if (!on) return m_compare->join();
-        const auto& stops = tiles.scale().stops();
-        if (!m_compare->isSplit())
-            m_compare->split(stops[tiles.scale().stopAt(tiles.phi()) == 1 ? 3 : 1].phi);
-    });
-    new TilePictures(m_session, *m_canvas, tiles);
-}
-
-/// Pins and maps hide for good or while a key is held; so the shape is seen as it was before, without them.
-void MainWindow::connectHiding() {
-    auto* bare = new HeldKey(Qt::Key_H, *this);
-    auto* before = new HeldKey(Qt::Key_Backslash, *this);
-    const auto show = [this, bare, before] {
-        const bool rest = m_actions->showRest->isChecked() || before->isHeld();
-        const bool hidden = rest || m_actions->hideOverlays->isChecked() || bare->isHeld();
-        for (ShapeCanvas* canvas : {m_canvas, &m_compare->picture()}) {
-            canvas->setOverlaysHidden(hidden);
-            canvas->setRestShown(rest);
-        }
-        for (SolidCanvas* solid : {m_solids->canvas(), m_compare->solid()}) {
-            if (!solid) continue;
-            solid->setOverlaysHidden(hidden);
-            solid->setRestShown(rest);
-        }
-    };
-    for (const QAction* action : {m_actions->hideOverlays, m_actions->showRest})
-        connect(action, &QAction::toggled, this, show);
-    for (const HeldKey* key : {bare, before}) connect(key, &HeldKey::heldChanged, this, show);
-}
-
-void MainWindow::connectMotion() {
-    Actions& a = *m_actions;
-    Playback& playback = m_session.playback();
-    m_time->playButton()->setDefaultAction(a.play);
-    m_time->loopButton()->setDefaultAction(a.loop);
-    connect(a.play, &QAction::triggered, &playback,
-            [&playback] { playback.setPlaying(!playback.isPlaying()); });
-    connect(a.loop, &QAction::toggled, &playback, &Playback::setLoops);
-    connect(a.record, &QAction::toggled, &m_session, &ShapeSession::setRecording);
-    connect(a.speed.get(), &QMenu::triggered, this, [this, &playback](const QAction* chosen) {
-        playback.setSpeed(chosen->data().toDouble());
-        m_actions->setSpeed(playback.speed());
-    });
-    connect(m_tools, &Toolbox::changed, this, &MainWindow::showTracks);
-    connect(a.toStart, &QAction::triggered, &playback, [&playback] { playback.setTime(0); });
-    connect(a.settle, &QAction::triggered, this, [this] { settleAtEnd(m_session); });
-    connect(a.toEnd, &QAction::triggered, &playback, [&playback] { playback.setTime(playback.end()); });
-    connect(&playback, &Playback::playingChanged, this, [this](bool playing) {
-        m_actions->play->setIcon(
-            wendIcon(playing ? QStringLiteral("pause") : QStringLiteral("play"), palette()));
-        m_actions->play->setText(playing ? tr("&Pause") : tr("&Play"));
-    });
-    connect(&playback, &Playback::endChanged, this, &MainWindow::showSelection);
 }
 
 void MainWindow::connectHelp() {
@@ -389,10 +295,9 @@ void MainWindow::showDocument() {
     for (QWidget* widget :
          std::initializer_list<QWidget*>{m_properties, m_time, m_toolBar, m_topBar, m_options})
         widget->setVisible(has);
-    showTracks();
     if (has) shape->setFocus();
     m_fields->setVisible(has);
-    m_toldUntil.setRemainingTime(0);
+    m_fields->forgetTold();
     showSelection();
     showTitle();
 }
@@ -411,24 +316,12 @@ void MainWindow::showWork() {
 /// An export that failed before has its file now.
 void MainWindow::tellDone(const QString& text) {
     m_banner->clear(Topic::Export);
-    tell(text);
+    m_fields->tell(text);
 }
 
-void MainWindow::tell(const QString& text) {
-    m_told = text;
-    m_toldUntil.setRemainingTime(kTold);
-    statusBar()->showMessage(text, kTold);
-}
-
-/// Hints of buttons and fields come and go. When the pointer leaves one, what was told comes back; so it does
-/// when the hint is the one that stood there before, of the button that was pressed.
 bool MainWindow::event(QEvent* event) {
     if (event->type() != QEvent::StatusTip) return QMainWindow::event(event);
-    const QString hint = static_cast<QStatusTipEvent*>(event)->tip();
-    const bool told = (hint.isEmpty() || hint == m_hint) && !m_toldUntil.hasExpired();
-    if (!hint.isEmpty()) m_hint = hint;
-    statusBar()->showMessage(told ? m_told : m_fields->fitting(hint),
-                             told ? static_cast<int>(m_toldUntil.remainingTime()) : 0);
+    m_fields->showTip(static_cast<QStatusTipEvent*>(event)->tip());
     return true;
 }
 
@@ -448,25 +341,11 @@ void MainWindow::showSelection() {
     m_actions->setHasMotion(m_session.playback().end() > 0);
 }
 
-void MainWindow::setAppearance(Appearance appearance) {
-    QSettings().setValue("appearance", static_cast<int>(appearance));
-    const QPalette look = wendPalette(appearance, m_systemPalette);
-    QApplication::setPalette(look);
-    qApp->setStyleSheet(wendStyleSheet(look));
-    setPalette(look);
-    (appearance == Appearance::System  ? m_actions->systemLook
-     : appearance == Appearance::Light ? m_actions->lightLook
-                                       : m_actions->darkLook)
-        ->setChecked(true);
-    updateIcons();
-}
-
 void MainWindow::updateIcons() {
-    m_actions->setIcons(palette());
+    for (ActionMaker* maker :
+         std::initializer_list<ActionMaker*>{m_actions, m_solidActions, m_tools, m_pictureActions})
+        maker->setIcons(palette());
     m_modes->exportButton()->setIcon(wendIcon(QStringLiteral("export"), primaryPalette(palette())));
-    m_solidActions->setIcons(palette());
-    m_tools->setIcons(palette());
-    m_pictureActions->setIcons(palette());
     showMoreArrows();
     m_start->setRecent(m_files->recent());
 }

@@ -1,10 +1,8 @@
 #pragma once
 
-#include <QDeadlineTimer>
 #include <QMainWindow>
 #include <memory>
 
-#include "app/panels/theme.h"
 #include "app/session/shape_session.h"
 
 class QStackedWidget;
@@ -12,6 +10,7 @@ class QStackedWidget;
 namespace wend {
 
 class Actions;
+class AppearanceChoice;
 class BusyNote;
 class CompareView;
 class ContextMenu;
@@ -83,22 +82,15 @@ class MainWindow : public QMainWindow {
     void connectFiles();
     void connectEdit();
     void connectView();
-    void connectMotion();
-    void connectLooks(ShapeCanvas& canvas);
-    void connectHiding();
     void connectHelp();
-    void connectComparison();
-    void tell(const QString& text);
     void tellDone(const QString& text);
     void showDocument();
     void addSolidPage();
     void showWork();
     void showTools();
-    void showTracks();
     void fitToScreen();
     void showTitle();
     void showSelection();
-    void setAppearance(Appearance appearance);
     void updateIcons();
     void showMoreArrows();
 
@@ -127,16 +119,13 @@ class MainWindow : public QMainWindow {
     BusyNote* m_note;
     WorkNote* m_work;
     Tutorial* m_tutorial;
-    QString m_told;  // in the status bar: stays a while, though hints of buttons come and go
-    QDeadlineTimer m_toldUntil;
-    QString m_hint;     // the last one of a button or field
     QString m_opening;  // the file that is being read
     ModeRow* m_modes = nullptr;
     QToolBar* m_topBar = nullptr;
     QToolBar* m_toolBar = nullptr;
     OptionRow* m_options = nullptr;
     std::unique_ptr<Workspace> m_workspace;
-    QPalette m_systemPalette;
+    AppearanceChoice* m_appearance;
 };
 
 }  // namespace wend

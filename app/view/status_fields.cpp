@@ -10,6 +10,7 @@ namespace wend {
 namespace {
 
 constexpr int kMessageMargin = 18;  // pixels that the bar leaves free beside a message
+constexpr int kTold = 10000;        // milliseconds
 
 /// The longest beginning of the text that fits and ends where one of the marks stands; empty if there is
 /// none.
@@ -100,6 +101,18 @@ void StatusFields::setVisible(bool visible) {
 QString StatusFields::fitting(const QString& hint) const {
     const int room = (m_pointer->isVisible() ? m_pointer->x() : m_bar.width()) - kMessageMargin;
     return fittedTo(room, hint, m_bar.fontMetrics());
+}
+
+void StatusFields::tell(const QString& text) {
+    m_told = text;
+    m_toldUntil.setRemainingTime(kTold);
+    m_bar.showMessage(text, kTold);
+}
+
+void StatusFields::showTip(const QString& tip) {
+    const bool told = (tip.isEmpty() || tip == m_tip) && !m_toldUntil.hasExpired();
+    if (!tip.isEmpty()) m_tip = tip;
+    m_bar.showMessage(told ? m_told : fitting(tip), told ? static_cast<int>(m_toldUntil.remainingTime()) : 0);
 }
 
 void StatusFields::setHint(const QString& hint) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QDeadlineTimer>
 #include <QObject>
 
 #include "app/panels/colour_map.h"
@@ -17,11 +18,17 @@ class StatusFields : public QObject {
     StatusFields(QStatusBar& bar, ShapeSession& session);
 
     void setVisible(bool visible);
-    /// Of a hint, what there is room for beside the numbers: whole sentences, or the beginning of one.
-    QString fitting(const QString& hint) const;
+    /// The hint of a button or field under the pointer, as far as there is room for it beside the numbers:
+    /// whole sentences, or the beginning of one. When the pointer leaves, what was told comes back; so it
+    /// does when the hint is the one that stood there before, of the button that was pressed.
+    void showTip(const QString& tip);
+    /// What was told is of another document.
+    void forgetTold() { m_toldUntil.setRemainingTime(0); }
 
   public slots:
     void setHint(const QString& hint);
+    /// A line that stays for a while, though hints come and go.
+    void tell(const QString& text);
     void setPointer(double x, double y, bool inside);
     /// What is under the pointer, in words of the view.
     void setPointerText(const QString& text);
@@ -32,11 +39,14 @@ class StatusFields : public QObject {
     class HintLabel;
     QLabel* add(const QString& name, const QString& help, const QString& widest);
     void showFrame();
+    QString fitting(const QString& hint) const;
 
     QStatusBar& m_bar;
     ShapeSession& m_session;
     Measure m_measure = Measure::Length;
     HintLabel* m_hint;
+    QString m_told, m_tip;  // the last ones
+    QDeadlineTimer m_toldUntil;
     QLabel *m_pointer, *m_pinError, *m_worst, *m_area, *m_time;
 };
 

@@ -89,8 +89,11 @@ void TrackView::takeProject() {
                             handle.activeTo,
                             {}};
                     for (const auto& motion : handle.motions)
-                        row.bars.push_back({h, static_cast<int>(row.bars.size()), {motion.start, motion.end},
-                                            motion.ease, kindOf(motion)});
+                        row.bars.push_back({h,
+                                            static_cast<int>(row.bars.size()),
+                                            {motion.start, motion.end},
+                                            motion.ease,
+                                            kindOf(motion)});
                     m_rows.push_back(std::move(row));
                 }
             },
@@ -114,7 +117,8 @@ void TrackView::arrange() {
 /// A pin that is chosen alone is brought into view.
 void TrackView::showSelection() {
     if (const int row = m_session.singleHandle(); row >= 0) {
-        const double below = rowRect(row).bottom() - viewport()->height(), above = kRuler - rowRect(row).top();
+        const double below = rowRect(row).bottom() - viewport()->height(),
+                     above = kRuler - rowRect(row).top();
         const double way = below > 0 ? below : std::min(-above, 0.0);
         verticalScrollBar()->setValue(verticalScrollBar()->value() + static_cast<int>(std::lround(way)));
     }
@@ -194,9 +198,8 @@ MotionTime TrackView::dragged(const Grabbed& grabbed, double time) const {
         return {std::clamp(snapped(bar.time.start + way, bar), room.start, bar.time.end - kShortestMotion),
                 bar.time.end};
     if (grabbed.part == Part::End)
-        return {bar.time.start,
-                std::clamp(snapped(bar.time.end + way, bar), bar.time.start + kShortestMotion,
-                           std::max(room.end, bar.time.start + kShortestMotion))};
+        return {bar.time.start, std::clamp(snapped(bar.time.end + way, bar), bar.time.start + kShortestMotion,
+                                           std::max(room.end, bar.time.start + kShortestMotion))};
     const double length = bar.time.end - bar.time.start;
     const double toStart = snapped(bar.time.start + way, bar), toEnd = snapped(bar.time.end + way, bar);
     const bool byEnd = toEnd != bar.time.end + way && toStart == bar.time.start + way;
@@ -242,13 +245,13 @@ void TrackView::mouseMoveEvent(QMouseEvent* event) {
     const QPointF at = event->position();
     if (m_scrubbing) return scrub(at.x());
     if (m_grabbed) {
-        const bool moves = m_grabbed->time != m_grabbed->bar.time ||
-                           std::abs(at.x() - xOf(m_grabbed->at)) >= kDragged;
+        const bool moves =
+            m_grabbed->time != m_grabbed->bar.time || std::abs(at.x() - xOf(m_grabbed->at)) >= kDragged;
         if (moves) m_grabbed->time = dragged(*m_grabbed, timeAt(at.x()));
         return viewport()->update();
     }
     const auto hit = barAt(at);
-    viewport()->setCursor(!hit                       ? Qt::ArrowCursor
+    viewport()->setCursor(!hit                        ? Qt::ArrowCursor
                           : hit->second == Part::Body ? Qt::OpenHandCursor
                                                       : Qt::SizeHorCursor);
 }
@@ -300,8 +303,8 @@ bool TrackView::nudge(const QKeyEvent& event) {
         m_session.playback().setPlaying(false);
         m_session.playback().setTime(m_session.playback().time() + way);
     } else if (m_chosen && m_session.mayChange(m_chosen->handle)) {
-        const Bar bar =
-            m_rows[static_cast<std::size_t>(m_chosen->handle)].bars[static_cast<std::size_t>(m_chosen->motion)];
+        const Bar bar = m_rows[static_cast<std::size_t>(m_chosen->handle)]
+                            .bars[static_cast<std::size_t>(m_chosen->motion)];
         move(bar, {bar.time.start + way, bar.time.end + way}, tr("Move in time"),
              QStringLiteral("track %1 %2").arg(bar.handle).arg(bar.motion));
     }
@@ -332,10 +335,10 @@ bool TrackView::viewportEvent(QEvent* event) {
         QToolTip::hideText();
         return true;
     }
-    QToolTip::showText(help->globalPos(), tr("%1: %2 to %3 s, %4")
-                                              .arg(hit->first.kind, seconds(hit->first.time.start),
-                                                   seconds(hit->first.time.end),
-                                                   withoutKey(easeName(hit->first.ease)).toLower()));
+    QToolTip::showText(help->globalPos(),
+                       tr("%1: %2 to %3 s, %4")
+                           .arg(hit->first.kind, seconds(hit->first.time.start), seconds(hit->first.time.end),
+                                withoutKey(easeName(hit->first.ease)).toLower()));
     return true;
 }
 

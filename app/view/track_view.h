@@ -35,7 +35,8 @@ class TrackView : public QAbstractScrollArea {
     bool viewportEvent(QEvent* event) override;
 
   private:
-    static constexpr double kNames = 132, kMargin = 16, kRuler = 22, kRowHeight = 24, kBarHeight = 16;  // pixels
+    static constexpr double kNames = 132, kMargin = 16, kRuler = 22, kRowHeight = 24,
+                            kBarHeight = 16;  // pixels
     enum class Part { Body, Start, End };
     struct Bar {
         int handle = -1, motion = -1;

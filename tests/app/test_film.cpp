@@ -189,7 +189,8 @@ void TestFilm::recordsByTheClockOfTheFilm() {
     speeds[1]->trigger();
     QVERIFY(m_window->window().actions().speed->title().contains("50"));
     record(1, Qt::ControlModifier, 400);
-    QVERIFY2(std::abs(project().end / whole - 0.5) < 0.02, qPrintable(QString::number(project().end / whole)));
+    QVERIFY2(std::abs(project().end / whole - 0.5) < 0.02,
+             qPrintable(QString::number(project().end / whole)));
 }
 
 /// While the hand rests in a recording the other pin goes its way, and the time is shown; given up, all is as
@@ -343,7 +344,9 @@ void TestFilm::menuOfABar() {
 void TestFilm::rulerIsScrubbed() {
     openFilm(2);
     QWidget* area = tracks().viewport();
-    const auto at = [&](double time) { return QPoint(static_cast<int>(std::lround(132 + time * span() / 4)), 8); };
+    const auto at = [&](double time) {
+        return QPoint(static_cast<int>(std::lround(132 + time * span() / 4)), 8);
+    };
     QTest::mousePress(area, Qt::LeftButton, {}, at(1));
     QVERIFY(std::abs(session().playback().time() - 1) < 4 / span());
     QTest::mouseMove(area, at(2.5));
@@ -387,8 +390,8 @@ void TestFilm::onionSkinShowsWhatWasAndComes() {
     m_window->window().actions().onionSkin->trigger();
     const QColor past = at(87), future = at(133);
     QVERIFY(past != above && future != below);
-    QVERIFY(past.red() - past.blue() > above.red() - above.blue() + 15);        // orange
-    QVERIFY(future.blue() - future.red() > below.blue() - below.red() + 15);    // blue
+    QVERIFY(past.red() - past.blue() > above.red() - above.blue() + 15);      // orange
+    QVERIFY(future.blue() - future.red() > below.blue() - below.red() + 15);  // blue
     session().playback().setTime(0);
     QVERIFY(QTest::qWaitFor([&] { return canvas.isSettled(); }, 20000));
     QCOMPARE(at(57), QColor(canvas.grab().toImage().pixel(canvas.toWidget({120, 57}).toPoint())));

@@ -163,8 +163,7 @@ void TestTiming::recordingsReplaceTheirOwn() {
 void TestTiming::firstRecordingIsTheFilm() {
     Project still = film<2>();
     std::get<Design<2>>(still.design).handles[0].motions.clear();
-    const Project after =
-        withGesture<2>(still, {{0}, {}, {{0, 0, 0}, {1, 0, 0}}, 0, 1, {0, 0.75}}, {{0, 0}});
+    const Project after = withGesture<2>(still, {{0}, {}, {{0, 0, 0}, {1, 0, 0}}, 0, 1, {0, 0.75}}, {{0, 0}});
     QCOMPARE(after.end, 0.75);
     QCOMPARE(motionEnd(after), 0.75);
 }

@@ -4,6 +4,9 @@
 
 namespace wend {
 
+namespace {
+
+/// With the nearest corner of the triangle.
 SolidHit solidHit(const CutSurface& surface, const Points<3>& pose, const Ray& ray,
                   const TriangleTree::Hit& hit) {
     SolidHit result;
@@ -18,6 +21,29 @@ SolidHit solidHit(const CutSurface& surface, const Points<3>& pose, const Ray& r
             closest = std::min(closest, distance);
         }
     return result;
+}
+
+}  // namespace
+
+const TriangleTree& RayCasting::tree(const CutSurface& surface, const Points<3>& pose) {
+    if (m_surfaceStale) {
+        m_points.emplace(surface);
+        m_tree = TriangleTree(m_points->at(pose), std::move(m_points->triangles));
+    } else if (m_poseStale) {
+        m_tree.refit(m_points->at(pose));
+    }
+    m_surfaceStale = m_poseStale = false;
+    return m_tree;
+}
+
+SolidHit RayCasting::hit(const Ray& ray, const CutSurface& surface, const Points<3>& pose) {
+    const TriangleTree::Hit hit = tree(surface, pose).firstHit(ray.origin, ray.direction);
+    m_visited = hit.visited;
+    return solidHit(surface, pose, ray, hit);
+}
+
+double RayCasting::distance(const Ray& ray, const CutSurface& surface, const Points<3>& pose) {
+    return tree(surface, pose).firstHit(ray.origin, ray.direction).distance;
 }
 
 }  // namespace wend

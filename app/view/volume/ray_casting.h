@@ -1,13 +1,34 @@
 #pragma once
 
+#include <optional>
+
 #include "app/tools/solid_surface.h"
+#include "app/view/volume/draw_mesh.h"
 #include "core/mesh/cut_plane.h"
 #include "core/mesh/triangle_tree.h"
 
 namespace wend {
 
-/// What a ray has met of the surface; cell −1 if it is nothing.
-SolidHit solidHit(const CutSurface& surface, const Points<3>& pose, const Ray& ray,
-                  const TriangleTree::Hit& hit);
+/// What rays meet of a surface that is cut and bent: its boxes are made when the first ray comes, and
+/// refitted when the first one comes after a change of the pose.
+class RayCasting {
+  public:
+    void takeSurface() { m_surfaceStale = true; }
+    void takePose() { m_poseStale = true; }
+    /// The nearest triangle that the ray meets; cell −1 if there is none.
+    SolidHit hit(const Ray& ray, const CutSurface& surface, const Points<3>& pose);
+    /// How far the ray goes, in lengths of its direction, until it meets the surface.
+    double distance(const Ray& ray, const CutSurface& surface, const Points<3>& pose);
+    /// Boxes and triangles that the last hit() looked at.
+    int visited() const { return m_visited; }
+
+  private:
+    const TriangleTree& tree(const CutSurface& surface, const Points<3>& pose);
+
+    std::optional<CutPoints> m_points;
+    TriangleTree m_tree;
+    bool m_surfaceStale = true, m_poseStale = true;
+    int m_visited = 0;
+};
 
 }  // namespace wend

@@ -1,18 +1,13 @@
 #include "app/view/volume/solid_canvas.h"
 
-#include "app/session/rest_frame.h"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "app/panels/legend.h"
 #include "app/session/caged_solid.h"
+#include "app/session/rest_frame.h"
 #include "app/session/shape.h"
-#include "app/session/solid_places.h"
-#include "app/tools/solid_pin_tool.h"
 #include "app/view/volume/glyphs.h"
-#include "app/view/volume/skin_marks.h"
 #include "app/view/volume/solid_painter.h"
 #include "core/energy/distortion.h"
 
@@ -22,7 +17,6 @@ namespace {
 
 constexpr int kDimAfter = 250;  // milliseconds
 constexpr int kMarksEvery = 40;
-constexpr std::size_t kMostRays = 4000;  // of one handle's vertices: beyond it all count as seen
 const QRgb kPlain = qRgb(199, 186, 164), kPlainDark = qRgb(176, 164, 146);
 const QRgb kArrowColour = qRgb(54, 84, 196), kGlyphColour = qRgb(226, 140, 44);
 
@@ -111,99 +105,6 @@ CutPlane SolidCanvas::middlePlane(const Vec<3>& normal) const {
     const auto frame = m_session.frame<3>();
     if (frame) plane.point = (frame->pose.rowwise().minCoeff() + frame->pose.rowwise().maxCoeff()) / 2;
     return plane;
-}
-
-Ray SolidCanvas::ray(const QPointF& widget) const {
-    return camera().ray({widget.x(), widget.y()}, size());
-}
-
-QPointF SolidCanvas::toWidget(const Vec<3>& p) const {
-    const Vec<3> screen = camera().project(p, size());
-    return {screen.x(), screen.y()};
-}
-
-std::vector<int> SolidCanvas::verticesWhere(const std::function<bool(const QPointF&)>& inside,
-                                            bool visibleOnly) const {
-    std::vector<int> found;
-    if (!showsFrame()) return found;
-    const Points<3>& pose = shown().pose;
-    for (Eigen::Index v = 0; v < pose.cols(); ++v) {
-        const Vec<3> screen = camera().project(pose.col(v), size());
-        if (std::abs(screen.z()) <= 1 && !isCutOff(pose.col(v)) && inside({screen.x(), screen.y()}))
-            found.push_back(static_cast<int>(v));
-    }
-    if (visibleOnly) keepVisible(found);
-    return found;
-}
-
-/// What is seen may be the surface of a file, or the mesh before: its cells and vertices are not those of the
-/// frame.
-bool SolidCanvas::showsFrame() const {
-    const auto frame = m_session.frame<3>();
-    return frame && shown().rest == frame->rest;
-}
-
-SolidHit SolidCanvas::pick(const QPointF& widget) const {
-    return showsFrame() ? VolumeView::pick(widget) : SolidHit{};
-}
-
-std::optional<Touch<3>> SolidCanvas::touch(const QPointF& widget) const {
-    const SolidHit hit = pick(widget);
-    if (hit.cell < 0) return {};
-    return Touch<3>{locationIn<3>(*m_session.frame<3>(), hit.cell, hit.point), hit.point};
-}
-
-void SolidCanvas::showMaterial(std::shared_ptr<const Material<3>> painted, bool lasts) {
-    m_preview.set(m_session.frame<3>(), std::move(painted), lasts);
-    refresh();
-}
-
-bool SolidCanvas::isHidden(const Vec<3>& p) const {
-    const QPointF at = toWidget(p);
-    const Ray sight = ray(at);
-    const SolidHit hit = hitOf(sight);
-    const double depth = (p - sight.origin).dot(sight.direction);
-    return hit.cell >= 0 && (hit.point - sight.origin).norm() < depth - 2 * pixelSize(p);
-}
-
-/// Asks through its middle and those of its sides.
-std::optional<Vec<3>> SolidCanvas::placeOf(int cell) const {
-    if (!showsFrame()) return {};
-    const Points<3>& pose = shown().pose;
-    const Cell<3>& corners = shown().rest->cells[cell];
-    Vec<3> sum = Vec<3>::Zero();
-    for (const int v : corners) sum += pose.col(v);
-    std::vector<Vec<3>> middles = {sum / 4};
-    for (const int v : corners) middles.push_back((sum - pose.col(v)) / 3);
-    for (const Vec<3>& middle : middles) {
-        const SolidHit hit = hitOf(ray(toWidget(middle)));
-        if (hit.cell == cell) return hit.point;
-    }
-    return {};
-}
-
-std::vector<VertexMark> SolidCanvas::marksOf(const std::vector<int>& vertices) const {
-    const Points<3>& pose = shown().pose;
-    // Without a frame of this mesh yet: what is shown is a preview.
-    const bool riding = isRiding() && static_cast<Eigen::Index>(skinPoints().size()) == pose.cols();
-    const bool asks = vertices.size() <= kMostRays;
-    std::vector<VertexMark> marks;
-    for (const int v : vertices) {
-        if (v >= pose.cols()) continue;
-        const int point = riding ? skinPoints()[static_cast<std::size_t>(v)] : -1;
-        const Vec<3> at = point < 0 ? Vec<3>(pose.col(v)) : Vec<3>(ridden().col(point));
-        if (!isCutOff(at) && !isCutOff(pose.col(v))) marks.push_back({at, asks && isHidden(pose.col(v))});
-    }
-    return marks;
-}
-
-/// Once for each skin.
-const std::vector<int>& SolidCanvas::skinPoints() const {
-    const VolumePicture& picture = shown();
-    if (m_marked != picture.skin)
-        m_skinPoints = nearestSkinPoints(*picture.skin, picture.rest->points, *picture.facets);
-    m_marked = picture.skin;
-    return m_skinPoints;
 }
 
 /// Pins and paths as well.
@@ -365,42 +266,6 @@ void SolidCanvas::showGlyphs(const PosedFrame<3>& frame) {
         triangles.insert(triangles.end(), ellipsoids.begin(), ellipsoids.end());
     }
     setGlyphs(std::move(triangles));
-}
-
-void SolidCanvas::paintOver(QPainter& painter) {
-    m_marksDue.stop();
-    paintMarks(painter);
-    if (m_hidden || !m_session.frame<3>()) return;
-    m_cutTool.paint(painter);
-    m_layer.paint(painter, *this);
-    if (m_tool) m_tool->paint(painter);
-    if (hasLegend()) paintLegendCard(painter, size(), m_measure, m_range, palette(), 3);
-}
-
-void SolidCanvas::paintMarks(QPainter& painter) {
-    const auto frame = m_session.frame<3>();
-    if (shown().pose.cols() == 0) return;
-    const Theme theme = Theme::of(palette());
-    SolidPainter painterOfSolid(painter, *this, theme);
-    painter.save();
-    painterOfSolid.compass(QPointF(46, height() - 46), camera().view().topLeftCorner<3, 3>());
-    painter.restore();
-    if (m_hidden || !frame) return;
-    if (m_map && isDistortion(m_measure))
-        painterOfSolid.worst(*frame, worstOf(*frame->distortion, m_measure).cell);
-    m_onion.paintOutlines(painter, *this);
-    painterOfSolid.paths();
-    const auto* pinTool = dynamic_cast<const SolidPinTool*>(m_tool);
-    painterOfSolid.pins(pinTool ? pinTool->hovered() : -1);
-}
-
-void SolidCanvas::paintLegend(QPainter& painter) const {
-    if (!hasLegend()) return;
-    const QColor colour = Theme::of(palette()).secondText;
-    painter.setPen(colour);
-    constexpr QRect kBar(24, 24, 240, 40);
-    painter.drawText(kBar.bottomLeft(), measureName(m_measure, 3));
-    wend::paintLegend(painter, kBar, m_measure, m_range, colour);
 }
 
 void SolidCanvas::wantVelocity() {

@@ -127,6 +127,7 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     void tellPointed(const QPointF& at);
     std::vector<QRgb> colours(const PosedFrame<3>& frame) const;
     SolidTool* toolAt(const QPointF& at);
+    bool isForTool(const QMouseEvent& event, const SolidTool& tool);
     void useTool(SolidTool* tool);
     void tellHint(const SolidTool& tool);
     void applyTheme();

@@ -9,12 +9,6 @@
 
 namespace wend {
 
-namespace {
-
-constexpr double kClick = 4;  // pixels
-
-}  // namespace
-
 SolidTool* SolidCanvas::toolAt(const QPointF& at) {
     return m_cutTool.wants(at) && !m_hidden ? &m_cutTool : m_tool;
 }
@@ -26,11 +20,15 @@ void SolidCanvas::useTool(SolidTool* tool) {
 }
 
 /// A button that turns the view does so, unless it was pressed on what the tool holds.
+bool SolidCanvas::isForTool(const QMouseEvent& event, const SolidTool& tool) {
+    return navigation().dragFor(event) == Navigation::Drag::None || tool.wants(event.position());
+}
+
 void SolidCanvas::mousePressEvent(QMouseEvent* event) {
     setFocus(Qt::MouseFocusReason);
     SolidTool* tool = toolAt(event->position());
     const bool left = event->button() == Qt::LeftButton;
-    if (left && tool && !m_active && (dragFor(*event) == Drag::None || tool->wants(event->position()))) {
+    if (left && tool && !m_active && isForTool(*event, *tool)) {
         m_active = tool;
         tool->press(*event);
         useTool(tool);
@@ -43,7 +41,7 @@ void SolidCanvas::mousePressEvent(QMouseEvent* event) {
 void SolidCanvas::mouseDoubleClickEvent(QMouseEvent* event) {
     SolidTool* tool = toolAt(event->position());
     const bool left = event->button() == Qt::LeftButton;
-    if (!left || !tool || m_active || (dragFor(*event) != Drag::None && !tool->wants(event->position()))) {
+    if (!left || !tool || m_active || !isForTool(*event, *tool)) {
         mousePressEvent(event);
         return;
     }
@@ -54,7 +52,7 @@ void SolidCanvas::mouseDoubleClickEvent(QMouseEvent* event) {
 
 void SolidCanvas::mouseMoveEvent(QMouseEvent* event) {
     tellPointed(event->position());
-    if (!m_active && isNavigating()) {
+    if (!m_active && navigation().isGoingOn()) {
         m_fitted = false;
         VolumeView::mouseMoveEvent(event);
         return;
@@ -73,10 +71,10 @@ void SolidCanvas::mouseReleaseEvent(QMouseEvent* event) {
         useTool(tool);
         return;
     }
-    const bool turned = isNavigating();
-    const bool click = (event->position() - pressedAt()).manhattanLength() <= kClick;
+    const bool turned = navigation().isGoingOn();
+    const bool click = navigation().isClick(*event);
     if (click && event->button() == Qt::RightButton && m_tool && !m_active) {
-        endNavigation();
+        navigation().end();
         const MenuPlace place = m_tool->menuAt(event->position());
         if (place != MenuPlace::None) emit menuWanted(event->globalPosition().toPoint(), place);
         return;
@@ -89,7 +87,7 @@ void SolidCanvas::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void SolidCanvas::tellPointed(const QPointF& at) {
-    const bool busy = isNavigating() || m_session.isDragging() || !m_session.frame<3>();
+    const bool busy = navigation().isGoingOn() || m_session.isDragging() || !m_session.frame<3>();
     const SolidHit hit = busy ? SolidHit{} : pick(at);
     if (!busy) emit pointedAt(hit.cell, hit.vertex, hit.point);
     if (hit.cell < 0) {

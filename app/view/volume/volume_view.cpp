@@ -8,24 +8,15 @@
 #include <QWheelEvent>
 #include <cmath>
 
-#include "app/view/volume/ray_casting.h"
 #include "app/view/volume/texture_file.h"
 
 namespace wend {
 namespace {
 
-constexpr double kRadiansPerPixel = 0.008;
-constexpr double kClickPixels = 4;
 constexpr int kSamples = 4;
 constexpr int kRestAfter = 160;         // milliseconds without motion
 constexpr double kOwnFromBehind = 0.7;  // red is red from behind, and still told from the front
 const QRgb kPlainColour = qRgb(196, 178, 150);
-
-void putTile(QImage& image, const QPoint& at, const QImage& tile) {
-    QPainter painter(&image);
-    painter.setCompositionMode(QPainter::CompositionMode_Source);
-    painter.drawImage(at, tile);
-}
 
 /// Eigen compares matrices of one size only.
 bool isSame(const Points<3>& a, const Points<3>& b) {
@@ -33,18 +24,6 @@ bool isSame(const Points<3>& a, const Points<3>& b) {
 }
 
 }  // namespace
-
-VolumePicture pictureOfSurface(const Points<3>& points, const std::vector<std::array<int, 3>>& triangles,
-                               std::vector<QRgb> colours) {
-    VolumePicture picture;
-    picture.rest = std::make_shared<const SimplicialMesh<3>>();
-    picture.pose = points;
-    auto facets = std::make_shared<std::vector<Facet<3>>>();
-    for (const auto& t : triangles) facets->push_back({t, {static_cast<int>(facets->size()), -1}});
-    picture.facets = std::move(facets);
-    picture.cellColours = std::move(colours);
-    return picture;
-}
 
 VolumeView::VolumeView(QWidget* parent) : QOpenGLWidget(parent) {
     QSurfaceFormat format;
@@ -97,7 +76,10 @@ void VolumeView::setPicture(VolumePicture picture, bool fitView) {
     if (picture.skin && picture.skin != m_textured) m_texturesStale = true;
     m_coloursStale = m_coloursStale || picture.cellColours != m_picture.cellColours ||
                      picture.materials != m_picture.materials;
-    if (!samePose) m_poseStale = m_treePoseStale = true;
+    if (!samePose) {
+        m_poseStale = true;
+        m_rays.takePose();
+    }
     m_picture = std::move(picture);
     if (!sameSurface) remakeSurface();
     update();
@@ -164,20 +146,9 @@ void VolumeView::remakeSurface() {
             m_surface = exactCut(*m_picture.rest, *m_picture.facets, m_picture.pose, m_plane);
             break;
     }
-    m_meshStale = m_treeStale = true;
+    m_meshStale = true;
+    m_rays.takeSurface();
     update();
-}
-
-/// Made when the first ray comes, and refitted when the first one comes after a change of the pose.
-const TriangleTree& VolumeView::tree() const {
-    if (m_treeStale) {
-        m_treePoints.emplace(m_surface);
-        m_tree = TriangleTree(m_treePoints->at(m_picture.pose), std::move(m_treePoints->triangles));
-    } else if (m_treePoseStale) {
-        m_tree.refit(m_treePoints->at(m_picture.pose));
-    }
-    m_treeStale = m_treePoseStale = false;
-    return m_tree;
 }
 
 const Points<3>& VolumeView::ridden() const {
@@ -186,9 +157,7 @@ const Points<3>& VolumeView::ridden() const {
 }
 
 SolidHit VolumeView::hitOf(const Ray& ray) const {
-    const TriangleTree::Hit hit = tree().firstHit(ray.origin, ray.direction);
-    m_visited = hit.visited;
-    return solidHit(m_surface, m_picture.pose, ray, hit);
+    return m_rays.hit(ray, m_surface, m_picture.pose);
 }
 
 SolidHit VolumeView::pick(const QPointF& pixel) const {
@@ -196,12 +165,11 @@ SolidHit VolumeView::pick(const QPointF& pixel) const {
 }
 
 void VolumeView::keepVisible(std::vector<int>& vertices) const {
-    const TriangleTree& boxes = tree();
     std::erase_if(vertices, [&](int v) {
         const Vec<3> p = m_picture.pose.col(v);
         const Ray sight = m_camera.ray(m_camera.project(p, size()).head<2>(), size());
         // A vertex of the surface is met by the ray itself, up to rounding.
-        return boxes.firstHit(sight.origin, sight.direction).distance <
+        return m_rays.distance(sight, m_surface, m_picture.pose) <
                (p - sight.origin).dot(sight.direction) * (1 - 1e-4);
     });
 }
@@ -377,98 +345,24 @@ void VolumeView::paintGL() {
     m_times.draw = static_cast<double>(clock.nsecsElapsed()) * 1e-6 - m_times.prepare;
 }
 
-/// A part of the picture: the projection blown up so that the part fills the tile.
-QImage VolumeView::tile(const QRect& part, const QSize& whole, const QColor& background) {
-    QOpenGLFramebufferObjectFormat format;
-    format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
-    format.setSamples(kSamples);
-    QOpenGLFramebufferObject buffer(part.size(), format);
-    if (!buffer.isValid() || !buffer.bind()) return {};
-    context()->functions()->glViewport(0, 0, part.width(), part.height());
-    Eigen::Matrix4d toTile = Eigen::Matrix4d::Identity();
-    const Eigen::Vector2d scale(static_cast<double>(whole.width()) / part.width(),
-                                static_cast<double>(whole.height()) / part.height());
-    const QPointF middle = QRectF(part).center();
-    toTile.diagonal().head<2>() = scale;
-    toTile(0, 3) = scale.x() * (1 - 2 * middle.x() / whole.width());
-    toTile(1, 3) = -scale.y() * (1 - 2 * middle.y() / whole.height());
-    drawScene({m_camera.view(), toTile * m_camera.projection(whole), m_camera.orthographic()}, background);
-    const QImage image = buffer.toImage();
-    buffer.release();
-    return image;
-}
-
-QString VolumeView::obstacle() const {
-    return m_ready ? QString() : tr("The solid cannot be drawn: %1").arg(m_renderer.error());
-}
-
-QImage VolumeView::pictureRows(const QSize& size, int top, int rows, bool transparent) {
-    if (!m_ready) return {};
-    QImage image(size.width(), rows, QImage::Format_ARGB32_Premultiplied);
-    if (image.isNull()) return {};
-    makeCurrent();
-    GLint most = m_largestTile;
-    context()->functions()->glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &most);
-    const int step = std::min<int>(m_largestTile, most);
-    for (int y = 0; y < rows && !image.isNull(); y += step)
-        for (int x = 0; x < size.width() && !image.isNull(); x += step) {
-            const QRect part = QRect(x, y, step, step) & image.rect();
-            const QImage piece =
-                tile(part.translated(0, top), size, transparent ? QColor(0, 0, 0, 0) : background());
-            if (!piece.isNull()) putTile(image, part.topLeft(), piece);
-            if (piece.isNull()) image = {};
-        }
-    doneCurrent();
-    m_painted.reset();  // what was uploaded for the picture is new to the view as well
-    update();
-    return image;
-}
-
-VolumeView::Drag VolumeView::dragFor(const QMouseEvent& event) const {
-    const bool shift = event.modifiers() & Qt::ShiftModifier,
-               control = event.modifiers() & Qt::ControlModifier, alt = event.modifiers() & Qt::AltModifier;
-    const auto button = event.button();
-    if (m_preset == NavigationPreset::VtkLike) {
-        if (button == Qt::LeftButton) return shift ? Drag::Pan : Drag::Orbit;
-        if (button == Qt::MiddleButton) return Drag::Pan;
-        return button == Qt::RightButton ? Drag::Zoom : Drag::None;
-    }
-    const bool right = m_preset == NavigationPreset::Wend && button == Qt::RightButton;
-    // Alt and the left button stand in for a middle one that is missing.
-    if (button != Qt::MiddleButton && !right && !(alt && button == Qt::LeftButton)) return Drag::None;
-    if (shift) return Drag::Pan;
-    return control ? Drag::Zoom : Drag::Orbit;
-}
-
 void VolumeView::mousePressEvent(QMouseEvent* event) {
-    m_last = m_pressed = event->position();
-    m_drag = dragFor(*event);
+    m_navigation.press(*event);
 }
 
 void VolumeView::mouseMoveEvent(QMouseEvent* event) {
-    const QPointF step = event->position() - m_last;
-    m_last = event->position();
-    if (m_drag == Drag::Orbit)
-        m_camera.orbit(step.x() * kRadiansPerPixel, step.y() * kRadiansPerPixel);
-    else if (m_drag == Drag::Pan)
-        m_camera.pan(step.x(), step.y(), size());
-    else if (m_drag == Drag::Zoom)
-        m_camera.zoom(std::exp(-0.01 * step.y()), pixelOf(rect().center()), size());
-    else if (event->buttons() == Qt::NoButton)
-        emit hovered(pick(event->position()));
-    if (m_drag == Drag::None) return;
+    m_navigation.move(*event, m_camera, size());
+    if (!m_navigation.isGoingOn()) return;
     hurry();
     update();
     emit cameraChanged();
 }
 
 void VolumeView::mouseReleaseEvent(QMouseEvent* event) {
-    const bool click = (event->position() - m_pressed).manhattanLength() <= kClickPixels;
+    const bool click = m_navigation.isClick(*event);
     const SolidHit hit = click ? pick(event->position()) : SolidHit{};
-    if (click && event->button() == Qt::LeftButton) emit picked(hit, event->modifiers());
-    const bool pivots = event->button() == Qt::MiddleButton || m_drag == Drag::Orbit;
+    const bool pivots = event->button() == Qt::MiddleButton || m_navigation.drag() == Navigation::Drag::Orbit;
     if (click && pivots && event->button() != Qt::LeftButton && hit.cell >= 0) m_camera.setPivot(hit.point);
-    m_drag = Drag::None;
+    m_navigation.end();
     update();
 }
 

@@ -9,34 +9,15 @@
 #include <optional>
 
 #include "app/view/volume/camera.h"
+#include "app/view/volume/navigation.h"
+#include "app/view/volume/ray_casting.h"
 #include "app/view/volume/surface_renderer.h"
+#include "app/view/volume/volume_picture.h"
 #include "core/mesh/cut_plane.h"
-#include "core/mesh/triangle_tree.h"
 
 namespace wend {
 
-/// What the view shows: a solid at rest, its pose, and colours.
-struct VolumePicture {
-    std::shared_ptr<const SimplicialMesh<3>> rest;
-    std::shared_ptr<const std::vector<Facet<3>>> facets;
-    Points<3> pose;
-    std::vector<QRgb> cellColours;  // one per cell; empty: one plain colour
-    // A surface that rides in the solid and is drawn in place of its border; null if there is none.
-    std::shared_ptr<const Skin> skin;
-    std::shared_ptr<const Embedding<3>> embedding;
-    bool materials = false;  // the skin has the colours and pictures of its materials, not those of the cells
-    bool isOpen = false;     // bounds no solid: its colours tell something from behind, too
-};
-
-/// A surface alone, without tetrahedra; one colour per triangle.
-VolumePicture pictureOfSurface(const Points<3>& points, const std::vector<std::array<int, 3>>& triangles,
-                               std::vector<QRgb> colours);
-
 enum class CutKind { None, WholeCells, Exact };
-/// Which buttons turn, move and zoom. Wend: right or middle turns, with Shift moves, with Ctrl zooms.
-/// VTK-like: left turns, middle moves, right zooms. Blender-like: middle turns, with Shift moves, with Ctrl
-/// zooms.
-enum class NavigationPreset { Wend, VtkLike, BlenderLike };
 
 /// A solid in space: turned, moved and zoomed with the mouse whatever is under it, cut open by a plane.
 class VolumeView : public QOpenGLWidget {
@@ -55,7 +36,7 @@ class VolumeView : public QOpenGLWidget {
     void setCut(CutKind kind, const CutPlane& plane);
     CutKind cut() const { return m_cut; }
     const CutPlane& plane() const { return m_plane; }
-    void setPreset(NavigationPreset preset) { m_preset = preset; }
+    void setPreset(NavigationPreset preset) { m_navigation.setPreset(preset); }
     Camera& camera() { return m_camera; }
     const Camera& camera() const { return m_camera; }
     /// Triangles that are drawn beside the surface.
@@ -77,7 +58,7 @@ class VolumeView : public QOpenGLWidget {
     /// it is over.
     void hurry();
     /// Boxes and triangles that the last pick() looked at.
-    int visitedByPick() const { return m_visited; }
+    int visitedByPick() const { return m_rays.visited(); }
     /// Triangles that are drawn.
     int drawnTriangles() const { return m_drawnTriangles; }
     /// What a frame cost, in milliseconds: the preparation of a new pose, and the drawing.
@@ -95,8 +76,6 @@ class VolumeView : public QOpenGLWidget {
     std::vector<int> verticesIn(const QRectF& rectangle, bool visibleOnly) const;
 
   signals:
-    void hovered(const SolidHit& hit);
-    void picked(const SolidHit& hit, Qt::KeyboardModifiers modifiers);
     void cameraChanged();
     /// Pictures of the surface's materials that cannot be read; told while it is drawn, once for each
     /// surface.
@@ -112,11 +91,7 @@ class VolumeView : public QOpenGLWidget {
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
 
-    enum class Drag { None, Orbit, Pan, Zoom };
-    Drag dragFor(const QMouseEvent& event) const;
-    bool isNavigating() const { return m_drag != Drag::None; }
-    void endNavigation() { m_drag = Drag::None; }
-    const QPointF& pressedAt() const { return m_pressed; }
+    Navigation& navigation() { return m_navigation; }
     const VolumePicture& shown() const { return m_picture; }
     void setBackground(const QColor& colour) { m_background = colour; }
 
@@ -160,7 +135,6 @@ class VolumeView : public QOpenGLWidget {
     void drawScene(const Sight& sight, const QColor& background);
     QImage tile(const QRect& part, const QSize& whole, const QColor& background);
     QColor background() const;
-    const TriangleTree& tree() const;
     Eigen::Vector2d pixelOf(const QPointF& p) const { return {p.x(), p.y()}; }
 
     Camera m_camera;
@@ -170,16 +144,11 @@ class VolumeView : public QOpenGLWidget {
     std::shared_ptr<const Skin> m_textured;  // whose pictures the renderer has
     CutSurface m_surface;
     DrawMesh m_outer, m_section;
-    mutable std::optional<Points<3>> m_ridden;      // until the pose changes
-    mutable std::optional<CutPoints> m_treePoints;  // of m_surface
-    mutable TriangleTree m_tree;
-    mutable bool m_treeStale = true, m_treePoseStale = true;
-    mutable int m_visited = 0;
+    mutable std::optional<Points<3>> m_ridden;  // until the pose changes
+    mutable RayCasting m_rays;
     CutPlane m_plane;
     CutKind m_cut = CutKind::None;
-    NavigationPreset m_preset = NavigationPreset::Wend;
-    Drag m_drag = Drag::None;
-    QPointF m_last, m_pressed;
+    Navigation m_navigation;
     QColor m_background;
     std::vector<DrawVertex> m_glyphs;
     std::unique_ptr<QOpenGLFramebufferObject> m_fine;

@@ -1,0 +1,35 @@
+#include "app/view/appearance_choice.h"
+
+#include <QApplication>
+#include <QSettings>
+
+#include "app/view/actions.h"
+
+namespace wend {
+
+AppearanceChoice::AppearanceChoice(Actions& actions, QWidget& window)
+    : QObject(&window), m_actions(actions), m_window(window), m_system(QApplication::palette()) {
+    for (const auto& [action, appearance] : {std::pair{actions.systemLook, Appearance::System},
+                                             {actions.lightLook, Appearance::Light},
+                                             {actions.darkLook, Appearance::Dark}})
+        connect(action, &QAction::triggered, this, [this, look = appearance] { apply(look); });
+}
+
+void AppearanceChoice::restore() {
+    apply(static_cast<Appearance>(QSettings().value("appearance", 0).toInt()));
+}
+
+void AppearanceChoice::apply(Appearance appearance) {
+    QSettings().setValue("appearance", static_cast<int>(appearance));
+    const QPalette look = wendPalette(appearance, m_system);
+    QApplication::setPalette(look);
+    qApp->setStyleSheet(wendStyleSheet(look));
+    m_window.setPalette(look);
+    (appearance == Appearance::System  ? m_actions.systemLook
+     : appearance == Appearance::Light ? m_actions.lightLook
+                                       : m_actions.darkLook)
+        ->setChecked(true);
+    emit changed();
+}
+
+}  // namespace wend

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <QObject>
+#include <QPalette>
+
+#include "app/panels/theme.h"
+
+class QWidget;
+
+namespace wend {
+
+class Actions;
+
+/// Light, dark, or as the desktop is; remembered for other days.
+class AppearanceChoice : public QObject {
+    Q_OBJECT
+
+  public:
+    AppearanceChoice(Actions& actions, QWidget& window);
+    /// As it was last.
+    void restore();
+
+  signals:
+    /// The window has another palette: what was drawn in its colours is to be drawn anew.
+    void changed();
+
+  private:
+    void apply(Appearance appearance);
+
+    Actions& m_actions;
+    QWidget& m_window;
+    QPalette m_system;
+};
+
+}  // namespace wend

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <QObject>
+
+namespace wend {
+
+class Actions;
+class ShapeSession;
+class TimeStrip;
+class Toolbox;
+class TrackView;
+
+/// What plays, records and shows the time: the actions of the film, the strip below the canvas and the
+/// tracks.
+class FilmControls : public QObject {
+    Q_OBJECT
+
+  public:
+    struct Parts {
+        ShapeSession& session;
+        Actions& actions;
+        const Toolbox& tools;
+        TimeStrip& strip;
+        TrackView& tracks;
+    };
+    FilmControls(const Parts& parts, QObject* parent);
+
+  private:
+    void connectTime();
+    void showPlaying(bool playing);
+    void showTracks();
+
+    Parts m_parts;
+};
+
+}  // namespace wend

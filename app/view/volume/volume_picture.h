@@ -1,0 +1,29 @@
+#pragma once
+
+#include <QRgb>
+#include <memory>
+#include <vector>
+
+#include "core/mesh/embedding.h"
+#include "core/mesh/skin.h"
+
+namespace wend {
+
+/// What the view shows: a solid at rest, its pose, and colours.
+struct VolumePicture {
+    std::shared_ptr<const SimplicialMesh<3>> rest;
+    std::shared_ptr<const std::vector<Facet<3>>> facets;
+    Points<3> pose;
+    std::vector<QRgb> cellColours;  // one per cell; empty: one plain colour
+    // A surface that rides in the solid and is drawn in place of its border; null if there is none.
+    std::shared_ptr<const Skin> skin;
+    std::shared_ptr<const Embedding<3>> embedding;
+    bool materials = false;  // the skin has the colours and pictures of its materials, not those of the cells
+    bool isOpen = false;     // bounds no solid: its colours tell something from behind, too
+};
+
+/// A surface alone, without tetrahedra; one colour per triangle.
+VolumePicture pictureOfSurface(const Points<3>& points, const std::vector<std::array<int, 3>>& triangles,
+                               std::vector<QRgb> colours);
+
+}  // namespace wend
