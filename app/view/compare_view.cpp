@@ -1,8 +1,10 @@
 #include "app/view/compare_view.h"
 
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QLabel>
 #include <QLocale>
+#include <QMouseEvent>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <cmath>
@@ -10,6 +12,8 @@
 #include "app/document/settings.h"
 #include "app/panels/energy_scale.h"
 #include "app/panels/panel_parts.h"
+#include "app/tools/pin_tool.h"
+#include "app/tools/solid_pin_tool.h"
 #include "app/view/canvas.h"
 #include "app/view/volume/solid_canvas.h"
 #include "core/energy/distortion.h"
@@ -114,6 +118,7 @@ void CompareView::connectViews() {
     connect(m_picture, &ShapeCanvas::viewChanged, this, [this] {
         if (m_picture->underMouse()) m_parts.picture.takeView(*m_picture);
     });
+    m_picture->installEventFilter(this);
     connect(&m_comparison.other(), &ShapeSession::frameChanged, this, &CompareView::takeFrame);
     connect(&m_parts.session, &ShapeSession::frameChanged, this, &CompareView::showHeads);
     connect(&m_parts.session.document(), &Document::opened, this, &CompareView::join);
@@ -144,12 +149,41 @@ void CompareView::makeSolid() {
     m_solid = new SolidCanvas(m_comparison.other());
     m_solid->setObjectName(QStringLiteral("comparedSolid"));
     m_other->layout()->addWidget(m_solid);
+    m_solid->installEventFilter(this);
     connect(own, &VolumeView::cameraChanged, this, [this, own] { m_solid->takeView(*own); });
     connect(own, &SolidCanvas::cutChanged, this, [this, own] { m_solid->takeView(*own); });
     connect(m_solid, &VolumeView::cameraChanged, this, [this, own] {
         if (m_solid->underMouse()) own->takeView(*m_solid);
     });
     emit solidMade(m_solid);
+}
+
+/// Of the shape that is worked on, at the same place of its view.
+bool CompareView::isOnPin(const QPointF& at) const {
+    if (m_parts.session.document().dimension() == 2) {
+        const auto* pins = dynamic_cast<const PinTool*>(m_parts.picture.tool());
+        return pins && pins->handleAt(at) >= 0;
+    }
+    const SolidCanvas* own = m_parts.solid();
+    return own && dynamic_cast<const SolidPinTool*>(own->tool()) && own->tool()->wants(at);
+}
+
+/// Both halves show the same part in the same size, and the pins are at the same places: a drag that begins
+/// on one in the other half goes on in the first.
+bool CompareView::eventFilter(QObject* watched, QEvent* event) {
+    const auto type = event->type();
+    const bool moves = type == QEvent::MouseMove, presses = type == QEvent::MouseButtonPress;
+    if (!moves && !presses && type != QEvent::MouseButtonRelease) return QWidget::eventFilter(watched, event);
+    const auto& mouse = static_cast<const QMouseEvent&>(*event);
+    if (presses && mouse.button() == Qt::LeftButton && isOnPin(mouse.position())) m_passes = true;
+    if (!m_passes) return QWidget::eventFilter(watched, event);
+    QWidget& own = watched == m_picture ? static_cast<QWidget&>(m_parts.picture) : *m_parts.solid();
+    QMouseEvent passed(type, mouse.position(), own.mapToGlobal(mouse.position()), mouse.button(),
+                       mouse.buttons(), mouse.modifiers());
+    passed.setTimestamp(mouse.timestamp());
+    QCoreApplication::sendEvent(&own, &passed);
+    if (type == QEvent::MouseButtonRelease && mouse.button() == Qt::LeftButton) m_passes = false;
+    return true;
 }
 
 void CompareView::showHalf() {

@@ -14,7 +14,8 @@ class ShapeCanvas;
 class SolidCanvas;
 
 /// The page of the shape, and beside it, while two energies are compared, the same shape with another one:
-/// the same part of it, at the same time. Above both stands what is kept, and what that changed.
+/// the same part of it, at the same time. Above both stands what is kept, and what that changed. Pins are
+/// dragged in either half.
 class CompareView : public QWidget {
     Q_OBJECT
 
@@ -45,7 +46,11 @@ class CompareView : public QWidget {
     /// The other half for solids is there.
     void solidMade(wend::SolidCanvas* solid);
 
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
   private:
+    bool isOnPin(const QPointF& at) const;
     QWidget* ownHead();
     QWidget* otherHead();
     void showHeads();
@@ -63,6 +68,7 @@ class CompareView : public QWidget {
     ShapeCanvas* m_picture;
     SolidCanvas* m_solid = nullptr;
     bool m_split = false, m_previews = false;
+    bool m_passes = false;  // a drag that was begun in the other half
 };
 
 }  // namespace wend

@@ -55,6 +55,8 @@ class TestComparison : public QObject {
     void cleanup() { m_f.reset(); }
     void halvesGoTogether_data() { dimensions(); }
     void halvesGoTogether();
+    void pinsAreDraggedInTheOtherHalf_data() { dimensions(); }
+    void pinsAreDraggedInTheOtherHalf();
     void halvesShowTheSamePart();
     void tilesAreDropped();
     void tilesArePreviewed();
@@ -65,6 +67,8 @@ class TestComparison : public QObject {
     static void dimensions();
     template <int Dim>
     void goTogether();
+    template <int Dim>
+    void dragInTheOther();
     template <int Dim>
     bool begin();
     CompareView& view() { return m_f->window().compared(); }
@@ -157,6 +161,40 @@ void TestComparison::goTogether() {
     QVERIFY(settle(session));
     QVERIFY((session.template frame<Dim>()->pose - its).cwiseAbs().maxCoeff() <
             1e-9 * Bar<Dim>::way().norm());
+}
+
+void TestComparison::pinsAreDraggedInTheOtherHalf() {
+    BOTH(dragInTheOther);
+}
+
+/// It is one drag of the document's; beside the pins nothing is pressed.
+template <int Dim>
+void TestComparison::dragInTheOther() {
+    QVERIFY(begin<Dim>());
+    auto& session = m_f->session();
+    auto &own = Bar<Dim>::canvas(*m_f), &canvas = Bar<Dim>::other(*m_f);
+    if constexpr (Dim == 3) own.look(Camera::Axis::Front);
+    QTRY_COMPARE(canvas.size(), own.size());
+    const QPoint from = canvas.toWidget(Bar<Dim>::end()).toPoint();
+    const QPoint to = canvas.toWidget(Bar<Dim>::end() + 0.5 * Bar<Dim>::way()).toPoint();
+    const auto drag = [&](const QPoint& a, const QPoint& b) {
+        QTest::mouseMove(&canvas, a);
+        QTest::mousePress(&canvas, Qt::LeftButton, {}, a);
+        for (int i = 1; i <= 4; ++i) QTest::mouseMove(&canvas, a + (b - a) * i / 4);
+        const bool drags = session.isDragging();
+        QTest::mouseRelease(&canvas, Qt::LeftButton, {}, b);
+        return drags;
+    };
+    session.selection().set({0});
+    QVERIFY(!drag({12, 12}, {40, 40}));
+    const int steps = session.document().undoStack()->count();
+    QVERIFY(drag(from, to));
+    QVERIFY(settle(session) && settle(other()));
+    QCOMPARE(session.document().undoStack()->count(), steps + 1);
+    QCOMPARE(session.selection().handles(), std::vector<int>{1});
+    const auto pins = session.template pins<Dim>();
+    const Vec<Dim> reached = pins[1].centre;
+    QVERIFY((reached - Bar<Dim>::end() - 0.5 * Bar<Dim>::way()).norm() < 0.1 * Bar<Dim>::way().norm());
 }
 
 void TestComparison::halvesShowTheSamePart() {
