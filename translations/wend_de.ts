@@ -2584,6 +2584,14 @@
         <source>Solid</source>
         <translation>Körper</translation>
     </message>
+    <message>
+        <source>Recover %1</source>
+        <translation>%1 wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Open the unsaved changes to “%1”</source>
+        <translation>Die ungespeicherten Änderungen an „%1“ öffnen</translation>
+    </message>
 </context>
 <context>
     <name>wend::FileWorkflow</name>
@@ -2636,28 +2644,8 @@
         <translation>Falls das Programm abstürzt, gibt es keine Kopie Ihrer Änderungen: bitte speichern. %1</translation>
     </message>
     <message>
-        <source>Recover unsaved changes to “%1”?</source>
-        <translation>Nicht gespeicherte Änderungen an „%1“ wiederherstellen?</translation>
-    </message>
-    <message>
-        <source>Wend was not closed properly. The last change was on %1.</source>
-        <translation>Wend wurde nicht ordentlich beendet. Die letzte Änderung war am %1.</translation>
-    </message>
-    <message>
         <source>Recover</source>
         <translation>Wiederherstellen</translation>
-    </message>
-    <message>
-        <source>Discard</source>
-        <translation>Verwerfen</translation>
-    </message>
-    <message>
-        <source>Later</source>
-        <translation>Später</translation>
-    </message>
-    <message>
-        <source>“%1” is not opened then.</source>
-        <translation>„%1“ wird dann nicht geöffnet.</translation>
     </message>
     <message>
         <source>%1 has moved.</source>
@@ -2718,6 +2706,14 @@
     <message>
         <source>The project was not saved: it needs the file “%1” itself. Choose another name.</source>
         <translation>Das Projekt wurde nicht gespeichert: Es braucht die Datei „%1“ selbst. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>Wend was not closed properly: there are unsaved changes to “%1”.</source>
+        <translation>Wend wurde nicht ordentlich beendet: Es gibt ungespeicherte Änderungen an „%1“.</translation>
+    </message>
+    <message>
+        <source>Discard the unsaved changes to “%1”? They cannot be brought back.</source>
+        <translation>Die ungespeicherten Änderungen an „%1“ verwerfen? Sie lassen sich nicht zurückholen.</translation>
     </message>
 </context>
 <context>
@@ -4686,6 +4682,22 @@
     <message>
         <source>The first steps on a sample, one after another.</source>
         <translation>Die ersten Schritte an einem Beispiel, einer nach dem anderen.</translation>
+    </message>
+    <message>
+        <source>Not saved when Wend ended</source>
+        <translation>Nicht gespeichert, als Wend endete</translation>
+    </message>
+    <message>
+        <source>Discard…</source>
+        <translation>Verwerfen…</translation>
+    </message>
+    <message>
+        <source>Discard %1</source>
+        <translation>%1 verwerfen</translation>
+    </message>
+    <message>
+        <source>Forgets these changes for good.</source>
+        <translation>Vergisst diese Änderungen endgültig.</translation>
     </message>
 </context>
 <context>

@@ -2584,6 +2584,14 @@
         <source>Solid</source>
         <translation>Sólido</translation>
     </message>
+    <message>
+        <source>Recover %1</source>
+        <translation>Recuperar %1</translation>
+    </message>
+    <message>
+        <source>Open the unsaved changes to “%1”</source>
+        <translation>Abrir los cambios sin guardar de «%1»</translation>
+    </message>
 </context>
 <context>
     <name>wend::FileWorkflow</name>
@@ -2648,28 +2656,8 @@
         <translation>Wend</translation>
     </message>
     <message>
-        <source>Recover unsaved changes to “%1”?</source>
-        <translation>¿Recuperar los cambios sin guardar de «%1»?</translation>
-    </message>
-    <message>
-        <source>Wend was not closed properly. The last change was on %1.</source>
-        <translation>Wend no se cerró correctamente. El último cambio es del %1.</translation>
-    </message>
-    <message>
-        <source>“%1” is not opened then.</source>
-        <translation>En ese caso no se abrirá «%1».</translation>
-    </message>
-    <message>
         <source>Recover</source>
         <translation>Recuperar</translation>
-    </message>
-    <message>
-        <source>Discard</source>
-        <translation>Descartar</translation>
-    </message>
-    <message>
-        <source>Later</source>
-        <translation>Más tarde</translation>
     </message>
     <message>
         <source>“%1” was changed by another program or window.</source>
@@ -2718,6 +2706,14 @@
     <message>
         <source>If you do not save, they are lost.</source>
         <translation>Si no los guarda, se perderán.</translation>
+    </message>
+    <message>
+        <source>Wend was not closed properly: there are unsaved changes to “%1”.</source>
+        <translation>Wend no se cerró correctamente: hay cambios sin guardar de «%1».</translation>
+    </message>
+    <message>
+        <source>Discard the unsaved changes to “%1”? They cannot be brought back.</source>
+        <translation>¿Descartar los cambios sin guardar de «%1»? No se podrán recuperar.</translation>
     </message>
 </context>
 <context>
@@ -4686,6 +4682,22 @@
     <message>
         <source>The first steps on a sample, one after another.</source>
         <translation>Los primeros pasos con un ejemplo, uno tras otro.</translation>
+    </message>
+    <message>
+        <source>Not saved when Wend ended</source>
+        <translation>Sin guardar cuando Wend terminó</translation>
+    </message>
+    <message>
+        <source>Discard…</source>
+        <translation>Descartar…</translation>
+    </message>
+    <message>
+        <source>Discard %1</source>
+        <translation>Descartar %1</translation>
+    </message>
+    <message>
+        <source>Forgets these changes for good.</source>
+        <translation>Olvida estos cambios para siempre.</translation>
     </message>
 </context>
 <context>

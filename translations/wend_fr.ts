@@ -2584,6 +2584,14 @@
         <source>Solid</source>
         <translation>Solide</translation>
     </message>
+    <message>
+        <source>Recover %1</source>
+        <translation>Récupérer %1</translation>
+    </message>
+    <message>
+        <source>Open the unsaved changes to “%1”</source>
+        <translation>Ouvrir les modifications non enregistrées de «&#x202f;%1&#x202f;»</translation>
+    </message>
 </context>
 <context>
     <name>wend::FileWorkflow</name>
@@ -2648,28 +2656,8 @@
         <translation>Wend</translation>
     </message>
     <message>
-        <source>Recover unsaved changes to “%1”?</source>
-        <translation>Récupérer les modifications non enregistrées de «&#x202f;%1&#x202f;»&#x202f;?</translation>
-    </message>
-    <message>
-        <source>Wend was not closed properly. The last change was on %1.</source>
-        <translation>Wend n’a pas été fermé correctement. La dernière modification date du %1.</translation>
-    </message>
-    <message>
-        <source>“%1” is not opened then.</source>
-        <translation>Dans ce cas, «&#x202f;%1&#x202f;» ne sera pas ouvert.</translation>
-    </message>
-    <message>
         <source>Recover</source>
         <translation>Récupérer</translation>
-    </message>
-    <message>
-        <source>Discard</source>
-        <translation>Abandonner</translation>
-    </message>
-    <message>
-        <source>Later</source>
-        <translation>Plus tard</translation>
     </message>
     <message>
         <source>“%1” was changed by another program or window.</source>
@@ -2718,6 +2706,14 @@
     <message>
         <source>If you do not save, they are lost.</source>
         <translation>Sinon, elles seront perdues.</translation>
+    </message>
+    <message>
+        <source>Wend was not closed properly: there are unsaved changes to “%1”.</source>
+        <translation>Wend n’a pas été fermé correctement&#x202f;: il y a des modifications non enregistrées de «&#x202f;%1&#x202f;».</translation>
+    </message>
+    <message>
+        <source>Discard the unsaved changes to “%1”? They cannot be brought back.</source>
+        <translation>Abandonner les modifications non enregistrées de «&#x202f;%1&#x202f;»&#x202f;? Elles seront perdues.</translation>
     </message>
 </context>
 <context>
@@ -4686,6 +4682,22 @@
     <message>
         <source>The first steps on a sample, one after another.</source>
         <translation>Les premiers pas sur un exemple, l’un après l’autre.</translation>
+    </message>
+    <message>
+        <source>Not saved when Wend ended</source>
+        <translation>Non enregistré à la fermeture de Wend</translation>
+    </message>
+    <message>
+        <source>Discard…</source>
+        <translation>Abandonner…</translation>
+    </message>
+    <message>
+        <source>Discard %1</source>
+        <translation>Abandonner %1</translation>
+    </message>
+    <message>
+        <source>Forgets these changes for good.</source>
+        <translation>Oublie ces modifications définitivement.</translation>
     </message>
 </context>
 <context>

@@ -2579,6 +2579,14 @@
         <source>Solid</source>
         <translation>ソリッド</translation>
     </message>
+    <message>
+        <source>Recover %1</source>
+        <translation>%1 を復元</translation>
+    </message>
+    <message>
+        <source>Open the unsaved changes to “%1”</source>
+        <translation>「%1」の保存されていない変更を開きます</translation>
+    </message>
 </context>
 <context>
     <name>wend::FileWorkflow</name>
@@ -2643,28 +2651,8 @@
         <translation>Wend</translation>
     </message>
     <message>
-        <source>Recover unsaved changes to “%1”?</source>
-        <translation>「%1」の保存されていない変更を復元しますか？</translation>
-    </message>
-    <message>
-        <source>Wend was not closed properly. The last change was on %1.</source>
-        <translation>Wend が正しく終了されませんでした。最後の変更は %1 です。</translation>
-    </message>
-    <message>
-        <source>“%1” is not opened then.</source>
-        <translation>その場合「%1」は開かれません。</translation>
-    </message>
-    <message>
         <source>Recover</source>
         <translation>復元</translation>
-    </message>
-    <message>
-        <source>Discard</source>
-        <translation>破棄</translation>
-    </message>
-    <message>
-        <source>Later</source>
-        <translation>後で</translation>
     </message>
     <message>
         <source>“%1” was changed by another program or window.</source>
@@ -2713,6 +2701,14 @@
     <message>
         <source>If you do not save, they are lost.</source>
         <translation>保存しない場合、変更は失われます。</translation>
+    </message>
+    <message>
+        <source>Wend was not closed properly: there are unsaved changes to “%1”.</source>
+        <translation>Wend は正しく終了しませんでした。「%1」に保存されていない変更があります。</translation>
+    </message>
+    <message>
+        <source>Discard the unsaved changes to “%1”? They cannot be brought back.</source>
+        <translation>「%1」の保存されていない変更を破棄しますか？ 元には戻せません。</translation>
     </message>
 </context>
 <context>
@@ -4677,6 +4673,22 @@
     <message>
         <source>The first steps on a sample, one after another.</source>
         <translation>サンプルを使った最初の操作を、1 つずつ案内します。</translation>
+    </message>
+    <message>
+        <source>Not saved when Wend ended</source>
+        <translation>Wend の終了時に保存されていなかったもの</translation>
+    </message>
+    <message>
+        <source>Discard…</source>
+        <translation>破棄…</translation>
+    </message>
+    <message>
+        <source>Discard %1</source>
+        <translation>%1 を破棄</translation>
+    </message>
+    <message>
+        <source>Forgets these changes for good.</source>
+        <translation>この変更を完全に破棄します。</translation>
     </message>
 </context>
 <context>

@@ -2579,6 +2579,14 @@
         <source>Solid</source>
         <translation>实体</translation>
     </message>
+    <message>
+        <source>Recover %1</source>
+        <translation>恢复 %1</translation>
+    </message>
+    <message>
+        <source>Open the unsaved changes to “%1”</source>
+        <translation>打开“%1”的未保存更改</translation>
+    </message>
 </context>
 <context>
     <name>wend::FileWorkflow</name>
@@ -2643,28 +2651,8 @@
         <translation>Wend</translation>
     </message>
     <message>
-        <source>Recover unsaved changes to “%1”?</source>
-        <translation>要恢复对“%1”未保存的更改吗？</translation>
-    </message>
-    <message>
-        <source>Wend was not closed properly. The last change was on %1.</source>
-        <translation>Wend 上次未正常关闭。最后一次更改是在 %1。</translation>
-    </message>
-    <message>
-        <source>“%1” is not opened then.</source>
-        <translation>这样“%1”将不会打开。</translation>
-    </message>
-    <message>
         <source>Recover</source>
         <translation>恢复</translation>
-    </message>
-    <message>
-        <source>Discard</source>
-        <translation>放弃</translation>
-    </message>
-    <message>
-        <source>Later</source>
-        <translation>稍后</translation>
     </message>
     <message>
         <source>“%1” was changed by another program or window.</source>
@@ -2713,6 +2701,14 @@
     <message>
         <source>If you do not save, they are lost.</source>
         <translation>如果不保存，更改将丢失。</translation>
+    </message>
+    <message>
+        <source>Wend was not closed properly: there are unsaved changes to “%1”.</source>
+        <translation>Wend 未正常关闭：“%1”有未保存的更改。</translation>
+    </message>
+    <message>
+        <source>Discard the unsaved changes to “%1”? They cannot be brought back.</source>
+        <translation>放弃“%1”的未保存更改？将无法恢复。</translation>
     </message>
 </context>
 <context>
@@ -4677,6 +4673,22 @@
     <message>
         <source>The first steps on a sample, one after another.</source>
         <translation>用示例逐一学习最初的步骤。</translation>
+    </message>
+    <message>
+        <source>Not saved when Wend ended</source>
+        <translation>Wend 结束时未保存</translation>
+    </message>
+    <message>
+        <source>Discard…</source>
+        <translation>放弃…</translation>
+    </message>
+    <message>
+        <source>Discard %1</source>
+        <translation>放弃 %1</translation>
+    </message>
+    <message>
+        <source>Forgets these changes for good.</source>
+        <translation>永久丢弃这些更改。</translation>
     </message>
 </context>
 <context>

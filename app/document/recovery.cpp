@@ -39,6 +39,10 @@ QString tryToWrite(const QString& copy, const Project& project) {
 
 }  // namespace
 
+QString nameOf(const LostWork& work) {
+    return QFileInfo(work.path.isEmpty() ? work.source : work.path).fileName();
+}
+
 Recovery::Recovery(Document& document, const QString& folder, int delayMs)
     : m_document(document), m_folder(folder), m_name(QUuid::createUuid().toString(QUuid::WithoutBraces)) {
     m_timer.setSingleShot(true);

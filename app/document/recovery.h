@@ -18,6 +18,8 @@ struct LostWork {
     QString source;  // the file that had been opened
     QDateTime time;  // of the last change in the copy
 };
+/// The name of the file that it is of.
+QString nameOf(const LostWork& work);
 
 /// Keeps a copy of a changed document in a folder of its own until it is saved or closed, so that a crash
 /// loses no more than the last seconds. Copies of running programs are locked.

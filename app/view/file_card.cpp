@@ -76,19 +76,30 @@ QString lessonOf(const QString& path) {
 
 }  // namespace
 
-FileCard::FileCard(const QString& path, Kind kind, QWidget* parent)
-    : QAbstractButton(parent),
-      m_path(path),
-      m_line(kind == Kind::Sample ? lessonOf(path)
-                                  : QDir::toNativeSeparators(QFileInfo(path).absolutePath())) {
-    setText(kind == Kind::Sample ? titleOf(path) : QFileInfo(path).fileName());
+FileCard::FileCard(const QString& path, Kind kind, QWidget* parent, const QString& line)
+    : QAbstractButton(parent), m_path(path), m_line(line) {
+    const bool sample = kind == Kind::Sample;
+    if (line.isEmpty())
+        m_line = sample ? lessonOf(path) : QDir::toNativeSeparators(QFileInfo(path).absolutePath());
+    setText(sample ? titleOf(path) : QFileInfo(path).fileName());
     setCursor(Qt::PointingHandCursor);
     setFocusPolicy(Qt::TabFocus);
     setFixedSize(sizeHint());
-    setAccessibleName(kind == Kind::Sample ? tr("Sample: %1").arg(text()) : tr("Open %1").arg(text()));
     setAccessibleDescription(m_line);
-    setToolTip(kind == Kind::Sample ? tr("Open the sample “%1”").arg(text())
-                                    : QDir::toNativeSeparators(path));
+    switch (kind) {
+        case Kind::Sample:
+            setAccessibleName(tr("Sample: %1").arg(text()));
+            setToolTip(tr("Open the sample “%1”").arg(text()));
+            break;
+        case Kind::Recent:
+            setAccessibleName(tr("Open %1").arg(text()));
+            setToolTip(QDir::toNativeSeparators(path));
+            break;
+        case Kind::Lost:
+            setAccessibleName(tr("Recover %1").arg(text()));
+            setToolTip(tr("Open the unsaved changes to “%1”").arg(text()));
+            break;
+    }
     setStatusTip(toolTip());
     load();
 }

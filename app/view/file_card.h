@@ -5,14 +5,16 @@
 
 namespace wend {
 
-/// A file as a picture with its name and a line below: a sample with what it teaches, or what was open before
-/// with its folder. A click opens it. The picture is read in the background.
+/// A file as a picture with its name and a line below: a sample with what it teaches, what was open before
+/// with its folder, or unsaved changes with their time. A click opens it. The picture is read in the
+/// background.
 class FileCard : public QAbstractButton {
     Q_OBJECT
 
   public:
-    enum class Kind { Sample, Recent };
-    FileCard(const QString& path, Kind kind, QWidget* parent);
+    enum class Kind { Sample, Recent, Lost };
+    /// `line`: below the name; if empty, what the kind has.
+    FileCard(const QString& path, Kind kind, QWidget* parent, const QString& line = {});
     QSize sizeHint() const override { return {132, 172}; }
     const QString& path() const { return m_path; }
 

@@ -1,7 +1,5 @@
 #include "app/view/file_workflow.h"
 
-#include <QCoreApplication>
-#include <QDeadlineTimer>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -9,7 +7,6 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QSettings>
-#include <QWindow>
 #include <QtConcurrent>
 
 #include "app/session/opening.h"
@@ -134,7 +131,8 @@ void FileWorkflow::openFound(const QString& project, const QString& missing) {
     read(project, [project, all = m_found] { return openMoved(project, all); });
 }
 
-bool FileWorkflow::guardWork(const QString& folder, const QString& instead) {
+void FileWorkflow::guardWork(const QString& folder) {
+    m_copies = folder;
     m_recovery = new Recovery(m_document, folder);
     m_recovery->setParent(this);
     connect(m_recovery, &Recovery::failed, this, [this](const QString& why) {
@@ -149,40 +147,42 @@ bool FileWorkflow::guardWork(const QString& folder, const QString& instead) {
     };
     connect(m_recovery, &Recovery::written, this, discardRecovered);
     connect(&m_document, &Document::saved, this, discardRecovered);
-    const QList<LostWork> lost = Recovery::lostIn(folder);
-    return !lost.isEmpty() && offer(lost.first(), instead);
+    connect(&m_document, &Document::opened, this, &FileWorkflow::lostChanged);
+    emit lostChanged();
 }
 
-/// Only when a window is shown does the window manager place it: what is asked later stands in its middle.
-void FileWorkflow::waitForPlace() const {
-    const QDeadlineTimer patience(1000);
-    const auto waits = [this] { return m_window.windowHandle() && !m_window.windowHandle()->isExposed(); };
-    while (m_window.isVisible() && waits() && !patience.hasExpired())
-        QCoreApplication::processEvents(QEventLoop::AllEvents, 20);
-    QCoreApplication::processEvents();
+QList<LostWork> FileWorkflow::lost() const {
+    QList<LostWork> all = m_copies.isEmpty() ? QList<LostWork>() : Recovery::lostIn(m_copies);
+    all.removeIf([this](const LostWork& work) { return work.copy == m_recoveredFrom; });
+    return all;
 }
 
-/// One at a time: others are offered at the next start.
-bool FileWorkflow::offer(const LostWork& work, const QString& instead) {
-    waitForPlace();
-    const QString name = QFileInfo(work.path.isEmpty() ? work.source : work.path).fileName();
-    QMessageBox box(QMessageBox::NoIcon, tr("Wend"), tr("Recover unsaved changes to “%1”?").arg(name),
-                    QMessageBox::NoButton, &m_window);
-    box.setTextFormat(Qt::PlainText);
-    QString more = tr("Wend was not closed properly. The last change was on %1.")
-                       .arg(QLocale().toString(work.time, QLocale::ShortFormat));
-    if (!instead.isEmpty()) more += ' ' + tr("“%1” is not opened then.").arg(QFileInfo(instead).fileName());
-    box.setInformativeText(more);
-    QPushButton* recover = box.addButton(tr("Recover"), QMessageBox::AcceptRole);
-    QPushButton* discard = box.addButton(tr("Discard"), QMessageBox::DestructiveRole);
-    box.addButton(tr("Later"), QMessageBox::RejectRole);
-    box.setDefaultButton(recover);
-    box.exec();
-    if (box.clickedButton() == discard) Recovery::discard(work.copy);
-    if (box.clickedButton() != recover) return false;
+void FileWorkflow::tellLostWhenOpened() {
+    const QList<LostWork> all = lost();
+    if (all.isEmpty()) return;
+    const auto tell = [this, work = all.first()] {
+        if (m_document.isEmpty()) return;
+        say(Topic::Opening,
+            tr("Wend was not closed properly: there are unsaved changes to “%1”.").arg(nameOf(work)),
+            {{tr("Recover"), [this, work] { recover(work); }}});
+    };
+    connect(&m_document, &Document::opened, this, tell, Qt::SingleShotConnection);
+}
+
+void FileWorkflow::recover(const LostWork& work) {
+    if (!mayLeave()) return;
     m_found.clear();
     read(work.path.isEmpty() ? work.source : work.path, [work] { return openLost(work); });
-    return true;
+}
+
+void FileWorkflow::discard(const LostWork& work) {
+    const auto answer = QMessageBox::question(
+        &m_window, tr("Wend"),
+        tr("Discard the unsaved changes to “%1”? They cannot be brought back.").arg(nameOf(work)),
+        QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Cancel);
+    if (answer != QMessageBox::Discard) return;
+    Recovery::discard(work.copy);
+    emit lostChanged();
 }
 
 void FileWorkflow::take(const Reading& reading) {

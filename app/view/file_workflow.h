@@ -27,12 +27,18 @@ class FileWorkflow : public QObject {
     void fillRecent(QMenu& menu);
     void fillSamples(QMenu& menu);
 
-    /// From now on unsaved changes are copied to this folder. Offers what crashed programs have left there;
-    /// true if the user takes it, and then `instead`, a file that was to be opened, is not.
-    bool guardWork(const QString& folder, const QString& instead = {});
+    /// From now on unsaved changes are copied to this folder. What crashed programs have left there is
+    /// lost().
+    void guardWork(const QString& folder);
+    QList<LostWork> lost() const;
+    /// Says so beside the next file that is opened, where nobody sees the start page.
+    void tellLostWhenOpened();
 
   public slots:
     void askOpen();
+    void recover(const wend::LostWork& work);
+    /// For good, once the user has said so twice.
+    void discard(const wend::LostWork& work);
     void open(const QString& path);
     bool save();
     bool saveAs();
@@ -45,6 +51,7 @@ class FileWorkflow : public QObject {
     void said(wend::InfoBanner::Topic topic, QString text, QList<wend::InfoBanner::Remedy> remedies);
     void openingChanged(QString fileName);
     void recentChanged();
+    void lostChanged();
 
   private:
     QString proposedPath() const;
@@ -61,8 +68,6 @@ class FileWorkflow : public QObject {
     void tellOf(const Reading& reading);
     void openFound(const QString& project, const QString& missing);
     void addRecent(const QString& path);
-    void waitForPlace() const;
-    bool offer(const LostWork& work, const QString& instead);
     void read(const QString& path, std::function<OpenedFile()> reader);
     void take(const Reading& reading);
 
@@ -71,6 +76,7 @@ class FileWorkflow : public QObject {
     ProjectWatch* m_watch;
     QMap<QString, QString> m_found;  // files that a project missed, and where they are
     Recovery* m_recovery = nullptr;
+    QString m_copies;         // the folder of unsaved changes
     QString m_recoveredFrom;  // the copy that the document came from, until there is a new one
     int m_ticket = 0;         // of the newest opening; older ones come too late
 };

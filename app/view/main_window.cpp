@@ -221,6 +221,9 @@ void MainWindow::connectFiles() {
     };
     connect(m_files, &FileWorkflow::recentChanged, this, showRecent);
     showRecent();
+    connect(m_files, &FileWorkflow::lostChanged, this, [this] { m_start->setLost(m_files->lost()); });
+    connect(m_start, &StartPage::recoverRequested, m_files, &FileWorkflow::recover);
+    connect(m_start, &StartPage::discardRequested, m_files, &FileWorkflow::discard, Qt::QueuedConnection);
     m_files->fillSamples(*a.samples);
     connect(&m_session.document(), &Document::opened, this, &MainWindow::showDocument);
     connect(&m_session.document(), &Document::titleChanged, this, &MainWindow::showTitle);

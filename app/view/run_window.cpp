@@ -30,8 +30,11 @@ int runWindow(int argc, char** argv) {
     MainWindow window;
     window.show();
     const QString file = QApplication::arguments().value(1);
-    const bool recovers = window.files().guardWork(Recovery::standardFolder(), file);
-    if (!recovers && !file.isEmpty()) window.openPath(file);
+    window.files().guardWork(Recovery::standardFolder());
+    if (!file.isEmpty()) {
+        window.files().tellLostWhenOpened();
+        window.openPath(file);
+    }
     return QApplication::exec();
 }
 

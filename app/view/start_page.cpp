@@ -3,6 +3,7 @@
 #include <QGridLayout>
 #include <QIcon>
 #include <QLabel>
+#include <QLocale>
 #include <QPainter>
 #include <QPushButton>
 #include <QScrollArea>
@@ -86,6 +87,23 @@ QLabel* sectionTitle(const QString& text, QWidget* parent) {
     return label;
 }
 
+/// A place for a title and a shelf, empty and hidden at first.
+QWidget* makeBox(QVBoxLayout*& column, QWidget* parent) {
+    auto* box = new QWidget(parent);
+    column = new QVBoxLayout(box);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(10);
+    box->hide();
+    return box;
+}
+
+void empty(QLayout& layout) {
+    while (QLayoutItem* item = layout.takeAt(0)) {
+        delete item->widget();
+        delete item;
+    }
+}
+
 }  // namespace
 
 StartPage::StartPage(QWidget* parent) : QWidget(parent) {
@@ -98,11 +116,10 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
     column->addWidget(makeHeader());
     column->addWidget(makeDropArea());
     column->addSpacing(4);
+    m_lostBox = makeBox(m_lost, content);
+    column->addWidget(m_lostBox);
     if (QWidget* samples = makeSamples()) column->addWidget(samples);
-    m_recentBox = new QWidget(content);
-    m_recent = new QVBoxLayout(m_recentBox);
-    m_recent->setContentsMargins(0, 0, 0, 0);
-    m_recent->setSpacing(10);
+    m_recentBox = makeBox(m_recent, content);
     column->addWidget(m_recentBox);
     auto* row = new QHBoxLayout(page);
     row->setContentsMargins(0, 0, 0, 0);
@@ -117,7 +134,6 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
     auto* whole = new QVBoxLayout(this);
     whole->setContentsMargins(0, 0, 0, 0);
     whole->addWidget(scroll);
-    m_recentBox->hide();
 }
 
 QWidget* StartPage::makeHeader() {
@@ -200,16 +216,41 @@ QWidget* StartPage::makeCard(const QString& path, bool sample, QWidget* shelf) {
 }
 
 void StartPage::setRecent(const QStringList& paths) {
-    while (QLayoutItem* item = m_recent->takeAt(0)) {
-        delete item->widget();
-        delete item;
-    }
+    empty(*m_recent);
     m_recentBox->setVisible(!paths.isEmpty());
     if (paths.isEmpty()) return;
     m_recent->addWidget(sectionTitle(tr("Recent"), m_recentBox));
     auto* shelf = new Shelf(m_recentBox);
     for (const QString& path : paths.mid(0, kMostRecent)) shelf->add(makeCard(path, false, shelf));
     m_recent->addWidget(shelf);
+}
+
+void StartPage::setLost(const QList<LostWork>& lost) {
+    empty(*m_lost);
+    m_lostBox->setVisible(!lost.isEmpty());
+    if (lost.isEmpty()) return;
+    m_lost->addWidget(sectionTitle(tr("Not saved when Wend ended"), m_lostBox));
+    auto* shelf = new Shelf(m_lostBox);
+    for (const LostWork& work : lost.mid(0, kMostRecent)) shelf->add(makeLost(work, shelf));
+    m_lost->addWidget(shelf);
+}
+
+QWidget* StartPage::makeLost(const LostWork& work, QWidget* shelf) {
+    auto* both = new QWidget(shelf);
+    auto* column = new QVBoxLayout(both);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(4);
+    auto* card = new FileCard(work.path.isEmpty() ? work.source : work.path, FileCard::Kind::Lost, both,
+                              QLocale().toString(work.time, QLocale::ShortFormat));
+    card->setObjectName(QStringLiteral("lostCard"));
+    auto* discard = new QPushButton(tr("Discard…"), both);
+    discard->setObjectName(QStringLiteral("discardLost"));
+    describe(discard, tr("Discard %1").arg(nameOf(work)), tr("Forgets these changes for good."));
+    column->addWidget(card);
+    column->addWidget(discard);
+    connect(card, &FileCard::clicked, this, [this, work] { emit recoverRequested(work); });
+    connect(discard, &QPushButton::clicked, this, [this, work] { emit discardRequested(work); });
+    return both;
 }
 
 void StartPage::setDropHighlighted(bool highlighted) {

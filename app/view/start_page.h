@@ -2,6 +2,8 @@
 
 #include <QWidget>
 
+#include "app/document/recovery.h"
+
 class QVBoxLayout;
 
 namespace wend {
@@ -13,6 +15,8 @@ class StartPage : public QWidget {
   public:
     explicit StartPage(QWidget* parent = nullptr);
     void setRecent(const QStringList& paths);
+    /// Work of programs that have ended without asking comes first.
+    void setLost(const QList<LostWork>& lost);
     /// A file hangs over the window.
     void setDropHighlighted(bool highlighted);
 
@@ -20,16 +24,19 @@ class StartPage : public QWidget {
     void openRequested();
     void fileChosen(QString path);
     void tutorialRequested();
+    void recoverRequested(wend::LostWork work);
+    void discardRequested(wend::LostWork work);
 
   private:
     QWidget* makeHeader();
     QWidget* makeDropArea();
     QWidget* makeSamples();
     QWidget* makeCard(const QString& path, bool sample, QWidget* shelf);
+    QWidget* makeLost(const LostWork& work, QWidget* shelf);
 
     QWidget* m_drop = nullptr;
-    QWidget* m_recentBox = nullptr;
-    QVBoxLayout* m_recent = nullptr;
+    QWidget *m_recentBox = nullptr, *m_lostBox = nullptr;
+    QVBoxLayout *m_recent = nullptr, *m_lost = nullptr;
 };
 
 }  // namespace wend

@@ -1,10 +1,13 @@
 #include <QAbstractButton>
+#include <QApplication>
 #include <QFileDialog>
 #include <QMessageBox>
+#include <QPushButton>
 #include <QSignalSpy>
 
 #include "app/document/handle_edits.h"
 #include "app/session/opening.h"
+#include "app/view/file_card.h"
 #include "app/view/file_workflow.h"
 #include "app/view/info_banner.h"
 #include "app/view/main_window.h"
@@ -23,15 +26,16 @@ class TestFileWorkflow : public QObject {
     void recoveredWorkOpensAsUnsaved();
     void theCopyStaysUntilThereIsANewOne();
     void aFailedRecoveryKeepsTheCopy();
-    void theQuestionStandsInTheMiddle();
-    void laterKeepsAndDiscardDiscards();
+    void lostWorkWaitsAsACard();
+    void lostWorkIsToldBesideAnotherFile();
     void changesDuringAReadingAreAskedFor();
     void samplesOpenAsCopies();
     void savingWithoutChangesWritesNothing();
 
   private:
     QString leaveLostWork(const QString& picture);
-    bool guard(const QString& answer);
+    QAbstractButton* lostCard(const char* name);
+    bool recover();
     Document& document() { return m_window->session().document(); }
 
     std::unique_ptr<QTemporaryDir> m_folder;
@@ -78,15 +82,22 @@ QString TestFileWorkflow::leaveLostWork(const QString& picture) {
     return copy;
 }
 
-bool TestFileWorkflow::guard(const QString& answer) {
-    answerNext(m_window.get(), answer);
-    return m_window->files().guardWork(m_copies);
+QAbstractButton* TestFileWorkflow::lostCard(const char* name) {
+    m_window->files().guardWork(m_copies);
+    auto* button = m_window->findChild<QAbstractButton*>(QString::fromLatin1(name));
+    return button && QTest::qWaitFor([=] { return button->isVisible(); }, 20000) ? button : nullptr;
+}
+
+bool TestFileWorkflow::recover() {
+    QAbstractButton* card = lostCard("lostCard");
+    if (card) QTest::mouseClick(card, Qt::LeftButton);
+    return card;
 }
 
 void TestFileWorkflow::recoveredWorkOpensAsUnsaved() {
     const QString picture = writeCutOut(*m_folder);
     leaveLostWork(picture);
-    QVERIFY(guard("Recover"));
+    QVERIFY(recover());
     QVERIFY(QTest::qWaitFor([&] { return !document().isEmpty(); }, 20000));
     QCOMPARE(document().design().handles.size(), std::size_t(1));
     QVERIFY(document().isModified());
@@ -96,7 +107,7 @@ void TestFileWorkflow::recoveredWorkOpensAsUnsaved() {
 
 void TestFileWorkflow::theCopyStaysUntilThereIsANewOne() {
     const QString copy = leaveLostWork(writeCutOut(*m_folder));
-    QVERIFY(guard("Recover"));
+    QVERIFY(recover());
     QVERIFY(QTest::qWaitFor([&] { return !document().isEmpty(); }, 20000));
     QVERIFY(QFile::exists(copy));
     QVERIFY(QTest::qWaitFor([&] { return !QFile::exists(copy); }, 20000));
@@ -105,7 +116,7 @@ void TestFileWorkflow::theCopyStaysUntilThereIsANewOne() {
 
 void TestFileWorkflow::aFailedRecoveryKeepsTheCopy() {
     const QString copy = leaveLostWork(m_folder->filePath("gone.png"));
-    QVERIFY(guard("Recover"));
+    QVERIFY(recover());
     QVERIFY(QTest::qWaitFor([&] { return !m_window->banner().text().isEmpty(); }, 20000));
     m_window->openPath(writeCutOut(*m_folder));
     QVERIFY(QTest::qWaitFor([&] { return !document().isEmpty(); }, 20000));
@@ -114,32 +125,45 @@ void TestFileWorkflow::aFailedRecoveryKeepsTheCopy() {
     QVERIFY(QFile::exists(copy));
 }
 
-/// Window managers place a window when it is shown already.
-void TestFileWorkflow::theQuestionStandsInTheMiddle() {
-    leaveLostWork(writeCutOut(*m_folder));
-    MainWindow window;
-    window.resize(600, 400);
-    window.move(0, 0);
-    window.show();
-    const auto place = [&window] { window.move(170, 90); };
-    QMetaObject::invokeMethod(&window, place, Qt::QueuedConnection);
-    QPoint off(1000, 1000);
-    withNext<QMessageBox>(&window, [&](QMessageBox& box) {
-        off = box.geometry().center() - window.geometry().center();
-        box.reject();
-    });
-    QVERIFY(!window.files().guardWork(m_copies));
-    constexpr int kFrame = 20;  // Qt guesses how wide it will be
-    QVERIFY2(std::abs(off.x()) <= kFrame, qPrintable(QString::number(off.x())));
+/// Nothing is asked at the start: the work waits as the first card, and is discarded only for good.
+void TestFileWorkflow::lostWorkWaitsAsACard() {
+    const QString copy = leaveLostWork(writeCutOut(*m_folder));
+    QVERIFY(lostCard("lostCard"));
+    QVERIFY(!QApplication::activeModalWidget());
+    const QPoint card = m_window->findChild<QAbstractButton*>("lostCard")->mapTo(m_window.get(), QPoint());
+    for (const FileCard* other : m_window->findChildren<FileCard*>())
+        QVERIFY(other->mapTo(m_window.get(), QPoint()).y() >= card.y());
+    const auto press = [&](const QString& answer) {
+        answerNext(m_window.get(), answer);
+        QTest::mouseClick(m_window->findChild<QAbstractButton*>("discardLost"), Qt::LeftButton);
+        QCoreApplication::processEvents();
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    };
+    press("Cancel");
+    QVERIFY(QFile::exists(copy));
+    press("Discard");
+    QVERIFY(QTest::qWaitFor([&] { return !QFile::exists(copy); }, 20000));
+    QVERIFY(!m_window->findChild<QAbstractButton*>("lostCard"));
+    QVERIFY(document().isEmpty());
 }
 
-void TestFileWorkflow::laterKeepsAndDiscardDiscards() {
-    const QString copy = leaveLostWork(writeCutOut(*m_folder));
-    QVERIFY(!guard("Later"));
-    QVERIFY(QFile::exists(copy));
-    QVERIFY(!guard("Discard"));
-    QVERIFY(!QFile::exists(copy));
-    QVERIFY(document().isEmpty());
+/// A file that was asked for is opened; the banner tells of the work, and recovers it.
+void TestFileWorkflow::lostWorkIsToldBesideAnotherFile() {
+    leaveLostWork(writeCutOut(*m_folder));
+    m_window->files().guardWork(m_copies);
+    m_window->files().tellLostWhenOpened();
+    m_window->openPath(writeCutOut(*m_folder, "other.png"));
+    QVERIFY(QTest::qWaitFor([&] { return !document().isEmpty(); }, 20000));
+    QVERIFY(m_window->banner().text().contains("bar.png"));
+    QVERIFY(document().design().handles.empty());
+    QPushButton* recover = nullptr;
+    for (auto* button : m_window->banner().findChildren<QPushButton*>())
+        if (button->text() == "Recover") recover = button;
+    QVERIFY(recover);
+    QTest::mouseClick(recover, Qt::LeftButton);
+    QVERIFY(QTest::qWaitFor([&] { return document().design().handles.size() == 1; }, 20000));
+    QVERIFY(document().isModified());
+    QVERIFY(m_window->files().lost().isEmpty());
 }
 
 void TestFileWorkflow::changesDuringAReadingAreAskedFor() {
