@@ -241,7 +241,7 @@ QWidget* StartPage::makeLost(const LostWork& work, QWidget* shelf) {
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(4);
     auto* card = new FileCard(work.path.isEmpty() ? work.source : work.path, FileCard::Kind::Lost, both,
-                              QLocale().toString(work.time, QLocale::ShortFormat));
+                              QLocale().toString(work.time, QStringLiteral("d MMM, HH:mm")));
     card->setObjectName(QStringLiteral("lostCard"));
     auto* discard = new QPushButton(tr("Discard…"), both);
     discard->setObjectName(QStringLiteral("discardLost"));
