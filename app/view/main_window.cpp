@@ -207,23 +207,16 @@ void MainWindow::connectFiles() {
     connect(m_exporter, &Exporter::done, this, &MainWindow::tellDone);
     connect(m_material, &MaterialActions::failed, this, tellIn(Topic::Export));
     connect(m_material, &MaterialActions::done, m_fields, &StatusFields::tell);
-    connect(m_start, &StartPage::openRequested, m_files, &FileWorkflow::askOpen);
-    connect(m_start, &StartPage::fileChosen, m_files, &FileWorkflow::open);
     connect(m_files, &FileWorkflow::said, m_banner, &InfoBanner::tell);
     connect(&m_session.document(), &Document::opened, m_banner, qOverload<>(&InfoBanner::clear));
     connect(m_files, &FileWorkflow::openingChanged, this, [this](const QString& name) {
         m_opening = name;
         showWork();
     });
-    const auto showRecent = [this] {
-        m_files->fillRecent(*m_actions->recent);
-        m_start->setRecent(m_files->recent());
-    };
+    const auto showRecent = [this] { m_files->fillRecent(*m_actions->recent); };
     connect(m_files, &FileWorkflow::recentChanged, this, showRecent);
     showRecent();
-    connect(m_files, &FileWorkflow::lostChanged, this, [this] { m_start->setLost(m_files->lost()); });
-    connect(m_start, &StartPage::recoverRequested, m_files, &FileWorkflow::recover);
-    connect(m_start, &StartPage::discardRequested, m_files, &FileWorkflow::discard, Qt::QueuedConnection);
+    m_start->serve(*m_files);
     m_files->fillSamples(*a.samples);
     connect(&m_session.document(), &Document::opened, this, &MainWindow::showDocument);
     connect(&m_session.document(), &Document::titleChanged, this, &MainWindow::showTitle);

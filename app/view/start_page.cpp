@@ -14,6 +14,7 @@
 #include "app/panels/theme.h"
 #include "app/session/opening.h"
 #include "app/view/file_card.h"
+#include "app/view/file_workflow.h"
 
 namespace wend {
 
@@ -134,6 +135,17 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
     auto* whole = new QVBoxLayout(this);
     whole->setContentsMargins(0, 0, 0, 0);
     whole->addWidget(scroll);
+}
+
+void StartPage::serve(FileWorkflow& files) {
+    connect(this, &StartPage::openRequested, &files, &FileWorkflow::askOpen);
+    connect(this, &StartPage::fileChosen, &files, &FileWorkflow::open);
+    connect(this, &StartPage::recoverRequested, &files, &FileWorkflow::recover);
+    // The card goes with its work: not while it is pressed.
+    connect(this, &StartPage::discardRequested, &files, &FileWorkflow::discard, Qt::QueuedConnection);
+    connect(&files, &FileWorkflow::recentChanged, this, [this, &files] { setRecent(files.recent()); });
+    connect(&files, &FileWorkflow::lostChanged, this, [this, &files] { setLost(files.lost()); });
+    setRecent(files.recent());
 }
 
 QWidget* StartPage::makeHeader() {

@@ -8,12 +8,16 @@ class QVBoxLayout;
 
 namespace wend {
 
+class FileWorkflow;
+
 /// What is seen before a file is open: where to drop one, what was open last, and samples to try.
 class StartPage : public QWidget {
     Q_OBJECT
 
   public:
     explicit StartPage(QWidget* parent = nullptr);
+    /// From now on its cards are those files, and what is pressed is done by them.
+    void serve(FileWorkflow& files);
     void setRecent(const QStringList& paths);
     /// Work of programs that have ended without asking comes first.
     void setLost(const QList<LostWork>& lost);
@@ -23,9 +27,9 @@ class StartPage : public QWidget {
   signals:
     void openRequested();
     void fileChosen(QString path);
-    void tutorialRequested();
     void recoverRequested(wend::LostWork work);
     void discardRequested(wend::LostWork work);
+    void tutorialRequested();
 
   private:
     QWidget* makeHeader();
