@@ -287,12 +287,23 @@ void TrackView::showMenu(const Bar& bar, const QPoint& global) {
         action->setChecked(bar.ease == ease);
     }
     menu->addSeparator();
-    menu->addAction(tr("&Remove Motion"), this, [this, bar] {
-        if (!m_session.mayChange(bar.handle)) return;
-        change(tr("Remove motion"),
-               [&](const Project& p) { return withoutMotion(p, bar.handle, bar.motion); });
-    });
+    menu->addAction(tr("&Remove Motion"), this, [this, bar] { remove(bar); });
     menu->popup(global);
+}
+
+void TrackView::remove(const Bar& bar) {
+    if (!m_session.mayChange(bar.handle)) return;
+    change(tr("Remove motion"), [&](const Project& p) { return withoutMotion(p, bar.handle, bar.motion); });
+}
+
+/// Delete goes for the bar that is chosen, not for its pin.
+bool TrackView::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride && m_chosen &&
+        static_cast<QKeyEvent*>(event)->key() == Qt::Key_Delete) {
+        event->accept();
+        return true;
+    }
+    return QAbstractScrollArea::event(event);
 }
 
 /// Left and Right move the chosen bar with Alt, else what is shown.
@@ -314,6 +325,7 @@ bool TrackView::nudge(const QKeyEvent& event) {
 void TrackView::keyPressEvent(QKeyEvent* event) {
     const int step = event->key() == Qt::Key_Up ? -1 : event->key() == Qt::Key_Down ? 1 : 0;
     if (nudge(*event)) return;
+    if (event->key() == Qt::Key_Delete && m_chosen) return remove(*m_chosen);
     if (event->key() == Qt::Key_Escape && m_grabbed) {
         m_grabbed.reset();
         return viewport()->update();

@@ -33,6 +33,7 @@ class TrackView : public QAbstractScrollArea {
     void contextMenuEvent(QContextMenuEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     bool viewportEvent(QEvent* event) override;
+    bool event(QEvent* event) override;
 
   private:
     static constexpr double kNames = 132, kMargin = 16, kRuler = 22, kRowHeight = 24,
@@ -75,6 +76,7 @@ class TrackView : public QAbstractScrollArea {
     void move(const Bar& bar, const MotionTime& time, const QString& what, const QString& key = {});
     void change(const QString& what, const std::function<Project(const Project&)>& edit);
     void showMenu(const Bar& bar, const QPoint& global);
+    void remove(const Bar& bar);
     void paintRuler(QPainter& painter) const;
     void paintRow(QPainter& painter, int row) const;
     void paintBar(QPainter& painter, const Bar& bar, const QColor& colour) const;

@@ -318,6 +318,11 @@ void TestFilm::barsByKeyboard() {
     const MotionTime time = timeOf(project(), 1, 0);
     QVERIFY(std::abs(time.start - 1.2) < 1e-9 && std::abs(time.end - 2.2) < 1e-9);
     QCOMPARE(session().document().undoStack()->count(), steps + 1);  // keys in a row are one step
+    QTest::keyClick(&tracks(), Qt::Key_Delete);
+    QCOMPARE(motions(1), std::size_t(0));
+    QCOMPARE(session().document().design().handles.size(), std::size_t(2));  // the pin stays
+    QTest::keyClick(&tracks(), Qt::Key_Up);
+    QCOMPARE(motions(0), std::size_t(1));
 }
 
 void TestFilm::menuOfABar() {
