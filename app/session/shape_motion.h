@@ -31,8 +31,9 @@ class ShapeMotion : public QObject {
     bool isStale() const { return m_stale; }
     bool isBusy() const { return m_busy; }
     bool isMeshing() const { return m_busy && !m_trackIsCurrent; }
-    double gestureTime() const;
     double pixel() const;
+    /// When gestures begin, and new pins: at the time of what is shown; 0 before anything moves.
+    double gestureTime() const;
 
     /// Asks for the motion of the project as it is now.
     void compute();

@@ -76,7 +76,7 @@ template <int Dim>
 int ShapeSession::addHandle(Placement<Dim> at, const std::string& kind) {
     if (!frame<Dim>()) return -1;
     m_playback.setPlaying(false);
-    const double time = gestureTime();
+    const double time = m_motion.gestureTime();
     m_playback.setTime(time);  // that of the picture that is shown
     const std::string name = freePinName(m_document.design<Dim>(), kind);
     m_motion.setChangeMovesNothing(true);
@@ -104,7 +104,7 @@ void ShapeSession::removeSelected() {
     if (handles.empty()) return;
     const QString name = tr("Remove %1").arg(nameOf(handles));
     m_playback.setPlaying(false);
-    const double time = gestureTime();
+    const double time = m_motion.gestureTime();
     m_selection.clear();
     m_document.change(name, withoutHandles(*m_document.project(), handles, time));
 }

@@ -40,8 +40,6 @@ class ShapeSession : public QObject {
     PosedPtr<Dim> frame() const {
         return posed<Dim>(frame());
     }
-    /// When gestures begin, and new pins: at the time of what is shown; 0 before anything moves.
-    double gestureTime() const { return m_motion.gestureTime(); }
     /// True while the frame does not yet show what the document says.
     bool isStale() const { return m_motion.isStale(); }
     /// True while something is being computed.
