@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <numbers>
 
-#include "app/session/accent.h"
 #include "app/tools/drag_label.h"
 #include "app/tools/pin_picking.h"
 
@@ -16,7 +15,6 @@ namespace {
 constexpr double kReach = 9;           // pixels of the screen
 constexpr double kPointReach = 5;      // of single points of a handle of many
 constexpr double kStrokeDetail = 0.5;  // pixels of the screen that a recorded path may deviate
-constexpr double kLargestBrush = 200;  // pixels
 
 QString said(const char* text) {
     return QCoreApplication::translate("SolidPinTool", text);
@@ -59,13 +57,13 @@ QString SolidPinTool::hint() const {
 
 /// What a press beside all pins would begin.
 QString SolidPinTool::outlineHint() const {
-    if (m_outline == Outline::Lasso)
+    if (m_outline.kind() == Outline::Lasso)
         return m_adds ? said(QT_TRANSLATE_NOOP(
                             "SolidPinTool",
                             "Click on the solid to set a pin, or draw around pins to select them"))
                       : said(QT_TRANSLATE_NOOP(
                             "SolidPinTool", "Draw around pins to select them; Shift adds, Ctrl takes away"));
-    if (m_outline == Outline::Brush)
+    if (m_outline.kind() == Outline::Brush)
         return m_adds ? said(QT_TRANSLATE_NOOP(
                             "SolidPinTool",
                             "Click on the solid to set a pin, or brush over pins to select them; [ and ] "
@@ -135,7 +133,7 @@ void SolidPinTool::press(const QMouseEvent& event) {
     const bool onOwnCentre = m_part && m_pressed >= 0 && session().selection().contains(m_pressed);
     if (m_part && !onOwnCentre) m_pressed = -1;
     if (m_pressed < 0 && !m_part && m_curve.isOnCurve(m_from)) m_gesture = Gesture::OnCurve;
-    m_line = {m_from};
+    m_outline.begin(m_from);
     if (m_pressed < 0 || (onOwnCentre && !(event.modifiers() & Qt::ShiftModifier))) return;
     select(m_pressed, event.modifiers() & Qt::ShiftModifier);
 }
@@ -150,7 +148,7 @@ void SolidPinTool::move(const QMouseEvent& event) {
     }
     if (m_gesture == Gesture::OnCurve && distance(m_at, m_from) >= 3) m_gesture = Gesture::Pressed;
     if (m_gesture == Gesture::Pressed && distance(m_at, m_from) >= 3) begin(m_at);
-    if (m_gesture == Gesture::Marquee) m_line << m_at;
+    if (m_gesture == Gesture::Marquee) m_outline.goOn(m_at);
     if (m_gesture == Gesture::Drag) drag(m_at);
     if (m_gesture == Gesture::Curve) m_curve.drag(m_at, event.modifiers() & Qt::ControlModifier);
     surface().redraw();
@@ -218,6 +216,7 @@ void SolidPinTool::release(const QMouseEvent& event) {
     if (gesture == Gesture::Curve) m_curve.finish();
     if (gesture == Gesture::OnCurve) m_curve.choose(-1);
     m_at = event.position();
+    m_outline.endAt(m_at);
     if (gesture == Gesture::Marquee) selectInside(event.modifiers());
     if (gesture == Gesture::Pressed && m_pressed < 0 && !m_part) clickAt(event.position(), extend);
     surface().redraw();
@@ -244,25 +243,12 @@ void SolidPinTool::select(int handle, bool extend) {
         session().selection().set({handle});
 }
 
-bool SolidPinTool::isInside(const QPointF& p) const {
-    switch (m_outline) {
-        case Outline::Lasso:
-            return m_line.containsPoint(p, Qt::OddEvenFill);
-        case Outline::Brush:
-            return std::any_of(m_line.begin(), m_line.end(),
-                               [&](const QPointF& at) { return distance(at, p) <= m_radius; });
-        case Outline::Rectangle:
-            break;
-    }
-    return QRectF(m_from, m_at).normalized().contains(p);
-}
-
 /// If its mark lies inside, or any point of it; only what is seen, unless through.
 bool SolidPinTool::isTaken(const PinView<3>& pin) const {
     const bool many = pin.points.size() > 1;
-    if (many && isInside(surface().toWidget(pin.centre))) return true;  // the mark is never hidden
+    if (many && m_outline.contains(surface().toWidget(pin.centre))) return true;  // the mark is never hidden
     return std::any_of(pin.points.begin(), pin.points.end(), [&](const Vec<3>& p) {
-        return isInside(surface().toWidget(p)) && (m_through || !surface().isHidden(p));
+        return m_outline.contains(surface().toWidget(p)) && (m_through || !surface().isHidden(p));
     });
 }
 
@@ -312,9 +298,7 @@ bool SolidPinTool::key(const QKeyEvent& event) {
         m_curve.removePoint();
         return true;
     }
-    const auto radius = brushAfter(event, m_radius, kLargestBrush);
-    if (radius && m_outline == Outline::Brush && m_gesture != Gesture::Drag) {
-        m_radius = *radius;
+    if (m_gesture != Gesture::Drag && m_outline.key(event)) {
         surface().redraw();
         return true;
     }
@@ -365,33 +349,11 @@ QString SolidPinTool::numbers() const {
     return QStringLiteral("%1  %2  %3").arg(text(m_amount[0]), text(m_amount[1]), text(m_amount[2]));
 }
 
-void SolidPinTool::paintOutline(QPainter& painter) const {
-    const QColor line(kAccent), fill(line.red(), line.green(), line.blue(), 40);
-    painter.setPen(QPen(line, 1));
-    painter.setBrush(fill);
-    if (m_outline == Outline::Rectangle) painter.drawRect(QRectF(m_from, m_at).normalized());
-    if (m_outline == Outline::Lasso) painter.drawPolygon(m_line);
-    if (m_outline != Outline::Brush) return;
-    painter.setPen(QPen(fill, 2 * m_radius, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    painter.setBrush(Qt::NoBrush);
-    painter.drawPolyline(m_line);
-    paintBrush(painter);
-}
-
-void SolidPinTool::paintBrush(QPainter& painter) const {
-    painter.setPen(QPen(QColor(kAccent), 1));
-    painter.setBrush(Qt::NoBrush);
-    painter.drawEllipse(m_at, m_radius, m_radius);
-}
-
 void SolidPinTool::paint(QPainter& painter) const {
-    if (m_gesture == Gesture::Marquee) {
-        paintOutline(painter);
-        return;
-    }
+    if (m_gesture == Gesture::Marquee) return m_outline.paint(painter);
     const bool beside = m_hovered < 0 && !m_part;
     const bool waits = m_gesture == Gesture::None || m_gesture == Gesture::Pressed;
-    if (m_outline == Outline::Brush && m_over && waits && beside) paintBrush(painter);
+    if (m_outline.kind() == Outline::Brush && m_over && waits && beside) m_outline.paintBrush(painter, m_at);
     m_curve.paint(painter, m_at);
     if (session().selection().isEmpty()) m_cross.paint(painter);
     if (!placeManipulator()) return;

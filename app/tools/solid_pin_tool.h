@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/tools/curve_editor.h"
+#include "app/tools/drawn_outline.h"
 #include "app/tools/key_cross.h"
 #include "app/tools/manipulator.h"
 #include "app/tools/typed_number.h"
@@ -12,10 +13,10 @@ namespace wend {
 class SolidPinTool : public SolidTool {
   public:
     /// What is drawn beside pins to select all in it.
-    enum class Outline { Rectangle, Lasso, Brush };
+    using Outline = DrawnOutline::Kind;
     SolidPinTool(SolidSurface& surface, Manipulator& manipulator, bool adds);
 
-    void setOutline(Outline outline) { m_outline = outline; }
+    void setOutline(Outline outline) { m_outline.setKind(outline); }
     /// Selects also what something hides.
     void setThrough(bool through) { m_through = through; }
     /// New pins sit on corners of the mesh, instead of where one clicks.
@@ -52,11 +53,8 @@ class SolidPinTool : public SolidTool {
     void finish();
     void clickAt(const QPointF& at, bool extend);
     void select(int handle, bool extend);
-    bool isInside(const QPointF& p) const;
     bool isTaken(const PinView<3>& pin) const;
     void selectInside(Qt::KeyboardModifiers modifiers);
-    void paintOutline(QPainter& painter) const;
-    void paintBrush(QPainter& painter) const;
     QString numbers() const;
 
     Manipulator& m_manipulator;
@@ -66,9 +64,7 @@ class SolidPinTool : public SolidTool {
     bool m_through = false;
     bool m_snaps = true;
     bool m_over = false;  // the pointer is over the view
-    Outline m_outline = Outline::Rectangle;
-    QPolygonF m_line;      // of the lasso or brush
-    double m_radius = 18;  // of the brush, in pixels
+    DrawnOutline m_outline;
     Gesture m_gesture = Gesture::None;
     QPointF m_from, m_at;
     bool m_records = false;  // Ctrl was held when it was pressed

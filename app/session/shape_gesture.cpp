@@ -1,0 +1,269 @@
+#include "app/session/shape_gesture.h"
+
+#include <algorithm>
+
+#include "app/document/handle_edits.h"
+#include "app/document/pin_edits.h"
+#include "app/session/shape_session.h"
+
+namespace wend {
+
+namespace {
+
+constexpr int kTick = 20;  // milliseconds
+
+}  // namespace
+
+ShapeGesture::ShapeGesture(Document& document, const Selection& selection, Playback& playback,
+                           ShapeMotion& motion, const ShownPins& pins)
+    : m_document(document), m_selection(selection), m_playback(playback), m_motion(motion), m_pins(pins) {
+    m_goOn.setInterval(kTick);
+    connect(&m_goOn, &QTimer::timeout, this, &ShapeGesture::goOn);
+    connect(&m_motion, &ShapeMotion::liveReady, this, &ShapeGesture::follow);
+    connect(&m_motion, &ShapeMotion::failing, this, &ShapeGesture::cancel);
+}
+
+double ShapeGesture::time() const {
+    return m_drag ? m_from : m_playback.time();
+}
+
+template <int Dim>
+std::vector<PinView<Dim>> ShapeGesture::carriedAlong(std::vector<PinView<Dim>> views) const {
+    if (!m_drag) return views;
+    const Amount amount = m_drag->amount();
+    for (const PinView<Dim>& start : std::get<std::vector<PinView<Dim>>>(m_grabbed))
+        for (PinView<Dim>& view : views) {
+            if (view.handle != start.handle) continue;
+            view = start;
+            for (Vec<Dim>& p : view.points) p = carried<Dim>(m_drag->grip(), amount, p);
+            view.centre = carried<Dim>(m_drag->grip(), amount, start.centre);
+        }
+    return views;
+}
+
+std::vector<int> ShapeGesture::unlocked(std::vector<int> handles) {
+    std::vector<int> locked;
+    for (const int h : handles)
+        if (traitsOf(*m_document.project(), h).locked) locked.push_back(h);
+    if (locked.size() == 1)
+        emit notice(ShapeSession::tr("%1 is locked. A right click or the list of pins unlocks it.")
+                        .arg(m_pins.nameOf(locked)));
+    else if (!locked.empty())
+        emit notice(ShapeSession::tr("%1 are locked. A right click or the list of pins unlocks them.")
+                        .arg(m_pins.nameOf(locked)));
+    std::erase_if(handles, [&](int h) { return traitsOf(*m_document.project(), h).locked; });
+    return handles;
+}
+
+/// The selected handles that hold the shape at the time that is shown, with those that go along.
+std::vector<int> ShapeGesture::movableHandles() {
+    if (m_selection.isEmpty() || m_drag || !m_motion.frame()) return {};
+    m_playback.setPlaying(false);
+    std::vector<int> handles = m_selection.handles();
+    const double time = m_motion.gestureTime();
+    const auto keepHolding = [&] {
+        std::visit(
+            [&](const auto& design) {
+                std::erase_if(handles, [&](int h) { return !isActive(design.handles.at(h), time); });
+            },
+            m_document.project()->design);
+    };
+    keepHolding();
+    if (handles.empty()) {
+        emit notice(ShapeSession::tr("%1 does not hold the shape at the time that is shown.")
+                        .arg(m_pins.nameOf(m_selection.handles())));
+        return {};
+    }
+    handles = withLinked(*m_document.project(), handles);
+    keepHolding();
+    return unlocked(std::move(handles));
+}
+
+/// Remembers where the handles are.
+template <int Dim>
+void ShapeGesture::takeHold(const std::vector<int>& handles) {
+    auto& grabbed = std::get<std::vector<PinView<Dim>>>(m_grabbed);
+    grabbed = m_pins.at<Dim>(time(), true, true);
+    std::erase_if(grabbed, [&](const auto& view) {
+        return std::find(handles.begin(), handles.end(), view.handle) == handles.end();
+    });
+}
+
+void ShapeGesture::begin(const Grip& grip, bool records) {
+    const auto handles = movableHandles();
+    if (handles.empty()) return;
+    if (m_document.dimension() == 2)
+        takeHold<2>(handles);
+    else
+        takeHold<3>(handles);
+    m_from = m_motion.gestureTime();
+    m_drag.emplace(handles, grip, records || m_records);
+    m_motion.beginDrag(handles, grip, m_from);
+    m_sinceSample.start();
+    if (m_drag->records()) m_goOn.start();
+    emit began();
+}
+
+void ShapeGesture::moveBy(const Amount& amount, double seconds) {
+    if (!m_drag) return;
+    const int sample = m_drag->add(amount, seconds);
+    m_sinceSample.start();
+    m_motion.dragTo(amount, sample, m_drag->records() ? std::optional(recordedTime()) : std::nullopt);
+    emit moved(amount);
+    emit pinsChanged();
+}
+
+/// Of the film: when the recording is, by the last sample and the clock since then.
+double ShapeGesture::recordedTime() const {
+    const double seconds = m_drag->seconds() + 1e-3 * static_cast<double>(m_sinceSample.elapsed());
+    return m_from + seconds * m_playback.speed() / Playback::kSecondsPerUnit;
+}
+
+/// The hand rests, the others go on.
+void ShapeGesture::goOn() {
+    if (!m_drag) return;
+    m_playback.setTime(recordedTime());
+    const bool moves =
+        std::visit([this](const auto& d) { return movesAfter(d, m_from); }, m_document.project()->design);
+    if (moves && m_drag->sampleCount() > 0)
+        m_motion.dragTo(m_drag->newest(), m_drag->sampleCount(), recordedTime());
+    emit pinsChanged();
+}
+
+void ShapeGesture::follow(const FramePtr& frame) {
+    const bool wasStopped = m_drag->isStopped();
+    m_drag->follow(*frame);
+    m_motion.showLive(frame);
+    if (m_drag && frame->stopped && !wasStopped)  // who sees the frame may have ended the drag
+        emit notice(ShapeSession::tr("%1 cannot go further: %2")
+                        .arg(m_pins.nameOf(m_drag->handles()), QString::fromStdString(frame->message)));
+}
+
+void ShapeGesture::end(double tolerance) {
+    if (!m_drag) return;
+    if (!m_drag->records()) return end({m_drag->path(tolerance), {}});
+    TimedPath path = m_drag->timedPath(tolerance);
+    for (double& second : path.seconds) second *= m_playback.speed() / Playback::kSecondsPerUnit;
+    end(path);
+}
+
+void ShapeGesture::endStraight() {
+    if (m_drag) end({m_drag->straight(), {}});
+}
+
+void ShapeGesture::end(const TimedPath& path) {
+    if (path.points.size() < 2) return cancel();
+    const DragGesture drag = *m_drag;
+    letGo();
+    if (!path.seconds.empty()) m_motion.dropPreview();  // what is shown next is its beginning
+    if (m_document.dimension() == 2)
+        push<2>(drag, path, m_from);
+    else
+        push<3>(drag, path, m_from);
+}
+
+void ShapeGesture::letGo() {
+    if (!m_drag) return;
+    drop();
+    m_motion.endDrag();
+    emit ended();
+}
+
+void ShapeGesture::cancel() {
+    if (!m_drag) return;
+    if (m_drag->records()) m_playback.setTime(m_from);
+    drop();
+    m_motion.cancelDrag();
+    emit cancelled();
+    emit pinsChanged();
+}
+
+void ShapeGesture::drop() {
+    m_drag.reset();
+    m_goOn.stop();
+}
+
+template <int Dim>
+void ShapeGesture::nudge(const Vec<Dim>& by) {
+    const auto handles = movableHandles();
+    if (handles.empty()) return;
+    QString key = QStringLiteral("nudge");
+    for (const int h : handles) key += QStringLiteral(" %1").arg(h);
+    takeHold<Dim>(handles);
+    const DragGesture drag(handles, {});
+    const double time = m_motion.gestureTime();
+    if (time >= m_playback.end() && m_document.merges(key))
+        m_document.change(ShapeSession::tr("Move %1").arg(m_pins.nameOf(handles)),
+                          withLongerStroke<Dim>(*m_document.project(), handles, by, armOf<Dim>(drag)), key);
+    else
+        push<Dim>(drag, {{Amount::Zero(), amountOf<Dim>(by)}, {}}, time, key);
+}
+
+template <int Dim>
+void ShapeGesture::moveAtOnce(const Grip& grip, const Amount& amount) {
+    if (amount == Amount::Zero()) return;
+    const auto handles = movableHandles();
+    if (handles.empty()) return;
+    takeHold<Dim>(handles);
+    push<Dim>(DragGesture(handles, grip), {{Amount::Zero(), amount}, {}}, m_motion.gestureTime());
+}
+
+/// How far from the middle of a gesture what it turns or grows lies, in the mean.
+template <int Dim>
+double ShapeGesture::armOf(const DragGesture& drag) const {
+    double sum = 0;
+    int count = 0;
+    const bool moves = drag.grip().kind == Grip::Kind::Move;
+    for (const auto& view : std::get<std::vector<PinView<Dim>>>(m_grabbed))
+        for (const Vec<Dim>& p : view.points) {
+            sum += (p - (moves ? view.centre : Vec<Dim>(drag.grip().centre.template head<Dim>()))).norm();
+            ++count;
+        }
+    return std::max(sum / std::max(count, 1), m_motion.pixel());
+}
+
+template <int Dim>
+void ShapeGesture::push(const DragGesture& drag, const TimedPath& path, double from, const QString& key) {
+    const bool records = !path.seconds.empty();
+    const QString what = records                                ? ShapeSession::tr("Record %1")
+                         : drag.grip().kind == Grip::Kind::Turn ? ShapeSession::tr("Turn %1")
+                         : drag.grip().kind == Grip::Kind::Grow ? ShapeSession::tr("Scale %1")
+                                                                : ShapeSession::tr("Move %1");
+    std::vector<Vec<Dim>> starts(drag.handles().size(), Vec<Dim>::Zero());
+    for (const auto& view : std::get<std::vector<PinView<Dim>>>(m_grabbed))
+        for (std::size_t i = 0; i < starts.size(); ++i)
+            if (drag.handles()[i] == view.handle) starts[i] = view.centre;
+    const Gesture gesture{drag.handles(), drag.grip(), path.points, from, armOf<Dim>(drag), path.seconds};
+    const std::vector<Handle<Dim>> before = m_document.design<Dim>().handles;
+    m_document.change(what.arg(m_pins.nameOf(drag.handles())),
+                      withGesture<Dim>(*m_document.project(), gesture, starts), key);
+    // What was recorded is seen by playing it, and others may be recorded to it.
+    m_playback.setTime(records ? from : m_playback.end());
+    tellReplaced<Dim>(before, records ? drag.handles() : std::vector<int>(), from);
+}
+
+/// A recording replaces what its own handles did, any other gesture (of none) what all did.
+template <int Dim>
+void ShapeGesture::tellReplaced(const std::vector<Handle<Dim>>& before, const std::vector<int>& recorded,
+                                double from) {
+    Design<Dim> replaced;
+    for (int h = 0; h < static_cast<int>(before.size()); ++h)
+        if (recorded.empty() || std::count(recorded.begin(), recorded.end(), h))
+            replaced.handles.push_back(before[h]);
+    if (movesAfter<Dim>(replaced, from))
+        emit notice(ShapeSession::tr("What came after is replaced by this; Undo brings it back."));
+    else if (!recorded.empty())
+        emit notice(ShapeSession::tr(
+            "Recorded. K plays it; record other pins from the same time, and they move together."));
+}
+
+#define WEND_INSTANTIATE(Dim)                                                                            \
+    template std::vector<PinView<Dim>> ShapeGesture::carriedAlong<Dim>(std::vector<PinView<Dim>>) const; \
+    template void ShapeGesture::nudge<Dim>(const Vec<Dim>&);                                             \
+    template void ShapeGesture::moveAtOnce<Dim>(const Grip&, const Amount&)
+
+WEND_INSTANTIATE(2);
+WEND_INSTANTIATE(3);
+#undef WEND_INSTANTIATE
+
+}  // namespace wend
