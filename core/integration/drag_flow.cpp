@@ -16,7 +16,7 @@ namespace {
 // a drag over half the size the shape is off by about a pixel in five thousand.
 constexpr double kVelocityTolerance = 5e-3;
 // Of a field that only tells where the middle of the way is.
-constexpr double kGuessTolerance = 5e-2;
+constexpr double kGuessTolerance = 0.1;
 // Seconds of a nominal machine (SolverCost): a dearer factor is put off while the hand moves.
 constexpr double kLongestPause = 0.05;
 // Of the size: where a drag begins so near to the end of the last one, that one's fields are good guesses.
@@ -107,6 +107,10 @@ void DragFlow<Dim>::begin(const Points<Dim>& pose) {
     m_pose = pose;
     const Points<Dim> last =
         std::exchange(m_shape, m_rest->points + (pose - m_domainRest->points) / m_units.size);
+    // The first reaction is prompt: a new factor can wait for the next one.
+    FactorMemory<Dim> memory = m_solver.remember();
+    memory.counts.last = 0;
+    m_solver.recall(memory);
     if (last.cols() != m_shape.cols() || largestColumn<Dim>(m_shape - last) > kNear) m_history.clear();
     const auto& points = m_constraints.points();
     m_targets.resize(Dim, static_cast<Eigen::Index>(points.size()));

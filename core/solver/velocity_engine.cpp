@@ -24,6 +24,10 @@ constexpr double kMinTolerance = 1e-8;
 // decides: 0.02 with 11 000 vertices in the plane, 0.2 with 40 000, 0.6 with 160 000.
 constexpr double kFreshContractionDouble = 1e-6;
 constexpr double kBestContraction = 0.05;
+// The same at the factor's own shape, where it was measured before: so many times what it was, and no less.
+constexpr double kFreshMargin = 4, kBestFresh = 0.005;
+// With a new factor the contraction grows with the distance about as it did with the last one.
+constexpr double kCarriedMargin = 2;
 // Above this, at its own shape, a factor in single precision costs more iterations than one in double would,
 // and they show so little of the error that they would end too early.
 constexpr double kPoorestContraction = 0.5;
@@ -239,7 +243,7 @@ SolveOutcome VelocitySolver<Dim>::Engine::factorize() {
     memory.shape = held;
     memory.kind = heldKind;
     if (tolerance > 0) memory.best = heldKind;
-    memory.contraction.reset();
+    if (memory.contraction) *memory.contraction *= kCarriedMargin;
     policy.factorized();
     return outcome;
 }
@@ -298,17 +302,17 @@ SolveOutcome VelocitySolver<Dim>::Engine::solveReduced(Points<Dim>& v) {
 
 /// The contraction of the first iteration cannot be measured within it. At the factor's own shape it is what
 /// single precision left of the matrix, measured at the last chance; farther away it is taken to grow with
-/// the distance. What is not known is taken to be 1, so that there is a second iteration, which measures it.
+/// the distance, as it did with the factor before. What is not known is taken to be 1, so that there is a
+/// second iteration, which measures it.
 template <int Dim>
 double VelocitySolver<Dim>::Engine::expectedContraction(double lag) const {
-    const double minimum = minContraction();
     const double fresh = memory.kind == FactorKind::Single
-                             ? std::max(minimum, memory.freshContraction.value_or(1))
+                             ? std::clamp(kFreshMargin * memory.freshContraction.value_or(1), kBestFresh, 1.0)
                              : kFreshContractionDouble;
     if (lag == 0) return fresh;
     if (memory.contraction.value_or(1) >= 1) return 1;
-    return std::min(1.0,
-                    std::max(fresh, std::max(minimum, *memory.contraction) * lag / memory.contractionLag));
+    const double there = std::max(minContraction(), *memory.contraction);
+    return std::min(1.0, std::max(fresh, there * lag / memory.contractionLag));
 }
 
 /// A single lucky step is not believed: the next one is expected to gain a factor of 20 at most, and less

@@ -439,7 +439,7 @@ void TestSolverReuse::policyRefactorizes() {
     QVERIFY(!policy.due());
     QVERIFY(policy.hopeless(16) && !policy.hopeless(14));
     policy.setLongestPause(20);
-    for (int i = 0; i < 9; ++i) policy.evaluated(3);
+    for (int i = 0; i < 11; ++i) policy.evaluated(3);
     QVERIFY(policy.due() && !policy.keepsPace());  // a factor of 10 is no long pause
     policy.setLongestPause(5);
     QVERIFY(policy.due() && policy.keepsPace());  // but here: 3 > 0.15 · 10
