@@ -176,6 +176,17 @@ class TestDragFlow : public QObject {
     }
 
   private slots:
+    /// A pause of a second would be seen: the factor of a large solid serves as long as it does at all.
+    void dearFactorsWait() {
+        const Bend<3> bend(40, 12, 4, 0);
+        auto flow = flowOf(bend);
+        QCOMPARE(flow.statistics().factorizations, 1);
+        for (const Motion<3>& motion : wavyWay<3>()) QCOMPARE(flow.lead({1}, motion).done, 1.0);
+        QVERIFY2(flow.statistics().factorizations <= 2,
+                 qPrintable(QString::number(flow.statistics().factorizations)));
+        QCOMPARE(samples::flips<3>(*bend.mesh, flow.pose()), 0);
+        QVERIFY(flow.constraintError() < 1e-12);
+    }
     void followsTheExactMotion_data() {
         QTest::addColumn<int>("dim");
         QTest::addColumn<double>("phi");
