@@ -39,8 +39,10 @@ void runSize(const Size& size, BenchRecorder& recorder) {
 template <int Dim>
 void runWindow(const char* name, BenchRecorder& recorder) {
     recorder.begin({name, Dim, 0, 0, {}});
+    std::vector<ShownSize> shown;
     for (const Size& size : kSizes)
-        if (size.dimension == Dim && size.isShown) addWindowRows<Dim>(size.name, size.vertices, recorder);
+        if (size.dimension == Dim && size.isShown) shown.push_back({size.name, size.vertices});
+    addWindowRows<Dim>(shown, recorder);
 }
 
 void requireKnown(const std::vector<std::string>& cases) {

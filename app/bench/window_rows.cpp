@@ -222,18 +222,21 @@ void addRow(int vertices, double phi, const QSize& size, const std::string& name
 }  // namespace
 
 template <int Dim>
-void addWindowRows(const std::string& name, int vertices, BenchRecorder& recorder, double seconds) {
+void addWindowRows(const std::vector<ShownSize>& sizes, BenchRecorder& recorder, double seconds) {
     const WindowSystem system;
     if (Dim == 3 && !VolumeView::available()) {
         recorder.remark("  (no rows of the window: solids need OpenGL 3.3 and a display)");
         return;
     }
-    addRow<Dim>(vertices, phi::kMetr, kWindow, name + ", 1280 × 800", seconds, recorder);
-    addRow<Dim>(vertices, phi::kEquia, kWindow, name + ", 1280 × 800, EQUIA", seconds, recorder);
-    if (Dim == 2) addRow<Dim>(vertices, phi::kMetr, kFineWindow, name + ", 3840 × 2160", seconds, recorder);
+    for (const auto& [name, vertices] : sizes) {
+        addRow<Dim>(vertices, phi::kMetr, kWindow, name + ", 1280 × 800", seconds, recorder);
+        addRow<Dim>(vertices, phi::kEquia, kWindow, name + ", 1280 × 800, EQUIA", seconds, recorder);
+        if (Dim == 2)
+            addRow<Dim>(vertices, phi::kMetr, kFineWindow, name + ", 3840 × 2160", seconds, recorder);
+    }
 }
 
-template void addWindowRows<2>(const std::string&, int, BenchRecorder&, double);
-template void addWindowRows<3>(const std::string&, int, BenchRecorder&, double);
+template void addWindowRows<2>(const std::vector<ShownSize>&, BenchRecorder&, double);
+template void addWindowRows<3>(const std::vector<ShownSize>&, BenchRecorder&, double);
 
 }  // namespace wend

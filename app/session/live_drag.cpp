@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <thread>
 
 #include "app/document/handle_comparison.h"
 #include "core/mesh/shape_size.h"
@@ -18,6 +19,12 @@ constexpr double kArm = 0.25;           // of the size: what turning and growing
 template <int Dim>
 constexpr int kExactVertices = Dim == 2 ? 20000 : 2500;
 constexpr double kStiffestPreview = 16;  // w_r / w_q of which factors still last
+
+/// The others paint what the last sample made. Where they are busy, threads that wait for each other a
+/// hundred times in a field are slower than one alone.
+int previewThreads() {
+    return std::max(1, static_cast<int>(std::thread::hardware_concurrency() / 2));
+}
 
 /// On the way to EQUIA every field needs a factor of its own: the preview of a large shape keeps areas and
 /// volumes a little less strictly, so that it keeps up.
@@ -39,8 +46,8 @@ LiveDrag<Dim>::LiveDrag(const Shape<Dim>& shape, std::vector<Handle<Dim>> handle
     : m_shape(shape),
       m_size(shapeSize<Dim>(shape.rest->points, shape.rest->cells).size),
       m_handles(std::move(handles)),
-      m_flow(shape.rest, previewMaterial<Dim>(shape), m_handles,
-             backEndFactory<Dim>(BackEndKind::Automatic)) {}
+      m_flow(shape.rest, previewMaterial<Dim>(shape), m_handles, backEndFactory<Dim>(BackEndKind::Automatic),
+             previewThreads()) {}
 
 template <int Dim>
 bool LiveDrag<Dim>::fits(const Shape<Dim>& shape, const std::vector<Handle<Dim>>& handles) const {

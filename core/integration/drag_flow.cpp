@@ -12,9 +12,15 @@ namespace wend {
 
 namespace {
 
-// Of the greatest velocity: after a drag over the whole size the shape is off by less than a pixel in a
-// thousand.
-constexpr double kVelocityTolerance = 1e-3;
+// Of the greatest velocity. What is left shows in a direction that changes from one field to the next: after
+// a drag over half the size the shape is off by about a pixel in five thousand.
+constexpr double kVelocityTolerance = 5e-3;
+// Of a field that only tells where the middle of the way is.
+constexpr double kGuessTolerance = 0.1;
+// Seconds of a nominal machine (SolverCost): a dearer factor is put off while the hand moves.
+constexpr double kLongestPause = 0.05;
+// Of the size: where a drag begins so near to the end of the last one, that one's fields are good guesses.
+constexpr double kNear = 0.05;
 // A guess whose handles miss the way by more than this, relatively, is no guess of the middle.
 constexpr double kGoodGuess = 0.1;
 constexpr int kMostAttempts = 8;
@@ -77,6 +83,7 @@ DragFlow<Dim>::DragFlow(std::shared_ptr<const SimplicialMesh<Dim>> rest,
       m_memory(material->memory) {
     requireValid<Dim>(*material, m_rest->cellCount());
     m_solver.setVelocityTolerance(kVelocityTolerance);
+    m_solver.setLongestPause(kLongestPause);
     m_solver.setConstraints(rowsOf(m_constraints, allOf(m_constraints)), m_constraints.sliders());
     begin(m_domainRest->points);
     prepare();
@@ -98,12 +105,17 @@ void DragFlow<Dim>::begin(const Points<Dim>& pose) {
                          std::to_string(m_rest->vertexCount()));
     }
     m_pose = pose;
-    m_shape = m_rest->points + (pose - m_domainRest->points) / m_units.size;
+    const Points<Dim> last =
+        std::exchange(m_shape, m_rest->points + (pose - m_domainRest->points) / m_units.size);
+    // The first reaction is prompt: a new factor can wait for the next one.
+    FactorMemory<Dim> memory = m_solver.remember();
+    memory.counts.last = 0;
+    m_solver.recall(memory);
+    if (last.cols() != m_shape.cols() || largestColumn<Dim>(m_shape - last) > kNear) m_history.clear();
     const auto& points = m_constraints.points();
     m_targets.resize(Dim, static_cast<Eigen::Index>(points.size()));
     for (std::size_t i = 0; i < points.size(); ++i)
         m_targets.col(static_cast<Eigen::Index>(i)) = points[i].template in<Dim>(m_shape);
-    m_history.clear();
     m_constraintError = 0;
 }
 
@@ -180,7 +192,10 @@ bool DragFlow<Dim>::step(const Targets& targets) {
     std::optional<Points<Dim>> guess = m_history.fitting(way);
     if (!guess || !moves(*guess, way)) {
         guess.emplace();
-        if (!solve(m_shape, way, *guess)) return false;
+        m_solver.setVelocityTolerance(kGuessTolerance);
+        const bool done = solve(m_shape, way, *guess);
+        m_solver.setVelocityTolerance(kVelocityTolerance);
+        if (!done) return false;
     }
     Points<Dim> field;
     if (!solve(m_shape + 0.5 * *guess, way, field)) return false;

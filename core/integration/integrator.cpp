@@ -168,10 +168,12 @@ bool Deformer<Dim>::Integrator::evaluate(double t, Side side, Points<Dim>& veloc
     }
     m_constraints->evaluate(m_ids, state.anchors, t, side, m_targets, m_prescribed);
     m_solver->setMemoryRate(memoryRate(t, side));
+    m_solver->setStop(m_watch ? m_watch->stop : std::stop_token());
     ++statistics.evaluations;
     const bool reuses = m_solver->reuses();
     m_failure.outcome =
         m_solver->solveAtStage(m_prescribed, velocity, reuses ? m_history.at(t) : std::nullopt);
+    m_failure.cancelled = m_failure.outcome.kind == SolveOutcome::Kind::Stopped;
     if (reuses && m_failure.outcome.done()) m_history.record(t, m_prescribed, velocity);
     return m_failure.outcome.done();
 }

@@ -42,8 +42,8 @@ typename ConjugateGradients<Dim>::Result ConjugateGradients<Dim>::run(
     system.restrict(m_Alifted, m_r);
     m_r = -m_r;
     m_z.resizeLike(m_r);
-    double before = 0, rzBefore = 0;
-    while (result.iterations < kMost) {
+    double start = 0, before = 0, rzBefore = 0;
+    while (result.iterations < kMost && !goal.stop.stop_requested()) {
         if (!precondition(flat<Dim>(m_r), flat<Dim>(m_z))) break;
         ++result.iterations;
         const double size = m_z.cwiseAbs().maxCoeff(), rz = dot<Dim>(m_r, m_z);
@@ -52,6 +52,7 @@ typename ConjugateGradients<Dim>::Result ConjugateGradients<Dim>::run(
             break;
         }
         const bool first = result.iterations == 1;
+        if (first) start = size;
         if (!first) {
             record(size / before, result);
             if (size / before > goal.poorestContraction) break;
@@ -73,7 +74,9 @@ typename ConjugateGradients<Dim>::Result ConjugateGradients<Dim>::run(
             result.end = Result::End::Converged;
             break;
         }
-        if (!first && goal.hopeless(iterationsTo(allowed, size, contraction))) break;
+        const double mean = first ? 1 : std::pow(size / start, 1.0 / (result.iterations - 1));
+        const double lasting = goal.trials > 1 ? std::max(goal.minContraction, mean) : contraction;
+        if (result.iterations > goal.trials && goal.hopeless(iterationsTo(allowed, size, lasting))) break;
         m_r -= rz / pKp * m_q;
         before = size;
         rzBefore = rz;

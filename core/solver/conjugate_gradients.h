@@ -4,6 +4,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <stop_token>
 
 #include "core/assembly/back_end.h"
 #include "core/solver/reduced_system.h"
@@ -26,8 +27,11 @@ class ConjugateGradients {
         double minContraction = 0.05;
         // A step that leaves more ends the run: such a factor is not to be trusted.
         double poorestContraction = std::numeric_limits<double>::infinity();
-        /// Whether to give up, if about so many iterations are still to do.
+        /// Whether to give up, if about so many iterations are still to do: as the last one tells, or, since
+        /// |z| need not fall in every one, as the mean of all tells after more than so many.
         std::function<bool(double iterations)> hopeless;
+        int trials = 1;
+        std::stop_token stop = {};  // gives up between iterations
     };
     struct Result {
         enum class End { Converged, GaveUp } end = End::GaveUp;

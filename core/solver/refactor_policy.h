@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 namespace wend {
 
 /// When a new factor pays: decided by counted work, never by a clock, so that a run repeats to the last bit
@@ -18,6 +20,9 @@ class RefactorPolicy {
         m_iteration = iteration;
         m_counts = {};
     }
+    /// A factor that costs more than so much is put off, for an even pace: until the iterations of a single
+    /// evaluation cost a good part of it.
+    void setLongestPause(double cost) { m_longestPause = cost; }
     /// A new factor: the counting starts again.
     void factorized() { m_counts = {}; }
     void evaluated(int iterations) {
@@ -25,7 +30,9 @@ class RefactorPolicy {
         m_counts.last = iterations;
         ++m_counts.evaluations;
     }
+    bool keepsPace() const { return m_factor > m_longestPause; }
     bool due() const {
+        if (keepsPace()) return m_counts.last * m_iteration > kPartOfPause * m_factor;
         return m_counts.evaluations > 0 && (m_counts.last + 1) * m_iteration * m_counts.evaluations >
                                                m_factor + m_counts.iterations * m_iteration;
     }
@@ -36,7 +43,9 @@ class RefactorPolicy {
     void setCounts(const Counts& counts) { m_counts = counts; }
 
   private:
-    double m_factor = 0, m_iteration = 1;
+    static constexpr double kPartOfPause = 0.15;
+
+    double m_factor = 0, m_iteration = 1, m_longestPause = std::numeric_limits<double>::infinity();
     Counts m_counts;
 };
 

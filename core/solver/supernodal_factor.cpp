@@ -238,6 +238,7 @@ bool SupernodalFactor<Real>::factorPanel(int s, WorkerPool& workers) {
     Real *const front = panel(s), *const inverse = m_inverse.data() + m_symbolic.first[s];
     for (int from = 0; from < columns; from += kPanelColumns) {
         const int to = std::min(columns, from + kPanelColumns), below = dense::padded<Real>(to);
+        if (m_stop.stop_requested()) return false;
         if (!dense::factorColumns(front, rows, from, to, below, inverse)) return false;
         workers.forPieces(rows - below, 16 * dense::kPad<Real>, [&](int begin, int end) {
             dense::continueColumns(front, rows, from, to, below + begin, below + end, inverse);
@@ -257,28 +258,32 @@ bool SupernodalFactor<Real>::factorFront(int s, std::span<const double> values, 
         for (int child : m_tree.children[s]) extendAdd(child, s, begin, end, stacks);
     });
     if (!factorPanel(s, workers)) return false;
-    workers.forPieces(below, kUpdateColumns, [&](int begin, int end) { makeUpdate(s, begin, end, stacks); });
-    return true;
+    workers.forPieces(below, kUpdateColumns, [&](int begin, int end) {
+        if (!m_stop.stop_requested()) makeUpdate(s, begin, end, stacks);
+    });
+    return !m_stop.stop_requested();
 }
 
 /// Every thread takes one subtree after another, with stacks of its own.
 template <class Real>
 bool SupernodalFactor<Real>::factorSubtrees(std::span<const double> values, WorkerPool& workers) {
     std::atomic<std::size_t> next = 0;
-    std::atomic<bool> positive = true;
+    std::atomic<bool> goesOn = true;
     workers.forPieces(m_threads, 1, [&](int thread, int) {
         Real* const stacks = m_updates + m_threadStacks + thread * m_stackSize;
         for (std::size_t i = next++; i < m_tree.subtrees.size(); i = next++) {
             const auto& subtree = m_tree.subtrees[i];
-            for (int s = subtree.begin; s < subtree.end && positive; ++s)
-                if (!factorFront(s, values, stacks)) positive = false;
+            for (int s = subtree.begin; s < subtree.end && goesOn; ++s)
+                if (m_stop.stop_requested() || !factorFront(s, values, stacks)) goesOn = false;
         }
     });
-    return positive;
+    return goesOn;
 }
 
 template <class Real>
-bool SupernodalFactor<Real>::factorize(std::span<const double> values, WorkerPool& workers) {
+bool SupernodalFactor<Real>::factorize(std::span<const double> values, WorkerPool& workers,
+                                       std::stop_token stop) {
+    m_stop = std::move(stop);
     reserveStacks(workers.threads());
     return factorSubtrees(values, workers) &&
            std::all_of(m_tree.separator.begin(), m_tree.separator.end(),

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "core/assembly/worker_pool.h"
@@ -21,8 +22,9 @@ class SupernodalFactor {
     /// Pattern of the lower triangle by columns, as for Cholesky::analyze.
     SupernodalFactor(Supernodes symbolic, const std::vector<int>& columnStart, const std::vector<int>& row);
 
-    /// From the values of the pattern; false if a pivot is not positive.
-    bool factorize(std::span<const double> values, WorkerPool& workers);
+    /// From the values of the pattern; false if a pivot is not positive, or if it was stopped: looked at
+    /// between fronts, and between the pieces of great ones.
+    bool factorize(std::span<const double> values, WorkerPool& workers, std::stop_token stop = {});
     /// x ≈ K⁻¹ b; false if that is not finite.
     bool solve(std::span<const double> b, std::span<double> x, WorkerPool& workers);
 
@@ -65,6 +67,7 @@ class SupernodalFactor {
 
     Supernodes m_symbolic;
     EliminationTree m_tree;
+    std::stop_token m_stop;  // of the factorization that goes on
     std::vector<std::size_t> m_panelStart, m_updateStart;
     std::vector<int> m_runStart;  // per supernode: into m_runs, for its update matrix
     std::vector<Run> m_runs;

@@ -24,9 +24,14 @@ constexpr double kMinTolerance = 1e-8;
 // decides: 0.02 with 11 000 vertices in the plane, 0.2 with 40 000, 0.6 with 160 000.
 constexpr double kFreshContractionDouble = 1e-6;
 constexpr double kBestContraction = 0.05;
+// The same at the factor's own shape, where it was measured before: so many times what it was, and no less.
+constexpr double kFreshMargin = 4, kBestFresh = 0.005;
+// With a new factor the contraction grows with the distance about as it did with the last one.
+constexpr double kCarriedMargin = 2;
 // Above this, at its own shape, a factor in single precision costs more iterations than one in double would,
 // and they show so little of the error that they would end too early.
 constexpr double kPoorestContraction = 0.5;
+constexpr int kTrials = 3;  // before a factor that is dear is given up
 // Above this ratio w_r / w_q (EQUIA is 512) a factor does not last: hundreds of iterations.
 constexpr double kStiffestReuse = 20;
 // Above this ratio (METR is 2, AKVF 0) the factor is turned with the shape.
@@ -84,11 +89,9 @@ bool mayReuse(const Material<Dim>& material) {
                        [](double phi) { return std::cos(phi) <= kStiffestReuse * std::sin(phi); });
 }
 
-/// Whether turning the factor helps: for most of the cells. In the plane it saves factorizations, too, but
-/// the iterations between are so cheap that the turning costs more.
+/// Whether turning the factor helps: for most of the cells.
 template <int Dim>
 bool mayTurn(const Material<Dim>& material) {
-    if (Dim == 2) return false;
     const auto cells = std::count_if(material.phi.begin(), material.phi.end(), [](double phi) {
         return std::cos(phi) > kTurningRatio * std::sin(phi);
     });
@@ -192,7 +195,7 @@ template <int Dim>
 bool VelocitySolver<Dim>::Engine::factorizes(FactorKind kind) {
     const auto made = [&](auto& factor) {
         if (!factor) factor.emplace(cholesky.supernodes(), system.columnStart(), system.row());
-        return factor->factorize(cholesky.values(), backEnd->workers());
+        return factor->factorize(cholesky.values(), backEnd->workers(), stop);
     };
     if (kind == FactorKind::Single) {
         doubleFactor.reset();  // a factor is most of the memory: never two
@@ -205,8 +208,10 @@ bool VelocitySolver<Dim>::Engine::factorizes(FactorKind kind) {
 /// The back end is at that shape; null if the factor shall serve but once. Where a factor loses a pivot, the
 /// next better one is tried.
 template <int Dim>
-Cholesky::Status VelocitySolver<Dim>::Engine::factorizeAt(const Nodal<Dim>& shape, FactorKind kind) {
+SolveOutcome VelocitySolver<Dim>::Engine::factorizeAt(const Nodal<Dim>& shape, FactorKind kind) {
+    const auto stopped = [&] { return stop.stop_requested(); };
     held.reset();
+    if (stopped()) return {SolveOutcome::Kind::Stopped, -1};
     {
         const Stopwatch watch(statistics.assemble);
         backEnd->assemble(blocks);
@@ -216,11 +221,15 @@ Cholesky::Status VelocitySolver<Dim>::Engine::factorizeAt(const Nodal<Dim>& shap
     ++statistics.factorizations;
     auto status = Cholesky::Status::Done;
     heldKind = kind;
-    if (heldKind == FactorKind::Single && !factorizes(heldKind)) heldKind = FactorKind::Double;
-    if (heldKind == FactorKind::Double && !factorizes(heldKind)) heldKind = FactorKind::Reference;
+    if (heldKind == FactorKind::Single && !factorizes(heldKind) && !stopped()) heldKind = FactorKind::Double;
+    if (heldKind == FactorKind::Double && !factorizes(heldKind) && !stopped())
+        heldKind = FactorKind::Reference;
     if (heldKind == FactorKind::Reference) status = cholesky.factorize();
-    if (status == Cholesky::Status::Done) held = shape;
-    return status;
+    if (stopped()) return {SolveOutcome::Kind::Stopped, -1};
+    if (status == Cholesky::Status::NotFinite) return {SolveOutcome::Kind::NotFinite, -1};
+    if (status != Cholesky::Status::Done) return {SolveOutcome::Kind::NotPositiveDefinite, -1};
+    held = shape;
+    return {};
 }
 
 template <int Dim>
@@ -229,28 +238,21 @@ SolveOutcome VelocitySolver<Dim>::Engine::factorize() {
     const auto kind = iterates        ? memory.best
                       : tolerance > 0 ? std::max(memory.best, FactorKind::Double)
                                       : FactorKind::Reference;
-    const auto status = factorizeAt(iterates ? backEnd->stages().shape() : nullptr, kind);
+    const SolveOutcome outcome = factorizeAt(iterates ? backEnd->stages().shape() : nullptr, kind);
+    if (outcome.kind == SolveOutcome::Kind::Stopped) return outcome;
     memory.shape = held;
     memory.kind = heldKind;
     if (tolerance > 0) memory.best = heldKind;
-    memory.contraction.reset();
+    if (memory.contraction) *memory.contraction *= kCarriedMargin;
     policy.factorized();
-    switch (status) {
-        case Cholesky::Status::Done:
-            return {};
-        case Cholesky::Status::NotFinite:
-            return {SolveOutcome::Kind::NotFinite, -1};
-        default:
-            return {SolveOutcome::Kind::NotPositiveDefinite, -1};
-    }
+    return outcome;
 }
 
 /// The factor of the memory, if another was made since. False if it cannot be had, as with other constraints.
 template <int Dim>
 bool VelocitySolver<Dim>::Engine::makeFactorAgain() {
     if (held == memory.shape && heldKind == memory.kind) return true;
-    const bool done = backEnd->setShape(*memory.shape) < 0 &&
-                      factorizeAt(memory.shape, memory.kind) == Cholesky::Status::Done;
+    const bool done = backEnd->setShape(*memory.shape) < 0 && factorizeAt(memory.shape, memory.kind).done();
     backEnd->setStage();
     return done;
 }
@@ -289,6 +291,7 @@ SolveOutcome VelocitySolver<Dim>::Engine::solveReduced(Points<Dim>& v) {
         const double size = right.cwiseAbs().maxCoeff();
         if (i == 0) first = size;
         if (i > 0 && size <= kResidual * first) break;
+        if (stop.stop_requested()) return {SolveOutcome::Kind::Stopped, -1};
         y.resize(Dim, right.cols());
         ++statistics.iterations;
         if (!solveWithFactor(flat<Dim>(right), flat<Dim>(y))) return {SolveOutcome::Kind::NotFinite, -1};
@@ -299,17 +302,17 @@ SolveOutcome VelocitySolver<Dim>::Engine::solveReduced(Points<Dim>& v) {
 
 /// The contraction of the first iteration cannot be measured within it. At the factor's own shape it is what
 /// single precision left of the matrix, measured at the last chance; farther away it is taken to grow with
-/// the distance. What is not known is taken to be 1, so that there is a second iteration, which measures it.
+/// the distance, as it did with the factor before. What is not known is taken to be 1, so that there is a
+/// second iteration, which measures it.
 template <int Dim>
 double VelocitySolver<Dim>::Engine::expectedContraction(double lag) const {
-    const double minimum = minContraction();
     const double fresh = memory.kind == FactorKind::Single
-                             ? std::max(minimum, memory.freshContraction.value_or(1))
+                             ? std::clamp(kFreshMargin * memory.freshContraction.value_or(1), kBestFresh, 1.0)
                              : kFreshContractionDouble;
     if (lag == 0) return fresh;
     if (memory.contraction.value_or(1) >= 1) return 1;
-    return std::min(1.0,
-                    std::max(fresh, std::max(minimum, *memory.contraction) * lag / memory.contractionLag));
+    const double there = std::max(minContraction(), *memory.contraction);
+    return std::min(1.0, std::max(fresh, there * lag / memory.contractionLag));
 }
 
 /// A single lucky step is not believed: the next one is expected to gain a factor of 20 at most, and less
@@ -347,6 +350,8 @@ bool VelocitySolver<Dim>::Engine::iterate(Points<Dim>& v) {
     goal.contraction = expectedContraction(lag);
     goal.minContraction = minContraction();
     if (lag == 0 && memory.kind == FactorKind::Single) goal.poorestContraction = kPoorestContraction;
+    goal.stop = stop;
+    goal.trials = policy.keepsPace() ? kTrials : 1;
     goal.hopeless = [&](double iterations) { return lag > 0 && policy.hopeless(iterations); };
     const auto result = iteration.run(
         *backEnd, system, [&](std::span<const double> r, std::span<double> z) { return precondition(r, z); },

@@ -45,6 +45,7 @@ struct VelocitySolver<Dim>::Engine {
     bool turned = false;                            // the factor at hand stands turned
     std::vector<double> turnedRight;
     double tolerance = 0;
+    std::stop_token stop;
     // Where the factor that serves was made and in which precision, if single is too little here, and the
     // contraction of a first iteration with the lag at which it was measured. Its counts are the policy's.
     FactorMemory<Dim> memory;
@@ -65,7 +66,7 @@ struct VelocitySolver<Dim>::Engine {
                        const std::optional<Points<Dim>>& guess);
     bool reuses() const;
     SolveOutcome factorize();
-    Cholesky::Status factorizeAt(const Nodal<Dim>& shape, FactorKind kind);
+    SolveOutcome factorizeAt(const Nodal<Dim>& shape, FactorKind kind);
     bool factorizes(FactorKind kind);
     bool solveWithFactor(std::span<const double> b, std::span<double> x);
     double expectedContraction(double lag) const;

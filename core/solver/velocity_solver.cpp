@@ -82,6 +82,16 @@ double VelocitySolver<Dim>::restForce(const Points<Dim>& shape) const {
 }
 
 template <int Dim>
+void VelocitySolver<Dim>::setLongestPause(double seconds) {
+    m_engine->policy.setLongestPause(seconds);
+}
+
+template <int Dim>
+void VelocitySolver<Dim>::setStop(std::stop_token stop) {
+    m_engine->stop = std::move(stop);
+}
+
+template <int Dim>
 bool VelocitySolver<Dim>::reuses() const {
     return m_engine->reuses();
 }

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,7 @@ namespace wend {
 
 /// How a solve ended. A numerical outcome is a value, never an exception.
 struct SolveOutcome {
-    enum class Kind { Done, CellInverted, NotPositiveDefinite, NotFinite };
+    enum class Kind { Done, CellInverted, NotPositiveDefinite, NotFinite, Stopped };
     Kind kind = Kind::Done;
     int cell = -1;  // CellInverted: the first cell that is flat or turned over
 
@@ -102,6 +103,12 @@ class VelocitySolver {
     void setVelocityTolerance(double tolerance);
     /// Whether a factor may serve for several solves: by the tolerance and the material.
     bool reuses() const;
+    /// For an even pace rather than the least work in all: a factor that costs more than so many seconds of a
+    /// nominal machine (SolverCost) serves as long as iterations with it are not much dearer than the pace.
+    void setLongestPause(double seconds);
+    /// A wish to stop ends a solve that goes on: between the iterations, and within a factorization unless it
+    /// is CHOLMOD's. What was remembered before it leads to the same bits again.
+    void setStop(std::stop_token stop);
     /// To be taken between solves, and given back before the solves that shall go on from it, after their
     /// constraints were set. A factor that is no longer there is made again when it is needed.
     FactorMemory<Dim> remember() const;

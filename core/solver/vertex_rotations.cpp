@@ -14,7 +14,7 @@ constexpr int kGrain = 512;  // vertices of a piece
 
 /// The rotation nearest to a matrix; the identity where there is none.
 Mat<2> nearestRotation(const Mat<2>& A) {
-    const double c = A(0, 0) + A(1, 1), s = A(1, 0) - A(0, 1), size = std::hypot(c, s);
+    const double c = A(0, 0) + A(1, 1), s = A(1, 0) - A(0, 1), size = std::sqrt(c * c + s * s);
     if (!(size > 0)) return Mat<2>::Identity();
     return (Mat<2>() << c, -s, s, c).finished() / size;
 }

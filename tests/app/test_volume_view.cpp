@@ -33,6 +33,7 @@ class TestVolumeView : public QObject {
     void viewMovesToAnotherWindow();
     void missingPicturesAreToldOnce();
     void fitShowsGlyphs();
+    void fineDrawingOutlivesTheBeginningOfAMotion();
     void manyTrianglesAreDrawn();
 
   private:
@@ -424,6 +425,21 @@ void TestVolumeView::manyTrianglesAreDrawn() {
                     "%zu triangles, edges %d, moving %d: prepare %.1f ms, draw %.1f ms; turned view %.1f ms",
                     large.facets->size(), edges, moving, prepare, draw, turn);
             }
+}
+
+/// Where the processor draws, edges are rough while something moves: but only once something else is to be
+/// drawn.
+void TestVolumeView::fineDrawingOutlivesTheBeginningOfAMotion() {
+    VolumePicture picture = waves(24);
+    m_view->look(Camera::Axis::Isometric);
+    m_view->setPicture(picture, true);
+    QTest::qWait(250);  // nothing moves any more
+    const QImage fine = m_view->grabFramebuffer();
+    m_view->hurry();
+    QVERIFY(m_view->grabFramebuffer() == fine);
+    picture.pose.row(2) *= 1.2;
+    m_view->setPicture(picture, false);
+    QVERIFY(m_view->grabFramebuffer() != fine);
 }
 
 QTEST_MAIN(TestVolumeView)

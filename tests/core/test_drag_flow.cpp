@@ -156,7 +156,37 @@ class TestDragFlow : public QObject {
         QVERIFY_EXCEPTION_THROWN(flow.begin(Points<Dim>(Dim, 3)), InputError);
     }
 
+    /// A drag that begins where the last one ended knows how the shape moves; far from there it is a guess of
+    /// nothing.
+    template <int Dim>
+    void goesOnWithTheLastFields() {
+        const Bend<Dim> bend(16, 4, 4, 0);
+        auto flow = flowOf(bend);
+        const auto fieldsOf = [&](const Points<Dim>& pose) {
+            flow.begin(pose);
+            const int before = flow.evaluations();
+            if (flow.lead({1}, shift<Dim>(0, 0.02)).done < 1) return -1;
+            return flow.evaluations() - before;
+        };
+        QCOMPARE(fieldsOf(bend.mesh->points), 2);
+        const Points<Dim> start = flow.pose();
+        QCOMPARE(fieldsOf(start), 1);
+        for (int i = 0; i < 60; ++i) flow.lead({1}, shift<Dim>(-0.01, 0.02));
+        QCOMPARE(fieldsOf(start), 2);
+    }
+
   private slots:
+    /// A pause of a second would be seen: the factor of a large solid serves as long as it does at all.
+    void dearFactorsWait() {
+        const Bend<3> bend(40, 12, 4, 0);
+        auto flow = flowOf(bend);
+        QCOMPARE(flow.statistics().factorizations, 1);
+        for (const Motion<3>& motion : wavyWay<3>()) QCOMPARE(flow.lead({1}, motion).done, 1.0);
+        QVERIFY2(flow.statistics().factorizations <= 2,
+                 qPrintable(QString::number(flow.statistics().factorizations)));
+        QCOMPARE(samples::flips<3>(*bend.mesh, flow.pose()), 0);
+        QVERIFY(flow.constraintError() < 1e-12);
+    }
     void followsTheExactMotion_data() {
         QTest::addColumn<int>("dim");
         QTest::addColumn<double>("phi");
@@ -179,6 +209,8 @@ class TestDragFlow : public QObject {
     void stopsBeforeCellsFold3() { stopsBeforeCellsFold<3>(); }
     void beginsAnywhere2() { beginsAnywhere<2>(); }
     void beginsAnywhere3() { beginsAnywhere<3>(); }
+    void goesOnWithTheLastFields2() { goesOnWithTheLastFields<2>(); }
+    void goesOnWithTheLastFields3() { goesOnWithTheLastFields<3>(); }
 };
 
 QTEST_APPLESS_MAIN(TestDragFlow)

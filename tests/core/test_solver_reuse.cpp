@@ -438,6 +438,13 @@ void TestSolverReuse::policyRefactorizes() {
     policy.factorized();
     QVERIFY(!policy.due());
     QVERIFY(policy.hopeless(16) && !policy.hopeless(14));
+    policy.setLongestPause(20);
+    for (int i = 0; i < 11; ++i) policy.evaluated(3);
+    QVERIFY(policy.due() && !policy.keepsPace());  // a factor of 10 is no long pause
+    policy.setLongestPause(5);
+    QVERIFY(policy.due() && policy.keepsPace());  // but here: 3 > 0.15 · 10
+    policy.evaluated(1);
+    QVERIFY(!policy.due());  // whatever was before
 }
 
 QTEST_GUILESS_MAIN(TestSolverReuse)

@@ -15,8 +15,8 @@ namespace wend {
 
 namespace {
 
-constexpr int kDimAfter = 250;  // milliseconds
-constexpr int kMarksEvery = 40;
+constexpr int kDimAfter = 250;                                // milliseconds
+constexpr int kMarksEvery = 40, kMarksEveryInSoftware = 120;  // without a frame
 const QRgb kPlain = qRgb(199, 186, 164), kPlainDark = qRgb(176, 164, 146);
 const QRgb kArrowColour = qRgb(54, 84, 196), kGlyphColour = qRgb(226, 140, 44);
 
@@ -65,7 +65,6 @@ SolidCanvas::SolidCanvas(ShapeSession& session, QWidget* parent)
         refresh();
     });
     m_marksDue.setSingleShot(true);
-    m_marksDue.setInterval(kMarksEvery);
     connect(&m_marksDue, &QTimer::timeout, m_overlay, qOverload<>(&QWidget::update));
     connect(&m_session, &ShapeSession::frameChanged, this, &SolidCanvas::takeFrame);
     connect(&m_session, &ShapeSession::pinsChanged, this, &SolidCanvas::redraw);
@@ -119,12 +118,13 @@ Points<3> SolidCanvas::fitted() const {
     return all;
 }
 
-/// While a solid follows the hand, painting for the pointer alone would take the time that the solid needs.
+/// While a solid follows the hand, painting for the pointer alone would take the time that the solid needs:
+/// the whole window is put together for it, by the processor where there is nothing else that draws.
 void SolidCanvas::redraw() {
     if (!m_session.isDragging())
         m_overlay->update();
     else if (!m_marksDue.isActive())
-        m_marksDue.start();
+        m_marksDue.start(drawsInSoftware() ? kMarksEveryInSoftware : kMarksEvery);
 }
 
 /// What a gesture has gathered are cells and vertices of the mesh that it began on.
@@ -207,7 +207,7 @@ void SolidCanvas::refresh() {
     setPicture(std::move(picture), m_toFit && m_fitted);
     m_toFit = m_toFit && m_session.isStale();
     showGlyphs(*frame);
-    redraw();
+    m_overlay->update();  // with the solid: the window is put together once
 }
 
 bool SolidCanvas::isMoving() const {

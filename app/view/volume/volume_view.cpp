@@ -329,7 +329,7 @@ void VolumeView::paintGL() {
         return;
     }
     const Scene now = scene();
-    if (m_painted == now && !isStale()) return;
+    if (m_painted && now.isServedBy(*m_painted) && !isStale()) return;
     m_painted = now;
     QElapsedTimer clock;
     clock.start();

@@ -104,6 +104,7 @@ class VolumeView : public QOpenGLWidget {
     virtual Points<3> fitted() const;
     /// The nearest triangle of the solid that the ray meets.
     SolidHit hitOf(const Ray& ray) const;
+    bool drawsInSoftware() const { return m_renderer.isSoftware(); }
     /// True while what is shown will change again soon.
     virtual bool isMoving() const { return m_rest.isActive(); }
     /// Drops the vertices that the solid hides.
@@ -128,6 +129,12 @@ class VolumeView : public QOpenGLWidget {
         bool coarse = false, materials = false;
 
         bool operator==(const Scene&) const = default;
+        /// A fine drawing serves as a coarse one.
+        bool isServedBy(const Scene& painted) const {
+            Scene wanted = *this;
+            wanted.coarse = coarse && painted.coarse;
+            return wanted == painted;
+        }
     };
     Scene scene() const;
     bool isStale() const;
