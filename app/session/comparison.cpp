@@ -18,7 +18,8 @@ Comparison::Comparison(ShapeSession& session, QObject* parent) : QObject(parent)
         m_other.selection().set(m_session.gesture()->handles());
         m_other.beginDrag(m_session.gesture()->grip());
     });
-    connect(&m_session, &ShapeSession::dragMoved, &m_other, [this](const Amount& amount) { m_other.dragBy(amount); });
+    connect(&m_session, &ShapeSession::dragMoved, &m_other,
+            [this](const Amount& amount) { m_other.dragBy(amount); });
     connect(&m_session, &ShapeSession::dragEnded, &m_other, &ShapeSession::letGo);
     connect(&m_session, &ShapeSession::dragCancelled, &m_other, &ShapeSession::cancelDrag);
 }

@@ -60,9 +60,7 @@ ShapeEngine::Sink ComputeThread::sink() {
         emit shapeReady(revision, std::move(shape), kept);
     };
     sink.frameReady = [this](FramePtr frame) { emit frameReady(std::move(frame)); };
-    sink.fieldReady = [this](int number, VelocityPtr field) {
-        emit fieldReady(number, std::move(field));
-    };
+    sink.fieldReady = [this](int number, VelocityPtr field) { emit fieldReady(number, std::move(field)); };
     sink.progress = [this](double time, double end) { emit progress(time, end); };
     sink.finished = [this](double time, const std::string& problem) {
         emit finished(time, QString::fromStdString(problem));

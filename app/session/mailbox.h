@@ -26,8 +26,8 @@ struct BeginDrag {
     double time = 0;   // of the motion, when it begins
 };
 struct DragTo {
-    Amount amount = Amount::Zero();  // from where the drag began
-    int sample = 0;                  // its number in the gesture
+    Amount amount = Amount::Zero();   // from where the drag began
+    int sample = 0;                   // its number in the gesture
     std::optional<double> time = {};  // of the motion: of a recording, to which the others go on
 };
 struct EndDrag {};

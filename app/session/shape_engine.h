@@ -84,8 +84,8 @@ class ShapeEngineOf : public ShapeEngine {
     BuiltPtr m_shape;
     std::shared_ptr<const Project> m_project;  // the newest, of m_revision: its mesh may be yet to come
     int m_generation = 0, m_revision = 0;
-    std::optional<SetShape> m_wanted;    // to be built
-    std::optional<AskField> m_asked;  // to be answered
+    std::optional<SetShape> m_wanted;  // to be built
+    std::optional<AskField> m_asked;   // to be answered
     MotionPass<Dim> m_pass;
     FrameTrack m_track;  // its frames so far
     /// The last complete motion of another mesh: undo and cancelling go back to it at once.
