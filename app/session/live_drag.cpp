@@ -18,12 +18,13 @@ constexpr double kArm = 0.25;           // of the size: what turning and growing
 // Vertices up to which a factor for every field is quick enough.
 template <int Dim>
 constexpr int kExactVertices = Dim == 2 ? 20000 : 2500;
+constexpr int kSmall = 10000;            // vertices
 constexpr double kStiffestPreview = 16;  // w_r / w_q of which factors still last
 
-/// The others paint what the last sample made. Where they are busy, threads that wait for each other a
-/// hundred times in a field are slower than one alone.
-int previewThreads() {
-    return std::max(1, static_cast<int>(std::thread::hardware_concurrency() / 2));
+/// Of a small shape a field costs about as much as its painting, which takes the other cores: threads that
+/// wait for each other a hundred times in a field are slower there than one alone. A large shape takes all.
+int previewThreads(int vertices) {
+    return vertices > kSmall ? 0 : std::max(1, static_cast<int>(std::thread::hardware_concurrency() / 2));
 }
 
 /// On the way to EQUIA every field needs a factor of its own: the preview of a large shape keeps areas and
@@ -47,7 +48,7 @@ LiveDrag<Dim>::LiveDrag(const Shape<Dim>& shape, std::vector<Handle<Dim>> handle
       m_size(shapeSize<Dim>(shape.rest->points, shape.rest->cells).size),
       m_handles(std::move(handles)),
       m_flow(shape.rest, previewMaterial<Dim>(shape), m_handles, backEndFactory<Dim>(BackEndKind::Automatic),
-             previewThreads()) {}
+             previewThreads(shape.rest->vertexCount())) {}
 
 template <int Dim>
 bool LiveDrag<Dim>::fits(const Shape<Dim>& shape, const std::vector<Handle<Dim>>& handles) const {
