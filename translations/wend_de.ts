@@ -4724,7 +4724,7 @@
     </message>
     <message>
         <source>worst %1</source>
-        <translation>größter %1</translation>
+        <translation>max. %1</translation>
     </message>
     <message>
         <source>Area change</source>
