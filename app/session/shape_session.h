@@ -78,9 +78,9 @@ class ShapeSession : public QObject {
     Points<Dim> influence() const {
         return m_motion.influence<Dim>();
     }
+    using FieldKind = ShapeMotion::FieldKind;
     /// From now on that is solved for at the time that is shown, unless it plays; `frameChanged` tells when
     /// it is there.
-    using FieldKind = ShapeMotion::FieldKind;
     void setFieldWanted(FieldKind wanted) { m_motion.setFieldWanted(wanted); }
     /// The length in domain units that a tolerance of the stroke is measured in: one pixel of a picture, or a
     /// 2000th of the shape's diagonal.

@@ -158,10 +158,10 @@ QList<LostWork> FileWorkflow::lost() const {
 }
 
 void FileWorkflow::tellLostWhenOpened() {
-    const QList<LostWork> all = lost();
-    if (all.isEmpty()) return;
-    const auto tell = [this, work = all.first()] {
-        if (m_document.isEmpty()) return;
+    const auto tell = [this] {
+        const QList<LostWork> all = lost();
+        if (all.isEmpty() || m_document.isEmpty()) return;
+        const LostWork work = all.first();
         say(Topic::Opening,
             tr("Wend was not closed properly: there are unsaved changes to “%1”.").arg(nameOf(work)),
             {{tr("Recover"), [this, work] { recover(work); }}});

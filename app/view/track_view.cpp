@@ -84,7 +84,6 @@ void TrackView::takeProject() {
                     const int h = static_cast<int>(m_rows.size());
                     Row row{QString::fromStdString(handle.name),
                             pinColour(h, handle.traits),
-                            handle.traits.locked,
                             handle.activeFrom,
                             handle.activeTo,
                             {}};
@@ -195,7 +194,8 @@ MotionTime TrackView::dragged(const Grabbed& grabbed, double time) const {
     const MotionTime room = roomOf(*m_session.document().project(), bar.handle, bar.motion);
     const double way = time - grabbed.at;
     if (grabbed.part == Part::Start)
-        return {std::clamp(snapped(bar.time.start + way, bar), room.start, bar.time.end - kShortestMotion),
+        return {std::clamp(snapped(bar.time.start + way, bar), room.start,
+                           std::max(bar.time.end - kShortestMotion, room.start)),
                 bar.time.end};
     if (grabbed.part == Part::End)
         return {bar.time.start, std::clamp(snapped(bar.time.end + way, bar), bar.time.start + kShortestMotion,
@@ -208,16 +208,16 @@ MotionTime TrackView::dragged(const Grabbed& grabbed, double time) const {
     return {start, start + length};
 }
 
-void TrackView::change(const QString& what, const std::function<Project(const Project&)>& edit) {
+void TrackView::change(const QString& what, const std::function<Project(const Project&)>& edit,
+                       const QString& key) {
     m_session.playback().setPlaying(false);
-    m_session.document().change(what, edit(*m_session.document().project()));
+    m_session.document().change(what, edit(*m_session.document().project()), key);
 }
 
 void TrackView::move(const Bar& bar, const MotionTime& time, const QString& what, const QString& key) {
     if (time == bar.time) return;
-    m_session.playback().setPlaying(false);
-    Document& document = m_session.document();
-    document.change(what, withMotionTime(*document.project(), bar.handle, bar.motion, time), key);
+    change(
+        what, [&](const Project& p) { return withMotionTime(p, bar.handle, bar.motion, time); }, key);
 }
 
 void TrackView::scrub(double x) {

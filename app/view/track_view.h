@@ -49,7 +49,6 @@ class TrackView : public QAbstractScrollArea {
     struct Row {
         QString name;
         QColor colour;
-        bool locked = false;
         double from = 0, to = 0;  // it holds meanwhile
         std::vector<Bar> bars;
     };
@@ -74,7 +73,8 @@ class TrackView : public QAbstractScrollArea {
     double snapped(double time, const Bar& own) const;
     void scrub(double x);
     void move(const Bar& bar, const MotionTime& time, const QString& what, const QString& key = {});
-    void change(const QString& what, const std::function<Project(const Project&)>& edit);
+    void change(const QString& what, const std::function<Project(const Project&)>& edit,
+                const QString& key = {});
     void showMenu(const Bar& bar, const QPoint& global);
     void remove(const Bar& bar);
     void paintRuler(QPainter& painter) const;
