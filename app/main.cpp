@@ -3,7 +3,7 @@
 #include "app/cli/cli.h"
 #include "app/view/run_window.h"
 #include "kernels/opencl_devices.h"
-#include "warp/plugins.h"
+#include "warp/picture_library.h"
 
 /// One program: subcommands work without a display, everything else is for the window.
 int main(int argc, char** argv) {

@@ -1,10 +1,8 @@
 # The config file that Debian 12 ships demands programs and OpenCV headers that Wend does not need.
 # Defines OpenImageIO::OpenImageIO.
 find_path(OpenImageIO_INCLUDE_DIR OpenImageIO/imageio.h)
-find_path(OpenImageIO_IMATH_DIR ImathVec.h PATH_SUFFIXES Imath)
 find_library(OpenImageIO_LIBRARY OpenImageIO)
 find_library(OpenImageIO_Util_LIBRARY OpenImageIO_Util)
-find_library(OpenImageIO_IMATH_LIBRARY NAMES Imath Imath-3_1)  # the type half
 if(OpenImageIO_INCLUDE_DIR)
     file(READ ${OpenImageIO_INCLUDE_DIR}/OpenImageIO/oiioversion.h _version)
     string(REGEX MATCH "OIIO_VERSION_MAJOR ([0-9]+)" _ "${_version}")
@@ -14,10 +12,10 @@ if(OpenImageIO_INCLUDE_DIR)
 endif()
 include(FindPackageHandleStandardArgs)
 find_package_handle_standard_args(OpenImageIO REQUIRED_VARS OpenImageIO_LIBRARY OpenImageIO_Util_LIBRARY
-    OpenImageIO_IMATH_LIBRARY OpenImageIO_INCLUDE_DIR OpenImageIO_IMATH_DIR VERSION_VAR OpenImageIO_VERSION)
+    OpenImageIO_INCLUDE_DIR VERSION_VAR OpenImageIO_VERSION)
 if(OpenImageIO_FOUND AND NOT TARGET OpenImageIO::OpenImageIO)
     add_library(OpenImageIO::OpenImageIO UNKNOWN IMPORTED)
     set_target_properties(OpenImageIO::OpenImageIO PROPERTIES IMPORTED_LOCATION ${OpenImageIO_LIBRARY}
-        INTERFACE_INCLUDE_DIRECTORIES "${OpenImageIO_INCLUDE_DIR};${OpenImageIO_IMATH_DIR}"
-        INTERFACE_LINK_LIBRARIES "${OpenImageIO_Util_LIBRARY};${OpenImageIO_IMATH_LIBRARY}")
+        INTERFACE_INCLUDE_DIRECTORIES "${OpenImageIO_INCLUDE_DIR}"
+        INTERFACE_LINK_LIBRARIES "${OpenImageIO_Util_LIBRARY};Imath::Imath")
 endif()

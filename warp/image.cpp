@@ -6,8 +6,6 @@
 
 #include <cstdint>
 
-#include "warp/image_metadata.h"
-
 namespace wend {
 namespace {
 
@@ -53,13 +51,6 @@ void Image::makePixels() {
 
 std::size_t Image::pixelBytes() const {
     return sampleBytes(type) * static_cast<std::size_t>(channels);
-}
-
-std::vector<std::byte> Image::iccProfile() const {
-    const OIIO::ParamValue* profile = metadata ? metadata->spec.find_attribute("ICCProfile") : nullptr;
-    if (!profile) return {};
-    const std::byte* bytes = static_cast<const std::byte*>(profile->data());
-    return {bytes, bytes + profile->datasize()};
 }
 
 }  // namespace wend

@@ -20,8 +20,12 @@ struct Image {
     bool alpha = false;         // the last channel is alpha
     bool unassociated = false;  // colours are not multiplied with alpha (PNG, TIFF with that flag)
     std::vector<std::byte> data;
-    struct Metadata;
-    std::shared_ptr<const Metadata> metadata;  // ICC profile, resolution, text: all that the format carried
+    /// ICC profile, resolution, text: all that the format carried. What read it, knows it.
+    struct Metadata {
+        std::vector<std::byte> iccProfile;  // empty without one
+        virtual ~Metadata() = default;
+    };
+    std::shared_ptr<const Metadata> metadata;
 
     std::size_t pixelBytes() const;
     std::size_t rowBytes() const { return pixelBytes() * static_cast<std::size_t>(width); }
@@ -33,8 +37,9 @@ struct Image {
     /// them on request. To bring in small ones would take longer than to paint them.
     void reservePixels();
     std::byte* row(int y) { return data.data() + rowBytes() * static_cast<std::size_t>(y); }
-    /// The ICC profile's bytes; empty without one.
-    std::vector<std::byte> iccProfile() const;
+    std::vector<std::byte> iccProfile() const {
+        return metadata ? metadata->iccProfile : std::vector<std::byte>();
+    }
 };
 
 /// The largest picture that is read or made, in millions of pixels.

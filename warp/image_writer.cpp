@@ -1,20 +1,15 @@
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <functional>
 #include <future>
-#include <optional>
 #include <string_view>
 
 #include "core/mesh/error.h"
 #include "core/mesh/file_name.h"
 #include "core/mesh/safe_file.h"
-#include "warp/checked_proxy.h"
 #include "warp/convert.h"
 #include "warp/image_formats.h"
-#include "warp/image_metadata.h"
-#include "warp/picture_codecs.h"
-#include "warp/webp.h"
+#include "warp/picture_library.h"
 
 namespace wend {
 namespace {
@@ -23,32 +18,74 @@ enum class Association { Unassociated, Associated, Either };
 
 /// What a format can hold.
 struct Format {
-    PictureCodec codec;
+    PictureFormat id;
     std::array<std::string_view, 3> extensions;
     std::array<bool, 4> types;  // UInt8, UInt16, Half, Float
     bool gray, alpha, grayAlpha;
     Association association;
-    std::string_view compression;
 };
 
 constexpr std::array formats{
-    Format{kPng, {".png"}, {true, true, false, false}, true, true, true, Association::Unassociated, ""},
-    Format{kTiff, {".tif", ".tiff"}, {true, true, true, true}, true, true, true, Association::Either, "zip"},
-    Format{kExr, {".exr"}, {false, false, true, true}, true, true, true, Association::Associated, "zip"},
-    Format{kJpeg,
+    Format{PictureFormat::Png,
+           {".png"},
+           {true, true, false, false},
+           true,
+           true,
+           true,
+           Association::Unassociated},
+    Format{PictureFormat::Tiff,
+           {".tif", ".tiff"},
+           {true, true, true, true},
+           true,
+           true,
+           true,
+           Association::Either},
+    Format{
+        PictureFormat::Exr, {".exr"}, {false, false, true, true}, true, true, true, Association::Associated},
+    Format{PictureFormat::Jpeg,
            {".jpg", ".jpeg", ".jpe"},
            {true, false, false, false},
            true,
            false,
            false,
-           Association::Either,
-           "jpeg:95"},
-    Format{kWebp, {".webp"}, {true, false, false, false}, false, true, false, Association::Unassociated, ""},
-    Format{kBmp, {".bmp"}, {true, false, false, false}, true, true, false, Association::Unassociated, ""},
-    Format{kTga, {".tga"}, {true, false, false, false}, true, true, false, Association::Unassociated, "rle"},
-    Format{kJpeg2000, {".jp2"}, {true, true, false, false}, true, false, false, Association::Either, ""},
-    Format{kPnm, {".ppm", ".pnm"}, {true, false, false, false}, true, false, false, Association::Either, ""},
-    Format{kHdr, {".hdr"}, {false, false, false, true}, false, false, false, Association::Either, ""},
+           Association::Either},
+    Format{PictureFormat::Webp,
+           {".webp"},
+           {true, false, false, false},
+           false,
+           true,
+           false,
+           Association::Unassociated},
+    Format{PictureFormat::Bmp,
+           {".bmp"},
+           {true, false, false, false},
+           true,
+           true,
+           false,
+           Association::Unassociated},
+    Format{PictureFormat::Tga,
+           {".tga"},
+           {true, false, false, false},
+           true,
+           true,
+           false,
+           Association::Unassociated},
+    Format{PictureFormat::Jpeg2000,
+           {".jp2"},
+           {true, true, false, false},
+           true,
+           false,
+           false,
+           Association::Either},
+    Format{PictureFormat::Pnm,
+           {".ppm", ".pnm"},
+           {true, false, false, false},
+           true,
+           false,
+           false,
+           Association::Either},
+    Format{
+        PictureFormat::Hdr, {".hdr"}, {false, false, false, true}, false, false, false, Association::Either},
 };
 
 const Format* findFormat(const std::string& extension) {
@@ -98,78 +135,19 @@ PixelLayout fileLayout(const Format& format, const Image& image) {
     return layout;
 }
 
-/// Attributes that describe how the source's pixels were stored, which is not how these are.
-bool describesStorage(std::string_view name) {
-    for (std::string_view prefix :
-         {"tiff:", "png:", "jpeg:", "gif:", "webp:", "openexr:", "thumbnail_", "heif:", "raw:"})
-        if (name.starts_with(prefix)) return true;
-    for (std::string_view word :
-         {"compression", "planarconfig", "oiio:BitsPerSample", "oiio:UnassociatedAlpha", "oiio:subimages",
-          "oiio:subimagename", "oiio:Movie", "FramesPerSecond", "textureformat", "wrapmodes", "fovcot",
-          "tiled"})
-        if (name == word) return true;
-    return false;
-}
-
-OIIO::TypeDesc fileType(PixelType type) {
-    constexpr std::array types{OIIO::TypeDesc::UINT8, OIIO::TypeDesc::UINT16, OIIO::TypeDesc::HALF,
-                               OIIO::TypeDesc::FLOAT};
-    return types[static_cast<std::size_t>(type)];
-}
-
-/// Of a large picture, the usual level of compression takes five times the time for 6 % less.
-constexpr const char* kQuickZip = "zip:4";
-constexpr int kQuickPng = 4;
-
-bool isLarge(const Image& image) {
-    return image.width * 1e-6 * image.height > 16;
-}
-
-/// A crop window that a file of the same size carried stays.
-void copyWindow(const OIIO::ImageSpec& from, OIIO::ImageSpec& to) {
-    if (from.width != to.width || from.height != to.height) return;
-    to.x = from.x, to.y = from.y;
-    to.full_x = from.full_x, to.full_y = from.full_y;
-    to.full_width = from.full_width, to.full_height = from.full_height;
-}
-
-OIIO::ImageSpec fileSpec(const Format& format, const Image& image) {
-    OIIO::ImageSpec spec(image.width, image.height, image.channels, fileType(image.type));
-    if (image.colours() == 1) spec.channelnames[0] = "Y";
-    if (image.alpha) spec.channelnames.back() = "A";
-    spec.alpha_channel = image.alpha ? image.channels - 1 : -1;
-    if (image.metadata) {
-        for (const OIIO::ParamValue& value : image.metadata->spec.extra_attribs)
-            if (!describesStorage(value.name().string())) spec.extra_attribs.add_or_replace(value);
-        copyWindow(image.metadata->spec, spec);
-    }
-    if (image.alpha && image.unassociated) spec.attribute("oiio:UnassociatedAlpha", 1);
-    if (!format.compression.empty()) spec.attribute("compression", std::string(format.compression));
-    if (isLarge(image)) {
-        if (format.extensions[0] == ".png") spec.attribute("png:compressionLevel", kQuickPng);
-        if (format.extensions[0] == ".tif") spec.attribute("compression", kQuickZip);
-    }
-    if (format.compression.starts_with("jpeg")) spec.attribute("jpeg:subsampling", "4:4:4");
-    // The time of writing, which these libraries would put in, would make of the same picture another file.
-    const bool isDated = format.extensions[0] == ".tif" || format.extensions[0] == ".exr";
-    if (isDated && !spec.find_attribute("DateTime")) spec.attribute("DateTime", "");
-    return spec;
-}
-
 /// A picture's strips in the file's layout, each made while the one before is written.
 class Strips {
   public:
     Strips(const Image& picture, const PixelLayout& layout, int rows, const MakeRows& makeRows)
         : m_picture(picture), m_layout(layout), m_rows(rows), m_makeRows(makeRows) {}
 
-    /// Calls write(top, strip) from top to bottom until it returns false.
-    template <typename Write>
-    bool forEach(Write&& write) {
+    /// Hands over strips from top to bottom until one is refused: false then.
+    bool forEach(const TakeRows& take) {
         makeNext();
         for (int top = 0; top < m_picture.height; top += m_rows) {
             const Image strip = m_next.get();
             makeNext();
-            if (!write(top, strip)) return false;
+            if (!take(top, strip)) return false;
         }
         return true;
     }
@@ -195,122 +173,6 @@ class Strips {
     const MakeRows& m_makeRows;
     std::future<Image> m_next;  // its end waits for the work
 };
-
-/// A picture on its way into a file.
-struct Writing {
-    const Format& format;
-    std::string path, temporary;
-    Image picture;  // in the file's layout, without pixels
-    std::function<Strips()> strips;
-};
-
-/// How an attempt to write ended: the reason of a failure, empty on success, and whether it is the disk's.
-struct Attempt {
-    std::string problem;
-    bool disk = false;
-};
-
-using Bytes = std::string_view;
-
-std::size_t mixed(std::size_t sum, Bytes bytes) {
-    return sum * 31 + std::hash<Bytes>()(bytes);
-}
-
-/// Writes all rows; `failed` tells of what the format's library does not see. `sum` gets that of the rows.
-template <typename Failed>
-std::string tryWriteTo(OIIO::ImageOutput& output, const Failed& failed, const Writing& writing,
-                       const OIIO::ImageSpec& spec, std::size_t& sum) {
-    if (!output.open(writing.temporary, spec)) return "cannot be opened for writing: " + output.geterror();
-    const bool written = writing.strips().forEach([&](int top, const Image& strip) {
-        const auto* bytes = reinterpret_cast<const char*>(strip.data.data());
-        for (int y = 0; y < strip.height; ++y)
-            sum = mixed(sum, {bytes + y * strip.rowBytes(), strip.rowBytes()});
-        return output.write_scanlines(spec.y + top, spec.y + top + strip.height, spec.z, spec.format,
-                                      strip.data.data()) &&
-               !failed();
-    });
-    const std::string error = output.geterror();
-    const bool closed = output.close();
-    if (written && closed) return {};
-    return error.empty() ? "the disk may be full" : error;
-}
-
-/// What is wrong with a finished file when it is opened again and its rows from the `first` on are read;
-/// empty if nothing is. Only the reader of its own format may look at it. `sum` gets that of the rows.
-std::string tryToReadBack(const Writing& writing, const OIIO::ImageSpec& spec, int first, std::size_t& sum) {
-    const std::unique_ptr<OIIO::ImageInput> input(writing.format.codec.reader());
-    OIIO::ImageSpec found, config;
-    config.attribute("oiio:UnassociatedAlpha", writing.picture.unassociated ? 1 : 0);
-    if (!input->open(writing.temporary, found, config)) return "cannot be read again: " + input->geterror();
-    if (found.width != spec.width || found.height != spec.height || found.nchannels != spec.nchannels)
-        return "has another size when it is read again";
-    std::string row(spec.scanline_bytes(),
-                    '\0');  // in the type that was handed over: a TIFF keeps halves as floats
-    for (int y = found.y + first; y < found.y + found.height; ++y) {
-        const bool read =
-            input->read_scanlines(0, 0, y, y + 1, found.z, 0, found.nchannels, spec.format, row.data()) &&
-            !input->has_error();
-        if (!read) return "cannot be read again to its end";
-        sum = mixed(sum, row);
-    }
-    return {};
-}
-
-/// libtiff tells of most that goes wrong, but not of all when it closes; and what it writes cannot go through
-/// a file of ours, since OpenImageIO then does not let it read what it has written. All pixels are compared.
-Attempt tryWriteTiff(OIIO::ImageOutput& output, const Writing& writing, const OIIO::ImageSpec& spec) {
-    std::size_t written = 0, read = 0;
-    std::string problem = tryWriteTo(
-        output, [] { return false; }, writing, spec, written);
-    if (problem.empty()) problem = tryToReadBack(writing, spec, 0, read);
-    if (problem.empty() && written != read) problem = "is another picture when it is read again";
-    return {problem};
-}
-
-/// None of the formats' libraries tells of a full disk in every case, and that of JPEG ends the process: what
-/// they write goes through a file that looks.
-Attempt tryWrite(const Writing& writing, OIIO::ImageSpec spec) {
-    std::optional<CheckedProxy> proxy;  // outlives the output, whose end may write
-    const std::unique_ptr<OIIO::ImageOutput> output(writing.format.codec.writer());
-    if (std::string_view(output->format_name()) == "tiff") return tryWriteTiff(*output, writing, spec);
-    OIIO::Filesystem::IOProxy* const pointer = &proxy.emplace(writing.temporary);
-    spec.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &pointer);
-    std::size_t sum = 0;
-    const auto failed = [&] { return proxy->file().failed(); };
-    const std::string problem = tryWriteTo(*output, failed, writing, spec, sum);
-    if (const std::string reason = proxy->file().finish(); !reason.empty()) return {reason, true};
-    return {problem.empty() ? tryToReadBack(writing, spec, spec.height - 1, sum) : problem};
-}
-
-/// `text` with the temporary file called by its proper name.
-std::string properlyNamed(std::string text, const Writing& writing) {
-    const auto at = text.find(writing.temporary);
-    return at == std::string::npos ? text : text.replace(at, writing.temporary.size(), writing.path);
-}
-
-/// A colour profile that the format's library refuses fails the whole file: better the picture without it.
-void writePicture(const Writing& writing, OIIO::ImageSpec spec) {
-    Attempt attempt = tryWrite(writing, spec);
-    if (!attempt.problem.empty() && !attempt.disk && spec.find_attribute("ICCProfile")) {
-        spec.erase_attribute("ICCProfile");
-        attempt = tryWrite(writing, spec);
-    }
-    if (attempt.problem.empty()) return;
-    const std::string problem = properlyNamed(attempt.problem, writing);
-    throw InputError(writing.path, "cannot be written: " + problem.substr(0, problem.find('\n')));
-}
-
-/// OpenImageIO's own WebP rounds the colours of transparent pixels and drops the profile.
-void writeWebpPicture(const Writing& writing, const OIIO::ImageSpec& spec) {
-    Image whole = writing.picture;
-    whole.data.reserve(whole.rowBytes() * static_cast<std::size_t>(whole.height));
-    writing.strips().forEach([&](int, const Image& strip) {
-        whole.data.insert(whole.data.end(), strip.data.begin(), strip.data.end());
-        return true;
-    });
-    const std::string error = writeWebp(writing.temporary, whole, spec);
-    if (!error.empty()) throw InputError(writing.path, "cannot be written: " + error);
-}
 
 Image withLayout(const Image& header, const PixelLayout& layout) {
     return {header.width, header.height,  layout.channels, layout.type, layout.alpha, layout.unassociated,
@@ -342,13 +204,10 @@ void writeImage(const std::string& path, const Image& header, int stripRows, con
         throw InputError(path, "pictures of less than 32 pixels a side cannot be written as .jp2");
     const PixelLayout layout = fileLayout(format, header);
     writeWhole(path, [&](const std::string& temporary) {
-        const Writing writing{format, path, temporary, withLayout(header, layout),
-                              [&] { return Strips(header, layout, stripRows, makeRows); }};
-        const OIIO::ImageSpec spec = fileSpec(format, writing.picture);
-        if (!format.codec.writer)
-            writeWebpPicture(writing, spec);
-        else
-            writePicture(writing, spec);
+        pictureLibrary(path).write(
+            {format.id, path, temporary, withLayout(header, layout), [&](const TakeRows& take) {
+                 return Strips(header, layout, stripRows, makeRows).forEach(take);
+             }});
     });
 }
 

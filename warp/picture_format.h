@@ -7,8 +7,9 @@
 
 namespace wend {
 
-/// The formats whose readers are entered, each tried with damaged files (docs/reliability.md).
-enum class PictureFormat { Png, Jpeg, Tiff, Exr, Webp, Hdr, Bmp, Tga, Pnm };
+/// The formats whose readers are entered, each tried with damaged files (docs/reliability.md), and last one
+/// that is only written.
+enum class PictureFormat { Png, Jpeg, Tiff, Exr, Webp, Hdr, Bmp, Tga, Pnm, Jpeg2000 };
 
 /// Which of them a file is of: by its first bytes, never by its name, and never by trying one reader after
 /// the other. TGA has no mark; there the whole header has to make sense. Throws InputError(path, reason) that

@@ -6,10 +6,11 @@
 
 namespace wend {
 
-/// There is not enough memory for a file. what() is "FILE: does not fit into memory".
+/// There is not enough memory for a file. what() is "FILE: why", one line.
 class OutOfMemory : public std::bad_alloc {
   public:
-    explicit OutOfMemory(const std::string& file) : m_what(file + ": does not fit into memory") {}
+    explicit OutOfMemory(const std::string& file, const std::string& why = "does not fit into memory")
+        : m_what(file + ": " + why) {}
     const char* what() const noexcept override { return m_what.c_str(); }
 
   private:

@@ -15,7 +15,7 @@ class TestLittleMemory : public QObject {
 
 void TestLittleMemory::runEndsWell_data() {
     QTest::addColumn<int>("megabytes");
-    for (int megabytes = 200; megabytes <= 1200; megabytes += 40)
+    for (int megabytes = 80; megabytes <= 1200; megabytes += 40)
         QTest::addRow("%d MB", megabytes) << megabytes;
 }
 

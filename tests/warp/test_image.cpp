@@ -9,7 +9,7 @@
 #include "core/mesh/error.h"
 #include "tests/support/pictures.h"
 #include "warp/convert.h"
-#include "warp/image_metadata.h"
+#include "warp/openimageio/image_metadata.h"
 
 using namespace wend;
 using namespace wend::test;
@@ -276,7 +276,7 @@ class TestImage : public QObject {
     void descriptionSurvives() {
         QFETCH(QString, extension);
         Image image = smoothChart(16, 16, {PixelType::UInt8, 3, false, false});
-        auto metadata = std::make_shared<Image::Metadata>();
+        auto metadata = std::make_shared<OpenImageIOMetadata>();
         metadata->spec.attribute("Artist", "A. Painter");
         metadata->spec.attribute("ImageDescription", "a small chart");
         metadata->spec.attribute("DateTime", "2024:05:06 07:08:09");
@@ -284,7 +284,8 @@ class TestImage : public QObject {
         writeImage(path("told." + extension), image);
         const Image read = readImage(path("told." + extension));
         const auto told = [&](const char* name) {
-            return QString::fromStdString(std::string(read.metadata->spec.get_string_attribute(name)));
+            return QString::fromStdString(std::string(
+                static_cast<const OpenImageIOMetadata&>(*read.metadata).spec.get_string_attribute(name)));
         };
         QVERIFY(told("Artist").startsWith("A. Painter"));
         QVERIFY(told("ImageDescription").startsWith("a small chart"));
@@ -295,7 +296,7 @@ class TestImage : public QObject {
     /// The same picture makes the same file on another day: no library puts the time of writing in.
     /// The place in a larger frame that the source's file gave it, for a picture of its size.
     void windowSurvives() {
-        auto metadata = std::make_shared<Image::Metadata>();
+        auto metadata = std::make_shared<OpenImageIOMetadata>();
         metadata->spec = OIIO::ImageSpec(20, 16, 4, OIIO::TypeDesc::HALF);
         metadata->spec.x = 3, metadata->spec.y = 5;
         metadata->spec.full_x = -2, metadata->spec.full_y = 1;

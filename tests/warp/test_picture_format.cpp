@@ -10,7 +10,7 @@
 #include "core/mesh/error.h"
 #include "warp/image.h"
 #include "warp/picture_format.h"
-#include "warp/plugins.h"
+#include "warp/picture_library.h"
 
 using namespace wend;
 

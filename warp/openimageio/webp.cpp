@@ -1,4 +1,4 @@
-#include "warp/webp.h"
+#include "warp/openimageio/webp.h"
 
 #include <webp/decode.h>
 #include <webp/encode.h>

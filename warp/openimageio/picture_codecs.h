@@ -2,6 +2,10 @@
 
 #include <OpenImageIO/imageio.h>
 
+#include <array>
+
+#include "warp/picture_format.h"
+
 // OpenImageIO's readers and writers are made one by one: its own search looks for plug-ins, and when a reader
 // fails, it tries all the others, of which some write where they must not. As in its imageioplugin.cpp: no
 // header of its declares them.
@@ -32,23 +36,27 @@ OIIO_NAMESPACE_END
 
 namespace wend {
 
-/// What makes OpenImageIO's reader and writer of a format.
+/// What makes OpenImageIO's reader and writer of a format, and how the writer is to compress.
 struct PictureCodec {
     OIIO::ImageInput* (*reader)() = nullptr;
     OIIO::ImageOutput* (*writer)() = nullptr;
+    const char* compression = "";
 };
 
-inline constexpr PictureCodec kPng{OIIO::png_input_imageio_create, OIIO::png_output_imageio_create};
-inline constexpr PictureCodec kJpeg{OIIO::jpeg_input_imageio_create, OIIO::jpeg_output_imageio_create};
-inline constexpr PictureCodec kJpeg2000{OIIO::jpeg2000_input_imageio_create,
-                                        OIIO::jpeg2000_output_imageio_create};
-inline constexpr PictureCodec kTiff{OIIO::tiff_input_imageio_create, OIIO::tiff_output_imageio_create};
-inline constexpr PictureCodec kExr{OIIO::openexr_input_imageio_create, OIIO::openexr_output_imageio_create};
-/// Written by libwebp itself.
-inline constexpr PictureCodec kWebp{OIIO::webp_input_imageio_create, nullptr};
-inline constexpr PictureCodec kHdr{OIIO::hdr_input_imageio_create, OIIO::hdr_output_imageio_create};
-inline constexpr PictureCodec kBmp{OIIO::bmp_input_imageio_create, OIIO::bmp_output_imageio_create};
-inline constexpr PictureCodec kTga{OIIO::targa_input_imageio_create, OIIO::targa_output_imageio_create};
-inline constexpr PictureCodec kPnm{OIIO::pnm_input_imageio_create, OIIO::pnm_output_imageio_create};
+inline const PictureCodec& codecOf(PictureFormat format) {
+    static constexpr std::array codecs{
+        PictureCodec{OIIO::png_input_imageio_create, OIIO::png_output_imageio_create},
+        PictureCodec{OIIO::jpeg_input_imageio_create, OIIO::jpeg_output_imageio_create, "jpeg:95"},
+        PictureCodec{OIIO::tiff_input_imageio_create, OIIO::tiff_output_imageio_create, "zip"},
+        PictureCodec{OIIO::openexr_input_imageio_create, OIIO::openexr_output_imageio_create, "zip"},
+        PictureCodec{OIIO::webp_input_imageio_create, nullptr},  // written by libwebp itself
+        PictureCodec{OIIO::hdr_input_imageio_create, OIIO::hdr_output_imageio_create},
+        PictureCodec{OIIO::bmp_input_imageio_create, OIIO::bmp_output_imageio_create},
+        PictureCodec{OIIO::targa_input_imageio_create, OIIO::targa_output_imageio_create, "rle"},
+        PictureCodec{OIIO::pnm_input_imageio_create, OIIO::pnm_output_imageio_create},
+        PictureCodec{OIIO::jpeg2000_input_imageio_create, OIIO::jpeg2000_output_imageio_create}};
+    static_assert(codecs.size() == static_cast<std::size_t>(PictureFormat::Jpeg2000) + 1);
+    return codecs[static_cast<std::size_t>(format)];
+}
 
 }  // namespace wend

@@ -1,0 +1,59 @@
+// What the program finds in the module.
+
+#include <OpenImageIO/imageio.h>
+
+#include <cstdlib>
+#include <optional>
+#include <string>
+
+#include "warp/openimageio/reader.h"
+#include "warp/openimageio/writer.h"
+
+namespace wend {
+namespace {
+
+/// A variable of the environment that is not there for a while.
+class Unset {
+  public:
+    explicit Unset(const char* name) : m_name(name) {
+        const char* value = std::getenv(name);
+        if (!value) return;
+        m_value = value;
+        unsetenv(name);
+    }
+    ~Unset() {
+        if (m_value) setenv(m_name, m_value->c_str(), 1);
+    }
+    Unset(const Unset&) = delete;
+    Unset& operator=(const Unset&) = delete;
+
+  private:
+    const char* m_name;
+    std::optional<std::string> m_value;
+};
+
+class OpenImageIO final : public PictureLibrary {
+  public:
+    /// It looks for plug-ins now, and nowhere.
+    OpenImageIO() {
+        const Unset own("OIIO_LIBRARY_PATH"), all("LD_LIBRARY_PATH");
+        OIIO::attribute("plugin_searchpath", "");
+        OIIO::is_imageio_format_name("png");
+    }
+    StoredPicture readHeader(const std::string& path, PictureFormat format) const override {
+        return readStoredHeader(path, format);
+    }
+    StoredPicture read(const std::string& path, PictureFormat format, double maxMegapixels,
+                       void (*goOn)()) const override {
+        return readStored(path, format, maxMegapixels, goOn);
+    }
+    void write(const PictureToWrite& writing) const override { writeStored(writing); }
+};
+
+}  // namespace
+}  // namespace wend
+
+extern "C" __attribute__((visibility("default"))) const wend::PictureLibrary& wendPictureLibrary() {
+    static const wend::OpenImageIO library;
+    return library;
+}

@@ -1,0 +1,191 @@
+#include "warp/openimageio/reader.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <sstream>
+
+#include "core/mesh/error.h"
+#include "warp/openimageio/image_metadata.h"
+#include "warp/openimageio/picture_codecs.h"
+#include "warp/openimageio/webp.h"
+
+namespace wend {
+namespace {
+
+using Input = std::unique_ptr<OIIO::ImageInput>;
+
+/// The first line, which is the cause; what follows repeats it.
+std::string firstLine(const std::string& text) {
+    return text.substr(0, text.find('\n'));
+}
+
+bool isWebp(const OIIO::ImageInput& input) {
+    return std::string_view(input.format_name()) == "webp";
+}
+
+Input openPicture(const std::string& path, PictureFormat format) {
+    OIIO::ImageSpec hints, spec;
+    hints.attribute("oiio:UnassociatedAlpha", 1);
+    Input input(codecOf(format).reader());
+    if (!input->open(path, spec, hints))
+        throw InputError(path, "cannot be read as a picture: " + firstLine(input->geterror()));
+    return input;
+}
+
+PixelType pixelType(const OIIO::TypeDesc& format) {
+    switch (format.basetype) {
+        case OIIO::TypeDesc::UINT8:
+            return PixelType::UInt8;
+        case OIIO::TypeDesc::UINT16:
+            return PixelType::UInt16;
+        case OIIO::TypeDesc::HALF:
+            return PixelType::Half;
+        default:
+            return PixelType::Float;
+    }
+}
+
+OIIO::TypeDesc typeDesc(PixelType type) {
+    switch (type) {
+        case PixelType::UInt8:
+            return OIIO::TypeDesc::UINT8;
+        case PixelType::UInt16:
+            return OIIO::TypeDesc::UINT16;
+        case PixelType::Half:
+            return OIIO::TypeDesc::HALF;
+        case PixelType::Float:
+            return OIIO::TypeDesc::FLOAT;
+    }
+    return OIIO::TypeDesc::FLOAT;
+}
+
+/// Colours, then alpha; what a file has beyond (depth, masks, other layers) is left out. Some readers of
+/// OpenImageIO name an alpha channel that is not there (GIF: 4 of 4).
+void chooseChannels(const OIIO::ImageSpec& spec, Image& image) {
+    int alpha = spec.alpha_channel;
+    if (alpha >= spec.nchannels) alpha = spec.nchannels % 2 == 0 ? spec.nchannels - 1 : -1;
+    image.alpha = alpha == 1 || alpha == 3;
+    image.channels = image.alpha ? alpha + 1 : (spec.nchannels < 3 ? 1 : 3);
+    image.unassociated = image.alpha && spec.get_int_attribute("oiio:UnassociatedAlpha") != 0;
+}
+
+/// A profile for other colours than the pixels' (the CMYK one of a converted JPEG) or a broken one is not the
+/// picture's.
+bool profileFits(const OIIO::ParamValue& profile, int colours) {
+    const std::size_t size = static_cast<std::size_t>(profile.datasize());
+    if (size < 132) return false;
+    const auto* bytes = static_cast<const unsigned char*>(profile.data());
+    const std::size_t declared =
+        static_cast<std::size_t>(bytes[0]) << 24 | bytes[1] << 16 | bytes[2] << 8 | bytes[3];
+    const char* space = colours < 3 ? "GRAY" : "RGB ";
+    return declared == size && std::memcmp(bytes + 36, "acsp", 4) == 0 &&
+           std::memcmp(bytes + 16, space, 4) == 0;
+}
+
+Image header(const OIIO::ImageSpec& spec) {
+    Image image;
+    image.width = spec.width, image.height = spec.height;
+    image.type = pixelType(spec.format);
+    chooseChannels(spec, image);
+    auto metadata = std::make_shared<OpenImageIOMetadata>();
+    metadata->spec = spec;
+    if (const OIIO::ParamValue* profile = spec.find_attribute("ICCProfile")) {
+        const auto* bytes = static_cast<const std::byte*>(profile->data());
+        if (profileFits(*profile, image.colours()))
+            metadata->iccProfile.assign(bytes, bytes + profile->datasize());
+        else
+            metadata->spec.erase_attribute("ICCProfile");
+    }
+    metadata->spec.attribute("Orientation", 1);
+    image.metadata = std::move(metadata);
+    return image;
+}
+
+void requireSensible(const std::string& path, const OIIO::ImageSpec& spec, double maxMegapixels) {
+    if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1) throw InputError(path, "has no pixels");
+    if (spec.depth > 1) throw InputError(path, "is a volume, not a picture");
+    const double megapixels = spec.width * 1e-6 * spec.height;
+    if (megapixels > maxMegapixels) {
+        std::ostringstream text;
+        text.imbue(std::locale::classic());
+        text << "has " << spec.width << " x " << spec.height << " pixels, more than " << maxMegapixels
+             << " million";
+        throw InputError(path, text.str());
+    }
+}
+
+/// What libjpeg finds and repairs without loss: padding between segments, unusual but harmless scan
+/// parameters.
+bool harmless(const std::string& error) {
+    return error.find("extraneous bytes before marker") != std::string::npos ||
+           error.find("Invalid SOS parameters") != std::string::npos;
+}
+
+/// OpenImageIO returns true for truncated TIFF and corrupt JPEG files: only the error text tells.
+void requireSuccess(const std::string& path, OIIO::ImageInput& input, bool success) {
+    const std::string error = firstLine(input.geterror());
+    if (success && (error.empty() || harmless(error))) return;
+    throw InputError(path, "is truncated or corrupt" + (error.empty() ? error : ": " + error));
+}
+
+/// In strips, so that memory is taken only as real data comes.
+void readStrips(const std::string& path, OIIO::ImageInput& input, Image& image, void (*goOn)()) {
+    const OIIO::ImageSpec spec = input.spec();
+    const int strip = 64;
+    image.reservePixels();
+    for (int y = 0; y < image.height; y += strip) {
+        goOn();
+        const int end = std::min(y + strip, image.height);
+        image.data.resize(image.rowBytes() * static_cast<std::size_t>(end));
+        const bool success = input.read_scanlines(0, 0, spec.y + y, spec.y + end, spec.z, 0, image.channels,
+                                                  typeDesc(image.type), image.row(y));
+        requireSuccess(path, input, success);
+    }
+}
+
+void readPixels(const std::string& path, OIIO::ImageInput& input, Image& image, void (*goOn)()) {
+    if (isWebp(input)) {
+        if (readWebp(path, image)) return;
+        image.unassociated = false;  // OpenImageIO's frames of animations are associated
+    }
+    if (input.spec().tile_width == 0) return readStrips(path, input, image, goOn);
+    image.makePixels();
+    const bool success = input.read_image(0, 0, 0, image.channels, typeDesc(image.type), image.data.data());
+    requireSuccess(path, input, success);
+}
+
+/// What the file says, with what OpenImageIO leaves to us: WebP's metadata, and one name for the inch.
+OIIO::ImageSpec specOf(const std::string& path, const OIIO::ImageInput& input) {
+    OIIO::ImageSpec spec = input.spec();
+    if (spec.get_string_attribute("ResolutionUnit") == "inch") spec.attribute("ResolutionUnit", "in");
+    if (!isWebp(input)) return spec;
+    readWebpMetadata(path, spec);
+    spec.attribute("oiio:UnassociatedAlpha", 1);
+    return spec;
+}
+
+int orientationOf(const OIIO::ImageSpec& spec) {
+    return spec.get_int_attribute("Orientation", 1);
+}
+
+}  // namespace
+
+StoredPicture readStoredHeader(const std::string& path, PictureFormat format) {
+    const Input input = openPicture(path, format);
+    const OIIO::ImageSpec spec = specOf(path, *input);
+    return {header(spec), orientationOf(spec)};
+}
+
+StoredPicture readStored(const std::string& path, PictureFormat format, double maxMegapixels,
+                         void (*goOn)()) {
+    const Input input = openPicture(path, format);
+    requireSensible(path, input->spec(), maxMegapixels);
+    const OIIO::ImageSpec spec = specOf(path, *input);
+    StoredPicture stored{header(spec), orientationOf(spec)};
+    readPixels(path, *input, stored.image, goOn);
+    return stored;
+}
+
+}  // namespace wend

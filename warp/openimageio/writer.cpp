@@ -1,0 +1,197 @@
+#include "warp/openimageio/writer.h"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <optional>
+#include <string_view>
+
+#include "core/mesh/error.h"
+#include "warp/openimageio/checked_proxy.h"
+#include "warp/openimageio/image_metadata.h"
+#include "warp/openimageio/picture_codecs.h"
+#include "warp/openimageio/webp.h"
+
+namespace wend {
+namespace {
+
+/// Attributes that describe how the source's pixels were stored, which is not how these are.
+bool describesStorage(std::string_view name) {
+    for (std::string_view prefix :
+         {"tiff:", "png:", "jpeg:", "gif:", "webp:", "openexr:", "thumbnail_", "heif:", "raw:"})
+        if (name.starts_with(prefix)) return true;
+    for (std::string_view word :
+         {"compression", "planarconfig", "oiio:BitsPerSample", "oiio:UnassociatedAlpha", "oiio:subimages",
+          "oiio:subimagename", "oiio:Movie", "FramesPerSecond", "textureformat", "wrapmodes", "fovcot",
+          "tiled"})
+        if (name == word) return true;
+    return false;
+}
+
+OIIO::TypeDesc fileType(PixelType type) {
+    constexpr std::array types{OIIO::TypeDesc::UINT8, OIIO::TypeDesc::UINT16, OIIO::TypeDesc::HALF,
+                               OIIO::TypeDesc::FLOAT};
+    return types[static_cast<std::size_t>(type)];
+}
+
+/// Of a large picture, the usual level of compression takes five times the time for 6 % less.
+constexpr const char* kQuickZip = "zip:4";
+constexpr int kQuickPng = 4;
+
+bool isLarge(const Image& image) {
+    return image.width * 1e-6 * image.height > 16;
+}
+
+/// A crop window that a file of the same size carried stays.
+void copyWindow(const OIIO::ImageSpec& from, OIIO::ImageSpec& to) {
+    if (from.width != to.width || from.height != to.height) return;
+    to.x = from.x, to.y = from.y;
+    to.full_x = from.full_x, to.full_y = from.full_y;
+    to.full_width = from.full_width, to.full_height = from.full_height;
+}
+
+OIIO::ImageSpec fileSpec(PictureFormat format, const Image& image) {
+    OIIO::ImageSpec spec(image.width, image.height, image.channels, fileType(image.type));
+    if (image.colours() == 1) spec.channelnames[0] = "Y";
+    if (image.alpha) spec.channelnames.back() = "A";
+    spec.alpha_channel = image.alpha ? image.channels - 1 : -1;
+    if (image.metadata) {  // nothing else makes any
+        const OIIO::ImageSpec& source = static_cast<const OpenImageIOMetadata&>(*image.metadata).spec;
+        for (const OIIO::ParamValue& value : source.extra_attribs)
+            if (!describesStorage(value.name().string())) spec.extra_attribs.add_or_replace(value);
+        copyWindow(source, spec);
+    }
+    if (image.alpha && image.unassociated) spec.attribute("oiio:UnassociatedAlpha", 1);
+    const std::string compression = codecOf(format).compression;
+    if (!compression.empty()) spec.attribute("compression", compression);
+    if (isLarge(image)) {
+        if (format == PictureFormat::Png) spec.attribute("png:compressionLevel", kQuickPng);
+        if (format == PictureFormat::Tiff) spec.attribute("compression", kQuickZip);
+    }
+    if (format == PictureFormat::Jpeg) spec.attribute("jpeg:subsampling", "4:4:4");
+    // The time of writing, which these libraries would put in, would make of the same picture another file.
+    const bool isDated = format == PictureFormat::Tiff || format == PictureFormat::Exr;
+    if (isDated && !spec.find_attribute("DateTime")) spec.attribute("DateTime", "");
+    return spec;
+}
+
+/// How an attempt to write ended: the reason of a failure, empty on success, and whether it is the disk's.
+struct Attempt {
+    std::string problem;
+    bool disk = false;
+};
+
+using Bytes = std::string_view;
+
+std::size_t mixed(std::size_t sum, Bytes bytes) {
+    return sum * 31 + std::hash<Bytes>()(bytes);
+}
+
+/// Writes all rows; `failed` tells of what the format's library does not see. `sum` gets that of the rows.
+template <typename Failed>
+std::string tryWriteTo(OIIO::ImageOutput& output, const Failed& failed, const PictureToWrite& writing,
+                       const OIIO::ImageSpec& spec, std::size_t& sum) {
+    if (!output.open(writing.temporary, spec)) return "cannot be opened for writing: " + output.geterror();
+    const bool written = writing.strips([&](int top, const Image& strip) {
+        const auto* bytes = reinterpret_cast<const char*>(strip.data.data());
+        for (int y = 0; y < strip.height; ++y)
+            sum = mixed(sum, {bytes + y * strip.rowBytes(), strip.rowBytes()});
+        return output.write_scanlines(spec.y + top, spec.y + top + strip.height, spec.z, spec.format,
+                                      strip.data.data()) &&
+               !failed();
+    });
+    const std::string error = output.geterror();
+    const bool closed = output.close();
+    if (written && closed) return {};
+    return error.empty() ? "the disk may be full" : error;
+}
+
+/// What is wrong with a finished file when it is opened again and its rows from the `first` on are read;
+/// empty if nothing is. Only the reader of its own format may look at it. `sum` gets that of the rows.
+std::string tryToReadBack(const PictureToWrite& writing, const OIIO::ImageSpec& spec, int first,
+                          std::size_t& sum) {
+    const std::unique_ptr<OIIO::ImageInput> input(codecOf(writing.format).reader());
+    OIIO::ImageSpec found, config;
+    config.attribute("oiio:UnassociatedAlpha", writing.picture.unassociated ? 1 : 0);
+    if (!input->open(writing.temporary, found, config)) return "cannot be read again: " + input->geterror();
+    if (found.width != spec.width || found.height != spec.height || found.nchannels != spec.nchannels)
+        return "has another size when it is read again";
+    std::string row(spec.scanline_bytes(),
+                    '\0');  // in the type that was handed over: a TIFF keeps halves as floats
+    for (int y = found.y + first; y < found.y + found.height; ++y) {
+        const bool read =
+            input->read_scanlines(0, 0, y, y + 1, found.z, 0, found.nchannels, spec.format, row.data()) &&
+            !input->has_error();
+        if (!read) return "cannot be read again to its end";
+        sum = mixed(sum, row);
+    }
+    return {};
+}
+
+/// libtiff tells of most that goes wrong, but not of all when it closes; and what it writes cannot go through
+/// a file of ours, since OpenImageIO then does not let it read what it has written. All pixels are compared.
+Attempt tryWriteTiff(OIIO::ImageOutput& output, const PictureToWrite& writing, const OIIO::ImageSpec& spec) {
+    std::size_t written = 0, read = 0;
+    std::string problem = tryWriteTo(
+        output, [] { return false; }, writing, spec, written);
+    if (problem.empty()) problem = tryToReadBack(writing, spec, 0, read);
+    if (problem.empty() && written != read) problem = "is another picture when it is read again";
+    return {problem};
+}
+
+/// None of the formats' libraries tells of a full disk in every case, and that of JPEG ends the process: what
+/// they write goes through a file that looks.
+Attempt tryWrite(const PictureToWrite& writing, OIIO::ImageSpec spec) {
+    std::optional<CheckedProxy> proxy;  // outlives the output, whose end may write
+    const std::unique_ptr<OIIO::ImageOutput> output(codecOf(writing.format).writer());
+    if (writing.format == PictureFormat::Tiff) return tryWriteTiff(*output, writing, spec);
+    OIIO::Filesystem::IOProxy* const pointer = &proxy.emplace(writing.temporary);
+    spec.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &pointer);
+    std::size_t sum = 0;
+    const auto failed = [&] { return proxy->file().failed(); };
+    const std::string problem = tryWriteTo(*output, failed, writing, spec, sum);
+    if (const std::string reason = proxy->file().finish(); !reason.empty()) return {reason, true};
+    return {problem.empty() ? tryToReadBack(writing, spec, spec.height - 1, sum) : problem};
+}
+
+/// `text` with the temporary file called by its proper name.
+std::string properlyNamed(std::string text, const PictureToWrite& writing) {
+    const auto at = text.find(writing.temporary);
+    return at == std::string::npos ? text : text.replace(at, writing.temporary.size(), writing.path);
+}
+
+/// A colour profile that the format's library refuses fails the whole file: better the picture without it.
+void writePicture(const PictureToWrite& writing, OIIO::ImageSpec spec) {
+    Attempt attempt = tryWrite(writing, spec);
+    if (!attempt.problem.empty() && !attempt.disk && spec.find_attribute("ICCProfile")) {
+        spec.erase_attribute("ICCProfile");
+        attempt = tryWrite(writing, spec);
+    }
+    if (attempt.problem.empty()) return;
+    const std::string problem = properlyNamed(attempt.problem, writing);
+    throw InputError(writing.path, "cannot be written: " + problem.substr(0, problem.find('\n')));
+}
+
+/// OpenImageIO's own WebP rounds the colours of transparent pixels and drops the profile.
+void writeWebpPicture(const PictureToWrite& writing, const OIIO::ImageSpec& spec) {
+    Image whole = writing.picture;
+    whole.data.reserve(whole.rowBytes() * static_cast<std::size_t>(whole.height));
+    writing.strips([&](int, const Image& strip) {
+        whole.data.insert(whole.data.end(), strip.data.begin(), strip.data.end());
+        return true;
+    });
+    const std::string error = writeWebp(writing.temporary, whole, spec);
+    if (!error.empty()) throw InputError(writing.path, "cannot be written: " + error);
+}
+
+}  // namespace
+
+void writeStored(const PictureToWrite& writing) {
+    const OIIO::ImageSpec spec = fileSpec(writing.format, writing.picture);
+    if (!codecOf(writing.format).writer)
+        writeWebpPicture(writing, spec);
+    else
+        writePicture(writing, spec);
+}
+
+}  // namespace wend

@@ -1,0 +1,51 @@
+#include "warp/picture_library.h"
+
+#include <dlfcn.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+
+#include <cstddef>
+#include <cstdlib>
+
+#include "core/mesh/child_process.h"
+#include "core/mesh/error.h"
+
+namespace wend {
+namespace {
+
+constexpr std::size_t kRoom = std::size_t(736) << 20;  // for these libraries, measured, and a picture
+
+/// Under a limit on addresses (ulimit -v) libraries end the process while they are being initialized.
+bool hasRoom() {
+    rlimit limit{};
+    if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return true;
+    void* room = mmap(nullptr, kRoom, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    return room != MAP_FAILED && munmap(room, kRoom) == 0;
+}
+
+const PictureLibrary& loaded(const std::string& path) {
+    if (!hasRoom())
+        throw OutOfMemory(path,
+                          "there is not enough memory for what reads and writes pictures: 736 MB more are "
+                          "needed (see ulimit -v)");
+    void* module = dlopen(siblingProgram("wend-pictures.so").c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (!module)
+        throw InputError(path, std::string("what reads and writes pictures is missing: ") + dlerror());
+    using Library = const PictureLibrary& (*)();
+    return reinterpret_cast<Library>(dlsym(module, "wendPictureLibrary"))();
+}
+
+}  // namespace
+
+const PictureLibrary& pictureLibrary(const std::string& path) {
+    static const PictureLibrary& library = loaded(path);
+    return library;
+}
+
+void lookForNoPlugins() try {
+    if (std::getenv("OIIO_LIBRARY_PATH") || std::getenv("LD_LIBRARY_PATH")) pictureLibrary({});
+} catch (const std::exception&) {
+    // The first picture says why.
+}
+
+}  // namespace wend

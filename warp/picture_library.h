@@ -1,0 +1,57 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "warp/image.h"
+#include "warp/picture_format.h"
+
+namespace wend {
+
+/// A picture as it lies in its file, and how an EXIF tag asks to turn it (upright()).
+struct StoredPicture {
+    Image image;
+    int orientation = 1;
+};
+
+/// Takes the rows from `top` on; false once no more are wanted.
+using TakeRows = std::function<bool(int top, const Image& strip)>;
+
+/// A picture on its way into a file.
+struct PictureToWrite {
+    PictureFormat format;
+    std::string path, temporary;  // the name to speak of, and the file that is written
+    Image picture;                // in the file's layout, without pixels
+    /// Hands over all strips from top to bottom, until one is refused: then it returns false. It can be asked
+    /// again.
+    std::function<bool(const TakeRows&)> strips;
+};
+
+/// What is done by OpenImageIO. It brings two hundred other libraries along, and to link them takes ten times
+/// as long as to start all the rest of Wend: they stand below a module beside the program, which the first
+/// picture loads. No format is guessed, and nothing is asked of files but of those named.
+class PictureLibrary {
+  public:
+    virtual ~PictureLibrary() = default;
+
+    /// Without the pixels. Throws InputError.
+    virtual StoredPicture readHeader(const std::string& path, PictureFormat format) const = 0;
+    /// `goOn` is called between strips and throws to stop. Throws InputError, and for more than
+    /// `maxMegapixels`.
+    virtual StoredPicture read(const std::string& path, PictureFormat format, double maxMegapixels,
+                               void (*goOn)()) const = 0;
+    /// Throws InputError(path, why) if the file is not what was handed over.
+    virtual void write(const PictureToWrite& writing) const = 0;
+};
+
+/// Loads the module when it is asked for the first time, on behalf of the picture in `path`. Throws
+/// InputError and OutOfMemory with that name.
+const PictureLibrary& pictureLibrary(const std::string& path);
+
+/// OpenImageIO looks for plug-ins once, where the environment says, and loads what it finds (already to learn
+/// whether an attribute's prefix is a format's name). The module makes it look nowhere, for which it changes
+/// the environment for a moment. If that names any place, this loads the module: call it before any thread
+/// begins.
+void lookForNoPlugins();
+
+}  // namespace wend
