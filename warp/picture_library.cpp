@@ -31,8 +31,8 @@ const PictureLibrary& loaded(const std::string& path) {
     void* module = dlopen(siblingProgram("wend-pictures.so").c_str(), RTLD_NOW | RTLD_LOCAL);
     if (!module)
         throw InputError(path, std::string("what reads and writes pictures is missing: ") + dlerror());
-    using Library = const PictureLibrary& (*)();
-    return reinterpret_cast<Library>(dlsym(module, "wendPictureLibrary"))();
+    using Library = const PictureLibrary* (*)();
+    return *reinterpret_cast<Library>(dlsym(module, "wendPictureLibrary"))();
 }
 
 }  // namespace

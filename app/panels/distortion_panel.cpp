@@ -8,6 +8,7 @@
 
 #include "app/panels/jump_slider.h"
 #include "app/panels/panel_parts.h"
+#include "app/session/shape.h"
 #include "core/energy/distortion.h"
 
 namespace wend {
@@ -53,7 +54,8 @@ void DistortionPanel::makeControls() {
     m_opacity->setRange(5, 100);
     m_opacity->setPageStep(10);
     m_opacity->setValue(QSettings().value("mapOpacity", 100 * kMapOpacity).toInt());
-    describe(m_opacity, tr("Opacity"), tr("How much the map covers the picture below it."));
+    describe(m_opacity, tr("Opacity"),
+             tr("How much the map covers the picture, or the colours of the solid, below it."));
     m_lock->setCheckable(true);
     m_lock->setText(tr("Keep these colours"));
     describe(m_lock, tr("Keep these colours"),
@@ -109,7 +111,6 @@ void DistortionPanel::setDimension(int dimension) {
     for (const Measure measure : measuresOf(dimension))
         m_measure->addItem(measureName(measure, dimension), static_cast<int>(measure));
     const bool solid = dimension == 3;
-    m_opacityRow->setVisible(!solid);
     m_areaName->setText(solid ? tr("Volume error") : tr("Area error"));
     const QString help = solid
                              ? tr("Sum over the shape of det F + 1/det F − 2: zero if all volumes are kept.")
@@ -139,12 +140,20 @@ void DistortionPanel::setMeasure(Measure measure) {
     if (index >= 0) m_measure->setCurrentIndex(index);
 }
 
+/// What a map may cover: of a solid, the materials of its surface.
+bool DistortionPanel::hasPicture(const ShapeFrame& frame) {
+    if (frame.dimension == 2) return true;
+    const auto& skin = static_cast<const PosedFrame<3>&>(frame).built->skin;
+    return skin && !skin->materials.empty();
+}
+
 void DistortionPanel::takeFrame() {
     const FramePtr& frame = m_session.frame();
     setEnabled(frame != nullptr);
     m_totals->setEnabled(frame != nullptr);
     if (!frame) return;
     setDimension(frame->dimension);
+    m_opacityRow->setVisible(hasPicture(*frame));
     showTotals(*frame->distortion);
     const std::vector<double> values = shownValues(m_session, measure());
     if (!m_lock->isChecked()) {

@@ -38,6 +38,7 @@ class DistortionPanel : public QWidget {
   private:
     void makeControls();
     void setDimension(int dimension);
+    static bool hasPicture(const ShapeFrame& frame);
     void arrange();
     void takeFrame();
     void showTotals(const Distortion& distortion);

@@ -119,6 +119,8 @@ void SolidWorkshop::connectLooks(SolidCanvas* canvas) {
     const auto colour = [canvas, map] { canvas->setMap(map->measure(), map->range()); };
     colour();
     connect(map, &DistortionPanel::mapChanged, canvas, colour);
+    canvas->setMapOpacity(map->opacity());
+    connect(map, &DistortionPanel::opacityChanged, canvas, &SolidCanvas::setMapOpacity);
 }
 
 /// From where, and how the mouse turns the view.

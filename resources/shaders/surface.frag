@@ -28,14 +28,21 @@ uniform sampler2D colours;
 uniform int firstTriangle;
 uniform bool textured;
 uniform sampler2D picture;
+// Another colour for each triangle lies over what is then gray, as in pictures.
+uniform sampler2D map;
+uniform float mapOpacity;  // 0: there is none
 
 out vec4 fragment;
 
 vec4 surfaceColour() {
     if (!coloursOfTriangles) return vertex.colour;
     int triangle = firstTriangle + gl_PrimitiveID, width = textureSize(colours, 0).x;
-    vec4 colour = texelFetch(colours, ivec2(triangle % width, triangle / width), 0);
-    return textured ? colour * texture(picture, vertex.uv) : colour;
+    ivec2 place = ivec2(triangle % width, triangle / width);
+    vec4 colour = texelFetch(colours, place, 0);
+    if (textured) colour *= texture(picture, vertex.uv);
+    if (mapOpacity == 0.0) return colour;
+    float gray = dot(colour.rgb, vec3(0.34375, 0.5, 0.15625));  // as qGray
+    return vec4(mix(vec3(gray), texelFetch(map, place, 0).rgb, mapOpacity), colour.a);
 }
 
 void main() {

@@ -198,7 +198,7 @@ void TestBench::stops() {
     BenchTable table;
     BenchRecorder recorder(table, options);
     recorder.begin({"small", 2, 1, 1, {}});
-    QVERIFY_EXCEPTION_THROWN(recorder.add({}), Cancelled);
+    QVERIFY_THROWS_EXCEPTION(Cancelled, recorder.add({}));
 }
 
 QTEST_GUILESS_MAIN(TestBench)

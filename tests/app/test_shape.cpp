@@ -140,10 +140,10 @@ class TestShape : public QObject {
         spec.regions.push_back({"", Box<2>{{-1, -1}, {3, 3}}, 0, {}, Stiffness<2>{{1, 0}, 2}});
         QCOMPARE(rasterizeMaterial<2>(spec, mesh)->phi[1], 0.7);
         spec.cellPhi.push_back(1);
-        QVERIFY_EXCEPTION_THROWN(rasterizeMaterial<2>(spec, mesh), InputError);
+        QVERIFY_THROWS_EXCEPTION(InputError, rasterizeMaterial<2>(spec, mesh));
         spec.cellPhi.clear();
         spec.cellB = {Mat<2>::Identity()};
-        QVERIFY_EXCEPTION_THROWN(rasterizeMaterial<2>(spec, mesh), InputError);
+        QVERIFY_THROWS_EXCEPTION(InputError, rasterizeMaterial<2>(spec, mesh));
     }
 
     /// uv place the mesh in the picture, and a pose goes along by the affine map that fits.
@@ -182,8 +182,8 @@ class TestShape : public QObject {
         QCOMPARE(fit.height, 87);
         for (const double far : {2.1e4, 2e6, 1e200}) {  // more than 400 million pixels
             pose(0, 1) = pose(1, 2) = far;
-            QVERIFY_EXCEPTION_THROWN(canvasView(picture, extentOf<2>(pose, {{0, 1, 2}}), Canvas::Fit),
-                                     InputError);
+            QVERIFY_THROWS_EXCEPTION(InputError,
+                                     canvasView(picture, extentOf<2>(pose, {{0, 1, 2}}), Canvas::Fit));
         }
     }
 
@@ -253,7 +253,7 @@ class TestShape : public QObject {
         std::stop_source source;
         source.request_stop();
         const Project project = parsed("'domain': {'image': 'disc.png', 'vertices': 20000}", m_base);
-        QVERIFY_EXCEPTION_THROWN(loadShape(project, m_base, source.get_token()), Cancelled);
+        QVERIFY_THROWS_EXCEPTION(Cancelled, loadShape(project, m_base, source.get_token()));
     }
 
   private:

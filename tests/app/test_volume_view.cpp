@@ -204,6 +204,29 @@ void TestVolumeView::ridingSurfaceHasItsTexture() {
     m_view->setPicture(picture, false);
     const QColor map = at(m_view->grabFramebuffer(), *m_view, {0.8, 0.25, 0.6});
     QVERIFY(map.red() > 100 && map.green() > 100 && map.blue() < 60);
+    // Over the materials it covers their grays: light is a factor, so that the colours are mixed in
+    // proportion.
+    picture.materials = true;
+    m_view->setPicture(picture, false);
+    std::array<std::array<QColor, 2>, 3> seen;
+    for (int k = 0; k < 3; ++k) {
+        SurfaceStyle style;
+        style.edges = false;
+        style.mapOpacity = std::array{1.0, 0.5, 0.001}[k];
+        m_view->setStyle(style);
+        const QImage covered = m_view->grabFramebuffer();
+        seen[k] = {at(covered, *m_view, {-0.8, 0, 0.6}), at(covered, *m_view, {0.8, 0.25, 0.6})};
+    }
+    m_view->setStyle({});
+    QCOMPARE(seen[0][0], seen[0][1]);
+    for (int place = 0; place < 2; ++place) {
+        const QColor whole = seen[0][place], half = seen[1][place], gray = seen[2][place];
+        QVERIFY(whole.red() > 100 && whole.green() == whole.red() && whole.blue() < 3);
+        QVERIFY(gray.red() - gray.blue() <= 2 && gray.green() - gray.blue() <= 2 && gray.red() > 20);
+        QVERIFY(std::abs(2 * half.red() - whole.red() - gray.red()) <= 3);
+        QVERIFY(std::abs(2 * half.blue() - whole.blue() - gray.blue()) <= 3);
+    }
+    QVERIFY(seen[2][1].red() > seen[2][0].red() + 15);  // green is lighter than red
 }
 
 void TestVolumeView::ridingSurfaceFollowsAndIsCut() {

@@ -153,7 +153,7 @@ class TestDragFlow : public QObject {
         QVERIFY(flow.pose() == bend.mesh->points);
         QCOMPARE(flow.lead({}, shift<Dim>(1, 0)).done, 1.0);
         QVERIFY(flow.pose() == bend.mesh->points);
-        QVERIFY_EXCEPTION_THROWN(flow.begin(Points<Dim>(Dim, 3)), InputError);
+        QVERIFY_THROWS_EXCEPTION(InputError, flow.begin(Points<Dim>(Dim, 3)));
     }
 
     /// A drag that begins where the last one ended knows how the shape moves; far from there it is a guess of

@@ -179,7 +179,7 @@ void TestGltf::textureRunsDown() {
 }
 
 void TestGltf::missingFolderIsAnError() {
-    QVERIFY_EXCEPTION_THROWN(writeGltf("/nowhere/at/all/x.glb", bendingBox()), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, writeGltf("/nowhere/at/all/x.glb", bendingBox()));
 }
 
 void TestGltf::embeddedPointsFollowAffineMaps() {

@@ -451,7 +451,7 @@ class TestIntegrationDeformer : public QObject {
         auto wrong = bend.handles;
         wrong.push_back(wrong[1]);
         wrong.back().motions.clear();
-        QVERIFY_EXCEPTION_THROWN(live.setHandles(wrong), InputError);
+        QVERIFY_THROWS_EXCEPTION(InputError, live.setHandles(wrong));
         QVERIFY(identical(live.state().points, points));
     }
 
@@ -546,7 +546,7 @@ class TestIntegrationDeformer : public QObject {
         Deformer<2> deformer = bend.deformer();
         State<2> state = deformer.state();
         state.points.conservativeResize(2, 3);
-        QVERIFY_EXCEPTION_THROWN(deformer.restore(state), InputError);
+        QVERIFY_THROWS_EXCEPTION(InputError, deformer.restore(state));
     }
 };
 

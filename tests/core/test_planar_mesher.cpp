@@ -410,7 +410,7 @@ class TestPlanarMesher : public QObject {
         source.request_stop();
         PlanarMeshOptions options;
         options.stop = source.get_token();
-        QVERIFY_EXCEPTION_THROWN(meshOutline({{rectangle(0, 0, 100, 100)}}, options), Cancelled);
+        QVERIFY_THROWS_EXCEPTION(Cancelled, meshOutline({{rectangle(0, 0, 100, 100)}}, options));
     }
 };
 

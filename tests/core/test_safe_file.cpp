@@ -91,7 +91,7 @@ void TestSafeFile::leavesNoTrace() {
         QVERIFY(entries() > before);
     }
     QCOMPARE(entries(), before);
-    QVERIFY_EXCEPTION_THROWN(PendingFile(file("none/b.txt")), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, PendingFile(file("none/b.txt")));
 }
 
 /// Temporaries lie in a folder that is this user's alone, whatever the rights of the place.
@@ -151,7 +151,7 @@ void TestSafeFile::keepsWhatIsReadOnly() {
     put(file("kept.txt"), "o");
     fs::permissions(file("kept.txt"), fs::perms::owner_read);
     const auto before = entries();
-    QVERIFY_EXCEPTION_THROWN(writeWhole(file("kept.txt"), "n"), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, writeWhole(file("kept.txt"), "n"));
     QCOMPARE(entries(), before);
     QCOMPARE(get(file("kept.txt")), std::string("o"));
 }
@@ -164,7 +164,7 @@ void TestSafeFile::writesLongNames() {
         QCOMPARE(get(name), std::string("long"));
         fs::remove(name);
     }
-    QVERIFY_EXCEPTION_THROWN(PendingFile(file((std::string(252, 'n') + ".png").c_str())), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, PendingFile(file((std::string(252, 'n') + ".png").c_str())));
 }
 
 /// What killed programs have left goes when the next one works there; what a living one holds, and what only

@@ -371,7 +371,7 @@ void TestVolumeMesher::cancelEnds() {
         std::this_thread::sleep_for(std::chrono::milliseconds(200));
         source.request_stop();
     });
-    QVERIFY_EXCEPTION_THROWN(meshVolume(kBox, options), Cancelled);
+    QVERIFY_THROWS_EXCEPTION(Cancelled, meshVolume(kBox, options));
 }
 
 QTEST_APPLESS_MAIN(TestVolumeMesher)

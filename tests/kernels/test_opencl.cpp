@@ -223,7 +223,7 @@ void TestOpenCl::missingDeviceIsAnErrorOnlyByName() {
     const auto make = [&](BackEndKind kind) {
         return backEndFactory<2>(kind, "no such thing")(pair.plan, pair.rest, material, 1);
     };
-    QVERIFY_EXCEPTION_THROWN(make(BackEndKind::OpenCl), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, make(BackEndKind::OpenCl));
     QCOMPARE(make(BackEndKind::Automatic)->name(), std::string("cpu"));
     QCOMPARE(make(BackEndKind::Cpu)->name(), std::string("cpu"));
 }

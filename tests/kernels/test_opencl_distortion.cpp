@@ -105,7 +105,7 @@ void TestOpenClDistortion::failingDeviceIsReplaced() {
     const SimplicialMesh<2> rest = sample<2>();
     OpenClDeviceInfo nowhere;
     nowhere.platform = 99;
-    QVERIFY_EXCEPTION_THROWN(OpenClDistortion<2>(nowhere, rest), DeviceFailure);
+    QVERIFY_THROWS_EXCEPTION(DeviceFailure, OpenClDistortion<2>(nowhere, rest));
     const Distortion expected = distortion<2>(rest, rest.points);
     for (BackEndKind kind : {BackEndKind::Cpu, BackEndKind::Automatic})
         QVERIFY(distortionOf<2>(kind, rest)(rest.points).angle == expected.angle);

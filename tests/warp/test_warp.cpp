@@ -690,7 +690,7 @@ void TestWarp::errorsReachTheCaller() {
         WarpOptions options;
         options.threads = threads;
         options.progress = [](double) { throw std::bad_alloc(); };
-        QVERIFY_EXCEPTION_THROWN(warpImage(source, mesh, mesh.points, view, options), std::bad_alloc);
+        QVERIFY_THROWS_EXCEPTION(std::bad_alloc, warpImage(source, mesh, mesh.points, view, options));
     }
 }
 
@@ -698,8 +698,8 @@ void TestWarp::badShapeIsAnError() {
     const auto mesh = wholePicture();
     Points<2> pose = mesh.points;
     pose(0, 3) = std::nan("");
-    QVERIFY_EXCEPTION_THROWN(warpImage(randomPicture(64, 48, 3, PixelType::UInt8, false), mesh, pose, kView),
-                             InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError,
+                             warpImage(randomPicture(64, 48, 3, PixelType::UInt8, false), mesh, pose, kView));
     // Far away, folded and without area are fine.
     pose = mesh.points * 1e9;
     pose.col(5).setZero();
@@ -784,7 +784,7 @@ void TestWarp::stoppedExportLeavesNothing() {
         stop = {};
         options.stop = stop.get_token();
         const WarpedPicture picture(source, mesh, mesh.points, {40, 900, Vec<2>::Zero(), 1}, options);
-        QVERIFY_EXCEPTION_THROWN(writeWarped(folder.filePath(name).toStdString(), picture), Cancelled);
+        QVERIFY_THROWS_EXCEPTION(Cancelled, writeWarped(folder.filePath(name).toStdString(), picture));
     }
     QVERIFY(QDir(folder.path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot).isEmpty());
 }

@@ -53,7 +53,7 @@ class OpenImageIO final : public PictureLibrary {
 }  // namespace
 }  // namespace wend
 
-extern "C" __attribute__((visibility("default"))) const wend::PictureLibrary& wendPictureLibrary() {
+extern "C" __attribute__((visibility("default"))) const wend::PictureLibrary* wendPictureLibrary() {
     static const wend::OpenImageIO library;
-    return library;
+    return &library;
 }

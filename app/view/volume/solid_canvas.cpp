@@ -191,13 +191,13 @@ void SolidCanvas::refresh() {
     picture.cellColours = colours(*frame);
     // A map's colours are those of the tetrahedra: on their own border they are exact.
     const bool map = m_map && !m_hidden;
-    const bool isDetailed = ridesInCage(*frame) || !m_session.document().project()->domain.detail.empty();
-    if (m_detail && hasDetail() && (isDetailed || !map)) {
+    if (m_detail && hasDetail()) {
         picture.skin = frame->built->skin;
         picture.embedding = frame->built->embedding;
-        picture.materials = !map;
+        picture.materials = !map || !picture.skin->materials.empty();
     }
     m_style.dimming = m_dimmed && picture.materials ? 0.5 : 0;
+    m_style.mapOpacity = map && picture.materials ? m_opacity : 0;
     setStyle(m_style);
     if (meetsNewDocument()) {
         m_toFit = true;
@@ -330,6 +330,11 @@ void SolidCanvas::setMap(Measure measure, const MeasureRange& range) {
     m_measure = measure;
     m_range = range;
     wantVelocity();
+    if (m_map) refresh();
+}
+
+void SolidCanvas::setMapOpacity(double opacity) {
+    m_opacity = opacity;
     if (m_map) refresh();
 }
 

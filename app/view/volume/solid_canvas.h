@@ -72,6 +72,8 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     /// border.
     void setDetailShown(bool shown);
     void setMap(Measure measure, const MeasureRange& range);
+    /// Of the map over a surface that has colours of its own.
+    void setMapOpacity(double opacity);
     void setArrowsShown(bool shown);
     /// What was before and comes after.
     void setOnionSkin(bool shown);
@@ -154,6 +156,7 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     bool m_planeChosen = false;  // the cut's, by the user in this document
     bool m_toFit = false;        // the view has not been fitted to the whole motion's end yet
     bool m_fitted = false;       // the view follows the window's size until the user changes it
+    double m_opacity = kMapOpacity;
     Measure m_measure = Measure::Length;
     MeasureRange m_range;
     mutable std::shared_ptr<const Skin> m_marked;  // whose points m_skinPoints are

@@ -107,6 +107,7 @@ void SurfaceRenderer::release() {
         triangles->uv.destroy();
         triangles->indices.destroy();
         triangles->colours.reset();
+        triangles->map.reset();
         triangles->array.destroy();
     }
     m_textures.clear();
@@ -161,8 +162,15 @@ void SurfaceRenderer::setPose(Layer layer, const DrawMesh& mesh, const Points<3>
 }
 
 void SurfaceRenderer::setColours(Layer layer, const std::vector<QRgb>& colours) {
+    fill(m_layers[layer].colours, colours);
+}
+
+void SurfaceRenderer::setMap(const std::vector<QRgb>& colours) {
+    fill(m_layers[Outer].map, colours);
+}
+
+void SurfaceRenderer::fill(std::unique_ptr<QOpenGLTexture>& texture, const std::vector<QRgb>& colours) {
     const int height = static_cast<int>((colours.size() + kColourWidth - 1) / kColourWidth);
-    auto& texture = m_layers[layer].colours;
     if (!texture || texture->height() != std::max(1, height)) {
         texture = std::make_unique<QOpenGLTexture>(QOpenGLTexture::Target2D);
         texture->setFormat(QOpenGLTexture::RGBA8_UNorm);
@@ -219,6 +227,7 @@ void SurfaceRenderer::setUniforms(QOpenGLShaderProgram& program, const Sight& si
     program.setUniformValue("dimming", static_cast<float>(style.dimming));
     program.setUniformValue("colours", 0);
     program.setUniformValue("picture", 1);
+    program.setUniformValue("map", 2);
     program.setUniformValue("clipPlane", kNoClip);
     if (!clip) return;
     const Vec<3> normal = turn * clip->normal, point = (turn * clip->point + shift) / m_scale;
@@ -228,11 +237,14 @@ void SurfaceRenderer::setUniforms(QOpenGLShaderProgram& program, const Sight& si
                                static_cast<float>(-normal.dot(point))));
 }
 
-void SurfaceRenderer::drawLayer(QOpenGLShaderProgram& program, Triangles& triangles, bool materials) {
+void SurfaceRenderer::drawLayer(QOpenGLShaderProgram& program, Triangles& triangles, bool materials,
+                                double mapOpacity) {
     if (triangles.count == 0 || !triangles.colours) return;
     const QOpenGLVertexArrayObject::Binder binder(&triangles.array);
     triangles.colours->bind(0);
+    (triangles.map ? triangles.map : m_noTexture)->bind(2);
     program.setUniformValue("coloursOfTriangles", true);
+    program.setUniformValue("mapOpacity", triangles.map ? static_cast<float>(mapOpacity) : 0.0F);
     for (const DrawMesh::Part& part : triangles.parts) {
         const bool textured = materials && part.material >= 0 &&
                               part.material < static_cast<int>(m_textures.size()) &&
@@ -248,8 +260,7 @@ void SurfaceRenderer::drawLayer(QOpenGLShaderProgram& program, Triangles& triang
 void SurfaceRenderer::drawGlyphs() {
     if (m_glyphs.count == 0) return;
     const QOpenGLVertexArrayObject::Binder binder(&m_glyphs.array);
-    m_noTexture->bind(0);
-    m_noTexture->bind(1);
+    for (const uint unit : {0U, 1U, 2U}) m_noTexture->bind(unit);
     m_plain->setUniformValue("coloursOfTriangles", false);
     m_plain->setUniformValue("flatShading", false);
     m_plain->setUniformValue("dimming", 0.0F);
@@ -262,7 +273,7 @@ void SurfaceRenderer::draw(const Sight& sight, const SurfaceStyle& style, bool m
     QOpenGLShaderProgram& program = style.edges ? *m_edged : *m_plain;
     setUniforms(program, sight, style, clip);
     if (clip) m_gl->glEnable(GL_CLIP_DISTANCE0);
-    drawLayer(program, m_layers[Outer], materials);
+    drawLayer(program, m_layers[Outer], materials, materials ? style.mapOpacity : 0);
     m_gl->glDisable(GL_CLIP_DISTANCE0);
     program.setUniformValue("clipPlane", kNoClip);   // the section lies on the plane
     program.setUniformValue("ownFromBehind", 1.0F);  // slivers of it may have either orientation,
@@ -270,7 +281,7 @@ void SurfaceRenderer::draw(const Sight& sight, const SurfaceStyle& style, bool m
     m_gl->glEnable(
         GL_POLYGON_OFFSET_FILL);  // a detailed surface ends on the section: it does not show through
     m_gl->glPolygonOffset(-1, -1);
-    drawLayer(program, m_layers[Section], false);
+    drawLayer(program, m_layers[Section], false, 0);
     m_gl->glDisable(GL_POLYGON_OFFSET_FILL);
     if (m_glyphs.count > 0) {
         setUniforms(*m_plain, sight, style, {});

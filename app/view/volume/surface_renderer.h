@@ -31,6 +31,7 @@ struct SurfaceStyle {
     QColor edgeColour = QColor(20, 24, 32);
     QColor backColour = QColor(150, 92, 86);
     double ownFromBehind = 0;  // 0 … 1: how much of its own colour a face seen from behind keeps
+    double mapOpacity = 0;     // 0 … 1: how much the colours of a map cover a surface that has its own
 
     bool operator==(const SurfaceStyle&) const = default;
 };
@@ -67,6 +68,8 @@ class SurfaceRenderer {
     void setPose(Layer layer, const DrawMesh& mesh, const Points<3>& points, bool withNormals);
     /// One per triangle.
     void setColours(Layer layer, const std::vector<QRgb>& colours);
+    /// Those of a map over the outer surface, one per triangle: drawn where `style` has an opacity for it.
+    void setMap(const std::vector<QRgb>& colours);
     /// Pictures of the skin's materials, null ones where there are none.
     void setTextures(const std::vector<QImage>& pictures);
     /// Things beside the surface: arrows, ellipsoids.
@@ -81,7 +84,7 @@ class SurfaceRenderer {
         QOpenGLVertexArrayObject array;
         QOpenGLBuffer vertices{QOpenGLBuffer::VertexBuffer}, uv{QOpenGLBuffer::VertexBuffer},
             indices{QOpenGLBuffer::IndexBuffer};
-        std::unique_ptr<QOpenGLTexture> colours;
+        std::unique_ptr<QOpenGLTexture> colours, map;
         std::vector<DrawMesh::Part> parts;
         int count = 0;
     };
@@ -90,10 +93,11 @@ class SurfaceRenderer {
     };
     bool link(QOpenGLShaderProgram& program, bool edges);
     void create(Triangles& triangles);
+    static void fill(std::unique_ptr<QOpenGLTexture>& texture, const std::vector<QRgb>& colours);
     void createGlyphs();
     void setUniforms(QOpenGLShaderProgram& program, const Sight& sight, const SurfaceStyle& style,
                      const std::optional<CutPlane>& clip);
-    void drawLayer(QOpenGLShaderProgram& program, Triangles& triangles, bool materials);
+    void drawLayer(QOpenGLShaderProgram& program, Triangles& triangles, bool materials, double mapOpacity);
     void drawGlyphs();
     Eigen::Vector3f normalized(const Vec<3>& p) const { return ((p - m_centre) / m_scale).cast<float>(); }
 

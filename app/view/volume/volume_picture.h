@@ -18,7 +18,8 @@ struct VolumePicture {
     // A surface that rides in the solid and is drawn in place of its border; null if there is none.
     std::shared_ptr<const Skin> skin;
     std::shared_ptr<const Embedding<3>> embedding;
-    bool materials = false;  // the skin has the colours and pictures of its materials, not those of the cells
+    bool materials = false;  // the skin has the colours and pictures of its materials; those of the cells lie
+                             // over them as a map, where the style has an opacity for it
     bool isOpen = false;     // bounds no solid: its colours tell something from behind, too
 };
 

@@ -87,6 +87,7 @@ void VolumeView::setPicture(VolumePicture picture, bool fitView) {
 }
 
 void VolumeView::setStyle(const SurfaceStyle& style) {
+    m_coloursStale = m_coloursStale || (style.mapOpacity > 0) != (m_style.mapOpacity > 0);
     m_style = style;
     update();
 }
@@ -256,6 +257,7 @@ std::vector<QRgb> VolumeView::coloursOf(const DrawMesh& mesh, bool riding) const
 
 void VolumeView::uploadColours() {
     m_renderer.setColours(SurfaceRenderer::Outer, coloursOf(m_outer, isRiding()));
+    if (m_style.mapOpacity > 0) m_renderer.setMap(coloursOf(m_outer, false));
     m_renderer.setColours(SurfaceRenderer::Section, coloursOf(m_section, false));
 }
 
