@@ -485,6 +485,21 @@
     </message>
 </context>
 <context>
+    <name>Names</name>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>Stroke</source>
+        <translation>Strich</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Gebiet</translation>
+    </message>
+</context>
+<context>
     <name>Options</name>
     <message>
         <source>number of frames, at equal times from the start to the last time</source>
@@ -1760,6 +1775,22 @@
         <source>Speed: %1 %</source>
         <translation>Tempo: %1 %</translation>
     </message>
+    <message>
+        <source>Less &amp;Motion</source>
+        <translation>Weniger Be&amp;wegung</translation>
+    </message>
+    <message>
+        <source>Nothing moves in the window but what shows something</source>
+        <translation>Im Fenster bewegt sich nur, was etwas zeigt</translation>
+    </message>
+    <message>
+        <source>T&amp;ips</source>
+        <translation>T&amp;ipps</translation>
+    </message>
+    <message>
+        <source>Say beside the shape what to do first</source>
+        <translation>Sagt neben der Form, was zuerst zu tun ist</translation>
+    </message>
 </context>
 <context>
     <name>wend::BalancePanel</name>
@@ -2287,10 +2318,6 @@
         <translation>Deckkraft</translation>
     </message>
     <message>
-        <source>How much the map covers the picture below it.</source>
-        <translation>Wie sehr die Karte das Bild unter ihr verdeckt.</translation>
-    </message>
-    <message>
         <source>O&amp;pacity</source>
         <translation>&amp;Deckkraft</translation>
     </message>
@@ -2301,6 +2328,10 @@
     <message>
         <source>What is coloured over the picture: the error of lengths, areas or angles, how far it is from where it was, the material, how fast it moves, or how fine its mesh is.</source>
         <translation>Was über das Bild gefärbt wird: der Fehler von Längen, Flächen oder Winkeln, wie weit es von seinem Ort entfernt ist, das Material, wie schnell es sich bewegt oder wie fein sein Netz ist.</translation>
+    </message>
+    <message>
+        <source>How much the map covers the picture, or the colours of the solid, below it.</source>
+        <translation>Wie stark die Karte das Bild oder die Farben des Körpers darunter deckt.</translation>
     </message>
 </context>
 <context>
@@ -2725,6 +2756,21 @@
     <message>
         <source>&amp;Play</source>
         <translation>&amp;Abspielen</translation>
+    </message>
+</context>
+<context>
+    <name>wend::FirstTips</name>
+    <message>
+        <source>Click the shape to pin it</source>
+        <translation>Die Form anklicken, um einen Pin zu setzen</translation>
+    </message>
+    <message>
+        <source>Drag the pin</source>
+        <translation>Den Pin ziehen</translation>
+    </message>
+    <message>
+        <source>Change what the shape keeps</source>
+        <translation>Ändern, was die Form bewahrt</translation>
     </message>
 </context>
 <context>
@@ -3909,6 +3955,10 @@
         <source>A click locks it</source>
         <translation>Ein Klick sperrt ihn</translation>
     </message>
+    <message>
+        <source>No pins yet</source>
+        <translation>Noch keine Pins</translation>
+    </message>
 </context>
 <context>
     <name>wend::Properties</name>
@@ -4188,6 +4238,10 @@
     <message>
         <source>Recorded. K plays it; record other pins from the same time, and they move together.</source>
         <translation>Aufgenommen. K spielt es ab; andere Pins, vom selben Zeitpunkt an aufgenommen, bewegen sich gemeinsam.</translation>
+    </message>
+    <message>
+        <source>Pin</source>
+        <translation>Pin</translation>
     </message>
 </context>
 <context>

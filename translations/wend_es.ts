@@ -485,6 +485,21 @@
     </message>
 </context>
 <context>
+    <name>Names</name>
+    <message>
+        <source>Depth</source>
+        <translation>Profundidad</translation>
+    </message>
+    <message>
+        <source>Stroke</source>
+        <translation>Trazo</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Región</translation>
+    </message>
+</context>
+<context>
     <name>Options</name>
     <message>
         <source>Det&amp;ail, in vertices</source>
@@ -1760,6 +1775,22 @@
         <source>Speed: %1 %</source>
         <translation>Velocidad: %1 %</translation>
     </message>
+    <message>
+        <source>Less &amp;Motion</source>
+        <translation>Menos &amp;movimiento</translation>
+    </message>
+    <message>
+        <source>Nothing moves in the window but what shows something</source>
+        <translation>En la ventana solo se mueve lo que muestra algo</translation>
+    </message>
+    <message>
+        <source>T&amp;ips</source>
+        <translation>&amp;Consejos</translation>
+    </message>
+    <message>
+        <source>Say beside the shape what to do first</source>
+        <translation>Dice junto a la forma qué hacer primero</translation>
+    </message>
 </context>
 <context>
     <name>wend::BalancePanel</name>
@@ -2287,10 +2318,6 @@
         <translation>Opacidad</translation>
     </message>
     <message>
-        <source>How much the map covers the picture below it.</source>
-        <translation>Cuánto cubre el mapa la imagen que tiene debajo.</translation>
-    </message>
-    <message>
         <source>O&amp;pacity</source>
         <translation>Opac&amp;idad</translation>
     </message>
@@ -2301,6 +2328,10 @@
     <message>
         <source>What is coloured over the picture: the error of lengths, areas or angles, how far it is from where it was, the material, how fast it moves, or how fine its mesh is.</source>
         <translation>Qué se colorea sobre la imagen: el error de longitudes, áreas o ángulos, la distancia a su lugar original, el material, la velocidad con que se mueve o lo fina que es su malla.</translation>
+    </message>
+    <message>
+        <source>How much the map covers the picture, or the colours of the solid, below it.</source>
+        <translation>Cuánto cubre el mapa la imagen, o los colores del sólido, que hay debajo.</translation>
     </message>
 </context>
 <context>
@@ -2725,6 +2756,21 @@
     <message>
         <source>&amp;Play</source>
         <translation>&amp;Reproducir</translation>
+    </message>
+</context>
+<context>
+    <name>wend::FirstTips</name>
+    <message>
+        <source>Click the shape to pin it</source>
+        <translation>Haga clic en la forma para poner un alfiler</translation>
+    </message>
+    <message>
+        <source>Drag the pin</source>
+        <translation>Arrastre el alfiler</translation>
+    </message>
+    <message>
+        <source>Change what the shape keeps</source>
+        <translation>Cambie lo que conserva la forma</translation>
     </message>
 </context>
 <context>
@@ -3909,6 +3955,10 @@
         <source>A click locks it</source>
         <translation>Un clic lo bloquea</translation>
     </message>
+    <message>
+        <source>No pins yet</source>
+        <translation>Aún no hay alfileres</translation>
+    </message>
 </context>
 <context>
     <name>wend::Properties</name>
@@ -4188,6 +4238,10 @@
     <message>
         <source>Recorded. K plays it; record other pins from the same time, and they move together.</source>
         <translation>Grabado. K lo reproduce; otros alfileres grabados desde el mismo momento se mueven a la vez.</translation>
+    </message>
+    <message>
+        <source>Pin</source>
+        <translation>Alfiler</translation>
     </message>
 </context>
 <context>

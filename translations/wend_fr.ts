@@ -485,6 +485,21 @@
     </message>
 </context>
 <context>
+    <name>Names</name>
+    <message>
+        <source>Depth</source>
+        <translation>Profondeur</translation>
+    </message>
+    <message>
+        <source>Stroke</source>
+        <translation>Trait</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Région</translation>
+    </message>
+</context>
+<context>
     <name>Options</name>
     <message>
         <source>Det&amp;ail, in vertices</source>
@@ -1760,6 +1775,22 @@
         <source>Speed: %1 %</source>
         <translation>Vitesse&#x202f;: %1&#x202f;%</translation>
     </message>
+    <message>
+        <source>Less &amp;Motion</source>
+        <translation>Moins de &amp;mouvement</translation>
+    </message>
+    <message>
+        <source>Nothing moves in the window but what shows something</source>
+        <translation>Dans la fenêtre ne bouge que ce qui montre quelque chose</translation>
+    </message>
+    <message>
+        <source>T&amp;ips</source>
+        <translation>&amp;Conseils</translation>
+    </message>
+    <message>
+        <source>Say beside the shape what to do first</source>
+        <translation>Dit à côté de la forme ce qu’il faut faire d’abord</translation>
+    </message>
 </context>
 <context>
     <name>wend::BalancePanel</name>
@@ -2287,10 +2318,6 @@
         <translation>Opacité</translation>
     </message>
     <message>
-        <source>How much the map covers the picture below it.</source>
-        <translation>À quel point la carte couvre l’image en dessous.</translation>
-    </message>
-    <message>
         <source>O&amp;pacity</source>
         <translation>Opaci&amp;té</translation>
     </message>
@@ -2301,6 +2328,10 @@
     <message>
         <source>What is coloured over the picture: the error of lengths, areas or angles, how far it is from where it was, the material, how fast it moves, or how fine its mesh is.</source>
         <translation>Ce qui est coloré sur l’image&#x202f;: l’erreur des longueurs, des aires ou des angles, la distance à la place d’origine, le matériau, la vitesse du mouvement ou la finesse du maillage.</translation>
+    </message>
+    <message>
+        <source>How much the map covers the picture, or the colours of the solid, below it.</source>
+        <translation>Dans quelle mesure la carte couvre l’image, ou les couleurs du solide, en dessous.</translation>
     </message>
 </context>
 <context>
@@ -2725,6 +2756,21 @@
     <message>
         <source>&amp;Play</source>
         <translation>&amp;Lecture</translation>
+    </message>
+</context>
+<context>
+    <name>wend::FirstTips</name>
+    <message>
+        <source>Click the shape to pin it</source>
+        <translation>Cliquez sur la forme pour l’épingler</translation>
+    </message>
+    <message>
+        <source>Drag the pin</source>
+        <translation>Faites glisser l’épingle</translation>
+    </message>
+    <message>
+        <source>Change what the shape keeps</source>
+        <translation>Changez ce que la forme conserve</translation>
     </message>
 </context>
 <context>
@@ -3909,6 +3955,10 @@
         <source>A click locks it</source>
         <translation>Un clic la verrouille</translation>
     </message>
+    <message>
+        <source>No pins yet</source>
+        <translation>Pas encore d’épingles</translation>
+    </message>
 </context>
 <context>
     <name>wend::Properties</name>
@@ -4188,6 +4238,10 @@
     <message>
         <source>Recorded. K plays it; record other pins from the same time, and they move together.</source>
         <translation>Enregistré. K le lit&#x202f;; d’autres épingles enregistrées depuis le même instant bougent ensemble.</translation>
+    </message>
+    <message>
+        <source>Pin</source>
+        <translation>Épingle</translation>
     </message>
 </context>
 <context>

@@ -485,6 +485,21 @@
     </message>
 </context>
 <context>
+    <name>Names</name>
+    <message>
+        <source>Depth</source>
+        <translation>奥行き</translation>
+    </message>
+    <message>
+        <source>Stroke</source>
+        <translation>ストローク</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>領域</translation>
+    </message>
+</context>
+<context>
     <name>Options</name>
     <message>
         <source>Det&amp;ail, in vertices</source>
@@ -1759,6 +1774,22 @@
         <source>Speed: %1 %</source>
         <translation>速度: %1 %</translation>
     </message>
+    <message>
+        <source>Less &amp;Motion</source>
+        <translation>動きを減らす(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Nothing moves in the window but what shows something</source>
+        <translation>意味のある動きだけを表示します</translation>
+    </message>
+    <message>
+        <source>T&amp;ips</source>
+        <translation>ヒント(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Say beside the shape what to do first</source>
+        <translation>最初にすることを形のそばに示します</translation>
+    </message>
 </context>
 <context>
     <name>wend::BalancePanel</name>
@@ -2286,10 +2317,6 @@
         <translation>不透明度</translation>
     </message>
     <message>
-        <source>How much the map covers the picture below it.</source>
-        <translation>マップが下の画像をどれだけ覆うか。</translation>
-    </message>
-    <message>
         <source>O&amp;pacity</source>
         <translation>不透明度(&amp;P)</translation>
     </message>
@@ -2300,6 +2327,10 @@
     <message>
         <source>What is coloured over the picture: the error of lengths, areas or angles, how far it is from where it was, the material, how fast it moves, or how fine its mesh is.</source>
         <translation>画像を何で色分けするか：長さ、面積、角度の誤差、元の位置からの距離、材質、動く速さ、またはメッシュの細かさ。</translation>
+    </message>
+    <message>
+        <source>How much the map covers the picture, or the colours of the solid, below it.</source>
+        <translation>マップが下の画像や立体の色をどれだけ覆うか。</translation>
     </message>
 </context>
 <context>
@@ -2720,6 +2751,21 @@
     <message>
         <source>&amp;Play</source>
         <translation>再生(&amp;P)</translation>
+    </message>
+</context>
+<context>
+    <name>wend::FirstTips</name>
+    <message>
+        <source>Click the shape to pin it</source>
+        <translation>形をクリックしてピンを打つ</translation>
+    </message>
+    <message>
+        <source>Drag the pin</source>
+        <translation>ピンをドラッグする</translation>
+    </message>
+    <message>
+        <source>Change what the shape keeps</source>
+        <translation>形が保つものを変える</translation>
     </message>
 </context>
 <context>
@@ -3902,6 +3948,10 @@
         <source>A click locks it</source>
         <translation>クリックでロックします</translation>
     </message>
+    <message>
+        <source>No pins yet</source>
+        <translation>ピンはまだありません</translation>
+    </message>
 </context>
 <context>
     <name>wend::Properties</name>
@@ -4179,6 +4229,10 @@
     <message>
         <source>Recorded. K plays it; record other pins from the same time, and they move together.</source>
         <translation>記録しました。K で再生します。同じ時刻から他のピンを記録すると、一緒に動きます。</translation>
+    </message>
+    <message>
+        <source>Pin</source>
+        <translation>ピン</translation>
     </message>
 </context>
 <context>

@@ -485,6 +485,21 @@
     </message>
 </context>
 <context>
+    <name>Names</name>
+    <message>
+        <source>Depth</source>
+        <translation>深度</translation>
+    </message>
+    <message>
+        <source>Stroke</source>
+        <translation>笔画</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>区域</translation>
+    </message>
+</context>
+<context>
     <name>Options</name>
     <message>
         <source>Det&amp;ail, in vertices</source>
@@ -1759,6 +1774,22 @@
         <source>Speed: %1 %</source>
         <translation>速度：%1 %</translation>
     </message>
+    <message>
+        <source>Less &amp;Motion</source>
+        <translation>减少动画(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Nothing moves in the window but what shows something</source>
+        <translation>窗口中只有表达内容的部分才会动</translation>
+    </message>
+    <message>
+        <source>T&amp;ips</source>
+        <translation>提示(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Say beside the shape what to do first</source>
+        <translation>在形状旁提示先做什么</translation>
+    </message>
 </context>
 <context>
     <name>wend::BalancePanel</name>
@@ -2286,10 +2317,6 @@
         <translation>不透明度</translation>
     </message>
     <message>
-        <source>How much the map covers the picture below it.</source>
-        <translation>色图遮盖其下方图片的程度。</translation>
-    </message>
-    <message>
         <source>O&amp;pacity</source>
         <translation>不透明度(&amp;P)</translation>
     </message>
@@ -2300,6 +2327,10 @@
     <message>
         <source>What is coloured over the picture: the error of lengths, areas or angles, how far it is from where it was, the material, how fast it moves, or how fine its mesh is.</source>
         <translation>图片上以颜色表示的内容：长度、面积或角度的误差，与原位置的距离，材料，运动的快慢，或网格的精细程度。</translation>
+    </message>
+    <message>
+        <source>How much the map covers the picture, or the colours of the solid, below it.</source>
+        <translation>映射对下方图片或实体颜色的遮盖程度。</translation>
     </message>
 </context>
 <context>
@@ -2720,6 +2751,21 @@
     <message>
         <source>&amp;Play</source>
         <translation>播放(&amp;P)</translation>
+    </message>
+</context>
+<context>
+    <name>wend::FirstTips</name>
+    <message>
+        <source>Click the shape to pin it</source>
+        <translation>单击形状以放置图钉</translation>
+    </message>
+    <message>
+        <source>Drag the pin</source>
+        <translation>拖动图钉</translation>
+    </message>
+    <message>
+        <source>Change what the shape keeps</source>
+        <translation>更改形状保持的内容</translation>
     </message>
 </context>
 <context>
@@ -3902,6 +3948,10 @@
         <source>A click locks it</source>
         <translation>单击锁定</translation>
     </message>
+    <message>
+        <source>No pins yet</source>
+        <translation>还没有图钉</translation>
+    </message>
 </context>
 <context>
     <name>wend::Properties</name>
@@ -4179,6 +4229,10 @@
     <message>
         <source>Recorded. K plays it; record other pins from the same time, and they move together.</source>
         <translation>已录制。按 K 播放；从同一时刻录制其他图钉，它们会一起运动。</translation>
+    </message>
+    <message>
+        <source>Pin</source>
+        <translation>图钉</translation>
     </message>
 </context>
 <context>

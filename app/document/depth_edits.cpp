@@ -1,7 +1,10 @@
 #include "app/document/depth_edits.h"
 
+#include <QCoreApplication>
 #include <algorithm>
 #include <limits>
+
+#include "app/document/free_name.h"
 
 namespace wend {
 
@@ -12,14 +15,6 @@ constexpr double kReach = 0.2;  // of the shape's size, around points
 
 const std::vector<Handle<2>>& handlesOf(const Project& project) {
     return std::get<Design<2>>(project.design).handles;
-}
-
-std::string freeName(const Project& project) {
-    for (int i = 1;; ++i) {
-        const std::string name = "Depth " + std::to_string(i);
-        if (std::ranges::none_of(project.depth, [&](const DepthRegion& r) { return r.name == name; }))
-            return name;
-    }
 }
 
 bool hides(const std::vector<Ball<2>>& balls, const DepthRegion& region) {
@@ -60,7 +55,8 @@ std::vector<Region<2>> shapesOf(const Project& project, int handle, double size)
 
 Project withDepthStroke(const Project& project, const std::vector<Ball<2>>& balls, double order) {
     Project next = project;
-    const std::string name = freeName(project);
+    const std::string name =
+        freeName(namesOf(project.depth), QCoreApplication::translate("Names", "Depth").toStdString());
     std::erase_if(next.depth, [&](const DepthRegion& region) { return hides(balls, region); });
     for (const Ball<2>& ball : balls) next.depth.push_back({name, ball, order});
     return next;

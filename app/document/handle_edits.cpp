@@ -1,7 +1,6 @@
 #include "app/document/handle_edits.h"
 
 #include <algorithm>
-#include <set>
 
 #include "app/document/film_time.h"
 #include "app/document/handle_comparison.h"
@@ -92,16 +91,6 @@ double motionEnd(const Project& project) {
 template <int Dim>
 bool isActive(const Handle<Dim>& handle, double t) {
     return handle.activeFrom <= t && t < handle.activeTo;
-}
-
-template <int Dim>
-std::string freePinName(const Design<Dim>& design, const std::string& kind) {
-    std::set<std::string> taken;
-    for (const auto& handle : design.handles) taken.insert(handle.name);
-    for (int i = 1;; ++i) {
-        const std::string name = kind + " " + std::to_string(i);
-        if (!taken.count(name)) return name;
-    }
 }
 
 template <int Dim>
@@ -286,7 +275,6 @@ std::vector<Vec<Dim>> simplified(const std::vector<Vec<Dim>>& path, double toler
     template bool hasMotion(const Design<Dim>&);                                                            \
     template bool movesAfter(const Design<Dim>&, double);                                                   \
     template bool isActive(const Handle<Dim>&, double);                                                     \
-    template std::string freePinName(const Design<Dim>&, const std::string&);                               \
     template Project withHandle<Dim>(const Project&, Placement<Dim>, const std::string&, double);           \
     template Project withPin<Dim>(const Project&, const Vec<Dim>&, const std::string&);                     \
     template Project withHandlePlace<Dim>(const Project&, int, Placement<Dim>);                             \

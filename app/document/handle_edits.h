@@ -21,10 +21,6 @@ double motionEnd(const Project& project);
 /// True if the handle holds the shape at time t; one that ends at t is gone.
 template <int Dim>
 bool isActive(const Handle<Dim>& handle, double t);
-/// "Pin 1", "Pin 2" …: the first that no handle has.
-template <int Dim>
-std::string freePinName(const Design<Dim>& design, const std::string& kind = "Pin");
-
 /// A handle that holds from a time on; from the start if nothing has moved by then.
 template <int Dim>
 Project withHandle(const Project& project, Placement<Dim> at, const std::string& name, double time = 0);

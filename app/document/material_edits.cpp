@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "app/document/free_name.h"
+
 namespace wend {
 
 namespace {
@@ -25,13 +27,6 @@ std::vector<std::string> groupNames(const Project& project) {
         },
         project.design);
     return names;
-}
-
-std::string numbered(const std::vector<std::string>& taken, const std::string& kind, int first) {
-    for (int i = first;; ++i) {
-        const std::string name = kind + ' ' + std::to_string(i);
-        if (std::find(taken.begin(), taken.end(), name) == taken.end()) return name;
-    }
 }
 
 }  // namespace
@@ -61,7 +56,7 @@ template <int Dim>
 Project withRegions(const Project& project, const std::string& kind,
                     std::vector<MaterialRegion<Dim>> regions) {
     Project next = project;
-    const std::string name = numbered(groupNames(project), kind, 1);
+    const std::string name = freeName(groupNames(project), kind);
     auto& all = std::get<Design<Dim>>(next.design).material.regions;
     for (auto& region : regions) {
         region.name = name;
@@ -130,7 +125,7 @@ std::string freeGroupName(const Project& project, const std::string& name, const
     std::vector<std::string> taken = groupNames(project);
     std::erase(taken, name);
     const bool isTaken = std::find(taken.begin(), taken.end(), wish) != taken.end();
-    return isTaken ? numbered(taken, wish, 2) : wish;
+    return isTaken ? freeName(taken, wish, 2) : wish;
 }
 
 Project withGroupName(const Project& project, const std::string& name, const std::string& next) {

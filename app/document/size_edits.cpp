@@ -1,6 +1,9 @@
 #include "app/document/size_edits.h"
 
+#include <QCoreApplication>
 #include <algorithm>
+
+#include "app/document/free_name.h"
 
 namespace wend {
 
@@ -8,13 +11,8 @@ namespace {
 
 constexpr double kSame = 1e-9;  // a stroke over the very same places
 
-std::string freeName(const Domain& domain, const std::string& kind) {
-    for (int i = 1;; ++i) {
-        const std::string name = kind + ' ' + std::to_string(i);
-        if (std::none_of(domain.sizes.begin(), domain.sizes.end(),
-                         [&](const SizeRegion& region) { return region.name == name; }))
-            return name;
-    }
+std::string strokeName() {
+    return QCoreApplication::translate("Names", "Stroke").toStdString();
 }
 
 std::vector<int> entriesOf(const Project& project, int group) {
@@ -41,7 +39,7 @@ std::vector<SizeGroup> sizeGroups(const Domain& domain) {
 
 Project withSizeStroke(const Project& project, const std::vector<Ball<3>>& balls, double factor) {
     Project next = project;
-    const std::string name = freeName(project.domain, "Stroke");
+    const std::string name = freeName(namesOf(project.domain.sizes), strokeName());
     for (const Ball<3>& ball : balls) next.domain.sizes.push_back({name, ball, 0.5 * ball.radius, factor});
     return next;
 }
@@ -59,17 +57,16 @@ Project withFlatSizeStroke(const Project& project, const std::vector<Ball<2>>& b
     };
     std::erase_if(sizes, isHidden);
     if (sizes.empty() && factor == 1) return next;
-    std::string name;
-    for (int i = 1; name.empty() || std::ranges::any_of(sizes, [&](const auto& r) { return r.name == name; });
-         ++i)
-        name = "Stroke " + std::to_string(i);
+    const std::string name = freeName(namesOf(sizes), strokeName());
     for (const Ball<2>& ball : balls) sizes.push_back({name, ball, feather, factor});
     return next;
 }
 
 Project withSizeRegion(const Project& project, const Region<3>& shape, double factor) {
     Project next = project;
-    next.domain.sizes.push_back({freeName(project.domain, "Region"), shape, 0, factor});
+    next.domain.sizes.push_back({freeName(namesOf(project.domain.sizes),
+                                          QCoreApplication::translate("Names", "Region").toStdString()),
+                                 shape, 0, factor});
     return next;
 }
 

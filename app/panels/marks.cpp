@@ -80,6 +80,15 @@ void Marks::path(const QPolygonF& line, const std::vector<double>& times, bool s
 }
 
 void Marks::pin(const QPointF& at, const Pin& look) {
+    if (look.squash != 0) {
+        Pin round = look;
+        round.squash = 0;
+        m_painter.save();
+        m_painter.translate(at);
+        m_painter.scale(1 + look.squash, 1 - look.squash);
+        pin({}, round);
+        return m_painter.restore();
+    }
     const double r = look.hovered ? 8 : kPinRadius;
     const QColor accent(kAccent);
     const auto disc = [&](double radius) {

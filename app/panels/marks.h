@@ -35,6 +35,7 @@ class Marks {
         bool moves = true;    // of one that only holds, the disc is dark
         QColor colour = QColor(0x3a3d47);
         bool locked = false;  // bears a padlock
+        double squash = 0;    // so much flatter than it is wide
     };
     void pin(const QPointF& at, const Pin& look);
     void name(const QPointF& at, const QString& text);

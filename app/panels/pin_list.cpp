@@ -2,6 +2,7 @@
 
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <QLabel>
 #include <QPainter>
 #include <QTreeWidget>
 #include <QVBoxLayout>
@@ -41,7 +42,10 @@ bool isHeading(const QTreeWidgetItem& item) {
 }  // namespace
 
 PinList::PinList(ShapeSession& session, QWidget* parent)
-    : QWidget(parent), m_session(session), m_list(new QTreeWidget(this)) {
+    : QWidget(parent),
+      m_session(session),
+      m_list(new QTreeWidget(this)),
+      m_empty(secondLabel(tr("No pins yet"), m_list->viewport())) {
     makeList();
     makeIcons();
     auto* layout = new QVBoxLayout(this);
@@ -62,6 +66,10 @@ PinList::PinList(ShapeSession& session, QWidget* parent)
     });
     connect(&m_session, &ShapeSession::pinsChanged, this, &PinList::showPins);
     connect(&m_session.playback(), &Playback::timeChanged, this, &PinList::showPins);
+    m_empty->setAttribute(Qt::WA_TransparentForMouseEvents);
+    m_empty->setAlignment(Qt::AlignCenter);
+    m_empty->setWordWrap(true);
+    (new QVBoxLayout(m_list->viewport()))->addWidget(m_empty);
     showPins();
 }
 
@@ -150,6 +158,7 @@ void PinList::showPins() {
     for (std::size_t i = 0; i < names.size(); ++i)
         showHeading(*m_headings[i], QString::fromStdString(names[i]));
     for (int h = 0; h < static_cast<int>(m_rows.size()); ++h) showRow(h);
+    m_empty->setVisible(groups.empty());
     m_showing = false;
 }
 

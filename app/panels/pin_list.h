@@ -5,6 +5,7 @@
 
 #include "app/session/shape_session.h"
 
+class QLabel;
 class QTreeWidget;
 class QTreeWidgetItem;
 
@@ -52,6 +53,7 @@ class PinList : public QWidget {
 
     ShapeSession& m_session;
     QTreeWidget* m_list;
+    QLabel* m_empty;                                   // in place of rows
     std::vector<QTreeWidgetItem*> m_rows, m_headings;  // of the handles, of the groups
     std::vector<int> m_groups;  // of the handles as the rows stand: the number of the heading, or −1
     QSet<QString> m_folded;     // groups that show their heading alone

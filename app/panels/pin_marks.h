@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "app/panels/marks.h"
+#include "app/panels/pin_animation.h"
 #include "app/session/shape_session.h"
 
 namespace wend {
@@ -17,7 +18,8 @@ Marks::Pin pinLook(const ShapeSession& session, const PinView<Dim>& view, bool a
             area,
             !handle.motions.empty() || session.isDragging(),
             pinColour(view.handle, handle.traits),
-            handle.traits.locked};
+            handle.traits.locked,
+            0};
 }
 
 /// Lines from each pin that is selected or pointed at to those that move together with it.
@@ -38,6 +40,7 @@ void paintLinks(Marks& marks, const ShapeSession& session, const std::vector<Pin
 template <int Dim>
 struct PinScene {
     const ShapeSession& session;
+    const PinAnimation& animation;
     std::vector<PinView<Dim>> pins;
     int hovered;
     std::function<QPointF(const Vec<Dim>&)> toWidget;
@@ -50,7 +53,10 @@ struct PinScene {
         painter.setOpacity(0.4);
         for (auto view = pins.begin(); view != pins.end(); ++view) {
             if (view == seen) painter.setOpacity(1);
-            marks.pin(toWidget(view->centre), pinLook<Dim>(session, *view, isArea(*view), hovered));
+            const auto [shift, squash] = animation.of(view->handle);
+            Marks::Pin look = pinLook<Dim>(session, *view, isArea(*view), hovered);
+            look.squash = squash;
+            marks.pin(toWidget(view->centre) + shift, look);
         }
         painter.setOpacity(1);
         for (const auto& view : pins)

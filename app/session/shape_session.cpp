@@ -1,5 +1,6 @@
 #include "app/session/shape_session.h"
 
+#include "app/document/free_name.h"
 #include "app/document/handle_edits.h"
 
 namespace wend {
@@ -69,7 +70,7 @@ int ShapeSession::addPin(const std::optional<Location<Dim>>& place) {
     if (!place) emit notice(tr("There is no pin: this place lies outside of the shape."));
     if (!place || !shape) return -1;
     return addHandle<Dim>(std::vector<Vec<Dim>>{positionOf<Dim>(*place, *shape->rest, shape->rest->points)},
-                          "Pin");
+                          tr("Pin").toStdString());
 }
 
 template <int Dim>
@@ -78,7 +79,7 @@ int ShapeSession::addHandle(Placement<Dim> at, const std::string& kind) {
     m_playback.setPlaying(false);
     const double time = m_motion.gestureTime();
     m_playback.setTime(time);  // that of the picture that is shown
-    const std::string name = freePinName(m_document.design<Dim>(), kind);
+    const std::string name = freeName(namesOf(m_document.design<Dim>().handles), kind);
     m_motion.setChangeMovesNothing(true);
     m_document.change(tr("Add %1").arg(QString::fromStdString(name)),
                       withHandle<Dim>(*m_document.project(), std::move(at), name, time));

@@ -229,7 +229,7 @@ void SolidPinTool::clickAt(const QPointF& at, bool extend) {
     if (found >= 0) return select(found, extend);
     const SolidHit hit = m_adds ? surface().pick(at) : SolidHit{};
     if (hit.vertex >= 0 && m_snaps)
-        session().addSolidHandle({hit.vertex}, "Pin");
+        session().addSolidHandle({hit.vertex}, ShapeSession::tr("Pin").toStdString());
     else if (hit.vertex >= 0)
         session().addPin<3>(surface().touch(at)->place);
     else if (!extend)

@@ -95,6 +95,8 @@ void Actions::makeView() {
     systemLook = addToggle({tr("As the &Desktop"), tr("Light or dark as the desktop is")}, {});
     lightLook = addToggle({tr("&Light"), tr("Dark on light")}, {});
     darkLook = addToggle({tr("&Dark"), tr("Light on dark")}, {});
+    lessMotion =
+        addToggle({tr("Less &Motion"), tr("Nothing moves in the window but what shows something")}, {});
     for (QAction* look : {systemLook, lightLook, darkLook}) looks->addAction(look);
     systemLook->setChecked(true);
 }
@@ -136,6 +138,8 @@ void Actions::makeHelp() {
     manual = add({tr("&Manual"), tr("How it works, page by page, with a search")}, QKeySequence(Qt::Key_F1),
                  "help");
     tutorial = add({tr("&Tutorial"), tr("The first five minutes, on a sample, step by step")}, {});
+    tips = add({tr("T&ips"), tr("Say beside the shape what to do first")}, {});
+    tips->setCheckable(true);
     shortcuts = add({tr("&Keys and Mouse"), tr("What pointer and keys do")}, QKeySequence(tr("?")));
     about = add({tr("&About Wend"), tr("Version and licence")}, {});
     about->setMenuRole(QAction::AboutRole);
@@ -162,7 +166,10 @@ void Actions::fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve, const 
     view->addSeparator();
     view->addActions({fit, actualSize, zoomIn, zoomOut});
     view->addSeparator();
-    view->addMenu(tr("A&ppearance"))->addActions({systemLook, lightLook, darkLook});
+    QMenu* appearance = view->addMenu(tr("A&ppearance"));
+    appearance->addActions({systemLook, lightLook, darkLook});
+    appearance->addSeparator();
+    appearance->addAction(lessMotion);
     view->addAction(fullScreen);
     fillTools(*window.menuBar()->addMenu(tr("&Tools")));
     window.menuBar()->addMenu(more);
@@ -172,7 +179,7 @@ void Actions::fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve, const 
     motion->addSeparator();
     motion->addActions({record, onionSkin, settle});
     motion->addMenu(curve);
-    window.menuBar()->addMenu(tr("&Help"))->addActions({tutorial, manual, shortcuts, about});
+    window.menuBar()->addMenu(tr("&Help"))->addActions({tutorial, tips, manual, shortcuts, about});
 }
 
 /// The steps, and under the name of each what belongs to it first.

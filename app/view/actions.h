@@ -27,8 +27,8 @@ class Actions : public ActionMaker {
     QAction *showMesh, *showMap, *showMarks, *showArrows, *hideOverlays, *showRest, *compare;
     QAction *fit, *actualSize, *zoomIn, *zoomOut, *fullScreen;
     QAction *play, *loop, *toStart, *toEnd, *settle, *record, *onionSkin;
-    QAction *systemLook, *lightLook, *darkLook;
-    QAction *about, *manual, *tutorial, *shortcuts, *history;
+    QAction *lessMotion, *systemLook, *lightLook, *darkLook;
+    QAction *about, *manual, *tutorial, *tips, *shortcuts, *history;
     const std::unique_ptr<QMenu> recent, samples, exports;
     const std::unique_ptr<QMenu> speed;  // of playing and recording; the factor is the data of its actions
 

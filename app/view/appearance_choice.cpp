@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QSettings>
 
+#include "app/panels/liveliness.h"
 #include "app/view/actions.h"
 
 namespace wend {
@@ -13,10 +14,17 @@ AppearanceChoice::AppearanceChoice(Actions& actions, QWidget& window)
                                              {actions.lightLook, Appearance::Light},
                                              {actions.darkLook, Appearance::Dark}})
         connect(action, &QAction::triggered, this, [this, look = appearance] { apply(look); });
+    connect(actions.lessMotion, &QAction::toggled, this, [](bool less) {
+        QSettings().setValue("lessMotion", less);
+        setLively(!less);
+    });
 }
 
 void AppearanceChoice::restore() {
     apply(static_cast<Appearance>(QSettings().value("appearance", 0).toInt()));
+    const bool less = QSettings().value("lessMotion", false).toBool();
+    m_actions.lessMotion->setChecked(less);
+    setLively(!less);
 }
 
 void AppearanceChoice::apply(Appearance appearance) {

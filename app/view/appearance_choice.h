@@ -11,7 +11,7 @@ namespace wend {
 
 class Actions;
 
-/// Light, dark, or as the desktop is; remembered for other days.
+/// Light, dark, or as the desktop is, and how lively; remembered for other days.
 class AppearanceChoice : public QObject {
     Q_OBJECT
 

@@ -63,6 +63,7 @@ ShapeCanvas::ShapeCanvas(ShapeSession& session, QWidget* parent) : QWidget(paren
     connect(&m_session.document(), &Document::opened, this, &ShapeCanvas::takeOpened);
     connect(&m_session, &ShapeSession::frameChanged, this, &ShapeCanvas::takeFrame);
     connect(&m_session, &ShapeSession::pinsChanged, this, &ShapeCanvas::redraw);
+    connect(&m_animation, &PinAnimation::changed, this, qOverload<>(&QWidget::update));
     connect(&m_session.document(), &Document::projectChanged, this, [this] { m_preview.takeProject(); });
 }
 
@@ -377,7 +378,7 @@ void ShapeCanvas::paintEvent(QPaintEvent*) {
         m_layer.paint(painter, *this);
         m_onion.paintOutlines(painter, *this);
         overlay.paths(m_session, m_hovered);
-        overlay.pins(m_session, m_hovered,
+        overlay.pins(m_session, m_animation, m_hovered,
                      [this](const PinView<2>& pin) { return wend::isCovered<2>(*this, pin); });
         if (m_tool) m_tool->paint(painter);
         paintLegend(painter);

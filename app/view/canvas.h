@@ -3,6 +3,7 @@
 #include <QTimer>
 #include <QWidget>
 
+#include "app/panels/pin_animation.h"
 #include "app/session/depth.h"
 #include "app/session/material_preview.h"
 #include "app/tools/layer_lines.h"
@@ -117,6 +118,7 @@ class ShapeCanvas : public QWidget, public ToolSurface {
     MaterialPreview<2> m_preview;
     LayerLines<2> m_layer;
     OnionSkin<2> m_onion;
+    PinAnimation m_animation{m_session};
     bool m_marks = false;  // of stiffness
     bool m_arrows = false;
     ViewTransform m_view;

@@ -5,8 +5,11 @@
 #include <QFileInfo>
 #include <QPainter>
 #include <QtConcurrent>
+#include <cmath>
+#include <numbers>
 
 #include "app/document/project.h"
+#include "app/panels/liveliness.h"
 #include "app/panels/theme.h"
 #include "app/session/opening.h"
 #include "app/session/picture_file.h"
@@ -16,6 +19,8 @@ namespace wend {
 namespace {
 
 constexpr int kPictureHeight = 118, kPadding = 12, kTitleHeight = 20, kLineHeight = 18;
+constexpr int kBreathTime = 2400;  // milliseconds
+constexpr double kBreath = 0.02;   // of the width; twice of the height
 
 /// What a card shows.
 struct Shown {
@@ -101,6 +106,12 @@ FileCard::FileCard(const QString& path, Kind kind, QWidget* parent, const QStrin
             break;
     }
     setStatusTip(toolTip());
+    m_breathes = sample;
+    m_breath.setStartValue(0.0);
+    m_breath.setEndValue(1.0);
+    m_breath.setDuration(kBreathTime);
+    m_breath.setLoopCount(-1);
+    connect(&m_breath, &QVariantAnimation::valueChanged, this, qOverload<>(&QWidget::update));
     load();
 }
 
@@ -113,11 +124,20 @@ void FileCard::load() {
     });
 }
 
-void FileCard::enterEvent(QEnterEvent*) {
+void FileCard::breathe(bool begins) {
+    if (begins && m_breathes && isLively())
+        m_breath.start();
+    else
+        m_breath.stop();
     update();
 }
+
+void FileCard::enterEvent(QEnterEvent*) {
+    breathe(true);
+}
+
 void FileCard::leaveEvent(QEvent*) {
-    update();
+    breathe(false);
 }
 
 void FileCard::paintPicture(QPainter& painter) const {
@@ -128,7 +148,11 @@ void FileCard::paintPicture(QPainter& painter) const {
             .paint(&painter, icon.toRect(), Qt::AlignCenter, QIcon::Disabled);
         return;
     }
-    const QSizeF size = QSizeF(m_picture.size()).scaled(space.size(), Qt::KeepAspectRatio);
+    QSizeF size = QSizeF(m_picture.size()).scaled(space.size(), Qt::KeepAspectRatio);
+    if (m_breath.state() == QAbstractAnimation::Running) {
+        const double breath = std::sin(std::numbers::pi * m_breath.currentValue().toDouble());
+        size = QSizeF(size.width() * (1 + kBreath * breath), size.height() * (1 + 2 * kBreath * breath));
+    }
     painter.drawImage(QRectF(space.center() - QPointF(size.width(), size.height()) / 2, size), m_picture);
 }
 

@@ -2,6 +2,7 @@
 
 #include <QAbstractButton>
 #include <QImage>
+#include <QVariantAnimation>
 
 namespace wend {
 
@@ -25,12 +26,14 @@ class FileCard : public QAbstractButton {
 
   private:
     void load();
+    void breathe(bool begins);
     void paintPicture(QPainter& painter) const;
     void paintBadge(QPainter& painter) const;
 
     QString m_path, m_line;
     QImage m_picture;
-    bool m_isSolid = false;
+    QVariantAnimation m_breath;  // of a sample, while it is pointed at: from 0 to 1
+    bool m_isSolid = false, m_breathes = false;
 };
 
 }  // namespace wend

@@ -30,6 +30,7 @@
 #include "app/view/exporter.h"
 #include "app/view/file_workflow.h"
 #include "app/view/film_controls.h"
+#include "app/view/first_tips.h"
 #include "app/view/info_banner.h"
 #include "app/view/material_actions.h"
 #include "app/view/mode_row.h"
@@ -266,6 +267,9 @@ void MainWindow::connectView() {
 
 void MainWindow::connectHelp() {
     new SideWindows(m_session, *m_actions, *this);
+    new FirstTips({m_session, *m_tools, *m_canvas, [this] { return m_solids->canvas(); },
+                   *m_properties->material().energySlider(), *m_tutorial, *m_actions->tips},
+                  *m_pages);
     connect(m_start, &StartPage::tutorialRequested, m_actions->tutorial, &QAction::trigger);
     connect(m_actions->tutorial, &QAction::triggered, this, [this] {
         m_tutorial->begin();

@@ -133,7 +133,7 @@ void OverlayPainter::ghosts(ShapeSession& session, int hovered) {
                          QCoreApplication::translate("PinTool", "%1: does not hold now").arg(view.name));
 }
 
-void OverlayPainter::pins(ShapeSession& session, int hovered,
+void OverlayPainter::pins(ShapeSession& session, const PinAnimation& animation, int hovered,
                           const std::function<bool(const PinView<2>&)>& isCovered) {
     ghosts(session, hovered);
     const auto frame = session.frame<2>();
@@ -148,6 +148,7 @@ void OverlayPainter::pins(ShapeSession& session, int hovered,
             spots(view, selected ? m_theme.accent : kInk);
     }
     PinScene<2>{session,
+                animation,
                 pins,
                 hovered,
                 [this](const Vec<2>& p) { return m_view.toWidget(p); },

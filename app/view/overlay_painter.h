@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "app/panels/marks.h"
+#include "app/panels/pin_animation.h"
 #include "app/panels/theme.h"
 #include "app/session/shape_session.h"
 #include "app/view/view_transform.h"
@@ -21,7 +22,8 @@ class OverlayPainter {
     void paths(ShapeSession& session, int hovered);
     /// Also, faintly, the handles that do not hold at the time that is shown. `isCovered`: something of the
     /// shape is seen in front.
-    void pins(ShapeSession& session, int hovered, const std::function<bool(const PinView<2>&)>& isCovered);
+    void pins(ShapeSession& session, const PinAnimation& animation, int hovered,
+              const std::function<bool(const PinView<2>&)>& isCovered);
     void worst(const PosedFrame<2>& frame, int cell);
     void marquee(const QRectF& rectangle);
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QVariantAnimation>
 #include <QWidget>
 
 #include "app/session/shape_session.h"
@@ -35,6 +36,7 @@ class TimeStrip : public QWidget {
     void showLength();
     void changeLength();
     void showTime();
+    void bounce();
     void paintSettling(QPainter& painter, double end);
     void showPlaying(bool playing);
 
@@ -44,8 +46,9 @@ class TimeStrip : public QWidget {
     QSlider* m_slider;
     QLabel* m_label;
     ExactBox* m_length;
+    QVariantAnimation m_bounce;  // of the slider, when a loop turns: from 0 to 1
     QIcon m_playIcon, m_pauseIcon;
-    double m_computed = 0;
+    double m_computed = 0, m_shown = 0;
 };
 
 }  // namespace wend

@@ -1,7 +1,11 @@
 #include "app/view/view_looks.h"
 
+#include <QCursor>
+#include <algorithm>
+
 #include "app/panels/distortion_panel.h"
 #include "app/panels/energy_slider.h"
+#include "app/panels/liveliness.h"
 #include "app/panels/material_panel.h"
 #include "app/view/actions.h"
 #include "app/view/canvas.h"
@@ -13,6 +17,11 @@
 #include "app/view/volume/solid_canvas.h"
 
 namespace wend {
+namespace {
+
+constexpr double kFullLean = 200;  // pixels of a drag
+
+}  // namespace
 
 ViewLooks::ViewLooks(const Parts& parts, QWidget* window) : QObject(window), m_parts(parts) {
     connectLooks(m_parts.picture);
@@ -50,6 +59,18 @@ void ViewLooks::connectComparison() {
         if (!compared.isSplit()) compared.split(stops[tiles.scale().stopAt(tiles.phi()) == 1 ? 3 : 1].phi);
     });
     new TilePictures(m_parts.session, m_parts.picture, tiles);
+    connectLeaning(tiles);
+}
+
+/// The pictures of the energies lean to where the shape is pulled.
+void ViewLooks::connectLeaning(EnergySlider& tiles) {
+    ShapeSession& session = m_parts.session;
+    connect(&session, &ShapeSession::dragBegan, this, [this] { m_pulledFrom = QCursor::pos().x(); });
+    connect(&session, &ShapeSession::dragMoved, this, [this, &tiles] {
+        if (isLively()) tiles.setLean(std::clamp((QCursor::pos().x() - m_pulledFrom) / kFullLean, -1.0, 1.0));
+    });
+    for (const auto end : {&ShapeSession::dragEnded, &ShapeSession::dragCancelled})
+        connect(&session, end, this, [&tiles] { tiles.setLean(0); });
 }
 
 /// Pins and maps hide for good or while a key is held; so the shape is seen as it was before, without them.

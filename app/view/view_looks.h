@@ -6,6 +6,7 @@ namespace wend {
 
 class Actions;
 class CompareView;
+class EnergySlider;
 class Properties;
 class ShapeCanvas;
 class ShapeSession;
@@ -30,9 +31,11 @@ class ViewLooks : public QObject {
   private:
     void connectLooks(ShapeCanvas& canvas);
     void connectComparison();
+    void connectLeaning(EnergySlider& tiles);
     void connectHiding(QWidget& window);
 
     Parts m_parts;
+    int m_pulledFrom = 0;  // where the pointer was on the screen when a drag began
 };
 
 }  // namespace wend

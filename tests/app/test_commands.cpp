@@ -4,6 +4,7 @@
 
 #include "app/document/document.h"
 #include "app/document/film_time.h"
+#include "app/document/free_name.h"
 #include "app/document/handle_comparison.h"
 #include "app/document/handle_edits.h"
 #include "core/motion/trajectory.h"
@@ -66,8 +67,8 @@ void TestCommands::undoAndRedoSkipNothing() {
     open(document, {});
     std::vector<std::shared_ptr<const Project>> states = {document.project()};
     for (int i = 0; i < 5; ++i) {
-        document.change(QStringLiteral("Add"),
-                        withPin(*document.project(), {1.0 * i, 0}, freePinName(document.design())));
+        document.change(QStringLiteral("Add"), withPin(*document.project(), {1.0 * i, 0},
+                                                       freeName(namesOf(document.design().handles), "Pin")));
         states.push_back(document.project());
     }
     QVERIFY(document.isModified());
@@ -135,7 +136,7 @@ void TestCommands::firstPinsAreThereFromTheStart() {
     const Project project = withPins(2);
     QCOMPARE(handlesOf(project).size(), std::size_t(2));
     QVERIFY(handlesOf(project)[1].activeFrom < 0);
-    QCOMPARE(freePinName(std::get<Design<2>>(project.design)), std::string("Pin 3"));
+    QCOMPARE(freeName(namesOf(std::get<Design<2>>(project.design).handles), "Pin"), std::string("Pin 3"));
     QCOMPARE(handlesOf(withoutHandles(project, {0}, 0)).size(), std::size_t(1));
 }
 

@@ -3,6 +3,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "app/document/free_name.h"
 #include "app/document/handle_edits.h"
 #include "app/document/recovery.h"
 
@@ -56,7 +57,7 @@ void TestRecovery::init() {
 void TestRecovery::addPin() {
     const Project& project = *m_document->project();
     m_document->change(QStringLiteral("Add pin"),
-                       withPin(project, {1, 2}, freePinName(m_document->design())));
+                       withPin(project, {1, 2}, freeName(namesOf(m_document->design().handles), "Pin")));
 }
 
 void TestRecovery::addPinAndWait(Recovery& recovery) {

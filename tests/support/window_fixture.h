@@ -50,6 +50,7 @@ inline void isolateSettings(const QTemporaryDir& folder) {
     QCoreApplication::setApplicationName(QStringLiteral("WendTest"));
     QSettings::setDefaultFormat(QSettings::IniFormat);
     QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder.path());
+    QSettings().setValue("lessMotion", true);  // pictures of windows are compared
 }
 
 }  // namespace wend::test

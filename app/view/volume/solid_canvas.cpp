@@ -68,6 +68,7 @@ SolidCanvas::SolidCanvas(ShapeSession& session, QWidget* parent)
     connect(&m_marksDue, &QTimer::timeout, m_overlay, qOverload<>(&QWidget::update));
     connect(&m_session, &ShapeSession::frameChanged, this, &SolidCanvas::takeFrame);
     connect(&m_session, &ShapeSession::pinsChanged, this, &SolidCanvas::redraw);
+    connect(&m_animation, &PinAnimation::changed, m_overlay, qOverload<>(&QWidget::update));
     connect(&m_session.document(), &Document::projectChanged, this, [this] { m_preview.takeProject(); });
     connect(this, &VolumeView::cameraChanged, this, &SolidCanvas::redraw);
     takeFrame();

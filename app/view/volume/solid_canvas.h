@@ -3,6 +3,7 @@
 #include <QTimer>
 
 #include "app/panels/colour_map.h"
+#include "app/panels/pin_animation.h"
 #include "app/session/material_preview.h"
 #include "app/tools/cut_tool.h"
 #include "app/tools/layer_lines.h"
@@ -146,6 +147,7 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     FramePtr m_standIn;
     LayerLines<3> m_layer;
     OnionSkin<3> m_onion;
+    PinAnimation m_animation{m_session};
     QWidget* m_overlay;
     SurfaceStyle m_style;
     QTimer m_dim, m_marksDue;  // in a drag: moves of the pointer alone are painted no more often

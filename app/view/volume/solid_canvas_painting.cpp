@@ -31,7 +31,7 @@ void SolidCanvas::paintMarks(QPainter& painter) {
     m_onion.paintOutlines(painter, *this);
     painterOfSolid.paths();
     const auto* pinTool = dynamic_cast<const SolidPinTool*>(m_tool);
-    painterOfSolid.pins(pinTool ? pinTool->hovered() : -1);
+    painterOfSolid.pins(m_animation, pinTool ? pinTool->hovered() : -1);
 }
 
 void SolidCanvas::paintLegend(QPainter& painter) const {

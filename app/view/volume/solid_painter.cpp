@@ -124,7 +124,7 @@ void SolidPainter::region(const PinView<3>& view) {
     }
 }
 
-void SolidPainter::pins(int hovered) {
+void SolidPainter::pins(const PinAnimation& animation, int hovered) {
     ShapeSession& session = m_surface.session();
     if (session.document().dimension() != 3) return;
     const auto pins = session.pins<3>();
@@ -135,6 +135,7 @@ void SolidPainter::pins(int hovered) {
         if (view.points.size() > 1)
             spots(view, session.selection().contains(view.handle) ? m_theme.accent : kInk);
     PinScene<3>{session,
+                animation,
                 pins,
                 hovered,
                 [this](const Vec<3>& p) { return m_surface.toWidget(p); },

@@ -3,6 +3,7 @@
 #include <QPainter>
 
 #include "app/panels/marks.h"
+#include "app/panels/pin_animation.h"
 #include "app/panels/theme.h"
 #include "app/tools/solid_surface.h"
 
@@ -18,7 +19,7 @@ class SolidPainter {
         : m_painter(painter), m_marks(painter), m_surface(surface), m_theme(theme) {}
 
     void paths();
-    void pins(int hovered);
+    void pins(const PinAnimation& animation, int hovered);
     /// The cross where the worst cell is seen, or a faint ring over where it is hidden.
     void worst(const PosedFrame<3>& frame, int cell);
     /// A small cross of axes in the corner.
