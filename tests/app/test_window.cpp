@@ -76,6 +76,7 @@ class TestWindow : public QObject {
     void samplesAreExportedElsewhere();
     void exportedMeshIsThatOfTheWindow();
     void exportsFollowEachOther();
+    void whatIsNotComputedYetIsNotExported();
     void curvesAreEdited();
     void doublePressTakesThePinOnItsCurve();
     void menusWaitForTheGesture();
@@ -663,6 +664,26 @@ void TestWindow::exportedMeshIsThatOfTheWindow() {
     m_window->actions().exportMesh->trigger();
     QVERIFY(QTest::qWaitFor([&] { return QFile::exists(path); }, 20000));
     QCOMPARE(readMeshFile(path.toStdString()).points.cols(), 4);
+}
+
+void TestWindow::whatIsNotComputedYetIsNotExported() {
+    open();
+    click(40, 80);
+    QVERIFY(settle(m_window->session()));
+    Document& document = m_window->session().document();
+    Project next = *document.project();
+    Handle<2>& pin = std::get<Design<2>>(next.design).handles[0];
+    pin.motions.push_back({Translate<2>{Vec<2>(0, 20)}, 0, 1, Ease::Linear, {}});
+    document.change(QStringLiteral("Move"), next);  // what is shown has not moved yet
+    bool asked = false;
+    QTimer::singleShot(0, this, [&asked] {
+        if (QWidget* dialog = QApplication::activeModalWidget()) asked = dialog->close();
+    });
+    m_window->actions().exportPicture->trigger();
+    QVERIFY(!asked);
+    QVERIFY2(m_window->banner().text().contains(QStringLiteral("still being computed")),
+             qPrintable(m_window->banner().text()));
+    QVERIFY(settle(m_window->session()));
 }
 
 void TestWindow::exportsFollowEachOther() {
