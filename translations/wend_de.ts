@@ -245,6 +245,25 @@
     </message>
 </context>
 <context>
+    <name>EaseNames</name>
+    <message>
+        <source>Begins &amp;Softly</source>
+        <translation>Beginnt &amp;sanft</translation>
+    </message>
+    <message>
+        <source>&amp;Ends Softly</source>
+        <translation>&amp;Endet sanft</translation>
+    </message>
+    <message>
+        <source>&amp;Both Softly</source>
+        <translation>&amp;Beides sanft</translation>
+    </message>
+    <message>
+        <source>&amp;Even</source>
+        <translation>&amp;Gleichmäßig</translation>
+    </message>
+</context>
+<context>
     <name>EnergyScale</name>
     <message>
         <source>Area</source>
@@ -2007,12 +2026,20 @@
         <translation>Mit dem Weg drehen</translation>
     </message>
     <message>
-        <source>Path</source>
-        <translation>Weg</translation>
-    </message>
-    <message>
         <source>Rot&amp;ate with path</source>
         <translation>Mit dem Weg drehe&amp;n</translation>
+    </message>
+    <message>
+        <source>Ease</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>How the motion that goes on at the time shown begins and ends: evenly, or softly.</source>
+        <translation>Wie die Bewegung zur gezeigten Zeit beginnt und endet: gleichmäßig oder sanft.</translation>
+    </message>
+    <message>
+        <source>Change ease</source>
+        <translation>Verlauf ändern</translation>
     </message>
 </context>
 <context>
@@ -2799,18 +2826,6 @@
         <translation>Anwenden</translation>
     </message>
     <message>
-        <source>Rename</source>
-        <translation>Umbenennen</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Name</translation>
-    </message>
-    <message>
-        <source>What the handle is called in the project and in messages.</source>
-        <translation>Wie der Griff im Projekt und in Meldungen heißt.</translation>
-    </message>
-    <message>
         <source>Move by</source>
         <translation>Bewegen um</translation>
     </message>
@@ -2862,13 +2877,6 @@
         <source>Pin</source>
         <translation>Pin</translation>
     </message>
-    <message numerus="yes">
-        <source>%n pins</source>
-        <translation>
-            <numerusform>%n Pin</numerusform>
-            <numerusform>%n Pins</numerusform>
-        </translation>
-    </message>
     <message>
         <source>at %1, %2, %3</source>
         <translation>bei %1, %2, %3</translation>
@@ -2876,6 +2884,10 @@
     <message>
         <source>Rotate by</source>
         <translation>Drehen um</translation>
+    </message>
+    <message>
+        <source>at %1, %2</source>
+        <translation>bei %1; %2</translation>
     </message>
 </context>
 <context>
@@ -5123,22 +5135,6 @@
     <message>
         <source>Path</source>
         <translation>Weg</translation>
-    </message>
-    <message>
-        <source>Begins &amp;Softly</source>
-        <translation>Beginnt &amp;sanft</translation>
-    </message>
-    <message>
-        <source>&amp;Ends Softly</source>
-        <translation>&amp;Endet sanft</translation>
-    </message>
-    <message>
-        <source>&amp;Both Softly</source>
-        <translation>&amp;Beides sanft</translation>
-    </message>
-    <message>
-        <source>&amp;Even</source>
-        <translation>&amp;Gleichmäßig</translation>
     </message>
     <message>
         <source>Tracks</source>

@@ -245,6 +245,25 @@
     </message>
 </context>
 <context>
+    <name>EaseNames</name>
+    <message>
+        <source>Begins &amp;Softly</source>
+        <translation>&amp;Comienza suave</translation>
+    </message>
+    <message>
+        <source>&amp;Ends Softly</source>
+        <translation>&amp;Termina suave</translation>
+    </message>
+    <message>
+        <source>&amp;Both Softly</source>
+        <translation>&amp;Ambos suaves</translation>
+    </message>
+    <message>
+        <source>&amp;Even</source>
+        <translation>&amp;Uniforme</translation>
+    </message>
+</context>
+<context>
     <name>EnergyScale</name>
     <message>
         <source>Area</source>
@@ -1987,10 +2006,6 @@
         <translation>El tamaño alcanzado al final de la curva.</translation>
     </message>
     <message>
-        <source>Path</source>
-        <translation>Trayectoria</translation>
-    </message>
-    <message>
         <source>Rot&amp;ate with path</source>
         <translation>Autoo&amp;rientación</translation>
     </message>
@@ -2013,6 +2028,18 @@
     <message>
         <source>Change curve</source>
         <translation>Cambiar curva</translation>
+    </message>
+    <message>
+        <source>Ease</source>
+        <translation>Aceleración</translation>
+    </message>
+    <message>
+        <source>How the motion that goes on at the time shown begins and ends: evenly, or softly.</source>
+        <translation>Cómo empieza y acaba el movimiento del momento mostrado: uniforme o suave.</translation>
+    </message>
+    <message>
+        <source>Change ease</source>
+        <translation>Cambiar la aceleración</translation>
     </message>
 </context>
 <context>
@@ -2799,18 +2826,6 @@
         <translation>Aplicar</translation>
     </message>
     <message>
-        <source>Rename</source>
-        <translation>Renombrar</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Nombre</translation>
-    </message>
-    <message>
-        <source>What the handle is called in the project and in messages.</source>
-        <translation>El nombre del agarre en el proyecto y en los mensajes.</translation>
-    </message>
-    <message>
         <source>Move by</source>
         <translation>Mover</translation>
     </message>
@@ -2866,16 +2881,13 @@
         <source>Pin</source>
         <translation>Alfiler</translation>
     </message>
-    <message numerus="yes">
-        <source>%n pins</source>
-        <translation>
-            <numerusform>%n alfiler</numerusform>
-            <numerusform>%n alfileres</numerusform>
-        </translation>
-    </message>
     <message>
         <source>at %1, %2, %3</source>
         <translation>en %1, %2, %3</translation>
+    </message>
+    <message>
+        <source>at %1, %2</source>
+        <translation>en %1; %2</translation>
     </message>
 </context>
 <context>
@@ -5123,22 +5135,6 @@
     <message>
         <source>Path</source>
         <translation>Trayectoria</translation>
-    </message>
-    <message>
-        <source>Begins &amp;Softly</source>
-        <translation>&amp;Comienza suave</translation>
-    </message>
-    <message>
-        <source>&amp;Ends Softly</source>
-        <translation>&amp;Termina suave</translation>
-    </message>
-    <message>
-        <source>&amp;Both Softly</source>
-        <translation>&amp;Ambos suaves</translation>
-    </message>
-    <message>
-        <source>&amp;Even</source>
-        <translation>&amp;Uniforme</translation>
     </message>
     <message>
         <source>Tracks</source>

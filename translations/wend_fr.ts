@@ -245,6 +245,25 @@
     </message>
 </context>
 <context>
+    <name>EaseNames</name>
+    <message>
+        <source>Begins &amp;Softly</source>
+        <translation>&amp;Début en douceur</translation>
+    </message>
+    <message>
+        <source>&amp;Ends Softly</source>
+        <translation>&amp;Fin en douceur</translation>
+    </message>
+    <message>
+        <source>&amp;Both Softly</source>
+        <translation>Les de&amp;ux en douceur</translation>
+    </message>
+    <message>
+        <source>&amp;Even</source>
+        <translation>&amp;Régulier</translation>
+    </message>
+</context>
+<context>
     <name>EnergyScale</name>
     <message>
         <source>Area</source>
@@ -1987,10 +2006,6 @@
         <translation>Taille atteinte à la fin de la courbe.</translation>
     </message>
     <message>
-        <source>Path</source>
-        <translation>Trajectoire</translation>
-    </message>
-    <message>
         <source>Rot&amp;ate with path</source>
         <translation>A&amp;uto-orientation</translation>
     </message>
@@ -2013,6 +2028,18 @@
     <message>
         <source>Change curve</source>
         <translation>Modifier la courbe</translation>
+    </message>
+    <message>
+        <source>Ease</source>
+        <translation>Accélération</translation>
+    </message>
+    <message>
+        <source>How the motion that goes on at the time shown begins and ends: evenly, or softly.</source>
+        <translation>Comment le mouvement en cours à l’instant affiché commence et finit&#x202f;: de façon régulière ou en douceur.</translation>
+    </message>
+    <message>
+        <source>Change ease</source>
+        <translation>Changer l’accélération</translation>
     </message>
 </context>
 <context>
@@ -2799,18 +2826,6 @@
         <translation>Appliquer</translation>
     </message>
     <message>
-        <source>Rename</source>
-        <translation>Renommer</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Nom</translation>
-    </message>
-    <message>
-        <source>What the handle is called in the project and in messages.</source>
-        <translation>Le nom de la poignée dans le projet et les messages.</translation>
-    </message>
-    <message>
         <source>Move by</source>
         <translation>Décalage</translation>
     </message>
@@ -2866,16 +2881,13 @@
         <source>Pin</source>
         <translation>Épingle</translation>
     </message>
-    <message numerus="yes">
-        <source>%n pins</source>
-        <translation>
-            <numerusform>%n épingle</numerusform>
-            <numerusform>%n épingles</numerusform>
-        </translation>
-    </message>
     <message>
         <source>at %1, %2, %3</source>
         <translation>à %1, %2, %3</translation>
+    </message>
+    <message>
+        <source>at %1, %2</source>
+        <translation>à %1&#x202f;; %2</translation>
     </message>
 </context>
 <context>
@@ -5123,22 +5135,6 @@
     <message>
         <source>Path</source>
         <translation>Trajectoire</translation>
-    </message>
-    <message>
-        <source>Begins &amp;Softly</source>
-        <translation>&amp;Début en douceur</translation>
-    </message>
-    <message>
-        <source>&amp;Ends Softly</source>
-        <translation>&amp;Fin en douceur</translation>
-    </message>
-    <message>
-        <source>&amp;Both Softly</source>
-        <translation>Les de&amp;ux en douceur</translation>
-    </message>
-    <message>
-        <source>&amp;Even</source>
-        <translation>&amp;Régulier</translation>
     </message>
     <message>
         <source>Tracks</source>

@@ -245,6 +245,25 @@
     </message>
 </context>
 <context>
+    <name>EaseNames</name>
+    <message>
+        <source>Begins &amp;Softly</source>
+        <translation>ゆっくり始まる(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Ends Softly</source>
+        <translation>ゆっくり終わる(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Both Softly</source>
+        <translation>両方ゆっくり(&amp;B)</translation>
+    </message>
+    <message>
+        <source>&amp;Even</source>
+        <translation>一定(&amp;E)</translation>
+    </message>
+</context>
+<context>
     <name>EnergyScale</name>
     <message>
         <source>Area</source>
@@ -1986,10 +2005,6 @@
         <translation>曲線の終点での大きさ。</translation>
     </message>
     <message>
-        <source>Path</source>
-        <translation>パス</translation>
-    </message>
-    <message>
         <source>Rot&amp;ate with path</source>
         <translation>パスに沿って回転(&amp;A)</translation>
     </message>
@@ -2012,6 +2027,18 @@
     <message>
         <source>Change curve</source>
         <translation>曲線を変更</translation>
+    </message>
+    <message>
+        <source>Ease</source>
+        <translation>緩急</translation>
+    </message>
+    <message>
+        <source>How the motion that goes on at the time shown begins and ends: evenly, or softly.</source>
+        <translation>表示中の時刻の動きがどう始まり終わるか：一定か、ゆっくりか。</translation>
+    </message>
+    <message>
+        <source>Change ease</source>
+        <translation>緩急を変更</translation>
     </message>
 </context>
 <context>
@@ -2794,18 +2821,6 @@
         <translation>適用</translation>
     </message>
     <message>
-        <source>Rename</source>
-        <translation>名前を変更</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>名前</translation>
-    </message>
-    <message>
-        <source>What the handle is called in the project and in messages.</source>
-        <translation>プロジェクトとメッセージで使われるハンドルの名前。</translation>
-    </message>
-    <message>
         <source>Move by</source>
         <translation>移動</translation>
     </message>
@@ -2861,15 +2876,13 @@
         <source>Pin</source>
         <translation>ピン</translation>
     </message>
-    <message numerus="yes">
-        <source>%n pins</source>
-        <translation>
-            <numerusform>%n 個のピン</numerusform>
-        </translation>
-    </message>
     <message>
         <source>at %1, %2, %3</source>
         <translation>位置 %1, %2, %3</translation>
+    </message>
+    <message>
+        <source>at %1, %2</source>
+        <translation>位置 %1, %2</translation>
     </message>
 </context>
 <context>
@@ -5114,22 +5127,6 @@
     <message>
         <source>Path</source>
         <translation>パス</translation>
-    </message>
-    <message>
-        <source>Begins &amp;Softly</source>
-        <translation>ゆっくり始まる(&amp;S)</translation>
-    </message>
-    <message>
-        <source>&amp;Ends Softly</source>
-        <translation>ゆっくり終わる(&amp;E)</translation>
-    </message>
-    <message>
-        <source>&amp;Both Softly</source>
-        <translation>両方ゆっくり(&amp;B)</translation>
-    </message>
-    <message>
-        <source>&amp;Even</source>
-        <translation>一定(&amp;E)</translation>
     </message>
     <message>
         <source>Tracks</source>

@@ -245,6 +245,25 @@
     </message>
 </context>
 <context>
+    <name>EaseNames</name>
+    <message>
+        <source>Begins &amp;Softly</source>
+        <translation>缓入(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Ends Softly</source>
+        <translation>缓出(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Both Softly</source>
+        <translation>缓入缓出(&amp;B)</translation>
+    </message>
+    <message>
+        <source>&amp;Even</source>
+        <translation>匀速(&amp;E)</translation>
+    </message>
+</context>
+<context>
     <name>EnergyScale</name>
     <message>
         <source>Area</source>
@@ -1986,10 +2005,6 @@
         <translation>到曲线终点时的大小。</translation>
     </message>
     <message>
-        <source>Path</source>
-        <translation>路径</translation>
-    </message>
-    <message>
         <source>Rot&amp;ate with path</source>
         <translation>随路径旋转(&amp;A)</translation>
     </message>
@@ -2012,6 +2027,18 @@
     <message>
         <source>Change curve</source>
         <translation>更改曲线</translation>
+    </message>
+    <message>
+        <source>Ease</source>
+        <translation>缓动</translation>
+    </message>
+    <message>
+        <source>How the motion that goes on at the time shown begins and ends: evenly, or softly.</source>
+        <translation>所示时刻的运动如何开始和结束：匀速或缓动。</translation>
+    </message>
+    <message>
+        <source>Change ease</source>
+        <translation>更改缓动</translation>
     </message>
 </context>
 <context>
@@ -2794,18 +2821,6 @@
         <translation>应用</translation>
     </message>
     <message>
-        <source>Rename</source>
-        <translation>重命名</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>名称</translation>
-    </message>
-    <message>
-        <source>What the handle is called in the project and in messages.</source>
-        <translation>手柄在项目和消息中的名称。</translation>
-    </message>
-    <message>
         <source>Move by</source>
         <translation>移动</translation>
     </message>
@@ -2861,15 +2876,13 @@
         <source>Pin</source>
         <translation>图钉</translation>
     </message>
-    <message numerus="yes">
-        <source>%n pins</source>
-        <translation>
-            <numerusform>%n 个图钉</numerusform>
-        </translation>
-    </message>
     <message>
         <source>at %1, %2, %3</source>
         <translation>位于 %1, %2, %3</translation>
+    </message>
+    <message>
+        <source>at %1, %2</source>
+        <translation>位于 %1，%2</translation>
     </message>
 </context>
 <context>
@@ -5114,22 +5127,6 @@
     <message>
         <source>Path</source>
         <translation>路径</translation>
-    </message>
-    <message>
-        <source>Begins &amp;Softly</source>
-        <translation>缓入(&amp;S)</translation>
-    </message>
-    <message>
-        <source>&amp;Ends Softly</source>
-        <translation>缓出(&amp;E)</translation>
-    </message>
-    <message>
-        <source>&amp;Both Softly</source>
-        <translation>缓入缓出(&amp;B)</translation>
-    </message>
-    <message>
-        <source>&amp;Even</source>
-        <translation>匀速(&amp;E)</translation>
     </message>
     <message>
         <source>Tracks</source>

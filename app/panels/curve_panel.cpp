@@ -6,6 +6,8 @@
 #include <numbers>
 
 #include "app/document/curve_edits.h"
+#include "app/document/timing_edits.h"
+#include "app/panels/ease_names.h"
 #include "app/panels/exact_box.h"
 #include "app/panels/panel_parts.h"
 #include "app/session/curve_making.h"
@@ -18,19 +20,21 @@ constexpr double kDegrees = 180 / std::numbers::pi;
 
 }  // namespace
 
-CurvePanel::CurvePanel(ShapeSession& session, int dimension, bool titled, QWidget* parent)
+CurvePanel::CurvePanel(ShapeSession& session, QWidget* parent)
     : QWidget(parent),
       m_session(session),
-      m_dimension(dimension),
       m_make(new QPushButton(tr("Edit path"), this)),
       m_curve(new QWidget(this)),
+      m_ease(new QComboBox(this)),
       m_frame(new QComboBox(this)),
       m_twist(new ExactBox(this)),
       m_scale(new ExactBox(this)) {
     makeControls();
-    arrange(titled);
+    arrange();
     connect(m_make, &QPushButton::clicked, this, [this] { makeCurve(m_session); });
     connect(m_frame, &QComboBox::activated, this, &CurvePanel::change);
+    connect(m_ease, &QComboBox::activated, this, &CurvePanel::changeEase);
+    connect(&m_session.playback(), &Playback::timeChanged, this, &CurvePanel::showCurve);
     for (ExactBox* box : {m_twist, m_scale})
         connect(box, &QDoubleSpinBox::valueChanged, this, &CurvePanel::change);
     connect(&m_session, &ShapeSession::pinsChanged, this, &CurvePanel::showCurve);
@@ -41,7 +45,13 @@ CurvePanel::CurvePanel(ShapeSession& session, int dimension, bool titled, QWidge
 void CurvePanel::makeControls() {
     m_make->setToolTip(tr("Turns the way that was drawn into a Bézier curve with points to drag."));
     m_make->setStatusTip(m_make->toolTip());
+    for (const Ease ease : kEases) m_ease->addItem(withoutKey(easeName(ease)));
+    m_ease->setObjectName(QStringLiteral("ease"));
+    m_ease->setFixedWidth(116);
+    describe(m_ease, tr("Ease"),
+             tr("How the motion that goes on at the time shown begins and ends: evenly, or softly."));
     m_frame->addItems({tr("no"), tr("as it bends (Frenet)"), tr("yes")});
+    m_frame->setObjectName(QStringLiteral("curveFrame"));
     m_frame->setFixedWidth(116);
     describe(m_frame, tr("Rotate with path"), tr("Whether what is held turns along the curve, and how."));
     m_twist->setRange(-3600, 3600);
@@ -59,21 +69,18 @@ void CurvePanel::makeControls() {
     describe(m_scale, tr("Scale"), tr("How large it has become at the end of the curve."));
 }
 
-void CurvePanel::arrange(bool titled) {
+void CurvePanel::arrange() {
     auto* layout = new QVBoxLayout(this);
-    titled ? layout->setContentsMargins(16, 14, 16, 14) : layout->setContentsMargins(0, 0, 0, 0);
+    layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(10);
-    if (titled) layout->addWidget(panelTitle(tr("Path"), this));
+    layout->addWidget(panelRowIn(tr("Ease"), m_ease, this));
     layout->addWidget(m_make);
     layout->addWidget(m_curve);
     auto* curve = new QVBoxLayout(m_curve);
     curve->setContentsMargins(0, 0, 0, 0);
     curve->setSpacing(10);
     curve->addLayout(panelRow(tr("Rot&ate with path"), m_frame, m_curve));
-    if (m_dimension == 3)
-        curve->addLayout(panelRow(tr("T&wist"), m_twist, m_curve));
-    else
-        m_twist->hide();
+    curve->addWidget(m_twistRow = panelRowIn(tr("T&wist"), m_twist, m_curve));
     curve->addLayout(panelRow(tr("S&cale"), m_scale, m_curve));
 }
 
@@ -90,7 +97,7 @@ bool CurvePanel::holdsPart() const {
 
 /// What is switched off says why first.
 void CurvePanel::allowTurning(bool allow) {
-    const QString why = m_dimension == 2 ? tr("A point cannot rotate or grow – Alt-drag the pin to widen it.")
+    const QString why = dimension() == 2 ? tr("A point cannot rotate or grow – Alt-drag the pin to widen it.")
                                          : tr("A point cannot rotate or grow: hold more vertices.");
     for (QWidget* control :
          {static_cast<QWidget*>(m_frame), static_cast<QWidget*>(m_twist), static_cast<QWidget*>(m_scale)}) {
@@ -99,12 +106,26 @@ void CurvePanel::allowTurning(bool allow) {
     }
 }
 
-int CurvePanel::single() const {
-    return m_session.document().dimension() == m_dimension ? m_session.singleHandle() : -1;
+/// The last one that has begun, or the first.
+template <int Dim>
+int CurvePanel::shownMotion() const {
+    const auto& motions = m_session.document().design<Dim>().handles[single()].motions;
+    int shown = motions.empty() ? -1 : 0;
+    for (int i = 0; i < static_cast<int>(motions.size()); ++i)
+        if (motions[i].start < m_session.playback().time()) shown = i;
+    return shown;
+}
+
+void CurvePanel::changeEase() {
+    if (single() < 0 || !m_session.mayChange(single())) return showCurve();
+    const int motion = dimension() == 2 ? shownMotion<2>() : shownMotion<3>();
+    m_session.document().change(tr("Change ease"),
+                                withMotionEase(*m_session.document().project(), single(), motion,
+                                               kEases.at(static_cast<std::size_t>(m_ease->currentIndex()))));
 }
 
 void CurvePanel::change() {
-    if (single() >= 0) m_dimension == 2 ? changeOf<2>() : changeOf<3>();
+    if (single() >= 0) dimension() == 2 ? changeOf<2>() : changeOf<3>();
 }
 
 template <int Dim>
@@ -126,17 +147,23 @@ void CurvePanel::showCurve() {
     if (single() < 0)
         hide();
     else
-        m_dimension == 2 ? show<2>() : show<3>();
+        dimension() == 2 ? show<2>() : show<3>();
 }
 
 template <int Dim>
 void CurvePanel::show() {
     const CurveMotion<Dim>* curve = lastCurve<Dim>(*m_session.document().project(), single());
     const bool canMake = !curve && canMakeCurve(m_session);
-    setVisible(curve || canMake);
+    const int motion = shownMotion<Dim>();
+    setVisible(motion >= 0);
+    if (motion >= 0) {
+        const Ease ease = m_session.document().design<Dim>().handles[single()].motions[motion].ease;
+        m_ease->setCurrentIndex(static_cast<int>(std::ranges::find(kEases, ease) - kEases.begin()));
+    }
     m_curve->setVisible(curve);
     m_make->setVisible(canMake);
     if (!curve) return;
+    m_twistRow->setVisible(Dim == 3);
     allowTurning(holdsPart());
     m_frame->setCurrentIndex(static_cast<int>(curve->frame));
     m_twist->put(curve->twist * kDegrees);

@@ -6,15 +6,13 @@
 
 class QComboBox;
 class QDoubleSpinBox;
+class QHBoxLayout;
 class QLabel;
-class QLineEdit;
-class QPushButton;
+class QToolButton;
 
 namespace wend {
 
-class CurvePanel;
-
-/// The selected handle of a solid in numbers: its name and place, exact steps, and the curve that it follows.
+/// What is selected in numbers: its place, exact steps, and the way of a single handle.
 class HandlePanel : public QWidget {
     Q_OBJECT
 
@@ -26,20 +24,22 @@ class HandlePanel : public QWidget {
     void arrange();
     void showHandle();
     void showStep();
+    void placeNumbers();
+    void changeEvent(QEvent* event) override;
     void apply();
+    template <int Dim>
     Vec<3> middle() const;
-    int single() const;
+    bool isSolid() const { return m_session.document().dimension() == 3; }
 
     ShapeSession& m_session;
     QLabel* m_none;
     QWidget* m_body;
-    QLineEdit* m_name;
     QLabel* m_place;
     QComboBox* m_kind;
     std::array<QDoubleSpinBox*, 3> m_numbers;
     QComboBox* m_axis;
-    QPushButton* m_apply;
-    CurvePanel* m_curve;
+    QToolButton* m_apply;
+    QHBoxLayout *m_step = nullptr, *m_space = nullptr;
 };
 
 }  // namespace wend

@@ -67,7 +67,8 @@ PinAnimation::Look PinAnimation::of(int handle) const {
     }
     // It falls in two thirds of the time, and is flat where it lands.
     const double t = m_drop.currentValue().toDouble(), fall = std::min(1.0, 1.5 * t);
-    return {QPointF(0, -kHeight * (1 - fall * fall)), t <= 2.0 / 3 ? 0 : kSquash * std::sin(3 * std::numbers::pi * (1 - t))};
+    return {QPointF(0, -kHeight * (1 - fall * fall)),
+            t <= 2.0 / 3 ? 0 : kSquash * std::sin(3 * std::numbers::pi * (1 - t))};
 }
 
 }  // namespace wend

@@ -16,9 +16,9 @@ namespace wend {
 namespace {
 
 constexpr int kAll = (1 << FirstTips::kTips) - 1;
-constexpr int kTick = 50;                      // milliseconds
-constexpr double kPoint = 7, kGap = 12;        // pixels: how far the bubble points, and keeps from the thing
-constexpr double kRadius = 6;                  // of its corners
+constexpr int kTick = 50;                // milliseconds
+constexpr double kPoint = 7, kGap = 12;  // pixels: how far the bubble points, and keeps from the thing
+constexpr double kRadius = 6;            // of its corners
 
 /// What the tips ask to change: pins, their motions, what is kept.
 std::array<double, FirstTips::kTips> counted(const Document& document) {
@@ -101,8 +101,8 @@ int FirstTips::due() const {
 template <int Dim, class Canvas>
 QPointF FirstTips::anchorOn(const Canvas& canvas, Tip tip) const {
     const auto pins = m_parts.session.pins<Dim>();
-    const Vec<Dim> at = tip == Drag && !pins.empty() ? pins.back().centre
-                                                     : middleOf<Dim>(m_parts.session.frame<Dim>()->pose);
+    const Vec<Dim> at =
+        tip == Drag && !pins.empty() ? pins.back().centre : middleOf<Dim>(m_parts.session.frame<Dim>()->pose);
     return canvas.mapTo(parentWidget(), canvas.toWidget(at));
 }
 

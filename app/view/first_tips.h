@@ -51,8 +51,8 @@ class FirstTips : public QLabel {
     void follow();
 
     Parts m_parts;
-    QTimer m_timer;  // what it points at moves with the view
-    int m_done = 0;  // a bit for each tip
+    QTimer m_timer;                        // what it points at moves with the view
+    int m_done = 0;                        // a bit for each tip
     std::array<double, kTips> m_before{};  // what each changes, as it was
     bool m_pointsLeft = true;              // else to the right
 };

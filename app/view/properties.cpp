@@ -6,7 +6,6 @@
 #include <QVBoxLayout>
 
 #include "app/panels/balance_panel.h"
-#include "app/panels/curve_panel.h"
 #include "app/panels/cut_panel.h"
 #include "app/panels/distortion_panel.h"
 #include "app/panels/flow_panel.h"
@@ -118,7 +117,6 @@ QWidget* Properties::selectionArea(ShapeSession& session) {
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(new HandlePanel(session));
-    column->addWidget(new CurvePanel(session, 2, true));
     column->addWidget(new RegionPanel(session));
     column->addStretch(1);
     return area;

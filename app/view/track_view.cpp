@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/panels/ease_names.h"
 #include "app/panels/marks.h"
 #include "app/panels/panel_parts.h"
 
@@ -29,20 +30,6 @@ QString kindOf(const Motion<Dim>& motion) {
     const bool stays = std::all_of(curve->points.begin(), curve->points.end(),
                                    [&](const Vec<Dim>& p) { return p == curve->points.front(); });
     return stays && curve->scale != 1 ? TrackView::tr("Scale") : TrackView::tr("Path");
-}
-
-QString easeName(Ease ease) {
-    switch (ease) {
-        case Ease::In:
-            return TrackView::tr("Begins &Softly");
-        case Ease::Out:
-            return TrackView::tr("&Ends Softly");
-        case Ease::InOut:
-            return TrackView::tr("&Both Softly");
-        case Ease::Linear:
-            break;
-    }
-    return TrackView::tr("&Even");
 }
 
 QString seconds(double time) {
@@ -277,7 +264,7 @@ void TrackView::showMenu(const Bar& bar, const QPoint& global) {
     auto* menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
     menu->addSection(tr("How it begins and ends"));
-    for (const Ease ease : {Ease::Linear, Ease::In, Ease::Out, Ease::InOut}) {
+    for (const Ease ease : kEases) {
         QAction* action = menu->addAction(easeName(ease), this, [this, bar, ease] {
             if (!m_session.mayChange(bar.handle)) return;
             change(tr("Ease"),

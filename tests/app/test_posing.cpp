@@ -1,16 +1,20 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QStatusBar>
+#include <QToolButton>
 #include <QTreeWidget>
 #include <numbers>
 
 #include "app/document/curve_edits.h"
 #include "app/document/handle_edits.h"
 #include "app/panels/exact_box.h"
+#include "app/panels/handle_panel.h"
+#include "app/panels/number_box.h"
 #include "app/view/actions.h"
 #include "app/view/canvas.h"
 #include "app/view/curve_actions.h"
@@ -39,6 +43,8 @@ class TestPosing : public QObject {
     void regionsVeilNothing();
     void ringRotatesAndScales();
     void ringTakesNumbers();
+    void numbersMoveTurnAndGrow();
+    void easeIsThatOfTheTimeShown();
     void pointsHaveADottedRing();
     void menusOfferWhatLiesThere();
     void waysAreSelectedByAClick();
@@ -357,6 +363,67 @@ void TestPosing::ringRotatesAndScales() {
     QVERIFY(!session().isDragging());
     QTest::mouseRelease(&canvas(), Qt::LeftButton, {}, ringSpot(1, 42, -10));
     QCOMPARE(session().document().undoStack()->count(), count);
+}
+
+/// The same exact steps as for solids, by the panel.
+void TestPosing::numbersMoveTurnAndGrow() {
+    widen(1, 18);
+    auto* panel = m_window->findChild<HandlePanel*>();
+    auto* kind = panel->findChild<QComboBox*>();
+    auto* apply = panel->findChild<QToolButton*>(QStringLiteral("applyStep"));
+    const auto step = [&](int which, const QStringList& numbers) {
+        kind->setCurrentIndex(which);
+        QList<QDoubleSpinBox*> boxes;
+        for (auto* box : panel->findChildren<NumberBox*>())
+            if (box->isVisible() && box->y() == apply->y() + (apply->height() - box->height()) / 2)
+                boxes << box;
+        QCOMPARE(boxes.size(), numbers.size());
+        std::ranges::sort(boxes, {}, &QWidget::x);
+        for (int k = 0; k < numbers.size(); ++k) {
+            boxes[k]->setFocus();
+            boxes[k]->selectAll();
+            QTest::keyClicks(boxes[k], numbers[k]);
+        }
+        QTest::mouseClick(apply, Qt::LeftButton);
+        QVERIFY(settle(session()));
+    };
+    const auto held = [&] { return session().pins()[1].points; };
+    const auto before = held();
+    const Vec<2> by(-12.5, 7.25), centre = pin(1) + by;
+    step(0, {QStringLiteral("-12.5"), QStringLiteral("7.25")});
+    step(1, {QStringLiteral("30")});
+    step(2, {QStringLiteral("1.25")});
+    const auto after = held();
+    QCOMPARE(after.size(), before.size());
+    QVERIFY(after.size() > 2);
+    const Mat<2> turn = Eigen::Rotation2Dd(std::numbers::pi / 6).toRotationMatrix();
+    for (std::size_t i = 0; i < after.size(); ++i) {
+        const Vec<2> expected = centre + 1.25 * (turn * (before[i] + by - centre));
+        QVERIFY2((after[i] - expected).norm() < 1e-6,
+                 qPrintable(QString::number((after[i] - expected).norm())));
+    }
+    QVERIFY(panel->findChild<QLabel*>(QStringLiteral("pinPlace"))
+                ->text()
+                .contains(QLocale().toString(pin(1).x(), 'g', 5)));
+}
+
+void TestPosing::easeIsThatOfTheTimeShown() {
+    drag(pin(1), pin(1) + Vec<2>(0, 20));
+    drag(pin(1), pin(1) + Vec<2>(-10, 10));
+    QCOMPARE(handles()[1].motions.size(), std::size_t(2));
+    auto* ease = m_window->findChild<QComboBox*>(QStringLiteral("ease"));
+    QVERIFY(ease->isVisible());
+    const auto choose = [&](int steps) {
+        ease->setFocus();
+        for (int k = 0; k < steps; ++k) QTest::keyClick(ease, Qt::Key_Down);
+        QVERIFY(settle(session()));
+    };
+    choose(1);
+    QVERIFY(handles()[1].motions[1].ease == Ease::In && handles()[1].motions[0].ease == Ease::Linear);
+    scrub(0.5 * handles()[1].motions[0].end);
+    QCOMPARE(ease->currentIndex(), 0);
+    choose(3);
+    QVERIFY(handles()[1].motions[1].ease == Ease::In && handles()[1].motions[0].ease == Ease::InOut);
 }
 
 void TestPosing::ringTakesNumbers() {

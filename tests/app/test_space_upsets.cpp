@@ -251,8 +251,7 @@ void TestSpaceUpsets::untouchedNumbersKeepTheirDigits() {
     m_f->session().document().change(QStringLiteral("Small"), small);
     m_f->session().selection().set({1});
     QVERIFY(settle(m_f->session()));
-    auto* panel = box<CurvePanel>(0)->parentWidget();
-    auto* frame = panel->findChild<QComboBox*>();
+    auto* frame = m_f->window().findChild<QComboBox*>(QStringLiteral("curveFrame"));
     frame->setFocus();
     QTest::keyClick(frame, Qt::Key_Up);
     QVERIFY(lastCurve(m_f->project(), 1)->frame == FrameKind::Frenet);
