@@ -2,8 +2,10 @@
 
 #include "app/document/options.h"
 #include "app/panels/energy_slider.h"
+#include "app/session/shape.h"
 #include "app/session/shape_builder.h"
 #include "app/view/canvas.h"
+#include "app/view/volume/solid_canvas.h"
 
 namespace wend {
 
@@ -15,8 +17,9 @@ constexpr double kMargin = 2;  // pixels
 
 }  // namespace
 
-TilePictures::TilePictures(ShapeSession& session, const ShapeCanvas& canvas, EnergySlider& tiles)
-    : QObject(&tiles), m_session(session), m_canvas(canvas), m_tiles(tiles) {
+TilePictures::TilePictures(ShapeSession& session, const ShapeCanvas& picture,
+                           std::function<SolidCanvas*()> solid, EnergySlider& tiles)
+    : QObject(&tiles), m_session(session), m_canvas(picture), m_solid(std::move(solid)), m_tiles(tiles) {
     m_coarse.document().undoStack()->setUndoLimit(1);
     m_idle.setSingleShot(true);
     m_idle.setInterval(kIdle);
@@ -33,8 +36,10 @@ TilePictures::TilePictures(ShapeSession& session, const ShapeCanvas& canvas, Ene
 
 /// Of a mesh that comes from a file there is no coarser one.
 bool TilePictures::isPossible() const {
-    return m_session.frame<2>() && m_session.document().picture() && m_session.playback().end() > 0 &&
-           m_session.document().project()->domain.kind == DomainKind::Image;
+    if (m_session.document().isEmpty() || !m_session.frame() || m_session.playback().end() <= 0) return false;
+    const DomainKind kind = m_session.document().project()->domain.kind;
+    return (kind == DomainKind::Image && m_session.document().picture()) ||
+           (kind == DomainKind::Surface && m_solid());
 }
 
 void TilePictures::expire() {
@@ -52,7 +57,8 @@ void TilePictures::expire() {
 void TilePictures::begin() {
     if (!isPossible() || m_running) return;
     const bool moves = m_session.isBusy() || m_session.isDragging() || m_session.playback().isPlaying();
-    if (moves || !m_tiles.isVisible() || !m_canvas.screenPicture()) return m_idle.start();
+    const bool flat = m_session.document().dimension() == 2;
+    if (moves || !m_tiles.isVisible() || (flat && !m_canvas.screenPicture())) return m_idle.start();
     m_project = m_session.document().project();
     m_time = m_session.playback().time();
     m_made.clear();
@@ -67,6 +73,7 @@ void TilePictures::ask() {
     set("material.phi", m_tiles.scale().stops().at(m_made.size()).phi);
     set("domain.vertices",
         std::min(project.domain.edge > 0 ? kVertices : project.domain.vertices, kVertices));
+    if (project.domain.kind == DomainKind::Surface) project.domain.fit = Fit::Cage;
     Document& document = m_coarse.document();
     if (!document.isEmpty()) {
         document.change({}, std::move(project));
@@ -84,7 +91,7 @@ void TilePictures::ask() {
 
 void TilePictures::take() {
     if (!m_running || m_coarse.isBusy()) return;
-    if (!m_coarse.frame<2>()) {  // it cannot be: the window tells why
+    if (!m_coarse.frame()) {  // it cannot be: the window tells why
         m_running = false;
         m_done = true;
         return m_tiles.setPictures({});
@@ -96,7 +103,30 @@ void TilePictures::take() {
     m_tiles.setPictures(m_made);
 }
 
-QPixmap TilePictures::drawn(const FramePtr& frame) const {
+QPixmap TilePictures::drawn(const FramePtr& frame) {
+    return frame->dimension == 2 ? drawnFlat(frame) : drawnSolid(static_cast<const PosedFrame<3>&>(*frame));
+}
+
+/// From where the view looks.
+QPixmap TilePictures::drawnSolid(const PosedFrame<3>& frame) {
+    SolidCanvas& own = *m_solid();
+    if (!m_view) {
+        m_view = new VolumeView(own.parentWidget());
+        m_view->hide();
+    }
+    m_view->setStyle(own.plainStyle());
+    m_view->setPicture(own.plainPicture(frame), false);
+    m_view->resize(EnergySlider::pictureSize());
+    m_view->camera() = own.camera();
+    m_view->fit();
+    if (!m_view->obstacle().isEmpty()) m_view->grabFramebuffer();  // the first time: makes its context
+    const double ratio = m_tiles.devicePixelRatioF();
+    QPixmap picture = QPixmap::fromImage(m_view->picture(EnergySlider::pictureSize() * ratio, true));
+    picture.setDevicePixelRatio(ratio);
+    return picture;
+}
+
+QPixmap TilePictures::drawnFlat(const FramePtr& frame) const {
     RenderRequest request;
     request.frame = posed<2>(frame);
     request.picture = m_canvas.screenPicture();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QTimer>
+#include <functional>
 #include <memory>
 
 #include "app/session/shape_session.h"
@@ -9,15 +10,19 @@ namespace wend {
 
 class EnergySlider;
 class ShapeCanvas;
+class SolidCanvas;
+class VolumeView;
 
-/// Shows on the tiles of the energies what each makes of the user's own picture: computed on a coarse mesh,
-/// one after the other, once nothing has changed for a while. Before anything moves, and for shapes of which
-/// there is no coarse mesh, the tiles show a sample.
+/// Shows on the tiles of the energies what each makes of the user's own shape: computed on a coarse mesh, of
+/// a solid in a coarse cage, one after the other, once nothing has changed for a while. Before anything
+/// moves, and for shapes of which there is no coarse mesh, the tiles show a sample.
 class TilePictures : public QObject {
     Q_OBJECT
 
   public:
-    TilePictures(ShapeSession& session, const ShapeCanvas& canvas, EnergySlider& tiles);
+    /// `solid`: the view of solids, null before the first one.
+    TilePictures(ShapeSession& session, const ShapeCanvas& picture, std::function<SolidCanvas*()> solid,
+                 EnergySlider& tiles);
     /// Those that are there are of what is shown.
     bool isDone() const { return m_done; }
 
@@ -27,12 +32,16 @@ class TilePictures : public QObject {
     void begin();
     void ask();
     void take();
-    QPixmap drawn(const FramePtr& frame) const;
+    QPixmap drawn(const FramePtr& frame);
+    QPixmap drawnFlat(const FramePtr& frame) const;
+    QPixmap drawnSolid(const PosedFrame<3>& frame);
 
     ShapeSession& m_session;
     const ShapeCanvas& m_canvas;
+    std::function<SolidCanvas*()> m_solid;
     EnergySlider& m_tiles;
     ShapeSession m_coarse;
+    VolumeView* m_view = nullptr;  // hidden: draws the pictures of solids
     QTimer m_idle;
     std::shared_ptr<const Project> m_project;  // that they are made of,
     double m_time = 0;                         // and when

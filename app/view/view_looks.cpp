@@ -58,7 +58,8 @@ void ViewLooks::connectComparison() {
         const auto& stops = tiles.scale().stops();
         if (!compared.isSplit()) compared.split(stops[tiles.scale().stopAt(tiles.phi()) == 1 ? 3 : 1].phi);
     });
-    new TilePictures(m_parts.session, m_parts.picture, tiles);
+    new TilePictures(
+        m_parts.session, m_parts.picture, [this] { return m_parts.solids.canvas(); }, tiles);
     connectLeaning(tiles);
 }
 

@@ -60,6 +60,7 @@ class TestComparison : public QObject {
     void halvesShowTheSamePart();
     void tilesAreDropped();
     void tilesArePreviewed();
+    void tilesShowTheShape_data() { dimensions(); }
     void tilesShowTheShape();
     void anotherFileEndsIt();
 
@@ -268,11 +269,13 @@ void TestComparison::tilesArePreviewed() {
 
 /// Samples while nothing moves; then what each energy does to this picture.
 void TestComparison::tilesShowTheShape() {
-    QVERIFY(m_f->openPicture());
+    QFETCH(int, dimension);
+    const bool solid = dimension == 3;
+    QVERIFY(solid ? Bar<3>::open(*m_f) : m_f->openPicture());
     const auto picture = [&](int i) { return tile(i)->icon().pixmap(EnergySlider::pictureSize()).toImage(); };
     const QImage sample = picture(1);
-    QVERIFY(Bar<2>::hold(*m_f));
-    m_f->session().nudgeSelected<2>({-100, 40});
+    QVERIFY(solid ? Bar<3>::hold(*m_f) : Bar<2>::hold(*m_f));
+    solid ? m_f->session().nudgeSelected<3>({-1, 0, 0.7}) : m_f->session().nudgeSelected<2>({-100, 40});
     QVERIFY(settle(m_f->session()));
     auto* made = tiles().findChild<TilePictures*>();
     QTRY_VERIFY_WITH_TIMEOUT(made->isDone(), 60000);

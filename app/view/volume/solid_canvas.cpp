@@ -150,10 +150,12 @@ void SolidCanvas::takeFrame() {
     refresh();
 }
 
-std::vector<QRgb> SolidCanvas::colours(const PosedFrame<3>& frame) const {
-    const std::size_t count = frame.rest->cells.size();
+QRgb SolidCanvas::plainColour() const {
     const QRgb plain = Theme::of(palette()).dark ? kPlainDark : kPlain;
-    if (!m_map || m_hidden) return std::vector<QRgb>(count, m_dimmed ? dimmed(plain) : plain);
+    return m_dimmed ? dimmed(plain) : plain;
+}
+
+std::vector<QRgb> SolidCanvas::mapColours(const PosedFrame<3>& frame) const {
     std::vector<QRgb> colours;
     for (const double value : cellValues<3>(frame, m_measure, fieldOf<3>(m_session, m_measure))) {
         const QRgb colour = colourAt(m_measure, positionIn(m_range, m_measure, value));
@@ -162,11 +164,36 @@ std::vector<QRgb> SolidCanvas::colours(const PosedFrame<3>& frame) const {
     return colours;
 }
 
+bool SolidCanvas::hasDetail(const PosedFrame<3>& frame) const {
+    const auto& skin = frame.built->skin;
+    return skin && frame.built->embedding &&
+           (ridesInCage(frame) || !m_session.document().project()->domain.detail.empty() ||
+            !skin->materials.empty());
+}
+
 bool SolidCanvas::hasDetail() const {
     const auto frame = m_session.frame<3>();
-    if (!frame || !frame->built->skin || !frame->built->embedding) return false;
-    return ridesInCage(*frame) || !m_session.document().project()->domain.detail.empty() ||
-           !frame->built->skin->materials.empty();
+    return frame && hasDetail(*frame);
+}
+
+VolumePicture SolidCanvas::plainPicture(const PosedFrame<3>& frame) const {
+    VolumePicture picture;
+    picture.rest = frame.rest;
+    picture.facets = frame.built->facets;
+    picture.pose = frame.pose;
+    picture.cellColours.assign(frame.rest->cells.size(), plainColour());
+    picture.materials = m_detail && hasDetail(frame);
+    if (!picture.materials) return picture;
+    picture.skin = frame.built->skin;
+    picture.embedding = frame.built->embedding;
+    return picture;
+}
+
+SurfaceStyle SolidCanvas::plainStyle() const {
+    SurfaceStyle style = m_style;
+    style.edges = false;
+    style.dimming = style.mapOpacity = 0;
+    return style;
 }
 
 /// True once for each document: its view is still to be found.
@@ -185,20 +212,13 @@ void SolidCanvas::refresh() {
     m_missed = m_held;
     if (!frame) setGlyphs({});  // those of the last solid
     if (!frame || m_held) return;
-    VolumePicture picture;
-    picture.rest = frame->rest;
-    picture.facets = frame->built->facets;
-    picture.pose = frame->pose;
-    picture.cellColours = colours(*frame);
-    // A map's colours are those of the tetrahedra: on their own border they are exact.
-    const bool map = m_map && !m_hidden;
-    if (m_detail && hasDetail()) {
-        picture.skin = frame->built->skin;
-        picture.embedding = frame->built->embedding;
-        picture.materials = !map || !picture.skin->materials.empty();
+    VolumePicture picture = plainPicture(*frame);
+    if (showsMap()) {
+        picture.cellColours = mapColours(*frame);
+        picture.materials = picture.materials && !picture.skin->materials.empty();
     }
     m_style.dimming = m_dimmed && picture.materials ? 0.5 : 0;
-    m_style.mapOpacity = map && picture.materials ? m_opacity : 0;
+    m_style.mapOpacity = showsMap() && picture.materials ? m_opacity : 0;
     setStyle(m_style);
     if (meetsNewDocument()) {
         m_toFit = true;

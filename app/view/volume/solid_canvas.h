@@ -43,6 +43,9 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     std::vector<VertexMark> marksOf(const std::vector<int>& vertices) const override;
     void redraw() override;
 
+    /// A frame as this view shows it, but without a map: for another view.
+    VolumePicture plainPicture(const PosedFrame<3>& frame) const;
+    SurfaceStyle plainStyle() const;
     /// True if the solid has a surface of its own to show: a detailed one, or one with materials.
     bool hasDetail() const;
     /// The surface of a file while its tetrahedra are being made.
@@ -59,7 +62,7 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     void paintOver(QPainter& painter);
     /// Of that, what is not the tools': pins, paths, the worst place, the axes.
     void paintMarks(QPainter& painter);
-    bool hasLegend() const { return m_map && !m_hidden; }
+    bool hasLegend() const { return showsMap(); }
     /// While held, what is shown stays as it is, whatever is computed: rows of one picture are drawn.
     void setHeld(bool held);
     /// The map's, at the top left.
@@ -128,7 +131,10 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     void showGlyphs(const PosedFrame<3>& frame);
     void wantVelocity();
     void tellPointed(const QPointF& at);
-    std::vector<QRgb> colours(const PosedFrame<3>& frame) const;
+    bool showsMap() const { return m_map && !m_hidden; }
+    QRgb plainColour() const;
+    bool hasDetail(const PosedFrame<3>& frame) const;
+    std::vector<QRgb> mapColours(const PosedFrame<3>& frame) const;
     SolidTool* toolAt(const QPointF& at);
     bool isForTool(const QMouseEvent& event, const SolidTool& tool);
     void useTool(SolidTool* tool);
