@@ -13,6 +13,7 @@ void ShapeCanvas::mousePressEvent(QMouseEvent* event) {
         m_panning = true;
         m_lastPan = event->position();
     } else if (m_tool && !m_panning) {
+        m_leads = m_leads || event->button() == Qt::LeftButton;
         m_tool->press(*event);
         emit hintChanged(m_tool->hint());
     }
@@ -28,7 +29,9 @@ void ShapeCanvas::mouseDoubleClickEvent(QMouseEvent* event) {
     emit hintChanged(m_tool->hint());
 }
 
+/// A move from before the press, which the system brings late, does not lead the tool: it has no button down.
 void ShapeCanvas::mouseMoveEvent(QMouseEvent* event) {
+    if (m_leads && event->buttons() == Qt::NoButton) return;
     const Vec<2> p = toShape(event->position());
     emit pointed(p.x(), p.y(), true);
     if (m_panning) {
@@ -44,6 +47,7 @@ void ShapeCanvas::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void ShapeCanvas::mouseReleaseEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton) m_leads = false;
     if (m_panning)
         endPan();
     else if (m_tool) {

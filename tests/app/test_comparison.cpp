@@ -55,6 +55,8 @@ class TestComparison : public QObject {
     void cleanup() { m_f.reset(); }
     void halvesGoTogether_data() { dimensions(); }
     void halvesGoTogether();
+    void lateMovesDoNotLead_data() { dimensions(); }
+    void lateMovesDoNotLead();
     void pinsAreDraggedInTheOtherHalf_data() { dimensions(); }
     void pinsAreDraggedInTheOtherHalf();
     void halvesShowTheSamePart();
@@ -70,6 +72,8 @@ class TestComparison : public QObject {
     void goTogether();
     template <int Dim>
     void dragInTheOther();
+    template <int Dim>
+    void moveLate();
     template <int Dim>
     bool begin();
     CompareView& view() { return m_f->window().compared(); }
@@ -162,6 +166,34 @@ void TestComparison::goTogether() {
     QVERIFY(settle(session));
     QVERIFY((session.template frame<Dim>()->pose - its).cwiseAbs().maxCoeff() <
             1e-9 * Bar<Dim>::way().norm());
+}
+
+void TestComparison::lateMovesDoNotLead() {
+    BOTH(moveLate);
+}
+
+/// X tells of where the pointer was before the press, when the drag has begun long since: no button is down
+/// there.
+template <int Dim>
+void TestComparison::moveLate() {
+    QVERIFY(Bar<Dim>::open(*m_f) && Bar<Dim>::hold(*m_f));
+    auto& session = m_f->session();
+    auto& canvas = Bar<Dim>::canvas(*m_f);
+    if constexpr (Dim == 3) canvas.look(Camera::Axis::Front);
+    const QPointF from = canvas.toWidget(Bar<Dim>::end()).toPoint();
+    const QPoint to = from.toPoint() + QPoint(-30, 20);
+    QTest::mousePress(&canvas, Qt::LeftButton, {}, from.toPoint());
+    for (int i = 1; i <= 4; ++i) QTest::mouseMove(&canvas, from.toPoint() + (to - from.toPoint()) * i / 4);
+    QVERIFY(session.isDragging());
+    const Amount amount = session.gesture()->newest();
+    const int samples = session.gesture()->sampleCount();
+    QVERIFY(amount.norm() > 0);
+    QMouseEvent late(QEvent::MouseMove, from, canvas.mapToGlobal(from), Qt::NoButton, Qt::NoButton, {});
+    QApplication::sendEvent(&canvas, &late);
+    QCOMPARE(session.gesture()->newest(), amount);
+    QCOMPARE(session.gesture()->sampleCount(), samples);
+    QTest::mouseRelease(&canvas, Qt::LeftButton, {}, to);
+    QVERIFY(settle(session));
 }
 
 void TestComparison::pinsAreDraggedInTheOtherHalf() {

@@ -50,7 +50,9 @@ void SolidCanvas::mouseDoubleClickEvent(QMouseEvent* event) {
     useTool(tool);
 }
 
+/// A move from before the press, which the system brings late, does not lead the tool: it has no button down.
 void SolidCanvas::mouseMoveEvent(QMouseEvent* event) {
+    if (m_active && event->buttons() == Qt::NoButton) return;
     tellPointed(event->position());
     if (!m_active && navigation().isGoingOn()) {
         m_fitted = false;
