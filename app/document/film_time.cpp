@@ -141,9 +141,9 @@ Motion<Dim> endedAt(const Motion<Dim>& motion, double time) {
     Motion<Dim> result = motion;
     result.end = time;
     if (motion.ease != Ease::In) result.ease = Ease::Linear;
-    result.kind = std::visit(
-        [u](const auto& kind) -> decltype(result.kind) { return upTo(kind, std::clamp(u, 0.0, 1.0)); },
-        motion.kind);
+    using Kind = decltype(result.kind);
+    result.kind = std::visit([u](const auto& kind) -> Kind { return upTo(kind, std::clamp(u, 0.0, 1.0)); },
+                             motion.kind);
     return result;
 }
 

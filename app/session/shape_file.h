@@ -4,11 +4,11 @@
 #include <vector>
 
 #include "app/session/shape.h"
+#include "core/mesh/mesh_field.h"
 #include "core/mesh/mesh_write_options.h"
 
 namespace wend {
 
-struct MeshField;
 struct MeshFile;
 
 /// The values that go along with a deformed mesh: per cell "error_angle", "error_volume", "error_metric",

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/mesh/mesh_field.h"
 #include "core/mesh/mesh_write_options.h"
 #include "core/mesh/simplicial_mesh.h"
 
@@ -15,15 +16,6 @@ namespace wend {
 // or cell: libraries answer "false" or print. And VTK or Gmsh as a library would bring over 1 GB of packages
 // for the few record types that are needed. XML and compression are another matter: .vtu goes through pugixml
 // and zlib.
-
-/// A field of a mesh file: `components` numbers per vertex or per cell. The cells are the tetrahedra if there
-/// are any, else the triangles. Values may be NaN or infinite where the file says so.
-struct MeshField {
-    std::string name;
-    bool perCell = false;
-    int components = 1;
-    std::vector<double> values;
-};
 
 /// What a mesh file holds, before a dimension is chosen. Order and count are the file's.
 struct MeshFile {
