@@ -50,7 +50,7 @@ class Imager {
     /// Nothing where it would lie beside the shape.
     std::optional<Handle<Dim>> operator()(const Handle<Dim>& handle) const {
         Handle<Dim> image = handle;
-        const bool lies = std::visit([this](auto& at) { return move(at); }, image.at);
+        const bool lies = std::visit([this](auto& at) { return this->move(at); }, image.at);
         for (Motion<Dim>& motion : image.motions) motion = mirrored(motion, m_mirror);
         image.traits.locked = image.traits.hidden = false;
         image.traits.link = 0;

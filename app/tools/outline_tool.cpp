@@ -4,6 +4,7 @@
 #include <QPainterPathStroker>
 #include <algorithm>
 
+#include "app/document/handle_edits.h"
 #include "app/document/outline_edits.h"
 #include "app/session/accent.h"
 #include "app/session/flat_shape.h"
@@ -16,10 +17,11 @@ namespace wend {
 
 namespace {
 
-constexpr double kCut = 2, kMinCut = 1;  // width of a cut, in pixels of the screen, and of the picture
-constexpr double kClose = 8;             // pixels of the screen
-constexpr double kDetail = 0.5;          // pixels of the screen that what is drawn may deviate
-constexpr double kSmallest = 9;          // pixels² of the picture: parts and holes below it are noise
+constexpr double kCut = 2;       // pixels of the screen: a cut while it is drawn
+constexpr double kSlit = 0.002;  // pixels of the picture: it parts what touches, and nothing is missing
+constexpr double kClose = 8;     // pixels of the screen
+constexpr double kDetail = 0.5;  // pixels of the screen that what is drawn may deviate
+constexpr double kSmallest = 9;  // pixels² of the picture: parts and holes below it are noise
 constexpr QRgb kAway = 0xB3261E;
 const QColor kLeftOut(90, 92, 100, 150);  // a veil
 
@@ -166,8 +168,7 @@ QPainterPath OutlineTool::area() const {
         path.closeSubpath();
         return path;
     }
-    const double pixel = QLineF(m_surface.toWidget({0, 0}), m_surface.toWidget({1, 0})).length();
-    const double width = m_shape == Shape::Cut ? std::max(kCut, kMinCut * pixel) : 2 * m_pen.now().radius;
+    const double width = m_shape == Shape::Cut ? kCut : 2 * m_pen.now().radius;
     QPainterPath way(m_line.first());
     for (const QPointF& p : m_line) way.lineTo(p);
     QPainterPathStroker stroker;
@@ -193,8 +194,26 @@ Outline OutlineTool::inPicture(const QPainterPath& area) const {
     return outline;
 }
 
+/// What is drawn as a band of the width kSlit. A corner's normal is the mean of those of its sides.
+Outline OutlineTool::slit(double tolerance) const {
+    std::vector<Vec<2>> way;
+    for (const QPointF& p : m_line) way.push_back(m_surface.toShape(p));
+    way = wend::simplified<2>(way, tolerance);
+    if (way.size() < 2) return {};
+    const auto side = [&](std::size_t i) { return Vec<2>((way[i + 1] - way[i]).unitOrthogonal()); };
+    std::vector<Vec<2>> loop(2 * way.size());
+    for (std::size_t i = 0; i < way.size(); ++i) {
+        const Vec<2> before = side(i > 0 ? i - 1 : 0), after = side(std::min(i, way.size() - 2));
+        const Vec<2> sum = before + after, normal = sum.norm() > 0.1 ? sum.normalized() : before;
+        loop[i] = way[i] + kSlit / 2 * normal;
+        loop[loop.size() - 1 - i] = way[i] - kSlit / 2 * normal;
+    }
+    return combined({{loop}}, {}, OutlineOperation::Add);
+}
+
 Outline OutlineTool::piece() const {
     const double pixel = (m_surface.toShape({1, 0}) - m_surface.toShape({0, 0})).norm();
+    if (m_shape == Shape::Cut) return slit(kDetail * pixel);
     const Outline clean = combined(inPicture(area()), {}, OutlineOperation::Add);
     return m_shape == Shape::Polygon ? clean : simplified(clean, kDetail * pixel);
 }
@@ -235,8 +254,9 @@ void OutlineTool::apply(const Outline& piece, bool takesAway) {
     const Outline inside =
         combined(piece, frameOutline(picture.width, picture.height), OutlineOperation::Keep);
     const auto operation = takesAway ? OutlineOperation::TakeAway : OutlineOperation::Add;
-    Outline next = replaces ? combined(inside, {}, OutlineOperation::Add, kSmallest)
-                            : combined(before, inside, operation, kSmallest);
+    const double smallest = m_shape == Shape::Cut ? 0 : kSmallest;
+    Outline next = replaces ? combined(inside, {}, OutlineOperation::Add, smallest)
+                            : combined(before, inside, operation, smallest);
     if (next.loops.empty()) {
         emit session().notice(said(QT_TRANSLATE_NOOP("OutlineTool", "Nothing would be left of the shape.")));
         return;

@@ -40,6 +40,7 @@ class OutlineTool : public Tool {
     bool isDrawn() const { return m_shape != Shape::Wand && m_shape != Shape::Polygon; }
     QPainterPath area() const;
     Outline piece() const;
+    Outline slit(double tolerance) const;
     Outline inPicture(const QPainterPath& area) const;
     const Outline& outline() const;
     void finish(Qt::KeyboardModifiers modifiers);
