@@ -562,7 +562,7 @@
     </message>
     <message>
         <source>Det&amp;ail, in vertices</source>
-        <translation>Fein&amp;heit, in Ecken</translation>
+        <translation>Fein&amp;heit, in Punkten</translation>
     </message>
     <message>
         <source>Vertices</source>
@@ -5095,7 +5095,7 @@
     </message>
     <message>
         <source>Animate</source>
-        <translation>Bewegen</translation>
+        <translation>Animieren</translation>
     </message>
     <message>
         <source>How it moves in time</source>

@@ -245,8 +245,10 @@ QString measureName(Measure measure, int dimension) {
 QString measureText(Measure measure, double value) {
     const MeasureRow& row = rowOf(measure);
     const bool plain = !*row.before && !*row.after;
-    const QString number =
-        plain && value == 0 ? QStringLiteral("0") : QLocale().toString(value, plain ? 'g' : 'f', 2);
+    const bool large = std::abs(value) >= 100;  // never with an exponent
+    const QString number = plain && value == 0 ? QStringLiteral("0")
+                           : plain && large    ? QLocale().toString(value, 'f', 0)
+                                               : QLocale().toString(value, plain ? 'g' : 'f', 2);
     return QString::fromUtf8(row.before) + number + QString::fromUtf8(row.after);
 }
 
@@ -280,10 +282,13 @@ QString worstText(const Distortion& distortion, Measure measure, int dimension) 
     const QLocale locale;
     constexpr double kRounding = 1e-6;  // less is none
     const MeasureRow& row = rowOf(ranking(measure));
-    const bool fixed = row.scale == Scale::Ratio && worst.value >= 0.1;
-    const QString number = worst.value < kRounding
-                               ? QStringLiteral("0")
-                               : locale.toString(worst.value, fixed ? 'f' : 'g', fixed ? 2 : 3);
+    const bool large = worst.value >= 1000,
+               fixed = large || (row.scale == Scale::Ratio && worst.value >= 0.1);
+    const QString number = worst.value < kRounding ? QStringLiteral("0")
+                                                   : locale.toString(worst.value, fixed ? 'f' : 'g',
+                                                                     large   ? 0
+                                                                     : fixed ? 2
+                                                                             : 3);
     return QCoreApplication::translate("Measure",
                                        dimension == 3 && row.solidWorst ? row.solidWorst : row.worst)
         .arg(number);

@@ -31,7 +31,12 @@ CurvePanel::CurvePanel(ShapeSession& session, QWidget* parent)
       m_scale(new ExactBox(this)) {
     makeControls();
     arrange();
-    connect(m_make, &QPushButton::clicked, this, [this] { makeCurve(m_session); });
+    m_make->setFocusPolicy(Qt::TabFocus);  // a click leaves the keys to the view
+    connect(m_make, &QPushButton::clicked, this, [this] {
+        const bool byKey = m_make->hasFocus();
+        makeCurve(m_session);
+        if (byKey) m_ease->setFocus();
+    });
     connect(m_frame, &QComboBox::activated, this, &CurvePanel::change);
     connect(m_ease, &QComboBox::activated, this, &CurvePanel::changeEase);
     connect(&m_session.playback(), &Playback::timeChanged, this, &CurvePanel::showCurve);

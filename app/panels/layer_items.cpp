@@ -12,13 +12,25 @@ namespace {
 
 constexpr int kSwatch = 12;
 
+/// With a white rim where it lies on the accent.
+QIcon rimmed(const QPixmap& swatch) {
+    QIcon icon(swatch);
+    QPixmap selected = swatch;
+    QPainter painter(&selected);
+    painter.setPen(QPen(Qt::white, 2));
+    painter.drawRect(selected.rect().adjusted(1, 1, -1, -1));
+    painter.end();
+    icon.addPixmap(selected, QIcon::Selected);
+    return icon;
+}
+
 }  // namespace
 
 template <int Dim>
 QIcon layerSwatch(const MaterialPaint<Dim>& paint) {
     QPixmap pixmap(kSwatch, kSwatch);
     pixmap.fill(paint.phi ? energyColour(stopOfPhi(*paint.phi, Dim)) : kStiffColour);
-    return pixmap;
+    return rimmed(pixmap);
 }
 
 template QIcon layerSwatch<2>(const MaterialPaint<2>&);
@@ -30,13 +42,15 @@ QIcon graySwatch() {
     gradient.setColorAt(0, Qt::black);
     gradient.setColorAt(1, Qt::white);
     QPainter(&pixmap).fillRect(pixmap.rect(), gradient);
-    return pixmap;
+    return rimmed(pixmap);
 }
 
 void EyeDelegate::drawCheck(QPainter* painter, const QStyleOptionViewItem& option, const QRect& rect,
                             Qt::CheckState state) const {
     const bool seen = state == Qt::Checked;
-    const QIcon icon = wendIcon(seen ? QStringLiteral("show") : QStringLiteral("hide"), option.palette);
+    const bool selected = option.state & QStyle::State_Selected;
+    const QIcon icon = wendIcon(seen ? QStringLiteral("show") : QStringLiteral("hide"),
+                                selected ? primaryPalette(option.palette) : option.palette);
     icon.paint(painter, rect, Qt::AlignCenter, seen ? QIcon::Normal : QIcon::Disabled);
 }
 

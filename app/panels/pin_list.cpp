@@ -31,6 +31,9 @@ QIcon swatch(const QColor& colour) {
     painter.setBrush(colour);
     painter.drawEllipse(1, 1, kSwatch - 2, kSwatch - 2);
     QIcon icon(picture);
+    painter.setPen(QPen(Qt::white, 1.5));  // on the accent
+    painter.drawEllipse(1, 1, kSwatch - 2, kSwatch - 2);
+    painter.end();
     icon.addPixmap(picture, QIcon::Selected);
     return icon;
 }

@@ -93,16 +93,16 @@ View FrameExport::view(ExportKind kind, Canvas canvas) const {
     return canvasView(*m_picture, extent(kind), canvas);
 }
 
-/// The outline is grown beyond what is seen: so much may lie outside without a loss.
+/// The outline is grown beyond what is seen: what of it lies outside at rest is no loss.
 Overhang FrameExport::overhang(ExportKind kind) const {
     if (!m_picture) return {};
-    const double free = restMarginOf(m_project->domain) + 0.5;
-    const Extent<2> shape = extent(kind);
-    const auto beyond = [free](double by) {
-        return by > free ? static_cast<int>(std::ceil(std::min(by, 1e9))) : 0;
+    const Extent<2> shape = extent(kind), rest = extentOf<2>(m_rest->points, m_rest->cells);
+    const auto beyond = [](double by, double free) {
+        return by > std::max(free, 0.0) + 0.5 ? static_cast<int>(std::ceil(std::min(by, 1e9))) : 0;
     };
-    return {beyond(-shape.low.x()), beyond(-shape.low.y()), beyond(shape.high.x() - m_picture->width),
-            beyond(shape.high.y() - m_picture->height)};
+    return {beyond(-shape.low.x(), -rest.low.x()), beyond(-shape.low.y(), -rest.low.y()),
+            beyond(shape.high.x() - m_picture->width, rest.high.x() - m_picture->width),
+            beyond(shape.high.y() - m_picture->height, rest.high.y() - m_picture->height)};
 }
 
 WarpOptions FrameExport::warpOptions(const RunOptions& options) const {

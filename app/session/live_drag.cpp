@@ -1,5 +1,6 @@
 #include "app/session/live_drag.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <thread>

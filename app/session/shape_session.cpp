@@ -86,6 +86,7 @@ int ShapeSession::addHandle(Placement<Dim> at, const std::string& kind) {
     m_motion.setChangeMovesNothing(false);
     const int handle = handleCount() - 1;
     m_selection.set({handle});
+    emit notice({});  // what was wrong with the place before
     return handle;
 }
 

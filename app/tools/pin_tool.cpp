@@ -194,6 +194,13 @@ void PinTool::begin() {
         m_gesture = Gesture::Widen;
         return;
     }
+    // Who pulls at the dotted ring of a point wants to turn it.
+    if (!onPin && placeRing() && !m_ring.canTurn() && m_ring.isOn(m_from)) {
+        m_gesture = Gesture::None;
+        emit session().notice(
+            said(QT_TRANSLATE_NOOP("PinTool", "A point cannot rotate – Alt-drag to widen it")));
+        return;
+    }
     m_gesture = onPin ? Gesture::Drag : Gesture::Marquee;
     if (onPin) session().beginDrag({}, m_records);
     if (onPin && !session().isDragging()) m_gesture = Gesture::None;

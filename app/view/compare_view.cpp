@@ -1,5 +1,6 @@
 #include "app/view/compare_view.h"
 
+#include <QApplication>
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QLabel>
@@ -138,9 +139,17 @@ void CompareView::split(double phi) {
 
 void CompareView::join() {
     if (!std::exchange(m_split, false)) return;
+    if (const QWidget* focus = QApplication::focusWidget(); focus && m_other->isAncestorOf(focus)) focusOwn();
     m_comparison.end();
     showHalf();
     emit splitChanged(false);
+}
+
+/// What has the keys is about to go.
+void CompareView::focusOwn() {
+    SolidCanvas* solid = m_parts.solid();
+    const bool space = m_parts.session.document().dimension() == 3 && solid;
+    (space ? static_cast<QWidget&>(*solid) : m_parts.picture).setFocus();
 }
 
 void CompareView::makeSolid() {

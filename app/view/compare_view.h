@@ -56,6 +56,7 @@ class CompareView : public QWidget {
     void showHeads();
     void showEnergies();
     void showHalf();
+    void focusOwn();
     void makeSolid();
     void connectViews();
     void takeFrame();

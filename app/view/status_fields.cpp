@@ -104,6 +104,10 @@ QString StatusFields::fitting(const QString& hint) const {
 }
 
 void StatusFields::tell(const QString& text) {
+    if (text.isEmpty()) {
+        if (!m_toldUntil.hasExpired()) m_bar.clearMessage();
+        return forgetTold();
+    }
     m_told = text;
     m_toldUntil.setRemainingTime(kTold);
     m_bar.showMessage(text, kTold);

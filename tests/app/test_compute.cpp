@@ -538,7 +538,7 @@ void TestCompute::nothingOutlivesItsDocument() {
     QFETCH(int, dimension);
     QFETCH(bool, closes);
     QFETCH(QString, state);
-    const auto check = [this, dimension](auto&& use) {
+    const auto check = [dimension](auto&& use) {
         dimension == 2 ? use.template operator()<2>() : use.template operator()<3>();
     };
     check([this]<int Dim>() { openMoved<Dim>(); });

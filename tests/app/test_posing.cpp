@@ -442,6 +442,13 @@ void TestPosing::pointsHaveADottedRing() {
     QVERIFY(canvas().tool()->hint().contains(QStringLiteral("cannot rotate")));
     picture(QStringLiteral("point"));
     const std::size_t count = handles().size();
+    // Who pulls at it wants to turn the pin: it stays selected, and the status bar says what does it.
+    session().selection().set({1});
+    press(ringSpot(1, -44, 0), ringSpot(1, -30, 30));
+    release(ringSpot(1, -30, 30));
+    QCOMPARE(session().selection().handles(), std::vector<int>{1});
+    QVERIFY(m_window->statusBar()->currentMessage().contains(QStringLiteral("cannot rotate")));
+    QCOMPARE(handles().size(), count);
     drag(pin(1), pin(1) + Vec<2>(0.9, 0), Qt::AltModifier);  // smaller than the mesh
     QVERIFY(m_window->statusBar()->currentMessage().contains(QStringLiteral("smaller than the mesh")) ||
             std::holds_alternative<std::vector<Vec<2>>>(handles()[1].at));
