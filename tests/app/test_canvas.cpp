@@ -337,6 +337,9 @@ void TestCanvas::worstPlaceIsThatOfTheMap() {
     QVERIFY(worstText(distortion, Measure::Length).contains(QLocale().toString(0.75)));
     distortion.metric = {4e-31, 0, 0};  // rounding at rest
     QVERIFY(worstText(distortion, Measure::Length).endsWith(QStringLiteral(" 0")));
+    distortion.metric = {2874.6, 0, 0};  // never with an exponent
+    QVERIFY(worstText(distortion, Measure::Length).endsWith(QLocale().toString(2875)));
+    QCOMPARE(measureText(Measure::Length, 287.4), QLocale().toString(287));
 }
 
 /// Clicked points are carried along by the shape: what is told is their distance now and at rest.

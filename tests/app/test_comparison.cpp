@@ -64,6 +64,8 @@ class TestComparison : public QObject {
     void tilesArePreviewed();
     void tilesShowTheShape_data() { dimensions(); }
     void tilesShowTheShape();
+    void keysReturnToTheShape_data() { dimensions(); }
+    void keysReturnToTheShape();
     void anotherFileEndsIt();
 
   private:
@@ -74,6 +76,8 @@ class TestComparison : public QObject {
     void dragInTheOther();
     template <int Dim>
     void moveLate();
+    template <int Dim>
+    void returnKeys();
     template <int Dim>
     bool begin();
     CompareView& view() { return m_f->window().compared(); }
@@ -321,6 +325,22 @@ void TestComparison::tilesShowTheShape() {
     while (m_f->window().actions().undo->isEnabled()) m_f->window().actions().undo->trigger();
     QVERIFY(settle(m_f->session()));
     QCOMPARE(picture(1), sample);
+}
+
+/// The keys go where the eye goes.
+void TestComparison::keysReturnToTheShape() {
+    BOTH(returnKeys);
+}
+
+template <int Dim>
+void TestComparison::returnKeys() {
+    QVERIFY(begin<Dim>());
+    auto &own = Bar<Dim>::canvas(*m_f), &its = Bar<Dim>::other(*m_f);
+    its.setFocus();
+    QVERIFY(its.hasFocus());
+    QTest::keyClick(&its, Qt::Key_Y);
+    QVERIFY(!view().isSplit());
+    QVERIFY(own.hasFocus());
 }
 
 void TestComparison::anotherFileEndsIt() {

@@ -27,6 +27,7 @@ class TestExportDialog : public QObject {
     void everyOptionOfARunIsThere();
     void formatsDecideWhatIsAsked();
     void cropIsToldAndFits();
+    void littleThatIsCutOffIsToldToo();
     void cropsAreToldSideBySide();
     void previewIsWhatIsWritten();
     void whatHasNoAlphaIsPreviewedOnItsGround();
@@ -234,6 +235,17 @@ void TestExportDialog::cropIsToldAndFits() {
     int touching = 0;
     for (int y = 0; y < cut.height(); ++y) touching += qAlpha(cut.pixel(239, y)) > 128;
     QVERIFY(touching > 20);
+}
+
+/// By less than the outline's margin is still cut off what had reached the outline.
+void TestExportDialog::littleThatIsCutOffIsToldToo() {
+    open(writeCutOut(*m_folder));
+    bend(0, 60);
+    const double below = session().frame<2>()->pose.row(1).maxCoeff() - 160;
+    QVERIFY2(below > 0.5 && below < 4, qPrintable(QString::number(below)));
+    const auto asked = dialog(ExportKind::Picture);
+    const auto* note = asked->findChild<QWidget*>(QStringLiteral("cropNote"));
+    QVERIFY(note->isVisible() && note->findChild<QLabel*>()->text().contains(QStringLiteral("bottom")));
 }
 
 /// Each side with its own number: of the pose for a picture, of all of the way for a film.

@@ -599,6 +599,9 @@ void TestWindow::clickBesideTheShapeSaysSo() {
     click(10, 10);
     QCOMPARE(pinCount(), std::size_t(0));
     QVERIFY(m_window->statusBar()->currentMessage().contains(QStringLiteral("outside")));
+    click(120, 80);  // until a pin is there
+    QCOMPARE(pinCount(), std::size_t(1));
+    QVERIFY(!m_window->statusBar()->currentMessage().contains(QStringLiteral("outside")));
 }
 
 /// A pin that is let go of stays to be seen, selected and removed.
