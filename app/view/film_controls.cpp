@@ -1,5 +1,7 @@
 #include "app/view/film_controls.h"
 
+#include <QToolButton>
+
 #include <QApplication>
 
 #include "app/panels/theme.h"
