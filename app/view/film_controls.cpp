@@ -1,8 +1,7 @@
 #include "app/view/film_controls.h"
 
-#include <QToolButton>
-
 #include <QApplication>
+#include <QToolButton>
 
 #include "app/panels/theme.h"
 #include "app/session/settle_step.h"
