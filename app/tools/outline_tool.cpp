@@ -1,5 +1,6 @@
 #include "app/tools/outline_tool.h"
 
+#include <Eigen/Geometry>
 #include <QCoreApplication>
 #include <QPainterPathStroker>
 #include <algorithm>

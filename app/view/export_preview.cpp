@@ -1,5 +1,6 @@
 #include "app/view/export_preview.h"
 
+#include <Eigen/LU>
 #include <QPainter>
 #include <cmath>
 

@@ -1,3 +1,4 @@
+#include <Eigen/Geometry>
 #include <QPainter>
 #include <QSemaphore>
 #include <QThreadPool>
