@@ -4255,6 +4255,10 @@
         <source>Pin</source>
         <translation>Pin</translation>
     </message>
+    <message>
+        <source>The film keeps its length: what you had timed goes faster now. Undo, or make the film longer below.</source>
+        <translation>Der Film behält seine Länge: was zeitlich festgelegt war, läuft jetzt schneller. Rückgängig machen oder den Film unten verlängern.</translation>
+    </message>
 </context>
 <context>
     <name>wend::SideWindows</name>

@@ -4255,6 +4255,10 @@
         <source>Pin</source>
         <translation>Alfiler</translation>
     </message>
+    <message>
+        <source>The film keeps its length: what you had timed goes faster now. Undo, or make the film longer below.</source>
+        <translation>La película conserva su duración: lo que tenía su tiempo va ahora más deprisa. Deshaga, o alargue la película abajo.</translation>
+    </message>
 </context>
 <context>
     <name>wend::SideWindows</name>

@@ -4255,6 +4255,10 @@
         <source>Pin</source>
         <translation>Épingle</translation>
     </message>
+    <message>
+        <source>The film keeps its length: what you had timed goes faster now. Undo, or make the film longer below.</source>
+        <translation>Le film garde sa durée : ce qui était minuté va maintenant plus vite. Annulez, ou allongez le film en bas.</translation>
+    </message>
 </context>
 <context>
     <name>wend::SideWindows</name>

@@ -4247,6 +4247,10 @@
         <source>Pin</source>
         <translation>ピン</translation>
     </message>
+    <message>
+        <source>The film keeps its length: what you had timed goes faster now. Undo, or make the film longer below.</source>
+        <translation>フィルムの長さは変わらないため、決めてあったタイミングは速くなりました。元に戻すか、下でフィルムを長くしてください。</translation>
+    </message>
 </context>
 <context>
     <name>wend::SideWindows</name>

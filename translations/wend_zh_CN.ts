@@ -4247,6 +4247,10 @@
         <source>Pin</source>
         <translation>图钉</translation>
     </message>
+    <message>
+        <source>The film keeps its length: what you had timed goes faster now. Undo, or make the film longer below.</source>
+        <translation>影片长度不变：您设定的节奏现在变快了。请撤销，或在下方延长影片。</translation>
+    </message>
 </context>
 <context>
     <name>wend::SideWindows</name>

@@ -190,6 +190,15 @@ double wayLength(const std::vector<Handle<Dim>>& handles, double arm) {
     return sum;
 }
 
+namespace {
+
+template <int Dim>
+double wayOf(const Design<Dim>& design, double arm) {
+    return wayLength<Dim>(design.handles, arm);
+}
+
+}  // namespace
+
 template <int Dim>
 void endMotionsAt(Handle<Dim>& handle, double time) {
     std::erase_if(handle.motions, [time](const Motion<Dim>& motion) {
@@ -197,6 +206,25 @@ void endMotionsAt(Handle<Dim>& handle, double time) {
     });
     for (Motion<Dim>& motion : handle.motions)
         if (motion.end > time && !sameTime(motion.end, time)) motion = endedAt<Dim>(motion, time);
+}
+
+bool hasOwnTiming(const Project& project, double arm) {
+    constexpr double kSame = 0.02;  // of the whole time: not seen
+    const auto wayUntil = [&](double time) {
+        const Project part = endedAt(project, time);
+        return std::visit([arm](const auto& design) { return wayOf(design, arm); }, part.design);
+    };
+    std::set<double> borders;
+    std::visit(
+        [&borders](const auto& design) {
+            for (const auto& handle : design.handles)
+                for (const auto& motion : handle.motions) borders.insert({motion.start, motion.end});
+        },
+        project.design);
+    if (borders.empty()) return false;
+    const double end = *borders.rbegin(), whole = wayUntil(end);
+    return std::ranges::any_of(
+        borders, [&](double time) { return std::abs(wayUntil(time) - whole * time / end) > kSame * whole; });
 }
 
 Project endedAt(const Project& project, double time) {

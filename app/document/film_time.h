@@ -16,6 +16,10 @@ double wayLength(const Motion<Dim>& motion, double arm);
 template <int Dim>
 double wayLength(const std::vector<Handle<Dim>>& handles, double arm);
 
+/// Whether the motions take their time otherwise than in proportion to their ways: it was recorded or set by
+/// hand, and to spread the times anew changes it.
+bool hasOwnTiming(const Project& project, double arm);
+
 /// What happens up to a time: motions that are under way are cut there, later ones go. Pins that come later
 /// now come at the very end, those that would be let go of later hold on.
 Project endedAt(const Project& project, double time);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/document/film_time.h"
 #include "app/document/handle_edits.h"
 #include "app/document/pin_edits.h"
 #include "app/session/shape_session.h"
@@ -235,11 +236,17 @@ void ShapeGesture::push(const DragGesture& drag, const TimedPath& path, double f
             if (drag.handles()[i] == view.handle) starts[i] = view.centre;
     const Gesture gesture{drag.handles(), drag.grip(), path.points, from, armOf<Dim>(drag), path.seconds};
     const std::vector<Handle<Dim>> before = m_document.design<Dim>().handles;
+    const bool quickens = !records && from >= motionEnd(*m_document.project()) &&
+                          hasOwnTiming(*m_document.project(), gesture.arm);
     m_document.change(what.arg(m_pins.nameOf(drag.handles())),
                       withGesture<Dim>(*m_document.project(), gesture, starts), key);
     // What was recorded is seen by playing it, and others may be recorded to it.
     m_playback.setTime(records ? from : m_playback.end());
     tellReplaced<Dim>(before, records ? drag.handles() : std::vector<int>(), from);
+    if (quickens)
+        emit notice(
+            ShapeSession::tr("The film keeps its length: what you had timed goes faster now. Undo, or "
+                             "make the film longer below."));
 }
 
 /// A recording replaces what its own handles did, any other gesture (of none) what all did.

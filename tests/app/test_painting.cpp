@@ -1,6 +1,8 @@
+#include <QListWidget>
 #include <QPointingDevice>
 #include <QTabletEvent>
 #include <QToolBar>
+#include <QToolButton>
 
 #include "app/document/material_edits.h"
 #include "app/panels/layer_panel.h"

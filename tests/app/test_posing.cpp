@@ -1,3 +1,4 @@
+#include <Eigen/Geometry>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
@@ -11,7 +12,9 @@
 #include <numbers>
 
 #include "app/document/curve_edits.h"
+#include "app/document/film_time.h"
 #include "app/document/handle_edits.h"
+#include "app/document/timing_edits.h"
 #include "app/panels/exact_box.h"
 #include "app/panels/handle_panel.h"
 #include "app/panels/number_box.h"
@@ -44,6 +47,7 @@ class TestPosing : public QObject {
     void ringRotatesAndScales();
     void ringTakesNumbers();
     void numbersMoveTurnAndGrow();
+    void ownTimingIsNotLostInSilence();
     void easeIsThatOfTheTimeShown();
     void pointsHaveADottedRing();
     void menusOfferWhatLiesThere();
@@ -405,6 +409,28 @@ void TestPosing::numbersMoveTurnAndGrow() {
     QVERIFY(panel->findChild<QLabel*>(QStringLiteral("pinPlace"))
                 ->text()
                 .contains(QLocale().toString(pin(1).x(), 'g', 5)));
+}
+
+/// A drag shares the film by the ways; what was timed otherwise goes faster then, which is said.
+void TestPosing::ownTimingIsNotLostInSilence() {
+    const auto told = [&] {
+        return m_window->statusBar()->currentMessage().contains(QStringLiteral("keeps its length"));
+    };
+    drag(pin(1), pin(1) + Vec<2>(0, 20));
+    drag(pin(1), pin(1) + Vec<2>(-20, 0));
+    QVERIFY(!hasOwnTiming(project(), 1));
+    QVERIFY(!told());
+    const double border = handles()[1].motions[0].end;
+    QVERIFY(std::abs(border - 0.5 * project().end) < 0.02 * project().end);
+    Project timed = withMotionTime(project(), 1, 0, {0, 0.4 * border});
+    session().document().change(QStringLiteral("Time"), timed);
+    QVERIFY(settle(session()));
+    QVERIFY(hasOwnTiming(project(), 1));
+    session().playback().setTime(project().end);
+    QVERIFY(settle(session()));
+    drag(pin(1), pin(1) + Vec<2>(0, -20));
+    QVERIFY(told());
+    QVERIFY(handles()[1].motions[0].end < 0.4 * border);
 }
 
 void TestPosing::easeIsThatOfTheTimeShown() {
