@@ -48,6 +48,7 @@ void HandlePanel::changeEvent(QEvent* event) {
 
 void HandlePanel::makeControls() {
     m_place->setObjectName(QStringLiteral("pinPlace"));
+    m_place->setWordWrap(false);
     m_apply->setIcon(wendIcon(QStringLiteral("apply"), palette()));
     m_kind->addItems({tr("Move by"), tr("Rotate by"), tr("Scale by")});
     describe(m_kind, tr("Exact step"), tr("Moves, turns or scales what is selected by exact numbers."));
@@ -56,7 +57,7 @@ void HandlePanel::makeControls() {
         box->setRange(-1e9, 1e9);
         box->setDecimals(3);
         box->setButtonSymbols(QAbstractSpinBox::NoButtons);
-        box->setMinimumWidth(48);
+        box->setMinimumWidth(42);
         box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
         describe(box, tr("Amount"), tr("How far along x, y and z; an angle; or a factor."));
     }
@@ -82,7 +83,7 @@ void HandlePanel::arrange() {
     body->setContentsMargins(0, 0, 0, 0);
     body->setSpacing(10);
     m_step = new QHBoxLayout;
-    m_step->setSpacing(6);
+    m_step->setSpacing(4);
     m_step->addWidget(m_kind);
     m_step->addWidget(m_axis);
     m_step->addStretch();
