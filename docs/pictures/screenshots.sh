@@ -16,7 +16,8 @@ shot() { # NAME ARGUMENT…: opens the window, waits, sends the keys in KEYS, wa
     shift
     [ -z "$only" ] || [ "$only" = "$name" ] || return 0
     HOME=$scratch/$name  # of its own: what one leaves unsaved is not offered to the next
-    mkdir -p "$HOME"
+    mkdir -p "$HOME/.config/Wend"
+    printf '[General]\ntipsDone=7\n' >"$HOME/.config/Wend/Wend.conf"  # no tips
     "$root/build/release/wend" "$@" >/dev/null 2>&1 &
     program=$!
     local window
