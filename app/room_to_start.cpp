@@ -1,14 +1,14 @@
 // Under a limit on addresses (ulimit -v), libraries end the process while they are being initialized:
-// OpenBLAS and OpenImageIO start threads then, and what they do when they get none is a signal. So whether
+// OpenBLAS starts threads then, and what it does when it gets none is a signal. So whether
 // there is room is tried before the first of their constructors runs; only the linker's own failures come
 // earlier.
 
-#include <sys/mman.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <cstddef>
 #include <cstring>
+
+#include "warp/address_room.h"
 
 namespace {
 
@@ -20,13 +20,7 @@ void say(const char* text) {
 }
 
 void requireRoom(int argc, char** argv, char**) {
-    rlimit limit{};
-    if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return;
-    void* room = mmap(nullptr, kRoom, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-    if (room != MAP_FAILED) {
-        munmap(room, kRoom);
-        return;
-    }
+    if (wend::hasAddressRoom(kRoom)) return;
     say("wend: ");
     if (argc > 1) say(argv[argc > 2 && argv[2][0] != '-' ? 2 : 1]), say(": ");
     say("there is not enough memory to start: 256 MB more are needed (see ulimit -v)\n");

@@ -1,30 +1,21 @@
 #include "warp/picture_library.h"
 
 #include <dlfcn.h>
-#include <sys/mman.h>
-#include <sys/resource.h>
 
 #include <cstddef>
 #include <cstdlib>
 
 #include "core/mesh/child_process.h"
 #include "core/mesh/error.h"
+#include "warp/address_room.h"
 
 namespace wend {
 namespace {
 
 constexpr std::size_t kRoom = std::size_t(736) << 20;  // for these libraries, measured, and a picture
 
-/// Under a limit on addresses (ulimit -v) libraries end the process while they are being initialized.
-bool hasRoom() {
-    rlimit limit{};
-    if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return true;
-    void* room = mmap(nullptr, kRoom, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-    return room != MAP_FAILED && munmap(room, kRoom) == 0;
-}
-
 const PictureLibrary& loaded(const std::string& path) {
-    if (!hasRoom())
+    if (!hasAddressRoom(kRoom))
         throw OutOfMemory(path,
                           "there is not enough memory for what reads and writes pictures: 736 MB more are "
                           "needed (see ulimit -v)");

@@ -190,15 +190,6 @@ double wayLength(const std::vector<Handle<Dim>>& handles, double arm) {
     return sum;
 }
 
-namespace {
-
-template <int Dim>
-double wayOf(const Design<Dim>& design, double arm) {
-    return wayLength<Dim>(design.handles, arm);
-}
-
-}  // namespace
-
 template <int Dim>
 void endMotionsAt(Handle<Dim>& handle, double time) {
     std::erase_if(handle.motions, [time](const Motion<Dim>& motion) {
@@ -212,7 +203,9 @@ bool hasOwnTiming(const Project& project, double arm) {
     constexpr double kSame = 0.02;  // of the whole time: not seen
     const auto wayUntil = [&](double time) {
         const Project part = endedAt(project, time);
-        return std::visit([arm](const auto& design) { return wayOf(design, arm); }, part.design);
+        return std::visit(
+            [arm]<int Dim>(const Design<Dim>& design) { return wayLength<Dim>(design.handles, arm); },
+            part.design);
     };
     std::set<double> borders;
     std::visit(
