@@ -42,8 +42,8 @@ void ShapeMotion::drop() {
     if (m_dragging) m_compute->post(EndDrag{});
     if (m_document.isEmpty()) m_compute->post(CancelWork{});
     m_dragging = false;
-    ++m_gesture;   // frames of a drag that are under way are void,
-    ++m_revision;  // and so is a shape
+    ++m_gesture;                // frames of a drag that are under way are void,
+    m_voidUpTo = ++m_revision;  // and so is a shape
     m_complete.reset();
     dropShape();
 }
@@ -77,14 +77,13 @@ void ShapeMotion::compute() {
 }
 
 void ShapeMotion::takeShape(int revision, const std::shared_ptr<const void>& shape, const KeptFrames& kept) {
-    if (revision != m_revision) return;
+    if (revision <= m_voidUpTo) return;
     m_asked = m_answered = {};  // the question may have been dropped with the last shape
-    if (m_failed) emit problem({});
-    m_failed = false;
     m_shape = shape;
-    m_trackIsCurrent = true;
     m_track.keep(kept);
     m_playback.setReady(m_track.lastTime());
+    m_trackIsCurrent = revision == m_revision;
+    if (m_trackIsCurrent && std::exchange(m_failed, false)) emit problem({});
 }
 
 void ShapeMotion::takeFrame(const FramePtr& frame) {
@@ -140,7 +139,7 @@ void ShapeMotion::cancelWork() {
         return;
     }
     const bool meshing = isMeshing();
-    if (meshing) ++m_revision;  // a shape that is just ready comes too late
+    if (meshing) m_voidUpTo = ++m_revision;  // a shape that is just ready comes too late
     m_compute->post(CancelWork{});
     m_preview.reset();
     setBusy(false);

@@ -15,8 +15,9 @@ class Selection;
 
 /// The motion of the document's shape as far as it is computed, and which frame of it is shown. It lives in
 /// the thread of the window and owns the compute thread: requests go there, and frames come back as queued
-/// signals. Every request for a shape has a number, its revision, and so has every drag: what comes back with
-/// an older one is void. What views ask is described in ShapeSession, which passes it on.
+/// signals. Every request for a shape has a number, its revision, and so has every drag. The track follows every
+/// shape of the file, also those that are not wanted any more, for what the thread keeps of its frames is said
+/// from one to the next. What views ask is described in ShapeSession, which passes it on.
 class ShapeMotion : public QObject {
     Q_OBJECT
 
@@ -104,6 +105,7 @@ class ShapeMotion : public QObject {
     bool m_trackIsCurrent = false;        // it is of the newest request
     std::shared_ptr<const void> m_shape;  // the newest rest mesh
     int m_revision = 0;                   // of the newest request for a shape
+    int m_voidUpTo = 0;                   // shapes up to this revision are of another file, or cancelled
     int m_gesture = 0;                    // number of the newest drag
     bool m_dragging = false;
     FramePtr m_frame;          // shown

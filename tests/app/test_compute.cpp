@@ -1,4 +1,5 @@
 #include <QSignalSpy>
+#include <QThread>
 
 #include "app/document/film_time.h"
 #include "app/document/handle_edits.h"
@@ -40,6 +41,8 @@ class TestCompute : public QObject {
     void dragEndsAsTheCommandLineHasIt();
     void laterDragsContinueTheMotion();
     void otherLengthsKeepThePoses();
+    void framesOnTheirWayCount_data();
+    void framesOnTheirWayCount();
     void dragsGoOnFromWhatIsShown();
     void escapeRestores();
     void undoShowsTheEarlierShapeAtOnce();
@@ -220,6 +223,37 @@ void TestCompute::otherLengthsKeepThePoses() {
 }
 
 /// From the place where the pin is seen; what came after is replaced, told, and undone.
+void TestCompute::framesOnTheirWayCount_data() {
+    QTest::addColumn<double>("factor");
+    QTest::newRow("the same") << 1.0;
+    QTest::newRow("another length") << 0.5;
+}
+
+/// Results that the window has not taken when it asks for the next ones: those tell only what is new since.
+void TestCompute::framesOnTheirWayCount() {
+    QFETCH(double, factor);
+    open();
+    m_session->addPin({40, 80});
+    m_session->addPin({200, 80});
+    drag(1, {{0, 20}});
+    const auto poses = posesOf(m_session->track());
+    double end = m_session->playback().end();
+    for (int i = 0; i < 2; ++i) {
+        end *= factor;
+        m_session->document().change("Length", withLength(*m_session->document().project(), end));
+        QThread::msleep(500);  // the thread is done, and nobody has heard of it
+    }
+    QVERIFY(settle(*m_session));
+    QCOMPARE(m_session->track().lastTime(), end);
+    QCOMPARE(posesOf(m_session->track()).size(), poses.size());
+
+    OpenedFile file = openFile(writeCutOut(*m_folder));  // and what is all new
+    m_session->document().open(std::move(file));
+    QThread::msleep(500);
+    m_session->document().change("Again", *m_session->document().project());
+    QVERIFY(settle(*m_session));
+}
+
 void TestCompute::dragsGoOnFromWhatIsShown() {
     open();
     m_session->addPin({40, 80});

@@ -39,9 +39,19 @@ inline Project barProject(const QString& picture) {
     return project;
 }
 
-/// Waits until nothing is being computed and the frame shows what the document says.
+/// Waits until nothing is being computed and the frame shows what the document says; tells what is missing.
 inline bool settle(ShapeSession& session) {
-    return QTest::qWaitFor([&] { return session.frame() && !session.isBusy() && !session.isStale(); }, 60000);
+    QString problem;
+    const auto listening = QObject::connect(&session, &ShapeSession::problem,
+                                            [&problem](const QString& text) { problem = text; });
+    const bool settled =
+        QTest::qWaitFor([&] { return session.frame() && !session.isBusy() && !session.isStale(); }, 60000);
+    QObject::disconnect(listening);
+    if (!settled)
+        qWarning("not settled: %s, %s, %s; %s", session.frame() ? "a frame" : "no frame",
+                 session.isBusy() ? "busy" : "idle", session.isStale() ? "stale" : "current",
+                 qPrintable(problem));
+    return settled;
 }
 
 /// Settings of tests stay in a folder of their own.
