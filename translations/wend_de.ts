@@ -713,7 +713,7 @@
         <translation>&amp;Füllung</translation>
     </message>
     <message>
-        <source>What is filled: the surface itself, or a cage of even cells around it, in which it rides. Automatic takes the cage where the surface cannot be filled or has far too many vertices.</source>
+        <source>What is filled: the surface itself, or a cage of even cells around it, in which it is embedded. Automatic takes the cage where the surface cannot be filled or has far too many vertices.</source>
         <translation>Was gefüllt wird: die Oberfläche selbst oder ein Käfig gleichmäßiger Zellen um sie herum, in dem sie mitfährt. Automatisch nimmt den Käfig, wo sich die Oberfläche nicht füllen lässt oder viel zu viele Punkte hat.</translation>
     </message>
     <message>
@@ -2215,7 +2215,7 @@
         <translation>Oberflächen (%1)</translation>
     </message>
     <message>
-        <source>This surface cannot ride in the solid. %1</source>
+        <source>This surface cannot be embedded in the solid. %1</source>
         <translation>Diese Oberfläche kann im Körper nicht mitreiten. %1</translation>
     </message>
     <message>
@@ -2242,7 +2242,7 @@
         <translation>Entfernen</translation>
     </message>
     <message>
-        <source>Takes a detailed, perhaps textured surface from a file: it rides in the solid, is what the view shows and what surface formats get.</source>
+        <source>Takes a detailed, perhaps textured surface from a file: it is embedded in the solid, is what the view shows and what surface formats get.</source>
         <translation>Nimmt eine feine, vielleicht texturierte Oberfläche aus einer Datei: Sie reitet im Körper mit, die Ansicht zeigt sie, und Flächenformate erhalten sie.</translation>
     </message>
     <message>
@@ -4569,7 +4569,7 @@
         <translation>Zuerst einen Körper öffnen.</translation>
     </message>
     <message>
-        <source>Show the detailed or textured surface that rides in the solid; off: the border of the tetrahedra, which bend</source>
+        <source>Show the detailed or textured surface embedded in the solid; off: the border of the tetrahedra, which bend</source>
         <translation>Die feine oder bemalte Oberfläche zeigen, die im Körper mitgeht; aus: der Rand der Tetraeder, die sich biegen</translation>
     </message>
     <message>
@@ -4617,7 +4617,7 @@
         <translation>&amp;Pins auswählen</translation>
     </message>
     <message>
-        <source>Let a detailed, perhaps textured surface from a file ride in the solid</source>
+        <source>Let a detailed, perhaps textured surface from a file be embedded in the solid</source>
         <translation>Eine feine, vielleicht texturierte Oberfläche aus einer Datei im Körper mitreiten lassen</translation>
     </message>
     <message>
@@ -4988,7 +4988,7 @@
         <translation>%1 von %2</translation>
     </message>
     <message>
-        <source>The surface rides in a cage</source>
+        <source>The surface is embedded in a cage</source>
         <translation>Die Oberfläche fährt in einem Käfig mit</translation>
     </message>
     <message>
@@ -5016,7 +5016,7 @@
         <translation>Nimmt den Käfig weg: ohne Reparatur gibt es dann keinen Körper.</translation>
     </message>
     <message>
-        <source>Fills a cage of even cells around the surface, which rides in it.</source>
+        <source>Fills a cage of even cells around the surface, which is embedded in it.</source>
         <translation>Füllt einen Käfig gleichmäßiger Zellen um die Oberfläche, die in ihm mitfährt.</translation>
     </message>
     <message>

@@ -673,7 +673,7 @@
         <translation>Relle&amp;no</translation>
     </message>
     <message>
-        <source>What is filled: the surface itself, or a cage of even cells around it, in which it rides. Automatic takes the cage where the surface cannot be filled or has far too many vertices.</source>
+        <source>What is filled: the surface itself, or a cage of even cells around it, in which it is embedded. Automatic takes the cage where the surface cannot be filled or has far too many vertices.</source>
         <translation>Qué se rellena: la propia superficie o una jaula de celdas uniformes que la rodea y la lleva consigo. Automático elige la jaula si la superficie no se puede rellenar o tiene demasiados vértices.</translation>
     </message>
     <message>
@@ -2219,7 +2219,7 @@
         <translation>Superficies (%1)</translation>
     </message>
     <message>
-        <source>This surface cannot ride in the solid. %1</source>
+        <source>This surface cannot be embedded in the solid. %1</source>
         <translation>Esta superficie no puede seguir al sólido. %1</translation>
     </message>
     <message>
@@ -2246,7 +2246,7 @@
         <translation>Elegir piel</translation>
     </message>
     <message>
-        <source>Takes a detailed, perhaps textured surface from a file: it rides in the solid, is what the view shows and what surface formats get.</source>
+        <source>Takes a detailed, perhaps textured surface from a file: it is embedded in the solid, is what the view shows and what surface formats get.</source>
         <translation>Toma de un archivo una superficie detallada, quizá con texturas: sigue al sólido, es lo que muestra la vista y lo que reciben los formatos de superficie.</translation>
     </message>
     <message>
@@ -4489,7 +4489,7 @@
         <translation>P&amp;iel</translation>
     </message>
     <message>
-        <source>Show the detailed or textured surface that rides in the solid; off: the border of the tetrahedra, which bend</source>
+        <source>Show the detailed or textured surface embedded in the solid; off: the border of the tetrahedra, which bend</source>
         <translation>Mostrar la superficie detallada o con texturas que sigue al sólido; si no, el borde de los tetraedros, que son los que se deforman</translation>
     </message>
     <message>
@@ -4501,7 +4501,7 @@
         <translation>Ele&amp;gir piel…</translation>
     </message>
     <message>
-        <source>Let a detailed, perhaps textured surface from a file ride in the solid</source>
+        <source>Let a detailed, perhaps textured surface from a file be embedded in the solid</source>
         <translation>Hacer que una superficie detallada de un archivo, quizá con texturas, siga al sólido</translation>
     </message>
     <message>
@@ -4980,7 +4980,7 @@
         <translation>%1 de %2</translation>
     </message>
     <message>
-        <source>The surface rides in a cage</source>
+        <source>The surface is embedded in a cage</source>
         <translation>Una jaula lleva la superficie</translation>
     </message>
     <message>
@@ -5016,7 +5016,7 @@
         <translation>Quita la jaula: sin reparar, entonces no hay sólido.</translation>
     </message>
     <message>
-        <source>Fills a cage of even cells around the surface, which rides in it.</source>
+        <source>Fills a cage of even cells around the surface, which is embedded in it.</source>
         <translation>Rellena una jaula de celdas uniformes en torno a la superficie, a la que lleva consigo.</translation>
     </message>
     <message>

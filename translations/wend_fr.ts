@@ -673,7 +673,7 @@
         <translation>Rem&amp;plissage</translation>
     </message>
     <message>
-        <source>What is filled: the surface itself, or a cage of even cells around it, in which it rides. Automatic takes the cage where the surface cannot be filled or has far too many vertices.</source>
+        <source>What is filled: the surface itself, or a cage of even cells around it, in which it is embedded. Automatic takes the cage where the surface cannot be filled or has far too many vertices.</source>
         <translation>Ce qui est rempli&#x202f;: la surface elle-même, ou une cage de cellules uniformes qui l’entoure et l’entraîne. Automatique choisit la cage si la surface ne peut pas être remplie ou a beaucoup trop de sommets.</translation>
     </message>
     <message>
@@ -2219,7 +2219,7 @@
         <translation>Surfaces (%1)</translation>
     </message>
     <message>
-        <source>This surface cannot ride in the solid. %1</source>
+        <source>This surface cannot be embedded in the solid. %1</source>
         <translation>Cette surface ne peut pas suivre le solide. %1</translation>
     </message>
     <message>
@@ -2246,7 +2246,7 @@
         <translation>Choisir une peau</translation>
     </message>
     <message>
-        <source>Takes a detailed, perhaps textured surface from a file: it rides in the solid, is what the view shows and what surface formats get.</source>
+        <source>Takes a detailed, perhaps textured surface from a file: it is embedded in the solid, is what the view shows and what surface formats get.</source>
         <translation>Prend dans un fichier une surface détaillée, éventuellement texturée&#x202f;: elle suit le solide, c’est elle que montre la vue et que reçoivent les formats de surface.</translation>
     </message>
     <message>
@@ -4489,7 +4489,7 @@
         <translation>&amp;Peau</translation>
     </message>
     <message>
-        <source>Show the detailed or textured surface that rides in the solid; off: the border of the tetrahedra, which bend</source>
+        <source>Show the detailed or textured surface embedded in the solid; off: the border of the tetrahedra, which bend</source>
         <translation>Afficher la surface détaillée ou texturée qui suit le solide&#x202f;; sinon, le bord des tétraèdres, qui se déforment</translation>
     </message>
     <message>
@@ -4501,7 +4501,7 @@
         <translation>Ch&amp;oisir une peau…</translation>
     </message>
     <message>
-        <source>Let a detailed, perhaps textured surface from a file ride in the solid</source>
+        <source>Let a detailed, perhaps textured surface from a file be embedded in the solid</source>
         <translation>Faire suivre le solide par une surface détaillée, éventuellement texturée, prise dans un fichier</translation>
     </message>
     <message>
@@ -4980,7 +4980,7 @@
         <translation>%1 sur %2</translation>
     </message>
     <message>
-        <source>The surface rides in a cage</source>
+        <source>The surface is embedded in a cage</source>
         <translation>La surface est portée par une cage</translation>
     </message>
     <message>
@@ -5016,7 +5016,7 @@
         <translation>Retire la cage&#x202f;: sans réparation, il n’y a alors plus de solide.</translation>
     </message>
     <message>
-        <source>Fills a cage of even cells around the surface, which rides in it.</source>
+        <source>Fills a cage of even cells around the surface, which is embedded in it.</source>
         <translation>Remplit une cage de cellules uniformes autour de la surface, qu’elle entraîne.</translation>
     </message>
     <message>

@@ -673,7 +673,7 @@
         <translation>充填方法(&amp;I)</translation>
     </message>
     <message>
-        <source>What is filled: the surface itself, or a cage of even cells around it, in which it rides. Automatic takes the cage where the surface cannot be filled or has far too many vertices.</source>
+        <source>What is filled: the surface itself, or a cage of even cells around it, in which it is embedded. Automatic takes the cage where the surface cannot be filled or has far too many vertices.</source>
         <translation>何を充填するか：サーフェスそのもの、またはそれを包む均一なセルのケージ（サーフェスはそれに追従します）。「自動」では、サーフェスを充填できない場合や頂点が多すぎる場合にケージを使います。</translation>
     </message>
     <message>
@@ -2218,7 +2218,7 @@
         <translation>サーフェス (%1)</translation>
     </message>
     <message>
-        <source>This surface cannot ride in the solid. %1</source>
+        <source>This surface cannot be embedded in the solid. %1</source>
         <translation>このサーフェスはソリッドに追従させることができません。%1</translation>
     </message>
     <message>
@@ -2245,7 +2245,7 @@
         <translation>スキンを選択</translation>
     </message>
     <message>
-        <source>Takes a detailed, perhaps textured surface from a file: it rides in the solid, is what the view shows and what surface formats get.</source>
+        <source>Takes a detailed, perhaps textured surface from a file: it is embedded in the solid, is what the view shows and what surface formats get.</source>
         <translation>テクスチャ付きも可能な精細なサーフェスをファイルから読み込みます。ソリッドに追従し、ビューに表示され、サーフェス形式で書き出されます。</translation>
     </message>
     <message>
@@ -4481,7 +4481,7 @@
         <translation>スキン(&amp;K)</translation>
     </message>
     <message>
-        <source>Show the detailed or textured surface that rides in the solid; off: the border of the tetrahedra, which bend</source>
+        <source>Show the detailed or textured surface embedded in the solid; off: the border of the tetrahedra, which bend</source>
         <translation>ソリッドに追従する、精細な、またはテクスチャ付きのサーフェスを表示します。オフの場合は、変形している四面体の境界を表示します</translation>
     </message>
     <message>
@@ -4493,7 +4493,7 @@
         <translation>スキンを選択(&amp;I)…</translation>
     </message>
     <message>
-        <source>Let a detailed, perhaps textured surface from a file ride in the solid</source>
+        <source>Let a detailed, perhaps textured surface from a file be embedded in the solid</source>
         <translation>テクスチャ付きも可能な精細なサーフェスをファイルから読み込み、ソリッドに追従させます</translation>
     </message>
     <message>
@@ -4972,7 +4972,7 @@
         <translation>%1 / %2</translation>
     </message>
     <message>
-        <source>The surface rides in a cage</source>
+        <source>The surface is embedded in a cage</source>
         <translation>サーフェスはケージに追従しています</translation>
     </message>
     <message>
@@ -5008,7 +5008,7 @@
         <translation>ケージを取り除きます。修復しなければソリッドはなくなります。</translation>
     </message>
     <message>
-        <source>Fills a cage of even cells around the surface, which rides in it.</source>
+        <source>Fills a cage of even cells around the surface, which is embedded in it.</source>
         <translation>サーフェスを包む均一なセルのケージを充填します。サーフェスはそれに追従します。</translation>
     </message>
     <message>

@@ -673,7 +673,7 @@
         <translation>填充方式(&amp;I)</translation>
     </message>
     <message>
-        <source>What is filled: the surface itself, or a cage of even cells around it, in which it rides. Automatic takes the cage where the surface cannot be filled or has far too many vertices.</source>
+        <source>What is filled: the surface itself, or a cage of even cells around it, in which it is embedded. Automatic takes the cage where the surface cannot be filled or has far too many vertices.</source>
         <translation>填充的对象：表面本身，或包围它的均匀单元笼体，表面随笼体变形。“自动”在表面无法填充或顶点过多时采用笼体。</translation>
     </message>
     <message>
@@ -2218,7 +2218,7 @@
         <translation>表面 (%1)</translation>
     </message>
     <message>
-        <source>This surface cannot ride in the solid. %1</source>
+        <source>This surface cannot be embedded in the solid. %1</source>
         <translation>此表面无法随实体变形。%1</translation>
     </message>
     <message>
@@ -2245,7 +2245,7 @@
         <translation>选择蒙皮</translation>
     </message>
     <message>
-        <source>Takes a detailed, perhaps textured surface from a file: it rides in the solid, is what the view shows and what surface formats get.</source>
+        <source>Takes a detailed, perhaps textured surface from a file: it is embedded in the solid, is what the view shows and what surface formats get.</source>
         <translation>从文件载入精细的、可带纹理的表面：它随实体变形，显示在视图中，并写入各种表面格式。</translation>
     </message>
     <message>
@@ -4481,7 +4481,7 @@
         <translation>蒙皮(&amp;K)</translation>
     </message>
     <message>
-        <source>Show the detailed or textured surface that rides in the solid; off: the border of the tetrahedra, which bend</source>
+        <source>Show the detailed or textured surface embedded in the solid; off: the border of the tetrahedra, which bend</source>
         <translation>显示随实体变形的精细或带纹理的表面；关闭时显示变形的四面体的边界</translation>
     </message>
     <message>
@@ -4493,7 +4493,7 @@
         <translation>选择蒙皮(&amp;I)…</translation>
     </message>
     <message>
-        <source>Let a detailed, perhaps textured surface from a file ride in the solid</source>
+        <source>Let a detailed, perhaps textured surface from a file be embedded in the solid</source>
         <translation>让文件中精细的、可带纹理的表面随实体变形</translation>
     </message>
     <message>
@@ -4972,7 +4972,7 @@
         <translation>%1 / %2</translation>
     </message>
     <message>
-        <source>The surface rides in a cage</source>
+        <source>The surface is embedded in a cage</source>
         <translation>表面随笼体变形</translation>
     </message>
     <message>
@@ -5008,7 +5008,7 @@
         <translation>去掉笼体：若不修复，就没有实体。</translation>
     </message>
     <message>
-        <source>Fills a cage of even cells around the surface, which rides in it.</source>
+        <source>Fills a cage of even cells around the surface, which is embedded in it.</source>
         <translation>在表面周围填充由均匀单元构成的笼体，表面随之变形。</translation>
     </message>
     <message>

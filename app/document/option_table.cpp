@@ -1,8 +1,4 @@
-#include <cmath>
-#include <type_traits>
-
-#include "app/document/options.h"
-#include "app/document/project.h"
+#include "app/document/option_parts.h"
 
 #ifndef Q_DECLARE_TR_FUNCTIONS
 #define Q_DECLARE_TR_FUNCTIONS(context)
@@ -17,93 +13,7 @@ struct Options {
     static constexpr const char* tr(const char* text) { return text; }
 };
 
-// --- Where values stand ---
-
-/// What `At` finds in a project.
-template <class At>
-constexpr Accessor at(At) {
-    return {[](const Project& project) { return static_cast<double>(At{}(project)); },
-            [](Project& project, double value) {
-                auto& found = At{}(project);
-                found = static_cast<std::remove_cvref_t<decltype(found)>>(value);
-            }};
-}
-
-/// What `At` finds in the material of the whole shape.
-template <class At>
-constexpr Accessor inMaterial(At) {
-    return at([](auto& project) -> auto& {
-        return std::visit(
-            [](auto& design) -> auto& { return At{}(design.material); }, project.design);
-    });
-}
-
-#define AT(member) at([](auto& project) -> auto& { return project.member; })
-#define IN_MATERIAL(member) inMaterial([](auto& material) -> auto& { return material.member; })
-
-/// Whoever aims at a number aims no longer at a size.
-constexpr Accessor kAim{[](const Project& project) { return static_cast<double>(project.domain.vertices); },
-                        [](Project& project, double value) {
-                            project.domain.vertices = static_cast<int>(value);
-                            project.domain.edge = project.domain.maxVolume = 0;
-                        }};
-
-/// A length of 0 is no smoothing.
-constexpr Accessor kSmoothing{[](const Project& project) {
-                                  return std::visit(
-                                      [](const auto& design) {
-                                          const Smoothing& smoothing = design.material.smoothing;
-                                          return smoothing.kind == SmoothingKind::None ? 0 : smoothing.length;
-                                      },
-                                      project.design);
-                              },
-                              [](Project& project, double value) {
-                                  std::visit(
-                                      [value](auto& design) {
-                                          Smoothing& smoothing = design.material.smoothing;
-                                          smoothing.kind =
-                                              value > 0 ? SmoothingKind::Invariant : SmoothingKind::None;
-                                          if (value > 0) smoothing.length = value;
-                                      },
-                                      project.design);
-                              }};
-
-// --- Which projects have them ---
-
-template <DomainKind... Kinds>
-constexpr bool hasDomain(const Project& project) {
-    return ((project.domain.kind == Kinds) || ...);
-}
-
-template <SmoothingKind Kind>
-bool smooths(const Project& project) {
-    return std::visit([](const auto& design) { return design.material.smoothing.kind == Kind; },
-                      project.design);
-}
-
-constexpr Scope kPicture{hasDomain<DomainKind::Image>, "pictures"};
-constexpr Scope kFlat{hasDomain<DomainKind::Image>, "pictures and outlines"};
-constexpr Scope kSurface{hasDomain<DomainKind::Surface>, "closed surfaces"};
-constexpr Scope kAnySurface{hasDomain<DomainKind::Surface>, "surfaces"};
-constexpr Scope kMeshed{hasDomain<DomainKind::Image, DomainKind::Surface>,
-                        "pictures, outlines and closed surfaces"};
-constexpr Scope kCutOut{[](const Project& project) {
-                            return hasDomain<DomainKind::Image>(project) &&
-                                   project.domain.outline == OutlineKind::Alpha;
-                        },
-                        "pictures with --outline alpha"};
-constexpr Scope kInvariant{smooths<SmoothingKind::Invariant>, "smoothing of the invariant kind"};
-constexpr Scope kPaper{smooths<SmoothingKind::Paper>, "smoothing as in the paper"};
-
-// --- What they may be ---
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr Range kAny{}, kOrder{-1000, 1000}, kLink{1, 1e6}, kPositive{0, kInfinity, true, true},
-    kNotNegative{0, kInfinity, false, true}, kVertices{3, 1e7}, kHundred{0, 100}, kQuality{1.2, 10},
-    kRatio{1, 1e6}, kTolerance{1e-12, 0.1}, kSteps{0, 1e6}, kSmallestStep{0, 0.1, true, false},
-    kFrames{2, 1e6}, kThreads{0, 1024}, kRepeats{1, 1000}, kHole{0, 1e6}, kFactor{0.01, 100},
-    kDetail{0.05, 1000}, kOffset{0, 10}, kOpenUnit{0, 1, true, true}, kUnitAboveZero{0, 1, true, false};
-
+using namespace option_parts;
 using enum OptionKind;
 using enum InFile;
 constexpr std::array kOptions{
@@ -196,18 +106,19 @@ constexpr std::array kOptions{
            Row{.label = Options::tr("Fill holes up to (edges)"),
                .name = Options::tr("Largest hole"),
                .help = Options::tr("“Repair” fills holes of at most so many edges.")}},
-    Option{
-        "domain.cage", "", Flag, "", kAny, "", "", "", "true: as with --cage, false: as with --no-cage",
-        Field{AT(domain.fit), &kAnySurface, Makes::Mesh, ByHand},
-        Row{.label = Options::tr("F&it"),
-            .help = Options::tr(
-                "What is filled: the surface itself, or a cage of even cells around it, in which it rides. "
-                "Automatic takes the cage where the surface cannot be filled or has far too many vertices."),
-            .undo = Options::tr("Change fit"),
-            .words = {{Options::tr("Automatic"), Options::tr("Exact surface"), Options::tr("Cage")}}}},
+    Option{"domain.cage", "", Flag, "", kAny, "", "", "", "true: as with --cage, false: as with --no-cage",
+           Field{AT(domain.fit), &kAnySurface, Makes::Mesh, ByHand},
+           Row{.label = Options::tr("F&it"),
+               .help = Options::tr(
+                   "What is filled: the surface itself, or a cage of even cells around it, in which it is "
+                   "embedded. Automatic takes the cage where the surface cannot be filled or has far too "
+                   "many vertices."),
+               .undo = Options::tr("Change fit"),
+               .words = {{Options::tr("Automatic"), Options::tr("Exact surface"), Options::tr("Cage")}}}},
     Option{"", "--cage", Flag, "", kAny, "", "", "mesh",
-           "fill a cage of even cells around the surface, which rides in it, instead of the surface itself; "
-           "without either option this is done where the exact surface cannot be meshed or has more than "
+           "fill a cage of even cells around the surface, which is embedded in it, instead of the surface "
+           "itself; without either option this is done where the exact surface cannot be meshed or has more "
+           "than "
            "eight times the vertices aimed at",
            Field{{}, &kAnySurface}},
     Option{"", "--no-cage", Flag, "", kAny, "", "", "mesh", "the exact surface or none",
@@ -225,7 +136,7 @@ constexpr std::array kOptions{
     Option{"domain.sizes[].values", "--sizes", File, "", kAny, "", "", "mesh",
            "text file with such a factor for every vertex of the surface", Field{{}, &kSurface}},
     Option{"domain.detail", "", File, "", kAny, "", "", "",
-           "a surface that rides in the solid and is what surface formats get"},
+           "a surface embedded in the solid, which is what surface formats get"},
     Option{"material.phi", "--phi", Phi, "", kAny, "radians", "equia|metr|akvf|conf", "run",
            "what is kept: area (equia), length (metr), rigidity (akvf) or angle (conf), or a number in ]0, "
            "φ_CONF]",

@@ -54,7 +54,7 @@ struct Domain {
     std::string sizesFile;                   // Surface: a factor per vertex, painted
     std::vector<SizeRegion> sizes;           // Surface: later ones win
     std::vector<SizeRegionIn<2>> flatSizes;  // Image: the same of a picture
-    std::string detail;                      // Surface, Mesh in space: a surface that rides in the solid
+    std::string detail;                      // Surface, Mesh in space: a surface embedded in the solid
     Fit fit = Fit::Automatic;                // Surface
     double cageDetail = 0;                   // Surface: see CageOptions; 0: as fine as the cells
     double cageOffset = 1.0 / 15;            // Surface: see CageOptions

@@ -21,9 +21,10 @@ DetailRow::DetailRow(QWidget* parent)
     m_remove->setText(tr("Remove"));
     m_remove->setObjectName(QStringLiteral("removeDetail"));
     for (QToolButton* button : {m_choose, m_remove}) button->setProperty("role", "chip");
-    describe(m_choose, tr("Choose skin"),
-             tr("Takes a detailed, perhaps textured surface from a file: it rides in the solid, is what the "
-                "view shows and what surface formats get."));
+    describe(
+        m_choose, tr("Choose skin"),
+        tr("Takes a detailed, perhaps textured surface from a file: it is embedded in the solid, is what the "
+           "view shows and what surface formats get."));
     describe(m_remove, tr("Remove skin"), tr("The solid is seen and exported with its own surface again."));
     layout->addLayout(panelRow(tr("Skin"), m_choose, this));
     auto* row = new QHBoxLayout;

@@ -9,7 +9,7 @@ class QToolButton;
 
 namespace wend {
 
-/// Which detailed surface rides in a solid; a button to choose one and one to take it away.
+/// Which detailed surface is embedded in a solid; a button to choose one and one to take it away.
 class DetailRow : public QWidget {
     Q_OBJECT
 

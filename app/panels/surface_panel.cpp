@@ -104,7 +104,7 @@ void SurfacePanel::tellCase() {
 void SurfacePanel::showProblems(const Contents& contents) {
     m_contents = contents;
     m_number = 0;
-    m_title->setText(contents.isCaged ? tr("The surface rides in a cage")
+    m_title->setText(contents.isCaged ? tr("The surface is embedded in a cage")
                                       : tr("The surface bounds no solid"));
     m_kind->clear();
     for (const Kind& kind : contents.kinds) m_kind->addItem(tr("%1: %2").arg(kind.name).arg(kind.count));
@@ -127,8 +127,9 @@ void SurfacePanel::showProblems(const Contents& contents) {
                                               : tr("The simple repairs do not help: fit a cage."));
     m_fit->setText(contents.isCaged ? tr("Exact surface only") : tr("Fit a cage"));
     describe(m_fit, m_fit->text(),
-             contents.isCaged ? tr("Takes the cage away: without repair there is no solid then.")
-                              : tr("Fills a cage of even cells around the surface, which rides in it."));
+             contents.isCaged
+                 ? tr("Takes the cage away: without repair there is no solid then.")
+                 : tr("Fills a cage of even cells around the surface, which is embedded in it."));
 }
 
 }  // namespace wend

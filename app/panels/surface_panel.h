@@ -26,7 +26,7 @@ class SurfacePanel : public QWidget {
         QStringList more;  // what has no place
         bool mayRepair = false;
         QString repair;        // what it would do
-        bool isCaged = false;  // the surface rides in a cage all the same
+        bool isCaged = false;  // the surface is embedded in a cage all the same
         int largestHole = 30;
     };
     explicit SurfacePanel(QWidget* parent = nullptr);

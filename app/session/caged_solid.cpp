@@ -47,7 +47,8 @@ void tellOfParts(const Domain& domain, const Cage& cage, Advice advice, Shape<3>
 void tellOfCage(const Domain& domain, const Cage& cage, const std::string& why, Advice advice,
                 Shape<3>& solid) {
     const std::string size = std::to_string(cage.mesh.vertexCount()) + " vertices";
-    if (!why.empty()) solid.notices.push_back("the surface rides in a cage of " + size + ", since " + why);
+    if (!why.empty())
+        solid.notices.push_back("the surface is embedded in a cage of " + size + ", since " + why);
     if (!cage.aimMet)
         solid.notices.push_back(
             domain.maxVolume > 0

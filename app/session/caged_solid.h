@@ -4,8 +4,8 @@
 
 namespace wend {
 
-/// A cage of even cells that a surface rides in; `why` says why it was chosen by itself, and is empty if it
-/// was asked for. Throws InputError, Cancelled.
+/// A cage of even cells that a surface is embedded in; `why` says why it was chosen by itself, and is empty
+/// if it was asked for. Throws InputError, Cancelled.
 Shape<3> cagedSolid(const Domain& domain, const std::shared_ptr<const Skin>& skin, const std::string& why,
                     std::stop_token stop, Advice advice);
 

@@ -50,7 +50,7 @@ std::vector<double> atVertices(const SimplicialMesh<3>& rest, const MeshField& f
     return values;
 }
 
-/// A field of the solid, at the vertices of the skin that rides in it.
+/// A field of the solid, at the vertices of the skin embedded in it.
 MeshField onSkin(const Shape<3>& shape, const MeshField& field) {
     const std::vector<double> values = field.perCell ? atVertices(*shape.rest, field) : field.values;
     MeshField carried{field.name, false, field.components, {}};

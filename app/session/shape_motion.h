@@ -15,9 +15,9 @@ class Selection;
 
 /// The motion of the document's shape as far as it is computed, and which frame of it is shown. It lives in
 /// the thread of the window and owns the compute thread: requests go there, and frames come back as queued
-/// signals. Every request for a shape has a number, its revision, and so has every drag. The track follows every
-/// shape of the file, also those that are not wanted any more, for what the thread keeps of its frames is said
-/// from one to the next. What views ask is described in ShapeSession, which passes it on.
+/// signals. Every request for a shape has a number, its revision, and so has every drag. The track follows
+/// every shape of the file, also those that are not wanted any more, for what the thread keeps of its frames
+/// is said from one to the next. What views ask is described in ShapeSession, which passes it on.
 class ShapeMotion : public QObject {
     Q_OBJECT
 

@@ -16,7 +16,7 @@ const QColor kPast(0xd9, 0x82, 0x2b), kFuture(0x1e, 0x8f, 0xb5);
 constexpr double kTints[kEachWay] = {0.18, 0.12, 0.06};
 constexpr double kLine = 1.5;                  // pixels
 constexpr double kLineStrength = 3.5;          // of an outline, against the tint
-constexpr std::size_t kMostTriangles = 60000;  // of a riding surface; of a finer one the solid is shown
+constexpr std::size_t kMostTriangles = 60000;  // of an embedded surface; of a finer one the solid is shown
 
 /// Closed lines along the edges of a boundary, each edge once.
 std::vector<std::vector<int>> loopsOf(const std::vector<Facet<2>>& edges) {
@@ -64,10 +64,10 @@ void OnionSkin<Dim>::takeBoundary(const PosedFrame<Dim>& frame) {
         m_loops = loopsOf(facets);
     } else {
         const auto& skin = frame.built->skin;
-        m_rides = skin && frame.built->embedding && skin->triangles.size() <= kMostTriangles;
+        m_isEmbedded = skin && frame.built->embedding && skin->triangles.size() <= kMostTriangles;
         m_triangles.clear();
         for (const Facet<3>& facet : facets) m_triangles.push_back(facet.vertices);
-        if (m_rides) m_triangles = skin->triangles;
+        if (m_isEmbedded) m_triangles = skin->triangles;
         std::map<std::pair<int, int>, Edge> edges;
         for (int f = 0; f < static_cast<int>(m_triangles.size()); ++f)
             for (std::size_t k = 0; k < 3; ++k) {
@@ -86,7 +86,7 @@ template <int Dim>
 std::vector<QPolygonF> OnionSkin<Dim>::outline(const PosedFrame<Dim>& frame, SurfaceOf<Dim>& surface) const {
     Points<Dim> points = frame.pose;
     if constexpr (Dim == 3)
-        if (m_rides) points = frame.built->embedding->carry(*frame.rest, frame.pose);
+        if (m_isEmbedded) points = frame.built->embedding->carry(*frame.rest, frame.pose);
     std::vector<QPointF> at;
     for (Eigen::Index v = 0; v < points.cols(); ++v) at.push_back(surface.toWidget(points.col(v)));
     const auto place = [&at](int v) { return at[static_cast<std::size_t>(v)]; };

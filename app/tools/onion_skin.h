@@ -39,7 +39,7 @@ class OnionSkin {
     std::vector<Loop> m_loops;                          // in the plane closed lines,
     std::vector<std::array<int, 3>> m_triangles;        // of a solid what is seen of it
     std::vector<Edge> m_edges;
-    bool m_rides = false;  // the triangles are those of the surface that rides in the solid
+    bool m_isEmbedded = false;  // the triangles are those of the surface embedded in the solid
 };
 
 }  // namespace wend

@@ -56,7 +56,7 @@ void DetailChooser::read(const QString& path) {
     }).then(this, [this, path, ticket, generation](const QString& problem) {
         if (ticket != m_ticket || generation != m_document.generation()) return;
         if (!problem.isEmpty()) {
-            emit failed(tr("This surface cannot ride in the solid. %1").arg(problem));
+            emit failed(tr("This surface cannot be embedded in the solid. %1").arg(problem));
             return;
         }
         Project next = *m_document.project();

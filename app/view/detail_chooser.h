@@ -6,7 +6,8 @@
 
 namespace wend {
 
-/// Asks for a detailed surface that is to ride in the solid, and looks at it before the project gets it.
+/// Asks for a detailed surface that is to be embedded in the solid, and looks at it before the project gets
+/// it.
 class DetailChooser : public QObject {
     Q_OBJECT
 

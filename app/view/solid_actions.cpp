@@ -63,13 +63,13 @@ void SolidActions::makeModes() {
 
 void SolidActions::makeView() {
     detail = addToggle(
-        {tr("S&kin"), tr("Show the detailed or textured surface that rides in the solid; off: the border of "
+        {tr("S&kin"), tr("Show the detailed or textured surface embedded in the solid; off: the border of "
                          "the tetrahedra, which bend")},
         QKeySequence(tr("Shift+D")));
     detail->setChecked(true);
-    chooseDetail = add(
-        {tr("Choose Sk&in…"), tr("Let a detailed, perhaps textured surface from a file ride in the solid")},
-        {});
+    chooseDetail = add({tr("Choose Sk&in…"),
+                        tr("Let a detailed, perhaps textured surface from a file be embedded in the solid")},
+                       {});
     removeDetail = add({tr("Re&move Skin"), tr("See and export the solid with its own surface again")}, {});
     flat = addToggle({tr("&Flat Faces"), tr("Shade every triangle by itself instead of smoothly")},
                      QKeySequence(tr("Shift+F")));

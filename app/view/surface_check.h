@@ -53,7 +53,7 @@ class SurfaceCheck : public QObject {
     SolidCanvas* m_canvas = nullptr;
     std::shared_ptr<const Found> m_found;
     std::shared_ptr<const void> m_shape;  // the last one that was seen
-    bool m_isCaged = false;               // it rides in a cage
+    bool m_isCaged = false;               // it is embedded in a cage
 };
 
 }  // namespace wend

@@ -4,7 +4,7 @@
 
 namespace wend {
 
-/// Points that ride in a partition: a detailed surface in a coarse volume. A point inside takes the
+/// Points embedded in a partition: a detailed surface in a coarse volume. A point inside takes the
 /// barycentric combination of its cell, one at the place of a vertex is that vertex, bit for bit. One outside
 /// stays in front of the nearest point of the boundary, x, as the material there turns and stretches:
 /// x + G (p − X), where G, the deformation gradient, is the mean of the cells around (by volume) at each of

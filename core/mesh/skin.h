@@ -15,7 +15,7 @@ struct SkinMaterial {
 };
 
 /// The surface of a solid as it is seen and exported: the surface that it was made from, a detailed one that
-/// rides in it, or its boundary.
+/// is embedded in it, or its boundary.
 struct Skin {
     Points<3> points;
     std::vector<std::array<int, 3>> triangles;

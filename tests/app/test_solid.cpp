@@ -173,7 +173,7 @@ void TestSolid::cageIsChosenByItself() {
     QVERIFY(std::abs(one.rest->vertexCount() - 300) <= 45 || why.isEmpty());
     if (why.isEmpty()) return;
     const QString told = QString::fromStdString(one.notices.at(0));
-    QVERIFY2(told.contains("rides in a cage of") && told.contains(why), qPrintable(told));
+    QVERIFY2(told.contains("is embedded in a cage of") && told.contains(why), qPrintable(told));
     QVERIFY(QString::fromStdString(one.cage->why).contains(why));
 }
 

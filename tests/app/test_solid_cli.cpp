@@ -340,7 +340,7 @@ void TestSolidCli::badSurfaces() {
         return;
     }
     QCOMPARE(free.code, 0);
-    QVERIFY2(free.error.startsWith("wend: " + name + ": the surface rides in a cage of ") &&
+    QVERIFY2(free.error.startsWith("wend: " + name + ": the surface is embedded in a cage of ") &&
                  free.error.contains(reason),
              qPrintable(free.error));
     const auto told = QJsonDocument::fromJson(free.out.toUtf8());
@@ -372,7 +372,7 @@ void TestSolidCli::cagedSurfaceBends() {
         "2, 3]}}, {'at': {'region': {'box': {'min': [2.5, -1, -1], 'max': [4, 2, 2]}}}, 'motion': "
         "[{'kind': 'rotate', 'centre': [1, 0.5, 0.5], 'axis': [0, 0, 1], 'angle': 1.5707963267948966}]}]");
     const CliResult result = run({"run", "bend.wend", "--mesh", "bent.obj", "--report", "bend.json"});
-    QVERIFY2(result.code == 0 && result.error.contains("rides in a cage of") &&
+    QVERIFY2(result.code == 0 && result.error.contains("is embedded in a cage of") &&
                  result.error.contains("move together as 1"),
              qPrintable(result.error));
     const auto lines = [](const std::string& all, const char* start) {

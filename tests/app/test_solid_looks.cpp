@@ -238,7 +238,7 @@ void TestSolidLooks::fitShowsPathsToo() {
     QVERIFY(canvas().camera().pivot().norm() < 1e-9);  // turned around the solid all the same
 }
 
-/// What rides far out of the tetrahedra, and only while it is shown.
+/// What is embedded far out of the tetrahedra, and only while it is shown.
 void TestSolidLooks::fitShowsDetailToo() {
     QVERIFY(!project({}).isEmpty());
     file("wide.obj", boxText({14, 0.4, 0.4}, 6));

@@ -17,7 +17,7 @@
 using namespace wend;
 using namespace wend::test;
 
-/// How a solid's mesh is chosen in the window, and what rides in it.
+/// How a solid's mesh is chosen in the window, and what is embedded in it.
 class TestSolidMesh : public QObject {
     Q_OBJECT
   private slots:

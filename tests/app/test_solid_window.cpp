@@ -722,7 +722,7 @@ void TestSolidWindow::pictureHasItsSizeAndNoBackground() {
     QCOMPARE(qAlpha(image.pixel(500, 200)), 255);
 }
 
-/// A red plate rides on the bar; most of it lies outside, which the window says.
+/// A red plate lies on the bar; most of it lies outside, which the window says.
 void TestSolidWindow::detailedSurfaceIsShownAndTellsItsNotices() {
     writeBar(*m_folder);
     const auto write = [&](const char* name, const QByteArray& text) {

@@ -371,11 +371,11 @@ void TestVolumeView::missingPicturesAreToldOnce() {
     skin->materials.resize(1);
     skin->materials[0].texture = "/nowhere/wood.png";
     skin->materialOf = {0};
-    VolumePicture riding = m_picture;
-    riding.skin = skin;
-    riding.embedding = std::make_shared<Embedding<3>>(*m_picture.rest, skin->points);
-    riding.materials = true;
-    view.setPicture(riding, true);
+    VolumePicture embedded = m_picture;
+    embedded.skin = skin;
+    embedded.embedding = std::make_shared<Embedding<3>>(*m_picture.rest, skin->points);
+    embedded.materials = true;
+    view.setPicture(embedded, true);
     view.show();
     QVERIFY(QTest::qWaitForWindowExposed(&view, 20000));
     view.grabFramebuffer();
@@ -383,7 +383,7 @@ void TestVolumeView::missingPicturesAreToldOnce() {
     QCOMPARE(missing.front().front().toStringList(), QStringList{"/nowhere/wood.png"});
     view.setPicture(m_picture, false);  // the border, and the surface again
     view.grabFramebuffer();
-    view.setPicture(riding, false);
+    view.setPicture(embedded, false);
     view.grabFramebuffer();
     QCOMPARE(missing.count(), 1);
 }

@@ -134,7 +134,7 @@ void theyAreNowhereNear() {
     QVERIFY(Normalization<Dim>::of(mesh).centre == Normalization<Dim>::of(plain).centre);
 }
 
-/// A surface rides on the cells, also where its own points lie on spare vertices.
+/// A surface is embedded in the cells, also where its own points lie on spare vertices.
 void surfacesRideOnCells() {
     const auto mesh = withSpares<3>(samples::strip<3>(2, 1, 2), 0);
     const Embedding<3> embedding(mesh, mesh.points);

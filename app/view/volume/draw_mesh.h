@@ -27,7 +27,7 @@ struct DrawMesh {
     std::vector<QRgb> colours;        // per triangle: of its material; empty without materials
     std::vector<Part> parts;          // the triangles one after another
     int points = 0, normals = 0;
-    std::vector<CutSurface::Corner> places;  // the points on the solid; empty if they ride in it
+    std::vector<CutSurface::Corner> places;  // the points on the solid; empty if they are embedded in it
 };
 
 /// The points of a cut surface: its vertices and the crossings of its edges, each once.
@@ -46,7 +46,7 @@ CutSurface partOf(const CutSurface& surface, bool onCut);
 DrawMesh drawMesh(const CutSurface& surface, const Points<3>& rest);
 /// The section of an exact cut, a plane: one normal, whatever those of its slivers are.
 DrawMesh drawSection(const CutSurface& section);
-/// A surface that rides in a solid, with its texture points and materials.
+/// A surface embedded in a solid, with its texture points and materials.
 DrawMesh drawMesh(const Skin& skin, const Embedding<3>& embedding);
 
 /// Where the points of a solid's surface are in a pose.

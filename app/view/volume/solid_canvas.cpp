@@ -39,7 +39,7 @@ class Overlay : public QWidget {
     SolidCanvas& m_canvas;
 };
 
-bool ridesInCage(const PosedFrame<3>& frame) {
+bool isEmbeddedInCage(const PosedFrame<3>& frame) {
     return frame.built->source && frame.built->skin && isCage(*frame.built->source, *frame.built->skin);
 }
 
@@ -97,14 +97,6 @@ void SolidCanvas::setTool(SolidTool* tool) {
 /// Without a solid there is nothing that a tool could do.
 void SolidCanvas::tellHint(const SolidTool& tool) {
     emit hintChanged(m_session.frame<3>() ? tool.hint() : QString());
-}
-
-CutPlane SolidCanvas::middlePlane(const Vec<3>& normal) const {
-    CutPlane plane;
-    plane.normal = normal;
-    const auto frame = m_session.frame<3>();
-    if (frame) plane.point = (frame->pose.rowwise().minCoeff() + frame->pose.rowwise().maxCoeff()) / 2;
-    return plane;
 }
 
 /// Pins and paths as well.
@@ -167,7 +159,7 @@ std::vector<QRgb> SolidCanvas::mapColours(const PosedFrame<3>& frame) const {
 bool SolidCanvas::hasDetail(const PosedFrame<3>& frame) const {
     const auto& skin = frame.built->skin;
     return skin && frame.built->embedding &&
-           (ridesInCage(frame) || !m_session.document().project()->domain.detail.empty() ||
+           (isEmbeddedInCage(frame) || !m_session.document().project()->domain.detail.empty() ||
             !skin->materials.empty());
 }
 
@@ -357,39 +349,6 @@ void SolidCanvas::setMap(Measure measure, const MeasureRange& range) {
 void SolidCanvas::setMapOpacity(double opacity) {
     m_opacity = opacity;
     if (m_map) refresh();
-}
-
-/// The near half goes: along the world's axis that points at the viewer most, or along the normal that was
-/// chosen in this document.
-Vec<3> SolidCanvas::normalToViewer() const {
-    const Vec<3> way = viewDirection();
-    Vec<3> normal = m_cutTool.plane().normal;
-    if (!m_planeChosen) {
-        int axis = 0;
-        way.cwiseAbs().maxCoeff(&axis);
-        normal = Vec<3>::Unit(axis);
-    }
-    return normal.dot(way) > 0 ? Vec<3>(-normal) : normal;
-}
-
-void SolidCanvas::setCutKind(CutKind kind) {
-    if (kind == cut() || (kind != CutKind::None && !m_session.frame<3>())) {
-        emit cutChanged();
-        return;
-    }
-    if (cut() == CutKind::None) m_cutTool.setPlane(middlePlane(normalToViewer()));
-    m_cutTool.setActive(kind != CutKind::None);
-    setCut(kind, m_cutTool.plane());
-    refresh();
-    emit cutChanged();
-}
-
-void SolidCanvas::setCutPlane(const CutPlane& plane) {
-    m_planeChosen = true;
-    m_cutTool.setPlane(plane);
-    setCut(cut(), plane);
-    refresh();
-    emit cutChanged();
 }
 
 void SolidCanvas::showWorst() {

@@ -72,7 +72,7 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     void setFlat(bool flat);
     void setEdgesShown(bool shown);
     void setMapShown(bool shown);
-    /// The detailed or painted surface that rides in the solid, where there is one, or the tetrahedra's
+    /// The detailed or painted surface embedded in the solid, where there is one, or the tetrahedra's
     /// border.
     void setDetailShown(bool shown);
     void setMap(Measure measure, const MeasureRange& range);

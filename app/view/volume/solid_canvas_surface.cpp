@@ -85,13 +85,13 @@ std::optional<Vec<3>> SolidCanvas::placeOf(int cell) const {
 std::vector<VertexMark> SolidCanvas::marksOf(const std::vector<int>& vertices) const {
     const Points<3>& pose = shown().pose;
     // Without a frame of this mesh yet: what is shown is a preview.
-    const bool riding = isRiding() && static_cast<Eigen::Index>(skinPoints().size()) == pose.cols();
+    const bool isSkin = showsSkin() && static_cast<Eigen::Index>(skinPoints().size()) == pose.cols();
     const bool asks = vertices.size() <= kMostRays;
     std::vector<VertexMark> marks;
     for (const int v : vertices) {
         if (v >= pose.cols()) continue;
-        const int point = riding ? skinPoints()[static_cast<std::size_t>(v)] : -1;
-        const Vec<3> at = point < 0 ? Vec<3>(pose.col(v)) : Vec<3>(ridden().col(point));
+        const int point = isSkin ? skinPoints()[static_cast<std::size_t>(v)] : -1;
+        const Vec<3> at = point < 0 ? Vec<3>(pose.col(v)) : Vec<3>(skinPose().col(point));
         if (!isCutOff(at) && !isCutOff(pose.col(v))) marks.push_back({at, asks && isHidden(pose.col(v))});
     }
     return marks;

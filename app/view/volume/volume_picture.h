@@ -15,7 +15,7 @@ struct VolumePicture {
     std::shared_ptr<const std::vector<Facet<3>>> facets;
     Points<3> pose;
     std::vector<QRgb> cellColours;  // one per cell; empty: one plain colour
-    // A surface that rides in the solid and is drawn in place of its border; null if there is none.
+    // A surface that is embedded in the solid and drawn in place of its border; null if there is none.
     std::shared_ptr<const Skin> skin;
     std::shared_ptr<const Embedding<3>> embedding;
     bool materials = false;  // the skin has the colours and pictures of its materials; those of the cells lie

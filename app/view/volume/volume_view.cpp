@@ -1,12 +1,9 @@
 #include "app/view/volume/volume_view.h"
 
 #include <QElapsedTimer>
-#include <QMouseEvent>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
 #include <QPainter>
-#include <QWheelEvent>
-#include <cmath>
 
 #include "app/view/volume/texture_file.h"
 
@@ -98,15 +95,15 @@ void VolumeView::setCut(CutKind kind, const CutPlane& plane) {
     remakeSurface();
 }
 
-/// A surface that rides in the solid hides it, unless a section is filled with its cells.
+/// A surface embedded in the solid hides it, unless a section is filled with its cells.
 Points<3> VolumeView::fitted() const {
     const Points<3> none(3, 0);
-    const Points<3>& riding = isRiding() ? ridden() : none;
-    const Points<3>& solid = isRiding() && m_cut == CutKind::None ? none : m_picture.pose;
-    Points<3> all(3, riding.cols() + solid.cols() + static_cast<Eigen::Index>(m_glyphs.size()));
-    all.leftCols(riding.cols()) = riding;
-    all.middleCols(riding.cols(), solid.cols()) = solid;
-    Eigen::Index next = riding.cols() + solid.cols();
+    const Points<3>& skin = showsSkin() ? skinPose() : none;
+    const Points<3>& solid = showsSkin() && m_cut == CutKind::None ? none : m_picture.pose;
+    Points<3> all(3, skin.cols() + solid.cols() + static_cast<Eigen::Index>(m_glyphs.size()));
+    all.leftCols(skin.cols()) = skin;
+    all.middleCols(skin.cols(), solid.cols()) = solid;
+    Eigen::Index next = skin.cols() + solid.cols();
     for (const DrawVertex& vertex : m_glyphs)
         all.col(next++) = Vec<3>(vertex.position[0], vertex.position[1], vertex.position[2]);
     return all;
@@ -152,7 +149,7 @@ void VolumeView::remakeSurface() {
     update();
 }
 
-const Points<3>& VolumeView::ridden() const {
+const Points<3>& VolumeView::skinPose() const {
     if (!m_ridden) m_ridden = m_picture.embedding->carry(*m_picture.rest, m_picture.pose);
     return *m_ridden;
 }
@@ -228,7 +225,7 @@ void VolumeView::uploadTextures() {
 void VolumeView::uploadMeshes() {
     const Points<3>& rest = m_picture.rest->points.cols() > 0 ? m_picture.rest->points : m_picture.pose;
     const bool exact = m_cut == CutKind::Exact;
-    if (isRiding())
+    if (showsSkin())
         m_outer = drawMesh(*m_picture.skin, *m_picture.embedding);
     else
         m_outer = drawMesh(exact ? partOf(m_surface, false) : m_surface, rest);
@@ -242,13 +239,13 @@ void VolumeView::uploadMeshes() {
 void VolumeView::uploadPose() {
     m_hasNormals = !m_style.flat;
     m_renderer.setPose(SurfaceRenderer::Outer, m_outer,
-                       isRiding() ? ridden() : drawnPoints(m_outer, m_picture.pose), m_hasNormals);
+                       showsSkin() ? skinPose() : drawnPoints(m_outer, m_picture.pose), m_hasNormals);
     m_renderer.setPose(SurfaceRenderer::Section, m_section, drawnPoints(m_section, m_picture.pose), true);
     m_glyphsStale = true;
 }
 
-std::vector<QRgb> VolumeView::coloursOf(const DrawMesh& mesh, bool riding) const {
-    if (riding && m_picture.materials && !mesh.colours.empty()) return mesh.colours;
+std::vector<QRgb> VolumeView::coloursOf(const DrawMesh& mesh, bool skin) const {
+    if (skin && m_picture.materials && !mesh.colours.empty()) return mesh.colours;
     std::vector<QRgb> colours;
     colours.reserve(mesh.cells.size());
     for (const int c : mesh.cells) colours.push_back(m_picture.cellColours[c]);
@@ -256,7 +253,7 @@ std::vector<QRgb> VolumeView::coloursOf(const DrawMesh& mesh, bool riding) const
 }
 
 void VolumeView::uploadColours() {
-    m_renderer.setColours(SurfaceRenderer::Outer, coloursOf(m_outer, isRiding()));
+    m_renderer.setColours(SurfaceRenderer::Outer, coloursOf(m_outer, showsSkin()));
     if (m_style.mapOpacity > 0) m_renderer.setMap(coloursOf(m_outer, false));
     m_renderer.setColours(SurfaceRenderer::Section, coloursOf(m_section, false));
 }
@@ -277,8 +274,8 @@ void VolumeView::drawScene(const Sight& sight, const QColor& background) {
     clock.start();
     upload();
     m_times.prepare = static_cast<double>(clock.nsecsElapsed()) * 1e-6;
-    const bool clips = isRiding() && m_cut == CutKind::Exact;
-    m_renderer.draw(sight, style(), isRiding() && m_picture.materials,
+    const bool clips = showsSkin() && m_cut == CutKind::Exact;
+    m_renderer.draw(sight, style(), showsSkin() && m_picture.materials,
                     clips ? std::optional(m_plane) : std::nullopt);
 }
 
@@ -345,61 +342,6 @@ void VolumeView::paintGL() {
     }
     if (m_renderer.isSoftware()) context()->functions()->glFinish();
     m_times.draw = static_cast<double>(clock.nsecsElapsed()) * 1e-6 - m_times.prepare;
-}
-
-void VolumeView::mousePressEvent(QMouseEvent* event) {
-    m_navigation.press(*event);
-}
-
-void VolumeView::mouseMoveEvent(QMouseEvent* event) {
-    m_navigation.move(*event, m_camera, size());
-    if (!m_navigation.isGoingOn()) return;
-    hurry();
-    update();
-    emit cameraChanged();
-}
-
-void VolumeView::mouseReleaseEvent(QMouseEvent* event) {
-    const bool click = m_navigation.isClick(*event);
-    const SolidHit hit = click ? pick(event->position()) : SolidHit{};
-    const bool pivots = event->button() == Qt::MiddleButton || m_navigation.drag() == Navigation::Drag::Orbit;
-    if (click && pivots && event->button() != Qt::LeftButton && hit.cell >= 0) m_camera.setPivot(hit.point);
-    m_navigation.end();
-    update();
-}
-
-void VolumeView::wheelEvent(QWheelEvent* event) {
-    m_camera.zoom(std::exp(event->angleDelta().y() / 120.0 * 0.16), pixelOf(event->position()), size());
-    hurry();
-    update();
-    emit cameraChanged();
-}
-
-void VolumeView::keyPressEvent(QKeyEvent* event) {
-    const bool opposite = event->modifiers() & Qt::ControlModifier;
-    using Axis = Camera::Axis;
-    switch (event->key()) {
-        case Qt::Key_1:
-            look(opposite ? Axis::Back : Axis::Front);
-            break;
-        case Qt::Key_3:
-            look(opposite ? Axis::Left : Axis::Right);
-            break;
-        case Qt::Key_7:
-            look(opposite ? Axis::Bottom : Axis::Top);
-            break;
-        case Qt::Key_5:
-            setOrthographic(!m_camera.orthographic());
-            break;
-        case Qt::Key_0:
-            look(Axis::Isometric);
-            break;
-        case Qt::Key_F:
-            fit();
-            break;
-        default:
-            QOpenGLWidget::keyPressEvent(event);
-    }
 }
 
 }  // namespace wend

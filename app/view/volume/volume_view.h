@@ -95,10 +95,10 @@ class VolumeView : public QOpenGLWidget {
     const VolumePicture& shown() const { return m_picture; }
     void setBackground(const QColor& colour) { m_background = colour; }
 
-    /// True if a surface rides in the solid and is drawn in place of its border.
-    bool isRiding() const { return m_picture.skin && m_cut != CutKind::WholeCells; }
+    /// True if a surface is embedded in the solid and is drawn in place of its border.
+    bool showsSkin() const { return m_picture.skin && m_cut != CutKind::WholeCells; }
     /// Where the points of that surface are.
-    const Points<3>& ridden() const;
+    const Points<3>& skinPose() const;
     /// What fit() brings into the view: all that is drawn. The view turns around the middle of the solid all
     /// the same.
     virtual Points<3> fitted() const;
@@ -119,7 +119,7 @@ class VolumeView : public QOpenGLWidget {
     bool bindFine();
     void uploadPose();
     void uploadColours();
-    std::vector<QRgb> coloursOf(const DrawMesh& mesh, bool riding) const;
+    std::vector<QRgb> coloursOf(const DrawMesh& mesh, bool skin) const;
     /// What a painting of the view depends on beside what is uploaded.
     struct Scene {
         Sight sight;

@@ -1,0 +1,191 @@
+// How far an engine steps, and what becomes of a step.
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "core/integration/integrator.h"
+
+namespace wend {
+
+/// The next time after the current one where a step has to end.
+template <int Dim>
+double Deformer<Dim>::Integrator::nextStop(double time) const {
+    double stop = std::min(time, nextBreakpoint(state.time));
+    if (m_options.steps == 0 || !flows(state.time, Side::After)) return stop;
+    const double width = m_options.end / m_options.steps;
+    const double number = std::floor(state.time / width * (1 + 1e-14) + 1e-9) + 1;
+    const double grid = number == m_options.steps ? m_options.end : number * width;
+    return grid > stop - 1e-9 * width ? stop : grid;  // no sliver of a step before a breakpoint
+}
+
+/// From the greatest speed of the constrained points up to the next breakpoint (a motion eases in from rest),
+/// and from the rate at which the shape is drawn back.
+template <int Dim>
+double Deformer<Dim>::Integrator::startStep(double to) const {
+    constexpr int kSamples = 16;
+    double fastest = 0;
+    Points<Dim> positions, velocities;
+    for (int i = 0; i <= kSamples; ++i) {
+        const double t = state.time + (to - state.time) * i / kSamples;
+        m_constraints->evaluate(m_ids, state.anchors, t, i == kSamples ? Side::Before : Side::After,
+                                positions, velocities);
+        const double speed = largestColumn<Dim>(velocities);
+        if (!std::isfinite(speed)) return 0;  // no step is small enough
+        fastest = std::max(fastest, speed);
+    }
+    const double settling = m_settling.rate(state.time, Side::After),
+                 rate = settling > 0 ? settling : m_memory * fastest;
+    const double step = fastest > 0 ? method().firstStep(fastest) : to - state.time;
+    return rate > 0 ? std::min(step, 1 / rate) : step;
+}
+
+/// Where to go next on the way to a stop: no sliver of a step before it.
+template <int Dim>
+double Deformer<Dim>::Integrator::proposedStep(double stop) const {
+    const double rest = stop - state.time;
+    if (m_options.steps > 0) return stop;
+    const double step = state.pace.step;
+    if (step >= 0.95 * rest) return stop;
+    return step > 0.5 * rest ? state.time + 0.5 * rest : state.time + step;
+}
+
+template <int Dim>
+double Deformer<Dim>::Integrator::smallestStep() const {
+    const double from = std::max(0.0, lastBreakpoint(state.time));
+    return m_options.smallestStep * (nextBreakpoint(state.time) - from);
+}
+
+/// Tries to step from the current state to a time. The error over the tolerance (0 for fixed steps), or
+/// nothing if a stage or the result could not be had.
+template <int Dim>
+std::optional<double> Deformer<Dim>::Integrator::attempt(const Nodal<Dim>& start, double to) {
+    const auto rhs = [this](double t, Side side, StageVectors<Dim>&, Points<Dim>& v) {
+        return evaluate(t, side, v);
+    };
+    if (!method().attempt(rhs, m_solver->stages(), state.time, to, start, state.pace)) return {};
+    const double error = method().error();
+    if (!(error <= 1)) return error;
+    m_next = *method().result();
+    project(to, m_next);
+    const int inverted = firstInverted(m_next);
+    if (inverted < 0) return error;
+    const bool finite = std::isfinite(cellMeasure<Dim>(m_next, m_rest->cells[inverted]));
+    m_failure.outcome = finite ? SolveOutcome{SolveOutcome::Kind::CellInverted, inverted}
+                               : SolveOutcome{SolveOutcome::Kind::NotFinite, -1};
+    m_failure.time = to;
+    return {};
+}
+
+/// The step would have to be smaller than any that gets somewhere: where a cell is nearly flat, it is that
+/// which stops the shape.
+constexpr double kNearlyFlat = 1e-2;  // of the cell's measure at rest
+template <int Dim>
+void Deformer<Dim>::Integrator::failForSmallStep(double to) {
+    m_failure = {};
+    m_failure.time = to;
+    const int cell = m_orientation.mostShrunk(state.normalized);
+    const double ratio = cellMeasure<Dim>(state.normalized, m_rest->cells[cell]) /
+                         cellMeasure<Dim>(m_rest->points, m_rest->cells[cell]);
+    if (ratio < kNearlyFlat)
+        m_failure.outcome = {SolveOutcome::Kind::CellInverted, cell};
+    else
+        m_failure.stepTooSmall = true;
+}
+
+/// One accepted step towards a stop, after as many attempts as it takes. False: the run ends, m_failure says
+/// why.
+template <int Dim>
+bool Deformer<Dim>::Integrator::step(double stop) {
+    const Pace<Dim> before = state.pace;
+    if (state.pace.step == 0) state.pace.step = startStep(nextBreakpoint(state.time));
+    if (!(state.pace.step >= smallestStep()) && m_options.steps == 0) {
+        failForSmallStep(state.time);
+        state.pace = before;
+        return false;
+    }
+    double to = proposedStep(stop);
+    bool shortened = false;
+    const bool cut = to < state.time + state.pace.step;
+    const auto start = std::make_shared<const Points<Dim>>(state.normalized);
+    for (;;) {
+        m_failure = {};
+        const std::optional<double> error = attempt(start, to);
+        if (error && *error <= 1) {
+            accept(to, shortened, cut && !shortened);
+            return true;
+        }
+        if (m_failure.cancelled) {
+            state.pace = before;  // as if nothing had been tried: going on gives the same bits
+            return false;
+        }
+        ++statistics.rejected;
+        if (error)
+            method().retry(state.pace);
+        else
+            state.pace.step = 0.5 * (to - state.time);
+        const double h = state.pace.step;
+        if (h < smallestStep() || state.time + h == state.time) {
+            if (error) failForSmallStep(to);
+            return false;
+        }
+        shortened = true;
+        to = state.time + h;
+    }
+}
+
+template <int Dim>
+void Deformer<Dim>::Integrator::accept(double to, bool shortened, bool cut) {
+    ++statistics.steps;
+    if (m_options.steps == 0) statistics.errorEstimate += method().error() * m_options.tolerance;
+    remember();  // frames may need a field of their own
+    emitFrames(state.time, to);
+    state.normalized = m_next;
+    method().accept(state.pace, shortened, cut);
+    arrive(to);
+}
+
+/// No handle moves: v̂ = 0, nothing to solve.
+template <int Dim>
+void Deformer<Dim>::Integrator::standStill(double to) {
+    m_next = state.normalized;
+    while (m_watch && m_frame < m_watch->frames.size() && m_watch->frames[m_frame] < to) {
+        State<Dim> frame;
+        frame.time = m_watch->frames[m_frame++];
+        frame.points = state.points;
+        if (m_watch->onFrame) m_watch->onFrame(frame);
+    }
+    ++statistics.steps;
+    arrive(to);
+}
+
+template <int Dim>
+void Deformer<Dim>::Integrator::arrive(double to) {
+    state.time = to;
+    state.points = inDomain(state.normalized);
+    measureError(to);
+    if (lastBreakpoint(to) == to) {
+        m_constraints->crossBreakpoint(to, state.normalized, state.anchors);
+        startAnew();
+    }
+    if (m_watch && m_watch->progress) m_watch->progress(to);
+}
+
+template <int Dim>
+void Deformer<Dim>::Integrator::measureError(double t) {
+    m_constraints->evaluate(m_ids, state.anchors, t, Side::Before, m_targets, m_prescribed);
+    for (size_t i = 0; i < m_ids.size(); ++i) {
+        const Vec<Dim> p = m_constraints->points()[m_ids[i]].template in<Dim>(state.normalized);
+        const double distance = (p - m_targets.col(static_cast<Eigen::Index>(i))).norm();
+        statistics.constraintError = std::max(statistics.constraintError, distance);
+    }
+}
+
+template double Deformer<2>::Integrator::nextStop(double) const;
+template bool Deformer<2>::Integrator::step(double);
+template void Deformer<2>::Integrator::standStill(double);
+template double Deformer<3>::Integrator::nextStop(double) const;
+template bool Deformer<3>::Integrator::step(double);
+template void Deformer<3>::Integrator::standStill(double);
+
+}  // namespace wend
