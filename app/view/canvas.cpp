@@ -1,9 +1,9 @@
 #include "app/view/canvas.h"
 
-#include <QtConcurrent>
 #include <cmath>
 #include <utility>
 
+#include "app/document/in_background.h"
 #include "app/panels/legend.h"
 #include "app/session/rest_frame.h"
 #include "app/session/shape.h"
@@ -130,12 +130,11 @@ void ShapeCanvas::takeOpened() {
 void ShapeCanvas::preparePicture(const std::shared_ptr<const Image>& picture) {
     m_source = picture;
     const auto prepare = [picture] { return std::make_shared<const ScreenPicture>(picture); };
-    QtConcurrent::run(prepare).then(this,
-                                    [this, picture](const std::shared_ptr<const ScreenPicture>& prepared) {
-                                        if (m_source != picture) return;
-                                        m_picture = prepared;
-                                        render();
-                                    });
+    inBackground(this, prepare, [this, picture](const std::shared_ptr<const ScreenPicture>& prepared) {
+        if (m_source != picture) return;
+        m_picture = prepared;
+        render();
+    });
 }
 
 /// What moves in space is another view's.

@@ -3,8 +3,8 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QSettings>
-#include <QtConcurrent>
 
+#include "app/document/in_background.h"
 #include "core/mesh/mesh_formats.h"
 #include "core/mesh/printable.h"
 #include "core/mesh/skin_file.h"
@@ -51,9 +51,8 @@ void DetailChooser::ask() {
 /// In the background: it may be large.
 void DetailChooser::read(const QString& path) {
     const int ticket = ++m_ticket, generation = m_document.generation();
-    QtConcurrent::run([path] {
-        return problemOf(path);
-    }).then(this, [this, path, ticket, generation](const QString& problem) {
+    const auto look = [path] { return problemOf(path); };
+    inBackground(this, look, [this, path, ticket, generation](const QString& problem) {
         if (ticket != m_ticket || generation != m_document.generation()) return;
         if (!problem.isEmpty()) {
             emit failed(tr("This surface cannot be embedded in the solid. %1").arg(problem));

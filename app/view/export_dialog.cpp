@@ -6,9 +6,9 @@
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
-#include <QtConcurrent>
 #include <cmath>
 
+#include "app/document/in_background.h"
 #include "app/panels/option_field.h"
 #include "app/panels/panel_parts.h"
 #include "app/session/playback.h"
@@ -335,7 +335,7 @@ void ExportDialog::preparePicture() {
     const auto picture = m_shape->picture();
     if (!picture) return;
     const auto prepare = [picture] { return std::make_shared<const ScreenPicture>(picture); };
-    QtConcurrent::run(prepare).then(this, [this](const std::shared_ptr<const ScreenPicture>& prepared) {
+    inBackground(this, prepare, [this](const std::shared_ptr<const ScreenPicture>& prepared) {
         m_picture = prepared;
         startPreview();
     });
@@ -362,9 +362,10 @@ void ExportDialog::startPreview() {
                                  dark ? QColor(0x5b6070) : QColor(0xbfc6dd),
                                  QColor(24, 28, 44)};
     const std::stop_token stop = m_previewStop.get_token();
-    QtConcurrent::run([shape = m_shape, picture = m_picture, request, stop] {
+    const auto draw = [shape = m_shape, picture = m_picture, request, stop] {
         return answerOf<QImage>([&] { return exportPreview(*shape, picture, request, stop); });
-    }).then(this, [this, stop](const Answer<QImage>& answer) {
+    };
+    inBackground(this, draw, [this, stop](const Answer<QImage>& answer) {
         if (stop.stop_requested()) return;
         if (!answer.problem.isEmpty()) tellProblem(answer.problem);
         m_preview->setProperty("bare", !isPicture());
@@ -376,10 +377,11 @@ void ExportDialog::startSize() {
     m_sizeStop.request_stop();
     m_sizeStop = std::stop_source();
     const std::stop_token stop = m_sizeStop.get_token();
-    QtConcurrent::run([shape = m_shape, kind = m_kind, extension = extension().toStdString(),
-                       options = runOptionsFrom(values()), stop] {
+    const auto measure = [shape = m_shape, kind = m_kind, extension = extension().toStdString(),
+                          options = runOptionsFrom(values()), stop] {
         return answerOf<FileSize>([&] { return shape->size(kind, extension, options, stop); });
-    }).then(this, [this, asked = m_asked](const Answer<FileSize>& answer) {
+    };
+    inBackground(this, measure, [this, asked = m_asked](const Answer<FileSize>& answer) {
         if (asked != m_asked || answer.stopped) return;
         if (answer.problem.isEmpty()) return showSize(answer.value);
         tellProblem(answer.problem);

@@ -5,8 +5,8 @@
 #include <QMessageBox>
 #include <QProgressDialog>
 #include <QPushButton>
-#include <QtConcurrent>
 
+#include "app/document/in_background.h"
 #include "app/session/opening.h"
 #include "app/session/own_files.h"
 #include "app/session/run_options.h"
@@ -206,7 +206,7 @@ void Exporter::run(const QString& what, const QString& path, Job job) {
         });
     };
     // Futures would slice an exception.
-    m_running = QtConcurrent::run([job = std::move(job), show, source]() -> Result {
+    const auto work = [job = std::move(job), show, source]() -> Result {
         std::string remark;
         try {
             job({show, {}, source->get_token()}, remark);
@@ -216,11 +216,12 @@ void Exporter::run(const QString& what, const QString& path, Job job) {
         } catch (const std::exception& error) {
             return {QString::fromUtf8(error.what()), {}, false};
         }
-    });
-    m_running.then(this, [this, shown = QPointer<QProgressDialog>(dialog), path](const Result& result) {
-        if (shown) shown->deleteLater();
-        tell(result, path);
-    });
+    };
+    m_running = inBackground(this, work,
+                             [this, shown = QPointer<QProgressDialog>(dialog), path](const Result& result) {
+                                 if (shown) shown->deleteLater();
+                                 tell(result, path);
+                             });
 }
 
 void Exporter::tell(const Result& result, const QString& path) {

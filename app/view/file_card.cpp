@@ -4,10 +4,10 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QPainter>
-#include <QtConcurrent>
 #include <cmath>
 #include <numbers>
 
+#include "app/document/in_background.h"
 #include "app/document/project.h"
 #include "app/panels/liveliness.h"
 #include "app/panels/theme.h"
@@ -116,7 +116,8 @@ FileCard::FileCard(const QString& path, Kind kind, QWidget* parent, const QStrin
 }
 
 void FileCard::load() {
-    QtConcurrent::run([path = m_path] { return shownOf(path); }).then(this, [this](const Shown& shown) {
+    const auto look = [path = m_path] { return shownOf(path); };
+    inBackground(this, look, [this](const Shown& shown) {
         m_picture = shown.picture;
         m_isSolid = shown.isSolid;
         if (m_isSolid) setAccessibleName(tr("%1, solid").arg(accessibleName()));

@@ -7,8 +7,8 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QSettings>
-#include <QtConcurrent>
 
+#include "app/document/in_background.h"
 #include "app/session/opening.h"
 #include "app/session/own_files.h"
 #include "app/view/project_watch.h"
@@ -92,9 +92,10 @@ void FileWorkflow::read(const QString& path, std::function<OpenedFile()> reader)
     say(Topic::Opening, {});
     emit openingChanged(QFileInfo(path).fileName());
     const auto before = m_document.project();
-    QtConcurrent::run([path, found = m_found, reader = std::move(reader)] {
+    const auto work = [path, found = m_found, reader = std::move(reader)] {
         return tryToRead(path, found, reader);
-    }).then(this, [this, ticket, before](const Reading& reading) {
+    };
+    inBackground(this, work, [this, ticket, before](const Reading& reading) {
         emit openingChanged({});
         if (!reading.error.isEmpty() || !reading.missing.isEmpty()) {
             tellOf(reading);

@@ -9,9 +9,9 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSpinBox>
-#include <QtConcurrent>
 #include <cmath>
 
+#include "app/document/in_background.h"
 #include "app/panels/panel_parts.h"
 #include "app/view/export_preview.h"
 #include "app/view/view_picture.h"
@@ -183,7 +183,7 @@ void PictureDialog::showPreview() {
             return 0.0;  // the export itself will say what is wrong
         }
     };
-    QtConcurrent::run(work).then(this, [this, asked = m_asked](double bytes) {
+    inBackground(this, work, [this, asked = m_asked](double bytes) {
         if (asked != m_asked || bytes <= 0) return;
         const QString text =
             QLocale().formattedDataSize(static_cast<qint64>(bytes), 1, QLocale::DataSizeSIFormat);

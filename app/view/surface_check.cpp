@@ -8,8 +8,8 @@
 #include <QLocale>
 #include <QSaveFile>
 #include <QTextStream>
-#include <QtConcurrent>
 
+#include "app/document/in_background.h"
 #include "app/panels/surface_panel.h"
 #include "app/session/caged_solid.h"
 #include "app/view/volume/solid_canvas.h"
@@ -126,7 +126,7 @@ void SurfaceCheck::preview() {
             return {};
         }
     };
-    QtConcurrent::run(read).then(this, [this, generation](const std::shared_ptr<const Skin>& skin) {
+    inBackground(this, read, [this, generation](const std::shared_ptr<const Skin>& skin) {
         if (skin && m_canvas && m_session.document().generation() == generation) m_canvas->showPreview(skin);
     });
 }
@@ -150,7 +150,7 @@ void SurfaceCheck::look() {
         }
         return found;
     };
-    QtConcurrent::run(check).then(this, [this, generation](const std::shared_ptr<const Found>& found) {
+    inBackground(this, check, [this, generation](const std::shared_ptr<const Found>& found) {
         if (m_session.document().generation() == generation) take(found);
     });
 }
