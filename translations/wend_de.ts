@@ -3928,6 +3928,22 @@
         <source>Colour of the Pin</source>
         <translation>Farbe des Pins</translation>
     </message>
+    <message>
+        <source>Hold for the Whole &amp;Film</source>
+        <translation>Den ganzen &amp;Film halten</translation>
+    </message>
+    <message>
+        <source>The selected pins hold from the start of the film to its end, not only from the time at which they were set</source>
+        <translation>Die gewählten Pins halten vom Anfang des Films bis zu seinem Ende, nicht erst ab dem Zeitpunkt, an dem sie gesetzt wurden</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+F</source>
+        <translation>Ctrl+Shift+F</translation>
+    </message>
+    <message>
+        <source>The selected pin holds for the whole film.</source>
+        <translation>Der gewählte Pin hält den ganzen Film lang.</translation>
+    </message>
 </context>
 <context>
     <name>wend::PinList</name>
@@ -4258,6 +4274,10 @@
     <message>
         <source>The film keeps its length: what you had timed goes faster now. Undo, or make the film longer below.</source>
         <translation>Der Film behält seine Länge: was zeitlich festgelegt war, läuft jetzt schneller. Rückgängig machen oder den Film unten verlängern.</translation>
+    </message>
+    <message>
+        <source>Hold %1 for the whole film</source>
+        <translation>%1 den ganzen Film halten</translation>
     </message>
 </context>
 <context>
@@ -5149,10 +5169,6 @@
         <translation>Eine Zeile je Pin, ein Balken je Bewegung; Auf und Ab wählen einen Pin, Links und Rechts eine andere Zeit, mit Alt bewegen sie den gewählten Balken</translation>
     </message>
     <message>
-        <source>Drag a bar or its ends to another time; bars at the same time move together. A right click sets how it begins and ends</source>
-        <translation>Einen Balken oder seine Enden zu einer anderen Zeit ziehen; was gleichzeitig liegt, bewegt sich gemeinsam. Ein Rechtsklick sagt, wie es beginnt und endet</translation>
-    </message>
-    <message>
         <source>Move in time</source>
         <translation>Zeitlich verschieben</translation>
     </message>
@@ -5183,6 +5199,18 @@
     <message>
         <source>Nothing moves yet. Drag a pin, or record it with Ctrl held: what you do then is here, pin by pin.</source>
         <translation>Noch bewegt sich nichts. Ziehen Sie einen Pin, oder nehmen Sie es mit Strg auf: Dann steht hier, Pin für Pin, was Sie getan haben.</translation>
+    </message>
+    <message>
+        <source>Drag a bar or its ends to another time; bars at the same time move together. A right click sets how it begins and ends. The ends of the line say when the pin holds</source>
+        <translation>Einen Balken oder seine Enden zu einer anderen Zeit ziehen; was gleichzeitig liegt, bewegt sich gemeinsam. Ein Rechtsklick sagt, wie es beginnt und endet. Die Enden der Linie sagen, wann der Pin hält</translation>
+    </message>
+    <message>
+        <source>Change when it holds</source>
+        <translation>Ändern, wann er hält</translation>
+    </message>
+    <message>
+        <source>Holds from %1 to %2 s</source>
+        <translation>Hält von %1 bis %2 s</translation>
     </message>
 </context>
 <context>

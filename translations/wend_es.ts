@@ -3928,6 +3928,22 @@
         <source>Colour of the Pin</source>
         <translation>Color del alfiler</translation>
     </message>
+    <message>
+        <source>Hold for the Whole &amp;Film</source>
+        <translation>Sujetar toda la &amp;película</translation>
+    </message>
+    <message>
+        <source>The selected pins hold from the start of the film to its end, not only from the time at which they were set</source>
+        <translation>Los alfileres seleccionados sujetan desde el principio de la película hasta el final, no solo desde el momento en que se pusieron</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+F</source>
+        <translation>Ctrl+Shift+F</translation>
+    </message>
+    <message>
+        <source>The selected pin holds for the whole film.</source>
+        <translation>El alfiler seleccionado sujeta toda la película.</translation>
+    </message>
 </context>
 <context>
     <name>wend::PinList</name>
@@ -4258,6 +4274,10 @@
     <message>
         <source>The film keeps its length: what you had timed goes faster now. Undo, or make the film longer below.</source>
         <translation>La película conserva su duración: lo que tenía su tiempo va ahora más deprisa. Deshaga, o alargue la película abajo.</translation>
+    </message>
+    <message>
+        <source>Hold %1 for the whole film</source>
+        <translation>Sujetar %1 toda la película</translation>
     </message>
 </context>
 <context>
@@ -5149,10 +5169,6 @@
         <translation>Una fila por alfiler, una barra por movimiento; Arriba y Abajo eligen un alfiler, Izquierda y Derecha otro momento, con Alt mueven la barra elegida</translation>
     </message>
     <message>
-        <source>Drag a bar or its ends to another time; bars at the same time move together. A right click sets how it begins and ends</source>
-        <translation>Arrastre una barra o sus extremos a otro momento; las simultáneas se mueven a la vez. Un clic derecho ajusta cómo empieza y termina</translation>
-    </message>
-    <message>
         <source>Move in time</source>
         <translation>Mover en el tiempo</translation>
     </message>
@@ -5183,6 +5199,18 @@
     <message>
         <source>Nothing moves yet. Drag a pin, or record it with Ctrl held: what you do then is here, pin by pin.</source>
         <translation>Todavía no se mueve nada. Arrastre un alfiler, o grábelo con Ctrl: lo que haga estará aquí, alfiler por alfiler.</translation>
+    </message>
+    <message>
+        <source>Drag a bar or its ends to another time; bars at the same time move together. A right click sets how it begins and ends. The ends of the line say when the pin holds</source>
+        <translation>Arrastre una barra o sus extremos a otro momento; las barras simultáneas se mueven juntas. Un clic derecho fija cómo empieza y termina. Los extremos de la línea dicen cuándo sujeta el alfiler</translation>
+    </message>
+    <message>
+        <source>Change when it holds</source>
+        <translation>Cambiar cuándo sujeta</translation>
+    </message>
+    <message>
+        <source>Holds from %1 to %2 s</source>
+        <translation>Sujeta de %1 a %2 s</translation>
     </message>
 </context>
 <context>

@@ -3928,6 +3928,22 @@
         <source>Colour of the Pin</source>
         <translation>Couleur de l’épingle</translation>
     </message>
+    <message>
+        <source>Hold for the Whole &amp;Film</source>
+        <translation>Tenir tout le &amp;film</translation>
+    </message>
+    <message>
+        <source>The selected pins hold from the start of the film to its end, not only from the time at which they were set</source>
+        <translation>Les épingles sélectionnées tiennent du début du film à sa fin, et pas seulement à partir du moment où elles ont été posées</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+F</source>
+        <translation>Ctrl+Shift+F</translation>
+    </message>
+    <message>
+        <source>The selected pin holds for the whole film.</source>
+        <translation>L’épingle sélectionnée tient tout le film.</translation>
+    </message>
 </context>
 <context>
     <name>wend::PinList</name>
@@ -4257,7 +4273,11 @@
     </message>
     <message>
         <source>The film keeps its length: what you had timed goes faster now. Undo, or make the film longer below.</source>
-        <translation>Le film garde sa durée : ce qui était minuté va maintenant plus vite. Annulez, ou allongez le film en bas.</translation>
+        <translation>Le film garde sa durée&#x202f;: ce qui était minuté va maintenant plus vite. Annulez, ou allongez le film en bas.</translation>
+    </message>
+    <message>
+        <source>Hold %1 for the whole film</source>
+        <translation>Tenir %1 tout le film</translation>
     </message>
 </context>
 <context>
@@ -5149,10 +5169,6 @@
         <translation>Une ligne par épingle, une barre par mouvement&#x202f;; Haut et Bas choisissent une épingle, Gauche et Droite un autre instant, avec Alt ils déplacent la barre choisie</translation>
     </message>
     <message>
-        <source>Drag a bar or its ends to another time; bars at the same time move together. A right click sets how it begins and ends</source>
-        <translation>Tirez une barre ou ses extrémités vers un autre instant&#x202f;; les barres simultanées bougent ensemble. Un clic droit règle le début et la fin</translation>
-    </message>
-    <message>
         <source>Move in time</source>
         <translation>Déplacer dans le temps</translation>
     </message>
@@ -5183,6 +5199,18 @@
     <message>
         <source>Nothing moves yet. Drag a pin, or record it with Ctrl held: what you do then is here, pin by pin.</source>
         <translation>Rien ne bouge encore. Tirez une épingle, ou enregistrez-la avec Ctrl&#x202f;: vos gestes seront ici, épingle par épingle.</translation>
+    </message>
+    <message>
+        <source>Drag a bar or its ends to another time; bars at the same time move together. A right click sets how it begins and ends. The ends of the line say when the pin holds</source>
+        <translation>Faites glisser une barre ou ses extrémités vers un autre moment ; les barres simultanées bougent ensemble. Un clic droit règle son début et sa fin. Les extrémités de la ligne disent quand l’épingle tient</translation>
+    </message>
+    <message>
+        <source>Change when it holds</source>
+        <translation>Changer quand elle tient</translation>
+    </message>
+    <message>
+        <source>Holds from %1 to %2 s</source>
+        <translation>Tient de %1 à %2 s</translation>
     </message>
 </context>
 <context>

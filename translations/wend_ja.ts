@@ -3922,6 +3922,22 @@
         <source>Colour of the Pin</source>
         <translation>ピンの色</translation>
     </message>
+    <message>
+        <source>Hold for the Whole &amp;Film</source>
+        <translation>フィルム全体で固定(&amp;F)</translation>
+    </message>
+    <message>
+        <source>The selected pins hold from the start of the film to its end, not only from the time at which they were set</source>
+        <translation>選択したピンは、置かれた時点からだけでなく、フィルムの最初から最後まで固定します</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+F</source>
+        <translation>Ctrl+Shift+F</translation>
+    </message>
+    <message>
+        <source>The selected pin holds for the whole film.</source>
+        <translation>選択したピンはフィルム全体で固定しています。</translation>
+    </message>
 </context>
 <context>
     <name>wend::PinList</name>
@@ -4250,6 +4266,10 @@
     <message>
         <source>The film keeps its length: what you had timed goes faster now. Undo, or make the film longer below.</source>
         <translation>フィルムの長さは変わらないため、決めてあったタイミングは速くなりました。元に戻すか、下でフィルムを長くしてください。</translation>
+    </message>
+    <message>
+        <source>Hold %1 for the whole film</source>
+        <translation>%1 をフィルム全体で固定</translation>
     </message>
 </context>
 <context>
@@ -5141,10 +5161,6 @@
         <translation>ピンごとに 1 行、動きごとに 1 本のバー。上下でピンを、左右で時刻を選び、Alt を押すと選んだバーが動きます</translation>
     </message>
     <message>
-        <source>Drag a bar or its ends to another time; bars at the same time move together. A right click sets how it begins and ends</source>
-        <translation>バーや端を別の時刻へドラッグします。同じ時刻のバーは一緒に動きます。右クリックで始まり方と終わり方を決めます</translation>
-    </message>
-    <message>
         <source>Move in time</source>
         <translation>時刻を変更</translation>
     </message>
@@ -5175,6 +5191,18 @@
     <message>
         <source>Nothing moves yet. Drag a pin, or record it with Ctrl held: what you do then is here, pin by pin.</source>
         <translation>まだ何も動いていません。ピンをドラッグするか、Ctrl を押しながら記録すると、動きがピンごとにここに並びます。</translation>
+    </message>
+    <message>
+        <source>Drag a bar or its ends to another time; bars at the same time move together. A right click sets how it begins and ends. The ends of the line say when the pin holds</source>
+        <translation>バーまたはその端を別の時間にドラッグします。同じ時間のバーは一緒に動きます。右クリックで始まり方と終わり方を設定します。線の両端はピンが固定する期間を示します</translation>
+    </message>
+    <message>
+        <source>Change when it holds</source>
+        <translation>固定する期間を変更</translation>
+    </message>
+    <message>
+        <source>Holds from %1 to %2 s</source>
+        <translation>%1 秒から %2 秒まで固定</translation>
     </message>
 </context>
 <context>

@@ -3922,6 +3922,22 @@
         <source>Colour of the Pin</source>
         <translation>图钉颜色</translation>
     </message>
+    <message>
+        <source>Hold for the Whole &amp;Film</source>
+        <translation>在整个影片中固定(&amp;F)</translation>
+    </message>
+    <message>
+        <source>The selected pins hold from the start of the film to its end, not only from the time at which they were set</source>
+        <translation>所选图钉从影片开头一直固定到结尾，而不只是从放置的时刻起</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+F</source>
+        <translation>Ctrl+Shift+F</translation>
+    </message>
+    <message>
+        <source>The selected pin holds for the whole film.</source>
+        <translation>所选图钉已在整个影片中固定。</translation>
+    </message>
 </context>
 <context>
     <name>wend::PinList</name>
@@ -4250,6 +4266,10 @@
     <message>
         <source>The film keeps its length: what you had timed goes faster now. Undo, or make the film longer below.</source>
         <translation>影片长度不变：您设定的节奏现在变快了。请撤销，或在下方延长影片。</translation>
+    </message>
+    <message>
+        <source>Hold %1 for the whole film</source>
+        <translation>在整个影片中固定 %1</translation>
     </message>
 </context>
 <context>
@@ -5141,10 +5161,6 @@
         <translation>每个图钉一行，每个运动一条；上下键选择图钉，左右键更改时间，按住 Alt 移动所选的条</translation>
     </message>
     <message>
-        <source>Drag a bar or its ends to another time; bars at the same time move together. A right click sets how it begins and ends</source>
-        <translation>将条或其端点拖到其他时间；同一时间的条一起运动。右键单击设置如何开始和结束</translation>
-    </message>
-    <message>
         <source>Move in time</source>
         <translation>移动时间</translation>
     </message>
@@ -5175,6 +5191,18 @@
     <message>
         <source>Nothing moves yet. Drag a pin, or record it with Ctrl held: what you do then is here, pin by pin.</source>
         <translation>还没有任何运动。拖动图钉，或按住 Ctrl 录制：所做的动作会按图钉列在这里。</translation>
+    </message>
+    <message>
+        <source>Drag a bar or its ends to another time; bars at the same time move together. A right click sets how it begins and ends. The ends of the line say when the pin holds</source>
+        <translation>将条或其两端拖到其他时间；同一时间的条一起运动。右键单击可设置如何开始和结束。线的两端表示图钉何时固定</translation>
+    </message>
+    <message>
+        <source>Change when it holds</source>
+        <translation>更改固定的时段</translation>
+    </message>
+    <message>
+        <source>Holds from %1 to %2 s</source>
+        <translation>从 %1 秒到 %2 秒固定</translation>
     </message>
 </context>
 <context>

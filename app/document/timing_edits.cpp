@@ -1,6 +1,7 @@
 #include "app/document/timing_edits.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace wend {
 
@@ -58,6 +59,34 @@ Project withMotionTime(const Project& project, int handle, int motion, const Mot
 Project withMotionEase(const Project& project, int handle, int motion, Ease ease) {
     return edited(project, handle,
                   [=](auto& motions) { motions.at(static_cast<std::size_t>(motion)).ease = ease; });
+}
+
+MotionTime holdOf(const Project& project, int handle) {
+    return std::visit(
+        [=](const auto& design) -> MotionTime {
+            const auto& own = design.handles.at(static_cast<std::size_t>(handle));
+            return {own.activeFrom, own.activeTo};
+        },
+        project.design);
+}
+
+Project withHold(const Project& project, int handle, const MotionTime& hold) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    Project result = project;
+    std::visit(
+        [&](auto& design) {
+            auto& own = design.handles.at(static_cast<std::size_t>(handle));
+            own.activeFrom = hold.start;
+            own.activeTo = std::max(hold.end, hold.start + kShortestMotion);
+            if (!own.motions.empty()) {
+                own.activeFrom = std::min(own.activeFrom, own.motions.front().start);
+                own.activeTo = std::max(own.activeTo, own.motions.back().end);
+            }
+            if (own.activeFrom <= 0) own.activeFrom = -kInfinity;
+            if (own.activeTo >= project.end) own.activeTo = kInfinity;
+        },
+        result.design);
+    return result;
 }
 
 Project withoutMotion(const Project& project, int handle, int motion) {

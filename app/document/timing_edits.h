@@ -20,6 +20,11 @@ MotionTime roomOf(const Project& project, int handle, int motion);
 inline constexpr double kShortestMotion = 0.02;
 Project withMotionTime(const Project& project, int handle, int motion, const MotionTime& time);
 Project withMotionEase(const Project& project, int handle, int motion, Ease ease);
+/// From when until when a handle holds: −∞ and +∞ where it has no beginning or no end.
+MotionTime holdOf(const Project& project, int handle);
+/// No shorter than its motions. What begins at 0 or before has no beginning then, what ends at the end of the
+/// film or later no end.
+Project withHold(const Project& project, int handle, const MotionTime& hold);
 /// What the handle does later goes on from where the motion would have begun; rotations keep their centre.
 Project withoutMotion(const Project& project, int handle, int motion);
 

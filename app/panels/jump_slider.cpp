@@ -6,23 +6,30 @@
 
 namespace wend {
 
-/// Pressed first, so that a new gesture begins; then the handle's middle comes to the pointer, and all is as
-/// if the handle had been pressed there.
-void JumpSlider::mousePressEvent(QMouseEvent* event) {
+QRect JumpSlider::way() const {
     QStyleOptionSlider option;
     initStyleOption(&option);
     const auto partOf = [&](QStyle::SubControl part) {
         return style()->subControlRect(QStyle::CC_Slider, &option, part, this);
     };
-    const QRect handle = partOf(QStyle::SC_SliderHandle), groove = partOf(QStyle::SC_SliderGroove);
+    const int half = partOf(QStyle::SC_SliderHandle).width() / 2;
+    return partOf(QStyle::SC_SliderGroove).adjusted(half, 0, -half, 0);
+}
+
+/// Pressed first, so that a new gesture begins; then the handle's middle comes to the pointer, and all is as
+/// if the handle had been pressed there.
+void JumpSlider::mousePressEvent(QMouseEvent* event) {
+    QStyleOptionSlider option;
+    initStyleOption(&option);
+    const QRect handle = style()->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, this);
     const QPoint at = event->position().toPoint();
     if (event->button() != Qt::LeftButton || handle.contains(at)) {
         QSlider::mousePressEvent(event);
         return;
     }
     setSliderDown(true);
-    setValue(QStyle::sliderValueFromPosition(minimum(), maximum(), at.x() - groove.x() - handle.width() / 2,
-                                             groove.width() - handle.width(), option.upsideDown));
+    setValue(QStyle::sliderValueFromPosition(minimum(), maximum(), at.x() - way().x(), way().width(),
+                                             option.upsideDown));
     const QPointF onHandle(event->position().x(), handle.center().y());
     QMouseEvent press(event->type(), onHandle, event->globalPosition(), event->button(), event->buttons(),
                       event->modifiers(), event->pointingDevice());

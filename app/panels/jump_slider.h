@@ -8,6 +8,8 @@ namespace wend {
 class JumpSlider : public QSlider {
   public:
     explicit JumpSlider(QWidget* parent = nullptr) : QSlider(Qt::Horizontal, parent) {}
+    /// Where the middle of its handle is, in its own coordinates: from the smallest value to the largest.
+    QRect way() const;
 
   protected:
     void mousePressEvent(QMouseEvent* event) override;

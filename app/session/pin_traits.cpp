@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/document/pin_edits.h"
+#include "app/document/timing_edits.h"
 
 namespace wend {
 
@@ -48,6 +49,21 @@ void renameGroup(ShapeSession& session, const QString& group, const QString& nam
 void setColour(ShapeSession& session, const std::vector<int>& pins, std::optional<unsigned> colour) {
     change(session, pins, ShapeSession::tr("Colour %1"),
            [colour](HandleTraits& traits) { traits.colour = colour; });
+}
+
+void holdThroughout(ShapeSession& session, const std::vector<int>& pins) {
+    Project next = *session.document().project();
+    for (const int pin : pins)
+        if (!traitsOf(next, pin).locked) next = withHold(next, pin, {0, next.end});
+    session.document().change(ShapeSession::tr("Hold %1 for the whole film").arg(session.nameOf(pins)),
+                              std::move(next));
+}
+
+bool canHoldLonger(const Project& project, const std::vector<int>& pins) {
+    return std::any_of(pins.begin(), pins.end(), [&](int pin) {
+        const MotionTime hold = holdOf(project, pin);
+        return (hold.start > 0 || hold.end < project.end) && !traitsOf(project, pin).locked;
+    });
 }
 
 void setLinked(ShapeSession& session, const std::vector<int>& pins, bool linked) {

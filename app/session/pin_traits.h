@@ -16,6 +16,10 @@ void setGroup(ShapeSession& session, const std::vector<int>& pins, const QString
 void renameGroup(ShapeSession& session, const QString& group, const QString& name);
 /// Without a colour they have that of their place in the list.
 void setColour(ShapeSession& session, const std::vector<int>& pins, std::optional<unsigned> colour);
+/// They hold from the start of the film to its end, except those that are locked.
+void holdThroughout(ShapeSession& session, const std::vector<int>& pins);
+/// Whether that would change anything.
+bool canHoldLonger(const Project& project, const std::vector<int>& pins);
 void setLinked(ShapeSession& session, const std::vector<int>& pins, bool linked);
 
 }  // namespace wend

@@ -68,8 +68,19 @@ bool OutlineTool::isReady() {
         return false;
     Playback& playback = session().playback();
     if (playback.isPlaying()) playback.setPlaying(false);
-    if (playback.time() > 0) playback.setTime(0);
+    if (playback.time() > 0) {
+        m_left = Left{document.generation(), playback.time()};
+        playback.setTime(0);
+    }
     return true;
+}
+
+/// Unless the time was changed since.
+void OutlineTool::dismiss() {
+    const auto left = std::exchange(m_left, {});
+    Playback& playback = session().playback();
+    if (left && left->generation == session().document().generation() && playback.time() == 0)
+        playback.setTime(std::min(left->time, playback.end()));
 }
 
 bool OutlineTool::takesAway(Qt::KeyboardModifiers modifiers) const {

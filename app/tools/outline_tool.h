@@ -13,7 +13,8 @@ namespace wend {
 
 /// Draws what bends of a picture: lasso, polygon and brush add to the outline or take away from it, so does
 /// the wand what has the colour under the pointer; a cut parts what touches. Where the whole picture bends,
-/// what is drawn first becomes the outline. Works on the shape at rest, and takes the time there.
+/// what is drawn first becomes the outline. Works on the shape at rest: takes the time there, and back when
+/// another tool is chosen.
 class OutlineTool : public Tool {
   public:
     enum class Shape { Lasso, Polygon, Brush, Wand, Cut };
@@ -30,6 +31,8 @@ class OutlineTool : public Tool {
     bool ownsKey(const QKeyEvent& event) const override;
     void cancel() override;
     bool showsPicture() const override { return true; }
+    void choose() override { isReady(); }
+    void dismiss() override;
     void leave() override { m_over = false; }
     void paint(QPainter& painter) const override;
 
@@ -63,6 +66,11 @@ class OutlineTool : public Tool {
         Outline outline;
     };
     mutable std::optional<Known> m_known;
+    struct Left {            // to begin with
+        int generation = 0;  // of the document
+        double time = 0;
+    };
+    std::optional<Left> m_left;
 };
 
 }  // namespace wend

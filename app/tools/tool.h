@@ -54,6 +54,9 @@ class Tool {
     virtual CurveEditing* curve() { return nullptr; }
     /// Whether it wants to see all of the picture, also what the shape leaves out.
     virtual bool showsPicture() const { return false; }
+    /// It is chosen, and later another one is.
+    virtual void choose() {}
+    virtual void dismiss() {}
     /// The pointer is not over the view any more.
     virtual void leave() {}
     /// Draws what it needs over the view.

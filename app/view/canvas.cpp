@@ -64,13 +64,18 @@ ShapeCanvas::ShapeCanvas(ShapeSession& session, QWidget* parent) : QWidget(paren
     connect(&m_session, &ShapeSession::frameChanged, this, &ShapeCanvas::takeFrame);
     connect(&m_session, &ShapeSession::pinsChanged, this, &ShapeCanvas::redraw);
     connect(&m_animation, &PinAnimation::changed, this, qOverload<>(&QWidget::update));
+    connect(&m_session.playback(), &Playback::playingChanged, this, qOverload<>(&QWidget::update));
     connect(&m_session.document(), &Document::projectChanged, this, [this] { m_preview.takeProject(); });
 }
 
 void ShapeCanvas::setTool(Tool* tool) {
-    if (m_tool) m_tool->cancel();
     const bool showed = m_tool && m_tool->showsPicture();
+    if (Tool* last = std::exchange(m_tool, nullptr)) {
+        last->cancel();
+        last->dismiss();
+    }
     m_tool = tool;
+    if (tool) tool->choose();
     updateCursor();
     emit hintChanged(m_tool ? m_tool->hint() : QString());
     if (showed != (m_tool && m_tool->showsPicture())) render();
@@ -356,6 +361,14 @@ void ShapeCanvas::paintLegend(QPainter& painter) {
     if (m_map) paintLegendCard(painter, size(), m_measure, m_range, palette(), 2);
 }
 
+/// A film that plays is seen without them.
+void ShapeCanvas::paintHandles(QPainter& painter, OverlayPainter& overlay) {
+    overlay.paths(m_session, m_hovered);
+    overlay.pins(m_session, m_animation, m_hovered,
+                 [this](const PinView<2>& pin) { return wend::isCovered<2>(*this, pin); });
+    if (m_tool) m_tool->paint(painter);
+}
+
 void ShapeCanvas::paintEvent(QPaintEvent*) {
     m_marksDue.stop();
     QPainter painter(this);
@@ -376,10 +389,7 @@ void ShapeCanvas::paintEvent(QPaintEvent*) {
         if (m_arrows) paintVelocityArrows(painter, *this, m_session.velocity<2>(), size());
         m_layer.paint(painter, *this);
         m_onion.paintOutlines(painter, *this);
-        overlay.paths(m_session, m_hovered);
-        overlay.pins(m_session, m_animation, m_hovered,
-                     [this](const PinView<2>& pin) { return wend::isCovered<2>(*this, pin); });
-        if (m_tool) m_tool->paint(painter);
+        if (!m_session.playback().isPlaying()) paintHandles(painter, overlay);
         paintLegend(painter);
     }
     overlay.marquee(m_marquee);

@@ -12,6 +12,8 @@
 
 namespace wend {
 
+class OverlayPainter;
+
 /// The shape on the screen: navigation, drawing and the events of the current tool. A plain widget: no OpenGL
 /// is needed.
 class ShapeCanvas : public QWidget, public ToolSurface {
@@ -103,6 +105,7 @@ class ShapeCanvas : public QWidget, public ToolSurface {
     void render();
     QRectF frameRect() const;
     void paintShape(QPainter& painter);
+    void paintHandles(QPainter& painter, OverlayPainter& overlay);
     void showView();
     void paintLegend(QPainter& painter);
     void wantVelocity();

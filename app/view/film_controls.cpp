@@ -18,6 +18,8 @@ FilmControls::FilmControls(const Parts& parts, QObject* parent) : QObject(parent
     m_parts.strip.playButton()->setDefaultAction(a.play);
     m_parts.strip.loopButton()->setDefaultAction(a.loop);
     connectTime();
+    connect(&m_parts.strip, &TimeStrip::wayChanged, &m_parts.tracks,
+            [strip = &m_parts.strip, tracks = &m_parts.tracks] { tracks->setWay(strip->way()); });
     connect(a.loop, &QAction::toggled, &playback, &Playback::setLoops);
     connect(a.record, &QAction::toggled, &m_parts.session, &ShapeSession::setRecording);
     connect(a.speed.get(), &QMenu::triggered, this, [&a, &playback](const QAction* chosen) {

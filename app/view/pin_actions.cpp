@@ -51,6 +51,10 @@ void PinActions::makeActions() {
                  QKeySequence(tr("Ctrl+M")));
     mirrorMotion = add({tr("Mirror M&otion"), tr("The selected pins move to the other side instead")},
                        QKeySequence(tr("Ctrl+Shift+M")));
+    holdThroughout = add({tr("Hold for the Whole &Film"),
+                          tr("The selected pins hold from the start of the film to its end, not only from "
+                             "the time at which they were set")},
+                         QKeySequence(tr("Ctrl+Shift+F")));
 }
 
 /// In the order of pinColours().
@@ -76,6 +80,8 @@ void PinActions::fill(QMenu& menu) const {
     menu.addActions({group, ungroup, link});
     menu.addSeparator();
     menu.addActions({mirror, mirrorMotion});
+    menu.addSeparator();
+    menu.addAction(holdThroughout);
 }
 
 const std::vector<int>& PinActions::selected() const {
@@ -96,6 +102,8 @@ void PinActions::connectActions() {
     connect(ungroup, &QAction::triggered, this, [this] { setGroup(m_session, selected(), {}); });
     connect(mirror, &QAction::triggered, this, [this] { mirrorPins(m_session); });
     connect(mirrorMotion, &QAction::triggered, this, [this] { wend::mirrorMotion(m_session); });
+    connect(holdThroughout, &QAction::triggered, this,
+            [this] { wend::holdThroughout(m_session, selected()); });
     connect(&m_session, &ShapeSession::pinsChanged, this, &PinActions::refresh);
     connect(&m_session, &ShapeSession::frameChanged, this, &PinActions::refresh);
 }
@@ -117,6 +125,8 @@ void PinActions::refresh() {
     enable(ungroup, grouped > 0, has ? tr("The selected pin is in no group.") : none);
     enable(link, linked > 0 || (has && all > 1), tr("Select several pins first."));
     enable(mirrorMotion, has && canMirrorMotion(m_session), tr("Select a pin that moves."));
+    enable(holdThroughout, has && canHoldLonger(*m_session.document().project(), selected()),
+           has ? tr("The selected pin holds for the whole film.") : none);
     bool anyHidden = false;
     for (int h = 0; m_session.frame() && h < m_session.handleCount(); ++h)
         anyHidden = anyHidden || traits(h).hidden;

@@ -19,6 +19,7 @@ class PinActions : public ActionMaker {
     QAction *lock, *hide, *showAll;
     QAction *group, *ungroup, *link;
     QAction *mirror, *mirrorMotion;
+    QAction* holdThroughout;
 
     QMenu* menu() const { return m_menu.get(); }
     /// What a pin's own menu holds of it.

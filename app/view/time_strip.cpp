@@ -51,9 +51,11 @@ TimeStrip::TimeStrip(ShapeSession& session, QWidget* parent)
         button->setIconSize({20, 20});
         row->addWidget(button);
     }
-    row->addWidget(m_slider, 1);
     row->addWidget(m_label);
     row->addWidget(m_length);
+    row->addSpacing(4);
+    row->addWidget(m_slider, 1);
+    m_slider->installEventFilter(this);
 
     m_bounce.setStartValue(0.0);
     m_bounce.setEndValue(1.0);
@@ -75,6 +77,19 @@ TimeStrip::TimeStrip(ShapeSession& session, QWidget* parent)
     connect(&m_session, &ShapeSession::busyChanged, this, qOverload<>(&QWidget::update));
     showEnd(playback.end());
     showLength();
+}
+
+QSlider* TimeStrip::slider() const {
+    return m_slider;
+}
+
+QRect TimeStrip::way() const {
+    return m_slider->way().translated(m_slider->pos());
+}
+
+bool TimeStrip::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::Resize || event->type() == QEvent::Move) emit wayChanged();
+    return QWidget::eventFilter(watched, event);
 }
 
 void TimeStrip::makeLength() {
@@ -153,10 +168,10 @@ void TimeStrip::paintEvent(QPaintEvent*) {
 void TimeStrip::paintSettling(QPainter& painter, double end) {
     QColor band = Theme::of(palette()).accent;
     band.setAlphaF(0.25);
-    const QRectF groove = QRectF(m_slider->geometry()).adjusted(6, 0, -6, 0);
+    const QRectF groove = way();
     for (const SettleWindow& window : m_session.document().project()->settle) {
         const double from = groove.width() * window.start / end, to = groove.width() * window.end / end;
-        painter.fillRect(QRectF(groove.left() + from, groove.top() + 2, to - from, groove.height() - 4),
+        painter.fillRect(QRectF(groove.left() + from, m_slider->y() + 2, to - from, m_slider->height() - 4),
                          band);
     }
 }

@@ -13,9 +13,10 @@ class QToolButton;
 namespace wend {
 
 class ExactBox;
+class JumpSlider;
 
-/// The time below the canvas: play, loop, a slider from 0 to the end, the length of the film, and how
-/// far the motion has been computed.
+/// The time below the canvas: play, loop, the time and length of the film, a slider from 0 to the end, and
+/// how far the motion has been computed.
 class TimeStrip : public QWidget {
     Q_OBJECT
 
@@ -23,11 +24,17 @@ class TimeStrip : public QWidget {
     explicit TimeStrip(ShapeSession& session, QWidget* parent = nullptr);
     QToolButton* playButton() const { return m_play; }
     QToolButton* loopButton() const { return m_loop; }
-    QSlider* slider() const { return m_slider; }
+    QSlider* slider() const;
     ExactBox* length() const { return m_length; }
+    /// Where its slider begins and ends, in its own coordinates.
+    QRect way() const;
     void setIcons(const QIcon& play, const QIcon& pause, const QIcon& loop);
 
+  signals:
+    void wayChanged();
+
   protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
 
   private:
@@ -43,7 +50,7 @@ class TimeStrip : public QWidget {
     ShapeSession& m_session;
     QToolButton* m_play;
     QToolButton* m_loop;
-    QSlider* m_slider;
+    JumpSlider* m_slider;
     QLabel* m_label;
     ExactBox* m_length;
     QVariantAnimation m_bounce;  // of the slider, when a loop turns: from 0 to 1

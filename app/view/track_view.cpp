@@ -51,7 +51,7 @@ TrackView::TrackView(ShapeSession& session, QWidget* parent)
            "another time, with Alt they move the chosen bar"));
     setStatusTip(
         tr("Drag a bar or its ends to another time; bars at the same time move together. A right click sets "
-           "how it begins and ends"));
+           "how it begins and ends. The ends of the line say when the pin holds"));
     const auto repaint = [this] { viewport()->update(); };
     connect(&m_session.document(), &Document::opened, this, &TrackView::takeProject);
     connect(&m_session.document(), &Document::projectChanged, this, &TrackView::takeProject);
@@ -71,8 +71,7 @@ void TrackView::takeProject() {
                     const int h = static_cast<int>(m_rows.size());
                     Row row{QString::fromStdString(handle.name),
                             pinColour(h, handle.traits),
-                            handle.activeFrom,
-                            handle.activeTo,
+                            {h, kHold, {handle.activeFrom, handle.activeTo}},
                             {}};
                     for (const auto& motion : handle.motions)
                         row.bars.push_back({h,
@@ -100,14 +99,28 @@ void TrackView::arrange() {
     verticalScrollBar()->setSingleStep(static_cast<int>(kRowHeight));
 }
 
+/// A film begins with what moves in view.
+void TrackView::showFirstMotion() {
+    const int generation = m_session.document().generation();
+    if (end() <= 0 || !isVisible() || std::exchange(m_generation, generation) == generation) return;
+    const auto moves = std::ranges::find_if(m_rows, [](const Row& row) { return !row.bars.empty(); });
+    if (moves != m_rows.end()) bringIntoView(static_cast<int>(moves - m_rows.begin()));
+}
+
+void TrackView::bringIntoView(int row) {
+    const double below = rowRect(row).bottom() - viewport()->height(), above = kRuler - rowRect(row).top();
+    const double way = below > 0 ? below : std::min(-above, 0.0);
+    verticalScrollBar()->setValue(verticalScrollBar()->value() + static_cast<int>(std::lround(way)));
+}
+
 /// A pin that is chosen alone is brought into view.
 void TrackView::showSelection() {
-    if (const int row = m_session.singleHandle(); row >= 0) {
-        const double below = rowRect(row).bottom() - viewport()->height(),
-                     above = kRuler - rowRect(row).top();
-        const double way = below > 0 ? below : std::min(-above, 0.0);
-        verticalScrollBar()->setValue(verticalScrollBar()->value() + static_cast<int>(std::lround(way)));
-    }
+    if (const int row = m_session.singleHandle(); row >= 0) bringIntoView(row);
+    viewport()->update();
+}
+
+void TrackView::setWay(const QRect& way) {
+    m_way = way;
     viewport()->update();
 }
 
@@ -116,13 +129,11 @@ double TrackView::end() const {
 }
 
 double TrackView::xOf(double time) const {
-    const double width = viewport()->width() - kNames - kMargin;
-    return kNames + (end() > 0 ? time / end() * width : 0);
+    return m_way.x() + (end() > 0 ? time / end() * m_way.width() : 0);
 }
 
 double TrackView::timeAt(double x) const {
-    const double width = viewport()->width() - kNames - kMargin;
-    return (x - kNames) / width * end();
+    return (x - m_way.x()) / m_way.width() * end();
 }
 
 QRectF TrackView::rowRect(int row) const {
@@ -130,8 +141,14 @@ QRectF TrackView::rowRect(int row) const {
             kRowHeight};
 }
 
-QRectF TrackView::barRect(const Bar& bar) const {
+/// Within the film, and where it is dragged.
+MotionTime TrackView::timeOf(const Bar& bar) const {
     const MotionTime time = m_grabbed && m_grabbed->bar == bar ? m_grabbed->time : bar.time;
+    return {std::max(time.start, 0.0), bar.motion == kHold ? std::min(time.end, end()) : time.end};
+}
+
+QRectF TrackView::barRect(const Bar& bar) const {
+    const MotionTime time = timeOf(bar);
     const QRectF row = rowRect(bar.handle);
     return {xOf(time.start), row.center().y() - kBarHeight / 2,
             std::max(xOf(time.end) - xOf(time.start), 4.0), kBarHeight};
@@ -139,9 +156,18 @@ QRectF TrackView::barRect(const Bar& bar) const {
 
 QRectF TrackView::barOf(int handle, int motion) const {
     if (handle < 0 || handle >= static_cast<int>(m_rows.size())) return {};
+    if (motion == kHold) return barRect(m_rows[static_cast<std::size_t>(handle)].hold);
     const auto& bars = m_rows[static_cast<std::size_t>(handle)].bars;
     return motion < static_cast<int>(bars.size()) ? barRect(bars[static_cast<std::size_t>(motion)])
                                                   : QRectF();
+}
+
+/// The end of the line along which the pin holds; where both are, the one that can go further.
+std::optional<TrackView::Part> TrackView::endAt(const Bar& bar, const QPointF& at) const {
+    const QRectF box = barRect(bar);
+    const double toStart = std::abs(at.x() - box.left()), toEnd = std::abs(at.x() - box.right());
+    if (std::min(toStart, toEnd) > kGrip) return {};
+    return toStart < toEnd || (toStart == toEnd && bar.time.start > 0) ? Part::Start : Part::End;
 }
 
 /// A short bar is moved in its middle; its ends reach a little beyond it.
@@ -155,7 +181,9 @@ std::optional<std::pair<TrackView::Bar, TrackView::Part>> TrackView::barAt(const
         if (at.x() < box.left() + inner) return std::pair{bar, Part::Start};
         return std::pair{bar, at.x() > box.right() - inner ? Part::End : Part::Body};
     }
-    return {};
+    const Bar& hold = m_rows[static_cast<std::size_t>(row)].hold;
+    const auto part = endAt(hold, at);
+    return part ? std::optional(std::pair{hold, *part}) : std::nullopt;
 }
 
 int TrackView::rowAt(const QPointF& at) const {
@@ -176,8 +204,21 @@ double TrackView::snapped(double time, const Bar& own) const {
     return best;
 }
 
+/// It reaches over its motions.
+MotionTime TrackView::draggedHold(const Grabbed& grabbed, double time) const {
+    const Bar& bar = grabbed.bar;
+    const auto& bars = m_rows[static_cast<std::size_t>(bar.handle)].bars;
+    const double start = std::max(bar.time.start, 0.0), to = std::min(bar.time.end, end());
+    const double latest = bars.empty() ? to - kShortestMotion : bars.front().time.start;
+    const double earliest = bars.empty() ? start + kShortestMotion : std::min(bars.back().time.end, end());
+    if (grabbed.part == Part::Start)
+        return {std::clamp(snapped(time, bar), 0.0, std::max(latest, 0.0)), bar.time.end};
+    return {bar.time.start, std::clamp(snapped(time, bar), std::min(earliest, end()), end())};
+}
+
 MotionTime TrackView::dragged(const Grabbed& grabbed, double time) const {
     const Bar& bar = grabbed.bar;
+    if (bar.motion == kHold) return draggedHold(grabbed, time);
     const MotionTime room = roomOf(*m_session.document().project(), bar.handle, bar.motion);
     const double way = time - grabbed.at;
     if (grabbed.part == Part::Start)
@@ -215,12 +256,12 @@ void TrackView::scrub(double x) {
 void TrackView::mousePressEvent(QMouseEvent* event) {
     if (event->button() != Qt::LeftButton) return;
     const QPointF at = event->position();
-    if (at.y() < kRuler && at.x() >= kNames - kGrip) {
+    if (at.y() < kRuler && at.x() >= m_way.x() - kGrip) {
         m_scrubbing = true;
         return scrub(at.x());
     }
     const auto hit = barAt(at);
-    m_chosen = hit ? std::optional(hit->first) : std::nullopt;
+    m_chosen = hit && hit->first.motion != kHold ? std::optional(hit->first) : std::nullopt;
     if (const int row = rowAt(at); row >= 0) m_session.selection().set({row});
     if (!hit) return viewport()->update();
     if (m_session.mayChange(hit->first.handle))
@@ -246,15 +287,23 @@ void TrackView::mouseMoveEvent(QMouseEvent* event) {
 void TrackView::mouseReleaseEvent(QMouseEvent* event) {
     if (event->button() != Qt::LeftButton) return;
     m_scrubbing = false;
-    if (const auto grabbed = std::exchange(m_grabbed, std::nullopt))
-        move(grabbed->bar, grabbed->time,
-             grabbed->part == Part::Body ? tr("Move in time") : tr("Change duration"));
+    if (const auto grabbed = std::exchange(m_grabbed, std::nullopt)) drop(*grabbed);
     viewport()->update();
+}
+
+void TrackView::drop(const Grabbed& grabbed) {
+    const Bar& bar = grabbed.bar;
+    if (bar.motion != kHold)
+        return move(bar, grabbed.time,
+                    grabbed.part == Part::Body ? tr("Move in time") : tr("Change duration"));
+    if (grabbed.time == bar.time) return;
+    change(tr("Change when it holds"),
+           [&](const Project& p) { return withHold(p, bar.handle, grabbed.time); });
 }
 
 void TrackView::contextMenuEvent(QContextMenuEvent* event) {
     const auto hit = barAt(event->pos());
-    if (!hit || m_grabbed) return;
+    if (!hit || hit->first.motion == kHold || m_grabbed) return;
     m_chosen = hit->first;
     m_session.selection().set({hit->first.handle});
     showMenu(hit->first, event->globalPos());
@@ -334,15 +383,25 @@ bool TrackView::viewportEvent(QEvent* event) {
         QToolTip::hideText();
         return true;
     }
-    QToolTip::showText(help->globalPos(),
-                       tr("%1: %2 to %3 s, %4")
-                           .arg(hit->first.kind, seconds(hit->first.time.start), seconds(hit->first.time.end),
-                                withoutKey(easeName(hit->first.ease)).toLower()));
+    const MotionTime time = timeOf(hit->first);
+    if (hit->first.motion == kHold)
+        QToolTip::showText(help->globalPos(),
+                           tr("Holds from %1 to %2 s").arg(seconds(time.start), seconds(time.end)));
+    else
+        QToolTip::showText(help->globalPos(), tr("%1: %2 to %3 s, %4")
+                                                  .arg(hit->first.kind, seconds(hit->first.time.start),
+                                                       seconds(hit->first.time.end),
+                                                       withoutKey(easeName(hit->first.ease)).toLower()));
     return true;
 }
 
 void TrackView::resizeEvent(QResizeEvent*) {
     arrange();
+}
+
+/// As soon as it has its room.
+void TrackView::showEvent(QShowEvent*) {
+    QMetaObject::invokeMethod(this, &TrackView::showFirstMotion, Qt::QueuedConnection);
 }
 
 }  // namespace wend

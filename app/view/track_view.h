@@ -11,22 +11,26 @@
 namespace wend {
 
 /// A row for each pin, with a bar for each of its motions along the time: what happens when, and what happens
-/// together. Bars and their ends are dragged to other times, the ruler is scrubbed; a menu on a bar tells how
-/// it begins and ends.
+/// together. Bars and their ends are dragged to other times, and so are the ends of the line along which the
+/// pin holds; the ruler is scrubbed; a menu on a bar tells how it begins and ends.
 class TrackView : public QAbstractScrollArea {
     Q_OBJECT
 
   public:
     explicit TrackView(ShapeSession& session, QWidget* parent = nullptr);
 
-    /// Where a motion's bar is, in coordinates of the viewport; empty if it has none.
+    /// Between which the time goes, in its own coordinates: those of the slider below.
+    void setWay(const QRect& way);
+    static constexpr int kHold = -1;  // in the place of a motion: the line along which the pin holds
+    /// Where a motion's bar is, or that line, in coordinates of the viewport; empty if there is none.
     QRectF barOf(int handle, int motion) const;
-    QSize sizeHint() const override { return {400, 128}; }
+    QSize sizeHint() const override { return {400, int(kRuler + kRowsAtFirst * kRowHeight)}; }
     QSize minimumSizeHint() const override { return {200, 80}; }
 
   protected:
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
@@ -36,20 +40,20 @@ class TrackView : public QAbstractScrollArea {
     bool event(QEvent* event) override;
 
   private:
-    static constexpr double kNames = 132, kMargin = 16, kRuler = 22, kRowHeight = 24,
-                            kBarHeight = 16;  // pixels
+    static constexpr double kRuler = 22, kRowHeight = 24, kBarHeight = 16;  // pixels
+    static constexpr int kRowsAtFirst = 5;
     enum class Part { Body, Start, End };
     struct Bar {
         int handle = -1, motion = -1;
         MotionTime time;
         Ease ease = Ease::Linear;
-        QString kind;
+        QString kind = {};
         bool operator==(const Bar& other) const { return handle == other.handle && motion == other.motion; }
     };
     struct Row {
         QString name;
         QColor colour;
-        double from = 0, to = 0;  // it holds meanwhile
+        Bar hold;
         std::vector<Bar> bars;
     };
     struct Grabbed {
@@ -62,14 +66,20 @@ class TrackView : public QAbstractScrollArea {
     void takeProject();
     void arrange();
     void showSelection();
+    void showFirstMotion();
+    void bringIntoView(int row);
     double end() const;
     double xOf(double time) const;
     double timeAt(double x) const;
     QRectF rowRect(int row) const;
+    MotionTime timeOf(const Bar& bar) const;
     QRectF barRect(const Bar& bar) const;
+    std::optional<Part> endAt(const Bar& bar, const QPointF& at) const;
     std::optional<std::pair<Bar, Part>> barAt(const QPointF& at) const;
     int rowAt(const QPointF& at) const;
     MotionTime dragged(const Grabbed& grabbed, double time) const;
+    MotionTime draggedHold(const Grabbed& grabbed, double time) const;
+    void drop(const Grabbed& grabbed);
     double snapped(double time, const Bar& own) const;
     void scrub(double x);
     void move(const Bar& bar, const MotionTime& time, const QString& what, const QString& key = {});
@@ -79,14 +89,17 @@ class TrackView : public QAbstractScrollArea {
     void remove(const Bar& bar);
     void paintRuler(QPainter& painter) const;
     void paintRow(QPainter& painter, int row) const;
+    void paintHold(QPainter& painter, const Bar& hold) const;
     void paintBar(QPainter& painter, const Bar& bar, const QColor& colour) const;
     bool nudge(const QKeyEvent& event);
 
     ShapeSession& m_session;
+    QRect m_way{132, 0, 252, 0};
     std::vector<Row> m_rows;
     std::optional<Bar> m_chosen;  // by the last click
     std::optional<Grabbed> m_grabbed;
     bool m_scrubbing = false;
+    int m_generation = -1;  // of the document whose first motion was brought into view
 };
 
 }  // namespace wend

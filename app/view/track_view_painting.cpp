@@ -45,9 +45,8 @@ void TrackView::paintEvent(QPaintEvent*) {
 
 void TrackView::paintRuler(QPainter& painter) const {
     const Theme theme = Theme::of(palette());
-    const double right = viewport()->width() - kMargin;
     painter.setPen(theme.secondText);
-    const double step = roundStep(kMinTick * end() / (right - kNames));
+    const double step = roundStep(kMinTick * end() / m_way.width());
     for (int i = 0; i * step <= end() * (1 + 1e-9); ++i) {
         const double x = xOf(i * step);
         painter.drawLine(QPointF(x, kRuler - 5), QPointF(x, kRuler - 1));
@@ -76,14 +75,19 @@ void TrackView::paintRow(QPainter& painter, int row) const {
     painter.setBrush(own.colour);
     painter.drawEllipse(QPointF(16, rect.center().y()), 4, 4);
     painter.setPen(palette().color(QPalette::WindowText));
-    painter.drawText(rect.adjusted(28, 0, kNames - 8 - rect.width(), 0), Qt::AlignVCenter | Qt::AlignLeft,
-                     painter.fontMetrics().elidedText(own.name, Qt::ElideRight, int(kNames) - 36));
-    // It holds along the line.
-    const double from = std::max(own.from, 0.0), to = std::min(own.to, end());
-    painter.setPen(QPen(theme.line, 2));
-    if (from < to)
-        painter.drawLine(QPointF(xOf(from), rect.center().y()), QPointF(xOf(to), rect.center().y()));
+    painter.drawText(rect.adjusted(28, 0, m_way.x() - 8 - rect.width(), 0), Qt::AlignVCenter | Qt::AlignLeft,
+                     painter.fontMetrics().elidedText(own.name, Qt::ElideRight, m_way.x() - 36));
+    paintHold(painter, own.hold);
     for (const Bar& bar : own.bars) paintBar(painter, bar, own.colour);
+}
+
+/// A line, with a stop at its ends to drag them by.
+void TrackView::paintHold(QPainter& painter, const Bar& hold) const {
+    const QRectF box = barRect(hold);
+    const double y = box.center().y(), left = box.left(), right = std::max(left, xOf(timeOf(hold).end));
+    painter.setPen(QPen(Theme::of(palette()).secondText, 1.5));
+    painter.drawLine(QPointF(left, y), QPointF(right, y));
+    for (const double x : {left, right}) painter.drawLine(QPointF(x, y - 5), QPointF(x, y + 5));
 }
 
 /// Full where it goes evenly, lighter where it begins or ends softly.

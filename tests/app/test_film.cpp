@@ -2,10 +2,13 @@
 #include <QMenu>
 #include <QPainter>
 #include <QScrollBar>
+#include <QSlider>
 
 #include "app/document/timing_edits.h"
 #include "app/panels/distortion_panel.h"
 #include "app/session/drag_gesture.h"
+#include "app/view/pin_actions.h"
+#include "app/view/time_strip.h"
 #include "app/view/track_view.h"
 #include "tests/support/solid_fixture.h"
 
@@ -32,11 +35,16 @@ class TestFilm : public QObject {
     void tracksAreThereInTheirStep();
     void barsAreDragged_data() { dimensions(); }
     void barsAreDragged();
+    void holdsAreDragged_data() { dimensions(); }
+    void holdsAreDragged();
     void barsSnapToEachOther();
     void lockedBarsStay();
     void barsByKeyboard();
     void menuOfABar();
+    void playingShowsTheShapeAlone_data() { dimensions(); }
+    void playingShowsTheShapeAlone();
     void rulerIsScrubbed();
+    void filmsBeginWithWhatMoves();
     void manyPinsScroll();
     void onionSkinShowsWhatWasAndComes();
     void onionSkinOfASolid();
@@ -58,7 +66,7 @@ class TestFilm : public QObject {
     void record(int handle, Qt::KeyboardModifiers modifiers = Qt::ControlModifier, int pause = 0);
     void dragBar(int handle, int motion, double fromX, double by);
     std::size_t motions(int handle);
-    double span() { return tracks().viewport()->width() - 132 - 16; }
+    double span() { return tracks().barOf(0, TrackView::kHold).width(); }  // of a pin that holds throughout
 
     std::unique_ptr<SolidFixture> m_window;
 };
@@ -313,6 +321,38 @@ void TestFilm::barsAreDragged() {
     QVERIFY(moved() > 0.01);
 }
 
+/// The ends of the line say from when until when a pin holds, which is never shorter than its motions.
+void TestFilm::holdsAreDragged() {
+    QFETCH(int, dimension);
+    openFilm(dimension);
+    const double second = span() / 4, pixel = 4 / span();
+    const double endless = std::numeric_limits<double>::infinity();
+    const auto line = [&] { return tracks().barOf(1, TrackView::kHold); };
+    const auto hold = [&] { return holdOf(project(), 1); };
+    QCOMPARE(hold(), (MotionTime{-endless, endless}));
+    QVERIFY(std::abs(line().width() - 4 * second) <= 1);
+    const int steps = session().document().undoStack()->count();
+    dragBar(1, TrackView::kHold, line().left(), 0.5 * second);
+    QVERIFY(std::abs(hold().start - 0.5) <= pixel && hold().end == endless);
+    QCOMPARE(session().document().undoStack()->count(), steps + 1);
+    dragBar(1, TrackView::kHold, line().left(), 2 * second);  // its motion begins at 1
+    QCOMPARE(hold().start, 1.0);
+    dragBar(1, TrackView::kHold, line().right(), -0.7 * second);
+    QVERIFY(std::abs(hold().end - 3.3) <= 2 * pixel);
+    dragBar(1, TrackView::kHold, line().right(), -3 * second);  // and ends at 2
+    QCOMPARE(hold(), (MotionTime{1, 2}));
+    QCOMPARE(timeOf(project(), 1, 0), (MotionTime{1, 2}));
+    session().selection().set({0, 1});
+    QAction* whole = m_window->window().findChild<PinActions*>()->holdThroughout;
+    QVERIFY(whole->isEnabled());
+    whole->trigger();
+    QVERIFY(settle(session()));
+    QCOMPARE(hold(), (MotionTime{-endless, endless}));
+    QVERIFY(!whole->isEnabled());
+    session().document().undoStack()->undo();
+    QCOMPARE(hold(), (MotionTime{1, 2}));
+}
+
 void TestFilm::barsSnapToEachOther() {
     openFilm(2);
     const double second = span() / 4;
@@ -374,11 +414,36 @@ void TestFilm::menuOfABar() {
     menu->close();
 }
 
+/// The second pin stands until 1: its disc is there, not while the film plays, and again.
+void TestFilm::playingShowsTheShapeAlone() {
+    QFETCH(int, dimension);
+    openFilm(dimension);
+    session().selection().clear();
+    session().playback().setTime(0.2);
+    const auto around = [&, at = pin(1)] {
+        return canvas().grab(QRect(at - QPoint(8, 8), at + QPoint(8, 8))).toImage();
+    };
+    const auto unlike = [](const QImage& a, const QImage& b) {
+        int count = 0;
+        for (int y = 0; y < a.height(); ++y)
+            for (int x = 0; x < a.width(); ++x)
+                if (std::abs(qGray(a.pixel(x, y)) - qGray(b.pixel(x, y))) > 40) ++count;
+        return count;
+    };
+    const QImage still = around();
+    session().playback().setSpeed(0.01);
+    session().playback().setPlaying(true);
+    QVERIFY(unlike(around(), still) > 40);
+    session().playback().setPlaying(false);
+    QVERIFY(unlike(around(), still) <= 4);
+}
+
 void TestFilm::rulerIsScrubbed() {
     openFilm(2);
     QWidget* area = tracks().viewport();
     const auto at = [&](double time) {
-        return QPoint(static_cast<int>(std::lround(132 + time * span() / 4)), 8);
+        const double left = tracks().barOf(0, TrackView::kHold).left();
+        return QPoint(static_cast<int>(std::lround(left + time * span() / 4)), 8);
     };
     QTest::mousePress(area, Qt::LeftButton, {}, at(1));
     QVERIFY(std::abs(session().playback().time() - 1) < 4 / span());
@@ -387,6 +452,33 @@ void TestFilm::rulerIsScrubbed() {
     QTest::mouseRelease(area, Qt::LeftButton, {}, at(2.5));
     QTest::mouseMove(area, at(1));
     QVERIFY(std::abs(session().playback().time() - 2.5) < 4 / span());
+    // A click on the slider below goes to the same time.
+    QSlider* slider = m_window->window().findChild<TimeStrip*>()->slider();
+    for (const double time : {0.0, 1.0, 2.3, 4.0}) {
+        const QPoint below = slider->mapFromGlobal(area->mapToGlobal(at(time)));
+        QTest::mouseClick(slider, Qt::LeftButton, {}, {below.x(), slider->height() / 2});
+        QVERIFY(std::abs(session().playback().time() - time) <= 4 / span() + 4e-4);
+    }
+}
+
+/// Of a film that is opened, what moves is in view, however many pins stand before it.
+void TestFilm::filmsBeginWithWhatMoves() {
+    open(2);
+    for (int i = 0; i < 10; ++i) session().addPin({60.0 + 10 * i, 80});
+    Project next = project();
+    std::get<Design<2>>(next.design).handles.back().motions = {Motion<2>{Translate<2>{{0, 5}}}};
+    OpenedFile file;
+    file.project = std::make_shared<const Project>(std::move(next));
+    file.picture = session().document().picture();
+    session().document().undoStack()->setClean();
+    session().document().open(std::move(file));
+    QVERIFY(settle(session()));
+    m_window->window().findChild<Toolbox*>()->setMode(Mode::Animate);
+    const auto isInView = [&] {
+        const QRectF bar = tracks().barOf(11, 0);
+        return tracks().isVisible() && bar.top() >= 22 && bar.bottom() <= tracks().viewport()->height();
+    };
+    QTRY_VERIFY(isInView());
 }
 
 /// A pin that is chosen on the shape has its row in view.
@@ -455,7 +547,9 @@ void TestFilm::onionSkinOfASolid() {
         }
     QVERIFY2(orange > 200, qPrintable(QString::number(orange)));
     session().playback().setPlaying(true);
-    QVERIFY(marks() == without);
+    const QImage playing = marks();
+    m_window->window().actions().onionSkin->trigger();
+    QVERIFY(marks() == playing);
     session().playback().setPlaying(false);
 }
 

@@ -337,9 +337,20 @@ void TestOutlineTools::drawnAtRest() {
     m_session->dragTo({20, 10});
     m_session->endDrag(0.2);
     QVERIFY(settle(*m_session));
-    QVERIFY(m_session->playback().time() > 0);
-    use(OutlineTool::Shape::Brush);
+    const double time = m_session->playback().time();
+    QVERIFY(time > 0);
+    use(OutlineTool::Shape::Brush);  // before the pointer comes
+    QCOMPARE(m_session->playback().time(), 0.0);
+    m_session->playback().setTime(time / 2);
     QTest::mouseMove(m_canvas.get(), at(100, 100));
+    QCOMPARE(m_session->playback().time(), 0.0);
+    use(OutlineTool::Shape::Lasso);
+    QCOMPARE(m_session->playback().time(), 0.0);
+    m_canvas->setTool(nullptr);  // what was shown is shown again,
+    QCOMPARE(m_session->playback().time(), time / 2);
+    use(OutlineTool::Shape::Brush);
+    m_session->document().close();  // of that document
+    m_canvas->setTool(nullptr);
     QCOMPARE(m_session->playback().time(), 0.0);
 }
 

@@ -69,6 +69,7 @@ SolidCanvas::SolidCanvas(ShapeSession& session, QWidget* parent)
     connect(&m_session, &ShapeSession::frameChanged, this, &SolidCanvas::takeFrame);
     connect(&m_session, &ShapeSession::pinsChanged, this, &SolidCanvas::redraw);
     connect(&m_animation, &PinAnimation::changed, m_overlay, qOverload<>(&QWidget::update));
+    connect(&m_session.playback(), &Playback::playingChanged, m_overlay, qOverload<>(&QWidget::update));
     connect(&m_session.document(), &Document::projectChanged, this, [this] { m_preview.takeProject(); });
     connect(this, &VolumeView::cameraChanged, this, &SolidCanvas::redraw);
     takeFrame();
@@ -82,14 +83,16 @@ void SolidCanvas::applyTheme() {
 }
 
 void SolidCanvas::setTool(SolidTool* tool) {
-    if (m_tool) {
-        m_tool->cancel();
-        m_tool->leave();
+    if (SolidTool* last = std::exchange(m_tool, nullptr)) {
+        last->cancel();
+        last->leave();
+        last->dismiss();
     }
     m_tool = tool;
     m_active = nullptr;
     redraw();
     if (!tool) return;
+    tool->choose();
     setCursor(tool->cursor());
     tellHint(*tool);
 }

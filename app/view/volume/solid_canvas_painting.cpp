@@ -11,9 +11,11 @@ void SolidCanvas::paintOver(QPainter& painter) {
     m_marksDue.stop();
     paintMarks(painter);
     if (m_hidden || !m_session.frame<3>()) return;
-    m_cutTool.paint(painter);
     m_layer.paint(painter, *this);
-    if (m_tool) m_tool->paint(painter);
+    if (!m_session.playback().isPlaying()) {
+        m_cutTool.paint(painter);
+        if (m_tool) m_tool->paint(painter);
+    }
     if (hasLegend()) paintLegendCard(painter, size(), m_measure, m_range, palette(), 3);
 }
 
@@ -29,6 +31,7 @@ void SolidCanvas::paintMarks(QPainter& painter) {
     if (m_map && isDistortion(m_measure))
         painterOfSolid.worst(*frame, worstOf(*frame->distortion, m_measure).cell);
     m_onion.paintOutlines(painter, *this);
+    if (m_session.playback().isPlaying()) return;  // a film that plays is seen without pins
     painterOfSolid.paths();
     const auto* pinTool = dynamic_cast<const SolidPinTool*>(m_tool);
     painterOfSolid.pins(m_animation, pinTool ? pinTool->hovered() : -1);
