@@ -1,6 +1,7 @@
 #include "core/meshing/planar_refinement.h"
 
 #include <cmath>
+#include <mutex>
 #include <numbers>
 
 #include "core/mesh/error.h"
@@ -174,11 +175,15 @@ void requireInside(const MarkedTriangulation& triangulation) {
                              placeName({v->point().x(), v->point().y()}) + ", is outside of the shape");
 }
 
-/// CGAL's assertions (on in this file) throw; their own report on standard error adds nothing to that.
+/// CGAL's assertions (on in this file) throw; their own report on standard error adds nothing to that. Once:
+/// what reports them is one for all threads.
 void silenceCgal() {
-    const auto silent = [](const char*, const char*, const char*, int, const char*) {};
-    CGAL::set_error_handler(silent);
-    CGAL::set_warning_handler(silent);
+    static std::once_flag silenced;
+    std::call_once(silenced, [] {
+        const auto silent = [](const char*, const char*, const char*, int, const char*) {};
+        CGAL::set_error_handler(silent);
+        CGAL::set_warning_handler(silent);
+    });
 }
 
 /// Runs f; what CGAL finds wrong becomes an InputError.
