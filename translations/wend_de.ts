@@ -192,6 +192,473 @@
     </message>
 </context>
 <context>
+    <name>Core</name>
+    <message>
+        <source>at time %1 %2 cannot go on: %3</source>
+        <translation>zur Zeit %1 kann %2 nicht weiter: %3</translation>
+    </message>
+    <message>
+        <source>at time %1 the shape is too stiff to settle further near %2: the steps would be too short; allow a larger tolerance</source>
+        <translation>zur Zeit %1 ist die Form bei %2 zu steif, um sich weiter zu setzen: Die Schritte würden zu kurz; eine größere Toleranz hilft</translation>
+    </message>
+    <message>
+        <source>the shape would fold over near %1, in cell %2; let it go less far or another way, or free what holds the shape there</source>
+        <translation>die Form würde sich bei %1, in Zelle %2, überschlagen; weniger weit oder anders führen, oder lösen, was die Form dort hält</translation>
+    </message>
+    <message>
+        <source>it is too fast near %1, the steps would be too short; give its motion more time, or allow a larger tolerance</source>
+        <translation>bei %1 ist es zu schnell, die Schritte würden zu kurz; der Bewegung mehr Zeit geben oder eine größere Toleranz erlauben</translation>
+    </message>
+    <message>
+        <source>the shape near %1 is so much stretched or squeezed that no velocity can be computed; let it go less far, or make the material or the mesh more even there</source>
+        <translation>die Form ist bei %1 so gedehnt oder gestaucht, dass sich keine Geschwindigkeit berechnen lässt; weniger weit führen, oder Material oder Netz dort gleichmäßiger machen</translation>
+    </message>
+    <message>
+        <source>it is so fast near %1 that numbers overflow; let it go less far, or give its motion more time</source>
+        <translation>bei %1 ist es so schnell, dass Zahlen überlaufen; weniger weit führen oder der Bewegung mehr Zeit geben</translation>
+    </message>
+    <message>
+        <source>%1 and %2 move the point %3 in different ways at time %4</source>
+        <translation>%1 und %2 bewegen den Punkt %3 zur Zeit %4 verschieden</translation>
+    </message>
+    <message>
+        <source>handle &quot;%1&quot;</source>
+        <translation>Pin „%1“</translation>
+    </message>
+    <message>
+        <source>handle %1</source>
+        <translation>Pin %1</translation>
+    </message>
+    <message>
+        <source>the shape</source>
+        <translation>die Form</translation>
+    </message>
+    <message>
+        <source>its region holds no vertex</source>
+        <translation>in seinem Bereich liegt kein Eckpunkt</translation>
+    </message>
+    <message>
+        <source>point %1 lies outside the shape</source>
+        <translation>der Punkt %1 liegt außerhalb der Form</translation>
+    </message>
+    <message>
+        <source>vertex %1 belongs to no cell</source>
+        <translation>Eckpunkt %1 gehört zu keiner Zelle</translation>
+    </message>
+    <message>
+        <source>the picture has no alpha channel to take an outline from</source>
+        <translation>das Bild hat keinen Alphakanal, aus dem ein Umriss werden könnte</translation>
+    </message>
+    <message>
+        <source>the picture has no pixels</source>
+        <translation>das Bild hat keine Pixel</translation>
+    </message>
+    <message>
+        <source>no part of the picture is as large as %1 pixels</source>
+        <translation>kein Teil des Bilds ist so groß wie %1 Pixel</translation>
+    </message>
+    <message>
+        <source>the picture is fully transparent</source>
+        <translation>das Bild ist ganz durchsichtig</translation>
+    </message>
+    <message>
+        <source>the picture&apos;s alpha is nowhere above the threshold of %1 %</source>
+        <translation>die Deckkraft des Bilds liegt nirgends über der Schwelle von %1 %</translation>
+    </message>
+    <message>
+        <source>the picture&apos;s alpha has too many contours: it looks like noise</source>
+        <translation>der Alphakanal hat zu viele Konturen: Er sieht nach Rauschen aus</translation>
+    </message>
+    <message>
+        <source>the outline is empty</source>
+        <translation>der Umriss ist leer</translation>
+    </message>
+    <message>
+        <source>the outline crosses or overlaps itself near %1</source>
+        <translation>der Umriss kreuzt oder überdeckt sich bei %1</translation>
+    </message>
+    <message>
+        <source>the outline cannot be triangulated (%1)</source>
+        <translation>der Umriss lässt sich nicht triangulieren (%1)</translation>
+    </message>
+    <message>
+        <source>points %1 and %2 are the same, %3</source>
+        <translation>die Punkte %1 und %2 sind derselbe, %3</translation>
+    </message>
+    <message>
+        <source>point %1, %2, is outside of the shape</source>
+        <translation>Punkt %1, %2, liegt außerhalb der Form</translation>
+    </message>
+    <message>
+        <source>an edge length of %1 would take more than %2 vertices</source>
+        <translation>eine Kantenlänge von %1 bräuchte mehr als %2 Eckpunkte</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>ist leer</translation>
+    </message>
+    <message>
+        <source>does not exist</source>
+        <translation>existiert nicht</translation>
+    </message>
+    <message>
+        <source>is a folder</source>
+        <translation>ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>is a pipe, not a file</source>
+        <translation>ist eine Pipe, keine Datei</translation>
+    </message>
+    <message>
+        <source>is a device, not a file</source>
+        <translation>ist ein Gerät, keine Datei</translation>
+    </message>
+    <message>
+        <source>is a symbolic link that leads back to itself</source>
+        <translation>ist ein symbolischer Link, der zu sich selbst führt</translation>
+    </message>
+    <message>
+        <source>cannot be read: %1</source>
+        <translation>kann nicht gelesen werden: %1</translation>
+    </message>
+    <message>
+        <source>cannot be written: %1</source>
+        <translation>kann nicht geschrieben werden: %1</translation>
+    </message>
+    <message>
+        <source>the disk may be full</source>
+        <translation>der Datenträger ist vielleicht voll</translation>
+    </message>
+    <message>
+        <source>the folder %1 does not exist</source>
+        <translation>der Ordner %1 existiert nicht</translation>
+    </message>
+    <message>
+        <source>the folder %1 is not writable</source>
+        <translation>in den Ordner %1 darf nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>is read-only: make it writable first, or choose another name</source>
+        <translation>ist schreibgeschützt: erst beschreibbar machen oder einen anderen Namen wählen</translation>
+    </message>
+    <message>
+        <source>is %1; pictures are read from PNG, JPEG, TIFF, EXR, WebP, HDR, BMP, TGA and PNM files</source>
+        <translation>ist %1; Bilder werden aus PNG-, JPEG-, TIFF-, EXR-, WebP-, HDR-, BMP-, TGA- und PNM-Dateien gelesen</translation>
+    </message>
+    <message>
+        <source>a GIF picture</source>
+        <translation>ein GIF-Bild</translation>
+    </message>
+    <message>
+        <source>a Photoshop picture (PSD)</source>
+        <translation>ein Photoshop-Bild (PSD)</translation>
+    </message>
+    <message>
+        <source>a HEIC picture</source>
+        <translation>ein HEIC-Bild</translation>
+    </message>
+    <message>
+        <source>an AVIF picture</source>
+        <translation>ein AVIF-Bild</translation>
+    </message>
+    <message>
+        <source>a JPEG 2000 picture</source>
+        <translation>ein JPEG-2000-Bild</translation>
+    </message>
+    <message>
+        <source>a JPEG XL picture</source>
+        <translation>ein JPEG-XL-Bild</translation>
+    </message>
+    <message>
+        <source>a GIMP picture (XCF)</source>
+        <translation>ein GIMP-Bild (XCF)</translation>
+    </message>
+    <message>
+        <source>a PDF document</source>
+        <translation>ein PDF-Dokument</translation>
+    </message>
+    <message>
+        <source>an SVG drawing</source>
+        <translation>eine SVG-Zeichnung</translation>
+    </message>
+    <message>
+        <source>a film</source>
+        <translation>ein Film</translation>
+    </message>
+    <message>
+        <source>a ZIP archive</source>
+        <translation>ein ZIP-Archiv</translation>
+    </message>
+    <message>
+        <source>a text file</source>
+        <translation>eine Textdatei</translation>
+    </message>
+    <message>
+        <source>no picture that Wend knows</source>
+        <translation>kein Bild, das Wend kennt</translation>
+    </message>
+    <message>
+        <source>cannot be read as a picture: %1</source>
+        <translation>kann nicht als Bild gelesen werden: %1</translation>
+    </message>
+    <message>
+        <source>has no pixels</source>
+        <translation>hat keine Pixel</translation>
+    </message>
+    <message>
+        <source>is a volume, not a picture</source>
+        <translation>ist ein Volumen, kein Bild</translation>
+    </message>
+    <message>
+        <source>has %1 x %2 pixels, more than %3 million</source>
+        <translation>hat %1 × %2 Pixel, mehr als %3 Millionen</translation>
+    </message>
+    <message>
+        <source>is truncated or corrupt</source>
+        <translation>ist abgeschnitten oder beschädigt</translation>
+    </message>
+    <message>
+        <source>is transparent everywhere</source>
+        <translation>ist überall durchsichtig</translation>
+    </message>
+    <message>
+        <source>holds tetrahedra, but the project is in the plane</source>
+        <translation>enthält Tetraeder, aber das Projekt ist eben</translation>
+    </message>
+    <message>
+        <source>holds no tetrahedra, but the project is in space</source>
+        <translation>enthält keine Tetraeder, aber das Projekt ist räumlich</translation>
+    </message>
+    <message>
+        <source>the surface has no triangle</source>
+        <translation>die Oberfläche hat kein Dreieck</translation>
+    </message>
+    <message>
+        <source>the surface has no extent</source>
+        <translation>die Oberfläche hat keine Ausdehnung</translation>
+    </message>
+    <message>
+        <source>the surface encloses no volume</source>
+        <translation>die Oberfläche umschließt kein Volumen</translation>
+    </message>
+    <message>
+        <source>the surface bounds no volume: %1</source>
+        <translation>die Oberfläche begrenzt kein Volumen: %1</translation>
+    </message>
+    <message>
+        <source>the surface intersects itself</source>
+        <translation>die Oberfläche schneidet sich selbst</translation>
+    </message>
+    <message>
+        <source>the surface has features too small for its size</source>
+        <translation>die Oberfläche hat für ihre Größe zu feine Einzelheiten</translation>
+    </message>
+    <message>
+        <source>two facets of the surface lie almost on each other</source>
+        <translation>zwei Flächen der Oberfläche liegen fast aufeinander</translation>
+    </message>
+    <message>
+        <source>the volume mesher ran out of memory</source>
+        <translation>beim Füllen mit Tetraedern ging der Speicher aus</translation>
+    </message>
+    <message>
+        <source>the volume mesher did not finish within %1 s of computing; a coarser quality or a larger maxVolume may help</source>
+        <translation>das Füllen mit Tetraedern war nach %1 s Rechnen nicht fertig; eine gröbere Qualität oder größere Tetraeder helfen vielleicht</translation>
+    </message>
+    <message>
+        <source>all points lie in one plane</source>
+        <translation>alle Punkte liegen in einer Ebene</translation>
+    </message>
+    <message>
+        <source>%1 open edge (first: %2)</source>
+        <translation>%1 offene Kante (%2)</translation>
+    </message>
+    <message>
+        <source>%1 open edges (first: %2)</source>
+        <translation>%1 offene Kanten (zuerst %2)</translation>
+    </message>
+    <message>
+        <source>%1 edge of more than two triangles (first: %2)</source>
+        <translation>%1 Kante mit mehr als zwei Dreiecken (%2)</translation>
+    </message>
+    <message>
+        <source>%1 edges of more than two triangles (first: %2)</source>
+        <translation>%1 Kanten mit mehr als zwei Dreiecken (zuerst %2)</translation>
+    </message>
+    <message>
+        <source>%1 pair of triangles that intersect (first: %2)</source>
+        <translation>%1 Paar sich schneidender Dreiecke (%2)</translation>
+    </message>
+    <message>
+        <source>%1 pairs of triangles that intersect (first: %2)</source>
+        <translation>%1 Paare sich schneidender Dreiecke (zuerst %2)</translation>
+    </message>
+    <message>
+        <source>%1 triangle without area (first: %2)</source>
+        <translation>%1 Dreieck ohne Fläche (%2)</translation>
+    </message>
+    <message>
+        <source>%1 triangles without area (first: %2)</source>
+        <translation>%1 Dreiecke ohne Fläche (zuerst %2)</translation>
+    </message>
+    <message>
+        <source>%1 duplicate triangle (first: %2)</source>
+        <translation>%1 doppeltes Dreieck (%2)</translation>
+    </message>
+    <message>
+        <source>%1 duplicate triangles (first: %2)</source>
+        <translation>%1 doppelte Dreiecke (zuerst %2)</translation>
+    </message>
+    <message>
+        <source>%1 edge where the orientation changes (first: %2)</source>
+        <translation>%1 Kante, an der die Orientierung wechselt (%2)</translation>
+    </message>
+    <message>
+        <source>%1 edges where the orientation changes (first: %2)</source>
+        <translation>%1 Kanten, an denen die Orientierung wechselt (zuerst %2)</translation>
+    </message>
+    <message>
+        <source>the surface was repaired: %1</source>
+        <translation>die Oberfläche wurde repariert: %1</translation>
+    </message>
+    <message>
+        <source>%1 coincident vertex merged</source>
+        <translation>%1 zusammenfallender Eckpunkt vereint</translation>
+    </message>
+    <message>
+        <source>%1 coincident vertices merged</source>
+        <translation>%1 zusammenfallende Eckpunkte vereint</translation>
+    </message>
+    <message>
+        <source>%1 triangle without area dropped</source>
+        <translation>%1 Dreieck ohne Fläche entfernt</translation>
+    </message>
+    <message>
+        <source>%1 triangles without area dropped</source>
+        <translation>%1 Dreiecke ohne Fläche entfernt</translation>
+    </message>
+    <message>
+        <source>%1 duplicate triangle dropped</source>
+        <translation>%1 doppeltes Dreieck entfernt</translation>
+    </message>
+    <message>
+        <source>%1 duplicate triangles dropped</source>
+        <translation>%1 doppelte Dreiecke entfernt</translation>
+    </message>
+    <message>
+        <source>%1 triangle turned over</source>
+        <translation>%1 Dreieck umgedreht</translation>
+    </message>
+    <message>
+        <source>%1 triangles turned over</source>
+        <translation>%1 Dreiecke umgedreht</translation>
+    </message>
+    <message>
+        <source>%1 hole filled</source>
+        <translation>%1 Loch gefüllt</translation>
+    </message>
+    <message>
+        <source>%1 holes filled</source>
+        <translation>%1 Löcher gefüllt</translation>
+    </message>
+    <message>
+        <source>the surface is embedded in a cage of %1 vertices, since %2</source>
+        <translation>die Oberfläche ist in einen Käfig aus %1 Eckpunkten eingebettet, denn %2</translation>
+    </message>
+    <message>
+        <source>it cannot be meshed as it is: %1</source>
+        <translation>so, wie sie ist, lässt sie sich nicht vernetzen: %1</translation>
+    </message>
+    <message>
+        <source>it has %1 vertices, where %2 were aimed at</source>
+        <translation>sie hat %1 Eckpunkte, wo %2 angestrebt waren</translation>
+    </message>
+    <message>
+        <source>the cage has %1 vertices, where %2 were aimed at: whole cubes allow nothing nearer</source>
+        <translation>der Käfig hat %1 Eckpunkte, wo %2 angestrebt waren: Näher kommen ganze Würfel nicht heran</translation>
+    </message>
+    <message>
+        <source>the cells of the cage are larger than asked for: there is no memory for smaller ones</source>
+        <translation>die Zellen des Käfigs sind größer als gewünscht: Für kleinere reicht der Speicher nicht</translation>
+    </message>
+    <message>
+        <source>sizes are for the exact surface: a cage has cells of one size</source>
+        <translation>Größen gelten für die genaue Oberfläche: Ein Käfig hat Zellen einer Größe</translation>
+    </message>
+    <message>
+        <source>its %1 parts share cells of the cage and move together as %2: smaller cells keep more of them apart</source>
+        <translation>ihre %1 Teile teilen sich Zellen des Käfigs und bewegen sich gemeinsam als %2: Kleinere Zellen halten mehr von ihnen getrennt</translation>
+    </message>
+    <message>
+        <source>the cage is in %1 bodies that do not hang together: each needs a handle of its own to follow</source>
+        <translation>der Käfig besteht aus %1 Körpern, die nicht zusammenhängen: Jeder braucht einen eigenen Pin, um zu folgen</translation>
+    </message>
+    <message>
+        <source>%1 of %2 vertices lie outside the solid that carries them</source>
+        <translation>%1 von %2 Eckpunkten liegen außerhalb des Körpers, der sie trägt</translation>
+    </message>
+    <message>
+        <source>the mesh has %1 vertices, where %2 were aimed at: the quality asked for needs them</source>
+        <translation>das Netz hat %1 Eckpunkte, wo %2 angestrebt waren: Die gewünschte Qualität braucht sie</translation>
+    </message>
+    <message>
+        <source>the mesh has %1 vertices, where %2 were aimed at: the surface is kept as it is</source>
+        <translation>das Netz hat %1 Eckpunkte, wo %2 angestrebt waren: Die Oberfläche bleibt, wie sie ist</translation>
+    </message>
+    <message>
+        <source>the surface&apos;s triangles are far larger than the cells inside and are kept as they are, which makes uneven cells</source>
+        <translation>die Dreiecke der Oberfläche sind weit größer als die Zellen innen und bleiben, wie sie sind; das macht ungleichmäßige Zellen</translation>
+    </message>
+    <message>
+        <source>the worst cell has a ratio of radius to edge of %1, where %2 was asked for (%3 cell is above it)</source>
+        <translation>die schlechteste Zelle hat ein Verhältnis von Radius zu Kante von %1, gewünscht war %2 (%3 Zelle liegt darüber)</translation>
+    </message>
+    <message>
+        <source>the worst cell has a ratio of radius to edge of %1, where %2 was asked for (%3 cells are above it)</source>
+        <translation>die schlechteste Zelle hat ein Verhältnis von Radius zu Kante von %1, gewünscht war %2 (%3 Zellen liegen darüber)</translation>
+    </message>
+    <message>
+        <source>%1: the surface is kept as it is and forces it, at its triangles %2</source>
+        <translation>%1: Die Oberfläche bleibt, wie sie ist, und erzwingt es an ihren Dreiecken %2</translation>
+    </message>
+    <message>
+        <source>%1 vertices of the surface belong to no tetrahedron: meshes of tetrahedra are written without them, and so with other numbers behind them</source>
+        <translation>%1 Eckpunkte der Oberfläche gehören zu keinem Tetraeder: Netze aus Tetraedern werden ohne sie geschrieben, und dahinter mit anderen Nummern</translation>
+    </message>
+    <message>
+        <source>%1 vertices belong to no cell. They stay in what is written: some solvers want them taken out first</source>
+        <translation>%1 Eckpunkte gehören zu keiner Zelle. Sie bleiben in dem, was geschrieben wird: Manche Löser wollen sie vorher entfernt haben</translation>
+    </message>
+    <message>
+        <source>parts that touch vertex on vertex hang together: %1 vertices move with others at their place</source>
+        <translation>Teile, die sich Eckpunkt an Eckpunkt berühren, hängen zusammen: %1 Eckpunkte bewegen sich mit anderen an ihrer Stelle</translation>
+    </message>
+    <message>
+        <source>a part of %1 hangs on %2 near %3 alone: what turns there freely may be flung far away, unless handles hold it</source>
+        <translation>ein Teil aus %1 hängt allein an %2 bei %3: Was sich dort frei dreht, kann weit fortgeschleudert werden, wenn Pins es nicht halten</translation>
+    </message>
+    <message>
+        <source>%1 parts hang on a vertex or an edge alone, the first, of %2, on %3 near %4 alone: what turns there freely may be flung far away, unless handles hold it</source>
+        <translation>%1 Teile hängen nur an einem Eckpunkt oder einer Kante, das erste, aus %2, an %3 bei %4: Was sich dort frei dreht, kann weit fortgeschleudert werden, wenn Pins es nicht halten</translation>
+    </message>
+    <message>
+        <source>%1 cells</source>
+        <translation>%1 Zellen</translation>
+    </message>
+    <message>
+        <source>%1 cell</source>
+        <translation>%1 Zelle</translation>
+    </message>
+    <message>
+        <source>vertex %1</source>
+        <translation>Eckpunkt %1</translation>
+    </message>
+    <message>
+        <source>the edge %1</source>
+        <translation>der Kante %1</translation>
+    </message>
+</context>
+<context>
     <name>CurveEditor</name>
     <message>
         <source>Change curve</source>

@@ -192,6 +192,473 @@
     </message>
 </context>
 <context>
+    <name>Core</name>
+    <message>
+        <source>at time %1 %2 cannot go on: %3</source>
+        <translation>en el tiempo %1, %2 no puede seguir: %3</translation>
+    </message>
+    <message>
+        <source>at time %1 the shape is too stiff to settle further near %2: the steps would be too short; allow a larger tolerance</source>
+        <translation>en el tiempo %1 la forma es demasiado rígida cerca de %2 para asentarse más: los pasos serían demasiado cortos; permita una tolerancia mayor</translation>
+    </message>
+    <message>
+        <source>the shape would fold over near %1, in cell %2; let it go less far or another way, or free what holds the shape there</source>
+        <translation>la forma se plegaría cerca de %1, en la celda %2; llévela menos lejos o de otro modo, o suelte lo que la sujeta allí</translation>
+    </message>
+    <message>
+        <source>it is too fast near %1, the steps would be too short; give its motion more time, or allow a larger tolerance</source>
+        <translation>va demasiado rápido cerca de %1, los pasos serían demasiado cortos; dé más tiempo al movimiento o permita una tolerancia mayor</translation>
+    </message>
+    <message>
+        <source>the shape near %1 is so much stretched or squeezed that no velocity can be computed; let it go less far, or make the material or the mesh more even there</source>
+        <translation>la forma está tan estirada o comprimida cerca de %1 que no se puede calcular ninguna velocidad; llévela menos lejos, o haga allí más uniformes el material o la malla</translation>
+    </message>
+    <message>
+        <source>it is so fast near %1 that numbers overflow; let it go less far, or give its motion more time</source>
+        <translation>va tan rápido cerca de %1 que los números se desbordan; llévelo menos lejos o dé más tiempo al movimiento</translation>
+    </message>
+    <message>
+        <source>%1 and %2 move the point %3 in different ways at time %4</source>
+        <translation>%1 y %2 mueven el punto %3 de modo distinto en el tiempo %4</translation>
+    </message>
+    <message>
+        <source>handle &quot;%1&quot;</source>
+        <translation>el alfiler «%1»</translation>
+    </message>
+    <message>
+        <source>handle %1</source>
+        <translation>el alfiler %1</translation>
+    </message>
+    <message>
+        <source>the shape</source>
+        <translation>la forma</translation>
+    </message>
+    <message>
+        <source>its region holds no vertex</source>
+        <translation>su región no contiene ningún vértice</translation>
+    </message>
+    <message>
+        <source>point %1 lies outside the shape</source>
+        <translation>el punto %1 está fuera de la forma</translation>
+    </message>
+    <message>
+        <source>vertex %1 belongs to no cell</source>
+        <translation>el vértice %1 no pertenece a ninguna celda</translation>
+    </message>
+    <message>
+        <source>the picture has no alpha channel to take an outline from</source>
+        <translation>la imagen no tiene canal alfa del que tomar un contorno</translation>
+    </message>
+    <message>
+        <source>the picture has no pixels</source>
+        <translation>la imagen no tiene píxeles</translation>
+    </message>
+    <message>
+        <source>no part of the picture is as large as %1 pixels</source>
+        <translation>ninguna parte de la imagen llega a %1 píxeles</translation>
+    </message>
+    <message>
+        <source>the picture is fully transparent</source>
+        <translation>la imagen es totalmente transparente</translation>
+    </message>
+    <message>
+        <source>the picture&apos;s alpha is nowhere above the threshold of %1 %</source>
+        <translation>el alfa de la imagen no supera en ningún punto el umbral de %1 %</translation>
+    </message>
+    <message>
+        <source>the picture&apos;s alpha has too many contours: it looks like noise</source>
+        <translation>el alfa de la imagen tiene demasiados contornos: parece ruido</translation>
+    </message>
+    <message>
+        <source>the outline is empty</source>
+        <translation>el contorno está vacío</translation>
+    </message>
+    <message>
+        <source>the outline crosses or overlaps itself near %1</source>
+        <translation>el contorno se cruza o se superpone cerca de %1</translation>
+    </message>
+    <message>
+        <source>the outline cannot be triangulated (%1)</source>
+        <translation>el contorno no se puede triangular (%1)</translation>
+    </message>
+    <message>
+        <source>points %1 and %2 are the same, %3</source>
+        <translation>los puntos %1 y %2 son el mismo, %3</translation>
+    </message>
+    <message>
+        <source>point %1, %2, is outside of the shape</source>
+        <translation>el punto %1, %2, está fuera de la forma</translation>
+    </message>
+    <message>
+        <source>an edge length of %1 would take more than %2 vertices</source>
+        <translation>una longitud de arista de %1 requeriría más de %2 vértices</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>está vacío</translation>
+    </message>
+    <message>
+        <source>does not exist</source>
+        <translation>no existe</translation>
+    </message>
+    <message>
+        <source>is a folder</source>
+        <translation>es una carpeta</translation>
+    </message>
+    <message>
+        <source>is a pipe, not a file</source>
+        <translation>es una tubería, no un archivo</translation>
+    </message>
+    <message>
+        <source>is a device, not a file</source>
+        <translation>es un dispositivo, no un archivo</translation>
+    </message>
+    <message>
+        <source>is a symbolic link that leads back to itself</source>
+        <translation>es un enlace simbólico que vuelve a sí mismo</translation>
+    </message>
+    <message>
+        <source>cannot be read: %1</source>
+        <translation>no se puede leer: %1</translation>
+    </message>
+    <message>
+        <source>cannot be written: %1</source>
+        <translation>no se puede escribir: %1</translation>
+    </message>
+    <message>
+        <source>the disk may be full</source>
+        <translation>puede que el disco esté lleno</translation>
+    </message>
+    <message>
+        <source>the folder %1 does not exist</source>
+        <translation>la carpeta %1 no existe</translation>
+    </message>
+    <message>
+        <source>the folder %1 is not writable</source>
+        <translation>no se puede escribir en la carpeta %1</translation>
+    </message>
+    <message>
+        <source>is read-only: make it writable first, or choose another name</source>
+        <translation>es de solo lectura: hágalo antes modificable o elija otro nombre</translation>
+    </message>
+    <message>
+        <source>is %1; pictures are read from PNG, JPEG, TIFF, EXR, WebP, HDR, BMP, TGA and PNM files</source>
+        <translation>es %1; las imágenes se leen de archivos PNG, JPEG, TIFF, EXR, WebP, HDR, BMP, TGA y PNM</translation>
+    </message>
+    <message>
+        <source>a GIF picture</source>
+        <translation>una imagen GIF</translation>
+    </message>
+    <message>
+        <source>a Photoshop picture (PSD)</source>
+        <translation>una imagen de Photoshop (PSD)</translation>
+    </message>
+    <message>
+        <source>a HEIC picture</source>
+        <translation>una imagen HEIC</translation>
+    </message>
+    <message>
+        <source>an AVIF picture</source>
+        <translation>una imagen AVIF</translation>
+    </message>
+    <message>
+        <source>a JPEG 2000 picture</source>
+        <translation>una imagen JPEG 2000</translation>
+    </message>
+    <message>
+        <source>a JPEG XL picture</source>
+        <translation>una imagen JPEG XL</translation>
+    </message>
+    <message>
+        <source>a GIMP picture (XCF)</source>
+        <translation>una imagen de GIMP (XCF)</translation>
+    </message>
+    <message>
+        <source>a PDF document</source>
+        <translation>un documento PDF</translation>
+    </message>
+    <message>
+        <source>an SVG drawing</source>
+        <translation>un dibujo SVG</translation>
+    </message>
+    <message>
+        <source>a film</source>
+        <translation>una película</translation>
+    </message>
+    <message>
+        <source>a ZIP archive</source>
+        <translation>un archivo ZIP</translation>
+    </message>
+    <message>
+        <source>a text file</source>
+        <translation>un archivo de texto</translation>
+    </message>
+    <message>
+        <source>no picture that Wend knows</source>
+        <translation>una imagen que Wend no conoce</translation>
+    </message>
+    <message>
+        <source>cannot be read as a picture: %1</source>
+        <translation>no se puede leer como imagen: %1</translation>
+    </message>
+    <message>
+        <source>has no pixels</source>
+        <translation>no tiene píxeles</translation>
+    </message>
+    <message>
+        <source>is a volume, not a picture</source>
+        <translation>es un volumen, no una imagen</translation>
+    </message>
+    <message>
+        <source>has %1 x %2 pixels, more than %3 million</source>
+        <translation>tiene %1 × %2 píxeles, más de %3 millones</translation>
+    </message>
+    <message>
+        <source>is truncated or corrupt</source>
+        <translation>está truncado o dañado</translation>
+    </message>
+    <message>
+        <source>is transparent everywhere</source>
+        <translation>es transparente en todas partes</translation>
+    </message>
+    <message>
+        <source>holds tetrahedra, but the project is in the plane</source>
+        <translation>contiene tetraedros, pero el proyecto es plano</translation>
+    </message>
+    <message>
+        <source>holds no tetrahedra, but the project is in space</source>
+        <translation>no contiene tetraedros, pero el proyecto es espacial</translation>
+    </message>
+    <message>
+        <source>the surface has no triangle</source>
+        <translation>la superficie no tiene ningún triángulo</translation>
+    </message>
+    <message>
+        <source>the surface has no extent</source>
+        <translation>la superficie no tiene extensión</translation>
+    </message>
+    <message>
+        <source>the surface encloses no volume</source>
+        <translation>la superficie no encierra ningún volumen</translation>
+    </message>
+    <message>
+        <source>the surface bounds no volume: %1</source>
+        <translation>la superficie no delimita ningún volumen: %1</translation>
+    </message>
+    <message>
+        <source>the surface intersects itself</source>
+        <translation>la superficie se corta a sí misma</translation>
+    </message>
+    <message>
+        <source>the surface has features too small for its size</source>
+        <translation>la superficie tiene detalles demasiado finos para su tamaño</translation>
+    </message>
+    <message>
+        <source>two facets of the surface lie almost on each other</source>
+        <translation>dos facetas de la superficie están casi una sobre otra</translation>
+    </message>
+    <message>
+        <source>the volume mesher ran out of memory</source>
+        <translation>el mallador de volumen se quedó sin memoria</translation>
+    </message>
+    <message>
+        <source>the volume mesher did not finish within %1 s of computing; a coarser quality or a larger maxVolume may help</source>
+        <translation>el mallador de volumen no terminó en %1 s de cálculo; puede ayudar una calidad menor o tetraedros mayores</translation>
+    </message>
+    <message>
+        <source>all points lie in one plane</source>
+        <translation>todos los puntos están en un plano</translation>
+    </message>
+    <message>
+        <source>%1 open edge (first: %2)</source>
+        <translation>%1 arista abierta (%2)</translation>
+    </message>
+    <message>
+        <source>%1 open edges (first: %2)</source>
+        <translation>%1 aristas abiertas (primera: %2)</translation>
+    </message>
+    <message>
+        <source>%1 edge of more than two triangles (first: %2)</source>
+        <translation>%1 arista de más de dos triángulos (%2)</translation>
+    </message>
+    <message>
+        <source>%1 edges of more than two triangles (first: %2)</source>
+        <translation>%1 aristas de más de dos triángulos (primera: %2)</translation>
+    </message>
+    <message>
+        <source>%1 pair of triangles that intersect (first: %2)</source>
+        <translation>%1 par de triángulos que se cortan (%2)</translation>
+    </message>
+    <message>
+        <source>%1 pairs of triangles that intersect (first: %2)</source>
+        <translation>%1 pares de triángulos que se cortan (primero: %2)</translation>
+    </message>
+    <message>
+        <source>%1 triangle without area (first: %2)</source>
+        <translation>%1 triángulo sin área (%2)</translation>
+    </message>
+    <message>
+        <source>%1 triangles without area (first: %2)</source>
+        <translation>%1 triángulos sin área (primero: %2)</translation>
+    </message>
+    <message>
+        <source>%1 duplicate triangle (first: %2)</source>
+        <translation>%1 triángulo duplicado (%2)</translation>
+    </message>
+    <message>
+        <source>%1 duplicate triangles (first: %2)</source>
+        <translation>%1 triángulos duplicados (primero: %2)</translation>
+    </message>
+    <message>
+        <source>%1 edge where the orientation changes (first: %2)</source>
+        <translation>%1 arista donde cambia la orientación (%2)</translation>
+    </message>
+    <message>
+        <source>%1 edges where the orientation changes (first: %2)</source>
+        <translation>%1 aristas donde cambia la orientación (primera: %2)</translation>
+    </message>
+    <message>
+        <source>the surface was repaired: %1</source>
+        <translation>la superficie se ha reparado: %1</translation>
+    </message>
+    <message>
+        <source>%1 coincident vertex merged</source>
+        <translation>%1 vértice coincidente fusionado</translation>
+    </message>
+    <message>
+        <source>%1 coincident vertices merged</source>
+        <translation>%1 vértices coincidentes fusionados</translation>
+    </message>
+    <message>
+        <source>%1 triangle without area dropped</source>
+        <translation>%1 triángulo sin área eliminado</translation>
+    </message>
+    <message>
+        <source>%1 triangles without area dropped</source>
+        <translation>%1 triángulos sin área eliminados</translation>
+    </message>
+    <message>
+        <source>%1 duplicate triangle dropped</source>
+        <translation>%1 triángulo duplicado eliminado</translation>
+    </message>
+    <message>
+        <source>%1 duplicate triangles dropped</source>
+        <translation>%1 triángulos duplicados eliminados</translation>
+    </message>
+    <message>
+        <source>%1 triangle turned over</source>
+        <translation>%1 triángulo invertido</translation>
+    </message>
+    <message>
+        <source>%1 triangles turned over</source>
+        <translation>%1 triángulos invertidos</translation>
+    </message>
+    <message>
+        <source>%1 hole filled</source>
+        <translation>%1 agujero rellenado</translation>
+    </message>
+    <message>
+        <source>%1 holes filled</source>
+        <translation>%1 agujeros rellenados</translation>
+    </message>
+    <message>
+        <source>the surface is embedded in a cage of %1 vertices, since %2</source>
+        <translation>la superficie está incrustada en una jaula de %1 vértices, porque %2</translation>
+    </message>
+    <message>
+        <source>it cannot be meshed as it is: %1</source>
+        <translation>tal como es no se puede mallar: %1</translation>
+    </message>
+    <message>
+        <source>it has %1 vertices, where %2 were aimed at</source>
+        <translation>tiene %1 vértices, cuando se pretendían %2</translation>
+    </message>
+    <message>
+        <source>the cage has %1 vertices, where %2 were aimed at: whole cubes allow nothing nearer</source>
+        <translation>la jaula tiene %1 vértices, cuando se pretendían %2: con cubos enteros no se llega más cerca</translation>
+    </message>
+    <message>
+        <source>the cells of the cage are larger than asked for: there is no memory for smaller ones</source>
+        <translation>las celdas de la jaula son mayores de lo pedido: no hay memoria para otras menores</translation>
+    </message>
+    <message>
+        <source>sizes are for the exact surface: a cage has cells of one size</source>
+        <translation>los tamaños son para la superficie exacta: una jaula tiene celdas de un solo tamaño</translation>
+    </message>
+    <message>
+        <source>its %1 parts share cells of the cage and move together as %2: smaller cells keep more of them apart</source>
+        <translation>sus %1 partes comparten celdas de la jaula y se mueven juntas como %2: celdas menores separan más de ellas</translation>
+    </message>
+    <message>
+        <source>the cage is in %1 bodies that do not hang together: each needs a handle of its own to follow</source>
+        <translation>la jaula está en %1 cuerpos que no están unidos: cada uno necesita su propio alfiler para seguir</translation>
+    </message>
+    <message>
+        <source>%1 of %2 vertices lie outside the solid that carries them</source>
+        <translation>%1 de %2 vértices están fuera del sólido que los lleva</translation>
+    </message>
+    <message>
+        <source>the mesh has %1 vertices, where %2 were aimed at: the quality asked for needs them</source>
+        <translation>la malla tiene %1 vértices, cuando se pretendían %2: la calidad pedida los necesita</translation>
+    </message>
+    <message>
+        <source>the mesh has %1 vertices, where %2 were aimed at: the surface is kept as it is</source>
+        <translation>la malla tiene %1 vértices, cuando se pretendían %2: la superficie se mantiene como es</translation>
+    </message>
+    <message>
+        <source>the surface&apos;s triangles are far larger than the cells inside and are kept as they are, which makes uneven cells</source>
+        <translation>los triángulos de la superficie son mucho mayores que las celdas interiores y se mantienen, lo que da celdas desiguales</translation>
+    </message>
+    <message>
+        <source>the worst cell has a ratio of radius to edge of %1, where %2 was asked for (%3 cell is above it)</source>
+        <translation>la peor celda tiene una relación radio-arista de %1, cuando se pidió %2 (%3 celda por encima)</translation>
+    </message>
+    <message>
+        <source>the worst cell has a ratio of radius to edge of %1, where %2 was asked for (%3 cells are above it)</source>
+        <translation>la peor celda tiene una relación radio-arista de %1, cuando se pidió %2 (%3 celdas por encima)</translation>
+    </message>
+    <message>
+        <source>%1: the surface is kept as it is and forces it, at its triangles %2</source>
+        <translation>%1: la superficie se mantiene como es y lo fuerza, en sus triángulos %2</translation>
+    </message>
+    <message>
+        <source>%1 vertices of the surface belong to no tetrahedron: meshes of tetrahedra are written without them, and so with other numbers behind them</source>
+        <translation>%1 vértices de la superficie no pertenecen a ningún tetraedro: las mallas de tetraedros se escriben sin ellos y, por tanto, con otros números detrás</translation>
+    </message>
+    <message>
+        <source>%1 vertices belong to no cell. They stay in what is written: some solvers want them taken out first</source>
+        <translation>%1 vértices no pertenecen a ninguna celda. Permanecen en lo que se escribe: algunos programas de cálculo los quieren fuera antes</translation>
+    </message>
+    <message>
+        <source>parts that touch vertex on vertex hang together: %1 vertices move with others at their place</source>
+        <translation>las partes que se tocan vértice con vértice van unidas: %1 vértices se mueven con otros en su lugar</translation>
+    </message>
+    <message>
+        <source>a part of %1 hangs on %2 near %3 alone: what turns there freely may be flung far away, unless handles hold it</source>
+        <translation>una parte de %1 cuelga solo de %2 cerca de %3: lo que gira allí libremente puede salir despedido, salvo que lo sujeten alfileres</translation>
+    </message>
+    <message>
+        <source>%1 parts hang on a vertex or an edge alone, the first, of %2, on %3 near %4 alone: what turns there freely may be flung far away, unless handles hold it</source>
+        <translation>%1 partes cuelgan solo de un vértice o una arista, la primera, de %2, de %3 cerca de %4: lo que gira allí libremente puede salir despedido, salvo que lo sujeten alfileres</translation>
+    </message>
+    <message>
+        <source>%1 cells</source>
+        <translation>%1 celdas</translation>
+    </message>
+    <message>
+        <source>%1 cell</source>
+        <translation>%1 celda</translation>
+    </message>
+    <message>
+        <source>vertex %1</source>
+        <translation>el vértice %1</translation>
+    </message>
+    <message>
+        <source>the edge %1</source>
+        <translation>la arista %1</translation>
+    </message>
+</context>
+<context>
     <name>CurveEditor</name>
     <message>
         <source>Drag the curve&apos;s point, with Ctrl one direction alone; Delete removes it, a right click shows more</source>

@@ -192,6 +192,473 @@
     </message>
 </context>
 <context>
+    <name>Core</name>
+    <message>
+        <source>at time %1 %2 cannot go on: %3</source>
+        <translation>au temps %1, %2 ne peut pas continuer : %3</translation>
+    </message>
+    <message>
+        <source>at time %1 the shape is too stiff to settle further near %2: the steps would be too short; allow a larger tolerance</source>
+        <translation>au temps %1, la forme est trop raide près de %2 pour se reposer davantage : les pas seraient trop courts ; autorisez une plus grande tolérance</translation>
+    </message>
+    <message>
+        <source>the shape would fold over near %1, in cell %2; let it go less far or another way, or free what holds the shape there</source>
+        <translation>la forme se replierait près de %1, dans la cellule %2 ; allez moins loin ou autrement, ou libérez ce qui la tient là</translation>
+    </message>
+    <message>
+        <source>it is too fast near %1, the steps would be too short; give its motion more time, or allow a larger tolerance</source>
+        <translation>c’est trop rapide près de %1, les pas seraient trop courts ; donnez plus de temps au mouvement ou autorisez une plus grande tolérance</translation>
+    </message>
+    <message>
+        <source>the shape near %1 is so much stretched or squeezed that no velocity can be computed; let it go less far, or make the material or the mesh more even there</source>
+        <translation>la forme est si étirée ou comprimée près de %1 qu’aucune vitesse ne peut être calculée ; allez moins loin, ou rendez le matériau ou le maillage plus réguliers à cet endroit</translation>
+    </message>
+    <message>
+        <source>it is so fast near %1 that numbers overflow; let it go less far, or give its motion more time</source>
+        <translation>c’est si rapide près de %1 que les nombres débordent ; allez moins loin ou donnez plus de temps au mouvement</translation>
+    </message>
+    <message>
+        <source>%1 and %2 move the point %3 in different ways at time %4</source>
+        <translation>%1 et %2 déplacent différemment le point %3 au temps %4</translation>
+    </message>
+    <message>
+        <source>handle &quot;%1&quot;</source>
+        <translation>l’épingle « %1 »</translation>
+    </message>
+    <message>
+        <source>handle %1</source>
+        <translation>l’épingle %1</translation>
+    </message>
+    <message>
+        <source>the shape</source>
+        <translation>la forme</translation>
+    </message>
+    <message>
+        <source>its region holds no vertex</source>
+        <translation>sa région ne contient aucun sommet</translation>
+    </message>
+    <message>
+        <source>point %1 lies outside the shape</source>
+        <translation>le point %1 est hors de la forme</translation>
+    </message>
+    <message>
+        <source>vertex %1 belongs to no cell</source>
+        <translation>le sommet %1 n’appartient à aucune cellule</translation>
+    </message>
+    <message>
+        <source>the picture has no alpha channel to take an outline from</source>
+        <translation>l’image n’a pas de canal alpha d’où tirer un contour</translation>
+    </message>
+    <message>
+        <source>the picture has no pixels</source>
+        <translation>l’image n’a pas de pixels</translation>
+    </message>
+    <message>
+        <source>no part of the picture is as large as %1 pixels</source>
+        <translation>aucune partie de l’image n’atteint %1 pixels</translation>
+    </message>
+    <message>
+        <source>the picture is fully transparent</source>
+        <translation>l’image est entièrement transparente</translation>
+    </message>
+    <message>
+        <source>the picture&apos;s alpha is nowhere above the threshold of %1 %</source>
+        <translation>l’alpha de l’image ne dépasse nulle part le seuil de %1 %</translation>
+    </message>
+    <message>
+        <source>the picture&apos;s alpha has too many contours: it looks like noise</source>
+        <translation>l’alpha de l’image a trop de contours : on dirait du bruit</translation>
+    </message>
+    <message>
+        <source>the outline is empty</source>
+        <translation>le contour est vide</translation>
+    </message>
+    <message>
+        <source>the outline crosses or overlaps itself near %1</source>
+        <translation>le contour se croise ou se recouvre près de %1</translation>
+    </message>
+    <message>
+        <source>the outline cannot be triangulated (%1)</source>
+        <translation>le contour ne peut pas être triangulé (%1)</translation>
+    </message>
+    <message>
+        <source>points %1 and %2 are the same, %3</source>
+        <translation>les points %1 et %2 sont identiques, %3</translation>
+    </message>
+    <message>
+        <source>point %1, %2, is outside of the shape</source>
+        <translation>le point %1, %2, est hors de la forme</translation>
+    </message>
+    <message>
+        <source>an edge length of %1 would take more than %2 vertices</source>
+        <translation>une longueur d’arête de %1 demanderait plus de %2 sommets</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>est vide</translation>
+    </message>
+    <message>
+        <source>does not exist</source>
+        <translation>n’existe pas</translation>
+    </message>
+    <message>
+        <source>is a folder</source>
+        <translation>est un dossier</translation>
+    </message>
+    <message>
+        <source>is a pipe, not a file</source>
+        <translation>est un tube, pas un fichier</translation>
+    </message>
+    <message>
+        <source>is a device, not a file</source>
+        <translation>est un périphérique, pas un fichier</translation>
+    </message>
+    <message>
+        <source>is a symbolic link that leads back to itself</source>
+        <translation>est un lien symbolique qui revient à lui-même</translation>
+    </message>
+    <message>
+        <source>cannot be read: %1</source>
+        <translation>ne peut pas être lu : %1</translation>
+    </message>
+    <message>
+        <source>cannot be written: %1</source>
+        <translation>ne peut pas être écrit : %1</translation>
+    </message>
+    <message>
+        <source>the disk may be full</source>
+        <translation>le disque est peut-être plein</translation>
+    </message>
+    <message>
+        <source>the folder %1 does not exist</source>
+        <translation>le dossier %1 n’existe pas</translation>
+    </message>
+    <message>
+        <source>the folder %1 is not writable</source>
+        <translation>le dossier %1 n’est pas accessible en écriture</translation>
+    </message>
+    <message>
+        <source>is read-only: make it writable first, or choose another name</source>
+        <translation>est en lecture seule : rendez-le d’abord modifiable, ou choisissez un autre nom</translation>
+    </message>
+    <message>
+        <source>is %1; pictures are read from PNG, JPEG, TIFF, EXR, WebP, HDR, BMP, TGA and PNM files</source>
+        <translation>est %1 ; les images se lisent dans les fichiers PNG, JPEG, TIFF, EXR, WebP, HDR, BMP, TGA et PNM</translation>
+    </message>
+    <message>
+        <source>a GIF picture</source>
+        <translation>une image GIF</translation>
+    </message>
+    <message>
+        <source>a Photoshop picture (PSD)</source>
+        <translation>une image Photoshop (PSD)</translation>
+    </message>
+    <message>
+        <source>a HEIC picture</source>
+        <translation>une image HEIC</translation>
+    </message>
+    <message>
+        <source>an AVIF picture</source>
+        <translation>une image AVIF</translation>
+    </message>
+    <message>
+        <source>a JPEG 2000 picture</source>
+        <translation>une image JPEG 2000</translation>
+    </message>
+    <message>
+        <source>a JPEG XL picture</source>
+        <translation>une image JPEG XL</translation>
+    </message>
+    <message>
+        <source>a GIMP picture (XCF)</source>
+        <translation>une image GIMP (XCF)</translation>
+    </message>
+    <message>
+        <source>a PDF document</source>
+        <translation>un document PDF</translation>
+    </message>
+    <message>
+        <source>an SVG drawing</source>
+        <translation>un dessin SVG</translation>
+    </message>
+    <message>
+        <source>a film</source>
+        <translation>un film</translation>
+    </message>
+    <message>
+        <source>a ZIP archive</source>
+        <translation>une archive ZIP</translation>
+    </message>
+    <message>
+        <source>a text file</source>
+        <translation>un fichier texte</translation>
+    </message>
+    <message>
+        <source>no picture that Wend knows</source>
+        <translation>une image que Wend ne connaît pas</translation>
+    </message>
+    <message>
+        <source>cannot be read as a picture: %1</source>
+        <translation>ne peut pas être lu comme image : %1</translation>
+    </message>
+    <message>
+        <source>has no pixels</source>
+        <translation>n’a pas de pixels</translation>
+    </message>
+    <message>
+        <source>is a volume, not a picture</source>
+        <translation>est un volume, pas une image</translation>
+    </message>
+    <message>
+        <source>has %1 x %2 pixels, more than %3 million</source>
+        <translation>a %1 × %2 pixels, plus de %3 millions</translation>
+    </message>
+    <message>
+        <source>is truncated or corrupt</source>
+        <translation>est tronqué ou endommagé</translation>
+    </message>
+    <message>
+        <source>is transparent everywhere</source>
+        <translation>est transparent partout</translation>
+    </message>
+    <message>
+        <source>holds tetrahedra, but the project is in the plane</source>
+        <translation>contient des tétraèdres, mais le projet est dans le plan</translation>
+    </message>
+    <message>
+        <source>holds no tetrahedra, but the project is in space</source>
+        <translation>ne contient pas de tétraèdres, mais le projet est dans l’espace</translation>
+    </message>
+    <message>
+        <source>the surface has no triangle</source>
+        <translation>la surface n’a pas de triangle</translation>
+    </message>
+    <message>
+        <source>the surface has no extent</source>
+        <translation>la surface n’a pas d’étendue</translation>
+    </message>
+    <message>
+        <source>the surface encloses no volume</source>
+        <translation>la surface n’enferme aucun volume</translation>
+    </message>
+    <message>
+        <source>the surface bounds no volume: %1</source>
+        <translation>la surface ne délimite aucun volume : %1</translation>
+    </message>
+    <message>
+        <source>the surface intersects itself</source>
+        <translation>la surface se coupe elle-même</translation>
+    </message>
+    <message>
+        <source>the surface has features too small for its size</source>
+        <translation>la surface a des détails trop fins pour sa taille</translation>
+    </message>
+    <message>
+        <source>two facets of the surface lie almost on each other</source>
+        <translation>deux facettes de la surface sont presque confondues</translation>
+    </message>
+    <message>
+        <source>the volume mesher ran out of memory</source>
+        <translation>le mailleur de volume manque de mémoire</translation>
+    </message>
+    <message>
+        <source>the volume mesher did not finish within %1 s of computing; a coarser quality or a larger maxVolume may help</source>
+        <translation>le mailleur de volume n’a pas fini en %1 s de calcul ; une qualité plus grossière ou de plus grands tétraèdres peuvent aider</translation>
+    </message>
+    <message>
+        <source>all points lie in one plane</source>
+        <translation>tous les points sont dans un plan</translation>
+    </message>
+    <message>
+        <source>%1 open edge (first: %2)</source>
+        <translation>%1 arête ouverte (%2)</translation>
+    </message>
+    <message>
+        <source>%1 open edges (first: %2)</source>
+        <translation>%1 arêtes ouvertes (d’abord %2)</translation>
+    </message>
+    <message>
+        <source>%1 edge of more than two triangles (first: %2)</source>
+        <translation>%1 arête de plus de deux triangles (%2)</translation>
+    </message>
+    <message>
+        <source>%1 edges of more than two triangles (first: %2)</source>
+        <translation>%1 arêtes de plus de deux triangles (d’abord %2)</translation>
+    </message>
+    <message>
+        <source>%1 pair of triangles that intersect (first: %2)</source>
+        <translation>%1 paire de triangles qui se coupent (%2)</translation>
+    </message>
+    <message>
+        <source>%1 pairs of triangles that intersect (first: %2)</source>
+        <translation>%1 paires de triangles qui se coupent (d’abord %2)</translation>
+    </message>
+    <message>
+        <source>%1 triangle without area (first: %2)</source>
+        <translation>%1 triangle sans aire (%2)</translation>
+    </message>
+    <message>
+        <source>%1 triangles without area (first: %2)</source>
+        <translation>%1 triangles sans aire (d’abord %2)</translation>
+    </message>
+    <message>
+        <source>%1 duplicate triangle (first: %2)</source>
+        <translation>%1 triangle en double (%2)</translation>
+    </message>
+    <message>
+        <source>%1 duplicate triangles (first: %2)</source>
+        <translation>%1 triangles en double (d’abord %2)</translation>
+    </message>
+    <message>
+        <source>%1 edge where the orientation changes (first: %2)</source>
+        <translation>%1 arête où l’orientation change (%2)</translation>
+    </message>
+    <message>
+        <source>%1 edges where the orientation changes (first: %2)</source>
+        <translation>%1 arêtes où l’orientation change (d’abord %2)</translation>
+    </message>
+    <message>
+        <source>the surface was repaired: %1</source>
+        <translation>la surface a été réparée : %1</translation>
+    </message>
+    <message>
+        <source>%1 coincident vertex merged</source>
+        <translation>%1 sommet confondu fusionné</translation>
+    </message>
+    <message>
+        <source>%1 coincident vertices merged</source>
+        <translation>%1 sommets confondus fusionnés</translation>
+    </message>
+    <message>
+        <source>%1 triangle without area dropped</source>
+        <translation>%1 triangle sans aire supprimé</translation>
+    </message>
+    <message>
+        <source>%1 triangles without area dropped</source>
+        <translation>%1 triangles sans aire supprimés</translation>
+    </message>
+    <message>
+        <source>%1 duplicate triangle dropped</source>
+        <translation>%1 triangle en double supprimé</translation>
+    </message>
+    <message>
+        <source>%1 duplicate triangles dropped</source>
+        <translation>%1 triangles en double supprimés</translation>
+    </message>
+    <message>
+        <source>%1 triangle turned over</source>
+        <translation>%1 triangle retourné</translation>
+    </message>
+    <message>
+        <source>%1 triangles turned over</source>
+        <translation>%1 triangles retournés</translation>
+    </message>
+    <message>
+        <source>%1 hole filled</source>
+        <translation>%1 trou comblé</translation>
+    </message>
+    <message>
+        <source>%1 holes filled</source>
+        <translation>%1 trous comblés</translation>
+    </message>
+    <message>
+        <source>the surface is embedded in a cage of %1 vertices, since %2</source>
+        <translation>la surface est incluse dans une cage de %1 sommets, car %2</translation>
+    </message>
+    <message>
+        <source>it cannot be meshed as it is: %1</source>
+        <translation>elle ne peut pas être maillée telle quelle : %1</translation>
+    </message>
+    <message>
+        <source>it has %1 vertices, where %2 were aimed at</source>
+        <translation>elle a %1 sommets, alors que %2 étaient visés</translation>
+    </message>
+    <message>
+        <source>the cage has %1 vertices, where %2 were aimed at: whole cubes allow nothing nearer</source>
+        <translation>la cage a %1 sommets, alors que %2 étaient visés : des cubes entiers ne permettent pas mieux</translation>
+    </message>
+    <message>
+        <source>the cells of the cage are larger than asked for: there is no memory for smaller ones</source>
+        <translation>les cellules de la cage sont plus grandes que demandé : la mémoire ne suffit pas pour de plus petites</translation>
+    </message>
+    <message>
+        <source>sizes are for the exact surface: a cage has cells of one size</source>
+        <translation>les tailles valent pour la surface exacte : une cage a des cellules d’une seule taille</translation>
+    </message>
+    <message>
+        <source>its %1 parts share cells of the cage and move together as %2: smaller cells keep more of them apart</source>
+        <translation>ses %1 parties partagent des cellules de la cage et bougent ensemble comme %2 : de plus petites cellules en séparent davantage</translation>
+    </message>
+    <message>
+        <source>the cage is in %1 bodies that do not hang together: each needs a handle of its own to follow</source>
+        <translation>la cage est en %1 corps qui ne tiennent pas ensemble : chacun a besoin de sa propre épingle pour suivre</translation>
+    </message>
+    <message>
+        <source>%1 of %2 vertices lie outside the solid that carries them</source>
+        <translation>%1 sommets sur %2 sont hors du solide qui les porte</translation>
+    </message>
+    <message>
+        <source>the mesh has %1 vertices, where %2 were aimed at: the quality asked for needs them</source>
+        <translation>le maillage a %1 sommets, alors que %2 étaient visés : la qualité demandée les exige</translation>
+    </message>
+    <message>
+        <source>the mesh has %1 vertices, where %2 were aimed at: the surface is kept as it is</source>
+        <translation>le maillage a %1 sommets, alors que %2 étaient visés : la surface est gardée telle quelle</translation>
+    </message>
+    <message>
+        <source>the surface&apos;s triangles are far larger than the cells inside and are kept as they are, which makes uneven cells</source>
+        <translation>les triangles de la surface sont bien plus grands que les cellules intérieures et restent tels quels, ce qui donne des cellules inégales</translation>
+    </message>
+    <message>
+        <source>the worst cell has a ratio of radius to edge of %1, where %2 was asked for (%3 cell is above it)</source>
+        <translation>la pire cellule a un rapport rayon/arête de %1, alors que %2 était demandé (%3 cellule au-dessus)</translation>
+    </message>
+    <message>
+        <source>the worst cell has a ratio of radius to edge of %1, where %2 was asked for (%3 cells are above it)</source>
+        <translation>la pire cellule a un rapport rayon/arête de %1, alors que %2 était demandé (%3 cellules au-dessus)</translation>
+    </message>
+    <message>
+        <source>%1: the surface is kept as it is and forces it, at its triangles %2</source>
+        <translation>%1 : la surface est gardée telle quelle et l’impose, à ses triangles %2</translation>
+    </message>
+    <message>
+        <source>%1 vertices of the surface belong to no tetrahedron: meshes of tetrahedra are written without them, and so with other numbers behind them</source>
+        <translation>%1 sommets de la surface n’appartiennent à aucun tétraèdre : les maillages de tétraèdres sont écrits sans eux, donc avec d’autres numéros ensuite</translation>
+    </message>
+    <message>
+        <source>%1 vertices belong to no cell. They stay in what is written: some solvers want them taken out first</source>
+        <translation>%1 sommets n’appartiennent à aucune cellule. Ils restent dans ce qui est écrit : certains solveurs veulent qu’on les retire d’abord</translation>
+    </message>
+    <message>
+        <source>parts that touch vertex on vertex hang together: %1 vertices move with others at their place</source>
+        <translation>les parties qui se touchent sommet à sommet tiennent ensemble : %1 sommets bougent avec d’autres au même endroit</translation>
+    </message>
+    <message>
+        <source>a part of %1 hangs on %2 near %3 alone: what turns there freely may be flung far away, unless handles hold it</source>
+        <translation>une partie de %1 ne tient qu’à %2 près de %3 : ce qui y tourne librement peut être projeté au loin, sauf si des épingles le tiennent</translation>
+    </message>
+    <message>
+        <source>%1 parts hang on a vertex or an edge alone, the first, of %2, on %3 near %4 alone: what turns there freely may be flung far away, unless handles hold it</source>
+        <translation>%1 parties ne tiennent qu’à un sommet ou une arête, la première, de %2, à %3 près de %4 : ce qui y tourne librement peut être projeté au loin, sauf si des épingles le tiennent</translation>
+    </message>
+    <message>
+        <source>%1 cells</source>
+        <translation>%1 cellules</translation>
+    </message>
+    <message>
+        <source>%1 cell</source>
+        <translation>%1 cellule</translation>
+    </message>
+    <message>
+        <source>vertex %1</source>
+        <translation>le sommet %1</translation>
+    </message>
+    <message>
+        <source>the edge %1</source>
+        <translation>l’arête %1</translation>
+    </message>
+</context>
+<context>
     <name>CurveEditor</name>
     <message>
         <source>Drag the curve&apos;s point, with Ctrl one direction alone; Delete removes it, a right click shows more</source>
@@ -5202,7 +5669,7 @@
     </message>
     <message>
         <source>Drag a bar or its ends to another time; bars at the same time move together. A right click sets how it begins and ends. The ends of the line say when the pin holds</source>
-        <translation>Faites glisser une barre ou ses extrémités vers un autre moment ; les barres simultanées bougent ensemble. Un clic droit règle son début et sa fin. Les extrémités de la ligne disent quand l’épingle tient</translation>
+        <translation>Faites glisser une barre ou ses extrémités vers un autre moment&#x202f;; les barres simultanées bougent ensemble. Un clic droit règle son début et sa fin. Les extrémités de la ligne disent quand l’épingle tient</translation>
     </message>
     <message>
         <source>Change when it holds</source>

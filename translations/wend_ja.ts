@@ -192,6 +192,473 @@
     </message>
 </context>
 <context>
+    <name>Core</name>
+    <message>
+        <source>at time %1 %2 cannot go on: %3</source>
+        <translation>時刻 %1 で %2 は進めません: %3</translation>
+    </message>
+    <message>
+        <source>at time %1 the shape is too stiff to settle further near %2: the steps would be too short; allow a larger tolerance</source>
+        <translation>時刻 %1 で形は %2 の近くで硬すぎて、それ以上落ち着けません。ステップが短くなりすぎます。許容誤差を大きくしてください</translation>
+    </message>
+    <message>
+        <source>the shape would fold over near %1, in cell %2; let it go less far or another way, or free what holds the shape there</source>
+        <translation>形が %1 の近く、セル %2 で折り返してしまいます。動きを小さくするか別の動かし方にするか、そこで形を押さえているものを外してください</translation>
+    </message>
+    <message>
+        <source>it is too fast near %1, the steps would be too short; give its motion more time, or allow a larger tolerance</source>
+        <translation>%1 の近くで速すぎて、ステップが短くなりすぎます。動きに時間をかけるか、許容誤差を大きくしてください</translation>
+    </message>
+    <message>
+        <source>the shape near %1 is so much stretched or squeezed that no velocity can be computed; let it go less far, or make the material or the mesh more even there</source>
+        <translation>%1 の近くで形が伸びすぎ、または縮みすぎて、速度を計算できません。動きを小さくするか、そこの材質やメッシュをより均一にしてください</translation>
+    </message>
+    <message>
+        <source>it is so fast near %1 that numbers overflow; let it go less far, or give its motion more time</source>
+        <translation>%1 の近くで速すぎて、数値があふれます。動きを小さくするか、動きに時間をかけてください</translation>
+    </message>
+    <message>
+        <source>%1 and %2 move the point %3 in different ways at time %4</source>
+        <translation>%1 と %2 が点 %3 を時刻 %4 に異なる向きへ動かしています</translation>
+    </message>
+    <message>
+        <source>handle &quot;%1&quot;</source>
+        <translation>ピン「%1」</translation>
+    </message>
+    <message>
+        <source>handle %1</source>
+        <translation>ピン %1</translation>
+    </message>
+    <message>
+        <source>the shape</source>
+        <translation>形</translation>
+    </message>
+    <message>
+        <source>its region holds no vertex</source>
+        <translation>その領域には頂点がありません</translation>
+    </message>
+    <message>
+        <source>point %1 lies outside the shape</source>
+        <translation>点 %1 は形の外にあります</translation>
+    </message>
+    <message>
+        <source>vertex %1 belongs to no cell</source>
+        <translation>頂点 %1 はどのセルにも属していません</translation>
+    </message>
+    <message>
+        <source>the picture has no alpha channel to take an outline from</source>
+        <translation>画像には輪郭のもとになるアルファチャンネルがありません</translation>
+    </message>
+    <message>
+        <source>the picture has no pixels</source>
+        <translation>画像にピクセルがありません</translation>
+    </message>
+    <message>
+        <source>no part of the picture is as large as %1 pixels</source>
+        <translation>画像に %1 ピクセル以上の部分がありません</translation>
+    </message>
+    <message>
+        <source>the picture is fully transparent</source>
+        <translation>画像は完全に透明です</translation>
+    </message>
+    <message>
+        <source>the picture&apos;s alpha is nowhere above the threshold of %1 %</source>
+        <translation>画像のアルファはどこでもしきい値 %1 % を超えません</translation>
+    </message>
+    <message>
+        <source>the picture&apos;s alpha has too many contours: it looks like noise</source>
+        <translation>画像のアルファの輪郭が多すぎます。ノイズのようです</translation>
+    </message>
+    <message>
+        <source>the outline is empty</source>
+        <translation>輪郭が空です</translation>
+    </message>
+    <message>
+        <source>the outline crosses or overlaps itself near %1</source>
+        <translation>輪郭が %1 の近くで交差または重なっています</translation>
+    </message>
+    <message>
+        <source>the outline cannot be triangulated (%1)</source>
+        <translation>輪郭を三角形分割できません (%1)</translation>
+    </message>
+    <message>
+        <source>points %1 and %2 are the same, %3</source>
+        <translation>点 %1 と %2 は同じです、%3</translation>
+    </message>
+    <message>
+        <source>point %1, %2, is outside of the shape</source>
+        <translation>点 %1、%2 は形の外です</translation>
+    </message>
+    <message>
+        <source>an edge length of %1 would take more than %2 vertices</source>
+        <translation>辺の長さ %1 には %2 個を超える頂点が必要です</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>は空です</translation>
+    </message>
+    <message>
+        <source>does not exist</source>
+        <translation>は存在しません</translation>
+    </message>
+    <message>
+        <source>is a folder</source>
+        <translation>はフォルダーです</translation>
+    </message>
+    <message>
+        <source>is a pipe, not a file</source>
+        <translation>はパイプであり、ファイルではありません</translation>
+    </message>
+    <message>
+        <source>is a device, not a file</source>
+        <translation>はデバイスであり、ファイルではありません</translation>
+    </message>
+    <message>
+        <source>is a symbolic link that leads back to itself</source>
+        <translation>は自分自身に戻るシンボリックリンクです</translation>
+    </message>
+    <message>
+        <source>cannot be read: %1</source>
+        <translation>を読み込めません: %1</translation>
+    </message>
+    <message>
+        <source>cannot be written: %1</source>
+        <translation>に書き込めません: %1</translation>
+    </message>
+    <message>
+        <source>the disk may be full</source>
+        <translation>ディスクがいっぱいかもしれません</translation>
+    </message>
+    <message>
+        <source>the folder %1 does not exist</source>
+        <translation>フォルダー %1 は存在しません</translation>
+    </message>
+    <message>
+        <source>the folder %1 is not writable</source>
+        <translation>フォルダー %1 に書き込めません</translation>
+    </message>
+    <message>
+        <source>is read-only: make it writable first, or choose another name</source>
+        <translation>は読み取り専用です。先に書き込み可能にするか、別の名前を選んでください</translation>
+    </message>
+    <message>
+        <source>is %1; pictures are read from PNG, JPEG, TIFF, EXR, WebP, HDR, BMP, TGA and PNM files</source>
+        <translation>は%1です。画像は PNG、JPEG、TIFF、EXR、WebP、HDR、BMP、TGA、PNM ファイルから読み込みます</translation>
+    </message>
+    <message>
+        <source>a GIF picture</source>
+        <translation>GIF 画像</translation>
+    </message>
+    <message>
+        <source>a Photoshop picture (PSD)</source>
+        <translation>Photoshop 画像 (PSD)</translation>
+    </message>
+    <message>
+        <source>a HEIC picture</source>
+        <translation>HEIC 画像</translation>
+    </message>
+    <message>
+        <source>an AVIF picture</source>
+        <translation>AVIF 画像</translation>
+    </message>
+    <message>
+        <source>a JPEG 2000 picture</source>
+        <translation>JPEG 2000 画像</translation>
+    </message>
+    <message>
+        <source>a JPEG XL picture</source>
+        <translation>JPEG XL 画像</translation>
+    </message>
+    <message>
+        <source>a GIMP picture (XCF)</source>
+        <translation>GIMP 画像 (XCF)</translation>
+    </message>
+    <message>
+        <source>a PDF document</source>
+        <translation>PDF 文書</translation>
+    </message>
+    <message>
+        <source>an SVG drawing</source>
+        <translation>SVG 図形</translation>
+    </message>
+    <message>
+        <source>a film</source>
+        <translation>動画</translation>
+    </message>
+    <message>
+        <source>a ZIP archive</source>
+        <translation>ZIP アーカイブ</translation>
+    </message>
+    <message>
+        <source>a text file</source>
+        <translation>テキストファイル</translation>
+    </message>
+    <message>
+        <source>no picture that Wend knows</source>
+        <translation>Wend の知らない画像</translation>
+    </message>
+    <message>
+        <source>cannot be read as a picture: %1</source>
+        <translation>を画像として読み込めません: %1</translation>
+    </message>
+    <message>
+        <source>has no pixels</source>
+        <translation>にピクセルがありません</translation>
+    </message>
+    <message>
+        <source>is a volume, not a picture</source>
+        <translation>はボリュームであり、画像ではありません</translation>
+    </message>
+    <message>
+        <source>has %1 x %2 pixels, more than %3 million</source>
+        <translation>は %1 × %2 ピクセルで、%3 百万を超えています</translation>
+    </message>
+    <message>
+        <source>is truncated or corrupt</source>
+        <translation>は途中で切れているか壊れています</translation>
+    </message>
+    <message>
+        <source>is transparent everywhere</source>
+        <translation>はすべて透明です</translation>
+    </message>
+    <message>
+        <source>holds tetrahedra, but the project is in the plane</source>
+        <translation>は四面体を含みますが、プロジェクトは平面です</translation>
+    </message>
+    <message>
+        <source>holds no tetrahedra, but the project is in space</source>
+        <translation>は四面体を含みませんが、プロジェクトは空間です</translation>
+    </message>
+    <message>
+        <source>the surface has no triangle</source>
+        <translation>表面に三角形がありません</translation>
+    </message>
+    <message>
+        <source>the surface has no extent</source>
+        <translation>表面に広がりがありません</translation>
+    </message>
+    <message>
+        <source>the surface encloses no volume</source>
+        <translation>表面は体積を囲んでいません</translation>
+    </message>
+    <message>
+        <source>the surface bounds no volume: %1</source>
+        <translation>表面は体積を囲んでいません: %1</translation>
+    </message>
+    <message>
+        <source>the surface intersects itself</source>
+        <translation>表面が自分自身と交差しています</translation>
+    </message>
+    <message>
+        <source>the surface has features too small for its size</source>
+        <translation>表面の大きさに対して細部が小さすぎます</translation>
+    </message>
+    <message>
+        <source>two facets of the surface lie almost on each other</source>
+        <translation>表面の二つの面がほとんど重なっています</translation>
+    </message>
+    <message>
+        <source>the volume mesher ran out of memory</source>
+        <translation>体積メッシュの作成中にメモリーが足りなくなりました</translation>
+    </message>
+    <message>
+        <source>the volume mesher did not finish within %1 s of computing; a coarser quality or a larger maxVolume may help</source>
+        <translation>体積メッシュは %1 秒の計算で終わりませんでした。品質を下げるか、四面体を大きくすると良いかもしれません</translation>
+    </message>
+    <message>
+        <source>all points lie in one plane</source>
+        <translation>すべての点が一つの平面上にあります</translation>
+    </message>
+    <message>
+        <source>%1 open edge (first: %2)</source>
+        <translation>開いた辺 %1 本 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 open edges (first: %2)</source>
+        <translation>開いた辺 %1 本 (最初: %2)</translation>
+    </message>
+    <message>
+        <source>%1 edge of more than two triangles (first: %2)</source>
+        <translation>三つ以上の三角形が共有する辺 %1 本 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 edges of more than two triangles (first: %2)</source>
+        <translation>三つ以上の三角形が共有する辺 %1 本 (最初: %2)</translation>
+    </message>
+    <message>
+        <source>%1 pair of triangles that intersect (first: %2)</source>
+        <translation>交差する三角形の組 %1 組 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 pairs of triangles that intersect (first: %2)</source>
+        <translation>交差する三角形の組 %1 組 (最初: %2)</translation>
+    </message>
+    <message>
+        <source>%1 triangle without area (first: %2)</source>
+        <translation>面積のない三角形 %1 個 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 triangles without area (first: %2)</source>
+        <translation>面積のない三角形 %1 個 (最初: %2)</translation>
+    </message>
+    <message>
+        <source>%1 duplicate triangle (first: %2)</source>
+        <translation>重複した三角形 %1 個 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 duplicate triangles (first: %2)</source>
+        <translation>重複した三角形 %1 個 (最初: %2)</translation>
+    </message>
+    <message>
+        <source>%1 edge where the orientation changes (first: %2)</source>
+        <translation>向きが変わる辺 %1 本 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 edges where the orientation changes (first: %2)</source>
+        <translation>向きが変わる辺 %1 本 (最初: %2)</translation>
+    </message>
+    <message>
+        <source>the surface was repaired: %1</source>
+        <translation>表面を修復しました: %1</translation>
+    </message>
+    <message>
+        <source>%1 coincident vertex merged</source>
+        <translation>重なる頂点 %1 個を統合</translation>
+    </message>
+    <message>
+        <source>%1 coincident vertices merged</source>
+        <translation>重なる頂点 %1 個を統合</translation>
+    </message>
+    <message>
+        <source>%1 triangle without area dropped</source>
+        <translation>面積のない三角形 %1 個を削除</translation>
+    </message>
+    <message>
+        <source>%1 triangles without area dropped</source>
+        <translation>面積のない三角形 %1 個を削除</translation>
+    </message>
+    <message>
+        <source>%1 duplicate triangle dropped</source>
+        <translation>重複した三角形 %1 個を削除</translation>
+    </message>
+    <message>
+        <source>%1 duplicate triangles dropped</source>
+        <translation>重複した三角形 %1 個を削除</translation>
+    </message>
+    <message>
+        <source>%1 triangle turned over</source>
+        <translation>三角形 %1 個を裏返し</translation>
+    </message>
+    <message>
+        <source>%1 triangles turned over</source>
+        <translation>三角形 %1 個を裏返し</translation>
+    </message>
+    <message>
+        <source>%1 hole filled</source>
+        <translation>穴 %1 個を埋めました</translation>
+    </message>
+    <message>
+        <source>%1 holes filled</source>
+        <translation>穴 %1 個を埋めました</translation>
+    </message>
+    <message>
+        <source>the surface is embedded in a cage of %1 vertices, since %2</source>
+        <translation>表面は %1 頂点のケージに埋め込まれています。理由: %2</translation>
+    </message>
+    <message>
+        <source>it cannot be meshed as it is: %1</source>
+        <translation>そのままではメッシュにできません: %1</translation>
+    </message>
+    <message>
+        <source>it has %1 vertices, where %2 were aimed at</source>
+        <translation>目標 %2 に対して頂点が %1 個あります</translation>
+    </message>
+    <message>
+        <source>the cage has %1 vertices, where %2 were aimed at: whole cubes allow nothing nearer</source>
+        <translation>目標 %2 に対してケージの頂点は %1 個です。立方体ではこれ以上近づけません</translation>
+    </message>
+    <message>
+        <source>the cells of the cage are larger than asked for: there is no memory for smaller ones</source>
+        <translation>ケージのセルは指定より大きくなっています。小さくするにはメモリーが足りません</translation>
+    </message>
+    <message>
+        <source>sizes are for the exact surface: a cage has cells of one size</source>
+        <translation>サイズ指定は正確な表面のためのものです。ケージのセルは同じ大きさです</translation>
+    </message>
+    <message>
+        <source>its %1 parts share cells of the cage and move together as %2: smaller cells keep more of them apart</source>
+        <translation>%1 個の部分がケージのセルを共有し、%2 個として一緒に動きます。セルを小さくするとより多く分かれます</translation>
+    </message>
+    <message>
+        <source>the cage is in %1 bodies that do not hang together: each needs a handle of its own to follow</source>
+        <translation>ケージはつながっていない %1 個の塊です。それぞれに独自のピンが必要です</translation>
+    </message>
+    <message>
+        <source>%1 of %2 vertices lie outside the solid that carries them</source>
+        <translation>%2 頂点のうち %1 個が、それを運ぶ立体の外にあります</translation>
+    </message>
+    <message>
+        <source>the mesh has %1 vertices, where %2 were aimed at: the quality asked for needs them</source>
+        <translation>目標 %2 に対してメッシュの頂点は %1 個です。指定の品質に必要です</translation>
+    </message>
+    <message>
+        <source>the mesh has %1 vertices, where %2 were aimed at: the surface is kept as it is</source>
+        <translation>目標 %2 に対してメッシュの頂点は %1 個です。表面はそのまま保たれます</translation>
+    </message>
+    <message>
+        <source>the surface&apos;s triangles are far larger than the cells inside and are kept as they are, which makes uneven cells</source>
+        <translation>表面の三角形は内部のセルよりずっと大きく、そのまま保たれるため、セルが不均一になります</translation>
+    </message>
+    <message>
+        <source>the worst cell has a ratio of radius to edge of %1, where %2 was asked for (%3 cell is above it)</source>
+        <translation>最悪のセルの半径と辺の比は %1 で、指定は %2 です (%3 セルが超過)</translation>
+    </message>
+    <message>
+        <source>the worst cell has a ratio of radius to edge of %1, where %2 was asked for (%3 cells are above it)</source>
+        <translation>最悪のセルの半径と辺の比は %1 で、指定は %2 です (%3 セルが超過)</translation>
+    </message>
+    <message>
+        <source>%1: the surface is kept as it is and forces it, at its triangles %2</source>
+        <translation>%1: 表面がそのまま保たれ、その三角形 %2 が原因です</translation>
+    </message>
+    <message>
+        <source>%1 vertices of the surface belong to no tetrahedron: meshes of tetrahedra are written without them, and so with other numbers behind them</source>
+        <translation>表面の %1 頂点はどの四面体にも属していません。四面体メッシュはそれらを除いて書き出され、以降の番号が変わります</translation>
+    </message>
+    <message>
+        <source>%1 vertices belong to no cell. They stay in what is written: some solvers want them taken out first</source>
+        <translation>%1 頂点はどのセルにも属していません。書き出しには残ります。ソルバーによっては先に取り除く必要があります</translation>
+    </message>
+    <message>
+        <source>parts that touch vertex on vertex hang together: %1 vertices move with others at their place</source>
+        <translation>頂点どうしで接する部分はつながります。%1 頂点が同じ場所の頂点と一緒に動きます</translation>
+    </message>
+    <message>
+        <source>a part of %1 hangs on %2 near %3 alone: what turns there freely may be flung far away, unless handles hold it</source>
+        <translation>%1 からなる部分が %3 付近の %2 だけでつながっています。自由に回るため、ピンで押さえないと遠くへ飛ばされることがあります</translation>
+    </message>
+    <message>
+        <source>%1 parts hang on a vertex or an edge alone, the first, of %2, on %3 near %4 alone: what turns there freely may be flung far away, unless handles hold it</source>
+        <translation>%1 個の部分が一つの頂点または辺だけでつながっています。最初は %2 からなり、%4 付近の %3 です。自由に回るため、ピンで押さえないと遠くへ飛ばされることがあります</translation>
+    </message>
+    <message>
+        <source>%1 cells</source>
+        <translation>%1 セル</translation>
+    </message>
+    <message>
+        <source>%1 cell</source>
+        <translation>%1 セル</translation>
+    </message>
+    <message>
+        <source>vertex %1</source>
+        <translation>頂点 %1</translation>
+    </message>
+    <message>
+        <source>the edge %1</source>
+        <translation>辺 %1</translation>
+    </message>
+</context>
+<context>
     <name>CurveEditor</name>
     <message>
         <source>Drag the curve&apos;s point, with Ctrl one direction alone; Delete removes it, a right click shows more</source>

@@ -192,6 +192,473 @@
     </message>
 </context>
 <context>
+    <name>Core</name>
+    <message>
+        <source>at time %1 %2 cannot go on: %3</source>
+        <translation>在时刻 %1，%2 无法继续：%3</translation>
+    </message>
+    <message>
+        <source>at time %1 the shape is too stiff to settle further near %2: the steps would be too short; allow a larger tolerance</source>
+        <translation>在时刻 %1，形状在 %2 附近过于坚硬，无法继续松弛：步长会过短；请放宽容差</translation>
+    </message>
+    <message>
+        <source>the shape would fold over near %1, in cell %2; let it go less far or another way, or free what holds the shape there</source>
+        <translation>形状会在 %1 附近的单元 %2 处翻折；请移动得近一些或换一种方式，或松开在那里固定形状的东西</translation>
+    </message>
+    <message>
+        <source>it is too fast near %1, the steps would be too short; give its motion more time, or allow a larger tolerance</source>
+        <translation>在 %1 附近过快，步长会过短；请给运动更多时间，或放宽容差</translation>
+    </message>
+    <message>
+        <source>the shape near %1 is so much stretched or squeezed that no velocity can be computed; let it go less far, or make the material or the mesh more even there</source>
+        <translation>形状在 %1 附近被拉伸或压缩得过多，无法计算速度；请移动得近一些，或使那里的材质或网格更均匀</translation>
+    </message>
+    <message>
+        <source>it is so fast near %1 that numbers overflow; let it go less far, or give its motion more time</source>
+        <translation>在 %1 附近过快，数值溢出；请移动得近一些，或给运动更多时间</translation>
+    </message>
+    <message>
+        <source>%1 and %2 move the point %3 in different ways at time %4</source>
+        <translation>%1 和 %2 在时刻 %4 以不同方式移动点 %3</translation>
+    </message>
+    <message>
+        <source>handle &quot;%1&quot;</source>
+        <translation>图钉“%1”</translation>
+    </message>
+    <message>
+        <source>handle %1</source>
+        <translation>图钉 %1</translation>
+    </message>
+    <message>
+        <source>the shape</source>
+        <translation>形状</translation>
+    </message>
+    <message>
+        <source>its region holds no vertex</source>
+        <translation>其区域内没有顶点</translation>
+    </message>
+    <message>
+        <source>point %1 lies outside the shape</source>
+        <translation>点 %1 位于形状之外</translation>
+    </message>
+    <message>
+        <source>vertex %1 belongs to no cell</source>
+        <translation>顶点 %1 不属于任何单元</translation>
+    </message>
+    <message>
+        <source>the picture has no alpha channel to take an outline from</source>
+        <translation>图片没有可用于提取轮廓的 Alpha 通道</translation>
+    </message>
+    <message>
+        <source>the picture has no pixels</source>
+        <translation>图片没有像素</translation>
+    </message>
+    <message>
+        <source>no part of the picture is as large as %1 pixels</source>
+        <translation>图片中没有任何部分达到 %1 像素</translation>
+    </message>
+    <message>
+        <source>the picture is fully transparent</source>
+        <translation>图片完全透明</translation>
+    </message>
+    <message>
+        <source>the picture&apos;s alpha is nowhere above the threshold of %1 %</source>
+        <translation>图片的 Alpha 处处不超过阈值 %1 %</translation>
+    </message>
+    <message>
+        <source>the picture&apos;s alpha has too many contours: it looks like noise</source>
+        <translation>图片的 Alpha 轮廓过多：看起来像噪声</translation>
+    </message>
+    <message>
+        <source>the outline is empty</source>
+        <translation>轮廓为空</translation>
+    </message>
+    <message>
+        <source>the outline crosses or overlaps itself near %1</source>
+        <translation>轮廓在 %1 附近自相交或重叠</translation>
+    </message>
+    <message>
+        <source>the outline cannot be triangulated (%1)</source>
+        <translation>轮廓无法三角化 (%1)</translation>
+    </message>
+    <message>
+        <source>points %1 and %2 are the same, %3</source>
+        <translation>点 %1 和 %2 相同，%3</translation>
+    </message>
+    <message>
+        <source>point %1, %2, is outside of the shape</source>
+        <translation>点 %1，%2，在形状之外</translation>
+    </message>
+    <message>
+        <source>an edge length of %1 would take more than %2 vertices</source>
+        <translation>边长 %1 需要超过 %2 个顶点</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>为空</translation>
+    </message>
+    <message>
+        <source>does not exist</source>
+        <translation>不存在</translation>
+    </message>
+    <message>
+        <source>is a folder</source>
+        <translation>是文件夹</translation>
+    </message>
+    <message>
+        <source>is a pipe, not a file</source>
+        <translation>是管道，不是文件</translation>
+    </message>
+    <message>
+        <source>is a device, not a file</source>
+        <translation>是设备，不是文件</translation>
+    </message>
+    <message>
+        <source>is a symbolic link that leads back to itself</source>
+        <translation>是指回自身的符号链接</translation>
+    </message>
+    <message>
+        <source>cannot be read: %1</source>
+        <translation>无法读取：%1</translation>
+    </message>
+    <message>
+        <source>cannot be written: %1</source>
+        <translation>无法写入：%1</translation>
+    </message>
+    <message>
+        <source>the disk may be full</source>
+        <translation>磁盘可能已满</translation>
+    </message>
+    <message>
+        <source>the folder %1 does not exist</source>
+        <translation>文件夹 %1 不存在</translation>
+    </message>
+    <message>
+        <source>the folder %1 is not writable</source>
+        <translation>文件夹 %1 不可写</translation>
+    </message>
+    <message>
+        <source>is read-only: make it writable first, or choose another name</source>
+        <translation>是只读的：请先使其可写，或选择其他名称</translation>
+    </message>
+    <message>
+        <source>is %1; pictures are read from PNG, JPEG, TIFF, EXR, WebP, HDR, BMP, TGA and PNM files</source>
+        <translation>是%1；可读取的图片为 PNG、JPEG、TIFF、EXR、WebP、HDR、BMP、TGA 和 PNM 文件</translation>
+    </message>
+    <message>
+        <source>a GIF picture</source>
+        <translation>GIF 图片</translation>
+    </message>
+    <message>
+        <source>a Photoshop picture (PSD)</source>
+        <translation>Photoshop 图片 (PSD)</translation>
+    </message>
+    <message>
+        <source>a HEIC picture</source>
+        <translation>HEIC 图片</translation>
+    </message>
+    <message>
+        <source>an AVIF picture</source>
+        <translation>AVIF 图片</translation>
+    </message>
+    <message>
+        <source>a JPEG 2000 picture</source>
+        <translation>JPEG 2000 图片</translation>
+    </message>
+    <message>
+        <source>a JPEG XL picture</source>
+        <translation>JPEG XL 图片</translation>
+    </message>
+    <message>
+        <source>a GIMP picture (XCF)</source>
+        <translation>GIMP 图片 (XCF)</translation>
+    </message>
+    <message>
+        <source>a PDF document</source>
+        <translation>PDF 文档</translation>
+    </message>
+    <message>
+        <source>an SVG drawing</source>
+        <translation>SVG 图形</translation>
+    </message>
+    <message>
+        <source>a film</source>
+        <translation>影片</translation>
+    </message>
+    <message>
+        <source>a ZIP archive</source>
+        <translation>ZIP 压缩包</translation>
+    </message>
+    <message>
+        <source>a text file</source>
+        <translation>文本文件</translation>
+    </message>
+    <message>
+        <source>no picture that Wend knows</source>
+        <translation>Wend 不认识的图片</translation>
+    </message>
+    <message>
+        <source>cannot be read as a picture: %1</source>
+        <translation>无法作为图片读取：%1</translation>
+    </message>
+    <message>
+        <source>has no pixels</source>
+        <translation>没有像素</translation>
+    </message>
+    <message>
+        <source>is a volume, not a picture</source>
+        <translation>是体数据，不是图片</translation>
+    </message>
+    <message>
+        <source>has %1 x %2 pixels, more than %3 million</source>
+        <translation>有 %1 × %2 像素，超过 %3 百万</translation>
+    </message>
+    <message>
+        <source>is truncated or corrupt</source>
+        <translation>被截断或已损坏</translation>
+    </message>
+    <message>
+        <source>is transparent everywhere</source>
+        <translation>处处透明</translation>
+    </message>
+    <message>
+        <source>holds tetrahedra, but the project is in the plane</source>
+        <translation>包含四面体，但项目是平面的</translation>
+    </message>
+    <message>
+        <source>holds no tetrahedra, but the project is in space</source>
+        <translation>不含四面体，但项目是空间的</translation>
+    </message>
+    <message>
+        <source>the surface has no triangle</source>
+        <translation>表面没有三角形</translation>
+    </message>
+    <message>
+        <source>the surface has no extent</source>
+        <translation>表面没有大小</translation>
+    </message>
+    <message>
+        <source>the surface encloses no volume</source>
+        <translation>表面没有包围体积</translation>
+    </message>
+    <message>
+        <source>the surface bounds no volume: %1</source>
+        <translation>表面没有围成体积：%1</translation>
+    </message>
+    <message>
+        <source>the surface intersects itself</source>
+        <translation>表面自相交</translation>
+    </message>
+    <message>
+        <source>the surface has features too small for its size</source>
+        <translation>表面的细节相对其尺寸过小</translation>
+    </message>
+    <message>
+        <source>two facets of the surface lie almost on each other</source>
+        <translation>表面的两个面几乎重叠</translation>
+    </message>
+    <message>
+        <source>the volume mesher ran out of memory</source>
+        <translation>体网格生成器内存不足</translation>
+    </message>
+    <message>
+        <source>the volume mesher did not finish within %1 s of computing; a coarser quality or a larger maxVolume may help</source>
+        <translation>体网格生成器在 %1 秒计算内未完成；降低质量或增大四面体可能有帮助</translation>
+    </message>
+    <message>
+        <source>all points lie in one plane</source>
+        <translation>所有点位于同一平面</translation>
+    </message>
+    <message>
+        <source>%1 open edge (first: %2)</source>
+        <translation>%1 条开放边（%2）</translation>
+    </message>
+    <message>
+        <source>%1 open edges (first: %2)</source>
+        <translation>%1 条开放边（首个：%2）</translation>
+    </message>
+    <message>
+        <source>%1 edge of more than two triangles (first: %2)</source>
+        <translation>%1 条边属于两个以上三角形（%2）</translation>
+    </message>
+    <message>
+        <source>%1 edges of more than two triangles (first: %2)</source>
+        <translation>%1 条边属于两个以上三角形（首个：%2）</translation>
+    </message>
+    <message>
+        <source>%1 pair of triangles that intersect (first: %2)</source>
+        <translation>%1 对相交的三角形（%2）</translation>
+    </message>
+    <message>
+        <source>%1 pairs of triangles that intersect (first: %2)</source>
+        <translation>%1 对相交的三角形（首个：%2）</translation>
+    </message>
+    <message>
+        <source>%1 triangle without area (first: %2)</source>
+        <translation>%1 个无面积的三角形（%2）</translation>
+    </message>
+    <message>
+        <source>%1 triangles without area (first: %2)</source>
+        <translation>%1 个无面积的三角形（首个：%2）</translation>
+    </message>
+    <message>
+        <source>%1 duplicate triangle (first: %2)</source>
+        <translation>%1 个重复的三角形（%2）</translation>
+    </message>
+    <message>
+        <source>%1 duplicate triangles (first: %2)</source>
+        <translation>%1 个重复的三角形（首个：%2）</translation>
+    </message>
+    <message>
+        <source>%1 edge where the orientation changes (first: %2)</source>
+        <translation>%1 条边处方向改变（%2）</translation>
+    </message>
+    <message>
+        <source>%1 edges where the orientation changes (first: %2)</source>
+        <translation>%1 条边处方向改变（首个：%2）</translation>
+    </message>
+    <message>
+        <source>the surface was repaired: %1</source>
+        <translation>表面已修复：%1</translation>
+    </message>
+    <message>
+        <source>%1 coincident vertex merged</source>
+        <translation>合并 %1 个重合顶点</translation>
+    </message>
+    <message>
+        <source>%1 coincident vertices merged</source>
+        <translation>合并 %1 个重合顶点</translation>
+    </message>
+    <message>
+        <source>%1 triangle without area dropped</source>
+        <translation>删除 %1 个无面积三角形</translation>
+    </message>
+    <message>
+        <source>%1 triangles without area dropped</source>
+        <translation>删除 %1 个无面积三角形</translation>
+    </message>
+    <message>
+        <source>%1 duplicate triangle dropped</source>
+        <translation>删除 %1 个重复三角形</translation>
+    </message>
+    <message>
+        <source>%1 duplicate triangles dropped</source>
+        <translation>删除 %1 个重复三角形</translation>
+    </message>
+    <message>
+        <source>%1 triangle turned over</source>
+        <translation>翻转 %1 个三角形</translation>
+    </message>
+    <message>
+        <source>%1 triangles turned over</source>
+        <translation>翻转 %1 个三角形</translation>
+    </message>
+    <message>
+        <source>%1 hole filled</source>
+        <translation>填补 %1 个孔洞</translation>
+    </message>
+    <message>
+        <source>%1 holes filled</source>
+        <translation>填补 %1 个孔洞</translation>
+    </message>
+    <message>
+        <source>the surface is embedded in a cage of %1 vertices, since %2</source>
+        <translation>表面嵌入在 %1 个顶点的笼中，因为%2</translation>
+    </message>
+    <message>
+        <source>it cannot be meshed as it is: %1</source>
+        <translation>无法按原样划分网格：%1</translation>
+    </message>
+    <message>
+        <source>it has %1 vertices, where %2 were aimed at</source>
+        <translation>有 %1 个顶点，而目标为 %2</translation>
+    </message>
+    <message>
+        <source>the cage has %1 vertices, where %2 were aimed at: whole cubes allow nothing nearer</source>
+        <translation>笼有 %1 个顶点，而目标为 %2：整立方体无法更接近</translation>
+    </message>
+    <message>
+        <source>the cells of the cage are larger than asked for: there is no memory for smaller ones</source>
+        <translation>笼的单元大于要求：内存不足以使用更小的单元</translation>
+    </message>
+    <message>
+        <source>sizes are for the exact surface: a cage has cells of one size</source>
+        <translation>尺寸仅用于精确表面：笼的单元大小一致</translation>
+    </message>
+    <message>
+        <source>its %1 parts share cells of the cage and move together as %2: smaller cells keep more of them apart</source>
+        <translation>其 %1 个部分共用笼的单元，作为 %2 个一起移动：更小的单元可将更多部分分开</translation>
+    </message>
+    <message>
+        <source>the cage is in %1 bodies that do not hang together: each needs a handle of its own to follow</source>
+        <translation>笼由 %1 个不相连的块组成：每块需要自己的图钉才能跟随</translation>
+    </message>
+    <message>
+        <source>%1 of %2 vertices lie outside the solid that carries them</source>
+        <translation>%2 个顶点中有 %1 个位于承载它们的实体之外</translation>
+    </message>
+    <message>
+        <source>the mesh has %1 vertices, where %2 were aimed at: the quality asked for needs them</source>
+        <translation>网格有 %1 个顶点，而目标为 %2：所要求的质量需要它们</translation>
+    </message>
+    <message>
+        <source>the mesh has %1 vertices, where %2 were aimed at: the surface is kept as it is</source>
+        <translation>网格有 %1 个顶点，而目标为 %2：表面保持原样</translation>
+    </message>
+    <message>
+        <source>the surface&apos;s triangles are far larger than the cells inside and are kept as they are, which makes uneven cells</source>
+        <translation>表面三角形远大于内部单元且保持原样，导致单元不均匀</translation>
+    </message>
+    <message>
+        <source>the worst cell has a ratio of radius to edge of %1, where %2 was asked for (%3 cell is above it)</source>
+        <translation>最差单元的半径与边长之比为 %1，要求为 %2（%3 个单元超出）</translation>
+    </message>
+    <message>
+        <source>the worst cell has a ratio of radius to edge of %1, where %2 was asked for (%3 cells are above it)</source>
+        <translation>最差单元的半径与边长之比为 %1，要求为 %2（%3 个单元超出）</translation>
+    </message>
+    <message>
+        <source>%1: the surface is kept as it is and forces it, at its triangles %2</source>
+        <translation>%1：表面保持原样而导致，位于其三角形 %2</translation>
+    </message>
+    <message>
+        <source>%1 vertices of the surface belong to no tetrahedron: meshes of tetrahedra are written without them, and so with other numbers behind them</source>
+        <translation>表面的 %1 个顶点不属于任何四面体：写出的四面体网格不含它们，其后的编号因此不同</translation>
+    </message>
+    <message>
+        <source>%1 vertices belong to no cell. They stay in what is written: some solvers want them taken out first</source>
+        <translation>%1 个顶点不属于任何单元。它们保留在写出的文件中：某些求解器要求先将其去除</translation>
+    </message>
+    <message>
+        <source>parts that touch vertex on vertex hang together: %1 vertices move with others at their place</source>
+        <translation>顶点相接的部分连在一起：%1 个顶点与同处的其他顶点一起移动</translation>
+    </message>
+    <message>
+        <source>a part of %1 hangs on %2 near %3 alone: what turns there freely may be flung far away, unless handles hold it</source>
+        <translation>由 %1 组成的部分仅靠 %3 附近的 %2 相连：在那里自由转动的部分可能被甩远，除非用图钉固定</translation>
+    </message>
+    <message>
+        <source>%1 parts hang on a vertex or an edge alone, the first, of %2, on %3 near %4 alone: what turns there freely may be flung far away, unless handles hold it</source>
+        <translation>%1 个部分仅靠一个顶点或一条边相连，第一个由 %2 组成，靠 %4 附近的 %3：在那里自由转动的部分可能被甩远，除非用图钉固定</translation>
+    </message>
+    <message>
+        <source>%1 cells</source>
+        <translation>%1 个单元</translation>
+    </message>
+    <message>
+        <source>%1 cell</source>
+        <translation>%1 个单元</translation>
+    </message>
+    <message>
+        <source>vertex %1</source>
+        <translation>顶点 %1</translation>
+    </message>
+    <message>
+        <source>the edge %1</source>
+        <translation>边 %1</translation>
+    </message>
+</context>
+<context>
     <name>CurveEditor</name>
     <message>
         <source>Drag the curve&apos;s point, with Ctrl one direction alone; Delete removes it, a right click shows more</source>

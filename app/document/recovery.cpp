@@ -7,6 +7,7 @@
 #include <QUuid>
 #include <QtConcurrent>
 
+#include "app/document/said.h"
 #include "app/document/text_file.h"
 #include "core/mesh/error.h"
 
@@ -33,7 +34,7 @@ QString tryToWrite(const QString& copy, const Project& project) {
         writeTextFile(copy.toStdString(), toJson(project), Access::Private);
         return {};
     } catch (const InputError& error) {
-        return QString::fromUtf8(error.what());
+        return said(error);
     }
 }
 

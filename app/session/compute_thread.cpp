@@ -1,6 +1,6 @@
 #include "app/session/compute_thread.h"
 
-#include "core/mesh/printable.h"
+#include "app/document/said.h"
 #include "core/meshing/volume_mesher.h"
 
 namespace wend {
@@ -32,7 +32,7 @@ void ComputeThread::loop(std::stop_token stop) {
 
 void ComputeThread::giveUp(const std::exception& error, bool shapeless) {
     if (m_engine) m_engine->giveUp();
-    emit failed(m_revision, QString::fromStdString(messageOf(error)), shapeless);
+    emit failed(m_revision, said(error), shapeless);
 }
 
 void ComputeThread::handle(const Request& request) {
@@ -62,9 +62,7 @@ ShapeEngine::Sink ComputeThread::sink() {
     sink.frameReady = [this](FramePtr frame) { emit frameReady(std::move(frame)); };
     sink.fieldReady = [this](int number, VelocityPtr field) { emit fieldReady(number, std::move(field)); };
     sink.progress = [this](double time, double end) { emit progress(time, end); };
-    sink.finished = [this](double time, const std::string& problem) {
-        emit finished(time, QString::fromStdString(problem));
-    };
+    sink.finished = [this](double time, const std::string& problem) { emit finished(time, said(problem)); };
     return sink;
 }
 

@@ -83,7 +83,7 @@ std::string MeshVerdict::text() const {
     if (got <= kUsual * asked) return {};
     std::string text = "the worst cell has a ratio of radius to edge of " + rounded(got) + ", where " +
                        rounded(asked) + " was asked for (" + std::to_string(cellsAbove) +
-                       (cellsAbove == 1 ? " cell is" : " cells are") + " above it)";
+                       (cellsAbove == 1 ? " cell is above it)" : " cells are above it)");
     for (std::size_t i = 0; i < std::min(kNamed, facets.size()); ++i)
         text += (i == 0 ? ": the surface is kept as it is and forces it, at its triangles " : ", ") +
                 std::to_string(facets[i]);

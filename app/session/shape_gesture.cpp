@@ -5,6 +5,7 @@
 #include "app/document/film_time.h"
 #include "app/document/handle_edits.h"
 #include "app/document/pin_edits.h"
+#include "app/document/said.h"
 #include "app/session/shape_session.h"
 
 namespace wend {
@@ -137,7 +138,7 @@ void ShapeGesture::follow(const FramePtr& frame) {
     m_motion.showLive(frame);
     if (m_drag && frame->stopped && !wasStopped)  // who sees the frame may have ended the drag
         emit notice(ShapeSession::tr("%1 cannot go further: %2")
-                        .arg(m_pins.nameOf(m_drag->handles()), QString::fromStdString(frame->message)));
+                        .arg(m_pins.nameOf(m_drag->handles()), said(frame->message)));
 }
 
 void ShapeGesture::end(double tolerance) {

@@ -5,8 +5,9 @@
 #include <QSettings>
 
 #include "app/document/in_background.h"
+#include "app/document/said.h"
+#include "core/mesh/error.h"
 #include "core/mesh/mesh_formats.h"
-#include "core/mesh/printable.h"
 #include "core/mesh/skin_file.h"
 
 namespace wend {
@@ -21,7 +22,7 @@ QString problemOf(const QString& path) try {
         throw InputError(path.toStdString(), "has coordinates that are not finite numbers");
     return {};
 } catch (const std::exception& error) {
-    return QString::fromStdString(messageOf(error));
+    return said(error);
 }
 
 QString surfacePatterns() {

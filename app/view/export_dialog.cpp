@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "app/document/in_background.h"
+#include "app/document/said.h"
 #include "app/panels/option_field.h"
 #include "app/panels/panel_parts.h"
 #include "app/session/playback.h"
@@ -88,7 +89,7 @@ Answer<Value> answerOf(const Work& work) {
     } catch (const Cancelled&) {
         return {{}, {}, true};
     } catch (const std::exception& error) {
-        return {{}, QString::fromUtf8(error.what()), false};
+        return {{}, said(error), false};
     }
 }
 

@@ -7,6 +7,7 @@
 #include <QPushButton>
 
 #include "app/document/in_background.h"
+#include "app/document/said.h"
 #include "app/session/opening.h"
 #include "app/session/own_files.h"
 #include "app/session/run_options.h"
@@ -214,7 +215,7 @@ void Exporter::run(const QString& what, const QString& path, Job job) {
         } catch (const Cancelled&) {
             return {{}, {}, true};
         } catch (const std::exception& error) {
-            return {QString::fromUtf8(error.what()), {}, false};
+            return {said(error), {}, false};
         }
     };
     m_running = inBackground(this, work,

@@ -9,13 +9,13 @@
 #include <QSettings>
 
 #include "app/document/in_background.h"
+#include "app/document/said.h"
 #include "app/session/opening.h"
 #include "app/session/own_files.h"
 #include "app/view/project_watch.h"
 #include "app/view/save_dialog.h"
 #include "core/mesh/error.h"
 #include "core/mesh/mesh_file.h"
-#include "core/mesh/printable.h"
 
 namespace wend {
 
@@ -26,7 +26,7 @@ using Topic = InfoBanner::Topic;
 constexpr int kMostRecent = 10;
 
 QString words(const std::exception& error) {
-    return QString::fromStdString(messageOf(error));
+    return said(error);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <QFileInfo>
 
 #include "app/document/material_edits.h"
+#include "app/document/said.h"
 #include "app/session/opening.h"
 #include "app/session/shape_session.h"
 #include "app/view/exporter.h"
@@ -86,7 +87,7 @@ void MaterialActions::take(MaterialPart part, const QString& path) try {
                     withPictures(*document.project(), QFileInfo(path).completeBaseName().toStdString(),
                                  frame.box, pictures));
 } catch (const InputError& error) {
-    emit failed(QString::fromUtf8(error.what()));
+    emit failed(said(error));
 }
 
 void MaterialActions::askCells() {

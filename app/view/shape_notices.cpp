@@ -1,5 +1,6 @@
 #include "app/view/shape_notices.h"
 
+#include "app/document/said.h"
 #include "app/session/shape.h"
 
 namespace wend {
@@ -35,7 +36,7 @@ void ShapeNotices::tell() {
     if (!frame || frame->shape == m_shape) return;
     m_shape = frame->shape;
     QStringList lines;
-    for (const std::string& notice : frame->built->notices) lines << sentence(QString::fromStdString(notice));
+    for (const std::string& notice : frame->built->notices) lines << sentence(said(notice));
     if (frame->built->refineHelps)
         lines << tr("“Refine surface” in the panel “Mesh” lets the surface's triangles be split.");
     if (!lines.isEmpty() || m_hasTold) emit told(lines.join('\n'));

@@ -6,6 +6,7 @@
 #include <QSaveFile>
 #include <QSettings>
 
+#include "app/document/said.h"
 #include "app/panels/cut_panel.h"
 #include "app/panels/distortion_panel.h"
 #include "app/panels/layer_panel.h"
@@ -212,7 +213,7 @@ void SolidWorkshop::exportView() {
         if (writeViewPicture(path, *m_canvas, dialog.choice()))
             emit done(tr("Written: %1").arg(QDir::toNativeSeparators(path)));
     } catch (const std::exception& error) {
-        emit failed(tr("Nothing was written. %1").arg(QString::fromUtf8(error.what())));
+        emit failed(tr("Nothing was written. %1").arg(said(error)));
     }
 }
 

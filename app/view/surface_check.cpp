@@ -10,11 +10,11 @@
 #include <QTextStream>
 
 #include "app/document/in_background.h"
+#include "app/document/said.h"
 #include "app/panels/surface_panel.h"
 #include "app/session/caged_solid.h"
 #include "app/view/volume/solid_canvas.h"
 #include "core/mesh/mesh_file.h"
-#include "core/mesh/printable.h"
 #include "core/mesh/skin_file.h"
 
 namespace wend {
@@ -146,7 +146,7 @@ void SurfaceCheck::look() {
             found->repaired = repairSurface(found->surface, largestHole, found->report);
             found->left = checkSurface(found->repaired);
         } catch (const std::exception& error) {
-            found->error = QString::fromStdString(messageOf(error));
+            found->error = said(error);
         }
         return found;
     };

@@ -1,0 +1,277 @@
+#include "app/document/said.h"
+
+#include <QCoreApplication>
+#include <QRegularExpression>
+#include <algorithm>
+#include <iterator>
+#include <optional>
+#include <vector>
+
+#include "core/mesh/printable.h"
+
+namespace wend {
+
+namespace {
+
+constexpr const char* kContext = "Core";
+
+constexpr const char* kSentences[] = {
+    // Why something does not go on.
+    QT_TRANSLATE_NOOP("Core", "at time %1 %2 cannot go on: %3"),
+    QT_TRANSLATE_NOOP("Core",
+                      "at time %1 the shape is too stiff to settle further near %2: the steps would be "
+                      "too short; allow a larger tolerance"),
+    QT_TRANSLATE_NOOP("Core",
+                      "the shape would fold over near %1, in cell %2; let it go less far or another "
+                      "way, or free what holds the shape there"),
+    QT_TRANSLATE_NOOP("Core",
+                      "it is too fast near %1, the steps would be too short; give its motion more time, "
+                      "or allow a larger tolerance"),
+    QT_TRANSLATE_NOOP("Core",
+                      "the shape near %1 is so much stretched or squeezed that no velocity can be "
+                      "computed; let it go less far, or make the material or the mesh more even there"),
+    QT_TRANSLATE_NOOP("Core",
+                      "it is so fast near %1 that numbers overflow; let it go less far, or give its "
+                      "motion more time"),
+    QT_TRANSLATE_NOOP("Core", "%1 and %2 move the point %3 in different ways at time %4"),
+    QT_TRANSLATE_NOOP("Core", "handle \"%1\""),
+    QT_TRANSLATE_NOOP("Core", "handle %1"),
+    QT_TRANSLATE_NOOP("Core", "the shape"),
+    QT_TRANSLATE_NOOP("Core", "its region holds no vertex"),
+    QT_TRANSLATE_NOOP("Core", "point %1 lies outside the shape"),
+    QT_TRANSLATE_NOOP("Core", "vertex %1 belongs to no cell"),
+    // Pictures and outlines.
+    QT_TRANSLATE_NOOP("Core", "the picture has no alpha channel to take an outline from"),
+    QT_TRANSLATE_NOOP("Core", "the picture has no pixels"),
+    QT_TRANSLATE_NOOP("Core", "no part of the picture is as large as %1 pixels"),
+    QT_TRANSLATE_NOOP("Core", "the picture is fully transparent"),
+    QT_TRANSLATE_NOOP("Core", "the picture's alpha is nowhere above the threshold of %1 %"),
+    QT_TRANSLATE_NOOP("Core", "the picture's alpha has too many contours: it looks like noise"),
+    QT_TRANSLATE_NOOP("Core", "the outline is empty"),
+    QT_TRANSLATE_NOOP("Core", "the outline crosses or overlaps itself near %1"),
+    QT_TRANSLATE_NOOP("Core", "the outline cannot be triangulated (%1)"),
+    QT_TRANSLATE_NOOP("Core", "points %1 and %2 are the same, %3"),
+    QT_TRANSLATE_NOOP("Core", "point %1, %2, is outside of the shape"),
+    QT_TRANSLATE_NOOP("Core", "an edge length of %1 would take more than %2 vertices"),
+    // Files.
+    QT_TRANSLATE_NOOP("Core", "is empty"),
+    QT_TRANSLATE_NOOP("Core", "does not exist"),
+    QT_TRANSLATE_NOOP("Core", "is a folder"),
+    QT_TRANSLATE_NOOP("Core", "is a pipe, not a file"),
+    QT_TRANSLATE_NOOP("Core", "is a device, not a file"),
+    QT_TRANSLATE_NOOP("Core", "is a symbolic link that leads back to itself"),
+    QT_TRANSLATE_NOOP("Core", "cannot be read: %1"),
+    QT_TRANSLATE_NOOP("Core", "cannot be written: %1"),
+    QT_TRANSLATE_NOOP("Core", "the disk may be full"),
+    QT_TRANSLATE_NOOP("Core", "the folder %1 does not exist"),
+    QT_TRANSLATE_NOOP("Core", "the folder %1 is not writable"),
+    QT_TRANSLATE_NOOP("Core", "is read-only: make it writable first, or choose another name"),
+    QT_TRANSLATE_NOOP("Core",
+                      "is %1; pictures are read from PNG, JPEG, TIFF, EXR, WebP, HDR, BMP, TGA and PNM "
+                      "files"),
+    QT_TRANSLATE_NOOP("Core", "a GIF picture"),
+    QT_TRANSLATE_NOOP("Core", "a Photoshop picture (PSD)"),
+    QT_TRANSLATE_NOOP("Core", "a HEIC picture"),
+    QT_TRANSLATE_NOOP("Core", "an AVIF picture"),
+    QT_TRANSLATE_NOOP("Core", "a JPEG 2000 picture"),
+    QT_TRANSLATE_NOOP("Core", "a JPEG XL picture"),
+    QT_TRANSLATE_NOOP("Core", "a GIMP picture (XCF)"),
+    QT_TRANSLATE_NOOP("Core", "a PDF document"),
+    QT_TRANSLATE_NOOP("Core", "an SVG drawing"),
+    QT_TRANSLATE_NOOP("Core", "a film"),
+    QT_TRANSLATE_NOOP("Core", "a ZIP archive"),
+    QT_TRANSLATE_NOOP("Core", "a text file"),
+    QT_TRANSLATE_NOOP("Core", "no picture that Wend knows"),
+    QT_TRANSLATE_NOOP("Core", "cannot be read as a picture: %1"),
+    QT_TRANSLATE_NOOP("Core", "has no pixels"),
+    QT_TRANSLATE_NOOP("Core", "is a volume, not a picture"),
+    QT_TRANSLATE_NOOP("Core", "has %1 x %2 pixels, more than %3 million"),
+    QT_TRANSLATE_NOOP("Core", "is truncated or corrupt"),
+    QT_TRANSLATE_NOOP("Core", "is transparent everywhere"),
+    QT_TRANSLATE_NOOP("Core", "holds tetrahedra, but the project is in the plane"),
+    QT_TRANSLATE_NOOP("Core", "holds no tetrahedra, but the project is in space"),
+    // Surfaces and what is made of them.
+    QT_TRANSLATE_NOOP("Core", "the surface has no triangle"),
+    QT_TRANSLATE_NOOP("Core", "the surface has no extent"),
+    QT_TRANSLATE_NOOP("Core", "the surface encloses no volume"),
+    QT_TRANSLATE_NOOP("Core", "the surface bounds no volume: %1"),
+    QT_TRANSLATE_NOOP("Core", "the surface intersects itself"),
+    QT_TRANSLATE_NOOP("Core", "the surface has features too small for its size"),
+    QT_TRANSLATE_NOOP("Core", "two facets of the surface lie almost on each other"),
+    QT_TRANSLATE_NOOP("Core", "the volume mesher ran out of memory"),
+    QT_TRANSLATE_NOOP("Core",
+                      "the volume mesher did not finish within %1 s of computing; a coarser quality or a "
+                      "larger maxVolume may help"),
+    QT_TRANSLATE_NOOP("Core", "all points lie in one plane"),
+    QT_TRANSLATE_NOOP("Core", "%1 open edge (first: %2)"),
+    QT_TRANSLATE_NOOP("Core", "%1 open edges (first: %2)"),
+    QT_TRANSLATE_NOOP("Core", "%1 edge of more than two triangles (first: %2)"),
+    QT_TRANSLATE_NOOP("Core", "%1 edges of more than two triangles (first: %2)"),
+    QT_TRANSLATE_NOOP("Core", "%1 pair of triangles that intersect (first: %2)"),
+    QT_TRANSLATE_NOOP("Core", "%1 pairs of triangles that intersect (first: %2)"),
+    QT_TRANSLATE_NOOP("Core", "%1 triangle without area (first: %2)"),
+    QT_TRANSLATE_NOOP("Core", "%1 triangles without area (first: %2)"),
+    QT_TRANSLATE_NOOP("Core", "%1 duplicate triangle (first: %2)"),
+    QT_TRANSLATE_NOOP("Core", "%1 duplicate triangles (first: %2)"),
+    QT_TRANSLATE_NOOP("Core", "%1 edge where the orientation changes (first: %2)"),
+    QT_TRANSLATE_NOOP("Core", "%1 edges where the orientation changes (first: %2)"),
+    QT_TRANSLATE_NOOP("Core", "the surface was repaired: %1"),
+    QT_TRANSLATE_NOOP("Core", "%1 coincident vertex merged"),
+    QT_TRANSLATE_NOOP("Core", "%1 coincident vertices merged"),
+    QT_TRANSLATE_NOOP("Core", "%1 triangle without area dropped"),
+    QT_TRANSLATE_NOOP("Core", "%1 triangles without area dropped"),
+    QT_TRANSLATE_NOOP("Core", "%1 duplicate triangle dropped"),
+    QT_TRANSLATE_NOOP("Core", "%1 duplicate triangles dropped"),
+    QT_TRANSLATE_NOOP("Core", "%1 triangle turned over"),
+    QT_TRANSLATE_NOOP("Core", "%1 triangles turned over"),
+    QT_TRANSLATE_NOOP("Core", "%1 hole filled"),
+    QT_TRANSLATE_NOOP("Core", "%1 holes filled"),
+    QT_TRANSLATE_NOOP("Core", "the surface is embedded in a cage of %1 vertices, since %2"),
+    QT_TRANSLATE_NOOP("Core", "it cannot be meshed as it is: %1"),
+    QT_TRANSLATE_NOOP("Core", "it has %1 vertices, where %2 were aimed at"),
+    QT_TRANSLATE_NOOP("Core",
+                      "the cage has %1 vertices, where %2 were aimed at: whole cubes allow nothing nearer"),
+    QT_TRANSLATE_NOOP("Core",
+                      "the cells of the cage are larger than asked for: there is no memory for smaller "
+                      "ones"),
+    QT_TRANSLATE_NOOP("Core", "sizes are for the exact surface: a cage has cells of one size"),
+    QT_TRANSLATE_NOOP("Core",
+                      "its %1 parts share cells of the cage and move together as %2: smaller cells keep "
+                      "more of them apart"),
+    QT_TRANSLATE_NOOP("Core",
+                      "the cage is in %1 bodies that do not hang together: each needs a handle of its own "
+                      "to follow"),
+    QT_TRANSLATE_NOOP("Core", "%1 of %2 vertices lie outside the solid that carries them"),
+    QT_TRANSLATE_NOOP("Core",
+                      "the mesh has %1 vertices, where %2 were aimed at: the quality asked for needs them"),
+    QT_TRANSLATE_NOOP("Core",
+                      "the mesh has %1 vertices, where %2 were aimed at: the surface is kept as it is"),
+    QT_TRANSLATE_NOOP("Core",
+                      "the surface's triangles are far larger than the cells inside and are kept as they "
+                      "are, which makes uneven cells"),
+    QT_TRANSLATE_NOOP("Core",
+                      "the worst cell has a ratio of radius to edge of %1, where %2 was asked for (%3 cell "
+                      "is above it)"),
+    QT_TRANSLATE_NOOP("Core",
+                      "the worst cell has a ratio of radius to edge of %1, where %2 was asked for (%3 cells "
+                      "are above it)"),
+    QT_TRANSLATE_NOOP("Core", "%1: the surface is kept as it is and forces it, at its triangles %2"),
+    QT_TRANSLATE_NOOP("Core",
+                      "%1 vertices of the surface belong to no tetrahedron: meshes of tetrahedra are "
+                      "written without them, and so with other numbers behind them"),
+    QT_TRANSLATE_NOOP("Core",
+                      "%1 vertices belong to no cell. They stay in what is written: some solvers want them "
+                      "taken out first"),
+    QT_TRANSLATE_NOOP("Core",
+                      "parts that touch vertex on vertex hang together: %1 vertices move with others at "
+                      "their place"),
+    QT_TRANSLATE_NOOP("Core",
+                      "a part of %1 hangs on %2 near %3 alone: what turns there freely may be flung far "
+                      "away, unless handles hold it"),
+    QT_TRANSLATE_NOOP("Core",
+                      "%1 parts hang on a vertex or an edge alone, the first, of %2, on %3 near %4 alone: "
+                      "what turns there freely may be flung far away, unless handles hold it"),
+    QT_TRANSLATE_NOOP("Core", "%1 cells"),
+    QT_TRANSLATE_NOOP("Core", "%1 cell"),
+    QT_TRANSLATE_NOOP("Core", "vertex %1"),
+    QT_TRANSLATE_NOOP("Core", "the edge %1"),
+};
+
+/// A sentence and what finds it; the more of its own letters it has, the sooner it is tried.
+struct Pattern {
+    const char* sentence;
+    QRegularExpression expression;
+    int letters;
+};
+
+Pattern patternOf(const char* sentence) {
+    static const QRegularExpression place(QStringLiteral("%[1-9]"));
+    const QString text = QString::fromUtf8(sentence);
+    QString own = text;
+    own.remove(place);
+    // Of few letters, such as "%1 cells": around a number or a name alone.
+    const QString argument = own.size() < 8 ? QStringLiteral("(\\S+)") : QStringLiteral("(.+?)");
+    QString expression = QRegularExpression::escape(text);
+    expression.replace(QRegularExpression(QStringLiteral("\\\\%[1-9]")), argument);
+    return {sentence, QRegularExpression(QRegularExpression::anchoredPattern(expression)),
+            static_cast<int>(own.size())};
+}
+
+const std::vector<Pattern>& patterns() {
+    static const std::vector<Pattern> all = [] {
+        std::vector<Pattern> made;
+        std::ranges::transform(kSentences, std::back_inserter(made), patternOf);
+        std::ranges::stable_sort(made, std::ranges::greater(), &Pattern::letters);
+        return made;
+    }();
+    return all;
+}
+
+std::optional<QString> translated(const QString& text);
+
+QString translatedOrNot(const QString& text) {
+    return translated(text).value_or(text);
+}
+
+/// The sentence with what was found in the places of %1, %2 …
+QString filled(const QString& sentence, const QRegularExpressionMatch& match) {
+    QString result;
+    for (qsizetype i = 0; i < sentence.size(); ++i) {
+        const int number = sentence[i] == '%' && i + 1 < sentence.size() ? sentence[i + 1].digitValue() : 0;
+        if (number < 1) {
+            result += sentence[i];
+            continue;
+        }
+        result += translatedOrNot(match.captured(number));
+        ++i;
+    }
+    return result;
+}
+
+std::optional<QString> asSentence(const QString& text) {
+    for (const Pattern& pattern : patterns()) {
+        const auto match = pattern.expression.match(text);
+        if (!match.hasMatch()) continue;
+        return filled(QCoreApplication::translate(kContext, pattern.sentence), match);
+    }
+    return {};
+}
+
+/// Several sentences of one kind, all of them known.
+std::optional<QString> asList(const QString& text) {
+    QStringList parts = text.split(QStringLiteral(", "));
+    if (parts.size() < 2) return {};
+    for (QString& part : parts) {
+        const auto known = asSentence(part);
+        if (!known) return {};
+        part = *known;
+    }
+    return parts.join(QStringLiteral(", "));
+}
+
+/// What it is about, such as a file, stands in front of a sentence that is known.
+std::optional<QString> afterItsSubject(const QString& text) {
+    static const QString colon = QStringLiteral(": ");
+    for (qsizetype at = text.indexOf(colon); at >= 0; at = text.indexOf(colon, at + 1))
+        if (const auto known = asSentence(text.mid(at + 2)))
+            return asSentence(text.left(at)).value_or(text.left(at)) + colon + *known;
+    return {};
+}
+
+std::optional<QString> translated(const QString& text) {
+    if (auto list = asList(text)) return list;
+    if (auto sentence = asSentence(text)) return sentence;
+    return afterItsSubject(text);
+}
+
+}  // namespace
+
+QString said(const std::string& message) {
+    return translatedOrNot(QString::fromStdString(message));
+}
+
+QString said(const std::exception& error) {
+    return said(messageOf(error));
+}
+
+}  // namespace wend
