@@ -773,7 +773,7 @@
     <name>FileCard</name>
     <message>
         <source>Eyes stay round</source>
-        <translation>Augen bleiben rund</translation>
+        <translation>Runde Augen</translation>
     </message>
     <message>
         <source>Pins and paths</source>
@@ -785,7 +785,7 @@
     </message>
     <message>
         <source>What is kept</source>
-        <translation>Was erhalten bleibt</translation>
+        <translation>Was bleibt</translation>
     </message>
     <message>
         <source>Flight, with a skin</source>
@@ -794,6 +794,30 @@
     <message>
         <source>A stiff middle</source>
         <translation>Steife Mitte</translation>
+    </message>
+    <message>
+        <source>Frog</source>
+        <translation>Frosch</translation>
+    </message>
+    <message>
+        <source>Giraffe</source>
+        <translation>Giraffe</translation>
+    </message>
+    <message>
+        <source>Octopus</source>
+        <translation>Krake</translation>
+    </message>
+    <message>
+        <source>Strip</source>
+        <translation>Streifen</translation>
+    </message>
+    <message>
+        <source>Eagle</source>
+        <translation>Adler</translation>
+    </message>
+    <message>
+        <source>Bar</source>
+        <translation>Balken</translation>
     </message>
 </context>
 <context>

@@ -773,15 +773,15 @@
     <name>FileCard</name>
     <message>
         <source>Eyes stay round</source>
-        <translation>Los ojos siguen redondos</translation>
+        <translation>Ojos redondos</translation>
     </message>
     <message>
         <source>Pins and paths</source>
-        <translation>Alfileres y trayectorias</translation>
+        <translation>Trayectorias</translation>
     </message>
     <message>
         <source>Many pins at once</source>
-        <translation>Muchos alfileres a la vez</translation>
+        <translation>Varios alfileres</translation>
     </message>
     <message>
         <source>What is kept</source>
@@ -789,11 +789,35 @@
     </message>
     <message>
         <source>Flight, with a skin</source>
-        <translation>Un vuelo, con piel</translation>
+        <translation>Vuelo con piel</translation>
     </message>
     <message>
         <source>A stiff middle</source>
-        <translation>Un centro rígido</translation>
+        <translation>Centro rígido</translation>
+    </message>
+    <message>
+        <source>Frog</source>
+        <translation>Rana</translation>
+    </message>
+    <message>
+        <source>Giraffe</source>
+        <translation>Jirafa</translation>
+    </message>
+    <message>
+        <source>Octopus</source>
+        <translation>Pulpo</translation>
+    </message>
+    <message>
+        <source>Strip</source>
+        <translation>Tira</translation>
+    </message>
+    <message>
+        <source>Eagle</source>
+        <translation>Águila</translation>
+    </message>
+    <message>
+        <source>Bar</source>
+        <translation>Barra</translation>
     </message>
 </context>
 <context>

@@ -195,27 +195,27 @@
     <name>Core</name>
     <message>
         <source>at time %1 %2 cannot go on: %3</source>
-        <translation>au temps %1, %2 ne peut pas continuer : %3</translation>
+        <translation>au temps %1, %2 ne peut pas continuer&#x202f;: %3</translation>
     </message>
     <message>
         <source>at time %1 the shape is too stiff to settle further near %2: the steps would be too short; allow a larger tolerance</source>
-        <translation>au temps %1, la forme est trop raide près de %2 pour se reposer davantage : les pas seraient trop courts ; autorisez une plus grande tolérance</translation>
+        <translation>au temps %1, la forme est trop raide près de %2 pour se reposer davantage&#x202f;: les pas seraient trop courts&#x202f;; autorisez une plus grande tolérance</translation>
     </message>
     <message>
         <source>the shape would fold over near %1, in cell %2; let it go less far or another way, or free what holds the shape there</source>
-        <translation>la forme se replierait près de %1, dans la cellule %2 ; allez moins loin ou autrement, ou libérez ce qui la tient là</translation>
+        <translation>la forme se replierait près de %1, dans la cellule %2&#x202f;; allez moins loin ou autrement, ou libérez ce qui la tient là</translation>
     </message>
     <message>
         <source>it is too fast near %1, the steps would be too short; give its motion more time, or allow a larger tolerance</source>
-        <translation>c’est trop rapide près de %1, les pas seraient trop courts ; donnez plus de temps au mouvement ou autorisez une plus grande tolérance</translation>
+        <translation>c’est trop rapide près de %1, les pas seraient trop courts&#x202f;; donnez plus de temps au mouvement ou autorisez une plus grande tolérance</translation>
     </message>
     <message>
         <source>the shape near %1 is so much stretched or squeezed that no velocity can be computed; let it go less far, or make the material or the mesh more even there</source>
-        <translation>la forme est si étirée ou comprimée près de %1 qu’aucune vitesse ne peut être calculée ; allez moins loin, ou rendez le matériau ou le maillage plus réguliers à cet endroit</translation>
+        <translation>la forme est si étirée ou comprimée près de %1 qu’aucune vitesse ne peut être calculée&#x202f;; allez moins loin, ou rendez le matériau ou le maillage plus réguliers à cet endroit</translation>
     </message>
     <message>
         <source>it is so fast near %1 that numbers overflow; let it go less far, or give its motion more time</source>
-        <translation>c’est si rapide près de %1 que les nombres débordent ; allez moins loin ou donnez plus de temps au mouvement</translation>
+        <translation>c’est si rapide près de %1 que les nombres débordent&#x202f;; allez moins loin ou donnez plus de temps au mouvement</translation>
     </message>
     <message>
         <source>%1 and %2 move the point %3 in different ways at time %4</source>
@@ -223,7 +223,7 @@
     </message>
     <message>
         <source>handle &quot;%1&quot;</source>
-        <translation>l’épingle « %1 »</translation>
+        <translation>l’épingle «&#x202f;%1&#x202f;»</translation>
     </message>
     <message>
         <source>handle %1</source>
@@ -267,7 +267,7 @@
     </message>
     <message>
         <source>the picture&apos;s alpha has too many contours: it looks like noise</source>
-        <translation>l’alpha de l’image a trop de contours : on dirait du bruit</translation>
+        <translation>l’alpha de l’image a trop de contours&#x202f;: on dirait du bruit</translation>
     </message>
     <message>
         <source>the outline is empty</source>
@@ -319,11 +319,11 @@
     </message>
     <message>
         <source>cannot be read: %1</source>
-        <translation>ne peut pas être lu : %1</translation>
+        <translation>ne peut pas être lu&#x202f;: %1</translation>
     </message>
     <message>
         <source>cannot be written: %1</source>
-        <translation>ne peut pas être écrit : %1</translation>
+        <translation>ne peut pas être écrit&#x202f;: %1</translation>
     </message>
     <message>
         <source>the disk may be full</source>
@@ -339,11 +339,11 @@
     </message>
     <message>
         <source>is read-only: make it writable first, or choose another name</source>
-        <translation>est en lecture seule : rendez-le d’abord modifiable, ou choisissez un autre nom</translation>
+        <translation>est en lecture seule&#x202f;: rendez-le d’abord modifiable, ou choisissez un autre nom</translation>
     </message>
     <message>
         <source>is %1; pictures are read from PNG, JPEG, TIFF, EXR, WebP, HDR, BMP, TGA and PNM files</source>
-        <translation>est %1 ; les images se lisent dans les fichiers PNG, JPEG, TIFF, EXR, WebP, HDR, BMP, TGA et PNM</translation>
+        <translation>est %1&#x202f;; les images se lisent dans les fichiers PNG, JPEG, TIFF, EXR, WebP, HDR, BMP, TGA et PNM</translation>
     </message>
     <message>
         <source>a GIF picture</source>
@@ -399,7 +399,7 @@
     </message>
     <message>
         <source>cannot be read as a picture: %1</source>
-        <translation>ne peut pas être lu comme image : %1</translation>
+        <translation>ne peut pas être lu comme image&#x202f;: %1</translation>
     </message>
     <message>
         <source>has no pixels</source>
@@ -443,7 +443,7 @@
     </message>
     <message>
         <source>the surface bounds no volume: %1</source>
-        <translation>la surface ne délimite aucun volume : %1</translation>
+        <translation>la surface ne délimite aucun volume&#x202f;: %1</translation>
     </message>
     <message>
         <source>the surface intersects itself</source>
@@ -463,7 +463,7 @@
     </message>
     <message>
         <source>the volume mesher did not finish within %1 s of computing; a coarser quality or a larger maxVolume may help</source>
-        <translation>le mailleur de volume n’a pas fini en %1 s de calcul ; une qualité plus grossière ou de plus grands tétraèdres peuvent aider</translation>
+        <translation>le mailleur de volume n’a pas fini en %1 s de calcul&#x202f;; une qualité plus grossière ou de plus grands tétraèdres peuvent aider</translation>
     </message>
     <message>
         <source>all points lie in one plane</source>
@@ -519,7 +519,7 @@
     </message>
     <message>
         <source>the surface was repaired: %1</source>
-        <translation>la surface a été réparée : %1</translation>
+        <translation>la surface a été réparée&#x202f;: %1</translation>
     </message>
     <message>
         <source>%1 coincident vertex merged</source>
@@ -567,7 +567,7 @@
     </message>
     <message>
         <source>it cannot be meshed as it is: %1</source>
-        <translation>elle ne peut pas être maillée telle quelle : %1</translation>
+        <translation>elle ne peut pas être maillée telle quelle&#x202f;: %1</translation>
     </message>
     <message>
         <source>it has %1 vertices, where %2 were aimed at</source>
@@ -575,23 +575,23 @@
     </message>
     <message>
         <source>the cage has %1 vertices, where %2 were aimed at: whole cubes allow nothing nearer</source>
-        <translation>la cage a %1 sommets, alors que %2 étaient visés : des cubes entiers ne permettent pas mieux</translation>
+        <translation>la cage a %1 sommets, alors que %2 étaient visés&#x202f;: des cubes entiers ne permettent pas mieux</translation>
     </message>
     <message>
         <source>the cells of the cage are larger than asked for: there is no memory for smaller ones</source>
-        <translation>les cellules de la cage sont plus grandes que demandé : la mémoire ne suffit pas pour de plus petites</translation>
+        <translation>les cellules de la cage sont plus grandes que demandé&#x202f;: la mémoire ne suffit pas pour de plus petites</translation>
     </message>
     <message>
         <source>sizes are for the exact surface: a cage has cells of one size</source>
-        <translation>les tailles valent pour la surface exacte : une cage a des cellules d’une seule taille</translation>
+        <translation>les tailles valent pour la surface exacte&#x202f;: une cage a des cellules d’une seule taille</translation>
     </message>
     <message>
         <source>its %1 parts share cells of the cage and move together as %2: smaller cells keep more of them apart</source>
-        <translation>ses %1 parties partagent des cellules de la cage et bougent ensemble comme %2 : de plus petites cellules en séparent davantage</translation>
+        <translation>ses %1 parties partagent des cellules de la cage et bougent ensemble comme %2&#x202f;: de plus petites cellules en séparent davantage</translation>
     </message>
     <message>
         <source>the cage is in %1 bodies that do not hang together: each needs a handle of its own to follow</source>
-        <translation>la cage est en %1 corps qui ne tiennent pas ensemble : chacun a besoin de sa propre épingle pour suivre</translation>
+        <translation>la cage est en %1 corps qui ne tiennent pas ensemble&#x202f;: chacun a besoin de sa propre épingle pour suivre</translation>
     </message>
     <message>
         <source>%1 of %2 vertices lie outside the solid that carries them</source>
@@ -599,11 +599,11 @@
     </message>
     <message>
         <source>the mesh has %1 vertices, where %2 were aimed at: the quality asked for needs them</source>
-        <translation>le maillage a %1 sommets, alors que %2 étaient visés : la qualité demandée les exige</translation>
+        <translation>le maillage a %1 sommets, alors que %2 étaient visés&#x202f;: la qualité demandée les exige</translation>
     </message>
     <message>
         <source>the mesh has %1 vertices, where %2 were aimed at: the surface is kept as it is</source>
-        <translation>le maillage a %1 sommets, alors que %2 étaient visés : la surface est gardée telle quelle</translation>
+        <translation>le maillage a %1 sommets, alors que %2 étaient visés&#x202f;: la surface est gardée telle quelle</translation>
     </message>
     <message>
         <source>the surface&apos;s triangles are far larger than the cells inside and are kept as they are, which makes uneven cells</source>
@@ -619,27 +619,27 @@
     </message>
     <message>
         <source>%1: the surface is kept as it is and forces it, at its triangles %2</source>
-        <translation>%1 : la surface est gardée telle quelle et l’impose, à ses triangles %2</translation>
+        <translation>%1&#x202f;: la surface est gardée telle quelle et l’impose, à ses triangles %2</translation>
     </message>
     <message>
         <source>%1 vertices of the surface belong to no tetrahedron: meshes of tetrahedra are written without them, and so with other numbers behind them</source>
-        <translation>%1 sommets de la surface n’appartiennent à aucun tétraèdre : les maillages de tétraèdres sont écrits sans eux, donc avec d’autres numéros ensuite</translation>
+        <translation>%1 sommets de la surface n’appartiennent à aucun tétraèdre&#x202f;: les maillages de tétraèdres sont écrits sans eux, donc avec d’autres numéros ensuite</translation>
     </message>
     <message>
         <source>%1 vertices belong to no cell. They stay in what is written: some solvers want them taken out first</source>
-        <translation>%1 sommets n’appartiennent à aucune cellule. Ils restent dans ce qui est écrit : certains solveurs veulent qu’on les retire d’abord</translation>
+        <translation>%1 sommets n’appartiennent à aucune cellule. Ils restent dans ce qui est écrit&#x202f;: certains solveurs veulent qu’on les retire d’abord</translation>
     </message>
     <message>
         <source>parts that touch vertex on vertex hang together: %1 vertices move with others at their place</source>
-        <translation>les parties qui se touchent sommet à sommet tiennent ensemble : %1 sommets bougent avec d’autres au même endroit</translation>
+        <translation>les parties qui se touchent sommet à sommet tiennent ensemble&#x202f;: %1 sommets bougent avec d’autres au même endroit</translation>
     </message>
     <message>
         <source>a part of %1 hangs on %2 near %3 alone: what turns there freely may be flung far away, unless handles hold it</source>
-        <translation>une partie de %1 ne tient qu’à %2 près de %3 : ce qui y tourne librement peut être projeté au loin, sauf si des épingles le tiennent</translation>
+        <translation>une partie de %1 ne tient qu’à %2 près de %3&#x202f;: ce qui y tourne librement peut être projeté au loin, sauf si des épingles le tiennent</translation>
     </message>
     <message>
         <source>%1 parts hang on a vertex or an edge alone, the first, of %2, on %3 near %4 alone: what turns there freely may be flung far away, unless handles hold it</source>
-        <translation>%1 parties ne tiennent qu’à un sommet ou une arête, la première, de %2, à %3 près de %4 : ce qui y tourne librement peut être projeté au loin, sauf si des épingles le tiennent</translation>
+        <translation>%1 parties ne tiennent qu’à un sommet ou une arête, la première, de %2, à %3 près de %4&#x202f;: ce qui y tourne librement peut être projeté au loin, sauf si des épingles le tiennent</translation>
     </message>
     <message>
         <source>%1 cells</source>
@@ -773,27 +773,51 @@
     <name>FileCard</name>
     <message>
         <source>Eyes stay round</source>
-        <translation>Les yeux restent ronds</translation>
+        <translation>Des yeux ronds</translation>
     </message>
     <message>
         <source>Pins and paths</source>
-        <translation>Épingles et trajectoires</translation>
+        <translation>Trajectoires</translation>
     </message>
     <message>
         <source>Many pins at once</source>
-        <translation>Beaucoup d’épingles</translation>
+        <translation>Des épingles</translation>
     </message>
     <message>
         <source>What is kept</source>
-        <translation>Ce qui est conservé</translation>
+        <translation>Ce qui reste</translation>
     </message>
     <message>
         <source>Flight, with a skin</source>
-        <translation>Un vol, avec une peau</translation>
+        <translation>Vol avec peau</translation>
     </message>
     <message>
         <source>A stiff middle</source>
-        <translation>Un milieu raide</translation>
+        <translation>Milieu raide</translation>
+    </message>
+    <message>
+        <source>Frog</source>
+        <translation>Grenouille</translation>
+    </message>
+    <message>
+        <source>Giraffe</source>
+        <translation>Girafe</translation>
+    </message>
+    <message>
+        <source>Octopus</source>
+        <translation>Pieuvre</translation>
+    </message>
+    <message>
+        <source>Strip</source>
+        <translation>Bande</translation>
+    </message>
+    <message>
+        <source>Eagle</source>
+        <translation>Aigle</translation>
+    </message>
+    <message>
+        <source>Bar</source>
+        <translation>Barre</translation>
     </message>
 </context>
 <context>

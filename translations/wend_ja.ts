@@ -789,11 +789,35 @@
     </message>
     <message>
         <source>Flight, with a skin</source>
-        <translation>羽ばたき、スキン付き</translation>
+        <translation>スキン付きの翼</translation>
     </message>
     <message>
         <source>A stiff middle</source>
         <translation>中央だけ硬く</translation>
+    </message>
+    <message>
+        <source>Frog</source>
+        <translation>カエル</translation>
+    </message>
+    <message>
+        <source>Giraffe</source>
+        <translation>キリン</translation>
+    </message>
+    <message>
+        <source>Octopus</source>
+        <translation>タコ</translation>
+    </message>
+    <message>
+        <source>Strip</source>
+        <translation>帯</translation>
+    </message>
+    <message>
+        <source>Eagle</source>
+        <translation>ワシ</translation>
+    </message>
+    <message>
+        <source>Bar</source>
+        <translation>棒</translation>
     </message>
 </context>
 <context>

@@ -795,6 +795,30 @@
         <source>A stiff middle</source>
         <translation>坚硬的中段</translation>
     </message>
+    <message>
+        <source>Frog</source>
+        <translation>青蛙</translation>
+    </message>
+    <message>
+        <source>Giraffe</source>
+        <translation>长颈鹿</translation>
+    </message>
+    <message>
+        <source>Octopus</source>
+        <translation>章鱼</translation>
+    </message>
+    <message>
+        <source>Strip</source>
+        <translation>长条</translation>
+    </message>
+    <message>
+        <source>Eagle</source>
+        <translation>鹰</translation>
+    </message>
+    <message>
+        <source>Bar</source>
+        <translation>方条</translation>
+    </message>
 </context>
 <context>
     <name>FillTool</name>

@@ -65,18 +65,28 @@ QString titleOf(const QString& path) {
     return name;
 }
 
-/// What there is to be learnt from a sample; nothing for one that is not known here.
-QString lessonOf(const QString& path) {
-    static const QMap<QString, const char*> lessons = {
-        {"frog", QT_TRANSLATE_NOOP("FileCard", "Eyes stay round")},
-        {"giraffe", QT_TRANSLATE_NOOP("FileCard", "Pins and paths")},
-        {"octopus", QT_TRANSLATE_NOOP("FileCard", "Many pins at once")},
-        {"strip", QT_TRANSLATE_NOOP("FileCard", "What is kept")},
-        {"eagle", QT_TRANSLATE_NOOP("FileCard", "Flight, with a skin")},
-        {"bar", QT_TRANSLATE_NOOP("FileCard", "A stiff middle")},
+struct Sample {
+    const char *name = nullptr, *lesson = nullptr;  // what there is to be learnt from it
+};
+
+/// Without both if it is not known here.
+Sample sampleOf(const QString& path) {
+    static const QMap<QString, Sample> samples = {
+        {"frog", {QT_TRANSLATE_NOOP("FileCard", "Frog"), QT_TRANSLATE_NOOP("FileCard", "Eyes stay round")}},
+        {"giraffe",
+         {QT_TRANSLATE_NOOP("FileCard", "Giraffe"), QT_TRANSLATE_NOOP("FileCard", "Pins and paths")}},
+        {"octopus",
+         {QT_TRANSLATE_NOOP("FileCard", "Octopus"), QT_TRANSLATE_NOOP("FileCard", "Many pins at once")}},
+        {"strip", {QT_TRANSLATE_NOOP("FileCard", "Strip"), QT_TRANSLATE_NOOP("FileCard", "What is kept")}},
+        {"eagle",
+         {QT_TRANSLATE_NOOP("FileCard", "Eagle"), QT_TRANSLATE_NOOP("FileCard", "Flight, with a skin")}},
+        {"bar", {QT_TRANSLATE_NOOP("FileCard", "Bar"), QT_TRANSLATE_NOOP("FileCard", "A stiff middle")}},
     };
-    const char* lesson = lessons.value(QFileInfo(path).completeBaseName());
-    return lesson ? QCoreApplication::translate("FileCard", lesson) : QString();
+    return samples.value(QFileInfo(path).completeBaseName());
+}
+
+QString translated(const char* text) {
+    return text ? QCoreApplication::translate("FileCard", text) : QString();
 }
 
 }  // namespace
@@ -84,9 +94,10 @@ QString lessonOf(const QString& path) {
 FileCard::FileCard(const QString& path, Kind kind, QWidget* parent, const QString& line)
     : QAbstractButton(parent), m_path(path), m_line(line) {
     const bool sample = kind == Kind::Sample;
+    const Sample known = sample ? sampleOf(path) : Sample();
     if (line.isEmpty())
-        m_line = sample ? lessonOf(path) : QDir::toNativeSeparators(QFileInfo(path).absolutePath());
-    setText(sample ? titleOf(path) : QFileInfo(path).fileName());
+        m_line = sample ? translated(known.lesson) : QDir::toNativeSeparators(QFileInfo(path).absolutePath());
+    setText(!sample ? QFileInfo(path).fileName() : known.name ? translated(known.name) : titleOf(path));
     setCursor(Qt::PointingHandCursor);
     setFocusPolicy(Qt::TabFocus);
     setFixedSize(sizeHint());
@@ -183,7 +194,7 @@ void FileCard::paintEvent(QPaintEvent*) {
     font.setWeight(QFont::DemiBold);
     painter.setFont(font);
     const QFontMetrics bold(font);
-    const int room = width() - 2 * 8;
+    const int room = this->room();
     painter.setPen(palette().color(QPalette::WindowText));
     painter.drawText(QRectF(8, kPictureHeight, room, kTitleHeight), Qt::AlignCenter,
                      bold.elidedText(text(), Qt::ElideMiddle, room));

@@ -16,6 +16,8 @@ class FileCard : public QAbstractButton {
     enum class Kind { Sample, Recent, Lost };
     /// `line`: below the name; if empty, what the kind has.
     FileCard(const QString& path, Kind kind, QWidget* parent, const QString& line = {});
+    /// For its title and its line, in pixels.
+    int room() const { return width() - 2 * 8; }
     QSize sizeHint() const override { return {132, 172}; }
     const QString& path() const { return m_path; }
 

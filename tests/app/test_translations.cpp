@@ -12,6 +12,7 @@
 #include <QTranslator>
 #include <QXmlStreamReader>
 
+#include "app/view/file_card.h"
 #include "app/view/properties.h"
 #include "app/view/toolbox.h"
 #include "tests/support/solid_fixture.h"
@@ -78,6 +79,8 @@ class TestTranslations : public QObject {
     void initTestCase();
     void everythingIsTranslated_data() { languages(); }
     void everythingIsTranslated();
+    void startPageIsWhole_data() { languages(); }
+    void startPageIsWhole();
     void nothingIsCutOff_data();
     void nothingIsCutOff();
 
@@ -165,6 +168,30 @@ QStringList TestTranslations::cutOff(const QWidget& window) {
             wrong << QStringLiteral("%1: %2 pixels of %3").arg(text).arg(widget->width()).arg(needed);
     }
     return wrong;
+}
+
+/// With the cards of the samples.
+void TestTranslations::startPageIsWhole() {
+    QFETCH(QString, file);
+    QTranslator translator;
+    QVERIFY(translator.load(":/i18n/" + QFileInfo(file).completeBaseName() + ".qm"));
+    QVERIFY(QApplication::installTranslator(&translator));
+    const auto back = qScopeGuard([&translator] { QApplication::removeTranslator(&translator); });
+    SolidFixture fixture;
+    settleLayout(fixture.window());
+    const auto cards = fixture.window().findChildren<FileCard*>();
+    QVERIFY(cards.size() >= 6);
+    for (const FileCard* card : cards) {
+        QFont title = card->font(), line = card->font();
+        title.setWeight(QFont::DemiBold);
+        line.setPixelSize(12);
+        QVERIFY2(QFontMetrics(title).horizontalAdvance(card->text()) <= card->room(),
+                 qPrintable(card->text()));
+        QVERIFY2(QFontMetrics(line).horizontalAdvance(card->accessibleDescription()) <= card->room(),
+                 qPrintable(card->accessibleDescription()));
+    }
+    const QStringList wrong = cutOff(fixture.window());
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QStringLiteral("; "))));
 }
 
 /// On a small screen, in every step of the work.
