@@ -1524,10 +1524,6 @@
         <translation>Klicken oder Rechteck aufziehen wählt Pins, Ziehen bewegt sie, Pfeiltasten rücken sie</translation>
     </message>
     <message>
-        <source>%1: does not hold now</source>
-        <translation>%1: hält jetzt nicht</translation>
-    </message>
-    <message>
         <source>Drag as far as the pin shall hold; Esc gives it up</source>
         <translation>So weit ziehen, wie der Pin halten soll; Esc gibt es auf</translation>
     </message>
@@ -1542,6 +1538,14 @@
     <message>
         <source>Drag to move the pin, Ctrl-drag to record it, Alt-drag to widen it, Shift-click to select more</source>
         <translation>Ziehen bewegt den Pin, mit Strg wird es aufgenommen, mit Alt weitet es ihn; Shift-Klick wählt weitere</translation>
+    </message>
+    <message>
+        <source>%1: holds from %2 s</source>
+        <translation>%1: hält ab %2 s</translation>
+    </message>
+    <message>
+        <source>%1: let go at %2 s</source>
+        <translation>%1: losgelassen bei %2 s</translation>
     </message>
 </context>
 <context>

@@ -1536,12 +1536,16 @@
         <translation>Haga clic o trace un rectángulo para seleccionar, arrastre para mover, las flechas desplazan</translation>
     </message>
     <message>
-        <source>%1: does not hold now</source>
-        <translation>%1: no sujeta en este momento</translation>
-    </message>
-    <message>
         <source>Drag to move the pin, Ctrl-drag to record it, Alt-drag to widen it, Shift-click to select more</source>
         <translation>Arrastre para mover el alfiler, con Ctrl para grabarlo, con Alt para ensancharlo; Mayús-clic selecciona más</translation>
+    </message>
+    <message>
+        <source>%1: holds from %2 s</source>
+        <translation>%1: sujeta desde %2 s</translation>
+    </message>
+    <message>
+        <source>%1: let go at %2 s</source>
+        <translation>%1: soltado en %2 s</translation>
     </message>
 </context>
 <context>

@@ -1536,12 +1536,16 @@
         <translation>Cliquez ou tracez un rectangle pour sélectionner, tirez pour déplacer, les flèches décalent</translation>
     </message>
     <message>
-        <source>%1: does not hold now</source>
-        <translation>%1&#x202f;: ne maintient rien à cet instant</translation>
-    </message>
-    <message>
         <source>Drag to move the pin, Ctrl-drag to record it, Alt-drag to widen it, Shift-click to select more</source>
         <translation>Tirez pour déplacer l’épingle, avec Ctrl pour l’enregistrer, avec Alt pour l’élargir&#x202f;; Maj-clic en sélectionne d’autres</translation>
+    </message>
+    <message>
+        <source>%1: holds from %2 s</source>
+        <translation>%1 : tient à partir de %2 s</translation>
+    </message>
+    <message>
+        <source>%1: let go at %2 s</source>
+        <translation>%1 : lâchée à %2 s</translation>
     </message>
 </context>
 <context>

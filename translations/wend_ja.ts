@@ -1535,12 +1535,16 @@
         <translation>クリックまたは長方形でピンを選択、ドラッグで移動、矢印キーで微調整</translation>
     </message>
     <message>
-        <source>%1: does not hold now</source>
-        <translation>%1：現在は効いていません</translation>
-    </message>
-    <message>
         <source>Drag to move the pin, Ctrl-drag to record it, Alt-drag to widen it, Shift-click to select more</source>
         <translation>ドラッグでピンを移動、Ctrl+ドラッグで記録、Alt+ドラッグで広げます。Shift+クリックで追加選択</translation>
+    </message>
+    <message>
+        <source>%1: holds from %2 s</source>
+        <translation>%1: %2 秒から固定</translation>
+    </message>
+    <message>
+        <source>%1: let go at %2 s</source>
+        <translation>%1: %2 秒で解放</translation>
     </message>
 </context>
 <context>

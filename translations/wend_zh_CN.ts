@@ -1535,12 +1535,16 @@
         <translation>单击或拉出矩形选择图钉，拖动以移动，方向键微调</translation>
     </message>
     <message>
-        <source>%1: does not hold now</source>
-        <translation>%1：当前不起作用</translation>
-    </message>
-    <message>
         <source>Drag to move the pin, Ctrl-drag to record it, Alt-drag to widen it, Shift-click to select more</source>
         <translation>拖动可移动图钉，按住 Ctrl 拖动可录制，按住 Alt 拖动可扩大；Shift+单击可多选</translation>
+    </message>
+    <message>
+        <source>%1: holds from %2 s</source>
+        <translation>%1：从 %2 秒起固定</translation>
+    </message>
+    <message>
+        <source>%1: let go at %2 s</source>
+        <translation>%1：在 %2 秒松开</translation>
     </message>
 </context>
 <context>

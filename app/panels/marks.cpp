@@ -135,6 +135,18 @@ void Marks::padlock(const QPointF& at) {
     m_painter.setPen(Qt::NoPen);
 }
 
+void Marks::ghost(const QPointF& at, bool selected, bool hovered) {
+    const double r = kPinRadius - 1 + (hovered ? 1.5 : 0);
+    QPen halo(QColor(255, 255, 255, selected || hovered ? 230 : 150), 3);
+    QPen pen(selected ? QColor(kAccent) : kInk, selected ? 2 : 1.25, Qt::CustomDashLine, Qt::FlatCap);
+    pen.setDashPattern({2.5, 2});
+    m_painter.setBrush(Qt::NoBrush);
+    for (const QPen& one : {halo, pen}) {
+        m_painter.setPen(one);
+        m_painter.drawEllipse(at, r, r);
+    }
+}
+
 void Marks::name(const QPointF& at, const QString& text) {
     const QFontMetricsF metrics(m_painter.font());
     const QRectF box(at.x() + 14, at.y() - metrics.height() / 2 - 3, metrics.horizontalAdvance(text) + 14,

@@ -38,6 +38,8 @@ class Marks {
         double squash = 0;    // so much flatter than it is wide
     };
     void pin(const QPointF& at, const Pin& look);
+    /// A handle that is let go of, or yet to come: an empty, dashed ring.
+    void ghost(const QPointF& at, bool selected, bool hovered);
     void name(const QPointF& at, const QString& text);
     /// Small discs of one look, many of them: drawn once and copied.
     void spots(const std::vector<QPointF>& places, const QColor& fill, double radius, const QPen& rim);

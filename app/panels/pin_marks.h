@@ -1,5 +1,7 @@
 #pragma once
 
+#include <QCoreApplication>
+#include <QLocale>
 #include <algorithm>
 #include <functional>
 
@@ -36,7 +38,18 @@ void paintLinks(Marks& marks, const ShapeSession& session, const std::vector<Pin
     }
 }
 
-/// Pins in a view: those that the shape covers lie below the others, faintly.
+/// The name of a handle that does not hold at a time, and since or until when.
+template <int Dim>
+QString ghostName(const Handle<Dim>& handle, const QString& name, double time) {
+    const bool isYetToCome = time < handle.activeFrom;
+    const QString when = QLocale().toString(isYetToCome ? handle.activeFrom : handle.activeTo, 'f', 2);
+    return (isYetToCome ? QCoreApplication::translate("PinTool", "%1: holds from %2 s")
+                        : QCoreApplication::translate("PinTool", "%1: let go at %2 s"))
+        .arg(name, when);
+}
+
+/// Pins in a view: those that the shape covers lie below the others, faintly, and below all those that do not
+/// hold now.
 template <int Dim>
 struct PinScene {
     const ShapeSession& session;
@@ -47,6 +60,7 @@ struct PinScene {
     std::function<bool(const PinView<Dim>&)> isArea, isCovered;
 
     void paint(QPainter& painter, Marks& marks) {
+        paintGhosts(marks);
         paintLinks<Dim>(marks, session, pins, hovered, toWidget);
         const auto seen = std::stable_partition(
             pins.begin(), pins.end(), [this](const auto& view) { return !isArea(view) && isCovered(view); });
@@ -61,6 +75,17 @@ struct PinScene {
         painter.setOpacity(1);
         for (const auto& view : pins)
             if (view.handle == hovered) marks.name(toWidget(view.centre), view.name);
+    }
+    void paintGhosts(Marks& marks) const {
+        const auto ghosts = session.template ghosts<Dim>();
+        const auto& handles = session.document().template design<Dim>().handles;
+        for (const PinView<Dim>& view : ghosts)
+            marks.ghost(toWidget(view.centre), session.selection().contains(view.handle),
+                        view.handle == hovered);
+        for (const PinView<Dim>& view : ghosts)
+            if (view.handle == hovered)
+                marks.name(toWidget(view.centre),
+                           ghostName<Dim>(handles[view.handle], view.name, session.playback().time()));
     }
 };
 

@@ -8,8 +8,9 @@ namespace wend {
 
 namespace {
 
-constexpr double kWayReach = 5;  // pixels of the screen
-constexpr double kSame = 1e-3;   // of the shape's size: what is seen there is the place itself
+constexpr double kWayReach = 5;    // pixels of the screen
+constexpr double kGhostReach = 5;  // of handles that do not hold now: a new pin may be wanted there
+constexpr double kSame = 1e-3;     // of the shape's size: what is seen there is the place itself
 
 double distanceToLine(const QPointF& p, const QPointF& a, const QPointF& b) {
     const QPointF along = b - a;
@@ -39,6 +40,15 @@ bool isCovered<3>(SolidSurface& surface, const PinView<3>& pin, std::size_t poin
 }
 
 template <int Dim>
+int ghostUnder(SurfaceOf<Dim>& surface, const QPointF& widget) {
+    PinPick pick;
+    for (const PinView<Dim>& ghost : surface.session().template ghosts<Dim>())
+        if (const double d = QLineF(surface.toWidget(ghost.centre), widget).length(); d <= kGhostReach)
+            pick.offer(ghost.handle, d, false);
+    return pick.handle();
+}
+
+template <int Dim>
 int wayUnder(SurfaceOf<Dim>& surface, const QPointF& widget) {
     ShapeSession& session = surface.session();
     int best = -1;
@@ -58,6 +68,8 @@ int wayUnder(SurfaceOf<Dim>& surface, const QPointF& widget) {
     return best;
 }
 
+template int ghostUnder<2>(ToolSurface&, const QPointF&);
+template int ghostUnder<3>(SolidSurface&, const QPointF&);
 template int wayUnder<2>(ToolSurface&, const QPointF&);
 template int wayUnder<3>(SolidSurface&, const QPointF&);
 

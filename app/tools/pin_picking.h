@@ -32,6 +32,10 @@ class PinPick {
     bool m_covered = false;
 };
 
+/// The handle that does not hold now and whose mark is within reach of a point of the widget, or −1.
+template <int Dim>
+int ghostUnder(SurfaceOf<Dim>& surface, const QPointF& widget);
+
 /// The handle whose way is within reach of a point of the widget, or −1.
 template <int Dim>
 int wayUnder(SurfaceOf<Dim>& surface, const QPointF& widget);

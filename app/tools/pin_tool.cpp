@@ -15,7 +15,6 @@ namespace wend {
 namespace {
 
 constexpr double kReach = 8;           // pixels of the screen
-constexpr double kGhostReach = 5;      // of handles that do not hold now: a new pin may be wanted there
 constexpr double kStrokeDetail = 0.5;  // pixels of the screen that a recorded path may deviate
 constexpr double kTurnDetail = 0.005;  // radians, or of a factor, that a recorded turn may deviate
 constexpr double kMinDetail = 0.2;     // but no less than this, in pixels of the picture
@@ -92,11 +91,7 @@ int PinTool::pinAt(const QPointF& widget) const {
         if (const double d = distance(surface().toWidget(pin.centre), widget); marked && d <= kReach)
             pick.offer(pin.handle, d, false);
     }
-    if (pick.handle() >= 0) return pick.handle();
-    for (const PinView<2>& ghost : session().ghosts())
-        if (const double d = distance(surface().toWidget(ghost.centre), widget); d <= kGhostReach)
-            pick.offer(ghost.handle, d, false);
-    return pick.handle();
+    return pick.handle() >= 0 ? pick.handle() : ghostUnder<2>(surface(), widget);
 }
 
 /// Of regions that lie over each other one that is seen there, of several the smallest.

@@ -107,7 +107,7 @@ int SolidPinTool::handleAt(const QPointF& widget) const {
             if (const double d = distance(surface().toWidget(p), widget);
                 d <= kPointReach && (m_through || !surface().isHidden(p)))
                 pick.offer(pin.handle, d, false);
-    return pick.handle();
+    return pick.handle() >= 0 ? pick.handle() : ghostUnder<3>(surface(), widget);
 }
 
 bool SolidPinTool::wants(const QPointF& at) const {

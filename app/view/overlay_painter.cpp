@@ -86,19 +86,6 @@ void OverlayPainter::paths(ShapeSession& session, int hovered) {
         }
 }
 
-/// A handle that is let go of, or yet to come: an empty, dashed ring.
-void OverlayPainter::ghost(const QPointF& at, bool selected, bool hovered) {
-    const double r = kPinRadius - 1 + (hovered ? 1.5 : 0);
-    QPen halo(QColor(255, 255, 255, selected || hovered ? 230 : 150), 3);
-    QPen pen(selected ? m_theme.accent : kInk, selected ? 2 : 1.25, Qt::CustomDashLine, Qt::FlatCap);
-    pen.setDashPattern({2.5, 2});
-    m_painter.setBrush(Qt::NoBrush);
-    for (const QPen& one : {halo, pen}) {
-        m_painter.setPen(one);
-        m_painter.drawEllipse(at, r, r);
-    }
-}
-
 void OverlayPainter::spots(const PinView<2>& view, const QColor& colour) {
     std::vector<QPointF> places;
     for (const Vec<2>& p : view.points) places.push_back(m_view.toWidget(p));
@@ -122,20 +109,8 @@ void OverlayPainter::region(const Handle<2>& handle, const PinView<2>& view, con
                  selected ? Qt::SolidLine : Qt::CustomDashLine);
 }
 
-void OverlayPainter::ghosts(ShapeSession& session, int hovered) {
-    const auto ghosts = session.ghosts();
-    for (const PinView<2>& view : ghosts)
-        ghost(m_view.toWidget(view.centre), session.selection().contains(view.handle),
-              view.handle == hovered);
-    for (const PinView<2>& view : ghosts)
-        if (view.handle == hovered)
-            m_marks.name(m_view.toWidget(view.centre),
-                         QCoreApplication::translate("PinTool", "%1: does not hold now").arg(view.name));
-}
-
 void OverlayPainter::pins(ShapeSession& session, const PinAnimation& animation, int hovered,
                           const std::function<bool(const PinView<2>&)>& isCovered) {
-    ghosts(session, hovered);
     const auto frame = session.frame<2>();
     const auto pins = session.pins();
     const auto& handles = session.document().design().handles;

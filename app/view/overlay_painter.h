@@ -29,12 +29,10 @@ class OverlayPainter {
 
   private:
     QPolygonF toWidget(const std::vector<Vec<2>>& points) const;
-    void ghost(const QPointF& at, bool selected, bool hovered);
     void frames(const Handle<2>& handle, const Vec<2>& start);
     void spots(const PinView<2>& view, const QColor& colour);
     void region(const Handle<2>& handle, const PinView<2>& view, const PosedFrame<2>& frame, bool selected,
                 bool hovered);
-    void ghosts(ShapeSession& session, int hovered);
 
     QPainter& m_painter;
     Marks m_marks;

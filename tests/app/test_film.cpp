@@ -6,6 +6,7 @@
 
 #include "app/document/timing_edits.h"
 #include "app/panels/distortion_panel.h"
+#include "app/panels/pin_marks.h"
 #include "app/session/drag_gesture.h"
 #include "app/view/pin_actions.h"
 #include "app/view/time_strip.h"
@@ -41,6 +42,8 @@ class TestFilm : public QObject {
     void lockedBarsStay();
     void barsByKeyboard();
     void menuOfABar();
+    void ghostsTellWhenTheyHold_data() { dimensions(); }
+    void ghostsTellWhenTheyHold();
     void playingShowsTheShapeAlone_data() { dimensions(); }
     void playingShowsTheShapeAlone();
     void rulerIsScrubbed();
@@ -412,6 +415,46 @@ void TestFilm::menuOfABar() {
     QCOMPARE(motions(1), std::size_t(0));
     QCOMPARE(motions(0), std::size_t(1));
     menu->close();
+}
+
+namespace {
+
+template <int Dim>
+QString ghostName(ShapeSession& session) {
+    const auto ghosts = session.ghosts<Dim>();
+    if (ghosts.size() != 1) return {};
+    const auto& handles = session.document().template design<Dim>().handles;
+    return wend::ghostName<Dim>(handles[ghosts[0].handle], "x", session.playback().time());
+}
+
+}  // namespace
+
+/// A pin that does not hold is a faint mark, to be picked, that says since or until when.
+void TestFilm::ghostsTellWhenTheyHold() {
+    QFETCH(int, dimension);
+    openFilm(dimension);
+    session().document().change(QStringLiteral("Hold"), withHold(project(), 1, {1, 2.5}));
+    QVERIFY(settle(session()));
+    const auto name = [&] { return dimension == 2 ? ghostName<2>(session()) : ghostName<3>(session()); };
+    session().playback().setTime(0.2);
+    QCOMPARE(name(), QStringLiteral("x: holds from 1.00 s"));
+    session().playback().setTime(1.5);
+    QCOMPARE(name(), QString());
+    session().playback().setTime(3);
+    QCOMPARE(name(), QStringLiteral("x: let go at 2.50 s"));
+    session().selection().clear();
+    const QPoint at = dimension == 2
+                          ? m_window->window().canvas().toWidget(session().ghosts<2>()[0].centre).toPoint()
+                          : m_window->canvas().toWidget(session().ghosts<3>()[0].centre).toPoint();
+    const auto around = [&] {
+        return canvas().grab(QRect(at - QPoint(8, 8), at + QPoint(120, 8))).toImage();
+    };
+    QTest::mouseMove(&canvas(), at + QPoint(0, 60));
+    const QImage before = around();
+    QTest::mouseMove(&canvas(), at);
+    QVERIFY(around() != before);  // with its name beside
+    QTest::mouseClick(&canvas(), Qt::LeftButton, {}, at);
+    QCOMPARE(session().selection().handles(), std::vector<int>{1});
 }
 
 /// The second pin stands until 1: its disc is there, not while the film plays, and again.
