@@ -3384,6 +3384,10 @@
         <source>at %1, %2</source>
         <translation>bei %1; %2</translation>
     </message>
+    <message>
+        <source>does not hold now</source>
+        <translation>hält jetzt nicht</translation>
+    </message>
 </context>
 <context>
     <name>wend::InfoBanner</name>

@@ -1541,11 +1541,11 @@
     </message>
     <message>
         <source>%1: holds from %2 s</source>
-        <translation>%1 : tient à partir de %2 s</translation>
+        <translation>%1&#x202f;: tient à partir de %2 s</translation>
     </message>
     <message>
         <source>%1: let go at %2 s</source>
-        <translation>%1 : lâchée à %2 s</translation>
+        <translation>%1&#x202f;: lâchée à %2 s</translation>
     </message>
 </context>
 <context>
@@ -3383,6 +3383,10 @@
     <message>
         <source>at %1, %2</source>
         <translation>à %1&#x202f;; %2</translation>
+    </message>
+    <message>
+        <source>does not hold now</source>
+        <translation>ne tient pas maintenant</translation>
     </message>
 </context>
 <context>

@@ -3379,6 +3379,10 @@
         <source>at %1, %2</source>
         <translation>位置 %1, %2</translation>
     </message>
+    <message>
+        <source>does not hold now</source>
+        <translation>今は固定していません</translation>
+    </message>
 </context>
 <context>
     <name>wend::InfoBanner</name>

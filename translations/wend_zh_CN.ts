@@ -3379,6 +3379,10 @@
         <source>at %1, %2</source>
         <translation>位于 %1，%2</translation>
     </message>
+    <message>
+        <source>does not hold now</source>
+        <translation>现在不固定</translation>
+    </message>
 </context>
 <context>
     <name>wend::InfoBanner</name>

@@ -94,13 +94,14 @@ void HandlePanel::arrange() {
     body->addWidget(new CurvePanel(m_session, this));
 }
 
-/// Of what is selected; in the plane without its z.
+/// Of what is selected and holds now; in the plane without its z.
 template <int Dim>
-Vec<3> HandlePanel::middle() const {
+std::optional<Vec<3>> HandlePanel::middle() const {
     std::vector<Vec<Dim>> centres;
     for (const auto& pin : m_session.pins<Dim>(true))
         if (m_session.selection().contains(pin.handle)) centres.push_back(pin.centre);
-    return centres.empty() ? Vec<3>(Vec<3>::Zero()) : amountOf<Dim>(meanOf<Dim>(centres));
+    if (centres.empty()) return {};
+    return amountOf<Dim>(meanOf<Dim>(centres));
 }
 
 /// Those of the plane are beside the kind of the step; in space there are too many.
@@ -127,10 +128,12 @@ void HandlePanel::showStep() {
 
 void HandlePanel::apply() {
     for (QDoubleSpinBox* box : m_numbers) box->interpretText();
+    const auto centre = isSolid() ? middle<3>() : middle<2>();
+    if (!centre) return;
     const int kind = m_kind->currentIndex();
     Grip grip;
     grip.kind = static_cast<Grip::Kind>(kind);
-    grip.centre = isSolid() ? middle<3>() : middle<2>();
+    grip.centre = *centre;
     if (isSolid()) grip.axis = Vec<3>::Unit(m_axis->currentIndex());
     Amount amount(m_numbers[0]->value(), m_numbers[1]->value(), m_numbers[2]->value());
     if (kind == 1) amount = {amount[0] / kDegrees, 0, 0};
@@ -146,8 +149,10 @@ void HandlePanel::showHandle() {
     placeNumbers();
     if (!any) return;
     const double minimum = 1e-9 * (m_session.frame() ? m_session.frame()->diagonal : 1);
-    const Vec<3> middleOfAll = isSolid() ? middle<3>() : middle<2>(),
-                 at = (middleOfAll.array().abs() < minimum).select(0, middleOfAll);
+    const auto centre = isSolid() ? middle<3>() : middle<2>();
+    m_apply->setEnabled(centre.has_value());
+    if (!centre) return m_place->setText(tr("does not hold now"));
+    const Vec<3> at = (centre->array().abs() < minimum).select(0, *centre);
     const QLocale locale;
     const auto number = [&locale](double value) { return locale.toString(value, 'g', 5); };
     m_place->setText(isSolid() ? tr("at %1, %2, %3").arg(number(at.x()), number(at.y()), number(at.z()))

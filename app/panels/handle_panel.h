@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QWidget>
+#include <optional>
 
 #include "app/session/shape_session.h"
 
@@ -28,7 +29,7 @@ class HandlePanel : public QWidget {
     void changeEvent(QEvent* event) override;
     void apply();
     template <int Dim>
-    Vec<3> middle() const;
+    std::optional<Vec<3>> middle() const;
     bool isSolid() const { return m_session.document().dimension() == 3; }
 
     ShapeSession& m_session;

@@ -1,4 +1,5 @@
 #include <QActionGroup>
+#include <QLabel>
 #include <QMenu>
 #include <QPainter>
 #include <QScrollBar>
@@ -455,6 +456,10 @@ void TestFilm::ghostsTellWhenTheyHold() {
     QVERIFY(around() != before);  // with its name beside
     QTest::mouseClick(&canvas(), Qt::LeftButton, {}, at);
     QCOMPARE(session().selection().handles(), std::vector<int>{1});
+    const auto* place = m_window->window().findChild<QLabel*>(QStringLiteral("pinPlace"));
+    QCOMPARE(place->text(), QStringLiteral("does not hold now"));
+    session().playback().setTime(1.5);
+    QVERIFY(place->text().startsWith(QStringLiteral("at ")));
 }
 
 /// The second pin stands until 1: its disc is there, not while the film plays, and again.
