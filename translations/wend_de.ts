@@ -2307,6 +2307,45 @@
     </message>
 </context>
 <context>
+    <name>wend::BackdropChoice</name>
+    <message>
+        <source>&amp;Backdrop</source>
+        <translation>&amp;Hintergrund</translation>
+    </message>
+    <message>
+        <source>&amp;Checks</source>
+        <translation>&amp;Karos</translation>
+    </message>
+    <message>
+        <source>Checks behind a picture, the workspace behind a solid</source>
+        <translation>Karos hinter einem Bild, die Arbeitsfläche hinter einem Körper</translation>
+    </message>
+    <message>
+        <source>&amp;White</source>
+        <translation>&amp;Weiß</translation>
+    </message>
+    <message>
+        <source>White behind the shape: dark edges are seen on it</source>
+        <translation>Weiß hinter der Form: Darauf sieht man dunkle Ränder</translation>
+    </message>
+    <message>
+        <source>&amp;Grey</source>
+        <translation>&amp;Grau</translation>
+    </message>
+    <message>
+        <source>Grey behind the shape</source>
+        <translation>Grau hinter der Form</translation>
+    </message>
+    <message>
+        <source>&amp;Black</source>
+        <translation>&amp;Schwarz</translation>
+    </message>
+    <message>
+        <source>Black behind the shape: light edges are seen on it</source>
+        <translation>Schwarz hinter der Form: Darauf sieht man helle Ränder</translation>
+    </message>
+</context>
+<context>
     <name>wend::BalancePanel</name>
     <message>
         <source>This project smooths as in the paper, with λ; its file says how much.</source>

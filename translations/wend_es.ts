@@ -2307,6 +2307,45 @@
     </message>
 </context>
 <context>
+    <name>wend::BackdropChoice</name>
+    <message>
+        <source>&amp;Backdrop</source>
+        <translation>&amp;Fondo</translation>
+    </message>
+    <message>
+        <source>&amp;Checks</source>
+        <translation>&amp;Cuadros</translation>
+    </message>
+    <message>
+        <source>Checks behind a picture, the workspace behind a solid</source>
+        <translation>Cuadros detrás de una imagen, el área de trabajo detrás de un sólido</translation>
+    </message>
+    <message>
+        <source>&amp;White</source>
+        <translation>&amp;Blanco</translation>
+    </message>
+    <message>
+        <source>White behind the shape: dark edges are seen on it</source>
+        <translation>Blanco detrás de la forma: se ven los bordes oscuros</translation>
+    </message>
+    <message>
+        <source>&amp;Grey</source>
+        <translation>&amp;Gris</translation>
+    </message>
+    <message>
+        <source>Grey behind the shape</source>
+        <translation>Gris detrás de la forma</translation>
+    </message>
+    <message>
+        <source>&amp;Black</source>
+        <translation>&amp;Negro</translation>
+    </message>
+    <message>
+        <source>Black behind the shape: light edges are seen on it</source>
+        <translation>Negro detrás de la forma: se ven los bordes claros</translation>
+    </message>
+</context>
+<context>
     <name>wend::BalancePanel</name>
     <message>
         <source>This project smooths as in the paper, with λ; its file says how much.</source>

@@ -2307,6 +2307,45 @@
     </message>
 </context>
 <context>
+    <name>wend::BackdropChoice</name>
+    <message>
+        <source>&amp;Backdrop</source>
+        <translation>&amp;Fond</translation>
+    </message>
+    <message>
+        <source>&amp;Checks</source>
+        <translation>&amp;Damier</translation>
+    </message>
+    <message>
+        <source>Checks behind a picture, the workspace behind a solid</source>
+        <translation>Un damier derrière une image, l’espace de travail derrière un solide</translation>
+    </message>
+    <message>
+        <source>&amp;White</source>
+        <translation>&amp;Blanc</translation>
+    </message>
+    <message>
+        <source>White behind the shape: dark edges are seen on it</source>
+        <translation>Blanc derrière la forme : on y voit les bords sombres</translation>
+    </message>
+    <message>
+        <source>&amp;Grey</source>
+        <translation>&amp;Gris</translation>
+    </message>
+    <message>
+        <source>Grey behind the shape</source>
+        <translation>Gris derrière la forme</translation>
+    </message>
+    <message>
+        <source>&amp;Black</source>
+        <translation>&amp;Noir</translation>
+    </message>
+    <message>
+        <source>Black behind the shape: light edges are seen on it</source>
+        <translation>Noir derrière la forme : on y voit les bords clairs</translation>
+    </message>
+</context>
+<context>
     <name>wend::BalancePanel</name>
     <message>
         <source>This project smooths as in the paper, with λ; its file says how much.</source>

@@ -2306,6 +2306,45 @@
     </message>
 </context>
 <context>
+    <name>wend::BackdropChoice</name>
+    <message>
+        <source>&amp;Backdrop</source>
+        <translation>背景(&amp;B)</translation>
+    </message>
+    <message>
+        <source>&amp;Checks</source>
+        <translation>市松模様(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Checks behind a picture, the workspace behind a solid</source>
+        <translation>画像の後ろは市松模様、立体の後ろは作業領域</translation>
+    </message>
+    <message>
+        <source>&amp;White</source>
+        <translation>白(&amp;W)</translation>
+    </message>
+    <message>
+        <source>White behind the shape: dark edges are seen on it</source>
+        <translation>形の後ろを白に: 暗い縁が見えます</translation>
+    </message>
+    <message>
+        <source>&amp;Grey</source>
+        <translation>灰色(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Grey behind the shape</source>
+        <translation>形の後ろを灰色に</translation>
+    </message>
+    <message>
+        <source>&amp;Black</source>
+        <translation>黒(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Black behind the shape: light edges are seen on it</source>
+        <translation>形の後ろを黒に: 明るい縁が見えます</translation>
+    </message>
+</context>
+<context>
     <name>wend::BalancePanel</name>
     <message>
         <source>This project smooths as in the paper, with λ; its file says how much.</source>

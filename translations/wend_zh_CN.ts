@@ -2306,6 +2306,45 @@
     </message>
 </context>
 <context>
+    <name>wend::BackdropChoice</name>
+    <message>
+        <source>&amp;Backdrop</source>
+        <translation>背景(&amp;B)</translation>
+    </message>
+    <message>
+        <source>&amp;Checks</source>
+        <translation>棋盘格(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Checks behind a picture, the workspace behind a solid</source>
+        <translation>图片后为棋盘格，实体后为工作区</translation>
+    </message>
+    <message>
+        <source>&amp;White</source>
+        <translation>白色(&amp;W)</translation>
+    </message>
+    <message>
+        <source>White behind the shape: dark edges are seen on it</source>
+        <translation>形状后为白色：可看出暗边</translation>
+    </message>
+    <message>
+        <source>&amp;Grey</source>
+        <translation>灰色(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Grey behind the shape</source>
+        <translation>形状后为灰色</translation>
+    </message>
+    <message>
+        <source>&amp;Black</source>
+        <translation>黑色(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Black behind the shape: light edges are seen on it</source>
+        <translation>形状后为黑色：可看出亮边</translation>
+    </message>
+</context>
+<context>
     <name>wend::BalancePanel</name>
     <message>
         <source>This project smooths as in the paper, with λ; its file says how much.</source>

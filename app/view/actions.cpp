@@ -4,6 +4,7 @@
 #include <QMenuBar>
 #include <QUndoStack>
 
+#include "app/view/backdrop_choice.h"
 #include "app/view/toolbox.h"
 
 namespace wend {
@@ -15,6 +16,7 @@ Actions::Actions(QUndoStack& undoStack, Toolbox& tools, QObject* parent)
       recent(std::make_unique<QMenu>()),
       samples(std::make_unique<QMenu>()),
       exports(std::make_unique<QMenu>()),
+      backdrop(new BackdropChoice(this)),
       speed(std::make_unique<QMenu>()),
       m_tools(tools) {
     makeFile();
@@ -166,6 +168,7 @@ void Actions::fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve, const 
     view->addSeparator();
     view->addActions({fit, actualSize, zoomIn, zoomOut});
     view->addSeparator();
+    view->addMenu(backdrop->menu());
     QMenu* appearance = view->addMenu(tr("A&ppearance"));
     appearance->addActions({systemLook, lightLook, darkLook});
     appearance->addSeparator();

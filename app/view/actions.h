@@ -10,6 +10,7 @@ class QUndoStack;
 
 namespace wend {
 
+class BackdropChoice;
 class Toolbox;
 
 /// Everything that can be done in the window beside its tools, with name, shortcut and explanation. What a
@@ -30,6 +31,7 @@ class Actions : public ActionMaker {
     QAction *lessMotion, *systemLook, *lightLook, *darkLook;
     QAction *about, *manual, *tutorial, *tips, *shortcuts, *history;
     const std::unique_ptr<QMenu> recent, samples, exports;
+    BackdropChoice* const backdrop;
     const std::unique_ptr<QMenu> speed;  // of playing and recording; the factor is the data of its actions
 
     /// Menus of the whole program, in the order of the work.

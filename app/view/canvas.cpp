@@ -311,6 +311,10 @@ void ShapeCanvas::setOverlaysHidden(bool hidden) {
     m_hidden = hidden, render();
 }
 
+void ShapeCanvas::setBackdrop(const QColor& colour) {
+    m_backdrop = colour, update();
+}
+
 void ShapeCanvas::setRestShown(bool shown) {
     if (std::exchange(m_rest, shown) != shown) render();
 }
@@ -375,7 +379,7 @@ void ShapeCanvas::paintEvent(QPaintEvent*) {
     const Theme theme = Theme::of(palette());
     painter.fillRect(rect(), theme.workspace);
     OverlayPainter overlay(painter, m_view, theme);
-    if (m_session.document().picture()) overlay.paper(frameRect());
+    if (m_session.document().picture()) overlay.paper(frameRect(), m_backdrop);
     painter.setRenderHint(QPainter::Antialiasing);
     if (!m_hidden) m_onion.paintFills(painter, *this);
     painter.setRenderHint(QPainter::Antialiasing, false);

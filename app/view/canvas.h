@@ -60,6 +60,8 @@ class ShapeCanvas : public QWidget, public ToolSurface {
     /// Draws the border of a layer of the material; null: of none.
     void setLayer(const QString& name);
     void setOverlaysHidden(bool hidden);
+    /// Behind a picture; invalid: checks.
+    void setBackdrop(const QColor& colour);
     /// The shape as it was before it was bent.
     void setRestShown(bool shown);
     /// Another frame in the place of the session's, which does not change; null: none.
@@ -131,6 +133,7 @@ class ShapeCanvas : public QWidget, public ToolSurface {
     QTimer m_marksDue;  // in a drag: moves of the pointer alone are painted no more often
     mutable CellDepths m_depths;
     bool m_mesh = false, m_map = false, m_hidden = false, m_dimmed = false;
+    QColor m_backdrop;
     bool m_rest = false;
     bool m_fitted = false;  // the view follows the window's size until the user changes it
     bool m_spaceDown = false, m_panning = false;

@@ -29,7 +29,7 @@ QPixmap checker(const Theme& theme) {
 
 }  // namespace
 
-void OverlayPainter::paper(const QRectF& frame) {
+void OverlayPainter::paper(const QRectF& frame, const QColor& colour) {
     const QRectF onScreen = m_view.matrix().mapRect(frame);
     const QRect aligned = onScreen.toAlignedRect();
     m_painter.setPen(Qt::NoPen);
@@ -41,7 +41,7 @@ void OverlayPainter::paper(const QRectF& frame) {
     }
     m_painter.restore();
     m_painter.setBrushOrigin(aligned.topLeft());
-    m_painter.fillRect(aligned, QBrush(checker(m_theme)));
+    m_painter.fillRect(aligned, colour.isValid() ? QBrush(colour) : QBrush(checker(m_theme)));
     m_painter.setBrushOrigin(0, 0);
 }
 

@@ -18,7 +18,8 @@ class OverlayPainter {
     OverlayPainter(QPainter& painter, const ViewTransform& view, const Theme& theme)
         : m_painter(painter), m_marks(painter), m_view(view), m_theme(theme) {}
 
-    void paper(const QRectF& frame);
+    /// Of that colour, or with checks.
+    void paper(const QRectF& frame, const QColor& colour);
     void paths(ShapeSession& session, int hovered);
     /// Also, faintly, the handles that do not hold at the time that is shown. `isCovered`: something of the
     /// shape is seen in front.

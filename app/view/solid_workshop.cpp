@@ -14,6 +14,7 @@
 #include "app/session/opening.h"
 #include "app/session/solid_places.h"
 #include "app/view/actions.h"
+#include "app/view/backdrop_choice.h"
 #include "app/view/detail_chooser.h"
 #include "app/view/picture_dialog.h"
 #include "app/view/properties.h"
@@ -113,6 +114,8 @@ void SolidWorkshop::connectLooks(SolidCanvas* canvas) {
     follow(common.showArrows, &SolidCanvas::setArrowsShown);
     follow(common.onionSkin, &SolidCanvas::setOnionSkin);
     follow(common.showMarks, &SolidCanvas::setGlyphsShown);
+    connect(common.backdrop, &BackdropChoice::changed, canvas, &SolidCanvas::setBackdrop);
+    canvas->setBackdrop(common.backdrop->colour());
     follow(a.detail, &SolidCanvas::setDetailShown);
     follow(a.flat, &SolidCanvas::setFlat);
     follow(a.orthographic, &VolumeView::setOrthographic);

@@ -8,6 +8,7 @@
 #include "app/panels/liveliness.h"
 #include "app/panels/material_panel.h"
 #include "app/view/actions.h"
+#include "app/view/backdrop_choice.h"
 #include "app/view/canvas.h"
 #include "app/view/compare_view.h"
 #include "app/view/held_key.h"
@@ -36,6 +37,8 @@ void ViewLooks::connectLooks(ShapeCanvas& canvas) {
     connect(a.showMarks, &QAction::toggled, &canvas, &ShapeCanvas::setMarksShown);
     connect(a.showArrows, &QAction::toggled, &canvas, &ShapeCanvas::setArrowsShown);
     connect(a.onionSkin, &QAction::toggled, &canvas, &ShapeCanvas::setOnionSkin);
+    connect(a.backdrop, &BackdropChoice::changed, &canvas, &ShapeCanvas::setBackdrop);
+    canvas.setBackdrop(a.backdrop->colour());
     const DistortionPanel* map = &m_parts.properties.distortion();
     connect(map, &DistortionPanel::mapChanged, &canvas,
             [&canvas, map] { canvas.setMap(map->measure(), map->range()); });

@@ -6,6 +6,7 @@
 #include "app/document/handle_edits.h"
 #include "app/panels/distortion_panel.h"
 #include "app/panels/material_panel.h"
+#include "app/view/backdrop_choice.h"
 #include "app/view/compare_view.h"
 #include "app/view/tile_pictures.h"
 #include "core/energy/distortion.h"
@@ -64,6 +65,8 @@ class TestComparison : public QObject {
     void tilesArePreviewed();
     void tilesShowTheShape_data() { dimensions(); }
     void tilesShowTheShape();
+    void backdropLiesBehindBoth_data() { dimensions(); }
+    void backdropLiesBehindBoth();
     void keysReturnToTheShape_data() { dimensions(); }
     void keysReturnToTheShape();
     void anotherFileEndsIt();
@@ -78,6 +81,8 @@ class TestComparison : public QObject {
     void moveLate();
     template <int Dim>
     void returnKeys();
+    template <int Dim>
+    void chooseBackdrop();
     template <int Dim>
     bool begin();
     CompareView& view() { return m_f->window().compared(); }
@@ -325,6 +330,34 @@ void TestComparison::tilesShowTheShape() {
     while (m_f->window().actions().undo->isEnabled()) m_f->window().actions().undo->trigger();
     QVERIFY(settle(m_f->session()));
     QCOMPARE(picture(1), sample);
+}
+
+/// And is the same on another day.
+void TestComparison::backdropLiesBehindBoth() {
+    BOTH(chooseBackdrop);
+}
+
+template <int Dim>
+void TestComparison::chooseBackdrop() {
+    QVERIFY(begin<Dim>());
+    const auto behind = [](QWidget& view) {
+        QPoint place(6, 6);  // beside the solid; of a picture in a corner that is transparent
+        if constexpr (Dim == 2) place = static_cast<ShapeCanvas&>(view).toWidget({4, 4}).toPoint();
+        return view.grab().toImage().pixelColor(place);
+    };
+    auto &own = Bar<Dim>::canvas(*m_f), &its = Bar<Dim>::other(*m_f);
+    BackdropChoice& choice = *m_f->window().actions().backdrop;
+    const auto choices = choice.menu()->actions();
+    QVERIFY(choices[0]->isChecked() && !choice.colour().isValid());
+    const QColor usual = behind(own);
+    for (const auto& [index, colour] : {std::pair{1, QColor(Qt::white)}, {3, QColor(Qt::black)}}) {
+        choices[index]->trigger();
+        QCOMPARE(behind(own), colour);
+        QCOMPARE(behind(its), colour);
+        QCOMPARE(BackdropChoice(nullptr).colour(), colour);
+    }
+    choices[0]->trigger();
+    QCOMPARE(behind(own), usual);
 }
 
 /// The keys go where the eye goes.

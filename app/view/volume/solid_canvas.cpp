@@ -77,9 +77,15 @@ SolidCanvas::SolidCanvas(ShapeSession& session, QWidget* parent)
 
 void SolidCanvas::applyTheme() {
     const Theme theme = Theme::of(palette());
-    setBackground(theme.workspace);
+    setBackground(m_backdrop.isValid() ? m_backdrop : theme.workspace);
     m_style.edgeColour = theme.dark ? QColor(12, 13, 18) : QColor(20, 24, 32);
     setStyle(m_style);
+}
+
+void SolidCanvas::setBackdrop(const QColor& colour) {
+    m_backdrop = colour;
+    applyTheme();
+    update();
 }
 
 void SolidCanvas::setTool(SolidTool* tool) {

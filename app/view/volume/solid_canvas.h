@@ -85,6 +85,8 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     /// Draws the regions of a layer of the material; null: of none.
     void setLayer(const QString& name);
     void setOverlaysHidden(bool hidden);
+    /// Behind the solid; invalid: the workspace.
+    void setBackdrop(const QColor& colour);
     /// The solid as it was before it was bent.
     void setRestShown(bool shown);
     /// Another frame in the place of the session's, which does not change; null: none.
@@ -158,6 +160,7 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     SurfaceStyle m_style;
     QTimer m_dim, m_marksDue;  // in a drag: moves of the pointer alone are painted no more often
     int m_generation = -1;     // of the document that the view was fitted to
+    QColor m_backdrop;         // invalid: the workspace
     bool m_map = false, m_arrows = false, m_values = false, m_glyphs = false, m_hidden = false,
          m_rest = false, m_dimmed = false, m_held = false, m_missed = false, m_hasSolid = false;
     bool m_detail = true;
