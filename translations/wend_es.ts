@@ -2309,7 +2309,7 @@
 <context>
     <name>wend::BackdropChoice</name>
     <message>
-        <source>&amp;Backdrop</source>
+        <source>Bac&amp;kdrop</source>
         <translation>&amp;Fondo</translation>
     </message>
     <message>

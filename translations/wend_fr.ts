@@ -2309,7 +2309,7 @@
 <context>
     <name>wend::BackdropChoice</name>
     <message>
-        <source>&amp;Backdrop</source>
+        <source>Bac&amp;kdrop</source>
         <translation>&amp;Fond</translation>
     </message>
     <message>
@@ -2326,7 +2326,7 @@
     </message>
     <message>
         <source>White behind the shape: dark edges are seen on it</source>
-        <translation>Blanc derrière la forme : on y voit les bords sombres</translation>
+        <translation>Blanc derrière la forme&#x202f;: on y voit les bords sombres</translation>
     </message>
     <message>
         <source>&amp;Grey</source>
@@ -2342,7 +2342,7 @@
     </message>
     <message>
         <source>Black behind the shape: light edges are seen on it</source>
-        <translation>Noir derrière la forme : on y voit les bords clairs</translation>
+        <translation>Noir derrière la forme&#x202f;: on y voit les bords clairs</translation>
     </message>
 </context>
 <context>

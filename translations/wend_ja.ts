@@ -2308,7 +2308,7 @@
 <context>
     <name>wend::BackdropChoice</name>
     <message>
-        <source>&amp;Backdrop</source>
+        <source>Bac&amp;kdrop</source>
         <translation>背景(&amp;B)</translation>
     </message>
     <message>

@@ -5,6 +5,7 @@
 #include <QUndoStack>
 
 #include "app/view/backdrop_choice.h"
+#include "app/view/menu_letters.h"
 #include "app/view/toolbox.h"
 
 namespace wend {
@@ -183,6 +184,7 @@ void Actions::fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve, const 
     motion->addActions({record, onionSkin, settle});
     motion->addMenu(curve);
     window.menuBar()->addMenu(tr("&Help"))->addActions({tutorial, tips, manual, shortcuts, about});
+    for (const QAction* one : window.menuBar()->actions()) makeLettersUnique(*one->menu());
 }
 
 /// The steps, and under the name of each what belongs to it first.

@@ -13,7 +13,7 @@ const QString kSetting = QStringLiteral("backdrop");
 
 BackdropChoice::BackdropChoice(QObject* parent)
     : ActionMaker(parent), m_menu(new QMenu), m_group(new QActionGroup(this)) {
-    m_menu->setTitle(tr("&Backdrop"));
+    m_menu->setTitle(tr("Bac&kdrop"));
     const std::pair<Words, QColor> choices[] = {
         {{tr("&Checks"), tr("Checks behind a picture, the workspace behind a solid")}, QColor()},
         {{tr("&White"), tr("White behind the shape: dark edges are seen on it")}, QColor(Qt::white)},

@@ -200,7 +200,7 @@ QImage ground(const ShapeCanvas& canvas, const QSizeF& picture) {
     QPainter painter(&image);
     const Theme theme = Theme::of(canvas.palette());
     painter.fillRect(canvas.rect(), theme.workspace);
-    OverlayPainter(painter, canvas.view(), theme).paper(QRectF({0, 0}, picture));
+    OverlayPainter(painter, canvas.view(), theme).paper(QRectF({0, 0}, picture), {});
     return image;
 }
 

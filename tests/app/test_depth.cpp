@@ -290,7 +290,7 @@ void TestDepth::canvasIsTheExport() {
     QPainter painter(&ground);
     const Theme theme = Theme::of(m_canvas.palette());
     painter.fillRect(ground.rect(), theme.workspace);
-    OverlayPainter(painter, m_canvas.view(), theme).paper(QRectF(0, 0, kWidth, kHeight));
+    OverlayPainter(painter, m_canvas.view(), theme).paper(QRectF(0, 0, kWidth, kHeight), {});
     painter.end();
     int off = 0;
     for (int y = 0; y < shown.height(); ++y)

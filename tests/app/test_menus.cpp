@@ -4,7 +4,9 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
+#include <QScopeGuard>
 #include <QToolButton>
+#include <QTranslator>
 
 #include "app/session/drag_gesture.h"
 #include "app/view/actions.h"
@@ -22,6 +24,8 @@ class TestMenus : public QObject {
     void init();
     void cleanup();
     void altKeysOpenMenus();
+    void lettersAreUnique_data();
+    void lettersAreUnique();
     void holdingHWorksEverywhere();
     void lettersAreTypedWhereTextIs();
     void exportIsAMenu();
@@ -86,6 +90,46 @@ void TestMenus::altKeysOpenMenus() {
         QTest::keyClick(m_window.get(), Qt::Key_Escape);
         QVERIFY(QTest::qWaitFor([&] { return popup() == nullptr; }, 5000));
     }
+}
+
+void TestMenus::lettersAreUnique_data() {
+    QTest::addColumn<QString>("language");
+    QTest::newRow("English") << "";
+    for (const char* language : {"de", "fr", "es", "ja", "zh_CN"}) QTest::newRow(language) << language;
+}
+
+namespace {
+
+/// Entries of a menu, and of those below it, that one letter stands for.
+QStringList sharedLetters(const QMenu& menu) {
+    QStringList shared;
+    QMap<QString, QString> owner;
+    for (const QAction* action : menu.actions()) {
+        if (action->menu()) shared += sharedLetters(*action->menu());
+        const QString letter = QKeySequence::mnemonic(action->text()).toString();
+        if (letter.isEmpty() || !action->isVisible()) continue;
+        if (owner.contains(letter))
+            shared << menu.title() + ": " + letter + ": " + owner[letter] + ", " + action->text();
+        owner[letter] = action->text();
+    }
+    return shared;
+}
+
+}  // namespace
+
+/// A letter opens one entry, and does not go round among several.
+void TestMenus::lettersAreUnique() {
+    QFETCH(QString, language);
+    QTranslator translator;
+    if (!language.isEmpty()) {
+        QVERIFY(translator.load(":/i18n/wend_" + language + ".qm"));
+        QVERIFY(QApplication::installTranslator(&translator));
+    }
+    const auto back = qScopeGuard([&translator] { QApplication::removeTranslator(&translator); });
+    const MainWindow window;
+    QStringList shared;
+    for (const QAction* action : window.menuBar()->actions()) shared += sharedLetters(*action->menu());
+    QVERIFY2(shared.isEmpty(), qPrintable(shared.join('\n')));
 }
 
 void TestMenus::holdingHWorksEverywhere() {
