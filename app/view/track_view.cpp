@@ -164,8 +164,8 @@ QRectF TrackView::barOf(int handle, int motion) const {
 
 /// The end of the line along which the pin holds; where both are, the one that can go further.
 std::optional<TrackView::Part> TrackView::endAt(const Bar& bar, const QPointF& at) const {
-    const QRectF box = barRect(bar);
-    const double toStart = std::abs(at.x() - box.left()), toEnd = std::abs(at.x() - box.right());
+    const MotionTime time = timeOf(bar);
+    const double toStart = std::abs(at.x() - xOf(time.start)), toEnd = std::abs(at.x() - xOf(time.end));
     if (std::min(toStart, toEnd) > kGrip) return {};
     return toStart < toEnd || (toStart == toEnd && bar.time.start > 0) ? Part::Start : Part::End;
 }
@@ -209,11 +209,12 @@ MotionTime TrackView::draggedHold(const Grabbed& grabbed, double time) const {
     const Bar& bar = grabbed.bar;
     const auto& bars = m_rows[static_cast<std::size_t>(bar.handle)].bars;
     const double start = std::max(bar.time.start, 0.0), to = std::min(bar.time.end, end());
+    const double way = time - grabbed.at;
     const double latest = bars.empty() ? to - kShortestMotion : bars.front().time.start;
     const double earliest = bars.empty() ? start + kShortestMotion : std::min(bars.back().time.end, end());
     if (grabbed.part == Part::Start)
-        return {std::clamp(snapped(time, bar), 0.0, std::max(latest, 0.0)), bar.time.end};
-    return {bar.time.start, std::clamp(snapped(time, bar), std::min(earliest, end()), end())};
+        return {std::clamp(snapped(start + way, bar), 0.0, std::max(latest, 0.0)), bar.time.end};
+    return {bar.time.start, std::clamp(snapped(to + way, bar), std::min(earliest, end()), end())};
 }
 
 MotionTime TrackView::dragged(const Grabbed& grabbed, double time) const {

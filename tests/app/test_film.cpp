@@ -355,6 +355,22 @@ void TestFilm::holdsAreDragged() {
     QVERIFY(!whole->isEnabled());
     session().document().undoStack()->undo();
     QCOMPARE(hold(), (MotionTime{1, 2}));
+    // One that is set at the end holds there alone, and its line is a stop that goes only one way.
+    Project late = withHold(project(), 1, {0, 4});
+    std::visit(
+        [](auto& design) {
+            design.handles[1].motions.clear();
+            design.handles[1].activeFrom = 4;
+        },
+        late.design);
+    session().document().change(QStringLiteral("Late"), late);
+    QVERIFY(settle(session()));
+    for (const double beside : {-4.0, 4.0}) {
+        dragBar(1, TrackView::kHold, line().left() + beside, -second);
+        QVERIFY(std::abs(hold().start - 3) <= 3 * pixel);
+        session().document().undoStack()->undo();
+        QVERIFY(settle(session()));
+    }
 }
 
 void TestFilm::barsSnapToEachOther() {
