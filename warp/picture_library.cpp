@@ -19,11 +19,14 @@ const PictureLibrary& loaded(const std::string& path) {
         throw OutOfMemory(path,
                           "there is not enough memory for what reads and writes pictures: 736 MB more are "
                           "needed (see ulimit -v)");
-    void* module = dlopen(siblingProgram("wend-pictures.so").c_str(), RTLD_NOW | RTLD_LOCAL);
-    if (!module)
+    // Lazily: these libraries bring dozens of others, and binding all their functions takes most of a short
+    // run.
+    void* module = dlopen(siblingProgram("wend-pictures.so").c_str(), RTLD_LAZY | RTLD_LOCAL);
+    void* entry = module ? dlsym(module, "wendPictureLibrary") : nullptr;
+    if (!entry)
         throw InputError(path, std::string("what reads and writes pictures is missing: ") + dlerror());
     using Library = const PictureLibrary* (*)();
-    return *reinterpret_cast<Library>(dlsym(module, "wendPictureLibrary"))();
+    return *reinterpret_cast<Library>(entry)();
 }
 
 }  // namespace

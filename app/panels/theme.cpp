@@ -1,9 +1,12 @@
 #include "app/panels/theme.h"
 
 #include <QFile>
+#include <QIconEngine>
 #include <QPainter>
 #include <QPixmap>
 #include <QSvgRenderer>
+#include <map>
+#include <tuple>
 
 #include "app/session/accent.h"
 
@@ -62,17 +65,41 @@ QByteArray recoloured(const QByteArray& svg, const QColor& colour) {
     return result;
 }
 
-void addPixmaps(QIcon& icon, const QByteArray& svg, const QColor& colour, QIcon::Mode mode,
-                QIcon::State state) {
-    QSvgRenderer renderer(recoloured(svg, colour));
-    for (const int size : {16, 20, 24, 32, 40, 48, 64, 72, 96}) {
-        QPixmap pixmap(size, size);
+/// A drawing of one tone, which says what state the icon is in; drawn in each size when that is asked for
+/// first.
+class ToneIcon : public QIconEngine {
+  public:
+    ToneIcon(QByteArray svg, const QPalette& palette) : m_svg(std::move(svg)), m_palette(palette) {}
+
+    QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
+        const QColor tone = toneOf(mode, state);
+        QPixmap& pixmap = m_drawn[{size.width(), size.height(), tone.rgba()}];
+        if (pixmap.isNull()) pixmap = drawn(size, tone);
+        return pixmap;
+    }
+    void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State state) override {
+        const qreal scale = painter->device()->devicePixelRatioF();
+        painter->drawPixmap(rect, pixmap(QSizeF(QSizeF(rect.size()) * scale).toSize(), mode, state));
+    }
+    QIconEngine* clone() const override { return new ToneIcon(*this); }
+
+  private:
+    QColor toneOf(QIcon::Mode mode, QIcon::State state) const {
+        if (mode == QIcon::Disabled) return m_palette.color(QPalette::Disabled, QPalette::WindowText);
+        return m_palette.color(state == QIcon::On ? QPalette::Link : QPalette::WindowText);
+    }
+    QPixmap drawn(const QSize& size, const QColor& tone) const {
+        QPixmap pixmap(size);
         pixmap.fill(Qt::transparent);
         QPainter painter(&pixmap);
-        renderer.render(&painter);
-        icon.addPixmap(pixmap, mode, state);
+        QSvgRenderer(recoloured(m_svg, tone)).render(&painter);
+        return pixmap;
     }
-}
+
+    QByteArray m_svg;
+    QPalette m_palette;
+    std::map<std::tuple<int, int, QRgb>, QPixmap> m_drawn;
+};
 
 }  // namespace
 
@@ -142,15 +169,7 @@ QPalette primaryPalette(const QPalette& palette) {
 QIcon wendIcon(const QString& name, const QPalette& palette) {
     QFile file(QStringLiteral(":/wend/icons/%1.svg").arg(name));
     if (!file.open(QIODevice::ReadOnly)) return {};
-    const QByteArray svg = file.readAll();
-    QIcon icon;
-    const QColor on = palette.color(QPalette::Link);
-    addPixmaps(icon, svg, palette.color(QPalette::WindowText), QIcon::Normal, QIcon::Off);
-    addPixmaps(icon, svg, on, QIcon::Normal, QIcon::On);
-    for (const auto state : {QIcon::Off, QIcon::On})
-        addPixmaps(icon, svg, palette.color(QPalette::Disabled, QPalette::WindowText), QIcon::Disabled,
-                   state);
-    return icon;
+    return QIcon(new ToneIcon(file.readAll(), palette));
 }
 
 }  // namespace wend

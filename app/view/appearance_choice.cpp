@@ -31,7 +31,8 @@ void AppearanceChoice::apply(Appearance appearance) {
     QSettings().setValue("appearance", static_cast<int>(appearance));
     const QPalette look = wendPalette(appearance, m_system);
     QApplication::setPalette(look);
-    qApp->setStyleSheet(wendStyleSheet(look));
+    const QString sheet = wendStyleSheet(look);
+    if (sheet != qApp->styleSheet()) qApp->setStyleSheet(sheet);  // every widget is looked at for it
     m_window.setPalette(look);
     (appearance == Appearance::System  ? m_actions.systemLook
      : appearance == Appearance::Light ? m_actions.lightLook

@@ -8,11 +8,9 @@
 #include <numbers>
 
 #include "app/document/in_background.h"
-#include "app/document/project.h"
 #include "app/panels/liveliness.h"
 #include "app/panels/theme.h"
-#include "app/session/opening.h"
-#include "app/session/picture_file.h"
+#include "app/view/thumbnail.h"
 
 namespace wend {
 
@@ -21,43 +19,6 @@ namespace {
 constexpr int kPictureHeight = 118, kPadding = 12, kTitleHeight = 20, kLineHeight = 18;
 constexpr int kBreathTime = 2400;  // milliseconds
 constexpr double kBreath = 0.02;   // of the width; twice of the height
-
-/// What a card shows.
-struct Shown {
-    QImage picture;
-    bool isSolid = false;
-};
-
-/// The part of the picture that is not transparent.
-QRect opaquePart(const QImage& image) {
-    QRect part;
-    for (int y = 0; y < image.height(); ++y)
-        for (int x = 0; x < image.width(); ++x)
-            if (qAlpha(image.pixel(x, y)) > 8) part |= QRect(x, y, 1, 1);
-    return part;
-}
-
-/// One that cannot be read holds nothing.
-bool holdsSolid(const QString& project) {
-    try {
-        return readProject(project.toStdString()).project.dimension() == 3;
-    } catch (const std::exception&) {
-        return false;
-    }
-}
-
-Shown shownOf(const QString& path) {
-    const bool project = QFileInfo(path).suffix() == QStringLiteral("wend");
-    Shown shown;
-    shown.isSolid = project && holdsSolid(path);
-    const QString file = project ? picturePathOf(path) : path;
-    const QImage image = file.isEmpty() ? QImage() : pictureOfFile(file.toStdString());
-    if (image.isNull()) return shown;
-    const QImage small = image.scaled(720, 720, Qt::KeepAspectRatio, Qt::SmoothTransformation);
-    const QImage part = small.copy(opaquePart(small));
-    shown.picture = part.scaled(QSize(344, 300), Qt::KeepAspectRatio, Qt::SmoothTransformation);
-    return shown;
-}
 
 QString titleOf(const QString& path) {
     QString name = QFileInfo(path).completeBaseName().replace('-', ' ').replace('_', ' ');
@@ -123,12 +84,12 @@ FileCard::FileCard(const QString& path, Kind kind, QWidget* parent, const QStrin
     m_breath.setDuration(kBreathTime);
     m_breath.setLoopCount(-1);
     connect(&m_breath, &QVariantAnimation::valueChanged, this, qOverload<>(&QWidget::update));
-    load();
 }
 
 void FileCard::load() {
-    const auto look = [path = m_path] { return shownOf(path); };
-    inBackground(this, look, [this](const Shown& shown) {
+    m_isAsked = true;
+    const auto look = [path = m_path] { return thumbnailOf(path); };
+    inBackground(this, look, [this](const Thumbnail& shown) {
         m_picture = shown.picture;
         m_isSolid = shown.isSolid;
         if (m_isSolid) setAccessibleName(tr("%1, solid").arg(accessibleName()));
@@ -181,6 +142,7 @@ void FileCard::paintBadge(QPainter& painter) const {
 }
 
 void FileCard::paintEvent(QPaintEvent*) {
+    if (!m_isAsked) load();
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setRenderHint(QPainter::SmoothPixmapTransform);

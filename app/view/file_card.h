@@ -8,7 +8,7 @@ namespace wend {
 
 /// A file as a picture with its name and a line below: a sample with what it teaches, what was open before
 /// with its folder, or unsaved changes with their time. A click opens it. The picture is read in the
-/// background.
+/// background once the card is seen.
 class FileCard : public QAbstractButton {
     Q_OBJECT
 
@@ -35,7 +35,7 @@ class FileCard : public QAbstractButton {
     QString m_path, m_line;
     QImage m_picture;
     QVariantAnimation m_breath;  // of a sample, while it is pointed at: from 0 to 1
-    bool m_isSolid = false, m_breathes = false;
+    bool m_isAsked = false, m_isSolid = false, m_breathes = false;
 };
 
 }  // namespace wend

@@ -1,0 +1,93 @@
+#include "app/view/thumbnail.h"
+
+#include <QCryptographicHash>
+#include <QDateTime>
+#include <QDir>
+#include <QFileInfo>
+#include <QSaveFile>
+#include <QStandardPaths>
+
+#include "app/document/project.h"
+#include "app/session/opening.h"
+#include "app/session/picture_file.h"
+
+namespace wend {
+
+namespace {
+
+constexpr int kMostKept = 100;
+constexpr QSize kLargest(344, 300);
+
+/// The part of the picture that is not transparent.
+QRect opaquePart(const QImage& image) {
+    QRect part;
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x)
+            if (qAlpha(image.pixel(x, y)) > 8) part |= QRect(x, y, 1, 1);
+    return part;
+}
+
+/// One that cannot be read holds nothing.
+bool holdsSolid(const QString& project) {
+    try {
+        return readProject(project.toStdString()).project.dimension() == 3;
+    } catch (const std::exception&) {
+        return false;
+    }
+}
+
+QImage smallPictureOf(const QString& file) {
+    const QImage image = pictureOfFile(file.toStdString());
+    if (image.isNull()) return {};
+    const QImage small = image.scaled(720, 720, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+    return small.copy(opaquePart(small)).scaled(kLargest, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+}
+
+/// Another one when the file changes.
+QByteArray stampOf(const QString& file) {
+    const QFileInfo info(file);
+    return file.toUtf8() + '\n' + QByteArray::number(info.size()) + '\n' +
+           QByteArray::number(info.lastModified().toMSecsSinceEpoch()) + '\n';
+}
+
+/// The newest stay.
+void makeRoomIn(const QString& folder) {
+    const QStringList kept = QDir(folder).entryList({QStringLiteral("*.png")}, QDir::Files, QDir::Time);
+    for (const QString& old : kept.mid(kMostKept)) QFile::remove(QDir(folder).filePath(old));
+}
+
+/// A cache: where it cannot be written, the thumbnail is made anew the next time.
+void keep(const QImage& picture, const QString& path) {
+    const QString folder = QFileInfo(path).path();
+    constexpr auto kPrivate = QFile::ReadOwner | QFile::WriteOwner;
+    if (!QDir().mkpath(folder)) return;
+    QFile::setPermissions(folder, kPrivate | QFile::ExeOwner);
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly)) return;
+    file.setPermissions(kPrivate);
+    if (picture.save(&file, "PNG")) file.commit();
+    makeRoomIn(folder);
+}
+
+}  // namespace
+
+QString thumbnailFolder() {
+    return QDir(QStandardPaths::writableLocation(QStandardPaths::CacheLocation))
+        .filePath(QStringLiteral("thumbnails"));
+}
+
+Thumbnail thumbnailOf(const QString& path, const QString& folder) {
+    const bool project = QFileInfo(path).suffix() == QStringLiteral("wend");
+    const QString file = project ? picturePathOf(path) : path;
+    Thumbnail thumbnail;
+    thumbnail.isSolid = project && holdsSolid(path);
+    if (file.isEmpty()) return thumbnail;
+    const QByteArray name = QCryptographicHash::hash(stampOf(path) + stampOf(file), QCryptographicHash::Sha1);
+    const QString kept = QDir(folder).filePath(QString::fromLatin1(name.toHex()) + QStringLiteral(".png"));
+    if (thumbnail.picture.load(kept, "PNG")) return thumbnail;
+    thumbnail.picture = smallPictureOf(file);
+    if (!thumbnail.picture.isNull()) keep(thumbnail.picture, kept);
+    return thumbnail;
+}
+
+}  // namespace wend

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <QImage>
+#include <QString>
+
+namespace wend {
+
+/// What is shown of a file that is not open.
+struct Thumbnail {
+    QImage picture;  // without a transparent border; null if there is nothing to be shown
+    bool isSolid = false;
+};
+
+/// Where thumbnails are kept, in the user's cache.
+QString thumbnailFolder();
+
+/// The thumbnail of a picture or a project, made when it is asked for first and kept in `folder`, which only its
+/// owner may read, until the file or the picture in it changes. Runs in any thread.
+Thumbnail thumbnailOf(const QString& path, const QString& folder = thumbnailFolder());
+
+}  // namespace wend
