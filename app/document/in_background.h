@@ -1,25 +1,43 @@
 #pragma once
 
-#include <QFutureWatcher>
-#include <QtConcurrent>
+#include <functional>
+#include <memory>
+#include <optional>
 #include <type_traits>
 #include <utility>
 
+class QObject;
+
 namespace wend {
 
-/// Works in a thread of the pool; `take` gets the result in the thread of `context`, unless that is gone by
-/// then or the work threw. Call it there. (QFuture::then() of Qt 6.4 calls contexts that are gone.)
+/// Work in a thread of the pool, or none; copies stand for the same work.
+class BackgroundWork {
+  public:
+    /// Puts `work` into the pool; `take` is called in the thread of `context` afterwards, unless that is gone
+    /// by then. What the work throws is lost. Call it in that thread.
+    static BackgroundWork start(QObject* context, std::function<void()> work, std::function<void()> take);
+
+    bool isRunning() const;
+    /// Returns when the work is done; its result is still taken from the event loop.
+    void wait() const;
+
+  private:
+    struct State;
+    friend class BackgroundRunnable;
+    friend class BackgroundReceiver;
+
+    std::shared_ptr<State> m_state;
+};
+
+/// `take` gets the result of `work`, unless that threw. All else as BackgroundWork::start().
 template <class Work, class Take>
-auto inBackground(QObject* context, Work work, Take take) {
-    using Result = std::invoke_result_t<Work>;
-    auto* watcher = new QFutureWatcher<Result>(context);
-    QObject::connect(watcher, &QFutureWatcherBase::finished, context, [watcher, take = std::move(take)] {
-        watcher->deleteLater();
-        if (watcher->future().isResultReadyAt(0)) take(watcher->result());
-    });
-    const QFuture<Result> future = QtConcurrent::run(std::move(work));
-    watcher->setFuture(future);
-    return future;
+BackgroundWork inBackground(QObject* context, Work work, Take take) {
+    auto result = std::make_shared<std::optional<std::invoke_result_t<Work>>>();
+    return BackgroundWork::start(
+        context, [result, work = std::move(work)] { result->emplace(work()); },
+        [result, take = std::move(take)] {
+            if (*result) take(**result);
+        });
 }
 
 }  // namespace wend

@@ -5,7 +5,6 @@
 #include <QSettings>
 #include <QStandardPaths>
 #include <QUuid>
-#include <QtConcurrent>
 
 #include "app/document/said.h"
 #include "app/document/text_file.h"
@@ -49,13 +48,12 @@ Recovery::Recovery(Document& document, const QString& folder, int delayMs)
     m_timer.setSingleShot(true);
     m_timer.setInterval(delayMs);
     connect(&m_timer, &QTimer::timeout, this, &Recovery::write);
-    connect(&m_writing, &QFutureWatcher<QString>::finished, this, [this] { finish(m_writing.result()); });
     connect(&document, &Document::projectChanged, this, &Recovery::follow);
     connect(&document, &Document::titleChanged, this, &Recovery::follow);
 }
 
 Recovery::~Recovery() {
-    m_writing.waitForFinished();
+    m_writing.wait();
     remove();
 }
 
@@ -71,7 +69,7 @@ QString Recovery::copy() const {
 void Recovery::follow() {
     if (m_document.isEmpty() || !m_document.isModified()) {
         m_timer.stop();
-        m_writing.waitForFinished();
+        m_writing.wait();
         remove();
     } else if (!m_timer.isActive()) {
         m_timer.start();
@@ -98,8 +96,8 @@ void Recovery::write() {
     origin.setValue("source", m_document.source());
     origin.sync();
     QFile::setPermissions(origin.fileName(), kPrivate);
-    m_writing.setFuture(QtConcurrent::run(
-        [copy = copy(), project = m_document.project()] { return tryToWrite(copy, *project); }));
+    const auto work = [copy = copy(), project = m_document.project()] { return tryToWrite(copy, *project); };
+    m_writing = inBackground(this, work, [this](const QString& error) { finish(error); });
 }
 
 void Recovery::finish(const QString& error) {

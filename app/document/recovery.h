@@ -1,13 +1,13 @@
 #pragma once
 
 #include <QDateTime>
-#include <QFutureWatcher>
 #include <QLockFile>
 #include <QObject>
 #include <QTimer>
 #include <memory>
 
 #include "app/document/document.h"
+#include "app/document/in_background.h"
 
 namespace wend {
 
@@ -56,7 +56,7 @@ class Recovery : public QObject {
     QString m_folder, m_name;
     std::unique_ptr<QLockFile> m_lock;
     QTimer m_timer;
-    QFutureWatcher<QString> m_writing;
+    BackgroundWork m_writing;
     int m_complained = -1;  // the generation of the document whose failure was said
 };
 

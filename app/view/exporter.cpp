@@ -90,7 +90,7 @@ Exporter::Exporter(ShapeSession& session, QWidget& window)
 /// What runs in the background reports to this object.
 Exporter::~Exporter() {
     if (m_stop) m_stop->request_stop();
-    m_running.waitForFinished();
+    m_running.wait();
 }
 
 /// One at a time: the window is not blocked before the progress has been shown for a while.

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <QFuture>
 #include <QImage>
 #include <QObject>
 #include <functional>
 #include <memory>
 #include <stop_token>
 
+#include "app/document/in_background.h"
 #include "app/session/frame_export.h"
 #include "app/session/material_picture.h"
 #include "app/session/shape_session.h"
@@ -67,7 +67,7 @@ class Exporter : public QObject {
     QWidget& m_window;
     std::function<QImage(const QSize&)> m_solidView;
     std::shared_ptr<std::stop_source> m_stop;  // of what runs
-    QFuture<Result> m_running;
+    BackgroundWork m_running;
 };
 
 }  // namespace wend

@@ -14,8 +14,8 @@ struct Thumbnail {
 /// Where thumbnails are kept, in the user's cache.
 QString thumbnailFolder();
 
-/// The thumbnail of a picture or a project, made when it is asked for first and kept in `folder`, which only its
-/// owner may read, until the file or the picture in it changes. Runs in any thread.
+/// The thumbnail of a picture or a project, made when it is asked for first and kept in `folder`, which only
+/// its owner may read, until the file or the picture in it changes. Runs in any thread.
 Thumbnail thumbnailOf(const QString& path, const QString& folder = thumbnailFolder());
 
 }  // namespace wend

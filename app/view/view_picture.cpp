@@ -1,11 +1,10 @@
 #include "app/view/view_picture.h"
 
+#include <QCoreApplication>
 #include <QFileInfo>
-#include <QFutureWatcher>
 #include <QPainter>
 #include <QPointer>
 #include <QProgressDialog>
-#include <QtConcurrent>
 #include <cstring>
 #include <exception>
 #include <filesystem>
@@ -14,6 +13,7 @@
 #include <new>
 #include <stop_token>
 
+#include "app/document/in_background.h"
 #include "app/view/volume/solid_canvas.h"
 #include "core/mesh/error.h"
 #include "core/mesh/safe_file.h"
@@ -91,7 +91,7 @@ QString tooLittleMemory(const PictureChoice& choice) {
         .arg(choice.size.height());
 }
 
-/// What went wrong, if anything did. (Futures would slice the exception.)
+/// What went wrong, if anything did. (What work in the background throws is lost.)
 std::exception_ptr failureOf(const std::function<void()>& job) {
     try {
         job();
@@ -103,10 +103,17 @@ std::exception_ptr failureOf(const std::function<void()>& job) {
 
 /// In another thread, while this one goes on with events; throws what the job throws.
 void runBeside(const std::function<void()>& job) {
-    QFutureWatcher<std::exception_ptr> watcher;  // its event wakes the loop at the end
-    watcher.setFuture(QtConcurrent::run([&job] { return failureOf(job); }));
-    while (!watcher.isFinished()) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
-    if (const std::exception_ptr failure = watcher.result()) std::rethrow_exception(failure);
+    QObject context;
+    std::exception_ptr failure;
+    bool done = false;
+    inBackground(
+        &context, [&job] { return failureOf(job); },
+        [&](const std::exception_ptr& thrown) {
+            failure = thrown;
+            done = true;
+        });
+    while (!done) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+    if (failure) std::rethrow_exception(failure);
 }
 
 /// Modal from the start: while rows are drawn nobody turns the view.

@@ -40,7 +40,7 @@ void TestInBackground::whatIsGoneIsNotCalled() {
         QSemaphore mayGoOn;
         auto context = std::make_unique<QObject>();
         bool called = false;
-        const QFuture<int> future = inBackground(
+        const BackgroundWork work = inBackground(
             context.get(),
             [&mayGoOn] {
                 mayGoOn.acquire();
@@ -49,7 +49,7 @@ void TestInBackground::whatIsGoneIsNotCalled() {
             [&called](int) { called = true; });
         if (!finishesFirst) context.reset();
         mayGoOn.release();
-        QFuture<int>(future).waitForFinished();
+        work.wait();
         QVERIFY(QThreadPool::globalInstance()->waitForDone(20000));
         context.reset();
         QCoreApplication::processEvents();
@@ -60,9 +60,9 @@ void TestInBackground::whatIsGoneIsNotCalled() {
 void TestInBackground::workMayThrow() {
     QObject context;
     bool called = false;
-    const QFuture<int> future = inBackground(
+    const BackgroundWork work = inBackground(
         &context, []() -> int { throw std::bad_alloc(); }, [&called](int) { called = true; });
-    QTRY_VERIFY(future.isFinished() && context.children().isEmpty());
+    QTRY_VERIFY(!work.isRunning() && context.children().isEmpty());
     QVERIFY(!called);
 }
 
