@@ -1,5 +1,6 @@
 #include "app/view/time_strip.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>

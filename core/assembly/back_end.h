@@ -8,8 +8,8 @@
 
 #include "core/assembly/assembly_plan.h"
 #include "core/assembly/stage_vectors.h"
-#include "core/assembly/worker_pool.h"
 #include "core/energy/material.h"
+#include "core/factor/worker_pool.h"
 
 namespace wend {
 

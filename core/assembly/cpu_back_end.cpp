@@ -7,9 +7,9 @@
 #include <thread>
 
 #include "core/assembly/isotropic_back_end.h"
-#include "core/assembly/worker_pool.h"
 #include "core/energy/cell_energy.h"
 #include "core/energy/smoothness.h"
+#include "core/factor/worker_pool.h"
 
 namespace wend {
 namespace {

@@ -6,8 +6,8 @@
 #include "core/assembly/block_kernels.h"
 #include "core/assembly/cpu_back_end.h"
 #include "core/assembly/isotropic_kernels.h"
-#include "core/assembly/worker_pool.h"
 #include "core/energy/smoothness.h"
+#include "core/factor/worker_pool.h"
 
 namespace wend {
 namespace {

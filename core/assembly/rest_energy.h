@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "core/assembly/assembly_plan.h"
-#include "core/assembly/worker_pool.h"
 #include "core/energy/cell_energy.h"
 #include "core/energy/material.h"
+#include "core/factor/worker_pool.h"
 
 namespace wend {
 

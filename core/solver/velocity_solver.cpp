@@ -1,7 +1,7 @@
 #include "core/solver/velocity_solver.h"
 
 #include "core/assembly/cpu_back_end.h"
-#include "core/solver/velocity_engine.h"
+#include "core/solver/velocity_solver_impl.h"
 
 namespace wend {
 namespace {
@@ -23,7 +23,7 @@ template <int Dim>
 VelocitySolver<Dim>::VelocitySolver(std::shared_ptr<const SimplicialMesh<Dim>> normalizedRest,
                                     std::shared_ptr<const Material<Dim>> material,
                                     const BackEndFactory<Dim>& backEnd, int threads)
-    : m_engine(std::make_unique<Engine>(std::move(normalizedRest), *material, backEnd, threads)) {}
+    : m_impl(std::make_unique<Impl>(std::move(normalizedRest), *material, backEnd, threads)) {}
 
 template <int Dim>
 VelocitySolver<Dim>::~VelocitySolver() = default;
@@ -34,114 +34,111 @@ VelocitySolver<Dim>& VelocitySolver<Dim>::operator=(VelocitySolver&&) noexcept =
 
 template <int Dim>
 void VelocitySolver<Dim>::setConstraints(std::vector<ConstraintRow> rows, Sliders sliders) {
-    m_engine->setConstraints(std::move(rows), std::move(sliders));
+    m_impl->setConstraints(std::move(rows), std::move(sliders));
 }
 
 template <int Dim>
 SolveOutcome VelocitySolver<Dim>::solve(const Points<Dim>& shape, const Points<Dim>& prescribed,
                                         Points<Dim>& velocity, const std::optional<Points<Dim>>& guess) {
     stages().combine(std::make_shared<const Points<Dim>>(shape), {});
-    return m_engine->solve(prescribed, velocity, guess);
+    return m_impl->solve(prescribed, velocity, guess);
 }
 
 template <int Dim>
 SolveOutcome VelocitySolver<Dim>::solveAtStage(const Points<Dim>& prescribed, Points<Dim>& velocity,
                                                const std::optional<Points<Dim>>& guess) {
-    return m_engine->solve(prescribed, velocity, guess);
+    return m_impl->solve(prescribed, velocity, guess);
 }
 
 template <int Dim>
 StageVectors<Dim>& VelocitySolver<Dim>::stages() {
-    return m_engine->backEnd->stages();
+    return m_impl->backEnd->stages();
 }
 
 template <int Dim>
 void VelocitySolver<Dim>::setVelocityTolerance(double tolerance) {
-    m_engine->tolerance = tolerance;
+    m_impl->tolerance = tolerance;
 }
 
 template <int Dim>
 void VelocitySolver<Dim>::setMemoryRate(double rate) {
-    m_engine->memoryRate = rate;
+    m_impl->memoryRate = rate;
 }
 
 template <int Dim>
 double VelocitySolver<Dim>::restEnergy(const Points<Dim>& shape) const {
-    return m_engine->rested().energy(shape);
+    return m_impl->rested().energy(shape);
 }
 
 template <int Dim>
 double VelocitySolver<Dim>::restForce(const Points<Dim>& shape) const {
     Points<Dim> gradient;
-    m_engine->rested().gradient(shape, gradient, m_engine->backEnd->workers());
-    for (const auto& [vertex, held] : m_engine->sliders)
+    m_impl->rested().gradient(shape, gradient, m_impl->backEnd->workers());
+    for (const auto& [vertex, held] : m_impl->sliders)
         for (int k = 0; k < Dim; ++k)
             if (held >> k & 1U) gradient(k, vertex) = 0;
-    project(gradient, Points<Dim>::Zero(Dim, static_cast<Eigen::Index>(m_engine->rows.size())));
+    project(gradient, Points<Dim>::Zero(Dim, static_cast<Eigen::Index>(m_impl->rows.size())));
     return gradient.norm();
 }
 
 template <int Dim>
 void VelocitySolver<Dim>::setLongestPause(double seconds) {
-    m_engine->policy.setLongestPause(seconds);
+    m_impl->cache->policy().setLongestPause(seconds);
 }
 
 template <int Dim>
 void VelocitySolver<Dim>::setStop(std::stop_token stop) {
-    m_engine->stop = std::move(stop);
+    m_impl->stop = std::move(stop);
 }
 
 template <int Dim>
 bool VelocitySolver<Dim>::reuses() const {
-    return m_engine->reuses();
+    return m_impl->reuses();
 }
 
 template <int Dim>
 FactorMemory<Dim> VelocitySolver<Dim>::remember() const {
-    FactorMemory<Dim> memory = m_engine->memory;
-    memory.counts = m_engine->policy.counts();
-    return memory;
+    return m_impl->cache->remember();
 }
 
 template <int Dim>
 void VelocitySolver<Dim>::recall(const FactorMemory<Dim>& memory) {
-    m_engine->memory = memory;
-    m_engine->policy.setCounts(memory.counts);
+    m_impl->cache->recall(memory);
 }
 
 template <int Dim>
 double VelocitySolver<Dim>::energy() const {
-    return m_engine->last.cols() > 0 ? m_engine->backEnd->energy(m_engine->last) : 0.0;
+    return m_impl->last.cols() > 0 ? m_impl->backEnd->energy(m_impl->last) : 0.0;
 }
 
 template <int Dim>
 const SolverStatistics& VelocitySolver<Dim>::statistics() const {
-    return m_engine->statistics;
+    return m_impl->statistics;
 }
 
 template <int Dim>
 std::string VelocitySolver<Dim>::backEndName() const {
-    return m_engine->backEnd->name();
+    return m_impl->backEnd->name();
 }
 
 template <int Dim>
 std::string VelocitySolver<Dim>::deviceName() const {
-    return m_engine->backEnd->device();
+    return m_impl->backEnd->device();
 }
 
 template <int Dim>
 CopiedBytes VelocitySolver<Dim>::copied() const {
-    return m_engine->backEnd->copied();
+    return m_impl->backEnd->copied();
 }
 
 template <int Dim>
 void VelocitySolver<Dim>::project(Points<Dim>& shape, const Points<Dim>& targets) const {
-    Points<Dim> sliding(Dim, static_cast<Eigen::Index>(m_engine->sliders.size()));
+    Points<Dim> sliding(Dim, static_cast<Eigen::Index>(m_impl->sliders.size()));
     Eigen::Index next = 0;
-    for (const auto& [vertex, held] : m_engine->sliders) sliding.col(next++) = shape.col(vertex);
-    m_engine->projection.apply(shape, targets);
+    for (const auto& [vertex, held] : m_impl->sliders) sliding.col(next++) = shape.col(vertex);
+    m_impl->projection.apply(shape, targets);
     next = 0;
-    for (const auto& [vertex, held] : m_engine->sliders) {
+    for (const auto& [vertex, held] : m_impl->sliders) {
         for (int k = 0; k < Dim; ++k)
             if (held >> k & 1U) shape(k, vertex) = sliding(k, next);
         ++next;
@@ -150,9 +147,9 @@ void VelocitySolver<Dim>::project(Points<Dim>& shape, const Points<Dim>& targets
 
 template <int Dim>
 Eigen::MatrixXd VelocitySolver<Dim>::reducedMatrix() const {
-    const auto& start = m_engine->system.columnStart();
-    const auto& row = m_engine->system.row();
-    const auto values = m_engine->cholesky.values();
+    const auto& start = m_impl->system.columnStart();
+    const auto& row = m_impl->system.row();
+    const auto values = m_impl->cache->values();
     const auto n = static_cast<Eigen::Index>(start.size()) - 1;
     Eigen::MatrixXd K = Eigen::MatrixXd::Zero(n, n);
     for (int j = 0; j < n; ++j)
@@ -162,7 +159,7 @@ Eigen::MatrixXd VelocitySolver<Dim>::reducedMatrix() const {
 
 template <int Dim>
 const std::vector<int>& VelocitySolver<Dim>::unknownVertices() const {
-    return m_engine->system.unknowns();
+    return m_impl->system.unknowns();
 }
 
 template class VelocitySolver<2>;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/assembly/back_end.h"
+#include "core/factor/factor_kind.h"
 #include "core/solver/constraint_rows.h"
 #include "core/solver/refactor_policy.h"
 
@@ -25,9 +26,6 @@ struct SolverStatistics {
     double analyze = 0, assemble = 0, factor = 0, solve = 0;  // seconds
     int analyses = 0, factorizations = 0, iterations = 0;     // iterations: pairs of triangular solves
 };
-
-/// In single and in double precision, and CHOLMOD's: each serves where the one before it loses a pivot.
-enum class FactorKind { Single, Double, Reference };
 
 /// What the next solves depend on beside their own arguments: at which shape the factor was made that they
 /// start from, and the counts by which it is kept. With it a solver goes on to the same bits as the one that
@@ -134,8 +132,8 @@ class VelocitySolver {
     const std::vector<int>& unknownVertices() const;
 
   private:
-    struct Engine;
-    std::unique_ptr<Engine> m_engine;
+    struct Impl;
+    std::unique_ptr<Impl> m_impl;
 };
 
 }  // namespace wend

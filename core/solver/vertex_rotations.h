@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/assembly/assembly_plan.h"
-#include "core/assembly/worker_pool.h"
+#include "core/factor/worker_pool.h"
 
 namespace wend {
 

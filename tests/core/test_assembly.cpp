@@ -7,8 +7,8 @@
 #include <set>
 
 #include "core/assembly/cpu_back_end.h"
-#include "core/assembly/worker_pool.h"
 #include "core/energy/smoothness.h"
+#include "core/factor/worker_pool.h"
 #include "tests/core/test_energy_samples.h"
 
 using namespace wend;

@@ -3,7 +3,7 @@
 #include <QTest>
 
 #include "core/assembly/cpu_back_end.h"
-#include "core/solver/cholesky.h"
+#include "core/factor/cholesky.h"
 #include "core/solver/conjugate_gradients.h"
 #include "core/solver/reduced_system.h"
 #include "core/solver/refactor_policy.h"

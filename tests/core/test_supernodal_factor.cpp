@@ -2,9 +2,9 @@
 #include <QTest>
 
 #include "core/assembly/cpu_back_end.h"
-#include "core/solver/cholesky.h"
+#include "core/factor/cholesky.h"
+#include "core/factor/supernodal_factor.h"
 #include "core/solver/reduced_system.h"
-#include "core/solver/supernodal_factor.h"
 #include "tests/core/test_energy_samples.h"
 
 using namespace wend;

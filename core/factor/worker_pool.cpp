@@ -1,4 +1,4 @@
-#include "core/assembly/worker_pool.h"
+#include "core/factor/worker_pool.h"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/solver/dense_kernels.h"
-#include "core/solver/supernodal_factor.h"
+#include "core/factor/dense_kernels.h"
+#include "core/factor/supernodal_factor.h"
 
 namespace wend {
 namespace {

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "core/solver/supernodes.h"
+#include "core/factor/supernodes.h"
 
 namespace wend {
 
@@ -27,7 +27,10 @@ class Cholesky {
     /// there is not enough memory.
     void analyze(const std::vector<int>& columnStart, const std::vector<int>& row, int blockSize,
                  Ordering ordering);
-    /// Where the caller writes the values of the pattern.
+    /// The pattern that was analyzed.
+    std::span<const int> columnStart() const;
+    std::span<const int> row() const;
+    /// Where the caller writes its values.
     std::span<double> values();
     Status factorize();
     /// Counted by the analysis: floating-point operations of a factorization and entries of the factor.

@@ -1,4 +1,4 @@
-#include "core/solver/cholesky.h"
+#include "core/factor/cholesky.h"
 
 #include <cholmod.h>
 #include <dlfcn.h>
@@ -162,6 +162,14 @@ Supernodes Cholesky::supernodes() const {
         return std::vector<int>(first, first + count);
     };
     return {ints(f.Perm, f.n), ints(f.super, f.nsuper + 1), ints(f.pi, f.nsuper + 1), ints(f.s, f.ssize)};
+}
+
+std::span<const int> Cholesky::columnStart() const {
+    return {static_cast<const int*>(m_handles->matrix->p), m_handles->matrix->ncol + 1};
+}
+
+std::span<const int> Cholesky::row() const {
+    return {static_cast<const int*>(m_handles->matrix->i), m_handles->matrix->nzmax};
 }
 
 std::span<double> Cholesky::values() {

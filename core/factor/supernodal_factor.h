@@ -4,9 +4,9 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/assembly/worker_pool.h"
-#include "core/solver/elimination_tree.h"
-#include "core/solver/supernodes.h"
+#include "core/factor/elimination_tree.h"
+#include "core/factor/supernodes.h"
+#include "core/factor/worker_pool.h"
 
 namespace wend {
 
@@ -20,7 +20,7 @@ class SupernodalFactor {
   public:
     SupernodalFactor() = default;
     /// Pattern of the lower triangle by columns, as for Cholesky::analyze.
-    SupernodalFactor(Supernodes symbolic, const std::vector<int>& columnStart, const std::vector<int>& row);
+    SupernodalFactor(Supernodes symbolic, std::span<const int> columnStart, std::span<const int> row);
 
     /// From the values of the pattern; false if a pivot is not positive, or if it was stopped: looked at
     /// between fronts, and between the pieces of great ones.
@@ -42,7 +42,7 @@ class SupernodalFactor {
     void reserveStacks(int threads);
     void placeWorkspaces();
     void mapUpdates();
-    void mapEntries(const std::vector<int>& columnStart, const std::vector<int>& row);
+    void mapEntries(std::span<const int> columnStart, std::span<const int> row);
 
     int leading(int s) const;
     int updateRows(int s) const { return m_symbolic.rowsOf(s) - m_symbolic.columnsOf(s); }

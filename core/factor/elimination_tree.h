@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/solver/supernodes.h"
+#include "core/factor/supernodes.h"
 
 namespace wend {
 

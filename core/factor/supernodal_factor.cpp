@@ -1,11 +1,11 @@
-#include "core/solver/supernodal_factor.h"
+#include "core/factor/supernodal_factor.h"
 
 #include <algorithm>
 #include <atomic>
 #include <cstdint>
 #include <numeric>
 
-#include "core/solver/dense_kernels.h"
+#include "core/factor/dense_kernels.h"
 
 namespace wend {
 namespace {
@@ -34,8 +34,8 @@ inline void add(Real* to, const Real* from, int count) {
 }  // namespace
 
 template <class Real>
-SupernodalFactor<Real>::SupernodalFactor(Supernodes symbolic, const std::vector<int>& columnStart,
-                                         const std::vector<int>& row)
+SupernodalFactor<Real>::SupernodalFactor(Supernodes symbolic, std::span<const int> columnStart,
+                                         std::span<const int> row)
     : m_symbolic(std::move(symbolic)), m_tree(makeEliminationTree(m_symbolic)) {
     placePanels();
     placeUpdates();
@@ -141,7 +141,7 @@ void SupernodalFactor<Real>::mapUpdates() {
 /// Where every value of the matrix goes. Those above the diagonal (the diagonal blocks are full) are left
 /// out.
 template <class Real>
-void SupernodalFactor<Real>::mapEntries(const std::vector<int>& columnStart, const std::vector<int>& row) {
+void SupernodalFactor<Real>::mapEntries(std::span<const int> columnStart, std::span<const int> row) {
     const int unknowns = static_cast<int>(m_symbolic.order.size());
     std::vector<int> step(unknowns), owner(unknowns), place(unknowns);
     for (int i = 0; i < unknowns; ++i) step[m_symbolic.order[i]] = i;

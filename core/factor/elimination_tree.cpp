@@ -1,4 +1,4 @@
-#include "core/solver/elimination_tree.h"
+#include "core/factor/elimination_tree.h"
 
 #include <algorithm>
 

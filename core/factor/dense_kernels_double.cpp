@@ -1,0 +1,2 @@
+using Real = double;
+#include "core/factor/dense_kernels_body.h"

@@ -1,0 +1,2 @@
+using Real = float;
+#include "core/factor/dense_kernels_body.h"

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <span>
+#include <stop_token>
+#include <variant>
+#include <vector>
+
+#include "core/factor/cholesky.h"
+#include "core/factor/factor_kind.h"
+#include "core/factor/supernodal_factor.h"
+#include "core/factor/worker_pool.h"
+
+namespace wend {
+
+/// The Cholesky factor of a symmetric positive definite matrix, of one kind at a time: a factor is most of
+/// the memory. One thread uses it at a time.
+class Factor {
+  public:
+    enum class Status { Done, NotPositiveDefinite, NotFinite, Stopped };
+
+    /// As Cholesky::analyze(); a factor that was there is gone.
+    void analyze(const std::vector<int>& columnStart, const std::vector<int>& row, int blockSize,
+                 Ordering ordering);
+    /// Where the caller writes the values of the pattern.
+    std::span<double> values() { return m_cholesky.values(); }
+    /// Of the values, in this kind or the first after it that loses no pivot. Can be stopped unless that is
+    /// CHOLMOD's.
+    Status factorize(FactorKind kind, WorkerPool& workers, std::stop_token stop = {});
+    /// Of the last factorization.
+    FactorKind kind() const { return static_cast<FactorKind>(m_own.index()); }
+    /// x ≈ K⁻¹ b; false if that is not finite.
+    bool solve(std::span<const double> b, std::span<double> x, WorkerPool& workers);
+
+    /// Counted by the analysis: floating-point operations of a factorization and entries of the factor.
+    double flops() const { return m_cholesky.factorFlops(); }
+    double entries() const { return m_cholesky.factorEntries(); }
+
+  private:
+    struct OfCholmod {};
+    template <class Real>
+    bool factorizeOwn(WorkerPool& workers, const std::stop_token& stop);
+
+    Cholesky m_cholesky;
+    std::variant<SupernodalFactor<float>, SupernodalFactor<double>, OfCholmod> m_own = OfCholmod();
+};
+
+}  // namespace wend

@@ -1,2 +1,0 @@
-using Real = double;
-#include "core/solver/dense_kernels_body.h"

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+#include "core/assembly/back_end.h"
+#include "core/factor/factor.h"
+#include "core/solver/conjugate_gradients.h"
+#include "core/solver/reduced_system.h"
+#include "core/solver/refactor_policy.h"
+#include "core/solver/velocity_solver.h"
+
+namespace wend {
+
+/// The factor that serves one solve after another: at which shape it was made, how well it has served, and
+/// when a new one pays. What of this decides the bits of the next solves is FactorMemory; the factor itself
+/// may have been made elsewhere since (for a single solve, or from another memory) and is made again then.
+template <int Dim>
+class FactorCache {
+  public:
+    /// These outlive it.
+    FactorCache(BackEnd<Dim>& backEnd, const ReducedSystem<Dim>& system, SolverStatistics& statistics)
+        : m_backEnd(backEnd), m_system(system), m_statistics(statistics) {}
+
+    /// Of another system: nothing is kept.
+    void analyze(const AssemblyPlan<Dim>& plan);
+
+    FactorMemory<Dim> remember() const;
+    void recall(const FactorMemory<Dim>& memory);
+    RefactorPolicy& policy() { return m_policy; }
+    std::span<double> values() { return m_factor.values(); }
+
+    /// A new factor, at the back end's shape: one that lasts, in the poorest precision that serves here, or
+    /// one for a single solve, in double precision or (`exact`) by CHOLMOD.
+    enum class Use { Lasting, Once, OnceExact };
+    SolveOutcome make(Use use, const std::stop_token& stop);
+    /// The factor of the memory is at hand, made again if another was made since. False if there is none, if
+    /// a new one pays, or if it cannot be had, as with other constraints.
+    bool restore(const std::stop_token& stop);
+    /// Single precision is not enough here: from now on factors are double. False if they are already.
+    bool improve();
+
+    /// How far the back end's shape is from the factor's.
+    double lag() const { return m_backEnd.stages().distance(m_memory.shape); }
+    const Nodal<Dim>& shape() const { return m_memory.shape; }
+    bool isSingle() const { return m_memory.kind == FactorKind::Single; }
+    /// x ≈ K⁻¹ b with the factor at hand; false if that is not finite.
+    bool solve(std::span<const double> b, std::span<double> x) {
+        return m_factor.solve(b, x, m_backEnd.workers());
+    }
+
+    /// By how much an iteration reduces the error: the first one at that lag, and any one at best.
+    double expectedContraction(double lag) const;
+    double minContraction() const;
+    /// What an evaluation has shown of that.
+    void learn(double lag, const typename ConjugateGradients<Dim>::Result& result);
+
+  private:
+    SolveOutcome factorize(const Nodal<Dim>& shape, FactorKind kind, const std::stop_token& stop);
+
+    BackEnd<Dim>& m_backEnd;
+    const ReducedSystem<Dim>& m_system;
+    SolverStatistics& m_statistics;
+    Factor m_factor;
+    Nodal<Dim> m_shape;          // where the factor at hand was made; null: it has served
+    FactorMemory<Dim> m_memory;  // its counts are the policy's
+    RefactorPolicy m_policy;
+    std::vector<double> m_blocks;  // of A
+};
+
+extern template class FactorCache<2>;
+extern template class FactorCache<3>;
+
+}  // namespace wend

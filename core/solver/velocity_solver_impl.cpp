@@ -1,0 +1,245 @@
+#include "core/solver/velocity_solver_impl.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "core/mesh/error.h"
+#include "core/solver/components.h"
+#include "core/solver/stopwatch.h"
+
+namespace wend {
+namespace {
+
+// Weight of the mass matrix in parts with too few constraints: 1e-8 is off by 1 %, 1 by 2 % (docs/method.md
+// (15), Constraints).
+constexpr double kMassRegularization = 1e-4;
+// Refine while the residual, relative to the right-hand side, is above this: only the stiffest materials need
+// it.
+constexpr double kResidual = 1e-10;
+constexpr int kRefinements = 3;
+// Below this iterations with a stale factor save nothing.
+constexpr double kMinTolerance = 1e-8;
+// Above this, at its own shape, a factor in single precision costs more iterations than one in double would,
+// and they show so little of the error that they would end too early.
+constexpr double kPoorestContraction = 0.5;
+constexpr int kTrials = 3;  // before a factor that is dear is given up
+// Above this ratio w_r / w_q (EQUIA is 512) a factor does not last: hundreds of iterations.
+constexpr double kStiffestReuse = 20;
+// Above this ratio (METR is 2, AKVF 0) the factor is turned with the shape.
+constexpr double kTurningRatio = 0.5;
+template <int Dim>
+std::span<double> flat(Points<Dim>& points) {
+    return {points.data(), static_cast<std::size_t>(points.size())};
+}
+
+void requireRow(const ConstraintRow& row, int vertexCount) {
+    double largest = 0;
+    for (const auto& [vertex, weight] : row.terms) {
+        if (vertex < 0 || vertex >= vertexCount)
+            throw InputError("a constraint names vertex " + std::to_string(vertex) + ", but there are only " +
+                             std::to_string(vertexCount));
+        if (!std::isfinite(weight)) throw InputError("a constraint has a weight that is not a finite number");
+        largest = std::max(largest, std::abs(weight));
+    }
+    if (largest == 0) throw InputError("a constraint has no weight");
+}
+
+bool sameTerms(const ConstraintRow& a, const ConstraintRow& b) {
+    return a.terms == b.terms;
+}
+
+Sliders withoutPivots(Sliders sliders, const Elimination& elimination) {
+    std::set<int> pivots;
+    for (const auto& pivot : elimination.pivots) pivots.insert(pivot.vertex);
+    std::erase_if(sliders, [&](const auto& slider) { return pivots.contains(slider.first); });
+    return sliders;
+}
+
+/// Whether factors of this material last.
+template <int Dim>
+bool mayReuse(const Material<Dim>& material) {
+    return std::all_of(material.phi.begin(), material.phi.end(),
+                       [](double phi) { return std::cos(phi) <= kStiffestReuse * std::sin(phi); });
+}
+
+/// Whether turning the factor helps: for most of the cells.
+template <int Dim>
+bool mayTurn(const Material<Dim>& material) {
+    const auto cells = std::count_if(material.phi.begin(), material.phi.end(), [](double phi) {
+        return std::cos(phi) > kTurningRatio * std::sin(phi);
+    });
+    return 2 * cells > static_cast<std::ptrdiff_t>(material.phi.size());
+}
+
+}  // namespace
+
+template <int Dim>
+VelocitySolver<Dim>::Impl::Impl(std::shared_ptr<const SimplicialMesh<Dim>> mesh, const Material<Dim>& stuff,
+                                const BackEndFactory<Dim>& makeBackEnd, int threads)
+    : rest(std::move(mesh)),
+      components(cellComponents(*rest)),
+      material(stuff),
+      reusable(mayReuse(material)),
+      turns(mayTurn(material)) {
+    const Stopwatch watch(statistics.analyze);
+    const bool smoothing = material.smoothing.kind != SmoothingKind::None;
+    plan = std::make_shared<const AssemblyPlan<Dim>>(makeAssemblyPlan(*rest, smoothing));
+    backEnd = makeBackEnd(plan, *rest, material, threads);
+    cache.emplace(*backEnd, system, statistics);
+}
+
+template <int Dim>
+void VelocitySolver<Dim>::Impl::setConstraints(std::vector<ConstraintRow> newRows, Sliders newSliders) {
+    newRows = simplified(newRows);
+    if (analyzed && newSliders == givenSliders &&
+        std::equal(rows.begin(), rows.end(), newRows.begin(), newRows.end(), sameTerms))
+        return;
+    const Stopwatch watch(statistics.analyze);
+    for (const auto& row : newRows) requireRow(row, rest->vertexCount());
+    rows = std::move(newRows);
+    givenSliders = std::move(newSliders);
+    elimination = eliminate(rows, givenSliders);
+    sliders = withoutPivots(givenSliders, elimination);
+    projection = Projection<Dim>(rows, elimination.dependent, rest->vertexCount());
+    system = ReducedSystem<Dim>(*plan, elimination, sliders);
+
+    const auto constrained = wellConstrained(*rest, components, rows, sliders);
+    std::vector<double> massRegularization;
+    if (std::find(constrained.begin(), constrained.end(), false) != constrained.end())
+        for (int component : components)
+            massRegularization.push_back(constrained[component] ? 0.0 : kMassRegularization);
+    backEnd->setMassRegularization(std::move(massRegularization));
+
+    cache->analyze(*plan);
+    analyzed = true;
+    ++statistics.analyses;
+}
+
+template <int Dim>
+bool VelocitySolver<Dim>::Impl::reuses() const {
+    return reusable && tolerance >= kMinTolerance;
+}
+
+template <int Dim>
+typename FactorCache<Dim>::Use VelocitySolver<Dim>::Impl::use() const {
+    using Use = typename FactorCache<Dim>::Use;
+    return reuses() ? Use::Lasting : tolerance > 0 ? Use::Once : Use::OnceExact;
+}
+
+template <int Dim>
+RestEnergy<Dim>& VelocitySolver<Dim>::Impl::rested() {
+    if (!restEnergy) restEnergy.emplace(plan, *rest, material);
+    return *restEnergy;
+}
+
+/// E(v) + rate ⟨∇W, v⟩ is least where A v + ½ rate ∇W vanishes on all fields that the constraints allow.
+template <int Dim>
+void VelocitySolver<Dim>::Impl::computeLoad() {
+    load.resize(Dim, 0);
+    if (memoryRate == 0) return;
+    const Stopwatch watch(statistics.assemble);
+    rested().gradient(*backEnd->stages().shape(), load, backEnd->workers());
+    if (load.isZero(0))
+        load.resize(Dim, 0);
+    else
+        load *= 0.5 * memoryRate;
+}
+
+/// v = v_p on entry. Solves K y = −Zᵀ (A v + f) and adds Z y; again with the new residual while that is
+/// large.
+template <int Dim>
+SolveOutcome VelocitySolver<Dim>::Impl::solveReduced(Points<Dim>& v) {
+    const Stopwatch watch(statistics.solve);
+    Points<Dim> Av, right, y;
+    double first = 0;
+    for (int i = 0; i <= kRefinements; ++i) {
+        backEnd->apply(v, Av);
+        if (loadOrNull()) Av += load;
+        system.restrict(Av, right);
+        right = -right;
+        const double size = right.cwiseAbs().maxCoeff();
+        if (i == 0) first = size;
+        if (i > 0 && size <= kResidual * first) break;
+        if (stop.stop_requested()) return {SolveOutcome::Kind::Stopped, -1};
+        y.resize(Dim, right.cols());
+        ++statistics.iterations;
+        if (!cache->solve(flat<Dim>(right), flat<Dim>(y))) return {SolveOutcome::Kind::NotFinite, -1};
+        system.expand(y, v);
+    }
+    return v.allFinite() ? SolveOutcome{} : SolveOutcome{SolveOutcome::Kind::NotFinite, -1};
+}
+
+/// Conjugate gradients with the factor at hand; false if a new one is the better way.
+template <int Dim>
+bool VelocitySolver<Dim>::Impl::iterate(Points<Dim>& v) {
+    const Stopwatch watch(statistics.solve);
+    const double lag = cache->lag();
+    const bool turned = turns && lag > 0 && sliders.empty();  // sliding is along fixed directions
+    if (turned) {
+        if (!rotations) rotations.emplace(*plan);
+        rotations->compute(*cache->shape(), *backEnd->stages().shape(), backEnd->workers());
+    }
+    const auto precondition = [&](std::span<const double> r, std::span<double> z) {
+        if (!turned) return cache->solve(r, z);
+        turnedRight.assign(r.begin(), r.end());
+        rotations->turnBack(system.unknowns(), turnedRight);
+        const bool done = cache->solve(turnedRight, z);
+        rotations->turn(system.unknowns(), z);
+        return done;
+    };
+    typename ConjugateGradients<Dim>::Goal goal;
+    goal.tolerance = tolerance;
+    goal.contraction = cache->expectedContraction(lag);
+    goal.minContraction = cache->minContraction();
+    if (lag == 0 && cache->isSingle()) goal.poorestContraction = kPoorestContraction;
+    goal.stop = stop;
+    const RefactorPolicy& policy = cache->policy();
+    goal.trials = policy.keepsPace() ? kTrials : 1;
+    goal.hopeless = [&](double iterations) { return lag > 0 && policy.hopeless(iterations); };
+    const auto result = iteration.run(*backEnd, system, precondition, goal, loadOrNull(), v);
+    statistics.iterations += result.iterations;
+    cache->learn(lag, result);
+    return result.end == ConjugateGradients<Dim>::Result::End::Converged && v.allFinite();
+}
+
+/// With a factor of this very shape; one in single precision is no longer enough then.
+template <int Dim>
+SolveOutcome VelocitySolver<Dim>::Impl::solveDirectly(Points<Dim>& v) {
+    if (cache->improve())
+        if (const auto outcome = cache->make(use(), stop); !outcome.done()) return outcome;
+    return solveReduced(v);
+}
+
+template <int Dim>
+SolveOutcome VelocitySolver<Dim>::Impl::solve(const Points<Dim>& prescribed, Points<Dim>& v,
+                                              const std::optional<Points<Dim>>& guess) {
+    if (!analyzed) setConstraints({});
+    last.resize(Dim, 0);
+    if (!prescribed.allFinite()) return {SolveOutcome::Kind::NotFinite, -1};
+    {
+        const Stopwatch watch(statistics.assemble);
+        if (const int cell = backEnd->setStage(); cell >= 0) return {SolveOutcome::Kind::CellInverted, cell};
+    }
+    system.particular(prescribed, v);
+    computeLoad();
+    if (v.isZero(0) && !loadOrNull()) return {};  // nothing moves
+    if (!system.unknowns().empty()) {
+        const bool iterates = reuses();
+        if (iterates && guess && guess->allFinite()) system.adopt(*guess, v);
+        const bool stale = iterates && cache->restore(stop);
+        if (!stale || !iterate(v)) {
+            if (const auto outcome = cache->make(use(), stop); !outcome.done()) return outcome;
+            if (!v.allFinite()) system.particular(prescribed, v);
+            if (!iterates || !iterate(v))
+                if (const auto outcome = solveDirectly(v); !outcome.done()) return outcome;
+        }
+    }
+    last = v;
+    return {};
+}
+
+template struct VelocitySolver<2>::Impl;
+template struct VelocitySolver<3>::Impl;
+
+}  // namespace wend
