@@ -1,6 +1,7 @@
 #include "warp/coverage.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace wend {
@@ -20,12 +21,15 @@ TriangleRows::Corners TriangleRows::sorted(Corners corners) {
     return corners;
 }
 
-std::vector<int> paintingOrder(int cells, const std::vector<float>& depth) {
-    std::vector<int> order(static_cast<std::size_t>(cells));
+PaintingPlan::PaintingPlan(const SimplicialMesh<2>& mesh, const std::vector<float>& depth)
+    : order(mesh.cells.size()) {
     std::iota(order.begin(), order.end(), 0);
     if (!depth.empty())
         std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return depth[a] < depth[b]; });
-    return order;
+    const auto level = [&](int cell) { return std::floor(depth[static_cast<std::size_t>(cell)]); };
+    for (const auto& facet : facetsOf(mesh))
+        if (!facet.interior() || (!depth.empty() && level(facet.cells[0]) != level(facet.cells[1])))
+            outline.push_back(facet.vertices);
 }
 
 }  // namespace wend

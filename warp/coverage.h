@@ -50,7 +50,12 @@ class TriangleRows {
     Edge m_long, m_upper, m_lower;
 };
 
-/// Cells in the order in which they are painted: the last one lies on top.
-std::vector<int> paintingOrder(int cells, const std::vector<float>& depth);
+/// What is the same for every pose of a mesh whose cells have these depths (see WarpOptions; empty: equal).
+struct PaintingPlan {
+    PaintingPlan(const SimplicialMesh<2>& mesh, const std::vector<float>& depth);
+
+    std::vector<int> order;                   // of the cells: the last one lies on top
+    std::vector<std::array<int, 2>> outline;  // edges, of the shape and of parts that lie nearer than others
+};
 
 }  // namespace wend

@@ -29,17 +29,13 @@ void forPixelsOf(Vec<2> a, Vec<2> b, int width, int height, Visit&& visit) {
 
 }  // namespace
 
-OutlinePixels::OutlinePixels(const SimplicialMesh<2>& mesh, const Points<2>& pixels,
-                             const std::vector<float>& depth, int width, int height, int bandRows)
+OutlinePixels::OutlinePixels(const PaintingPlan& plan, const Points<2>& pixels, int width, int height,
+                             int bandRows)
     : m_bandRows(bandRows), m_bands(static_cast<std::size_t>((height + bandRows - 1) / bandRows)) {
-    const auto level = [&](int cell) { return std::floor(depth[static_cast<std::size_t>(cell)]); };
-    for (const auto& facet : facetsOf(mesh)) {
-        if (facet.interior() && (depth.empty() || level(facet.cells[0]) == level(facet.cells[1]))) continue;
-        forPixelsOf(pixels.col(facet.vertices[0]), pixels.col(facet.vertices[1]), width, height,
-                    [&](int x, int y) {
-                        m_bands[static_cast<std::size_t>(y / bandRows)].pixels.push_back({x, y, 0});
-                    });
-    }
+    for (const auto& [from, to] : plan.outline)
+        forPixelsOf(pixels.col(from), pixels.col(to), width, height, [&](int x, int y) {
+            m_bands[static_cast<std::size_t>(y / bandRows)].pixels.push_back({x, y, 0});
+        });
     const auto before = [](const Pixel& a, const Pixel& b) {
         return std::pair(a.y, a.x) < std::pair(b.y, b.x);
     };

@@ -22,9 +22,8 @@ class OutlinePixels {
     OutlinePixels() = default;
     /// None.
     OutlinePixels(int bands, int bandRows) : m_bandRows(bandRows), m_bands(static_cast<std::size_t>(bands)) {}
-    /// `pixels`: the vertices in pixels of the output; `depth`: per cell, or empty.
-    OutlinePixels(const SimplicialMesh<2>& mesh, const Points<2>& pixels, const std::vector<float>& depth,
-                  int width, int height, int bandRows);
+    /// `pixels`: the vertices in pixels of the output.
+    OutlinePixels(const PaintingPlan& plan, const Points<2>& pixels, int width, int height, int bandRows);
 
     /// By rows, then from left to right.
     const std::vector<Pixel>& pixels(int band) const {

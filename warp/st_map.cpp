@@ -70,18 +70,17 @@ class StPainter {
 };
 
 /// Of every pixel on an outline the cell that shows most of itself: from the nearest one down, each takes the
-/// places that are left. `order`: as painted, the nearest last.
+/// places that are left.
 void paintOutline(StPainter& painter, const SimplicialMesh<2>& rest, const Points<2>& from,
-                  const Points<2>& to, const View& view, const std::vector<int>& order,
-                  const std::vector<float>& depth) {
+                  const Points<2>& to, const View& view, const PaintingPlan& plan) {
     const Points<2> pixels = (to.colwise() - view.origin) / view.scale;
-    const OutlinePixels outline(rest, pixels, depth, view.width, view.height, view.height);
+    const OutlinePixels outline(plan, pixels, view.width, view.height, view.height);
     struct Best {
         int cell = -1, most = 0;
         std::uint64_t samples = 0;
     };
     std::vector<Best> best(outline.pixels(0).size());
-    for (auto it = order.rbegin(); it != order.rend(); ++it)
+    for (auto it = plan.order.rbegin(); it != plan.order.rend(); ++it)
         outline.visit(0, painter.rowsOf(cellOf(rest, *it)), [&](int index, std::uint64_t samples) {
             Best& at = best[static_cast<std::size_t>(index)];
             const int shown = std::popcount(samples & ~at.samples);
@@ -105,9 +104,9 @@ Image stMap(const SimplicialMesh<2>& rest, const Points<2>& pose, const View& vi
     const Points<2>& from = inverse ? pose : rest.points;
     const Points<2>& to = inverse ? rest.points : pose;
     StPainter painter(from, to, view, sourceWidth, sourceHeight);
-    const std::vector<int> order = paintingOrder(rest.cellCount(), depth);
-    for (const int cell : order) painter.paint(cellOf(rest, cell));
-    paintOutline(painter, rest, from, to, view, order, depth);
+    const PaintingPlan plan(rest, depth);
+    for (const int cell : plan.order) painter.paint(cellOf(rest, cell));
+    paintOutline(painter, rest, from, to, view, plan);
     return painter.take();
 }
 

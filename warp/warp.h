@@ -14,6 +14,8 @@
 
 namespace wend {
 
+struct PaintingPlan;  // warp/coverage.h
+
 struct WarpOptions {
     Filter filter = Filter::Ewa;
     Outside outside = Outside::Transparent;
@@ -22,6 +24,8 @@ struct WarpOptions {
     /// Per cell, greater is nearer, and between whole numbers runs an outline; where it is equal, or empty,
     /// later cells lie over earlier ones. What is transparent of a cell lets those below it be seen.
     std::vector<float> depth;
+    /// Of the mesh and that depth, made before: for a window that draws one pose after another. Or null.
+    std::shared_ptr<const PaintingPlan> plan;
     /// Where nothing has moved, pixels that are no farther than this from the shape's are the source's own,
     /// to the bit: for an outline that leaves gaps open between soft edges. 0: the outline cuts them.
     int restMargin = 0;

@@ -13,6 +13,36 @@
 namespace wend {
 namespace {
 
+/// The same work in so many threads, this one among them. An exception must not leave a helper: the first one
+/// is kept for the caller, and the others are told by `failed`.
+template <typename Work>
+void inThreads(int threads, const Work& work) {
+    std::mutex mutex;
+    std::exception_ptr first;
+    std::atomic<bool> failed = false;
+    const auto catching = [&] {
+        try {
+            work(failed);
+        } catch (...) {
+            const std::scoped_lock lock(mutex);
+            if (!first) first = std::current_exception();
+            failed = true;
+        }
+    };
+    std::vector<std::jthread> helpers;
+    for (int k = 1; k < threads; ++k) helpers.emplace_back(catching);
+    catching();
+    helpers.clear();
+    if (first) std::rethrow_exception(first);
+}
+
+/// As many as are wanted, but no more than there are pieces.
+int threadsFor(const WarpOptions& options, std::size_t pieces) {
+    static const int cores = static_cast<int>(std::thread::hardware_concurrency());  // asks a file each time
+    const int wanted = options.threads > 0 ? options.threads : cores;
+    return std::clamp(wanted, 1, static_cast<int>(std::max<std::size_t>(1, pieces)));
+}
+
 void requireFinite(const Points<2>& pose) {
     if (!pose.allFinite()) throw InputError("the shape has a vertex that is not a finite number");
 }
@@ -48,18 +78,37 @@ VisibleCell visibleCell(const WarpJob& job, const SimplicialMesh<2>& rest, const
             corner(0).cwiseMax(corner(1)).cwiseMax(corner(2))};
 }
 
-void collectCells(WarpJob& job, const SimplicialMesh<2>& rest, const Points<2>& pose, const Points<2>& pixels,
-                  int levels) {
-    for (int index : paintingOrder(rest.cellCount(), job.options.depth)) {
-        const Cell<2>& cell = rest.cells[static_cast<std::size_t>(index)];
-        if (!visible(pixels, cell, job.view)) continue;
-        const int place = static_cast<int>(job.cells.size());
-        job.cells.push_back(visibleCell(job, rest, pose, pixels, cell, levels));
-        const TriangleRows& rows = job.cells.back().rows;
+constexpr std::size_t kCellsOfPiece = 1500;  // in less time no thread has begun
+
+/// In the order of painting.
+std::vector<VisibleCell> visibleCells(const WarpJob& job, const PaintingPlan& plan,
+                                      const SimplicialMesh<2>& rest, const Points<2>& pose,
+                                      const Points<2>& pixels, int levels) {
+    const std::size_t pieces = (plan.order.size() + kCellsOfPiece - 1) / kCellsOfPiece;
+    std::vector<std::vector<VisibleCell>> found(pieces);
+    std::atomic<std::size_t> next = 0;
+    inThreads(threadsFor(job.options, pieces), [&](const std::atomic<bool>& failed) {
+        for (std::size_t piece; (piece = next++) < pieces && !failed;) {
+            const std::size_t end = std::min(plan.order.size(), (piece + 1) * kCellsOfPiece);
+            for (std::size_t k = piece * kCellsOfPiece; k < end; ++k) {
+                const Cell<2>& cell = rest.cells[static_cast<std::size_t>(plan.order[k])];
+                if (visible(pixels, cell, job.view))
+                    found[piece].push_back(visibleCell(job, rest, pose, pixels, cell, levels));
+            }
+        }
+    });
+    std::vector<VisibleCell> cells;
+    for (const auto& piece : found) cells.insert(cells.end(), piece.begin(), piece.end());
+    return cells;
+}
+
+void sortIntoBands(WarpJob& job) {
+    for (std::size_t place = 0; place < job.cells.size(); ++place) {
+        const TriangleRows& rows = job.cells[place].rows;
         const double high = std::min<double>(job.view.height, rows.bottom());
         for (int band = static_cast<int>(std::max(0.0, rows.top())) / kBandRows; band * kBandRows < high;
              ++band)
-            job.cellsOfBand[static_cast<std::size_t>(band)].push_back(place);
+            job.cellsOfBand[static_cast<std::size_t>(band)].push_back(static_cast<int>(place));
     }
 }
 
@@ -77,9 +126,11 @@ std::unique_ptr<WarpJob> makeJob(const Image& source, int levels, const Simplici
     const int bands = view.width > 0 ? (std::max(view.height, 0) + kBandRows - 1) / kBandRows : 0;
     job->cellsOfBand.resize(static_cast<std::size_t>(bands));
     const Points<2> pixels = (pose.colwise() - view.origin) / view.scale;
-    collectCells(*job, rest, pose, pixels, levels);
+    const auto plan = options.plan ? options.plan : std::make_shared<PaintingPlan>(rest, options.depth);
+    job->cells = visibleCells(*job, *plan, rest, pose, pixels, levels);
+    sortIntoBands(*job);
     job->outline = options.antialias && bands > 0
-                       ? OutlinePixels(rest, pixels, options.depth, view.width, view.height, kBandRows)
+                       ? OutlinePixels(*plan, pixels, view.width, view.height, kBandRows)
                        : OutlinePixels(bands, kBandRows);
     return job;
 }
@@ -126,36 +177,6 @@ int deepestLevel(const WarpJob& job) {
     return deepest;
 }
 
-/// An exception must not leave a helper thread: the first one is kept for the caller.
-class FirstFailure {
-  public:
-    template <typename Work>
-    void catching(Work&& work) {
-        try {
-            work();
-        } catch (...) {
-            const std::scoped_lock lock(m_mutex);
-            if (!m_first) m_first = std::current_exception();
-            m_any = true;
-        }
-    }
-    bool any() const { return m_any; }
-    void rethrow() const {
-        if (m_first) std::rethrow_exception(m_first);
-    }
-
-  private:
-    std::mutex m_mutex;
-    std::exception_ptr m_first;
-    std::atomic<bool> m_any = false;
-};
-
-int threadsOf(const WarpOptions& options, int bands) {
-    const int wanted =
-        options.threads > 0 ? options.threads : static_cast<int>(std::thread::hardware_concurrency());
-    return std::clamp(wanted, 1, std::max(1, bands));
-}
-
 }  // namespace
 
 WarpedPicture::WarpedPicture(const Image& source, const SimplicialMesh<2>& rest, const Points<2>& pose,
@@ -194,21 +215,13 @@ bool WarpedPicture::paint(int top, Image& strip) const {
     const BandPart part = paintCells(top, strip) ? BandPart::BesideCells : BandPart::All;
     const int begin = top / kBandRows, end = (top + strip.height + kBandRows - 1) / kBandRows;
     std::atomic<int> next = begin, done = begin;
-    FirstFailure failure;
-    const auto work = [&] {
-        failure.catching([&] {
-            for (int band; (band = next++) < end && !job.options.stop.stop_requested() && !failure.any();) {
-                withPixelType(job.header.type,
-                              [&](auto t) { paintBand<decltype(t)>(job, band, part, strip, top); });
-                if (job.options.progress) job.options.progress(static_cast<double>(++done) / job.bands());
-            }
-        });
-    };
-    std::vector<std::jthread> helpers;
-    for (int k = 1; k < threadsOf(job.options, end - begin); ++k) helpers.emplace_back(work);
-    work();
-    helpers.clear();
-    failure.rethrow();
+    inThreads(threadsFor(job.options, static_cast<std::size_t>(end - begin)), [&](const auto& failed) {
+        for (int band; (band = next++) < end && !job.options.stop.stop_requested() && !failed;) {
+            withPixelType(job.header.type,
+                          [&](auto t) { paintBand<decltype(t)>(job, band, part, strip, top); });
+            if (job.options.progress) job.options.progress(static_cast<double>(++done) / job.bands());
+        }
+    });
     if (job.atRest) copyAtRest(job, job.options.restMargin, top, strip);
     return !job.options.stop.stop_requested();
 }

@@ -88,6 +88,8 @@ void EnergySlider::makeStop(int stop) {
         setPhi(m_phi);
     });
     m_labels[stop] = label;
+    if (m_stops == Stops::Tiles)  // read once
+        m_samples[stop] = QIcon(QStringLiteral(":/wend/keep/%1.png").arg(QLatin1String(kPictures[stop])));
 }
 
 QSize EnergySlider::pictureSize() {
@@ -95,9 +97,10 @@ QSize EnergySlider::pictureSize() {
 }
 
 void EnergySlider::setPictures(const std::vector<QPixmap>& pictures) {
+    const bool same = pictures.empty() && m_pictures.empty() && !m_stale;
     m_pictures = pictures;
     m_stale = false;
-    showPictures();
+    if (!same) showPictures();
 }
 
 void EnergySlider::setPicturesStale(bool stale) {
@@ -112,7 +115,7 @@ void EnergySlider::setLean(double lean) {
 void EnergySlider::showPictures() {
     if (m_stops != Stops::Tiles) return;
     for (std::size_t i = 0; i < m_labels.size(); ++i) {
-        const QIcon sample(QStringLiteral(":/wend/keep/%1.png").arg(QLatin1String(kPictures[i])));
+        const QIcon& sample = m_samples[i];
         if (m_pictures.empty() && m_lean == 0)
             m_labels[i]->setIcon(sample);
         else

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <QIcon>
 #include <QPixmap>
 #include <QSlider>
 #include <QTimer>
 #include <QWidget>
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -68,6 +70,7 @@ class EnergySlider : public QWidget {
     EnergyScale m_scale;
     QSlider* m_slider;
     std::array<QToolButton*, EnergyScale::kStops> m_labels;
+    std::array<QIcon, EnergyScale::kStops> m_samples;
     double m_phi;
     int m_gesture = 0;
     std::vector<QPixmap> m_pictures;  // of the shape itself; empty: of a sample

@@ -49,7 +49,13 @@ const CellDepths::Values& CellDepths::of(const std::vector<DepthRegion>& regions
     m_regions = regions;
     m_rest = rest;
     m_values = std::make_shared<const std::vector<float>>(m_make(regions, *rest));
+    m_plan.reset();
     return m_values;
+}
+
+std::shared_ptr<const PaintingPlan> CellDepths::plan() {
+    if (!m_plan) m_plan = std::make_shared<PaintingPlan>(*m_rest, *m_values);
+    return m_plan;
 }
 
 }  // namespace wend

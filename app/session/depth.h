@@ -5,6 +5,7 @@
 
 #include "app/document/depth_region.h"
 #include "core/mesh/simplicial_mesh.h"
+#include "warp/coverage.h"
 
 namespace wend {
 
@@ -24,12 +25,15 @@ class CellDepths {
         : m_make(make) {}
     const Values& of(const std::vector<DepthRegion>& regions,
                      const std::shared_ptr<const SimplicialMesh<2>>& rest);
+    /// Of what of() gave last.
+    std::shared_ptr<const PaintingPlan> plan();
 
   private:
     std::vector<float> (&m_make)(const std::vector<DepthRegion>&, const SimplicialMesh<2>&);
     std::vector<DepthRegion> m_regions;
     std::shared_ptr<const SimplicialMesh<2>> m_rest;
     Values m_values;
+    std::shared_ptr<const PaintingPlan> m_plan;  // made when it is asked for first
 };
 
 }  // namespace wend

@@ -4,13 +4,9 @@
 #include <utility>
 
 #include "app/document/in_background.h"
-#include "app/panels/legend.h"
 #include "app/session/rest_frame.h"
 #include "app/session/shape.h"
 #include "app/tools/pin_picking.h"
-#include "app/tools/stiffness_marks.h"
-#include "app/tools/velocity_arrows.h"
-#include "app/view/overlay_painter.h"
 #include "core/energy/distortion.h"
 
 namespace wend {
@@ -20,7 +16,6 @@ namespace {
 constexpr double kMargin = 36;
 constexpr int kRefineAfter = 140;  // milliseconds
 constexpr int kRefineInDrag = 400;
-constexpr double kMostMoving = 3e6;  // pixels that are drawn while the shape moves; of more every second one
 constexpr int kDimAfter = 250;
 constexpr int kMarksEvery = 20;
 
@@ -84,7 +79,7 @@ void ShapeCanvas::setTool(Tool* tool) {
 bool ShapeCanvas::isSettled() const {
     return m_drawn && !m_refine.isActive() && m_drawn->request.filter == Filter::Ewa && m_session.frame() &&
            m_drawn->request.frame == drawnFrame() && m_drawn->request.view == m_view &&
-           m_drawn->request.depths == depths() &&
+           m_drawn->request.plan == plan() &&
            m_drawn->request.allOfPicture == (m_tool && m_tool->showsPicture() && !m_hidden);
 }
 
@@ -171,6 +166,10 @@ CellDepths::Values ShapeCanvas::depths() const {
     return m_depths.of(m_session.document().project()->depth, drawn->rest);
 }
 
+std::shared_ptr<const PaintingPlan> ShapeCanvas::plan() const {
+    return depths() ? m_depths.plan() : nullptr;
+}
+
 QRectF ShapeCanvas::frameRect() const {
     if (const auto& picture = m_session.document().picture())
         return {0, 0, double(picture->width), double(picture->height)};
@@ -201,14 +200,14 @@ RenderRequest ShapeCanvas::request(Filter filter) const {
     request.picture = m_picture;
     request.frame = drawnFrame();
     if (request.frame && request.frame->built) request.texture = request.frame->built->texture;
-    request.depths = depths();
+    request.plan = plan();
     request.allOfPicture = m_tool && m_tool->showsPicture() && !m_hidden;
     request.view = m_view;
     request.size = size();
     request.ratio = devicePixelRatioF();
     request.filter = filter;
     const double pixels = request.ratio * request.ratio * width() * height();
-    if (filter == Filter::Bilinear && pixels > kMostMoving) request.coarseness = 2;
+    if (filter == Filter::Bilinear) request.coarseness = m_pace.coarseness(pixels);
     const bool isShape = request.frame != m_unbent;
     request.mesh = isShape && (m_mesh || !m_picture) && !m_hidden;
     request.map = isShape && m_map && !m_hidden;
@@ -242,6 +241,8 @@ void ShapeCanvas::takeRendered(const std::shared_ptr<const RenderResult>& result
     const bool isOld = result->request.document != m_session.document().generation();
     if (isOld || !drawnFrame() || result->request.picture != m_picture) return;
     m_drawn = result;
+    if (result->request.filter == Filter::Bilinear)
+        m_pace.learn(double(result->image.width()) * result->image.height(), result->milliseconds);
     update();
 }
 
@@ -341,62 +342,6 @@ void ShapeCanvas::setMarquee(const QRectF& rectangle) {
 void ShapeCanvas::setHovered(int handle) {
     if (handle != m_hovered) update();
     m_hovered = handle;
-}
-
-void ShapeCanvas::paintShape(QPainter& painter) {
-    if (!m_drawn) return;
-    // While another view is being drawn, the last one stands in for it, moved and scaled.
-    const RenderRequest& request = m_drawn->request;
-    const double scale = m_view.zoom() / request.view.zoom();
-    const QPointF origin = m_view.toWidget(request.view.toShape({0, 0}));
-    painter.save();
-    painter.setOpacity(m_dimmed ? 0.55 : 1);
-    const QRectF target(origin, QSizeF(m_drawn->image.size()) / request.scale() * scale);
-    painter.setRenderHint(QPainter::SmoothPixmapTransform, request.view != m_view);
-    if (request.view == m_view) {
-        painter.drawImage(QPointF(0, 0), m_drawn->image);
-    } else {
-        painter.drawImage(target, m_drawn->image);
-    }
-    painter.restore();
-}
-
-void ShapeCanvas::paintLegend(QPainter& painter) {
-    if (m_map) paintLegendCard(painter, size(), m_measure, m_range, palette(), 2);
-}
-
-/// A film that plays is seen without them.
-void ShapeCanvas::paintHandles(QPainter& painter, OverlayPainter& overlay) {
-    overlay.paths(m_session, m_hovered);
-    overlay.pins(m_session, m_animation, m_hovered,
-                 [this](const PinView<2>& pin) { return wend::isCovered<2>(*this, pin); });
-    if (m_tool) m_tool->paint(painter);
-}
-
-void ShapeCanvas::paintEvent(QPaintEvent*) {
-    m_marksDue.stop();
-    QPainter painter(this);
-    const Theme theme = Theme::of(palette());
-    painter.fillRect(rect(), theme.workspace);
-    OverlayPainter overlay(painter, m_view, theme);
-    if (m_session.document().picture()) overlay.paper(frameRect(), m_backdrop);
-    painter.setRenderHint(QPainter::Antialiasing);
-    if (!m_hidden) m_onion.paintFills(painter, *this);
-    painter.setRenderHint(QPainter::Antialiasing, false);
-    paintShape(painter);
-    painter.setRenderHint(QPainter::Antialiasing);
-    if (const auto frame = m_session.frame<2>(); !m_hidden && frame) {
-        if (m_map && isDistortion(m_measure))
-            overlay.worst(*frame, worstOf(*frame->distortion, m_measure).cell);
-        if (m_marks || (m_map && m_measure == Measure::Stiffness))
-            paintStiffnessMarks(painter, *this, size());
-        if (m_arrows) paintVelocityArrows(painter, *this, m_session.velocity<2>(), size());
-        m_layer.paint(painter, *this);
-        m_onion.paintOutlines(painter, *this);
-        if (!m_session.playback().isPlaying()) paintHandles(painter, overlay);
-        paintLegend(painter);
-    }
-    overlay.marquee(m_marquee);
 }
 
 void ShapeCanvas::resizeEvent(QResizeEvent*) {

@@ -8,6 +8,8 @@
 #include "app/session/material_preview.h"
 #include "app/tools/layer_lines.h"
 #include "app/tools/onion_skin.h"
+#include "app/view/drawing_pace.h"
+#include "app/view/ground.h"
 #include "app/view/render_thread.h"
 
 namespace wend {
@@ -101,6 +103,7 @@ class ShapeCanvas : public QWidget, public ToolSurface {
     void takeTexture(const PosedFrame<2>& frame);
     PosedPtr<2> drawnFrame() const;
     CellDepths::Values depths() const;
+    std::shared_ptr<const PaintingPlan> plan() const;
     void takeFrame();
     void takeRendered(const std::shared_ptr<const RenderResult>& result);
     RenderRequest request(Filter filter) const;
@@ -128,10 +131,12 @@ class ShapeCanvas : public QWidget, public ToolSurface {
     bool m_arrows = false;
     ViewTransform m_view;
     std::shared_ptr<const RenderResult> m_drawn;
+    mutable DrawingPace m_pace;
     QTimer m_refine;    // draws at full quality once nothing has moved for a while
     QTimer m_dim;       // a stale frame is dimmed after a while
     QTimer m_marksDue;  // in a drag: moves of the pointer alone are painted no more often
     mutable CellDepths m_depths;
+    Ground m_ground;
     bool m_mesh = false, m_map = false, m_hidden = false, m_dimmed = false;
     QColor m_backdrop;
     bool m_rest = false;

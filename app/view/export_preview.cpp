@@ -59,7 +59,7 @@ QImage meshPreview(const FrameExport& shape, const std::shared_ptr<const ScreenP
     draw.picture = picture;
     draw.frame = posed<2>(shape.frame());
     draw.texture = draw.frame->built->texture;
-    draw.depths = std::make_shared<const std::vector<float>>(shape.depths());
+    draw.plan = std::make_shared<PaintingPlan>(*draw.frame->rest, shape.depths());
     draw.mesh = true;
     draw.fill = request.fill;
     draw.line = request.line;

@@ -17,33 +17,7 @@ constexpr double kFrameSize = 22;  // pixels
 constexpr double kFrameSizeY = 14;
 const QColor kFrameAxes[] = {QColor(0xd4, 0x3d, 0x51), QColor(0x12, 0xa5, 0x94)};
 
-QPixmap checker(const Theme& theme) {
-    constexpr int kSquare = 10;
-    QPixmap tile(2 * kSquare, 2 * kSquare);
-    tile.fill(theme.checkerA);
-    QPainter painter(&tile);
-    painter.fillRect(0, 0, kSquare, kSquare, theme.checkerB);
-    painter.fillRect(kSquare, kSquare, kSquare, kSquare, theme.checkerB);
-    return tile;
-}
-
 }  // namespace
-
-void OverlayPainter::paper(const QRectF& frame, const QColor& colour) {
-    const QRectF onScreen = m_view.matrix().mapRect(frame);
-    const QRect aligned = onScreen.toAlignedRect();
-    m_painter.setPen(Qt::NoPen);
-    m_painter.save();
-    m_painter.setClipRegion(QRegion(aligned.adjusted(-8, -8, 8, 10)) - aligned, Qt::IntersectClip);
-    for (int i = 6; i > 0; --i) {  // a soft shadow, where the paper does not cover it
-        m_painter.setBrush(QColor(0, 0, 0, m_theme.dark ? 14 : 6));
-        m_painter.drawRoundedRect(QRectF(aligned).adjusted(-i, -i + 2, i, i + 2), i, i);
-    }
-    m_painter.restore();
-    m_painter.setBrushOrigin(aligned.topLeft());
-    m_painter.fillRect(aligned, colour.isValid() ? QBrush(colour) : QBrush(checker(m_theme)));
-    m_painter.setBrushOrigin(0, 0);
-}
 
 QPolygonF OverlayPainter::toWidget(const std::vector<Vec<2>>& points) const {
     QPolygonF line;

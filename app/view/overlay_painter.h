@@ -11,15 +11,12 @@
 
 namespace wend {
 
-/// Draws what lies under and over the shape, crisp at any zoom: the picture's frame, pins, their paths, the
-/// worst place.
+/// Draws what lies over the shape, crisp at any zoom: pins, their paths, the worst place.
 class OverlayPainter {
   public:
     OverlayPainter(QPainter& painter, const ViewTransform& view, const Theme& theme)
         : m_painter(painter), m_marks(painter), m_view(view), m_theme(theme) {}
 
-    /// Of that colour, or with checks.
-    void paper(const QRectF& frame, const QColor& colour);
     void paths(ShapeSession& session, int hovered);
     /// Also, faintly, the handles that do not hold at the time that is shown. `isCovered`: something of the
     /// shape is seen in front.

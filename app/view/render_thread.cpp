@@ -1,6 +1,7 @@
 #include "app/view/render_thread.h"
 
 #include <QPainter>
+#include <chrono>
 #include <cmath>
 
 #include "app/view/cell_filler.h"
@@ -26,10 +27,6 @@ Points<2> poseOf(const RenderRequest& request) {
     return pose;
 }
 
-std::vector<float> depthsOf(const RenderRequest& request) {
-    return request.depths ? *request.depths : std::vector<float>();
-}
-
 /// The picture on the screen, by the same code as an export.
 QImage warped(const RenderRequest& request, std::stop_token stop) {
     View view;
@@ -40,7 +37,7 @@ QImage warped(const RenderRequest& request, std::stop_token stop) {
     WarpOptions options;
     options.filter = request.filter;
     options.stop = stop;
-    options.depth = depthsOf(request);
+    options.plan = request.plan;
     if (request.allOfPicture) options.outside = Outside::Original;
     if (request.texture) {  // whose domain may be turned over: the pixels of the screen are not
         view.origin.setZero();
@@ -114,12 +111,13 @@ void fillCells(QImage& image, const RenderRequest& request) {
     image.convertTo(QImage::Format_ARGB32_Premultiplied);
     if (request.map && request.picture && !request.plain) takeColours(image);
     CellFiller filler(image, frame.pose, toPixels(request));
-    const std::vector<int> order = paintingOrder(frame.rest->cellCount(), depthsOf(request));
+    const auto plan =
+        request.plan ? request.plan : std::make_shared<PaintingPlan>(*frame.rest, std::vector<float>());
     if (request.map && isPainted(request.measure)) {
-        fillSoftly(filler, *frame.rest, order, colourOf);
+        fillSoftly(filler, *frame.rest, plan->order, colourOf);
         return;
     }
-    for (const int cell : order) {
+    for (const int cell : plan->order) {
         const auto c = static_cast<std::size_t>(cell);
         filler.fill(frame.rest->cells[c], request.map ? colourOf(c) : request.fill.rgba());
     }
@@ -180,7 +178,10 @@ void RenderThread::loop(std::stop_token stop) {
             // Only fine pictures can be interrupted.
             if (result->request.filter != Filter::Bilinear) token = m_current.get_token();
         }
+        const auto begin = std::chrono::steady_clock::now();
         result->image = render(result->request, token);
+        result->milliseconds =
+            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
         if (!result->image.isNull()) emit rendered(result);
     }
 }

@@ -12,6 +12,7 @@
 #include "app/session/shape.h"
 #include "app/view/screen_picture.h"
 #include "app/view/view_transform.h"
+#include "warp/coverage.h"
 #include "warp/sampling.h"
 
 namespace wend {
@@ -22,7 +23,7 @@ struct RenderRequest {
     std::shared_ptr<const ScreenPicture> picture;  // may be null
     std::shared_ptr<const Texture> texture;  // of a file's mesh: where that lies in the picture; or null
     PosedPtr<2> frame;
-    std::shared_ptr<const std::vector<float>> depths;  // per cell: see WarpOptions; or null
+    std::shared_ptr<const PaintingPlan> plan;  // of the frame's mesh; null: all cells are equally deep
     ViewTransform view;
     QSize size;          // of the widget
     double ratio = 1;    // device pixels per widget pixel
@@ -44,7 +45,8 @@ struct RenderRequest {
 
 struct RenderResult {
     RenderRequest request;
-    QImage image;  // transparent where the shape is not
+    QImage image;             // transparent where the shape is not
+    double milliseconds = 0;  // that it took
 };
 
 /// Draws in a thread of its own, so that the pointer never waits. The newest request wins.

@@ -14,7 +14,7 @@
 #include "app/session/depth.h"
 #include "app/session/opening.h"
 #include "app/view/canvas.h"
-#include "app/view/overlay_painter.h"
+#include "app/view/ground.h"
 #include "tests/support/window_fixture.h"
 #include "warp/warped_picture.h"
 
@@ -199,8 +199,8 @@ QImage ground(const ShapeCanvas& canvas, const QSizeF& picture) {
     image.setDevicePixelRatio(canvas.devicePixelRatioF());
     QPainter painter(&image);
     const Theme theme = Theme::of(canvas.palette());
-    painter.fillRect(canvas.rect(), theme.workspace);
-    OverlayPainter(painter, canvas.view(), theme).paper(QRectF({0, 0}, picture), {});
+    const QRectF paper({0, 0}, picture);
+    Ground().paint(painter, {canvas.view(), canvas.size(), 1, paper, {}, theme.dark}, theme, false);
     return image;
 }
 

@@ -17,7 +17,7 @@
 #include "app/tools/depth_tool.h"
 #include "app/tools/pin_tool.h"
 #include "app/view/canvas.h"
-#include "app/view/overlay_painter.h"
+#include "app/view/ground.h"
 #include "core/mesh/mesh_file.h"
 #include "kernels/opencl_devices.h"
 #include "tests/support/window_fixture.h"
@@ -289,8 +289,8 @@ void TestDepth::canvasIsTheExport() {
     QImage ground(shown.size(), QImage::Format_RGB32);
     QPainter painter(&ground);
     const Theme theme = Theme::of(m_canvas.palette());
-    painter.fillRect(ground.rect(), theme.workspace);
-    OverlayPainter(painter, m_canvas.view(), theme).paper(QRectF(0, 0, kWidth, kHeight), {});
+    const QRectF paper(0, 0, kWidth, kHeight);
+    Ground().paint(painter, {m_canvas.view(), ground.size(), 1, paper, {}, theme.dark}, theme, false);
     painter.end();
     int off = 0;
     for (int y = 0; y < shown.height(); ++y)

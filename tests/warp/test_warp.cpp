@@ -7,6 +7,7 @@
 #include "core/mesh/error.h"
 #include "tests/support/pictures.h"
 #include "warp/convert.h"
+#include "warp/coverage.h"
 #include "warp/warped_picture.h"
 
 using namespace wend;
@@ -34,6 +35,7 @@ class TestWarp : public QObject {
     void outsideModes();
     void pictureWithoutAlphaGetsOneWhereNeeded();
     void threadsDoNotMatter();
+    void planMadeBeforeChangesNothing();
     void viewIsACropOfTheExport();
     void viewIsACropOfTheExportInEveryFilter_data();
     void viewIsACropOfTheExportInEveryFilter();
@@ -433,9 +435,28 @@ void TestWarp::pictureWithoutAlphaGetsOneWhereNeeded() {
     QCOMPARE(valueAt<std::uint8_t>(warped, 30, 20, 0), valueAt<std::uint8_t>(source, 20, 20, 0));
 }
 
+/// The order of the cells and the outline are those of the depths, whoever has found them.
+void TestWarp::planMadeBeforeChangesNothing() {
+    const Image source = randomPicture(64, 48, 4, PixelType::UInt8, true);
+    const SimplicialMesh<2> left = rectangle({0, 0}, {20, 20}, 2);
+    const SimplicialMesh<2> mesh = joined(left, rectangle({20, 0}, {40, 20}, 3));
+    Points<2> pose = mesh.points;
+    pose.rightCols(pose.cols() - left.vertexCount()).row(0).array() -= 13.3;
+    for (const float front : {0.0F, 1.0F}) {
+        WarpOptions fresh;
+        fresh.depth.assign(mesh.cells.size(), 0.5F);
+        std::fill_n(fresh.depth.begin(), left.cellCount(), front);
+        WarpOptions planned;
+        planned.plan = std::make_shared<PaintingPlan>(mesh, fresh.depth);
+        const Image wanted = warpImage(source, mesh, pose, kView, fresh);
+        QVERIFY(warpImage(source, mesh, pose, kView, planned).data == wanted.data);
+        QVERIFY(warpImage(source, mesh, pose, kView).data != wanted.data || front == 0.0F);
+    }
+}
+
 void TestWarp::threadsDoNotMatter() {
     const Image source = randomPicture(300, 200, 4, PixelType::UInt8, true);
-    const auto mesh = rectangle({10, 10}, {290, 190}, 20);
+    const auto mesh = rectangle({10, 10}, {290, 190}, 60);  // more cells than one thread takes at a time
     const Points<2> pose = wave(mesh.points, 6);
     WarpOptions one, four;
     one.threads = 1;
