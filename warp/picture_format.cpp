@@ -127,9 +127,10 @@ struct TgaHeader {
     }
     /// The least that a file with it has. A packet of a packed file holds up to 128 pixels.
     double minSize() const {
-        const double pixels = 1.0 * width * height, each = (bits + 7) / 8;
+        const int each = (bits + 7) / 8, ofPalette = paletteLength * ((paletteBits + 7) / 8);
+        const double pixels = 1.0 * width * height;
         const double stored = packed ? pixels / 128 * (1 + each) : pixels * each;
-        return 18 + idLength + paletteLength * ((paletteBits + 7) / 8) + stored;
+        return 18 + idLength + ofPalette + stored;
     }
 };
 

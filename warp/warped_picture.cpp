@@ -231,11 +231,15 @@ void writeWarped(const std::string& path, const WarpedPicture& picture, std::opt
     header.type = type.value_or(header.type);
     const bool own = header.type == picture.header().type;
     writeImage(path, header, WarpedPicture::kRows, [&](int top, Image& strip) {
-        Image painted = own ? std::move(strip) : strip;
+        if (own) {
+            if (!picture.paint(top, strip)) throw Cancelled();
+            return;
+        }
+        Image painted = strip;
         painted.type = picture.header().type;
-        if (!own) painted.makePixels();
+        painted.makePixels();
         if (!picture.paint(top, painted)) throw Cancelled();
-        strip = own ? std::move(painted) : converted(painted, layoutOf(strip));
+        strip = converted(painted, layoutOf(strip));
     });
 }
 

@@ -84,13 +84,17 @@ bool ShapeEngineOf<Dim>::recall(const Shape<Dim>& shape) {
     m_past.reset();
     const bool isPast = past && past->shape->rest == shape.rest;
     const double size = static_cast<double>(m_track.frames().size()) * m_shape->rest->vertexCount();
-    if (m_pass.isSet() && m_pass.isFinished() && size < kMostLaidAside)
-        m_past = Past{m_shape, std::move(m_pass), std::move(m_track)};
-    else if (!isPast)
-        m_past = std::move(past);
-    m_pass = isPast ? std::move(past->pass) : MotionPass<Dim>();
-    m_track = isPast ? std::move(past->track) : FrameTrack();
-    if (isPast) m_shape = past->shape;
+    const bool laysAside = m_pass.isSet() && m_pass.isFinished() && size < kMostLaidAside;
+    if (laysAside) m_past = Past{m_shape, std::move(m_pass), std::move(m_track)};
+    if (isPast) {
+        m_shape = past->shape;
+        m_pass = std::move(past->pass);
+        m_track = std::move(past->track);
+    } else {
+        m_pass = MotionPass<Dim>();
+        m_track = FrameTrack();
+        if (!laysAside) m_past = std::move(past);
+    }
     return isPast;
 }
 

@@ -162,7 +162,7 @@ void FileWorkflow::tellLostWhenOpened() {
     const auto tell = [this] {
         const QList<LostWork> all = lost();
         if (all.isEmpty() || m_document.isEmpty()) return;
-        const LostWork work = all.first();
+        const LostWork& work = all.first();
         say(Topic::Opening,
             tr("Wend was not closed properly: there are unsaved changes to “%1”.").arg(nameOf(work)),
             {{tr("Recover"), [this, work] { recover(work); }}});

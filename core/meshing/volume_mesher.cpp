@@ -146,7 +146,8 @@ class VolumeMesher {
 
     VolumeMesh mesh(double maxVolume) const {
         // How busy the machine is should not decide what can be meshed: by the clock there is more time.
-        const double limit = m_options.timeLimit * (1 + m_surface.triangleCount() / kTrianglesInTime);
+        const int times = 1 + m_surface.triangleCount() / kTrianglesInTime;
+        const double limit = m_options.timeLimit * times;
         const ChildResult result = runChild(siblingProgram("wend-tetgen"), pack(request(maxVolume)),
                                             10 * limit, kMegabytes, m_options.stop, limit);
         const std::string reason = reasonOf(result, limit);

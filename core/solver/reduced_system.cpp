@@ -120,7 +120,8 @@ void ReducedSystem<Dim>::gather(std::span<const double> blocksOfA, std::span<dou
                     K += term.coefficient * A;
             }
             if (!m_held.empty()) {
-                const int scalarRow = m_row[static_cast<std::size_t>(m_columnStart[Q * Dim] + i * Dim)];
+                const int scalarRow = m_row[static_cast<std::size_t>(m_columnStart[Q * Dim]) +
+                                            static_cast<std::size_t>(i) * Dim];
                 release(static_cast<std::size_t>(scalarRow / Dim), Q, K);
             }
             double* out = values.data() + static_cast<std::ptrdiff_t>(first) * Dim * Dim + i * Dim;

@@ -7,8 +7,8 @@
 
 using namespace wend;
 
-/// What makes a shape that moves quick to draw: coarser pixels where the time does not suffice, and a ground that
-/// is painted once.
+/// What makes a shape that moves quick to draw: coarser pixels where the time does not suffice, and a ground
+/// that is painted once.
 class TestMovingPicture : public QObject {
     Q_OBJECT
   private slots:
@@ -55,7 +55,8 @@ void TestMovingPicture::smallViewsAreAlwaysFine() {
     QCOMPARE(pace.coarseness(1280.0 * 800), 1);
 }
 
-/// Of 8.3 million pixels at so many nanoseconds each, 14 ms draw 8.3/4 at 6.7, 8.3/9 at 15; never less than 8.3/16.
+/// Of 8.3 million pixels at so many nanoseconds each, 14 ms draw 8.3/4 at 6.7, 8.3/9 at 15; never less
+/// than 8.3/16.
 void TestMovingPicture::largeViewsAreAsFineAsTheTimeAllows() {
     const auto at = [](double nanoseconds) {
         DrawingPace pace;
