@@ -13,6 +13,10 @@ namespace wend {
 namespace {
 
 constexpr int kTick = 20;  // milliseconds
+// A sample that comes sooner after the last one waits for the next: more frames than a screen shows take time
+// from those that it does. Not where a shape takes long to compute: then it shall begin with the newest.
+constexpr double kPace = 12, kQuick = 25;  // milliseconds
+constexpr int kLongestWait = 20;           // of a sample that none follows
 
 }  // namespace
 
@@ -21,6 +25,9 @@ ShapeGesture::ShapeGesture(Document& document, const Selection& selection, Playb
     : m_document(document), m_selection(selection), m_playback(playback), m_motion(motion), m_pins(pins) {
     m_goOn.setInterval(kTick);
     connect(&m_goOn, &QTimer::timeout, this, &ShapeGesture::goOn);
+    m_waits.setSingleShot(true);
+    m_waits.setInterval(kLongestWait);
+    connect(&m_waits, &QTimer::timeout, this, &ShapeGesture::lead);
     connect(&m_motion, &ShapeMotion::liveReady, this, &ShapeGesture::follow);
     connect(&m_motion, &ShapeMotion::failing, this, &ShapeGesture::cancel);
 }
@@ -100,6 +107,7 @@ void ShapeGesture::begin(const Grip& grip, bool records) {
         takeHold<3>(handles);
     m_from = m_motion.gestureTime();
     m_drag.emplace(handles, grip, records || m_records);
+    m_isQuick = false;
     m_motion.beginDrag(handles, grip, m_from);
     m_sinceSample.start();
     if (m_drag->records()) m_goOn.start();
@@ -108,11 +116,23 @@ void ShapeGesture::begin(const Grip& grip, bool records) {
 
 void ShapeGesture::moveBy(const Amount& amount, double seconds) {
     if (!m_drag) return;
-    const int sample = m_drag->add(amount, seconds);
+    m_drag->add(amount, seconds);
     m_sinceSample.start();
-    m_motion.dragTo(amount, sample, m_drag->records() ? std::optional(recordedTime()) : std::nullopt);
+    if (!m_isQuick || static_cast<double>(m_sinceLead.elapsed()) >= kPace)
+        lead();
+    else if (!m_waits.isActive())
+        m_waits.start();
     emit moved(amount);
     emit pinsChanged();
+}
+
+/// The shape, to the newest sample.
+void ShapeGesture::lead() {
+    if (!m_drag) return;
+    m_waits.stop();
+    m_sinceLead.start();
+    m_motion.dragTo(m_drag->newest(), m_drag->sampleCount(),
+                    m_drag->records() ? std::optional(recordedTime()) : std::nullopt);
 }
 
 /// Of the film: when the recording is, by the last sample and the clock since then.
@@ -127,13 +147,13 @@ void ShapeGesture::goOn() {
     m_playback.setTime(recordedTime());
     const bool moves =
         std::visit([this](const auto& d) { return movesAfter(d, m_from); }, m_document.project()->design);
-    if (moves && m_drag->sampleCount() > 0)
-        m_motion.dragTo(m_drag->newest(), m_drag->sampleCount(), recordedTime());
+    if (moves && m_drag->sampleCount() > 0) lead();
     emit pinsChanged();
 }
 
 void ShapeGesture::follow(const FramePtr& frame) {
     const bool wasStopped = m_drag->isStopped();
+    m_isQuick = frame->milliseconds < kQuick;
     m_drag->follow(*frame);
     m_motion.showLive(frame);
     if (m_drag && frame->stopped && !wasStopped)  // who sees the frame may have ended the drag
@@ -183,6 +203,7 @@ void ShapeGesture::cancel() {
 void ShapeGesture::drop() {
     m_drag.reset();
     m_goOn.stop();
+    m_waits.stop();
 }
 
 template <int Dim>

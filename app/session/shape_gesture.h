@@ -65,6 +65,7 @@ class ShapeGesture : public QObject {
     void takeHold(const std::vector<int>& handles);
     template <int Dim>
     double armOf(const DragGesture& drag) const;
+    void lead();
     void follow(const FramePtr& frame);
     void goOn();
     double recordedTime() const;
@@ -83,9 +84,11 @@ class ShapeGesture : public QObject {
     double m_from = 0;  // when it began, by the clock of the motion
     /// The handles of the gesture, as they were at its start.
     std::tuple<std::vector<PinView<2>>, std::vector<PinView<3>>> m_grabbed;
-    bool m_records = false;  // every drag
-    QTimer m_goOn;           // while a drag records: others go on though the hand rests
-    QElapsedTimer m_sinceSample;
+    bool m_records = false;                    // every drag
+    QTimer m_goOn;                             // while a drag records: others go on though the hand rests
+    QElapsedTimer m_sinceSample, m_sinceLead;  // a sample was taken; the shape was led
+    QTimer m_waits;                            // the newest sample, to be led to
+    bool m_isQuick = false;                    // the shape, in following
 };
 
 }  // namespace wend

@@ -56,6 +56,10 @@ FirstTips::FirstTips(const Parts& parts, QWidget& over) : QLabel(&over), m_parts
     const Document& document = m_parts.session.document();
     connect(&document, &Document::opened, this, &FirstTips::begin);
     connect(&document, &Document::projectChanged, this, &FirstTips::takeProject);
+    // Also of a pin that has moved before.
+    connect(&m_parts.session, &ShapeSession::dragEnded, this, [this] {
+        if (!isDone(Drag)) setDone(m_done | 1 << Drag);
+    });
     begin();
 }
 

@@ -26,6 +26,7 @@ class TestTutorial : public QObject {
     void endsWithItsButtonAndWithAnotherFile();
     void picturesOfSamplesAreNotSavedAmongThem();
     void tipsGoWhenTheyAreFollowed();
+    void tipsKnowADragOfWhatHasMoved();
     void tipsAreSwitchedOff();
 
   private:
@@ -190,6 +191,24 @@ void TestTutorial::tipsGoWhenTheyAreFollowed() {
     QVERIFY(!tip().isVisible());
     m_window->actions().tips->trigger();
     QVERIFY(says("Click the shape to pin it"));
+}
+
+/// As in a sample, whose pins come with their motions.
+void TestTutorial::tipsKnowADragOfWhatHasMoved() {
+    m_window->openPath(writeCutOut(*m_folder));
+    QVERIFY(says("Click the shape to pin it"));
+    QVERIFY(settle(m_window->session()));
+    const Points<2> rest = m_window->session().frame<2>()->pose;
+    const Vec<2> low = rest.rowwise().minCoeff(), high = rest.rowwise().maxCoeff(), size = high - low;
+    const double y = low.y() + 0.5 * size.y(), x = low.x() + 0.9 * size.x();
+    click(low.x() + 0.1 * size.x(), y);
+    click(x, y);
+    drag(x, y, x, y + 0.3 * size.y());
+    QVERIFY(settle(m_window->session()));
+    for (int i = 0; i < 2; ++i) m_window->actions().tips->trigger();  // all of them again
+    QVERIFY(says("Drag the pin"));
+    drag(x, y + 0.3 * size.y(), x, y + 0.5 * size.y());
+    QVERIFY(says("Change what the shape keeps"));
 }
 
 void TestTutorial::tipsAreSwitchedOff() {
