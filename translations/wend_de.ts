@@ -2557,7 +2557,7 @@
     </message>
     <message>
         <source>Rotate with path</source>
-        <translation>Mit dem Weg drehen</translation>
+        <translation>Am Weg ausrichten</translation>
     </message>
     <message>
         <source>Rot&amp;ate with path</source>

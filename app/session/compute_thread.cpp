@@ -32,7 +32,9 @@ void ComputeThread::loop(std::stop_token stop) {
 
 void ComputeThread::giveUp(const std::exception& error, bool shapeless) {
     if (m_engine) m_engine->giveUp();
-    emit failed(m_revision, said(error), shapeless);
+    m_out.call([this, revision = m_revision, reason = said(error), shapeless] {
+        emit failed(revision, reason, shapeless);
+    });
 }
 
 void ComputeThread::handle(const Request& request) {
@@ -57,12 +59,21 @@ void ComputeThread::requireEngine(int dimension) {
 ShapeEngine::Sink ComputeThread::sink() {
     ShapeEngine::Sink sink;
     sink.shapeReady = [this](int revision, std::shared_ptr<const void> shape, KeptFrames kept) {
-        emit shapeReady(revision, std::move(shape), kept);
+        m_out.call(
+            [this, revision, shape = std::move(shape), kept] { emit shapeReady(revision, shape, kept); });
     };
-    sink.frameReady = [this](FramePtr frame) { emit frameReady(std::move(frame)); };
-    sink.fieldReady = [this](int number, VelocityPtr field) { emit fieldReady(number, std::move(field)); };
-    sink.progress = [this](double time, double end) { emit progress(time, end); };
-    sink.finished = [this](double time, const std::string& problem) { emit finished(time, said(problem)); };
+    sink.frameReady = [this](FramePtr frame) {
+        m_out.call([this, frame = std::move(frame)] { emit frameReady(frame); });
+    };
+    sink.fieldReady = [this](int number, VelocityPtr field) {
+        m_out.call([this, number, field = std::move(field)] { emit fieldReady(number, field); });
+    };
+    sink.progress = [this](double time, double end) {
+        m_out.call([this, time, end] { emit progress(time, end); });
+    };
+    sink.finished = [this](double time, const std::string& problem) {
+        m_out.call([this, time, text = said(problem)] { emit finished(time, text); });
+    };
     return sink;
 }
 

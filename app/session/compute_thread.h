@@ -4,12 +4,13 @@
 #include <QString>
 #include <thread>
 
+#include "app/document/hand_over.h"
 #include "app/session/shape_engine.h"
 
 namespace wend {
 
 /// The one thread that meshes and solves for the window. Requests go in through a mailbox; frames come out as
-/// signals, which Qt queues to the receiver's thread.
+/// signals in the thread that this object lives in.
 class ComputeThread : public QObject {
     Q_OBJECT
 
@@ -39,6 +40,7 @@ class ComputeThread : public QObject {
     ShapeEngine::Sink sink();
 
     Mailbox m_mailbox;
+    HandOver m_out;
     std::unique_ptr<ShapeEngine> m_engine;  // of the thread alone,
     int m_revision = 0;                     // and this: of the newest shape that was asked for
     std::jthread m_thread;                  // the last member: it stops before the others go

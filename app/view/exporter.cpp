@@ -203,7 +203,7 @@ void Exporter::run(const QString& what, const QString& path, Job job) {
     m_stop = source;
     connect(dialog, &QProgressDialog::canceled, this, [source] { source->request_stop(); });
     const auto show = [this, shown = QPointer<QProgressDialog>(dialog)](const std::string&, double part) {
-        QMetaObject::invokeMethod(this, [shown, part] {
+        m_out.call([shown, part] {
             if (shown) shown->setValue(static_cast<int>(1000 * part));
         });
     };

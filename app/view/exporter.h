@@ -6,6 +6,7 @@
 #include <memory>
 #include <stop_token>
 
+#include "app/document/hand_over.h"
 #include "app/document/in_background.h"
 #include "app/session/frame_export.h"
 #include "app/session/material_picture.h"
@@ -67,6 +68,7 @@ class Exporter : public QObject {
     QWidget& m_window;
     std::function<QImage(const QSize&)> m_solidView;
     std::shared_ptr<std::stop_source> m_stop;  // of what runs
+    HandOver m_out;
     BackgroundWork m_running;
 };
 

@@ -347,7 +347,6 @@ void MainWindow::updateIcons() {
         maker->setIcons(palette());
     m_modes->exportButton()->setIcon(wendIcon(QStringLiteral("export"), primaryPalette(palette())));
     showMoreArrows();
-    m_start->setRecent(m_files->recent());
 }
 
 /// Where a tool bar is too short Qt shows a button of its own for what is left out.

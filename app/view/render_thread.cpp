@@ -182,7 +182,10 @@ void RenderThread::loop(std::stop_token stop) {
         result->image = render(result->request, token);
         result->milliseconds =
             std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
-        if (!result->image.isNull()) emit rendered(result);
+        if (result->image.isNull()) continue;
+        m_out.call([this, result = std::shared_ptr<const RenderResult>(std::move(result))] {
+            emit rendered(result);
+        });
     }
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <thread>
 
+#include "app/document/hand_over.h"
 #include "app/panels/colour_map.h"
 #include "app/session/frame.h"
 #include "app/session/shape.h"
@@ -68,6 +69,7 @@ class RenderThread : public QObject {
   private:
     void loop(std::stop_token stop);
 
+    HandOver m_out;
     std::mutex m_mutex;
     std::condition_variable_any m_arrived;
     std::optional<RenderRequest> m_next;

@@ -25,6 +25,7 @@ class TestGestures : public QObject {
     void anotherFileEndsADrag();
     void refusedDragsLeaveOthersAlone();
     void dragsNeedNotWaitForTheMotion();
+    void lastOfManySamplesIsFollowed();
     void handlesThatAreGoneDoNotMove();
     void handlesThatAreGoneCanBeRemoved();
     void pinSitsWhereItWasClicked();
@@ -215,6 +216,21 @@ void TestGestures::dragsNeedNotWaitForTheMotion() {
     QVERIFY(m_session->isBusy() && busy.isEmpty());
     m_session->cancelDrag();
     m_session->document().undoStack()->undo();
+    QVERIFY(settled());
+}
+
+/// A hand that moves more often than a screen shows, and rests: the shape comes to where it is.
+void TestGestures::lastOfManySamplesIsFollowed() {
+    open();
+    begin(1);
+    m_session->dragTo<2>({0, 1});
+    QVERIFY(follows());
+    for (int burst = 1; burst <= 3; ++burst) {
+        for (int i = 0; i < 10; ++i) m_session->dragTo<2>({0, 4.0 * burst + 0.1 * i});
+        QTRY_COMPARE_WITH_TIMEOUT(m_session->frame()->sample, 1 + 10 * burst, 20000);
+        QCOMPARE(m_session->frame()->amount.y(), 4.0 * burst + 0.9);
+    }
+    m_session->cancelDrag();
     QVERIFY(settled());
 }
 
