@@ -1391,6 +1391,30 @@
         <source>Black</source>
         <translation>Schwarz</translation>
     </message>
+    <message>
+        <source>So far growing keeps parts and limbs from each other, so that they do not become one.</source>
+        <translation>So weit hält das Vergrößern Teile und Glieder auseinander, damit sie nicht eins werden.</translation>
+    </message>
+    <message>
+        <source>Change gap</source>
+        <translation>Lücke ändern</translation>
+    </message>
+    <message>
+        <source>Parts and holes of fewer pixels, such as dust around a drawing, are left out.</source>
+        <translation>Teile und Löcher aus weniger Pixeln, etwa Staub um eine Zeichnung, werden weggelassen.</translation>
+    </message>
+    <message>
+        <source>Change what is left out</source>
+        <translation>Ändern, was weggelassen wird</translation>
+    </message>
+    <message>
+        <source>&amp;Gap</source>
+        <translation>&amp;Lücke</translation>
+    </message>
+    <message>
+        <source>Drop &amp;below</source>
+        <translation>&amp;Weglassen unter</translation>
+    </message>
 </context>
 <context>
     <name>OutlineTool</name>
@@ -2887,12 +2911,12 @@
         <translation>Was über den Körper gefärbt wird: der Fehler von Längen, Volumen oder Winkeln, wie weit er von seinem Ort entfernt ist, das Material, wie schnell er sich bewegt oder wie fein sein Netz ist.</translation>
     </message>
     <message>
-        <source>What is coloured over the picture: the error of lengths, areas or angles, how far it is from where it was, the material, how fast it moves, or how fine its mesh is.</source>
-        <translation>Was über das Bild gefärbt wird: der Fehler von Längen, Flächen oder Winkeln, wie weit es von seinem Ort entfernt ist, das Material, wie schnell es sich bewegt oder wie fein sein Netz ist.</translation>
-    </message>
-    <message>
         <source>How much the map covers the picture, or the colours of the solid, below it.</source>
         <translation>Wie stark die Karte das Bild oder die Farben des Körpers darunter deckt.</translation>
+    </message>
+    <message>
+        <source>What is coloured over the picture: the error of lengths, areas or angles, how far it is from where it was, the material, or how fast it moves.</source>
+        <translation>Was über das Bild gefärbt wird: der Fehler von Längen, Flächen oder Winkeln, wie weit es von seinem Ort entfernt ist, das Material oder wie schnell es sich bewegt.</translation>
     </message>
 </context>
 <context>
@@ -3622,6 +3646,10 @@
     <message>
         <source>More</source>
         <translation>Mehr</translation>
+    </message>
+    <message>
+        <source>Let go to open “%1”</source>
+        <translation>Loslassen, um „%1“ zu öffnen</translation>
     </message>
 </context>
 <context>
@@ -4690,10 +4718,6 @@
         <translation>Kein Pin: Diese Stelle liegt außerhalb der Form.</translation>
     </message>
     <message>
-        <source>Make a curve</source>
-        <translation>Kurve machen</translation>
-    </message>
-    <message>
         <source>Cancelled: everything is as it was before the last change.</source>
         <translation>Abgebrochen: alles ist wie vor der letzten Änderung.</translation>
     </message>
@@ -4816,6 +4840,10 @@
     <message>
         <source>Hold %1 for the whole film</source>
         <translation>%1 den ganzen Film halten</translation>
+    </message>
+    <message>
+        <source>Edit path</source>
+        <translation>Weg bearbeiten</translation>
     </message>
 </context>
 <context>

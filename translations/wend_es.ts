@@ -1391,6 +1391,30 @@
         <source>Black</source>
         <translation>Negro</translation>
     </message>
+    <message>
+        <source>So far growing keeps parts and limbs from each other, so that they do not become one.</source>
+        <translation>Al crecer, las partes y los miembros quedan separados así, para que no se unan.</translation>
+    </message>
+    <message>
+        <source>Change gap</source>
+        <translation>Cambiar hueco</translation>
+    </message>
+    <message>
+        <source>Parts and holes of fewer pixels, such as dust around a drawing, are left out.</source>
+        <translation>Las partes y los agujeros de menos píxeles, como el polvo alrededor de un dibujo, se omiten.</translation>
+    </message>
+    <message>
+        <source>Change what is left out</source>
+        <translation>Cambiar lo que se omite</translation>
+    </message>
+    <message>
+        <source>&amp;Gap</source>
+        <translation>&amp;Hueco</translation>
+    </message>
+    <message>
+        <source>Drop &amp;below</source>
+        <translation>Omitir &amp;bajo</translation>
+    </message>
 </context>
 <context>
     <name>OutlineTool</name>
@@ -2887,12 +2911,12 @@
         <translation>Qué se colorea sobre el sólido: el error de longitudes, volúmenes o ángulos, la distancia a su lugar original, el material, la velocidad con que se mueve o lo fina que es su malla.</translation>
     </message>
     <message>
-        <source>What is coloured over the picture: the error of lengths, areas or angles, how far it is from where it was, the material, how fast it moves, or how fine its mesh is.</source>
-        <translation>Qué se colorea sobre la imagen: el error de longitudes, áreas o ángulos, la distancia a su lugar original, el material, la velocidad con que se mueve o lo fina que es su malla.</translation>
-    </message>
-    <message>
         <source>How much the map covers the picture, or the colours of the solid, below it.</source>
         <translation>Cuánto cubre el mapa la imagen, o los colores del sólido, que hay debajo.</translation>
+    </message>
+    <message>
+        <source>What is coloured over the picture: the error of lengths, areas or angles, how far it is from where it was, the material, or how fast it moves.</source>
+        <translation>Qué se colorea sobre la imagen: el error de longitudes, áreas o ángulos, la distancia a su lugar original, el material o la velocidad con que se mueve.</translation>
     </message>
 </context>
 <context>
@@ -3622,6 +3646,10 @@
     <message>
         <source>More</source>
         <translation>Más</translation>
+    </message>
+    <message>
+        <source>Let go to open “%1”</source>
+        <translation>Suelte para abrir «%1»</translation>
     </message>
 </context>
 <context>
@@ -4647,10 +4675,6 @@
 <context>
     <name>wend::ShapeSession</name>
     <message>
-        <source>Make a curve</source>
-        <translation>Crear curva</translation>
-    </message>
-    <message>
         <source>This circle is smaller than the mesh: drag further, or set more vertices.</source>
         <translation>Este círculo es menor que las celdas de la malla: arrastre más lejos o ponga más vértices.</translation>
     </message>
@@ -4816,6 +4840,10 @@
     <message>
         <source>Hold %1 for the whole film</source>
         <translation>Sujetar %1 toda la película</translation>
+    </message>
+    <message>
+        <source>Edit path</source>
+        <translation>Editar trayectoria</translation>
     </message>
 </context>
 <context>

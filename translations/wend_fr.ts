@@ -1391,6 +1391,30 @@
         <source>Black</source>
         <translation>Noir</translation>
     </message>
+    <message>
+        <source>So far growing keeps parts and limbs from each other, so that they do not become one.</source>
+        <translation>L’agrandissement tient les parties et les membres à cette distance, pour qu’ils ne fassent pas qu’un.</translation>
+    </message>
+    <message>
+        <source>Change gap</source>
+        <translation>Modifier l’écart</translation>
+    </message>
+    <message>
+        <source>Parts and holes of fewer pixels, such as dust around a drawing, are left out.</source>
+        <translation>Les parties et les trous de moins de pixels, comme la poussière autour d’un dessin, sont ignorés.</translation>
+    </message>
+    <message>
+        <source>Change what is left out</source>
+        <translation>Modifier ce qui est ignoré</translation>
+    </message>
+    <message>
+        <source>&amp;Gap</source>
+        <translation>É&amp;cart</translation>
+    </message>
+    <message>
+        <source>Drop &amp;below</source>
+        <translation>&amp;Ignorer sous</translation>
+    </message>
 </context>
 <context>
     <name>OutlineTool</name>
@@ -2887,12 +2911,12 @@
         <translation>Ce qui est coloré sur le solide&#x202f;: l’erreur des longueurs, des volumes ou des angles, la distance à la place d’origine, le matériau, la vitesse du mouvement ou la finesse du maillage.</translation>
     </message>
     <message>
-        <source>What is coloured over the picture: the error of lengths, areas or angles, how far it is from where it was, the material, how fast it moves, or how fine its mesh is.</source>
-        <translation>Ce qui est coloré sur l’image&#x202f;: l’erreur des longueurs, des aires ou des angles, la distance à la place d’origine, le matériau, la vitesse du mouvement ou la finesse du maillage.</translation>
-    </message>
-    <message>
         <source>How much the map covers the picture, or the colours of the solid, below it.</source>
         <translation>Dans quelle mesure la carte couvre l’image, ou les couleurs du solide, en dessous.</translation>
+    </message>
+    <message>
+        <source>What is coloured over the picture: the error of lengths, areas or angles, how far it is from where it was, the material, or how fast it moves.</source>
+        <translation>Ce qui est coloré sur l’image&#x202f;: l’erreur des longueurs, des aires ou des angles, la distance à la place d’origine, le matériau ou la vitesse du mouvement.</translation>
     </message>
 </context>
 <context>
@@ -3622,6 +3646,10 @@
     <message>
         <source>More</source>
         <translation>Plus</translation>
+    </message>
+    <message>
+        <source>Let go to open “%1”</source>
+        <translation>Relâchez pour ouvrir «&#x202f;%1&#x202f;»</translation>
     </message>
 </context>
 <context>
@@ -4647,10 +4675,6 @@
 <context>
     <name>wend::ShapeSession</name>
     <message>
-        <source>Make a curve</source>
-        <translation>Créer une courbe</translation>
-    </message>
-    <message>
         <source>This circle is smaller than the mesh: drag further, or set more vertices.</source>
         <translation>Ce cercle est plus petit que les mailles&#x202f;: tirez plus loin, ou augmentez le nombre de sommets.</translation>
     </message>
@@ -4816,6 +4840,10 @@
     <message>
         <source>Hold %1 for the whole film</source>
         <translation>Tenir %1 tout le film</translation>
+    </message>
+    <message>
+        <source>Edit path</source>
+        <translation>Modifier la trajectoire</translation>
     </message>
 </context>
 <context>

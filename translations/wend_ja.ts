@@ -1391,6 +1391,30 @@
         <source>Black</source>
         <translation>黒</translation>
     </message>
+    <message>
+        <source>So far growing keeps parts and limbs from each other, so that they do not become one.</source>
+        <translation>広げるときに各部や手足をこれだけ離しておき、一つにくっつかないようにします。</translation>
+    </message>
+    <message>
+        <source>Change gap</source>
+        <translation>すき間を変更</translation>
+    </message>
+    <message>
+        <source>Parts and holes of fewer pixels, such as dust around a drawing, are left out.</source>
+        <translation>これより画素の少ない部分や穴（絵のまわりのごみなど）は除かれます。</translation>
+    </message>
+    <message>
+        <source>Change what is left out</source>
+        <translation>除くものを変更</translation>
+    </message>
+    <message>
+        <source>&amp;Gap</source>
+        <translation>すき間(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Drop &amp;below</source>
+        <translation>最小の面積(&amp;B)</translation>
+    </message>
 </context>
 <context>
     <name>OutlineTool</name>
@@ -2886,12 +2910,12 @@
         <translation>ソリッドを何で色分けするか：長さ、体積、角度の誤差、元の位置からの距離、材質、動く速さ、またはメッシュの細かさ。</translation>
     </message>
     <message>
-        <source>What is coloured over the picture: the error of lengths, areas or angles, how far it is from where it was, the material, how fast it moves, or how fine its mesh is.</source>
-        <translation>画像を何で色分けするか：長さ、面積、角度の誤差、元の位置からの距離、材質、動く速さ、またはメッシュの細かさ。</translation>
-    </message>
-    <message>
         <source>How much the map covers the picture, or the colours of the solid, below it.</source>
         <translation>マップが下の画像や立体の色をどれだけ覆うか。</translation>
+    </message>
+    <message>
+        <source>What is coloured over the picture: the error of lengths, areas or angles, how far it is from where it was, the material, or how fast it moves.</source>
+        <translation>画像を何で色分けするか：長さ、面積、角度の誤差、元の位置からの距離、材質、または動く速さ。</translation>
     </message>
 </context>
 <context>
@@ -3617,6 +3641,10 @@
     <message>
         <source>More</source>
         <translation>その他</translation>
+    </message>
+    <message>
+        <source>Let go to open “%1”</source>
+        <translation>離すと「%1」を開きます</translation>
     </message>
 </context>
 <context>
@@ -4640,10 +4668,6 @@
 <context>
     <name>wend::ShapeSession</name>
     <message>
-        <source>Make a curve</source>
-        <translation>曲線にする</translation>
-    </message>
-    <message>
         <source>This circle is smaller than the mesh: drag further, or set more vertices.</source>
         <translation>円がメッシュの目より小さくなっています。さらにドラッグするか、頂点数を増やしてください。</translation>
     </message>
@@ -4808,6 +4832,10 @@
     <message>
         <source>Hold %1 for the whole film</source>
         <translation>%1 をフィルム全体で固定</translation>
+    </message>
+    <message>
+        <source>Edit path</source>
+        <translation>パスを編集</translation>
     </message>
 </context>
 <context>

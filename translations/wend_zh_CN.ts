@@ -1391,6 +1391,30 @@
         <source>Black</source>
         <translation>黑色</translation>
     </message>
+    <message>
+        <source>So far growing keeps parts and limbs from each other, so that they do not become one.</source>
+        <translation>扩展时各部分与肢体之间保持这么远，以免连成一体。</translation>
+    </message>
+    <message>
+        <source>Change gap</source>
+        <translation>更改间隙</translation>
+    </message>
+    <message>
+        <source>Parts and holes of fewer pixels, such as dust around a drawing, are left out.</source>
+        <translation>像素更少的部分和孔洞（例如图画周围的灰尘）会被忽略。</translation>
+    </message>
+    <message>
+        <source>Change what is left out</source>
+        <translation>更改忽略的内容</translation>
+    </message>
+    <message>
+        <source>&amp;Gap</source>
+        <translation>间隙(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Drop &amp;below</source>
+        <translation>忽略小于(&amp;B)</translation>
+    </message>
 </context>
 <context>
     <name>OutlineTool</name>
@@ -2886,12 +2910,12 @@
         <translation>实体上以颜色表示的内容：长度、体积或角度的误差，与原位置的距离，材料，运动的快慢，或网格的精细程度。</translation>
     </message>
     <message>
-        <source>What is coloured over the picture: the error of lengths, areas or angles, how far it is from where it was, the material, how fast it moves, or how fine its mesh is.</source>
-        <translation>图片上以颜色表示的内容：长度、面积或角度的误差，与原位置的距离，材料，运动的快慢，或网格的精细程度。</translation>
-    </message>
-    <message>
         <source>How much the map covers the picture, or the colours of the solid, below it.</source>
         <translation>映射对下方图片或实体颜色的遮盖程度。</translation>
+    </message>
+    <message>
+        <source>What is coloured over the picture: the error of lengths, areas or angles, how far it is from where it was, the material, or how fast it moves.</source>
+        <translation>图片上以颜色表示的内容：长度、面积或角度的误差，与原位置的距离，材料，或运动的快慢。</translation>
     </message>
 </context>
 <context>
@@ -3617,6 +3641,10 @@
     <message>
         <source>More</source>
         <translation>更多</translation>
+    </message>
+    <message>
+        <source>Let go to open “%1”</source>
+        <translation>松开以打开“%1”</translation>
     </message>
 </context>
 <context>
@@ -4640,10 +4668,6 @@
 <context>
     <name>wend::ShapeSession</name>
     <message>
-        <source>Make a curve</source>
-        <translation>变为曲线</translation>
-    </message>
-    <message>
         <source>This circle is smaller than the mesh: drag further, or set more vertices.</source>
         <translation>此圆比网格的格子还小：请拖得更远，或增加顶点数。</translation>
     </message>
@@ -4808,6 +4832,10 @@
     <message>
         <source>Hold %1 for the whole film</source>
         <translation>在整个影片中固定 %1</translation>
+    </message>
+    <message>
+        <source>Edit path</source>
+        <translation>编辑路径</translation>
     </message>
 </context>
 <context>

@@ -123,7 +123,7 @@ void DistortionPanel::setDimension(int dimension) {
                  ? tr("What is coloured over the solid: the error of lengths, volumes or angles, how far it "
                       "is from where it was, the material, how fast it moves, or how fine its mesh is.")
                  : tr("What is coloured over the picture: the error of lengths, areas or angles, how far it "
-                      "is from where it was, the material, how fast it moves, or how fine its mesh is."));
+                      "is from where it was, the material, or how fast it moves."));
 }
 
 double DistortionPanel::opacity() const {

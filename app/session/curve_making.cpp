@@ -17,7 +17,7 @@ void makeCurveOf(ShapeSession& session, int handle) {
     if (starts.empty()) return;
     const auto path = pinPaths<Dim>(document.design<Dim>().handles[handle], {meanOf<Dim>(starts)});
     const auto next = withCurve<Dim>(*document.project(), handle, path.front().points.back());
-    if (next) document.change(ShapeSession::tr("Make a curve"), *next);
+    if (next) document.change(ShapeSession::tr("Edit path"), *next);
 }
 
 }  // namespace

@@ -131,6 +131,18 @@ QString meshExtensions() {
     return patternsOf(meshFileExtensions());
 }
 
+bool mayBeOpened(const QString& path) {
+    if (!QFileInfo(path).isFile()) return false;
+    if (hasExtension(path, QStringLiteral("*.wend ") + meshExtensions() + ' ' + pictureExtensions()))
+        return true;
+    try {
+        pictureFormat(InputFile(path.toStdString()));
+        return true;
+    } catch (const std::exception&) {
+        return false;
+    }
+}
+
 OpenedFile openFile(const QString& path, bool evenIfBlank) {
     const QString absolutePath = QFileInfo(path).absoluteFilePath();
     OpenedFile file;

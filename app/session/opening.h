@@ -30,6 +30,10 @@ OpenedFile openLost(const LostWork& work);
 /// Where new files of a document are proposed: beside its own, but not among the samples.
 QString proposedFolder(const Document& document);
 
+/// Whether that is a file of a kind that openFile() reads: by its extension, or as a picture by its first
+/// bytes.
+bool mayBeOpened(const QString& path);
+
 /// Patterns of a file dialog, "*.png *.tif …".
 QString pictureExtensions();
 QString meshExtensions();

@@ -1,9 +1,7 @@
 #include "app/view/main_window.h"
 
 #include <QApplication>
-#include <QCloseEvent>
 #include <QMenuBar>
-#include <QMimeData>
 #include <QScreen>
 #include <QSplitter>
 #include <QStackedWidget>
@@ -359,42 +357,6 @@ void MainWindow::showMoreArrows() {
             more->setToolTip(tr("More"));
             more->setAccessibleName(tr("More"));
         }
-}
-
-void MainWindow::resizeEvent(QResizeEvent* event) {
-    QMainWindow::resizeEvent(event);
-    m_properties->fitTo(width());
-}
-
-void MainWindow::changeEvent(QEvent* event) {
-    if (event->type() == QEvent::WindowStateChange) m_actions->fullScreen->setChecked(isFullScreen());
-    QMainWindow::changeEvent(event);
-}
-
-void MainWindow::closeEvent(QCloseEvent* event) {
-    event->setAccepted(m_files->mayLeave());
-}
-
-void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-    if (EnergySlider::phiIn(event->mimeData())) return event->acceptProposedAction();
-    if (!event->mimeData()->hasUrls() || !event->mimeData()->urls().first().isLocalFile()) return;
-    event->acceptProposedAction();
-    m_start->setDropHighlighted(true);
-}
-
-void MainWindow::dragLeaveEvent(QDragLeaveEvent*) {
-    m_start->setDropHighlighted(false);
-}
-
-void MainWindow::dropEvent(QDropEvent* event) {
-    if (const auto phi = EnergySlider::phiIn(event->mimeData())) {
-        const QPoint at = m_compare->mapFrom(this, event->position().toPoint());
-        if (m_compare->rect().contains(at)) m_compare->split(*phi);
-        return;
-    }
-    m_start->setDropHighlighted(false);
-    openPath(event->mimeData()->urls().first().toLocalFile());
-    event->acceptProposedAction();
 }
 
 }  // namespace wend

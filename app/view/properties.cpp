@@ -6,6 +6,7 @@
 #include <QVBoxLayout>
 
 #include "app/panels/balance_panel.h"
+#include "app/panels/cut_out_panel.h"
 #include "app/panels/cut_panel.h"
 #include "app/panels/distortion_panel.h"
 #include "app/panels/flow_panel.h"
@@ -41,6 +42,7 @@ Properties::Properties(ShapeSession& session, const Toolbox& tools, const Action
     : m_tools(tools),
       m_material(new MaterialPanel(session)),
       m_mesh(new MeshPanel(session)),
+      m_cutOut(new CutOutPanel(session)),
       m_distortion(new DistortionPanel(session)),
       m_cut(new CutPanel),
       m_measure(new MeasurePanel(session)),
@@ -92,6 +94,7 @@ void Properties::fill(ShapeSession& session, const Actions& actions) {
     put(m_measure, {.modes = Modes::all(), .flat = false, .tool = "measure"});
     put(m_cut, {.modes = Mode::Mesh, .flat = false});
     put(m_distortion, {.modes = kShaping});
+    m_advanced->add(m_cutOut);
     m_advanced->add(new BalancePanel(session));
     m_advanced->add(m_distortion->totals());
     put(m_advanced, {.modes = kShaping});
@@ -130,6 +133,7 @@ bool Properties::isDue(const When& when) const {
 
 void Properties::arrange() {
     for (const auto& [holder, when] : m_places) holder->setVisible(isDue(when));
+    m_cutOut->setVisible(m_tools.dimension() == 2 && m_tools.mode() == Mode::Mesh);
 }
 
 void Properties::showCutWhile(const QAction& on) {

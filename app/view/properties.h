@@ -14,6 +14,7 @@ class QVBoxLayout;
 namespace wend {
 
 class Actions;
+class CutOutPanel;
 class CutPanel;
 class DistortionPanel;
 class FoldingSection;
@@ -73,6 +74,7 @@ class Properties : public QWidget {
     const Toolbox& m_tools;
     MaterialPanel* m_material;
     MeshPanel* m_mesh;
+    CutOutPanel* m_cutOut;
     DistortionPanel* m_distortion;
     CutPanel* m_cut;
     MeasurePanel* m_measure;

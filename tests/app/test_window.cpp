@@ -47,6 +47,7 @@ class TestWindow : public QObject {
     void startsWithAStartPage();
     void everyActionSaysWhatItDoes();
     void dropOpens();
+    void dropsOfOtherThingsAreRefused();
     void clickPinsAndDragMoves();
     void dragIsOneStepThatUndoes();
     void escapeEndsADrag();
@@ -165,6 +166,32 @@ void TestWindow::everyActionSaysWhatItDoes() {
         QVERIFY2(!button->toolTip().isEmpty() || button->parent()->inherits("QAbstractSpinBox") ||
                      !button->defaultAction() || !button->isVisible(),
                  qPrintable(button->text()));
+}
+
+/// What may be dropped is known by its name, or as a picture by its first bytes.
+void TestWindow::dropsOfOtherThingsAreRefused() {
+    const auto accepted = [this](const QString& path) {
+        QMimeData data;
+        data.setUrls({QUrl::fromLocalFile(path)});
+        QDragEnterEvent enter({400, 300}, Qt::CopyAction, &data, Qt::LeftButton, {});
+        enter.ignore();
+        QCoreApplication::sendEvent(m_window.get(), &enter);
+        return enter.isAccepted();
+    };
+    const auto written = [this](const char* name, const QByteArray& text) {
+        QFile file(m_folder->filePath(QLatin1String(name)));
+        if (file.open(QIODevice::WriteOnly)) file.write(text);
+        return file.fileName();
+    };
+    const QString picture = writeCutOut(*m_folder), bare = m_folder->filePath("bare");
+    QVERIFY(accepted(picture));
+    QVERIFY(m_window->statusBar()->currentMessage().contains("bar.png"));
+    QVERIFY(QFile::copy(picture, bare));
+    QVERIFY(accepted(bare));
+    QVERIFY(accepted(written("shape.obj", "")));  // opening it says what is wrong
+    QVERIFY(!accepted(written("letter.odt", "PK")));
+    QVERIFY(!accepted(m_folder->path()));
+    QVERIFY(!accepted(m_folder->filePath("missing.png")));
 }
 
 void TestWindow::dropOpens() {

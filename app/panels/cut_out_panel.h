@@ -1,0 +1,22 @@
+#pragma once
+
+#include <QWidget>
+
+#include "app/panels/setting_rows.h"
+
+namespace wend {
+
+class ShapeSession;
+
+/// How the outline of a cut-out is made, in numbers that few need.
+class CutOutPanel : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit CutOutPanel(ShapeSession& session, QWidget* parent = nullptr);
+
+  private:
+    SettingRows m_settings;
+};
+
+}  // namespace wend

@@ -1,0 +1,59 @@
+#include <QCloseEvent>
+#include <QDragEnterEvent>
+#include <QFileInfo>
+#include <QMimeData>
+
+#include "app/panels/energy_slider.h"
+#include "app/session/opening.h"
+#include "app/view/actions.h"
+#include "app/view/compare_view.h"
+#include "app/view/file_workflow.h"
+#include "app/view/main_window.h"
+#include "app/view/properties.h"
+#include "app/view/start_page.h"
+#include "app/view/status_fields.h"
+
+namespace wend {
+
+void MainWindow::resizeEvent(QResizeEvent* event) {
+    QMainWindow::resizeEvent(event);
+    m_properties->fitTo(width());
+}
+
+void MainWindow::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::WindowStateChange) m_actions->fullScreen->setChecked(isFullScreen());
+    QMainWindow::changeEvent(event);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    event->setAccepted(m_files->mayLeave());
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    if (EnergySlider::phiIn(event->mimeData())) return event->acceptProposedAction();
+    const QString path =
+        event->mimeData()->hasUrls() ? event->mimeData()->urls().first().toLocalFile() : QString();
+    if (!mayBeOpened(path)) return;
+    event->acceptProposedAction();
+    m_start->setDropHighlighted(true);
+    m_fields->showTip(tr("Let go to open “%1”").arg(QFileInfo(path).fileName()));
+}
+
+void MainWindow::dragLeaveEvent(QDragLeaveEvent*) {
+    m_start->setDropHighlighted(false);
+    m_fields->showTip({});
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    if (const auto phi = EnergySlider::phiIn(event->mimeData())) {
+        const QPoint at = m_compare->mapFrom(this, event->position().toPoint());
+        if (m_compare->rect().contains(at)) m_compare->split(*phi);
+        return;
+    }
+    m_start->setDropHighlighted(false);
+    m_fields->showTip({});
+    openPath(event->mimeData()->urls().first().toLocalFile());
+    event->acceptProposedAction();
+}
+
+}  // namespace wend
