@@ -63,7 +63,8 @@ void main() {
     vec3 width = fwidth(vertex.barycentric);
     vec3 near = smoothstep(width * 0.25, width * 1.15, vertex.barycentric);
     float edge = 1.0 - min(near.x, min(near.y, near.z));
-    lit = mix(lit, edgeColour, 0.45 * edge);
+    float altitude = 3.0 / (width.x + width.y + width.z);  // of the triangle, in pixels, about
+    lit = mix(lit, edgeColour, 0.45 * clamp(altitude / 10.0, 0.2, 1.0) * edge);  // a dense mesh is no veil
 #endif
     fragment = vec4(lit, 1.0);
 }

@@ -35,6 +35,7 @@ class TestVolumeView : public QObject {
     void fitShowsGlyphs();
     void fineDrawingOutlivesTheBeginningOfAMotion();
     void manyTrianglesAreDrawn();
+    void edgesFadeWhereTheyAreDense();
 
   private:
     std::unique_ptr<VolumeView> m_view;
@@ -129,6 +130,20 @@ void TestVolumeView::cutShowsTheInside() {
     m_view->setCut(CutKind::Exact, {Vec<3>::Zero(), Vec<3>::UnitX()});
     const QImage exact = m_view->grabFramebuffer();
     QVERIFY(whole != cells && cells != exact);
+    VolumePicture tinted = m_picture;  // the face of a cut may have a colour of its own
+    tinted.section = qRgb(220, 40, 40);
+    m_view->setPicture(tinted, false);
+    const QImage own = m_view->grabFramebuffer();
+    int red = 0;
+    for (int y = 0; y < own.height(); ++y)
+        for (int x = 0; x < own.width(); ++x) {
+            const bool isRed = qRed(own.pixel(x, y)) > 2 * qGreen(own.pixel(x, y)) + 20;
+            red += isRed;
+            if (!isRed) QCOMPARE(own.pixel(x, y), exact.pixel(x, y));
+        }
+    QVERIFY2(red > 100, qPrintable(QString::number(red)));
+    m_view->setPicture(m_picture, false);
+    QVERIFY(m_view->grabFramebuffer() == exact);
     m_view->setCut(CutKind::None, {});
     QVERIFY(m_view->grabFramebuffer() == whole);
 }
@@ -403,6 +418,32 @@ void TestVolumeView::fitShowsGlyphs() {
     QVERIFY(isInView());
     m_view->setGlyphs({});
     QVERIFY(!isInView());
+}
+
+/// Of a mesh whose triangles are pixels the surface is seen, of a coarse one the edges.
+void TestVolumeView::edgesFadeWhereTheyAreDense() {
+    const auto darkest = [this](int side) {
+        m_view->look(Camera::Axis::Top);
+        m_view->setPicture(waves(side), true);
+        std::array<QImage, 2> images;
+        for (const bool edges : {false, true}) {
+            SurfaceStyle style;
+            style.edges = edges;
+            m_view->setStyle(style);
+            images[edges] = m_view->grabFramebuffer();
+        }
+        m_view->setStyle({});
+        double most = 0;
+        for (int y = 250; y < 350; ++y)
+            for (int x = 350; x < 450; ++x) {
+                const double plain = qGray(images[0].pixel(x, y)), edged = qGray(images[1].pixel(x, y));
+                if (plain > 20) most = std::max(most, 1 - edged / plain);
+            }
+        return most;
+    };
+    const double coarse = darkest(20), dense = darkest(224);
+    QVERIFY2(coarse > 0.25, qPrintable(QString::number(coarse)));
+    QVERIFY2(dense > 0.02 && dense < 0.5 * coarse, qPrintable(QString::number(dense)));
 }
 
 void TestVolumeView::manyTrianglesAreDrawn() {

@@ -16,6 +16,7 @@ namespace wend {
 namespace {
 
 constexpr int kDimAfter = 250;                                // milliseconds
+constexpr QRgb kSectionColour = 0xffe3b48e;                   // of the face of a cut, while no map is shown
 constexpr int kMarksEvery = 40, kMarksEveryInSoftware = 120;  // without a frame
 const QRgb kPlain = qRgb(199, 186, 164), kPlainDark = qRgb(176, 164, 146);
 const QRgb kArrowColour = qRgb(54, 84, 196), kGlyphColour = qRgb(226, 140, 44);
@@ -183,6 +184,7 @@ VolumePicture SolidCanvas::plainPicture(const PosedFrame<3>& frame) const {
     picture.facets = frame.built->facets;
     picture.pose = frame.pose;
     picture.cellColours.assign(frame.rest->cells.size(), plainColour());
+    picture.section = kSectionColour;
     picture.materials = m_detail && hasDetail(frame);
     if (!picture.materials) return picture;
     picture.skin = frame.built->skin;
@@ -216,6 +218,7 @@ void SolidCanvas::refresh() {
     VolumePicture picture = plainPicture(*frame);
     if (showsMap()) {
         picture.cellColours = mapColours(*frame);
+        picture.section.reset();
         picture.materials = picture.materials && !picture.skin->materials.empty();
     }
     m_style.dimming = m_dimmed && picture.materials ? 0.5 : 0;

@@ -2,6 +2,7 @@
 
 #include <QRgb>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/mesh/embedding.h"
@@ -15,6 +16,7 @@ struct VolumePicture {
     std::shared_ptr<const std::vector<Facet<3>>> facets;
     Points<3> pose;
     std::vector<QRgb> cellColours;  // one per cell; empty: one plain colour
+    std::optional<QRgb> section;    // of the face of a cut; none: those of its cells
     // A surface that is embedded in the solid and drawn in place of its border; null if there is none.
     std::shared_ptr<const Skin> skin;
     std::shared_ptr<const Embedding<3>> embedding;

@@ -72,7 +72,7 @@ void VolumeView::setPicture(VolumePicture picture, bool fitView) {
     if (picture.skin != m_picture.skin) m_meshStale = true;
     if (picture.skin && picture.skin != m_textured) m_texturesStale = true;
     m_coloursStale = m_coloursStale || picture.cellColours != m_picture.cellColours ||
-                     picture.materials != m_picture.materials;
+                     picture.section != m_picture.section || picture.materials != m_picture.materials;
     if (!samePose) {
         m_poseStale = true;
         m_rays.takePose();
@@ -255,7 +255,10 @@ std::vector<QRgb> VolumeView::coloursOf(const DrawMesh& mesh, bool skin) const {
 void VolumeView::uploadColours() {
     m_renderer.setColours(SurfaceRenderer::Outer, coloursOf(m_outer, showsSkin()));
     if (m_style.mapOpacity > 0) m_renderer.setMap(coloursOf(m_outer, false));
-    m_renderer.setColours(SurfaceRenderer::Section, coloursOf(m_section, false));
+    m_renderer.setColours(SurfaceRenderer::Section,
+                          m_picture.section
+                              ? std::vector<QRgb>(m_section.triangles.size(), *m_picture.section)
+                              : coloursOf(m_section, false));
 }
 
 void VolumeView::setGlyphs(std::vector<DrawVertex> triangles) {
