@@ -1,17 +1,15 @@
 #include "app/document/in_background.h"
 
-#include <QCoreApplication>
-#include <QEvent>
 #include <QRunnable>
 #include <QThreadPool>
 #include <condition_variable>
 #include <mutex>
 
+#include "app/document/hand_over.h"
+
 namespace wend {
 
 namespace {
-
-const QEvent::Type kDone = static_cast<QEvent::Type>(QEvent::registerEventType());
 
 /// The pool hands a runnable to its threads under locks of Qt's, which the thread sanitizer does not see. It
 /// sees this one: what was written before it is held is there for who holds it next.
@@ -22,19 +20,21 @@ std::mutex& poolMutex() {
 
 }  // namespace
 
+class BackgroundReceiver;
+
 struct BackgroundWork::State {
     std::mutex mutex;
     std::condition_variable done;
     bool isDone = false;
-    QObject* receiver = nullptr;  // of the event at the end; null once it is gone
+    BackgroundReceiver* receiver = nullptr;  // null once it is gone
 };
 
 /// Lives with the context, and goes with it.
-class BackgroundReceiver : public QObject {
+class BackgroundReceiver : public HandOver {
   public:
     BackgroundReceiver(QObject* context, std::shared_ptr<BackgroundWork::State> state,
                        std::function<void()> take)
-        : QObject(context), m_state(std::move(state)), m_take(std::move(take)) {
+        : HandOver(context), m_state(std::move(state)), m_take(std::move(take)) {
         m_state->receiver = this;
     }
     ~BackgroundReceiver() override {
@@ -42,13 +42,10 @@ class BackgroundReceiver : public QObject {
         m_state->receiver = nullptr;
     }
 
-    bool event(QEvent* event) override {
-        if (event->type() != kDone) return QObject::event(event);
-        { const std::lock_guard resultIsSeen(m_state->mutex); }
+    void take() {
         deleteLater();
         const auto take = std::move(m_take);  // what is taken may be the end of the context
         take();
-        return true;
     }
 
   private:
@@ -73,7 +70,7 @@ class BackgroundRunnable : public QRunnable {
         const std::lock_guard lock(m_state->mutex);
         m_state->isDone = true;
         m_state->done.notify_all();
-        if (m_state->receiver) QCoreApplication::postEvent(m_state->receiver, new QEvent(kDone));
+        if (auto* receiver = m_state->receiver) receiver->call([receiver] { receiver->take(); });
     }
 
   private:

@@ -99,14 +99,6 @@ OpenedFile openMesh(const QString& path) {
     return file;
 }
 
-bool isSolid(const QString& project) {
-    try {
-        return readProject(project.toStdString()).project.dimension() == 3;
-    } catch (const InputError&) {
-        return false;
-    }
-}
-
 QString sampleFolder() {
     const QString program = QCoreApplication::applicationDirPath();
     for (const QString& folder :
@@ -194,19 +186,23 @@ QStringList samplePaths() {
     if (sampleFolder().isEmpty()) return pictures;
     for (const QFileInfo& info : folder.entryInfoList({QStringLiteral("*.wend")}, QDir::Files, QDir::Name)) {
         const QString path = info.absoluteFilePath();
-        (isSolid(path) ? solids : pictures) << path;
+        (lookOf(path).isSolid ? solids : pictures) << path;
     }
     return pictures + solids;
 }
 
-QString picturePathOf(const QString& project) {
+ProjectLook lookOf(const QString& project) {
     try {
         const Project read = readProject(project.toStdString()).project;
-        const QFileInfo own(QFileInfo(project).absoluteDir(),
-                            QFileInfo(project).completeBaseName() + QStringLiteral(".png"));
-        if (read.dimension() == 3 && own.exists()) return own.absoluteFilePath();
-        if (read.domain.kind != DomainKind::Image) return {};
-        return QFileInfo(project).absoluteDir().absoluteFilePath(QString::fromStdString(read.domain.path));
+        const QFileInfo info(project);
+        const QFileInfo own(info.absoluteDir(), info.completeBaseName() + QStringLiteral(".png"));
+        ProjectLook look;
+        look.isSolid = read.dimension() == 3;
+        if (look.isSolid && own.exists())
+            look.picture = own.absoluteFilePath();
+        else if (read.domain.kind == DomainKind::Image)
+            look.picture = info.absoluteDir().absoluteFilePath(QString::fromStdString(read.domain.path));
+        return look;
     } catch (const std::exception&) {
         return {};
     }

@@ -40,8 +40,12 @@ QString meshExtensions();
 
 /// Sample projects: installed beside the program, or those of the source tree; pictures first.
 QStringList samplePaths();
-/// The picture that a project shows, or of a solid one of the same name beside it, for a thumbnail; empty if
-/// it has none.
-QString picturePathOf(const QString& project);
+/// What there is to see of a project that is not open: the picture that it shows, or of a solid one of the
+/// same name beside it, empty if it has none. Nothing of one that cannot be read.
+struct ProjectLook {
+    QString picture;
+    bool isSolid = false;
+};
+ProjectLook lookOf(const QString& project);
 
 }  // namespace wend

@@ -7,7 +7,6 @@
 #include <QSaveFile>
 #include <QStandardPaths>
 
-#include "app/document/project.h"
 #include "app/session/opening.h"
 #include "app/session/picture_file.h"
 
@@ -25,15 +24,6 @@ QRect opaquePart(const QImage& image) {
         for (int x = 0; x < image.width(); ++x)
             if (qAlpha(image.pixel(x, y)) > 8) part |= QRect(x, y, 1, 1);
     return part;
-}
-
-/// One that cannot be read holds nothing.
-bool holdsSolid(const QString& project) {
-    try {
-        return readProject(project.toStdString()).project.dimension() == 3;
-    } catch (const std::exception&) {
-        return false;
-    }
 }
 
 QImage smallPictureOf(const QString& file) {
@@ -78,9 +68,10 @@ QString thumbnailFolder() {
 
 Thumbnail thumbnailOf(const QString& path, const QString& folder) {
     const bool project = QFileInfo(path).suffix() == QStringLiteral("wend");
-    const QString file = project ? picturePathOf(path) : path;
+    const ProjectLook look = project ? lookOf(path) : ProjectLook{path};
+    const QString& file = look.picture;
     Thumbnail thumbnail;
-    thumbnail.isSolid = project && holdsSolid(path);
+    thumbnail.isSolid = look.isSolid;
     if (file.isEmpty()) return thumbnail;
     const QByteArray name = QCryptographicHash::hash(stampOf(path) + stampOf(file), QCryptographicHash::Sha1);
     const QString kept = QDir(folder).filePath(QString::fromLatin1(name.toHex()) + QStringLiteral(".png"));

@@ -23,7 +23,7 @@ constexpr int kHooves = 4;
 
 QString Tutorial::picture() {
     for (const QString& sample : samplePaths())
-        if (sample.endsWith(QStringLiteral("giraffe.wend"))) return picturePathOf(sample);
+        if (sample.endsWith(QStringLiteral("giraffe.wend"))) return lookOf(sample).picture;
     return {};
 }
 

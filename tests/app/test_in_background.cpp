@@ -1,7 +1,11 @@
 #include <QSemaphore>
 #include <QTest>
 #include <QThreadPool>
+#include <memory>
+#include <thread>
+#include <vector>
 
+#include "app/document/hand_over.h"
 #include "app/document/in_background.h"
 
 using namespace wend;
@@ -13,6 +17,8 @@ class TestInBackground : public QObject {
     void resultsComeBack();
     void whatIsGoneIsNotCalled();
     void workMayThrow();
+    void callsComeInTheirOrder();
+    void callsEndWithTheObject();
 };
 
 void TestInBackground::resultsComeBack() {
@@ -64,6 +70,37 @@ void TestInBackground::workMayThrow() {
         &context, []() -> int { throw std::bad_alloc(); }, [&called](int) { called = true; });
     QTRY_VERIFY(!work.isRunning() && context.children().isEmpty());
     QVERIFY(!called);
+}
+
+/// In the thread of the object, one for each turn of its loop.
+void TestInBackground::callsComeInTheirOrder() {
+    constexpr int kCalls = 200;
+    HandOver out;
+    std::vector<int> got;
+    bool here = true;
+    std::jthread caller([&] {
+        for (int i = 0; i < kCalls; ++i)
+            out.call([&, i] {
+                got.push_back(i);
+                here = here && QThread::currentThread() == out.thread();
+            });
+    });
+    QTRY_COMPARE(got.size(), std::size_t(kCalls));
+    for (int i = 0; i < kCalls; ++i) QCOMPARE(got[static_cast<std::size_t>(i)], i);
+    QVERIFY(here);
+}
+
+void TestInBackground::callsEndWithTheObject() {
+    auto out = std::make_unique<HandOver>();
+    int calls = 0;
+    out->call([&] {
+        ++calls;
+        out.reset();  // a call may end it
+    });
+    out->call([&] { ++calls; });
+    QTRY_COMPARE(calls, 1);
+    QCoreApplication::processEvents();
+    QCOMPARE(calls, 1);
 }
 
 QTEST_GUILESS_MAIN(TestInBackground)

@@ -13,6 +13,7 @@
 #include <QToolBar>
 #include <QToolButton>
 
+#include "app/panels/cut_out_panel.h"
 #include "app/panels/cut_panel.h"
 #include "app/panels/distortion_panel.h"
 #include "app/panels/material_panel.h"
@@ -45,6 +46,8 @@ class TestModes : public QObject {
     void everyToolIsInTheMenus();
     void selectingMovesNothing_data();
     void selectingMovesNothing();
+    void numbersOfTheOutlineAreOfPictures_data();
+    void numbersOfTheOutlineAreOfPictures();
     void nothingIsBelowTheFold_data();
     void nothingIsBelowTheFold();
     void narrowWindowsKeepStepsAndExport();
@@ -234,6 +237,21 @@ void TestModes::selectingMovesNothing() {
 
 void TestModes::nothingIsBelowTheFold_data() {
     pictureAndSolid();
+}
+
+/// How the outline of a cut-out is made is said where the mesh is, and of pictures alone.
+void TestModes::numbersOfTheOutlineAreOfPictures_data() {
+    pictureAndSolid();
+}
+
+void TestModes::numbersOfTheOutlineAreOfPictures() {
+    QFETCH(bool, solid);
+    QVERIFY(open(solid));
+    const auto* panel = m_f->window().properties().findChild<CutOutPanel*>();
+    for (const Mode mode : {Mode::Pins, Mode::Mesh, Mode::Paint}) {
+        tools().setMode(mode);
+        QCOMPARE(panel->isHidden(), solid || mode != Mode::Mesh);
+    }
 }
 
 /// On the smallest usual screen: what is kept, and what the step is about.

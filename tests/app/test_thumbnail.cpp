@@ -2,6 +2,7 @@
 #include <QDir>
 #include <QFile>
 #include <QPainter>
+#include <QThreadPool>
 
 #include "app/view/file_card.h"
 #include "app/view/thumbnail.h"
@@ -152,7 +153,7 @@ void TestThumbnail::cardsReadOnceTheyAreSeen() {
     writeDisc("seen.png", Qt::red);
     const auto keptNow = [] { return QDir(thumbnailFolder()).entryList(QDir::Files).size(); };
     FileCard card(at("seen.png"), FileCard::Kind::Recent, nullptr);
-    QTest::qWait(50);
+    QVERIFY(QThreadPool::globalInstance()->waitForDone(20000));
     QCOMPARE(keptNow(), 0);
     card.show();
     QTRY_COMPARE(keptNow(), 1);
