@@ -15,6 +15,7 @@
 #include "app/bench/body.h"
 #include "app/bench/test_picture.h"
 #include "app/bench/window_drag.h"
+#include "app/document/project.h"
 #include "app/view/actions.h"
 #include "app/view/canvas.h"
 #include "app/view/main_window.h"

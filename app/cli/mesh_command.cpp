@@ -6,6 +6,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/terminal.h"
 #include "app/document/json_text.h"
+#include "app/document/project_file.h"
 #include "app/session/flat_shape.h"
 #include "app/session/mesh_rest.h"
 #include "app/session/output_set.h"

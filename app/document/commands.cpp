@@ -1,6 +1,7 @@
 #include "app/document/commands.h"
 
 #include "app/document/document.h"
+#include "app/document/project.h"
 
 namespace wend {
 

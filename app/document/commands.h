@@ -3,7 +3,7 @@
 #include <QUndoCommand>
 #include <memory>
 
-#include "app/document/project.h"
+#include "app/document/project_fwd.h"
 
 namespace wend {
 

@@ -1,4 +1,5 @@
 #include "app/document/curve_edits.h"
+#include "app/document/project.h"
 
 #include <Eigen/QR>
 #include <algorithm>

@@ -2,7 +2,8 @@
 
 #include <optional>
 
-#include "app/document/project.h"
+#include "app/document/project_fwd.h"
+#include "core/motion/handle.h"
 
 namespace wend {
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "app/document/free_name.h"
+#include "app/document/project.h"
 
 namespace wend {
 

@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "app/document/project.h"
+#include "app/document/project_fwd.h"
+#include "core/mesh/region.h"
 
 namespace wend {
 

@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "app/document/project.h"
 #include "app/document/setting_json.h"
 #include "core/mesh/error.h"
 

@@ -3,11 +3,21 @@
 #include <QFileInfo>
 
 #include "app/document/commands.h"
+#include "app/document/project_file.h"
 
 namespace wend {
 
 Document::Document(QObject* parent) : QObject(parent) {
     connect(&m_undo, &QUndoStack::cleanChanged, this, &Document::titleChanged);
+}
+
+int Document::dimension() const {
+    return m_project ? m_project->dimension() : 0;
+}
+
+template <int Dim>
+const Design<Dim>& Document::design() const {
+    return std::get<Design<Dim>>(m_project->design);
 }
 
 QString Document::folder() const {
@@ -60,5 +70,8 @@ void Document::setProject(const std::shared_ptr<const Project>& project) {
     m_project = project;
     emit projectChanged();
 }
+
+template const Design<2>& Document::design<2>() const;
+template const Design<3>& Document::design<3>() const;
 
 }  // namespace wend

@@ -5,10 +5,11 @@
 #include <QUndoStack>
 #include <memory>
 
-#include "app/document/project.h"
-#include "warp/image.h"
+#include "app/document/project_fwd.h"
 
 namespace wend {
+
+struct Image;
 
 /// What a file brings: a project, and the picture that it warps (null for a mesh without one).
 struct OpenedFile {
@@ -30,11 +31,9 @@ class Document : public QObject {
     bool isEmpty() const { return !m_project; }
     const std::shared_ptr<const Project>& project() const { return m_project; }
     /// 2 or 3; 0 while empty.
-    int dimension() const { return m_project ? m_project->dimension() : 0; }
+    int dimension() const;
     template <int Dim = 2>
-    const Design<Dim>& design() const {
-        return std::get<Design<Dim>>(m_project->design);
-    }
+    const Design<Dim>& design() const;
     const std::shared_ptr<const Image>& picture() const { return m_picture; }
     /// Counts the files that were opened: values of different generations have nothing in common.
     int generation() const { return m_generation; }

@@ -7,6 +7,7 @@
 
 #include "app/document/bezier_edits.h"
 #include "app/document/handle_comparison.h"
+#include "app/document/project.h"
 #include "core/motion/easing.h"
 
 namespace wend {

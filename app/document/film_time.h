@@ -1,6 +1,7 @@
 #pragma once
 
-#include "app/document/project.h"
+#include "app/document/project_fwd.h"
+#include "core/motion/handle.h"
 
 namespace wend {
 

@@ -4,6 +4,7 @@
 
 #include "app/document/film_time.h"
 #include "app/document/handle_comparison.h"
+#include "app/document/project.h"
 #include "core/mesh/segments.h"
 
 namespace wend {

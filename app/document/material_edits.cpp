@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/document/free_name.h"
+#include "app/document/project.h"
 
 namespace wend {
 
@@ -169,6 +170,10 @@ Project withCellsFile(const Project& project, const std::string& file) {
         },
         next.design);
     return next;
+}
+
+Project withoutCells(const Project& project) {
+    return withCellsFile(project, {});
 }
 
 Project withAllHidden(const Project& project) {

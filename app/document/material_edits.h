@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "app/document/project.h"
+#include "app/document/design.h"
+#include "app/document/project_fwd.h"
 
 namespace wend {
 
@@ -56,9 +57,7 @@ Project withGroupMoved(const Project& project, const std::string& name, int by);
 Project withoutGroup(const Project& project, const std::string& name);
 /// With what a file says cell by cell, or nothing.
 Project withCellsFile(const Project& project, const std::string& file);
-inline Project withoutCells(const Project& project) {
-    return withCellsFile(project, {});
-}
+Project withoutCells(const Project& project);
 Project withAllHidden(const Project& project);
 
 }  // namespace wend

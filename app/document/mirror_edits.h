@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/document/project.h"
+#include "core/motion/handle.h"
 
 namespace wend {
 

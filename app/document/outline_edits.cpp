@@ -1,5 +1,6 @@
 #include "app/document/outline_edits.h"
 
+#include "app/document/project.h"
 #include "core/mesh/segments.h"
 #include "core/meshing/outline_combination.h"
 

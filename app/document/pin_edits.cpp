@@ -1,4 +1,5 @@
 #include "app/document/pin_edits.h"
+#include "app/document/project.h"
 
 #include <algorithm>
 

@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "app/document/project.h"
+#include "app/document/project_fwd.h"
+#include "core/motion/handle.h"
 
 namespace wend {
 

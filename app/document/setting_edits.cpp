@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/document/document.h"
+#include "app/document/project.h"
 #include "app/document/settings.h"
 
 namespace wend {

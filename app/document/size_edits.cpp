@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/document/free_name.h"
+#include "app/document/project.h"
 
 namespace wend {
 

@@ -3,7 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "app/document/project.h"
+#include "app/document/domain.h"
+#include "app/document/project_fwd.h"
 
 namespace wend {
 

@@ -1,4 +1,5 @@
 #include "app/document/timing_edits.h"
+#include "app/document/project.h"
 
 #include <algorithm>
 #include <limits>

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "app/document/project.h"
 #include "app/session/energy_stops.h"
 #include "app/session/fields.h"
 #include "core/energy/distortion.h"

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "app/document/curve_edits.h"
+#include "app/document/project.h"
 #include "app/document/timing_edits.h"
 #include "app/panels/ease_names.h"
 #include "app/panels/exact_box.h"

@@ -4,6 +4,7 @@
 #include <QFileInfo>
 #include <QToolButton>
 
+#include "app/document/domain.h"
 #include "app/panels/panel_parts.h"
 
 namespace wend {

@@ -6,6 +6,7 @@
 #include <QToolButton>
 #include <cmath>
 
+#include "app/document/project.h"
 #include "app/panels/energy_slider.h"
 #include "app/panels/exact_box.h"
 #include "app/panels/layer_items.h"

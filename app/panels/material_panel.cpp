@@ -3,6 +3,7 @@
 #include <QLocale>
 #include <QPushButton>
 
+#include "app/document/project.h"
 #include "app/document/setting_edits.h"
 #include "app/document/settings.h"
 #include "app/panels/panel_parts.h"

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <set>
 
+#include "app/document/design.h"
 #include "app/panels/colour_map.h"
 #include "app/panels/legend.h"
 #include "app/panels/panel_parts.h"

@@ -5,6 +5,7 @@
 #include <QToolButton>
 #include <cmath>
 
+#include "app/document/project.h"
 #include "app/document/setting_edits.h"
 #include "app/panels/detail_row.h"
 #include "app/panels/jump_slider.h"

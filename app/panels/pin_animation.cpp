@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/document/project.h"
 #include "app/panels/liveliness.h"
 
 namespace wend {

@@ -10,6 +10,7 @@
 
 #include "app/document/handle_edits.h"
 #include "app/document/pin_edits.h"
+#include "app/document/project.h"
 #include "app/panels/marks.h"
 #include "app/panels/panel_parts.h"
 #include "app/panels/theme.h"

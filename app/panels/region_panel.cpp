@@ -1,6 +1,7 @@
 #include "app/panels/region_panel.h"
 
 #include "app/document/handle_edits.h"
+#include "app/document/project.h"
 #include "app/panels/panel_parts.h"
 #include "app/panels/region_numbers.h"
 #include "app/session/solid_places.h"

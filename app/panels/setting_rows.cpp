@@ -1,6 +1,7 @@
 #include "app/panels/setting_rows.h"
 
 #include "app/document/document.h"
+#include "app/document/project.h"
 #include "app/document/setting_edits.h"
 #include "app/document/settings.h"
 #include "app/panels/option_field.h"

@@ -7,6 +7,7 @@
 #include <QToolButton>
 
 #include "app/document/options.h"
+#include "app/document/project.h"
 #include "app/document/size_edits.h"
 #include "app/panels/magnitude_box.h"
 #include "app/panels/panel_parts.h"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/document/project.h"
 #include "core/mesh/error.h"
 #include "core/mesh/mesh_file.h"
 #include "core/mesh/used_vertices.h"

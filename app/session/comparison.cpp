@@ -1,6 +1,7 @@
 #include "app/session/comparison.h"
 
 #include "app/document/options.h"
+#include "app/document/project.h"
 
 namespace wend {
 

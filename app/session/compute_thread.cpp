@@ -1,5 +1,6 @@
 #include "app/session/compute_thread.h"
 
+#include "app/document/project.h"
 #include "app/document/said.h"
 #include "core/meshing/volume_mesher.h"
 

@@ -1,6 +1,7 @@
 #include "app/session/curve_making.h"
 
 #include "app/document/curve_edits.h"
+#include "app/document/project.h"
 
 namespace wend {
 

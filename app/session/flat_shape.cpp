@@ -4,6 +4,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 
+#include "app/document/project_file.h"
 #include "app/session/mesh_rest.h"
 #include "core/mesh/error.h"
 #include "core/mesh/mesh_file.h"

@@ -2,8 +2,9 @@
 
 #include <stop_token>
 
-#include "app/document/project.h"
+#include "app/document/project_fwd.h"
 #include "app/session/shape.h"
+#include "core/meshing/outline.h"
 
 namespace wend {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "app/document/project.h"
 #include "app/session/depth.h"
 #include "app/session/flat_shape.h"
 #include "app/session/run_options.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "app/document/project.h"
 #include "core/mesh/error.h"
 
 namespace wend {

@@ -2,8 +2,9 @@
 
 #include <vector>
 
-#include "app/document/project.h"
+#include "app/document/project_fwd.h"
 #include "app/session/shape.h"
+#include "core/motion/handle.h"
 
 namespace wend {
 

@@ -5,6 +5,7 @@
 #include <complex>
 #include <numbers>
 
+#include "app/document/project_file.h"
 #include "app/session/material_raster.h"
 #include "core/energy/energy_stops.h"
 #include "core/mesh/error.h"

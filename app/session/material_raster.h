@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "app/document/project.h"
+#include "app/document/design.h"
 #include "core/energy/material.h"
 
 namespace wend {

@@ -4,6 +4,7 @@
 #include <limits>
 #include <set>
 
+#include "app/document/project.h"
 #include "app/session/solid_places.h"
 
 namespace wend {

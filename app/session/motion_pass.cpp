@@ -6,6 +6,7 @@
 
 #include "app/document/handle_comparison.h"
 #include "app/document/handle_edits.h"
+#include "app/document/project.h"
 #include "app/document/settings.h"
 #include "app/session/held_border.h"
 #include "core/mesh/shape_size.h"

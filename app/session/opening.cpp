@@ -5,11 +5,13 @@
 #include <QFileInfo>
 #include <QStandardPaths>
 
+#include "app/document/project_file.h"
 #include "app/session/flat_shape.h"
 #include "core/mesh/error.h"
 #include "core/mesh/mesh_file.h"
 #include "core/mesh/segments.h"
 #include "warp/convert.h"
+#include "warp/outline.h"
 #include "warp/picture_format.h"
 
 namespace wend {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "app/document/project_file.h"
 #include "app/session/output_set.h"
 #include "core/mesh/same_file.h"
 #include "core/mesh/skin_file.h"

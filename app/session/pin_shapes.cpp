@@ -1,6 +1,7 @@
 #include "app/session/pin_shapes.h"
 
 #include "app/document/handle_edits.h"
+#include "app/document/project.h"
 #include "app/session/solid_places.h"
 
 namespace wend {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/document/pin_edits.h"
+#include "app/document/project.h"
 #include "app/document/timing_edits.h"
 
 namespace wend {

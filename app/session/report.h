@@ -4,6 +4,7 @@
 #include "app/session/mesh_verdict.h"
 #include "app/session/run.h"
 #include "core/energy/distortion.h"
+#include "core/integration/deformer.h"
 
 namespace wend {
 

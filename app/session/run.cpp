@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "app/document/options.h"
+#include "app/document/project_file.h"
 #include "app/document/text_file.h"
 #include "app/session/depth.h"
 #include "app/session/held_border.h"
@@ -15,6 +16,7 @@
 #include "app/session/shape_builder.h"
 #include "app/session/shape_file.h"
 #include "core/energy/distortion.h"
+#include "core/integration/deformer.h"
 #include "core/mesh/error.h"
 #include "core/mesh/file_name.h"
 #include "core/mesh/mesh_file.h"

@@ -5,12 +5,17 @@
 #include <stop_token>
 #include <string>
 
-#include "app/document/project.h"
+#include "app/document/design.h"
+#include "app/document/project_fwd.h"
+#include "core/assembly/back_end.h"
 #include "core/mesh/mesh_write_options.h"
 #include "core/mesh/used_vertices.h"
+#include "warp/image.h"
 #include "warp/sampling.h"
 
 namespace wend {
+
+struct AdvanceResult;
 
 /// What a run writes; an empty name is not asked for, "-" is standard output.
 struct RunOutputs {

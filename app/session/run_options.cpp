@@ -1,5 +1,6 @@
 #include "app/session/run_options.h"
 
+#include "app/document/project.h"
 #include "app/session/flat_shape.h"
 
 #include "core/mesh/error.h"

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "app/document/options.h"
+#include "app/document/project.h"
 #include "app/session/material_picture.h"
 #include "app/session/output_set.h"
 #include "app/session/run.h"

@@ -1,6 +1,7 @@
 #include "app/session/settle_step.h"
 
 #include "app/document/handle_edits.h"
+#include "app/document/project.h"
 
 namespace wend {
 

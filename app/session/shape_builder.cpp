@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/document/project_file.h"
 #include "app/document/settings.h"
 #include "app/session/flat_shape.h"
 #include "app/session/material_raster.h"

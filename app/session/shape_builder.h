@@ -4,6 +4,7 @@
 
 #include "app/session/shape.h"
 #include "app/session/solid.h"
+#include "core/meshing/outline.h"
 
 namespace wend {
 

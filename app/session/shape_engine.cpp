@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <chrono>
 
+#include "app/document/design.h"
 #include "app/document/handle_comparison.h"
 #include "app/document/handle_edits.h"
+#include "app/document/project.h"
 #include "app/session/held_border.h"
 #include "core/energy/distortion.h"
 #include "core/mesh/printable.h"

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/document/handle_edits.h"
+#include "app/document/project.h"
 #include "app/session/compute_thread.h"
 #include "app/session/fields.h"
 #include "app/session/playback.h"

@@ -2,6 +2,7 @@
 
 #include "app/document/free_name.h"
 #include "app/document/handle_edits.h"
+#include "app/document/project.h"
 
 namespace wend {
 

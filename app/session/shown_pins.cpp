@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/document/project.h"
 #include "app/session/shape_session.h"
 
 namespace wend {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/document/project_file.h"
 #include "app/document/settings.h"
 #include "app/session/caged_solid.h"
 #include "app/session/mesh_rest.h"

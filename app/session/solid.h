@@ -3,7 +3,7 @@
 #include <stop_token>
 #include <string>
 
-#include "app/document/project.h"
+#include "app/document/project_fwd.h"
 #include "app/session/shape.h"
 #include "core/meshing/surface.h"
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/document/handle_edits.h"
+#include "app/document/project.h"
 #include "app/session/held_border.h"
 #include "kernels/back_end_choice.h"
 

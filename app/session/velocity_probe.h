@@ -1,8 +1,9 @@
 #pragma once
 
-#include "app/document/project.h"
+#include "app/document/project_fwd.h"
 #include "app/session/shape.h"
 #include "core/integration/deformer.h"
+#include "core/motion/handle.h"
 
 namespace wend {
 

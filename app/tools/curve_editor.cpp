@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/document/pin_edits.h"
+#include "app/document/project.h"
 #include "app/session/accent.h"
 
 namespace wend {

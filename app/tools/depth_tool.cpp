@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 
 #include "app/document/depth_edits.h"
+#include "app/document/project.h"
 #include "app/session/accent.h"
 #include "app/tools/depth_marks.h"
 

@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 
+#include "app/document/project.h"
 #include "app/session/brush.h"
 #include "app/session/material_raster.h"
 #include "app/session/mesh_parts.h"

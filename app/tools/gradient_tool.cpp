@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <array>
 
+#include "app/document/project.h"
 #include "app/session/accent.h"
 #include "app/session/brush.h"
 #include "app/session/energy_stops.h"

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/document/handle_edits.h"
+#include "app/document/project.h"
 #include "app/session/accent.h"
 #include "app/session/solid_places.h"
 #include "app/tools/region_outline.h"

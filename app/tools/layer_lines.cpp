@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/document/project.h"
 #include "app/session/accent.h"
 #include "app/tools/region_outline.h"
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/document/project.h"
 #include "app/session/solid_places.h"
 #include "app/tools/drag_label.h"
 

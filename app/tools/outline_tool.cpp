@@ -7,6 +7,7 @@
 
 #include "app/document/handle_edits.h"
 #include "app/document/outline_edits.h"
+#include "app/document/project.h"
 #include "app/session/accent.h"
 #include "app/session/flat_shape.h"
 #include "core/mesh/error.h"

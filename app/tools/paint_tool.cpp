@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "app/document/project.h"
 #include "app/session/energy_stops.h"
 #include "app/session/material_raster.h"
 #include "app/session/solid_places.h"

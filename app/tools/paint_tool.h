@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/document/project.h"
+#include "app/document/design.h"
 #include "app/tools/stroke_tool.h"
 
 namespace wend {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/document/design.h"
 #include "app/session/pin_shapes.h"
 
 namespace wend {

@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <algorithm>
 
+#include "app/document/design.h"
 #include "app/session/accent.h"
 #include "app/session/pin_shapes.h"
 #include "app/tools/drag_label.h"

@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 
+#include "app/document/project.h"
 #include "app/document/size_edits.h"
 #include "app/tools/region_outline.h"
 

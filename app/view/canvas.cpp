@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/document/in_background.h"
+#include "app/document/project.h"
 #include "app/session/rest_frame.h"
 #include "app/session/shape.h"
 #include "app/tools/pin_picking.h"

@@ -6,6 +6,7 @@
 
 #include "app/document/depth_edits.h"
 #include "app/document/options.h"
+#include "app/document/project.h"
 #include "app/session/shape_session.h"
 
 namespace wend {

@@ -5,6 +5,7 @@
 #include <QSettings>
 
 #include "app/document/in_background.h"
+#include "app/document/project.h"
 #include "app/document/said.h"
 #include "core/mesh/error.h"
 #include "core/mesh/mesh_formats.h"

@@ -5,6 +5,7 @@
 #include <QPainterPath>
 #include <QSettings>
 
+#include "app/document/project.h"
 #include "app/panels/energy_slider.h"
 #include "app/panels/theme.h"
 #include "app/view/canvas.h"

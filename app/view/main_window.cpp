@@ -11,6 +11,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "app/document/project.h"
 #include "app/panels/distortion_panel.h"
 #include "app/panels/layer_panel.h"
 #include "app/panels/material_panel.h"

@@ -5,6 +5,7 @@
 #include <QFileInfo>
 
 #include "app/document/material_edits.h"
+#include "app/document/project.h"
 #include "app/document/said.h"
 #include "app/session/opening.h"
 #include "app/session/shape_session.h"

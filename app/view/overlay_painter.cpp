@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <cmath>
 
+#include "app/document/design.h"
 #include "app/panels/pin_marks.h"
 #include "app/session/pin_shapes.h"
 #include "app/tools/region_outline.h"

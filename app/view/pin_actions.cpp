@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "app/document/pin_edits.h"
+#include "app/document/project.h"
 #include "app/panels/marks.h"
 #include "app/session/mirroring.h"
 #include "app/session/pin_traits.h"

@@ -6,6 +6,7 @@
 #include <QSaveFile>
 #include <QSettings>
 
+#include "app/document/project.h"
 #include "app/document/said.h"
 #include "app/panels/cut_panel.h"
 #include "app/panels/distortion_panel.h"

@@ -10,6 +10,7 @@
 #include <QTextStream>
 
 #include "app/document/in_background.h"
+#include "app/document/project_file.h"
 #include "app/document/said.h"
 #include "app/panels/surface_panel.h"
 #include "app/session/caged_solid.h"

@@ -1,6 +1,7 @@
 #include "app/view/tile_pictures.h"
 
 #include "app/document/options.h"
+#include "app/document/project.h"
 #include "app/panels/energy_slider.h"
 #include "app/session/shape.h"
 #include "app/session/shape_builder.h"

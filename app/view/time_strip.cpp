@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "app/document/film_time.h"
+#include "app/document/project.h"
 #include "app/panels/exact_box.h"
 #include "app/panels/jump_slider.h"
 #include "app/panels/liveliness.h"

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/document/project.h"
 #include "app/panels/ease_names.h"
 #include "app/panels/marks.h"
 #include "app/panels/panel_parts.h"

@@ -6,6 +6,7 @@
 #include <QPushButton>
 #include <algorithm>
 
+#include "app/document/design.h"
 #include "app/panels/panel_parts.h"
 #include "app/session/opening.h"
 #include "app/session/shape_session.h"

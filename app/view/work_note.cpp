@@ -1,4 +1,5 @@
 #include "app/view/work_note.h"
+#include "app/document/project.h"
 
 #include <QApplication>
 #include <QHBoxLayout>

@@ -8,31 +8,13 @@
 
 #include "core/assembly/back_end.h"
 #include "core/energy/material.h"
-#include "core/integration/settling.h"
+#include "core/integration/integration_options.h"
 #include "core/integration/step_method.h"
 #include "core/motion/constraints.h"
 #include "core/solver/velocity_history.h"
 #include "core/solver/velocity_solver.h"
 
 namespace wend {
-
-struct IntegrationOptions {
-    Method method = Method::Adams;
-    double tolerance = 1e-4;  // error per step allowed, relative to the size
-    int steps = 0;  // > 0: this many equal steps over the whole time [0, end], cut at breakpoints of motions;
-                    // 0: adaptive (Dormand–Prince and Adams only). Adams, which cannot start with a long
-                    // step, then leaves them to Dormand–Prince.
-    double end = 1;              // with steps: the time that they are spread over
-    double smallestStep = 1e-6;  // of the stretch between two breakpoints of motions: below it the run stops
-    int threads = 0;             // 0: all cores
-    /// Error of a velocity field that is allowed, relative to the greatest velocity; < 0: as the tolerance
-    /// needs. 0: every field is solved for directly with a factorization of its own, as in the paper.
-    double velocityTolerance = -1;
-    std::vector<SettleWindow> settle;  // in the order of time
-
-    /// Empty if all is in range, else the reason.
-    std::string problem() const;
-};
 
 /// How an advance ended. A numerical outcome is a value, never an exception.
 enum class Outcome { Done, Cancelled, CellInverted, SolverFailed, StepTooSmall };

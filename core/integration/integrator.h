@@ -4,6 +4,7 @@
 
 #include "core/integration/deformer.h"
 #include "core/integration/orientation.h"
+#include "core/integration/settling.h"
 #include "core/mesh/used_vertices.h"
 
 namespace wend {

@@ -1,21 +1,11 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
+#include "core/integration/integration_options.h"
 #include "core/motion/trajectory.h"
 
 namespace wend {
-
-/// A window of time in which the shape settles: it flows towards least energy of its map from rest, with the
-/// handles as they are (method.md, Memory and settling).
-struct SettleWindow {
-    double start = 0, end = 1;
-    bool operator==(const SettleWindow&) const = default;
-};
-
-/// Empty if the windows are finite, in the order of time and apart from each other, else the reason.
-std::string problemOf(const std::vector<SettleWindow>& windows);
 
 /// The settling in time.
 class Settling {

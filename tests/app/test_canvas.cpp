@@ -6,6 +6,7 @@
 #include <set>
 
 #include "app/document/handle_edits.h"
+#include "app/document/project.h"
 #include "app/panels/legend.h"
 #include "app/session/opening.h"
 #include "app/tools/measure_tool.h"

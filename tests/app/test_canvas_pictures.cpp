@@ -11,6 +11,7 @@
 #include <functional>
 #include <optional>
 
+#include "app/document/project.h"
 #include "app/session/depth.h"
 #include "app/session/opening.h"
 #include "app/view/canvas.h"

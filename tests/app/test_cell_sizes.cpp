@@ -3,6 +3,7 @@
 #include <QMenu>
 #include <QToolButton>
 
+#include "app/document/project.h"
 #include "app/document/size_edits.h"
 #include "app/panels/distortion_panel.h"
 #include "app/panels/magnitude_box.h"

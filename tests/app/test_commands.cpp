@@ -7,6 +7,7 @@
 #include "app/document/free_name.h"
 #include "app/document/handle_comparison.h"
 #include "app/document/handle_edits.h"
+#include "app/document/project_file.h"
 #include "core/motion/trajectory.h"
 
 using namespace wend;

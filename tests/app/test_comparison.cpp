@@ -4,6 +4,7 @@
 #include <QToolButton>
 
 #include "app/document/handle_edits.h"
+#include "app/document/project.h"
 #include "app/panels/distortion_panel.h"
 #include "app/panels/material_panel.h"
 #include "app/view/backdrop_choice.h"

@@ -3,6 +3,7 @@
 
 #include "app/document/film_time.h"
 #include "app/document/handle_edits.h"
+#include "app/document/project.h"
 #include "app/session/held_border.h"
 #include "app/session/opening.h"
 #include "app/session/shape_builder.h"

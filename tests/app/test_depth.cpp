@@ -9,7 +9,7 @@
 
 #include "app/document/depth_edits.h"
 #include "app/document/handle_edits.h"
-#include "app/document/project.h"
+#include "app/document/project_file.h"
 #include "app/session/frame_export.h"
 #include "app/session/opening.h"
 #include "app/session/shape_builder.h"

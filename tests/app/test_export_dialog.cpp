@@ -5,6 +5,7 @@
 #include <QPushButton>
 #include <QSignalSpy>
 
+#include "app/document/project.h"
 #include "app/panels/option_field.h"
 #include "app/session/run_options.h"
 #include "app/view/actions.h"

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "app/document/handle_edits.h"
+#include "app/document/project_file.h"
 #include "app/document/text_file.h"
 #include "app/view/actions.h"
 #include "app/view/export_dialog.h"

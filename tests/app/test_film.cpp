@@ -5,6 +5,7 @@
 #include <QScrollBar>
 #include <QSlider>
 
+#include "app/document/project.h"
 #include "app/document/timing_edits.h"
 #include "app/panels/distortion_panel.h"
 #include "app/panels/pin_marks.h"

@@ -1,6 +1,7 @@
 #include <QSignalSpy>
 
 #include "app/document/handle_edits.h"
+#include "app/document/project_file.h"
 #include "app/session/drag_gesture.h"
 #include "app/session/held_border.h"
 #include "app/session/opening.h"

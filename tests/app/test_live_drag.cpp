@@ -2,6 +2,7 @@
 
 #include <QtTest>
 
+#include "app/document/project.h"
 #include "app/session/held_border.h"
 #include "app/session/live_drag.h"
 #include "app/session/shape_builder.h"

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "app/document/material_edits.h"
+#include "app/document/project_file.h"
 #include "app/document/text_file.h"
 #include "app/panels/layer_panel.h"
 #include "app/session/material_picture.h"

@@ -8,6 +8,7 @@
 #include <QToolButton>
 #include <QTranslator>
 
+#include "app/document/project.h"
 #include "app/session/drag_gesture.h"
 #include "app/view/actions.h"
 #include "app/view/canvas.h"

@@ -9,6 +9,7 @@
 
 #include "app/document/handle_edits.h"
 #include "app/document/outline_edits.h"
+#include "app/document/project_file.h"
 #include "app/session/opening.h"
 #include "app/tools/flat_size_tool.h"
 #include "app/tools/outline_tool.h"

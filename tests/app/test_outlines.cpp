@@ -4,6 +4,7 @@
 #include <map>
 #include <numbers>
 
+#include "app/document/project_file.h"
 #include "app/session/held_border.h"
 #include "app/session/shape_builder.h"
 

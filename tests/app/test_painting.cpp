@@ -5,6 +5,7 @@
 #include <QToolButton>
 
 #include "app/document/material_edits.h"
+#include "app/document/project.h"
 #include "app/panels/layer_panel.h"
 #include "app/panels/paint_panel.h"
 #include "app/session/energy_stops.h"

@@ -12,6 +12,7 @@
 #include <QWheelEvent>
 #include <QWindow>
 
+#include "app/document/project.h"
 #include "app/document/settings.h"
 #include "app/panels/cut_panel.h"
 #include "app/panels/folding_section.h"

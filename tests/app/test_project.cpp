@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "app/document/options.h"
-#include "app/document/project.h"
+#include "app/document/project_file.h"
 #include "app/document/settings.h"
 #include "app/document/text_file.h"
 #include "core/mesh/error.h"

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "app/document/project.h"
+#include "app/document/project_file.h"
 #include "app/document/text_file.h"
 #include "core/energy/material.h"
 #include "tests/support/quoted.h"

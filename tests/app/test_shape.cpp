@@ -2,6 +2,7 @@
 
 #include <QtTest>
 
+#include "app/document/project_file.h"
 #include "app/session/flat_shape.h"
 #include "app/session/held_border.h"
 #include "app/session/material_raster.h"

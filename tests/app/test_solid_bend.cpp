@@ -2,6 +2,7 @@
 
 #include <QtTest>
 
+#include "app/document/project_file.h"
 #include "app/session/held_border.h"
 #include "app/session/shape_builder.h"
 #include "core/energy/distortion.h"

@@ -17,6 +17,7 @@
 
 #include "app/document/curve_edits.h"
 #include "app/document/material_edits.h"
+#include "app/document/project.h"
 #include "app/panels/cut_panel.h"
 #include "app/panels/distortion_panel.h"
 #include "app/panels/energy_slider.h"

@@ -3,6 +3,7 @@
 #include <QLabel>
 
 #include "app/document/material_edits.h"
+#include "app/document/project.h"
 #include "app/panels/measure_panel.h"
 #include "app/panels/paint_panel.h"
 #include "app/panels/region_panel.h"

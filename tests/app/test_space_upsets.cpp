@@ -4,6 +4,7 @@
 
 #include "app/document/curve_edits.h"
 #include "app/document/material_edits.h"
+#include "app/document/project.h"
 #include "app/panels/curve_panel.h"
 #include "app/panels/exact_box.h"
 #include "app/panels/layer_panel.h"

@@ -2,6 +2,7 @@
 #include <limits>
 
 #include "app/document/handle_edits.h"
+#include "app/document/project.h"
 #include "app/document/timing_edits.h"
 #include "app/session/drag_gesture.h"
 #include "core/mesh/segments.h"

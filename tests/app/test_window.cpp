@@ -18,6 +18,7 @@
 #include <QToolButton>
 
 #include "app/document/curve_edits.h"
+#include "app/document/project.h"
 #include "app/panels/curve_panel.h"
 #include "app/panels/distortion_panel.h"
 #include "app/panels/energy_slider.h"

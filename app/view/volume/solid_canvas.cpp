@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/document/project.h"
 #include "app/session/caged_solid.h"
 #include "app/session/rest_frame.h"
 #include "app/session/shape.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/document/design.h"
 #include "app/panels/pin_marks.h"
 #include "app/session/pin_shapes.h"
 #include "app/session/solid_places.h"

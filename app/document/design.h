@@ -1,0 +1,59 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/energy/material.h"
+#include "core/mesh/region.h"
+#include "core/motion/handle.h"
+
+namespace wend {
+
+template <int Dim>
+struct Stiffness {
+    Vec<Dim> axis;
+    double ratio = 1;  // s ≥ 1: B₀ = I + (s − 1) a aᵀ
+};
+
+/// Pictures that say what a region of the plane keeps, how stiff it is and along which direction: see
+/// material_picture.h. Without one it stays as it is there.
+struct MaterialPictures {
+    std::string phi, stiffness, direction;
+    bool up = false;   // their first row lies where y is greatest
+    int readings = 0;  // other than before: they were written anew; not in the file
+
+    bool any() const { return !(phi + stiffness + direction).empty(); }
+    bool operator==(const MaterialPictures&) const = default;
+};
+
+template <int Dim>
+struct MaterialRegion {
+    std::string name;
+    Region<Dim> shape;
+    double feather = 0;
+    std::optional<double> phi;
+    std::optional<Stiffness<Dim>> stiffness;
+    MaterialPictures pictures = {};  // in the plane only, instead of phi and stiffness; they fill a box
+    bool hidden = false;             // changes nothing, as if it were not there
+    Extras extras = {};
+};
+
+template <int Dim>
+struct MaterialSpec {
+    double phi = phi::kMetr;
+    Smoothing smoothing;
+    double memory = 0;                         // ρ
+    std::vector<MaterialRegion<Dim>> regions;  // later ones win
+    std::vector<double> cellPhi;               // material.cells, if given
+    std::vector<Mat<Dim>> cellB;
+    std::string cellsFile;  // where material.cells names a file
+};
+
+template <int Dim>
+struct Design {
+    MaterialSpec<Dim> material;
+    std::vector<Handle<Dim>> handles;
+};
+
+}  // namespace wend

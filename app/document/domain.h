@@ -1,0 +1,59 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/mesh/region.h"
+#include "core/meshing/outline.h"
+#include "core/motion/handle.h"
+#include "warp/alpha_outline_options.h"
+
+namespace wend {
+
+/// What a project deforms.
+enum class DomainKind { Image, Mesh, Surface };
+enum class OutlineKind { Frame, Alpha, Polygons };
+/// What carries a surface: its own volume or a cage around it; `Automatic` takes the cage where the exact
+/// surface cannot be meshed or has far more vertices than are aimed at.
+enum class Fit { Automatic, Exact, Cage };
+/// What lies on the frame of a picture: moves with the rest of it, stays where it is, or slides along the
+/// frame's sides.
+enum class Border { Free, Fixed, Slide };
+
+/// Where cells are to be finer or coarser than elsewhere.
+template <int Dim>
+struct SizeRegionIn {
+    std::string name;  // regions of one name were painted together; may be empty
+    Region<Dim> shape;
+    double feather = 0;
+    double factor = 1;  // of the length of edges
+    Extras extras = {};
+    bool operator==(const SizeRegionIn&) const = default;
+};
+using SizeRegion = SizeRegionIn<3>;
+
+struct Domain {
+    DomainKind kind = DomainKind::Image;
+    std::string path;     // of the image, mesh or surface, relative to the project file
+    std::string texture;  // Mesh: an optional image
+    OutlineKind outline = OutlineKind::Frame;
+    AlphaOutlineOptions alpha;
+    Outline polygons;
+    Border border = Border::Free;  // Image
+    int vertices = 5000;
+    double edge = 0;                         // > 0: wins over vertices
+    double quality = 1.414;                  // Surface
+    double maxVolume = 0;                    // Surface; > 0: wins over vertices
+    bool refineSurface = false;              // Surface: its triangles may be split
+    bool repair = false;                     // Surface: the simple repairs are made first
+    int largestHole = 30;                    // edges of a hole that the repair closes
+    std::string sizesFile;                   // Surface: a factor per vertex, painted
+    std::vector<SizeRegion> sizes;           // Surface: later ones win
+    std::vector<SizeRegionIn<2>> flatSizes;  // Image: the same of a picture
+    std::string detail;                      // Surface, Mesh in space: a surface embedded in the solid
+    Fit fit = Fit::Automatic;                // Surface
+    double cageDetail = 0;                   // Surface: see CageOptions; 0: as fine as the cells
+    double cageOffset = 1.0 / 15;            // Surface: see CageOptions
+};
+
+}  // namespace wend

@@ -1,0 +1,14 @@
+#pragma once
+
+namespace wend {
+
+struct Domain;
+struct Project;
+template <int Dim>
+struct Design;
+template <int Dim>
+struct MaterialRegion;
+template <int Dim>
+struct MaterialSpec;
+
+}  // namespace wend

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/integration/method.h"
+
+namespace wend {
+
+/// A window of time in which the shape settles: it flows towards least energy of its map from rest, with the
+/// handles as they are (method.md, Memory and settling).
+struct SettleWindow {
+    double start = 0, end = 1;
+    bool operator==(const SettleWindow&) const = default;
+};
+
+/// Empty if the windows are finite, in the order of time and apart from each other, else the reason.
+std::string problemOf(const std::vector<SettleWindow>& windows);
+
+/// How a motion is integrated in time.
+struct IntegrationOptions {
+    Method method = Method::Adams;
+    double tolerance = 1e-4;  // error per step allowed, relative to the size
+    int steps = 0;  // > 0: this many equal steps over the whole time [0, end], cut at breakpoints of motions;
+                    // 0: adaptive (Dormand–Prince and Adams only). Adams, which cannot start with a long
+                    // step, then leaves them to Dormand–Prince.
+    double end = 1;              // with steps: the time that they are spread over
+    double smallestStep = 1e-6;  // of the stretch between two breakpoints of motions: below it the run stops
+    int threads = 0;             // 0: all cores
+    /// Error of a velocity field that is allowed, relative to the greatest velocity; < 0: as the tolerance
+    /// needs. 0: every field is solved for directly with a factorization of its own, as in the paper.
+    double velocityTolerance = -1;
+    std::vector<SettleWindow> settle;  // in the order of time
+
+    /// Empty if all is in range, else the reason.
+    std::string problem() const;
+};
+
+}  // namespace wend
