@@ -7,9 +7,7 @@
 #include "app/session/caged_solid.h"
 #include "app/session/rest_frame.h"
 #include "app/session/shape.h"
-#include "app/view/volume/glyphs.h"
 #include "app/view/volume/solid_painter.h"
-#include "core/energy/distortion.h"
 
 namespace wend {
 
@@ -19,7 +17,6 @@ constexpr int kDimAfter = 250;                                // milliseconds
 constexpr QRgb kSectionColour = 0xffe3b48e;                   // of the face of a cut, while no map is shown
 constexpr int kMarksEvery = 40, kMarksEveryInSoftware = 120;  // without a frame
 const QRgb kPlain = qRgb(199, 186, 164), kPlainDark = qRgb(176, 164, 146);
-const QRgb kArrowColour = qRgb(54, 84, 196), kGlyphColour = qRgb(226, 140, 44);
 
 /// What lies over the picture; the pointer goes through it.
 class Overlay : public QWidget {
@@ -42,11 +39,6 @@ class Overlay : public QWidget {
 
 bool isEmbeddedInCage(const PosedFrame<3>& frame) {
     return frame.built->source && frame.built->skin && isCage(*frame.built->source, *frame.built->skin);
-}
-
-QRgb dimmed(QRgb colour) {
-    const auto half = [](int x) { return (x + 128) / 2; };
-    return qRgb(half(qRed(colour)), half(qGreen(colour)), half(qBlue(colour)));
 }
 
 }  // namespace
@@ -157,15 +149,6 @@ QRgb SolidCanvas::plainColour() const {
     return m_dimmed ? dimmed(plain) : plain;
 }
 
-std::vector<QRgb> SolidCanvas::mapColours(const PosedFrame<3>& frame) const {
-    std::vector<QRgb> colours;
-    for (const double value : cellValues<3>(frame, m_measure, fieldOf<3>(m_session, m_measure))) {
-        const QRgb colour = colourAt(m_measure, positionIn(m_range, m_measure, value));
-        colours.push_back(m_dimmed ? dimmed(colour) : colour);
-    }
-    return colours;
-}
-
 bool SolidCanvas::hasDetail(const PosedFrame<3>& frame) const {
     const auto& skin = frame.built->skin;
     return skin && frame.built->embedding &&
@@ -216,11 +199,7 @@ void SolidCanvas::refresh() {
     if (!frame) setGlyphs({});  // those of the last solid
     if (!frame || m_held) return;
     VolumePicture picture = plainPicture(*frame);
-    if (showsMap()) {
-        picture.cellColours = mapColours(*frame);
-        picture.section.reset();
-        picture.materials = picture.materials && !picture.skin->materials.empty();
-    }
+    if (showsMap()) addMap(picture, *frame);
     m_style.dimming = m_dimmed && picture.materials ? 0.5 : 0;
     m_style.mapOpacity = showsMap() && picture.materials ? m_opacity : 0;
     setStyle(m_style);
@@ -282,22 +261,6 @@ void SolidCanvas::lookAlong(const Vec<3>& direction) {
     fit();
 }
 
-void SolidCanvas::showGlyphs(const PosedFrame<3>& frame) {
-    std::vector<DrawVertex> triangles;
-    if (m_arrows && !m_hidden)
-        triangles = velocityArrows(frame, m_session.velocity<3>(), surface(), kArrowColour);
-    if (m_glyphs && !m_hidden) {
-        const auto ellipsoids = stiffnessEllipsoids(frame, surface(), kGlyphColour);
-        triangles.insert(triangles.end(), ellipsoids.begin(), ellipsoids.end());
-    }
-    setGlyphs(std::move(triangles));
-}
-
-void SolidCanvas::wantVelocity() {
-    if (m_session.document().dimension() == 3)
-        m_session.setFieldWanted(wantedField(m_map, m_measure, m_arrows || m_values));
-}
-
 void SolidCanvas::setFlat(bool flat) {
     m_style.flat = flat;
     setStyle(m_style);
@@ -308,9 +271,6 @@ void SolidCanvas::setEdgesShown(bool shown) {
     setStyle(m_style);
 }
 
-void SolidCanvas::setMapShown(bool shown) {
-    m_map = shown, wantVelocity(), refresh();
-}
 void SolidCanvas::setDetailShown(bool shown) {
     m_detail = shown, refresh();
 }
@@ -349,29 +309,6 @@ void SolidCanvas::setOnionSkin(bool shown) {
 
 void SolidCanvas::setOverlaysHidden(bool hidden) {
     m_hidden = hidden, refresh();
-}
-
-void SolidCanvas::setMap(Measure measure, const MeasureRange& range) {
-    m_measure = measure;
-    m_range = range;
-    wantVelocity();
-    if (m_map) refresh();
-}
-
-void SolidCanvas::setMapOpacity(double opacity) {
-    m_opacity = opacity;
-    if (m_map) refresh();
-}
-
-void SolidCanvas::showWorst() {
-    const auto frame = m_session.frame<3>();
-    const int cell = frame ? worstOf(*frame->distortion, m_measure).cell : -1;
-    if (cell < 0) return;
-    Vec<3> centre = Vec<3>::Zero();
-    for (const int v : frame->rest->cells[cell]) centre += frame->pose.col(v) / 4;
-    camera().lookAt(centre);
-    update();
-    emit cameraChanged();
 }
 
 void SolidCanvas::resizeEvent(QResizeEvent* event) {

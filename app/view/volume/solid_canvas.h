@@ -136,7 +136,7 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     bool showsMap() const { return m_map && !m_hidden; }
     QRgb plainColour() const;
     bool hasDetail(const PosedFrame<3>& frame) const;
-    std::vector<QRgb> mapColours(const PosedFrame<3>& frame) const;
+    void addMap(VolumePicture& picture, const PosedFrame<3>& frame) const;
     SolidTool* toolAt(const QPointF& at);
     bool isForTool(const QMouseEvent& event, const SolidTool& tool);
     void useTool(SolidTool* tool);
