@@ -125,6 +125,8 @@ void SolidWorkshop::connectLooks(SolidCanvas* canvas) {
     connect(map, &DistortionPanel::mapChanged, canvas, colour);
     canvas->setMapOpacity(map->opacity());
     connect(map, &DistortionPanel::opacityChanged, canvas, &SolidCanvas::setMapOpacity);
+    canvas->setMapSmooth(map->isSmooth());
+    connect(map, &DistortionPanel::smoothChanged, canvas, &SolidCanvas::setMapSmooth);
 }
 
 /// From where, and how the mouse turns the view.

@@ -1,4 +1,8 @@
 // What is seen of a solid, through it and on it.
+#include <QCheckBox>
+
+#include "app/panels/distortion_panel.h"
+#include "app/panels/folding_section.h"
 #include "tests/support/solid_fixture.h"
 
 using namespace wend;
@@ -9,6 +13,7 @@ class TestSolidView : public QObject {
   private slots:
     void init();
     void cleanup() { m_f.reset(); }
+    void colourMapIsSmooth();
     void stiffnessShinesThrough();
 
   private:
@@ -21,6 +26,40 @@ void TestSolidView::init() {
     if (!VolumeView::available()) QSKIP("needs OpenGL (run under xvfb-run)");
     m_f = std::make_unique<SolidFixture>();
     QVERIFY(m_f->open());
+}
+
+/// The box lies in the folded part of the properties, and its choice is remembered.
+void TestSolidView::colourMapIsSmooth() {
+    auto* box = m_f->window().findChild<QCheckBox*>(QStringLiteral("mapSmooth"));
+    QVERIFY(box && !box->isChecked() && !box->toolTip().isEmpty());
+    bool isFolded = false;
+    for (const QWidget* w = box; w; w = w->parentWidget())
+        isFolded = isFolded || dynamic_cast<const FoldingSection*>(w);
+    QVERIFY(isFolded);
+    QVERIFY(m_f->holdEnds());
+    m_f->window().actions().showMap->setChecked(true);
+    auto* panel = m_f->window().findChild<DistortionPanel*>();
+    panel->setMeasure(Measure::CellSize);
+    m_f->canvas().camera().fit(Vec<3>(-1, -0.5, -0.5), Vec<3>(1, 0.5, 0.5));
+    // Neighbouring pixels that differ much: the borders of the cells.
+    const auto jumps = [&] {
+        const QImage image = m_f->canvas().grabFramebuffer();
+        const QPoint middle = image.rect().center();
+        int count = 0;
+        for (int y = middle.y() - 50; y < middle.y() + 50; ++y)
+            for (int x = middle.x() - 100; x < middle.x() + 100; ++x)
+                count += std::abs(qGray(image.pixel(x, y)) - qGray(image.pixel(x + 1, y))) > 8;
+        return count;
+    };
+    const int flat = jumps();
+    QVERIFY2(flat > 100, qPrintable(QString::number(flat)));
+    box->click();
+    QVERIFY(box->isChecked());
+    const int smooth = jumps();
+    QVERIFY2(10 * smooth < flat, qPrintable(QString::number(smooth)));
+    QVERIFY(DistortionPanel(m_f->session()).isSmooth());
+    box->click();
+    QCOMPARE(jumps(), flat);
 }
 
 /// What is stiff at the back of the bar is told on its front, which is not; arrows there are not told.

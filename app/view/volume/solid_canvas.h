@@ -78,6 +78,8 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     void setMap(Measure measure, const MeasureRange& range);
     /// Of the map over a surface that has colours of its own.
     void setMapOpacity(double opacity);
+    /// Of a map: without the borders of its cells.
+    void setMapSmooth(bool smooth);
     void setArrowsShown(bool shown);
     /// What was before and comes after.
     void setOnionSkin(bool shown);
@@ -163,7 +165,7 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     QColor m_backdrop;         // invalid: the workspace
     bool m_map = false, m_arrows = false, m_values = false, m_glyphs = false, m_hidden = false,
          m_rest = false, m_dimmed = false, m_held = false, m_missed = false, m_hasSolid = false;
-    bool m_detail = true;
+    bool m_detail = true, m_smooth = false;
     bool m_planeChosen = false;  // the cut's, by the user in this document
     bool m_toFit = false;        // the view has not been fitted to the whole motion's end yet
     bool m_fitted = false;       // the view follows the window's size until the user changes it

@@ -1,4 +1,7 @@
 // The map of a solid, and what is marked beside its surface.
+#include <algorithm>
+
+#include "app/panels/smooth_map.h"
 #include "app/view/volume/glyphs.h"
 #include "app/view/volume/solid_canvas.h"
 #include "core/energy/distortion.h"
@@ -19,6 +22,10 @@ void SolidCanvas::addMap(VolumePicture& picture, const PosedFrame<3>& frame) con
     picture.cellColours.clear();
     for (const double value : values)
         picture.cellColours.push_back(own(colourAt(m_measure, positionIn(m_range, m_measure, value))));
+    if (!m_smooth) return;
+    picture.places = smoothPlaces<3>(*frame.rest, values, m_measure, m_range);
+    picture.ramp = colourRamp(m_measure);
+    std::ranges::transform(picture.ramp, picture.ramp.begin(), own);
 }
 
 void SolidCanvas::showGlyphs(const PosedFrame<3>& frame) {
@@ -49,6 +56,11 @@ void SolidCanvas::setMap(Measure measure, const MeasureRange& range) {
 
 void SolidCanvas::setMapOpacity(double opacity) {
     m_opacity = opacity;
+    if (m_map) refresh();
+}
+
+void SolidCanvas::setMapSmooth(bool smooth) {
+    m_smooth = smooth;
     if (m_map) refresh();
 }
 
