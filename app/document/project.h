@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/document/depth_region.h"
+#include "app/document/solid_view.h"
 #include "core/energy/material.h"
 #include "core/integration/deformer.h"
 #include "core/mesh/region.h"
@@ -112,6 +113,7 @@ struct Project {
     std::vector<DepthRegion> depth;  // in the plane; later ones win, and elsewhere the order is 0
     double end = 1;
     std::vector<SettleWindow> settle;  // in the order of time; none ends after `end`
+    SolidView view;                    // in space
     IntegrationOptions integration;    // end and settle are not looked at: see integrationOf()
     Extras extras = {};                // of everything but regions, handles and motions, which keep their own
 

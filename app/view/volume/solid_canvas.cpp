@@ -63,7 +63,11 @@ SolidCanvas::SolidCanvas(ShapeSession& session, QWidget* parent)
     connect(&m_session, &ShapeSession::pinsChanged, this, &SolidCanvas::redraw);
     connect(&m_animation, &PinAnimation::changed, m_overlay, qOverload<>(&QWidget::update));
     connect(&m_session.playback(), &Playback::playingChanged, m_overlay, qOverload<>(&QWidget::update));
-    connect(&m_session.document(), &Document::projectChanged, this, [this] { m_preview.takeProject(); });
+    connect(&m_session.document(), &Document::projectChanged, this, [this] {
+        m_preview.takeProject();
+        takeUpAxis();
+    });
+    connect(&m_session.document(), &Document::viewWanted, this, &SolidCanvas::keepCamera);
     connect(this, &VolumeView::cameraChanged, this, &SolidCanvas::redraw);
     takeFrame();
 }
@@ -203,12 +207,14 @@ void SolidCanvas::refresh() {
     m_style.dimming = m_dimmed && picture.materials ? 0.5 : 0;
     m_style.mapOpacity = showsMap() && picture.materials ? m_opacity : 0;
     setStyle(m_style);
-    if (meetsNewDocument()) {
+    const bool isNew = meetsNewDocument();
+    if (isNew) {
         m_toFit = true;
-        look(Camera::Axis::Isometric);
+        lookAtFirst();
     }
     if (frame->live || m_session.playback().isPlaying()) hurry();
     setPicture(std::move(picture), m_toFit && m_fitted);
+    if (isNew) takeKeptCamera();
     m_toFit = m_toFit && m_session.isStale();
     showGlyphs(*frame);
     m_overlay->update();  // with the solid: the window is put together once
@@ -226,15 +232,17 @@ void SolidCanvas::setHeld(bool held) {
 void SolidCanvas::showPreview(const std::shared_ptr<const Skin>& skin) {
     if (m_session.frame<3>() || skin->points.cols() == 0 || !skin->points.allFinite()) return;
     const QRgb plain = Theme::of(palette()).dark ? kPlainDark : kPlain;
-    look(Camera::Axis::Isometric);
+    lookAtFirst();
     setPicture(pictureOfSurface(skin->points, skin->triangles,
                                 std::vector<QRgb>(skin->triangles.size(), dimmed(plain))),
                true);
+    takeKeptCamera();
     redraw();
 }
 
 void SolidCanvas::showRefused(VolumePicture picture, const Vec<3>& direction) {
     const bool isNew = meetsNewDocument();
+    if (isNew) lookAtFirst();
     m_toFit = false;
     setPicture(std::move(picture), false);
     if (isNew) lookAlong(direction);

@@ -131,6 +131,10 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     void endGestureOnOtherMesh();
     bool showsFrame() const;
     bool meetsNewDocument();
+    void lookAtFirst();
+    void takeKeptCamera();
+    void takeUpAxis();
+    void keepCamera();
     void refresh();
     void showGlyphs(const PosedFrame<3>& frame);
     void wantVelocity();
@@ -160,9 +164,10 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     PinAnimation m_animation{m_session};
     QWidget* m_overlay;
     SurfaceStyle m_style;
-    QTimer m_dim, m_marksDue;  // in a drag: moves of the pointer alone are painted no more often
-    int m_generation = -1;     // of the document that the view was fitted to
-    QColor m_backdrop;         // invalid: the workspace
+    QTimer m_dim, m_marksDue;               // in a drag: moves of the pointer alone are painted no more often
+    std::optional<SavedCamera> m_asOpened;  // the camera that the document brought, as it is kept
+    int m_generation = -1;                  // of the document that the view was fitted to
+    QColor m_backdrop;                      // invalid: the workspace
     bool m_map = false, m_arrows = false, m_values = false, m_glyphs = false, m_hidden = false,
          m_rest = false, m_dimmed = false, m_held = false, m_missed = false, m_hasSolid = false;
     bool m_detail = true, m_smooth = false;
