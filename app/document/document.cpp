@@ -34,6 +34,7 @@ void Document::open(OpenedFile file) {
     m_picture = std::move(file.picture);
     m_path = file.path;
     m_source = file.source;
+    m_camera = m_cameraInFile = m_project ? m_project->view.camera : std::nullopt;
     ++m_generation;
     if (!file.recoveredFrom.isEmpty()) m_undo.resetClean();
     emit opened();
@@ -47,11 +48,20 @@ void Document::close() {
 
 void Document::save(const QString& path) {
     const QString absolute = QFileInfo(path).absoluteFilePath();
-    writeProject(absolute.toStdString(), *m_project);
+    emit viewWanted();
+    Project project = *m_project;
+    project.view.camera = m_camera;
+    writeProject(absolute.toStdString(), project);
+    m_cameraInFile = m_camera;
     m_path = absolute;
     m_undo.setClean();
     emit titleChanged();
     emit saved();
+}
+
+bool Document::hasOtherView() {
+    emit viewWanted();
+    return m_camera != m_cameraInFile;
 }
 
 void Document::change(const QString& name, Project after, const QString& mergeKey) {

@@ -47,6 +47,13 @@ class Document : public QObject {
     const QString& source() const { return m_source; }
     QUndoStack* undoStack() { return &m_undo; }
     bool isModified() const { return !m_undo.isClean(); }
+    /// From where a solid is seen, as the file has it or as it will be saved: kept with the project, but no
+    /// change of it. None: as one that has just been opened.
+    const std::optional<SavedCamera>& camera() const { return m_camera; }
+    /// At viewWanted().
+    void setCamera(const std::optional<SavedCamera>& camera) { m_camera = camera; }
+    /// Asks the view where it looks from: true if the file has it otherwise.
+    bool hasOtherView();
 
     /// Begins anew with what was read.
     void open(OpenedFile file);
@@ -64,6 +71,8 @@ class Document : public QObject {
     void projectChanged();
     void titleChanged();
     void saved();
+    /// A view that keeps its camera with the project tells it now.
+    void viewWanted();
 
   private:
     friend class ProjectCommand;
@@ -72,6 +81,7 @@ class Document : public QObject {
     std::shared_ptr<const Project> m_project;
     std::shared_ptr<const Image> m_picture;
     QString m_path, m_source;
+    std::optional<SavedCamera> m_camera, m_cameraInFile;
     int m_generation = 0;
     QUndoStack m_undo;
 };

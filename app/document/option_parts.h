@@ -84,6 +84,7 @@ constexpr Scope kCutOut{[](const Project& project) {
                                    project.domain.outline == OutlineKind::Alpha;
                         },
                         "pictures with --outline alpha"};
+constexpr Scope kSolid{[](const Project& project) { return project.dimension() == 3; }, "solids"};
 constexpr Scope kInvariant{smooths<SmoothingKind::Invariant>, "smoothing of the invariant kind"};
 constexpr Scope kPaper{smooths<SmoothingKind::Paper>, "smoothing as in the paper"};
 

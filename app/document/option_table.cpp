@@ -226,6 +226,8 @@ constexpr std::array kOptions{
            "how the motion starts and stops"},
     Option{"time.end", "", Number, "", kPositive, "time", "", "", "time at which the deformation is complete",
            Field{AT(end), nullptr, Makes::Nothing, Always}},
+    Option{"view.up", "", Choice, "", kAny, "", "x|y|z", "", "axis that points up in the view",
+           Field{AT(view.up), &kSolid}, Row{.undo = Options::tr("Change up axis")}},
     Option{"settle[].time", "", Number, "", kNotNegative, "time", "", "",
            "two times between which the shape relaxes towards its rest, with the handles as they are"},
     Option{"", "--settle", Flag, "", kAny, "", "", "run",

@@ -7,6 +7,7 @@
 #include "app/document/depth_region.h"
 #include "app/document/design.h"
 #include "app/document/domain.h"
+#include "app/document/solid_view.h"
 #include "core/integration/integration_options.h"
 
 namespace wend {
@@ -18,6 +19,7 @@ struct Project {
     std::vector<DepthRegion> depth;  // in the plane; later ones win, and elsewhere the order is 0
     double end = 1;
     std::vector<SettleWindow> settle;  // in the order of time; none ends after `end`
+    SolidView view;                    // in space
     IntegrationOptions integration;    // end and settle are not looked at: see integrationOf()
     Extras extras = {};                // of everything but regions, handles and motions, which keep their own
 

@@ -1,3 +1,4 @@
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cctype>
 #include <charconv>
@@ -221,6 +222,29 @@ void readSettling(const JsonValue& value, Project& project) {
     if (const std::string problem = problemOf(project.settle); !problem.empty()) value.fail(problem);
 }
 
+SavedCamera readCamera(const JsonValue& value) {
+    SavedCamera camera;
+    JsonObject object(value);
+    camera.position = object.require("position").point<3>();
+    camera.target = object.require("target").point<3>();
+    camera.up = object.require("up").point<3>();
+    if (auto pivot = object.find("pivot")) camera.pivot = pivot->point<3>();
+    if (auto parallel = object.find("parallel")) camera.parallel = parallel->boolean();
+    object.finish();
+    const Vec<3> way = camera.target - camera.position;
+    if (way.norm() == 0) value.fail("`position` and `target` are one point");
+    if (way.cross(camera.up).norm() <= 1e-9 * way.norm() * camera.up.norm())
+        value.fail("`up` gives no direction across the view");
+    return camera;
+}
+
+void readView(const JsonValue& value, Project& project) {
+    JsonObject object(value.ownedBy(project.view.extras));
+    readSettings(object, "view", project);
+    if (auto camera = object.find("camera")) project.view.camera = readCamera(*camera);
+    object.finish();
+}
+
 LoadedProject readRoot(const Json& json, const std::string& folder) {
     LoadedProject loaded;
     Project& project = loaded.project;
@@ -232,6 +256,8 @@ LoadedProject readRoot(const Json& json, const std::string& folder) {
                                                    : readDesign<3>(root, project);
     if (project.dimension() == 2)
         if (auto depth = root.find("depth")) project.depth = readDepth(*depth);
+    if (project.dimension() == 3)
+        if (auto view = root.find("view")) readView(*view, project);
     if (auto settle = root.find("settle")) readSettling(*settle, project);
     root.finish();
     return loaded;

@@ -283,6 +283,22 @@ Json depthJson(const DepthRegion& region) {
     return withExtras(std::move(json), region.extras);
 }
 
+// --- View ---
+
+Json cameraJson(const SavedCamera& camera) {
+    Json json{
+        {"position", point(camera.position)}, {"target", point(camera.target)}, {"up", point(camera.up)}};
+    if (camera.pivot) json["pivot"] = point(*camera.pivot);
+    if (camera.parallel) json["parallel"] = true;
+    return json;
+}
+
+Json viewJson(const Project& project) {
+    Json json = groupJson("view", project);
+    if (project.view.camera) json["camera"] = cameraJson(*project.view.camera);
+    return withExtras(std::move(json), project.view.extras);
+}
+
 // --- Files ---
 
 /// The file, which is named from folder `from`, as named from folder `to`.
@@ -325,6 +341,7 @@ std::string toJson(const Project& project) {
     for (const SettleWindow& window : project.settle)
         json["settle"].push_back({{"time", Json::array({numberJson(window.start), numberJson(window.end)})}});
     for (const char* group : {"time", "integration"}) json[group] = groupJson(group, project);
+    if (Json view = viewJson(project); !view.empty()) json["view"] = std::move(view);
     return prettyJson(withExtras(std::move(json), project.extras));
 }
 

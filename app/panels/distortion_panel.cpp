@@ -1,5 +1,6 @@
 #include "app/panels/distortion_panel.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QGridLayout>
 #include <QLocale>
@@ -21,11 +22,12 @@ DistortionPanel::DistortionPanel(ShapeSession& session, QWidget* parent)
       m_opacityRow(new QWidget(this)),
       m_opacity(new JumpSlider(m_opacityRow)),
       m_lock(new QToolButton(this)),
-      m_totals(new QWidget(this)),
-      m_angle(new QLabel(m_totals)),
-      m_area(new QLabel(m_totals)),
-      m_length(new QLabel(m_totals)),
-      m_worst(new QLabel(m_totals)),
+      m_details(new QWidget(this)),
+      m_smooth(new QCheckBox(tr("Smooth colo&urs"), m_details)),
+      m_angle(new QLabel(m_details)),
+      m_area(new QLabel(m_details)),
+      m_length(new QLabel(m_details)),
+      m_worst(new QLabel(m_details)),
       m_find(new QToolButton(this)) {
     m_worst->setObjectName(QStringLiteral("worstPlace"));
     makeControls();
@@ -43,6 +45,10 @@ DistortionPanel::DistortionPanel(ShapeSession& session, QWidget* parent)
         QSettings().setValue("mapOpacity", percent);
         emit opacityChanged(opacity());
     });
+    connect(m_smooth, &QCheckBox::toggled, this, [this](bool on) {
+        QSettings().setValue("mapSmooth", on);
+        emit smoothChanged(on);
+    });
     connect(m_find, &QToolButton::clicked, this, &DistortionPanel::showWorst);
     takeFrame();
 }
@@ -56,6 +62,11 @@ void DistortionPanel::makeControls() {
     m_opacity->setValue(QSettings().value("mapOpacity", 100 * kMapOpacity).toInt());
     describe(m_opacity, tr("Opacity"),
              tr("How much the map covers the picture, or the colours of the solid, below it."));
+    m_smooth->setObjectName(QStringLiteral("mapSmooth"));
+    m_smooth->setChecked(QSettings().value("mapSmooth", false).toBool());
+    describe(m_smooth, tr("Smooth colours"),
+             tr("Lets the colours of a map go evenly from cell to cell. Off, each cell has the one colour of "
+                "its value."));
     m_lock->setCheckable(true);
     m_lock->setText(tr("Keep these colours"));
     describe(m_lock, tr("Keep these colours"),
@@ -76,12 +87,24 @@ void DistortionPanel::arrange() {
     m_opacityRow->setLayout(panelRow(tr("O&pacity"), m_opacity, m_opacityRow));
     m_opacityRow->layout()->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_opacityRow);
-    auto* totals = new QGridLayout(m_totals);
-    totals->setContentsMargins(16, 4, 16, 10);
+    auto* details = new QVBoxLayout(m_details);
+    details->setContentsMargins(16, 4, 16, 10);
+    details->setSpacing(6);
+    details->addWidget(m_smooth);
+    details->addLayout(totals());
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(m_lock);
+    buttons->addStretch(1);
+    buttons->addWidget(m_find);
+    layout->addLayout(buttons);
+}
+
+QLayout* DistortionPanel::totals() {
+    auto* totals = new QGridLayout;
     totals->setVerticalSpacing(6);
     int row = 0;
     const auto add = [&](const QString& name, QLabel* value, const QString& help) -> QLabel* {
-        auto* label = new QLabel(name, m_totals);
+        auto* label = new QLabel(name, m_details);
         label->setProperty("role", "second");
         value->setToolTip(help);
         label->setToolTip(help);
@@ -95,11 +118,7 @@ void DistortionPanel::arrange() {
     m_areaName = add(tr("Area error"), m_area, {});
     add(tr("Stretch"), m_length, tr("How far lengths are from those at rest: zero for a rigid motion."));
     add(tr("Worst place"), m_worst, {});
-    auto* buttons = new QHBoxLayout;
-    buttons->addWidget(m_lock);
-    buttons->addStretch(1);
-    buttons->addWidget(m_find);
-    layout->addLayout(buttons);
+    return totals;
 }
 
 /// A solid has its speed and the size of its cells beside.
@@ -130,6 +149,10 @@ double DistortionPanel::opacity() const {
     return m_opacity->value() / 100.0;
 }
 
+bool DistortionPanel::isSmooth() const {
+    return m_smooth->isChecked();
+}
+
 Measure DistortionPanel::measure() const {
     return static_cast<Measure>(m_measure->currentData().toInt());
 }
@@ -150,7 +173,7 @@ bool DistortionPanel::hasPicture(const ShapeFrame& frame) {
 void DistortionPanel::takeFrame() {
     const FramePtr& frame = m_session.frame();
     setEnabled(frame != nullptr);
-    m_totals->setEnabled(frame != nullptr);
+    m_details->setEnabled(frame != nullptr);
     if (!frame) return;
     setDimension(frame->dimension);
     m_opacityRow->setVisible(hasPicture(*frame));

@@ -5,6 +5,7 @@
 #include "app/panels/legend.h"
 #include "app/session/shape_session.h"
 
+class QCheckBox;
 class QComboBox;
 class QLabel;
 class QSlider;
@@ -24,14 +25,17 @@ class DistortionPanel : public QWidget {
     const MeasureRange& range() const { return m_range; }
     /// Of the map over a picture; remembered for other documents and other days.
     double opacity() const;
-    /// The sums over the shape and the worst place in numbers, to be shown elsewhere.
-    QWidget* totals() const { return m_totals; }
+    /// Whether maps are drawn without the borders of their cells; remembered likewise.
+    bool isSmooth() const;
+    /// How maps are drawn, the sums over the shape and the worst place in numbers, to be shown elsewhere.
+    QWidget* details() const { return m_details; }
 
   signals:
     /// The measure or its range changed.
     void mapChanged();
     void showWorst();
     void opacityChanged(double opacity);
+    void smoothChanged(bool smooth);
     /// The user has chosen one.
     void mapChosen();
 
@@ -40,6 +44,7 @@ class DistortionPanel : public QWidget {
     void setDimension(int dimension);
     static bool hasPicture(const ShapeFrame& frame);
     void arrange();
+    QLayout* totals();
     void takeFrame();
     void showTotals(const Distortion& distortion);
 
@@ -49,7 +54,8 @@ class DistortionPanel : public QWidget {
     QWidget* m_opacityRow;
     QSlider* m_opacity;
     QToolButton* m_lock;
-    QWidget* m_totals;
+    QWidget* m_details;
+    QCheckBox* m_smooth;
     QLabel* m_angle;
     QLabel* m_area;
     QLabel* m_length;

@@ -9,6 +9,8 @@
 namespace wend {
 
 inline constexpr double kPinRadius = 6.5;
+/// Of what the shape covers: pins, stiffness marks, wrong triangles.
+inline constexpr double kCoveredOpacity = 0.4;
 inline const QColor kInk(20, 22, 30);
 
 /// The colours that pins have without being given one; told apart by lightness too.

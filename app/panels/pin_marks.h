@@ -64,7 +64,7 @@ struct PinScene {
         paintLinks<Dim>(marks, session, pins, hovered, toWidget);
         const auto seen = std::stable_partition(
             pins.begin(), pins.end(), [this](const auto& view) { return !isArea(view) && isCovered(view); });
-        painter.setOpacity(0.4);
+        painter.setOpacity(kCoveredOpacity);
         for (auto view = pins.begin(); view != pins.end(); ++view) {
             if (view == seen) painter.setOpacity(1);
             const auto [shift, squash] = animation.of(view->handle);

@@ -215,6 +215,7 @@ RenderRequest ShapeCanvas::request(Filter filter) const {
     request.measure = m_measure;
     request.range = m_range;
     request.opacity = m_opacity;
+    request.smooth = m_smooth;
     if (request.map) request.plain = plainValue(m_session, m_measure);
     if (request.map) request.velocity = fieldOf<2>(m_session, m_measure);
     request.fill = Theme::of(palette()).dark ? QColor(0x5b6070) : QColor(0xbfc6dd);
@@ -301,6 +302,10 @@ void ShapeCanvas::setMapShown(bool shown) {
 }
 void ShapeCanvas::setMapOpacity(double opacity) {
     m_opacity = opacity;
+    if (m_map) render();
+}
+void ShapeCanvas::setMapSmooth(bool smooth) {
+    m_smooth = smooth;
     if (m_map) render();
 }
 void ShapeCanvas::setArrowsShown(bool shown) {

@@ -55,6 +55,8 @@ class ShapeCanvas : public QWidget, public ToolSurface {
     void setMapShown(bool shown);
     void setMap(Measure measure, const MeasureRange& range);
     void setMapOpacity(double opacity);
+    /// Of a map: without the borders of its cells.
+    void setMapSmooth(bool smooth);
     void setArrowsShown(bool shown);
     /// What was before and comes after.
     void setOnionSkin(bool shown);
@@ -148,6 +150,7 @@ class ShapeCanvas : public QWidget, public ToolSurface {
     Measure m_measure = Measure::Length;
     MeasureRange m_range;
     double m_opacity = kMapOpacity;
+    bool m_smooth = false;
     QRectF m_marquee;
     int m_hovered = -1;
     RenderThread m_renderer;  // the last member: it stops before the others go

@@ -1,5 +1,6 @@
 #include "app/view/cell_filler.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "warp/coverage.h"
@@ -51,24 +52,41 @@ void CellFiller::fill(const Cell<2>& cell, QRgb colour) {
     }
 }
 
-/// Colours are linear in the place: their values where a row begins, and a step further.
 void CellFiller::fill(const Cell<2>& cell, const std::array<Colour, 3>& colours) {
+    fillBetween(cell, colours, [](const Colour& colour) {
+        const auto part = [&colour](int k) { return static_cast<int>(colour[k] + 0.5); };
+        return qRgba(part(0), part(1), part(2), part(3));
+    });
+}
+
+/// Rounding may lead a place out of the corners' range.
+void CellFiller::fill(const Cell<2>& cell, const std::array<double, 3>& places,
+                      const std::vector<QRgb>& ramp) {
+    const double last = static_cast<double>(ramp.size() - 1);
+    fillBetween(cell, places, [&](double place) {
+        return ramp[static_cast<std::size_t>(std::clamp(place * last + 0.5, 0.0, last))];
+    });
+}
+
+/// Values are linear in the place: those where a row begins, and a step further.
+template <class Value, class ColourOf>
+void CellFiller::fillBetween(const Cell<2>& cell, const std::array<Value, 3>& corners,
+                             const ColourOf& colourOf) {
     const Vec<2> a = m_points.col(cell[0]), u = m_points.col(cell[1]) - a, v = m_points.col(cell[2]) - a;
     const double twice = u.x() * v.y() - u.y() * v.x();
     if (twice == 0) return;
-    const Colour first = colours[1] - colours[0], second = colours[2] - colours[0];
-    const Colour right = (first * v.y() - second * u.y()) / twice;
-    const Colour down = (second * u.x() - first * v.x()) / twice;
+    const Value first = corners[1] - corners[0], second = corners[2] - corners[0];
+    const Value right = (first * v.y() - second * u.y()) / twice;
+    const Value down = (second * u.x() - first * v.x()) / twice;
     const TriangleRows rows(a, m_points.col(cell[1]), m_points.col(cell[2]));
     const int bottom = firstCentre(rows.bottom(), m_height);
     for (int y = firstCentre(rows.top(), m_height); y < bottom; ++y) {
         const Span span = rows.at(y + 0.5);
         const int begin = firstCentre(span.begin, m_width), end = firstCentre(span.end, m_width);
-        Colour colour = colours[0] + (begin + 0.5 - a.x()) * right + (y + 0.5 - a.y()) * down;
+        Value value = corners[0] + (begin + 0.5 - a.x()) * right + (y + 0.5 - a.y()) * down;
         for (QRgb* pixel = m_first + y * m_stride + begin; pixel < m_first + y * m_stride + end; ++pixel) {
-            const auto part = [&colour](int k) { return static_cast<int>(colour[k] + 0.5); };
-            blend(pixel, pixel + 1, qRgba(part(0), part(1), part(2), part(3)));
-            colour += right;
+            blend(pixel, pixel + 1, colourOf(value));
+            value += right;
         }
     }
 }

@@ -2,6 +2,8 @@
 
 #include <QImage>
 #include <QTransform>
+#include <array>
+#include <vector>
 
 #include "core/mesh/simplicial_mesh.h"
 
@@ -21,8 +23,13 @@ class CellFiller {
     /// lies between them.
     using Colour = Eigen::Array4d;
     void fill(const Cell<2>& cell, const std::array<Colour, 3>& colours);
+    /// The same in the colours of a ramp (premultiplied), in which the corners have places from 0 to 1.
+    void fill(const Cell<2>& cell, const std::array<double, 3>& places, const std::vector<QRgb>& ramp);
 
   private:
+    template <class Value, class ColourOf>
+    void fillBetween(const Cell<2>& cell, const std::array<Value, 3>& corners, const ColourOf& colourOf);
+
     QRgb* m_first;
     std::ptrdiff_t m_stride;
     int m_width, m_height;

@@ -257,7 +257,8 @@ bool FileWorkflow::mayTakePlace(const QString& path) {
 
 bool FileWorkflow::save() {
     if (m_document.path().isEmpty()) return saveAs();
-    return !m_document.isModified() || saveTo(m_document.path());
+    const bool isSaved = !m_document.isModified() && !m_document.hasOtherView();
+    return isSaved || saveTo(m_document.path());
 }
 
 /// Beside the project's or the picture's file, but not among the samples.

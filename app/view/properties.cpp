@@ -96,7 +96,7 @@ void Properties::fill(ShapeSession& session, const Actions& actions) {
     put(m_distortion, {.modes = kShaping});
     m_advanced->add(m_cutOut);
     m_advanced->add(new BalancePanel(session));
-    m_advanced->add(m_distortion->totals());
+    m_advanced->add(m_distortion->details());
     put(m_advanced, {.modes = kShaping});
 }
 

@@ -4,6 +4,8 @@
 #include <chrono>
 #include <cmath>
 
+#include "app/panels/smooth_map.h"
+#include "app/session/vertex_means.h"
 #include "app/view/cell_filler.h"
 #include "warp/coverage.h"
 #include "warp/warp.h"
@@ -70,21 +72,30 @@ template <class ColourOf>
 void fillSoftly(CellFiller& filler, const SimplicialMesh<2>& rest, const std::vector<int>& order,
                 const ColourOf& colourOf) {
     using Colour = CellFiller::Colour;
-    std::vector<Colour> sums(static_cast<std::size_t>(rest.vertexCount()), Colour::Zero());
-    std::vector<double> weights(sums.size(), 0);
+    std::vector<Colour> ofCells;
     for (std::size_t c = 0; c < rest.cells.size(); ++c) {
         const QRgb own = qPremultiply(colourOf(c));
-        const double weight = std::abs(cellMeasure<2>(rest.points, rest.cells[c]));
-        for (const int v : rest.cells[c]) {
-            sums[v] += weight * Colour(qRed(own), qGreen(own), qBlue(own), qAlpha(own));
-            weights[v] += weight;
-        }
+        ofCells.emplace_back(qRed(own), qGreen(own), qBlue(own), qAlpha(own));
     }
-    for (std::size_t v = 0; v < sums.size(); ++v)
-        if (weights[v] > 0) sums[v] /= weights[v];
+    const auto means = vertexMeans<2>(rest, ofCells, Colour(Colour::Zero()));
     for (const int index : order) {
         const Cell<2>& cell = rest.cells[static_cast<std::size_t>(index)];
-        filler.fill(cell, {sums[cell[0]], sums[cell[1]], sums[cell[2]]});
+        filler.fill(cell, std::array{means[cell[0]], means[cell[1]], means[cell[2]]});
+    }
+}
+
+/// Without the borders of the cells.
+void fillSmoothly(CellFiller& filler, const RenderRequest& request, const std::vector<int>& order,
+                  const std::vector<double>& ofCells) {
+    const SimplicialMesh<2>& rest = *request.frame->rest;
+    const auto places = smoothPlaces<2>(rest, ofCells, request.measure, request.range);
+    const int alpha = request.picture ? static_cast<int>(std::lround(255 * request.opacity)) : 255;
+    std::vector<QRgb> ramp = colourRamp(request.measure);
+    for (QRgb& colour : ramp)
+        colour = qPremultiply(qRgba(qRed(colour), qGreen(colour), qBlue(colour), alpha));
+    for (const int index : order) {
+        const Cell<2>& cell = rest.cells[static_cast<std::size_t>(index)];
+        filler.fill(cell, std::array{places[cell[0]], places[cell[1]], places[cell[2]]}, ramp);
     }
 }
 
@@ -115,6 +126,10 @@ void fillCells(QImage& image, const RenderRequest& request) {
         request.plan ? request.plan : std::make_shared<PaintingPlan>(*frame.rest, std::vector<float>());
     if (request.map && isPainted(request.measure)) {
         fillSoftly(filler, *frame.rest, plan->order, colourOf);
+        return;
+    }
+    if (request.map && request.smooth) {
+        fillSmoothly(filler, request, plan->order, values);
         return;
     }
     for (const int cell : plan->order) {

@@ -84,6 +84,12 @@ void SolidActions::makeView() {
     top = add({tr("&Top"), look}, QKeySequence(tr("7")));
     bottom = add({tr("B&ottom"), look}, keypad("Ctrl+Num+7"));
     oblique = add({tr("&Oblique"), tr("Look from the side and above")}, QKeySequence(tr("0")));
+    const QString up = tr("Which axis of the world points up in the view; kept with the project");
+    upAxes = {addToggle({tr("&X Points Up"), up}, {}), addToggle({tr("&Y Points Up"), up}, {}),
+              addToggle({tr("&Z Points Up"), up}, {})};
+    auto* axes = new QActionGroup(this);
+    for (QAction* axis : upAxes) axes->addAction(axis);
+    upAxes[2]->setChecked(true);
     auto* keys = new QActionGroup(this);
     wendKeys =
         addToggle({tr("&Wend"), tr("Right or middle button turns, with Shift moves; the wheel zooms")}, {});
@@ -103,6 +109,7 @@ void SolidActions::makeMenu() {
     m_menu->addActions({move, turn, grow});
     m_menu->addSeparator();
     m_menu->addMenu(tr("L&ook from"))->addActions({front, back, right, left, top, bottom, oblique});
+    m_menu->addMenu(tr("&Up Axis"))->addActions({upAxes[0], upAxes[1], upAxes[2]});
     m_menu->addMenu(tr("&Navigation"))->addActions({wendKeys, vtkKeys, blenderKeys});
     m_menu->addActions({detail, orthographic, flat, cut});
     m_menu->addSeparator();
@@ -123,6 +130,10 @@ void SolidActions::setHasChosenDetail(bool has) {
 
 void SolidActions::setMeshed(bool meshed) {
     enable(sizes, meshed, tr("The mesh comes from a file and is used as it is."));
+}
+
+void SolidActions::setUpAxis(UpAxis axis) {
+    upAxes[static_cast<std::size_t>(axis)]->setChecked(true);
 }
 
 void SolidActions::setShown(bool shown) {

@@ -2,8 +2,10 @@
 
 #include <QActionGroup>
 #include <QMenu>
+#include <array>
 #include <memory>
 
+#include "app/document/solid_view.h"
 #include "app/view/action_maker.h"
 
 namespace wend {
@@ -24,6 +26,7 @@ class SolidActions : public ActionMaker {
     QAction *selectRectangle, *selectLasso, *selectBrush;
     QAction *detail, *flat, *orthographic;
     QAction *front, *back, *right, *left, *top, *bottom, *oblique;
+    std::array<QAction*, 3> upAxes;  // x, y, z
     QAction *wendKeys, *vtkKeys, *blenderKeys;
     QAction* cut;
     QAction *chooseDetail, *removeDetail;
@@ -36,6 +39,7 @@ class SolidActions : public ActionMaker {
     void setHasChosenDetail(bool has);
     /// Whether its tetrahedra are made here.
     void setMeshed(bool meshed);
+    void setUpAxis(UpAxis axis);
     /// What is shown of a solid, as at the start.
     void resetView();
 

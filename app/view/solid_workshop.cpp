@@ -8,6 +8,7 @@
 
 #include "app/document/project.h"
 #include "app/document/said.h"
+#include "app/document/setting_edits.h"
 #include "app/panels/cut_panel.h"
 #include "app/panels/distortion_panel.h"
 #include "app/panels/layer_panel.h"
@@ -126,6 +127,8 @@ void SolidWorkshop::connectLooks(SolidCanvas* canvas) {
     connect(map, &DistortionPanel::mapChanged, canvas, colour);
     canvas->setMapOpacity(map->opacity());
     connect(map, &DistortionPanel::opacityChanged, canvas, &SolidCanvas::setMapOpacity);
+    canvas->setMapSmooth(map->isSmooth());
+    connect(map, &DistortionPanel::smoothChanged, canvas, &SolidCanvas::setMapSmooth);
 }
 
 /// From where, and how the mouse turns the view.
@@ -140,6 +143,11 @@ void SolidWorkshop::connectNavigation() {
                                        {a.bottom, Axis::Bottom},
                                        {a.oblique, Axis::Isometric}})
         connect(action, &QAction::triggered, m_canvas, [this, axis = axis] { m_canvas->look(axis); });
+    for (int k = 0; k < 3; ++k)
+        connect(a.upAxes[k], &QAction::triggered, this,
+                [this, k] { changeSetting(m_around.session.document(), "view.up", k); });
+    connect(m_canvas, &VolumeView::cameraChanged, this,
+            [this] { m_actions.orthographic->setChecked(m_canvas->camera().orthographic()); });
     const std::array<QAction*, 3> presets = {a.wendKeys, a.vtkKeys, a.blenderKeys};
     for (int k = 0; k < 3; ++k)
         connect(presets[k], &QAction::toggled, m_canvas, [this, k](bool on) {
@@ -196,6 +204,7 @@ void SolidWorkshop::showDomain() {
     const Domain& domain = document.project()->domain;
     m_actions.setHasChosenDetail(!domain.detail.empty());
     m_actions.setMeshed(domain.kind == DomainKind::Surface);
+    m_actions.setUpAxis(document.project()->view.up);
     if (domain.kind != DomainKind::Surface && m_actions.sizes->isChecked())
         m_around.actions.pinTool->setChecked(true);
 }

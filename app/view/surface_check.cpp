@@ -63,6 +63,14 @@ Vec<3> intoTriangle(const Surface& surface, int triangle) {
     return -normal.normalized() + Vec<3>(0.15, 0.25, -0.3);
 }
 
+/// The triangles that are not as they should be.
+std::vector<int> markedIn(const VolumePicture& picture) {
+    std::vector<int> marked;
+    for (int t = 0; t < static_cast<int>(picture.cellColours.size()); ++t)
+        if (picture.cellColours[t] != kFine) marked.push_back(t);
+    return marked;
+}
+
 template <class List, class Text>
 void writeList(QTextStream& out, const char* title, const List& list, const Text& text) {
     if (list.empty()) return;
@@ -207,6 +215,7 @@ VolumePicture SurfaceCheck::picture(const std::vector<bool>& kept, const std::ve
         colours.push_back(all[t]);
     }
     VolumePicture picture = pictureOfSurface(surface.points, triangles, std::move(colours));
+    picture.marked = markedIn(picture);
     picture.isOpen = true;
     return picture;
 }
@@ -292,6 +301,7 @@ void SurfaceCheck::showRepair(bool shown) {
     const Vec<3> direction =
         kept < surface.triangleCount() ? intoTriangle(surface, kept) : directionToWrong();
     VolumePicture picture = pictureOfSurface(surface.points, surface.triangles, std::move(colours));
+    picture.marked = markedIn(picture);
     picture.isOpen = !m_found->left.boundsVolume();
     m_canvas->setCutKind(CutKind::None);
     m_canvas->showRefused(std::move(picture), direction);

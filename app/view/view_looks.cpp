@@ -44,6 +44,8 @@ void ViewLooks::connectLooks(ShapeCanvas& canvas) {
             [&canvas, map] { canvas.setMap(map->measure(), map->range()); });
     connect(map, &DistortionPanel::opacityChanged, &canvas, &ShapeCanvas::setMapOpacity);
     canvas.setMapOpacity(map->opacity());
+    connect(map, &DistortionPanel::smoothChanged, &canvas, &ShapeCanvas::setMapSmooth);
+    canvas.setMapSmooth(map->isSmooth());
 }
 
 /// By a tile that is dragged to the shape, or with the energy beside the one that is chosen; the pointer on a

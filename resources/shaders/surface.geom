@@ -8,6 +8,7 @@ in Vertex {
     vec3 eyeNormal;
     vec2 uv;
     vec4 colour;
+    float place;
 } corners[];
 
 out Edged {
@@ -15,6 +16,7 @@ out Edged {
     vec3 eyeNormal;
     vec2 uv;
     vec4 colour;
+    float place;
     vec3 barycentric;
 } vertex;
 
@@ -24,6 +26,7 @@ void main() {
         vertex.eyeNormal = corners[k].eyeNormal;
         vertex.uv = corners[k].uv;
         vertex.colour = corners[k].colour;
+        vertex.place = corners[k].place;
         vertex.barycentric = vec3(k == 0, k == 1, k == 2);
         gl_PrimitiveID = gl_PrimitiveIDIn;
         gl_ClipDistance[0] = gl_in[k].gl_ClipDistance[0];

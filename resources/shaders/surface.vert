@@ -3,6 +3,7 @@ layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec2 texturePoint;
 layout(location = 3) in vec4 colour;
+layout(location = 4) in float place;
 
 uniform mat4 view;
 uniform mat4 projection;
@@ -13,6 +14,7 @@ out Vertex {
     vec3 eyeNormal;
     vec2 uv;
     vec4 colour;
+    float place;
 } vertex;
 
 void main() {
@@ -21,6 +23,7 @@ void main() {
     vertex.eyeNormal = mat3(view) * normal;
     vertex.uv = texturePoint;
     vertex.colour = colour;
+    vertex.place = place;
     gl_ClipDistance[0] = -dot(clipPlane, eye);
     gl_Position = projection * eye;
 }

@@ -34,6 +34,7 @@ class TestCanvas : public QObject {
     void mapColoursAreOrdered_data();
     void mapColoursAreOrdered();
     void cellsAreFilledOnce();
+    void smoothMapGoesByMeans();
     void areaIsCentredOnOne();
     void rangesReachTheGreatestValuesButAHundredth();
     void pictureIsSeenBeforeItsMesh();
@@ -229,6 +230,52 @@ void TestCanvas::cellsAreFilledOnce() {
                  {qRed(a) - qRed(b), qGreen(a) - qGreen(b), qBlue(a) - qBlue(b), qAlpha(a) - qAlpha(b)})
                 QVERIFY2(std::abs(difference) <= 1, qPrintable(QString("pixel %1, %2").arg(x).arg(y)));
         }
+}
+
+/// At a vertex the colour of the mean of its cells by their areas, in the middle of a triangle that of the
+/// mean place of its corners: by formulas of our own, on the drawing that the canvas shows.
+void TestCanvas::smoothMapGoesByMeans() {
+    bendFar();
+    const auto frame = m_session->frame<2>();
+    RenderRequest request;
+    request.frame = frame;
+    request.view = m_canvas->view();
+    request.view.setZoom(8, m_canvas->toWidget({150, 60}));
+    request.size = QSize(2000, 1400);
+    request.map = request.smooth = true;
+    request.range = {0, 0.4};
+    const QImage image = RenderThread::render(request);
+    const SimplicialMesh<2>& rest = *frame->rest;
+    std::vector<double> sums(rest.vertexCount(), 0), areas(rest.vertexCount(), 0);
+    for (std::size_t c = 0; c < rest.cells.size(); ++c) {
+        const auto& t = rest.cells[c];
+        const Vec<2> a = rest.points.col(t[0]), u = rest.points.col(t[1]) - a, v = rest.points.col(t[2]) - a;
+        const double area = std::abs(u.x() * v.y() - u.y() * v.x()) / 2;
+        for (const int corner : t) {
+            sums[corner] += area * frame->distortion->metric[c];
+            areas[corner] += area;
+        }
+    }
+    int seen = 0;
+    for (const auto& t : rest.cells) {
+        Vec<2> middle = Vec<2>::Zero();
+        double place = 0;
+        for (const int v : t) {
+            middle += frame->pose.col(v) / 3;
+            place += std::clamp(sums[v] / areas[v] / 0.4, 0.0, 1.0) / 3;
+        }
+        const QPointF where = request.view.toWidget(middle);
+        const QPoint at(static_cast<int>(std::floor(where.x())), static_cast<int>(std::floor(where.y())));
+        if (!image.rect().contains(at)) continue;
+        const QColor expected(colourAt(Measure::Length, place)), found(image.pixel(at));
+        // Half a pixel away and rounded to one of 256 steps.
+        QVERIFY2(std::abs(found.red() - expected.red()) <= 8 &&
+                     std::abs(found.green() - expected.green()) <= 8 &&
+                     std::abs(found.blue() - expected.blue()) <= 8,
+                 qPrintable(found.name() + ' ' + expected.name()));
+        ++seen;
+    }
+    QVERIFY2(seen > 20, qPrintable(QString::number(seen)));
 }
 
 void TestCanvas::areaIsCentredOnOne() {

@@ -376,6 +376,17 @@ class TestProject : public QObject {
                    "'sizes': [{'shape': {'sphere': {'centre': [0, 0, 0], 'radius': 1}}, 'factor': 1},"
                    "{'values': 'a.txt'}]",
                    "domain.sizes[1]: `values` may stand once only");
+        const auto viewRow = [&](const char* name, const std::string& view, const char* reason) {
+            row(name, projectText("'domain': {'surface': 'b.obj'}, 'view': " + view), reason);
+        };
+        viewRow("up axis", "{'up': 'w'}", "view.up: unknown value \"w\"; known are x, y, z");
+        viewRow("camera", "{'camera': {'position': [0, 0, 1]}}", "view.camera: the key `target` is missing");
+        viewRow("camera in the target",
+                "{'camera': {'position': [0, 0, 1], 'target': [0, 0, 1], 'up': [0, 1, 0]}}",
+                "view.camera: `position` and `target` are one point");
+        viewRow("camera along up",
+                "{'camera': {'position': [0, 0, 1], 'target': [0, 0, 0], 'up': [0, 0, 2]}}",
+                "view.camera: `up` gives no direction across the view");
         surfaceRow("quality", "'quality': 1", "domain.quality: 1 is out of range");
         row("NaN", withMaterial("'phi': NaN"), "is not valid JSON: line 1");
         row("overflow", withMaterial("'phi': 1e999"), "number overflow");

@@ -66,6 +66,8 @@ const std::string kSolid = projectText(
     "{'kind': 'rotate', 'centre': [0, 0, 4], 'axis': [0, 0, 1], 'angle': 3, 'time': [0, 1]}, "
     "{'kind': 'curve', 'interpolation': 'spline', 'points': [[0, 0, 1], [1, 1, 1], [2, 0, 1]], 'frame': "
     "'frenet', 'twist': 0.75, 'scale': 0.5, 'time': [1, 2]}]}], "
+    "'view': {'up': 'y', 'camera': {'position': [1, 2, 3.25], 'target': [0.5, 0, -1e-3], 'up': [0, 1, 0.5], "
+    "'pivot': [0.25, 0, 0], 'parallel': true}}, "
     "'time': {'end': 3}, 'integration': {'method': 'dopri5', 'tolerance': 1e-6}");
 
 /// Where `saved` lacks something of `given`, or has it otherwise.
@@ -105,6 +107,24 @@ class TestProjectSaved : public QObject {
         const QStringList missing =
             lost(Json::parse(text.toStdString()), Json::parse(toJson(loaded.project)));
         QVERIFY2(missing.isEmpty(), qPrintable(missing.join("\n")));
+    }
+
+    /// Keys of the view that nobody knows, where there is nothing else to say of it, and in its camera.
+    void unknownKeysOfTheViewAreKept() {
+        const std::string start = "'domain': {'surface': 'bar.obj'}, 'view': ";
+        for (const std::string view :
+             {"{'grid': [1, 2]}",
+              "{'camera': {'position': [1, 2, 3], 'target': [0, 0, 0], 'up': [0, 0, 1], 'lens': 35}}"}) {
+            const std::string text = projectText(start + view);
+            const LoadedProject loaded = parseProject(text, "p.wend");
+            QCOMPARE(loaded.warnings.size(), std::size_t(1));
+            QCOMPARE(Json::parse(toJson(loaded.project))["view"], Json::parse(text)["view"]);
+        }
+    }
+
+    void viewIsNotWrittenWithoutNeed() {
+        const std::string text = projectText("'domain': {'surface': 'bar.obj'}, 'view': {'up': 'z'}");
+        QVERIFY(!Json::parse(toJson(parseProject(text, "p.wend").project)).contains("view"));
     }
 
     /// Saved in another folder, every file that a project names is still that file.

@@ -4,6 +4,7 @@
 #include <QTextStream>
 
 #include "app/panels/distortion_panel.h"
+#include "app/panels/surface_panel.h"
 #include "app/view/actions.h"
 #include "app/view/main_window.h"
 #include "app/view/solid_workshop.h"
@@ -27,6 +28,7 @@ class TestSolidLooks : public QObject {
     void firstCutTakesTheNearHalf_data();
     void firstCutTakesTheNearHalf();
     void wrongTrianglesAreRedFromBehind();
+    void wrongTrianglesShineThrough();
     void marksAreWhereVerticesAreSeen();
     void fitShowsPathsToo();
     void fitShowsDetailToo();
@@ -199,6 +201,21 @@ void TestSolidLooks::wrongTrianglesAreRedFromBehind() {
         canvas().look(axis);
         QVERIFY(isRed(colourAt({0.3, 0.6, 0})));
     }
+}
+
+/// A loose triangle in a closed box is told through the side in front of it, faintly.
+void TestSolidLooks::wrongTrianglesShineThrough() {
+    file("loose.obj", boxText({2, 0.5, 0.5}, 1) + "v -1 0 -0.3\nv 1 0 -0.3\nv 0 0 0.4\nf 9 10 11\n");
+    m_window->openPath(file("loose.wend", R"({"format": "wend", "version": 1,
+        "domain": {"surface": "loose.obj", "vertices": 400, "cage": false}})"));
+    const auto redness = [&](double x) {
+        const QColor c = colourAt({x, -0.5, 0});
+        return c.red() - c.green();
+    };
+    QVERIFY(QTest::qWaitFor([&] { return m_window->findChild<SurfacePanel*>()->isVisible(); }, 20000));
+    canvas().look(Camera::Axis::Front);
+    QVERIFY2(redness(0) > redness(1.5) + 25, qPrintable(QString::number(redness(0))));
+    QVERIFY(!isRed(colourAt({0, -0.5, 0})));
 }
 
 /// Seen from above, half of the bar cut away.

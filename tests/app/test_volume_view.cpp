@@ -36,6 +36,11 @@ class TestVolumeView : public QObject {
     void fineDrawingOutlivesTheBeginningOfAMotion();
     void manyTrianglesAreDrawn();
     void edgesFadeWhereTheyAreDense();
+    void faceOfACutHasAnOutline();
+    void whatIsCoveredShinesThrough();
+    void markedTrianglesShineThrough();
+    void smoothColoursChangeEvenly();
+    void smoothColoursOfASkin();
 
   private:
     std::unique_ptr<VolumeView> m_view;
@@ -504,6 +509,172 @@ void TestVolumeView::fineDrawingOutlivesTheBeginningOfAMotion() {
     picture.pose.row(2) *= 1.2;
     m_view->setPicture(picture, false);
     QVERIFY(m_view->grabFramebuffer() != fine);
+}
+
+namespace {
+
+/// Plain faces in the light, without lines on them.
+SurfaceStyle bare() {
+    SurfaceStyle style;
+    style.edges = false;
+    return style;
+}
+
+/// A square across x, as two triangles.
+std::vector<DrawVertex> square(double x, double half, QRgb colour) {
+    std::vector<DrawVertex> triangles;
+    const auto corner = [&](double y, double z) {
+        DrawVertex vertex;
+        vertex.position = {float(x), float(y), float(z)};
+        vertex.normal = {1, 0, 0};
+        vertex.colour = {uchar(qRed(colour)), uchar(qGreen(colour)), uchar(qBlue(colour)), 255};
+        triangles.push_back(vertex);
+    };
+    for (const auto& [y, z] : {std::pair{-half, -half}, {half, -half}, {half, half}}) corner(y, z);
+    for (const auto& [y, z] : {std::pair{-half, -half}, {half, half}, {-half, half}}) corner(y, z);
+    return triangles;
+}
+
+}  // namespace
+
+/// The section of the bar is a square: along its sides there is a dark line, inside there is none, and from
+/// behind it is hidden.
+void TestVolumeView::faceOfACutHasAnOutline() {
+    VolumePicture tinted = m_picture;
+    tinted.section = qRgb(230, 180, 140);
+    m_view->setStyle(bare());
+    m_view->look(Camera::Axis::Right);
+    m_view->setPicture(tinted, true);
+    m_view->setCut(CutKind::Exact, {Vec<3>(0.013, 0, 0), Vec<3>::UnitX()});
+    const auto darkAlong = [&](double half) {
+        const QImage image = m_view->grabFramebuffer();
+        int dark = 0;
+        for (int i = -9; i <= 9; ++i)
+            for (const Vec<3>& p : {Vec<3>(0.013, half, i / 20.), Vec<3>(0.013, -half, i / 20.),
+                                    Vec<3>(0.013, i / 20., half), Vec<3>(0.013, i / 20., -half)}) {
+                const Vec<3> pixel = m_view->camera().project(p, m_view->size());
+                int least = 255;  // at a pixel's border it may be the neighbour
+                for (int dx = -1; dx <= 1; ++dx)
+                    for (int dy = -1; dy <= 1; ++dy)
+                        least = std::min(least, qGray(image.pixel(int(pixel.x()) + dx, int(pixel.y()) + dy)));
+                dark += least < 90;
+            }
+        return dark;
+    };
+    QCOMPARE(darkAlong(0.5), 4 * 19);
+    QCOMPARE(darkAlong(0.46), 0);  // about six pixels inside
+    m_view->look(Camera::Axis::Left);
+    QCOMPARE(darkAlong(0.46), 0);
+    m_view->setCut(CutKind::None, {});
+    m_view->look(Camera::Axis::Right);
+    QCOMPARE(darkAlong(0.5), 0);
+    m_view->setPicture(m_picture, true);
+    m_view->setStyle({});
+}
+
+/// As pins do: a mixture where the surface lies in front, as often as they overlap; nothing where it does
+/// not.
+void TestVolumeView::whatIsCoveredShinesThrough() {
+    m_view->setStyle(bare());
+    m_view->look(Camera::Axis::Right);
+    m_view->setPicture(m_picture, true);
+    const auto middle = [&] { return at(m_view->grabFramebuffer(), *m_view, {2, 0.01, 0.02}); };
+    const QColor surface = middle();
+    const QRgb blue = qRgb(0, 0, 255);
+    m_view->setGlyphs(square(2.2, 0.3, blue));
+    const QColor seen = middle();
+    m_view->setGlyphs({}, square(1, 0.3, blue));
+    const QColor covered = middle();
+    const auto mixed = [](int a, int b) { return 0.6 * a + 0.4 * b; };
+    QVERIFY(seen.blue() > 2 * seen.red() + 40);
+    QVERIFY(std::abs(covered.red() - mixed(surface.red(), seen.red())) <= 3);
+    QVERIFY(std::abs(covered.blue() - mixed(surface.blue(), seen.blue())) <= 3);
+    auto twice = square(1, 0.3, blue);
+    const auto behind = square(0.5, 0.3, blue);
+    twice.insert(twice.end(), behind.begin(), behind.end());
+    m_view->setGlyphs({}, twice);
+    QCOMPARE(middle(), covered);
+    m_view->setGlyphs({}, square(2.2, 0.3, blue));
+    QCOMPARE(middle(), surface);
+    m_view->setGlyphs({});
+    QCOMPARE(middle(), surface);
+    m_view->setStyle({});
+}
+
+/// Two sheets one behind the other: a marked triangle of the second is told through the first, and looks the
+/// same where it is in front.
+void TestVolumeView::markedTrianglesShineThrough() {
+    Points<3> points(3, 6);
+    points << 1, 1, 1, -1, -1, -1, -1, 1, 0, -1, 1, 0, -1, -1, 1.5, -1, -1, 1.5;
+    VolumePicture picture =
+        pictureOfSurface(points, {{0, 1, 2}, {3, 4, 5}}, {qRgb(200, 200, 200), qRgb(220, 30, 30)});
+    VolumeView view;
+    view.resize(300, 300);
+    view.setStyle(bare());
+    view.look(Camera::Axis::Right);
+    view.setPicture(picture, true);
+    view.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&view, 20000));
+    const auto colour = [&](double x) { return at(view.grabFramebuffer(), view, {x, 0, -0.2}); };
+    const QColor plain = colour(1);
+    QVERIFY(plain.red() == plain.green());
+    picture.marked = {1};
+    view.setPicture(picture, false);
+    const QColor marked = colour(1);
+    QVERIFY2(marked.red() > marked.green() + 30, qPrintable(marked.name()));
+    QVERIFY(marked.green() > 60);
+    view.look(Camera::Axis::Left);
+    const QColor front = colour(-1);
+    picture.marked = {};
+    view.setPicture(picture, false);
+    QCOMPARE(colour(-1), front);
+}
+
+/// From black to white along the bar, on its border and on a section: light is a factor, so that the grays of
+/// one face are in proportion to the places.
+void TestVolumeView::smoothColoursChangeEvenly() {
+    VolumePicture picture = m_picture;
+    for (int i = 0; i < 256; ++i) picture.ramp.push_back(qRgb(i, i, i));
+    for (Eigen::Index v = 0; v < picture.pose.cols(); ++v)
+        picture.places.push_back((picture.pose(0, v) + 2) / 4);
+    m_view->setStyle(bare());
+    m_view->look(Camera::Axis::Top);
+    m_view->setPicture(picture, true);
+    for (const double height : {0.5, 0.1}) {
+        if (height < 0.5) m_view->setCut(CutKind::Exact, {Vec<3>(0, 0, height), Vec<3>::UnitZ()});
+        const QImage image = m_view->grabFramebuffer();
+        const double white = qGray(at(image, *m_view, {1.97, 0.1, height}).rgb()) / (3.97 / 4);
+        QVERIFY(white > 100);
+        for (int i = -18; i <= 18; ++i) {
+            const double gray = qGray(at(image, *m_view, {i / 10., 0.1, height}).rgb());
+            QVERIFY2(std::abs(gray - white * (i / 10. + 2) / 4) <= 2.5, qPrintable(QString::number(i)));
+        }
+    }
+    m_view->setCut(CutKind::None, {});
+    m_view->setPicture(m_picture, true);
+    m_view->setStyle({});
+}
+
+void TestVolumeView::smoothColoursOfASkin() {
+    VolumePicture picture = m_picture;
+    picture.skin = plate({});
+    picture.embedding = std::make_shared<Embedding<3>>(*picture.rest, picture.skin->points);
+    for (int i = 0; i < 256; ++i) picture.ramp.push_back(qRgb(0, i, 0));
+    for (Eigen::Index v = 0; v < picture.pose.cols(); ++v)
+        picture.places.push_back((picture.pose(0, v) + 2) / 4);
+    m_view->setStyle(bare());
+    m_view->look(Camera::Axis::Top);
+    m_view->setPicture(picture, true);
+    const QImage image = m_view->grabFramebuffer();
+    const double full = at(image, *m_view, {1.4, 0.1, 0.6}).green() / (3.4 / 4);
+    QVERIFY(full > 100);
+    for (const double x : {-1.2, -0.5, 0.3, 0.9}) {
+        const QColor seen = at(image, *m_view, {x, 0.1, 0.6});
+        QVERIFY(seen.red() < 4);
+        QVERIFY2(std::abs(seen.green() - full * (x + 2) / 4) <= 4, qPrintable(seen.name()));
+    }
+    m_view->setPicture(m_picture, true);
+    m_view->setStyle({});
 }
 
 QTEST_MAIN(TestVolumeView)

@@ -1,5 +1,6 @@
 #include "app/view/volume/camera.h"
 
+#include <QString>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -17,6 +18,12 @@ Eigen::Quaterniond turn(const Vec<3>& direction, const Vec<3>& up) {
     rows.row(0) = up.cross(rows.row(2).transpose()).normalized();
     rows.row(1) = rows.row(2).cross(rows.row(0));
     return Eigen::Quaterniond(rows);
+}
+
+/// To a millionth of `size`.
+Vec<3> rounded(const Vec<3>& p, double size) {
+    const int digits = std::clamp(6 - static_cast<int>(std::floor(std::log10(size))), 0, 300);
+    return p.unaryExpr([&](double x) { return QString::number(x, 'f', digits).toDouble(); });
 }
 
 }  // namespace
@@ -41,32 +48,75 @@ void Camera::fit(const Points<3>& points, const QSize& viewport) {
     if (distance > 0) m_distance = distance;
 }
 
+Mat<3> Camera::axes() const {
+    const Vec<3> x = Vec<3>::UnitX(), y = Vec<3>::UnitY(), z = Vec<3>::UnitZ();
+    Mat<3> axes;
+    switch (m_upAxis) {
+        case UpAxis::X:
+            axes << y, z, x;
+            break;
+        case UpAxis::Y:
+            axes << x, -z, y;
+            break;
+        case UpAxis::Z:
+            axes << x, y, z;
+            break;
+    }
+    return axes;
+}
+
 void Camera::look(Axis axis) {
     m_shift.setZero();
     const Vec<3> x = Vec<3>::UnitX(), y = Vec<3>::UnitY(), z = Vec<3>::UnitZ();
+    const auto along = [this](const Vec<3>& direction, const Vec<3>& up) {
+        m_turn = turn(axes() * direction, axes() * up);
+    };
     switch (axis) {
         case Axis::Front:
-            m_turn = turn(y, z);
+            along(y, z);
             break;
         case Axis::Back:
-            m_turn = turn(-y, z);
+            along(-y, z);
             break;
         case Axis::Right:
-            m_turn = turn(-x, z);
+            along(-x, z);
             break;
         case Axis::Left:
-            m_turn = turn(x, z);
+            along(x, z);
             break;
         case Axis::Top:
-            m_turn = turn(-z, y);
+            along(-z, y);
             break;
         case Axis::Bottom:
-            m_turn = turn(z, y);
+            along(z, y);
             break;
         case Axis::Isometric:
-            m_turn = turn(Vec<3>(-1, 1.4, -0.8), z);
+            along(Vec<3>(-1, 1.4, -0.8), z);
             break;
     }
+}
+
+void Camera::setUpAxis(UpAxis axis) {
+    const Mat<3> before = axes();
+    m_upAxis = axis;
+    m_turn = (m_turn * Eigen::Quaterniond(Mat<3>(before * axes().transpose()))).normalized();
+}
+
+SavedCamera Camera::saved() const {
+    const auto place = [this](const Vec<3>& p) { return rounded(p, m_distance); };
+    SavedCamera kept{
+        place(centre() - m_distance * direction()), place(centre()), rounded(up(), 1), {}, m_orthographic};
+    if (place(m_pivot) != kept.target) kept.pivot = place(m_pivot);
+    return kept;
+}
+
+void Camera::restore(const SavedCamera& kept) {
+    m_pivot = kept.target;
+    m_shift.setZero();
+    m_distance = (kept.target - kept.position).norm();
+    m_turn = turn(kept.target - kept.position, kept.up);
+    m_orthographic = kept.parallel;
+    if (kept.pivot) setPivot(*kept.pivot);
 }
 
 void Camera::setPivot(const Vec<3>& pivot) {
@@ -83,7 +133,8 @@ void Camera::lookAt(const Vec<3>& point) {
 
 void Camera::lookAlong(const Vec<3>& direction) {
     const Vec<3> way = direction.normalized();
-    m_turn = turn(way, std::abs(way.z()) > 0.95 ? Vec<3>::UnitY() : Vec<3>::UnitZ());
+    const Vec<3> up = axes().col(2);
+    m_turn = turn(way, std::abs(way.dot(up)) > 0.95 ? Vec<3>(axes().col(1)) : up);
 }
 
 Vec<3> Camera::centre() const {
@@ -91,8 +142,8 @@ Vec<3> Camera::centre() const {
 }
 
 void Camera::orbit(double dx, double dy) {
-    m_turn = (Eigen::AngleAxisd(dy, Vec<3>::UnitX()) * m_turn * Eigen::AngleAxisd(dx, Vec<3>::UnitZ()))
-                 .normalized();
+    m_turn =
+        (Eigen::AngleAxisd(dy, Vec<3>::UnitX()) * m_turn * Eigen::AngleAxisd(dx, axes().col(2))).normalized();
 }
 
 double Camera::pixelSize(const QSize& viewport) const {

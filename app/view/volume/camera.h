@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <QSize>
 
+#include "app/document/solid_view.h"
 #include "app/tools/solid_surface.h"
 
 namespace wend {
@@ -18,6 +19,13 @@ class Camera {
     /// Shows all points as large as they fit, from where it looks.
     void fit(const Points<3>& points, const QSize& viewport);
     void look(Axis axis);
+    /// The world's axis that points up; the view turns with it.
+    void setUpAxis(UpAxis axis);
+    UpAxis upAxis() const { return m_upAxis; }
+    /// To be kept: numbers of as many digits as can be told apart on a screen.
+    SavedCamera saved() const;
+    /// As it was kept.
+    void restore(const SavedCamera& kept);
     /// Another point to turn around; the picture stays where it is.
     void setPivot(const Vec<3>& pivot);
     /// Brings a point into the middle of the picture, and turns around it.
@@ -52,12 +60,15 @@ class Camera {
     Eigen::Quaterniond m_turn = Eigen::Quaterniond::Identity();  // world → camera
     /// What is seen in the middle of the picture, at the pivot's depth.
     Vec<3> centre() const;
+    /// The world's axes to the right, into the picture and upwards, seen from the front.
+    Mat<3> axes() const;
 
     Vec<3> m_pivot = Vec<3>::Zero();
     Eigen::Vector2d m_shift = Eigen::Vector2d::Zero();  // of the pivot from the middle, to the right and up
     double m_distance = 3;
     double m_radius = 1;  // of the scene, for the clip planes
     bool m_orthographic = false;
+    UpAxis m_upAxis = UpAxis::Z;
 };
 
 }  // namespace wend

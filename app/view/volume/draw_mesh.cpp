@@ -182,6 +182,23 @@ Points<3> CutPoints::at(const Points<3>& pose) const {
     return placesIn(pose, points);
 }
 
+/// Sections without area, where the plane meets vertices, have each of their edges twice.
+std::vector<std::array<int, 2>> borderOf(const std::vector<std::array<int, 3>>& triangles) {
+    std::vector<std::array<int, 2>> edges, border;
+    for (const Triangle& t : triangles)
+        for (int k = 0; k < 3; ++k) {
+            const auto [low, high] = std::minmax(t[k], t[(k + 1) % 3]);
+            if (low != high) edges.push_back({low, high});
+        }
+    std::ranges::sort(edges);
+    for (auto edge = edges.begin(); edge != edges.end();) {
+        const auto next = std::upper_bound(edge, edges.end(), *edge);
+        if ((next - edge) % 2 == 1) border.push_back(*edge);
+        edge = next;
+    }
+    return border;
+}
+
 CutSurface partOf(const CutSurface& surface, bool onCut) {
     CutSurface part;
     for (std::size_t t = 0; t < surface.triangles.size(); ++t) {

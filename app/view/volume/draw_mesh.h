@@ -39,6 +39,9 @@ struct CutPoints {
     Points<3> at(const Points<3>& pose) const;
 };
 
+/// The border of a part of a surface: the edges that an odd number of its triangles have, as their ends.
+std::vector<std::array<int, 2>> borderOf(const std::vector<std::array<int, 3>>& triangles);
+
 /// What of it lies on the cut, or the rest.
 CutSurface partOf(const CutSurface& surface, bool onCut);
 

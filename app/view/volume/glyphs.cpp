@@ -11,6 +11,14 @@
 
 namespace wend {
 
+DrawVertex drawVertex(const Vec<3>& p, const Vec<3>& normal, QRgb colour) {
+    const auto floats = [](const Vec<3>& v) {
+        return std::array{static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
+    };
+    const auto byte = [](int x) { return static_cast<unsigned char>(x); };
+    return {floats(p), floats(normal), {byte(qRed(colour)), byte(qGreen(colour)), byte(qBlue(colour)), 255}};
+}
+
 namespace {
 
 constexpr int kMostGlyphs = 1000;
@@ -18,12 +26,10 @@ constexpr int kSides = 8;
 
 class Builder {
   public:
-    explicit Builder(QRgb colour)
-        : m_colour{static_cast<unsigned char>(qRed(colour)), static_cast<unsigned char>(qGreen(colour)),
-                   static_cast<unsigned char>(qBlue(colour)), 255} {}
+    explicit Builder(QRgb colour) : m_colour(colour) {}
 
     void corner(const Vec<3>& p, const Vec<3>& n) {
-        m_vertices.push_back({floats(p), floats(n.normalized()), m_colour});
+        m_vertices.push_back(drawVertex(p, n.normalized(), m_colour));
     }
     /// A band of a body of revolution from radius r at p to radius s at q.
     void band(const Vec<3>& p, double r, const Vec<3>& q, double s) {
@@ -66,10 +72,7 @@ class Builder {
     std::vector<DrawVertex> take() { return std::move(m_vertices); }
 
   private:
-    static std::array<float, 3> floats(const Vec<3>& v) {
-        return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
-    }
-    std::array<unsigned char, 4> m_colour;
+    QRgb m_colour;
     std::vector<DrawVertex> m_vertices;
 };
 

@@ -8,9 +8,7 @@
 #include "app/session/caged_solid.h"
 #include "app/session/rest_frame.h"
 #include "app/session/shape.h"
-#include "app/view/volume/glyphs.h"
 #include "app/view/volume/solid_painter.h"
-#include "core/energy/distortion.h"
 
 namespace wend {
 
@@ -20,7 +18,6 @@ constexpr int kDimAfter = 250;                                // milliseconds
 constexpr QRgb kSectionColour = 0xffe3b48e;                   // of the face of a cut, while no map is shown
 constexpr int kMarksEvery = 40, kMarksEveryInSoftware = 120;  // without a frame
 const QRgb kPlain = qRgb(199, 186, 164), kPlainDark = qRgb(176, 164, 146);
-const QRgb kArrowColour = qRgb(54, 84, 196), kGlyphColour = qRgb(226, 140, 44);
 
 /// What lies over the picture; the pointer goes through it.
 class Overlay : public QWidget {
@@ -45,11 +42,6 @@ bool isEmbeddedInCage(const PosedFrame<3>& frame) {
     return frame.built->source && frame.built->skin && isCage(*frame.built->source, *frame.built->skin);
 }
 
-QRgb dimmed(QRgb colour) {
-    const auto half = [](int x) { return (x + 128) / 2; };
-    return qRgb(half(qRed(colour)), half(qGreen(colour)), half(qBlue(colour)));
-}
-
 }  // namespace
 
 SolidCanvas::SolidCanvas(ShapeSession& session, QWidget* parent)
@@ -72,7 +64,11 @@ SolidCanvas::SolidCanvas(ShapeSession& session, QWidget* parent)
     connect(&m_session, &ShapeSession::pinsChanged, this, &SolidCanvas::redraw);
     connect(&m_animation, &PinAnimation::changed, m_overlay, qOverload<>(&QWidget::update));
     connect(&m_session.playback(), &Playback::playingChanged, m_overlay, qOverload<>(&QWidget::update));
-    connect(&m_session.document(), &Document::projectChanged, this, [this] { m_preview.takeProject(); });
+    connect(&m_session.document(), &Document::projectChanged, this, [this] {
+        m_preview.takeProject();
+        takeUpAxis();
+    });
+    connect(&m_session.document(), &Document::viewWanted, this, &SolidCanvas::keepCamera);
     connect(this, &VolumeView::cameraChanged, this, &SolidCanvas::redraw);
     takeFrame();
 }
@@ -158,15 +154,6 @@ QRgb SolidCanvas::plainColour() const {
     return m_dimmed ? dimmed(plain) : plain;
 }
 
-std::vector<QRgb> SolidCanvas::mapColours(const PosedFrame<3>& frame) const {
-    std::vector<QRgb> colours;
-    for (const double value : cellValues<3>(frame, m_measure, fieldOf<3>(m_session, m_measure))) {
-        const QRgb colour = colourAt(m_measure, positionIn(m_range, m_measure, value));
-        colours.push_back(m_dimmed ? dimmed(colour) : colour);
-    }
-    return colours;
-}
-
 bool SolidCanvas::hasDetail(const PosedFrame<3>& frame) const {
     const auto& skin = frame.built->skin;
     return skin && frame.built->embedding &&
@@ -217,20 +204,18 @@ void SolidCanvas::refresh() {
     if (!frame) setGlyphs({});  // those of the last solid
     if (!frame || m_held) return;
     VolumePicture picture = plainPicture(*frame);
-    if (showsMap()) {
-        picture.cellColours = mapColours(*frame);
-        picture.section.reset();
-        picture.materials = picture.materials && !picture.skin->materials.empty();
-    }
+    if (showsMap()) addMap(picture, *frame);
     m_style.dimming = m_dimmed && picture.materials ? 0.5 : 0;
     m_style.mapOpacity = showsMap() && picture.materials ? m_opacity : 0;
     setStyle(m_style);
-    if (meetsNewDocument()) {
+    const bool isNew = meetsNewDocument();
+    if (isNew) {
         m_toFit = true;
-        look(Camera::Axis::Isometric);
+        lookAtFirst();
     }
     if (frame->live || m_session.playback().isPlaying()) hurry();
     setPicture(std::move(picture), m_toFit && m_fitted);
+    if (isNew) takeKeptCamera();
     m_toFit = m_toFit && m_session.isStale();
     showGlyphs(*frame);
     m_overlay->update();  // with the solid: the window is put together once
@@ -248,15 +233,17 @@ void SolidCanvas::setHeld(bool held) {
 void SolidCanvas::showPreview(const std::shared_ptr<const Skin>& skin) {
     if (m_session.frame<3>() || skin->points.cols() == 0 || !skin->points.allFinite()) return;
     const QRgb plain = Theme::of(palette()).dark ? kPlainDark : kPlain;
-    look(Camera::Axis::Isometric);
+    lookAtFirst();
     setPicture(pictureOfSurface(skin->points, skin->triangles,
                                 std::vector<QRgb>(skin->triangles.size(), dimmed(plain))),
                true);
+    takeKeptCamera();
     redraw();
 }
 
 void SolidCanvas::showRefused(VolumePicture picture, const Vec<3>& direction) {
     const bool isNew = meetsNewDocument();
+    if (isNew) lookAtFirst();
     m_toFit = false;
     setPicture(std::move(picture), false);
     if (isNew) lookAlong(direction);
@@ -283,22 +270,6 @@ void SolidCanvas::lookAlong(const Vec<3>& direction) {
     fit();
 }
 
-void SolidCanvas::showGlyphs(const PosedFrame<3>& frame) {
-    std::vector<DrawVertex> triangles;
-    if (m_arrows && !m_hidden)
-        triangles = velocityArrows(frame, m_session.velocity<3>(), surface(), kArrowColour);
-    if (m_glyphs && !m_hidden) {
-        const auto ellipsoids = stiffnessEllipsoids(frame, surface(), kGlyphColour);
-        triangles.insert(triangles.end(), ellipsoids.begin(), ellipsoids.end());
-    }
-    setGlyphs(std::move(triangles));
-}
-
-void SolidCanvas::wantVelocity() {
-    if (m_session.document().dimension() == 3)
-        m_session.setFieldWanted(wantedField(m_map, m_measure, m_arrows || m_values));
-}
-
 void SolidCanvas::setFlat(bool flat) {
     m_style.flat = flat;
     setStyle(m_style);
@@ -309,9 +280,6 @@ void SolidCanvas::setEdgesShown(bool shown) {
     setStyle(m_style);
 }
 
-void SolidCanvas::setMapShown(bool shown) {
-    m_map = shown, wantVelocity(), refresh();
-}
 void SolidCanvas::setDetailShown(bool shown) {
     m_detail = shown, refresh();
 }
@@ -350,29 +318,6 @@ void SolidCanvas::setOnionSkin(bool shown) {
 
 void SolidCanvas::setOverlaysHidden(bool hidden) {
     m_hidden = hidden, refresh();
-}
-
-void SolidCanvas::setMap(Measure measure, const MeasureRange& range) {
-    m_measure = measure;
-    m_range = range;
-    wantVelocity();
-    if (m_map) refresh();
-}
-
-void SolidCanvas::setMapOpacity(double opacity) {
-    m_opacity = opacity;
-    if (m_map) refresh();
-}
-
-void SolidCanvas::showWorst() {
-    const auto frame = m_session.frame<3>();
-    const int cell = frame ? worstOf(*frame->distortion, m_measure).cell : -1;
-    if (cell < 0) return;
-    Vec<3> centre = Vec<3>::Zero();
-    for (const int v : frame->rest->cells[cell]) centre += frame->pose.col(v) / 4;
-    camera().lookAt(centre);
-    update();
-    emit cameraChanged();
 }
 
 void SolidCanvas::resizeEvent(QResizeEvent* event) {

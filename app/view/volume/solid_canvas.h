@@ -78,6 +78,8 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     void setMap(Measure measure, const MeasureRange& range);
     /// Of the map over a surface that has colours of its own.
     void setMapOpacity(double opacity);
+    /// Of a map: without the borders of its cells.
+    void setMapSmooth(bool smooth);
     void setArrowsShown(bool shown);
     /// What was before and comes after.
     void setOnionSkin(bool shown);
@@ -129,6 +131,10 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     void endGestureOnOtherMesh();
     bool showsFrame() const;
     bool meetsNewDocument();
+    void lookAtFirst();
+    void takeKeptCamera();
+    void takeUpAxis();
+    void keepCamera();
     void refresh();
     void showGlyphs(const PosedFrame<3>& frame);
     void wantVelocity();
@@ -136,7 +142,7 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     bool showsMap() const { return m_map && !m_hidden; }
     QRgb plainColour() const;
     bool hasDetail(const PosedFrame<3>& frame) const;
-    std::vector<QRgb> mapColours(const PosedFrame<3>& frame) const;
+    void addMap(VolumePicture& picture, const PosedFrame<3>& frame) const;
     SolidTool* toolAt(const QPointF& at);
     bool isForTool(const QMouseEvent& event, const SolidTool& tool);
     void useTool(SolidTool* tool);
@@ -158,12 +164,13 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     PinAnimation m_animation{m_session};
     QWidget* m_overlay;
     SurfaceStyle m_style;
-    QTimer m_dim, m_marksDue;  // in a drag: moves of the pointer alone are painted no more often
-    int m_generation = -1;     // of the document that the view was fitted to
-    QColor m_backdrop;         // invalid: the workspace
+    QTimer m_dim, m_marksDue;               // in a drag: moves of the pointer alone are painted no more often
+    std::optional<SavedCamera> m_asOpened;  // the camera that the document brought, as it is kept
+    int m_generation = -1;                  // of the document that the view was fitted to
+    QColor m_backdrop;                      // invalid: the workspace
     bool m_map = false, m_arrows = false, m_values = false, m_glyphs = false, m_hidden = false,
          m_rest = false, m_dimmed = false, m_held = false, m_missed = false, m_hasSolid = false;
-    bool m_detail = true;
+    bool m_detail = true, m_smooth = false;
     bool m_planeChosen = false;  // the cut's, by the user in this document
     bool m_toFit = false;        // the view has not been fitted to the whole motion's end yet
     bool m_fitted = false;       // the view follows the window's size until the user changes it

@@ -7,11 +7,15 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "app/panels/marks.h"
+
 namespace wend {
 namespace {
 
 const QVector4D kNoClip(0, 0, 0, -1);
 constexpr int kColourWidth = 2048;  // of the texture that holds the triangles' colours
+constexpr std::array<GLenum, 3> kVeils{GL_BLEND, GL_STENCIL_TEST, GL_POLYGON_OFFSET_FILL};
+constexpr double kOutlineWidth = 1.75;  // pixels of the view
 
 QMatrix4x4 toQt(const Eigen::Matrix4d& matrix) {
     QMatrix4x4 result;
@@ -64,7 +68,11 @@ bool SurfaceRenderer::initialize() {
     m_edged = std::make_unique<QOpenGLShaderProgram>();
     if (!link(*m_plain, false) || !link(*m_edged, true)) return false;
     for (Triangles& layer : m_layers) create(layer);
-    createGlyphs();
+    for (Triangles* glyphs : {&m_glyphs, &m_veiled}) createGlyphs(*glyphs);
+    if (!m_outline.initialize(m_gl)) {
+        m_error = m_outline.error();
+        return false;
+    }
     m_noTexture = std::make_unique<QOpenGLTexture>(QImage(1, 1, QImage::Format_RGBA8888));
     return true;
 }
@@ -72,7 +80,8 @@ bool SurfaceRenderer::initialize() {
 void SurfaceRenderer::create(Triangles& triangles) {
     triangles.array.create();
     const QOpenGLVertexArrayObject::Binder binder(&triangles.array);
-    for (QOpenGLBuffer* buffer : {&triangles.vertices, &triangles.uv, &triangles.indices}) buffer->create();
+    for (QOpenGLBuffer* buffer : {&triangles.vertices, &triangles.uv, &triangles.places, &triangles.indices})
+        buffer->create();
     triangles.vertices.setUsagePattern(QOpenGLBuffer::DynamicDraw);
     triangles.indices.bind();
     triangles.vertices.bind();
@@ -84,13 +93,15 @@ void SurfaceRenderer::create(Triangles& triangles) {
                                 bufferOffset(offsetof(Corner, normal)));
     triangles.uv.bind();
     m_gl->glVertexAttribPointer(2, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
+    triangles.places.bind();
+    m_gl->glVertexAttribPointer(4, 1, GL_FLOAT, GL_FALSE, 0, nullptr);
 }
 
-void SurfaceRenderer::createGlyphs() {
-    m_glyphs.array.create();
-    const QOpenGLVertexArrayObject::Binder binder(&m_glyphs.array);
-    m_glyphs.vertices.create();
-    m_glyphs.vertices.bind();
+void SurfaceRenderer::createGlyphs(Triangles& glyphs) {
+    glyphs.array.create();
+    const QOpenGLVertexArrayObject::Binder binder(&glyphs.array);
+    glyphs.vertices.create();
+    glyphs.vertices.bind();
     for (const int location : {0, 1, 3}) m_gl->glEnableVertexAttribArray(location);
     constexpr int kStride = sizeof(DrawVertex);
     m_gl->glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, kStride,
@@ -102,9 +113,10 @@ void SurfaceRenderer::createGlyphs() {
 }
 
 void SurfaceRenderer::release() {
-    for (Triangles* triangles : {&m_layers[Outer], &m_layers[Section], &m_glyphs}) {
+    for (Triangles* triangles : {&m_layers[Outer], &m_layers[Section], &m_glyphs, &m_veiled}) {
         triangles->vertices.destroy();
         triangles->uv.destroy();
+        triangles->places.destroy();
         triangles->indices.destroy();
         triangles->colours.reset();
         triangles->map.reset();
@@ -112,6 +124,8 @@ void SurfaceRenderer::release() {
     }
     m_textures.clear();
     m_noTexture.reset();
+    m_ramp.reset();
+    m_outline.release();
     m_plain.reset();
     m_edged.reset();
 }
@@ -169,6 +183,36 @@ void SurfaceRenderer::setMap(const std::vector<QRgb>& colours) {
     fill(m_layers[Outer].map, colours);
 }
 
+void SurfaceRenderer::setPlaces(Layer layer, const std::vector<float>& places) {
+    Triangles& triangles = m_layers[layer];
+    const QOpenGLVertexArrayObject::Binder binder(&triangles.array);
+    triangles.isSmooth = !places.empty();
+    if (!triangles.isSmooth) {
+        m_gl->glDisableVertexAttribArray(4);
+        return;
+    }
+    m_gl->glEnableVertexAttribArray(4);
+    triangles.places.bind();
+    triangles.places.allocate(places.data(), static_cast<int>(places.size() * sizeof(places[0])));
+}
+
+void SurfaceRenderer::setRamp(const std::vector<QRgb>& colours) {
+    QImage row(static_cast<int>(colours.size()), 1, QImage::Format_RGB32);
+    std::ranges::copy(colours, reinterpret_cast<QRgb*>(row.bits()));
+    m_ramp = std::make_unique<QOpenGLTexture>(row, QOpenGLTexture::DontGenerateMipMaps);
+    m_ramp->setMinMagFilters(QOpenGLTexture::Linear, QOpenGLTexture::Linear);
+    m_ramp->setWrapMode(QOpenGLTexture::ClampToEdge);
+}
+
+void SurfaceRenderer::setOutline(const Points<3>& ends) {
+    std::vector<std::array<float, 3>> places;
+    for (Eigen::Index i = 0; i < ends.cols(); ++i) {
+        const Eigen::Vector3f p = normalized(ends.col(i));
+        places.push_back({p.x(), p.y(), p.z()});
+    }
+    m_outline.set(places);
+}
+
 void SurfaceRenderer::fill(std::unique_ptr<QOpenGLTexture>& texture, const std::vector<QRgb>& colours) {
     const int height = static_cast<int>((colours.size() + kColourWidth - 1) / kColourWidth);
     if (!texture || texture->height() != std::max(1, height)) {
@@ -195,27 +239,39 @@ void SurfaceRenderer::setTextures(const std::vector<QImage>& pictures) {
 }
 
 void SurfaceRenderer::setGlyphs(const std::vector<DrawVertex>& triangles) {
-    m_glyphVertices = triangles;
-    m_glyphs.count = static_cast<int>(triangles.size() / 3);
-    for (DrawVertex& vertex : m_glyphVertices) {
+    fillGlyphs(m_glyphs, triangles);
+}
+
+void SurfaceRenderer::setVeiled(const std::vector<DrawVertex>& triangles) {
+    fillGlyphs(m_veiled, triangles);
+}
+
+void SurfaceRenderer::fillGlyphs(Triangles& glyphs, const std::vector<DrawVertex>& triangles) {
+    std::vector<DrawVertex> vertices = triangles;
+    glyphs.count = static_cast<int>(triangles.size() / 3);
+    for (DrawVertex& vertex : vertices) {
         const auto& [x, y, z] = vertex.position;
         const Eigen::Vector3f p = normalized(Vec<3>(x, y, z));
         vertex.position = {p.x(), p.y(), p.z()};
     }
-    m_glyphs.vertices.bind();
-    m_glyphs.vertices.allocate(m_glyphVertices.data(),
-                               static_cast<int>(m_glyphVertices.size() * sizeof(DrawVertex)));
+    glyphs.vertices.bind();
+    glyphs.vertices.allocate(vertices.data(), static_cast<int>(vertices.size() * sizeof(DrawVertex)));
 }
 
-/// Everything in units of m_scale from m_centre on, so that neither huge nor tiny solids leave the floats'
-/// range: view' = view (x m_scale + m_centre) / m_scale, which the projection takes back.
-void SurfaceRenderer::setUniforms(QOpenGLShaderProgram& program, const Sight& sight,
-                                  const SurfaceStyle& style, const std::optional<CutPlane>& clip) {
+/// So neither huge nor tiny solids leave the floats' range: view' = view (x m_scale + m_centre) / m_scale,
+/// which the projection takes back.
+std::pair<Eigen::Matrix4d, Eigen::Matrix4d> SurfaceRenderer::matricesOf(const Sight& sight) const {
     Eigen::Matrix4d view = sight.view, projection = sight.projection;
     const Mat<3> turn = view.topLeftCorner<3, 3>();
     const Vec<3> shift = view.topRightCorner<3, 1>();
     view.topRightCorner<3, 1>() = (turn * m_centre + shift) / m_scale;
     projection.leftCols<3>() *= m_scale;
+    return {view, projection};
+}
+
+void SurfaceRenderer::setUniforms(QOpenGLShaderProgram& program, const Sight& sight,
+                                  const SurfaceStyle& style, const std::optional<CutPlane>& clip) {
+    const auto [view, projection] = matricesOf(sight);
     program.bind();
     program.setUniformValue("view", toQt(view));
     program.setUniformValue("projection", toQt(projection));
@@ -228,9 +284,12 @@ void SurfaceRenderer::setUniforms(QOpenGLShaderProgram& program, const Sight& si
     program.setUniformValue("colours", 0);
     program.setUniformValue("picture", 1);
     program.setUniformValue("map", 2);
+    program.setUniformValue("ramp", 3);
+    program.setUniformValue("opacity", 1.0F);
     program.setUniformValue("clipPlane", kNoClip);
     if (!clip) return;
-    const Vec<3> normal = turn * clip->normal, point = (turn * clip->point + shift) / m_scale;
+    const Vec<3> normal = view.topLeftCorner<3, 3>() * clip->normal;
+    const Vec<3> point = (view * ((clip->point - m_centre) / m_scale).homogeneous()).head<3>();
     program.setUniformValue(
         "clipPlane", QVector4D(QVector3D(static_cast<float>(normal.x()), static_cast<float>(normal.y()),
                                          static_cast<float>(normal.z())),
@@ -243,7 +302,9 @@ void SurfaceRenderer::drawLayer(QOpenGLShaderProgram& program, Triangles& triang
     const QOpenGLVertexArrayObject::Binder binder(&triangles.array);
     triangles.colours->bind(0);
     (triangles.map ? triangles.map : m_noTexture)->bind(2);
+    (m_ramp ? m_ramp : m_noTexture)->bind(3);
     program.setUniformValue("coloursOfTriangles", true);
+    program.setUniformValue("isSmooth", triangles.isSmooth);
     program.setUniformValue("mapOpacity", triangles.map ? static_cast<float>(mapOpacity) : 0.0F);
     for (const DrawMesh::Part& part : triangles.parts) {
         const bool textured = materials && part.material >= 0 &&
@@ -257,14 +318,37 @@ void SurfaceRenderer::drawLayer(QOpenGLShaderProgram& program, Triangles& triang
     }
 }
 
-void SurfaceRenderer::drawGlyphs() {
-    if (m_glyphs.count == 0) return;
-    const QOpenGLVertexArrayObject::Binder binder(&m_glyphs.array);
-    for (const uint unit : {0U, 1U, 2U}) m_noTexture->bind(unit);
+void SurfaceRenderer::drawGlyphs(Triangles& glyphs) {
+    const QOpenGLVertexArrayObject::Binder binder(&glyphs.array);
+    for (const uint unit : {0U, 1U, 2U, 3U}) m_noTexture->bind(unit);
     m_plain->setUniformValue("coloursOfTriangles", false);
     m_plain->setUniformValue("flatShading", false);
     m_plain->setUniformValue("dimming", 0.0F);
-    m_gl->glDrawArrays(GL_TRIANGLES, 0, 3 * m_glyphs.count);
+    m_gl->glDrawArrays(GL_TRIANGLES, 0, 3 * glyphs.count);
+}
+
+/// Only where the surface lies in front, and every pixel once, however many of them lie behind each other.
+/// What lies on the surface itself is not behind it.
+void SurfaceRenderer::drawVeiled() {
+    m_plain->setUniformValue("opacity", static_cast<float>(kCoveredOpacity));
+    m_plain->setUniformValue("ownFromBehind", 1.0F);
+    m_gl->glDepthFunc(GL_GREATER);
+    m_gl->glDepthMask(GL_FALSE);
+    for (const GLenum capability : kVeils) m_gl->glEnable(capability);
+    m_gl->glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+    m_gl->glStencilFunc(GL_EQUAL, 0, 0xFF);
+    m_gl->glStencilOp(GL_KEEP, GL_KEEP, GL_INCR);
+    m_gl->glPolygonOffset(-2, -2);
+    drawGlyphs(m_veiled);
+    for (const GLenum capability : kVeils) m_gl->glDisable(capability);
+    m_gl->glDepthMask(GL_TRUE);
+    m_gl->glDepthFunc(GL_LESS);
+}
+
+void SurfaceRenderer::drawOutline(const Sight& sight, const SurfaceStyle& style) {
+    const auto [view, projection] = matricesOf(sight);
+    m_outline.draw({toQt(view), toQt(projection), sight.orthographic, sight.pixels,
+                    static_cast<float>(kOutlineWidth * sight.pixelsPer), style.edgeColour});
 }
 
 void SurfaceRenderer::draw(const Sight& sight, const SurfaceStyle& style, bool materials,
@@ -283,9 +367,14 @@ void SurfaceRenderer::draw(const Sight& sight, const SurfaceStyle& style, bool m
     m_gl->glPolygonOffset(-1, -1);
     drawLayer(program, m_layers[Section], false, 0);
     m_gl->glDisable(GL_POLYGON_OFFSET_FILL);
+    if (m_veiled.count > 0) {
+        setUniforms(*m_plain, sight, style, {});
+        drawVeiled();
+    }
+    if (m_layers[Section].count > 0) drawOutline(sight, style);
     if (m_glyphs.count > 0) {
         setUniforms(*m_plain, sight, style, {});
-        drawGlyphs();
+        drawGlyphs(m_glyphs);
     }
     m_gl->glUseProgram(0);
     m_gl->glActiveTexture(GL_TEXTURE0);

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "app/view/volume/draw_mesh.h"
+#include "app/view/volume/line_renderer.h"
 
 namespace wend {
 
@@ -40,9 +41,12 @@ struct SurfaceStyle {
 struct Sight {
     Eigen::Matrix4d view, projection;
     bool orthographic = false;
+    QSize pixels;          // of the picture
+    double pixelsPer = 1;  // pixel of the view, by which the width of lines goes
 
     bool operator==(const Sight& other) const {
-        return view == other.view && projection == other.projection && orthographic == other.orthographic;
+        return view == other.view && projection == other.projection && orthographic == other.orthographic &&
+               pixels == other.pixels && pixelsPer == other.pixelsPer;
     }
 };
 
@@ -72,8 +76,17 @@ class SurfaceRenderer {
     void setMap(const std::vector<QRgb>& colours);
     /// Pictures of the skin's materials, null ones where there are none.
     void setTextures(const std::vector<QImage>& pictures);
+    /// Places in the ramp of colours, one per vertex of the mesh, for colours that change smoothly; none:
+    /// each triangle has its own.
+    void setPlaces(Layer layer, const std::vector<float>& places);
+    /// The colours of the places from 0 to 1.
+    void setRamp(const std::vector<QRgb>& colours);
+    /// Lines around the section: both ends of each.
+    void setOutline(const Points<3>& ends);
     /// Things beside the surface: arrows, ellipsoids.
     void setGlyphs(const std::vector<DrawVertex>& triangles);
+    /// What is seen through the surface, faintly, and not where nothing lies in front of it.
+    void setVeiled(const std::vector<DrawVertex>& triangles);
     /// Without `materials` no texture is drawn. The plane takes away the part of the outer surface that lies
     /// above it.
     void draw(const Sight& sight, const SurfaceStyle& style, bool materials,
@@ -83,10 +96,11 @@ class SurfaceRenderer {
     struct Triangles {
         QOpenGLVertexArrayObject array;
         QOpenGLBuffer vertices{QOpenGLBuffer::VertexBuffer}, uv{QOpenGLBuffer::VertexBuffer},
-            indices{QOpenGLBuffer::IndexBuffer};
+            places{QOpenGLBuffer::VertexBuffer}, indices{QOpenGLBuffer::IndexBuffer};
         std::unique_ptr<QOpenGLTexture> colours, map;
         std::vector<DrawMesh::Part> parts;
         int count = 0;
+        bool isSmooth = false;
     };
     struct Corner {
         std::array<float, 3> position, normal;
@@ -94,20 +108,25 @@ class SurfaceRenderer {
     bool link(QOpenGLShaderProgram& program, bool edges);
     void create(Triangles& triangles);
     static void fill(std::unique_ptr<QOpenGLTexture>& texture, const std::vector<QRgb>& colours);
-    void createGlyphs();
+    void createGlyphs(Triangles& glyphs);
+    void fillGlyphs(Triangles& glyphs, const std::vector<DrawVertex>& triangles);
+    /// The matrices in units of m_scale from m_centre on.
+    std::pair<Eigen::Matrix4d, Eigen::Matrix4d> matricesOf(const Sight& sight) const;
     void setUniforms(QOpenGLShaderProgram& program, const Sight& sight, const SurfaceStyle& style,
                      const std::optional<CutPlane>& clip);
     void drawLayer(QOpenGLShaderProgram& program, Triangles& triangles, bool materials, double mapOpacity);
-    void drawGlyphs();
+    void drawGlyphs(Triangles& glyphs);
+    void drawVeiled();
+    void drawOutline(const Sight& sight, const SurfaceStyle& style);
     Eigen::Vector3f normalized(const Vec<3>& p) const { return ((p - m_centre) / m_scale).cast<float>(); }
 
     QOpenGLFunctions_3_3_Core* m_gl = nullptr;
     std::unique_ptr<QOpenGLShaderProgram> m_plain, m_edged;
     std::array<Triangles, kLayers> m_layers;
-    Triangles m_glyphs;
+    Triangles m_glyphs, m_veiled;
+    LineRenderer m_outline;
     std::vector<std::unique_ptr<QOpenGLTexture>> m_textures;
-    std::unique_ptr<QOpenGLTexture> m_noTexture;
-    std::vector<DrawVertex> m_glyphVertices;
+    std::unique_ptr<QOpenGLTexture> m_noTexture, m_ramp;
     Vec<3> m_centre = Vec<3>::Zero();  // of what is drawn: the GPU's floats count from there, in m_scale
     double m_scale = 1;
     bool m_isSoftware = false;

@@ -2,6 +2,11 @@
 
 namespace wend {
 
+QRgb dimmed(QRgb colour) {
+    const auto half = [](int x) { return (x + 128) / 2; };
+    return qRgb(half(qRed(colour)), half(qGreen(colour)), half(qBlue(colour)));
+}
+
 VolumePicture pictureOfSurface(const Points<3>& points, const std::vector<std::array<int, 3>>& triangles,
                                std::vector<QRgb> colours) {
     VolumePicture picture;

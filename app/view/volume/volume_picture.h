@@ -16,14 +16,22 @@ struct VolumePicture {
     std::shared_ptr<const std::vector<Facet<3>>> facets;
     Points<3> pose;
     std::vector<QRgb> cellColours;  // one per cell; empty: one plain colour
-    std::optional<QRgb> section;    // of the face of a cut; none: those of its cells
+    // For colours that change smoothly: the vertices' places, from 0 to 1, in a row of colours; none: each
+    // cell has its own.
+    std::vector<double> places;
+    std::vector<QRgb> ramp;
+    std::optional<QRgb> section;  // of the face of a cut; none: those of its cells
     // A surface that is embedded in the solid and drawn in place of its border; null if there is none.
     std::shared_ptr<const Skin> skin;
     std::shared_ptr<const Embedding<3>> embedding;
     bool materials = false;  // the skin has the colours and pictures of its materials; those of the cells lie
                              // over them as a map, where the style has an opacity for it
-    bool isOpen = false;     // bounds no solid: its colours tell something from behind, too
+    std::vector<int> marked;  // facets that are seen through the others, faintly
+    bool isOpen = false;      // bounds no solid: its colours tell something from behind, too
 };
+
+/// Half way to grey: of what is out of date.
+QRgb dimmed(QRgb colour);
 
 /// A surface alone, without tetrahedra; one colour per triangle.
 VolumePicture pictureOfSurface(const Points<3>& points, const std::vector<std::array<int, 3>>& triangles,

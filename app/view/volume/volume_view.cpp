@@ -5,8 +5,6 @@
 #include <QOpenGLFunctions>
 #include <QPainter>
 
-#include "app/view/volume/texture_file.h"
-
 namespace wend {
 namespace {
 
@@ -27,6 +25,7 @@ VolumeView::VolumeView(QWidget* parent) : QOpenGLWidget(parent) {
     format.setVersion(3, 3);
     format.setProfile(QSurfaceFormat::CoreProfile);
     format.setDepthBufferSize(24);
+    format.setStencilBufferSize(8);
     setFormat(format);
     setUpdateBehavior(PartialUpdate);  // marks over a solid that stands still cost no drawing of it
     m_rest.setSingleShot(true);
@@ -72,7 +71,9 @@ void VolumeView::setPicture(VolumePicture picture, bool fitView) {
     if (picture.skin != m_picture.skin) m_meshStale = true;
     if (picture.skin && picture.skin != m_textured) m_texturesStale = true;
     m_coloursStale = m_coloursStale || picture.cellColours != m_picture.cellColours ||
-                     picture.section != m_picture.section || picture.materials != m_picture.materials;
+                     picture.section != m_picture.section || picture.materials != m_picture.materials ||
+                     picture.places != m_picture.places || picture.ramp != m_picture.ramp;
+    m_glyphsStale = m_glyphsStale || !picture.marked.empty() || !m_picture.marked.empty();
     if (!samePose) {
         m_poseStale = true;
         m_rays.takePose();
@@ -201,69 +202,10 @@ void VolumeView::hurry() {
     m_rest.start();
 }
 
-/// What has changed since the last frame goes to the GPU.
-void VolumeView::upload() {
-    if (m_meshStale) uploadMeshes();
-    if (m_style.flat == m_hasNormals) m_poseStale = true;
-    if (m_poseStale) uploadPose();
-    if (m_coloursStale) uploadColours();
-    if (m_texturesStale) uploadTextures();
-    if (m_glyphsStale) m_renderer.setGlyphs(m_glyphs);
-    m_meshStale = m_poseStale = m_coloursStale = m_texturesStale = m_glyphsStale = false;
-}
-
-/// They stay while their skin is not shown: reading them takes time.
-void VolumeView::uploadTextures() {
-    if (!m_picture.skin) return;
-    QStringList unread;
-    m_renderer.setTextures(texturesOf(m_picture.skin.get(), &unread));
-    m_textured = m_picture.skin;
-    if (!unread.isEmpty()) emit picturesMissing(unread);
-}
-
-/// Where a detailed surface is cut, the section is the solid's.
-void VolumeView::uploadMeshes() {
-    const Points<3>& rest = m_picture.rest->points.cols() > 0 ? m_picture.rest->points : m_picture.pose;
-    const bool exact = m_cut == CutKind::Exact;
-    if (showsSkin())
-        m_outer = drawMesh(*m_picture.skin, *m_picture.embedding);
-    else
-        m_outer = drawMesh(exact ? partOf(m_surface, false) : m_surface, rest);
-    m_section = exact ? drawSection(partOf(m_surface, true)) : DrawMesh();
-    m_renderer.setMesh(SurfaceRenderer::Outer, m_outer);
-    m_renderer.setMesh(SurfaceRenderer::Section, m_section);
-    m_drawnTriangles = static_cast<int>(m_outer.triangles.size() + m_section.triangles.size());
-    m_poseStale = m_coloursStale = true;
-}
-
-void VolumeView::uploadPose() {
-    m_hasNormals = !m_style.flat;
-    m_renderer.setPose(SurfaceRenderer::Outer, m_outer,
-                       showsSkin() ? skinPose() : drawnPoints(m_outer, m_picture.pose), m_hasNormals);
-    m_renderer.setPose(SurfaceRenderer::Section, m_section, drawnPoints(m_section, m_picture.pose), true);
-    m_glyphsStale = true;
-}
-
-std::vector<QRgb> VolumeView::coloursOf(const DrawMesh& mesh, bool skin) const {
-    if (skin && m_picture.materials && !mesh.colours.empty()) return mesh.colours;
-    std::vector<QRgb> colours;
-    colours.reserve(mesh.cells.size());
-    for (const int c : mesh.cells) colours.push_back(m_picture.cellColours[c]);
-    return colours;
-}
-
-void VolumeView::uploadColours() {
-    m_renderer.setColours(SurfaceRenderer::Outer, coloursOf(m_outer, showsSkin()));
-    if (m_style.mapOpacity > 0) m_renderer.setMap(coloursOf(m_outer, false));
-    m_renderer.setColours(SurfaceRenderer::Section,
-                          m_picture.section
-                              ? std::vector<QRgb>(m_section.triangles.size(), *m_picture.section)
-                              : coloursOf(m_section, false));
-}
-
-void VolumeView::setGlyphs(std::vector<DrawVertex> triangles) {
-    if (triangles.empty() && m_glyphs.empty()) return;
+void VolumeView::setGlyphs(std::vector<DrawVertex> triangles, std::vector<DrawVertex> veiled) {
+    if (triangles.empty() && m_glyphs.empty() && veiled.empty() && m_veiled.empty()) return;
     m_glyphs = std::move(triangles);
+    m_veiled = std::move(veiled);
     m_glyphsStale = true;
     update();
 }
@@ -271,7 +213,7 @@ void VolumeView::setGlyphs(std::vector<DrawVertex> triangles) {
 void VolumeView::drawScene(const Sight& sight, const QColor& background) {
     auto* gl = context()->functions();
     gl->glClearColor(background.redF(), background.greenF(), background.blueF(), background.alphaF());
-    gl->glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    gl->glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
     if (!m_picture.rest) return;
     QElapsedTimer clock;
     clock.start();
@@ -290,13 +232,9 @@ SurfaceStyle VolumeView::style() const {
 
 /// Smoothed edges cost a processor that draws far more than the rest: they come when nothing moves.
 VolumeView::Scene VolumeView::scene() const {
-    const Sight sight{m_camera.view(), m_camera.projection(size()), m_camera.orthographic()};
-    return {sight,
-            style(),
-            background(),
-            size() * devicePixelRatioF(),
-            m_renderer.isSoftware() && isMoving(),
-            m_picture.materials};
+    const Sight sight{m_camera.view(), m_camera.projection(size()), m_camera.orthographic(),
+                      size() * devicePixelRatioF(), devicePixelRatioF()};
+    return {sight, style(), background(), m_renderer.isSoftware() && isMoving(), m_picture.materials};
 }
 
 /// True if what is to be drawn is not that of the last drawing.

@@ -39,8 +39,8 @@ class VolumeView : public QOpenGLWidget {
     void setPreset(NavigationPreset preset) { m_navigation.setPreset(preset); }
     Camera& camera() { return m_camera; }
     const Camera& camera() const { return m_camera; }
-    /// Triangles that are drawn beside the surface.
-    void setGlyphs(std::vector<DrawVertex> triangles);
+    /// Triangles that are drawn beside the surface; the veiled ones are seen, faintly, where it hides them.
+    void setGlyphs(std::vector<DrawVertex> triangles, std::vector<DrawVertex> veiled = {});
     /// What is drawn: the surface, cut as it is.
     const CutSurface& surface() const { return m_surface; }
     /// The view as a picture of any size, drawn in tiles where it is larger than the renderer can; the
@@ -119,13 +119,14 @@ class VolumeView : public QOpenGLWidget {
     bool bindFine();
     void uploadPose();
     void uploadColours();
+    void uploadPlaces(SurfaceRenderer::Layer layer, const DrawMesh& mesh, bool skin);
+    void uploadGlyphs();
     std::vector<QRgb> coloursOf(const DrawMesh& mesh, bool skin) const;
     /// What a painting of the view depends on beside what is uploaded.
     struct Scene {
         Sight sight;
         SurfaceStyle style;
         QColor background;
-        QSize pixels;
         bool coarse = false, materials = false;
 
         bool operator==(const Scene&) const = default;
@@ -151,13 +152,14 @@ class VolumeView : public QOpenGLWidget {
     std::shared_ptr<const Skin> m_textured;  // whose pictures the renderer has
     CutSurface m_surface;
     DrawMesh m_outer, m_section;
+    std::vector<std::array<int, 2>> m_outline;  // of the section: its points
     mutable std::optional<Points<3>> m_ridden;  // until the pose changes
     mutable RayCasting m_rays;
     CutPlane m_plane;
     CutKind m_cut = CutKind::None;
     Navigation m_navigation;
     QColor m_background;
-    std::vector<DrawVertex> m_glyphs;
+    std::vector<DrawVertex> m_glyphs, m_veiled;
     std::unique_ptr<QOpenGLFramebufferObject> m_fine;
     QTimer m_rest;  // runs while something moves
     FrameTimes m_times;

@@ -34,7 +34,10 @@ QImage VolumeView::tile(const QRect& part, const QSize& whole, const QColor& bac
     toTile.diagonal().head<2>() = scale;
     toTile(0, 3) = scale.x() * (1 - 2 * middle.x() / whole.width());
     toTile(1, 3) = -scale.y() * (1 - 2 * middle.y() / whole.height());
-    drawScene({m_camera.view(), toTile * m_camera.projection(whole), m_camera.orthographic()}, background);
+    const double pixelsPer = whole.height() / static_cast<double>(std::max(1, height()));
+    drawScene({m_camera.view(), toTile * m_camera.projection(whole), m_camera.orthographic(), part.size(),
+               pixelsPer},
+              background);
     const QImage image = buffer.toImage();
     buffer.release();
     return image;

@@ -1,0 +1,39 @@
+#include "app/panels/smooth_map.h"
+
+#include <algorithm>
+
+#include "app/session/vertex_means.h"
+
+namespace wend {
+
+namespace {
+
+constexpr int kRampSteps = 256;
+
+}  // namespace
+
+/// A cell without area may have a value that is no number: it counts as the greatest.
+template <int Dim>
+std::vector<double> smoothPlaces(const SimplicialMesh<Dim>& rest, const std::vector<double>& ofCells,
+                                 Measure measure, const MeasureRange& range) {
+    std::vector<double> places = vertexMeans<Dim>(rest, ofCells, 0.0);
+    for (double& place : places) {
+        place = positionIn(range, measure, place);
+        place = place <= 1 ? std::max(place, 0.0) : 1;
+    }
+    return places;
+}
+
+std::vector<QRgb> colourRamp(Measure measure) {
+    std::vector<QRgb> colours;
+    for (int i = 0; i < kRampSteps; ++i)
+        colours.push_back(colourAt(measure, static_cast<double>(i) / (kRampSteps - 1)));
+    return colours;
+}
+
+template std::vector<double> smoothPlaces<2>(const SimplicialMesh<2>&, const std::vector<double>&, Measure,
+                                             const MeasureRange&);
+template std::vector<double> smoothPlaces<3>(const SimplicialMesh<3>&, const std::vector<double>&, Measure,
+                                             const MeasureRange&);
+
+}  // namespace wend

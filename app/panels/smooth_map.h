@@ -1,0 +1,17 @@
+#pragma once
+
+#include "app/panels/colour_map.h"
+
+namespace wend {
+
+/// A map without the borders of its cells: what the cells have is brought to the vertices (vertexMeans), goes
+/// linearly between their places in the range, and has the colour of each place in between.
+///
+/// The places of the vertices, in [0, 1].
+template <int Dim>
+std::vector<double> smoothPlaces(const SimplicialMesh<Dim>& rest, const std::vector<double>& ofCells,
+                                 Measure measure, const MeasureRange& range);
+/// The colours of the places, in even steps from 0 to 1.
+std::vector<QRgb> colourRamp(Measure measure);
+
+}  // namespace wend

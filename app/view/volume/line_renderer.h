@@ -1,0 +1,44 @@
+#pragma once
+
+#include <QColor>
+#include <QMatrix4x4>
+#include <QOpenGLBuffer>
+#include <QOpenGLFunctions_3_3_Core>
+#include <QOpenGLShaderProgram>
+#include <QOpenGLVertexArrayObject>
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace wend {
+
+/// Lines in space, as wide on the screen as one likes (OpenGL 3.3). All calls with the context current.
+class LineRenderer {
+  public:
+    /// False, with the reason in error(), if the context cannot run the shaders.
+    bool initialize(QOpenGLFunctions_3_3_Core* gl);
+    void release();
+    const QString& error() const { return m_error; }
+
+    /// Both ends of each line.
+    void set(const std::vector<std::array<float, 3>>& ends);
+    /// How the lines are seen.
+    struct Look {
+        QMatrix4x4 view, projection;
+        bool orthographic = false;
+        QSize pixels;  // of the picture
+        float width = 1;
+        QColor colour;
+    };
+    void draw(const Look& look);
+
+  private:
+    QOpenGLFunctions_3_3_Core* m_gl = nullptr;
+    std::unique_ptr<QOpenGLShaderProgram> m_program;
+    QOpenGLVertexArrayObject m_array;
+    QOpenGLBuffer m_vertices{QOpenGLBuffer::VertexBuffer};
+    int m_count = 0;  // ends
+    QString m_error;
+};
+
+}  // namespace wend

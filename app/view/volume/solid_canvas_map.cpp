@@ -1,0 +1,78 @@
+// The map of a solid, and what is marked beside its surface.
+#include <algorithm>
+
+#include "app/panels/smooth_map.h"
+#include "app/view/volume/glyphs.h"
+#include "app/view/volume/solid_canvas.h"
+#include "core/energy/distortion.h"
+
+namespace wend {
+
+namespace {
+
+const QRgb kArrowColour = qRgb(54, 84, 196), kGlyphColour = qRgb(226, 140, 44);
+
+}  // namespace
+
+void SolidCanvas::addMap(VolumePicture& picture, const PosedFrame<3>& frame) const {
+    const auto own = [this](QRgb colour) { return m_dimmed ? dimmed(colour) : colour; };
+    const auto values = cellValues<3>(frame, m_measure, fieldOf<3>(m_session, m_measure));
+    picture.section.reset();
+    picture.materials = picture.materials && !picture.skin->materials.empty();
+    picture.cellColours.clear();
+    for (const double value : values)
+        picture.cellColours.push_back(own(colourAt(m_measure, positionIn(m_range, m_measure, value))));
+    if (!m_smooth) return;
+    picture.places = smoothPlaces<3>(*frame.rest, values, m_measure, m_range);
+    picture.ramp = colourRamp(m_measure);
+    std::ranges::transform(picture.ramp, picture.ramp.begin(), own);
+}
+
+void SolidCanvas::showGlyphs(const PosedFrame<3>& frame) {
+    std::vector<DrawVertex> triangles, ellipsoids;
+    if (m_arrows && !m_hidden)
+        triangles = velocityArrows(frame, m_session.velocity<3>(), surface(), kArrowColour);
+    if (m_glyphs && !m_hidden) {
+        ellipsoids = stiffnessEllipsoids(frame, surface(), kGlyphColour);
+        triangles.insert(triangles.end(), ellipsoids.begin(), ellipsoids.end());
+    }
+    setGlyphs(std::move(triangles), std::move(ellipsoids));
+}
+
+void SolidCanvas::wantVelocity() {
+    if (m_session.document().dimension() == 3)
+        m_session.setFieldWanted(wantedField(m_map, m_measure, m_arrows || m_values));
+}
+
+void SolidCanvas::setMapShown(bool shown) {
+    m_map = shown, wantVelocity(), refresh();
+}
+void SolidCanvas::setMap(Measure measure, const MeasureRange& range) {
+    m_measure = measure;
+    m_range = range;
+    wantVelocity();
+    if (m_map) refresh();
+}
+
+void SolidCanvas::setMapOpacity(double opacity) {
+    m_opacity = opacity;
+    if (m_map) refresh();
+}
+
+void SolidCanvas::setMapSmooth(bool smooth) {
+    m_smooth = smooth;
+    if (m_map) refresh();
+}
+
+void SolidCanvas::showWorst() {
+    const auto frame = m_session.frame<3>();
+    const int cell = frame ? worstOf(*frame->distortion, m_measure).cell : -1;
+    if (cell < 0) return;
+    Vec<3> centre = Vec<3>::Zero();
+    for (const int v : frame->rest->cells[cell]) centre += frame->pose.col(v) / 4;
+    camera().lookAt(centre);
+    update();
+    emit cameraChanged();
+}
+
+}  // namespace wend

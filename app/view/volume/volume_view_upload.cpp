@@ -1,0 +1,109 @@
+// What goes to the GPU when something has changed.
+#include <Eigen/Geometry>
+
+#include "app/view/volume/glyphs.h"
+#include "app/view/volume/texture_file.h"
+#include "app/view/volume/volume_view.h"
+
+namespace wend {
+
+void VolumeView::upload() {
+    if (m_meshStale) uploadMeshes();
+    if (m_style.flat == m_hasNormals) m_poseStale = true;
+    if (m_poseStale) uploadPose();
+    if (m_coloursStale) uploadColours();
+    if (m_texturesStale) uploadTextures();
+    if (m_glyphsStale) uploadGlyphs();
+    m_meshStale = m_poseStale = m_coloursStale = m_texturesStale = m_glyphsStale = false;
+}
+
+/// They stay while their skin is not shown: reading them takes time.
+void VolumeView::uploadTextures() {
+    if (!m_picture.skin) return;
+    QStringList unread;
+    m_renderer.setTextures(texturesOf(m_picture.skin.get(), &unread));
+    m_textured = m_picture.skin;
+    if (!unread.isEmpty()) emit picturesMissing(unread);
+}
+
+/// Where a detailed surface is cut, the section is the solid's.
+void VolumeView::uploadMeshes() {
+    const Points<3>& rest = m_picture.rest->points.cols() > 0 ? m_picture.rest->points : m_picture.pose;
+    const bool exact = m_cut == CutKind::Exact;
+    if (showsSkin())
+        m_outer = drawMesh(*m_picture.skin, *m_picture.embedding);
+    else
+        m_outer = drawMesh(exact ? partOf(m_surface, false) : m_surface, rest);
+    m_section = exact ? drawSection(partOf(m_surface, true)) : DrawMesh();
+    m_outline = borderOf(m_section.triangles);
+    m_renderer.setMesh(SurfaceRenderer::Outer, m_outer);
+    m_renderer.setMesh(SurfaceRenderer::Section, m_section);
+    m_drawnTriangles = static_cast<int>(m_outer.triangles.size() + m_section.triangles.size());
+    m_poseStale = m_coloursStale = true;
+}
+
+void VolumeView::uploadPose() {
+    m_hasNormals = !m_style.flat;
+    m_renderer.setPose(SurfaceRenderer::Outer, m_outer,
+                       showsSkin() ? skinPose() : drawnPoints(m_outer, m_picture.pose), m_hasNormals);
+    const Points<3> section = drawnPoints(m_section, m_picture.pose);
+    m_renderer.setPose(SurfaceRenderer::Section, m_section, section, true);
+    Points<3> ends(3, static_cast<Eigen::Index>(2 * m_outline.size()));
+    Eigen::Index next = 0;
+    for (const auto& edge : m_outline)
+        for (const int point : edge) ends.col(next++) = section.col(point);
+    m_renderer.setOutline(ends);
+    m_glyphsStale = true;
+}
+
+std::vector<QRgb> VolumeView::coloursOf(const DrawMesh& mesh, bool skin) const {
+    if (skin && m_picture.materials && !mesh.colours.empty()) return mesh.colours;
+    std::vector<QRgb> colours;
+    colours.reserve(mesh.cells.size());
+    for (const int c : mesh.cells) colours.push_back(m_picture.cellColours[c]);
+    return colours;
+}
+
+void VolumeView::uploadColours() {
+    m_renderer.setColours(SurfaceRenderer::Outer, coloursOf(m_outer, showsSkin()));
+    if (m_style.mapOpacity > 0) m_renderer.setMap(coloursOf(m_outer, false));
+    m_renderer.setColours(SurfaceRenderer::Section,
+                          m_picture.section
+                              ? std::vector<QRgb>(m_section.triangles.size(), *m_picture.section)
+                              : coloursOf(m_section, false));
+    if (!m_picture.places.empty()) m_renderer.setRamp(m_picture.ramp);
+    uploadPlaces(SurfaceRenderer::Outer, m_outer, showsSkin());
+    uploadPlaces(SurfaceRenderer::Section, m_section, false);
+}
+
+/// Linear within the cells, so that a section shows what its neighbours on the surface do.
+void VolumeView::uploadPlaces(SurfaceRenderer::Layer layer, const DrawMesh& mesh, bool skin) {
+    std::vector<float> places;
+    if (!m_picture.places.empty()) {
+        Points<3> ofVertices = Points<3>::Zero(3, m_picture.pose.cols());
+        ofVertices.row(0) = Eigen::Map<const Eigen::RowVectorXd>(
+            m_picture.places.data(), static_cast<Eigen::Index>(m_picture.places.size()));
+        const Points<3> ofPoints = skin ? m_picture.embedding->interpolate(*m_picture.rest, ofVertices)
+                                        : drawnPoints(mesh, ofVertices);
+        for (const DrawMesh::Vertex& vertex : mesh.vertices)
+            places.push_back(static_cast<float>(ofPoints(0, vertex.point)));
+    }
+    m_renderer.setPlaces(layer, places);
+}
+
+/// What is marked is drawn with the surface where it is seen.
+void VolumeView::uploadGlyphs() {
+    m_renderer.setGlyphs(m_glyphs);
+    std::vector<DrawVertex> veiled = m_veiled;
+    for (const int f : m_picture.marked) {
+        const Facet<3>& facet = (*m_picture.facets)[static_cast<std::size_t>(f)];
+        const Vec<3> a = m_picture.pose.col(facet.vertices[0]);
+        const Vec<3> b = m_picture.pose.col(facet.vertices[1]), c = m_picture.pose.col(facet.vertices[2]);
+        const Vec<3> normal = (b - a).cross(c - a).stableNormalized();
+        for (const Vec<3>& corner : {a, b, c})
+            veiled.push_back(drawVertex(corner, normal, m_picture.cellColours[facet.cells[0]]));
+    }
+    m_renderer.setVeiled(veiled);
+}
+
+}  // namespace wend

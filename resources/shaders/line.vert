@@ -1,0 +1,14 @@
+#version 330 core
+layout(location = 0) in vec3 position;
+
+uniform mat4 view;
+uniform mat4 projection;
+uniform bool orthographic;
+
+void main() {
+    vec4 eye = view * vec4(position, 1.0);
+    // A little before the faces that it runs on, at the same place of the screen.
+    if (orthographic) eye.z += 0.002;
+    else eye.xyz *= 0.998;
+    gl_Position = projection * eye;
+}
