@@ -148,6 +148,11 @@ Motion<Dim> endedAt(const Motion<Dim>& motion, double time) {
     return result;
 }
 
+/// Not by rounding alone: such a time is the other one, and what follows begins there.
+bool isAfter(double a, double b) {
+    return a > b && !sameTime(a, b);
+}
+
 /// Calls `map` for every time of the project but its end.
 template <class Map>
 void mapTimes(Project& project, const Map& map) {
@@ -196,8 +201,10 @@ void endMotionsAt(Handle<Dim>& handle, double time) {
     std::erase_if(handle.motions, [time](const Motion<Dim>& motion) {
         return motion.start >= time || sameTime(motion.start, time);
     });
-    for (Motion<Dim>& motion : handle.motions)
-        if (motion.end > time && !sameTime(motion.end, time)) motion = endedAt<Dim>(motion, time);
+    for (Motion<Dim>& motion : handle.motions) {
+        if (isAfter(motion.end, time)) motion = endedAt<Dim>(motion, time);
+        motion.end = std::min(motion.end, time);
+    }
 }
 
 bool hasOwnTiming(const Project& project, double arm) {
@@ -227,8 +234,10 @@ Project endedAt(const Project& project, double time) {
         [time, end = project.end](auto& design) {
             for (auto& handle : design.handles) {
                 endMotionsAt(handle, time);
-                if (handle.activeFrom > time) handle.activeFrom = end;
-                if (handle.activeTo > time) handle.activeTo = std::numeric_limits<double>::infinity();
+                const double never = std::numeric_limits<double>::infinity();
+                handle.activeFrom =
+                    isAfter(handle.activeFrom, time) ? end : std::min(handle.activeFrom, time);
+                handle.activeTo = isAfter(handle.activeTo, time) ? never : std::min(handle.activeTo, time);
             }
         },
         next.design);

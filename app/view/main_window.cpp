@@ -91,6 +91,7 @@ MainWindow::MainWindow(QWidget* parent)
     m_menu = new ContextMenu({m_session, *m_actions, *m_curves, *m_solidActions, *m_depth, *m_pins}, this);
     m_actions->fillMenuBar(*this, m_solidActions->menu(), m_curves->menu(),
                            {m_pins->menu(), m_depth->menu(), m_material->menu()});
+    m_appearance->restore();  // before there are bars: they take their margins from the style but once
     makeToolBars();
     makeCentre();
     connectFiles();
@@ -101,7 +102,7 @@ MainWindow::MainWindow(QWidget* parent)
     new FilmControls({m_session, *m_actions, *m_tools, *m_time, *m_tracks}, this);
     connectHelp();
     connect(m_appearance, &AppearanceChoice::changed, this, &MainWindow::updateIcons);
-    m_appearance->restore();
+    updateIcons();
     showDocument();
 }
 

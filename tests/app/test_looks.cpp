@@ -1,11 +1,14 @@
 #include <QApplication>
 #include <QLabel>
-#include <QTest>
+#include <QToolBar>
 #include <cmath>
 
 #include "app/panels/theme.h"
+#include "app/view/main_window.h"
+#include "tests/support/window_fixture.h"
 
 using namespace wend;
+using namespace wend::test;
 
 /// The palettes, by the formula of WCAG 2.
 class TestLooks : public QObject {
@@ -15,6 +18,7 @@ class TestLooks : public QObject {
     void textIsReadable_data();
     void textIsReadable();
     void iconsDiffer();
+    void firstWindowIsAsAnyOther();
 
   private:
     static double luminance(const QColor& colour);
@@ -108,6 +112,20 @@ void TestLooks::iconsDiffer() {
                 }
             QVERIFY2(differs > 0.4 * inked, qPrintable(names[qsizetype(i)] + ' ' + names[qsizetype(k)]));
         }
+}
+
+/// Also the one that brings the program its style.
+void TestLooks::firstWindowIsAsAnyOther() {
+    const QTemporaryDir folder;
+    isolateSettings(folder);
+    qApp->setStyleSheet({});
+    MainWindow first, second;
+    for (const char* name : {"topBar", "optionRow"}) {
+        const auto height = [name](const MainWindow& window) {
+            return window.findChild<QToolBar*>(QLatin1String(name))->sizeHint().height();
+        };
+        QCOMPARE(height(first), height(second));
+    }
 }
 
 QTEST_MAIN(TestLooks)

@@ -27,6 +27,8 @@ class TestTiming : public QObject {
     void motionsWaitForTheirHandle();
     void laterMotionsLengthenTheFilm();
     void easeAndRemoval();
+    void almostTheEndIsTheEnd_data();
+    void almostTheEndIsTheEnd();
 };
 
 namespace {
@@ -240,6 +242,31 @@ void TestTiming::easeAndRemoval() {
     QCOMPARE(handlesOf(one)[0].motions.size(), std::size_t(1));
     QCOMPARE(timeOf(one, 0, 0), (MotionTime{2, 3}));
     QCOMPARE(one.end, 4.0);
+}
+
+void TestTiming::almostTheEndIsTheEnd_data() {
+    QTest::addColumn<std::vector<double>>("times");
+    QTest::newRow("a drag") << std::vector<double>();
+    QTest::newRow("a recording") << std::vector<double>{0, 1};
+}
+
+/// A slider's last place may lie before the film's end by rounding: what goes on from there goes on from the
+/// end, and the file can be read.
+void TestTiming::almostTheEndIsTheEnd() {
+    QFETCH(std::vector<double>, times);
+    Project project = film<2>();
+    project.domain.path = "picture.png";
+    auto& handles = std::get<Design<2>>(project.design).handles;
+    handles[0].motions[1].end = handles[1].activeFrom = project.end;
+    const double from = std::nextafter(project.end, 0.0);
+    const Gesture gesture{{0}, {}, {Amount::Zero(), Amount(0, 5, 0)}, from, 1, times};
+    const Project next = withGesture<2>(project, gesture, {Vec<2>(1, 1)});
+    const auto& motions = handlesOf(next)[0].motions;
+    QCOMPARE(motions.size(), std::size_t(3));
+    QVERIFY2(motions[1].end == motions[2].start,
+             qPrintable(QString("%1 %2").arg(motions[1].end).arg(motions[2].start)));
+    if (times.empty()) QCOMPARE(handlesOf(next)[1].activeFrom, motions[2].start);
+    QCOMPARE(toJson(parseProject(toJson(next), "memory.wend").project), toJson(next));
 }
 
 QTEST_GUILESS_MAIN(TestTiming)

@@ -62,6 +62,42 @@ class SolidFixture {
         m_window.canvas().setFocus();
         return settled && active;
     }
+    /// The bar, or the picture, as a project whose mesh is coarse from the first: what can be undone is what
+    /// was done since.
+    bool openProject(int dimension, int vertices) {
+        Project project;
+        if (dimension == 2) {
+            project = barProject(writeCutOut(m_folder));
+        } else {
+            project.domain.kind = DomainKind::Surface;
+            project.domain.path = writeBar().toStdString();
+            project.design = Design<3>();
+        }
+        project.domain.vertices = vertices;
+        const QString path = m_folder.filePath(QStringLiteral("bar.wend"));
+        writeProject(path.toStdString(), project);
+        return openFile(path);
+    }
+    bool openFile(const QString& path) {
+        m_window.openPath(path);
+        return takeOpened([&] { return session().document().source() == path; });
+    }
+    /// Once it is open: the window is active, the view has the keyboard, a solid is seen from the front.
+    template <class IsOpen>
+    bool takeOpened(const IsOpen& isOpen) {
+        if (!QTest::qWaitFor(isOpen, 60000)) return false;
+        const bool settled = settle(session());
+        m_window.activateWindow();
+        const bool active = QTest::qWaitForWindowActive(&m_window, 20000);
+        if (session().document().dimension() == 3) actions().front->trigger();
+        view().setFocus();
+        return settled && active;
+    }
+    /// Of the picture, or of the solid.
+    QWidget& view() {
+        if (session().document().dimension() == 3) return canvas();
+        return m_window.canvas();
+    }
     /// Both ends as handles 0 and 1, the second selected.
     bool holdEnds() {
         const auto frame = session().frame<3>();

@@ -243,6 +243,10 @@ bool VolumeView::isStale() const {
            m_style.flat == m_hasNormals;
 }
 
+bool VolumeView::isSettled() const {
+    return m_painted && !m_painted->coarse && *m_painted == scene() && !isStale();
+}
+
 QColor VolumeView::background() const {
     return m_background.isValid() ? m_background : palette().color(QPalette::Base).darker(104);
 }

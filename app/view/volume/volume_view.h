@@ -66,6 +66,8 @@ class VolumeView : public QOpenGLWidget {
         double prepare = 0, draw = 0;
     };
     const FrameTimes& lastFrame() const { return m_times; }
+    /// True if what was drawn last is what there is to show, at full quality.
+    bool isSettled() const;
     void fit();
     void look(Camera::Axis axis);
     void setOrthographic(bool on);
