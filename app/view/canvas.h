@@ -143,7 +143,7 @@ class ShapeCanvas : public QWidget, public ToolSurface {
     bool m_fitted = false;  // the view follows the window's size until the user changes it
     bool m_spaceDown = false, m_panning = false;
     bool m_menuPressed = false;  // the right button, and no other
-    bool m_leads = false;        // the tool, with the left button
+    bool m_leads = false;        // the tool, with a button that is its own
     QPointF m_lastPan;
     Measure m_measure = Measure::Length;
     MeasureRange m_range;

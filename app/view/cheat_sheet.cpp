@@ -59,6 +59,8 @@ Group pointer(int dimension) {
         QT_TRANSLATE_NOOP("CheatSheet", "set the number, Enter takes it"));
     add(QT_TRANSLATE_NOOP("CheatSheet", "Wheel"), QT_TRANSLATE_NOOP("CheatSheet", "zooms to the pointer"));
     add(QT_TRANSLATE_NOOP("CheatSheet", "[ and ]"), QT_TRANSLATE_NOOP("CheatSheet", "size of a brush"));
+    add(QT_TRANSLATE_NOOP("CheatSheet", "Alt-right-drag a brush"),
+        QT_TRANSLATE_NOOP("CheatSheet", "changes its size and hardness"));
     add(QT_TRANSLATE_NOOP("CheatSheet", "Shift-click with the brush"),
         QT_TRANSLATE_NOOP("CheatSheet", "paints a straight line"));
     add(QT_TRANSLATE_NOOP("CheatSheet", "Arrow keys without a pin"),

@@ -19,6 +19,7 @@
 #include "app/panels/pin_list.h"
 #include "app/view/actions.h"
 #include "app/view/appearance_choice.h"
+#include "app/view/brush_actions.h"
 #include "app/view/busy_note.h"
 #include "app/view/canvas.h"
 #include "app/view/compare_view.h"
@@ -63,6 +64,7 @@ MainWindow::MainWindow(QWidget* parent)
       m_pins(new PinActions(m_session, this)),
       m_properties(new Properties(m_session, *m_tools, *m_actions)),
       m_pictureActions(new PictureActions(m_properties->brush(), this)),
+      m_brush(new BrushActions(m_properties->brush(), *m_tools, this)),
       m_files(new FileWorkflow(m_session.document(), *this)),
       m_exporter(new Exporter(m_session, *this)),
       m_canvas(new ShapeCanvas(m_session)),
@@ -86,10 +88,10 @@ MainWindow::MainWindow(QWidget* parent)
         m_session, [this] { return m_workspace->curve(); }, this);
     m_material = new MaterialActions(m_session, *m_exporter, this);
     m_properties->layers().setPictureMenu(m_material->menu());
-    m_tools->shareKeysWith({m_solidActions, m_curves, m_depth, m_pins, m_material, m_actions});
+    m_tools->shareKeysWith({m_solidActions, m_curves, m_depth, m_pins, m_brush, m_material, m_actions});
     m_menu = new ContextMenu({m_session, *m_actions, *m_curves, *m_solidActions, *m_depth, *m_pins}, this);
     m_actions->fillMenuBar(*this, m_solidActions->menu(), m_curves->menu(),
-                           {m_pins->menu(), m_depth->menu(), m_material->menu()});
+                           {m_pins->menu(), m_depth->menu(), m_brush->menu(), m_material->menu()});
     makeToolBars();
     makeCentre();
     connectFiles();

@@ -148,8 +148,10 @@ class SolidCanvas : public VolumeView, public SolidSurface {
 
     ShapeSession& m_session;
     SolidTool* m_tool = nullptr;
-    SolidTool* m_active = nullptr;       // the one that has the pointer
-    std::shared_ptr<const void> m_mesh;  // of the last frame
+    bool m_spaceDown = false;                         // the left button moves the view
+    SolidTool* m_active = nullptr;                    // the one that has the pointer …
+    Qt::MouseButton m_activeButton = Qt::LeftButton;  // … as long as this is down
+    std::shared_ptr<const void> m_mesh;               // of the last frame
     CutTool m_cutTool;
     MaterialPreview<3> m_preview;
     FramePtr m_standIn;

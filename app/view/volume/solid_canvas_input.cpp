@@ -26,10 +26,12 @@ bool SolidCanvas::isForTool(const QMouseEvent& event, const SolidTool& tool) {
 
 void SolidCanvas::mousePressEvent(QMouseEvent* event) {
     setFocus(Qt::MouseFocusReason);
-    SolidTool* tool = toolAt(event->position());
     const bool left = event->button() == Qt::LeftButton;
-    if (left && tool && !m_active && isForTool(*event, *tool)) {
+    SolidTool* tool = toolAt(event->position());
+    const bool taken = tool && (tool->takesButton(*event) || (left && isForTool(*event, *tool)));
+    if (taken && !m_active) {
         m_active = tool;
+        m_activeButton = event->button();
         tool->press(*event);
         useTool(tool);
     } else if (!m_active) {
@@ -46,6 +48,7 @@ void SolidCanvas::mouseDoubleClickEvent(QMouseEvent* event) {
         return;
     }
     m_active = tool;
+    m_activeButton = Qt::LeftButton;
     tool->doubleClick(*event);
     useTool(tool);
 }
@@ -67,7 +70,7 @@ void SolidCanvas::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void SolidCanvas::mouseReleaseEvent(QMouseEvent* event) {
-    if (m_active && event->button() == Qt::LeftButton) {
+    if (m_active && event->button() == m_activeButton) {
         SolidTool* tool = std::exchange(m_active, nullptr);
         tool->release(*event);
         useTool(tool);
