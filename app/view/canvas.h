@@ -61,6 +61,9 @@ class ShapeCanvas : public QWidget, public ToolSurface {
     void setMarksShown(bool shown);
     /// Draws the border of a layer of the material; null: of none.
     void setLayer(const QString& name);
+    /// Draws the border of other regions; none: of none.
+    void setDetailRegions(const std::vector<wend::MaterialRegion<2>>& regions);
+    void setDepthRegions(const std::vector<wend::MaterialRegion<2>>& regions);
     void setOverlaysHidden(bool hidden);
     /// Behind a picture; invalid: checks.
     void setBackdrop(const QColor& colour);
@@ -125,6 +128,7 @@ class ShapeCanvas : public QWidget, public ToolSurface {
     PosedPtr<2> m_unbent;  // the picture as it is, before the first mesh
     MaterialPreview<2> m_preview;
     LayerLines<2> m_layer;
+    RegionLines m_detailRegions, m_depthRegions;
     OnionSkin<2> m_onion;
     PinAnimation m_animation{m_session};
     bool m_marks = false;  // of stiffness

@@ -17,6 +17,7 @@
 #include "app/panels/mesh_panel.h"
 #include "app/panels/panel_fields.h"
 #include "app/panels/pin_list.h"
+#include "app/panels/region_list.h"
 #include "app/view/actions.h"
 #include "app/view/appearance_choice.h"
 #include "app/view/brush_actions.h"
@@ -243,6 +244,8 @@ void MainWindow::connectEdit() {
 void MainWindow::connectView() {
     Actions& a = *m_actions;
     connect(&m_properties->layers(), &LayerPanel::chosen, m_canvas, &ShapeCanvas::setLayer);
+    connect(&m_properties->detailRegions(), &RegionList::chosen, m_canvas, &ShapeCanvas::setDetailRegions);
+    connect(&m_properties->depthRegions(), &RegionList::chosen, m_canvas, &ShapeCanvas::setDepthRegions);
     connect(a.fit, &QAction::triggered, m_canvas, &ShapeCanvas::fit);
     connect(a.actualSize, &QAction::triggered, this,
             [this] { m_canvas->zoomTo(1 / m_canvas->devicePixelRatioF()); });

@@ -20,6 +20,7 @@
 #include "app/panels/panel_fields.h"
 #include "app/panels/panel_parts.h"
 #include "app/panels/pin_list.h"
+#include "app/panels/region_list.h"
 #include "app/panels/region_panel.h"
 #include "app/panels/size_panel.h"
 #include "app/panels/surface_panel.h"
@@ -49,6 +50,8 @@ Properties::Properties(ShapeSession& session, const Toolbox& tools, const Action
       m_paint(new PaintPanel(session, m_brush)),
       m_layers(new LayerPanel(session)),
       m_sizes(new SizePanel(session)),
+      m_detailRegions(new RegionList(session, RegionsOf::Detail)),
+      m_depthRegions(new RegionList(session, RegionsOf::Depth)),
       m_surface(new SurfacePanel),
       m_pins(new PinList(session)),
       m_advanced(new FoldingSection(tr("Advanced"), tr("The same in numbers, for those who want them."),
@@ -85,7 +88,9 @@ void Properties::fill(ShapeSession& session, const Actions& actions) {
     put(m_surface, {.modes = Modes::all(), .flat = false});
     put(m_mesh, {.modes = Mode::Mesh});
     put(m_sizes, {.modes = Mode::Mesh, .flat = false, .tool = "sizes"});
-    put(m_paint, {.modes = Mode::Paint});
+    put(m_detailRegions, {.modes = Mode::Mesh, .solid = false, .tool = "sizes"});
+    put(m_depthRegions, {.modes = Mode::Paint, .solid = false, .tool = "depth"});
+    put(m_paint, {.modes = Mode::Paint, .without = "depth"});
     put(m_layers, {.modes = Mode::Paint});
     put(m_pins, {.modes = Mode::Pins});
     put(selectionArea(session), {.modes = posing});
@@ -128,6 +133,7 @@ QWidget* Properties::selectionArea(ShapeSession& session) {
 bool Properties::isDue(const When& when) const {
     if (m_tools.dimension() == 3 ? !when.solid : !when.flat) return false;
     if (when.tool && !m_tools.isChosen(when.tool)) return false;
+    if (when.without && m_tools.isChosen(when.without)) return false;
     return when.modes.has(m_tools.mode()) || (when.on && when.on->isChecked());
 }
 
