@@ -12,7 +12,8 @@
 using namespace wend;
 using namespace wend::test;
 
-/// Regions of a picture in lists and numbers: where its mesh is finer, and what lies in front.
+/// Regions of a picture in lists and numbers: where its mesh is finer, what lies in front, and how large the
+/// circle of a pin is.
 class TestRegionList : public QObject {
     Q_OBJECT
   private slots:
@@ -24,6 +25,7 @@ class TestRegionList : public QObject {
     void chosenOnesAreOutlined_data() { kinds(); }
     void chosenOnesAreOutlined();
     void whatAFileHasIsListed();
+    void circlesHaveARadius();
 
   private:
     static void kinds();
@@ -198,6 +200,46 @@ void TestRegionList::whatAFileHasIsListed() {
     QTest::keyClicks(editor, QStringLiteral("Ear"));
     QTest::keyClick(editor, Qt::Key_Return);
     QVERIFY(QTest::qWaitFor([&] { return m_f->project().depth[1].name == "Ear"; }, 20000));
+}
+
+/// That of a pin which holds a part: a number that is one step, and that is not taken where it holds nothing.
+void TestRegionList::circlesHaveARadius() {
+    QVERIFY(m_f->openPicture());
+    auto* field = m_f->window().findChild<QDoubleSpinBox*>(QStringLiteral("circleRadius"));
+    ShapeSession& session = m_f->session();
+    session.addPin<2>({60, 80});
+    session.addHandle<2>(Region<2>(Ball<2>{{170, 80}, 15}), "Circle");
+    QVERIFY(settle(session));
+    session.selection().set({0});
+    QVERIFY(field && !field->isVisible());
+    session.selection().set({1});
+    QVERIFY(field->isVisible());
+    QCOMPARE(field->value(), 15.0);
+    const auto radius = [&] {
+        const auto& at = session.document().design<2>().handles[1].at;
+        return std::get<Ball<2>>(std::get<Region<2>>(at)).radius;
+    };
+    const int steps = undo().count();
+    const auto type = [&](const char* text) {
+        field->setFocus();
+        field->selectAll();
+        QTest::keyClicks(field, QLatin1String(text));
+        QTest::keyClick(field, Qt::Key_Return);
+    };
+    type("22.5");
+    QCOMPARE(radius(), 22.5);
+    QCOMPARE(undo().count(), steps + 1);
+    QVERIFY(settle(session));
+    const auto* count = m_f->window().findChild<QLabel*>(QStringLiteral("regionCount"));
+    QVERIFY(count->text().section(' ', 0, 0).toInt() > 3);
+    type("0.02");
+    QCOMPARE(radius(), 22.5);
+    QCOMPARE(field->value(), 22.5);
+    undo().undo();
+    QCOMPARE(radius(), 15.0);
+    QCOMPARE(field->value(), 15.0);
+    session.selection().set({0, 1});
+    QVERIFY(!field->isVisible());
 }
 
 QTEST_MAIN(TestRegionList)
