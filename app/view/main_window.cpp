@@ -41,6 +41,7 @@
 #include "app/view/shape_notices.h"
 #include "app/view/side_windows.h"
 #include "app/view/solid_workshop.h"
+#include "app/view/space_tap.h"
 #include "app/view/start_page.h"
 #include "app/view/status_fields.h"
 #include "app/view/time_strip.h"
@@ -101,6 +102,7 @@ MainWindow::MainWindow(QWidget* parent)
     new ViewLooks({m_session, *m_actions, *m_properties, *m_canvas, *m_compare, *m_solids}, this);
     connect(&m_session.playback(), &Playback::endChanged, this, &MainWindow::showSelection);
     new FilmControls({m_session, *m_actions, *m_tools, *m_time, *m_tracks}, this);
+    connect(new SpaceTap(*this), &SpaceTap::tapped, m_actions->play, &QAction::trigger);
     connectHelp();
     connect(m_appearance, &AppearanceChoice::changed, this, &MainWindow::updateIcons);
     m_appearance->restore();

@@ -9,6 +9,7 @@
 #include <QSlider>
 #include <QStatusBar>
 #include <QStatusTipEvent>
+#include <QToolButton>
 #include <QWheelEvent>
 #include <QWindow>
 
@@ -49,6 +50,10 @@ class TestPanelFields : public QObject {
     void clicksOnSlidersAreStepsOfTheirOwn();
     void hintsEndWhereTheNumbersBegin();
     void fieldsShowAnyValueOfTheirSetting();
+    void spaceTappedPlays_data();
+    void spaceTappedPlays();
+    void spaceHeldMovesTheView_data();
+    void spaceHeldMovesTheView();
 
   private:
     bool open(bool solid);
@@ -61,6 +66,7 @@ class TestPanelFields : public QObject {
     void turnWheel(const QWidget& over, int notches);
     QAbstractSpinBox* box(const QString& name);
     void type(QAbstractSpinBox& box, const QString& text);
+    bool tapSpace(QWidget& on);
 
     std::unique_ptr<SolidFixture> m_f;
 };
@@ -480,6 +486,92 @@ void TestPanelFields::fieldsShowAnyValueOfTheirSetting() {
         ++seen;
     }
     QVERIFY(seen >= 10);
+}
+
+void TestPanelFields::spaceTappedPlays_data() {
+    pictureAndSolid();
+}
+
+/// Whether that has changed what plays.
+bool TestPanelFields::tapSpace(QWidget& on) {
+    const Playback& playback = m_f->session().playback();
+    const bool before = playback.isPlaying();
+    on.setFocus();
+    QTest::keyClick(&on, Qt::Key_Space);
+    return playback.isPlaying() != before;
+}
+
+/// On the view and where nothing else wants it; in a field it is a letter, on a button and in a list it is
+/// theirs. Held until it repeats, or with the mouse in between, it is no tap.
+void TestPanelFields::spaceTappedPlays() {
+    QFETCH(bool, solid);
+    QVERIFY(open(solid));
+    QVERIFY(!tapSpace(view()));  // nothing moves yet
+    QVERIFY(bend(solid));
+    Playback& playback = m_f->session().playback();
+    QVERIFY(tapSpace(view()) && playback.isPlaying());
+    QVERIFY(tapSpace(view()) && !playback.isPlaying());
+    QVERIFY(tapSpace(*m_f->window().findChild<TimeStrip*>()->slider()));
+    QVERIFY(tapSpace(*m_f->window().findChild<QSlider*>(QStringLiteral("energySlider"))));
+    QVERIFY(!playback.isPlaying());
+    m_f->window().tools().setMode(Mode::Mesh);
+    settleLayout(m_f->window().properties());
+    QAbstractButton* tile = nullptr;
+    for (auto* one : m_f->window().findChildren<QToolButton*>())
+        if (one->property("role") == QStringLiteral("tile")) tile = one;
+    const auto* choices = solid ? "domain.cage" : "domain.outline.from";
+    QWidget* list = m_f->window().findChild<OptionField*>(QLatin1String(choices))->focusProxy();
+    for (QWidget* field : std::initializer_list<QWidget*>{tile, list, box(QStringLiteral("Vertices"))}) {
+        QVERIFY(field && field->isVisible());
+        QVERIFY2(!tapSpace(*field), qPrintable(field->accessibleName()));
+        if (QWidget* popup = QApplication::activePopupWidget()) popup->close();
+    }
+    QLineEdit text(&m_f->window());
+    text.show();
+    QVERIFY(!tapSpace(text));
+    QCOMPARE(text.text(), QStringLiteral(" "));
+    view().setFocus();
+    QTest::keyPress(&view(), Qt::Key_Space);
+    QKeyEvent again(QEvent::KeyPress, Qt::Key_Space, {}, QStringLiteral(" "), true);
+    QCoreApplication::sendEvent(&view(), &again);
+    QTest::keyRelease(&view(), Qt::Key_Space);
+    QVERIFY(!playback.isPlaying());
+}
+
+void TestPanelFields::spaceHeldMovesTheView_data() {
+    pictureAndSolid();
+}
+
+/// As far as the hand goes, without a turn; afterwards the tool has the button again, and nothing plays.
+void TestPanelFields::spaceHeldMovesTheView() {
+    QFETCH(bool, solid);
+    QVERIFY(open(solid) && bend(solid));
+    const auto places = [&] {
+        if (solid) return std::pair{m_f->at({-1, -0.5, 0}), m_f->at({1, -0.5, 0.3})};
+        ShapeCanvas& canvas = m_f->window().canvas();
+        return std::pair{canvas.toWidget({60, 80}).toPoint(), canvas.toWidget({160, 90}).toPoint()};
+    };
+    const auto before = places();
+    const int steps = m_f->session().document().undoStack()->count();
+    const QPoint at = before.first, by(40, 25);
+    view().setFocus();
+    QTest::keyPress(&view(), Qt::Key_Space);
+    QTest::mousePress(&view(), Qt::LeftButton, {}, at);
+    for (int i = 1; i <= 5; ++i) QTest::mouseMove(&view(), at + by * i / 5);
+    QTest::mouseRelease(&view(), Qt::LeftButton, {}, at + by);
+    QTest::keyRelease(&view(), Qt::Key_Space);
+    const auto after = places();
+    for (const QPoint& off : {after.first - before.first - by, after.second - before.second - by})
+        QVERIFY2(off.manhattanLength() <= (solid ? 6 : 2),  // nearer than what is turned about: a little more
+                 qPrintable(QStringLiteral("%1 %2").arg(off.x()).arg(off.y())));
+    QVERIFY(!m_f->session().playback().isPlaying());
+    QCOMPARE(m_f->session().document().undoStack()->count(), steps);
+    QTest::mouseMove(&view(), at + by);
+    QTest::mousePress(&view(), Qt::LeftButton, {}, at + by);
+    QTest::mouseMove(&view(), at + 2 * by);
+    QCOMPARE(places(), after);
+    QTest::keyClick(&view(), Qt::Key_Escape);
+    QTest::mouseRelease(&view(), Qt::LeftButton, {}, at + 2 * by);
 }
 
 QTEST_MAIN(TestPanelFields)

@@ -120,6 +120,8 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     void wheelEvent(QWheelEvent* event) override;
     void tabletEvent(QTabletEvent* event) override { takePressure(*event); }
     void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
     void leaveEvent(QEvent* event) override;
     void changeEvent(QEvent* event) override;
     bool event(QEvent* event) override;
@@ -133,6 +135,7 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     void showGlyphs(const PosedFrame<3>& frame);
     void wantVelocity();
     void tellPointed(const QPointF& at);
+    void setSpaceDown(bool down);
     bool showsMap() const { return m_map && !m_hidden; }
     QRgb plainColour() const;
     bool hasDetail(const PosedFrame<3>& frame) const;

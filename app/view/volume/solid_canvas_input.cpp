@@ -27,6 +27,7 @@ bool SolidCanvas::isForTool(const QMouseEvent& event, const SolidTool& tool) {
 void SolidCanvas::mousePressEvent(QMouseEvent* event) {
     setFocus(Qt::MouseFocusReason);
     const bool left = event->button() == Qt::LeftButton;
+    if (left && m_spaceDown && !m_active) return navigation().pressToPan(*event);
     SolidTool* tool = toolAt(event->position());
     const bool taken = tool && (tool->takesButton(*event) || (left && isForTool(*event, *tool)));
     if (taken && !m_active) {
@@ -43,7 +44,7 @@ void SolidCanvas::mousePressEvent(QMouseEvent* event) {
 void SolidCanvas::mouseDoubleClickEvent(QMouseEvent* event) {
     SolidTool* tool = toolAt(event->position());
     const bool left = event->button() == Qt::LeftButton;
-    if (!left || !tool || m_active || !isForTool(*event, *tool)) {
+    if (!left || !tool || m_active || m_spaceDown || !isForTool(*event, *tool)) {
         mousePressEvent(event);
         return;
     }
@@ -76,7 +77,7 @@ void SolidCanvas::mouseReleaseEvent(QMouseEvent* event) {
         useTool(tool);
         return;
     }
-    const bool turned = navigation().isGoingOn();
+    const bool turned = navigation().isGoingOn() && !m_spaceDown;
     const bool click = navigation().isClick(*event);
     if (click && event->button() == Qt::RightButton && m_tool && !m_active) {
         navigation().end();
@@ -118,7 +119,25 @@ void SolidCanvas::wheelEvent(QWheelEvent* event) {
     VolumeView::wheelEvent(event);
 }
 
+void SolidCanvas::setSpaceDown(bool down) {
+    m_spaceDown = down;
+    setCursor(down ? QCursor(Qt::OpenHandCursor) : m_tool ? m_tool->cursor() : QCursor(Qt::ArrowCursor));
+}
+
+void SolidCanvas::keyReleaseEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Space && !event->isAutoRepeat()) setSpaceDown(false);
+}
+
+void SolidCanvas::focusOutEvent(QFocusEvent* event) {
+    setSpaceDown(false);
+    VolumeView::focusOutEvent(event);
+}
+
 void SolidCanvas::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Space && !m_active) {
+        if (!event->isAutoRepeat()) setSpaceDown(true);
+        return;
+    }
     if (m_active && m_active->key(*event)) {
         useTool(m_active);
         if (m_tool == m_active && event->key() == Qt::Key_Escape) m_active = nullptr;
