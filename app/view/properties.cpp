@@ -20,6 +20,7 @@
 #include "app/panels/panel_fields.h"
 #include "app/panels/panel_parts.h"
 #include "app/panels/pin_list.h"
+#include "app/panels/reach_row.h"
 #include "app/panels/region_list.h"
 #include "app/panels/region_panel.h"
 #include "app/panels/size_panel.h"
@@ -42,6 +43,7 @@ constexpr Modes kShaping = Mode::Mesh | Mode::Pins | Modes(Mode::Paint) | Modes(
 Properties::Properties(ShapeSession& session, const Toolbox& tools, const Actions& actions)
     : m_tools(tools),
       m_material(new MaterialPanel(session)),
+      m_reach(new ReachRow(session.document())),
       m_mesh(new MeshPanel(session)),
       m_cutOut(new CutOutPanel(session)),
       m_distortion(new DistortionPanel(session)),
@@ -74,6 +76,7 @@ Properties::Properties(ShapeSession& session, const Toolbox& tools, const Action
     column->setContentsMargins(1, 0, 0, 0);  // its line at the left
     column->setSpacing(0);
     column->addWidget(m_material);
+    column->addWidget(m_reach);
     column->addWidget(panelLine(this));
     column->addWidget(m_scroll, 1);
     connect(new PanelFields(*this), &PanelFields::done, this, &Properties::done);
@@ -139,6 +142,7 @@ bool Properties::isDue(const When& when) const {
 
 void Properties::arrange() {
     for (const auto& [holder, when] : m_places) holder->setVisible(isDue(when));
+    m_reach->setVisible((Mode::Pins | Mode::Paint).has(m_tools.mode()));
     m_cutOut->setVisible(m_tools.dimension() == 2 && m_tools.mode() == Mode::Mesh);
 }
 

@@ -24,6 +24,7 @@ class MeasurePanel;
 class MeshPanel;
 class PaintPanel;
 class PinList;
+class ReachRow;
 class RegionList;
 class SizePanel;
 class SurfacePanel;
@@ -77,6 +78,7 @@ class Properties : public QWidget {
 
     const Toolbox& m_tools;
     MaterialPanel* m_material;
+    ReachRow* m_reach;
     MeshPanel* m_mesh;
     CutOutPanel* m_cutOut;
     DistortionPanel* m_distortion;
