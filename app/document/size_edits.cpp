@@ -25,15 +25,9 @@ std::vector<int> entriesOf(const Project& project, int group) {
 
 std::vector<SizeGroup> sizeGroups(const Domain& domain) {
     std::vector<SizeGroup> groups;
-    for (int i = 0; i < static_cast<int>(domain.sizes.size()); ++i) {
-        const SizeRegion& region = domain.sizes[i];
-        const auto it = std::find_if(groups.begin(), groups.end(), [&](const SizeGroup& group) {
-            return !region.name.empty() && group.name == region.name;
-        });
-        if (it != groups.end())
-            it->entries.push_back(i);
-        else
-            groups.push_back({region.name, {i}, region});
+    for (const std::vector<int>& entries : placesByName(domain.sizes)) {
+        const SizeRegion& first = domain.sizes[entries.front()];
+        groups.push_back({first.name, entries, first});
     }
     return groups;
 }

@@ -4,6 +4,7 @@
 #include "app/document/settings.h"
 #include "app/panels/option_field.h"
 #include "app/panels/panel_parts.h"
+#include "app/panels/picture_tip.h"
 
 namespace wend {
 
@@ -14,6 +15,9 @@ BalancePanel::BalancePanel(ShapeSession& session, QWidget* parent)
     layout->setSpacing(8);
     for (const char* key : {"material.phi", "material.smoothing.length"})
         layout->addWidget(m_settings.row(key));
+    showInTip(m_settings.field("material.phi").focusProxy(),
+              [this] { return energyPictures(m_session.document().dimension()); });
+    showInTip(m_settings.field("material.smoothing.length").focusProxy(), reachPictures);
     connect(&m_session.document(), &Document::projectChanged, this, &BalancePanel::showProject);
     showProject();
 }

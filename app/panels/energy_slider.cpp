@@ -12,6 +12,7 @@
 #include <limits>
 
 #include "app/panels/panel_parts.h"
+#include "app/panels/picture_tip.h"
 #include "app/panels/theme.h"
 
 namespace wend {
@@ -57,6 +58,7 @@ EnergySlider::EnergySlider(QWidget* parent, Stops stops)
     m_slider->setSingleStep(50);
     m_slider->setPageStep(kStepsPerStop);
     describe(m_slider, tr("What is kept"), helpText());
+    showInTip(m_slider, [this] { return energyPictures(m_dimension); });
     setFocusProxy(m_slider);
     for (int i = 0; i < EnergyScale::kStops; ++i) makeStop(i);
     showPictures();
@@ -82,6 +84,7 @@ void EnergySlider::makeStop(int stop) {
         label->setProperty("long", isLong(label->text()));
     }
     describe(label, m_scale.stops()[stop].name, m_scale.stops()[stop].shortHelp);
+    showInTip(label, [stop] { return QList<TipPicture>{energyPicture(stop)}; });
     connect(label, &QToolButton::clicked, this, [this, stop] {
         ++m_gesture;
         m_slider->setValue(stop * kStepsPerStop);

@@ -2,8 +2,10 @@
 
 #include "app/document/handle_edits.h"
 #include "app/document/project.h"
+#include "app/panels/exact_box.h"
 #include "app/panels/panel_parts.h"
 #include "app/panels/region_numbers.h"
+#include "app/session/pin_shapes.h"
 #include "app/session/solid_places.h"
 
 namespace wend {
@@ -12,33 +14,48 @@ RegionPanel::RegionPanel(ShapeSession& session, QWidget* parent)
     : QWidget(parent),
       m_session(session),
       m_numbers(new RegionNumbers(this)),
+      m_radius(new ExactBox(this)),
       m_count(secondLabel({}, this)) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(16, 14, 16, 14);
     layout->setSpacing(10);
     layout->addWidget(panelTitle(tr("Region"), this));
     layout->addWidget(m_numbers);
+    m_radius->setObjectName(QStringLiteral("circleRadius"));
+    m_radius->setRange(0.01, 1e9);
+    m_radius->setFixedWidth(116);
+    describe(m_radius, tr("Radius"),
+             tr("How large the circle is that the pin holds, in the shape's own units; of a picture its "
+                "pixels. Alt-drag of the pin does the same."));
+    layout->addWidget(m_radiusRow = panelRowIn(tr("Ra&dius"), m_radius, this));
     layout->addWidget(m_count);
     m_count->setObjectName(QStringLiteral("regionCount"));
     connect(m_numbers, &RegionNumbers::changed, this, &RegionPanel::apply);
+    connect(m_radius, &QDoubleSpinBox::valueChanged, this, &RegionPanel::applyRadius);
     connect(&m_session, &ShapeSession::pinsChanged, this, &RegionPanel::showHandle);
     connect(&m_session, &ShapeSession::frameChanged, this, &RegionPanel::takeFrame);
     showHandle();
 }
 
-const Region<3>* RegionPanel::region() const {
+template <int Dim>
+const Region<Dim>* RegionPanel::region() const {
     const auto& selected = m_session.selection().handles();
-    if (m_session.document().dimension() != 3 || selected.size() != 1) return nullptr;
-    const auto& handles = m_session.document().design<3>().handles;
+    if (m_session.document().dimension() != Dim || selected.size() != 1) return nullptr;
+    const auto& handles = m_session.document().design<Dim>().handles;
     if (selected.front() >= static_cast<int>(handles.size())) return nullptr;
-    const auto* region = std::get_if<Region<3>>(&handles[selected.front()].at);
-    return region && RegionNumbers::canShow(*region) ? region : nullptr;
+    return std::get_if<Region<Dim>>(&handles[selected.front()].at);
+}
+
+const Ball<2>* RegionPanel::circle() const {
+    const Region<2>* now = region<2>();
+    return now ? std::get_if<Ball<2>>(now) : nullptr;
 }
 
 /// One undo step for numbers that follow each other. What holds nothing is not taken.
 void RegionPanel::apply(const Region<3>& next) {
     const auto frame = m_session.frame<3>();
-    if (!region() || !frame || next == *region()) return;
+    const Region<3>* now = region<3>();
+    if (!now || !frame || next == *now) return;
     if (verticesIn(next, *frame->rest).empty()) {
         m_count->setText(tr("There is no vertex in this region: nothing was changed."));
         return;
@@ -49,20 +66,48 @@ void RegionPanel::apply(const Region<3>& next) {
                                 QStringLiteral("handle region %1").arg(handle));
 }
 
+/// What is too small to hold a part is told, and not taken.
+void RegionPanel::applyRadius() {
+    if (!circle()) return;
+    const int handle = m_session.selection().handles().front();
+    if (!widenPin(m_session, handle, m_radius->exact(), QStringLiteral("handle region %1").arg(handle)))
+        showHandle();
+}
+
 /// Poses change nothing here.
 void RegionPanel::takeFrame() {
-    const auto frame = m_session.frame<3>();
+    const FramePtr& frame = m_session.frame();
     if (!frame || frame->shape != m_mesh || isHidden()) showHandle();
 }
 
 void RegionPanel::showHandle() {
-    const Region<3>* now = region();
-    const auto frame = m_session.frame<3>();
+    const FramePtr& frame = m_session.frame();
     m_mesh = frame ? frame->shape : nullptr;
-    setVisible(now && frame);
-    if (!now || !frame) return;
-    m_numbers->showRegion(*now, frame->diagonal);
-    m_count->setText(tr("%n vertices", nullptr, static_cast<int>(verticesIn(*now, *frame->rest).size())));
+    const Region<3>* solid = region<3>();
+    const bool isSolid = solid && RegionNumbers::canShow(*solid);
+    setVisible(frame && (isSolid || circle()));
+    m_numbers->setVisible(isSolid);
+    m_radiusRow->setVisible(!isSolid);
+    if (frame && isSolid) showSolid();
+    if (frame && circle()) showPicture();
+}
+
+void RegionPanel::showSolid() {
+    const auto frame = m_session.frame<3>();
+    if (!frame) return;
+    m_numbers->showRegion(*region<3>(), frame->diagonal);
+    showCount(verticesIn(*region<3>(), *frame->rest).size());
+}
+
+void RegionPanel::showPicture() {
+    const auto frame = m_session.frame<2>();
+    if (!frame) return;
+    m_radius->put(circle()->radius);
+    showCount(verticesInside<2>(*circle(), *frame->rest).size());
+}
+
+void RegionPanel::showCount(std::size_t vertices) {
+    m_count->setText(tr("%n vertices", nullptr, static_cast<int>(vertices)));
 }
 
 }  // namespace wend

@@ -8,10 +8,11 @@ class QLabel;
 
 namespace wend {
 
+class ExactBox;
 class RegionNumbers;
 
-/// The region that the one selected handle of a solid holds, in numbers of the rest shape, and how many
-/// vertices that are. Only there for such a handle.
+/// The region that the one selected handle holds, in numbers of the rest shape, and how many vertices that
+/// are; of a picture how large a circle is. Only there for such a handle.
 class RegionPanel : public QWidget {
     Q_OBJECT
 
@@ -22,10 +23,18 @@ class RegionPanel : public QWidget {
     void showHandle();
     void takeFrame();
     void apply(const Region<3>& region);
-    const Region<3>* region() const;
+    template <int Dim>
+    const Region<Dim>* region() const;
+    const Ball<2>* circle() const;
+    void applyRadius();
+    void showSolid();
+    void showPicture();
+    void showCount(std::size_t vertices);
 
     ShapeSession& m_session;
     RegionNumbers* m_numbers;
+    QWidget* m_radiusRow = nullptr;
+    ExactBox* m_radius;  // of a circle
     QLabel* m_count;
     std::shared_ptr<const void> m_mesh;  // whose vertices were counted
 };

@@ -5,6 +5,7 @@
 #include "app/document/options.h"
 #include "app/panels/exact_box.h"
 #include "app/panels/panel_parts.h"
+#include "app/panels/picture_tip.h"
 
 namespace wend {
 
@@ -16,6 +17,7 @@ ExactBox* stiffnessField(const QString& help, QWidget* parent) {
     box->setPrefix(QStringLiteral("×"));
     box->setFixedWidth(116);
     describe(box, QCoreApplication::translate("StiffnessFields", "Stiffness"), help);
+    showInTip(box, stiffnessPictures);
     return box;
 }
 

@@ -28,7 +28,7 @@ Vec<2> middleOf(const Placement<2>& at, const SimplicialMesh<2>& rest) {
 
 }  // namespace
 
-bool widenPin(ShapeSession& session, int handle, double radius) {
+bool widenPin(ShapeSession& session, int handle, double radius, const QString& key) {
     const auto shape = session.frame<2>();
     if (!session.mayChange(handle)) return false;
     if (!shape || session.document().dimension() != 2) return false;
@@ -41,7 +41,7 @@ bool widenPin(ShapeSession& session, int handle, double radius) {
         return false;
     }
     document.change(ShapeSession::tr("Widen %1").arg(QString::fromStdString(own.name)),
-                    withHandlePlace<2>(*document.project(), handle, wide));
+                    withHandlePlace<2>(*document.project(), handle, wide), key);
     return true;
 }
 

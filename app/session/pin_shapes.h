@@ -12,7 +12,7 @@ std::vector<Vec<Dim>> shownStarts(const std::vector<Vec<Dim>>& starts) {
 }
 
 /// A pin of a picture becomes all that lies within a circle around it; false, with a notice, where that is
-/// too small to hold a part.
-bool widenPin(ShapeSession& session, int handle, double radius);
+/// too small to hold a part. Changes of one `key` that follow each other are one step.
+bool widenPin(ShapeSession& session, int handle, double radius, const QString& key = {});
 
 }  // namespace wend

@@ -17,7 +17,7 @@ QString said(const char* text) {
 
 }  // namespace
 
-QString DepthTool::hint() const {
+QString DepthTool::strokeHint() const {
     return said(
         QT_TRANSLATE_NOOP("DepthTool",
                           "Brush over what lies in front or behind; Ctrl takes it back, Shift turns it "

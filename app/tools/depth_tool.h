@@ -14,10 +14,10 @@ class DepthTool : public StrokeTool<2> {
     DepthTool(ToolSurface& surface, Brush& brush, const PenValue& order)
         : StrokeTool<2>(surface, brush), m_order(order) {}
 
-    QString hint() const override;
     void paint(QPainter& painter) const override;
 
   protected:
+    QString strokeHint() const override;
     void take(const std::vector<Dab>& dabs) override;
     QColor colour() const override;
 

@@ -15,7 +15,7 @@ QString said(const char* text) {
 
 }  // namespace
 
-QString FlatSizeTool::hint() const {
+QString FlatSizeTool::strokeHint() const {
     return said(QT_TRANSLATE_NOOP("FlatSizeTool",
                                   "Brush over what shall be meshed finer; Shift makes it coarser, Ctrl even "
                                   "again, [ and ] change the size"));

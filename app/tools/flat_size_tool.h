@@ -12,10 +12,10 @@ class FlatSizeTool : public StrokeTool<2> {
     FlatSizeTool(ToolSurface& surface, Brush& brush, const PenValue& factor)
         : StrokeTool<2>(surface, brush), m_factor(factor) {}
 
-    QString hint() const override;
     void paint(QPainter& painter) const override;
 
   protected:
+    QString strokeHint() const override;
     void take(const std::vector<Dab>& dabs) override;
     QColor colour() const override { return QColor(0x2a, 0x8a, 0x7a); }
 

@@ -174,14 +174,16 @@ std::vector<MaterialRegion<Dim>> LayerLines<Dim>::layerOf(const Project& project
     return layer;
 }
 
-template <>
-void LayerLines<2>::paint(QPainter& painter, ToolSurface& surface) {
+void RegionLines::setRegions(std::vector<MaterialRegion<2>> regions) {
+    m_regions = std::move(regions);
+    m_rest.reset();
+}
+
+void RegionLines::paint(QPainter& painter, ToolSurface& surface) {
     const auto frame = surface.shownFrame();
-    const auto& project = surface.session().document().project();
-    if (m_name.isNull() || !frame || !project) return;
-    if (m_project != project || m_rest != frame->rest || m_drawn != m_name)
-        m_lines = linesOf(layerOf(*project), *frame->rest);
-    m_project = project, m_rest = frame->rest, m_drawn = m_name;
+    if (m_regions.empty() || !frame) return;
+    if (m_rest != frame->rest) m_lines = linesOf(m_regions, *frame->rest);
+    m_rest = frame->rest;
     const PointLocator<2> locator(frame->rest->points, frame->rest->cells);
     const auto drawAll = [&](const std::vector<Line>& lines, const QPen& pen) {
         for (const Line& line : lines)
@@ -194,6 +196,15 @@ void LayerLines<2>::paint(QPainter& painter, ToolSurface& surface) {
     painter.setBrush(Qt::NoBrush);
     drawAll(m_lines.soft, QPen(QColor(kAccent), 1, Qt::DashLine));
     drawAll(m_lines.border, QPen(QColor(kAccent), 2));
+}
+
+template <>
+void LayerLines<2>::paint(QPainter& painter, ToolSurface& surface) {
+    const auto& project = surface.session().document().project();
+    if (m_name.isNull() || !project) return;
+    if (m_project != project || m_drawn != m_name) m_lines.setRegions(layerOf(*project));
+    m_project = project, m_drawn = m_name;
+    m_lines.paint(painter, surface);
 }
 
 template <>

@@ -20,6 +20,18 @@ RestLines linesOf(const std::vector<MaterialRegion<2>>& layer, const SimplicialM
 std::vector<std::vector<Vec<2>>> carriedLine(const std::vector<Vec<2>>& line, const SimplicialMesh<2>& rest,
                                              const PointLocator<2>& locator, const Points<2>& pose);
 
+/// Draws regions of a picture where they are now.
+class RegionLines {
+  public:
+    void setRegions(std::vector<MaterialRegion<2>> regions);
+    void paint(QPainter& painter, ToolSurface& surface);
+
+  private:
+    std::vector<MaterialRegion<2>> m_regions;
+    std::shared_ptr<const SimplicialMesh<2>> m_rest;
+    RestLines m_lines;  // of these on that mesh
+};
+
 /// Draws the layer that is chosen, where it is now.
 template <int Dim>
 class LayerLines {
@@ -32,9 +44,8 @@ class LayerLines {
 
     QString m_name;  // null: none
     std::shared_ptr<const Project> m_project;
-    std::shared_ptr<const SimplicialMesh<Dim>> m_rest;
     QString m_drawn;
-    RestLines m_lines;  // of that name, project and mesh; in the plane
+    RegionLines m_lines;  // of that name and project; in the plane
 };
 
 }  // namespace wend

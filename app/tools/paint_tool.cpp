@@ -17,6 +17,7 @@ namespace wend {
 namespace {
 
 constexpr double kStiff = 1.01;  // less is as everywhere
+constexpr QRgb kEraser = 0xff5c5f69;
 
 QString said(const char* text) {
     return QCoreApplication::translate("PaintTool", text);
@@ -37,7 +38,11 @@ Mat<Dim> anisotropyAt(const Material<Dim>& material, int cell) {
 }  // namespace
 
 template <int Dim>
-QString PaintTool<Dim>::hint() const {
+QString PaintTool<Dim>::strokeHint() const {
+    if (m_deed == Deed::Erase)
+        return said(QT_TRANSLATE_NOOP("PaintTool",
+                                      "Brush over what shall be as everywhere again; Shift-click draws a "
+                                      "line, Alt-right-drag changes the brush, Esc gives up the stroke"));
     return brush().now().target == BrushTarget::Direction
                ? said(QT_TRANSLATE_NOOP(
                      "PaintTool",
@@ -51,12 +56,12 @@ QString PaintTool<Dim>::hint() const {
 
 template <int Dim>
 QColor PaintTool<Dim>::colour() const {
-    return brushColour(brush().now(), Dim);
+    return m_deed == Deed::Erase ? kEraser : brushColour(brush().now(), Dim);
 }
 
 template <int Dim>
 typename PaintTool<Dim>::Deed PaintTool<Dim>::deed() const {
-    if (this->modifiers() & Qt::ControlModifier) return Deed::Erase;
+    if (m_deed == Deed::Erase || (this->modifiers() & Qt::ControlModifier)) return Deed::Erase;
     return this->modifiers() & Qt::ShiftModifier ? Deed::Smooth : Deed::Paint;
 }
 

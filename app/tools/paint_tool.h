@@ -7,17 +7,21 @@ namespace wend {
 
 /// Paints the material: a stroke lays soft balls with the brush's φ, stiffness or direction into the shape,
 /// as one group of regions and one undo step. Ctrl takes away, Shift smooths, Shift-click draws a line from
-/// the last place, Alt-click picks up what is there. What is painted is seen at once; the motion follows.
+/// the last place, Alt-click picks up what is there. The eraser takes away without Ctrl. What is painted is
+/// seen at once; the motion follows.
 template <int Dim>
 class PaintTool : public StrokeTool<Dim> {
   public:
-    using StrokeTool<Dim>::StrokeTool;
+    enum class Deed { Paint, Erase, Smooth };
+    /// Paint: what is held says what it does; Erase: it always does.
+    PaintTool(SurfaceOf<Dim>& view, Brush& tip, Deed deed) : StrokeTool<Dim>(view, tip), m_deed(deed) {}
 
-    QString hint() const override;
     void press(const QMouseEvent& event) override;
 
   protected:
     using typename StrokeTool<Dim>::Dab;
+    QString strokeHint() const override;
+    bool takesAway() const override { return deed() == Deed::Erase; }
     bool drawsLines() const override { return true; }
     void begin() override;
     Vec<Dim> axisAt(const PosedFrame<Dim>& frame, const Touch<Dim>& touch) const override;
@@ -31,7 +35,6 @@ class PaintTool : public StrokeTool<Dim> {
     using StrokeTool<Dim>::surface;
 
   private:
-    enum class Deed { Paint, Erase, Smooth };
     Deed deed() const;
     Vec<Dim> wayAt(const Vec<Dim>& p) const;
     MaterialRegion<Dim> regionOf(const std::vector<Dab>& dabs, std::size_t i) const;
@@ -44,6 +47,7 @@ class PaintTool : public StrokeTool<Dim> {
     QString kind() const;
     QString title() const;
 
+    Deed m_deed;
     PosedPtr<Dim> m_frame;   // when the stroke began, with its material
     Material<Dim> m_work;    // with as much of the stroke as is settled …
     std::size_t m_laid = 0;  // … so many balls

@@ -8,7 +8,7 @@
 
 namespace wend {
 
-QString SizeTool::hint() const {
+QString SizeTool::strokeHint() const {
     return QCoreApplication::translate(
         "SizeTool",
         "Paint finer or coarser cells; Ctrl the other way round, [ and ] change the size, Esc gives up");

@@ -13,10 +13,10 @@ class SizeTool : public StrokeTool<3> {
     void setFactor(double factor) { m_factor = factor; }
     void setShown(const std::vector<Region<3>>& regions) { m_shown = regions; }
 
-    QString hint() const override;
     void paint(QPainter& painter) const override;
 
   protected:
+    QString strokeHint() const override;
     void take(const std::vector<Dab>& dabs) override;
     QColor colour() const override { return QColor(0x2a, 0x8a, 0x7a); }
 

@@ -1,8 +1,11 @@
 #include "app/tools/stroke_tool.h"
 
+#include <QCoreApplication>
+#include <QLocale>
 #include <algorithm>
 
 #include "app/session/solid_places.h"
+#include "app/tools/drag_label.h"
 
 namespace wend {
 
@@ -10,7 +13,12 @@ namespace {
 
 constexpr double kSpacing = 0.3;  // of the radius
 constexpr double kHardnessStep = 0.1;
-constexpr double kClick = 3;  // pixels of the screen
+constexpr double kClick = 3;          // pixels of the screen
+constexpr double kHardnessWay = 200;  // pixels from wholly soft to wholly hard
+
+QString said(const char* text) {
+    return QCoreApplication::translate("StrokeTool", text);
+}
 
 QChar textOf(const QKeyEvent& key) {
     return key.text().isEmpty() ? QChar() : key.text().front();
@@ -69,9 +77,43 @@ void StrokeTool<Dim>::dabsTo(const QPointF& at) {
 }
 
 template <int Dim>
+QString StrokeTool<Dim>::hint() const {
+    return m_tuning ? said(QT_TRANSLATE_NOOP("StrokeTool",
+                                             "To the right: larger; up: harder. Esc leaves it as it was"))
+                    : strokeHint();
+}
+
+template <int Dim>
+bool StrokeTool<Dim>::takesButton(const QMouseEvent& event) const {
+    return event.button() == Qt::RightButton && (event.modifiers() & Qt::AltModifier) && !m_active;
+}
+
+template <int Dim>
+void StrokeTool<Dim>::setTip(double radius, double hardness) {
+    BrushSettings next = m_brush.now();
+    next.radius = radius;
+    next.hardness = hardness;
+    m_brush.set(next);
+}
+
+/// The rim follows the pointer, as far as that goes.
+template <int Dim>
+void StrokeTool<Dim>::tune(const QPointF& at) {
+    const QPointF way = at - m_tuning->from;
+    setTip(m_tuning->radius + way.x(), m_tuning->hardness - way.y() / kHardnessWay);
+}
+
+template <int Dim>
 void StrokeTool<Dim>::press(const QMouseEvent& event) {
+    if (takesButton(event)) {
+        m_at = event.position();
+        m_over = true;
+        m_tuning = {m_brush.now().radius, m_brush.now().hardness, m_at};
+        surface().redraw();
+        return;
+    }
     const auto frame = session().template frame<Dim>();
-    if (event.button() != Qt::LeftButton || !frame) return;
+    if (m_tuning || event.button() != Qt::LeftButton || !frame) return;
     m_at = event.position();
     m_over = m_active = true;
     m_modifiers = event.modifiers();
@@ -93,6 +135,11 @@ void StrokeTool<Dim>::start(const QPointF& at) {
 
 template <int Dim>
 void StrokeTool<Dim>::move(const QMouseEvent& event) {
+    if (m_tuning) {  // the brush stays where it was pressed
+        tune(event.position());
+        surface().redraw();
+        return;
+    }
     m_at = event.position();
     m_over = true;
     if (m_active && m_waits && QLineF(m_last, m_at).length() >= kClick) start(m_last);
@@ -105,6 +152,7 @@ void StrokeTool<Dim>::move(const QMouseEvent& event) {
 
 template <int Dim>
 void StrokeTool<Dim>::release(const QMouseEvent& event) {
+    if (event.button() == Qt::RightButton && std::exchange(m_tuning, std::nullopt)) surface().redraw();
     if (event.button() != Qt::LeftButton || !m_active) return;
     if (m_waits) drawLine();
     if (!std::exchange(m_active, false) || m_dabs.empty()) return;
@@ -136,7 +184,7 @@ void StrokeTool<Dim>::drawLine() {
 
 template <int Dim>
 bool StrokeTool<Dim>::key(const QKeyEvent& event) {
-    if (event.key() == Qt::Key_Escape && m_active) {
+    if (event.key() == Qt::Key_Escape && (m_active || m_tuning)) {
         cancel();
         surface().redraw();
         return true;
@@ -146,6 +194,7 @@ bool StrokeTool<Dim>::key(const QKeyEvent& event) {
     const bool shift = event.modifiers() & Qt::ShiftModifier;
     const bool down = text == '[' || text == '{', up = text == ']' || text == '}';
     if (!up && !down) return false;
+    m_tuning.reset();
     if (shift || text == '{' || text == '}')
         next.hardness += up ? kHardnessStep : -kHardnessStep;
     else
@@ -157,6 +206,7 @@ bool StrokeTool<Dim>::key(const QKeyEvent& event) {
 
 template <int Dim>
 void StrokeTool<Dim>::cancel() {
+    if (const auto before = std::exchange(m_tuning, std::nullopt)) setTip(before->radius, before->hardness);
     if (std::exchange(m_active, false)) surface().showMaterial(nullptr);
     m_waits = false;
     m_dabs.clear();
@@ -190,6 +240,17 @@ void StrokeTool<Dim>::paintLine(QPainter& painter) const {
     }
 }
 
+/// Size and hardness in numbers, as the panel has them.
+template <int Dim>
+void StrokeTool<Dim>::paintTuning(QPainter& painter) const {
+    if (!m_tuning) return;
+    const QLocale locale;
+    paintLabel(painter, m_at + QPointF(14, 14),
+               said(QT_TRANSLATE_NOOP("StrokeTool", "%1 px · %2 % hard"))
+                   .arg(locale.toString(2 * m_brush.now().radius, 'f', 0),
+                        locale.toString(100 * m_brush.now().hardness, 'f', 0)));
+}
+
 /// The brush: the whole of it, how far it is hard, and what it does.
 template <int Dim>
 void StrokeTool<Dim>::paint(QPainter& painter) const {
@@ -208,11 +269,12 @@ void StrokeTool<Dim>::paint(QPainter& painter) const {
         ring(hard, QPen(QColor(255, 255, 255, 150), 2));
         ring(hard, QPen(QColor(0x14, 0x16, 0x1e, 190), 1, Qt::DashLine));
     }
-    const QString sign = m_modifiers & Qt::ControlModifier ? QStringLiteral("−")
+    const QString sign = takesAway()                       ? QStringLiteral("−")
                          : m_modifiers & Qt::ShiftModifier ? QStringLiteral("~")
                                                            : QString();
     painter.setPen(QColor(0x14, 0x16, 0x1e));
     painter.drawText(QRectF(m_at - QPointF(10, 10), QSizeF(20, 20)), Qt::AlignCenter, sign);
+    paintTuning(painter);
 }
 
 template class StrokeTool<2>;

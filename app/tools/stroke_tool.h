@@ -8,14 +8,16 @@
 namespace wend {
 
 /// A brush over a picture or a solid: lays balls around the rest places of what is under the pointer. `[` and
-/// `]` change its size, with Shift its hardness; Esc gives up the stroke. A pen's pressure goes along with
-/// it.
+/// `]` change its size, with Shift its hardness; a drag with Alt and the right button changes both. Esc gives
+/// up the stroke. A pen's pressure goes along with it.
 template <int Dim>
 class StrokeTool : public ShapeTool<Dim> {
   public:
     StrokeTool(SurfaceOf<Dim>& view, Brush& tip) : ShapeTool<Dim>(view), m_brush(tip) {}
 
+    QString hint() const final;
     QCursor cursor() const override { return Qt::CrossCursor; }
+    bool takesButton(const QMouseEvent& event) const override;
     void press(const QMouseEvent& event) override;
     void move(const QMouseEvent& event) override;
     void release(const QMouseEvent& event) override;
@@ -36,6 +38,10 @@ class StrokeTool : public ShapeTool<Dim> {
     Ball<Dim> ballOf(const Dab& dab) const;
     double featherOf(const Dab& dab) const;
 
+    /// What the pointer does while the brush is not being changed.
+    virtual QString strokeHint() const = 0;
+    /// Whether a stroke takes away what is there, by what is held now.
+    virtual bool takesAway() const { return m_modifiers & Qt::ControlModifier; }
     /// Whether a click with Shift draws a straight line from where the last stroke ended.
     virtual bool drawsLines() const { return false; }
     /// A stroke begins.
@@ -57,6 +63,14 @@ class StrokeTool : public ShapeTool<Dim> {
     using ShapeTool<Dim>::session;
 
   private:
+    /// A drag that changes the brush: what it was, and where the button was pressed.
+    struct Tuning {
+        double radius, hardness;
+        QPointF from;
+    };
+    void tune(const QPointF& at);
+    void setTip(double radius, double hardness);
+    void paintTuning(QPainter& painter) const;
     void start(const QPointF& at);
     bool dab(const QPointF& at, double pressure);
     void dabsTo(const QPointF& at);
@@ -65,6 +79,7 @@ class StrokeTool : public ShapeTool<Dim> {
     void paintLine(QPainter& painter) const;
 
     Brush& m_brush;
+    std::optional<Tuning> m_tuning;
     bool m_active = false;
     bool m_over = false;        // the pointer is over the view
     QPointF m_at;               // of the pointer

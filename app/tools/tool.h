@@ -38,6 +38,8 @@ class Tool {
     virtual QString hint() const = 0;
     virtual QCursor cursor() const { return Qt::ArrowCursor; }
     virtual void press(const QMouseEvent& event) = 0;
+    /// A press of another button than the left one that is the tool's, whatever it means elsewhere.
+    virtual bool takesButton(const QMouseEvent&) const { return false; }
     virtual void move(const QMouseEvent& event) = 0;
     virtual void release(const QMouseEvent& event) = 0;
     /// In place of the second press.

@@ -46,6 +46,12 @@ void ActionMaker::setIcons(const QPalette& palette) {
         }
 }
 
+void ActionMaker::reword(QAction* action, const Words& words) {
+    action->setText(words.name);
+    action->setProperty("help", words.help);
+    describe(action);
+}
+
 void ActionMaker::enable(QAction* action, bool enabled, const QString& whyNot) {
     action->setEnabled(enabled);
     action->setProperty("whyNot", enabled ? QString() : whyNot);

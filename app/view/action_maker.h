@@ -25,6 +25,8 @@ class ActionMaker : public QObject {
     };
     QAction* add(const Words& words, const QKeySequence& keys, const QString& icon = {});
     QAction* addToggle(const Words& words, const QKeySequence& keys, const QString& icon = {});
+    /// The same action in other words.
+    static void reword(QAction* action, const Words& words);
     void enable(QAction* action, bool enabled, const QString& whyNot);
     static void setKeysOf(QAction* action, const QList<QKeySequence>& keys);
     /// Those of them that it has now.

@@ -105,7 +105,8 @@ void Actions::makeView() {
 }
 
 void Actions::makeMotion() {
-    play = add({tr("&Play"), tr("Play the motion, or pause it")}, QKeySequence(tr("K")), "play");
+    play = add({tr("&Play"), tr("Play the motion, or pause it; so does a tap of the space bar")},
+               QKeySequence(tr("K")), "play");
     loop = addToggle({tr("&Loop"), tr("Begin again at the end")}, QKeySequence(tr("Shift+L")), "loop");
     toStart =
         add({tr("To the &Start"), tr("Show the shape at rest")}, QKeySequence(Qt::Key_Home), "first-frame");

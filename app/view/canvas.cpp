@@ -340,6 +340,14 @@ void ShapeCanvas::setLayer(const QString& name) {
     m_layer.setLayer(name), update();
 }
 
+void ShapeCanvas::setDetailRegions(const std::vector<MaterialRegion<2>>& regions) {
+    m_detailRegions.setRegions(regions), update();
+}
+
+void ShapeCanvas::setDepthRegions(const std::vector<MaterialRegion<2>>& regions) {
+    m_depthRegions.setRegions(regions), update();
+}
+
 void ShapeCanvas::setMarquee(const QRectF& rectangle) {
     m_marquee = rectangle;
     update();

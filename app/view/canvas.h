@@ -63,6 +63,9 @@ class ShapeCanvas : public QWidget, public ToolSurface {
     void setMarksShown(bool shown);
     /// Draws the border of a layer of the material; null: of none.
     void setLayer(const QString& name);
+    /// Draws the border of other regions; none: of none.
+    void setDetailRegions(const std::vector<wend::MaterialRegion<2>>& regions);
+    void setDepthRegions(const std::vector<wend::MaterialRegion<2>>& regions);
     void setOverlaysHidden(bool hidden);
     /// Behind a picture; invalid: checks.
     void setBackdrop(const QColor& colour);
@@ -127,6 +130,7 @@ class ShapeCanvas : public QWidget, public ToolSurface {
     PosedPtr<2> m_unbent;  // the picture as it is, before the first mesh
     MaterialPreview<2> m_preview;
     LayerLines<2> m_layer;
+    RegionLines m_detailRegions, m_depthRegions;
     OnionSkin<2> m_onion;
     PinAnimation m_animation{m_session};
     bool m_marks = false;  // of stiffness
@@ -145,7 +149,7 @@ class ShapeCanvas : public QWidget, public ToolSurface {
     bool m_fitted = false;  // the view follows the window's size until the user changes it
     bool m_spaceDown = false, m_panning = false;
     bool m_menuPressed = false;  // the right button, and no other
-    bool m_leads = false;        // the tool, with the left button
+    bool m_leads = false;        // the tool, with a button that is its own
     QPointF m_lastPan;
     Measure m_measure = Measure::Length;
     MeasureRange m_range;

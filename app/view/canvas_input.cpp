@@ -8,12 +8,13 @@ namespace wend {
 
 void ShapeCanvas::mousePressEvent(QMouseEvent* event) {
     setFocus(Qt::MouseFocusReason);
-    m_menuPressed = event->buttons() == Qt::RightButton;  // alone
+    const bool taken = m_tool && m_tool->takesButton(*event);
+    m_menuPressed = !taken && event->buttons() == Qt::RightButton;  // alone
     if (event->button() == Qt::MiddleButton || (event->button() == Qt::LeftButton && m_spaceDown)) {
         m_panning = true;
         m_lastPan = event->position();
     } else if (m_tool && !m_panning) {
-        m_leads = m_leads || event->button() == Qt::LeftButton;
+        m_leads = m_leads || taken || event->button() == Qt::LeftButton;
         m_tool->press(*event);
         emit hintChanged(m_tool->hint());
     }
@@ -47,7 +48,7 @@ void ShapeCanvas::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void ShapeCanvas::mouseReleaseEvent(QMouseEvent* event) {
-    if (event->button() == Qt::LeftButton) m_leads = false;
+    if (event->buttons() == Qt::NoButton) m_leads = false;
     if (m_panning)
         endPan();
     else if (m_tool) {

@@ -59,6 +59,8 @@ void ShapeCanvas::paintEvent(QPaintEvent*) {
             paintStiffnessMarks(painter, *this, size());
         if (m_arrows) paintVelocityArrows(painter, *this, m_session.velocity<2>(), size());
         m_layer.paint(painter, *this);
+        m_detailRegions.paint(painter, *this);
+        m_depthRegions.paint(painter, *this);
         m_onion.paintOutlines(painter, *this);
         if (!m_session.playback().isPlaying()) paintHandles(painter, overlay);
         paintLegend(painter);

@@ -59,10 +59,14 @@ Group pointer(int dimension) {
         QT_TRANSLATE_NOOP("CheatSheet", "set the number, Enter takes it"));
     add(QT_TRANSLATE_NOOP("CheatSheet", "Wheel"), QT_TRANSLATE_NOOP("CheatSheet", "zooms to the pointer"));
     add(QT_TRANSLATE_NOOP("CheatSheet", "[ and ]"), QT_TRANSLATE_NOOP("CheatSheet", "size of a brush"));
+    add(QT_TRANSLATE_NOOP("CheatSheet", "Alt-right-drag a brush"),
+        QT_TRANSLATE_NOOP("CheatSheet", "changes its size and hardness"));
     add(QT_TRANSLATE_NOOP("CheatSheet", "Shift-click with the brush"),
         QT_TRANSLATE_NOOP("CheatSheet", "paints a straight line"));
     add(QT_TRANSLATE_NOOP("CheatSheet", "Arrow keys without a pin"),
         QT_TRANSLATE_NOOP("CheatSheet", "move a cross, Enter clicks there"));
+    add(QT_TRANSLATE_NOOP("CheatSheet", "Tap the space bar"),
+        QT_TRANSLATE_NOOP("CheatSheet", "plays or pauses; held, it moves the view"));
     add(QT_TRANSLATE_NOOP("CheatSheet", "Hold H"), QT_TRANSLATE_NOOP("CheatSheet", "hides pins and maps"));
     add(QT_TRANSLATE_NOOP("CheatSheet", "Hold \\"),
         QT_TRANSLATE_NOOP("CheatSheet", "shows the shape before it was bent"));
@@ -81,7 +85,7 @@ Group pointer(int dimension) {
         QT_TRANSLATE_NOOP("CheatSheet", "rotates or scales; Shift snaps to 15°"));
     add(QT_TRANSLATE_NOOP("CheatSheet", "Arrow keys"),
         QT_TRANSLATE_NOOP("CheatSheet", "nudge by a pixel, with Shift by ten"));
-    add(QT_TRANSLATE_NOOP("CheatSheet", "Space or middle button"), QT_TRANSLATE_NOOP("CheatSheet", "pans"));
+    add(QT_TRANSLATE_NOOP("CheatSheet", "Middle button"), QT_TRANSLATE_NOOP("CheatSheet", "pans"));
     return group;
 }
 

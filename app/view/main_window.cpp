@@ -18,8 +18,10 @@
 #include "app/panels/mesh_panel.h"
 #include "app/panels/panel_fields.h"
 #include "app/panels/pin_list.h"
+#include "app/panels/region_list.h"
 #include "app/view/actions.h"
 #include "app/view/appearance_choice.h"
+#include "app/view/brush_actions.h"
 #include "app/view/busy_note.h"
 #include "app/view/canvas.h"
 #include "app/view/compare_view.h"
@@ -40,6 +42,7 @@
 #include "app/view/shape_notices.h"
 #include "app/view/side_windows.h"
 #include "app/view/solid_workshop.h"
+#include "app/view/space_tap.h"
 #include "app/view/start_page.h"
 #include "app/view/status_fields.h"
 #include "app/view/time_strip.h"
@@ -64,6 +67,7 @@ MainWindow::MainWindow(QWidget* parent)
       m_pins(new PinActions(m_session, this)),
       m_properties(new Properties(m_session, *m_tools, *m_actions)),
       m_pictureActions(new PictureActions(m_properties->brush(), this)),
+      m_brush(new BrushActions(m_properties->brush(), *m_tools, this)),
       m_files(new FileWorkflow(m_session.document(), *this)),
       m_exporter(new Exporter(m_session, *this)),
       m_canvas(new ShapeCanvas(m_session)),
@@ -87,10 +91,10 @@ MainWindow::MainWindow(QWidget* parent)
         m_session, [this] { return m_workspace->curve(); }, this);
     m_material = new MaterialActions(m_session, *m_exporter, this);
     m_properties->layers().setPictureMenu(m_material->menu());
-    m_tools->shareKeysWith({m_solidActions, m_curves, m_depth, m_pins, m_material, m_actions});
+    m_tools->shareKeysWith({m_solidActions, m_curves, m_depth, m_pins, m_brush, m_material, m_actions});
     m_menu = new ContextMenu({m_session, *m_actions, *m_curves, *m_solidActions, *m_depth, *m_pins}, this);
     m_actions->fillMenuBar(*this, m_solidActions->menu(), m_curves->menu(),
-                           {m_pins->menu(), m_depth->menu(), m_material->menu()});
+                           {m_pins->menu(), m_depth->menu(), m_brush->menu(), m_material->menu()});
     m_appearance->restore();  // before there are bars: they take their margins from the style but once
     makeToolBars();
     makeCentre();
@@ -100,6 +104,7 @@ MainWindow::MainWindow(QWidget* parent)
     new ViewLooks({m_session, *m_actions, *m_properties, *m_canvas, *m_compare, *m_solids}, this);
     connect(&m_session.playback(), &Playback::endChanged, this, &MainWindow::showSelection);
     new FilmControls({m_session, *m_actions, *m_tools, *m_time, *m_tracks}, this);
+    connect(new SpaceTap(*this), &SpaceTap::tapped, m_actions->play, &QAction::trigger);
     connectHelp();
     connect(m_appearance, &AppearanceChoice::changed, this, &MainWindow::updateIcons);
     updateIcons();
@@ -243,6 +248,8 @@ void MainWindow::connectEdit() {
 void MainWindow::connectView() {
     Actions& a = *m_actions;
     connect(&m_properties->layers(), &LayerPanel::chosen, m_canvas, &ShapeCanvas::setLayer);
+    connect(&m_properties->detailRegions(), &RegionList::chosen, m_canvas, &ShapeCanvas::setDetailRegions);
+    connect(&m_properties->depthRegions(), &RegionList::chosen, m_canvas, &ShapeCanvas::setDepthRegions);
     connect(a.fit, &QAction::triggered, m_canvas, &ShapeCanvas::fit);
     connect(a.actualSize, &QAction::triggered, this,
             [this] { m_canvas->zoomTo(1 / m_canvas->devicePixelRatioF()); });

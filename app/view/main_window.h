@@ -11,6 +11,7 @@ namespace wend {
 
 class Actions;
 class AppearanceChoice;
+class BrushActions;
 class BusyNote;
 class CompareView;
 class ContextMenu;
@@ -103,6 +104,7 @@ class MainWindow : public QMainWindow {
     MaterialActions* m_material = nullptr;
     Properties* m_properties;
     PictureActions* m_pictureActions;
+    BrushActions* m_brush;
     CurveActions* m_curves = nullptr;
     ContextMenu* m_menu = nullptr;
     FileWorkflow* m_files;

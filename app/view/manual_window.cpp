@@ -1,10 +1,14 @@
 #include "app/view/manual_window.h"
 
 #include <QDesktopServices>
+#include <QDir>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QTextBrowser>
+#include <QTextDocument>
+#include <algorithm>
 
 #include "app/panels/panel_parts.h"
 
@@ -13,11 +17,34 @@ namespace wend {
 namespace {
 
 const char* kFirstPage = "qrc:/wend/docs/manual.md";
+const char* kFolder = ":/wend/docs";
+
+/// Those behind a page, then those before it, at last itself.
+QList<QUrl> pagesAfter(const QUrl& page) {
+    QList<QUrl> pages;
+    for (const QString& name : QDir(QLatin1String(kFolder)).entryList({QStringLiteral("*.md")}))
+        pages << QUrl(QStringLiteral("qrc%1/%2").arg(QLatin1String(kFolder), name));
+    const auto own = std::ranges::find(pages, page.adjusted(QUrl::RemoveFragment));
+    if (own != pages.end()) std::ranges::rotate(pages, own + 1);
+    return pages;
+}
+
+/// As the window would find it, in what is read rather than in how it is written.
+bool isOn(const QUrl& page, const QString& words) {
+    QFile file(':' + page.path());
+    if (!file.open(QIODevice::ReadOnly)) return false;
+    QTextDocument text;
+    text.setMarkdown(QString::fromUtf8(file.readAll()));
+    return !text.find(words).isNull();
+}
 
 }  // namespace
 
 ManualWindow::ManualWindow(QWidget* parent)
-    : QDialog(parent), m_pages(new QTextBrowser(this)), m_search(new QLineEdit(this)) {
+    : QDialog(parent),
+      m_pages(new QTextBrowser(this)),
+      m_search(new QLineEdit(this)),
+      m_nowhere(secondLabel(tr("This stands on no page."), this)) {
     setWindowTitle(tr("Manual"));
     resize(860, 720);
     m_pages->setObjectName(QStringLiteral("manualPages"));
@@ -42,10 +69,15 @@ ManualWindow::ManualWindow(QWidget* parent)
     back->setEnabled(false);
     connect(m_pages, &QTextBrowser::backwardAvailable, back, &QWidget::setEnabled);
     row->addStretch(1);
-    m_search->setPlaceholderText(tr("Search this page"));
+    m_nowhere->setObjectName(QStringLiteral("foundNowhere"));
+    m_nowhere->hide();
+    row->addWidget(m_nowhere);
+    m_search->setPlaceholderText(tr("Search the manual"));
     m_search->setClearButtonEnabled(true);
     m_search->setFixedWidth(240);
-    describe(m_search, tr("Search this page"), tr("Enter goes to the next place where these words stand."));
+    describe(m_search, tr("Search the manual"),
+             tr("Enter goes to the next place where these words stand, on this page or another."));
+    connect(m_search, &QLineEdit::textChanged, m_nowhere, &QWidget::hide);
     connect(m_search, &QLineEdit::returnPressed, this, &ManualWindow::find);
     row->addWidget(m_search);
     auto* column = new QVBoxLayout(this);
@@ -54,11 +86,18 @@ ManualWindow::ManualWindow(QWidget* parent)
     m_pages->setSource(QUrl(QString::fromLatin1(kFirstPage)));
 }
 
-/// From the beginning again behind the last place.
+/// Behind the last place on the page, and on from page to page.
 void ManualWindow::find() {
-    if (m_pages->find(m_search->text())) return;
-    m_pages->moveCursor(QTextCursor::Start);
-    m_pages->find(m_search->text());
+    const QString words = m_search->text();
+    if (words.isEmpty() || m_pages->find(words)) return;
+    for (const QUrl& page : pagesAfter(m_pages->source())) {
+        if (!isOn(page, words)) continue;
+        m_pages->setSource(page);
+        m_pages->moveCursor(QTextCursor::Start);
+        m_pages->find(words);
+        return;
+    }
+    m_nowhere->show();
 }
 
 }  // namespace wend

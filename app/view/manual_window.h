@@ -2,12 +2,13 @@
 
 #include <QDialog>
 
+class QLabel;
 class QLineEdit;
 class QTextBrowser;
 
 namespace wend {
 
-/// The manual, which is within the program: pages with links, back and forth, and a search on the page.
+/// The manual, which is within the program: pages with links, back and forth, and a search over all of them.
 class ManualWindow : public QDialog {
     Q_OBJECT
 
@@ -20,6 +21,7 @@ class ManualWindow : public QDialog {
 
     QTextBrowser* m_pages;
     QLineEdit* m_search;
+    QLabel* m_nowhere;
 };
 
 }  // namespace wend

@@ -20,6 +20,8 @@
 #include "app/panels/panel_fields.h"
 #include "app/panels/panel_parts.h"
 #include "app/panels/pin_list.h"
+#include "app/panels/reach_row.h"
+#include "app/panels/region_list.h"
 #include "app/panels/region_panel.h"
 #include "app/panels/size_panel.h"
 #include "app/panels/surface_panel.h"
@@ -41,6 +43,7 @@ constexpr Modes kShaping = Mode::Mesh | Mode::Pins | Modes(Mode::Paint) | Modes(
 Properties::Properties(ShapeSession& session, const Toolbox& tools, const Actions& actions)
     : m_tools(tools),
       m_material(new MaterialPanel(session)),
+      m_reach(new ReachRow(session.document())),
       m_mesh(new MeshPanel(session)),
       m_cutOut(new CutOutPanel(session)),
       m_distortion(new DistortionPanel(session)),
@@ -49,6 +52,8 @@ Properties::Properties(ShapeSession& session, const Toolbox& tools, const Action
       m_paint(new PaintPanel(session, m_brush)),
       m_layers(new LayerPanel(session)),
       m_sizes(new SizePanel(session)),
+      m_detailRegions(new RegionList(session, RegionsOf::Detail)),
+      m_depthRegions(new RegionList(session, RegionsOf::Depth)),
       m_surface(new SurfacePanel),
       m_pins(new PinList(session)),
       m_advanced(new FoldingSection(tr("Advanced"), tr("The same in numbers, for those who want them."),
@@ -71,6 +76,7 @@ Properties::Properties(ShapeSession& session, const Toolbox& tools, const Action
     column->setContentsMargins(1, 0, 0, 0);  // its line at the left
     column->setSpacing(0);
     column->addWidget(m_material);
+    column->addWidget(m_reach);
     column->addWidget(panelLine(this));
     column->addWidget(m_scroll, 1);
     connect(new PanelFields(*this), &PanelFields::done, this, &Properties::done);
@@ -85,7 +91,9 @@ void Properties::fill(ShapeSession& session, const Actions& actions) {
     put(m_surface, {.modes = Modes::all(), .flat = false});
     put(m_mesh, {.modes = Mode::Mesh});
     put(m_sizes, {.modes = Mode::Mesh, .flat = false, .tool = "sizes"});
-    put(m_paint, {.modes = Mode::Paint});
+    put(m_detailRegions, {.modes = Mode::Mesh, .solid = false, .tool = "sizes"});
+    put(m_depthRegions, {.modes = Mode::Paint, .solid = false, .tool = "depth"});
+    put(m_paint, {.modes = Mode::Paint, .without = "depth"});
     put(m_layers, {.modes = Mode::Paint});
     put(m_pins, {.modes = Mode::Pins});
     put(selectionArea(session), {.modes = posing});
@@ -128,11 +136,13 @@ QWidget* Properties::selectionArea(ShapeSession& session) {
 bool Properties::isDue(const When& when) const {
     if (m_tools.dimension() == 3 ? !when.solid : !when.flat) return false;
     if (when.tool && !m_tools.isChosen(when.tool)) return false;
+    if (when.without && m_tools.isChosen(when.without)) return false;
     return when.modes.has(m_tools.mode()) || (when.on && when.on->isChecked());
 }
 
 void Properties::arrange() {
     for (const auto& [holder, when] : m_places) holder->setVisible(isDue(when));
+    m_reach->setVisible((Mode::Pins | Mode::Paint).has(m_tools.mode()));
     m_cutOut->setVisible(m_tools.dimension() == 2 && m_tools.mode() == Mode::Mesh);
 }
 

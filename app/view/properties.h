@@ -24,6 +24,8 @@ class MeasurePanel;
 class MeshPanel;
 class PaintPanel;
 class PinList;
+class ReachRow;
+class RegionList;
 class SizePanel;
 class SurfacePanel;
 class Toolbox;
@@ -45,6 +47,8 @@ class Properties : public QWidget {
     Brush& brush() { return m_brush; }
     LayerPanel& layers() { return *m_layers; }
     SizePanel& sizes() { return *m_sizes; }
+    RegionList& detailRegions() { return *m_detailRegions; }
+    RegionList& depthRegions() { return *m_depthRegions; }
     SurfacePanel& surface() { return *m_surface; }
     PinList& pins() { return *m_pins; }
 
@@ -62,8 +66,9 @@ class Properties : public QWidget {
     struct When {
         Modes modes;
         bool flat = true, solid = true;
-        const char* tool = nullptr;   // only while that is chosen
-        const QAction* on = nullptr;  // in other steps, too, while that is so
+        const char* tool = nullptr;     // only while that is chosen, …
+        const char* without = nullptr;  // … or while that is not
+        const QAction* on = nullptr;    // in other steps, too, while that is so
     };
     void put(QWidget* panel, const When& when);
     bool isDue(const When& when) const;
@@ -73,6 +78,7 @@ class Properties : public QWidget {
 
     const Toolbox& m_tools;
     MaterialPanel* m_material;
+    ReachRow* m_reach;
     MeshPanel* m_mesh;
     CutOutPanel* m_cutOut;
     DistortionPanel* m_distortion;
@@ -82,6 +88,7 @@ class Properties : public QWidget {
     PaintPanel* m_paint;
     LayerPanel* m_layers;
     SizePanel* m_sizes;
+    RegionList *m_detailRegions, *m_depthRegions;
     SurfacePanel* m_surface;
     PinList* m_pins;
     FoldingSection* m_advanced;

@@ -78,7 +78,12 @@ using Made = std::unique_ptr<std::conditional_t<Dim == 2, Tool, SolidTool>>;
 
 template <int Dim>
 Made<Dim> paint(Workbench& on) {
-    return std::make_unique<PaintTool<Dim>>(surfaceOf<Dim>(on), on.brush);
+    return std::make_unique<PaintTool<Dim>>(surfaceOf<Dim>(on), on.brush, PaintTool<Dim>::Deed::Paint);
+}
+
+template <int Dim>
+Made<Dim> eraser(Workbench& on) {
+    return std::make_unique<PaintTool<Dim>>(surfaceOf<Dim>(on), on.brush, PaintTool<Dim>::Deed::Erase);
 }
 
 template <int Dim>
@@ -354,6 +359,17 @@ const std::vector<ToolKind>& toolTable() {
          eyedropper<3>,
          nullptr,
          painted},
+        {"eraser",
+         "eraser",
+         QT_TRANSLATE_NOOP("Tools", "E&raser"),
+         QT_TRANSLATE_NOOP("Tools", "Take paint off: what is brushed is as everywhere again"),
+         "E",
+         Mode::Paint,
+         {},
+         eraser<2>,
+         eraser<3>,
+         paintOptions,
+         painted},
         {"depth",
          "depth",
          QT_TRANSLATE_NOOP("Tools", "Depth Brus&h"),
@@ -368,7 +384,7 @@ const std::vector<ToolKind>& toolTable() {
          "measure",
          QT_TRANSLATE_NOOP("Tools", "M&easure"),
          QT_TRANSLATE_NOOP("Tools", "Measure lengths and angles between points of the shape"),
-         "E",
+         "E; Shift+E",
          Modes::all().without(Mode::Export),
          {},
          measure<2>,

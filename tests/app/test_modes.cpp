@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QFile>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenuBar>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -54,6 +55,7 @@ class TestModes : public QObject {
     void cheatSheetHasEveryKey_data();
     void cheatSheetHasEveryKey();
     void manualIsWithinTheProgram();
+    void manualIsSearchedOnAllPages();
     void backslashShowsTheShapeBefore_data();
     void backslashShowsTheShapeBefore();
     void everythingHasAName_data();
@@ -340,6 +342,47 @@ void TestModes::manualIsWithinTheProgram() {
                 links << pages.source().resolved(QUrl(to));
     QVERIFY(links.size() > 10);
     for (const QUrl& link : links) QVERIFY2(QFile::exists(':' + link.path()), qPrintable(link.toString()));
+}
+
+/// Words that stand on one page are found from any other, by Enter in the field; what stands on none is told.
+void TestModes::manualIsSearchedOnAllPages() {
+    QTest::keyClick(&m_f->window(), Qt::Key_F1);
+    auto* manual = m_f->window().findChild<ManualWindow*>();
+    const QTextBrowser& pages = *manual->pages();
+    auto* field = manual->findChild<QLineEdit*>();
+    auto* nowhere = manual->findChild<QLabel*>(QStringLiteral("foundNowhere"));
+    QVERIFY(field && nowhere && nowhere->isHidden());
+    const auto search = [&](const QString& words) {
+        field->setFocus();
+        field->selectAll();
+        QTest::keyClicks(field, words);
+        QTest::keyClick(field, Qt::Key_Return);
+    };
+    for (const auto& [words, page] : {std::pair{"resilience", ""},
+                                      {"Bring In What Is Kept", "painting.md"},
+                                      {"towel on a table", "pins-and-handles.md"},
+                                      {"Going on at the first", ""}}) {
+        const QUrl before = pages.source();
+        search(QString::fromLatin1(words));
+        const bool found = *page;
+        QCOMPARE(nowhere->isHidden(), found);
+        QCOMPARE(pages.source().fileName(), found ? QString::fromLatin1(page) : before.fileName());
+        if (found) QCOMPARE(pages.textCursor().selectedText(), QString::fromLatin1(words));
+    }
+    // Each place once: on the page, then on the pages behind it, and from the start again.
+    QStringList visited;
+    search(QStringLiteral("smoothing length"));
+    QVERIFY(nowhere->isHidden());
+    const QUrl first = pages.source();
+    const int at = pages.textCursor().position();
+    for (int i = 0; i < 200; ++i) {
+        if (!visited.contains(pages.source().fileName())) visited << pages.source().fileName();
+        QTest::keyClick(field, Qt::Key_Return);
+        if (pages.source() == first && pages.textCursor().position() == at) break;
+    }
+    QVERIFY2(visited.size() > 1 && visited.contains(QStringLiteral("energies.md")),
+             qPrintable(visited.join(' ')));
+    QVERIFY(pages.source() == first && pages.textCursor().position() == at);
 }
 
 void TestModes::backslashShowsTheShapeBefore_data() {

@@ -1,5 +1,6 @@
 #include <QListWidget>
 #include <QPointingDevice>
+#include <QSignalSpy>
 #include <QTabletEvent>
 #include <QToolBar>
 #include <QToolButton>
@@ -46,6 +47,12 @@ class TestPainting : public QObject {
     void shiftClicksDrawLines();
     void keysChangeTheTip_data() { dimensions(); }
     void keysChangeTheTip();
+    void keysChooseAStop_data() { dimensions(); }
+    void keysChooseAStop();
+    void altRightDragChangesTheTip_data() { dimensions(); }
+    void altRightDragChangesTheTip();
+    void eraserTakesPaintAway_data() { dimensions(); }
+    void eraserTakesPaintAway();
     void directionsOfStiffness_data() { dimensions(); }
     void directionsOfStiffness();
     void directionsAreCarriedBackToRest_data() { dimensions(); }
@@ -89,6 +96,12 @@ class TestPainting : public QObject {
     void drawLines();
     template <int Dim>
     void changeTip();
+    template <int Dim>
+    void chooseStops();
+    template <int Dim>
+    void dragTip();
+    template <int Dim>
+    void erase();
     template <int Dim>
     void chooseDirections();
     template <int Dim>
@@ -496,6 +509,124 @@ void TestPainting::changeTip() {
         if (button->text() == PaintPanel::tr("Keep")) QTest::mouseClick(button, Qt::LeftButton);
     QVERIFY(m_f->tool("paint")->isChecked());
     QVERIFY(brush().now().target == BrushTarget::Keep);
+}
+
+void TestPainting::keysChooseAStop() {
+    BOTH(chooseStops);
+}
+
+/// In the step that paints; a tool that does not lay what is kept gives way to the brush, one that does
+/// stays.
+template <int Dim>
+void TestPainting::chooseStops() {
+    QVERIFY(Bar<Dim>::open(*m_f));
+    auto& canvas = Bar<Dim>::canvas(*m_f);
+    canvas.setFocus();
+    const auto press = [&](int stop) {
+        QTest::keyClick(&canvas, static_cast<Qt::Key>(Qt::Key_1 + stop), Qt::ShiftModifier);
+    };
+    const double before = brush().now().phi;
+    press(stopOfPhi(before, Dim) == 0 ? 3 : 0);
+    QCOMPARE(brush().now().phi, before);  // not while pins are set
+    const std::array<double, 4> phis = {phi::kEquia, phi::kMetr, phi::kAkvf, phi::conformal(Dim)};
+    for (const char* tool : {"comb", "eraser", "eyedropper", "paint"})
+        for (int stop = 0; stop < 4; ++stop) {
+            m_f->tool(tool)->trigger();
+            press(stop);
+            QCOMPARE(brush().now().phi, phis[static_cast<std::size_t>(stop)]);
+            QVERIFY(brush().now().target == BrushTarget::Keep);
+            QVERIFY2(m_f->tool("paint")->isChecked(), tool);
+        }
+    m_f->tool("gradient")->trigger();
+    press(2);
+    QVERIFY(m_f->tool("gradient")->isChecked() && brush().now().phi == phi::kAkvf);
+}
+
+void TestPainting::altRightDragChangesTheTip() {
+    BOTH(dragTip);
+}
+
+/// To the right and up: larger and harder, as the circle shows that stays where it was pressed. Nothing is
+/// painted, no menu comes, the view does not turn. Esc takes it back.
+template <int Dim>
+void TestPainting::dragTip() {
+    QVERIFY(Bar<Dim>::open(*m_f));
+    auto& canvas = Bar<Dim>::canvas(*m_f);
+    canvas.setFocus();
+    m_f->tool("paint")->trigger();
+    set([](BrushSettings& b) { b.radius = 40, b.hardness = 0.5; });
+    QSignalSpy menus(&canvas, SIGNAL(menuWanted(QPoint, wend::MenuPlace)));
+    QVERIFY(menus.isValid());
+    const int steps = m_f->session().document().undoStack()->count();
+    const Vec<Dim> place = Bar<Dim>::place(-1, 0);
+    const QPoint at = canvas.toWidget(place).toPoint();
+    const auto seen = [&] {
+        QImage image(canvas.size(), QImage::Format_RGB32);
+        image.fill(Qt::white);
+        QPainter painter(&image);
+        canvas.tool()->paint(painter);
+        return image;
+    };
+    const auto drag = [&](const QPoint& by) {
+        QTest::mouseMove(&canvas, at);
+        QTest::mousePress(&canvas, Qt::RightButton, Qt::AltModifier, at);
+        for (int i = 1; i <= 5; ++i) QTest::mouseMove(&canvas, at + by * i / 5);
+    };
+    drag({25, -40});
+    QVERIFY(std::abs(brush().now().radius - 65) < 1e-9 && std::abs(brush().now().hardness - 0.7) < 1e-9);
+    const QImage circle = seen();
+    QVERIFY(circle.pixel(at + QPoint(65, 0)) != QColor(Qt::white).rgb());
+    QVERIFY(circle.pixel(at - QPoint(65, 0)) != QColor(Qt::white).rgb());
+    QVERIFY(circle.pixel(at + QPoint(90, 0)) == QColor(Qt::white).rgb());  // the pointer's own place has none
+    QVERIFY(canvas.tool()->hint().contains(QStringLiteral("larger")));
+    QTest::keyClick(&canvas, Qt::Key_Escape);
+    QVERIFY(brush().now().radius == 40 && brush().now().hardness == 0.5);
+    QTest::mouseRelease(&canvas, Qt::RightButton, Qt::AltModifier, at);
+    drag({-1000, 1000});  // as far as a brush goes
+    QTest::mouseRelease(&canvas, Qt::RightButton, Qt::AltModifier, at);
+    QVERIFY(brush().now().radius == Brush::kSmallest && brush().now().hardness == 0);
+    QVERIFY(!canvas.tool()->hint().contains(QStringLiteral("larger")));
+    QCOMPARE(menus.count(), 0);
+    QCOMPARE(m_f->session().document().undoStack()->count(), steps);
+    QCOMPARE(canvas.toWidget(place).toPoint(), at);
+}
+
+void TestPainting::eraserTakesPaintAway() {
+    BOTH(erase);
+}
+
+/// As the brush with Ctrl; its key is that of another tool in the other steps.
+template <int Dim>
+void TestPainting::erase() {
+    QVERIFY(Bar<Dim>::open(*m_f) && setEverywhere<Dim>(1.1));
+    auto& session = m_f->session();
+    auto& canvas = Bar<Dim>::canvas(*m_f);
+    canvas.setFocus();
+    QTest::keyClick(&canvas, Qt::Key_E);
+    QVERIFY(m_f->tool("measure")->isChecked());
+    m_f->tool("paint")->trigger();
+    set([](BrushSettings& b) { b.phi = phi::conformal(Dim), b.radius = 60, b.hardness = 0.8; });
+    stroke<Dim>({-1.5, 0}, {1.5, 0});
+    QVERIFY(settle(session));
+    const auto phiAt = [&](double u) {
+        const int cell = canvas.touch(canvas.toWidget(Bar<Dim>::place(u, 0)))->place.cell;
+        return session.frame<Dim>()->material->phi[cell];
+    };
+    QCOMPARE(phiAt(0), phi::conformal(Dim));
+    QTest::keyClick(&canvas, Qt::Key_E);
+    QVERIFY(m_f->tool("eraser")->isChecked());
+    QVERIFY(m_f->window()
+                .template findChild<QToolBar*>(QStringLiteral("toolBar"))
+                ->actions()
+                .contains(m_f->tool("eraser")));
+    set([](BrushSettings& b) { b.radius = Dim == 3 ? 88 : 40; });  // a cell's middle lies below the surface
+    stroke<Dim>({0, 0}, {0.1, 0});
+    QVERIFY(settle(session));
+    QVERIFY(std::abs(phiAt(0) - 1.1) < 1e-9);
+    QCOMPARE(phiAt(-1.4), phi::conformal(Dim));
+    QVERIFY(m_f->window().actions().undo->text().contains(QStringLiteral("Take paint off")));
+    QTest::keyClick(&canvas, Qt::Key_E, Qt::ShiftModifier);
+    QVERIFY(m_f->tool("measure")->isChecked());
 }
 
 void TestPainting::directionsOfStiffness() {

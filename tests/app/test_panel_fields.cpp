@@ -1,24 +1,33 @@
 #include <QAbstractSpinBox>
 #include <QApplication>
 #include <QComboBox>
+#include <QHelpEvent>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPainter>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QStatusBar>
 #include <QStatusTipEvent>
+#include <QTextDocument>
+#include <QToolButton>
+#include <QToolTip>
+#include <QUndoStack>
 #include <QWheelEvent>
 #include <QWindow>
 
 #include "app/document/project.h"
+#include "app/document/setting_edits.h"
 #include "app/document/settings.h"
 #include "app/panels/cut_panel.h"
 #include "app/panels/folding_section.h"
 #include "app/panels/magnitude_box.h"
 #include "app/panels/number_box.h"
 #include "app/panels/option_field.h"
+#include "app/panels/picture_tip.h"
+#include "app/panels/theme.h"
 #include "app/view/properties.h"
 #include "app/view/time_strip.h"
 #include "app/view/toolbox.h"
@@ -50,6 +59,14 @@ class TestPanelFields : public QObject {
     void clicksOnSlidersAreStepsOfTheirOwn();
     void hintsEndWhereTheNumbersBegin();
     void fieldsShowAnyValueOfTheirSetting();
+    void spaceTappedPlays_data();
+    void spaceTappedPlays();
+    void spaceHeldMovesTheView_data();
+    void spaceHeldMovesTheView();
+    void reachIsNearToFar_data();
+    void reachIsNearToFar();
+    void tipsShowPictures_data();
+    void tipsShowPictures();
 
   private:
     bool open(bool solid);
@@ -62,6 +79,8 @@ class TestPanelFields : public QObject {
     void turnWheel(const QWidget& over, int notches);
     QAbstractSpinBox* box(const QString& name);
     void type(QAbstractSpinBox& box, const QString& text);
+    bool tapSpace(QWidget& on);
+    static bool showsTip(QWidget& widget, int pictures);
 
     std::unique_ptr<SolidFixture> m_f;
 };
@@ -481,6 +500,193 @@ void TestPanelFields::fieldsShowAnyValueOfTheirSetting() {
         ++seen;
     }
     QVERIFY(seen >= 10);
+}
+
+void TestPanelFields::spaceTappedPlays_data() {
+    pictureAndSolid();
+}
+
+/// Whether that has changed what plays.
+bool TestPanelFields::tapSpace(QWidget& on) {
+    const Playback& playback = m_f->session().playback();
+    const bool before = playback.isPlaying();
+    on.setFocus();
+    QTest::keyClick(&on, Qt::Key_Space);
+    return playback.isPlaying() != before;
+}
+
+/// On the view and where nothing else wants it; in a field it is a letter, on a button and in a list it is
+/// theirs. Held until it repeats, or with the mouse in between, it is no tap.
+void TestPanelFields::spaceTappedPlays() {
+    QFETCH(bool, solid);
+    QVERIFY(open(solid));
+    QVERIFY(!tapSpace(view()));  // nothing moves yet
+    QVERIFY(bend(solid));
+    Playback& playback = m_f->session().playback();
+    QVERIFY(tapSpace(view()) && playback.isPlaying());
+    QVERIFY(tapSpace(view()) && !playback.isPlaying());
+    QVERIFY(tapSpace(*m_f->window().findChild<TimeStrip*>()->slider()));
+    QVERIFY(tapSpace(*m_f->window().findChild<QSlider*>(QStringLiteral("energySlider"))));
+    QVERIFY(!playback.isPlaying());
+    m_f->window().tools().setMode(Mode::Mesh);
+    settleLayout(m_f->window().properties());
+    QAbstractButton* tile = nullptr;
+    for (auto* one : m_f->window().findChildren<QToolButton*>())
+        if (one->property("role") == QStringLiteral("tile")) tile = one;
+    const auto* choices = solid ? "domain.cage" : "domain.outline.from";
+    QWidget* list = m_f->window().findChild<OptionField*>(QLatin1String(choices))->focusProxy();
+    for (QWidget* field : std::initializer_list<QWidget*>{tile, list, box(QStringLiteral("Vertices"))}) {
+        QVERIFY(field && field->isVisible());
+        QVERIFY2(!tapSpace(*field), qPrintable(field->accessibleName()));
+        if (QWidget* popup = QApplication::activePopupWidget()) popup->close();
+    }
+    QLineEdit text(&m_f->window());
+    text.show();
+    QVERIFY(!tapSpace(text));
+    QCOMPARE(text.text(), QStringLiteral(" "));
+    view().setFocus();
+    QTest::keyPress(&view(), Qt::Key_Space);
+    QKeyEvent again(QEvent::KeyPress, Qt::Key_Space, {}, QStringLiteral(" "), true);
+    QCoreApplication::sendEvent(&view(), &again);
+    QTest::keyRelease(&view(), Qt::Key_Space);
+    QVERIFY(!playback.isPlaying());
+}
+
+void TestPanelFields::spaceHeldMovesTheView_data() {
+    pictureAndSolid();
+}
+
+/// As far as the hand goes, without a turn; afterwards the tool has the button again, and nothing plays.
+void TestPanelFields::spaceHeldMovesTheView() {
+    QFETCH(bool, solid);
+    QVERIFY(open(solid) && bend(solid));
+    const auto places = [&] {
+        if (solid) return std::pair{m_f->at({-1, -0.5, 0}), m_f->at({1, -0.5, 0.3})};
+        ShapeCanvas& canvas = m_f->window().canvas();
+        return std::pair{canvas.toWidget({60, 80}).toPoint(), canvas.toWidget({160, 90}).toPoint()};
+    };
+    const auto before = places();
+    const int steps = m_f->session().document().undoStack()->count();
+    const QPoint at = before.first, by(40, 25);
+    view().setFocus();
+    QTest::keyPress(&view(), Qt::Key_Space);
+    QTest::mousePress(&view(), Qt::LeftButton, {}, at);
+    for (int i = 1; i <= 5; ++i) QTest::mouseMove(&view(), at + by * i / 5);
+    QTest::mouseRelease(&view(), Qt::LeftButton, {}, at + by);
+    QTest::keyRelease(&view(), Qt::Key_Space);
+    const auto after = places();
+    for (const QPoint& off : {after.first - before.first - by, after.second - before.second - by})
+        QVERIFY2(off.manhattanLength() <= (solid ? 6 : 2),  // nearer than what is turned about: a little more
+                 qPrintable(QStringLiteral("%1 %2").arg(off.x()).arg(off.y())));
+    QVERIFY(!m_f->session().playback().isPlaying());
+    QCOMPARE(m_f->session().document().undoStack()->count(), steps);
+    QTest::mouseMove(&view(), at + by);
+    QTest::mousePress(&view(), Qt::LeftButton, {}, at + by);
+    QTest::mouseMove(&view(), at + 2 * by);
+    QCOMPARE(places(), after);
+    QTest::keyClick(&view(), Qt::Key_Escape);
+    QTest::mouseRelease(&view(), Qt::LeftButton, {}, at + 2 * by);
+}
+
+void TestPanelFields::reachIsNearToFar_data() {
+    pictureAndSolid();
+}
+
+/// The slider and the number are one setting: what the one says the other shows, farther is more, and what
+/// lies beyond the slider's ends stays as it is.
+void TestPanelFields::reachIsNearToFar() {
+    QFETCH(bool, solid);
+    QVERIFY(open(solid));
+    m_f->window().tools().setMode(Mode::Pins);
+    auto* slider = m_f->window().findChild<QSlider*>(QStringLiteral("reachSlider"));
+    auto* number = m_f->window().findChild<OptionField*>(QStringLiteral("material.smoothing.length"));
+    QVERIFY(slider && slider->isVisible() && number);
+    QUndoStack& undo = *m_f->session().document().undoStack();
+    const auto length = [&] {
+        return settingOf(*m_f->session().document().project(), "material.smoothing.length");
+    };
+    QCOMPARE(length(), 1.0 / 75);  // of a new project: only shown
+    double before = 0;
+    for (int value = 0; value <= 100; ++value) {
+        if (slider->value() != value) slider->setValue(value);
+        if (value == 0) slider->setValue(1), slider->setValue(0);
+        QVERIFY(length() > before);
+        before = length();
+        QCOMPARE(number->number(), length());
+        changeSetting(m_f->session().document(), "material.smoothing.length", 1);
+        QCOMPARE(slider->value(), 100);
+        changeSetting(m_f->session().document(), "material.smoothing.length", before);
+        QCOMPARE(slider->value(), value);
+    }
+    const int steps = undo.count();
+    QTest::mouseClick(slider, Qt::LeftButton, {}, QPoint(slider->width() / 2, slider->height() / 2));
+    QCOMPARE(undo.count(), steps + 1);
+    QVERIFY(length() > 0.01 && length() < 0.1);
+    type(*box(QStringLiteral("Smoothing length")), QStringLiteral("0"));
+    QCOMPARE(slider->value(), 0);
+    QCOMPARE(length(), 0.0);
+    QTest::keyClick(slider, Qt::Key_Right);
+    QVERIFY(length() > 0);
+    QVERIFY(settle(m_f->session()));
+}
+
+void TestPanelFields::tipsShowPictures_data() {
+    pictureAndSolid();
+}
+
+/// As the pointer that rests there gets it: rich text with so many drawings.
+bool TestPanelFields::showsTip(QWidget& widget, int pictures) {
+    const QPoint at = widget.rect().center();
+    QHelpEvent event(QEvent::ToolTip, at, widget.mapToGlobal(at));
+    QCoreApplication::sendEvent(&widget, &event);
+    const QString text = QToolTip::text();
+    QToolTip::hideText();
+    QTextDocument words, all;
+    words.setHtml(widget.toolTip());
+    all.setHtml(text);
+    return text.startsWith(widget.toolTip()) && text.count(QStringLiteral("<img")) == pictures &&
+           all.size().height() > words.size().height() + 60;
+}
+
+void TestPanelFields::tipsShowPictures() {
+    QFETCH(bool, solid);
+    QVERIFY(open(solid));
+    const auto field = [&](const char* name) {
+        auto* found = m_f->window().findChild<QWidget*>(QString::fromLatin1(name));
+        return found && found->focusProxy() ? found->focusProxy() : found;
+    };
+    QVERIFY(showsTip(*field("energySlider"), 4));
+    QVERIFY(showsTip(*field("material.phi"), 4));
+    QVERIFY(showsTip(*field("reachSlider"), 2));
+    QVERIFY(showsTip(*field("material.smoothing.length"), 2));
+    QVERIFY(showsTip(*field("brushRatio"), 2));
+    QVERIFY(showsTip(*field("layerRatio"), 2));
+    int tiles = 0;
+    for (auto* tile : m_f->window().findChildren<QToolButton*>())
+        if (tile->property("role") == QStringLiteral("tile")) tiles += showsTip(*tile, 1);
+    QCOMPARE(tiles, 4);
+    // Drawn in the palette's colours: light lines on dark, dark ones on light.
+    const auto lightness = [](Appearance appearance) {
+        const QPalette palette = wendPalette(appearance, {});
+        QTextDocument text;
+        text.setHtml(tipWithPictures({}, stiffnessPictures(), palette));
+        QImage image(text.size().toSize(), QImage::Format_RGB32);
+        const QColor ground = palette.color(QPalette::ToolTipBase);
+        image.fill(ground);
+        QPainter painter(&image);
+        painter.setClipRect(0, 0, image.width(), 70);  // above the words
+        text.drawContents(&painter);
+        int lighter = 0, darker = 0;
+        for (int y = 0; y < 70; ++y)
+            for (int x = 0; x < image.width(); ++x) {
+                const int off = qGray(image.pixel(x, y)) - qGray(ground.rgb());
+                lighter += off > 60, darker += off < -60;
+            }
+        return std::pair{lighter, darker};
+    };
+    const auto light = lightness(Appearance::Light), dark = lightness(Appearance::Dark);
+    QVERIFY(light.first == 0 && light.second > 200);
+    QVERIFY(dark.first > 200 && dark.second == 0);
 }
 
 QTEST_MAIN(TestPanelFields)

@@ -36,6 +36,11 @@ void Navigation::press(const QMouseEvent& event) {
     m_drag = dragFor(event);
 }
 
+void Navigation::pressToPan(const QMouseEvent& event) {
+    press(event);
+    m_drag = Drag::Pan;
+}
+
 void Navigation::move(const QMouseEvent& event, Camera& camera, const QSize& view) {
     const QPointF step = event.position() - std::exchange(m_last, event.position());
     if (m_drag == Drag::Orbit) camera.orbit(step.x() * kRadiansPerPixel, step.y() * kRadiansPerPixel);

@@ -26,6 +26,8 @@ class Navigation {
     bool isClick(const QMouseEvent& event) const;
 
     void press(const QMouseEvent& event);
+    /// Moves the view, whatever the button means.
+    void pressToPan(const QMouseEvent& event);
     void move(const QMouseEvent& event, Camera& camera, const QSize& view);
     void end() { m_drag = Drag::None; }
 

@@ -122,6 +122,8 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     void wheelEvent(QWheelEvent* event) override;
     void tabletEvent(QTabletEvent* event) override { takePressure(*event); }
     void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
     void leaveEvent(QEvent* event) override;
     void changeEvent(QEvent* event) override;
     bool event(QEvent* event) override;
@@ -139,6 +141,7 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     void showGlyphs(const PosedFrame<3>& frame);
     void wantVelocity();
     void tellPointed(const QPointF& at);
+    void setSpaceDown(bool down);
     bool showsMap() const { return m_map && !m_hidden; }
     QRgb plainColour() const;
     bool hasDetail(const PosedFrame<3>& frame) const;
@@ -154,8 +157,10 @@ class SolidCanvas : public VolumeView, public SolidSurface {
 
     ShapeSession& m_session;
     SolidTool* m_tool = nullptr;
-    SolidTool* m_active = nullptr;       // the one that has the pointer
-    std::shared_ptr<const void> m_mesh;  // of the last frame
+    bool m_spaceDown = false;                         // the left button moves the view
+    SolidTool* m_active = nullptr;                    // the one that has the pointer …
+    Qt::MouseButton m_activeButton = Qt::LeftButton;  // … as long as this is down
+    std::shared_ptr<const void> m_mesh;               // of the last frame
     CutTool m_cutTool;
     MaterialPreview<3> m_preview;
     FramePtr m_standIn;

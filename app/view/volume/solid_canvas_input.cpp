@@ -26,10 +26,13 @@ bool SolidCanvas::isForTool(const QMouseEvent& event, const SolidTool& tool) {
 
 void SolidCanvas::mousePressEvent(QMouseEvent* event) {
     setFocus(Qt::MouseFocusReason);
-    SolidTool* tool = toolAt(event->position());
     const bool left = event->button() == Qt::LeftButton;
-    if (left && tool && !m_active && isForTool(*event, *tool)) {
+    if (left && m_spaceDown && !m_active) return navigation().pressToPan(*event);
+    SolidTool* tool = toolAt(event->position());
+    const bool taken = tool && (tool->takesButton(*event) || (left && isForTool(*event, *tool)));
+    if (taken && !m_active) {
         m_active = tool;
+        m_activeButton = event->button();
         tool->press(*event);
         useTool(tool);
     } else if (!m_active) {
@@ -41,11 +44,12 @@ void SolidCanvas::mousePressEvent(QMouseEvent* event) {
 void SolidCanvas::mouseDoubleClickEvent(QMouseEvent* event) {
     SolidTool* tool = toolAt(event->position());
     const bool left = event->button() == Qt::LeftButton;
-    if (!left || !tool || m_active || !isForTool(*event, *tool)) {
+    if (!left || !tool || m_active || m_spaceDown || !isForTool(*event, *tool)) {
         mousePressEvent(event);
         return;
     }
     m_active = tool;
+    m_activeButton = Qt::LeftButton;
     tool->doubleClick(*event);
     useTool(tool);
 }
@@ -67,13 +71,13 @@ void SolidCanvas::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void SolidCanvas::mouseReleaseEvent(QMouseEvent* event) {
-    if (m_active && event->button() == Qt::LeftButton) {
+    if (m_active && event->button() == m_activeButton) {
         SolidTool* tool = std::exchange(m_active, nullptr);
         tool->release(*event);
         useTool(tool);
         return;
     }
-    const bool turned = navigation().isGoingOn();
+    const bool turned = navigation().isGoingOn() && !m_spaceDown;
     const bool click = navigation().isClick(*event);
     if (click && event->button() == Qt::RightButton && m_tool && !m_active) {
         navigation().end();
@@ -115,7 +119,25 @@ void SolidCanvas::wheelEvent(QWheelEvent* event) {
     VolumeView::wheelEvent(event);
 }
 
+void SolidCanvas::setSpaceDown(bool down) {
+    m_spaceDown = down;
+    setCursor(down ? QCursor(Qt::OpenHandCursor) : m_tool ? m_tool->cursor() : QCursor(Qt::ArrowCursor));
+}
+
+void SolidCanvas::keyReleaseEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Space && !event->isAutoRepeat()) setSpaceDown(false);
+}
+
+void SolidCanvas::focusOutEvent(QFocusEvent* event) {
+    setSpaceDown(false);
+    VolumeView::focusOutEvent(event);
+}
+
 void SolidCanvas::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Space && !m_active) {
+        if (!event->isAutoRepeat()) setSpaceDown(true);
+        return;
+    }
     if (m_active && m_active->key(*event)) {
         useTool(m_active);
         if (m_tool == m_active && event->key() == Qt::Key_Escape) m_active = nullptr;

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <QList>
+#include <QPalette>
+#include <QString>
+#include <functional>
+
+class QWidget;
+
+namespace wend {
+
+/// A little drawing of resources/tips and what stands below it.
+struct TipPicture {
+    QString name;
+    QString caption;
+};
+
+/// The tooltip of the widget shows these below its words, in the colours of the window, light or dark.
+void showInTip(QWidget* widget, std::function<QList<TipPicture>()> pictures);
+/// The tooltip as it is shown then: rich text with the drawings within.
+QString tipWithPictures(const QString& words, const QList<TipPicture>& pictures, const QPalette& palette);
+
+/// What each of the four energies makes of a square that is pulled; of one of them alone.
+QList<TipPicture> energyPictures(int dimension);
+TipPicture energyPicture(int stop);
+/// A pull that reaches not far, and one that does.
+QList<TipPicture> reachPictures();
+/// A bar that is pulled, soft all over, and with a part that is stiff.
+QList<TipPicture> stiffnessPictures();
+
+}  // namespace wend

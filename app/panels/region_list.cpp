@@ -1,0 +1,203 @@
+#include "app/panels/region_list.h"
+
+#include <QItemDelegate>
+#include <QListWidget>
+#include <QLocale>
+#include <QPainter>
+#include <QToolButton>
+
+#include "app/document/options.h"
+#include "app/panels/exact_box.h"
+#include "app/panels/panel_parts.h"
+
+namespace wend {
+
+namespace {
+
+constexpr int kValue = Qt::UserRole;  // of an item, in words
+constexpr double kPercent = 100;
+
+/// A name at the left, which can be changed, and a value at the right.
+class ValueDelegate : public QItemDelegate {
+  public:
+    using QItemDelegate::QItemDelegate;
+    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+               const QModelIndex& index) const override {
+        QItemDelegate::paint(painter, option, index);
+        const bool selected = option.state & QStyle::State_Selected;
+        painter->setPen(
+            option.palette.color(selected ? QPalette::HighlightedText : QPalette::PlaceholderText));
+        painter->drawText(option.rect.adjusted(0, 0, -8, 0), Qt::AlignRight | Qt::AlignVCenter,
+                          index.data(kValue).toString());
+    }
+};
+
+}  // namespace
+
+RegionList::RegionList(ShapeSession& session, RegionsOf of, QWidget* parent)
+    : QWidget(parent),
+      m_session(session),
+      m_of(of),
+      m_none(secondLabel(
+          isDetail() ? tr("The mesh is as fine everywhere: brush over what shall be finer or coarser.")
+                     : tr("Nothing has an order of its own: brush over what shall lie in front or behind."),
+          this)),
+      m_list(new QListWidget(this)),
+      m_value(new ExactBox(this)),
+      m_remove(new QToolButton(this)) {
+    makeControls();
+    arrange();
+    connectControls();
+    showRegions();
+}
+
+void RegionList::makeControls() {
+    const QString id = isDetail() ? QStringLiteral("detail") : QStringLiteral("depth");
+    m_list->setObjectName(id + QStringLiteral("Regions"));
+    m_list->setFixedHeight(96);
+    m_list->setItemDelegate(new ValueDelegate(m_list));
+    m_list->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+    describe(m_list, isDetail() ? tr("Where the mesh is finer or coarser") : tr("What lies in front"),
+             tr("The strokes and regions that are there; of two at one place the upper one counts. A click "
+                "shows where it lies and its number, a double click changes its name."));
+    const Range range = option(isDetail() ? "domain.sizes[].factor" : "depth[].order").range;
+    const double unit = isDetail() ? kPercent : 1;
+    m_value->setObjectName(id + QStringLiteral("Value"));
+    m_value->setRange(unit * range.min, unit * range.max);
+    m_value->setDecimals(isDetail() ? 0 : 1);
+    m_value->setSuffix(isDetail() ? tr(" %") : QString());
+    m_value->setSingleStep(isDetail() ? 10 : 1);
+    m_value->setFixedWidth(116);
+    describe(m_value, isDetail() ? tr("Length of edges") : tr("Order"),
+             isDetail() ? tr("How long edges are there, against elsewhere: less is finer, more is coarser.")
+                        : tr("Greater than 0 lies in front, less behind."));
+    m_remove->setObjectName(id + QStringLiteral("Remove"));
+    m_remove->setText(tr("Remove"));
+    m_remove->setProperty("role", "chip");
+    describe(m_remove, tr("Remove"), tr("Takes the chosen region away."));
+}
+
+void RegionList::arrange() {
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(16, 14, 16, 14);
+    layout->setSpacing(10);
+    auto* head = new QHBoxLayout;
+    head->addWidget(panelTitle(isDetail() ? tr("Finer and coarser") : tr("In front and behind"), this));
+    head->addStretch(1);
+    head->addWidget(m_remove);
+    layout->addLayout(head);
+    layout->addWidget(m_none);
+    layout->addWidget(m_list);
+    layout->addWidget(m_row = panelRowIn(isDetail() ? tr("E&dges") : tr("O&rder"), m_value, this));
+}
+
+void RegionList::connectControls() {
+    connect(&m_session.document(), &Document::projectChanged, this, &RegionList::showRegions);
+    connect(m_list, &QListWidget::currentRowChanged, this, &RegionList::showChosen);
+    connect(m_list, &QListWidget::itemChanged, this, &RegionList::rename);
+    connect(m_value, &QDoubleSpinBox::valueChanged, this, [this] {
+        const double value = m_value->exact() / (isDetail() ? kPercent : 1);
+        change(isDetail() ? tr("Change edges") : tr("Change order"),
+               withRegionsValue(*m_session.document().project(), m_of, group(), value),
+               QStringLiteral("regions %1 %2").arg(static_cast<int>(m_of)).arg(group()));
+    });
+    connect(m_remove, &QToolButton::clicked, this, [this] {
+        change(tr("Remove region"), withoutRegions(*m_session.document().project(), m_of, group()));
+    });
+}
+
+void RegionList::change(const QString& step, Project next, const QString& key) {
+    if (group() >= 0) m_session.document().change(step, std::move(next), key);
+}
+
+/// Pictures have them.
+std::vector<NamedRegions> RegionList::groups() const {
+    const Document& document = m_session.document();
+    return document.isEmpty() || document.dimension() != 2 ? std::vector<NamedRegions>()
+                                                           : namedRegions(*document.project(), m_of);
+}
+
+/// The place in groups(), which has the topmost last; −1: none is chosen.
+int RegionList::group() const {
+    return m_list->currentRow() < 0 ? -1 : m_list->count() - 1 - m_list->currentRow();
+}
+
+QString RegionList::nameOf(const NamedRegions& group) const {
+    if (!group.name.empty()) return QString::fromStdString(group.name);
+    const Region<2>& shape = group.regions.front().shape;
+    return std::holds_alternative<Ball<2>>(shape)        ? tr("Circle")
+           : std::holds_alternative<Box<2>>(shape)       ? tr("Rectangle")
+           : std::holds_alternative<HalfSpace<2>>(shape) ? tr("One side")
+                                                         : tr("Outline");
+}
+
+QString RegionList::valueText(double value) const {
+    const QLocale locale;
+    return isDetail() ? tr("%1 %").arg(locale.toString(kPercent * value, 'g', 3))
+                      : locale.toString(value, 'g', 3);
+}
+
+/// What was chosen stays so as long as it has its place, below what is new.
+void RegionList::showRegions() {
+    const auto all = groups();
+    {
+        const QSignalBlocker quiet(m_list);
+        const int chosen = group() < 0 ? -1 : static_cast<int>(all.size()) - 1 - group();
+        const QString name = group() < 0 ? QString() : m_list->currentItem()->text();
+        m_list->clear();
+        for (auto group = all.rbegin(); group != all.rend(); ++group) {
+            auto* item = new QListWidgetItem(nameOf(*group), m_list);
+            item->setFlags(item->flags() | Qt::ItemIsEditable);
+            item->setData(kValue, valueText(group->value));
+            item->setData(Qt::AccessibleDescriptionRole, valueText(group->value));
+        }
+        const QListWidgetItem* same = m_list->item(chosen);
+        m_list->setCurrentRow(same && same->text() == name ? chosen : -1);
+    }
+    m_list->setVisible(!all.empty());
+    m_row->setVisible(!all.empty());
+    m_remove->setVisible(!all.empty());
+    m_none->setVisible(all.empty());
+    showChosen();
+}
+
+void RegionList::showChosen() {
+    const bool has = group() >= 0;
+    m_row->setEnabled(has);
+    m_remove->setEnabled(has);
+    if (has) m_value->put((isDetail() ? kPercent : 1) * groups()[group()].value);
+    tellChosen();
+}
+
+/// The list is in the middle of the change.
+void RegionList::rename(QListWidgetItem* item) {
+    const int place = m_list->count() - 1 - m_list->row(item);
+    const std::string wish = item->text().trimmed().toStdString();
+    QMetaObject::invokeMethod(
+        this,
+        [this, place, wish] {
+            const auto all = groups();
+            if (place >= static_cast<int>(all.size())) return;
+            if (wish.empty() || wish == all[place].name) return showRegions();
+            m_session.document().change(tr("Rename region"),
+                                        withRegionsName(*m_session.document().project(), m_of, place, wish));
+        },
+        Qt::QueuedConnection);
+}
+
+void RegionList::tellChosen() {
+    const bool has = group() >= 0 && isVisible();
+    emit chosen(has ? groups()[group()].regions : std::vector<MaterialRegion<2>>());
+}
+
+void RegionList::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    tellChosen();
+}
+
+void RegionList::hideEvent(QHideEvent* event) {
+    QWidget::hideEvent(event);
+    tellChosen();
+}
+
+}  // namespace wend

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <QWidget>
+
+#include "app/document/region_edits.h"
+#include "app/session/shape_session.h"
+
+class QLabel;
+class QListWidget;
+class QListWidgetItem;
+class QToolButton;
+
+namespace wend {
+
+class ExactBox;
+
+/// The regions of a picture of one kind, the topmost first, as the layers of its material are: a click shows
+/// where one lies and its number, which can be changed; a double click changes its name.
+class RegionList : public QWidget {
+    Q_OBJECT
+
+  public:
+    RegionList(ShapeSession& session, RegionsOf of, QWidget* parent = nullptr);
+    QListWidget* list() const { return m_list; }
+
+  signals:
+    /// Where the chosen ones lie; none if nothing is chosen, or nobody sees the list.
+    void chosen(const std::vector<wend::MaterialRegion<2>>& regions);
+
+  protected:
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+
+  private:
+    bool isDetail() const { return m_of == RegionsOf::Detail; }
+    void makeControls();
+    void arrange();
+    void connectControls();
+    void showRegions();
+    void showChosen();
+    void tellChosen();
+    void rename(QListWidgetItem* item);
+    void change(const QString& step, Project next, const QString& key = {});
+    std::vector<NamedRegions> groups() const;
+    QString nameOf(const NamedRegions& group) const;
+    QString valueText(double value) const;
+    int group() const;
+
+    ShapeSession& m_session;
+    const RegionsOf m_of;
+    QLabel* m_none;
+    QListWidget* m_list;
+    QWidget* m_row = nullptr;  // of the value
+    ExactBox* m_value;
+    QToolButton* m_remove;
+};
+
+}  // namespace wend

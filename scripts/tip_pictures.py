@@ -1,0 +1,134 @@
+#!/usr/bin/env python3
+"""Makes the little drawings of the tooltips (resources/tips/*.svg) with the program itself: grids that are held and pulled.
+
+Usage: tip_pictures.py [WEND]   WEND: the program, by default the one on PATH.
+
+The drawings have three tones, which the window replaces by those of its palette: #000000 (ink), #808080 (what is quiet) and
+#4a5bd4 (what matters).
+"""
+import json
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+OUT = pathlib.Path(__file__).resolve().parent.parent / "resources" / "tips"
+SCALE = 40.0  # of a drawing, to one unit of the scene
+
+
+class Grid:
+    """A rectangle from (0, 0) to (width, height), `cells` squares to a unit."""
+
+    def __init__(self, width, height, cells):
+        self.columns, self.rows = width * cells + 1, height * cells + 1
+        self.points = [(i / cells, j / cells) for j in range(self.rows) for i in range(self.columns)]
+
+    def at(self, i, j):
+        return j * self.columns + i
+
+    def write(self, path):
+        lines = [f"v {x} {y} 0" for x, y in self.points]
+        for j in range(self.rows - 1):
+            for i in range(self.columns - 1):
+                a, b, c, d = (self.at(i, j), self.at(i + 1, j), self.at(i + 1, j + 1), self.at(i, j + 1))
+                cells = ((a, b, c), (a, c, d)) if (i + j) % 2 else ((a, b, d), (b, c, d))
+                lines += ["f " + " ".join(str(v + 1) for v in cell) for cell in cells]
+        path.write_text("\n".join(lines) + "\n")
+
+    def lines(self, step):
+        """The numbers of the vertices along every line of the grid that is drawn, and whether it is the border's."""
+        for j in range(0, self.rows, step):
+            yield [self.at(i, j) for i in range(self.columns)], j in (0, self.rows - 1)
+        for i in range(0, self.columns, step):
+            yield [self.at(i, j) for j in range(self.rows)], i in (0, self.columns - 1)
+
+
+def bent(wend, grid, material, handles):
+    """Where the vertices are at the end."""
+    with tempfile.TemporaryDirectory() as folder:
+        folder = pathlib.Path(folder)
+        grid.write(folder / "grid.obj")
+        project = {"format": "wend", "version": 1, "domain": {"mesh": "grid.obj"}, "material": material,
+                   "handles": handles, "time": {"end": 1}}
+        (folder / "grid.wend").write_text(json.dumps(project))
+        subprocess.run([wend, "run", "grid.wend", "--mesh", "bent.obj", "--quiet"], cwd=folder, check=True)
+        return [tuple(map(float, line.split()[1:3]))
+                for line in (folder / "bent.obj").read_text().splitlines() if line.startswith("v ")]
+
+
+def path(points, tone, width):
+    text = " ".join(f"{x * SCALE:.1f},{y * SCALE:.1f}" for x, y in points)
+    return f'  <polyline points="{text}" stroke="{tone}" stroke-width="{width}"/>'
+
+
+def draw(name, grid, points, step, marks, box, is_special=lambda p: False):
+    """`marks`: a list of (where the pin is, whether it was pulled); `box`: what is seen, in the scene's units."""
+    low, high = box
+    size = [(h - l) * SCALE for l, h in zip(low, high)]
+    rows = [f'<svg xmlns="http://www.w3.org/2000/svg" width="{size[0]:.0f}" height="{size[1]:.0f}" '
+            f'viewBox="{low[0] * SCALE:.0f} {low[1] * SCALE:.0f} {size[0]:.0f} {size[1]:.0f}" fill="none" '
+            f'stroke-linecap="round" stroke-linejoin="round">']
+    for vertices, border in sorted(grid.lines(step), key=lambda line: line[1]):
+        line = [points[v] for v in vertices]
+        rows.append(path(line, "#000000" if border else "#808080", 2 if border else 1.2))
+        special = [points[v] for v in vertices if is_special(grid.points[v])]
+        if not border and len(special) > 1:
+            rows.append(path(special, "#4a5bd4", 2))
+    for (x, y), pulled in marks:
+        tone = "#4a5bd4" if pulled else "#000000"
+        rows.append(f'  <circle cx="{x * SCALE:.1f}" cy="{y * SCALE:.1f}" r="5" fill="{tone}"/>')
+    (OUT / f"{name}.svg").write_text("\n".join(rows) + "\n</svg>\n")
+
+
+def near(grid, at, radius):
+    return [v for v, (x, y) in enumerate(grid.points) if (x - at[0]) ** 2 + (y - at[1]) ** 2 <= radius ** 2 + 1e-9]
+
+
+def pulled(name, vertices, by):
+    return {"name": name, "at": {"vertices": vertices}, "motion": [{"kind": "translate", "by": by, "time": [0, 1]}]}
+
+
+def energies(wend):
+    """A square that is held at its left side and pulled at its right."""
+    grid = Grid(2, 2, 12)
+    left, right = near(grid, (0.25, 1), 0.17), near(grid, (1.75, 1), 0.17)
+    handles = [{"name": "left", "at": {"vertices": left}}, pulled("right", right, [0.6, 0])]
+    for name, phi in (("area", "equia"), ("length", "metr"), ("rigid", "akvf"), ("angle", "conf")):
+        points = bent(wend, grid, {"phi": phi}, handles)
+        draw(f"energy-{name}", grid, points, 4, [((0.25, 1), False), ((2.35, 1), True)], ((-0.5, -0.75), (3.1, 2.75)))
+
+
+def reaches(wend):
+    """A strip that is held below, and of whose upper side a point is pulled."""
+    grid = Grid(3, 1, 16)
+    below = [grid.at(i, grid.rows - 1) for i in range(grid.columns)]
+    handles = [{"name": "below", "at": {"vertices": below}}, pulled("top", [grid.at(24, 0)], [0, -0.6])]
+    for name, length in (("near", 0.005), ("far", 0.12)):
+        material = {"phi": "metr", "smoothing": {"kind": "invariant", "length": length}}
+        points = bent(wend, grid, material, handles)
+        draw(f"reach-{name}", grid, points, 4, [((1.5, -0.6), True)], ((-0.2, -0.85), (3.2, 1.2)))
+
+
+def stiffness(wend):
+    """A bar that is held at its left end and pulled at its right; its left half is stiff along it."""
+    grid = Grid(3, 1, 12)
+    sides = [[grid.at(i, j) for j in range(grid.rows)] for i in (0, grid.columns - 1)]
+    handles = [{"name": "left", "at": {"vertices": sides[0]}}, pulled("right", sides[1], [1.5, 0])]
+    stiff = {"name": "stiff", "shape": {"box": {"min": [-1, -1], "max": [1.5, 2]}},
+             "stiffness": {"axis": [1, 0], "ratio": 50}}
+    for name, regions in (("even", []), ("part", [stiff])):
+        points = bent(wend, grid, {"phi": "metr", "regions": regions}, handles)
+        draw(f"stiffness-{name}", grid, points, 3, [((0, 0.5), False), ((4.5, 0.5), True)], ((-0.2, -0.3), (4.7, 1.3)),
+             lambda p: bool(regions) and p[0] <= 1.5)
+
+
+def main():
+    wend = str(pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else shutil.which("wend")).resolve())
+    OUT.mkdir(exist_ok=True)
+    for make in (energies, reaches, stiffness):
+        make(wend)
+
+
+if __name__ == "__main__":
+    main()
