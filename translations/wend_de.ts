@@ -167,10 +167,6 @@
         <translation>rücken um ein Pixel, mit Umschalt um zehn</translation>
     </message>
     <message>
-        <source>Space or middle button</source>
-        <translation>Leertaste oder mittlere Taste</translation>
-    </message>
-    <message>
         <source>pans</source>
         <translation>verschiebt die Ansicht</translation>
     </message>
@@ -189,6 +185,26 @@
     <message>
         <source>move a cross, Enter clicks there</source>
         <translation>bewegen ein Kreuz, Eingabe klickt dort</translation>
+    </message>
+    <message>
+        <source>Alt-right-drag a brush</source>
+        <translation>Rechts mit Alt ziehen, beim Malen</translation>
+    </message>
+    <message>
+        <source>changes its size and hardness</source>
+        <translation>ändert Größe und Härte</translation>
+    </message>
+    <message>
+        <source>Tap the space bar</source>
+        <translation>Leertaste antippen</translation>
+    </message>
+    <message>
+        <source>plays or pauses; held, it moves the view</source>
+        <translation>spielt ab oder hält an; gehalten verschiebt sie die Ansicht</translation>
+    </message>
+    <message>
+        <source>Middle button</source>
+        <translation>Mittlere Taste</translation>
     </message>
 </context>
 <context>
@@ -1415,6 +1431,10 @@
         <source>Drop &amp;below</source>
         <translation>&amp;Weglassen unter</translation>
     </message>
+    <message>
+        <source>Change up axis</source>
+        <translation>Obere Achse ändern</translation>
+    </message>
 </context>
 <context>
     <name>OutlineTool</name>
@@ -1532,6 +1552,29 @@
         <source>Paint what is chosen on the right; Ctrl takes away, Shift smooths, Shift-click draws a line, Alt-click picks up, Esc gives up the stroke</source>
         <translation>Malen, was rechts gewählt ist; Strg nimmt weg, Umschalt glättet, Klick mit Umschalt zieht eine Linie, Alt-Klick nimmt auf, Esc gibt den Strich auf</translation>
     </message>
+    <message>
+        <source>Brush over what shall be as everywhere again; Shift-click draws a line, Alt-right-drag changes the brush, Esc gives up the stroke</source>
+        <translation>Überstreichen, was wieder wie überall sein soll; Klick mit Umschalt zieht eine Linie, rechts mit Alt ziehen ändert den Pinsel, Esc gibt den Strich auf</translation>
+    </message>
+</context>
+<context>
+    <name>PictureTip</name>
+    <message>
+        <source>near</source>
+        <translation>nah</translation>
+    </message>
+    <message>
+        <source>far</source>
+        <translation>weit</translation>
+    </message>
+    <message>
+        <source>×1 everywhere</source>
+        <translation>überall ×1</translation>
+    </message>
+    <message>
+        <source>×50 along the left half</source>
+        <translation>×50 entlang der linken Hälfte</translation>
+    </message>
 </context>
 <context>
     <name>PinTool</name>
@@ -1646,6 +1689,17 @@
     <message>
         <source>Stiffness</source>
         <translation>Steifigkeit</translation>
+    </message>
+</context>
+<context>
+    <name>StrokeTool</name>
+    <message>
+        <source>To the right: larger; up: harder. Esc leaves it as it was</source>
+        <translation>Nach rechts: größer; nach oben: härter. Esc lässt ihn, wie er war</translation>
+    </message>
+    <message>
+        <source>%1 px · %2 % hard</source>
+        <translation>%1 px · %2 % hart</translation>
     </message>
 </context>
 <context>
@@ -1817,6 +1871,14 @@
     <message>
         <source>Measure lengths and angles between points of the shape</source>
         <translation>Längen und Winkel zwischen Punkten der Form messen</translation>
+    </message>
+    <message>
+        <source>E&amp;raser</source>
+        <translation>&amp;Radierer</translation>
+    </message>
+    <message>
+        <source>Take paint off: what is brushed is as everywhere again</source>
+        <translation>Farbe wegnehmen: Überstrichenes ist wieder wie überall</translation>
     </message>
 </context>
 <context>
@@ -2028,10 +2090,6 @@
     <message>
         <source>&amp;Play</source>
         <translation>&amp;Abspielen</translation>
-    </message>
-    <message>
-        <source>Play the motion, or pause it</source>
-        <translation>Die Bewegung abspielen oder anhalten</translation>
     </message>
     <message>
         <source>K</source>
@@ -2329,6 +2387,10 @@
         <source>Say beside the shape what to do first</source>
         <translation>Sagt neben der Form, was zuerst zu tun ist</translation>
     </message>
+    <message>
+        <source>Play the motion, or pause it; so does a tap of the space bar</source>
+        <translation>Die Bewegung abspielen oder anhalten; auch durch Antippen der Leertaste</translation>
+    </message>
 </context>
 <context>
     <name>wend::BackdropChoice</name>
@@ -2374,6 +2436,21 @@
     <message>
         <source>This project smooths as in the paper, with λ; its file says how much.</source>
         <translation>Dieses Projekt glättet wie im Aufsatz mit λ; seine Datei sagt, wie viel.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::BrushActions</name>
+    <message>
+        <source>&amp;Brush</source>
+        <translation>&amp;Pinsel</translation>
+    </message>
+    <message>
+        <source>Paint %1</source>
+        <translation>%1 malen</translation>
+    </message>
+    <message>
+        <source>Choose the step “Paint” first.</source>
+        <translation>Zuerst den Schritt „Malen“ wählen.</translation>
     </message>
 </context>
 <context>
@@ -2917,6 +2994,18 @@
     <message>
         <source>What is coloured over the picture: the error of lengths, areas or angles, how far it is from where it was, the material, or how fast it moves.</source>
         <translation>Was über das Bild gefärbt wird: der Fehler von Längen, Flächen oder Winkeln, wie weit es von seinem Ort entfernt ist, das Material oder wie schnell es sich bewegt.</translation>
+    </message>
+    <message>
+        <source>Smooth colo&amp;urs</source>
+        <translation>Glatte Far&amp;ben</translation>
+    </message>
+    <message>
+        <source>Smooth colours</source>
+        <translation>Glatte Farben</translation>
+    </message>
+    <message>
+        <source>Lets the colours of a map go evenly from cell to cell. Off, each cell has the one colour of its value.</source>
+        <translation>Lässt die Farben einer Karte gleichmäßig von Zelle zu Zelle übergehen. Aus hat jede Zelle die eine Farbe ihres Werts.</translation>
     </message>
 </context>
 <context>
@@ -3675,12 +3764,16 @@
         <translation>Die Seite davor</translation>
     </message>
     <message>
-        <source>Search this page</source>
-        <translation>Auf dieser Seite suchen</translation>
+        <source>This stands on no page.</source>
+        <translation>Das steht auf keiner Seite.</translation>
     </message>
     <message>
-        <source>Enter goes to the next place where these words stand.</source>
-        <translation>Eingabe geht zur nächsten Stelle, an der diese Worte stehen.</translation>
+        <source>Search the manual</source>
+        <translation>Handbuch durchsuchen</translation>
+    </message>
+    <message>
+        <source>Enter goes to the next place where these words stand, on this page or another.</source>
+        <translation>Die Eingabetaste geht zur nächsten Stelle mit diesen Worten, auf dieser Seite oder einer anderen.</translation>
     </message>
 </context>
 <context>
@@ -4566,6 +4659,136 @@
     </message>
 </context>
 <context>
+    <name>wend::ReachRow</name>
+    <message>
+        <source>Pull reaches</source>
+        <translation>Zug reicht</translation>
+    </message>
+    <message>
+        <source>How far the pull of a pin is spread. Near: close to the pin, sharp. Far: soft and wide.</source>
+        <translation>Wie weit sich der Zug eines Pins verteilt. Nah: dicht am Pin, scharf. Weit: weich und breit.</translation>
+    </message>
+    <message>
+        <source>Pull &amp;reaches</source>
+        <translation>Zug rei&amp;cht</translation>
+    </message>
+    <message>
+        <source>near</source>
+        <translation>nah</translation>
+    </message>
+    <message>
+        <source>far</source>
+        <translation>weit</translation>
+    </message>
+    <message>
+        <source>This project smooths as in the paper, with λ; its file says how much.</source>
+        <translation>Dieses Projekt glättet wie im Aufsatz mit λ; seine Datei sagt, wie viel.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::RegionList</name>
+    <message>
+        <source>The mesh is as fine everywhere: brush over what shall be finer or coarser.</source>
+        <translation>Das Netz ist überall gleich fein: überstreichen, was feiner oder gröber sein soll.</translation>
+    </message>
+    <message>
+        <source>Nothing has an order of its own: brush over what shall lie in front or behind.</source>
+        <translation>Nichts hat eine eigene Ordnung: überstreichen, was vorn oder hinten liegen soll.</translation>
+    </message>
+    <message>
+        <source>Where the mesh is finer or coarser</source>
+        <translation>Wo das Netz feiner oder gröber ist</translation>
+    </message>
+    <message>
+        <source>What lies in front</source>
+        <translation>Was vorn liegt</translation>
+    </message>
+    <message>
+        <source>The strokes and regions that are there; of two at one place the upper one counts. A click shows where it lies and its number, a double click changes its name.</source>
+        <translation>Die Striche und Gebiete, die es gibt; von zweien an einem Ort gilt das obere. Ein Klick zeigt, wo es liegt, und seine Zahl, ein Doppelklick ändert den Namen.</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Length of edges</source>
+        <translation>Kantenlänge</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Ordnung</translation>
+    </message>
+    <message>
+        <source>How long edges are there, against elsewhere: less is finer, more is coarser.</source>
+        <translation>Wie lang Kanten dort sind, gegen anderswo: weniger ist feiner, mehr ist gröber.</translation>
+    </message>
+    <message>
+        <source>Greater than 0 lies in front, less behind.</source>
+        <translation>Größer als 0 liegt vorn, kleiner hinten.</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Takes the chosen region away.</source>
+        <translation>Nimmt das gewählte Gebiet weg.</translation>
+    </message>
+    <message>
+        <source>Finer and coarser</source>
+        <translation>Feiner und gröber</translation>
+    </message>
+    <message>
+        <source>In front and behind</source>
+        <translation>Vorn und hinten</translation>
+    </message>
+    <message>
+        <source>E&amp;dges</source>
+        <translation>&amp;Kanten</translation>
+    </message>
+    <message>
+        <source>O&amp;rder</source>
+        <translation>&amp;Ordnung</translation>
+    </message>
+    <message>
+        <source>Change edges</source>
+        <translation>Kanten ändern</translation>
+    </message>
+    <message>
+        <source>Change order</source>
+        <translation>Ordnung ändern</translation>
+    </message>
+    <message>
+        <source>Remove region</source>
+        <translation>Gebiet entfernen</translation>
+    </message>
+    <message>
+        <source>Circle</source>
+        <translation>Kreis</translation>
+    </message>
+    <message>
+        <source>Rectangle</source>
+        <translation>Rechteck</translation>
+    </message>
+    <message>
+        <source>One side</source>
+        <translation>Eine Seite</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>Umriss</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Rename region</source>
+        <translation>Gebiet umbenennen</translation>
+    </message>
+</context>
+<context>
     <name>wend::RegionNumbers</name>
     <message>
         <source>Numbers of the region</source>
@@ -4652,6 +4875,18 @@
             <numerusform>%n Punkt</numerusform>
             <numerusform>%n Punkte</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>How large the circle is that the pin holds, in the shape&apos;s own units; of a picture its pixels. Alt-drag of the pin does the same.</source>
+        <translation>Wie groß der Kreis ist, den der Pin hält, in den Einheiten der Form; bei einem Bild in dessen Pixeln. Den Pin mit Alt ziehen tut dasselbe.</translation>
+    </message>
+    <message>
+        <source>Ra&amp;dius</source>
+        <translation>Ra&amp;dius</translation>
     </message>
 </context>
 <context>
@@ -5249,6 +5484,26 @@
     <message>
         <source>New pins sit on corners of the mesh, instead of where one clicks</source>
         <translation>Neue Pins sitzen auf Ecken des Netzes statt dort, wohin man klickt</translation>
+    </message>
+    <message>
+        <source>Which axis of the world points up in the view; kept with the project</source>
+        <translation>Welche Achse der Welt in der Ansicht nach oben zeigt; wird mit dem Projekt gespeichert</translation>
+    </message>
+    <message>
+        <source>&amp;X Points Up</source>
+        <translation>&amp;X zeigt nach oben</translation>
+    </message>
+    <message>
+        <source>&amp;Y Points Up</source>
+        <translation>&amp;Y zeigt nach oben</translation>
+    </message>
+    <message>
+        <source>&amp;Z Points Up</source>
+        <translation>&amp;Z zeigt nach oben</translation>
+    </message>
+    <message>
+        <source>&amp;Up Axis</source>
+        <translation>Obe&amp;re Achse</translation>
     </message>
 </context>
 <context>

@@ -167,10 +167,6 @@
         <translation>desplazan un píxel; con Mayús, diez</translation>
     </message>
     <message>
-        <source>Space or middle button</source>
-        <translation>Espacio o botón central</translation>
-    </message>
-    <message>
         <source>pans</source>
         <translation>desplaza la vista</translation>
     </message>
@@ -189,6 +185,26 @@
     <message>
         <source>move a cross, Enter clicks there</source>
         <translation>mueven una cruz, Intro hace clic allí</translation>
+    </message>
+    <message>
+        <source>Alt-right-drag a brush</source>
+        <translation>Alt y arrastrar con el botón derecho, con el pincel</translation>
+    </message>
+    <message>
+        <source>changes its size and hardness</source>
+        <translation>cambia su tamaño y su dureza</translation>
+    </message>
+    <message>
+        <source>Tap the space bar</source>
+        <translation>Pulsar la barra espaciadora</translation>
+    </message>
+    <message>
+        <source>plays or pauses; held, it moves the view</source>
+        <translation>reproduce o pausa; mantenida, mueve la vista</translation>
+    </message>
+    <message>
+        <source>Middle button</source>
+        <translation>Botón central</translation>
     </message>
 </context>
 <context>
@@ -1415,6 +1431,10 @@
         <source>Drop &amp;below</source>
         <translation>Omitir &amp;bajo</translation>
     </message>
+    <message>
+        <source>Change up axis</source>
+        <translation>Cambiar eje vertical</translation>
+    </message>
 </context>
 <context>
     <name>OutlineTool</name>
@@ -1532,6 +1552,29 @@
         <source>Paint what is chosen on the right; Ctrl takes away, Shift smooths, Shift-click draws a line, Alt-click picks up, Esc gives up the stroke</source>
         <translation>Pinte lo elegido a la derecha; Ctrl quita, Mayús suaviza, Mayús+clic traza una línea, Alt+clic toma una muestra, Esc cancela el trazo</translation>
     </message>
+    <message>
+        <source>Brush over what shall be as everywhere again; Shift-click draws a line, Alt-right-drag changes the brush, Esc gives up the stroke</source>
+        <translation>Pase el pincel sobre lo que deba volver a ser como en todas partes; Mayús-clic traza una línea, Alt y arrastrar con el botón derecho cambia el pincel, Esc abandona el trazo</translation>
+    </message>
+</context>
+<context>
+    <name>PictureTip</name>
+    <message>
+        <source>near</source>
+        <translation>cerca</translation>
+    </message>
+    <message>
+        <source>far</source>
+        <translation>lejos</translation>
+    </message>
+    <message>
+        <source>×1 everywhere</source>
+        <translation>×1 en todas partes</translation>
+    </message>
+    <message>
+        <source>×50 along the left half</source>
+        <translation>×50 a lo largo de la mitad izquierda</translation>
+    </message>
 </context>
 <context>
     <name>PinTool</name>
@@ -1646,6 +1689,17 @@
     <message>
         <source>Stiffness</source>
         <translation>Rigidez</translation>
+    </message>
+</context>
+<context>
+    <name>StrokeTool</name>
+    <message>
+        <source>To the right: larger; up: harder. Esc leaves it as it was</source>
+        <translation>A la derecha: más grande; arriba: más duro. Esc lo deja como estaba</translation>
+    </message>
+    <message>
+        <source>%1 px · %2 % hard</source>
+        <translation>%1 px · dureza %2 %</translation>
     </message>
 </context>
 <context>
@@ -1817,6 +1871,14 @@
     <message>
         <source>Measure lengths and angles between points of the shape</source>
         <translation>Medir longitudes y ángulos entre puntos de la forma</translation>
+    </message>
+    <message>
+        <source>E&amp;raser</source>
+        <translation>Bo&amp;rrador</translation>
+    </message>
+    <message>
+        <source>Take paint off: what is brushed is as everywhere again</source>
+        <translation>Quitar pintura: lo que recorra el pincel vuelve a ser como en todas partes</translation>
     </message>
 </context>
 <context>
@@ -2118,10 +2180,6 @@
         <translation>&amp;Reproducir</translation>
     </message>
     <message>
-        <source>Play the motion, or pause it</source>
-        <translation>Reproducir el movimiento o pausarlo</translation>
-    </message>
-    <message>
         <source>K</source>
         <translation>K</translation>
     </message>
@@ -2329,6 +2387,10 @@
         <source>Say beside the shape what to do first</source>
         <translation>Dice junto a la forma qué hacer primero</translation>
     </message>
+    <message>
+        <source>Play the motion, or pause it; so does a tap of the space bar</source>
+        <translation>Reproducir el movimiento o pausarlo; también al pulsar brevemente la barra espaciadora</translation>
+    </message>
 </context>
 <context>
     <name>wend::BackdropChoice</name>
@@ -2374,6 +2436,21 @@
     <message>
         <source>This project smooths as in the paper, with λ; its file says how much.</source>
         <translation>Este proyecto se suaviza como en el artículo, con λ; su archivo dice cuánto.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::BrushActions</name>
+    <message>
+        <source>&amp;Brush</source>
+        <translation>Pin&amp;cel</translation>
+    </message>
+    <message>
+        <source>Paint %1</source>
+        <translation>Pintar %1</translation>
+    </message>
+    <message>
+        <source>Choose the step “Paint” first.</source>
+        <translation>Elija antes el paso «Pintar».</translation>
     </message>
 </context>
 <context>
@@ -2917,6 +2994,18 @@
     <message>
         <source>What is coloured over the picture: the error of lengths, areas or angles, how far it is from where it was, the material, or how fast it moves.</source>
         <translation>Qué se colorea sobre la imagen: el error de longitudes, áreas o ángulos, la distancia a su lugar original, el material o la velocidad con que se mueve.</translation>
+    </message>
+    <message>
+        <source>Smooth colo&amp;urs</source>
+        <translation>Colores s&amp;uaves</translation>
+    </message>
+    <message>
+        <source>Smooth colours</source>
+        <translation>Colores suaves</translation>
+    </message>
+    <message>
+        <source>Lets the colours of a map go evenly from cell to cell. Off, each cell has the one colour of its value.</source>
+        <translation>Hace que los colores de un mapa pasen gradualmente de celda a celda. Si no, cada celda tiene el único color de su valor.</translation>
     </message>
 </context>
 <context>
@@ -3675,12 +3764,16 @@
         <translation>La página anterior</translation>
     </message>
     <message>
-        <source>Search this page</source>
-        <translation>Buscar en esta página</translation>
+        <source>This stands on no page.</source>
+        <translation>Eso no está en ninguna página.</translation>
     </message>
     <message>
-        <source>Enter goes to the next place where these words stand.</source>
-        <translation>Intro va al siguiente lugar donde aparecen estas palabras.</translation>
+        <source>Search the manual</source>
+        <translation>Buscar en el manual</translation>
+    </message>
+    <message>
+        <source>Enter goes to the next place where these words stand, on this page or another.</source>
+        <translation>Intro va al siguiente lugar donde están estas palabras, en esta página o en otra.</translation>
     </message>
 </context>
 <context>
@@ -4566,6 +4659,136 @@
     </message>
 </context>
 <context>
+    <name>wend::ReachRow</name>
+    <message>
+        <source>Pull reaches</source>
+        <translation>Alcance</translation>
+    </message>
+    <message>
+        <source>How far the pull of a pin is spread. Near: close to the pin, sharp. Far: soft and wide.</source>
+        <translation>Hasta dónde se reparte el tirón de un alfiler. Cerca: junto al alfiler, nítido. Lejos: suave y amplio.</translation>
+    </message>
+    <message>
+        <source>Pull &amp;reaches</source>
+        <translation>Alca&amp;nce</translation>
+    </message>
+    <message>
+        <source>near</source>
+        <translation>cerca</translation>
+    </message>
+    <message>
+        <source>far</source>
+        <translation>lejos</translation>
+    </message>
+    <message>
+        <source>This project smooths as in the paper, with λ; its file says how much.</source>
+        <translation>Este proyecto se suaviza como en el artículo, con λ; su archivo dice cuánto.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::RegionList</name>
+    <message>
+        <source>The mesh is as fine everywhere: brush over what shall be finer or coarser.</source>
+        <translation>La malla es igual de fina en todas partes: pase el pincel donde deba ser más fina o más gruesa.</translation>
+    </message>
+    <message>
+        <source>Nothing has an order of its own: brush over what shall lie in front or behind.</source>
+        <translation>Nada tiene un orden propio: pase el pincel sobre lo que deba quedar delante o detrás.</translation>
+    </message>
+    <message>
+        <source>Where the mesh is finer or coarser</source>
+        <translation>Dónde la malla es más fina o más gruesa</translation>
+    </message>
+    <message>
+        <source>What lies in front</source>
+        <translation>Lo que queda delante</translation>
+    </message>
+    <message>
+        <source>The strokes and regions that are there; of two at one place the upper one counts. A click shows where it lies and its number, a double click changes its name.</source>
+        <translation>Los trazos y regiones que hay; de dos en un mismo lugar vale el de arriba. Un clic muestra dónde está y su número, un doble clic cambia su nombre.</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Length of edges</source>
+        <translation>Longitud de aristas</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Orden</translation>
+    </message>
+    <message>
+        <source>How long edges are there, against elsewhere: less is finer, more is coarser.</source>
+        <translation>Longitud de las aristas en ese lugar respecto a las demás: menos es más fino, más es más grueso.</translation>
+    </message>
+    <message>
+        <source>Greater than 0 lies in front, less behind.</source>
+        <translation>Mayor que 0 queda delante; menor, detrás.</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Eliminar</translation>
+    </message>
+    <message>
+        <source>Takes the chosen region away.</source>
+        <translation>Quita la región elegida.</translation>
+    </message>
+    <message>
+        <source>Finer and coarser</source>
+        <translation>Más fino y más grueso</translation>
+    </message>
+    <message>
+        <source>In front and behind</source>
+        <translation>Delante y detrás</translation>
+    </message>
+    <message>
+        <source>E&amp;dges</source>
+        <translation>Arist&amp;as</translation>
+    </message>
+    <message>
+        <source>O&amp;rder</source>
+        <translation>Or&amp;den</translation>
+    </message>
+    <message>
+        <source>Change edges</source>
+        <translation>Cambiar aristas</translation>
+    </message>
+    <message>
+        <source>Change order</source>
+        <translation>Cambiar orden</translation>
+    </message>
+    <message>
+        <source>Remove region</source>
+        <translation>Eliminar región</translation>
+    </message>
+    <message>
+        <source>Circle</source>
+        <translation>Círculo</translation>
+    </message>
+    <message>
+        <source>Rectangle</source>
+        <translation>Rectángulo</translation>
+    </message>
+    <message>
+        <source>One side</source>
+        <translation>Un lado</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>Contorno</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Rename region</source>
+        <translation>Renombrar región</translation>
+    </message>
+</context>
+<context>
     <name>wend::RegionNumbers</name>
     <message>
         <source>Numbers of the region</source>
@@ -4652,6 +4875,18 @@
             <numerusform>%n vértice</numerusform>
             <numerusform>%n vértices</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radio</translation>
+    </message>
+    <message>
+        <source>How large the circle is that the pin holds, in the shape&apos;s own units; of a picture its pixels. Alt-drag of the pin does the same.</source>
+        <translation>Tamaño del círculo que sujeta el alfiler, en las unidades de la forma; en una imagen, sus píxeles. Arrastrar el alfiler con Alt hace lo mismo.</translation>
+    </message>
+    <message>
+        <source>Ra&amp;dius</source>
+        <translation>Ra&amp;dio</translation>
     </message>
 </context>
 <context>
@@ -5249,6 +5484,26 @@
     <message>
         <source>New pins sit on corners of the mesh, instead of where one clicks</source>
         <translation>Poner los alfileres nuevos en vértices de la malla en vez de donde se hace clic</translation>
+    </message>
+    <message>
+        <source>Which axis of the world points up in the view; kept with the project</source>
+        <translation>Qué eje del mundo apunta hacia arriba en la vista; se guarda con el proyecto</translation>
+    </message>
+    <message>
+        <source>&amp;X Points Up</source>
+        <translation>&amp;X hacia arriba</translation>
+    </message>
+    <message>
+        <source>&amp;Y Points Up</source>
+        <translation>&amp;Y hacia arriba</translation>
+    </message>
+    <message>
+        <source>&amp;Z Points Up</source>
+        <translation>&amp;Z hacia arriba</translation>
+    </message>
+    <message>
+        <source>&amp;Up Axis</source>
+        <translation>Eje &amp;vertical</translation>
     </message>
 </context>
 <context>

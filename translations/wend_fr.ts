@@ -167,10 +167,6 @@
         <translation>décalent d’un pixel, avec Maj de dix</translation>
     </message>
     <message>
-        <source>Space or middle button</source>
-        <translation>Espace ou bouton central</translation>
-    </message>
-    <message>
         <source>pans</source>
         <translation>déplace la vue</translation>
     </message>
@@ -189,6 +185,26 @@
     <message>
         <source>move a cross, Enter clicks there</source>
         <translation>déplacent une croix, Entrée clique à cet endroit</translation>
+    </message>
+    <message>
+        <source>Alt-right-drag a brush</source>
+        <translation>Alt-glisser droit avec le pinceau</translation>
+    </message>
+    <message>
+        <source>changes its size and hardness</source>
+        <translation>change sa taille et sa dureté</translation>
+    </message>
+    <message>
+        <source>Tap the space bar</source>
+        <translation>Taper sur la barre d’espace</translation>
+    </message>
+    <message>
+        <source>plays or pauses; held, it moves the view</source>
+        <translation>lit ou met en pause&#x202f;; maintenue, elle déplace la vue</translation>
+    </message>
+    <message>
+        <source>Middle button</source>
+        <translation>Bouton du milieu</translation>
     </message>
 </context>
 <context>
@@ -1415,6 +1431,10 @@
         <source>Drop &amp;below</source>
         <translation>&amp;Ignorer sous</translation>
     </message>
+    <message>
+        <source>Change up axis</source>
+        <translation>Modifier l’axe vertical</translation>
+    </message>
 </context>
 <context>
     <name>OutlineTool</name>
@@ -1532,6 +1552,29 @@
         <source>Paint what is chosen on the right; Ctrl takes away, Shift smooths, Shift-click draws a line, Alt-click picks up, Esc gives up the stroke</source>
         <translation>Appliquez au pinceau ce qui est choisi à droite&#x202f;; Ctrl retire, Maj lisse, Maj+clic trace une ligne, Alt+clic prélève, Échap annule le trait</translation>
     </message>
+    <message>
+        <source>Brush over what shall be as everywhere again; Shift-click draws a line, Alt-right-drag changes the brush, Esc gives up the stroke</source>
+        <translation>Passez le pinceau sur ce qui doit redevenir comme partout&#x202f;; Maj-clic trace une ligne, Alt-glisser droit change le pinceau, Échap abandonne le trait</translation>
+    </message>
+</context>
+<context>
+    <name>PictureTip</name>
+    <message>
+        <source>near</source>
+        <translation>près</translation>
+    </message>
+    <message>
+        <source>far</source>
+        <translation>loin</translation>
+    </message>
+    <message>
+        <source>×1 everywhere</source>
+        <translation>×1 partout</translation>
+    </message>
+    <message>
+        <source>×50 along the left half</source>
+        <translation>×50 le long de la moitié gauche</translation>
+    </message>
 </context>
 <context>
     <name>PinTool</name>
@@ -1646,6 +1689,17 @@
     <message>
         <source>Stiffness</source>
         <translation>Raideur</translation>
+    </message>
+</context>
+<context>
+    <name>StrokeTool</name>
+    <message>
+        <source>To the right: larger; up: harder. Esc leaves it as it was</source>
+        <translation>Vers la droite&#x202f;: plus grand&#x202f;; vers le haut&#x202f;: plus dur. Échap le laisse tel quel</translation>
+    </message>
+    <message>
+        <source>%1 px · %2 % hard</source>
+        <translation>%1 px · dureté %2&#x202f;%</translation>
     </message>
 </context>
 <context>
@@ -1817,6 +1871,14 @@
     <message>
         <source>Measure lengths and angles between points of the shape</source>
         <translation>Mesurer longueurs et angles entre des points de la forme</translation>
+    </message>
+    <message>
+        <source>E&amp;raser</source>
+        <translation>&amp;Gomme</translation>
+    </message>
+    <message>
+        <source>Take paint off: what is brushed is as everywhere again</source>
+        <translation>Retirer la peinture&#x202f;: ce que parcourt le pinceau redevient comme partout</translation>
     </message>
 </context>
 <context>
@@ -2118,10 +2180,6 @@
         <translation>&amp;Lecture</translation>
     </message>
     <message>
-        <source>Play the motion, or pause it</source>
-        <translation>Lire le mouvement ou le mettre en pause</translation>
-    </message>
-    <message>
         <source>K</source>
         <translation>K</translation>
     </message>
@@ -2329,6 +2387,10 @@
         <source>Say beside the shape what to do first</source>
         <translation>Dit à côté de la forme ce qu’il faut faire d’abord</translation>
     </message>
+    <message>
+        <source>Play the motion, or pause it; so does a tap of the space bar</source>
+        <translation>Lire le mouvement ou le mettre en pause&#x202f;; un appui bref sur la barre d’espace fait de même</translation>
+    </message>
 </context>
 <context>
     <name>wend::BackdropChoice</name>
@@ -2374,6 +2436,21 @@
     <message>
         <source>This project smooths as in the paper, with λ; its file says how much.</source>
         <translation>Ce projet est lissé comme dans l’article, avec λ&#x202f;; son fichier dit de combien.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::BrushActions</name>
+    <message>
+        <source>&amp;Brush</source>
+        <translation>Pi&amp;nceau</translation>
+    </message>
+    <message>
+        <source>Paint %1</source>
+        <translation>Peindre %1</translation>
+    </message>
+    <message>
+        <source>Choose the step “Paint” first.</source>
+        <translation>Choisissez d’abord l’étape «&#x202f;Peindre&#x202f;».</translation>
     </message>
 </context>
 <context>
@@ -2917,6 +2994,18 @@
     <message>
         <source>What is coloured over the picture: the error of lengths, areas or angles, how far it is from where it was, the material, or how fast it moves.</source>
         <translation>Ce qui est coloré sur l’image&#x202f;: l’erreur des longueurs, des aires ou des angles, la distance à la place d’origine, le matériau ou la vitesse du mouvement.</translation>
+    </message>
+    <message>
+        <source>Smooth colo&amp;urs</source>
+        <translation>Couleurs liss&amp;es</translation>
+    </message>
+    <message>
+        <source>Smooth colours</source>
+        <translation>Couleurs lissées</translation>
+    </message>
+    <message>
+        <source>Lets the colours of a map go evenly from cell to cell. Off, each cell has the one colour of its value.</source>
+        <translation>Fait passer les couleurs d’une carte progressivement d’une cellule à l’autre. Sinon, chaque cellule a la seule couleur de sa valeur.</translation>
     </message>
 </context>
 <context>
@@ -3675,12 +3764,16 @@
         <translation>La page précédente</translation>
     </message>
     <message>
-        <source>Search this page</source>
-        <translation>Chercher dans cette page</translation>
+        <source>This stands on no page.</source>
+        <translation>Cela ne figure sur aucune page.</translation>
     </message>
     <message>
-        <source>Enter goes to the next place where these words stand.</source>
-        <translation>Entrée passe à l’endroit suivant où se trouvent ces mots.</translation>
+        <source>Search the manual</source>
+        <translation>Chercher dans le manuel</translation>
+    </message>
+    <message>
+        <source>Enter goes to the next place where these words stand, on this page or another.</source>
+        <translation>Entrée va au prochain endroit où figurent ces mots, sur cette page ou une autre.</translation>
     </message>
 </context>
 <context>
@@ -4566,6 +4659,136 @@
     </message>
 </context>
 <context>
+    <name>wend::ReachRow</name>
+    <message>
+        <source>Pull reaches</source>
+        <translation>Portée</translation>
+    </message>
+    <message>
+        <source>How far the pull of a pin is spread. Near: close to the pin, sharp. Far: soft and wide.</source>
+        <translation>Jusqu’où s’étend la traction d’une épingle. Près&#x202f;: près de l’épingle, net. Loin&#x202f;: doux et large.</translation>
+    </message>
+    <message>
+        <source>Pull &amp;reaches</source>
+        <translation>Po&amp;rtée</translation>
+    </message>
+    <message>
+        <source>near</source>
+        <translation>près</translation>
+    </message>
+    <message>
+        <source>far</source>
+        <translation>loin</translation>
+    </message>
+    <message>
+        <source>This project smooths as in the paper, with λ; its file says how much.</source>
+        <translation>Ce projet est lissé comme dans l’article, avec λ&#x202f;; son fichier dit de combien.</translation>
+    </message>
+</context>
+<context>
+    <name>wend::RegionList</name>
+    <message>
+        <source>The mesh is as fine everywhere: brush over what shall be finer or coarser.</source>
+        <translation>Le maillage est partout aussi fin&#x202f;: passez le pinceau où il doit être plus fin ou plus grossier.</translation>
+    </message>
+    <message>
+        <source>Nothing has an order of its own: brush over what shall lie in front or behind.</source>
+        <translation>Rien n’a d’ordre propre&#x202f;: passez le pinceau sur ce qui doit être devant ou derrière.</translation>
+    </message>
+    <message>
+        <source>Where the mesh is finer or coarser</source>
+        <translation>Où le maillage est plus fin ou plus grossier</translation>
+    </message>
+    <message>
+        <source>What lies in front</source>
+        <translation>Ce qui est devant</translation>
+    </message>
+    <message>
+        <source>The strokes and regions that are there; of two at one place the upper one counts. A click shows where it lies and its number, a double click changes its name.</source>
+        <translation>Les traits et régions présents&#x202f;; de deux au même endroit, celui du dessus compte. Un clic montre où il se trouve et sa valeur, un double-clic change son nom.</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation>&#x202f;%</translation>
+    </message>
+    <message>
+        <source>Length of edges</source>
+        <translation>Longueur des arêtes</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Ordre</translation>
+    </message>
+    <message>
+        <source>How long edges are there, against elsewhere: less is finer, more is coarser.</source>
+        <translation>Longueur des arêtes à cet endroit par rapport à ailleurs&#x202f;: moins est plus fin, plus est plus grossier.</translation>
+    </message>
+    <message>
+        <source>Greater than 0 lies in front, less behind.</source>
+        <translation>Plus grand que 0&#x202f;: devant&#x202f;; plus petit&#x202f;: derrière.</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Takes the chosen region away.</source>
+        <translation>Supprime la région choisie.</translation>
+    </message>
+    <message>
+        <source>Finer and coarser</source>
+        <translation>Plus fin et plus grossier</translation>
+    </message>
+    <message>
+        <source>In front and behind</source>
+        <translation>Devant et derrière</translation>
+    </message>
+    <message>
+        <source>E&amp;dges</source>
+        <translation>Arê&amp;tes</translation>
+    </message>
+    <message>
+        <source>O&amp;rder</source>
+        <translation>Or&amp;dre</translation>
+    </message>
+    <message>
+        <source>Change edges</source>
+        <translation>Modifier les arêtes</translation>
+    </message>
+    <message>
+        <source>Change order</source>
+        <translation>Modifier l’ordre</translation>
+    </message>
+    <message>
+        <source>Remove region</source>
+        <translation>Supprimer la région</translation>
+    </message>
+    <message>
+        <source>Circle</source>
+        <translation>Cercle</translation>
+    </message>
+    <message>
+        <source>Rectangle</source>
+        <translation>Rectangle</translation>
+    </message>
+    <message>
+        <source>One side</source>
+        <translation>Un côté</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>Contour</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1&#x202f;%</translation>
+    </message>
+    <message>
+        <source>Rename region</source>
+        <translation>Renommer la région</translation>
+    </message>
+</context>
+<context>
     <name>wend::RegionNumbers</name>
     <message>
         <source>Numbers of the region</source>
@@ -4652,6 +4875,18 @@
             <numerusform>%n sommet</numerusform>
             <numerusform>%n sommets</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Rayon</translation>
+    </message>
+    <message>
+        <source>How large the circle is that the pin holds, in the shape&apos;s own units; of a picture its pixels. Alt-drag of the pin does the same.</source>
+        <translation>Taille du cercle que maintient l’épingle, dans les unités de la forme&#x202f;; pour une image, ses pixels. Alt-glisser l’épingle fait de même.</translation>
+    </message>
+    <message>
+        <source>Ra&amp;dius</source>
+        <translation>Rayo&amp;n</translation>
     </message>
 </context>
 <context>
@@ -5249,6 +5484,26 @@
     <message>
         <source>New pins sit on corners of the mesh, instead of where one clicks</source>
         <translation>Poser les nouvelles épingles sur les sommets du maillage plutôt qu’à l’endroit cliqué</translation>
+    </message>
+    <message>
+        <source>Which axis of the world points up in the view; kept with the project</source>
+        <translation>Quel axe du monde pointe vers le haut dans la vue&#x202f;; conservé avec le projet</translation>
+    </message>
+    <message>
+        <source>&amp;X Points Up</source>
+        <translation>&amp;X vers le haut</translation>
+    </message>
+    <message>
+        <source>&amp;Y Points Up</source>
+        <translation>&amp;Y vers le haut</translation>
+    </message>
+    <message>
+        <source>&amp;Z Points Up</source>
+        <translation>&amp;Z vers le haut</translation>
+    </message>
+    <message>
+        <source>&amp;Up Axis</source>
+        <translation>A&amp;xe vertical</translation>
     </message>
 </context>
 <context>

@@ -167,10 +167,6 @@
         <translation>1 ピクセル移動、Shift で 10 ピクセル</translation>
     </message>
     <message>
-        <source>Space or middle button</source>
-        <translation>スペースキーまたは中ボタン</translation>
-    </message>
-    <message>
         <source>pans</source>
         <translation>画面を移動</translation>
     </message>
@@ -189,6 +185,26 @@
     <message>
         <source>move a cross, Enter clicks there</source>
         <translation>十字を動かし、Enter でそこをクリック</translation>
+    </message>
+    <message>
+        <source>Alt-right-drag a brush</source>
+        <translation>ブラシで Alt+右ドラッグ</translation>
+    </message>
+    <message>
+        <source>changes its size and hardness</source>
+        <translation>サイズと硬さを変更</translation>
+    </message>
+    <message>
+        <source>Tap the space bar</source>
+        <translation>スペースキーを軽く押す</translation>
+    </message>
+    <message>
+        <source>plays or pauses; held, it moves the view</source>
+        <translation>再生 / 一時停止（押したままでビューを移動）</translation>
+    </message>
+    <message>
+        <source>Middle button</source>
+        <translation>中ボタン</translation>
     </message>
 </context>
 <context>
@@ -1415,6 +1431,10 @@
         <source>Drop &amp;below</source>
         <translation>最小の面積(&amp;B)</translation>
     </message>
+    <message>
+        <source>Change up axis</source>
+        <translation>上向きの軸を変更</translation>
+    </message>
 </context>
 <context>
     <name>OutlineTool</name>
@@ -1531,6 +1551,29 @@
         <source>Paint what is chosen on the right; Ctrl takes away, Shift smooths, Shift-click draws a line, Alt-click picks up, Esc gives up the stroke</source>
         <translation>右側で選んだものをペイントします。Ctrl で消去、Shift で平滑化、Shift + クリックで直線、Alt + クリックで取得、Esc でストロークを中止</translation>
     </message>
+    <message>
+        <source>Brush over what shall be as everywhere again; Shift-click draws a line, Alt-right-drag changes the brush, Esc gives up the stroke</source>
+        <translation>ほかと同じに戻す部分をブラシでなぞります。Shift+クリックで直線、Alt+右ドラッグでブラシを変更、Esc でストロークを中止</translation>
+    </message>
+</context>
+<context>
+    <name>PictureTip</name>
+    <message>
+        <source>near</source>
+        <translation>近く</translation>
+    </message>
+    <message>
+        <source>far</source>
+        <translation>遠く</translation>
+    </message>
+    <message>
+        <source>×1 everywhere</source>
+        <translation>全体が ×1</translation>
+    </message>
+    <message>
+        <source>×50 along the left half</source>
+        <translation>左半分に沿って ×50</translation>
+    </message>
 </context>
 <context>
     <name>PinTool</name>
@@ -1645,6 +1688,17 @@
     <message>
         <source>Stiffness</source>
         <translation>剛性</translation>
+    </message>
+</context>
+<context>
+    <name>StrokeTool</name>
+    <message>
+        <source>To the right: larger; up: harder. Esc leaves it as it was</source>
+        <translation>右へ：大きく、上へ：硬く。Esc で元のまま</translation>
+    </message>
+    <message>
+        <source>%1 px · %2 % hard</source>
+        <translation>%1 px · 硬さ %2 %</translation>
     </message>
 </context>
 <context>
@@ -1816,6 +1870,14 @@
     <message>
         <source>Measure lengths and angles between points of the shape</source>
         <translation>形状上の点の間の長さと角度を測ります</translation>
+    </message>
+    <message>
+        <source>E&amp;raser</source>
+        <translation>消しゴム(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Take paint off: what is brushed is as everywhere again</source>
+        <translation>ペイントを消します：なぞった部分はほかと同じに戻ります</translation>
     </message>
 </context>
 <context>
@@ -2117,10 +2179,6 @@
         <translation>再生(&amp;P)</translation>
     </message>
     <message>
-        <source>Play the motion, or pause it</source>
-        <translation>モーションを再生または一時停止します</translation>
-    </message>
-    <message>
         <source>K</source>
         <translation>K</translation>
     </message>
@@ -2328,6 +2386,10 @@
         <source>Say beside the shape what to do first</source>
         <translation>最初にすることを形のそばに示します</translation>
     </message>
+    <message>
+        <source>Play the motion, or pause it; so does a tap of the space bar</source>
+        <translation>動きを再生または一時停止します。スペースキーを軽く押しても同じです</translation>
+    </message>
 </context>
 <context>
     <name>wend::BackdropChoice</name>
@@ -2373,6 +2435,21 @@
     <message>
         <source>This project smooths as in the paper, with λ; its file says how much.</source>
         <translation>このプロジェクトの平滑化は論文と同じ λ によるもので、強さはファイルに書かれています。</translation>
+    </message>
+</context>
+<context>
+    <name>wend::BrushActions</name>
+    <message>
+        <source>&amp;Brush</source>
+        <translation>ブラシ(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Paint %1</source>
+        <translation>%1 をペイント</translation>
+    </message>
+    <message>
+        <source>Choose the step “Paint” first.</source>
+        <translation>まず「ペイント」のステップを選んでください。</translation>
     </message>
 </context>
 <context>
@@ -2916,6 +2993,18 @@
     <message>
         <source>What is coloured over the picture: the error of lengths, areas or angles, how far it is from where it was, the material, or how fast it moves.</source>
         <translation>画像を何で色分けするか：長さ、面積、角度の誤差、元の位置からの距離、材質、または動く速さ。</translation>
+    </message>
+    <message>
+        <source>Smooth colo&amp;urs</source>
+        <translation>滑らかな色(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Smooth colours</source>
+        <translation>滑らかな色</translation>
+    </message>
+    <message>
+        <source>Lets the colours of a map go evenly from cell to cell. Off, each cell has the one colour of its value.</source>
+        <translation>マップの色をセルからセルへ滑らかに変化させます。オフでは、各セルは値に応じた 1 色です。</translation>
     </message>
 </context>
 <context>
@@ -3670,12 +3759,16 @@
         <translation>前に見たページ</translation>
     </message>
     <message>
-        <source>Search this page</source>
-        <translation>このページを検索</translation>
+        <source>This stands on no page.</source>
+        <translation>どのページにもありません。</translation>
     </message>
     <message>
-        <source>Enter goes to the next place where these words stand.</source>
-        <translation>Enter でこの語句の次の箇所へ移動します。</translation>
+        <source>Search the manual</source>
+        <translation>マニュアルを検索</translation>
+    </message>
+    <message>
+        <source>Enter goes to the next place where these words stand, on this page or another.</source>
+        <translation>Enter で、このページまたは別のページにある次の箇所へ移ります。</translation>
     </message>
 </context>
 <context>
@@ -4560,6 +4653,136 @@
     </message>
 </context>
 <context>
+    <name>wend::ReachRow</name>
+    <message>
+        <source>Pull reaches</source>
+        <translation>引きの届く範囲</translation>
+    </message>
+    <message>
+        <source>How far the pull of a pin is spread. Near: close to the pin, sharp. Far: soft and wide.</source>
+        <translation>ピンを引く力がどこまで広がるか。近く：ピンのそばだけで鋭く。遠く：柔らかく広く。</translation>
+    </message>
+    <message>
+        <source>Pull &amp;reaches</source>
+        <translation>引きの届く範囲(&amp;R)</translation>
+    </message>
+    <message>
+        <source>near</source>
+        <translation>近く</translation>
+    </message>
+    <message>
+        <source>far</source>
+        <translation>遠く</translation>
+    </message>
+    <message>
+        <source>This project smooths as in the paper, with λ; its file says how much.</source>
+        <translation>このプロジェクトの平滑化は論文と同じ λ によるもので、強さはファイルに書かれています。</translation>
+    </message>
+</context>
+<context>
+    <name>wend::RegionList</name>
+    <message>
+        <source>The mesh is as fine everywhere: brush over what shall be finer or coarser.</source>
+        <translation>メッシュはどこも同じ細かさです。細かく、または粗くする部分をブラシでなぞってください。</translation>
+    </message>
+    <message>
+        <source>Nothing has an order of its own: brush over what shall lie in front or behind.</source>
+        <translation>順序を指定した部分はありません。手前または奥にする部分をブラシでなぞってください。</translation>
+    </message>
+    <message>
+        <source>Where the mesh is finer or coarser</source>
+        <translation>メッシュの細かい部分と粗い部分</translation>
+    </message>
+    <message>
+        <source>What lies in front</source>
+        <translation>手前にあるもの</translation>
+    </message>
+    <message>
+        <source>The strokes and regions that are there; of two at one place the upper one counts. A click shows where it lies and its number, a double click changes its name.</source>
+        <translation>現在のストロークと領域。同じ場所に 2 つあれば上のものが有効です。クリックで位置と数値を表示、ダブルクリックで名前を変更します。</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Length of edges</source>
+        <translation>辺の長さ</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>順序</translation>
+    </message>
+    <message>
+        <source>How long edges are there, against elsewhere: less is finer, more is coarser.</source>
+        <translation>ほかの部分に対する辺の長さ。小さいほど細かく、大きいほど粗くなります。</translation>
+    </message>
+    <message>
+        <source>Greater than 0 lies in front, less behind.</source>
+        <translation>0 より大きいと手前、小さいと奥になります。</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>削除</translation>
+    </message>
+    <message>
+        <source>Takes the chosen region away.</source>
+        <translation>選択した領域を削除します。</translation>
+    </message>
+    <message>
+        <source>Finer and coarser</source>
+        <translation>細かい部分と粗い部分</translation>
+    </message>
+    <message>
+        <source>In front and behind</source>
+        <translation>手前と奥</translation>
+    </message>
+    <message>
+        <source>E&amp;dges</source>
+        <translation>辺の長さ(&amp;D)</translation>
+    </message>
+    <message>
+        <source>O&amp;rder</source>
+        <translation>順序(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Change edges</source>
+        <translation>辺の長さを変更</translation>
+    </message>
+    <message>
+        <source>Change order</source>
+        <translation>順序を変更</translation>
+    </message>
+    <message>
+        <source>Remove region</source>
+        <translation>領域を削除</translation>
+    </message>
+    <message>
+        <source>Circle</source>
+        <translation>円</translation>
+    </message>
+    <message>
+        <source>Rectangle</source>
+        <translation>長方形</translation>
+    </message>
+    <message>
+        <source>One side</source>
+        <translation>片側</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>輪郭</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Rename region</source>
+        <translation>領域名を変更</translation>
+    </message>
+</context>
+<context>
     <name>wend::RegionNumbers</name>
     <message>
         <source>Numbers of the region</source>
@@ -4645,6 +4868,18 @@
         <translation>
             <numerusform>頂点 %n 個</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>半径</translation>
+    </message>
+    <message>
+        <source>How large the circle is that the pin holds, in the shape&apos;s own units; of a picture its pixels. Alt-drag of the pin does the same.</source>
+        <translation>ピンがつかむ円の大きさ（形状の単位、画像ではピクセル）。ピンを Alt+ドラッグしても変更できます。</translation>
+    </message>
+    <message>
+        <source>Ra&amp;dius</source>
+        <translation>半径(&amp;D)</translation>
     </message>
 </context>
 <context>
@@ -5241,6 +5476,26 @@
     <message>
         <source>New pins sit on corners of the mesh, instead of where one clicks</source>
         <translation>新しいピンを、クリックした位置ではなくメッシュの頂点に打ちます</translation>
+    </message>
+    <message>
+        <source>Which axis of the world points up in the view; kept with the project</source>
+        <translation>ビューで上を向くワールドの軸。プロジェクトとともに保存されます</translation>
+    </message>
+    <message>
+        <source>&amp;X Points Up</source>
+        <translation>X が上(&amp;X)</translation>
+    </message>
+    <message>
+        <source>&amp;Y Points Up</source>
+        <translation>Y が上(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>&amp;Z Points Up</source>
+        <translation>Z が上(&amp;Z)</translation>
+    </message>
+    <message>
+        <source>&amp;Up Axis</source>
+        <translation>上向きの軸(&amp;U)</translation>
     </message>
 </context>
 <context>

@@ -167,10 +167,6 @@
         <translation>移动 1 像素，按住 Shift 移动 10 像素</translation>
     </message>
     <message>
-        <source>Space or middle button</source>
-        <translation>空格键或中键</translation>
-    </message>
-    <message>
         <source>pans</source>
         <translation>平移</translation>
     </message>
@@ -189,6 +185,26 @@
     <message>
         <source>move a cross, Enter clicks there</source>
         <translation>移动十字，Enter 在那里单击</translation>
+    </message>
+    <message>
+        <source>Alt-right-drag a brush</source>
+        <translation>用画笔 Alt+右键拖动</translation>
+    </message>
+    <message>
+        <source>changes its size and hardness</source>
+        <translation>更改其大小和硬度</translation>
+    </message>
+    <message>
+        <source>Tap the space bar</source>
+        <translation>轻按空格键</translation>
+    </message>
+    <message>
+        <source>plays or pauses; held, it moves the view</source>
+        <translation>播放或暂停；按住时移动视图</translation>
+    </message>
+    <message>
+        <source>Middle button</source>
+        <translation>中键</translation>
     </message>
 </context>
 <context>
@@ -1415,6 +1431,10 @@
         <source>Drop &amp;below</source>
         <translation>忽略小于(&amp;B)</translation>
     </message>
+    <message>
+        <source>Change up axis</source>
+        <translation>更改向上的轴</translation>
+    </message>
 </context>
 <context>
     <name>OutlineTool</name>
@@ -1531,6 +1551,29 @@
         <source>Paint what is chosen on the right; Ctrl takes away, Shift smooths, Shift-click draws a line, Alt-click picks up, Esc gives up the stroke</source>
         <translation>绘制右侧所选内容；按住 Ctrl 去除，按住 Shift 平滑，按住 Shift 单击画直线，按住 Alt 单击吸取，按 Esc 放弃笔画</translation>
     </message>
+    <message>
+        <source>Brush over what shall be as everywhere again; Shift-click draws a line, Alt-right-drag changes the brush, Esc gives up the stroke</source>
+        <translation>用画笔刷过要恢复为与别处相同的部分；Shift+单击画直线，Alt+右键拖动更改画笔，按 Esc 放弃这一笔</translation>
+    </message>
+</context>
+<context>
+    <name>PictureTip</name>
+    <message>
+        <source>near</source>
+        <translation>近</translation>
+    </message>
+    <message>
+        <source>far</source>
+        <translation>远</translation>
+    </message>
+    <message>
+        <source>×1 everywhere</source>
+        <translation>处处 ×1</translation>
+    </message>
+    <message>
+        <source>×50 along the left half</source>
+        <translation>沿左半部分 ×50</translation>
+    </message>
 </context>
 <context>
     <name>PinTool</name>
@@ -1645,6 +1688,17 @@
     <message>
         <source>Stiffness</source>
         <translation>刚度</translation>
+    </message>
+</context>
+<context>
+    <name>StrokeTool</name>
+    <message>
+        <source>To the right: larger; up: harder. Esc leaves it as it was</source>
+        <translation>向右：变大；向上：变硬。按 Esc 保持原样</translation>
+    </message>
+    <message>
+        <source>%1 px · %2 % hard</source>
+        <translation>%1 px · 硬度 %2 %</translation>
     </message>
 </context>
 <context>
@@ -1816,6 +1870,14 @@
     <message>
         <source>Measure lengths and angles between points of the shape</source>
         <translation>测量形状上各点之间的长度和角度</translation>
+    </message>
+    <message>
+        <source>E&amp;raser</source>
+        <translation>橡皮擦(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Take paint off: what is brushed is as everywhere again</source>
+        <translation>去除绘制：刷过的部分恢复为与别处相同</translation>
     </message>
 </context>
 <context>
@@ -2117,10 +2179,6 @@
         <translation>播放(&amp;P)</translation>
     </message>
     <message>
-        <source>Play the motion, or pause it</source>
-        <translation>播放或暂停运动</translation>
-    </message>
-    <message>
         <source>K</source>
         <translation>K</translation>
     </message>
@@ -2328,6 +2386,10 @@
         <source>Say beside the shape what to do first</source>
         <translation>在形状旁提示先做什么</translation>
     </message>
+    <message>
+        <source>Play the motion, or pause it; so does a tap of the space bar</source>
+        <translation>播放或暂停运动；轻按空格键也可</translation>
+    </message>
 </context>
 <context>
     <name>wend::BackdropChoice</name>
@@ -2373,6 +2435,21 @@
     <message>
         <source>This project smooths as in the paper, with λ; its file says how much.</source>
         <translation>此项目按论文的方式用 λ 平滑；程度由其文件给出。</translation>
+    </message>
+</context>
+<context>
+    <name>wend::BrushActions</name>
+    <message>
+        <source>&amp;Brush</source>
+        <translation>画笔(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Paint %1</source>
+        <translation>绘制 %1</translation>
+    </message>
+    <message>
+        <source>Choose the step “Paint” first.</source>
+        <translation>请先选择“绘制”步骤。</translation>
     </message>
 </context>
 <context>
@@ -2916,6 +2993,18 @@
     <message>
         <source>What is coloured over the picture: the error of lengths, areas or angles, how far it is from where it was, the material, or how fast it moves.</source>
         <translation>图片上以颜色表示的内容：长度、面积或角度的误差，与原位置的距离，材料，或运动的快慢。</translation>
+    </message>
+    <message>
+        <source>Smooth colo&amp;urs</source>
+        <translation>平滑颜色(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Smooth colours</source>
+        <translation>平滑颜色</translation>
+    </message>
+    <message>
+        <source>Lets the colours of a map go evenly from cell to cell. Off, each cell has the one colour of its value.</source>
+        <translation>使图的颜色在单元之间均匀过渡。关闭时，每个单元只有其值的一种颜色。</translation>
     </message>
 </context>
 <context>
@@ -3670,12 +3759,16 @@
         <translation>上一个页面</translation>
     </message>
     <message>
-        <source>Search this page</source>
-        <translation>在此页中搜索</translation>
+        <source>This stands on no page.</source>
+        <translation>没有页面包含此内容。</translation>
     </message>
     <message>
-        <source>Enter goes to the next place where these words stand.</source>
-        <translation>按 Enter 转到这些词的下一处。</translation>
+        <source>Search the manual</source>
+        <translation>搜索手册</translation>
+    </message>
+    <message>
+        <source>Enter goes to the next place where these words stand, on this page or another.</source>
+        <translation>按 Enter 转到下一处含这些词的位置，在本页或其他页。</translation>
     </message>
 </context>
 <context>
@@ -4560,6 +4653,136 @@
     </message>
 </context>
 <context>
+    <name>wend::ReachRow</name>
+    <message>
+        <source>Pull reaches</source>
+        <translation>拉力范围</translation>
+    </message>
+    <message>
+        <source>How far the pull of a pin is spread. Near: close to the pin, sharp. Far: soft and wide.</source>
+        <translation>图钉的拉力扩散多远。近：靠近图钉，锐利。远：柔和而宽广。</translation>
+    </message>
+    <message>
+        <source>Pull &amp;reaches</source>
+        <translation>拉力范围(&amp;R)</translation>
+    </message>
+    <message>
+        <source>near</source>
+        <translation>近</translation>
+    </message>
+    <message>
+        <source>far</source>
+        <translation>远</translation>
+    </message>
+    <message>
+        <source>This project smooths as in the paper, with λ; its file says how much.</source>
+        <translation>此项目按论文的方式用 λ 平滑；程度由其文件给出。</translation>
+    </message>
+</context>
+<context>
+    <name>wend::RegionList</name>
+    <message>
+        <source>The mesh is as fine everywhere: brush over what shall be finer or coarser.</source>
+        <translation>网格处处同样精细：用画笔刷过要更细或更粗的部分。</translation>
+    </message>
+    <message>
+        <source>Nothing has an order of its own: brush over what shall lie in front or behind.</source>
+        <translation>没有部分有自己的次序：用画笔刷过要在前或在后的部分。</translation>
+    </message>
+    <message>
+        <source>Where the mesh is finer or coarser</source>
+        <translation>网格更细或更粗之处</translation>
+    </message>
+    <message>
+        <source>What lies in front</source>
+        <translation>位于前面的部分</translation>
+    </message>
+    <message>
+        <source>The strokes and regions that are there; of two at one place the upper one counts. A click shows where it lies and its number, a double click changes its name.</source>
+        <translation>现有的笔触和区域；同一处有两个时，以上面的为准。单击显示其位置和数值，双击更改名称。</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Length of edges</source>
+        <translation>边长</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>次序</translation>
+    </message>
+    <message>
+        <source>How long edges are there, against elsewhere: less is finer, more is coarser.</source>
+        <translation>该处的边长，相对于别处：越小越细，越大越粗。</translation>
+    </message>
+    <message>
+        <source>Greater than 0 lies in front, less behind.</source>
+        <translation>大于 0 在前，小于 0 在后。</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>Takes the chosen region away.</source>
+        <translation>移除所选的区域。</translation>
+    </message>
+    <message>
+        <source>Finer and coarser</source>
+        <translation>更细与更粗</translation>
+    </message>
+    <message>
+        <source>In front and behind</source>
+        <translation>前与后</translation>
+    </message>
+    <message>
+        <source>E&amp;dges</source>
+        <translation>边长(&amp;D)</translation>
+    </message>
+    <message>
+        <source>O&amp;rder</source>
+        <translation>次序(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Change edges</source>
+        <translation>更改边长</translation>
+    </message>
+    <message>
+        <source>Change order</source>
+        <translation>更改次序</translation>
+    </message>
+    <message>
+        <source>Remove region</source>
+        <translation>移除区域</translation>
+    </message>
+    <message>
+        <source>Circle</source>
+        <translation>圆</translation>
+    </message>
+    <message>
+        <source>Rectangle</source>
+        <translation>矩形</translation>
+    </message>
+    <message>
+        <source>One side</source>
+        <translation>一侧</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>轮廓</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Rename region</source>
+        <translation>重命名区域</translation>
+    </message>
+</context>
+<context>
     <name>wend::RegionNumbers</name>
     <message>
         <source>Numbers of the region</source>
@@ -4645,6 +4868,18 @@
         <translation>
             <numerusform>%n 个顶点</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>半径</translation>
+    </message>
+    <message>
+        <source>How large the circle is that the pin holds, in the shape&apos;s own units; of a picture its pixels. Alt-drag of the pin does the same.</source>
+        <translation>图钉抓取的圆的大小，以形状自身的单位计；图片则以像素计。Alt 拖动图钉效果相同。</translation>
+    </message>
+    <message>
+        <source>Ra&amp;dius</source>
+        <translation>半径(&amp;D)</translation>
     </message>
 </context>
 <context>
@@ -5241,6 +5476,26 @@
     <message>
         <source>New pins sit on corners of the mesh, instead of where one clicks</source>
         <translation>将新图钉放在网格顶点上，而不是单击处</translation>
+    </message>
+    <message>
+        <source>Which axis of the world points up in the view; kept with the project</source>
+        <translation>视图中哪个世界轴朝上；随项目保存</translation>
+    </message>
+    <message>
+        <source>&amp;X Points Up</source>
+        <translation>X 轴朝上(&amp;X)</translation>
+    </message>
+    <message>
+        <source>&amp;Y Points Up</source>
+        <translation>Y 轴朝上(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>&amp;Z Points Up</source>
+        <translation>Z 轴朝上(&amp;Z)</translation>
+    </message>
+    <message>
+        <source>&amp;Up Axis</source>
+        <translation>向上的轴(&amp;U)</translation>
     </message>
 </context>
 <context>

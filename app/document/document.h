@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "app/document/project_fwd.h"
+#include "app/document/solid_view.h"
 
 namespace wend {
 

@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QToolButton>
 
+#include "app/document/project.h"
 #include "app/panels/magnitude_box.h"
 #include "app/panels/measure_panel.h"
 #include "app/panels/mesh_panel.h"

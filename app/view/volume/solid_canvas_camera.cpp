@@ -1,4 +1,5 @@
 // From where a solid is seen, and what of it is kept with its project.
+#include "app/document/project.h"
 #include "app/view/volume/solid_canvas.h"
 
 namespace wend {
