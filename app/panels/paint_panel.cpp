@@ -90,9 +90,13 @@ void PaintPanel::makeTip() {
     m_amount->setSingleStep(10);
     m_hardness->setSingleStep(10);
     describe(m_amount, tr("Amount"), tr("How far a stroke goes from what is there to what is painted."));
-    describe(m_size, tr("Size"), tr("The brush across, on the screen; also by the keys [ and ]."));
-    describe(m_hardness, tr("Hardness"),
-             tr("How much of the brush paints wholly; beyond it fades out. Also by Shift with [ and ]."));
+    describe(m_size, tr("Size"),
+             tr("The brush across, on the screen; also by the keys [ and ], or by a drag with Alt and the "
+                "right button to the right."));
+    describe(
+        m_hardness, tr("Hardness"),
+        tr("How much of the brush paints wholly; beyond it fades out. Also by Shift with [ and ], or by a "
+           "drag with Alt and the right button upwards."));
 }
 
 QWidget* PaintPanel::stiffPage() {
