@@ -13,6 +13,8 @@ struct AlphaOutlineOptions {
     double gap = 2;          // pixels that growing leaves open between parts, limbs and across holes
     double smallest = 64;    // parts and holes of less area (pixels²) are dropped
     double simplify = 0.75;  // pixels that the simplified outline may deviate
+
+    bool operator==(const AlphaOutlineOptions&) const = default;
 };
 
 }  // namespace wend

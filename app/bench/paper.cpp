@@ -12,6 +12,7 @@
 #include "app/document/text_file.h"
 #include "app/session/run.h"
 #include "core/energy/distortion.h"
+#include "core/integration/deformer.h"
 #include "core/mesh/error.h"
 #include "core/mesh/mesh_file.h"
 #include "core/mesh/temporary_folder.h"

@@ -8,6 +8,7 @@
 #include "app/session/material_picture.h"
 #include "app/session/overwriting.h"
 #include "app/session/run_options.h"
+#include "core/integration/deformer.h"
 #include "core/mesh/error.h"
 
 namespace wend {

@@ -12,6 +12,7 @@
 #include "app/panels/option_field.h"
 #include "app/panels/panel_parts.h"
 #include "core/mesh/mesh_file.h"
+#include "warp/image.h"
 
 namespace wend {
 

@@ -31,11 +31,6 @@ QString said(const char* text) {
     return QCoreApplication::translate("OutlineTool", text);
 }
 
-bool sameAlpha(const AlphaOutlineOptions& a, const AlphaOutlineOptions& b) {
-    return a.threshold == b.threshold && a.margin == b.margin && a.gap == b.gap && a.smallest == b.smallest &&
-           a.simplify == b.simplify;
-}
-
 }  // namespace
 
 QString OutlineTool::hint() const {
@@ -237,7 +232,7 @@ const Outline& OutlineTool::outline() const {
     const Domain& domain = document.project()->domain;
     if (domain.outline == OutlineKind::Polygons) return domain.polygons;
     if (!m_known || m_known->picture != document.picture() || m_known->kind != domain.outline ||
-        !sameAlpha(m_known->alpha, domain.alpha)) {
+        m_known->alpha != domain.alpha) {
         m_known = Known{document.picture(), domain.outline, domain.alpha, {}};
         try {
             m_known->outline = domainOutline(domain, *document.picture());

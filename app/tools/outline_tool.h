@@ -3,6 +3,7 @@
 #include <QPainterPath>
 #include <optional>
 
+#include "app/document/domain.h"
 #include "app/tools/outline_settings.h"
 #include "app/tools/tool.h"
 #include "app/tools/tool_surface.h"

@@ -18,6 +18,7 @@
 #include "app/tools/pin_tool.h"
 #include "app/view/canvas.h"
 #include "app/view/ground.h"
+#include "core/integration/deformer.h"
 #include "core/mesh/mesh_file.h"
 #include "kernels/opencl_devices.h"
 #include "tests/support/window_fixture.h"

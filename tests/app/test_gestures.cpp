@@ -8,6 +8,7 @@
 #include "app/session/settle_step.h"
 #include "app/session/shape_builder.h"
 #include "core/energy/distortion.h"
+#include "core/integration/deformer.h"
 #include "tests/support/window_fixture.h"
 
 using namespace wend;

@@ -8,6 +8,7 @@
 #include "app/session/frame_export.h"
 #include "app/session/opening.h"
 #include "app/session/run.h"
+#include "core/integration/deformer.h"
 #include "tests/support/window_fixture.h"
 
 using namespace wend;

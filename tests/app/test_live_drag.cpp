@@ -7,6 +7,7 @@
 #include "app/session/live_drag.h"
 #include "app/session/shape_builder.h"
 #include "app/session/shape_session.h"
+#include "core/integration/deformer.h"
 #include "core/mesh/mesh_file.h"
 #include "kernels/back_end_choice.h"
 #include "tests/app/cli_harness.h"

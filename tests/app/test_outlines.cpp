@@ -7,6 +7,7 @@
 #include "app/document/project_file.h"
 #include "app/session/held_border.h"
 #include "app/session/shape_builder.h"
+#include "core/integration/deformer.h"
 
 using namespace wend;
 

@@ -8,6 +8,7 @@
 #include "app/session/material_raster.h"
 #include "app/session/run.h"
 #include "app/session/shape_builder.h"
+#include "core/integration/deformer.h"
 #include "core/mesh/error.h"
 #include "core/mesh/mesh_file.h"
 #include "tests/app/cli_harness.h"

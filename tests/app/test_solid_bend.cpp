@@ -6,6 +6,7 @@
 #include "app/session/held_border.h"
 #include "app/session/shape_builder.h"
 #include "core/energy/distortion.h"
+#include "core/integration/deformer.h"
 #include "core/mesh/error.h"
 #include "tests/app/cli_harness.h"
 

@@ -37,6 +37,7 @@
 #include "app/view/volume/solid_canvas.h"
 #include "app/view/work_note.h"
 #include "core/energy/distortion.h"
+#include "core/integration/deformer.h"
 #include "core/mesh/mesh_file.h"
 #include "tests/support/dialogs.h"
 #include "tests/support/surfaces.h"

@@ -3,6 +3,7 @@
 #include <QFile>
 #include <QTextStream>
 
+#include "app/document/project_file.h"
 #include "app/view/actions.h"
 #include "app/view/canvas.h"
 #include "app/view/main_window.h"

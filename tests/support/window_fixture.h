@@ -7,6 +7,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "app/document/project.h"
 #include "app/session/shape_session.h"
 
 namespace wend::test {
