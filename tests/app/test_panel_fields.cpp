@@ -3,6 +3,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMessageBox>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSignalSpy>
@@ -18,9 +19,11 @@
 #include "app/panels/magnitude_box.h"
 #include "app/panels/number_box.h"
 #include "app/panels/option_field.h"
+#include "app/view/file_workflow.h"
 #include "app/view/properties.h"
 #include "app/view/time_strip.h"
 #include "app/view/toolbox.h"
+#include "tests/support/dialogs.h"
 #include "tests/support/solid_fixture.h"
 
 using namespace wend;
@@ -49,6 +52,8 @@ class TestPanelFields : public QObject {
     void clicksOnSlidersAreStepsOfTheirOwn();
     void hintsEndWhereTheNumbersBegin();
     void fieldsShowAnyValueOfTheirSetting();
+    void numbersAreTakenBeforeTheWindowGoes_data();
+    void numbersAreTakenBeforeTheWindowGoes();
 
   private:
     bool open(bool solid);
@@ -480,6 +485,42 @@ void TestPanelFields::fieldsShowAnyValueOfTheirSetting() {
         ++seen;
     }
     QVERIFY(seen >= 10);
+}
+
+void TestPanelFields::numbersAreTakenBeforeTheWindowGoes_data() {
+    pictureAndSolid();
+}
+
+/// Who closes the window in the middle of a number is asked whether to save; and it goes with one half typed.
+void TestPanelFields::numbersAreTakenBeforeTheWindowGoes() {
+    QFETCH(bool, solid);
+    QVERIFY(open(solid) && bend(solid));
+    QUndoStack& undo = *m_f->session().document().undoStack();
+    undo.setClean();
+    const auto type = [this](const QString& text) {
+        auto* length = m_f->window().findChild<TimeStrip*>()->length();
+        length->setFocus();
+        length->selectAll();
+        QTest::keyClicks(length, text);
+    };
+    type(QStringLiteral("2"));
+    QVERIFY(undo.isClean());
+    bool asked = false;
+    withNext<QMessageBox>(this, [&asked](QMessageBox& box) {
+        asked = true;
+        box.button(QMessageBox::Cancel)->click();
+    });
+    m_f->window().close();
+    QVERIFY(asked && m_f->window().isVisible());
+    QCOMPARE(m_f->session().document().project()->end, 2.0);
+    type(QStringLiteral("3"));
+    QTemporaryDir folder;
+    nameNextFile(this, folder.filePath(QStringLiteral("typed.wend")));
+    m_f->window().files().saveAs();
+    QVERIFY(undo.isClean());
+    QCOMPARE(m_f->session().document().project()->end, 3.0);
+    type(QStringLiteral("4"));
+    m_f.reset();
 }
 
 QTEST_MAIN(TestPanelFields)
