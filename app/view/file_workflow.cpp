@@ -1,5 +1,6 @@
 #include "app/view/file_workflow.h"
 
+#include <QAbstractSpinBox>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -256,6 +257,7 @@ bool FileWorkflow::mayTakePlace(const QString& path) {
 }
 
 bool FileWorkflow::save() {
+    takeTyped();
     if (m_document.path().isEmpty()) return saveAs();
     const bool isSaved = !m_document.isModified() && !m_document.hasOtherView();
     return isSaved || saveTo(m_document.path());
@@ -269,6 +271,7 @@ QString FileWorkflow::proposedPath() const {
 }
 
 bool FileWorkflow::saveAs() {
+    takeTyped();
     const QString path =
         askFileToWrite(&m_window, tr("Save Project"), proposedPath(), tr("Projects (*.wend)"));
     return !path.isEmpty() && mayTakePlace(path) && write(path);
@@ -297,7 +300,13 @@ void FileWorkflow::close() {
     m_document.close();
 }
 
+/// A number that is still being typed is a change, too.
+void FileWorkflow::takeTyped() {
+    if (auto* field = qobject_cast<QAbstractSpinBox*>(m_window.focusWidget())) field->interpretText();
+}
+
 bool FileWorkflow::mayLeave() {
+    takeTyped();
     if (m_document.isEmpty() || !m_document.isModified()) return true;
     QMessageBox box(QMessageBox::NoIcon, tr("Wend"),
                     tr("Save the changes to “%1”?").arg(m_document.displayName()),

@@ -54,6 +54,7 @@ class FileWorkflow : public QObject {
     void lostChanged();
 
   private:
+    void takeTyped();
     QString proposedPath() const;
     bool saveTo(const QString& path);
     bool write(const QString& path);

@@ -117,7 +117,10 @@ void MainWindow::fitToScreen() {
     resize(kComfortable.boundedTo(screen()->availableSize() - kFrame));
 }
 
-MainWindow::~MainWindow() = default;
+/// A field that goes takes the number that is being typed in it, while there is a document for it.
+MainWindow::~MainWindow() {
+    hide();
+}
 
 MaterialPanel& MainWindow::materialPanel() {
     return m_properties->material();

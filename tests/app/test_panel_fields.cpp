@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPainter>
+#include <QMessageBox>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSignalSpy>
@@ -28,9 +29,11 @@
 #include "app/panels/option_field.h"
 #include "app/panels/picture_tip.h"
 #include "app/panels/theme.h"
+#include "app/view/file_workflow.h"
 #include "app/view/properties.h"
 #include "app/view/time_strip.h"
 #include "app/view/toolbox.h"
+#include "tests/support/dialogs.h"
 #include "tests/support/solid_fixture.h"
 
 using namespace wend;
@@ -67,6 +70,8 @@ class TestPanelFields : public QObject {
     void reachIsNearToFar();
     void tipsShowPictures_data();
     void tipsShowPictures();
+    void numbersAreTakenBeforeTheWindowGoes_data();
+    void numbersAreTakenBeforeTheWindowGoes();
 
   private:
     bool open(bool solid);
@@ -687,6 +692,42 @@ void TestPanelFields::tipsShowPictures() {
     const auto light = lightness(Appearance::Light), dark = lightness(Appearance::Dark);
     QVERIFY(light.first == 0 && light.second > 200);
     QVERIFY(dark.first > 200 && dark.second == 0);
+}
+
+void TestPanelFields::numbersAreTakenBeforeTheWindowGoes_data() {
+    pictureAndSolid();
+}
+
+/// Who closes the window in the middle of a number is asked whether to save; and it goes with one half typed.
+void TestPanelFields::numbersAreTakenBeforeTheWindowGoes() {
+    QFETCH(bool, solid);
+    QVERIFY(open(solid) && bend(solid));
+    QUndoStack& undo = *m_f->session().document().undoStack();
+    undo.setClean();
+    const auto type = [this](const QString& text) {
+        auto* length = m_f->window().findChild<TimeStrip*>()->length();
+        length->setFocus();
+        length->selectAll();
+        QTest::keyClicks(length, text);
+    };
+    type(QStringLiteral("2"));
+    QVERIFY(undo.isClean());
+    bool asked = false;
+    withNext<QMessageBox>(this, [&asked](QMessageBox& box) {
+        asked = true;
+        box.button(QMessageBox::Cancel)->click();
+    });
+    m_f->window().close();
+    QVERIFY(asked && m_f->window().isVisible());
+    QCOMPARE(m_f->session().document().project()->end, 2.0);
+    type(QStringLiteral("3"));
+    QTemporaryDir folder;
+    nameNextFile(this, folder.filePath(QStringLiteral("typed.wend")));
+    m_f->window().files().saveAs();
+    QVERIFY(undo.isClean());
+    QCOMPARE(m_f->session().document().project()->end, 3.0);
+    type(QStringLiteral("4"));
+    m_f.reset();
 }
 
 QTEST_MAIN(TestPanelFields)
