@@ -4183,16 +4183,8 @@
         <translation>Größe</translation>
     </message>
     <message>
-        <source>The brush across, on the screen; also by the keys [ and ].</source>
-        <translation>Der Durchmesser des Pinsels auf dem Bildschirm; auch mit den Tasten [ und ].</translation>
-    </message>
-    <message>
         <source>Hardness</source>
         <translation>Härte</translation>
-    </message>
-    <message>
-        <source>How much of the brush paints wholly; beyond it fades out. Also by Shift with [ and ].</source>
-        <translation>Wie viel des Pinsels ganz malt; weiter außen läuft er aus. Auch mit Umschalt und [ oder ].</translation>
     </message>
     <message>
         <source>Di&amp;rection</source>
@@ -4217,6 +4209,14 @@
     <message>
         <source>as it is there</source>
         <translation>wie es dort ist</translation>
+    </message>
+    <message>
+        <source>The brush across, on the screen; also by the keys [ and ], or by a drag with Alt and the right button to the right.</source>
+        <translation>Der Durchmesser des Pinsels auf dem Bildschirm; auch mit den Tasten [ und ], oder mit Alt und der rechten Taste nach rechts ziehen.</translation>
+    </message>
+    <message>
+        <source>How much of the brush paints wholly; beyond it fades out. Also by Shift with [ and ], or by a drag with Alt and the right button upwards.</source>
+        <translation>Wie viel des Pinsels ganz malt; weiter außen läuft er aus. Auch mit Umschalt und [ oder ], oder mit Alt und der rechten Taste nach oben ziehen.</translation>
     </message>
 </context>
 <context>

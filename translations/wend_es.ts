@@ -4151,16 +4151,8 @@
         <translation>Tamaño</translation>
     </message>
     <message>
-        <source>The brush across, on the screen; also by the keys [ and ].</source>
-        <translation>El diámetro del pincel en pantalla; también con las teclas [ y ].</translation>
-    </message>
-    <message>
         <source>Hardness</source>
         <translation>Dureza</translation>
-    </message>
-    <message>
-        <source>How much of the brush paints wholly; beyond it fades out. Also by Shift with [ and ].</source>
-        <translation>Qué parte del pincel pinta del todo; más allá se difumina. También con Mayús y [ o ].</translation>
     </message>
     <message>
         <source>St&amp;iffness</source>
@@ -4217,6 +4209,14 @@
     <message>
         <source>along the pin&apos;s way</source>
         <translation>según el alfiler</translation>
+    </message>
+    <message>
+        <source>The brush across, on the screen; also by the keys [ and ], or by a drag with Alt and the right button to the right.</source>
+        <translation>El diámetro del pincel en pantalla; también con las teclas [ y ], o arrastrando a la derecha con Alt y el botón derecho.</translation>
+    </message>
+    <message>
+        <source>How much of the brush paints wholly; beyond it fades out. Also by Shift with [ and ], or by a drag with Alt and the right button upwards.</source>
+        <translation>Qué parte del pincel pinta del todo; más allá se difumina. También con Mayús y [ o ], o arrastrando hacia arriba con Alt y el botón derecho.</translation>
     </message>
 </context>
 <context>

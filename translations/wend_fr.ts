@@ -4151,16 +4151,8 @@
         <translation>Taille</translation>
     </message>
     <message>
-        <source>The brush across, on the screen; also by the keys [ and ].</source>
-        <translation>Le diamètre du pinceau à l’écran&#x202f;; aussi avec les touches [ et ].</translation>
-    </message>
-    <message>
         <source>Hardness</source>
         <translation>Dureté</translation>
-    </message>
-    <message>
-        <source>How much of the brush paints wholly; beyond it fades out. Also by Shift with [ and ].</source>
-        <translation>La part du pinceau qui peint pleinement&#x202f;; au-delà, il s’estompe. Aussi avec Maj et [ ou ].</translation>
     </message>
     <message>
         <source>St&amp;iffness</source>
@@ -4217,6 +4209,14 @@
     <message>
         <source>along the pin&apos;s way</source>
         <translation>selon l’épingle</translation>
+    </message>
+    <message>
+        <source>The brush across, on the screen; also by the keys [ and ], or by a drag with Alt and the right button to the right.</source>
+        <translation>Le diamètre du pinceau à l’écran&#x202f;; aussi avec les touches [ et ], ou en glissant vers la droite avec Alt et le bouton droit.</translation>
+    </message>
+    <message>
+        <source>How much of the brush paints wholly; beyond it fades out. Also by Shift with [ and ], or by a drag with Alt and the right button upwards.</source>
+        <translation>La part du pinceau qui peint pleinement&#x202f;; au-delà, il s’estompe. Aussi avec Maj et [ ou ], ou en glissant vers le haut avec Alt et le bouton droit.</translation>
     </message>
 </context>
 <context>

@@ -4145,16 +4145,8 @@
         <translation>サイズ</translation>
     </message>
     <message>
-        <source>The brush across, on the screen; also by the keys [ and ].</source>
-        <translation>画面上でのブラシの直径。[ と ] のキーでも変更できます。</translation>
-    </message>
-    <message>
         <source>Hardness</source>
         <translation>硬さ</translation>
-    </message>
-    <message>
-        <source>How much of the brush paints wholly; beyond it fades out. Also by Shift with [ and ].</source>
-        <translation>ブラシのうち完全に塗られる部分の割合。その外側は薄れていきます。Shift と [ または ] でも変更できます。</translation>
     </message>
     <message>
         <source>St&amp;iffness</source>
@@ -4211,6 +4203,14 @@
     <message>
         <source>along the pin&apos;s way</source>
         <translation>ピンのパスに沿う</translation>
+    </message>
+    <message>
+        <source>The brush across, on the screen; also by the keys [ and ], or by a drag with Alt and the right button to the right.</source>
+        <translation>画面上でのブラシの直径。[ と ] のキー、または Alt+右ボタンで右へドラッグしても変更できます。</translation>
+    </message>
+    <message>
+        <source>How much of the brush paints wholly; beyond it fades out. Also by Shift with [ and ], or by a drag with Alt and the right button upwards.</source>
+        <translation>ブラシのうち完全に塗られる部分の割合。その外側は薄れていきます。Shift と [ または ]、または Alt+右ボタンで上へドラッグしても変更できます。</translation>
     </message>
 </context>
 <context>

@@ -4145,16 +4145,8 @@
         <translation>大小</translation>
     </message>
     <message>
-        <source>The brush across, on the screen; also by the keys [ and ].</source>
-        <translation>画笔在屏幕上的直径；也可用 [ 和 ] 键更改。</translation>
-    </message>
-    <message>
         <source>Hardness</source>
         <translation>硬度</translation>
-    </message>
-    <message>
-        <source>How much of the brush paints wholly; beyond it fades out. Also by Shift with [ and ].</source>
-        <translation>画笔中完全绘制部分的比例；其外逐渐淡出。也可用 Shift 加 [ 或 ] 更改。</translation>
     </message>
     <message>
         <source>St&amp;iffness</source>
@@ -4211,6 +4203,14 @@
     <message>
         <source>along the pin&apos;s way</source>
         <translation>沿图钉路径</translation>
+    </message>
+    <message>
+        <source>The brush across, on the screen; also by the keys [ and ], or by a drag with Alt and the right button to the right.</source>
+        <translation>画笔在屏幕上的直径；也可用 [ 和 ] 键，或用 Alt+右键向右拖动来更改。</translation>
+    </message>
+    <message>
+        <source>How much of the brush paints wholly; beyond it fades out. Also by Shift with [ and ], or by a drag with Alt and the right button upwards.</source>
+        <translation>画笔中完全绘制部分的比例；其外逐渐淡出。也可用 Shift 加 [ 或 ]，或用 Alt+右键向上拖动来更改。</translation>
     </message>
 </context>
 <context>

@@ -92,8 +92,7 @@ void TestRandomGestures::documentStaysWhole() {
         hand.act(tells());
         if (i % 25 == 24) QVERIFY2(settles("on the way"), qPrintable(hand.lately()));
         for (const QString& wrong : {wrongInDocument(), wrongInWindow(), wrongInShape(), m_lost})
-            QVERIFY2(wrong.isEmpty(),
-                     qPrintable(QStringLiteral("%1\nafter\n%2").arg(wrong, hand.lately())));
+            QVERIFY2(wrong.isEmpty(), qPrintable(QStringLiteral("%1\nafter\n%2").arg(wrong, hand.lately())));
         staySmall();
     }
     hand.letGo();
@@ -133,7 +132,8 @@ QString TestRandomGestures::wrongInDocument() {
 QString TestRandomGestures::wrongInWindow() {
     const MainWindow& window = m_f->window();
     if (window.isWindowModified() == stack().isClean()) return QStringLiteral("the title's star");
-    if (m_f->window().actions().undo->isEnabled() != stack().canUndo()) return QStringLiteral("undo's action");
+    if (m_f->window().actions().undo->isEnabled() != stack().canUndo())
+        return QStringLiteral("undo's action");
     for (int h = 0; h < session().handleCount(); ++h)
         if (!m_f->window().properties().pins().rowOf(h)) return QStringLiteral("no row of pin %1").arg(h);
     const Playback& playback = session().playback();
@@ -183,8 +183,8 @@ void TestRandomGestures::takeStep(int index) {
 /// A hand may well ask for a mesh that takes minutes: it is taken back.
 void TestRandomGestures::staySmall() {
     const auto frame = session().frame();
-    while (stack().canUndo() &&
-           (m_f->project().domain.vertices > 1500 || (frame && frame->vertices > 3000 && stack().index() > 0))) {
+    while (stack().canUndo() && (m_f->project().domain.vertices > 1500 ||
+                                 (frame && frame->vertices > 3000 && stack().index() > 0))) {
         stack().undo();
         if (m_f->project().domain.vertices <= 1500) break;
     }

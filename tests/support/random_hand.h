@@ -29,10 +29,10 @@ class RandomHand {
   public:
     RandomHand(MainWindow& window, unsigned seed) : m_window(window), m_random(seed) {
         Actions& a = window.actions();
-        m_left = {a.open,        a.save,         a.saveAs,        a.closeFile,  a.quit,    a.exportPicture,
-                  a.exportMesh,  a.exportFrames, a.exportStMap,   a.exportView, a.manual,  a.tutorial,
-                  a.shortcuts,   a.about,        a.fullScreen,    a.history,    a.darkLook, a.lightLook,
-                  a.systemLook};
+        m_left = {a.open,          a.save,       a.saveAs,       a.closeFile,   a.quit,
+                  a.exportPicture, a.exportMesh, a.exportFrames, a.exportStMap, a.exportView,
+                  a.manual,        a.tutorial,   a.shortcuts,    a.about,       a.fullScreen,
+                  a.history,       a.darkLook,   a.lightLook,    a.systemLook};
         for (const QMenu* files : {a.recent.get(), a.samples.get()}) m_left += files->actions();
         QObject::connect(&m_closing, &QTimer::timeout, &m_closing, &RandomHand::closePopup);
         m_closing.start(100);  // a button's menu keeps the hand until it is closed
@@ -207,9 +207,9 @@ class RandomHand {
     void shortDeed() {
         using Deed = void (RandomHand::*)();
         static constexpr std::pair<int, Deed> kDeeds[] = {
-            {24, &RandomHand::pressKey}, {12, &RandomHand::chooseTool}, {6, &RandomHand::chooseStep},
-            {12, &RandomHand::goInSteps}, {8, &RandomHand::wheel}, {12, &RandomHand::chooseAction},
-            {10, &RandomHand::useField}, {8, &RandomHand::clickPanel}, {5, &RandomHand::clickList},
+            {24, &RandomHand::pressKey},  {12, &RandomHand::chooseTool}, {6, &RandomHand::chooseStep},
+            {12, &RandomHand::goInSteps}, {8, &RandomHand::wheel},       {12, &RandomHand::chooseAction},
+            {10, &RandomHand::useField},  {8, &RandomHand::clickPanel},  {5, &RandomHand::clickList},
             {6, &RandomHand::changeTime}, {5, &RandomHand::changeFocus}, {2, &RandomHand::resize}};
         int left = 0;
         for (const auto& [weight, deed] : kDeeds) left += weight;
@@ -221,7 +221,7 @@ class RandomHand {
         if (m_held != 0 && upTo(2) == 0) return releaseKey();
         const Qt::KeyboardModifiers keys = modifiers();
         const int which = upTo(10);
-        const int key = which < 2   ? oneOf({Qt::Key_Escape, Qt::Key_Delete, Qt::Key_Return, Qt::Key_Backspace})
+        const int key = which < 2 ? oneOf({Qt::Key_Escape, Qt::Key_Delete, Qt::Key_Return, Qt::Key_Backspace})
                         : which < 4 ? oneOf({Qt::Key_Left, Qt::Key_Right, Qt::Key_Up, Qt::Key_Down})
                         : which < 5 ? oneOf({Qt::Key_Tab, Qt::Key_Backtab, Qt::Key_Home, Qt::Key_End,
                                              Qt::Key_BracketLeft, Qt::Key_BracketRight, Qt::Key_F2,
