@@ -705,6 +705,8 @@ void TestPanelFields::numbersAreTakenBeforeTheWindowGoes() {
     QUndoStack& undo = *m_f->session().document().undoStack();
     undo.setClean();
     const auto type = [this](const QString& text) {
+        m_f->window().activateWindow();  // a dialog had the keyboard
+        QVERIFY(QTest::qWaitForWindowActive(&m_f->window(), 20000));
         auto* length = m_f->window().findChild<TimeStrip*>()->length();
         length->setFocus();
         length->selectAll();

@@ -87,7 +87,7 @@ void TestRandomGestures::documentStaysWhole() {
         }
     });
     RandomHand hand(m_f->window(), static_cast<unsigned>(seed));
-    const int count = wish("WEND_GESTURES", 300);
+    const int count = wish("WEND_GESTURES", 200);
     for (int i = 0; i < count; ++i) {
         hand.act(tells());
         if (i % 25 == 24) QVERIFY2(settles("on the way"), qPrintable(hand.lately()));

@@ -356,7 +356,8 @@ void TestWholeTask::thereAndBack() {
         return values;
     };
     Project saved = m_f->project();
-    saved.view.camera = session().document().camera();  // which changes no document, and is kept with the file
+    saved.view.camera =
+        session().document().camera();  // which changes no document, and is kept with the file
     QVERIFY(valuesOf(other.project()) == valuesOf(saved));
     QCOMPARE(other.session().playback().end(), end);
     for (const auto& [part, picture] : {std::pair{0.0, film[0]}, {0.4, film[1]}, {1.0, film[2]}})
