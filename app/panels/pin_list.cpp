@@ -1,5 +1,6 @@
 #include "app/panels/pin_list.h"
 
+#include <QApplication>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
@@ -268,27 +269,36 @@ void PinList::takeSelection() {
 /// A group's name is taken later: the rows may stand otherwise then, and this one is still being edited.
 void PinList::rename(QTreeWidgetItem* item, int column) {
     if (m_showing || column != Name) return;
-    Document& document = m_session.document();
     const QString name = item->text(Name).trimmed();
     if (isHeading(*item)) {
         const QString group = item->data(Name, kGroup).toString();
-        QMetaObject::invokeMethod(
-            this,
-            [this, group, name] {
-                if (!name.isEmpty() && !m_session.document().isEmpty()) renameGroup(m_session, group, name);
-                showPins();
-            },
-            Qt::QueuedConnection);
-        return;
+        later([this, group, name] {
+            if (!name.isEmpty()) renameGroup(m_session, group, name);
+        });
+    } else {
+        const int handle = item->data(Name, kHandle).toInt();
+        later([this, handle, name] { renamePin(handle, name.toStdString()); });
     }
-    const int handle = item->data(Name, kHandle).toInt();
+}
+
+/// The list is in the middle of the change, and its editor still open: when it is done, and the list shows
+/// what became of it.
+void PinList::later(const std::function<void()>& change) {
+    QMetaObject::invokeMethod(
+        this,
+        [this, change, opened = m_session.document().generation()] {
+            if (m_session.document().generation() == opened) change();
+            showPins();
+        },
+        Qt::QueuedConnection);
+}
+
+void PinList::renamePin(int handle, const std::string& name) {
+    if (handle >= m_session.handleCount() || name.empty()) return;
+    Document& document = m_session.document();
     const std::string before = std::visit(
         [handle](const auto& design) { return design.handles.at(handle).name; }, document.project()->design);
-    if (name.toStdString() == before) return;
-    if (name.isEmpty())
-        showPins();
-    else
-        document.change(tr("Rename"), withHandleName(*document.project(), handle, name.toStdString()));
+    if (name != before) document.change(tr("Rename"), withHandleName(*document.project(), handle, name));
 }
 
 /// What a sign is clicked for goes for all that is selected, if its row is.
@@ -317,7 +327,9 @@ bool PinList::takeKey(QKeyEvent& key, bool overrides) {
 
 bool PinList::eventFilter(QObject* watched, QEvent* event) {
     const bool pressed = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
-    if (watched == m_list && pressed)
+    // What the field of a name lets through is not meant for the list.
+    const bool typing = m_list->viewport()->isAncestorOf(QApplication::focusWidget());
+    if (watched == m_list && pressed && !typing)
         return takeKey(static_cast<QKeyEvent&>(*event), event->type() == QEvent::ShortcutOverride);
     const bool clicked =
         event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick;

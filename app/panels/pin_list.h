@@ -2,6 +2,7 @@
 
 #include <QSet>
 #include <QWidget>
+#include <functional>
 
 #include "app/session/shape_session.h"
 
@@ -47,6 +48,8 @@ class PinList : public QWidget {
     void showSigns(QTreeWidgetItem& item, bool linked, bool hidden, bool locked);
     void takeSelection();
     void rename(QTreeWidgetItem* item, int column);
+    void later(const std::function<void()>& change);
+    void renamePin(int handle, const std::string& name);
     bool takeKey(QKeyEvent& key, bool overrides);
     bool takePress(const QMouseEvent& press);
     std::vector<int> handlesOf(const QTreeWidgetItem& item) const;

@@ -165,7 +165,10 @@ void RegionList::showChosen() {
     const bool has = group() >= 0;
     m_row->setEnabled(has);
     m_remove->setEnabled(has);
-    if (has) m_value->put((isDetail() ? kPercent : 1) * groups()[group()].value);
+    if (has)
+        m_value->put((isDetail() ? kPercent : 1) * groups()[group()].value);
+    else
+        m_value->clear();
     tellChosen();
 }
 

@@ -175,7 +175,13 @@ void TestWholeTask::rename(int handle, const QString& name) {
     QVERIFY(editor);
     editor->setText(name);
     QTest::keyClick(editor, Qt::Key_Return);
-    QVERIFY(QTest::qWaitFor([&] { return list().rowOf(handle)->text(PinList::Name) == name; }, 20000));
+    const auto named = [&] {
+        const std::string now = std::visit([&](const auto& design) { return design.handles.at(handle).name; },
+                                           m_f->project().design);
+        return now == name.toStdString() && list().rowOf(handle)->text(PinList::Name) == name;
+    };
+    QVERIFY(QTest::qWaitFor(named, 20000));
+    QVERIFY(tree.hasFocus());  // Enter ended the name alone
 }
 
 /// What was done is one step, and its shape has arrived.
