@@ -41,6 +41,7 @@ class TrackView : public QAbstractScrollArea {
 
   private:
     static constexpr double kRuler = 22, kRowHeight = 24, kBarHeight = 16;  // pixels
+    static constexpr double kGrip = 5;  // pixels of a bar's end, to both sides
     static constexpr int kRowsAtFirst = 5;
     enum class Part { Body, Start, End };
     struct Bar {
