@@ -8,8 +8,10 @@
 #include <QStyle>
 #include <QStyleOptionSlider>
 #include <QToolButton>
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "app/panels/panel_parts.h"
 #include "app/panels/picture_tip.h"

@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QStackedWidget>
 #include <QToolButton>
+#include <algorithm>
 #include <cmath>
 
 #include "app/panels/energy_slider.h"

@@ -6,6 +6,7 @@
 #include <QMenuBar>
 #include <QTextBrowser>
 #include <QVBoxLayout>
+#include <array>
 
 #include "app/panels/panel_parts.h"
 #include "app/view/action_maker.h"

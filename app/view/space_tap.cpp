@@ -9,6 +9,7 @@
 #include <QLineEdit>
 #include <QMouseEvent>
 #include <QTextEdit>
+#include <utility>
 
 namespace wend {
 

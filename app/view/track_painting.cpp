@@ -2,6 +2,7 @@
 #include <QLocale>
 #include <QPainter>
 #include <QScrollBar>
+#include <algorithm>
 #include <cmath>
 
 #include "app/panels/marks.h"

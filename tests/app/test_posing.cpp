@@ -595,7 +595,8 @@ void TestPosing::pinsByKeyboard() {
     QVERIFY(editor);
     editor->setText(QStringLiteral("hand"));
     QTest::keyClick(editor, Qt::Key_Return);
-    QCOMPARE(handles()[1].name, std::string("hand"));
+    QTRY_COMPARE_WITH_TIMEOUT(handles()[1].name, std::string("hand"),
+                              20000);  // Qt takes a name a moment later
     session().document().undoStack()->undo();
     QCOMPARE(list->topLevelItem(1)->text(0), QStringLiteral("Pin 2"));
     click(pin(0));

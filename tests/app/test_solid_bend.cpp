@@ -1,6 +1,7 @@
 // A bar, twisted and bent by half a turn: no cell turns over, and each energy keeps what it is named for.
 
 #include <QtTest>
+#include <map>
 
 #include "app/document/project_file.h"
 #include "app/session/held_border.h"

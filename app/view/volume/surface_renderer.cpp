@@ -5,6 +5,7 @@
 #include <QOpenGLContext>
 #include <QOpenGLVersionFunctionsFactory>
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "app/panels/marks.h"
