@@ -1,5 +1,6 @@
 #include "app/view/volume/surface_renderer.h"
 
+#include <Eigen/Geometry>
 #include <QFile>
 #include <QMatrix4x4>
 #include <QOpenGLContext>
