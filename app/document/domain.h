@@ -10,7 +10,6 @@
 
 namespace wend {
 
-/// What a project deforms.
 enum class DomainKind { Image, Mesh, Surface };
 enum class OutlineKind { Frame, Alpha, Polygons };
 /// What carries a surface: its own volume or a cage around it; `Automatic` takes the cage where the exact
@@ -32,6 +31,7 @@ struct SizeRegionIn {
 };
 using SizeRegion = SizeRegionIn<3>;
 
+/// What a project deforms, as its file says it.
 struct Domain {
     DomainKind kind = DomainKind::Image;
     std::string path;     // of the image, mesh or surface, relative to the project file
