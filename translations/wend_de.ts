@@ -675,6 +675,13 @@
     </message>
 </context>
 <context>
+    <name>CropTool</name>
+    <message>
+        <source>Drag a rectangle around what exports keep; drag its inside or its sides; Shift keeps the proportions, Delete or a double click takes it away</source>
+        <translation>Ein Rechteck um das ziehen, was Exporte behalten; sein Inneres oder seine Seiten ziehen; Umschalt hält die Proportionen, Entf oder ein Doppelklick nimmt es weg</translation>
+    </message>
+</context>
+<context>
     <name>CurveEditor</name>
     <message>
         <source>Change curve</source>
@@ -1056,10 +1063,6 @@
         <translation>wie das Bild abgetastet wird</translation>
     </message>
     <message>
-        <source>pixels that pictures show: those of the source, or as many as the shape needs</source>
-        <translation>Pixel, die Bilder zeigen: die des Originals, oder so viele, wie die Form braucht</translation>
-    </message>
-    <message>
         <source>bits of a channel in pictures: as in the source, 8 or 16, or a half or full floating-point number; values stay what they are</source>
         <translation>Bits eines Kanals in Bildern: wie im Original, 8 oder 16, oder eine halbe oder ganze Gleitkommazahl; Werte bleiben, was sie sind</translation>
     </message>
@@ -1434,6 +1437,10 @@
     <message>
         <source>Change up axis</source>
         <translation>Obere Achse ändern</translation>
+    </message>
+    <message>
+        <source>pixels that pictures show: those of the source, as many as the shape needs, or those of a rectangle X,Y,WIDTH,HEIGHT of the source, which may reach beyond it</source>
+        <translation>welche Pixel Bilder zeigen: die der Vorlage, so viele wie die Form braucht, oder die eines Rechtecks X,Y,BREITE,HÖHE der Vorlage, das über sie hinausreichen darf</translation>
     </message>
 </context>
 <context>
@@ -1879,6 +1886,14 @@
     <message>
         <source>Take paint off: what is brushed is as everywhere again</source>
         <translation>Farbe wegnehmen: Überstrichenes ist wieder wie überall</translation>
+    </message>
+    <message>
+        <source>&amp;Crop</source>
+        <translation>&amp;Zuschneiden</translation>
+    </message>
+    <message>
+        <source>Draw a rectangle around what exports keep of the picture</source>
+        <translation>Ein Rechteck um das ziehen, was Exporte vom Bild behalten</translation>
     </message>
 </context>
 <context>
@@ -3042,6 +3057,13 @@
         <translation>Netz exportieren</translation>
     </message>
     <message>
+        <source>E&amp;xport…</source>
+        <translation>E&amp;xportieren …</translation>
+    </message>
+</context>
+<context>
+    <name>wend::ExportForm</name>
+    <message>
         <source>Format</source>
         <translation>Format</translation>
     </message>
@@ -3064,10 +3086,6 @@
     <message>
         <source>F&amp;ormat</source>
         <translation>F&amp;ormat</translation>
-    </message>
-    <message>
-        <source>E&amp;xport…</source>
-        <translation>E&amp;xportieren …</translation>
     </message>
     <message>
         <source>As in the picture</source>
@@ -3135,12 +3153,40 @@
         <source>about %1 (estimated)</source>
         <translation>etwa %1 (geschätzt)</translation>
     </message>
+    <message>
+        <source>Cropped</source>
+        <translation>Zugeschnitten</translation>
+    </message>
 </context>
 <context>
     <name>wend::ExportPanel</name>
     <message>
         <source>Export</source>
         <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Sequence</source>
+        <translation>Folge</translation>
+    </message>
+    <message>
+        <source>ST Map</source>
+        <translation>ST-Map</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>Netz</translation>
+    </message>
+    <message>
+        <source>Choose a name and write what the preview shows.</source>
+        <translation>Einen Namen wählen und schreiben, was die Vorschau zeigt.</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportieren …</translation>
     </message>
 </context>
 <context>
@@ -3173,24 +3219,12 @@
         <translation>Nichts wurde geschrieben. %1</translation>
     </message>
     <message>
-        <source>Export Picture</source>
-        <translation>Bild exportieren</translation>
-    </message>
-    <message>
         <source>Writing the picture …</source>
         <translation>Das Bild wird geschrieben …</translation>
     </message>
     <message>
-        <source>Export Mesh</source>
-        <translation>Netz exportieren</translation>
-    </message>
-    <message>
         <source>Writing the mesh …</source>
         <translation>Das Netz wird geschrieben …</translation>
-    </message>
-    <message>
-        <source>Export ST Map</source>
-        <translation>ST-Karte exportieren</translation>
     </message>
     <message>
         <source>Writing the map …</source>
@@ -3207,10 +3241,6 @@
     <message>
         <source>There is no shape to export: it could not be computed.</source>
         <translation>Es gibt keine Form zum Exportieren: sie konnte nicht berechnet werden.</translation>
-    </message>
-    <message>
-        <source>Export Sequence</source>
-        <translation>Bildfolge exportieren</translation>
     </message>
     <message numerus="yes">
         <source>Writing %n frames …</source>

@@ -675,6 +675,13 @@
     </message>
 </context>
 <context>
+    <name>CropTool</name>
+    <message>
+        <source>Drag a rectangle around what exports keep; drag its inside or its sides; Shift keeps the proportions, Delete or a double click takes it away</source>
+        <translation>Trace un rectángulo alrededor de lo que conservan las exportaciones; arrastre su interior o sus lados; Mayús mantiene las proporciones, Supr o un doble clic lo quita</translation>
+    </message>
+</context>
+<context>
     <name>CurveEditor</name>
     <message>
         <source>Drag the curve&apos;s point, with Ctrl one direction alone; Delete removes it, a right click shows more</source>
@@ -1336,10 +1343,6 @@
         <translation>EWA: el mejor</translation>
     </message>
     <message>
-        <source>pixels that pictures show: those of the source, or as many as the shape needs</source>
-        <translation>píxeles que muestran las imágenes: los del original o los que la forma necesite</translation>
-    </message>
-    <message>
         <source>&amp;Canvas</source>
         <translation>&amp;Lienzo</translation>
     </message>
@@ -1434,6 +1437,10 @@
     <message>
         <source>Change up axis</source>
         <translation>Cambiar eje vertical</translation>
+    </message>
+    <message>
+        <source>pixels that pictures show: those of the source, as many as the shape needs, or those of a rectangle X,Y,WIDTH,HEIGHT of the source, which may reach beyond it</source>
+        <translation>píxeles que muestran las imágenes: los del original, tantos como necesita la forma, o los de un rectángulo X,Y,ANCHO,ALTO del original, que puede salirse de él</translation>
     </message>
 </context>
 <context>
@@ -1879,6 +1886,14 @@
     <message>
         <source>Take paint off: what is brushed is as everywhere again</source>
         <translation>Quitar pintura: lo que recorra el pincel vuelve a ser como en todas partes</translation>
+    </message>
+    <message>
+        <source>&amp;Crop</source>
+        <translation>&amp;Recortar</translation>
+    </message>
+    <message>
+        <source>Draw a rectangle around what exports keep of the picture</source>
+        <translation>Trazar un rectángulo alrededor de lo que las exportaciones conservan de la imagen</translation>
     </message>
 </context>
 <context>
@@ -3042,6 +3057,13 @@
         <translation>Exportar malla</translation>
     </message>
     <message>
+        <source>E&amp;xport…</source>
+        <translation>E&amp;xportar…</translation>
+    </message>
+</context>
+<context>
+    <name>wend::ExportForm</name>
+    <message>
         <source>Format</source>
         <translation>Formato</translation>
     </message>
@@ -3064,10 +3086,6 @@
     <message>
         <source>F&amp;ormat</source>
         <translation>F&amp;ormato</translation>
-    </message>
-    <message>
-        <source>E&amp;xport…</source>
-        <translation>E&amp;xportar…</translation>
     </message>
     <message>
         <source>As in the picture</source>
@@ -3135,12 +3153,40 @@
         <source>about %1 (estimated)</source>
         <translation>aprox. %1 (estimado)</translation>
     </message>
+    <message>
+        <source>Cropped</source>
+        <translation>Recortado</translation>
+    </message>
 </context>
 <context>
     <name>wend::ExportPanel</name>
     <message>
         <source>Export</source>
         <translation>Exportar</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Imagen</translation>
+    </message>
+    <message>
+        <source>Sequence</source>
+        <translation>Secuencia</translation>
+    </message>
+    <message>
+        <source>ST Map</source>
+        <translation>Mapa ST</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>Malla</translation>
+    </message>
+    <message>
+        <source>Choose a name and write what the preview shows.</source>
+        <translation>Elegir un nombre y escribir lo que muestra la vista previa.</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportar…</translation>
     </message>
 </context>
 <context>
@@ -3156,22 +3202,6 @@
 </context>
 <context>
     <name>wend::Exporter</name>
-    <message>
-        <source>Export Picture</source>
-        <translation>Exportar imagen</translation>
-    </message>
-    <message>
-        <source>Export Sequence</source>
-        <translation>Exportar secuencia</translation>
-    </message>
-    <message>
-        <source>Export ST Map</source>
-        <translation>Exportar mapa ST</translation>
-    </message>
-    <message>
-        <source>Export Mesh</source>
-        <translation>Exportar malla</translation>
-    </message>
     <message>
         <source>Writing the picture …</source>
         <translation>Exportando la imagen…</translation>

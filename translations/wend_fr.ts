@@ -675,6 +675,13 @@
     </message>
 </context>
 <context>
+    <name>CropTool</name>
+    <message>
+        <source>Drag a rectangle around what exports keep; drag its inside or its sides; Shift keeps the proportions, Delete or a double click takes it away</source>
+        <translation>Tracez un rectangle autour de ce que gardent les exports&#x202f;; faites glisser l’intérieur ou les côtés&#x202f;; Maj garde les proportions, Suppr ou un double clic l’enlève</translation>
+    </message>
+</context>
+<context>
     <name>CurveEditor</name>
     <message>
         <source>Drag the curve&apos;s point, with Ctrl one direction alone; Delete removes it, a right click shows more</source>
@@ -1336,10 +1343,6 @@
         <translation>EWA – le meilleur</translation>
     </message>
     <message>
-        <source>pixels that pictures show: those of the source, or as many as the shape needs</source>
-        <translation>pixels que montrent les images&#x202f;: ceux de l’original, ou autant qu’il en faut à la forme</translation>
-    </message>
-    <message>
         <source>&amp;Canvas</source>
         <translation>&amp;Toile</translation>
     </message>
@@ -1434,6 +1437,10 @@
     <message>
         <source>Change up axis</source>
         <translation>Modifier l’axe vertical</translation>
+    </message>
+    <message>
+        <source>pixels that pictures show: those of the source, as many as the shape needs, or those of a rectangle X,Y,WIDTH,HEIGHT of the source, which may reach beyond it</source>
+        <translation>pixels que montrent les images&#x202f;: ceux de la source, autant que la forme en demande, ou ceux d’un rectangle X,Y,LARGEUR,HAUTEUR de la source, qui peut la dépasser</translation>
     </message>
 </context>
 <context>
@@ -1879,6 +1886,14 @@
     <message>
         <source>Take paint off: what is brushed is as everywhere again</source>
         <translation>Retirer la peinture&#x202f;: ce que parcourt le pinceau redevient comme partout</translation>
+    </message>
+    <message>
+        <source>&amp;Crop</source>
+        <translation>&amp;Rogner</translation>
+    </message>
+    <message>
+        <source>Draw a rectangle around what exports keep of the picture</source>
+        <translation>Tracer un rectangle autour de ce que les exports gardent de l’image</translation>
     </message>
 </context>
 <context>
@@ -3042,6 +3057,13 @@
         <translation>Exporter le maillage</translation>
     </message>
     <message>
+        <source>E&amp;xport…</source>
+        <translation>E&amp;xporter…</translation>
+    </message>
+</context>
+<context>
+    <name>wend::ExportForm</name>
+    <message>
         <source>Format</source>
         <translation>Format</translation>
     </message>
@@ -3064,10 +3086,6 @@
     <message>
         <source>F&amp;ormat</source>
         <translation>Fo&amp;rmat</translation>
-    </message>
-    <message>
-        <source>E&amp;xport…</source>
-        <translation>E&amp;xporter…</translation>
     </message>
     <message>
         <source>As in the picture</source>
@@ -3135,12 +3153,40 @@
         <source>about %1 (estimated)</source>
         <translation>environ %1 (estimé)</translation>
     </message>
+    <message>
+        <source>Cropped</source>
+        <translation>Rognée</translation>
+    </message>
 </context>
 <context>
     <name>wend::ExportPanel</name>
     <message>
         <source>Export</source>
         <translation>Exporter</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Image</translation>
+    </message>
+    <message>
+        <source>Sequence</source>
+        <translation>Séquence</translation>
+    </message>
+    <message>
+        <source>ST Map</source>
+        <translation>ST map</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>Maillage</translation>
+    </message>
+    <message>
+        <source>Choose a name and write what the preview shows.</source>
+        <translation>Choisir un nom et écrire ce que montre l’aperçu.</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exporter…</translation>
     </message>
 </context>
 <context>
@@ -3156,22 +3202,6 @@
 </context>
 <context>
     <name>wend::Exporter</name>
-    <message>
-        <source>Export Picture</source>
-        <translation>Exporter l’image</translation>
-    </message>
-    <message>
-        <source>Export Sequence</source>
-        <translation>Exporter la séquence</translation>
-    </message>
-    <message>
-        <source>Export ST Map</source>
-        <translation>Exporter la carte ST</translation>
-    </message>
-    <message>
-        <source>Export Mesh</source>
-        <translation>Exporter le maillage</translation>
-    </message>
     <message>
         <source>Writing the picture …</source>
         <translation>Export de l’image…</translation>

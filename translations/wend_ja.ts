@@ -675,6 +675,13 @@
     </message>
 </context>
 <context>
+    <name>CropTool</name>
+    <message>
+        <source>Drag a rectangle around what exports keep; drag its inside or its sides; Shift keeps the proportions, Delete or a double click takes it away</source>
+        <translation>書き出しに残す範囲を四角で囲みます。内側や辺をドラッグして変更、Shift で縦横比を維持、Delete またはダブルクリックで解除</translation>
+    </message>
+</context>
+<context>
     <name>CurveEditor</name>
     <message>
         <source>Drag the curve&apos;s point, with Ctrl one direction alone; Delete removes it, a right click shows more</source>
@@ -1336,10 +1343,6 @@
         <translation>EWA – 最高品質</translation>
     </message>
     <message>
-        <source>pixels that pictures show: those of the source, or as many as the shape needs</source>
-        <translation>画像に写るピクセル：元画像と同じ範囲、または形状に必要な範囲</translation>
-    </message>
-    <message>
         <source>&amp;Canvas</source>
         <translation>キャンバス(&amp;C)</translation>
     </message>
@@ -1434,6 +1437,10 @@
     <message>
         <source>Change up axis</source>
         <translation>上向きの軸を変更</translation>
+    </message>
+    <message>
+        <source>pixels that pictures show: those of the source, as many as the shape needs, or those of a rectangle X,Y,WIDTH,HEIGHT of the source, which may reach beyond it</source>
+        <translation>画像に含まれるピクセル：元画像と同じ範囲、形状に必要な範囲、または元画像の矩形 X,Y,幅,高さ（元画像からはみ出してもよい）</translation>
     </message>
 </context>
 <context>
@@ -1878,6 +1885,14 @@
     <message>
         <source>Take paint off: what is brushed is as everywhere again</source>
         <translation>ペイントを消します：なぞった部分はほかと同じに戻ります</translation>
+    </message>
+    <message>
+        <source>&amp;Crop</source>
+        <translation>切り抜き(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Draw a rectangle around what exports keep of the picture</source>
+        <translation>書き出しで画像から残す範囲を四角で囲む</translation>
     </message>
 </context>
 <context>
@@ -3041,6 +3056,13 @@
         <translation>メッシュを書き出し</translation>
     </message>
     <message>
+        <source>E&amp;xport…</source>
+        <translation>書き出し(&amp;X)…</translation>
+    </message>
+</context>
+<context>
+    <name>wend::ExportForm</name>
+    <message>
         <source>Format</source>
         <translation>形式</translation>
     </message>
@@ -3063,10 +3085,6 @@
     <message>
         <source>F&amp;ormat</source>
         <translation>形式(&amp;O)</translation>
-    </message>
-    <message>
-        <source>E&amp;xport…</source>
-        <translation>書き出し(&amp;X)…</translation>
     </message>
     <message>
         <source>As in the picture</source>
@@ -3132,12 +3150,40 @@
         <source>about %1 (estimated)</source>
         <translation>約 %1（推定）</translation>
     </message>
+    <message>
+        <source>Cropped</source>
+        <translation>切り抜き</translation>
+    </message>
 </context>
 <context>
     <name>wend::ExportPanel</name>
     <message>
         <source>Export</source>
         <translation>書き出し</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>画像</translation>
+    </message>
+    <message>
+        <source>Sequence</source>
+        <translation>連番</translation>
+    </message>
+    <message>
+        <source>ST Map</source>
+        <translation>STマップ</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>メッシュ</translation>
+    </message>
+    <message>
+        <source>Choose a name and write what the preview shows.</source>
+        <translation>名前を選び、プレビューに見えるものを書き出します。</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>書き出し…</translation>
     </message>
 </context>
 <context>
@@ -3153,22 +3199,6 @@
 </context>
 <context>
     <name>wend::Exporter</name>
-    <message>
-        <source>Export Picture</source>
-        <translation>画像を書き出し</translation>
-    </message>
-    <message>
-        <source>Export Sequence</source>
-        <translation>連番を書き出し</translation>
-    </message>
-    <message>
-        <source>Export ST Map</source>
-        <translation>ST マップを書き出し</translation>
-    </message>
-    <message>
-        <source>Export Mesh</source>
-        <translation>メッシュを書き出し</translation>
-    </message>
     <message>
         <source>Writing the picture …</source>
         <translation>画像を書き出しています…</translation>

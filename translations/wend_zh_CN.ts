@@ -675,6 +675,13 @@
     </message>
 </context>
 <context>
+    <name>CropTool</name>
+    <message>
+        <source>Drag a rectangle around what exports keep; drag its inside or its sides; Shift keeps the proportions, Delete or a double click takes it away</source>
+        <translation>拖出矩形框住导出要保留的部分；可拖动其内部或各边；Shift 保持比例，Delete 键或双击将其移除</translation>
+    </message>
+</context>
+<context>
     <name>CurveEditor</name>
     <message>
         <source>Drag the curve&apos;s point, with Ctrl one direction alone; Delete removes it, a right click shows more</source>
@@ -1336,10 +1343,6 @@
         <translation>EWA – 最佳</translation>
     </message>
     <message>
-        <source>pixels that pictures show: those of the source, or as many as the shape needs</source>
-        <translation>图片包含的像素：与原图相同，或形状所需的范围</translation>
-    </message>
-    <message>
         <source>&amp;Canvas</source>
         <translation>画布(&amp;C)</translation>
     </message>
@@ -1434,6 +1437,10 @@
     <message>
         <source>Change up axis</source>
         <translation>更改向上的轴</translation>
+    </message>
+    <message>
+        <source>pixels that pictures show: those of the source, as many as the shape needs, or those of a rectangle X,Y,WIDTH,HEIGHT of the source, which may reach beyond it</source>
+        <translation>图片显示的像素：与源图相同、按形状所需，或源图的矩形 X,Y,宽,高（可超出源图）</translation>
     </message>
 </context>
 <context>
@@ -1878,6 +1885,14 @@
     <message>
         <source>Take paint off: what is brushed is as everywhere again</source>
         <translation>去除绘制：刷过的部分恢复为与别处相同</translation>
+    </message>
+    <message>
+        <source>&amp;Crop</source>
+        <translation>裁剪(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Draw a rectangle around what exports keep of the picture</source>
+        <translation>用矩形框住导出时要保留的图片部分</translation>
     </message>
 </context>
 <context>
@@ -3041,6 +3056,13 @@
         <translation>导出网格</translation>
     </message>
     <message>
+        <source>E&amp;xport…</source>
+        <translation>导出(&amp;X)…</translation>
+    </message>
+</context>
+<context>
+    <name>wend::ExportForm</name>
+    <message>
         <source>Format</source>
         <translation>格式</translation>
     </message>
@@ -3063,10 +3085,6 @@
     <message>
         <source>F&amp;ormat</source>
         <translation>格式(&amp;O)</translation>
-    </message>
-    <message>
-        <source>E&amp;xport…</source>
-        <translation>导出(&amp;X)…</translation>
     </message>
     <message>
         <source>As in the picture</source>
@@ -3132,12 +3150,40 @@
         <source>about %1 (estimated)</source>
         <translation>约 %1（估计）</translation>
     </message>
+    <message>
+        <source>Cropped</source>
+        <translation>已裁剪</translation>
+    </message>
 </context>
 <context>
     <name>wend::ExportPanel</name>
     <message>
         <source>Export</source>
         <translation>导出</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>图片</translation>
+    </message>
+    <message>
+        <source>Sequence</source>
+        <translation>序列</translation>
+    </message>
+    <message>
+        <source>ST Map</source>
+        <translation>ST 贴图</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>网格</translation>
+    </message>
+    <message>
+        <source>Choose a name and write what the preview shows.</source>
+        <translation>选择名称并写出预览所示的内容。</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>导出…</translation>
     </message>
 </context>
 <context>
@@ -3153,22 +3199,6 @@
 </context>
 <context>
     <name>wend::Exporter</name>
-    <message>
-        <source>Export Picture</source>
-        <translation>导出图片</translation>
-    </message>
-    <message>
-        <source>Export Sequence</source>
-        <translation>导出序列</translation>
-    </message>
-    <message>
-        <source>Export ST Map</source>
-        <translation>导出 ST 贴图</translation>
-    </message>
-    <message>
-        <source>Export Mesh</source>
-        <translation>导出网格</translation>
-    </message>
     <message>
         <source>Writing the picture …</source>
         <translation>正在导出图片…</translation>

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "app/document/pixel_rect.h"
 #include "app/document/project.h"
 #include "app/document/settings.h"
 #include "core/energy/material.h"
@@ -46,6 +47,9 @@ void check(const Option& option, const std::string& value) {
     const std::string flag(option.flag);
     if (option.kind == OptionKind::Choice && !isChoice(option, value))
         throw UsageError(flag + ": unknown value \"" + value + "\"; known are " + spaced(option.choices));
+    if (option.kind == OptionKind::Canvas && !isChoice(option, value) && !pixelRectOf(value))
+        throw UsageError(flag + ": \"" + value +
+                         "\" is neither picture nor fit nor X,Y,WIDTH,HEIGHT in whole pixels");
     if (option.kind == OptionKind::Phi && !isChoice(option, value) && !finiteNumber(value))
         throw UsageError(flag + ": \"" + value + "\" is neither a number nor one of " +
                          spaced(option.choices));
@@ -56,6 +60,7 @@ void check(const Option& option, const std::string& value) {
 std::string valueName(const Option& option) {
     if (option.kind == OptionKind::Flag) return "";
     if (option.kind == OptionKind::Choice) return " " + std::string(option.choices);
+    if (option.kind == OptionKind::Canvas) return " " + std::string(option.choices) + "|X,Y,WIDTH,HEIGHT";
     if (option.kind == OptionKind::Integer) return " N";
     return option.kind == OptionKind::File ? " FILE" : " X";
 }

@@ -301,8 +301,10 @@ constexpr std::array kOptions{
            Row{.label = Options::tr("Fil&ter"),
                .words = {{Options::tr("Nearest – hard pixels"), Options::tr("Bilinear – quick"),
                           Options::tr("Bicubic – sharp"), Options::tr("EWA – best")}}}},
-    Option{"", "--canvas", Choice, "picture", kAny, "", "picture|fit", "run",
-           Options::tr("pixels that pictures show: those of the source, or as many as the shape needs"),
+    Option{"", "--canvas", OptionKind::Canvas, "picture", kAny, "", "picture|fit", "run",
+           Options::tr(
+               "pixels that pictures show: those of the source, as many as the shape needs, or those of a "
+               "rectangle X,Y,WIDTH,HEIGHT of the source, which may reach beyond it"),
            Field{},
            Row{.label = Options::tr("&Canvas"),
                .words = {{Options::tr("As large as the picture"), Options::tr("Fit to the shape")}}}},

@@ -23,7 +23,8 @@ struct Range {
     std::string text() const;
 };
 
-enum class OptionKind { Flag, Number, Integer, Phi, Choice, Text, File };
+/// Of the canvas: one of the choices, or a rectangle of pixels.
+enum class OptionKind { Flag, Number, Integer, Phi, Choice, Canvas, Text, File };
 
 /// A value in a project. Every value is a number: a flag is 0 or 1, a choice its place in the list.
 struct Accessor {

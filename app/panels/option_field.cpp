@@ -35,7 +35,7 @@ OptionField::OptionField(std::string_view keyOrFlag, QWidget* parent)
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     const Row& words = m_option.row;
-    if (m_option.kind == OptionKind::Choice || words.words[0])
+    if (m_option.kind == OptionKind::Choice || m_option.kind == OptionKind::Canvas || words.words[0])
         makeChoice();
     else if (m_option.kind == OptionKind::Flag)
         makeFlag();

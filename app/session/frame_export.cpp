@@ -90,7 +90,7 @@ Extent<2> FrameExport::extent(ExportKind kind) const {
     return all;
 }
 
-View FrameExport::view(ExportKind kind, Canvas canvas) const {
+View FrameExport::view(ExportKind kind, const CanvasChoice& canvas) const {
     return canvasView(*m_picture, extent(kind), canvas);
 }
 

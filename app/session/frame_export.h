@@ -39,7 +39,7 @@ class FrameExport {
     const Points<2>& poseInPixels() const { return m_pose; }
     const std::vector<float>& depths() const { return m_depths; }
     /// What the canvas shows of it; of a sequence, all of the motion. Throws InputError.
-    View view(ExportKind kind, Canvas canvas) const;
+    View view(ExportKind kind, const CanvasChoice& canvas) const;
     /// What a canvas of the picture's size cuts off.
     Overhang overhang(ExportKind kind) const;
     WarpOptions warpOptions(const RunOptions& options) const;

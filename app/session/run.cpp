@@ -255,8 +255,8 @@ class Run {
     /// A canvas that fits is known only when all frames are.
     void takePictureFrame(int number, const Points<2>& pixels) {
         const Extent<2> shape = extent(pixels);
-        if (m_options.canvas == Canvas::Picture)
-            return writePictureFrame(number, pixels, canvasView(*m_shape.picture, shape, Canvas::Picture),
+        if (m_options.canvas.kind != Canvas::Fit)
+            return writePictureFrame(number, pixels, canvasView(*m_shape.picture, shape, m_options.canvas),
                                      {});
         if (!m_waiting) {
             m_waiting.emplace(m_options.outputs.frames);

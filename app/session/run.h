@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/document/design.h"
+#include "app/document/pixel_rect.h"
 #include "app/document/project_fwd.h"
 #include "core/assembly/back_end.h"
 #include "core/mesh/mesh_write_options.h"
@@ -26,15 +27,21 @@ struct RunOutputs {
     double framesPerSecond = 24;  // of a .glb
 };
 
-/// What part of the plane a picture shows.
-enum class Canvas { Picture, Fit };  // as large as the picture; or as the shape needs
+/// What part of the plane a picture shows: as large as the source, as the shape needs, or a part of the
+/// source.
+enum class Canvas { Picture, Fit, Part };
+struct CanvasChoice {
+    CanvasChoice(Canvas as = Canvas::Picture) : kind(as) {}
+    Canvas kind;
+    PixelRect part;  // of Canvas::Part
+};
 
 struct RunOptions {
     RunOutputs outputs;
     std::optional<double> at;  // instead of the project's end
     BackEndKind backEnd = BackEndKind::Automatic;
     Filter filter = Filter::Ewa;
-    Canvas canvas = Canvas::Picture;
+    CanvasChoice canvas;
     std::optional<PixelType> depth;  // of pictures; without: the source's
     Outside outside = Outside::Transparent;
     std::array<float, 4> colour = {0, 0, 0, 0};  // of Outside::Colour
@@ -70,7 +77,7 @@ std::string collectionName(const std::string& pattern);
 
 /// The pixels that a picture shows of a shape (or of all frames of one) that lies there. Throws InputError
 /// for more than pictures may have.
-View canvasView(const Image& picture, const Extent<2>& shapeInPixels, Canvas canvas);
+View canvasView(const Image& picture, const Extent<2>& shapeInPixels, const CanvasChoice& canvas);
 
 /// The nodal velocities as rows "x,y[,z],vx,vy[,vz]" with 17 significant digits.
 template <int Dim>

@@ -30,6 +30,12 @@ void takeOutside(const std::string& name, RunOptions& options) {
     options.colour = {light, light, light, 1};
 }
 
+CanvasChoice canvasOf(const std::string& text) {
+    CanvasChoice canvas = text == "fit" ? Canvas::Fit : Canvas::Picture;
+    if (const auto part = pixelRectOf(text)) canvas.kind = Canvas::Part, canvas.part = *part;
+    return canvas;
+}
+
 }  // namespace
 
 MeshWriteOptions meshOptionsFrom(const OptionValues& values) {
@@ -45,7 +51,7 @@ RunOptions runOptionsFrom(const OptionValues& values) {
     options.outputs.count = values.integer("--count");
     options.outputs.framesPerSecond = values.number("--fps");
     options.filter = values.choice<Filter>("--filter");
-    options.canvas = values.choice<Canvas>("--canvas");
+    options.canvas = canvasOf(values.text("--canvas"));
     options.depth = depthOf(values.text("--depth"));
     takeOutside(values.text("--outside"), options);
     options.partial = values.has("--partial");

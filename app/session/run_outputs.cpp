@@ -93,15 +93,19 @@ void requirePossible(const Project& project, const RunOutputs& outputs) {
     if (!outputs.frames.empty() && !animation) requirePlaces({outputs.frames});
 }
 
-View canvasView(const Image& picture, const Extent<2>& shape, Canvas canvas) {
+View canvasView(const Image& picture, const Extent<2>& shape, const CanvasChoice& canvas) {
     View view{picture.width, picture.height, Vec<2>::Zero(), 1};
-    if (canvas == Canvas::Picture) return view;
-    view.origin = shape.low.array().floor();
-    const Vec<2> size = (shape.high.array().ceil().matrix() - view.origin).cwiseMax(1);
+    if (canvas.kind == Canvas::Picture) return view;
+    const bool fits = canvas.kind == Canvas::Fit;
+    const PixelRect& part = canvas.part;
+    view.origin = fits ? Vec<2>(shape.low.array().floor()) : Vec<2>(part.x, part.y);
+    const Vec<2> size = fits ? Vec<2>((shape.high.array().ceil().matrix() - view.origin).cwiseMax(1))
+                             : Vec<2>(part.width, part.height);
     if (!(size.maxCoeff() <= 1e6 && size.prod() <= 1e6 * kMaxMegapixels)) {
         const auto rounded = [](double x) { return shortNumber(std::min(x, 1e15)); };
-        throw InputError("the shape spans " + rounded(size.x()) + " x " + rounded(size.y()) +
-                         " pixels, more than " + shortNumber(kMaxMegapixels) + " million");
+        throw InputError((fits ? "the shape spans " : "the canvas has ") + rounded(size.x()) + " x " +
+                         rounded(size.y()) + " pixels, more than " + shortNumber(kMaxMegapixels) +
+                         " million");
     }
     view.width = static_cast<int>(size.x());
     view.height = static_cast<int>(size.y());

@@ -30,6 +30,7 @@ class ShapeMotion : public QObject {
         return m_frame && m_frame->generation == m_document.generation() ? m_frame : FramePtr();
     }
     bool isStale() const { return m_stale; }
+    bool hasFailed() const { return m_failed; }
     bool isBusy() const { return m_busy; }
     bool isMeshing() const { return m_busy && !m_trackIsCurrent; }
     double pixel() const;

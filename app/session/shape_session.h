@@ -42,6 +42,8 @@ class ShapeSession : public QObject {
     }
     /// True while the frame does not yet show what the document says.
     bool isStale() const { return m_motion.isStale(); }
+    /// The project cannot be computed as it is: what is seen is an older shape.
+    bool hasFailed() const { return m_motion.hasFailed(); }
     /// True while something is being computed.
     bool isBusy() const { return m_motion.isBusy(); }
     /// True while that is the shape, or its material, rather than its motion.

@@ -89,8 +89,9 @@ QImage exportPreview(const FrameExport& shape, const std::shared_ptr<const Scree
     return image;
 }
 
-ExportPreview::ExportPreview(QWidget* parent) : QWidget(parent) {
-    setMinimumSize(280, 240);
+ExportPreview::ExportPreview(QWidget* parent, const QSize& least, const QSize& wanted)
+    : QWidget(parent), m_wanted(wanted) {
+    setMinimumSize(least);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     setAccessibleName(tr("Preview"));
     setAccessibleDescription(tr("What will be written, smaller"));

@@ -15,7 +15,8 @@ class ExportPreview : public QWidget {
     Q_OBJECT
 
   public:
-    explicit ExportPreview(QWidget* parent = nullptr);
+    explicit ExportPreview(QWidget* parent, const QSize& least = {280, 240},
+                           const QSize& wanted = {400, 320});
     void setImage(const QImage& image);
     const QImage& image() const { return m_image; }
     /// The image answers another question than the one that is asked now; the next image answers it.
@@ -23,12 +24,13 @@ class ExportPreview : public QWidget {
     bool isCurrent() const { return m_current; }
     /// In pixels of the screen.
     QSize room() const;
-    QSize sizeHint() const override { return {400, 320}; }
+    QSize sizeHint() const override { return m_wanted; }
 
   protected:
     void paintEvent(QPaintEvent* event) override;
 
   private:
+    QSize m_wanted;
     QImage m_image;
     bool m_current = false;
 };

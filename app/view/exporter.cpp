@@ -39,20 +39,6 @@ QString withNumber(ExportKind kind, QString path) {
     return path;
 }
 
-QString titleOf(ExportKind kind) {
-    switch (kind) {
-        case ExportKind::Picture:
-            return Exporter::tr("Export Picture");
-        case ExportKind::Frames:
-            return Exporter::tr("Export Sequence");
-        case ExportKind::StMap:
-            return Exporter::tr("Export ST Map");
-        case ExportKind::Mesh:
-            break;
-    }
-    return Exporter::tr("Export Mesh");
-}
-
 QString workOf(ExportKind kind, int count) {
     switch (kind) {
         case ExportKind::Picture:
@@ -87,7 +73,9 @@ QString questionOf(OwnFile own, const QString& name) {
 }  // namespace
 
 Exporter::Exporter(ShapeSession& session, QWidget& window)
-    : QObject(&window), m_session(session), m_window(window) {}
+    : QObject(&window), m_session(session), m_window(window) {
+    connect(&session.document(), &Document::opened, this, [this] { m_crop.set({}); });
+}
 
 /// What runs in the background reports to this object.
 Exporter::~Exporter() {
@@ -102,43 +90,57 @@ bool Exporter::isFree() {
     return false;
 }
 
+QString Exporter::whyNot() const {
+    if (m_session.isBusy()) return tr("The shape is still being computed. Try again in a moment.");
+    if (m_session.frame() && !m_session.isStale() && !m_session.hasFailed()) return {};
+    return tr("There is no shape to export: it could not be computed.");
+}
+
 FramePtr Exporter::shownFrame() {
     if (!isFree()) return {};
-    if (m_session.frame() && !m_session.isBusy() && !m_session.isStale()) return m_session.frame();
-    emit failed(m_session.isBusy() ? tr("The shape is still being computed. Try again in a moment.")
-                                   : tr("There is no shape to export: it could not be computed."));
+    const QString why = whyNot();
+    if (why.isEmpty()) return m_session.frame();
+    emit failed(why);
     return {};
 }
 
-std::shared_ptr<const FrameExport> Exporter::shownShape() {
-    const FramePtr frame = shownFrame();
-    if (!frame) return {};
+std::shared_ptr<const FrameExport> Exporter::shownShape() const {
     const double seconds = m_session.playback().end() * Playback::kSecondsPerUnit;
-    return std::make_shared<const FrameExport>(m_session.document(), frame, m_session.track().frames(),
-                                               seconds);
+    return std::make_shared<const FrameExport>(m_session.document(), m_session.frame(),
+                                               m_session.track().frames(), seconds);
+}
+
+ExportSubject Exporter::subject(ExportKind kind) const {
+    const auto shape = shownShape();
+    const bool solid = shape->dimension() == 3 && m_looks.solid;
+    return {kind, shape, solid ? m_looks.solid(kSolidPreview) : QImage(),
+            m_looks.picture ? m_looks.picture() : nullptr, m_crop.now()};
 }
 
 void Exporter::ask(ExportKind kind) {
-    const auto shape = shownShape();
-    if (!shape) return;
+    if (!shownFrame()) return;
     const bool needsPicture = kind == ExportKind::Picture || kind == ExportKind::StMap;
-    if (needsPicture && !shape->picture()) return;
+    const ExportSubject subject = this->subject(kind);
+    if (needsPicture && !subject.shape->picture()) return;
     emit begun();
-    const bool solid = shape->dimension() == 3 && m_solidView;
-    ExportDialog dialog(kind, shape, solid ? m_solidView(kSolidPreview) : QImage(), &m_window);
-    while (dialog.exec() == QDialog::Accepted) {
-        const RunOptions options = runOptionsFrom(dialog.values());
-        const QString path = askName(kind, dialog.extension(), dialog.filter());
-        if (path.isEmpty() || !mayReplace(kind, path, options.outputs.count)) continue;
-        return write(kind, path, options);
+    ExportDialog dialog(subject, &m_window);
+    while (dialog.exec() == QDialog::Accepted && !writeAs(dialog.form())) {
     }
+}
+
+bool Exporter::writeAs(const ExportForm& form) {
+    const RunOptions options = runOptionsFrom(form.values());
+    const QString path = askName(form.kind(), form.extension(), form.filter());
+    if (path.isEmpty() || !mayReplace(form.kind(), path, options.outputs.count)) return false;
+    write(form.kind(), path, options);
+    return true;
 }
 
 QString Exporter::askName(ExportKind kind, const QString& extension, const QString& filter) {
     const Document& document = m_session.document();
     const QString base = QFileInfo(document.displayName()).completeBaseName();
     const QString proposal = QDir(proposedFolder(document)).filePath(base + suffixOf(kind, extension));
-    return withNumber(kind, askFileToWrite(&m_window, titleOf(kind), proposal, filter));
+    return withNumber(kind, askFileToWrite(&m_window, ExportDialog::title(kind), proposal, filter));
 }
 
 bool Exporter::mayReplace(ExportKind kind, const QString& path, int count) {
@@ -160,8 +162,8 @@ bool Exporter::mayReplace(ExportKind kind, const QString& path, int count) {
 }
 
 void Exporter::write(ExportKind kind, QString path, const RunOptions& options) {
+    if (!shownFrame()) return;
     const auto shape = shownShape();
-    if (!shape) return;
     path = withNumber(kind, path);
     emit begun();
     run(workOf(kind, options.outputs.count), path, [=](const RunWatch& watch, std::string& remark) {

@@ -8,9 +8,10 @@
 
 #include "app/document/hand_over.h"
 #include "app/document/in_background.h"
-#include "app/session/frame_export.h"
+#include "app/session/crop.h"
 #include "app/session/material_picture.h"
 #include "app/session/shape_session.h"
+#include "app/view/export_form.h"
 
 class QWidget;
 
@@ -24,9 +25,22 @@ class Exporter : public QObject {
     Exporter(ShapeSession& session, QWidget& window);
     ~Exporter() override;
 
-    /// A picture of the solid that is shown, for previews.
-    void setSolidView(std::function<QImage(const QSize&)> view) { m_solidView = std::move(view); }
+    /// What the screen has of the shape, for previews: a picture of the solid, and the picture of a shape in
+    /// the plane, null while there is none.
+    struct Looks {
+        std::function<QImage(const QSize&)> solid;
+        std::function<std::shared_ptr<const ScreenPicture>()> picture;
+    };
+    void setLooks(Looks looks) { m_looks = std::move(looks); }
 
+    /// What is kept of a picture; of another document all of it again.
+    Crop& crop() { return m_crop; }
+    /// Why nothing can be written now; empty if it can be.
+    QString whyNot() const;
+    /// What is shown, to be asked about; only where whyNot() is empty.
+    ExportSubject subject(ExportKind kind) const;
+    /// Asks for the name and writes. False if it was not to be.
+    bool writeAs(const ExportForm& form);
     /// What the slots write once all is chosen, by extension. Of a sequence the name has ####, which is added
     /// if it is missing, or it is one .glb. Tells with failed() or done(), later.
     void write(ExportKind kind, QString path, const RunOptions& options = {});
@@ -60,13 +74,14 @@ class Exporter : public QObject {
     QString askName(ExportKind kind, const QString& extension, const QString& filter);
     void run(const QString& what, const QString& path, Job job);
     void tell(const Result& result, const QString& path);
-    std::shared_ptr<const FrameExport> shownShape();
+    std::shared_ptr<const FrameExport> shownShape() const;
     FramePtr shownFrame();
     bool isFree();
 
     ShapeSession& m_session;
     QWidget& m_window;
-    std::function<QImage(const QSize&)> m_solidView;
+    Looks m_looks;
+    Crop m_crop;
     std::shared_ptr<std::stop_source> m_stop;  // of what runs
     HandOver m_out;
     BackgroundWork m_running;

@@ -65,11 +65,11 @@ MainWindow::MainWindow(QWidget* parent)
       m_solidActions(new SolidActions(*m_tools, this)),
       m_depth(new DepthActions(m_session, this)),
       m_pins(new PinActions(m_session, this)),
-      m_properties(new Properties(m_session, *m_tools, *m_actions)),
+      m_exporter(new Exporter(m_session, *this)),
+      m_properties(new Properties(m_session, *m_exporter, *m_tools, *m_actions)),
       m_pictureActions(new PictureActions(m_properties->brush(), this)),
       m_brush(new BrushActions(m_properties->brush(), *m_tools, this)),
       m_files(new FileWorkflow(m_session.document(), *this)),
-      m_exporter(new Exporter(m_session, *this)),
       m_canvas(new ShapeCanvas(m_session)),
       m_start(new StartPage),
       m_banner(new InfoBanner),
@@ -85,8 +85,8 @@ MainWindow::MainWindow(QWidget* parent)
     fitToScreen();
     m_fields = new StatusFields(*statusBar(), m_session);
     m_solids = new SolidWorkshop({m_session, *m_actions, *m_solidActions, *m_properties, *m_fields}, *this);
-    m_workspace = std::make_unique<Workspace>(
-        Workspace::Parts{*m_tools, *m_actions, *m_canvas, *m_solids, *m_properties, *m_pictureActions});
+    m_workspace = std::make_unique<Workspace>(Workspace::Parts{
+        *m_tools, *m_actions, *m_canvas, *m_solids, *m_properties, *m_pictureActions, m_exporter->crop()});
     m_curves = new CurveActions(
         m_session, [this] { return m_workspace->curve(); }, this);
     m_material = new MaterialActions(m_session, *m_exporter, this);
@@ -198,7 +198,8 @@ void MainWindow::connectFiles() {
     connect(a.quit, &QAction::triggered, this, &QWidget::close);
     connect(a.exportPicture, &QAction::triggered, m_exporter, &Exporter::exportPicture);
     connect(a.exportView, &QAction::triggered, m_solids, &SolidWorkshop::exportView);
-    m_exporter->setSolidView([this](const QSize& size) { return m_solids->smallView(size); });
+    m_exporter->setLooks({[this](const QSize& size) { return m_solids->smallView(size); },
+                          [this] { return m_canvas->screenPicture(); }});
     m_solids->setMayReplace(
         [this](const QString& path) { return m_exporter->mayReplace(ExportKind::Picture, path, 0); });
     connect(m_solids, &SolidWorkshop::failed, this, tellIn(Topic::Export));

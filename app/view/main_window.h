@@ -102,13 +102,13 @@ class MainWindow : public QMainWindow {
     DepthActions* m_depth;
     PinActions* m_pins;
     MaterialActions* m_material = nullptr;
+    Exporter* m_exporter;
     Properties* m_properties;
     PictureActions* m_pictureActions;
     BrushActions* m_brush;
     CurveActions* m_curves = nullptr;
     ContextMenu* m_menu = nullptr;
     FileWorkflow* m_files;
-    Exporter* m_exporter;
     ShapeCanvas* m_canvas;
     CompareView* m_compare = nullptr;
     StartPage* m_start;

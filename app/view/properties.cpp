@@ -40,7 +40,8 @@ constexpr Modes kShaping = Mode::Mesh | Mode::Pins | Modes(Mode::Paint) | Modes(
 
 }  // namespace
 
-Properties::Properties(ShapeSession& session, const Toolbox& tools, const Actions& actions)
+Properties::Properties(ShapeSession& session, Exporter& exporter, const Toolbox& tools,
+                       const Actions& actions)
     : m_tools(tools),
       m_material(new MaterialPanel(session)),
       m_reach(new ReachRow(session.document())),
@@ -65,7 +66,7 @@ Properties::Properties(ShapeSession& session, const Toolbox& tools, const Action
     setAttribute(Qt::WA_StyledBackground);
     m_column->setContentsMargins(0, 0, 0, 0);
     m_column->setSpacing(0);
-    fill(session, actions);
+    fill(session, exporter, actions);
     m_column->addStretch(1);
     m_scroll->setObjectName(QStringLiteral("sideScroll"));
     m_scroll->setWidget(m_content);
@@ -86,7 +87,7 @@ Properties::Properties(ShapeSession& session, const Toolbox& tools, const Action
 }
 
 /// In their order from the top.
-void Properties::fill(ShapeSession& session, const Actions& actions) {
+void Properties::fill(ShapeSession& session, Exporter& exporter, const Actions& actions) {
     const Modes posing = Mode::Pins | Mode::Animate;
     put(m_surface, {.modes = Modes::all(), .flat = false});
     put(m_mesh, {.modes = Mode::Mesh});
@@ -98,7 +99,7 @@ void Properties::fill(ShapeSession& session, const Actions& actions) {
     put(m_pins, {.modes = Mode::Pins});
     put(selectionArea(session), {.modes = posing});
     put(new FlowPanel(session), {.modes = Mode::Animate});
-    put(new ExportPanel(actions), {.modes = Mode::Export});
+    put(new ExportPanel(session, exporter, actions), {.modes = Mode::Export, .fills = true});
     put(m_measure, {.modes = Modes::all(), .flat = false, .tool = "measure"});
     put(m_cut, {.modes = Mode::Mesh, .flat = false});
     put(m_distortion, {.modes = kShaping});
@@ -116,7 +117,7 @@ void Properties::put(QWidget* panel, const When& when) {
     column->setSpacing(0);
     column->addWidget(panel);
     column->addWidget(panelLine(holder));
-    m_column->addWidget(holder);
+    m_column->addWidget(holder, when.fills ? 100 : 0);
     m_places.emplace_back(holder, when);
 }
 
@@ -142,6 +143,7 @@ bool Properties::isDue(const When& when) const {
 
 void Properties::arrange() {
     for (const auto& [holder, when] : m_places) holder->setVisible(isDue(when));
+    m_material->setVisible(m_tools.mode() != Mode::Export);  // its room is the preview's
     m_reach->setVisible((Mode::Pins | Mode::Paint).has(m_tools.mode()));
     m_cutOut->setVisible(m_tools.dimension() == 2 && m_tools.mode() == Mode::Mesh);
 }

@@ -17,6 +17,7 @@ class Actions;
 class CutOutPanel;
 class CutPanel;
 class DistortionPanel;
+class Exporter;
 class FoldingSection;
 class LayerPanel;
 class MaterialPanel;
@@ -37,7 +38,7 @@ class Properties : public QWidget {
     Q_OBJECT
 
   public:
-    Properties(ShapeSession& session, const Toolbox& tools, const Actions& actions);
+    Properties(ShapeSession& session, Exporter& exporter, const Toolbox& tools, const Actions& actions);
 
     MaterialPanel& material() { return *m_material; }
     MeshPanel& mesh() { return *m_mesh; }
@@ -69,11 +70,12 @@ class Properties : public QWidget {
         const char* tool = nullptr;     // only while that is chosen, …
         const char* without = nullptr;  // … or while that is not
         const QAction* on = nullptr;    // in other steps, too, while that is so
+        bool fills = false;             // takes the room that is left
     };
     void put(QWidget* panel, const When& when);
     bool isDue(const When& when) const;
     QWidget* selectionArea(ShapeSession& session);
-    void fill(ShapeSession& session, const Actions& actions);
+    void fill(ShapeSession& session, Exporter& exporter, const Actions& actions);
     void arrange();
 
     const Toolbox& m_tools;

@@ -10,6 +10,7 @@ namespace wend {
 namespace {
 
 constexpr int kMessageMargin = 18;  // pixels that the bar leaves free beside a message
+constexpr int kIndent = 8;          // of a hint, from the window's edge
 constexpr int kTold = 10000;        // milliseconds
 
 /// The longest beginning of the text that fits and ends where one of the marks stands; empty if there is
@@ -54,7 +55,7 @@ class StatusFields::HintLabel : public QLabel {
     }
 
   private:
-    void fit() { setText(fittedTo(contentsRect().width(), m_hint, fontMetrics())); }
+    void fit() { setText(fittedTo(contentsRect().width() - indent(), m_hint, fontMetrics())); }
 
     QString m_hint;
 };
@@ -62,7 +63,7 @@ class StatusFields::HintLabel : public QLabel {
 StatusFields::StatusFields(QStatusBar& bar, ShapeSession& session)
     : QObject(&bar), m_bar(bar), m_session(session), m_hint(new HintLabel(&bar)) {
     bar.setSizeGripEnabled(false);
-    m_hint->setContentsMargins(8, 0, 0, 0);
+    m_hint->setIndent(kIndent);
     m_hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // the window may be narrow
     bar.addWidget(m_hint, 1);
     bar.setContentsMargins(0, 0, 12, 0);

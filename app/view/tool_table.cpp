@@ -4,6 +4,7 @@
 
 #include "app/panels/size_panel.h"
 #include "app/tools/area_tool.h"
+#include "app/tools/crop_tool.h"
 #include "app/tools/depth_tool.h"
 #include "app/tools/fill_tool.h"
 #include "app/tools/flat_size_tool.h"
@@ -130,6 +131,10 @@ QList<QAction*> outlineOptions(const ToolOptions& o) {
     if (Shape == Brush) return {a.adds, a.takesAway, a.size};
     if (Shape == Wand) return {a.adds, a.takesAway, a.tolerance};
     return {a.adds, a.takesAway};
+}
+
+std::unique_ptr<Tool> crop(Workbench& on) {
+    return std::make_unique<CropTool>(on.picture, on.crop);
 }
 
 std::unique_ptr<Tool> depthBrush(Workbench& on) {
@@ -389,6 +394,15 @@ const std::vector<ToolKind>& toolTable() {
          {},
          measure<2>,
          measure<3>},
+        {"crop",
+         "crop",
+         QT_TRANSLATE_NOOP("Tools", "&Crop"),
+         QT_TRANSLATE_NOOP("Tools", "Draw a rectangle around what exports keep of the picture"),
+         "C",
+         Mode::Export,
+         {},
+         crop,
+         nullptr},
     };
     return table;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/panels/colour_map.h"
+#include "app/session/crop.h"
 #include "app/tools/solid_surface.h"
 #include "app/tools/tool_surface.h"
 #include "app/view/mode.h"
@@ -26,6 +27,7 @@ struct Workbench {
     const SolidActions& actions;
     PictureActions& flat;
     Brush& brush;
+    Crop& crop;
     SizePanel& sizes;
     std::function<void()> toSelect;  // a part was taken hold of, and is there to be moved
     SolidSurface* solid = nullptr;   // none before the first solid

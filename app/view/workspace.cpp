@@ -17,6 +17,7 @@ Workspace::Workspace(const Parts& parts)
               parts.solids.actions(),
               parts.outline,
               parts.properties.brush(),
+              parts.crop,
               parts.properties.sizes(),
               [select = parts.actions.selectTool] { select->trigger(); }} {
     connect(&m_parts.tools, &Toolbox::changed, this, &Workspace::show);

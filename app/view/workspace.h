@@ -29,6 +29,7 @@ class Workspace : public QObject {
         SolidWorkshop& solids;
         Properties& properties;
         PictureActions& outline;
+        Crop& crop;
     };
     explicit Workspace(const Parts& parts);
     ~Workspace() override;

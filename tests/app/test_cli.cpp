@@ -28,6 +28,7 @@ class TestCli : public QObject {
     void stopsEarlier();
     void frames();
     void framesFit();
+    void partOfThePicture();
     void meshFrames();
     void picture();
     void pictureFits();
@@ -237,6 +238,37 @@ void TestCli::framesFit() {
     succeed({"run", "disc.wend", "--canvas", "fit", "--at", "0", "--image", "rest.png"});
     QVERIFY(first.width > readImage(file("rest.png")).width);
     QVERIFY(QDir(path()).entryList({".*"}, QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot).isEmpty());
+}
+
+/// Of a still and of all frames: the pixels that the whole has there, and nothing beyond it.
+void TestCli::partOfThePicture() {
+    succeed({"run", "disc.wend", "--image", "whole.png"});
+    succeed({"run", "disc.wend", "--canvas", "-7,60,70,30", "--image", "part.png", "--frames", "p_#.png",
+             "--count", "2"});
+    const Image whole = readImage(file("whole.png")), part = readImage(file("part.png"));
+    QCOMPARE(QPoint(part.width, part.height), QPoint(70, 30));
+    const auto pixel = [](const Image& image, int x, int y) {
+        const auto size = static_cast<std::ptrdiff_t>(image.rowBytes() / image.width);
+        const auto at = image.data.begin() + (static_cast<std::ptrdiff_t>(y) * image.width + x) * size;
+        return std::vector(at, at + size);
+    };
+    int seen = 0;
+    for (int y = 0; y < 30; ++y)
+        for (int x = 7; x < 70; ++x) {
+            QVERIFY(pixel(part, x, y) == pixel(whole, x - 7, y + 60));
+            seen += pixel(part, x, y) != pixel(part, 0, 0);
+        }
+    QVERIFY(seen > 100);
+    QCOMPARE(readImage(file("p_1.png")).data, readImage(file("part.png")).data);
+    QCOMPARE(readImage(file("p_0.png")).width, 70);
+    for (const char* wrong :
+         {"1,2,3", "0,0,0,9", "a,b,c,d", "1,1,5,5,", "1.5,0,9,9", "0,0,99999999,9", "crop"}) {
+        const CliResult result = runCli(path(), {"run", "disc.wend", "--canvas", wrong, "--image", "no.png"});
+        QCOMPARE(result.code, 2);
+        QVERIFY2(result.error.contains("--canvas") && result.error.contains("X,Y,WIDTH,HEIGHT"),
+                 qPrintable(result.error));
+    }
+    QVERIFY(!QFile::exists(QString::fromStdString(file("no.png"))));
 }
 
 void TestCli::meshFrames() {

@@ -123,7 +123,7 @@ std::shared_ptr<const FrameExport> TestExportDialog::shape() {
 }
 
 std::unique_ptr<ExportDialog> TestExportDialog::dialog(ExportKind kind) {
-    auto made = std::make_unique<ExportDialog>(kind, shape(), QImage(), m_window.get());
+    auto made = std::make_unique<ExportDialog>(ExportSubject{kind, shape()}, m_window.get());
     made->show();
     return made;
 }
@@ -186,21 +186,21 @@ void TestExportDialog::everyOptionOfARunIsThere() {
 void TestExportDialog::formatsDecideWhatIsAsked() {
     open(writeCutOut(*m_folder));
     const auto picture = dialog(ExportKind::Picture);
-    const auto depths = [&] { return picture->field("--depth")->choices(); };
+    const auto depths = [&] { return picture->form().field("--depth")->choices(); };
     QCOMPARE(depths(), QStringList({"picture", "8", "16"}));
     choose(*picture, ".exr");
     QCOMPARE(depths(), QStringList({"picture", "half", "float"}));
     choose(*picture, ".jpg");
     QCOMPARE(depths(), QStringList({"picture", "8"}));
     const auto mesh = dialog(ExportKind::Mesh);
-    QVERIFY(!mesh->field("--encoding")->isVisible() && !mesh->field("--canvas")->isVisible());
+    QVERIFY(!mesh->form().field("--encoding")->isVisible() && !mesh->form().field("--canvas")->isVisible());
     choose(*mesh, ".msh");
-    QVERIFY(mesh->field("--encoding")->isVisible() && mesh->field("--msh")->isVisible());
-    mesh->field("--msh")->setValue("2.2");
-    QCOMPARE(runOptionsFrom(mesh->values()).meshes.gmshVersion, 2);
+    QVERIFY(mesh->form().field("--encoding")->isVisible() && mesh->form().field("--msh")->isVisible());
+    mesh->form().field("--msh")->setValue("2.2");
+    QCOMPARE(runOptionsFrom(mesh->form().values()).meshes.gmshVersion, 2);
     choose(*mesh, ".vtu");
-    QVERIFY(mesh->field("--fields")->isVisible() && !mesh->field("--msh")->isVisible());
-    QCOMPARE(runOptionsFrom(mesh->values()).meshes.gmshVersion, 4);  // what is hidden says nothing
+    QVERIFY(mesh->form().field("--fields")->isVisible() && !mesh->form().field("--msh")->isVisible());
+    QCOMPARE(runOptionsFrom(mesh->form().values()).meshes.gmshVersion, 4);  // what is hidden says nothing
     if (waitForSize(*mesh)) keepPicture(*mesh, "export-mesh.png");
 }
 
@@ -218,11 +218,11 @@ void TestExportDialog::cropIsToldAndFits() {
     if (waitForSize(*asked)) keepPicture(*asked, "export-crop.png");
     note->findChild<QPushButton*>()->click();
     QVERIFY(!note->isVisible());
-    QCOMPARE(asked->values().text("--canvas"), std::string("fit"));
+    QCOMPARE(asked->form().values().text("--canvas"), std::string("fit"));
     QVERIFY(waitForSize(*asked));
     keepPicture(*asked, "export-fit.png");
     const QString path = file("fit.png");
-    QVERIFY(written(ExportKind::Picture, path, asked->values()));
+    QVERIFY(written(ExportKind::Picture, path, asked->form().values()));
     const QImage all(path);
     const QString told = asked->findChild<QLabel*>(QStringLiteral("facts"))->text();
     QVERIFY2(told.startsWith(QStringLiteral("%1 × %2 pixels").arg(all.width()).arg(all.height())),
@@ -287,7 +287,7 @@ void TestExportDialog::whatHasNoAlphaIsPreviewedOnItsGround() {
     auto* preview = asked->findChild<ExportPreview*>();
     choose(*asked, ".jpg");
     QVERIFY(QTest::qWaitFor([&] { return preview->isCurrent(); }, 30000));
-    QVERIFY(written(ExportKind::Picture, file("ground.jpg"), asked->values()));
+    QVERIFY(written(ExportKind::Picture, file("ground.jpg"), asked->form().values()));
     const QImage is(file("ground.jpg")), seen = preview->image();
     QCOMPARE(seen.size(), is.size());
     for (const QPoint& at : {QPoint(3, 3), QPoint(230, 150), QPoint(60, 80), QPoint(120, 30)}) {
@@ -304,13 +304,13 @@ void TestExportDialog::previewIsWhatIsWritten() {
     open(writeCutOut(*m_folder));
     bend(-10, 25);
     const auto asked = dialog(ExportKind::Picture);
-    asked->field("--filter")->setValue("nearest");
+    asked->form().field("--filter")->setValue("nearest");
     auto* preview = asked->findChild<ExportPreview*>();
     QVERIFY(!preview->isCurrent());
     QVERIFY(QTest::qWaitFor([&] { return preview->isCurrent(); }, 30000));
     QCOMPARE(preview->image().width(), 240);
     const QString path = file("out.png");
-    QVERIFY(written(ExportKind::Picture, path, asked->values()));
+    QVERIFY(written(ExportKind::Picture, path, asked->form().values()));
     const QImage seen = preview->image().convertToFormat(QImage::Format_ARGB32_Premultiplied);
     const QImage is = QImage(path).convertToFormat(QImage::Format_ARGB32_Premultiplied);
     QCOMPARE(seen.size(), is.size());
@@ -449,7 +449,7 @@ void TestExportDialog::framesFollowTheirRate() {
     open(writeCutOut(*m_folder));
     bend(-10, 25);
     const auto asked = dialog(ExportKind::Frames);
-    OptionField *count = asked->field("--count"), *rate = asked->field("--fps");
+    OptionField *count = asked->form().field("--count"), *rate = asked->form().field("--fps");
     const double seconds = session().playback().end() * Playback::kSecondsPerUnit;
     QCOMPARE(rate->number(), defaultOf("--fps"));
     QCOMPARE(count->number(), std::lround(24 * seconds) + 1.0);

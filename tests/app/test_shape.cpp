@@ -182,6 +182,12 @@ class TestShape : public QObject {
         QCOMPARE(fit.origin, Vec<2>(-11, 3));
         QCOMPARE(fit.width, 232);
         QCOMPARE(fit.height, 87);
+        CanvasChoice part(Canvas::Part);
+        part.part = {-5, 7, 30, 20};
+        const View kept = canvasView(picture, extent, part);
+        QVERIFY(kept.origin == Vec<2>(-5, 7) && kept.width == 30 && kept.height == 20 && kept.scale == 1);
+        part.part = {0, 0, 400'000, 400'000};
+        QVERIFY_THROWS_EXCEPTION(InputError, canvasView(picture, extent, part));
         for (const double far : {2.1e4, 2e6, 1e200}) {  // more than 400 million pixels
             pose(0, 1) = pose(1, 2) = far;
             QVERIFY_THROWS_EXCEPTION(InputError,
@@ -218,7 +224,7 @@ class TestShape : public QObject {
             if (work == "deforming") atOnce = std::max(atOnce, hidden);
         };
         QVERIFY(runProject(project, base + "/p.wend", options, watch).outcome == Outcome::Done);
-        QVERIFY(atOnce > (options.canvas == Canvas::Fit ? 0 : 5));
+        QVERIFY(atOnce > (options.canvas.kind == Canvas::Fit ? 0 : 5));
         QCOMPARE(QDir(folder.path()).entryList({"f_?.png"}).size(), 9);
         QVERIFY(QDir(folder.path())
                     .entryList({".*"}, QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot)

@@ -168,10 +168,10 @@ void TestSolidExport::borderTrianglesAreAtChoice() {
     ShapeSession& session = m_window->session();
     const auto shape = std::make_shared<const FrameExport>(session.document(), session.frame(),
                                                            session.track().frames(), 1.0);
-    ExportDialog dialog(ExportKind::Mesh, shape, QImage(), m_window.get());
+    ExportDialog dialog({ExportKind::Mesh, shape}, m_window.get());
     dialog.show();
     auto* format = dialog.findChild<QComboBox*>(QStringLiteral("format"));
-    auto* box = dialog.field("--border")->findChild<QCheckBox*>();
+    auto* box = dialog.form().field("--border")->findChild<QCheckBox*>();
     format->setCurrentIndex(format->findData(QStringLiteral(".stl")));
     QVERIFY(!box->isVisible());
     format->setCurrentIndex(format->findData(QStringLiteral(".vtu")));
@@ -179,7 +179,7 @@ void TestSolidExport::borderTrianglesAreAtChoice() {
     for (const bool asked : {false, true}) {
         if (asked) box->click();
         const QString name = file(asked ? QStringLiteral("with.vtu") : QStringLiteral("without.vtu"));
-        const RunOptions options = runOptionsFrom(dialog.values());
+        const RunOptions options = runOptionsFrom(dialog.form().values());
         QVERIFY2(finish([&] { m_window->exporter().write(ExportKind::Mesh, name, options); }),
                  qPrintable(m_failure));
         const MeshFile written = readMeshFile(name.toStdString());

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "app/document/pixel_rect.h"
+#include "app/session/shared_value.h"
+
+namespace wend {
+
+inline std::optional<PixelRect> bounded(std::optional<PixelRect> part) {
+    return part;
+}
+
+/// What exports keep of a picture, drawn by the user; nothing: all of it. It belongs to the window, not to the
+/// document.
+using Crop = SharedValue<std::optional<PixelRect>>;
+
+}  // namespace wend

@@ -1,0 +1,212 @@
+#include "app/tools/crop_tool.h"
+
+#include <Eigen/LU>
+#include <QCoreApplication>
+#include <QLocale>
+#include <QPainterPath>
+#include <cmath>
+
+#include "app/tools/drag_label.h"
+#include "app/session/shape.h"
+
+namespace wend {
+
+namespace {
+
+constexpr double kReach = 8;     // of a side, in pixels of the screen
+constexpr double kHandle = 7;    // the size of a corner's square
+constexpr double kLargest = 1e5;  // pixels of the picture
+
+/// From one corner to the other, at least a pixel large, on whole pixels.
+PixelRect between(const Vec<2>& a, const Vec<2>& b) {
+    const Vec<2> low = a.cwiseMin(b).array().round().cwiseMax(-kLargest).cwiseMin(kLargest);
+    const Vec<2> high = a.cwiseMax(b).array().round().cwiseMax(-kLargest).cwiseMin(kLargest);
+    const Vec<2> size = (high - low).cwiseMax(1);
+    return {static_cast<int>(low.x()), static_cast<int>(low.y()), static_cast<int>(size.x()),
+            static_cast<int>(size.y())};
+}
+
+Vec<2> lowOf(const PixelRect& part) {
+    return {part.x, part.y};
+}
+
+Vec<2> highOf(const PixelRect& part) {
+    return {part.x + part.width, part.y + part.height};
+}
+
+}  // namespace
+
+QString CropTool::hint() const {
+    return QCoreApplication::translate(
+        "CropTool",
+        "Drag a rectangle around what exports keep; drag its inside or its sides; Shift keeps the proportions, Delete "
+        "or a double click takes it away");
+}
+
+QCursor CropTool::cursor() const {
+    const Grip& grip = m_active ? m_grip : m_under;
+    if (grip.all) return Qt::SizeAllCursor;
+    if (grip.x != 0 && grip.y != 0) return grip.x == grip.y ? Qt::SizeFDiagCursor : Qt::SizeBDiagCursor;
+    if (grip.any()) return grip.x != 0 ? Qt::SizeHorCursor : Qt::SizeVerCursor;
+    return Qt::CrossCursor;
+}
+
+/// A mesh in the plane may lie in its picture in any way.
+Vec<2> CropTool::toPixels(const QPointF& widget) const {
+    const auto frame = surface().shownFrame();
+    const Vec<2> at = surface().toShape(widget);
+    return frame && frame->built->texture ? Vec<2>(frame->built->texture->toPixels(at)) : at;
+}
+
+QPointF CropTool::toWidget(const Vec<2>& pixel) const {
+    const auto frame = surface().shownFrame();
+    if (!frame || !frame->built->texture) return surface().toWidget(pixel);
+    const PictureMap& map = frame->built->texture->toPixels;
+    return surface().toWidget(map.A.inverse() * (pixel - map.b));
+}
+
+QPolygonF CropTool::outline(const PixelRect& part) const {
+    const Vec<2> a = lowOf(part), b = highOf(part);
+    return {{toWidget(a), toWidget({b.x(), a.y()}), toWidget(b), toWidget({a.x(), b.y()})}};
+}
+
+CropTool::Grip CropTool::gripAt(const QPointF& widget) const {
+    const auto& part = m_crop.now();
+    if (!part) return {};
+    const Vec<2> at = toPixels(widget), a = lowOf(*part), b = highOf(*part);
+    const double reach = kReach * (toPixels(widget + QPointF(1, 0)) - at).norm();
+    if (((a - at).array() > reach).any() || ((at - b).array() > reach).any()) return {};
+    Grip grip;
+    grip.x = std::abs(at.x() - b.x()) <= reach ? 1 : std::abs(at.x() - a.x()) <= reach ? -1 : 0;
+    grip.y = std::abs(at.y() - b.y()) <= reach ? 1 : std::abs(at.y() - a.y()) <= reach ? -1 : 0;
+    grip.all = grip.x == 0 && grip.y == 0;
+    return grip;
+}
+
+void CropTool::press(const QMouseEvent& event) {
+    if (event.button() != Qt::LeftButton || !session().document().picture()) return;
+    m_at = event.position();
+    m_from = toPixels(m_at);
+    m_before = m_crop.now();
+    m_grip = gripAt(m_at);
+    m_active = true;
+}
+
+void CropTool::move(const QMouseEvent& event) {
+    m_at = event.position();
+    if (m_active)
+        drawTo(toPixels(m_at), event.modifiers().testFlag(Qt::ShiftModifier));
+    else
+        m_under = gripAt(m_at);
+    surface().redraw();
+}
+
+void CropTool::drawTo(const Vec<2>& pixel, bool proportional) {
+    const Vec<2> by = pixel - m_from;
+    Vec<2> a = m_from, b = pixel;
+    if (m_before && m_grip.all) {
+        const Vec<2> moved = lowOf(*m_before) + by;
+        return m_crop.set(between(moved, moved + Vec<2>(m_before->width, m_before->height)));
+    }
+    if (m_before && m_grip.any()) {
+        a = lowOf(*m_before), b = highOf(*m_before);
+        if (m_grip.x < 0) std::swap(a.x(), b.x());  // b is the corner that follows the pointer
+        if (m_grip.y < 0) std::swap(a.y(), b.y());
+        if (m_grip.x != 0) b.x() += by.x();
+        if (m_grip.y != 0) b.y() += by.y();
+    }
+    if (const auto& picture = session().document().picture(); proportional && picture) {
+        const double aspect = static_cast<double>(picture->height) / picture->width;
+        const Vec<2> size = b - a;
+        const double width = std::max(std::abs(size.x()), std::abs(size.y()) / aspect);
+        b = a + Vec<2>(std::copysign(width, size.x()), std::copysign(width * aspect, size.y()));
+    }
+    m_crop.set(between(a, b));
+}
+
+/// A click beside the rectangle leaves it as it is.
+void CropTool::release(const QMouseEvent& event) {
+    if (event.button() != Qt::LeftButton || !m_active) return;
+    m_active = false;
+    m_under = gripAt(event.position());
+    surface().redraw();
+}
+
+void CropTool::doubleClick(const QMouseEvent&) {
+    m_active = false;
+    m_crop.set({});
+    surface().redraw();
+}
+
+bool CropTool::ownsKey(const QKeyEvent& event) const {
+    return m_crop.now() && (event.key() == Qt::Key_Delete || event.key() == Qt::Key_Backspace);
+}
+
+bool CropTool::key(const QKeyEvent& event) {
+    if (m_active && event.key() == Qt::Key_Escape) {
+        cancel();
+        return true;
+    }
+    auto part = m_crop.now();
+    if (!part) return false;
+    const int step = event.modifiers() & Qt::ShiftModifier ? 10 : 1;
+    if (ownsKey(event))
+        part.reset();
+    else if (event.key() == Qt::Key_Left)
+        part->x -= step;
+    else if (event.key() == Qt::Key_Right)
+        part->x += step;
+    else if (event.key() == Qt::Key_Up)
+        part->y -= step;
+    else if (event.key() == Qt::Key_Down)
+        part->y += step;
+    else
+        return false;
+    m_crop.set(part);
+    surface().redraw();
+    return true;
+}
+
+void CropTool::cancel() {
+    if (!m_active) return;
+    m_active = false;
+    m_crop.set(m_before);
+    surface().redraw();
+}
+
+/// What is not kept is dimmed; thirds help to compose.
+void CropTool::paint(QPainter& painter) const {
+    const auto& part = m_crop.now();
+    if (!part) return;
+    const QPolygonF frame = outline(*part);
+    QPainterPath beside;
+    beside.addRect(painter.viewport());
+    beside.addPolygon(frame);
+    beside.closeSubpath();
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.fillPath(beside, QColor(0x14, 0x16, 0x1e, 120));
+    painter.setBrush(Qt::NoBrush);
+    for (const auto& [pen, lines] : {std::pair{QPen(QColor(0x14, 0x16, 0x1e, 90), 3), false},
+                                     std::pair{QPen(Qt::white, 1.25), true}}) {
+        painter.setPen(pen);
+        painter.drawPolygon(frame);
+        if (!lines || !m_active) continue;
+        painter.setPen(QPen(QColor(255, 255, 255, 130), 1));
+        for (const double third : {1 / 3.0, 2 / 3.0}) {
+            painter.drawLine(frame[0] + third * (frame[1] - frame[0]), frame[3] + third * (frame[2] - frame[3]));
+            painter.drawLine(frame[0] + third * (frame[3] - frame[0]), frame[1] + third * (frame[2] - frame[1]));
+        }
+    }
+    painter.setPen(QPen(QColor(0x14, 0x16, 0x1e), 1));
+    painter.setBrush(Qt::white);
+    for (const QPointF& corner : frame)
+        painter.drawRect(QRectF(corner.x() - kHandle / 2, corner.y() - kHandle / 2, kHandle, kHandle));
+    painter.restore();
+    if (!m_active) return;
+    const QLocale locale;
+    paintLabel(painter, m_at + QPointF(16, 16),
+               QStringLiteral("%1 × %2").arg(locale.toString(part->width), locale.toString(part->height)));
+}
+
+}  // namespace wend

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <optional>
+
+#include "app/session/crop.h"
+#include "app/tools/tool_surface.h"
+
+namespace wend {
+
+/// Draws what exports keep of the picture: a rectangle of its pixels, moved by its inside and resized by its sides
+/// and corners. With Shift it has the picture's proportions.
+class CropTool : public PictureTool {
+  public:
+    CropTool(ToolSurface& surface, Crop& crop) : PictureTool(surface), m_crop(crop) {}
+
+    QString hint() const override;
+    QCursor cursor() const override;
+    void press(const QMouseEvent& event) override;
+    void move(const QMouseEvent& event) override;
+    void release(const QMouseEvent& event) override;
+    void doubleClick(const QMouseEvent& event) override;
+    bool key(const QKeyEvent& event) override;
+    bool ownsKey(const QKeyEvent& event) const override;
+    void cancel() override;
+    void paint(QPainter& painter) const override;
+
+  private:
+    /// What follows the pointer: a side of each axis (−1 low, 1 high, 0 none), or all.
+    struct Grip {
+        int x = 0, y = 0;
+        bool all = false;
+        bool any() const { return x != 0 || y != 0 || all; }
+    };
+    Vec<2> toPixels(const QPointF& widget) const;
+    QPointF toWidget(const Vec<2>& pixel) const;
+    Grip gripAt(const QPointF& widget) const;
+    QPolygonF outline(const PixelRect& part) const;
+    void drawTo(const Vec<2>& pixel, bool proportional);
+
+    Crop& m_crop;
+    Grip m_grip, m_under;  // in the hand; below the pointer
+    bool m_active = false;
+    std::optional<PixelRect> m_before;
+    Vec<2> m_from = Vec<2>::Zero();  // where it was pressed, in pixels of the picture
+    QPointF m_at;
+};
+
+}  // namespace wend
