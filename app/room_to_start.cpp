@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <cstring>
 
-#include "warp/address_room.h"
+#include "core/mesh/address_room.h"
 
 namespace {
 

@@ -75,6 +75,7 @@ attempt() {
             for file in reference/*; do
                 case $file in
                 *.exr | *.tif) [ "$(stat -c %s "$file")" -eq "$(stat -c %s "$disk/${file#*/}")" ] ;;
+                *.json) python3 -m json.tool "$disk/${file#*/}" >/dev/null ;; # it tells how long the run took
                 *) cmp "$file" "$disk/${file#*/}" ;;
                 esac || fail "${file#*/} with room enough: another file"
             done
@@ -88,8 +89,10 @@ attempt() {
 }
 
 for format in png jpg tif exr webp bmp tga jp2 hdr ppm; do attempt "out.$format" --image "DISK/out.$format"; done
-for format in obj ply stl off vtu vtk msh node; do attempt "out.$format" --mesh "DISK/out.$format"; done
+for format in obj ply stl off vtu vtk msh mesh inp node; do attempt "out.$format" --mesh "DISK/out.$format"; done
 for format in csv vtu; do attempt "out.$format" --velocity "DISK/out.$format"; done
+attempt out.json --report DISK/out.json
+for part in phi stiffness direction; do attempt "$part.png" "--$part-picture" "DISK/$part.png"; done
 for format in exr tif; do attempt "map.$format" --stmap "DISK/map.$format"; done
 for format in png exr tif obj vtu; do attempt "f_1.$format" --frames "DISK/f_#.$format" --count 3; done
 

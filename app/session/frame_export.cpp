@@ -27,7 +27,7 @@ constexpr int kBands = 4;          // of a larger one, as many pixels in strips
 
 /// Bytes of what `write` leaves in a folder of its own, which goes.
 double bytesOf(const std::string& extension, const std::function<void(const std::string&)>& write) {
-    const TemporaryFolder folder(fs::temp_directory_path().string());
+    const TemporaryFolder folder(scratchFolder());
     write((fs::path(folder.path()) / ("size" + extension)).string());
     double bytes = 0;
     for (const auto& entry : fs::directory_iterator(folder.path()))

@@ -2,14 +2,13 @@
 
 #include <unistd.h>
 
-#include <cerrno>
 #include <charconv>
-#include <cstring>
 #include <filesystem>
 
 #include "app/document/text_file.h"
 #include "core/mesh/error.h"
 #include "core/mesh/file_name.h"
+#include "core/mesh/stream_output.h"
 
 namespace wend {
 namespace fs = std::filesystem;
@@ -31,15 +30,6 @@ void writeTo(const std::string& file, const std::string& path, const OutputSet::
     std::string reason = error.reason();
     if (const auto at = reason.find(file); at != std::string::npos) reason.replace(at, file.size(), path);
     throw InputError(path, reason);
-}
-
-void print(const std::string& bytes) {
-    for (std::size_t done = 0; done < bytes.size();) {
-        const ssize_t count = ::write(STDOUT_FILENO, bytes.data() + done, bytes.size() - done);
-        if (count < 0 && errno == EINTR) continue;
-        if (count < 0) throw InputError("-", std::string("cannot be written: ") + std::strerror(errno));
-        done += count;
-    }
 }
 
 }  // namespace
@@ -102,7 +92,7 @@ void OutputSet::discard() {
 
 void OutputSet::commit() {
     // First what is the likelier to fail, a closed pipe: then no file has been replaced.
-    if (m_standardOutput) print(*m_standardOutput);
+    if (m_standardOutput) writeStream(STDOUT_FILENO, *m_standardOutput, "-");
     m_standardOutput.reset();
     PendingFile::commit(m_files);
     m_files.clear();

@@ -68,7 +68,7 @@ std::vector<OwnInput> inputsOf(const Project& project, const std::string& path, 
         if (file.empty()) return;
         for (const std::string& one : writtenAlong(pathIn(folder, file))) inputs.push_back({kind, one});
     };
-    if (!path.empty()) inputs.push_back({OwnFile::Project, path});
+    if (!path.empty()) inputs.push_back({OwnFile::Project, path == "-" ? "/dev/stdin" : path});
     add(domain.kind == DomainKind::Image ? OwnFile::Picture : OwnFile::Mesh, domain.path);
     add(OwnFile::Picture, domain.texture);
     add(OwnFile::Sizes, domain.sizesFile);

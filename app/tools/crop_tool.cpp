@@ -6,15 +6,15 @@
 #include <QPainterPath>
 #include <cmath>
 
-#include "app/tools/drag_label.h"
 #include "app/session/shape.h"
+#include "app/tools/drag_label.h"
 
 namespace wend {
 
 namespace {
 
-constexpr double kReach = 8;     // of a side, in pixels of the screen
-constexpr double kHandle = 7;    // the size of a corner's square
+constexpr double kReach = 8;      // of a side, in pixels of the screen
+constexpr double kHandle = 7;     // the size of a corner's square
 constexpr double kLargest = 1e5;  // pixels of the picture
 
 /// From one corner to the other, at least a pixel large, on whole pixels.
@@ -37,10 +37,10 @@ Vec<2> highOf(const PixelRect& part) {
 }  // namespace
 
 QString CropTool::hint() const {
-    return QCoreApplication::translate(
-        "CropTool",
-        "Drag a rectangle around what exports keep; drag its inside or its sides; Shift keeps the proportions, Delete "
-        "or a double click takes it away");
+    return QCoreApplication::translate("CropTool",
+                                       "Drag a rectangle around what exports keep; drag its inside or its "
+                                       "sides; Shift keeps the proportions, Delete "
+                                       "or a double click takes it away");
 }
 
 QCursor CropTool::cursor() const {
@@ -187,15 +187,17 @@ void CropTool::paint(QPainter& painter) const {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.fillPath(beside, QColor(0x14, 0x16, 0x1e, 120));
     painter.setBrush(Qt::NoBrush);
-    for (const auto& [pen, lines] : {std::pair{QPen(QColor(0x14, 0x16, 0x1e, 90), 3), false},
-                                     std::pair{QPen(Qt::white, 1.25), true}}) {
+    for (const auto& [pen, lines] :
+         {std::pair{QPen(QColor(0x14, 0x16, 0x1e, 90), 3), false}, std::pair{QPen(Qt::white, 1.25), true}}) {
         painter.setPen(pen);
         painter.drawPolygon(frame);
         if (!lines || !m_active) continue;
         painter.setPen(QPen(QColor(255, 255, 255, 130), 1));
         for (const double third : {1 / 3.0, 2 / 3.0}) {
-            painter.drawLine(frame[0] + third * (frame[1] - frame[0]), frame[3] + third * (frame[2] - frame[3]));
-            painter.drawLine(frame[0] + third * (frame[3] - frame[0]), frame[1] + third * (frame[2] - frame[1]));
+            painter.drawLine(frame[0] + third * (frame[1] - frame[0]),
+                             frame[3] + third * (frame[2] - frame[3]));
+            painter.drawLine(frame[0] + third * (frame[3] - frame[0]),
+                             frame[1] + third * (frame[2] - frame[1]));
         }
     }
     painter.setPen(QPen(QColor(0x14, 0x16, 0x1e), 1));

@@ -7,8 +7,8 @@
 
 namespace wend {
 
-/// Draws what exports keep of the picture: a rectangle of its pixels, moved by its inside and resized by its sides
-/// and corners. With Shift it has the picture's proportions.
+/// Draws what exports keep of the picture: a rectangle of its pixels, moved by its inside and resized by its
+/// sides and corners. With Shift it has the picture's proportions.
 class CropTool : public PictureTool {
   public:
     CropTool(ToolSurface& surface, Crop& crop) : PictureTool(surface), m_crop(crop) {}

@@ -19,7 +19,7 @@ class OptionField;
 struct ExportSubject {
     ExportKind kind = ExportKind::Picture;
     std::shared_ptr<const FrameExport> shape = {};
-    QImage solidView = {};                             // stands for a solid in the preview; null of a picture
+    QImage solidView = {};  // stands for a solid in the preview; null of a picture
     std::shared_ptr<const ScreenPicture> picture = {};  // made when it is needed if there is none
     std::optional<PixelRect> part = {};                 // of the picture that was chosen to be kept
 };

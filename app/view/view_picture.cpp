@@ -160,7 +160,7 @@ QImage viewPicture(SolidCanvas& canvas, const PictureChoice& choice) {
 }
 
 double viewFileSize(const QImage& small, const std::string& extension, double pixels) {
-    const TemporaryFolder folder(std::filesystem::temp_directory_path().string());
+    const TemporaryFolder folder(scratchFolder());
     const std::string path = folder.path() + "/size" + extension;
     PictureChoice choice;
     choice.size = small.size();

@@ -7,9 +7,12 @@
 #endif
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <mutex>
 #include <new>
+
+#include "core/mesh/address_room.h"
 
 namespace wend {
 namespace {
@@ -46,6 +49,29 @@ void useOneBlasThread() {
             reinterpret_cast<SetThreads>(symbol)(1);  // NOLINT: the way of dlsym
     });
 }
+
+/// OpenBLAS takes a buffer for each thread that calls it at a time, keeps it, and where there are no
+/// addresses for one asks for it for ever: so whether there are is looked at before it is called.
+class BlasBuffer {
+  public:
+    BlasBuffer() {
+        if (++s_users <= s_kept || hasAddressRoom(kRoom)) return;
+        --s_users;
+        throw std::bad_alloc();
+    }
+    ~BlasBuffer() {
+        const int users = s_users--;
+        for (int kept = s_kept; kept < users && !s_kept.compare_exchange_weak(kept, users);) {
+        }
+    }
+    BlasBuffer(const BlasBuffer&) = delete;
+    BlasBuffer& operator=(const BlasBuffer&) = delete;
+
+  private:
+    static constexpr std::size_t kRoom = std::size_t{160}
+                                         << 20;  // the buffer has 128 MB in Debian's OpenBLAS
+    static inline std::atomic<int> s_users = 0, s_kept = 0;
+};
 
 std::mutex& analysisMutex() {
     static std::mutex mutex;
@@ -180,6 +206,7 @@ std::span<double> Cholesky::values() {
 // all of it.
 Cholesky::Status Cholesky::factorize() {
     const SerialOpenMp serial;
+    const BlasBuffer buffer;
     auto& h = *m_handles;
     if (!allFinite(values())) return Status::NotFinite;
     h.common.status = CHOLMOD_OK;
@@ -192,6 +219,7 @@ Cholesky::Status Cholesky::factorize() {
 
 Cholesky::Status Cholesky::solve(std::span<const double> b, std::span<double> x) {
     const SerialOpenMp serial;
+    const BlasBuffer buffer;
     auto& h = *m_handles;
     cholmod_dense right{};
     right.nrow = right.nzmax = right.d = b.size();

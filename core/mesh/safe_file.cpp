@@ -6,12 +6,13 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <set>
 #include <utility>
 
 #include "core/mesh/checked_file.h"
 #include "core/mesh/error.h"
+#include "core/mesh/input_file.h"
+#include "core/mesh/stream_output.h"
 
 namespace wend {
 namespace fs = std::filesystem;
@@ -38,12 +39,17 @@ void requirePlace(const std::string& path, const std::string& target) {
     if (const std::string why = whyKept(target); !why.empty()) throw InputError(path, why);
 }
 
-/// Follows links, so that the file is replaced and not the link.
+/// Follows links, so that the file is replaced and not the link, also where there is no file yet.
 std::string resolved(const std::string& path) {
+    constexpr int kLinks = 40;
     std::error_code error;
     if (!fs::is_symlink(path, error) || isSpecialFile(path)) return path;
-    const fs::path target = fs::weakly_canonical(path, error);
-    return error ? path : target.string();
+    fs::path target = path;
+    for (int k = 0; k < kLinks && fs::is_symlink(target, error); ++k)
+        target = target.parent_path() / fs::read_symlink(target, error);
+    if (fs::is_symlink(target, error)) return path;  // they go round
+    const fs::path place = fs::weakly_canonical(target, error);
+    return error ? target.string() : place.string();
 }
 
 [[noreturn]] void fail(const std::string& path, const std::string& reason) {
@@ -60,14 +66,6 @@ void flushFolder(const std::string& folder) {
     if (descriptor < 0) return;
     fsync(descriptor);  // the names are there; no more can be done for them
     close(descriptor);
-}
-
-void copyInto(const std::string& path, const std::string& from, const std::string& target) {
-    std::ifstream in(from, std::ios::binary);
-    std::ofstream out(target, std::ios::binary);
-    if (in.peek() != std::ifstream::traits_type::eof()) out << in.rdbuf();
-    out.close();
-    if (!in || !out) fail(path, std::strerror(errno));
 }
 
 }  // namespace
@@ -138,7 +136,7 @@ void PendingFile::commit(std::span<PendingFile> files) {
     for (const PendingFile& file : files)
         if (!file.m_special && file.m_folder) file.settle();
     for (const PendingFile& file : files)
-        if (file.m_special) copyInto(file.m_path, file.m_temporary, file.m_target);
+        if (file.m_special) writeStream(file.m_target, readInput(file.m_temporary), file.m_path);
     std::set<std::string> folders;
     for (PendingFile& file : files) {
         if (file.m_special || !file.m_folder) continue;

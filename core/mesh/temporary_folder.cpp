@@ -99,9 +99,10 @@ bool isTemporary(const std::string& file) {
 
 std::string scratchFolder() {
     std::error_code error;
-    const fs::path folder = fs::temp_directory_path(error);
-    if (!error) return folder.string();
     const char* named = std::getenv("TMPDIR");
+    const bool isEmpty = named != nullptr && *named == '\0';  // as good as none
+    const fs::path folder = isEmpty ? fs::path("/tmp") : fs::temp_directory_path(error);
+    if (!error) return folder.string();
     throw InputError("the folder for temporary files, " + std::string(named != nullptr ? named : "/tmp") +
                      ", does not exist (it is named by the environment variable TMPDIR)");
 }

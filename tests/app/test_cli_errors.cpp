@@ -1,6 +1,10 @@
 // The command line when something is wrong: one line, the right exit code, and no file touched.
 
+#include <fcntl.h>
+#include <sys/ioctl.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
 #include <QtTest>
 
 #include "core/mesh/mesh_file.h"
@@ -36,6 +40,9 @@ class TestCliErrors : public QObject {
     void fullDisk();
     void foldedOver();
     void interrupted();
+    void interruptedWhileWriting();
+    void standardInputIsNotReplaced();
+    void emptyTemporaryFolderIsNone();
     void killed();
 
   private:
@@ -343,9 +350,10 @@ void TestCliErrors::fullDisk_data() {
     QTest::addColumn<QString>("output");
     for (const char* name : {"png", "jpg", "tif", "exr", "webp", "bmp", "tga", "jp2", "hdr", "ppm"})
         QTest::newRow(name) << QString("--image kept.%1").arg(name);
-    for (const char* name : {"obj", "ply", "stl", "off", "node", "vtu", "vtk", "msh"})
+    for (const char* name : {"obj", "ply", "stl", "off", "node", "vtu", "vtk", "msh", "mesh", "inp"})
         QTest::newRow(name) << QString("--mesh kept.%1").arg(name);
     QTest::newRow("velocity") << "--velocity kept.csv";
+    QTest::newRow("material") << "--phi-picture kept.png";
     QTest::newRow("ST map") << "--stmap kept.exr";
     QTest::newRow("ST map as TIFF") << "--stmap kept.tif";
     QTest::newRow("frames") << "--frames kept_#.png --count 2";
@@ -474,6 +482,45 @@ void TestCliErrors::interrupted() {
     QCOMPARE(process.exitCode(), 4);
     QVERIFY(process.readAllStandardError().trimmed().endsWith("cancelled; nothing was written"));
     QCOMPARE(listing(), before);
+}
+
+/// Into a pipe that is full and that nobody empties.
+void TestCliErrors::interruptedWhileWriting() {
+    const QByteArray pipe = QString(path() + "/pipe.ppm").toLocal8Bit();
+    QCOMPARE(mkfifo(pipe.constData(), 0600), 0);
+    const int end = open(pipe.constData(), O_RDWR | O_NONBLOCK);
+    QVERIFY(end >= 0);
+    QProcess process;
+    process.setWorkingDirectory(path());
+    process.start(WEND_BINARY, {"run", "disc.wend", "--image", "pipe.ppm", "--quiet"});  // 120,000 bytes
+    int held = 0;
+    QVERIFY(QTest::qWaitFor([&] { return ioctl(end, FIONREAD, &held) == 0 && held > 60000; }, 60000));
+    QProcess::execute("kill", {"-TERM", QString::number(process.processId())});
+    QVERIFY(process.waitForFinished(20000));
+    QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+    QCOMPARE(process.exitCode(), 4);
+    close(end);
+    QFile::remove(path() + "/pipe.ppm");
+}
+
+/// Its name is not known, but it is the same file.
+void TestCliErrors::standardInputIsNotReplaced() {
+    const std::string file = path().toStdString() + "/disc.wend", before = readTextFile(file);
+    QProcess process;
+    process.setWorkingDirectory(path());
+    process.setStandardInputFile(path() + "/disc.wend");
+    process.start(WEND_BINARY, {"run", "-", "--report", "disc.wend", "--quiet"});
+    QVERIFY(process.waitForFinished(60000));
+    QCOMPARE(process.exitCode(), 2);
+    QVERIFY(process.readAllStandardError().contains("would replace"));
+    QCOMPARE(readTextFile(file), before);
+}
+
+void TestCliErrors::emptyTemporaryFolderIsNone() {
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert("TMPDIR", "");
+    const CliResult result = runCli(path(), {"run", "disc.wend", "--image", "-", "--quiet"}, environment);
+    QVERIFY2(result.code == 0, qPrintable(result.error));
 }
 
 QTEST_GUILESS_MAIN(TestCliErrors)

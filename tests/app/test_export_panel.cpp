@@ -49,7 +49,9 @@ class TestExportPanel : public QObject {
     bool openToCrop();
     void drag(const Vec<2>& from, const Vec<2>& to, Qt::KeyboardModifiers modifiers = {});
     Crop& crop() { return m_f->window().exporter().crop(); }
-    QImage seen() { return panel().form().preview().image().convertToFormat(QImage::Format_ARGB32_Premultiplied); }
+    QImage seen() {
+        return panel().form().preview().image().convertToFormat(QImage::Format_ARGB32_Premultiplied);
+    }
     QString facts() { return panel().findChild<QLabel*>(QStringLiteral("facts"))->text(); }
     QString file(const char* name) const { return m_folder->filePath(QString::fromLatin1(name)); }
 
@@ -141,8 +143,8 @@ void TestExportPanel::previewFollowsThePose() {
     QTRY_VERIFY_WITH_TIMEOUT(isCurrent() && seen() == bent, 20000);
 }
 
-/// By the button and the dialog for the name: the file, decoded by Qt, has the pixels that were told and, made
-/// smaller, those of the preview.
+/// By the button and the dialog for the name: the file, decoded by Qt, has the pixels that were told and,
+/// made smaller, those of the preview.
 void TestExportPanel::whatIsPreviewedIsWritten() {
     QVERIFY(open(false) && bend(-10, 30));
     toExport();
@@ -201,8 +203,9 @@ void TestExportPanel::fitIsOneClick() {
     const auto frame = m_f->session().frame<2>();
     const Vec<2> low = frame->pose.rowwise().minCoeff().array().floor(),
                  high = frame->pose.rowwise().maxCoeff().array().ceil();
-    QVERIFY2(facts().startsWith(QStringLiteral("%1 × %2 pixels").arg(high.x() - low.x()).arg(high.y() - low.y())),
-             qPrintable(facts()));
+    QVERIFY2(
+        facts().startsWith(QStringLiteral("%1 × %2 pixels").arg(high.x() - low.x()).arg(high.y() - low.y())),
+        qPrintable(facts()));
 }
 
 void TestExportPanel::framesLastAsLongAsTheMotion() {
@@ -251,8 +254,9 @@ void TestExportPanel::drag(const Vec<2>& from, const Vec<2>& to, Qt::KeyboardMod
     QTest::mouseMove(&canvas, at(from));
     QTest::mousePress(&canvas, Qt::LeftButton, modifiers, at(from));
     for (const double part : {0.3, 0.7, 1.0}) {
-        QMouseEvent move(QEvent::MouseMove, at(from + part * (to - from)), canvas.mapToGlobal(at(from + part * (to - from))),
-                         Qt::NoButton, Qt::LeftButton, modifiers);
+        QMouseEvent move(QEvent::MouseMove, at(from + part * (to - from)),
+                         canvas.mapToGlobal(at(from + part * (to - from))), Qt::NoButton, Qt::LeftButton,
+                         modifiers);
         QCoreApplication::sendEvent(&canvas, &move);
     }
     QTest::mouseRelease(&canvas, Qt::LeftButton, modifiers, at(to));
@@ -275,7 +279,8 @@ void TestExportPanel::cropIsDrawn() {
     QCOMPARE(panel().form().values().text("--canvas"), std::string("picture"));
     drag({180, 110}, {170, 100});
     QTRY_COMPARE(panel().form().values().text("--canvas"), std::string("60,50,110,50"));
-    QTest::mouseDClick(&m_f->window().canvas(), Qt::LeftButton, {}, m_f->window().canvas().toWidget({100, 80}).toPoint());
+    QTest::mouseDClick(&m_f->window().canvas(), Qt::LeftButton, {},
+                       m_f->window().canvas().toWidget({100, 80}).toPoint());
     QVERIFY(!crop().now());
     QTRY_COMPARE(panel().form().values().text("--canvas"), std::string("picture"));
     QCOMPARE(panel().form().field("--canvas")->choices(), QStringList({"picture", "fit"}));
@@ -353,9 +358,11 @@ void TestExportPanel::allIsInViewOnASmallScreen() {
     settleLayout(panel());
     auto* scroll = m_f->window().findChild<QScrollArea*>(QStringLiteral("sideScroll"));
     const QRect room = scroll->viewport()->rect();
-    for (QWidget* one : {static_cast<QWidget*>(button("Export…")), static_cast<QWidget*>(panel().findChild<ExportPreview*>())}) {
+    for (QWidget* one : {static_cast<QWidget*>(button("Export…")),
+                         static_cast<QWidget*>(panel().findChild<ExportPreview*>())}) {
         const QRect place(one->mapTo(scroll->viewport(), QPoint()), one->size());
-        QVERIFY2(room.contains(place), qPrintable(QStringLiteral("%1 of %2").arg(place.bottom()).arg(room.bottom())));
+        QVERIFY2(room.contains(place),
+                 qPrintable(QStringLiteral("%1 of %2").arg(place.bottom()).arg(room.bottom())));
     }
     QVERIFY(!scroll->verticalScrollBar()->isVisible());
 }

@@ -6,16 +6,20 @@
 #include <sys/stat.h>
 #include <sys/xattr.h>
 #include <unistd.h>
+#include <QScopeGuard>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QThread>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <thread>
 
 #include "core/mesh/checked_file.h"
 #include "core/mesh/child_process.h"
 #include "core/mesh/error.h"
+#include "core/mesh/input_file.h"
 #include "core/mesh/safe_file.h"
 #include "core/mesh/same_file.h"
 
@@ -35,6 +39,10 @@ class TestSafeFile : public QObject {
     void writesLongNames();
     void clearsUpAfterTheDead();
     void tellsOfEveryLostByte();
+    void linkIsFollowedToWhereNothingIs();
+    void pipeNeedsAReader();
+    void pipeGetsAll();
+    void pipeThatIsFullDoesNotHold();
     void knowsTheSameFile();
     void childStandsAlone();
     void idleChildIsEnded();
@@ -218,6 +226,71 @@ void TestSafeFile::tellsOfEveryLostByte() {
 }
 
 /// One file by many names.
+/// Also by a link to a link; two that lead to each other are no way.
+void TestSafeFile::linkIsFollowedToWhereNothingIs() {
+    fs::create_directory(file("far"));
+    fs::create_symlink("far/there", file("second"));
+    fs::create_symlink("second", file("first"));
+    writeWhole(file("first"), "text");
+    QCOMPARE(get(file("far/there")), std::string("text"));
+    QVERIFY(fs::is_symlink(file("first")) && fs::is_symlink(file("second")));
+    fs::remove(file("far/there"));
+    const std::string straight = fs::absolute(file("far/straight")).string();
+    fs::create_symlink(straight, file("absolute"));
+    writeWhole(file("absolute"), "more");
+    QCOMPARE(get(straight), std::string("more"));
+    for (const char* name : {"first", "second", "absolute", "far"}) fs::remove_all(file(name));
+}
+
+void TestSafeFile::pipeNeedsAReader() {
+    QCOMPARE(mkfifo(file("pipe").c_str(), 0600), 0);
+    try {
+        writeWhole(file("pipe"), "text");
+        QFAIL("nobody reads from it");
+    } catch (const InputError& error) {
+        QCOMPARE(error.reason(), std::string("cannot be written: nobody reads from it"));
+    }
+    QVERIFY(fs::is_fifo(file("pipe")));
+    fs::remove(file("pipe"));
+}
+
+/// More than a pipe holds, to a reader that takes its time.
+void TestSafeFile::pipeGetsAll() {
+    QCOMPARE(mkfifo(file("pipe").c_str(), 0600), 0);
+    std::string text, got;
+    for (int i = 0; i < 40000; ++i) text += std::to_string(i) + ' ';
+    const int end = open(file("pipe").c_str(), O_RDONLY | O_NONBLOCK);
+    QVERIFY(end >= 0);
+    std::jthread reader([&] {
+        fcntl(end, F_SETFL, 0);
+        char piece[1000];
+        while (got.size() < text.size()) {  // before there is a writer its end is seen
+            const ssize_t count = read(end, piece, sizeof piece);
+            if (count < 0) break;
+            got.append(piece, static_cast<std::size_t>(count));
+        }
+    });
+    writeWhole(file("pipe"), text);
+    reader.join();
+    close(end);
+    QVERIFY(got == text);
+    fs::remove(file("pipe"));
+}
+
+void TestSafeFile::pipeThatIsFullDoesNotHold() {
+    QCOMPARE(mkfifo(file("pipe").c_str(), 0600), 0);
+    const int end = open(file("pipe").c_str(), O_RDWR);  // never reads
+    QVERIFY(end >= 0);
+    std::jthread stopper([] {
+        QThread::msleep(300);
+        stopReading(true);
+    });
+    const auto again = qScopeGuard([] { stopReading(false); });
+    QVERIFY_THROWS_EXCEPTION(Cancelled, writeWhole(file("pipe"), std::string(1 << 20, 'x')));
+    close(end);
+    fs::remove(file("pipe"));
+}
+
 void TestSafeFile::knowsTheSameFile() {
     fs::create_directory(file("place"));
     put(file("place/one"), "1");

@@ -135,11 +135,46 @@ class TestImage : public QObject {
             for (PixelType type : {PixelType::Half, PixelType::Float}) add("exr", type, channels, false);
         }
         for (int channels : {3, 4}) add("webp", PixelType::UInt8, channels, channels == 4);
-        for (int channels : {1, 3}) add("bmp", PixelType::UInt8, channels, false);
+        for (int channels : {1, 3, 4}) add("bmp", PixelType::UInt8, channels, channels == 4);
         for (int channels : {1, 3, 4}) add("tga", PixelType::UInt8, channels, channels == 4);
         add("ppm", PixelType::UInt8, 3, false);
         add("jp2", PixelType::UInt8, 3, false);
     }
+    /// Qt's own reader of BMP, which leaves its alpha out, sees the colours as they are.
+    void bmpKeepsItsColours() {
+        const Image written = chart(61, 43, {PixelType::UInt8, 4, true, true});
+        writeImage(path("a.bmp"), written);
+        const QImage seen(QString::fromStdString(path("a.bmp")));
+        QCOMPARE(seen.size(), QSize(61, 43));
+        const Image read = readImage(path("a.bmp"));
+        const auto* pixel = reinterpret_cast<const unsigned char*>(read.data.data());
+        for (int y = 0; y < 43; ++y)
+            for (int x = 0; x < 61; ++x, pixel += 4)
+                QCOMPARE(QColor(pixel[0], pixel[1], pixel[2]).rgb(), seen.pixel(x, y) | 0xff000000);
+    }
+
+    /// A TIFF that says of its three numbers that they are L*, a*, b*.
+    void otherColoursAreRefused_data() {
+        QTest::addColumn<int>("photometric");
+        for (const int kind : {8, 9, 10}) QTest::addRow("%d", kind) << kind;
+    }
+    void otherColoursAreRefused() {
+        QFETCH(int, photometric);
+        writeImage(path("lab.tif"), chart(61, 43, {PixelType::UInt8, 3, false, false}));
+        QFile file(QString::fromStdString(path("lab.tif")));
+        QVERIFY(file.open(QIODevice::ReadWrite));
+        QByteArray bytes = file.readAll();
+        const QByteArray tag("\x06\x01\x03\x00\x01\x00\x00\x00\x02\x00", 10);  // RGB
+        QCOMPARE(bytes.count(tag), 1);
+        QByteArray other = tag;
+        other[8] = static_cast<char>(photometric);
+        bytes.replace(tag, other);
+        file.seek(0);
+        file.write(bytes);
+        file.close();
+        QVERIFY_THROWS_EXCEPTION(InputError, readImage(path("lab.tif")));
+    }
+
     void roundTripIsExact() {
         QFETCH(QString, extension);
         QFETCH(int, type);

@@ -16,6 +16,8 @@ namespace {
 
 using Input = std::unique_ptr<OIIO::ImageInput>;
 
+constexpr int kCieLab = 8, kItuLab = 10;  // of TIFF's photometric interpretations, ICC's L*a*b* between them
+
 /// The first line, which is the cause; what follows repeats it.
 std::string firstLine(const std::string& text) {
     return text.substr(0, text.find('\n'));
@@ -25,12 +27,19 @@ bool isWebp(const OIIO::ImageInput& input) {
     return std::string_view(input.format_name()) == "webp";
 }
 
+/// The colours of a BMP are as in the file, whatever is asked for, and nothing says so.
+bool isBmp(const OIIO::ImageInput& input) {
+    return std::string_view(input.format_name()) == "bmp";
+}
+
 Input openPicture(const std::string& path, PictureFormat format) {
     OIIO::ImageSpec hints, spec;
     hints.attribute("oiio:UnassociatedAlpha", 1);
     Input input(codecOf(format).reader());
-    if (!input->open(path, spec, hints))
-        throw InputError(path, "cannot be read as a picture: " + firstLine(input->geterror()));
+    if (!input->open(path, spec, hints)) {
+        const std::string reason = firstLine(input->geterror());
+        throw InputError(path, "cannot be read as a picture" + (reason.empty() ? reason : ": " + reason));
+    }
     return input;
 }
 
@@ -106,6 +115,9 @@ Image header(const OIIO::ImageSpec& spec) {
 void requireSensible(const std::string& path, const OIIO::ImageSpec& spec, double maxMegapixels) {
     if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1) throw InputError(path, "has no pixels");
     if (spec.depth > 1) throw InputError(path, "is a volume, not a picture");
+    const int colours = spec.get_int_attribute("tiff:PhotometricInterpretation", -1);
+    if (colours >= kCieLab && colours <= kItuLab)
+        throw InputError(path, "has L*a*b* colours, which are not read; save it with RGB colours");
     const double megapixels = spec.width * 1e-6 * spec.height;
     if (megapixels > maxMegapixels) {
         std::ostringstream text;
@@ -160,6 +172,7 @@ void readPixels(const std::string& path, OIIO::ImageInput& input, Image& image, 
 OIIO::ImageSpec specOf(const std::string& path, const OIIO::ImageInput& input) {
     OIIO::ImageSpec spec = input.spec();
     if (spec.get_string_attribute("ResolutionUnit") == "inch") spec.attribute("ResolutionUnit", "in");
+    if (isBmp(input)) spec.attribute("oiio:UnassociatedAlpha", 1);
     if (!isWebp(input)) return spec;
     readWebpMetadata(path, spec);
     spec.attribute("oiio:UnassociatedAlpha", 1);
