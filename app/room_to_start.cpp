@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <cstring>
 
-#include "core/mesh/address_room.h"
+#include "core/system/address_room.h"
 
 namespace {
 

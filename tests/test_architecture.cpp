@@ -20,17 +20,18 @@ const QString kRoot = QStringLiteral(WEND_SOURCE_DIR);
 
 /// Folder → the other folders that it may include from.
 const QMap<QString, QStringList> kAllowed = {
+    {"core/system", {}},
     {"core/mesh", {}},
     {"core/meshing", {"core/mesh"}},
     {"core/motion", {"core/mesh"}},
     {"core/energy", {"core/mesh"}},
-    {"core/factor", {}},
+    {"core/factor", {"core/system"}},
     {"core/assembly", {"core/mesh", "core/energy", "core/factor"}},
     {"core/solver", {"core/mesh", "core/energy", "core/factor", "core/assembly"}},
     {"core/integration",
      {"core/mesh", "core/energy", "core/factor", "core/assembly", "core/solver", "core/motion"}},
     {"kernels", {"core/mesh", "core/energy", "core/factor", "core/assembly", "warp"}},
-    {"warp", {"core/mesh", "core/meshing"}},
+    {"warp", {"core/system", "core/mesh", "core/meshing"}},
     {"app/document", {"core/*", "warp"}},
     {"app/session", {"core/*", "kernels", "warp", "app/document"}},
     {"app/bench", {"core/*", "kernels", "warp", "app/document", "app/session", "app/view"}},
@@ -38,7 +39,7 @@ const QMap<QString, QStringList> kAllowed = {
     {"app/tools", {"core/*", "warp", "app/document", "app/session"}},
     {"app/panels", {"core/*", "warp", "app/document", "app/session"}},
     {"app/view", {"core/*", "warp", "app/document", "app/session", "app/tools", "app/panels"}},
-    {"app", {"app/cli", "app/view", "kernels", "warp"}},
+    {"app", {"core/system", "app/cli", "app/view", "kernels", "warp"}},
 };
 
 struct Include {

@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <cstdlib>
 
-#include "core/mesh/address_room.h"
 #include "core/mesh/child_process.h"
 #include "core/mesh/error.h"
+#include "core/system/address_room.h"
 
 namespace wend {
 namespace {

@@ -125,9 +125,8 @@ void tellOfMesh(const Domain& domain, const Surface& surface, const VolumeMesh& 
         std::string why = "the quality asked for needs them";
         if (!domain.refineSurface)
             why = std::string("the surface is kept as it is") + (keys ? " (see `refineSurface`)" : "");
-        solid.notices.push_back("the mesh has " + std::to_string(volume.mesh.vertexCount()) +
-                                " vertices, where " + std::to_string(domain.vertices) +
-                                " were aimed at: " + why);
+        solid.notices.push_back("the mesh has " + std::to_string(volume.usedCount()) + " vertices, where " +
+                                std::to_string(domain.vertices) + " were aimed at: " + why);
     }
     const bool coarse = !domain.refineSurface && surfaceIsTooCoarse(surface, volume.mesh);
     if (coarse)
@@ -137,12 +136,11 @@ void tellOfMesh(const Domain& domain, const Surface& surface, const VolumeMesh& 
             (keys ? ": `refineSurface` splits them" : ""));
     if (const std::string text = solid.verdict->text(); !text.empty()) solid.notices.push_back(text);
     solid.refineHelps = coarse || (!volume.aimMet && !domain.refineSurface && domain.vertices > 0 &&
-                                   volume.mesh.vertexCount() < domain.vertices);
+                                   volume.usedCount() < domain.vertices);
 }
 
 void tellOfSpares(const VolumeMesh& volume, Shape<3>& solid) {
-    const auto used = usedVertices<3>(volume.mesh.vertexCount(), volume.mesh.cells);
-    const auto spare = std::ranges::count(used, false);
+    const int spare = volume.mesh.vertexCount() - volume.usedCount();
     if (spare > 0)
         solid.notices.push_back(std::to_string(spare) +
                                 " vertices of the surface belong to no tetrahedron: meshes of tetrahedra are "

@@ -12,7 +12,7 @@
 #include <mutex>
 #include <new>
 
-#include "core/mesh/address_room.h"
+#include "core/system/address_room.h"
 
 namespace wend {
 namespace {

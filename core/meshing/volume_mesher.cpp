@@ -12,6 +12,7 @@
 
 #include "core/mesh/child_process.h"
 #include "core/mesh/error.h"
+#include "core/mesh/used_vertices.h"
 #include "core/meshing/spatial_order.h"
 #include "core/meshing/surface_edges.h"
 #include "core/meshing/tetgen_protocol.h"
@@ -312,7 +313,7 @@ VolumeMesh meshForAim(const VolumeMesher& mesher, const VolumeMeshOptions& optio
     double tooSmall = 0, tooLarge = std::numeric_limits<double>::infinity();  // volumes
     for (int run = 0; run < 10; ++run) {
         VolumeMesh mesh = mesher.mesh(maxVolume);
-        const double count = mesh.mesh.vertexCount();
+        const double count = mesh.usedCount();
         const double error = std::abs(count / options.vertices - 1);
         if (error < bestError) {
             bestError = error;
@@ -363,6 +364,10 @@ SizeGrid sampleSizes(const Surface& surface, const std::function<double(const Ve
             for (int x = 0; x < grid.counts[0]; ++x)
                 grid.factors.push_back(factorAt(grid.low + grid.spacing.cwiseProduct(Vec<3>(x, y, z))));
     return grid;
+}
+
+int VolumeMesh::usedCount() const {
+    return static_cast<int>(std::ranges::count(usedVertices<3>(mesh.vertexCount(), mesh.cells), true));
 }
 
 VolumeMesh meshVolume(const Surface& surface, const VolumeMeshOptions& options) {

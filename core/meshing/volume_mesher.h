@@ -27,8 +27,8 @@ struct VolumeMeshOptions {
     double quality = 1.414;  // greatest radius-edge ratio, ≥ 1.2 (TetGen's -q; near 1 it never ends)
     double maxVolume = 0;    // > 0: greatest volume of a cell, in the surface's units cubed; at a kept
                              // surface coarser than that, cells stay larger
-    int vertices =
-        0;  // > 0: aim, met within 15 % if the kept surface allows it; maxVolume then does not count
+    int vertices = 0;  // that cells have; > 0: aim, met within 15 % if the kept surface allows it; maxVolume
+                       // then does not count
     bool keepSurface = true;  // the input's vertices and triangles stay as they are (-Y)
     SizeGrid sizes;           // volumes go with the factor's cube
     double timeLimit = 120;   // seconds of computing, for each 50 000 triangles of the surface that it begins
@@ -40,6 +40,9 @@ struct VolumeMesh {
     std::vector<std::array<int, 3>> boundary;  // the boundary triangles
     std::vector<int> boundaryLabels;           // the label of the input triangle that each one lies in
     bool aimMet = true;  // false: the surface alone has too many (or -Y allows too few) vertices
+
+    /// Vertices that cells have: of several at one place only one is among them.
+    int usedCount() const;
 };
 
 /// The surface bounds no volume; `problems` lists why.

@@ -134,6 +134,11 @@ void TestPanelFields::inEveryStep(const std::function<void()>& check) {
     for (const Mode mode : kModes) {
         m_f->window().tools().setMode(mode);
         settleLayout(m_f->window().properties());
+        // What is told of a file comes later, and may take another line.
+        const auto* facts = m_f->window().properties().findChild<QLabel*>(QStringLiteral("facts"));
+        QVERIFY(!facts->isVisible() ||
+                QTest::qWaitFor([&] { return facts->text().contains(QStringLiteral("·")); }, 20000));
+        settleLayout(m_f->window().properties());
         check();
     }
     m_f->window().tools().setMode(Mode::Pins);

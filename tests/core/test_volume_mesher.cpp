@@ -21,6 +21,7 @@ class TestVolumeMesher : public QObject {
     void shellInShellIsAHole_data();
     void shellInShellIsAHole();
     void aimIsMet();
+    void aimOfASoup();
     void labelsComeThrough();
     void splitSurfaceKeepsLabels();
     void sizeFieldIsFollowed();
@@ -55,6 +56,23 @@ Surface changed(const std::function<void(Surface&)>& change) {
 }
 
 }  // namespace
+
+/// Every triangle with vertices of its own: those that no cell has do not count.
+void TestVolumeMesher::aimOfASoup() {
+    const Surface whole = box({0, 0, 0}, {4, 1, 1}, 8);
+    Surface soup;
+    soup.points.resize(3, 3 * whole.triangleCount());
+    for (int t = 0; t < whole.triangleCount(); ++t) {
+        for (int k = 0; k < 3; ++k) soup.points.col(3 * t + k) = whole.points.col(whole.triangles[t][k]);
+        soup.triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+    }
+    VolumeMeshOptions options;
+    options.vertices = 2 * whole.vertexCount();
+    const VolumeMesh mesh = meshVolume(soup, options);
+    QVERIFY(mesh.aimMet && mesh.mesh.vertexCount() > 2 * mesh.usedCount());
+    QVERIFY2(std::abs(mesh.usedCount() / double(options.vertices) - 1) <= 0.15,
+             qPrintable(QStringLiteral("%1 of %2").arg(mesh.usedCount()).arg(options.vertices)));
+}
 
 void TestVolumeMesher::boxIsFilled() {
     VolumeMeshOptions options;
