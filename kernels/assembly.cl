@@ -1,4 +1,4 @@
-// From a shape to the values of the matrix of the generalized metric energy (ARCHITECTURE.md; method.md). Built with
+// From a shape to the values of the matrix of the generalized metric energy (ARCHITECTURE.md; docs/method.md). Built with
 //   -DDIM=2|3, -DANISOTROPIC if any cell has B ≠ I, and -DPAPER for the paper's smoothness: jumps of stress.
 // A vector is a double2 or a double4 with w = 0; a matrix is its rows. Corner = cell · (DIM + 1) + local index.
 // Every sum runs in the plan's fixed order: no atomics, no local memory, the same bits whatever the device's parallelism.

@@ -6159,5 +6159,9 @@
             <numerusform>%1 wird mit etwa %Ln Punkten vernetzt …</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
 </context>
 </TS>

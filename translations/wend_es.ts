@@ -6159,5 +6159,9 @@
             <numerusform>Mallando %1 con unos %Ln vértices…</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Progress</source>
+        <translation>Progreso</translation>
+    </message>
 </context>
 </TS>

@@ -6159,5 +6159,9 @@
             <numerusform>Maillage de %1 avec environ %Ln sommets…</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Progress</source>
+        <translation>Progression</translation>
+    </message>
 </context>
 </TS>

@@ -6150,5 +6150,9 @@
             <numerusform>%1 を約 %Ln 頂点でメッシュ化しています…</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Progress</source>
+        <translation>進行状況</translation>
+    </message>
 </context>
 </TS>

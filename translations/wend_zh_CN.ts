@@ -6150,5 +6150,9 @@
             <numerusform>正在以约 %Ln 个顶点为 %1 划分网格…</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Progress</source>
+        <translation>进度</translation>
+    </message>
 </context>
 </TS>

@@ -34,8 +34,8 @@ template <int Dim>
 Points<Dim> fieldOf(const ShapeSession& session, Measure measure);
 /// What is to be solved for: for a map, where one is shown, otherwise for arrows.
 ShapeSession::FieldKind wantedField(bool map, Measure measure, bool arrows);
-/// The value of one cell: the errors of method.md for angle and length, the ratio det F for area. Without a
-/// field (no columns) nothing has a speed or an influence.
+/// The value of one cell: the errors of docs/method.md for angle and length, the ratio det F for area.
+/// Without a field (no columns) nothing has a speed or an influence.
 template <int Dim>
 double cellValue(const PosedFrame<Dim>& frame, const Points<Dim>& velocity, Measure measure, int cell);
 /// Of all cells.

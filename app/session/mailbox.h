@@ -32,7 +32,7 @@ struct DragTo {
 };
 struct EndDrag {};
 /// For a velocity field at a frame of the motion: its own, or how far some handles take everything along
-/// (method.md, Influence).
+/// (docs/method.md, section 5).
 struct AskField {
     FramePtr frame;
     int revision = 0;

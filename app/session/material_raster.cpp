@@ -48,7 +48,7 @@ bool endsBefore(const MaterialRegion<Dim>& region, const Vec<Dim>& p) {
 
 }  // namespace
 
-/// B₀ = I + (s − 1) a aᵀ (method.md, Field and energy).
+/// B₀ = I + (s − 1) a aᵀ (docs/method.md, (6)).
 template <int Dim>
 Mat<Dim> anisotropyOf(const Stiffness<Dim>& stiffness) {
     const Vec<Dim> a = stiffness.axis.stableNormalized();

@@ -7,7 +7,7 @@
 
 namespace wend {
 
-/// Solves for v̂ (method.md, Field and energy) at poses of a project's motion, as `wend run` does, beside the
+/// Solves for v̂ (docs/method.md, (13)) at poses of a project's motion, as `wend run` does, beside the
 /// motion itself.
 template <int Dim>
 class VelocityProbe {

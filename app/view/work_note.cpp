@@ -6,14 +6,17 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLocale>
+#include <QProgressBar>
 #include <QPushButton>
+#include <QVBoxLayout>
 
 namespace wend {
 
 namespace {
 
-constexpr int kDelay = 1000;      // milliseconds: what is done sooner needs no words
+constexpr int kDelay = 400;       // milliseconds: what is done sooner needs no words
 constexpr int kFirstDelay = 200;  // as long as there is nothing else to look at
+constexpr int kBar = 4;           // pixels high
 constexpr int kBelow = 18;        // pixels left free under it
 
 }  // namespace
@@ -22,6 +25,7 @@ WorkNote::WorkNote(ShapeSession& session, QWidget& over)
     : QFrame(&over),
       m_session(session),
       m_text(new QLabel(this)),
+      m_bar(new QProgressBar(this)),
       m_cancel(new QPushButton(tr("Cancel (Esc)"), this)) {
     setObjectName(QStringLiteral("workNote"));
     m_text->setTextFormat(Qt::PlainText);
@@ -29,11 +33,18 @@ WorkNote::WorkNote(ShapeSession& session, QWidget& over)
     m_cancel->setStatusTip(
         tr("Ends what is being computed and goes back to the last state that is complete"));
     m_cancel->setToolTip(m_cancel->statusTip());
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(16, 8, 8, 8);
+    m_bar->setTextVisible(false);
+    m_bar->setFixedHeight(kBar);
+    m_bar->setAccessibleName(tr("Progress"));
+    auto* row = new QHBoxLayout;
     row->setSpacing(16);
     row->addWidget(m_text);
     row->addWidget(m_cancel);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(16, 8, 8, 8);
+    column->setSpacing(4);
+    column->addLayout(row);
+    column->addWidget(m_bar);
     hide();
     over.installEventFilter(this);
     m_delay.setSingleShot(true);
@@ -87,6 +98,8 @@ QString WorkNote::words() const {
 
 void WorkNote::showText() {
     m_text->setText(words());
+    m_bar->setVisible(!m_session.isMeshing());  // how far that is nobody knows
+    m_bar->setValue(static_cast<int>(100 * m_part));
     setAccessibleName(m_text->text());
     place();
 }

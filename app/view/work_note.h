@@ -6,6 +6,7 @@
 #include "app/session/shape_session.h"
 
 class QLabel;
+class QProgressBar;
 class QPushButton;
 
 namespace wend {
@@ -32,6 +33,7 @@ class WorkNote : public QFrame {
 
     ShapeSession& m_session;
     QLabel* m_text;
+    QProgressBar* m_bar;
     QPushButton* m_cancel;
     QTimer m_delay;
     double m_part = 0;  // of the motion that is there

@@ -22,10 +22,10 @@ struct CopiedBytes {
 };
 
 /// The part of the method that a device does: everything between a shape and the values of a fixed sparse
-/// pattern. A is the matrix of the energy, E(v) = vᵀ A v with E = E_φ + E_S (method.md), plus εM where an
-/// mass regularization is set; M is the consistent mass matrix, vᵀ M v = ∫|v|². All lengths are in the frame
-/// where the rest shape has size 1. The results have the same bits for any number of threads. One thread uses
-/// a back end at a time.
+/// pattern. A is the matrix of the energy, E(v) = vᵀ A v with E = E_φ + E_S (docs/method.md, (13)), plus εM
+/// where a mass regularization is set; M is the consistent mass matrix, vᵀ M v = ∫|v|². All lengths are in
+/// the frame where the rest shape has size 1. The results have the same bits for any number of threads. One
+/// thread uses a back end at a time.
 template <int Dim>
 class BackEnd {
   public:

@@ -112,7 +112,7 @@ void CpuBackEnd<Dim>::prepareCell(const SimplicialMesh<Dim>& rest, int c) {
     if (!m_B.empty()) m_restInverse.push_back(edgeMatrix<Dim>(rest.points, rest.cells[c]).inverse());
 }
 
-/// B(t) = R B₀ Rᵀ with R the rotation of the cell's map from rest (method.md, Field and energy).
+/// B(t) = R B₀ Rᵀ with R the rotation of the cell's map from rest (docs/method.md, (7)).
 template <int Dim>
 void CpuBackEnd<Dim>::updateStressMatrix(const Points<Dim>& shape, int c) {
     const Mat<Dim>& B0 = m_material.anisotropy[c];
@@ -151,7 +151,7 @@ int CpuBackEnd<Dim>::setShape(const Points<Dim>& shape) {
     return -1;
 }
 
-/// Of q between the facet's two cells (method.md, Smoothness).
+/// Of q between the facet's two cells (docs/method.md, (11)).
 template <int Dim>
 EnergyWeights CpuBackEnd<Dim>::facetWeights(int f) const {
     const auto [i, j] = m_plan->facets[f].cells;

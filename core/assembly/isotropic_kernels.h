@@ -5,7 +5,7 @@
 namespace wend::isotropic {
 
 /// Which jump over a facet is weighted: that of the strain S = J + Jᵀ without or with its dilation
-/// (invariant), or that of the stress (paper; method.md, Smoothness).
+/// (invariant), or that of the stress (docs/method.md, (12)).
 enum class Jump { Shear, Strain, Stress };
 
 /// The loops of the back end for B = I over cells and facets, as structures of arrays: entry i of item c lies
@@ -41,7 +41,7 @@ struct Facets {
 template <int Dim>
 int geometry(const Cells<Dim>& cells, int begin, int end, const double* points);
 
-/// weight = factor · B / h, or factor · B (method.md, Smoothness).
+/// weight = factor · B / h, or factor · B (docs/method.md, (10) and (12)).
 template <int Dim>
 void facetWeights(const Facets<Dim>& facets, const Cells<Dim>& cells, int begin, int end,
                   const double* points, double factor, bool overDistance);

@@ -10,9 +10,9 @@
 
 namespace wend {
 
-/// W(x) = Σ V₀ w(F) of a shape, and its gradient: what a shape remembers of its rest (method.md, Memory of
-/// the rest shape). In the frame where the rest shape has size 1. Sums run in the plan's order: the same bits
-/// for any number of threads. One thread uses it at a time.
+/// W(x) = Σ V₀ w(F) of a shape, and its gradient: what a shape remembers of its rest (docs/method.md, (19)).
+/// In the frame where the rest shape has size 1. Sums run in the plan's order: the same bits for any number
+/// of threads. One thread uses it at a time.
 template <int Dim>
 class RestEnergy {
   public:

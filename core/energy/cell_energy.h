@@ -16,15 +16,14 @@ struct CellGeometry {
 template <int Dim>
 CellGeometry<Dim> cellGeometry(const Points<Dim>& points, const Cell<Dim>& cell);
 
-/// w_q = sin φ and w_r = cos φ (method.md, Field and energy).
+/// w_q = sin φ and w_r = cos φ (docs/method.md, (4)).
 struct EnergyWeights {
     double q = 0, r = 0;
     static EnergyWeights of(double phi);
 };
 
-/// Energy density e(J) = w_q ‖S‖²_B + w_r (d / Tr B) (Tr BJ)², S = J + Jᵀ, ‖A‖²_B = Tr(Aᵀ B A) (method.md;
-/// paper, Eqs. 7, 10 and 15 for B = I and in the conformal case). Multiply with the cell's measure for its
-/// energy.
+/// Energy density e(J) = w_q ‖S‖²_B + w_r (d / Tr B) (Tr BJ)², S = J + Jᵀ, ‖A‖²_B = Tr(Aᵀ B A)
+/// (docs/method.md, (3)). Multiply with the cell's measure for its energy.
 template <int Dim>
 double energyDensity(EnergyWeights w, const Mat<Dim>& B, const Mat<Dim>& J);
 

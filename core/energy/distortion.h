@@ -6,7 +6,7 @@
 
 namespace wend {
 
-/// How far a pose is from rest (method.md, Distortion; paper, section 5). Per cell and weighted with rest
+/// How far a pose is from rest (docs/method.md, (24)–(26)). Per cell and weighted with rest
 /// volume fractions.
 struct Distortion {
     std::vector<double> angle, volume, metric;  // per cell, unweighted

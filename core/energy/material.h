@@ -9,7 +9,7 @@
 
 namespace wend {
 
-/// φ of the four named energies (method.md; paper, section 3).
+/// φ of the four named energies (docs/method.md, section 2).
 namespace phi {
 inline const double kEquia = std::atan(std::ldexp(1.0, -9));  // keeps area or volume
 inline const double kMetr = std::atan(0.5);                   // keeps length (AMAP)
@@ -23,7 +23,8 @@ std::string problem(double phi, int dim);
 
 enum class SmoothingKind { Invariant, Paper, None };
 
-/// How jumps over facets are weighted, in the frame where the rest shape has size 1 (method.md, Smoothness).
+/// How jumps over facets are weighted, in the frame where the rest shape has size 1 (docs/method.md, section
+/// 4).
 struct Smoothing {
     SmoothingKind kind = SmoothingKind::Invariant;
     double length = 1.0 / 75;  // s, Invariant: s² (B/h) q(J_j − J_i)
@@ -37,7 +38,7 @@ struct Material {
     std::vector<double> phi;           // one per cell, in ]0, φ_CONF(Dim)]
     std::vector<Mat<Dim>> anisotropy;  // one symmetric positive definite B₀ per cell, or empty: all identity
     Smoothing smoothing;
-    double memory = 0;  // ρ ≥ 0: how strongly the shape is drawn back to its rest (method.md, Memory)
+    double memory = 0;  // ρ ≥ 0: how strongly the shape is drawn back to its rest (docs/method.md, (22))
 
     static Material uniform(int cellCount, double phi, Smoothing smoothing = {});
 };

@@ -12,8 +12,8 @@ namespace wend {
 template <int Dim>
 double facetMeasure(const Points<Dim>& points, const std::array<int, Dim>& facet);
 
-/// The weight of the jump over the interior facet between the cells i and j (method.md, Smoothness):
-/// s² B_ij / h_ij of q(J_j − J_i), λ B_ij of ‖P_j − P_i‖²_F (paper, Eq. 13) or 0, with B_ij the measure of
+/// The weight of the jump over the interior facet between the cells i and j (docs/method.md, (10)–(12)):
+/// s² B_ij / h_ij of q(J_j − J_i), λ B_ij of ‖P_j − P_i‖²_F or 0, with B_ij the measure of
 /// the facet and h_ij the distance of the centroids. `points` are in the frame where the rest shape has
 /// size 1.
 template <int Dim>

@@ -100,7 +100,7 @@ class Deformer {
     /// Why the last advance() ended early, or velocity() has no columns.
     AdvanceResult failure() const;
     /// W of the current state, the energy of its map from rest, and how far it is from settled: ‖∇W‖ without
-    /// what the constraints hold (method.md, Memory and settling), both in normalized units.
+    /// what the constraints hold (docs/method.md, section 8), both in normalized units.
     double restEnergy() const;
     double restForce();
     const Statistics& statistics() const;

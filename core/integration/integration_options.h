@@ -8,7 +8,7 @@
 namespace wend {
 
 /// A window of time in which the shape settles: it flows towards least energy of its map from rest, with the
-/// handles as they are (method.md, Memory and settling).
+/// handles as they are (docs/method.md, section 8).
 struct SettleWindow {
     double start = 0, end = 1;
     bool operator==(const SettleWindow&) const = default;

@@ -150,14 +150,14 @@ StepMethod<Dim>& Deformer<Dim>::Integrator::method() const {
 }
 
 /// Of the gradient of W: while settling that of the window, else ρ times the greatest speed of a constrained
-/// point (method.md, Memory and settling), which m_prescribed holds.
+/// point, which m_prescribed holds (docs/method.md, (22) and (23)).
 template <int Dim>
 double Deformer<Dim>::Integrator::memoryRate(double t, Side side) const {
     const double settling = m_settling.rate(t, side);
     return settling > 0 ? settling : m_memory * largestColumn<Dim>(m_prescribed);
 }
 
-/// dx/dt = v̂(x, t) at the stages' shape (method.md, Integration), constrained points as all others.
+/// dx/dt = v̂(x, t) at the stages' shape (docs/method.md, (16)), constrained points as all others.
 template <int Dim>
 bool Deformer<Dim>::Integrator::evaluate(double t, Side side, Points<Dim>& velocity) {
     m_failure = {};

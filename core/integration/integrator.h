@@ -9,8 +9,8 @@
 
 namespace wend {
 
-/// The integration of one deformation in the frame where the rest shape has size 1 (method.md,
-/// Integration).
+/// The integration of one deformation in the frame where the rest shape has size 1 (docs/method.md, section
+/// 6).
 ///
 /// Time is cut at the breakpoints of the constraints: windows, jumps of a trajectory's velocity, active
 /// ranges, and at those of settling. A step never crosses one, and at each the step control starts anew, so

@@ -8,7 +8,7 @@ namespace wend {
 
 /// Where a shape is and how large: the centroid, and √(12 Tr C) with C the covariance of the domain, that is,
 /// its second central moments over its area or volume. Of a box that is the diagonal; it is the same in every
-/// orientation, whatever the cells. The unit of every dimensionless setting (method.md, Smoothness).
+/// orientation, whatever the cells. The unit of every dimensionless setting (docs/method.md, (9)).
 template <int Dim>
 struct ShapeSize {
     Vec<Dim> centroid = Vec<Dim>::Zero();

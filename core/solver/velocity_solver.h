@@ -47,7 +47,7 @@ struct FactorMemory {
 double velocityToleranceFor(double integrationTolerance);
 
 /// The velocity field v̂ of least energy that takes the prescribed velocities of the constrained points
-/// (method.md, Field and energy, Smoothness, Constraints): min vᵀ A v subject to the rows. Constraints are
+/// (docs/method.md, (13) and (14)): min vᵀ A v subject to the rows. Constraints are
 /// eliminated exactly: v = Z y + v_p, and K y = −Zᵀ A v_p with K = Zᵀ A Z sparse, symmetric, positive
 /// definite. All lengths are in the frame where the rest shape has size 1: the caller passes normalized
 /// coordinates. Deterministic: the same input gives the same bits for any number of threads. One thread uses
@@ -87,7 +87,7 @@ class VelocitySolver {
                               const std::optional<Points<Dim>>& guess = std::nullopt);
     StageVectors<Dim>& stages();
 
-    /// The rate at which the shape is drawn back to its rest (method.md, Memory and settling): from now on v̂
+    /// The rate at which the shape is drawn back to its rest (docs/method.md, section 8): from now on v̂
     /// minimizes E(v) + rate ⟨∇W(x), v⟩. 0, the default: the paper's field.
     void setMemoryRate(double rate);
     /// W of a shape; infinite if a cell is inverted.
