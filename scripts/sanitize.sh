@@ -2,6 +2,7 @@
 
 export ASAN_OPTIONS=detect_leaks=0:abort_on_error=0:allocator_may_return_null=1
 export UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1
+export QTEST_FUNCTION_TIMEOUT=3000000 # milliseconds: ten times the usual
 export TSAN_OPTIONS=ignore_noninstrumented_modules=1:halt_on_error=1:second_deadlock_stack=1:suppressions=$root/scripts/tsan.supp
 
 listed() { # KIND: the names on the lines of that kind
