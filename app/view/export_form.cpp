@@ -8,14 +8,14 @@
 #include <cmath>
 
 #include "app/document/in_background.h"
-#include "app/document/said.h"
 #include "app/panels/option_field.h"
 #include "app/panels/panel_parts.h"
 #include "app/session/playback.h"
 #include "app/session/run_options.h"
 #include "app/session/shape_file.h"
+#include "app/view/answer.h"
+#include "app/view/export_formats.h"
 #include "core/mesh/error.h"
-#include "core/mesh/mesh_formats.h"
 #include "warp/image_formats.h"
 
 namespace wend {
@@ -25,60 +25,9 @@ namespace {
 constexpr int kLetters = 16;  // of a choice that are seen where room is scarce
 constexpr int kLow = 168;     // of a preview above its fields, where room is scarce
 
-struct Format {
-    QString name, extension;
-};
-using Formats = QList<Format>;
-
-const Formats kPictures{
-    {"PNG", ".png"}, {"TIFF", ".tif"}, {"OpenEXR", ".exr"}, {"JPEG", ".jpg"}, {"WebP", ".webp"}};
-const Formats kMaps{{"OpenEXR", ".exr"}, {"TIFF", ".tif"}};
-/// Surfaces first in the plane, in space what holds the solid itself.
-Formats meshFormats(bool solid, bool film) {
-    Formats formats, others;
-    for (const MeshFormatFacts& format : meshFormatFacts()) {
-        if (format.together && (film || !solid)) continue;  // two files each
-        const auto& first = format.extensions.front();
-        (format.holdsTetrahedra == solid ? formats : others)
-            << Format{QString::fromUtf8(format.name.data(), format.name.size()),
-                      QString::fromUtf8(first.data(), first.size())};
-    }
-    if (solid && film) formats.prepend({QStringLiteral("glTF film"), QStringLiteral(".glb")});
-    if (solid && !film) formats.append({QStringLiteral("glTF"), QStringLiteral(".glb")});
-    return formats + others;
-}
-
-Formats formatsOf(ExportKind kind, const FrameExport& shape) {
-    if (kind == ExportKind::Picture) return kPictures;
-    if (kind == ExportKind::StMap) return kMaps;
-    const bool solid = shape.dimension() == 3;
-    const bool film = kind == ExportKind::Frames;
-    const Formats meshes = meshFormats(solid, film);
-    return film && shape.picture() ? kPictures + meshes : meshes;
-}
-
 QString bytesText(double bytes) {
     return QLocale().formattedDataSize(static_cast<qint64>(bytes), bytes < 1000 ? 0 : 1,
                                        QLocale::DataSizeSIFormat);
-}
-
-/// What came of work in the background. (Futures would slice the exception.)
-template <class Value>
-struct Answer {
-    Value value{};
-    QString problem;
-    bool stopped = false;
-};
-
-template <class Value, class Work>
-Answer<Value> answerOf(const Work& work) {
-    try {
-        return {work(), {}, false};
-    } catch (const Cancelled&) {
-        return {{}, {}, true};
-    } catch (const std::exception& error) {
-        return {{}, said(error), false};
-    }
 }
 
 }  // namespace
@@ -168,7 +117,8 @@ void ExportForm::showFormats() {
     const QSignalBlocker quiet(m_format);
     const QString before = m_formats[kind()];
     m_format->clear();
-    for (const Format& format : formatsOf(kind(), *shape())) m_format->addItem(format.name, format.extension);
+    for (const ExportFormat& format : exportFormats(kind(), *shape()))
+        m_format->addItem(format.name, format.extension);
     m_format->setCurrentIndex(std::max(0, m_format->findData(before)));
 }
 

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <QString>
+
+#include "app/document/said.h"
+#include "core/mesh/error.h"
+
+namespace wend {
+
+/// What came of work in the background. (Futures would slice the exception.)
+template <class Value>
+struct Answer {
+    Value value{};
+    QString problem;
+    bool stopped = false;
+};
+
+template <class Value, class Work>
+Answer<Value> answerOf(const Work& work) {
+    try {
+        return {work(), {}, false};
+    } catch (const Cancelled&) {
+        return {{}, {}, true};
+    } catch (const std::exception& error) {
+        return {{}, said(error), false};
+    }
+}
+
+}  // namespace wend

@@ -1,0 +1,40 @@
+#include "app/view/export_formats.h"
+
+#include "core/mesh/mesh_formats.h"
+
+namespace wend {
+
+namespace {
+
+using Formats = QList<ExportFormat>;
+
+const Formats kPictures{
+    {"PNG", ".png"}, {"TIFF", ".tif"}, {"OpenEXR", ".exr"}, {"JPEG", ".jpg"}, {"WebP", ".webp"}};
+const Formats kMaps{{"OpenEXR", ".exr"}, {"TIFF", ".tif"}};
+/// Surfaces first in the plane, in space what holds the solid itself.
+Formats meshFormats(bool solid, bool film) {
+    Formats formats, others;
+    for (const MeshFormatFacts& format : meshFormatFacts()) {
+        if (format.together && (film || !solid)) continue;  // two files each
+        const auto& first = format.extensions.front();
+        (format.holdsTetrahedra == solid ? formats : others)
+            << ExportFormat{QString::fromUtf8(format.name.data(), format.name.size()),
+                      QString::fromUtf8(first.data(), first.size())};
+    }
+    if (solid && film) formats.prepend({QStringLiteral("glTF film"), QStringLiteral(".glb")});
+    if (solid && !film) formats.append({QStringLiteral("glTF"), QStringLiteral(".glb")});
+    return formats + others;
+}
+
+}  // namespace
+
+QList<ExportFormat> exportFormats(ExportKind kind, const FrameExport& shape) {
+    if (kind == ExportKind::Picture) return kPictures;
+    if (kind == ExportKind::StMap) return kMaps;
+    const bool solid = shape.dimension() == 3;
+    const bool film = kind == ExportKind::Frames;
+    const Formats meshes = meshFormats(solid, film);
+    return film && shape.picture() ? kPictures + meshes : meshes;
+}
+
+}  // namespace wend

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <QList>
+#include <QString>
+
+#include "app/session/frame_export.h"
+
+namespace wend {
+
+struct ExportFormat {
+    QString name, extension;  // with its dot
+};
+
+/// What a shape can be written as, what suits it best first.
+QList<ExportFormat> exportFormats(ExportKind kind, const FrameExport& shape);
+
+}  // namespace wend
