@@ -68,6 +68,7 @@ project["time"]["end"] = 3
 json.dump(project, open(sys.argv[3], "w"))
 END
 WAIT=12 KEYS="ctrl+4 shift+n" DRAG="600 858 600 858" shot film.png "$scratch/film.wend"
+WAIT=10 KEYS="ctrl+5 c" DRAG="310 380 880 800" shot export.png "$root/resources/samples/giraffe.wend"
 WAIT=10 KEYS="ctrl+3 n" DRAG="690 490 760 595" shot painting.png "$root/resources/samples/octopus.wend"
 WAIT=20 KEYS="f" shot solid-detail.png "$root/resources/samples/eagle.wend"
 WAIT=20 KEYS="d f" shot solid-window.png "$root/resources/samples/eagle.wend"
