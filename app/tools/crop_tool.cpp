@@ -51,6 +51,11 @@ QCursor CropTool::cursor() const {
     return Qt::CrossCursor;
 }
 
+std::shared_ptr<const Image> CropTool::picture() const {
+    const auto frame = surface().shownFrame();
+    return frame ? frame->built->picture : nullptr;
+}
+
 /// A mesh in the plane may lie in its picture in any way.
 Vec<2> CropTool::toPixels(const QPointF& widget) const {
     const auto frame = surface().shownFrame();
@@ -84,7 +89,7 @@ CropTool::Grip CropTool::gripAt(const QPointF& widget) const {
 }
 
 void CropTool::press(const QMouseEvent& event) {
-    if (event.button() != Qt::LeftButton || !session().document().picture()) return;
+    if (event.button() != Qt::LeftButton || !picture()) return;
     m_at = event.position();
     m_from = toPixels(m_at);
     m_before = m_crop.now();
@@ -115,8 +120,8 @@ void CropTool::drawTo(const Vec<2>& pixel, bool proportional) {
         if (m_grip.x != 0) b.x() += by.x();
         if (m_grip.y != 0) b.y() += by.y();
     }
-    if (const auto& picture = session().document().picture(); proportional && picture) {
-        const double aspect = static_cast<double>(picture->height) / picture->width;
+    if (const auto source = picture(); proportional && source) {
+        const double aspect = static_cast<double>(source->height) / source->width;
         const Vec<2> size = b - a;
         const double width = std::max(std::abs(size.x()), std::abs(size.y()) / aspect);
         b = a + Vec<2>(std::copysign(width, size.x()), std::copysign(width * aspect, size.y()));

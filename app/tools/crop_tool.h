@@ -31,6 +31,8 @@ class CropTool : public PictureTool {
         bool all = false;
         bool any() const { return x != 0 || y != 0 || all; }
     };
+    /// The document's, or that of a file's mesh; null where there is none to crop.
+    std::shared_ptr<const Image> picture() const;
     Vec<2> toPixels(const QPointF& widget) const;
     QPointF toWidget(const Vec<2>& pixel) const;
     Grip gripAt(const QPointF& widget) const;

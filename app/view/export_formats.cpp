@@ -19,7 +19,7 @@ Formats meshFormats(bool solid, bool film) {
         const auto& first = format.extensions.front();
         (format.holdsTetrahedra == solid ? formats : others)
             << ExportFormat{QString::fromUtf8(format.name.data(), format.name.size()),
-                      QString::fromUtf8(first.data(), first.size())};
+                            QString::fromUtf8(first.data(), first.size())};
     }
     if (solid && film) formats.prepend({QStringLiteral("glTF film"), QStringLiteral(".glb")});
     if (solid && !film) formats.append({QStringLiteral("glTF"), QStringLiteral(".glb")});
