@@ -32,6 +32,7 @@ class TestExportPanel : public QObject {
     void framesLastAsLongAsTheMotion();
     void nothingIsWrittenWithoutAShape();
     void cropIsDrawn();
+    void cropIsOfAMeshsPictureToo();
     void cropIsChangedByItsParts();
     void cropIsWrittenAsItIsSeen();
     void allIsInViewOnASmallScreen_data();
@@ -284,6 +285,30 @@ void TestExportPanel::cropIsDrawn() {
     QVERIFY(!crop().now());
     QTRY_COMPARE(panel().form().values().text("--canvas"), std::string("picture"));
     QCOMPARE(panel().form().field("--canvas")->choices(), QStringList({"picture", "fit"}));
+}
+
+/// In pixels of the picture, whatever the coordinates of the mesh that carries it: here ten to one, and
+/// upwards.
+void TestExportPanel::cropIsOfAMeshsPictureToo() {
+    writeCutOut(*m_folder);
+    const auto put = [&](const char* name, const QByteArray& text) {
+        QFile out(file(name));
+        return out.open(QIODevice::WriteOnly) && out.write(text) == text.size();
+    };
+    QVERIFY(put("quad.obj",
+                "v 0 0 0\nv 24 0 0\nv 24 16 0\nv 0 16 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+                "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n"));
+    QVERIFY(put("quad.wend",
+                R"({"format": "wend", "version": 1, "domain": {"mesh": "quad.obj", "image": "bar.png"}})"));
+    m_f->window().openPath(file("quad.wend"));
+    QVERIFY(QTest::qWaitFor([&] { return !m_f->session().document().isEmpty(); }, 20000));
+    QVERIFY(settle(m_f->session()));
+    toExport();
+    QTest::keyClick(&m_f->window().canvas(), Qt::Key_C);
+    QVERIFY(isCurrent());
+    m_f->window().canvas().zoomTo(30);
+    drag({6, 11}, {18, 5});
+    QCOMPARE(crop().now(), std::optional(PixelRect{60, 50, 120, 60}));
 }
 
 void TestExportPanel::cropIsChangedByItsParts() {
