@@ -111,7 +111,7 @@ class FailsafeBackEnd final : public BackEnd<Dim> {
     void replace(const std::string& why) {
         const std::string device = m_active->device();
         m_copied = m_active->copied();
-        m_active = std::exchange(m_makeFallback, nullptr)();
+        m_lost = std::exchange(m_active, std::exchange(m_makeFallback, nullptr)());
         m_active->setMassRegularization(m_massRegularization);
         if (m_atStage) {
             m_stages.makePlace();
@@ -124,6 +124,7 @@ class FailsafeBackEnd final : public BackEnd<Dim> {
     }
 
     std::unique_ptr<BackEnd<Dim>> m_active;
+    std::unique_ptr<BackEnd<Dim>> m_lost;  // lives on: its workers may be in use where the failure is noticed
     std::function<std::unique_ptr<BackEnd<Dim>>()> m_makeFallback;
     DeviceNotice m_notice;
     std::vector<double> m_massRegularization;

@@ -27,7 +27,7 @@ kernel void combine(int count, int terms, global const double* slots, int y, int
     target[k] = sum;
 }
 
-// The greatest |Σ weight · vector|² of the vertices of every chunk.
+// The largest |Σ weight · vector|² of the vertices of every chunk.
 kernel void maximum(int chunks, int count, int chunk, int terms, global const double* slots, int8 slot,
                     double8 weights, global double* parts) {
     const int c = get_global_id(0);
@@ -46,7 +46,7 @@ kernel void maximum(int chunks, int count, int chunk, int terms, global const do
     parts[c] = most;
 }
 
-// The greatest |a − b| of the numbers of every chunk, b being a slot.
+// The largest |a − b| of the numbers of every chunk, b being a slot.
 kernel void farthest(int chunks, int count, int chunk, global const double* a, global const double* slots,
                      int b, global double* parts) {
     const int c = get_global_id(0);

@@ -1175,7 +1175,7 @@
         <translation>Radius zu Kan&amp;te</translation>
     </message>
     <message>
-        <source>How flat the tetrahedra may be: the greatest ratio of circumradius to shortest edge. Smaller is rounder and takes more of them.</source>
+        <source>How flat the tetrahedra may be: the maximum ratio of circumradius to shortest edge. Smaller is rounder and takes more of them.</source>
         <translation>Wie flach die Tetraeder sein dürfen: das größte Verhältnis von Umkreisradius zu kürzester Kante. Kleiner ist runder und braucht mehr davon.</translation>
     </message>
     <message>
@@ -1183,7 +1183,7 @@
         <translation>Radius zu Kante ändern</translation>
     </message>
     <message>
-        <source>&amp;Greatest volume</source>
+        <source>&amp;Maximum volume</source>
         <translation>&amp;Größtes Volumen</translation>
     </message>
     <message>
@@ -1191,7 +1191,7 @@
         <translation>Größere Tetraeder werden geteilt; in Einheiten der Datei hoch drei. Die Hälfte ergibt etwa doppelt so viele. An einer Oberfläche, die bleibt, können einige größer bleiben.</translation>
     </message>
     <message>
-        <source>Change greatest volume</source>
+        <source>Change maximum volume</source>
         <translation>Größtes Volumen ändern</translation>
     </message>
     <message>
@@ -4048,7 +4048,7 @@
         <translation>%1 Punkte, %2 Tetraeder</translation>
     </message>
     <message>
-        <source>Greatest volume</source>
+        <source>Maximum volume</source>
         <translation>Größtes Volumen</translation>
     </message>
     <message>

@@ -1139,7 +1139,7 @@
         <translation>&amp;Radio–arista</translation>
     </message>
     <message>
-        <source>How flat the tetrahedra may be: the greatest ratio of circumradius to shortest edge. Smaller is rounder and takes more of them.</source>
+        <source>How flat the tetrahedra may be: the maximum ratio of circumradius to shortest edge. Smaller is rounder and takes more of them.</source>
         <translation>Lo planos que pueden ser los tetraedros: relación máxima entre circunradio y arista más corta. Cuanto menor, más redondos y más numerosos.</translation>
     </message>
     <message>
@@ -1147,7 +1147,7 @@
         <translation>Cambiar relación radio–arista</translation>
     </message>
     <message>
-        <source>&amp;Greatest volume</source>
+        <source>&amp;Maximum volume</source>
         <translation>Vo&amp;lumen máximo</translation>
     </message>
     <message>
@@ -1155,7 +1155,7 @@
         <translation>Los tetraedros mayores se dividen; en unidades del archivo al cubo. Con la mitad salen aproximadamente el doble. Junto a una superficie conservada, algunos pueden quedar más grandes.</translation>
     </message>
     <message>
-        <source>Change greatest volume</source>
+        <source>Change maximum volume</source>
         <translation>Cambiar volumen máximo</translation>
     </message>
     <message>
@@ -4028,7 +4028,7 @@
         <translation>Vértices</translation>
     </message>
     <message>
-        <source>Greatest volume</source>
+        <source>Maximum volume</source>
         <translation>Volumen máximo</translation>
     </message>
     <message>

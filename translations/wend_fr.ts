@@ -1139,7 +1139,7 @@
         <translation>Ra&amp;yon–arête</translation>
     </message>
     <message>
-        <source>How flat the tetrahedra may be: the greatest ratio of circumradius to shortest edge. Smaller is rounder and takes more of them.</source>
+        <source>How flat the tetrahedra may be: the maximum ratio of circumradius to shortest edge. Smaller is rounder and takes more of them.</source>
         <translation>Aplatissement permis des tétraèdres&#x202f;: rapport maximal entre le rayon circonscrit et la plus petite arête. Plus il est petit, plus ils sont ronds et nombreux.</translation>
     </message>
     <message>
@@ -1147,7 +1147,7 @@
         <translation>Modifier le rapport rayon–arête</translation>
     </message>
     <message>
-        <source>&amp;Greatest volume</source>
+        <source>&amp;Maximum volume</source>
         <translation>&amp;Volume maximal</translation>
     </message>
     <message>
@@ -1155,7 +1155,7 @@
         <translation>Les tétraèdres plus grands sont divisés&#x202f;; en unités du fichier au cube. Diviser la valeur par deux double à peu près leur nombre. Le long d’une surface conservée, certains peuvent rester plus grands.</translation>
     </message>
     <message>
-        <source>Change greatest volume</source>
+        <source>Change maximum volume</source>
         <translation>Modifier le volume maximal</translation>
     </message>
     <message>
@@ -4028,7 +4028,7 @@
         <translation>Sommets</translation>
     </message>
     <message>
-        <source>Greatest volume</source>
+        <source>Maximum volume</source>
         <translation>Volume maximal</translation>
     </message>
     <message>

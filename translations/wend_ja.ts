@@ -1139,7 +1139,7 @@
         <translation>半径・辺長比(&amp;O)</translation>
     </message>
     <message>
-        <source>How flat the tetrahedra may be: the greatest ratio of circumradius to shortest edge. Smaller is rounder and takes more of them.</source>
+        <source>How flat the tetrahedra may be: the maximum ratio of circumradius to shortest edge. Smaller is rounder and takes more of them.</source>
         <translation>四面体の扁平さの上限：外接球半径と最短辺の比の最大値。小さいほど丸く、四面体の数が増えます。</translation>
     </message>
     <message>
@@ -1147,7 +1147,7 @@
         <translation>半径・辺長比を変更</translation>
     </message>
     <message>
-        <source>&amp;Greatest volume</source>
+        <source>&amp;Maximum volume</source>
         <translation>最大体積(&amp;G)</translation>
     </message>
     <message>
@@ -1155,7 +1155,7 @@
         <translation>これより大きい四面体は分割されます（単位はファイルの単位の 3 乗）。半分にすると数はおよそ 2 倍になります。サーフェスを保つ場合、その付近に大きいものが残ることがあります。</translation>
     </message>
     <message>
-        <source>Change greatest volume</source>
+        <source>Change maximum volume</source>
         <translation>最大体積を変更</translation>
     </message>
     <message>
@@ -4022,7 +4022,7 @@
         <translation>頂点数</translation>
     </message>
     <message>
-        <source>Greatest volume</source>
+        <source>Maximum volume</source>
         <translation>最大体積</translation>
     </message>
     <message>

@@ -1139,7 +1139,7 @@
         <translation>半径边长比(&amp;O)</translation>
     </message>
     <message>
-        <source>How flat the tetrahedra may be: the greatest ratio of circumradius to shortest edge. Smaller is rounder and takes more of them.</source>
+        <source>How flat the tetrahedra may be: the maximum ratio of circumradius to shortest edge. Smaller is rounder and takes more of them.</source>
         <translation>四面体允许的扁平程度：外接球半径与最短边之比的最大值。越小越圆整，所需四面体也越多。</translation>
     </message>
     <message>
@@ -1147,7 +1147,7 @@
         <translation>更改半径边长比</translation>
     </message>
     <message>
-        <source>&amp;Greatest volume</source>
+        <source>&amp;Maximum volume</source>
         <translation>最大体积(&amp;G)</translation>
     </message>
     <message>
@@ -1155,7 +1155,7 @@
         <translation>更大的四面体会被分割；以文件单位的立方计。减半则数量约增一倍。若保留表面，表面附近可能仍有较大的四面体。</translation>
     </message>
     <message>
-        <source>Change greatest volume</source>
+        <source>Change maximum volume</source>
         <translation>更改最大体积</translation>
     </message>
     <message>
@@ -4022,7 +4022,7 @@
         <translation>顶点数</translation>
     </message>
     <message>
-        <source>Greatest volume</source>
+        <source>Maximum volume</source>
         <translation>最大体积</translation>
     </message>
     <message>

@@ -12,7 +12,7 @@ constexpr double kBlendBegin =
     1.01;  // stretch up to which bicubic is good enough: turns are 1 but for rounding
 constexpr double kBlendWidth = 0.34;  // over which it goes over into elliptical
 
-/// Left singular vectors as columns and singular values, greatest first, of a 2 × 2 matrix: the eigenvectors
+/// Left singular vectors as columns and singular values, largest first, of a 2 × 2 matrix: the eigenvectors
 /// of J Jᵀ.
 struct LeftSingular {
     Mat<2> vectors;

@@ -102,7 +102,7 @@ std::string jsonOf(const BenchTable& table) {
                        {"threads", row.threads == 0 ? table.cores : row.threads},
                        {"seconds", row.time.median},
                        {"least", row.time.minimum},
-                       {"greatest", row.time.maximum},
+                       {"maximum", row.time.maximum},
                        {"processorSeconds", row.time.processor},
                        {"repeats", row.time.repeats}};
             for (const auto& [figure, value] : row.figures) entry["figures"][figure] = value;

@@ -102,7 +102,7 @@ ExitCode runRun(const Arguments& arguments) {
     Interrupt interrupt;
     RunWatch watch;
     watch.stop = interrupt.token();
-    watch.notice = [&](const std::string& text) { terminal.warn(text); };
+    watch.notice = [&](const std::string& text) { terminal.warn(path + ": " + text); };
     watch.summary = [&](const std::string& text) { terminal.tell(path + ": " + text); };
     watch.progress = [&](const std::string& work, double fraction) { terminal.progress(work, fraction); };
     const AdvanceResult result = runProject(loaded.project, path, options, watch);

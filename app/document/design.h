@@ -20,7 +20,7 @@ struct Stiffness {
 /// material_picture.h. Without one it stays as it is there.
 struct MaterialPictures {
     std::string phi, stiffness, direction;
-    bool up = false;   // their first row lies where y is greatest
+    bool up = false;   // their first row lies where y is largest
     int readings = 0;  // other than before: they were written anew; not in the file
 
     bool any() const { return !(phi + stiffness + direction).empty(); }

@@ -172,21 +172,21 @@ void mapTimes(Project& project, const Map& map) {
 }  // namespace
 
 template <int Dim>
-double wayLength(const Motion<Dim>& motion, double arm) {
+double pathLength(const Motion<Dim>& motion, double arm) {
     return std::visit([arm](const auto& kind) { return lengthOf(kind, arm); }, motion.kind);
 }
 
 template <int Dim>
-double wayLength(const std::vector<Handle<Dim>>& handles, double arm) {
-    std::set<double> borders;
+double pathLength(const std::vector<Handle<Dim>>& handles, double arm) {
+    std::set<double> breakpoints;
     for (const Handle<Dim>& handle : handles)
-        for (const Motion<Dim>& motion : handle.motions) borders.insert({motion.start, motion.end});
-    std::vector<double> longest(borders.size(), 0.0);
+        for (const Motion<Dim>& motion : handle.motions) breakpoints.insert({motion.start, motion.end});
+    std::vector<double> longest(breakpoints.size(), 0.0);
     for (const Handle<Dim>& handle : handles)
         for (const Motion<Dim>& motion : handle.motions) {
-            const double length = wayLength<Dim>(motion, armOf<Dim>(handle, arm));
+            const double length = pathLength<Dim>(motion, armOf<Dim>(handle, arm));
             std::size_t i = 0;
-            for (auto to = borders.begin(); to != borders.end() && ++to != borders.end(); ++i) {
+            for (auto to = breakpoints.begin(); to != breakpoints.end() && ++to != breakpoints.end(); ++i) {
                 const double share = shareOf<Dim>(motion, *std::prev(to), *to);
                 longest[i] = std::max(longest[i], share * length);
             }
@@ -209,23 +209,24 @@ void endMotionsAt(Handle<Dim>& handle, double time) {
 
 bool hasOwnTiming(const Project& project, double arm) {
     constexpr double kSame = 0.02;  // of the whole time: not seen
-    const auto wayUntil = [&](double time) {
+    const auto lengthUntil = [&](double time) {
         const Project part = endedAt(project, time);
         return std::visit(
-            [arm]<int Dim>(const Design<Dim>& design) { return wayLength<Dim>(design.handles, arm); },
+            [arm]<int Dim>(const Design<Dim>& design) { return pathLength<Dim>(design.handles, arm); },
             part.design);
     };
-    std::set<double> borders;
+    std::set<double> breakpoints;
     std::visit(
-        [&borders](const auto& design) {
+        [&breakpoints](const auto& design) {
             for (const auto& handle : design.handles)
-                for (const auto& motion : handle.motions) borders.insert({motion.start, motion.end});
+                for (const auto& motion : handle.motions) breakpoints.insert({motion.start, motion.end});
         },
         project.design);
-    if (borders.empty()) return false;
-    const double end = *borders.rbegin(), whole = wayUntil(end);
-    return std::ranges::any_of(
-        borders, [&](double time) { return std::abs(wayUntil(time) - whole * time / end) > kSame * whole; });
+    if (breakpoints.empty()) return false;
+    const double end = *breakpoints.rbegin(), whole = lengthUntil(end);
+    return std::ranges::any_of(breakpoints, [&](double time) {
+        return std::abs(lengthUntil(time) - whole * time / end) > kSame * whole;
+    });
 }
 
 Project endedAt(const Project& project, double time) {
@@ -264,9 +265,9 @@ Project withLength(Project project, double length) {
     return project;
 }
 
-#define WEND_INSTANTIATE(Dim)                                                \
-    template double wayLength<Dim>(const Motion<Dim>&, double);              \
-    template double wayLength<Dim>(const std::vector<Handle<Dim>>&, double); \
+#define WEND_INSTANTIATE(Dim)                                                 \
+    template double pathLength<Dim>(const Motion<Dim>&, double);              \
+    template double pathLength<Dim>(const std::vector<Handle<Dim>>&, double); \
     template void endMotionsAt<Dim>(Handle<Dim>&, double)
 
 WEND_INSTANTIATE(2);

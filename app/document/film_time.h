@@ -10,12 +10,12 @@ namespace wend {
 
 /// How far a motion goes, in the domain's units; turning and growing count at a radius of `arm`.
 template <int Dim>
-double wayLength(const Motion<Dim>& motion, double arm);
+double pathLength(const Motion<Dim>& motion, double arm);
 /// How far the shape is led from one pose to the next, all in all: where handles move at the same time, the
 /// longest way counts. Handles that are points or regions have arms of their own, `arm` is that of all
 /// others.
 template <int Dim>
-double wayLength(const std::vector<Handle<Dim>>& handles, double arm);
+double pathLength(const std::vector<Handle<Dim>>& handles, double arm);
 
 /// Whether the motions take their time otherwise than in proportion to their ways: it was recorded or set by
 /// hand, and to spread the times anew changes it.

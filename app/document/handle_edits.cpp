@@ -169,7 +169,7 @@ double lengthOf(const Gesture& gesture) {
 }
 
 /// When what was before ends and a gesture begins that goes as far as `added`.
-double borderAfter(double before, double added, double end) {
+double breakpointAfter(double before, double added, double end) {
     return end * std::clamp(before / (before + added), kMinShare, 1 - kMinShare);
 }
 
@@ -188,9 +188,9 @@ Room roomFor(const Project& project, const Gesture& gesture) {
     if (!hasMotion(design<Dim>(project))) return timed(project, 0);
     Project before = endedAt(project, gesture.from);
     if (gesture.from <= 0) return timed(std::move(before), 0);
-    const double way = wayLength<Dim>(design<Dim>(before).handles, gesture.arm);
-    const double border = borderAfter(way, lengthOf(gesture), project.end);
-    return timed(withTimesMoved(std::move(before), gesture.from, border), border);
+    const double length = pathLength<Dim>(design<Dim>(before).handles, gesture.arm);
+    const double breakpoint = breakpointAfter(length, lengthOf(gesture), project.end);
+    return timed(withTimesMoved(std::move(before), gesture.from, breakpoint), breakpoint);
 }
 
 /// By its own clock: what others do stays. The first motion of all makes the film as long as itself.

@@ -59,10 +59,10 @@ bool isLinked(const Project& project, int handle) {
 }
 
 Project withLink(const Project& project, const std::vector<int>& handles) {
-    int greatest = 0;
-    for (int h = 0; h < countOf(project); ++h) greatest = std::max(greatest, traitsOf(project, h).link);
+    int maximum = 0;
+    for (int h = 0; h < countOf(project); ++h) maximum = std::max(maximum, traitsOf(project, h).link);
     return withTraits(project, withLinked(project, handles),
-                      [link = greatest + 1](HandleTraits& traits) { traits.link = link; });
+                      [link = maximum + 1](HandleTraits& traits) { traits.link = link; });
 }
 
 Project withoutLink(const Project& project, const std::vector<int>& handles) {

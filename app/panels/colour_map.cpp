@@ -54,7 +54,7 @@ struct MeasureRow {
     CellValue<2> ofTriangle;
     CellValue<3> ofTetrahedron;
     const char* name;
-    const char* worst = nullptr;      // where such a value is greatest; none: as for the length
+    const char* worst = nullptr;      // where such a value is largest; none: as for the length
     const char* solidName = nullptr;  // none: as in the plane
     const char* solidWorst = nullptr;
 };

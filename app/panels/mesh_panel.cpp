@@ -33,7 +33,7 @@ int verticesOf(int slider) {
 
 enum Aim { ByVertices, ByVolume };
 
-/// The greatest cell that there is now, to two digits.
+/// The largest cell that there is now, to two digits.
 double largestCell(const PosedFrame<3>& frame) {
     double maximum = 0;
     for (const Cell<3>& cell : frame.rest->cells)
@@ -63,7 +63,7 @@ MeshPanel::MeshPanel(ShapeSession& session, QWidget* parent)
 
 void MeshPanel::makeControls() {
     m_density->setRange(0, 1000);
-    m_aim->addItems({tr("Vertices"), tr("Greatest volume")});
+    m_aim->addItems({tr("Vertices"), tr("Maximum volume")});
     m_aim->setFixedWidth(150);
     describe(m_aim, tr("Aim"),
              tr("What says how fine the mesh is: how many vertices it has in all, or how large a "

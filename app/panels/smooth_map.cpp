@@ -12,7 +12,7 @@ constexpr int kRampSteps = 256;
 
 }  // namespace
 
-/// A cell without area may have a value that is no number: it counts as the greatest.
+/// A cell without area may have a value that is no number: it counts as the largest.
 template <int Dim>
 std::vector<double> smoothPlaces(const SimplicialMesh<Dim>& rest, const std::vector<double>& ofCells,
                                  Measure measure, const MeasureRange& range) {

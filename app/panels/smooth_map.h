@@ -4,7 +4,7 @@
 
 namespace wend {
 
-/// A map without the borders of its cells: what the cells have is brought to the vertices (vertexMeans), goes
+/// A map without the edges of its cells: what the cells have is brought to the vertices (vertexMeans), goes
 /// linearly between their places in the range, and has the colour of each place in between.
 ///
 /// The places of the vertices, in [0, 1].

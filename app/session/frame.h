@@ -24,7 +24,7 @@ struct ShapeFrame {
     double diagonal = 0;  // the rest shape's size: of a box its diagonal (ShapeSize)
     std::shared_ptr<const Distortion> distortion;
     double growth = 1;        // area or volume against that at rest
-    double pinError = 0;      // greatest distance of a pin from where it should be, in the domain's units
+    double pinError = 0;      // largest distance of a pin from where it should be, in the domain's units
     double milliseconds = 0;  // that this frame took; 0 if it came from a longer run
     int gesture = 0;          // live: the number of the drag
     int sample = -1;          // live: the newest sample of the drag that it follows

@@ -94,21 +94,21 @@ std::vector<typename DragFlow<Dim>::Alongside> LiveDrag<Dim>::othersUntil(double
     return others;
 }
 
-/// Of a way in the domain's units, as far as it can be told.
+/// Of a change in the domain's units, as far as it can be told.
 template <int Dim>
-double LiveDrag<Dim>::length(const Amount& way) const {
-    return m_grip.kind == Grip::Kind::Move ? way.norm() : kArm * m_size * std::abs(way[0]);
+double LiveDrag<Dim>::length(const Amount& change) const {
+    return m_grip.kind == Grip::Kind::Move ? change.norm() : kArm * m_size * std::abs(change[0]);
 }
 
 template <int Dim>
 typename LiveDrag<Dim>::Step LiveDrag<Dim>::follow(const Amount& amount, std::optional<double> time) {
     Step step;
-    const Amount from = m_amount, way = amount - m_amount;
+    const Amount from = m_amount, change = amount - m_amount;
     const double begin = m_time, later = time && !m_others.empty() ? std::max(*time - m_time, 0.0) : 0;
-    const double pieces = std::clamp(std::ceil(length(way) / (kLongestPiece * m_size)), 1.0, kMostPieces);
-    for (int i = 0; i < pieces && !step.stopped && (way != Amount::Zero() || later > 0); ++i) {
+    const double pieces = std::clamp(std::ceil(length(change) / (kLongestPiece * m_size)), 1.0, kMostPieces);
+    for (int i = 0; i < pieces && !step.stopped && (change != Amount::Zero() || later > 0); ++i) {
         const double part = (i + 1) / pieces, then = begin + part * later;
-        const Amount next = from + part * way;
+        const Amount next = from + part * change;
         const auto led =
             m_flow.lead(m_dragged, motionBetween<Dim>(m_grip, m_amount, next), othersUntil(then));
         m_amount += led.done * (next - m_amount);

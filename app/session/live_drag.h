@@ -37,7 +37,7 @@ class LiveDrag {
     const Points<Dim>& pose() const { return m_flow.pose(); }
 
   private:
-    double length(const Amount& way) const;
+    double length(const Amount& change) const;
     std::vector<typename DragFlow<Dim>::Alongside> othersUntil(double time) const;
 
     Shape<Dim> m_shape;

@@ -24,7 +24,7 @@ std::string MaterialPictures::*fileOf(MaterialPart part);
 /// Where pictures of a shape's material lie: over its picture, pixel by pixel, or around its mesh.
 struct PictureFrame {
     Box<2> box{Vec<2>::Zero(), Vec<2>::Zero()};
-    bool up = false;  // the first row lies where y is greatest
+    bool up = false;  // the first row lies where y is largest
     int width = 0, height = 0;
 };
 /// `width` and `height`: of the picture that is the domain; 0: of a mesh.

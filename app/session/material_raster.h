@@ -21,7 +21,7 @@ std::shared_ptr<const Material<Dim>> rasterizeMaterial(const MaterialSpec<Dim>& 
 template <int Dim>
 void layRegion(const MaterialRegion<Dim>& region, const SimplicialMesh<Dim>& rest, Material<Dim>& material);
 
-/// B₀ of a stiffness, and the stiffness that comes nearest to a B₀: along its greatest eigenvalue, by how
+/// B₀ of a stiffness, and the stiffness that comes nearest to a B₀: along its largest eigenvalue, by how
 /// much that is more than the least.
 template <int Dim>
 Mat<Dim> anisotropyOf(const Stiffness<Dim>& stiffness);

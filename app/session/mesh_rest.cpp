@@ -1,11 +1,10 @@
 #include "app/session/mesh_rest.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 
 #include "core/mesh/hanging_parts.h"
 #include "core/mesh/joined_parts.h"
+#include "core/mesh/number_text.h"
 #include "core/mesh/used_vertices.h"
 
 namespace wend {
@@ -28,18 +27,6 @@ void tellOfUnused(const SimplicialMesh<Dim>& mesh, std::vector<std::string>& not
 std::string jointName(const std::vector<int>& joint) {
     if (joint.size() == 1) return "vertex " + std::to_string(joint[0]);
     return "the edge " + std::to_string(joint.front()) + "–" + std::to_string(joint.back());
-}
-
-template <int Dim>
-std::string placeName(const Vec<Dim>& p) {
-    std::string text;
-    for (const double x : p) {
-        std::array<char, 32> digits{};
-        const auto end =
-            std::to_chars(digits.data(), digits.data() + digits.size(), x, std::chars_format::general, 6);
-        text += (text.empty() ? "(" : ", ") + std::string(digits.data(), end.ptr);
-    }
-    return text + ")";
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace wend {
 
 /// Whether the cells that a surface was filled with are as round as was asked for.
 struct MeshVerdict {
-    double asked = 0, got = 0;  // greatest ratio of circumradius to shortest edge
+    double asked = 0, got = 0;  // maximum ratio of circumradius to shortest edge
     int worstCell = -1;
     int cellsAbove = 0;
     /// Triangles of the surface, if it was kept, at an edge or else a corner of these cells: the cells cannot

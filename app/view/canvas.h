@@ -55,7 +55,7 @@ class ShapeCanvas : public QWidget, public ToolSurface {
     void setMapShown(bool shown);
     void setMap(Measure measure, const MeasureRange& range);
     void setMapOpacity(double opacity);
-    /// Of a map: without the borders of its cells.
+    /// Of a map: without the edges of its cells.
     void setMapSmooth(bool smooth);
     void setArrowsShown(bool shown);
     /// What was before and comes after.

@@ -13,7 +13,7 @@ namespace wend {
 
 namespace {
 
-/// The least or the greatest order that there is, 0 among them.
+/// The least or the largest order that there is, 0 among them.
 double extreme(const Project& project, bool maximum) {
     double order = 0;
     for (const DepthRegion& region : project.depth)

@@ -84,7 +84,7 @@ void fillSoftly(CellFiller& filler, const SimplicialMesh<2>& rest, const std::ve
     }
 }
 
-/// Without the borders of the cells.
+/// Without the edges of the cells.
 void fillSmoothly(CellFiller& filler, const RenderRequest& request, const std::vector<int>& order,
                   const std::vector<double>& ofCells) {
     const SimplicialMesh<2>& rest = *request.frame->rest;

@@ -35,7 +35,7 @@ struct RenderRequest {
     bool map = false;
     Measure measure = Measure::Length;
     MeasureRange range;
-    bool smooth = false;           // the map, without the borders of its cells
+    bool smooth = false;           // the map, without the edges of its cells
     double opacity = kMapOpacity;  // of the map over a picture
     Points<2> velocity;            // of the vertices, for the map of their speed; or none
     std::optional<double> plain;   // of the map: where it has this value the picture is not coloured

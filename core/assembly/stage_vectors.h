@@ -32,7 +32,7 @@ class StageVectors {
     virtual void combine(const Nodal<Dim>& y, Terms terms) = 0;
     /// The stage's shape in the processor's memory, where it is copied when it is first asked for.
     virtual Nodal<Dim> shape() = 0;
-    /// The greatest difference of a coordinate between the stage's shape and another one.
+    /// The largest difference of a coordinate between the stage's shape and another one.
     virtual double distance(const Nodal<Dim>& other) = 0;
     /// max over the vertices of |Σ w_i k_i|; no number if a vector has none.
     virtual double maximum(Terms terms) = 0;

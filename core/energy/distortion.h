@@ -14,7 +14,7 @@ struct Distortion {
     double totalAngle = 0, totalVolume = 0, totalMetric = 0;
     int flips = 0;       // cells with det F ≤ 0
     double minDet = 1;   // the least det F
-    int worstCell = -1;  // cell of the greatest metric error
+    int worstCell = -1;  // cell of the largest metric error
 };
 
 template <int Dim>

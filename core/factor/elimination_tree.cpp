@@ -37,7 +37,7 @@ std::vector<double> workOfSubtrees(const Supernodes& symbolic, const Elimination
     return work;
 }
 
-/// The greatest subtrees whose work is a small enough share.
+/// The largest subtrees whose work is a small enough share.
 void split(const std::vector<double>& work, EliminationTree& tree) {
     const int count = static_cast<int>(work.size());
     double total = 0;

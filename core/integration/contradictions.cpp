@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/mesh/error.h"
+#include "core/mesh/number_text.h"
 
 namespace wend {
 
@@ -20,7 +21,7 @@ std::vector<ConstraintRow> rowsOf(const Constraints<Dim>& constraints, const std
 
 namespace {
 
-// Of the greatest velocity: frames are tabulated to about 1e-10.
+// Of the largest velocity: frames are tabulated to about 1e-10.
 constexpr double kAgree = 1e-7;
 
 /// Follows the constrained points alone from breakpoint to breakpoint.
@@ -112,7 +113,7 @@ class Rehearsal {
         out.imbue(std::locale::classic());
         out << m_constraints.handleName(std::min(other, handleOf(row.row))) << " and "
             << m_constraints.handleName(std::max(other, handleOf(row.row))) << " move the point "
-            << describe<Dim>(m_units.domain(p)) << " in different ways at time " << t;
+            << placeName<Dim>(m_units.domain(p)) << " in different ways at time " << t;
         throw InputError(out.str());
     }
 

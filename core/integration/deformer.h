@@ -29,7 +29,7 @@ struct Statistics {
     int steps = 0, rejected = 0, evaluations = 0, factorizations = 0, solverIterations = 0;
     double analyze = 0, assemble = 0, factor = 0, solve = 0, integrate = 0;  // seconds
     double constraintError =
-        0;              // greatest distance of a constrained point from its trajectory, relative to the size
+        0;              // largest distance of a constrained point from its trajectory, relative to the size
     double energy = 0;  // E(v̂) at the last evaluation, in normalized units
     /// Sum of the errors that the method estimated in its accepted steps, relative to the size; 0 with
     /// prescribed steps. What a step misses, later ones may enlarge or shrink: an order of magnitude.

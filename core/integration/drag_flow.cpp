@@ -7,12 +7,13 @@
 #include "core/integration/stop_message.h"
 #include "core/mesh/cell_geometry.h"
 #include "core/mesh/error.h"
+#include "core/mesh/number_text.h"
 
 namespace wend {
 
 namespace {
 
-// Of the greatest velocity. What is left shows in a direction that changes from one field to the next: after
+// Of the largest velocity. What is left shows in a direction that changes from one field to the next: after
 // a drag over half the size the shape is off by about a pixel in five thousand.
 constexpr double kVelocityTolerance = 5e-3;
 // Of a field that only tells where the middle of the way is.
@@ -24,7 +25,7 @@ constexpr double kNear = 0.05;
 // A guess whose handles miss the way by more than this, relatively, is no guess of the middle.
 constexpr double kGoodGuess = 0.1;
 constexpr int kMostAttempts = 8;
-// Of the exponent by which memory lets a deviation decay in one step, and the most parts of a way.
+// Of the exponent by which memory lets a deviation decay in one step, and the most parts of a displacement.
 constexpr double kMostDrawn = 0.5, kMostParts = 4;
 constexpr double kSmallestPart = 1.0 / 64;
 
@@ -158,47 +159,50 @@ typename DragFlow<Dim>::Targets DragFlow<Dim>::moved(const Targets& start, const
     return result;
 }
 
-/// The whole way, unless the memory would draw the shape back so strongly that the midpoint rule overshoots.
+/// The whole displacement, unless the memory would draw the shape back so strongly that the midpoint rule
+/// overshoots.
 template <int Dim>
-double DragFlow<Dim>::firstPart(const Targets& way) const {
-    return 1 / std::clamp(std::ceil(m_memory * largestColumn<Dim>(way) / kMostDrawn), 1.0, kMostParts);
+double DragFlow<Dim>::firstPart(const Targets& displacement) const {
+    return 1 /
+           std::clamp(std::ceil(m_memory * largestColumn<Dim>(displacement) / kMostDrawn), 1.0, kMostParts);
 }
 
 /// The prescribed velocities are the way of the whole step, taken in a unit of time.
 template <int Dim>
-bool DragFlow<Dim>::solve(const Points<Dim>& shape, const Targets& way, Points<Dim>& field) {
+bool DragFlow<Dim>::solve(const Points<Dim>& shape, const Targets& displacement, Points<Dim>& field) {
     const bool reuses = m_solver.reuses();
-    m_solver.setMemoryRate(m_memory * largestColumn<Dim>(way));
-    m_failure = m_solver.solve(shape, way, field, reuses ? m_history.fitting(way) : std::nullopt);
+    m_solver.setMemoryRate(m_memory * largestColumn<Dim>(displacement));
+    m_failure =
+        m_solver.solve(shape, displacement, field, reuses ? m_history.fitting(displacement) : std::nullopt);
     ++m_evaluations;
-    if (m_failure.done()) m_history.record(m_evaluations, way, field);
+    if (m_failure.done()) m_history.record(m_evaluations, displacement, field);
     return m_failure.done();
 }
 
 template <int Dim>
-bool DragFlow<Dim>::moves(const Points<Dim>& field, const Targets& way) const {
+bool DragFlow<Dim>::moves(const Points<Dim>& field, const Targets& displacement) const {
     double miss = 0;
-    for (Eigen::Index i = 0; i < way.cols(); ++i) {
+    for (Eigen::Index i = 0; i < displacement.cols(); ++i) {
         const Vec<Dim> v = m_constraints.points()[i].template in<Dim>(field);
-        miss = std::max(miss, (v - way.col(i)).norm());
+        miss = std::max(miss, (v - displacement.col(i)).norm());
     }
-    return miss <= kGoodGuess * largestColumn<Dim>(way);
+    return miss <= kGoodGuess * largestColumn<Dim>(displacement);
 }
 
 template <int Dim>
 bool DragFlow<Dim>::step(const Targets& targets) {
-    const Targets way = targets - m_targets;
-    if (way.isZero(0)) return true;
-    std::optional<Points<Dim>> guess = m_history.fitting(way);
-    if (!guess || !moves(*guess, way)) {
+    const Targets displacement = targets - m_targets;
+    if (displacement.isZero(0)) return true;
+    std::optional<Points<Dim>> guess = m_history.fitting(displacement);
+    if (!guess || !moves(*guess, displacement)) {
         guess.emplace();
         m_solver.setVelocityTolerance(kGuessTolerance);
-        const bool done = solve(m_shape, way, *guess);
+        const bool done = solve(m_shape, displacement, *guess);
         m_solver.setVelocityTolerance(kVelocityTolerance);
         if (!done) return false;
     }
     Points<Dim> field;
-    if (!solve(m_shape + 0.5 * *guess, way, field)) return false;
+    if (!solve(m_shape + 0.5 * *guess, displacement, field)) return false;
     Points<Dim> next = m_shape + field;
     m_solver.project(next, targets);
     const int inverted = m_orientation.firstInverted(next);
@@ -231,7 +235,7 @@ std::string DragFlow<Dim>::describe(const SolveOutcome& failure, const std::vect
     const auto led = std::find_if(points.begin(), points.end(), isLed);
     if (failure.kind != SolveOutcome::Kind::CellInverted && led != points.end())
         place = led->template in<Dim>(m_pose);
-    return stopMessage(reasonOf(failure), wend::describe<Dim>(place), failure.cell);
+    return stopMessage(reasonOf(failure), placeName<Dim>(place), failure.cell);
 }
 
 template class DragFlow<2>;

@@ -43,7 +43,7 @@ class DragFlow {
              const std::vector<Alongside>& alongside = {});
 
     const Points<Dim>& pose() const { return m_pose; }
-    /// Greatest distance of a constrained point from where it should be.
+    /// Largest distance of a constrained point from where it should be.
     double constraintError() const { return m_constraintError; }
     int evaluations() const { return m_evaluations; }
     const SolverStatistics& statistics() const { return m_solver.statistics(); }
@@ -51,10 +51,10 @@ class DragFlow {
   private:
     using Targets = Points<Dim>;  // one column per constrained point
     Targets moved(const Targets& start, const std::vector<int>& handles, const AffineMap<Dim>& map) const;
-    double firstPart(const Targets& way) const;
+    double firstPart(const Targets& displacement) const;
     bool step(const Targets& targets);
-    bool solve(const Points<Dim>& shape, const Targets& way, Points<Dim>& field);
-    bool moves(const Points<Dim>& field, const Targets& way) const;
+    bool solve(const Points<Dim>& shape, const Targets& displacement, Points<Dim>& field);
+    bool moves(const Points<Dim>& field, const Targets& displacement) const;
     void prepare();
     void publish();
     std::string describe(const SolveOutcome& failure, const std::vector<int>& handles) const;

@@ -27,7 +27,7 @@ struct IntegrationOptions {
     double end = 1;              // with steps: the time that they are spread over
     double smallestStep = 1e-6;  // of the stretch between two breakpoints of motions: below it the run stops
     int threads = 0;             // 0: all cores
-    /// Error of a velocity field that is allowed, relative to the greatest velocity; < 0: as the tolerance
+    /// Error of a velocity field that is allowed, relative to the largest velocity; < 0: as the tolerance
     /// needs. 0: every field is solved for directly with a factorization of its own, as in the paper.
     double velocityTolerance = -1;
     std::vector<SettleWindow> settle;  // in the order of time

@@ -149,7 +149,7 @@ StepMethod<Dim>& Deformer<Dim>::Integrator::method() const {
     return m_settlingMethod && m_settling.rate(state.time, Side::After) > 0 ? *m_settlingMethod : *m_method;
 }
 
-/// Of the gradient of W: while settling that of the window, else ρ times the greatest speed of a constrained
+/// Of the gradient of W: while settling that of the window, else ρ times the largest speed of a constrained
 /// point, which m_prescribed holds (docs/method.md, (22) and (23)).
 template <int Dim>
 double Deformer<Dim>::Integrator::memoryRate(double t, Side side) const {

@@ -19,7 +19,7 @@ double Deformer<Dim>::Integrator::nextStop(double time) const {
     return grid > stop - 1e-9 * width ? stop : grid;  // no sliver of a step before a breakpoint
 }
 
-/// From the greatest speed of the constrained points up to the next breakpoint (a motion eases in from rest),
+/// From the largest speed of the constrained points up to the next breakpoint (a motion eases in from rest),
 /// and from the rate at which the shape is drawn back.
 template <int Dim>
 double Deformer<Dim>::Integrator::startStep(double to) const {

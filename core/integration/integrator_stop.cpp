@@ -6,6 +6,7 @@
 #include "core/integration/integrator.h"
 #include "core/integration/stop_message.h"
 #include "core/mesh/cell_geometry.h"
+#include "core/mesh/number_text.h"
 
 namespace wend {
 
@@ -79,10 +80,10 @@ AdvanceResult Deformer<Dim>::Integrator::stopped() const {
     const bool settles = m_settling.rate(state.time, Side::After) > 0;
     if (reason == StopReason::StepTooSmall && settles)
         result.message = message.str() + "the shape is too stiff to settle further near " +
-                         describe<Dim>(place) + ": the steps would be too short; allow a larger tolerance";
+                         placeName<Dim>(place) + ": the steps would be too short; allow a larger tolerance";
     else
         result.message =
-            message.str() + handle + " cannot go on: " + stopMessage(reason, describe<Dim>(place), cell);
+            message.str() + handle + " cannot go on: " + stopMessage(reason, placeName<Dim>(place), cell);
     return result;
 }
 

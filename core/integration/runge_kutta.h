@@ -51,7 +51,7 @@ class RungeKuttaStep {
     }
 
     const Nodal<Dim>& result() const { return m_result; }
-    /// The greatest |h Σ (b − b̂)_i k_i| of a node.
+    /// The largest |h Σ (b − b̂)_i k_i| of a node.
     double error(StageVectors<Dim>& stages) const {
         return stages.maximum(terms(m_tableau.error, m_tableau.stages));
     }

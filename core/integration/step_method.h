@@ -34,7 +34,7 @@ class StepMethod {
   public:
     /// f at the shape that the stages have; false where it cannot be evaluated.
     using Rhs = std::function<bool(double t, Side side, StageVectors<Dim>& stages, Points<Dim>& v)>;
-    /// tolerance: error allowed per step, the greatest distance of a point; 0: steps are prescribed, no error
+    /// tolerance: error allowed per step, the largest distance of a point; 0: steps are prescribed, no error
     /// is estimated.
     static std::unique_ptr<StepMethod> of(Method method, double tolerance);
     virtual ~StepMethod() = default;
@@ -67,7 +67,7 @@ Nodal<Dim> fieldAt(const typename StepMethod<Dim>::Rhs& f, StageVectors<Dim>& st
     return f(t, side, stages, *field) ? field : nullptr;
 }
 
-/// The greatest length of a column.
+/// The largest length of a column.
 template <int Dim>
 double largestColumn(const Points<Dim>& points) {
     return points.cols() == 0 ? 0 : points.colwise().norm().maxCoeff();

@@ -13,7 +13,7 @@ struct ChildResult {
 };
 
 /// Runs the program at `path` with `input` on its standard input until it ends, `seconds` have passed or a
-/// stop is asked for (then it is killed, with what it has started). Its arguments are the greatest memory in
+/// stop is asked for (then it is killed, with what it has started). Its arguments are the largest memory in
 /// megabytes and, if they are given, the seconds of the processor's time that it may use: limits that it has
 /// to set for itself. If `idleSeconds` are given, it is killed too when neither it nor what it has started
 /// has said or computed anything for so long: on a busy machine that tells a hang from slowness.

@@ -55,7 +55,7 @@ class Buffer {
     const std::string& bytes() const { return m_bytes; }
 
   private:
-    /// Least and greatest value per component: required for positions and animation times.
+    /// Least and largest value per component: required for positions and animation times.
     static void addRange(Json& accessor, const std::vector<float>& values, int components) {
         std::vector<float> low(values.begin(), values.begin() + components), high = low;
         for (std::size_t i = 0; i < values.size(); ++i) {

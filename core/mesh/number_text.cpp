@@ -14,15 +14,32 @@ bool tooSmall(std::string_view text) {
     return exponent != std::string_view::npos && exponent + 1 < text.size() && text[exponent + 1] == '-';
 }
 
-}  // namespace
-
-void appendNumber(std::string& text, double value) {
+void appendDigits(std::string& text, double value, int count) {
     std::array<char, 40> digits;
     const auto end =
-        std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::general, 17)
+        std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::general, count)
             .ptr;
     text.append(digits.data(), end);
 }
+
+}  // namespace
+
+void appendNumber(std::string& text, double value) {
+    appendDigits(text, value, 17);
+}
+
+template <int Dim>
+std::string placeName(const Vec<Dim>& p) {
+    std::string text;
+    for (const double x : p) {
+        text += text.empty() ? "(" : ", ";
+        appendDigits(text, x, 9);
+    }
+    return text + ')';
+}
+
+template std::string placeName<2>(const Vec<2>&);
+template std::string placeName<3>(const Vec<3>&);
 
 std::optional<double> parseNumber(std::string_view text) {
     if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);

@@ -9,7 +9,7 @@ namespace wend {
 
 struct CageOptions {
     int vertices = 5000;   // aim, met within 15 % where whole cubes allow it
-    double maxVolume = 0;  // > 0: greatest volume of a cell; the aim then does not count
+    double maxVolume = 0;  // > 0: maximum volume of a cell; the aim then does not count
     double detail = 0;     // > 0: gaps and holes narrower than the diagonal / (20 detail) are closed; 0: as
                            // narrow as the cells
     double offset = 1.0 / 15;  // how far the cage reaches beyond the surface at least, relative to that width

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <sstream>
 
 #include "core/mesh/error.h"
+#include "core/mesh/number_text.h"
 #include "core/mesh/segments.h"
 
 namespace wend {
@@ -119,14 +119,6 @@ void splitNearestEdge(Outline& outline, const Vec<2>& p, double tolerance) {
 
 }  // namespace
 
-std::string placeName(const Vec<2>& p) {
-    std::ostringstream text;
-    text.imbue(std::locale::classic());
-    text.precision(9);
-    text << '(' << p.x() << ", " << p.y() << ')';
-    return text.str();
-}
-
 Outline cleanedOutline(const Outline& outline) {
     if (outline.loops.empty()) throw InputError("the outline is empty");
     Outline clean;
@@ -161,7 +153,7 @@ void requireNoCrossing(const Outline& outline) {
         }
     });
     if (first.first != std::numeric_limits<int>::max())
-        throw InputError("the outline crosses or overlaps itself near " + placeName(place));
+        throw InputError("the outline crosses or overlaps itself near " + placeName<2>(place));
 }
 
 Outline outlineThrough(Outline outline, const std::vector<Vec<2>>& points, double tolerance) {

@@ -18,7 +18,4 @@ void requireNoCrossing(const Outline& outline);
 /// point, otherwise the nearest edge is split there.
 Outline outlineThrough(Outline outline, const std::vector<Vec<2>>& points, double tolerance);
 
-/// "(x, y)" for messages.
-std::string placeName(const Vec<2>& p);
-
 }  // namespace wend

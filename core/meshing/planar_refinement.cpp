@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/mesh/error.h"
+#include "core/mesh/number_text.h"
 #include "core/meshing/outline_check.h"
 #include "core/meshing/planar_triangulation.h"
 
@@ -130,7 +131,7 @@ void insertPoints(MarkedTriangulation& triangulation, const std::vector<Vec<2>>&
         const bool isNew = triangulation.number_of_vertices() > known;
         if (!isNew && v->info() >= 0)
             throw InputError("points " + std::to_string(v->info()) + " and " + std::to_string(i) +
-                             " are the same, " + placeName(points[i]));
+                             " are the same, " + placeName<2>(points[i]));
         v->info() = static_cast<int>(i);
     }
 }
@@ -172,7 +173,7 @@ void requireInside(const MarkedTriangulation& triangulation) {
     for (auto v : triangulation.finite_vertex_handles())
         if (v->info() >= 0 && !touchesInside(triangulation, v))
             throw InputError("point " + std::to_string(v->info()) + ", " +
-                             placeName({v->point().x(), v->point().y()}) + ", is outside of the shape");
+                             placeName<2>({v->point().x(), v->point().y()}) + ", is outside of the shape");
 }
 
 /// CGAL's assertions (on in this file) throw; their own report on standard error adds nothing to that. Once:

@@ -13,7 +13,7 @@ struct TetgenRequest {
     std::vector<double> points;   // 3 per vertex
     std::vector<int> triangles;   // 3 per facet
     std::vector<int> labels;      // 1 per facet
-    std::vector<double> sizes;    // empty, or: greatest volume, grid's low corner, its spacing, its factors
+    std::vector<double> sizes;    // empty, or: maximum volume, grid's low corner, its spacing, its factors
     std::vector<int> sizeCounts;  // of the grid's nodes along x, y, z
 };
 struct TetgenReply {

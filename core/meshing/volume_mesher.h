@@ -24,8 +24,8 @@ struct SizeGrid {
 SizeGrid sampleSizes(const Surface& surface, const std::function<double(const Vec<3>&)>& factorAt);
 
 struct VolumeMeshOptions {
-    double quality = 1.414;  // greatest radius-edge ratio, ≥ 1.2 (TetGen's -q; near 1 it never ends)
-    double maxVolume = 0;    // > 0: greatest volume of a cell, in the surface's units cubed; at a kept
+    double quality = 1.414;  // largest radius-edge ratio, ≥ 1.2 (TetGen's -q; near 1 it never ends)
+    double maxVolume = 0;    // > 0: maximum volume of a cell, in the surface's units cubed; at a kept
                              // surface coarser than that, cells stay larger
     int vertices = 0;  // that cells have; > 0: aim, met within 15 % if the kept surface allows it; maxVolume
                        // then does not count

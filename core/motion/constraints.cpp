@@ -5,22 +5,11 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <sstream>
 
 #include "core/mesh/error.h"
 #include "core/motion/handle_points.h"
 
 namespace wend {
-
-template <int Dim>
-std::string describe(const Vec<Dim>& p) {
-    std::ostringstream out;
-    out.imbue(std::locale::classic());
-    out << '(' << p[0];
-    for (int a = 1; a < Dim; ++a) out << ", " << p[a];
-    out << ')';
-    return out.str();
-}
 
 namespace {
 
@@ -229,10 +218,8 @@ void Constraints<Dim>::evaluate(const std::vector<int>& ids, const Anchors& anch
     }
 }
 
-template std::string describe<2>(const Vec<2>&);
 template class HandleTimeline<2>;
 template class Constraints<2>;
-template std::string describe<3>(const Vec<3>&);
 template class HandleTimeline<3>;
 template class Constraints<3>;
 

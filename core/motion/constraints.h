@@ -107,8 +107,4 @@ class Constraints {
     std::vector<double> m_breakpoints;
 };
 
-/// (x, y) or (x, y, z) with six digits, for messages.
-template <int Dim>
-std::string describe(const Vec<Dim>& p);
-
 }  // namespace wend

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/mesh/error.h"
+#include "core/mesh/number_text.h"
 #include "core/mesh/shape_size.h"
 #include "core/mesh/used_vertices.h"
 
@@ -96,7 +97,7 @@ auto HandlePlacer<Dim>::termsOf(const Vec<Dim>& p) const -> Terms {
     if (nearest >= 0 && (m_rest.points.col(nearest) - p).norm() <= kSameVertex * m_size)
         return {{nearest, 1.0}};
     const auto location = m_locator.find(p, kOutside);
-    if (!location) throw InputError("point " + describe<Dim>(m_units.domain(p)) + " lies outside the shape");
+    if (!location) throw InputError("point " + placeName<Dim>(m_units.domain(p)) + " lies outside the shape");
     Terms terms;
     double sum = 0;
     for (int k = 0; k <= Dim; ++k) {

@@ -20,7 +20,7 @@ class ConjugateGradients {
     /// z ≈ K⁻¹ r, symmetric and positive definite; false if that is not finite.
     using Preconditioner = std::function<bool(std::span<const double> r, std::span<double> z)>;
     struct Goal {
-        double tolerance = 0;    // error allowed, relative to the greatest nodal velocity
+        double tolerance = 0;    // error allowed, relative to the largest nodal velocity
         double contraction = 1;  // by how much the first step is expected to reduce the error
         // And by how much any step at best: z shows little of what the factor can hardly see, which is what a
         // matrix of bad condition loses in single precision.

@@ -43,7 +43,7 @@ struct FactorMemory {
 };
 
 /// The velocity tolerance that keeps the solver's part of the error of an integration well below the
-/// integration's own tolerance (both relative: to the greatest velocity, to the size).
+/// integration's own tolerance (both relative: to the largest velocity, to the size).
 double velocityToleranceFor(double integrationTolerance);
 
 /// The velocity field v̂ of least energy that takes the prescribed velocities of the constrained points
@@ -95,7 +95,7 @@ class VelocitySolver {
     /// ‖∇W‖ of a shape, without what the constraints hold: 0 where it has settled.
     double restForce(const Points<Dim>& shape) const;
 
-    /// The error of v̂ that is allowed, relative to its greatest nodal velocity. 0 (the default): every solve
+    /// The error of v̂ that is allowed, relative to its largest nodal velocity. 0 (the default): every solve
     /// factorizes, by CHOLMOD. So does every one, by a factor of our own in double precision, with less than
     /// 1e-8, and with materials on the way to EQUIA, whose factors do not last.
     void setVelocityTolerance(double tolerance);

@@ -285,7 +285,7 @@ void TestCanvas::areaIsCentredOnOne() {
     QVERIFY(std::abs(valueAt(range, Measure::Area, 0.5) - 1) < 1e-12);
 }
 
-/// The greatest hundredth of the values is left out, and no more.
+/// The largest hundredth of the values is left out, and no more.
 void TestCanvas::rangesReachTheGreatestValuesButAHundredth() {
     std::vector<double> values;
     for (int i = 0; i <= 1000; ++i) values.push_back(0.002 * i);

@@ -1,7 +1,7 @@
 // The canvas, grabbed from the window, against what a picture is by a formula and against the exported file
 // as other decoders read it (Qt's for PNG, plain OpenImageIO for EXR): every number of channels, depth and
-// association, shape inside, covering and outside the view, at rest and bent. Runs at one and at two device
-// pixels per pixel (tests/app/CMakeLists.txt).
+// association, shape inside, covering and outside the view, at rest and bent; and 40 megapixels. Runs at one
+// and at two device pixels per pixel (tests/app/CMakeLists.txt).
 #include <OpenImageIO/imageio.h>
 
 #include <QImageReader>
@@ -32,6 +32,7 @@ class TestCanvasPictures : public QObject {
     void init();
     void canvasIsTheFile_data();
     void canvasIsTheFile();
+    void fortyMegapixels();
     void partsAndHolesAreBentAndExported();
     void limbOverTheBodyIsWhole();
     void orientedPhotographsAreUpright_data();
@@ -69,13 +70,15 @@ Colour associated(Colour colour) {
 struct Kind {
     int channels = 4;
     OIIO::TypeDesc type = OIIO::TypeDesc::UINT8;
+    bool isAssociated = false;  // in the file
+    int width = kWidth, height = kHeight;
 
     bool alpha() const { return channels % 2 == 0; }
     bool linear() const { return type == OIIO::TypeDesc::HALF || type == OIIO::TypeDesc::FLOAT; }
     /// Smooth, so that no filter changes it, and different in every direction; colours not associated, in the
     /// file's light.
     Colour colourAt(const Vec<2>& p) const {
-        const double x = p.x() / kWidth, y = p.y() / kHeight;
+        const double x = p.x() / width, y = p.y() / height;
         const double first = 0.15 + 0.7 * x;
         if (channels < 3) return {first, first, first, alpha() ? 0.3 + 0.6 * y : 1};
         return {first, 0.85 - 0.6 * y, 0.3 + 0.2 * (x + y), alpha() ? 0.3 + 0.6 * y : 1};
@@ -87,29 +90,33 @@ struct Kind {
     }
 };
 
-/// With OpenImageIO alone. Formats of half and float numbers hold associated colours.
+/// With OpenImageIO alone.
 void writeFile(const QString& path, const Kind& kind, int orientation = 1) {
-    OIIO::ImageSpec spec(kWidth, kHeight, kind.channels, kind.type);
+    OIIO::ImageSpec spec(kind.width, kind.height, kind.channels, kind.type);
     static const std::vector<std::string> kNames[] = {
         {"Y"}, {"Y", "A"}, {"R", "G", "B"}, {"R", "G", "B", "A"}};
     spec.channelnames = kNames[kind.channels - 1];
     spec.alpha_channel = kind.alpha() ? kind.channels - 1 : -1;
-    spec.attribute("oiio:UnassociatedAlpha", 1);
+    spec.attribute("oiio:UnassociatedAlpha", kind.isAssociated ? 0 : 1);
     spec.attribute("Orientation", orientation);
     spec.attribute("Compression", "jpeg:100");
-    std::vector<float> pixels;
-    for (int y = 0; y < kHeight; ++y)
-        for (int x = 0; x < kWidth; ++x) {
+    spec.attribute("png:compressionLevel", 1);
+    const auto output = OIIO::ImageOutput::create(path.toStdString());
+    QVERIFY(output && output->open(path.toStdString(), spec));
+    std::vector<float> row;
+    for (int y = 0; y < kind.height; ++y) {
+        row.clear();
+        for (int x = 0; x < kind.width; ++x) {
             const Colour colour = kind.colourAt({x + 0.5, y + 0.5});
             for (int c = 0; c < kind.channels; ++c) {
                 const bool isAlpha = kind.alpha() && c == kind.channels - 1;
-                pixels.push_back(
-                    static_cast<float>(isAlpha ? colour[3] : colour[c] * (kind.linear() ? colour[3] : 1)));
+                row.push_back(static_cast<float>(isAlpha ? colour[3]
+                                                         : colour[c] * (kind.isAssociated ? colour[3] : 1)));
             }
         }
-    const auto output = OIIO::ImageOutput::create(path.toStdString());
-    QVERIFY(output && output->open(path.toStdString(), spec));
-    QVERIFY(output->write_image(OIIO::TypeDesc::FLOAT, pixels.data()) && output->close());
+        QVERIFY(output->write_scanline(y, 0, OIIO::TypeDesc::FLOAT, row.data()));
+    }
+    QVERIFY(output->close());
 }
 
 /// A picture file as the screen should show it, read by others.
@@ -290,25 +297,37 @@ void TestCanvasPictures::everyViewShows(const Expected& expected, int tolerance)
 }
 
 void TestCanvasPictures::canvasIsTheFile_data() {
+    QTest::addColumn<QString>("extension");
     QTest::addColumn<int>("channels");
     QTest::addColumn<int>("type");
-    const std::pair<const char*, int> types[] = {{"8 bits", OIIO::TypeDesc::UINT8},
-                                                 {"16 bits", OIIO::TypeDesc::UINT16},
-                                                 {"half", OIIO::TypeDesc::HALF},
-                                                 {"float", OIIO::TypeDesc::FLOAT}};
+    QTest::addColumn<bool>("associated");
+    const QString png = QStringLiteral("png"), exr = QStringLiteral("exr"), tiff = QStringLiteral("tif");
+    const std::tuple<const char*, int, QString> types[] = {{"8 bits", OIIO::TypeDesc::UINT8, png},
+                                                           {"16 bits", OIIO::TypeDesc::UINT16, png},
+                                                           {"half", OIIO::TypeDesc::HALF, exr},
+                                                           {"float", OIIO::TypeDesc::FLOAT, exr}};
     const char* const kChannels[] = {"grey", "grey and alpha", "RGB", "RGBA"};
-    for (const auto& [name, type] : types)
+    for (const auto& [name, type, extension] : types) {
         for (int channels = 1; channels <= 4; ++channels)
-            QTest::addRow("%s, %s", kChannels[channels - 1], name) << channels << type;
+            QTest::addRow("%s, %s", kChannels[channels - 1], name)
+                << extension << channels << type << (extension == exr);
+        // With the association that the others have not.
+        for (const int channels : {2, 4})
+            if (type != OIIO::TypeDesc::HALF)
+                QTest::addRow("%s, %s, %s", kChannels[channels - 1], name,
+                              extension == exr ? "straight" : "associated")
+                    << tiff << channels << type << (extension != exr);
+    }
 }
 
 void TestCanvasPictures::canvasIsTheFile() {
+    QFETCH(QString, extension);
     QFETCH(int, channels);
     QFETCH(int, type);
-    const Kind kind{channels, OIIO::TypeDesc(static_cast<OIIO::TypeDesc::BASETYPE>(type))};
-    const QString extension = kind.linear() ? QStringLiteral("exr") : QStringLiteral("png");
+    QFETCH(bool, associated);
+    const Kind kind{channels, OIIO::TypeDesc(static_cast<OIIO::TypeDesc::BASETYPE>(type)), associated};
     const QString path = m_folder->filePath("picture." + extension),
-                  written = m_folder->filePath("bent." + extension);
+                  written = m_folder->filePath(kind.linear() ? "bent.exr" : "bent.png");
     writeFile(path, kind);
     open(path);
     const auto atRest = [&](const Vec<2>& p) -> std::optional<Colour> {
@@ -328,6 +347,28 @@ void TestCanvasPictures::canvasIsTheFile() {
     const Decoded file(written);
     QCOMPARE(file.width(), view.width);
     everyViewShows([&](const Vec<2>& p) { return file.at(p - view.origin, 2 / m_canvas->view().zoom()); }, 3);
+}
+
+/// A photograph of a large camera: the whole of it, and its pixels.
+void TestCanvasPictures::fortyMegapixels() {
+    const Kind kind{.channels = 3, .width = 7303, .height = 5477};
+    const QString path = m_folder->filePath(QStringLiteral("large.png"));
+    writeFile(path, kind);
+    open(path);
+    const auto atRest = [&](const Vec<2>& p) -> std::optional<Colour> {
+        const double near = 2 / m_canvas->view().zoom();
+        const double inside = std::min({p.x(), kind.width - p.x(), p.y(), kind.height - p.y()});
+        if (inside < -near) return Colour(0, 0, 0, 0);
+        if (inside < near) return {};
+        return kind.shownAt(p);
+    };
+    m_canvas->fit();
+    viewShows(atRest, 2);
+    for (const double zoom : {0.3, 1.0, 4.0}) {
+        if (QTest::currentTestFailed()) return;
+        setView(zoom, {5200.25, 4300.5});
+        viewShows(atRest, 2);
+    }
 }
 
 /// What is visible becomes the shape.
@@ -473,7 +514,7 @@ void TestCanvasPictures::orientedPhotographsAreUpright_data() {
 void TestCanvasPictures::orientedPhotographsAreUpright() {
     QFETCH(int, orientation);
     const QString path = m_folder->filePath(QStringLiteral("photograph.jpg"));
-    writeFile(path, {3, OIIO::TypeDesc::UINT8}, orientation);
+    writeFile(path, {.channels = 3}, orientation);
     open(path);
     const Decoded file(path);
     QCOMPARE(file.width(), orientation < 5 ? kWidth : kHeight);

@@ -410,6 +410,14 @@ void TestCli::warnsOfUnknownKeys() {
     QCOMPARE(result.code, 0);
     QVERIFY2(result.error.contains("strange.wend: mood: is not known"), qPrintable(result.error));
     QVERIFY(run({"run", "strange.wend", "--mesh", "s.obj", "--quiet"}).error.isEmpty());
+    // What is told of the mesh names the file, too.
+    MeshFile spare = toMeshFile<2>(stripMesh(10, 2));
+    spare.points.conservativeResize(Eigen::NoChange, spare.points.cols() + 2);
+    spare.points.rightCols<2>() << 20, 21, 20, 21, 0, 0;
+    writeMeshFile(file("spare.obj"), spare);
+    putProject(path(), "spare.wend", "'domain': {'mesh': 'spare.obj'}");
+    const CliResult told = run({"run", "spare.wend", "--mesh", "s.obj"});
+    QVERIFY2(told.error.contains("spare.wend: 2 vertices belong to no cell"), qPrintable(told.error));
 }
 
 void TestCli::meshCommand() {

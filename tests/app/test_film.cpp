@@ -620,7 +620,7 @@ void TestFilm::onionSkinOfASolid() {
 
 namespace {
 
-/// In percent, of the vertices of the frame that is shown: the least, the greatest, and at a handle.
+/// In percent, of the vertices of the frame that is shown: the least, the largest, and at a handle.
 template <int Dim>
 std::array<double, 3> influence(ShapeSession& session, int handle) {
     const Points<Dim> field = session.influence<Dim>();

@@ -61,7 +61,7 @@ Amount handAt(int i) {
     return {0.2 * i, 0.05 * i, -0.01 * i};
 }
 
-/// Of the bar's length, the greatest distance of the preview from the flow with the shape's own material.
+/// Of the bar's length, the largest distance of the preview from the flow with the shape's own material.
 double softening(const Shape<3>& shape) {
     LiveDrag<3> preview(shape, ends());
     preview.begin({1}, {}, shape.rest->points);

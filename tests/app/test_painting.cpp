@@ -407,7 +407,7 @@ void TestPainting::pressPen() {
     QVERIFY(settle(session));
     const std::size_t count = regions<Dim>().size();
     QVERIFY(count > 8);
-    // A ball takes the greatest pressure until the next one, 0.3 of the radius on: here less than 0.01 more.
+    // A ball takes the largest pressure until the next one, 0.3 of the radius on: here less than 0.01 more.
     QVERIFY2(amountAt(0) >= 0.2 && amountAt(0) < 0.21, qPrintable(QString::number(amountAt(0))));
     QVERIFY2(std::abs(amountAt(count - 1) - 0.8) < 0.05, qPrintable(QString::number(amountAt(count - 1))));
     for (std::size_t i = 1; i < count; ++i) QVERIFY(amountAt(i) > amountAt(i - 1));

@@ -310,7 +310,7 @@ void TestPanelFields::stepsKeepTheKeyboard() {
             if (!field->isVisible() || !field->isEnabled()) continue;
             field->setFocus();
             const QString before = field->text();
-            for (const Qt::Key key : {Qt::Key_Up, Qt::Key_Down})  // down from what is at its greatest
+            for (const Qt::Key key : {Qt::Key_Up, Qt::Key_Down})  // down from what is at its largest
                 for (int i = 0; i < 2 && (i > 0 || field->text() == before); ++i)
                     QTest::keyClick(QApplication::focusWidget(), key);
             QVERIFY2(field->hasFocus() && field->text() != before, qPrintable(field->accessibleName()));

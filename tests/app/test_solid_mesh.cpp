@@ -101,7 +101,7 @@ void TestSolidMesh::maxVolumeByThePanel() {
     QVERIFY(settle(m_f->session()));
     QCOMPARE(m_f->project().domain.maxVolume, 0.002);
     QVERIFY(m_f->session().frame()->cells > 4 / 0.002);  // so many such cells make its volume
-    m_f->picture(QStringLiteral("greatest-volume"));
+    m_f->picture(QStringLiteral("largest-volume"));
     m_f->window().actions().undo->trigger();
     m_f->window().actions().undo->trigger();
     QVERIFY(settle(m_f->session()));

@@ -217,7 +217,7 @@ void TestSolidView::colourMapIsSmooth() {
     auto* panel = m_f->window().findChild<DistortionPanel*>();
     panel->setMeasure(Measure::CellSize);
     m_f->canvas().camera().fit(Vec<3>(-1, -0.5, -0.5), Vec<3>(1, 0.5, 0.5));
-    // Neighbouring pixels that differ much: the borders of the cells.
+    // Neighbouring pixels that differ much: the edges of the cells.
     const auto jumps = [&] {
         const QImage image = m_f->canvas().grabFramebuffer();
         const QPoint middle = image.rect().center();

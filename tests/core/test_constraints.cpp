@@ -101,6 +101,13 @@ class TestConstraints : public QObject {
         const std::string where = Dim == 2 ? "(115, 105)" : "(115, 105, 105)";
         QVERIFY(has(reason(at<Dim>({along<Dim>(1.5, 0.5)})),
                     {"handle \"hand\"", "outside the shape", where.c_str()}));
+        // Far away, too, places are told apart.
+        const Normalization<Dim> far{along<Dim>(1e6, 2e6), 1};
+        const std::string there = Dim == 2 ? "(1000001.25, 2000000.5)" : "(1000001.25, 2000000.5, 2000000.5)";
+        QVERIFY(has(reasonOf([&] {
+                        Constraints<Dim>(mesh, {handle<Dim>("hand", at<Dim>({along<Dim>(1.25, 0.5)}))}, far);
+                    }),
+                    {there.c_str()}));
         QVERIFY(has(reason(std::vector<int>{0, 99}), {"handle \"hand\"", "vertex 99"}));
         QVERIFY(has(reason(std::vector<int>{-1}), {"vertex -1"}));
         QVERIFY(has(reason(std::vector<int>{}), {"handle \"hand\"", "no points"}));

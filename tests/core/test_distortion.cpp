@@ -83,7 +83,7 @@ void anyMap() {
                 angle += std::pow(sigma[j] - sigma[k], 2) / (sigma[j] * sigma[k]);
                 metric -= std::pow(sigma[j] - sigma[k], 2) / (Dim + 2);
             }
-        // Rounding of F is in both: relative to the greatest σ, and squared where σ is far from 1.
+        // Rounding of F is in both: relative to the largest σ, and squared where σ is far from 1.
         const double rounding = 1e-13 * std::pow(sigma.maxCoeff() / sigma.minCoeff(), 2) * (1 + angle);
         QVERIFY2(std::abs(d.angle[0] - angle) < 1e-9 * angle + rounding * spread + 1e-26,
                  qPrintable(QString::number(d.angle[0]) + ' ' + QString::number(angle)));

@@ -74,7 +74,7 @@ void membershipIsSmooth() {
             QVERIFY(m >= 0 && m <= 1);
             QCOMPARE(m > 0.5, d < 0);
             const double slope = (membership<Dim>(region, p + h * Vec<Dim>::Unit(0), feather) - m) / h;
-            QVERIFY(std::abs(slope) <= 1.5 / feather + 1e-3);  // greatest slope of 3t² − 2t³
+            QVERIFY(std::abs(slope) <= 1.5 / feather + 1e-3);  // largest slope of 3t² − 2t³
             if (std::abs(std::abs(d) - feather / 2) < 1e-4) QVERIFY(std::abs(slope) < 0.05);
         }
     }

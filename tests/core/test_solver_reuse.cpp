@@ -67,7 +67,7 @@ struct Turn {
 };
 
 struct Drive {
-    double worst = 0;  // error against the direct solve, relative to the greatest velocity
+    double worst = 0;  // error against the direct solve, relative to the largest velocity
     SolverStatistics statistics;
     Eigen::MatrixXd pose;
 };

@@ -85,7 +85,7 @@ struct Bend {
     }
 };
 
-/// Greatest distance of corresponding columns.
+/// Largest distance of corresponding columns.
 template <class A, class B>
 double distance(const A& a, const B& b) {
     return (a - b).colwise().norm().maxCoeff();

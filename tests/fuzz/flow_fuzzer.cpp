@@ -26,7 +26,7 @@ struct Tally {
     int flows = 0, arrived = 0, refused = 0, settled = 0, remembering = 0;
     int folding = 0, tooFast = 0, indefinite = 0, tooStiff = 0;
     long states = 0, frames = 0;
-    double offPath = 0, offOwn = 0;  // greatest, as the program says and by the formulas here
+    double offPath = 0, offOwn = 0;  // largest, as the program says and by the formulas here
     int findings = 0;
 };
 

@@ -35,7 +35,7 @@ SimplicialMesh<Dim> sample() {
     return unitGrid<Dim>(Dim == 2 ? 40 : 8, 0.2, random);  // more than one chunk of cells
 }
 
-/// 1e-10 of the greatest value: single cells differ by the rounding of their singular values, some 1e-16.
+/// 1e-10 of the largest value: single cells differ by the rounding of their singular values, some 1e-16.
 void compare(const std::vector<double>& a, const std::vector<double>& b) {
     QCOMPARE(a.size(), b.size());
     double most = 0;

@@ -33,6 +33,7 @@ class TestOpenClStages : public QObject {
     void deformationsAgree();
     void aDeviceIsLostAnywhere_data();
     void aDeviceIsLostAnywhere();
+    void workersOutliveTheirDevice();
     void programsAreKeptPerOptions();
 };
 
@@ -236,6 +237,9 @@ class LostDevice final : public BackEnd<Dim> {
     std::unique_ptr<BackEnd<Dim>> m_device;
     int m_calls;
     Stages m_stages{*this};
+
+  public:
+    std::shared_ptr<int> life = std::make_shared<int>();
 };
 
 void addMethods() {
@@ -364,6 +368,24 @@ void TestOpenClStages::aDeviceIsLostAnywhere() {
                  qPrintable(QString("%1 calls: %2").arg(calls).arg(samples::distance(result, expected))));
         QCOMPARE(notices, 1);
     }
+}
+
+/// Who holds its workers in the moment of the loss may go on using them.
+void TestOpenClStages::workersOutliveTheirDevice() {
+    const SimplicialMesh<2> rest = samples::strip<2>(4, 2, 4);
+    const auto material = Material<2>::uniform(rest.cellCount(), phi::kMetr);
+    const auto plan = std::make_shared<const AssemblyPlan<2>>(makeAssemblyPlan(rest, false));
+    auto device = std::make_unique<LostDevice<2>>(makeCpuBackEnd<2>(plan, rest, material, 2), 0);
+    const std::weak_ptr<int> life = device->life;
+    int notices = 0;
+    const auto backEnd = makeFailsafe<2>(
+        std::move(device), [&] { return makeCpuBackEnd<2>(plan, rest, material, 2); },
+        [&](const std::string&) { ++notices; });
+    const WorkerPool& before = backEnd->workers();
+    backEnd->setShape(rest.points);
+    QCOMPARE(notices, 1);
+    QVERIFY(&backEnd->workers() != &before);
+    QVERIFY(!life.expired());
 }
 
 void TestOpenClStages::programsAreKeptPerOptions() {

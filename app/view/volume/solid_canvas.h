@@ -78,7 +78,7 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     void setMap(Measure measure, const MeasureRange& range);
     /// Of the map over a surface that has colours of its own.
     void setMapOpacity(double opacity);
-    /// Of a map: without the borders of its cells.
+    /// Of a map: without the edges of its cells.
     void setMapSmooth(bool smooth);
     void setArrowsShown(bool shown);
     /// What was before and comes after.

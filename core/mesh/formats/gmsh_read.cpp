@@ -177,7 +177,7 @@ class GmshReader {
         const int blocks = count64("blocks of nodes", 4, Scalar::Int32);
         startNodes(count64("nodes", 4, Scalar::Int32));
         m_numbers.integer(Scalar::UInt64, "the smallest node number");
-        m_numbers.integer(Scalar::UInt64, "the greatest node number");
+        m_numbers.integer(Scalar::UInt64, "the largest node number");
         int v = 0;
         for (int b = 0; b < blocks; ++b) v = readNodeBlock(v);
         if (v != m_file.points.cols())
@@ -271,7 +271,7 @@ class GmshReader {
         const int blocks = count64("blocks of elements", 4, Scalar::Int32);
         const int count = count64("elements", 2, Scalar::Int32);
         m_numbers.integer(Scalar::UInt64, "the smallest element number");
-        m_numbers.integer(Scalar::UInt64, "the greatest element number");
+        m_numbers.integer(Scalar::UInt64, "the largest element number");
         int read = 0;
         for (int b = 0; b < blocks; ++b) {
             const int dimension = int32("a dimension"), entity = int32("an entity");
