@@ -4,6 +4,7 @@
 #include "warp/picture_format.h"
 #include "warp/picture_library.h"
 #include "warp/png_check.h"
+#include "warp/tga_check.h"
 
 namespace wend {
 namespace {
@@ -12,8 +13,10 @@ namespace {
 PictureFormat formatOf(const std::string& path) {
     const InputFile file(path);
     const PictureFormat format = pictureFormat(file);
-    if (format == PictureFormat::Png)
-        if (const std::string problem = pngProblem(file); !problem.empty()) throw InputError(path, problem);
+    const std::string problem = format == PictureFormat::Png   ? pngProblem(file)
+                                : format == PictureFormat::Tga ? tgaProblem(file)
+                                                               : "";
+    if (!problem.empty()) throw InputError(path, problem);
     return format;
 }
 

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "core/mesh/error.h"
+#include "warp/tga_check.h"
 
 namespace wend {
 namespace {
@@ -86,62 +87,6 @@ auto marked(const Marks& marks, std::string_view head) {
     };
     return std::ranges::find_if(marks, fits);
 }
-
-// --- TGA ---
-
-unsigned byteAt(std::string_view bytes, std::size_t at) {
-    return static_cast<unsigned char>(bytes[at]);
-}
-unsigned wordAt(std::string_view bytes, std::size_t at) {
-    return byteAt(bytes, at) | byteAt(bytes, at + 1) << 8;
-}
-
-struct TgaHeader {
-    explicit TgaHeader(std::string_view head)
-        : idLength(byteAt(head, 0)),
-          paletteType(byteAt(head, 1)),
-          type(byteAt(head, 2) & 7U),
-          packed(byteAt(head, 2) & 8U),
-          typeKnown((byteAt(head, 2) & ~0xbU) == 0),
-          paletteFirst(wordAt(head, 3)),
-          paletteLength(wordAt(head, 5)),
-          paletteBits(byteAt(head, 7)),
-          width(wordAt(head, 12)),
-          height(wordAt(head, 14)),
-          bits(byteAt(head, 16)),
-          flags(byteAt(head, 17)) {}
-
-    unsigned idLength, paletteType, type, packed;
-    bool typeKnown;
-    unsigned paletteFirst, paletteLength, paletteBits, width, height, bits, flags;
-
-    bool paletteFits() const {
-        if (paletteType == 0) return type != 1 && paletteFirst + paletteLength + paletteBits == 0;
-        const bool known = paletteBits == 15 || paletteBits == 16 || paletteBits == 24 || paletteBits == 32;
-        return paletteType == 1 && type == 1 && known && paletteLength > 0;
-    }
-    bool depthFits() const {
-        if (type == 1) return bits == 8;
-        if (type == 2) return bits == 15 || bits == 16 || bits == 24 || bits == 32;
-        return type == 3 && (bits == 8 || bits == 16);
-    }
-    /// The least that a file with it has. A packet of a packed file holds up to 128 pixels.
-    double minSize() const {
-        const int each = (bits + 7) / 8, ofPalette = paletteLength * ((paletteBits + 7) / 8);
-        const double pixels = 1.0 * width * height;
-        const double stored = packed ? pixels / 128 * (1 + each) : pixels * each;
-        return 18 + idLength + ofPalette + stored;
-    }
-};
-
-bool isTga(std::string_view head, double size) {
-    if (head.size() < 18) return false;
-    const TgaHeader header(head);
-    return header.typeKnown && header.paletteFits() && header.depthFits() && header.width > 0 &&
-           header.height > 0 && (header.flags & 0xc0U) == 0 && header.minSize() <= size;
-}
-
-// ---
 
 bool isSvg(std::string_view head) {
     return head.starts_with("<?xml") && head.find("<svg") != std::string_view::npos;

@@ -5,7 +5,8 @@
 //
 // To be run with glibc's checking allocator (LD_PRELOAD=libc_malloc_debug.so.0
 // GLIBC_TUNABLES=glibc.malloc.check=3): what is written behind a block ends the process when the block is
-// freed, in the libraries too, which no sanitizer has compiled.
+// freed, in the libraries too, which no sanitizer has compiled. Fifty times slower, but of every read and
+// write: valgrind -q --undef-value-errors=no --exit-on-first-error=yes --error-exitcode=9 picture_fuzzer …
 
 #include <OpenImageIO/imageio.h>
 #include <sys/resource.h>
@@ -19,11 +20,11 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <random>
 
 #include "core/mesh/error.h"
 #include "core/mesh/input_file.h"
+#include "tests/fuzz/picture_samples.h"
 #include "warp/image.h"
 
 namespace fs = std::filesystem;
@@ -31,85 +32,10 @@ namespace fs = std::filesystem;
 namespace {
 
 using Random = std::mt19937;
-
-struct Sample {
-    std::string name, bytes;
-};
-
-std::string contents(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
+using wend::fuzz::Sample;
 
 void put(const fs::path& path, const std::string& bytes) {
     std::ofstream(path, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-}
-
-// --- Samples ---
-
-using Set = std::function<void(OIIO::ImageSpec&)>;
-
-/// A gradient with something of noise, written by OpenImageIO.
-void add(std::vector<Sample>& samples, const fs::path& folder, const std::string& name, int channels,
-         OIIO::TypeDesc type, const Set& set = {}) {
-    OIIO::ImageSpec spec(23, 17, channels, type);
-    spec.attribute("ImageDescription", "a small picture");
-    if (set) set(spec);
-    std::vector<float> pixels(static_cast<std::size_t>(23 * 17 * channels));
-    for (std::size_t i = 0; i < pixels.size(); ++i) pixels[i] = static_cast<float>(i * i % 251) / 251;
-    const fs::path path = folder / name;
-    const auto output = OIIO::ImageOutput::create(path.string());
-    const bool written = output && output->open(path.string(), spec) &&
-                         output->write_image(OIIO::TypeDesc::FLOAT, pixels.data()) && output->close();
-    if (!written) {
-        std::fprintf(stderr, "%s cannot be made: %s\n", name.c_str(), OIIO::geterror().c_str());
-        std::exit(3);
-    }
-    samples.push_back({name, contents(path)});
-}
-
-std::vector<Sample> makeSamples(const fs::path& folder) {
-    using T = OIIO::TypeDesc;
-    std::vector<Sample> samples;
-    const auto packed = [](const char* how) {
-        return [how](OIIO::ImageSpec& spec) { spec.attribute("compression", how); };
-    };
-    const auto tiled = [](OIIO::ImageSpec& spec) { spec.tile_width = spec.tile_height = 16; };
-    for (int channels = 1; channels <= 4; ++channels) {
-        const std::string n = std::to_string(channels);
-        add(samples, folder, "8-" + n + ".png", channels, T::UINT8);
-        add(samples, folder, "16-" + n + ".png", channels, T::UINT16);
-        add(samples, folder, "f-" + n + ".tif", channels, T::FLOAT);
-    }
-    for (const char* how : {"none", "lzw", "zip", "packbits"})
-        add(samples, folder, std::string("c-") + how + ".tif", 3, T::UINT8, packed(how));
-    add(samples, folder, "tiled.tif", 3, T::UINT16, tiled);
-    for (const char* how : {"none", "rle", "zip", "zips", "piz", "pxr24", "b44", "b44a", "dwaa"})
-        add(samples, folder, std::string("c-") + how + ".exr", 4, T::HALF, packed(how));
-    add(samples, folder, "float.exr", 3, T::FLOAT);
-    add(samples, folder, "tiled.exr", 3, T::HALF, tiled);
-    for (int channels : {1, 3})
-        add(samples, folder, "p-" + std::to_string(channels) + ".jpg", channels, T::UINT8);
-    add(samples, folder, "progressive.jpg", 3, T::UINT8,
-        [](OIIO::ImageSpec& spec) { spec.attribute("jpeg:progressive", 1); });
-    for (int channels : {3, 4})
-        add(samples, folder, "w-" + std::to_string(channels) + ".webp", channels, T::UINT8);
-    add(samples, folder, "a.hdr", 3, T::FLOAT);
-    for (int channels : {1, 3, 4})
-        add(samples, folder, "b-" + std::to_string(channels) + ".bmp", channels, T::UINT8);
-    for (const char* how : {"none", "rle"})
-        for (int channels : {1, 3, 4})
-            add(samples, folder, std::string(how) + std::to_string(channels) + ".tga", channels, T::UINT8,
-                packed(how));
-    for (int binary : {0, 1})
-        for (int channels : {1, 3})
-            add(samples, folder, std::to_string(binary) + std::to_string(channels) + ".ppm", channels,
-                T::UINT8, [binary](OIIO::ImageSpec& spec) { spec.attribute("pnm:binary", binary); });
-    samples.push_back({"palette.tga", std::string("\0\1\1\0\0\2\0\x18\0\0\0\0\4\0\4\0\x08\0", 18) + "abcdef" +
-                                          std::string("\0\1\0\1\0\1\0\1\0\1\0\1\0\1\0\1", 16)});
-    samples.push_back({"grey.pfm", "Pf\n4 2\n-1.0\n" + std::string(32, '?')});
-    samples.push_back({"bits.pbm", "P1\n4 2\n0 1 0 1\n1 0 1 0\n"});
-    return samples;
 }
 
 // --- Changes ---
@@ -193,6 +119,7 @@ unsigned tryRange(const Sample& sample, const fs::path& path, unsigned first, un
                   std::string& end) {
     int ends[2];
     if (pipe(ends) != 0) std::exit(3);
+    std::fflush(stdout);  // or the child, too, would write what is in its buffer
     const pid_t child = fork();
     if (child == 0) {
         for (unsigned seed = first; seed < last; ++seed) {
@@ -228,8 +155,15 @@ int main(int argc, char** argv) {
     OIIO::attribute("threads", 1);
     OIIO::attribute("exr_threads", -1);
     int findings = 0, inputs = 0;
-    for (const Sample& sample : makeSamples(folder)) {
+    for (const Sample& sample : wend::fuzz::makeSamples(folder)) {
         const fs::path path = folder / ("changed" + fs::path(sample.name).extension().string());
+        put(path, sample.bytes);
+        try {
+            wend::readImage(path.string());
+        } catch (const wend::InputError& error) {
+            ++findings;
+            std::printf("%s as it is: %s\n", sample.name.c_str(), error.what());
+        }
         for (unsigned first = seed * count, last = first + count; first < last;) {
             std::string end;
             const unsigned stopped = tryRange(sample, path, first, last, end);

@@ -49,6 +49,8 @@ class TestPictureFormat : public QObject {
     void notRead();
     void notTga_data();
     void notTga();
+    void tgaPalettes_data();
+    void tgaPalettes();
 
   private:
     std::string put(const QString& name, const QByteArray& bytes) {
@@ -163,6 +165,49 @@ void TestPictureFormat::notTga() {
     QFETCH(QByteArray, bytes);
     const std::string path = put("c.tga", bytes);
     QVERIFY_THROWS_EXCEPTION(InputError, pictureFormat(InputFile(path)));
+}
+
+void TestPictureFormat::tgaPalettes_data() {
+    QTest::addColumn<QByteArray>("type");
+    QTest::addColumn<QByteArray>("pixels");
+    QTest::newRow("stored") << QByteArray("\1") << QByteArray("\0\1\2\2\1\0", 6);
+    QTest::newRow("packed") << QByteArray("\x9") << QByteArray("\2\0\1\2\x80\2\1\1\0", 9);
+}
+
+/// Each pixel names one of three colours. One that the palette does not hold is not looked up in what lies
+/// behind it.
+void TestPictureFormat::tgaPalettes() {
+    QFETCH(QByteArray, type);
+    QFETCH(QByteArray, pixels);
+    const QByteArray header = tga()
+                                  .left(18)
+                                  .replace(1, 1, "\1")
+                                  .replace(2, 1, type)
+                                  .replace(5, 1, "\3")
+                                  .replace(7, 1, "\x18")
+                                  .replace(16, 1, "\x8");
+    const QByteArray palette = QByteArray::fromHex("0000ff00ff00ff0000");  // red, green and blue, as BGR
+    const Image image = readImage(put("c.tga", header + palette + pixels));
+    QCOMPARE(image.channels, 3);
+    const int expected[] = {0, 1, 2, 2, 1, 0};
+    for (int p = 0; p < 6; ++p)
+        for (int c = 0; c < 3; ++c)
+            QCOMPARE(int(image.data[static_cast<std::size_t>(3 * p + c)]), c == expected[p] ? 255 : 0);
+    const auto reason = [&](const QByteArray& bytes) -> std::string {
+        try {
+            readImage(put("c.tga", bytes));
+        } catch (const InputError& error) {
+            return error.reason();
+        }
+        return {};
+    };
+    for (int at = 0; at < pixels.size(); ++at) {
+        if (pixels.size() == 9 && (at == 0 || at == 4 || at == 6)) continue;  // heads of packets
+        const std::string said = reason(header + palette + QByteArray(pixels).replace(at, 1, "\3"));
+        QVERIFY2(said.find("a pixel has colour 3 of a palette of 3") != std::string::npos, said.c_str());
+    }
+    const std::string said = reason(QByteArray(header).replace(3, 1, "\1") + palette + pixels);
+    QVERIFY2(said.find("does not begin with colour 0") != std::string::npos, said.c_str());
 }
 
 QTEST_GUILESS_MAIN(TestPictureFormat)
