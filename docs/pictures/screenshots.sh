@@ -1,31 +1,36 @@
 #!/usr/bin/env bash
-# Takes the screenshots of the window that README and manual show, or the one that is named. Needs Debian's xvfb, xdotool and imagemagick.
+# Takes the screenshots of the window that README and manual show, or the one that is named; with --every FOLDER, into that folder,
+# every step of a picture and of a solid, light and dark, at 100 and 200 %, to be looked at. Needs Debian's xvfb, xdotool and imagemagick.
 set -e
-only=$1
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)
+folder=$here only=$1 every=
+[ "$only" = --every ] && every=yes only= folder=$(realpath "$2")
 export DISPLAY=:78 HOME XDG_RUNTIME_DIR
 scratch=$(mktemp -d) XDG_RUNTIME_DIR=$(mktemp -d)
-Xvfb "$DISPLAY" -screen 0 1440x900x24 >/dev/null 2>&1 &
+Xvfb "$DISPLAY" -screen 0 2880x1800x24 >/dev/null 2>&1 &
 server=$!
 trap 'kill $program $server 2>/dev/null; rm -rf "$scratch" "$XDG_RUNTIME_DIR"' EXIT
 sleep 1
 
-shot() { # NAME ARGUMENT…: opens the window, waits, sends the keys in KEYS, waits for PAUSE, drags along DRAG (x y x y), takes a picture of it
+# NAME ARGUMENT…: opens the window, waits, sends the keys in KEYS, waits for PAUSE, drags along DRAG (x y x y), takes a picture of it;
+# dark if DARK says so, SCALE times as large
+shot() {
     local name=$1
     shift
     [ -z "$only" ] || [ "$only" = "$name" ] || return 0
     HOME=$scratch/$name  # of its own: what one leaves unsaved is not offered to the next
     mkdir -p "$HOME/.config/Wend"
-    printf '[General]\ntipsDone=7\n' >"$HOME/.config/Wend/Wend.conf"  # no tips
-    "$root/build/release/wend" "$@" >/dev/null 2>&1 &
+    local width=$((1440 * ${SCALE:-1})) height=$((900 * ${SCALE:-1}))
+    printf '[General]\ntipsDone=7\n%s\n' "${DARK:+appearance=2}" >"$HOME/.config/Wend/Wend.conf"  # no tips
+    QT_SCALE_FACTOR=${SCALE:-1} "$root/build/release/wend" "$@" >/dev/null 2>&1 &
     program=$!
     local window
     window=$(xdotool search --sync --onlyvisible --pid "$program" | tail -n 1)
-    xdotool windowmove "$window" 0 0 windowsize "$window" 1440 900 || true  # a solid makes it anew meanwhile
+    xdotool windowmove "$window" 0 0 windowsize "$window" "$width" "$height" || true  # a solid makes it anew meanwhile
     sleep "${WAIT:-8}"
     window=$(xdotool search --onlyvisible --pid "$program" | tail -n 1)
-    xdotool windowmove "$window" 0 0 windowsize "$window" 1440 900 windowfocus "$window"
+    xdotool windowmove "$window" 0 0 windowsize "$window" "$width" "$height" windowfocus "$window"
     sleep 1
     for key in $KEYS; do
         xdotool key "$key"
@@ -42,12 +47,26 @@ shot() { # NAME ARGUMENT…: opens the window, waits, sends the keys in KEYS, wa
         xdotool mouseup 1
         sleep "${WAIT:-8}"
     fi
-    xdotool mousemove 700 880
+    xdotool mousemove $((width * 35 / 72)) $((height - 20))
     sleep 1
-    import -window root "$here/$name"
+    import -window root -crop "${width}x$height+0+0" +repage "$folder/$name"
     kill "$program"
     wait "$program" 2>/dev/null || true
 }
+
+if [ "$every" ]; then
+    for SCALE in 1 2; do
+        for DARK in "" yes; do
+            for sample in giraffe bar; do
+                for step in 1 2 3 4 5; do
+                    KEYS="ctrl+$step" shot "$sample-$step-${DARK:+dark-}${SCALE}00.png" "$root/resources/samples/$sample.wend"
+                done
+            done
+            shot "start-${DARK:+dark-}${SCALE}00.png"
+        done
+    done
+    exit
+fi
 
 shot start.png
 KEYS="alt+h t" PAUSE=20 DRAG="414 762 414 762" shot tutorial.png

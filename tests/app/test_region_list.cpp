@@ -161,7 +161,7 @@ void TestRegionList::chosenOnesAreOutlined() {
         [[maybe_unused]] const bool settled = QTest::qWaitFor([&] { return canvas.isSettled(); }, 20000);
         return canvas.grab().toImage();
     };
-    const auto& ball = std::get<Ball<2>>(groups(of)[0].regions[0].shape);
+    const auto ball = std::get<Ball<2>>(groups(of)[0].regions[0].shape);
     const QPoint edge = canvas.toWidget(ball.centre - Vec<2>(0, ball.radius)).toPoint();
     const auto differAtTheEdge = [&](const QImage& a, const QImage& b) {
         for (int y = -3; y <= 3; ++y)
