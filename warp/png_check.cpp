@@ -95,24 +95,27 @@ class Trial {
     void feed(std::string data) {
         m_stream.next_in = reinterpret_cast<Bytef*>(data.data());
         m_stream.avail_in = static_cast<uInt>(data.size());
-        while (!done() && !m_ended) {
+        while (!m_ended) {
             m_stream.next_out = m_buffer.data();
             m_stream.avail_out = static_cast<uInt>(m_buffer.size());
             const int status = inflate(&m_stream, Z_NO_FLUSH);
-            if (status != Z_OK && status != Z_STREAM_END && status != Z_BUF_ERROR)
-                throw Problem("has pixels whose compressed data is damaged");
-            m_ended = status == Z_STREAM_END;
+            const bool damaged = status != Z_OK && status != Z_STREAM_END && status != Z_BUF_ERROR;
+            if (damaged && !done()) throw Problem("has pixels whose compressed data is damaged");
+            m_ended = damaged || status == Z_STREAM_END;
             const std::size_t made = m_buffer.size() - m_stream.avail_out;
             pass(made);
             if (made < m_buffer.size()) break;
         }
     }
+    /// All scanlines are there, and so is the end of the compressed data, which libpng asks for as well;
+    /// damage behind the scanlines is an end, too.
+    bool isWhole() { return done() && m_ended; }
+
+  private:
     bool done() {
         while (m_set < m_rows.size() && m_row == m_rows[m_set].count) ++m_set, m_row = 0;
         return m_set == m_rows.size();
     }
-
-  private:
     /// Looks at the first byte of every scanline among those that were made.
     void pass(std::size_t made) {
         for (std::size_t at = 0; at < made && !done();) {
@@ -149,7 +152,7 @@ class Walk {
         // Deflate packs at most 1032 bytes into one.
         if (bytesIn(rowsOf(*m_header)) / 1032 > m_compressed + 1)
             throw Problem("claims more pixels than it can hold");
-        if (m_trial && !m_trial->done()) throw Problem("has too few data for its pixels");
+        if (m_trial && !m_trial->isWhole()) throw Problem("has too few data for its pixels");
     }
 
   private:

@@ -51,8 +51,8 @@ struct TgaHeader {
     }
 };
 
-/// The largest of so many numbers of colours, of a byte each. A packet is a byte (how many, and whether they are one and the same)
-/// and what it says.
+/// The largest of so many numbers of colours, of a byte each. A packet is a byte (how many, and whether they
+/// are one and the same) and what it says.
 unsigned largestIndex(std::string_view data, double count, bool packed) {
     unsigned largest = 0;
     const auto take = [&](std::size_t from, std::size_t size) {
@@ -85,7 +85,8 @@ bool isTga(std::string_view head, double size) {
 std::string tgaProblem(const InputFile& file) {
     const TgaHeader header(file.bytes(0, 18));
     if (header.type != 1) return {};
-    if (header.paletteFirst > 0) return "has a palette that does not begin with colour 0; such TGA pictures are not read";
+    if (header.paletteFirst > 0)
+        return "has a palette that does not begin with colour 0; such TGA pictures are not read";
     const std::string data = file.bytes(static_cast<std::uint64_t>(header.beforePixels()), file.size());
     const unsigned largest = largestIndex(data, 1.0 * header.width * header.height, header.packed > 0);
     if (largest < header.paletteLength) return {};

@@ -3,6 +3,7 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "app/panels/energy_scale.h"
@@ -16,17 +17,21 @@ constexpr int kBar = 12, kBars = 26;  // the height of the colours, and of the h
 constexpr QSize kCard(216, 56);
 constexpr int kEdge = 12;  // from the view's
 
-/// The four names below their colours.
+/// The four names below their colours; where they would touch, they give way to the ends' names.
 void paintStops(QPainter& painter, const QRect& where, int dimension) {
     const EnergyScale scale(dimension);
-    constexpr int kLast = EnergyScale::kStops - 1;
+    constexpr int kLast = EnergyScale::kStops - 1, kGap = 7;
+    std::array<int, EnergyScale::kStops> x{}, width{};
     for (int i = 0; i <= kLast; ++i) {
-        const QString& name = scale.stops()[i].name;
-        const int width = painter.fontMetrics().horizontalAdvance(name);
+        width[i] = painter.fontMetrics().horizontalAdvance(scale.stops()[i].name);
         const int middle = where.left() + where.width() * i / kLast;
-        const int x = std::clamp(middle - width / 2, where.left(), where.right() - width);
-        painter.drawText(QRect(x, where.top(), width + 2, where.height()), Qt::AlignLeft, name);
+        x[i] = std::clamp(middle - width[i] / 2, where.left(), where.right() - width[i]);
     }
+    for (int i = 1; i < kLast; ++i) x[i] = std::max(x[i], x[i - 1] + width[i - 1] + kGap);
+    for (int i = kLast - 1; i > 0; --i) x[i] = std::min(x[i], x[i + 1] - kGap - width[i]);
+    for (int i = 0; i <= kLast; ++i)
+        painter.drawText(QRect(x[i], where.top(), width[i] + 2, where.height()), Qt::AlignLeft,
+                         scale.stops()[i].name);
 }
 
 /// By the square root: what is rare is seen as well.

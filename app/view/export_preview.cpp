@@ -103,6 +103,14 @@ QSize ExportPreview::room() const {
         .expandedTo({16, 16});
 }
 
+QRectF ExportPreview::place() const {
+    const QSizeF frame = QSizeF(this->size()).shrunkBy({kMargin, kMargin, kMargin, kMargin});
+    QSizeF size = m_image.deviceIndependentSize();
+    if (size.boundedTo(frame) != size) size.scale(frame, Qt::KeepAspectRatio);
+    return {QPointF(std::round((width() - size.width()) / 2), std::round((height() - size.height()) / 2)),
+            size};
+}
+
 void ExportPreview::setImage(const QImage& image) {
     m_image = image;
     m_current = true;
@@ -117,9 +125,8 @@ void ExportPreview::paintEvent(QPaintEvent*) {
     painter.setBrush(theme.workspace);
     painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 8, 8);
     if (m_image.isNull()) return;
-    const QSizeF size = m_image.deviceIndependentSize();
-    const QRectF place(
-        QPointF(std::round((width() - size.width()) / 2), std::round((height() - size.height()) / 2)), size);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    const QRectF place = this->place();
     if (m_image.hasAlphaChannel() && !property("bare").toBool()) {
         painter.save();
         painter.setClipRect(place);

@@ -24,6 +24,8 @@ class ExportPreview : public QWidget {
     bool isCurrent() const { return m_current; }
     /// In pixels of the screen.
     QSize room() const;
+    /// Where the image is seen: in the middle, smaller if it is larger than the room.
+    QRectF place() const;
     QSize sizeHint() const override { return m_wanted; }
 
   protected:

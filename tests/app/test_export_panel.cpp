@@ -10,6 +10,7 @@
 #include "app/panels/material_panel.h"
 #include "app/panels/option_field.h"
 #include "app/view/export_panel.h"
+#include "app/view/export_preview.h"
 #include "app/view/exporter.h"
 #include "tests/support/dialogs.h"
 #include "tests/support/solid_fixture.h"
@@ -121,7 +122,9 @@ void TestExportPanel::kindsAreThoseOfTheShape() {
     QTRY_VERIFY(button("Export…")->isEnabled());
     QTRY_VERIFY_WITH_TIMEOUT(facts().contains(solid ? "vertices" : "240 × 160 pixels"), 20000);
     QVERIFY(isCurrent() && !seen().isNull());
-    QVERIFY(!m_f->window().materialPanel().isVisible());  // its room is the preview's
+    const auto& preview = *panel().findChild<ExportPreview*>();
+    QVERIFY(QRectF(preview.rect()).contains(preview.place()));  // nothing is cut off
+    QVERIFY(!m_f->window().materialPanel().isVisible());        // its room is the preview's
 }
 
 /// A pose that is changed in the step is seen without another deed, and only the newest one.

@@ -1,7 +1,7 @@
 // picture_fuzzer SEED COUNT [FOLDER]: makes small pictures in every format that is read, changes them at
 // random, COUNT times each, and reads them. The same seed gives the same files. Reading happens in processes
-// of their own; a signal or ten seconds of computing is a finding: its file is kept in FOLDER. Exit code 0 if
-// there is none.
+// of their own; a signal, ten seconds of computing, or a line that a library prints by itself is a finding:
+// its file is kept in FOLDER. Exit code 0 if there is none.
 //
 // To be run with glibc's checking allocator (LD_PRELOAD=libc_malloc_debug.so.0
 // GLIBC_TUNABLES=glibc.malloc.check=3): what is written behind a block ends the process when the block is
@@ -9,6 +9,7 @@
 // write: valgrind -q --undef-value-errors=no --exit-on-first-error=yes --error-exitcode=9 picture_fuzzer …
 
 #include <OpenImageIO/imageio.h>
+#include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -33,6 +34,13 @@ namespace {
 
 using Random = std::mt19937;
 using wend::fuzz::Sample;
+
+constexpr int kPrinted = 4;  // the exit code of a process whose reader has printed something
+
+std::string contents(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
 
 void put(const fs::path& path, const std::string& bytes) {
     std::ofstream(path, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
@@ -122,6 +130,9 @@ unsigned tryRange(const Sample& sample, const fs::path& path, unsigned first, un
     std::fflush(stdout);  // or the child, too, would write what is in its buffer
     const pid_t child = fork();
     if (child == 0) {
+        const int printed =
+            ::open((path.parent_path() / "printed").c_str(), O_CREAT | O_TRUNC | O_RDWR, 0600);
+        dup2(printed, STDERR_FILENO);
         for (unsigned seed = first; seed < last; ++seed) {
             put(path, changed(sample, seed));
             if (write(ends[1], &seed, sizeof seed) < 0) _exit(3);
@@ -129,6 +140,7 @@ unsigned tryRange(const Sample& sample, const fs::path& path, unsigned first, un
             setrlimit(RLIMIT_CPU, &time);
             alarm(300);
             read(path);
+            if (lseek(STDERR_FILENO, 0, SEEK_END) > 0) _exit(kPrinted);
         }
         _exit(0);
     }
@@ -139,8 +151,10 @@ unsigned tryRange(const Sample& sample, const fs::path& path, unsigned first, un
     int status = 0;
     waitpid(child, &status, 0);
     if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return last;
-    end = WIFSIGNALED(status) ? "signal " + std::to_string(WTERMSIG(status))
-                              : "exit code " + std::to_string(WEXITSTATUS(status));
+    end = WIFEXITED(status) && WEXITSTATUS(status) == kPrinted
+              ? "printed " + contents(path.parent_path() / "printed")
+          : WIFSIGNALED(status) ? "signal " + std::to_string(WTERMSIG(status))
+                                : "exit code " + std::to_string(WEXITSTATUS(status));
     return current;
 }
 

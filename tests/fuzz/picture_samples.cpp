@@ -72,10 +72,12 @@ std::string bmp(unsigned bits, unsigned compression, unsigned colours) {
     for (unsigned k = 0; k < colours; ++k) palette += little(k * 0x30507, 4);
     for (unsigned y = 0; y < kSide; ++y) {
         if (compression > 0)  // a run, and as many that are not one
-            rows += (compression == 1 ? std::string("\4\1\0\4\1\2\1\2", 8) : std::string("\4\x12\0\4\x12\x21", 6)) +
+            rows += (compression == 1 ? std::string("\4\1\0\4\1\2\1\2", 8)
+                                      : std::string("\4\x12\0\4\x12\x21", 6)) +
                     (y + 1 < kSide ? std::string(2, '\0') : std::string("\0\1", 2));
         else
-            rows += std::string((kSide * bits + 31) / 32 * 4, static_cast<char>(colours == 3 ? y % 3 : y * 9));
+            rows +=
+                std::string((kSide * bits + 31) / 32 * 4, static_cast<char>(colours == 3 ? y % 3 : y * 9));
     }
     const auto offset = static_cast<std::uint32_t>(54 + palette.size());
     const auto size = static_cast<std::uint32_t>(rows.size());
@@ -94,7 +96,8 @@ std::string pngWithPalette(unsigned bits) {
     std::string colours, rows;
     for (unsigned k = 0; k < 3U << bits; ++k) colours += static_cast<char>(k * 7);
     for (unsigned y = 0; y < kSide; ++y)
-        rows += std::string(1, static_cast<char>(y % 5)) + std::string(kSide * bits / 8, static_cast<char>(y * 5));
+        rows += std::string(1, static_cast<char>(y % 5)) +
+                std::string(kSide * bits / 8, static_cast<char>(y * 5));
     std::string packed(compressBound(rows.size()), '\0');
     uLongf size = packed.size();
     compress(reinterpret_cast<Bytef*>(packed.data()), &size, reinterpret_cast<const Bytef*>(rows.data()),
@@ -117,10 +120,10 @@ std::string tiff(unsigned bits, unsigned photometric) {
     const auto entry = [](unsigned tag, unsigned type, std::uint32_t number, std::uint32_t value) {
         return little(tag, 2) + little(type, 2) + little(number, 4) + little(value, 4);
     };
-    std::string bytes = "II*" + std::string(1, '\0') + little(8, 4) + little(count, 2) + entry(256, 3, 1, kSide) +
-                        entry(257, 3, 1, kSide) + entry(258, 3, 1, bits) + entry(259, 3, 1, 1) +
-                        entry(262, 3, 1, photometric) + entry(273, 4, 1, atPixels) + entry(277, 3, 1, 1) +
-                        entry(278, 3, 1, kSide) +
+    std::string bytes = "II*" + std::string(1, '\0') + little(8, 4) + little(count, 2) +
+                        entry(256, 3, 1, kSide) + entry(257, 3, 1, kSide) + entry(258, 3, 1, bits) +
+                        entry(259, 3, 1, 1) + entry(262, 3, 1, photometric) + entry(273, 4, 1, atPixels) +
+                        entry(277, 3, 1, 1) + entry(278, 3, 1, kSide) +
                         entry(279, 4, 1, static_cast<std::uint32_t>(pixels.size()));
     if (photometric == 3) bytes += entry(320, 3, 3U << bits, after);
     return bytes + little(0, 4) + colours + pixels;

@@ -534,6 +534,9 @@ class TestImage : public QObject {
         row("filter", rgb + pixels(QByteArray(14, '\x09')) + end, "damaged");
         row("no zlib", rgb + chunk("IDAT", "hello world hello") + end, "damaged");
         row("too short", rgb + pixels(QByteArray(9, '\0')) + end, "too few data");
+        // All scanlines come out, and more; the end of the compressed data is missing.
+        row("no end of the data",
+            rgb + chunk("IDAT", qCompress(QByteArray(90000, '\0')).mid(4).chopped(12)) + end, "too few data");
         row("no end", rgb + good, "its end is missing");
         row("checksum", rgb + good.chopped(1) + '\x55' + end, "its checksum is another");
     }
