@@ -47,7 +47,7 @@ shot() {
         xdotool mouseup 1
         sleep "${WAIT:-8}"
     fi
-    xdotool mousemove $((width * 35 / 72)) $((height - 20))
+    xdotool mousemove $((width * 35 / 72)) 12  # beside the menus, where nothing has a tip
     sleep 1
     import -window root -crop "${width}x$height+0+0" +repage "$folder/$name"
     kill "$program"
