@@ -41,7 +41,10 @@ struct TgaHeader {
         if (type == 2) return bits == 15 || bits == 16 || bits == 24 || bits == 32;
         return type == 3 && (bits == 8 || bits == 16);
     }
-    double beforePixels() const { return 18.0 + idLength + paletteLength * ((paletteBits + 7) / 8); }
+    double beforePixels() const {
+        const unsigned ofPalette = paletteLength * ((paletteBits + 7) / 8);
+        return 18.0 + idLength + ofPalette;
+    }
     /// The least that a file with it has. A packet of a packed file holds up to 128 pixels.
     double minSize() const {
         const int each = (bits + 7) / 8;

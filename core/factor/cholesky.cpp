@@ -55,13 +55,13 @@ void useOneBlasThread() {
 class BlasBuffer {
   public:
     BlasBuffer() {
-        if (++s_users <= s_kept || hasAddressRoom(kRoom)) return;
-        --s_users;
+        if (++allUsers <= allKept || hasAddressRoom(kRoom)) return;
+        --allUsers;
         throw std::bad_alloc();
     }
     ~BlasBuffer() {
-        const int users = s_users--;
-        for (int kept = s_kept; kept < users && !s_kept.compare_exchange_weak(kept, users);) {
+        const int users = allUsers--;
+        for (int kept = allKept; kept < users && !allKept.compare_exchange_weak(kept, users);) {
         }
     }
     BlasBuffer(const BlasBuffer&) = delete;
@@ -70,7 +70,7 @@ class BlasBuffer {
   private:
     static constexpr std::size_t kRoom = std::size_t{160}
                                          << 20;  // the buffer has 128 MB in Debian's OpenBLAS
-    static inline std::atomic<int> s_users = 0, s_kept = 0;
+    static inline std::atomic<int> allUsers = 0, allKept = 0;
 };
 
 std::mutex& analysisMutex() {

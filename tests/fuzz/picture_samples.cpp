@@ -3,6 +3,7 @@
 #include <OpenImageIO/imageio.h>
 #include <zlib.h>
 
+#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -129,6 +130,29 @@ std::string tiff(unsigned bits, unsigned photometric) {
     return bytes + little(0, 4) + colours + pixels;
 }
 
+/// What a camera and an archive write beside the pixels: EXIF with its parts, IPTC, XMP and an ICC profile.
+void describe(OIIO::ImageSpec& spec) {
+    spec.attribute("Make", "a camera");
+    spec.attribute("Orientation", 6);
+    spec.attribute("DateTime", "2020:01:02 03:04:05");
+    spec.attribute("Exif:FNumber", 2.8F);
+    spec.attribute("Exif:ExposureTime", 0.01F);
+    spec.attribute("Exif:UserComment", "by hand");
+    spec.attribute("Exif:LensSpecification", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 4),
+                   std::array{24.0F, 70.0F, 2.8F, 4.0F}.data());
+    spec.attribute("GPS:LatitudeRef", "N");
+    spec.attribute("GPS:Latitude", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 3),
+                   std::array{48.0F, 8.0F, 14.0F}.data());
+    spec.attribute("IPTC:City", "a town");
+    spec.attribute("Keywords", "one; two");
+    std::string profile(132, '\0');
+    profile.replace(0, 4, big(132)).replace(12, 12, "mntrRGB XYZ ").replace(36, 4, "acsp");
+    profile.replace(68, 12,
+                    big(0xf6d6) + big(0x10000) + big(0xd32d));  // the light that they are all for, D50
+    spec.attribute("ICCProfile", OIIO::TypeDesc(OIIO::TypeDesc::UINT8, static_cast<int>(profile.size())),
+                   profile.data());
+}
+
 }  // namespace
 
 std::vector<Sample> makeSamples(const fs::path& folder) {
@@ -157,6 +181,8 @@ std::vector<Sample> makeSamples(const fs::path& folder) {
         [](OIIO::ImageSpec& spec) { spec.attribute("jpeg:progressive", 1); });
     for (int channels : {3, 4})
         add(samples, folder, "w-" + std::to_string(channels) + ".webp", channels, T::UINT8);
+    for (const char* extension : {"jpg", "tif", "png", "webp", "exr", "hdr"})
+        add(samples, folder, std::string("described.") + extension, 3, T::UINT8, describe);
     add(samples, folder, "a.hdr", 3, T::FLOAT);
     for (int channels : {1, 3, 4})
         add(samples, folder, "b-" + std::to_string(channels) + ".bmp", channels, T::UINT8);

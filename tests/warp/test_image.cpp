@@ -1,9 +1,12 @@
+#include <unistd.h>
+
 #include <QColorSpace>
 #include <QDate>
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 
 #include "core/mesh/error.h"
@@ -420,6 +423,50 @@ class TestImage : public QObject {
         QVERIFY(read.iccProfile().empty());
         writeImage(path("c.png"), read);
         QVERIFY(readImage(path("c.png")).data == read.data);
+    }
+
+    void oddProfilesAreWrittenWithoutAWord_data() {
+        QTest::addColumn<int>("at");
+        QTest::addColumn<QByteArray>("bytes");
+        QTest::newRow("sound") << 0 << QByteArray();
+        QTest::newRow("device") << 12 << QByteArray("abst");
+        QTest::newRow("connection space") << 20 << QByteArray("RGB ");
+        QTest::newRow("intent") << 64 << QByteArray("\0\0\0\7", 4);
+        QTest::newRow("light") << 68 << QByteArray(12, '\0');
+        QTest::newRow("number of tags") << 128 << QByteArray("\0\0\x10\0", 4);
+        QTest::newRow("place of a tag") << 136 << QByteArray("\0\1\0\0", 4);
+        QTest::newRow("size of a tag") << 140 << QByteArray("\0\1\0\0", 4);
+    }
+    /// Formats that cannot hold such a profile leave it out; no library prints a line, and the pixels are the
+    /// same.
+    void oddProfilesAreWrittenWithoutAWord() {
+        QFETCH(int, at);
+        QFETCH(QByteArray, bytes);
+        QImage colour(8, 8, QImage::Format_RGB888);
+        colour.fill(Qt::red);
+        colour.setColorSpace(QColorSpace(QColorSpace::SRgb));
+        QVERIFY(colour.save(m_folder.filePath("odd.jpg"), "JPG", 100));
+        QByteArray jpeg = contents(m_folder.filePath("odd.jpg"));
+        const auto profile = jpeg.indexOf("acsp") - 36;
+        QVERIFY(profile > 0);
+        store(m_folder.filePath("odd.jpg"), jpeg.replace(profile + at, bytes.size(), bytes));
+        const Image image = readImage(path("odd.jpg"));
+        QVERIFY(!image.iccProfile().empty());
+        QFile said(m_folder.filePath("said"));
+        QVERIFY(said.open(QIODevice::ReadWrite | QIODevice::Truncate));
+        std::fflush(stderr);
+        const int before = dup(STDERR_FILENO);
+        dup2(said.handle(), STDERR_FILENO);
+        for (const char* extension : {"png", "tif", "exr", "jpg", "webp", "bmp", "tga", "ppm", "hdr"})
+            writeImage(path(QStringLiteral("odd-out.") + extension), image);
+        std::fflush(stderr);
+        dup2(before, STDERR_FILENO);
+        ::close(before);
+        QCOMPARE(contents(said.fileName()), QByteArray());
+        const Image read = readImage(path("odd-out.png"));
+        QVERIFY(read.data == image.data);
+        QCOMPARE(read.iccProfile().empty(), !bytes.isEmpty());
+        QVERIFY(readImage(path("odd-out.tif")).iccProfile() == image.iccProfile());
     }
 
     void orientationIsHonoured_data() {

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "core/mesh/error.h"
+#include "warp/openimageio/icc_profile.h"
 #include "warp/openimageio/image_metadata.h"
 #include "warp/openimageio/picture_codecs.h"
 #include "warp/openimageio/webp.h"
@@ -78,19 +79,6 @@ void chooseChannels(const OIIO::ImageSpec& spec, Image& image) {
     image.alpha = alpha == 1 || alpha == 3;
     image.channels = image.alpha ? alpha + 1 : (spec.nchannels < 3 ? 1 : 3);
     image.unassociated = image.alpha && spec.get_int_attribute("oiio:UnassociatedAlpha") != 0;
-}
-
-/// A profile for other colours than the pixels' (the CMYK one of a converted JPEG) or a broken one is not the
-/// picture's.
-bool profileFits(const OIIO::ParamValue& profile, int colours) {
-    const std::size_t size = static_cast<std::size_t>(profile.datasize());
-    if (size < 132) return false;
-    const auto* bytes = static_cast<const unsigned char*>(profile.data());
-    const std::size_t declared =
-        static_cast<std::size_t>(bytes[0]) << 24 | bytes[1] << 16 | bytes[2] << 8 | bytes[3];
-    const char* space = colours < 3 ? "GRAY" : "RGB ";
-    return declared == size && std::memcmp(bytes + 36, "acsp", 4) == 0 &&
-           std::memcmp(bytes + 16, space, 4) == 0;
 }
 
 Image header(const OIIO::ImageSpec& spec) {

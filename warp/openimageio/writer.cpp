@@ -8,6 +8,7 @@
 
 #include "core/mesh/error.h"
 #include "warp/openimageio/checked_proxy.h"
+#include "warp/openimageio/icc_profile.h"
 #include "warp/openimageio/image_metadata.h"
 #include "warp/openimageio/picture_codecs.h"
 #include "warp/openimageio/webp.h"
@@ -50,6 +51,14 @@ void copyWindow(const OIIO::ImageSpec& from, OIIO::ImageSpec& to) {
     to.full_width = from.full_width, to.full_height = from.full_height;
 }
 
+/// Where a format has no place for it, or its library would refuse the file.
+void dropOddProfile(PictureFormat format, OIIO::ImageSpec& spec) {
+    const OIIO::ParamValue* profile = spec.find_attribute("ICCProfile");
+    if (!profile) return;
+    if (format == PictureFormat::Exr || (format == PictureFormat::Png && !profileIsStrict(*profile)))
+        spec.erase_attribute("ICCProfile");
+}
+
 OIIO::ImageSpec fileSpec(PictureFormat format, const Image& image) {
     OIIO::ImageSpec spec(image.width, image.height, image.channels, fileType(image.type));
     if (image.colours() == 1) spec.channelnames[0] = "Y";
@@ -60,6 +69,7 @@ OIIO::ImageSpec fileSpec(PictureFormat format, const Image& image) {
         for (const OIIO::ParamValue& value : source.extra_attribs)
             if (!describesStorage(value.name().string())) spec.extra_attribs.add_or_replace(value);
         copyWindow(source, spec);
+        dropOddProfile(format, spec);
     }
     if (image.alpha && image.unassociated) spec.attribute("oiio:UnassociatedAlpha", 1);
     const std::string compression = codecOf(format).compression;
