@@ -9,6 +9,10 @@ listed() { # KIND: the names on the lines of that kind
     sed -n "s/^$1 //p" "$root/scripts/sanitized.txt"
 }
 
+left_out() { # BUILD-FOLDER: the lines of what is not run under its sanitizer, without their first word
+    listed "\(not\|not-$(basename "$1")\)"
+}
+
 tests_of() { # BUILD-FOLDER: the names of all tests
     ctest --test-dir "$1" -N | sed -n 's/^ *Test *#[0-9]*: //p'
 }
@@ -17,11 +21,13 @@ tests_of() { # BUILD-FOLDER: the names of all tests
 groups_of() { # BUILD-FOLDER [ci]: only those of .ci/run
     local all named kind group
     all=$(tests_of "$1")
-    named=" $(listed '\(group\|parts\|ci\)' | tr '\n' ' ') $(listed not | sed 's/ .*//' | tr '\n' ' ') "
+    named=" $(listed '\(group\|parts\|ci\)' | tr '\n' ' ') $(left_out "$1" | sed 's/ .*//' | tr '\n' ' ') "
     for kind in ${2:-ci parts group}; do
         while read -r -a group; do
             [ "$kind" = group ] && printf 'wend '
-            for name in "${group[@]}"; do grep -qx "$name" <<<"$all" && printf '%s ' "$name"; done
+            for name in "${group[@]}"; do
+                grep -qx "$name" <<<"$all" && ! left_out "$1" | grep -q "^$name " && printf '%s ' "$name"
+            done
             echo
         done < <(listed "$kind")
     done
@@ -59,6 +65,6 @@ sanitize() { # PRESET LAST-MINUTE [ci]: what is not built by then is named and n
         echo "$1: $all_passed passed, $all_failed failed after $((SECONDS / 60)) minutes: ${group[*]}"
     done < <(groups_of "$folder" "$3")
     [ "${#late[@]}" -gt 0 ] && echo "$1: not run, for lack of time: ${late[*]}"
-    [ -n "$3" ] && echo "$1: left to scripts/check-all: $(tests_of "$folder" | grep -vxF -f <(listed "$3" | tr ' ' '\n'; listed not | sed 's/ .*//') | tr '\n' ' ')"
-    listed not | sed "s/^/$1: left out: /"
+    [ -n "$3" ] && echo "$1: left to scripts/check-all: $(tests_of "$folder" | grep -vxF -f <(listed "$3" | tr ' ' '\n'; left_out "$folder" | sed 's/ .*//') | tr '\n' ' ')"
+    left_out "$folder" | sed "s/^/$1: left out: /"
 }

@@ -25,7 +25,8 @@ bool tagsAreInside(std::string_view bytes) {
     const std::size_t count = number(bytes, kHeader);
     if (count > (bytes.size() - kHeader - 4) / kTag) return false;
     for (std::size_t k = 0; k < count; ++k) {
-        const std::size_t at = kHeader + 4 + k * kTag, begin = number(bytes, at + 4), size = number(bytes, at + 8);
+        const std::size_t at = kHeader + 4 + k * kTag, begin = number(bytes, at + 4),
+                          size = number(bytes, at + 8);
         if (begin % 4 != 0 || begin > bytes.size() || size > bytes.size() - begin) return false;
     }
     return true;

@@ -8,8 +8,8 @@ namespace wend {
 /// pixels' (the CMYK one of a converted JPEG) or a broken one is not the picture's.
 bool profileFits(const OIIO::ParamValue& profile, int colours);
 
-/// Whether its header and its table of tags keep the rules of ICC.1, section 7, as far as libpng asks for them:
-/// otherwise it prints a line of its own, and does not write the file.
+/// Whether its header and its table of tags keep the rules of ICC.1, section 7, as far as libpng asks for
+/// them: otherwise it prints a line of its own, and does not write the file.
 bool profileIsStrict(const OIIO::ParamValue& profile);
 
 }  // namespace wend
