@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Checks (or with --fix, applies) clang-format; with --tidy runs clang-tidy-16 over what clang compiles.
 cd "$(dirname "$0")/.." || exit 1
-mapfile -t files < <(git ls-files '*.h' '*.cpp')
+mapfile -t files < <(git ls-files --cached --others --exclude-standard '*.h' '*.cpp')  # new ones, too
 case "${1:-}" in
 --fix) exec clang-format -i "${files[@]}" ;;
 --tidy)

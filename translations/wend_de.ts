@@ -1183,7 +1183,7 @@
         <translation>Radius zu Kante ändern</translation>
     </message>
     <message>
-        <source>&amp;Maximum volume</source>
+        <source>Ma&amp;ximum volume</source>
         <translation>&amp;Größtes Volumen</translation>
     </message>
     <message>

@@ -1147,7 +1147,7 @@
         <translation>Cambiar relación radio–arista</translation>
     </message>
     <message>
-        <source>&amp;Maximum volume</source>
+        <source>Ma&amp;ximum volume</source>
         <translation>Vo&amp;lumen máximo</translation>
     </message>
     <message>

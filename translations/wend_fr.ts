@@ -1147,7 +1147,7 @@
         <translation>Modifier le rapport rayon–arête</translation>
     </message>
     <message>
-        <source>&amp;Maximum volume</source>
+        <source>Ma&amp;ximum volume</source>
         <translation>&amp;Volume maximal</translation>
     </message>
     <message>

@@ -1147,7 +1147,7 @@
         <translation>半径・辺長比を変更</translation>
     </message>
     <message>
-        <source>&amp;Maximum volume</source>
+        <source>Ma&amp;ximum volume</source>
         <translation>最大体積(&amp;G)</translation>
     </message>
     <message>

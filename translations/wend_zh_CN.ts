@@ -1147,7 +1147,7 @@
         <translation>更改半径边长比</translation>
     </message>
     <message>
-        <source>&amp;Maximum volume</source>
+        <source>Ma&amp;ximum volume</source>
         <translation>最大体积(&amp;G)</translation>
     </message>
     <message>

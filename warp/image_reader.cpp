@@ -1,4 +1,5 @@
 #include "core/mesh/error.h"
+#include "warp/bmp_check.h"
 #include "warp/image.h"
 #include "warp/orientation.h"
 #include "warp/picture_format.h"
@@ -9,14 +10,26 @@
 namespace wend {
 namespace {
 
+/// What the format's library would not bear; empty if nothing is known.
+std::string problemOf(const InputFile& file, PictureFormat format) {
+    switch (format) {
+        case PictureFormat::Png:
+            return pngProblem(file);
+        case PictureFormat::Bmp:
+            return bmpProblem(file);
+        case PictureFormat::Tga:
+            return tgaProblem(file);
+        default:
+            return {};
+    }
+}
+
 /// By what is in the file.
 PictureFormat formatOf(const std::string& path) {
     const InputFile file(path);
     const PictureFormat format = pictureFormat(file);
-    const std::string problem = format == PictureFormat::Png   ? pngProblem(file)
-                                : format == PictureFormat::Tga ? tgaProblem(file)
-                                                               : "";
-    if (!problem.empty()) throw InputError(path, problem);
+    if (const std::string problem = problemOf(file, format); !problem.empty())
+        throw InputError(path, problem);
     return format;
 }
 

@@ -97,7 +97,7 @@ constexpr std::array kOptions{
     Option{
         "domain.maxVolume", "--max-volume", Number, "", kPositive, "units³", "", "mesh",
         "maximum volume of a tetrahedron", Field{AT(domain.maxVolume), &kSurface, Makes::Mesh},
-        Row{.label = Options::tr("&Maximum volume"),
+        Row{.label = Options::tr("Ma&ximum volume"),
             .help = Options::tr("Larger tetrahedra are split; in cubed units of the file. Half of it makes "
                                 "about twice as many. At a surface that is kept some may stay larger."),
             .undo = Options::tr("Change maximum volume"),

@@ -1,7 +1,8 @@
-// picture_fuzzer SEED COUNT [FOLDER]: makes small pictures in every format that is read, changes them at
-// random, COUNT times each, and reads them. The same seed gives the same files. Reading happens in processes
-// of their own; a signal, ten seconds of computing, or a line that a library prints by itself is a finding:
-// its file is kept in FOLDER. Exit code 0 if there is none.
+// picture_fuzzer SEED COUNT [FOLDER [NAME]]: makes small pictures in every format that is read, changes them
+// at random, COUNT times each, and reads them. The same seed gives the same files. Reading happens in
+// processes of their own; a signal, ten seconds of computing, or a line that a library prints by itself is a
+// finding: its file is kept in FOLDER. With NAME, only samples with that in theirs. Exit code 0 if there is
+// none.
 //
 // To be run with glibc's checking allocator (LD_PRELOAD=libc_malloc_debug.so.0
 // GLIBC_TUNABLES=glibc.malloc.check=3): what is written behind a block ends the process when the block is
@@ -170,6 +171,7 @@ int main(int argc, char** argv) {
     OIIO::attribute("exr_threads", -1);
     int findings = 0, inputs = 0;
     for (const Sample& sample : wend::fuzz::makeSamples(folder)) {
+        if (argc > 4 && sample.name.find(argv[4]) == std::string::npos) continue;
         const fs::path path = folder / ("changed" + fs::path(sample.name).extension().string());
         put(path, sample.bytes);
         try {

@@ -49,6 +49,8 @@ class TestPictureFormat : public QObject {
     void notRead();
     void notTga_data();
     void notTga();
+    void brokenBmp_data();
+    void brokenBmp();
     void tgaPalettes_data();
     void tgaPalettes();
 
@@ -165,6 +167,46 @@ void TestPictureFormat::notTga() {
     QFETCH(QByteArray, bytes);
     const std::string path = put("c.tga", bytes);
     QVERIFY_THROWS_EXCEPTION(InputError, pictureFormat(InputFile(path)));
+}
+
+/// Each breaks one rule of the header of a good file, before the library opens it.
+void TestPictureFormat::brokenBmp_data() {
+    QTest::addColumn<QByteArray>("bytes");
+    QTest::addColumn<QString>("reason");
+    const auto row = [](const char* name, int at, const QByteArray& value, const char* reason) {
+        QTest::newRow(name) << bmp().replace(at, value.size(), value) << reason;
+    };
+    const QByteArray four("\0\0\0\x80", 4);
+    row("length of the header", 14, "\x29", "makes no sense");
+    row("no width", 18, QByteArray(4, '\0'), "no pixels");
+    row("negative width", 18, four, "no pixels");
+    row("no height", 22, QByteArray(4, '\0'), "no pixels");
+    row("planes", 26, "\2", "makes no sense");
+    row("depth", 28, "\x11", "makes no sense");
+    row("runs of another depth", 30, "\1", "makes no sense");
+    row("a JPEG in it", 30, "\4", "makes no sense");
+    row("masks of another depth", 30, "\3", "makes no sense");
+    row("packed from the top", 22, QByteArray("\xfe\xff\xff\xff\1\0\x8\0\1", 9), "makes no sense");
+    row("colours", 28, QByteArray("\x8\0\0\0\0\0", 6) + QByteArray(12, '\0') + QByteArray("\1\1\0\0", 4),
+        "makes no sense");
+    row("more pixels than it holds", 22, "\3", "more pixels");
+    row("more packed ones", 22,
+        QByteArray("\0\1\0\0\1\0\x8\0\1", 9).replace(0, 4, QByteArray("\0\x10\0\0", 4)), "more pixels");
+    row("pixels behind its end", 10, "\x40", "more pixels");
+    QTest::newRow("cut off") << bmp().left(77) << "more pixels";
+    QTest::newRow("no header") << bmp().left(20) << "truncated";
+}
+
+void TestPictureFormat::brokenBmp() {
+    QFETCH(QByteArray, bytes);
+    QFETCH(QString, reason);
+    QVERIFY(!readImage(put("good.bmp", bmp())).data.empty());
+    try {
+        readImage(put("c.bmp", bytes));
+        QFAIL("it was read");
+    } catch (const InputError& error) {
+        QVERIFY2(QString::fromStdString(error.reason()).contains(reason), error.what());
+    }
 }
 
 void TestPictureFormat::tgaPalettes_data() {
