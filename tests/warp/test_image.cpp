@@ -5,6 +5,7 @@
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QtEndian>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
@@ -423,6 +424,40 @@ class TestImage : public QObject {
         QVERIFY(read.iccProfile().empty());
         writeImage(path("c.png"), read);
         QVERIFY(readImage(path("c.png")).data == read.data);
+    }
+
+    /// Crop windows near the ends of what 32 bits hold: sums of places and rows would begin again below zero.
+    void farAwayIsRefused_data() {
+        QTest::addColumn<QString>("extension");
+        QTest::addColumn<int>("x");
+        QTest::addColumn<int>("y");
+        for (const char* extension : {"png", "tif"}) {
+            QTest::addRow("%s, down", extension) << QString(extension) << 0 << 0x7fff0000;
+            QTest::addRow("%s, right", extension) << QString(extension) << 0x7fff0000 << 0;
+        }
+    }
+    void farAwayIsRefused() {
+        QFETCH(QString, extension);
+        QFETCH(int, x);
+        QFETCH(int, y);
+        const std::string name = path("far." + extension);
+        if (extension == "png") {
+            QImage(23, 17, QImage::Format_RGB888).save(QString::fromStdString(name));
+            QByteArray offset(9, '\0');
+            qToBigEndian(x, offset.data());
+            qToBigEndian(y, offset.data() + 4);
+            QByteArray png = contents(QString::fromStdString(name));
+            store(QString::fromStdString(name), png.insert(33, chunk("oFFs", offset)));
+        } else {
+            OIIO::ImageSpec spec(23, 17, 3, OIIO::TypeDesc::UINT8);
+            spec.x = x, spec.y = y;
+            const auto output = OIIO::ImageOutput::create(name);
+            const std::vector<float> pixels(23 * 17 * 3);
+            QVERIFY(output->open(name, spec) && output->write_image(OIIO::TypeDesc::FLOAT, pixels.data()) &&
+                    output->close());
+        }
+        const std::string said = reasonOf(name);
+        QVERIFY2(said.find("from its origin") != std::string::npos, said.c_str());
     }
 
     void oddProfilesAreWrittenWithoutAWord_data() {

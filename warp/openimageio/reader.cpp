@@ -17,6 +17,7 @@ namespace {
 
 using Input = std::unique_ptr<OIIO::ImageInput>;
 
+constexpr double kFarthest = 1e9;         // in pixels
 constexpr int kCieLab = 8, kItuLab = 10;  // of TIFF's photometric interpretations, ICC's L*a*b* between them
 
 /// The first line, which is the cause; what follows repeats it.
@@ -103,6 +104,10 @@ Image header(const OIIO::ImageSpec& spec) {
 void requireSensible(const std::string& path, const OIIO::ImageSpec& spec, double maxMegapixels) {
     if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1) throw InputError(path, "has no pixels");
     if (spec.depth > 1) throw InputError(path, "is a volume, not a picture");
+    // OpenImageIO adds the rows of a strip to such places, in 32 bits.
+    for (const int place : {spec.x, spec.y, spec.full_x, spec.full_y})
+        if (std::abs(static_cast<double>(place)) > kFarthest)
+            throw InputError(path, "lies more than a thousand million pixels from its origin");
     const int colours = spec.get_int_attribute("tiff:PhotometricInterpretation", -1);
     if (colours >= kCieLab && colours <= kItuLab)
         throw InputError(path, "has L*a*b* colours, which are not read; save it with RGB colours");
