@@ -4,8 +4,9 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <string_view>
+
+#include "warp/byte_numbers.h"
 
 namespace wend {
 namespace {
@@ -14,20 +15,16 @@ constexpr std::size_t kFileHeader = 14, kOldHeader = 12;  // in bytes; the old o
 constexpr std::array<std::size_t, 6> kHeaders{kOldHeader, 40, 52, 56, 108, 124};
 enum Packing : std::uint32_t { kStored, kRunsOf8, kRunsOf4, kMasks };
 
-std::uint32_t number(std::string_view bytes, std::size_t at, std::size_t size) {
-    std::uint32_t value = 0;
-    for (std::size_t k = size; k-- > 0;) value = value << 8 | static_cast<unsigned char>(bytes[at + k]);
-    return value;
-}
-
 struct BmpHeader {
     explicit BmpHeader(std::string_view bytes)
-        : pixels(number(bytes, 10, 4)), length(number(bytes, 14, 4)), isOld(length == kOldHeader) {
+        : pixels(littleEndian(bytes, 10, 4)),
+          length(littleEndian(bytes, 14, 4)),
+          isOld(length == kOldHeader) {
         const std::size_t side = isOld ? 2 : 4, after = kFileHeader + 4 + 2 * side;
-        width = static_cast<std::int32_t>(number(bytes, 18, side));
-        height = static_cast<std::int32_t>(number(bytes, 18 + side, side));
-        planes = number(bytes, after, 2), bits = number(bytes, after + 2, 2);
-        if (!isOld) packing = number(bytes, 30, 4), colours = number(bytes, 46, 4);
+        width = static_cast<std::int32_t>(littleEndian(bytes, 18, side));
+        height = static_cast<std::int32_t>(littleEndian(bytes, 18 + side, side));
+        planes = littleEndian(bytes, after, 2), bits = littleEndian(bytes, after + 2, 2);
+        if (!isOld) packing = littleEndian(bytes, 30, 4), colours = littleEndian(bytes, 46, 4);
     }
 
     std::uint32_t pixels, length;
@@ -55,7 +52,7 @@ struct BmpHeader {
 std::string bmpProblem(const InputFile& file) {
     const std::string bytes = file.bytes(0, kFileHeader + 40);
     if (bytes.size() < kFileHeader + kOldHeader) return "is truncated in its header";
-    if (const std::uint32_t length = number(bytes, 14, 4);
+    if (const std::uint32_t length = littleEndian(bytes, 14, 4);
         std::ranges::find(kHeaders, length) == kHeaders.end() ||
         (length > kOldHeader && bytes.size() < kFileHeader + 40))
         return "has a header that makes no sense";

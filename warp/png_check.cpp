@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/mesh/error.h"
+#include "warp/byte_numbers.h"
 
 namespace wend {
 namespace {
@@ -18,12 +19,6 @@ namespace {
 constexpr double kExpanded = 64e6;  // bytes of scanlines up to which the compressed data is tried
 
 using Problem = InputError;  // without the file's name
-
-std::uint64_t bigEndian(std::string_view bytes, std::size_t at = 0) {
-    std::uint64_t value = 0;
-    for (const unsigned char byte : bytes.substr(at, 4)) value = value << 8 | byte;
-    return value;
-}
 
 struct Header {
     std::uint64_t width = 0, height = 0, depth = 0, type = 0, interlaced = 0;

@@ -2,30 +2,25 @@
 
 #include <algorithm>
 
+#include "warp/byte_numbers.h"
+
 namespace wend {
 namespace {
 
-unsigned byteAt(std::string_view bytes, std::size_t at) {
-    return static_cast<unsigned char>(bytes[at]);
-}
-unsigned wordAt(std::string_view bytes, std::size_t at) {
-    return byteAt(bytes, at) | byteAt(bytes, at + 1) << 8;
-}
-
 struct TgaHeader {
     explicit TgaHeader(std::string_view head)
-        : idLength(byteAt(head, 0)),
-          paletteType(byteAt(head, 1)),
-          type(byteAt(head, 2) & 7U),
-          packed(byteAt(head, 2) & 8U),
-          typeKnown((byteAt(head, 2) & ~0xbU) == 0),
-          paletteFirst(wordAt(head, 3)),
-          paletteLength(wordAt(head, 5)),
-          paletteBits(byteAt(head, 7)),
-          width(wordAt(head, 12)),
-          height(wordAt(head, 14)),
-          bits(byteAt(head, 16)),
-          flags(byteAt(head, 17)) {}
+        : idLength(littleEndian(head, 0, 1)),
+          paletteType(littleEndian(head, 1, 1)),
+          type(littleEndian(head, 2, 1) & 7U),
+          packed(littleEndian(head, 2, 1) & 8U),
+          typeKnown((littleEndian(head, 2, 1) & ~0xbU) == 0),
+          paletteFirst(littleEndian(head, 3, 2)),
+          paletteLength(littleEndian(head, 5, 2)),
+          paletteBits(littleEndian(head, 7, 1)),
+          width(littleEndian(head, 12, 2)),
+          height(littleEndian(head, 14, 2)),
+          bits(littleEndian(head, 16, 1)),
+          flags(littleEndian(head, 17, 1)) {}
 
     unsigned idLength, paletteType, type, packed;
     bool typeKnown;
@@ -60,14 +55,14 @@ unsigned largestIndex(std::string_view data, double count, bool packed) {
     unsigned largest = 0;
     const auto take = [&](std::size_t from, std::size_t size) {
         for (std::size_t k = from; k < std::min(from + size, data.size()); ++k)
-            largest = std::max(largest, byteAt(data, k));
+            largest = std::max(largest, littleEndian(data, k, 1));
     };
     if (!packed) {
         take(0, static_cast<std::size_t>(count));
         return largest;
     }
     for (std::size_t at = 0; count > 0 && at < data.size();) {
-        const unsigned packet = byteAt(data, at), pixels = (packet & 0x7fU) + 1,
+        const unsigned packet = littleEndian(data, at, 1), pixels = (packet & 0x7fU) + 1,
                        stored = packet & 0x80U ? 1 : pixels;
         take(at + 1, stored);
         at += 1 + stored;

@@ -4,6 +4,8 @@
 #include <array>
 #include <string_view>
 
+#include "warp/byte_numbers.h"
+
 namespace wend {
 namespace {
 
@@ -15,18 +17,12 @@ std::string_view bytesOf(const OIIO::ParamValue& profile) {
     return {static_cast<const char*>(profile.data()), static_cast<std::size_t>(profile.datasize())};
 }
 
-std::size_t number(std::string_view bytes, std::size_t at) {
-    std::size_t value = 0;
-    for (const unsigned char byte : bytes.substr(at, 4)) value = value << 8 | byte;
-    return value;
-}
-
 bool tagsAreInside(std::string_view bytes) {
-    const std::size_t count = number(bytes, kHeader);
+    const std::size_t count = bigEndian(bytes, kHeader);
     if (count > (bytes.size() - kHeader - 4) / kTag) return false;
     for (std::size_t k = 0; k < count; ++k) {
-        const std::size_t at = kHeader + 4 + k * kTag, begin = number(bytes, at + 4),
-                          size = number(bytes, at + 8);
+        const std::size_t at = kHeader + 4 + k * kTag, begin = bigEndian(bytes, at + 4),
+                          size = bigEndian(bytes, at + 8);
         if (begin % 4 != 0 || begin > bytes.size() || size > bytes.size() - begin) return false;
     }
     return true;
@@ -36,17 +32,17 @@ bool tagsAreInside(std::string_view bytes) {
 
 bool profileFits(const OIIO::ParamValue& profile, int colours) {
     const std::string_view bytes = bytesOf(profile);
-    return bytes.size() >= kHeader + 4 && number(bytes, 0) == bytes.size() && bytes.substr(36, 4) == "acsp" &&
-           bytes.substr(16, 4) == (colours < 3 ? "GRAY" : "RGB ");
+    return bytes.size() >= kHeader + 4 && bigEndian(bytes, 0) == bytes.size() &&
+           bytes.substr(36, 4) == "acsp" && bytes.substr(16, 4) == (colours < 3 ? "GRAY" : "RGB ");
 }
 
 bool profileIsStrict(const OIIO::ParamValue& profile) {
     constexpr std::array kKinds{"scnr"sv, "mntr"sv, "prtr"sv, "spac"sv};
     constexpr auto kD50 = "\0\0\xf6\xd6\0\1\0\0\0\0\xd3\x2d"sv;
     const std::string_view bytes = bytesOf(profile), space = bytes.substr(20, 4);
-    const bool isVersion4 = bytes[8] > 3;
-    return (!isVersion4 || bytes.size() % 4 == 0) && number(bytes, 64) < 4 && bytes.substr(68, 12) == kD50 &&
-           std::ranges::find(kKinds, bytes.substr(12, 4)) != kKinds.end() &&
+    const bool isVersion4 = bigEndian(bytes, 8, 1) > 3;
+    return (!isVersion4 || bytes.size() % 4 == 0) && bigEndian(bytes, 64) < 4 &&
+           bytes.substr(68, 12) == kD50 && std::ranges::find(kKinds, bytes.substr(12, 4)) != kKinds.end() &&
            (space == "XYZ " || space == "Lab ") && tagsAreInside(bytes);
 }
 
