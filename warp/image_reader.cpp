@@ -1,6 +1,7 @@
 #include "core/mesh/error.h"
 #include "warp/bmp_check.h"
 #include "warp/image.h"
+#include "warp/metadata_check.h"
 #include "warp/orientation.h"
 #include "warp/picture_format.h"
 #include "warp/picture_library.h"
@@ -24,27 +25,25 @@ std::string problemOf(const InputFile& file, PictureFormat format) {
     }
 }
 
-/// By what is in the file.
-PictureFormat formatOf(const std::string& path) {
+/// What is in the file decides, not its name.
+PictureSource sourceOf(const std::string& path) {
     const InputFile file(path);
     const PictureFormat format = pictureFormat(file);
     if (const std::string problem = problemOf(file, format); !problem.empty())
         throw InputError(path, problem);
-    return format;
+    return {path, format, bytesWithSoundMetadata(file, format)};
 }
 
 }  // namespace
 
 Image readImageHeader(const std::string& path) {
-    const PictureFormat format = formatOf(path);
-    auto [image, orientation] = pictureLibrary(path).readHeader(path, format);
+    auto [image, orientation] = pictureLibrary(path).readHeader(sourceOf(path));
     if (orientation >= 5) std::swap(image.width, image.height);
     return std::move(image);
 }
 
 Image readImage(const std::string& path, double maxMegapixels) try {
-    const PictureFormat format = formatOf(path);
-    StoredPicture stored = pictureLibrary(path).read(path, format, maxMegapixels, requireReading);
+    StoredPicture stored = pictureLibrary(path).read(sourceOf(path), maxMegapixels, requireReading);
     return upright(std::move(stored.image), stored.orientation);
 } catch (const OutOfMemory&) {
     throw;

@@ -8,6 +8,13 @@
 
 namespace wend {
 
+/// A picture's file. Where `bytes` has any, they are read in its place.
+struct PictureSource {
+    std::string path;
+    PictureFormat format;
+    std::string bytes = {};
+};
+
 /// A picture as it lies in its file, and how an EXIF tag asks to turn it (upright()).
 struct StoredPicture {
     Image image;
@@ -35,11 +42,10 @@ class PictureLibrary {
     virtual ~PictureLibrary() = default;
 
     /// Without the pixels. Throws InputError.
-    virtual StoredPicture readHeader(const std::string& path, PictureFormat format) const = 0;
+    virtual StoredPicture readHeader(const PictureSource& source) const = 0;
     /// `goOn` is called between strips and throws to stop. Throws InputError, and for more than
     /// `maxMegapixels`.
-    virtual StoredPicture read(const std::string& path, PictureFormat format, double maxMegapixels,
-                               void (*goOn)()) const = 0;
+    virtual StoredPicture read(const PictureSource& source, double maxMegapixels, void (*goOn)()) const = 0;
     /// Throws InputError(path, why) if the file is not what was handed over.
     virtual void write(const PictureToWrite& writing) const = 0;
 };

@@ -40,12 +40,9 @@ class OpenImageIO final : public PictureLibrary {
         OIIO::attribute("plugin_searchpath", "");
         OIIO::is_imageio_format_name("png");
     }
-    StoredPicture readHeader(const std::string& path, PictureFormat format) const override {
-        return readStoredHeader(path, format);
-    }
-    StoredPicture read(const std::string& path, PictureFormat format, double maxMegapixels,
-                       void (*goOn)()) const override {
-        return readStored(path, format, maxMegapixels, goOn);
+    StoredPicture readHeader(const PictureSource& source) const override { return readStoredHeader(source); }
+    StoredPicture read(const PictureSource& source, double maxMegapixels, void (*goOn)()) const override {
+        return readStored(source, maxMegapixels, goOn);
     }
     void write(const PictureToWrite& writing) const override { writeStored(writing); }
 };

@@ -1,5 +1,7 @@
 #include "warp/openimageio/reader.h"
 
+#include <OpenImageIO/filesystem.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,8 +16,6 @@
 
 namespace wend {
 namespace {
-
-using Input = std::unique_ptr<OIIO::ImageInput>;
 
 constexpr double kFarthest = 1e9;         // in pixels
 constexpr int kCieLab = 8, kItuLab = 10;  // of TIFF's photometric interpretations, ICC's L*a*b* between them
@@ -34,16 +34,27 @@ bool isBmp(const OIIO::ImageInput& input) {
     return std::string_view(input.format_name()) == "bmp";
 }
 
-Input openPicture(const std::string& path, PictureFormat format) {
-    OIIO::ImageSpec hints, spec;
-    hints.attribute("oiio:UnassociatedAlpha", 1);
-    Input input(codecOf(format).reader());
-    if (!input->open(path, spec, hints)) {
-        const std::string reason = firstLine(input->geterror());
-        throw InputError(path, "cannot be read as a picture" + (reason.empty() ? reason : ": " + reason));
+/// A reader of the file, or of the bytes in its place.
+class OpenPicture {
+  public:
+    explicit OpenPicture(const PictureSource& source)
+        : m_bytes(source.bytes.data(), source.bytes.size()), m_input(codecOf(source.format).reader()) {
+        OIIO::ImageSpec hints, spec;
+        hints.attribute("oiio:UnassociatedAlpha", 1);
+        OIIO::Filesystem::IOProxy* const bytes = &m_bytes;
+        if (!source.bytes.empty()) hints.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &bytes);
+        if (m_input->open(source.path, spec, hints)) return;
+        const std::string reason = firstLine(m_input->geterror());
+        throw InputError(source.path,
+                         "cannot be read as a picture" + (reason.empty() ? reason : ": " + reason));
     }
-    return input;
-}
+    OIIO::ImageInput* operator->() const { return m_input.get(); }
+    OIIO::ImageInput& operator*() const { return *m_input; }
+
+  private:
+    OIIO::Filesystem::IOMemReader m_bytes;
+    std::unique_ptr<OIIO::ImageInput> m_input;
+};
 
 PixelType pixelType(const OIIO::TypeDesc& format) {
     switch (format.basetype) {
@@ -178,15 +189,15 @@ int orientationOf(const OIIO::ImageSpec& spec) {
 
 }  // namespace
 
-StoredPicture readStoredHeader(const std::string& path, PictureFormat format) {
-    const Input input = openPicture(path, format);
-    const OIIO::ImageSpec spec = specOf(path, *input);
+StoredPicture readStoredHeader(const PictureSource& source) {
+    const OpenPicture input(source);
+    const OIIO::ImageSpec spec = specOf(source.path, *input);
     return {header(spec), orientationOf(spec)};
 }
 
-StoredPicture readStored(const std::string& path, PictureFormat format, double maxMegapixels,
-                         void (*goOn)()) {
-    const Input input = openPicture(path, format);
+StoredPicture readStored(const PictureSource& source, double maxMegapixels, void (*goOn)()) {
+    const std::string& path = source.path;
+    const OpenPicture input(source);
     requireSensible(path, input->spec(), maxMegapixels);
     const OIIO::ImageSpec spec = specOf(path, *input);
     StoredPicture stored{header(spec), orientationOf(spec)};

@@ -5,7 +5,7 @@
 namespace wend {
 
 /// As PictureLibrary says.
-StoredPicture readStoredHeader(const std::string& path, PictureFormat format);
-StoredPicture readStored(const std::string& path, PictureFormat format, double maxMegapixels, void (*goOn)());
+StoredPicture readStoredHeader(const PictureSource& source);
+StoredPicture readStored(const PictureSource& source, double maxMegapixels, void (*goOn)());
 
 }  // namespace wend

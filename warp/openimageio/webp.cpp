@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "core/mesh/checked_file.h"
+#include "warp/exif_check.h"
 
 // As in OpenImageIO/tiffutils.h, which wants libtiff's headers for the rest of what it declares.
 OIIO_NAMESPACE_BEGIN
@@ -143,12 +144,13 @@ void readWebpMetadata(const std::string& path, OIIO::ImageSpec& spec) {
     const Mux mux(WebPMuxCreate(&data, 0), WebPMuxDelete);
     if (!mux) return;
     const std::string_view profile = chunk(mux.get(), "ICCP"), xmp = chunk(mux.get(), "XMP ");
-    std::string_view exif = chunk(mux.get(), "EXIF");
-    if (exif.starts_with(std::string_view("Exif\0\0", 6))) exif.remove_prefix(6);  // JPEG's, by some programs
+    std::string exif(chunk(mux.get(), "EXIF"));
+    if (exif.starts_with(std::string_view("Exif\0\0", 6))) exif.erase(0, 6);  // JPEG's, by some programs
     if (!profile.empty())
         spec.attribute("ICCProfile", OIIO::TypeDesc(OIIO::TypeDesc::UINT8, static_cast<int>(profile.size())),
                        profile.data());
-    if (!exif.empty()) OIIO::decode_exif(OIIO::string_view(exif.data(), exif.size()), spec);
+    if (mendExif(exif, 0, exif.size()) != ExifState::Useless)
+        OIIO::decode_exif(OIIO::string_view(exif.data(), exif.size()), spec);
     if (!xmp.empty()) OIIO::decode_xmp(OIIO::string_view(xmp.data(), xmp.size()), spec);
 }
 
