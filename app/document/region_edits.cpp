@@ -58,12 +58,20 @@ Project withRegionsValue(const Project& project, RegionsOf of, int group, double
 }
 
 Project withRegionsName(const Project& project, RegionsOf of, int group, const std::string& wish) {
-    return changed(project, of, group, [&](auto& entries, const std::vector<int>& places) {
+    const std::string before = namedRegions(project, of).at(group).name;
+    std::vector<Handle<2>> handles = std::get<Design<2>>(project.design).handles;
+    Project next = changed(project, of, group, [&](auto& entries, const std::vector<int>& places) {
         auto taken = namesOf(entries);
-        std::erase(taken, entries[places.front()].name);
+        if (of == RegionsOf::Depth)
+            for (const Handle<2>& handle : handles) taken.push_back(handle.name);
+        std::erase(taken, before);
         const std::string name = std::ranges::count(taken, wish) ? freeName(taken, wish, 2) : wish;
         for (const int i : places) entries[i].name = name;
+        for (Handle<2>& handle : handles)
+            if (!before.empty() && handle.name == before) handle.name = name;
     });
+    if (of == RegionsOf::Depth) std::get<Design<2>>(next.design).handles = std::move(handles);
+    return next;
 }
 
 Project withoutRegions(const Project& project, RegionsOf of, int group) {

@@ -20,7 +20,8 @@ struct NamedRegions {
 std::vector<NamedRegions> namedRegions(const Project& project, RegionsOf of);
 
 /// The group of that place in namedRegions() with another value, with another name (with a number behind it
-/// if another is called so already), or not there any more.
+/// if another is called so already), or not there any more. A handle and the depth that it gives have one
+/// name: it is renamed with it.
 Project withRegionsValue(const Project& project, RegionsOf of, int group, double value);
 Project withRegionsName(const Project& project, RegionsOf of, int group, const std::string& wish);
 Project withoutRegions(const Project& project, RegionsOf of, int group);

@@ -1,9 +1,11 @@
 #include "app/view/file_workflow.h"
 
 #include <QAbstractSpinBox>
+#include <QCoreApplication>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QLineEdit>
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
@@ -300,9 +302,14 @@ void FileWorkflow::close() {
     m_document.close();
 }
 
-/// A number that is still being typed is a change, too.
+/// What is still being typed is a change, too: a number, or the name of what a list shows, which is taken
+/// once its editor has closed.
 void FileWorkflow::takeTyped() {
-    if (auto* field = qobject_cast<QAbstractSpinBox*>(m_window.focusWidget())) field->interpretText();
+    QWidget* const field = m_window.focusWidget();
+    if (auto* number = qobject_cast<QAbstractSpinBox*>(field)) number->interpretText();
+    if (!qobject_cast<QLineEdit*>(field)) return;
+    field->clearFocus();
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::MetaCall);
 }
 
 bool FileWorkflow::mayLeave() {

@@ -2,6 +2,8 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QHelpEvent>
+#include <QJsonArray>
+#include <QJsonDocument>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMessageBox>
@@ -15,6 +17,7 @@
 #include <QTextDocument>
 #include <QToolButton>
 #include <QToolTip>
+#include <QTreeWidget>
 #include <QUndoStack>
 #include <QWheelEvent>
 #include <QWindow>
@@ -28,6 +31,7 @@
 #include "app/panels/number_box.h"
 #include "app/panels/option_field.h"
 #include "app/panels/picture_tip.h"
+#include "app/panels/pin_list.h"
 #include "app/panels/theme.h"
 #include "app/view/file_workflow.h"
 #include "app/view/properties.h"
@@ -72,6 +76,8 @@ class TestPanelFields : public QObject {
     void tipsShowPictures();
     void numbersAreTakenBeforeTheWindowGoes_data();
     void numbersAreTakenBeforeTheWindowGoes();
+    void namesAreTakenBeforeSaving_data();
+    void namesAreTakenBeforeSaving();
 
   private:
     bool open(bool solid);
@@ -735,6 +741,37 @@ void TestPanelFields::numbersAreTakenBeforeTheWindowGoes() {
     QCOMPARE(m_f->session().document().project()->end, 3.0);
     type(QStringLiteral("4"));
     m_f.reset();
+}
+
+void TestPanelFields::namesAreTakenBeforeSaving_data() {
+    pictureAndSolid();
+}
+
+/// A name that is still being typed goes into the file, too.
+void TestPanelFields::namesAreTakenBeforeSaving() {
+    QFETCH(bool, solid);
+    QVERIFY(open(solid) && bend(solid));
+    m_f->window().activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&m_f->window(), 20000));
+    auto* pins = m_f->window().findChild<PinList*>();
+    QTreeWidget& tree = *pins->list();
+    QVERIFY(tree.isVisible());
+    tree.setFocus();
+    tree.setCurrentItem(pins->rowOf(0));
+    QTest::keyClick(&tree, Qt::Key_F2);
+    auto* editor = tree.findChild<QLineEdit*>();
+    QVERIFY(editor && editor->hasFocus());
+    editor->selectAll();
+    QTest::keyClicks(editor, QStringLiteral("Paw"));
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("named.wend"));
+    nameNextFile(this, path);
+    QVERIFY(m_f->window().files().saveAs());
+    QVERIFY(!m_f->session().document().isModified());
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QJsonArray handles = QJsonDocument::fromJson(file.readAll())["handles"].toArray();
+    QCOMPARE(handles[0]["name"].toString(), QStringLiteral("Paw"));
 }
 
 QTEST_MAIN(TestPanelFields)

@@ -5,6 +5,7 @@
 #include <QToolButton>
 #include <QUndoStack>
 
+#include "app/document/depth_edits.h"
 #include "app/document/region_edits.h"
 #include "app/panels/region_list.h"
 #include "tests/support/bar.h"
@@ -88,6 +89,13 @@ void TestRegionList::groupsOfOneName() {
     const Project renamed = withRegionsName(project, RegionsOf::Depth, 2, "a");
     QVERIFY(renamed.depth[2].name == "a 2" && renamed.depth[0].name == "a");
     QVERIFY(withRegionsName(project, RegionsOf::Depth, 1, "c").depth[1].name == "c");
+    // A pin that gives an order has its regions' name, and none takes that of another.
+    auto& handles = std::get<Design<2>>(project.design).handles;
+    handles.push_back({"b", std::vector<Vec<2>>{{3, 0}}, {}});
+    handles.push_back({"d", std::vector<Vec<2>>{{4, 0}}, {}});
+    const Project both = withRegionsName(project, RegionsOf::Depth, 2, "e");
+    QVERIFY(both.depth[2].name == "e" && depthOfHandle(both, 0) == 3 && !depthOfHandle(both, 1));
+    QVERIFY(withRegionsName(project, RegionsOf::Depth, 2, "d").depth[2].name == "d 2");
     const Project without = withoutRegions(project, RegionsOf::Depth, 0);
     QVERIFY(without.depth.size() == 3 && without.depth[0].order == 2 && without.depth[1].name == "b");
     const Project changed = withRegionsValue(project, RegionsOf::Depth, 0, -1);
