@@ -13,6 +13,7 @@
 #include "app/tools/measure_tool.h"
 #include "app/tools/outline_tool.h"
 #include "app/tools/paint_tool.h"
+#include "app/tools/pan_tool.h"
 #include "app/tools/pin_tool.h"
 #include "app/tools/size_tool.h"
 #include "app/tools/solid_pin_tool.h"
@@ -131,6 +132,11 @@ QList<QAction*> outlineOptions(const ToolOptions& o) {
     if (Shape == Brush) return {a.adds, a.takesAway, a.size};
     if (Shape == Wand) return {a.adds, a.takesAway, a.tolerance};
     return {a.adds, a.takesAway};
+}
+
+template <int Dim>
+Made<Dim> pan(Workbench& on) {
+    return std::make_unique<PanTool<Dim>>(surfaceOf<Dim>(on));
 }
 
 std::unique_ptr<Tool> crop(Workbench& on) {
@@ -403,6 +409,15 @@ const std::vector<ToolKind>& toolTable() {
          {},
          crop,
          nullptr},
+        {"pan",
+         "pan",
+         QT_TRANSLATE_NOOP("Tools", "Pa&n"),
+         QT_TRANSLATE_NOOP("Tools", "Drag the view to another place; in every step the space bar does so"),
+         "Q",
+         Mode::Export,
+         {},
+         pan<2>,
+         pan<3>},
     };
     return table;
 }
