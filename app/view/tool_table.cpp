@@ -12,6 +12,7 @@
 #include "app/tools/outline_tool.h"
 #include "app/tools/paint_tool.h"
 #include "app/tools/pan_tool.h"
+#include "app/tools/pen_tool.h"
 #include "app/tools/pin_tool.h"
 #include "app/tools/size_tool.h"
 #include "app/tools/solid_pin_tool.h"
@@ -139,6 +140,11 @@ std::unique_ptr<Tool> outline(Workbench& on) {
 }
 
 template <int Dim>
+Made<Dim> pen(Workbench& on) {
+    return std::make_unique<PenTool<Dim>>(surfaceOf<Dim>(on));
+}
+
+template <int Dim>
 Made<Dim> pan(Workbench& on) {
     return std::make_unique<PanTool<Dim>>(surfaceOf<Dim>(on));
 }
@@ -183,6 +189,15 @@ const std::vector<ToolKind>& toolTable() {
          pins<false>,
          solidPins<false>,
          pinOptions<false>},
+        {"pen",
+         "pen",
+         QT_TRANSLATE_NOOP("Tools", "Pe&n"),
+         QT_TRANSLATE_NOOP("Tools", "Draw the path of a pin, point by point"),
+         "P",
+         Mode::Animate,
+         {},
+         pen<2>,
+         pen<3>},
         {"lasso",
          "area-lasso",
          QT_TRANSLATE_NOOP("Tools", "Grab by &Lasso"),

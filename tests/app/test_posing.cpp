@@ -393,7 +393,7 @@ void TestPosing::dragsTurnAndScaleAsChosen() {
     QCOMPARE(session().selection().handles(), std::vector<int>{1});
     QCOMPARE(handles().size(), count);
     // From the very middle: the direction counts once it is one.
-    press(ringSpot(1, 0, 0), ringSpot(1, 60, 0));
+    press(ringSpot(1, -3, 2), ringSpot(1, 60, 0));
     QVERIFY(session().gesture() && std::abs(session().gesture()->amount()[0]) < 0.05);
     QTest::mouseMove(&canvas(), ringSpot(1, 52, 30));
     QVERIFY(std::abs(session().gesture()->amount()[0] - std::numbers::pi / 6) < 0.05);
