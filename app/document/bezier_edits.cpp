@@ -145,6 +145,19 @@ std::vector<Vec<Dim>> withoutJoint(std::vector<Vec<Dim>> points, int joint) {
 }
 
 template <int Dim>
+std::vector<Vec<Dim>> bezierThrough(const std::vector<DrawnJoint<Dim>>& joints) {
+    std::vector<Vec<Dim>> points = {joints.front().at};
+    for (std::size_t i = 1; i < joints.size(); ++i) {
+        const DrawnJoint<Dim>&from = joints[i - 1], &to = joints[i];
+        const Vec<Dim> leaves = from.at + from.out, arrives = to.at - to.out;
+        points.push_back(from.out.isZero() ? Vec<Dim>(from.at + (arrives - from.at) / 3) : leaves);
+        points.push_back(to.out.isZero() ? Vec<Dim>(to.at + (leaves - to.at) / 3) : arrives);
+        points.push_back(to.at);
+    }
+    return points;
+}
+
+template <int Dim>
 Curve<Dim> curveOf(const CurveMotion<Dim>& motion) {
     switch (motion.interpolation) {
         case Interpolation::Bezier:
@@ -201,6 +214,7 @@ std::optional<CurveMotion<Dim>> withoutPoint(CurveMotion<Dim> motion, int point)
                                                        int, const Vec<Dim>&);                              \
     template std::vector<Vec<Dim>> splitBezier<Dim>(const std::vector<Vec<Dim>>&, int, double);            \
     template std::vector<Vec<Dim>> withoutJoint<Dim>(std::vector<Vec<Dim>>, int);                          \
+    template std::vector<Vec<Dim>> bezierThrough<Dim>(const std::vector<DrawnJoint<Dim>>&);                \
     template Curve<Dim> curveOf<Dim>(const CurveMotion<Dim>&);                                             \
     template int pieceBehind<Dim>(const CurveMotion<Dim>&, int);                                           \
     template CurveMotion<Dim> withPointOn<Dim>(CurveMotion<Dim>, int, double);                             \

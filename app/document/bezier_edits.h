@@ -45,6 +45,17 @@ std::vector<Vec<Dim>> splitBezier(const std::vector<Vec<Dim>>& points, int piece
 template <int Dim>
 std::vector<Vec<Dim>> withoutJoint(std::vector<Vec<Dim>> points, int joint);
 
+/// A point of a path that is drawn: smooth with a direction on either side, opposite ones, or a corner.
+template <int Dim>
+struct DrawnJoint {
+    Vec<Dim> at;
+    Vec<Dim> out = Vec<Dim>::Zero();  // of a corner
+};
+/// The chain through two joints or more. A corner has directions, too, a third of the way to what is there: a
+/// motion does not rest in it.
+template <int Dim>
+std::vector<Vec<Dim>> bezierThrough(const std::vector<DrawnJoint<Dim>>& joints);
+
 /// The curve that a motion follows, as pieces in the order of its points.
 template <int Dim>
 Curve<Dim> curveOf(const CurveMotion<Dim>& motion);

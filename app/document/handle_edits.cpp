@@ -55,6 +55,13 @@ Motion<Dim> recorded(const Vec<Dim>& from, const std::vector<Amount>& path,
 }
 
 template <int Dim>
+CurveMotion<Dim> drawn(const Vec<Dim>& from, const std::vector<Amount>& curve) {
+    CurveMotion<Dim> motion;
+    for (const Amount& amount : curve) motion.points.push_back(from + amount.template head<Dim>());
+    return motion;
+}
+
+template <int Dim>
 void keepFarthest(const std::vector<Vec<Dim>>& path, std::size_t first, std::size_t last, double tolerance,
                   std::vector<bool>& keep) {
     double worst = tolerance;
@@ -249,6 +256,7 @@ Project withGesture(const Project& project, const Gesture& gesture, const std::v
         auto& own = design<Dim>(next).handles.at(gesture.handles[i]).motions;
         if (gesture.grip.kind == Grip::Kind::Move) {
             own.push_back(recorded<Dim>(starts[i], gesture.path, times));
+            if (!gesture.curve.empty()) own.back().kind = drawn<Dim>(starts[i], gesture.curve);
             continue;
         }
         const auto motions = motionsAlong<Dim>(gesture.grip, gesture.path, times);

@@ -45,13 +45,15 @@ struct Gesture {
     double from = 0;                 // when it begins, by the clock of the project that it changes
     double arm = 1;                  // in the domain's units: where turning and growing count as a way
     std::vector<double> times = {};  // of a recording: when it is at each point of the path, the first zero
+    std::vector<Amount> curve =
+        {};  // of a move that was drawn: the Bézier chain of which the path has points
 };
 /// A gesture goes on from a time of the motion and replaces what came after. The film keeps its length: the
 /// gesture takes its place at the end, and what lies before moves together, each in proportion to its way.
-/// No pose on the way changes. It becomes a Recorded motion if it moves, and one motion per piece of the way
-/// if it turns or grows. `starts` is where each handle is at its beginning. A recording has its own clock: it
-/// replaces only what its own handles did from then on, and lasts as long as it took; the film becomes longer
-/// where it must.
+/// No pose on the way changes. It becomes a Recorded motion if it moves, the curve if it was drawn, and one
+/// motion per piece of the way if it turns or grows. `starts` is where each handle is at its beginning. A
+/// recording has its own clock: it replaces only what its own handles did from then on, and lasts as long as
+/// it took; the film becomes longer where it must.
 template <int Dim>
 Project withGesture(const Project& project, const Gesture& gesture, const std::vector<Vec<Dim>>& starts);
 /// A move at the end of the motion, by offsets of which the first is zero.

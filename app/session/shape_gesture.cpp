@@ -3,21 +3,34 @@
 #include <algorithm>
 
 #include "app/document/film_time.h"
+#include "app/document/handle_comparison.h"
 #include "app/document/handle_edits.h"
 #include "app/document/pin_edits.h"
 #include "app/document/project.h"
 #include "app/document/said.h"
 #include "app/session/shape_session.h"
+#include "core/motion/curve.h"
 
 namespace wend {
 
 namespace {
 
-constexpr int kTick = 20;  // milliseconds
+constexpr int kTick = 20;        // milliseconds
+constexpr int kCurveSteps = 24;  // of a piece of a curve, to tell how long it is
 // A sample that comes sooner after the last one waits for the next: more frames than a screen shows take time
 // from those that it does. Not where a shape takes long to compute: then it shall begin with the newest.
 constexpr double kPace = 12, kQuick = 25;  // milliseconds
 constexpr int kLongestWait = 20;           // of a sample that none follows
+
+/// The way along a chain, from its first point, in steps that tell how long it is.
+template <int Dim>
+std::vector<Amount> alongCurve(const std::vector<Vec<Dim>>& points) {
+    std::vector<Amount> way = {Amount::Zero()};
+    for (const auto& piece : bezierCurve<Dim>(points).pieces)
+        for (int i = 1; i <= kCurveSteps; ++i)
+            way.push_back(amountOf<Dim>(piece.value(double(i) / kCurveSteps) - points.front()));
+    return way;
+}
 
 }  // namespace
 
@@ -232,6 +245,24 @@ void ShapeGesture::moveAtOnce(const Grip& grip, const Amount& amount) {
     push<Dim>(DragGesture(handles, grip), {{Amount::Zero(), amount}, {}}, m_motion.gestureTime());
 }
 
+/// By a clock of its own unless it begins where the motion is over: other paths go on beside it.
+template <int Dim>
+void ShapeGesture::followCurve(const std::vector<Vec<Dim>>& points) {
+    const auto handles = movableHandles();
+    if (handles.empty()) return;
+    takeHold<Dim>(handles);
+    TimedPath path{alongCurve<Dim>(points), {}};
+    const Project& project = *m_document.project();
+    const double from = m_motion.gestureTime(), room = project.end - from;
+    const auto pieces = static_cast<double>(path.points.size() - 1);
+    if (motionEnd(project) == 0 || (from < project.end && !sameTime(from, project.end)))
+        for (std::size_t i = 0; i < path.points.size(); ++i)
+            path.seconds.push_back(room * static_cast<double>(i) / pieces);
+    std::vector<Amount> curve;
+    for (const Vec<Dim>& p : points) curve.push_back(amountOf<Dim>(p - points.front()));
+    push<Dim>(DragGesture(handles, {}), path, from, {}, curve);
+}
+
 /// How far from the middle of a gesture what it turns or grows lies, in the mean.
 template <int Dim>
 double ShapeGesture::armOf(const DragGesture& drag) const {
@@ -247,9 +278,11 @@ double ShapeGesture::armOf(const DragGesture& drag) const {
 }
 
 template <int Dim>
-void ShapeGesture::push(const DragGesture& drag, const TimedPath& path, double from, const QString& key) {
+void ShapeGesture::push(const DragGesture& drag, const TimedPath& path, double from, const QString& key,
+                        const std::vector<Amount>& curve) {
     const bool records = !path.seconds.empty();
-    const QString what = records                                ? ShapeSession::tr("Record %1")
+    const QString what = !curve.empty()                         ? ShapeSession::tr("Draw the path of %1")
+                         : records                              ? ShapeSession::tr("Record %1")
                          : drag.grip().kind == Grip::Kind::Turn ? ShapeSession::tr("Turn %1")
                          : drag.grip().kind == Grip::Kind::Grow ? ShapeSession::tr("Scale %1")
                                                                 : ShapeSession::tr("Move %1");
@@ -257,7 +290,8 @@ void ShapeGesture::push(const DragGesture& drag, const TimedPath& path, double f
     for (const auto& view : std::get<std::vector<PinView<Dim>>>(m_grabbed))
         for (std::size_t i = 0; i < starts.size(); ++i)
             if (drag.handles()[i] == view.handle) starts[i] = view.centre;
-    const Gesture gesture{drag.handles(), drag.grip(), path.points, from, armOf<Dim>(drag), path.seconds};
+    const Gesture gesture{drag.handles(),   drag.grip(),  path.points, from,
+                          armOf<Dim>(drag), path.seconds, curve};
     const std::vector<Handle<Dim>> before = m_document.design<Dim>().handles;
     const bool quickens = !records && from >= motionEnd(*m_document.project()) &&
                           hasOwnTiming(*m_document.project(), gesture.arm);
@@ -265,7 +299,12 @@ void ShapeGesture::push(const DragGesture& drag, const TimedPath& path, double f
                       withGesture<Dim>(*m_document.project(), gesture, starts), key);
     // What was recorded is seen by playing it, and others may be recorded to it.
     m_playback.setTime(records ? from : m_playback.end());
-    tellReplaced<Dim>(before, records ? drag.handles() : std::vector<int>(), from);
+    tellReplaced<Dim>(before, records ? drag.handles() : std::vector<int>(), from,
+                      curve.empty()
+                          ? ShapeSession::tr("Recorded. K plays it; record other pins from the same "
+                                             "time, and they move together.")
+                          : ShapeSession::tr("K plays it; draw the paths of other pins from the same "
+                                             "time, and they move together."));
     if (quickens)
         emit notice(
             ShapeSession::tr("The film keeps its length: what you had timed goes faster now. Undo, or "
@@ -275,7 +314,7 @@ void ShapeGesture::push(const DragGesture& drag, const TimedPath& path, double f
 /// A recording replaces what its own handles did, any other gesture (of none) what all did.
 template <int Dim>
 void ShapeGesture::tellReplaced(const std::vector<Handle<Dim>>& before, const std::vector<int>& recorded,
-                                double from) {
+                                double from, const QString& otherwise) {
     Design<Dim> replaced;
     for (int h = 0; h < static_cast<int>(before.size()); ++h)
         if (recorded.empty() || std::count(recorded.begin(), recorded.end(), h))
@@ -283,14 +322,14 @@ void ShapeGesture::tellReplaced(const std::vector<Handle<Dim>>& before, const st
     if (movesAfter<Dim>(replaced, from))
         emit notice(ShapeSession::tr("What came after is replaced by this; Undo brings it back."));
     else if (!recorded.empty())
-        emit notice(ShapeSession::tr(
-            "Recorded. K plays it; record other pins from the same time, and they move together."));
+        emit notice(otherwise);
 }
 
 #define WEND_INSTANTIATE(Dim)                                                                            \
     template std::vector<PinView<Dim>> ShapeGesture::carriedAlong<Dim>(std::vector<PinView<Dim>>) const; \
     template void ShapeGesture::nudge<Dim>(const Vec<Dim>&);                                             \
-    template void ShapeGesture::moveAtOnce<Dim>(const Grip&, const Amount&)
+    template void ShapeGesture::moveAtOnce<Dim>(const Grip&, const Amount&);                             \
+    template void ShapeGesture::followCurve<Dim>(const std::vector<Vec<Dim>>&)
 
 WEND_INSTANTIATE(2);
 WEND_INSTANTIATE(3);

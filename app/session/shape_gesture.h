@@ -50,6 +50,8 @@ class ShapeGesture : public QObject {
     void nudge(const Vec<Dim>& by);
     template <int Dim>
     void moveAtOnce(const Grip& grip, const Amount& amount);
+    template <int Dim>
+    void followCurve(const std::vector<Vec<Dim>>& points);
 
   signals:
     void began();
@@ -71,9 +73,11 @@ class ShapeGesture : public QObject {
     double recordedTime() const;
     void end(const TimedPath& path);
     template <int Dim>
-    void push(const DragGesture& drag, const TimedPath& path, double from, const QString& key = {});
+    void push(const DragGesture& drag, const TimedPath& path, double from, const QString& key = {},
+              const std::vector<Amount>& curve = {});
     template <int Dim>
-    void tellReplaced(const std::vector<Handle<Dim>>& before, const std::vector<int>& recorded, double from);
+    void tellReplaced(const std::vector<Handle<Dim>>& before, const std::vector<int>& recorded, double from,
+                      const QString& otherwise);
 
     Document& m_document;
     const Selection& m_selection;

@@ -118,6 +118,12 @@ class ShapeSession : public QObject {
     void moveSelected(const Grip& grip, const Amount& amount) {
         m_gesture.moveAtOnce<Dim>(grip, amount);
     }
+    /// The same along a Bézier chain, from its first point. From a time within the film it lasts until the
+    /// end and replaces only what its own handles did; at the end it takes its place as any drag.
+    template <int Dim>
+    void followCurve(const std::vector<Vec<Dim>>& points) {
+        m_gesture.followCurve<Dim>(points);
+    }
     bool isDragging() const { return m_gesture.drag(); }
     /// Of the selected handles, and those that are linked with them, the ones that hold at the time that is
     /// shown and are not locked; a notice if there are none. The gesture goes on from there and replaces what

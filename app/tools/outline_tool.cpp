@@ -33,7 +33,16 @@ QString said(const char* text) {
 
 }  // namespace
 
+OutlineTool::OutlineTool(ToolSurface& surface, Shape shape, OutlinePen& pen)
+    : m_surface(surface), m_shape(shape), m_pen(pen) {
+    QObject::connect(&m_pen, &OutlinePen::changed, &m_listener, [this] { takeAgain(); });
+}
+
 QString OutlineTool::hint() const {
+    if (isLive())
+        return said(QT_TRANSLATE_NOOP("OutlineTool",
+                                      "The tolerance, also [ and ], changes what was taken; click on another "
+                                      "colour, Ctrl takes it away"));
     switch (m_shape) {
         case Shape::Lasso:
             return said(QT_TRANSLATE_NOOP(
@@ -73,6 +82,7 @@ bool OutlineTool::isReady() {
 
 /// Unless the time was changed since.
 void OutlineTool::dismiss() {
+    m_taken.reset();
     const auto left = std::exchange(m_left, {});
     Playback& playback = session().playback();
     if (left && left->generation == session().document().generation() && playback.time() == 0)
@@ -226,10 +236,9 @@ Outline OutlineTool::piece() const {
     return m_shape == Shape::Polygon ? clean : simplified(clean, kDetail * pixel);
 }
 
-/// As the document has it, computed again only where it must be.
-const Outline& OutlineTool::outline() const {
+/// Computed again only where it must be.
+const Outline& OutlineTool::outlineOf(const Domain& domain) const {
     const Document& document = session().document();
-    const Domain& domain = document.project()->domain;
     if (domain.outline == OutlineKind::Polygons) return domain.polygons;
     if (!m_known || m_known->picture != document.picture() || m_known->kind != domain.outline ||
         m_known->alpha != domain.alpha) {
@@ -245,20 +254,37 @@ const Outline& OutlineTool::outline() const {
 void OutlineTool::finish(Qt::KeyboardModifiers modifiers) {
     const Outline drawn = piece();
     cancel();
-    if (!drawn.loops.empty()) apply(drawn, takesAway(modifiers));
+    if (!drawn.loops.empty()) apply(*session().document().project(), drawn, takesAway(modifiers));
 }
 
 void OutlineTool::takeColour(const QMouseEvent& event) {
-    const Outline found = outlineOfColour(*session().document().picture(),
-                                          m_surface.toShape(event.position()), m_pen.now().tolerance);
-    if (!found.loops.empty()) apply(found, takesAway(event.modifiers()));
+    Document& document = session().document();
+    m_taken = Taken{m_surface.toShape(event.position()), takesAway(event.modifiers()),
+                    QStringLiteral("wand %1").arg(document.undoStack()->index()), document.project(),
+                    document.project()};
+    takeAgain();
 }
 
-void OutlineTool::apply(const Outline& piece, bool takesAway) {
+/// True as long as nothing has changed since the last click of the wand.
+bool OutlineTool::isLive() const {
+    return m_taken && m_taken->after == session().document().project();
+}
+
+/// What the last click takes by the tolerance as it is now, in the step that the click has made.
+void OutlineTool::takeAgain() {
+    if (!isLive()) return;
+    const Outline found =
+        outlineOfColour(*session().document().picture(), m_taken->at, m_pen.now().tolerance);
+    if (!found.loops.empty()) apply(*m_taken->before, found, m_taken->takesAway, m_taken->key);
+    m_taken->after = session().document().project();
+    m_surface.redraw();
+}
+
+void OutlineTool::apply(const Project& project, const Outline& piece, bool takesAway, const QString& key) {
     Document& document = session().document();
     const Image& picture = *document.picture();
-    const Outline& before = outline();
-    const bool replaces = !takesAway && document.project()->domain.outline == OutlineKind::Frame;
+    const Outline& before = outlineOf(project.domain);
+    const bool replaces = !takesAway && project.domain.outline == OutlineKind::Frame;
     const Outline inside =
         combined(piece, frameOutline(picture.width, picture.height), OutlineOperation::Keep);
     const auto operation = takesAway ? OutlineOperation::TakeAway : OutlineOperation::Add;
@@ -269,7 +295,7 @@ void OutlineTool::apply(const Outline& piece, bool takesAway) {
         emit session().notice(said(QT_TRANSLATE_NOOP("OutlineTool", "Nothing would be left of the shape.")));
         return;
     }
-    OutlineEdit edit = withOutline(*document.project(), std::move(next));
+    OutlineEdit edit = withOutline(project, std::move(next));
     if (edit.pinsGone > 0) {
         session().selection().clear();
         emit session().notice(QCoreApplication::translate(
@@ -278,12 +304,12 @@ void OutlineTool::apply(const Outline& piece, bool takesAway) {
     const char* const name = m_shape == Shape::Cut ? QT_TRANSLATE_NOOP("OutlineTool", "Cut")
                              : takesAway ? QT_TRANSLATE_NOOP("OutlineTool", "Take away from the outline")
                                          : QT_TRANSLATE_NOOP("OutlineTool", "Add to the outline");
-    document.change(said(name), std::move(edit.project));
+    document.change(said(name), std::move(edit.project), key);
 }
 
 void OutlineTool::paintOutline(QPainter& painter) const {
     QPainterPath path;
-    for (const auto& loop : outline().loops) {
+    for (const auto& loop : outlineOf(session().document().project()->domain).loops) {
         QPolygonF polygon;
         for (const Vec<2>& p : loop) polygon << m_surface.toWidget(p);
         path.addPolygon(polygon);

@@ -13,14 +13,13 @@
 namespace wend {
 
 /// Draws what bends of a picture: lasso, polygon and brush add to the outline or take away from it, so does
-/// the wand what has the colour under the pointer; a cut parts what touches. Where the whole picture bends,
-/// what is drawn first becomes the outline. Works on the shape at rest: takes the time there, and back when
-/// another tool is chosen.
+/// the wand what has the colour under the pointer, which follows its tolerance until something else is done;
+/// a cut parts what touches. Where the whole picture bends, what is drawn first becomes the outline. Works on
+/// the shape at rest: takes the time there, and back when another tool is chosen.
 class OutlineTool : public Tool {
   public:
     enum class Shape { Lasso, Polygon, Brush, Wand, Cut };
-    OutlineTool(ToolSurface& surface, Shape shape, OutlinePen& pen)
-        : m_surface(surface), m_shape(shape), m_pen(pen) {}
+    OutlineTool(ToolSurface& surface, Shape shape, OutlinePen& pen);
 
     QString hint() const override;
     QCursor cursor() const override { return Qt::CrossCursor; }
@@ -46,10 +45,12 @@ class OutlineTool : public Tool {
     Outline piece() const;
     Outline slit(double tolerance) const;
     Outline inPicture(const QPainterPath& area) const;
-    const Outline& outline() const;
+    const Outline& outlineOf(const Domain& domain) const;
     void finish(Qt::KeyboardModifiers modifiers);
     void takeColour(const QMouseEvent& event);
-    void apply(const Outline& piece, bool takesAway);
+    void takeAgain();
+    bool isLive() const;
+    void apply(const Project& project, const Outline& piece, bool takesAway, const QString& key = {});
     void paintOutline(QPainter& painter) const;
     void scale(double factor);
 
@@ -72,6 +73,14 @@ class OutlineTool : public Tool {
         double time = 0;
     };
     std::optional<Left> m_left;
+    struct Taken {  // by the wand's last click
+        Vec<2> at;
+        bool takesAway = false;
+        QString key;                                   // of its step
+        std::shared_ptr<const Project> before, after;  // the same if nothing came of it
+    };
+    std::optional<Taken> m_taken;
+    QObject m_listener;  // to the pen
 };
 
 }  // namespace wend

@@ -14,6 +14,8 @@ constexpr double kRadius = 44, kDot = 5, kSquare = 4;  // pixels
 constexpr double kReach = 9, kRingReach = 5;
 constexpr double kSnap = std::numbers::pi / 12;
 constexpr double kMinFactor = 0.05;
+constexpr double kMiddle =
+    16;  // pixels; nearer to the middle a direction means little, and a factor too much
 
 double distance(const QPointF& a, const QPointF& b) {
     return QLineF(a, b).length();
@@ -47,9 +49,16 @@ bool PinRing::isOn(const QPointF& widget) const {
 void PinRing::begin(Part part, const QPointF& widget, const ToShape& toShape) {
     m_part = part;
     m_angle = m_turned = 0;
+    m_lastAngle = angleAt(widget, toShape);
+    m_startDistance = std::max(distance(m_at, widget), kMiddle);
+    m_lead = m_startDistance - distance(m_at, widget);
+}
+
+/// Of the pointer around the middle; nothing where it is too near.
+std::optional<double> PinRing::angleAt(const QPointF& widget, const ToShape& toShape) const {
+    if (distance(m_at, widget) < kMiddle) return {};
     const Vec<2> arm = toShape(widget) - m_centre;
-    m_lastAngle = std::atan2(arm.y(), arm.x());
-    m_startDistance = distance(m_at, widget);
+    return std::atan2(arm.y(), arm.x());
 }
 
 Grip PinRing::grip() const {
@@ -61,13 +70,13 @@ Grip PinRing::grip() const {
 
 Amount PinRing::drag(const QPointF& widget, const ToShape& toShape, bool snaps) {
     if (m_part == Part::Scale) {
-        const double factor = std::max(distance(m_at, widget) / m_startDistance, kMinFactor);
+        const double factor = std::max((distance(m_at, widget) + m_lead) / m_startDistance, kMinFactor);
         return {factor - 1, 0, 0};
     }
-    const Vec<2> arm = toShape(widget) - m_centre;
-    const double angle = std::atan2(arm.y(), arm.x());
-    m_angle += std::remainder(angle - m_lastAngle, 2 * std::numbers::pi);
-    m_lastAngle = angle;
+    if (const auto angle = angleAt(widget, toShape)) {
+        m_angle += std::remainder(*angle - m_lastAngle.value_or(*angle), 2 * std::numbers::pi);
+        m_lastAngle = angle;
+    }
     m_turned = snaps ? kSnap * std::round(m_angle / kSnap) : m_angle;
     return {m_turned, 0, 0};
 }

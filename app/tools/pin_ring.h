@@ -36,12 +36,14 @@ class PinRing {
 
   private:
     QPointF spot(Part part) const;
+    std::optional<double> angleAt(const QPointF& widget, const ToShape& toShape) const;
 
     QPointF m_at;
     Vec<2> m_centre = Vec<2>::Zero();
     bool m_canTurn = false;
     Part m_part = Part::Rotate;
-    double m_lastAngle = 0, m_angle = 0, m_startDistance = 1, m_turned = 0;
+    std::optional<double> m_lastAngle;  // none while the pointer has not left the middle
+    double m_angle = 0, m_lead = 0, m_startDistance = 1, m_turned = 0;
 };
 
 }  // namespace wend

@@ -1,7 +1,6 @@
 #include "app/tools/pin_tool.h"
 
 #include <QApplication>
-#include <QCoreApplication>
 #include <algorithm>
 
 #include "app/document/design.h"
@@ -20,10 +19,6 @@ constexpr double kStrokeDetail = 0.5;  // pixels of the screen that a recorded p
 constexpr double kTurnDetail = 0.005;  // radians, or of a factor, that a recorded turn may deviate
 constexpr double kMinDetail = 0.2;     // but no less than this, in pixels of the picture
 
-QString said(const char* text) {
-    return QCoreApplication::translate("PinTool", text);
-}
-
 double distance(const QPointF& a, const QPointF& b) {
     return QLineF(a, b).length();
 }
@@ -39,36 +34,9 @@ PinTool::PinTool(ToolSurface& surface, bool adds)
                                   [this] { m_surface.redraw(); }}),
       m_adds(adds) {}
 
-QString PinTool::hint() const {
-    if (m_gesture == Gesture::Curve || curvePointAt(m_at) > 0) return curveHint(true);
-    if (m_gesture == Gesture::None && m_hovered < 0 && m_curve.isOnCurve(m_at)) return curveHint(false);
-    if (isRecording(session())) return recordingHint();
-    if (m_gesture == Gesture::Drag)
-        return said(QT_TRANSLATE_NOOP("PinTool", "Drag the pin; Esc puts the shape back"));
-    if (m_gesture == Gesture::Widen)
-        return said(QT_TRANSLATE_NOOP("PinTool", "Drag as far as the pin shall hold; Esc gives it up"));
-    if (m_gesture == Gesture::Ring || m_part)
-        return said(QT_TRANSLATE_NOOP(
-            "PinTool",
-            "Drag the dot to rotate, Shift by 15°, or the square to scale; digits set the number"));
-    if (m_hovered >= 0)
-        return said(QT_TRANSLATE_NOOP("PinTool",
-                                      "Drag to move the pin, Ctrl-drag to record it, Alt-drag to widen it, "
-                                      "Shift-click to select more"));
-    if (m_gesture == Gesture::None && m_hasRing && !m_ring.canTurn() && m_ring.isOn(m_at))
-        return said(QT_TRANSLATE_NOOP("PinTool", "A point cannot rotate – Alt-drag to widen it"));
-    if (m_adds)
-        return said(
-            QT_TRANSLATE_NOOP("PinTool", "Click on the shape to set a pin, then drag pins to bend it"));
-    return said(QT_TRANSLATE_NOOP(
-        "PinTool", "Click or draw a rectangle to select pins, drag to move them, arrow keys nudge"));
-}
-
-QCursor PinTool::cursor() const {
-    if (m_gesture == Gesture::Drag || m_gesture == Gesture::Ring) return Qt::ClosedHandCursor;
-    if (m_gesture == Gesture::Widen) return Qt::SizeAllCursor;
-    if (m_hovered >= 0 || m_part) return Qt::OpenHandCursor;
-    return m_adds ? Qt::CrossCursor : Qt::ArrowCursor;
+void PinTool::setGrip(Grip::Kind kind) {
+    m_grip = kind;
+    surface().redraw();
 }
 
 /// The end of the curve lies under its pin, which comes first until that point is chosen.
@@ -190,16 +158,30 @@ void PinTool::begin() {
         m_gesture = Gesture::Widen;
         return;
     }
+    if (m_grip != Grip::Kind::Move && placeRing()) return beginGrip();
     // Who pulls at the dotted ring of a point wants to turn it.
-    if (!onPin && placeRing() && !m_ring.canTurn() && m_ring.isOn(m_from)) {
-        m_gesture = Gesture::None;
-        emit session().notice(
-            said(QT_TRANSLATE_NOOP("PinTool", "A point cannot rotate – Alt-drag to widen it")));
-        return;
-    }
+    if (!onPin && placeRing() && !m_ring.canTurn() && m_ring.isOn(m_from)) return refuse(Grip::Kind::Turn);
     m_gesture = onPin ? Gesture::Drag : Gesture::Marquee;
     if (onPin) session().beginDrag({}, m_records);
     if (onPin && !session().isDragging()) m_gesture = Gesture::None;
+}
+
+/// Wherever it was pressed.
+void PinTool::beginGrip() {
+    if (!m_ring.canTurn()) return refuse(m_grip);
+    m_part = litPart();
+    beginRing();
+}
+
+void PinTool::refuse(Grip::Kind kind) {
+    m_gesture = Gesture::None;
+    emit session().notice(refusal(kind));
+}
+
+/// That a drag would take hold of.
+std::optional<PinRing::Part> PinTool::litPart() const {
+    if (m_part || m_grip == Grip::Kind::Move) return m_part;
+    return m_grip == Grip::Kind::Turn ? PinRing::Part::Rotate : PinRing::Part::Scale;
 }
 
 void PinTool::beginRing() {
@@ -365,7 +347,7 @@ void PinTool::paint(QPainter& painter) const {
     if (session().selection().isEmpty()) m_cross.paint(painter);
     if (m_gesture == Gesture::Widen) return paintWidened(painter);
     if (!placeRing()) return;
-    m_ring.paint(painter, m_part);
+    m_ring.paint(painter, litPart());
     if (m_gesture == Gesture::Ring) paintLabel(painter, m_at + QPointF(16, 16), m_ring.text(m_amount));
 }
 

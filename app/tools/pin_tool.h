@@ -30,6 +30,9 @@ class PinTool : public Tool {
 
     /// The handle within reach of a point of the widget, or around it, or −1.
     int handleAt(const QPointF& widget) const;
+    /// What a drag does with what is selected: turning and scaling begin anywhere, pins are moved by
+    /// themselves.
+    void setGrip(Grip::Kind kind);
     /// New pins sit on corners of the mesh, instead of where one clicks.
     void setSnaps(bool snaps) { m_snaps = snaps; }
 
@@ -45,7 +48,12 @@ class PinTool : public Tool {
     bool placeRing() const;
     void paintWidened(QPainter& painter) const;
     void begin();
+    void beginGrip();
     void beginRing();
+    void refuse(Grip::Kind kind);
+    QString gripHint() const;
+    static QString refusal(Grip::Kind kind);
+    std::optional<PinRing::Part> litPart() const;
     void follow(const QMouseEvent& event);
     void dragRing(bool snaps);
     void finishDrag();
@@ -61,6 +69,7 @@ class PinTool : public Tool {
     KeyCross m_cross;
     bool m_adds;
     bool m_snaps = false;
+    Grip::Kind m_grip = Grip::Kind::Move;
     Gesture m_gesture = Gesture::None;
     QPointF m_from, m_at;
     int m_pressed = -1;

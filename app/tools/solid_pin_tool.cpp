@@ -37,6 +37,12 @@ SolidPinTool::SolidPinTool(SolidSurface& surface, Manipulator& manipulator, bool
                                   [this] { this->surface().redraw(); }}),
       m_adds(adds) {}
 
+void SolidPinTool::setGrip(Grip::Kind kind) {
+    using enum Manipulator::Mode;
+    m_manipulator.setMode(kind == Grip::Kind::Turn ? Turn : kind == Grip::Kind::Grow ? Grow : Move);
+    surface().redraw();
+}
+
 QString SolidPinTool::hint() const {
     if (m_gesture == Gesture::Curve || (m_gesture == Gesture::None && m_curve.pointAt(m_at) > 0))
         return curveHint(true);

@@ -16,6 +16,8 @@ class SolidPinTool : public SolidTool {
     using Outline = DrawnOutline::Kind;
     SolidPinTool(SolidSurface& surface, Manipulator& manipulator, bool adds);
 
+    /// What the manipulator does.
+    void setGrip(Grip::Kind kind);
     void setOutline(Outline outline) { m_outline.setKind(outline); }
     /// Selects also what something hides.
     void setThrough(bool through) { m_through = through; }

@@ -54,6 +54,8 @@ class Tool {
     virtual MenuPlace menuAt(const QPointF&) { return MenuPlace::Canvas; }
     /// The curve that it edits; null if it edits none.
     virtual CurveEditing* curve() { return nullptr; }
+    /// A drag of the left button moves the view, as with the space bar.
+    virtual bool pans() const { return false; }
     /// Whether it wants to see all of the picture, also what the shape leaves out.
     virtual bool showsPicture() const { return false; }
     /// It is chosen, and later another one is.

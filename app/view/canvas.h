@@ -119,6 +119,7 @@ class ShapeCanvas : public QWidget, public ToolSurface {
     void showView();
     void paintLegend(QPainter& painter);
     void wantVelocity();
+    bool pansBy(const QMouseEvent& event) const;
     void updateCursor();
     void endPan();
 

@@ -6,11 +6,17 @@
 
 namespace wend {
 
+/// The middle button always; the left one with the space bar, or by the tool that does nothing else.
+bool ShapeCanvas::pansBy(const QMouseEvent& event) const {
+    if (event.button() == Qt::MiddleButton) return true;
+    return event.button() == Qt::LeftButton && (m_spaceDown || (m_tool && m_tool->pans()));
+}
+
 void ShapeCanvas::mousePressEvent(QMouseEvent* event) {
     setFocus(Qt::MouseFocusReason);
     const bool taken = m_tool && m_tool->takesButton(*event);
     m_menuPressed = !taken && event->buttons() == Qt::RightButton;  // alone
-    if (event->button() == Qt::MiddleButton || (event->button() == Qt::LeftButton && m_spaceDown)) {
+    if (pansBy(*event)) {
         m_panning = true;
         m_lastPan = event->position();
     } else if (m_tool && !m_panning) {
@@ -22,7 +28,7 @@ void ShapeCanvas::mousePressEvent(QMouseEvent* event) {
 }
 
 void ShapeCanvas::mouseDoubleClickEvent(QMouseEvent* event) {
-    if (!m_tool || m_panning || m_spaceDown || event->button() != Qt::LeftButton) {
+    if (!m_tool || m_panning || pansBy(*event) || event->button() != Qt::LeftButton) {
         mousePressEvent(event);
         return;
     }

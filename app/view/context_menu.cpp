@@ -5,7 +5,6 @@
 #include "app/view/curve_actions.h"
 #include "app/view/depth_actions.h"
 #include "app/view/pin_actions.h"
-#include "app/view/solid_actions.h"
 
 namespace wend {
 
@@ -32,10 +31,6 @@ void ContextMenu::popUp(const QPoint& global, MenuPlace place) {
 void ContextMenu::offerPin() {
     const Actions& a = m_offers.actions;
     m_menu->addSection(m_offers.session.nameOf(m_offers.session.selection().handles()));
-    if (m_offers.session.document().dimension() == 3) {
-        m_menu->addActions({m_offers.solids.move, m_offers.solids.turn, m_offers.solids.grow});
-        m_menu->addSeparator();
-    }
     if (m_offers.session.document().dimension() == 2) m_menu->addMenu(m_offers.depth.menu());
     m_offers.pins.fill(*m_menu);
     m_menu->addSeparator();

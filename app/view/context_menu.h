@@ -13,7 +13,6 @@ class CurveActions;
 class DepthActions;
 class PinActions;
 class ShapeSession;
-class SolidActions;
 
 /// The menu that a right click opens: what can be done with the pin, the curve or the canvas that lies there.
 class ContextMenu : public QObject {
@@ -24,7 +23,6 @@ class ContextMenu : public QObject {
         ShapeSession& session;
         Actions& actions;
         CurveActions& curves;
-        SolidActions& solids;
         DepthActions& depth;
         PinActions& pins;
     };

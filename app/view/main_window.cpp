@@ -85,14 +85,15 @@ MainWindow::MainWindow(QWidget* parent)
     fitToScreen();
     m_fields = new StatusFields(*statusBar(), m_session);
     m_solids = new SolidWorkshop({m_session, *m_actions, *m_solidActions, *m_properties, *m_fields}, *this);
-    m_workspace = std::make_unique<Workspace>(Workspace::Parts{
-        *m_tools, *m_actions, *m_canvas, *m_solids, *m_properties, *m_pictureActions, m_exporter->crop()});
+    m_workspace = std::make_unique<Workspace>(Workspace::Parts{*m_tools, *m_actions, *m_canvas, *m_solids,
+                                                               *m_properties, *m_pictureActions, *m_pins,
+                                                               m_exporter->crop()});
     m_curves = new CurveActions(
         m_session, [this] { return m_workspace->curve(); }, this);
     m_material = new MaterialActions(m_session, *m_exporter, this);
     m_properties->layers().setPictureMenu(m_material->menu());
     m_tools->shareKeysWith({m_solidActions, m_curves, m_depth, m_pins, m_brush, m_material, m_actions});
-    m_menu = new ContextMenu({m_session, *m_actions, *m_curves, *m_solidActions, *m_depth, *m_pins}, this);
+    m_menu = new ContextMenu({m_session, *m_actions, *m_curves, *m_depth, *m_pins}, this);
     m_actions->fillMenuBar(*this, m_solidActions->menu(), m_curves->menu(),
                            {m_pins->menu(), m_depth->menu(), m_brush->menu(), m_material->menu()});
     m_appearance->restore();  // before there are bars: they take their margins from the style but once
@@ -144,8 +145,9 @@ void MainWindow::makeToolBars() {
     m_topBar = makeBar(Qt::TopToolBarArea, tr("Main"), "topBar");
     m_topBar->addWidget(m_modes = new ModeRow(*m_actions, *m_tools));
     addToolBarBreak();
-    addToolBar(Qt::TopToolBarArea,
-               m_options = new OptionRow(*m_tools, *m_actions, *m_solidActions, *m_pictureActions, this));
+    addToolBar(
+        Qt::TopToolBarArea,
+        m_options = new OptionRow(*m_tools, *m_actions, {*m_solidActions, *m_pictureActions, *m_pins}, this));
     m_toolBar = makeBar(Qt::LeftToolBarArea, tr("Tools"), "toolBar");
     connect(m_tools, &Toolbox::changed, this, &MainWindow::showTools);
     showTools();
@@ -354,7 +356,7 @@ void MainWindow::showSelection() {
 
 void MainWindow::updateIcons() {
     for (ActionMaker* maker :
-         std::initializer_list<ActionMaker*>{m_actions, m_solidActions, m_tools, m_pictureActions})
+         std::initializer_list<ActionMaker*>{m_actions, m_solidActions, m_tools, m_pictureActions, m_pins})
         maker->setIcons(palette());
     m_modes->exportButton()->setIcon(wendIcon(QStringLiteral("export"), primaryPalette(palette())));
     showMoreArrows();

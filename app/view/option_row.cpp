@@ -5,18 +5,13 @@
 
 #include "app/panels/panel_parts.h"
 #include "app/view/actions.h"
-#include "app/view/solid_actions.h"
 #include "app/view/toolbox.h"
 
 namespace wend {
 
-OptionRow::OptionRow(const Toolbox& tools, const Actions& actions, const SolidActions& solids,
-                     const PictureActions& outline, QWidget* parent)
-    : QToolBar(tr("Options"), parent),
-      m_tools(tools),
-      m_actions(actions),
-      m_solids(solids),
-      m_pictureActions(outline) {
+OptionRow::OptionRow(const Toolbox& tools, const Actions& actions, const ToolOptions& options,
+                     QWidget* parent)
+    : QToolBar(tr("Options"), parent), m_tools(tools), m_actions(actions), m_options(options) {
     setObjectName(QStringLiteral("optionRow"));
     setMovable(false);
     setIconSize({20, 20});
@@ -36,8 +31,8 @@ void OptionRow::showTool() {
     title->setProperty("role", "title");
     title->setContentsMargins(8, 0, 8, 0);
     addWidget(title);
-    const ToolOptions all{m_solids, m_pictureActions, m_tools.dimension()};
-    const QList<QAction*> options = kind->options ? kind->options(all) : QList<QAction*>();
+    m_options.dimension = m_tools.dimension();
+    const QList<QAction*> options = kind->options ? kind->options(m_options) : QList<QAction*>();
     bool any = false;
     for (QAction* option : options) {
         option ? addAction(option) : static_cast<void>(addSeparator());

@@ -2,11 +2,11 @@
 
 #include <QToolBar>
 
+#include "app/view/tool_table.h"
+
 namespace wend {
 
 class Actions;
-class PictureActions;
-class SolidActions;
 class Toolbox;
 
 /// The row of the tool that is chosen: its name, what it does, and its options; in the step Animate those of
@@ -15,8 +15,7 @@ class OptionRow : public QToolBar {
     Q_OBJECT
 
   public:
-    OptionRow(const Toolbox& tools, const Actions& actions, const SolidActions& solids,
-              const PictureActions& outline, QWidget* parent);
+    OptionRow(const Toolbox& tools, const Actions& actions, const ToolOptions& options, QWidget* parent);
 
   private:
     void showTool();
@@ -24,8 +23,7 @@ class OptionRow : public QToolBar {
 
     const Toolbox& m_tools;
     const Actions& m_actions;
-    const SolidActions& m_solids;
-    const PictureActions& m_pictureActions;
+    ToolOptions m_options;
 };
 
 }  // namespace wend

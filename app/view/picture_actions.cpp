@@ -21,8 +21,9 @@ PictureActions::PictureActions(Brush& brush, QObject* parent) : ActionMaker(pare
     group->addAction(takesAway);
     size = number(tr("Size"), tr("How wide the brush is, on the screen; also [ and ]"), m_size, tr(" px"));
     m_size->setRange(static_cast<int>(2 * OutlinePen::kSmallest), static_cast<int>(2 * OutlinePen::kLargest));
-    tolerance =
-        number(tr("Tolerance"), tr("How far colours may be apart; also [ and ]"), m_tolerance, tr(" %"));
+    tolerance = number(tr("Tolerance"),
+                       tr("How far colours may be apart, of what was clicked last too; also [ and ]"),
+                       m_tolerance, tr(" %"));
     m_tolerance->setRange(1, 100);
     makeBrushes();
     makeSwitches(brush);

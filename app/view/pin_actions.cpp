@@ -1,5 +1,6 @@
 #include "app/view/pin_actions.h"
 
+#include <QActionGroup>
 #include <QApplication>
 #include <QColorDialog>
 #include <QInputDialog>
@@ -25,6 +26,7 @@ QIcon patch(const QColor& colour) {
 
 PinActions::PinActions(ShapeSession& session, QObject* parent)
     : ActionMaker(parent), m_session(session), m_menu(new QMenu), m_colours(new QMenu) {
+    makeGrips();
     makeActions();
     makeColours();
     m_menu->setTitle(tr("&Pins"));
@@ -33,6 +35,18 @@ PinActions::PinActions(ShapeSession& session, QObject* parent)
     m_menu->insertSeparator(group);
     connectActions();
     refresh();
+}
+
+void PinActions::makeGrips() {
+    move = addToggle({tr("Mo&ve"), tr("Drag pins to move them; of a solid, its arrows too")},
+                     QKeySequence(tr("G")), "move");
+    turn = addToggle({tr("&Rotate"), tr("Drag to rotate the selected pins; of a solid, by its rings")},
+                     QKeySequence(tr("R")), "rotate");
+    grow = addToggle({tr("Sc&ale"), tr("Drag to scale the selected pins; of a solid, by its ring")},
+                     QKeySequence(tr("S")), "scale");
+    auto* grips = new QActionGroup(this);
+    for (QAction* grip : {move, turn, grow}) grips->addAction(grip);
+    move->setChecked(true);
 }
 
 void PinActions::makeActions() {
@@ -75,6 +89,8 @@ void PinActions::makeColours() {
 }
 
 void PinActions::fill(QMenu& menu) const {
+    menu.addActions({move, turn, grow});
+    menu.addSeparator();
     menu.addActions({lock, hide});
     menu.addMenu(m_colours.get());
     menu.addSeparator();
@@ -118,6 +134,8 @@ void PinActions::refresh() {
     const auto traits = [this](int h) -> const HandleTraits& {
         return traitsOf(*m_session.document().project(), h);
     };
+    for (QAction* grip : {move, turn, grow})
+        enable(grip, m_session.frame() != nullptr, tr("Open a picture first."));
     const QString none = tr("Select a pin first.");
     for (QAction* action : {lock, hide, group, mirror}) enable(action, has, none);
     m_colours->setEnabled(has);

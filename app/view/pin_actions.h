@@ -9,13 +9,14 @@ namespace wend {
 
 class ShapeSession;
 
-/// What can be done with the selected pins beside moving them, of pictures and of solids.
+/// What can be done with the selected pins, of pictures and of solids; among it what a drag does with them.
 class PinActions : public ActionMaker {
     Q_OBJECT
 
   public:
     PinActions(ShapeSession& session, QObject* parent);
 
+    QAction *move, *turn, *grow;
     QAction *lock, *hide, *showAll;
     QAction *group, *ungroup, *link;
     QAction *mirror, *mirrorMotion;
@@ -26,6 +27,7 @@ class PinActions : public ActionMaker {
     void fill(QMenu& menu) const;
 
   private:
+    void makeGrips();
     void makeActions();
     void makeColours();
     void connectActions();

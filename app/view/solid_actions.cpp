@@ -50,15 +50,6 @@ void SolidActions::makeModes() {
     auto* outlines = new QActionGroup(this);
     for (QAction* one : {selectRectangle, selectLasso, selectBrush}) outlines->addAction(one);
     selectRectangle->setChecked(true);
-    move = addToggle({tr("&Move"), tr("Show arrows that move the selected pins")}, QKeySequence(tr("G")),
-                     "move");
-    turn = addToggle({tr("&Rotate"), tr("Show rings that rotate the selected pins")}, QKeySequence(tr("R")),
-                     "rotate");
-    grow = addToggle({tr("&Scale"), tr("Show a ring that scales the selected pins")}, QKeySequence(tr("S")),
-                     "scale");
-    auto* modes = new QActionGroup(this);
-    for (QAction* mode : {move, turn, grow}) modes->addAction(mode);
-    move->setChecked(true);
 }
 
 void SolidActions::makeView() {
@@ -105,8 +96,6 @@ void SolidActions::makeMenu() {
     m_menu->setTitle(tr("&Solid"));
     m_menu->addActions({through, holdBeyond});
     m_menu->addMenu(tr("Select &Pins"))->addActions({selectRectangle, selectLasso, selectBrush});
-    m_menu->addSeparator();
-    m_menu->addActions({move, turn, grow});
     m_menu->addSeparator();
     m_menu->addMenu(tr("L&ook from"))->addActions({front, back, right, left, top, bottom, oblique});
     m_menu->addMenu(tr("&Up Axis"))->addActions({upAxes[0], upAxes[1], upAxes[2]});

@@ -21,7 +21,6 @@ class SolidActions : public ActionMaker {
 
     // of the tools, those that something else here speaks of
     QAction *rectangle, *lasso, *brush, *ball, *box, *half, *sizes, *measure;
-    QAction *move, *turn, *grow;
     QAction *through, *snap, *holdBeyond;
     QAction *selectRectangle, *selectLasso, *selectBrush;
     QAction *detail, *flat, *orthographic;

@@ -164,15 +164,6 @@ void SolidWorkshop::connectSteps() {
     // Who chooses how to select wants to select.
     for (QAction* action : {a.selectRectangle, a.selectLasso, a.selectBrush})
         connect(action, &QAction::triggered, m_around.actions.selectTool, &QAction::trigger);
-    const auto setMode = [this](Manipulator::Mode mode) {
-        return [this, mode](bool on) {
-            if (on) m_manipulator.setMode(mode);
-            m_canvas->redraw();
-        };
-    };
-    connect(a.move, &QAction::toggled, this, setMode(Manipulator::Mode::Move));
-    connect(a.turn, &QAction::toggled, this, setMode(Manipulator::Mode::Turn));
-    connect(a.grow, &QAction::toggled, this, setMode(Manipulator::Mode::Grow));
     // A new handle is there to be moved: back to the tool that does so.
     connect(a.holdBeyond, &QAction::triggered, this, &SolidWorkshop::holdBeyondCut);
 }

@@ -1,7 +1,5 @@
 #include "app/view/tool_table.h"
 
-#include <QWidgetAction>
-
 #include "app/panels/size_panel.h"
 #include "app/tools/area_tool.h"
 #include "app/tools/crop_tool.h"
@@ -13,11 +11,15 @@
 #include "app/tools/measure_tool.h"
 #include "app/tools/outline_tool.h"
 #include "app/tools/paint_tool.h"
+#include "app/tools/pan_tool.h"
+#include "app/tools/pen_tool.h"
 #include "app/tools/pin_tool.h"
 #include "app/tools/size_tool.h"
 #include "app/tools/solid_pin_tool.h"
 #include "app/view/picture_actions.h"
+#include "app/view/pin_actions.h"
 #include "app/view/solid_actions.h"
+#include "app/view/tool_options.h"
 
 namespace wend {
 
@@ -30,9 +32,21 @@ void follow(QAction* action, Take take) {
     QObject::connect(action, &QAction::toggled, action, take);
 }
 
+/// What a drag does with the pins that are selected.
+template <class Pins>
+void followGrip(const PinActions& actions, Pins* pins) {
+    for (const auto& [action, kind] : {std::pair{actions.move, Grip::Kind::Move},
+                                       {actions.turn, Grip::Kind::Turn},
+                                       {actions.grow, Grip::Kind::Grow}})
+        follow(action, [pins, kind = kind](bool chosen) {
+            if (chosen) pins->setGrip(kind);
+        });
+}
+
 template <bool Adds>
 std::unique_ptr<Tool> pins(Workbench& on) {
     auto tool = std::make_unique<PinTool>(on.picture, Adds);
+    followGrip(on.pins, tool.get());
     follow(on.flat.snap, [pins = tool.get()](bool snaps) { pins->setSnaps(snaps); });
     return tool;
 }
@@ -40,6 +54,7 @@ std::unique_ptr<Tool> pins(Workbench& on) {
 template <bool Adds>
 std::unique_ptr<SolidTool> solidPins(Workbench& on) {
     auto tool = std::make_unique<SolidPinTool>(*on.solid, on.manipulator, Adds);
+    followGrip(on.pins, tool.get());
     using Drawn = SolidPinTool::Outline;
     const SolidActions& a = on.actions;
     for (const auto& [action, outline] : {std::pair{a.selectRectangle, Drawn::Rectangle},
@@ -124,13 +139,14 @@ std::unique_ptr<Tool> outline(Workbench& on) {
     return std::make_unique<OutlineTool>(on.picture, Shape, on.flat.pen());
 }
 
-template <OutlineTool::Shape Shape>
-QList<QAction*> outlineOptions(const ToolOptions& o) {
-    using enum OutlineTool::Shape;
-    const PictureActions& a = o.pictures;
-    if (Shape == Brush) return {a.adds, a.takesAway, a.size};
-    if (Shape == Wand) return {a.adds, a.takesAway, a.tolerance};
-    return {a.adds, a.takesAway};
+template <int Dim>
+Made<Dim> pen(Workbench& on) {
+    return std::make_unique<PenTool<Dim>>(surfaceOf<Dim>(on));
+}
+
+template <int Dim>
+Made<Dim> pan(Workbench& on) {
+    return std::make_unique<PanTool<Dim>>(surfaceOf<Dim>(on));
 }
 
 std::unique_ptr<Tool> crop(Workbench& on) {
@@ -143,32 +159,6 @@ std::unique_ptr<Tool> depthBrush(Workbench& on) {
 
 std::unique_ptr<Tool> flatSizeBrush(Workbench& on) {
     return std::make_unique<FlatSizeTool>(on.picture, on.brush, on.flat.fineness());
-}
-
-QList<QAction*> depthOptions(const ToolOptions& o) {
-    return {o.pictures.order};
-}
-
-QList<QAction*> sizeOptions(const ToolOptions& o) {
-    return o.dimension == 2 ? QList<QAction*>{o.pictures.edges} : QList<QAction*>();
-}
-
-QList<QAction*> paintOptions(const ToolOptions& o) {
-    return {o.pictures.pressure};
-}
-
-template <bool Adds>
-QList<QAction*> steps(const ToolOptions& o) {
-    const SolidActions& a = o.solids;
-    if (o.dimension == 2) return Adds ? QList<QAction*>{o.pictures.snap} : QList<QAction*>();
-    QList<QAction*> all = {a.move,        a.turn,        a.grow,   nullptr, a.selectRectangle,
-                           a.selectLasso, a.selectBrush, a.through};
-    if (Adds) all << a.snap;
-    return all;
-}
-
-QList<QAction*> through(const ToolOptions& o) {
-    return {o.solids.through};
 }
 
 std::optional<Measure> painted(const Workbench& on, int) {
@@ -188,7 +178,7 @@ const std::vector<ToolKind>& toolTable() {
     static const std::vector<ToolKind> table = {
         {"pin", "pin", QT_TRANSLATE_NOOP("Tools", "&Pin"),
          QT_TRANSLATE_NOOP("Tools", "Set pins and drag them"), "P", Mode::Pins, Mode::Pins, pins<true>,
-         solidPins<true>, steps<true>},
+         solidPins<true>, pinOptions<true>},
         {"select",
          "select",
          QT_TRANSLATE_NOOP("Tools", "Se&lect"),
@@ -198,7 +188,16 @@ const std::vector<ToolKind>& toolTable() {
          {},
          pins<false>,
          solidPins<false>,
-         steps<false>},
+         pinOptions<false>},
+        {"pen",
+         "pen",
+         QT_TRANSLATE_NOOP("Tools", "Pe&n"),
+         QT_TRANSLATE_NOOP("Tools", "Draw the path of a pin, point by point"),
+         "P",
+         Mode::Animate,
+         {},
+         pen<2>,
+         pen<3>},
         {"lasso",
          "area-lasso",
          QT_TRANSLATE_NOOP("Tools", "Grab by &Lasso"),
@@ -208,7 +207,7 @@ const std::vector<ToolKind>& toolTable() {
          {},
          hold<Hold::Lasso>,
          area<Area::Lasso>,
-         through},
+         throughOptions},
         {"rectangle",
          "area-rectangle",
          QT_TRANSLATE_NOOP("Tools", "Grab by Bo&x"),
@@ -218,7 +217,7 @@ const std::vector<ToolKind>& toolTable() {
          {},
          hold<Hold::Rectangle>,
          area<Area::Rectangle>,
-         through},
+         throughOptions},
         {"grabBrush",
          "area-brush",
          QT_TRANSLATE_NOOP("Tools", "Grab by &Brush"),
@@ -228,7 +227,7 @@ const std::vector<ToolKind>& toolTable() {
          {},
          hold<Hold::Brush>,
          area<Area::Brush>,
-         through},
+         throughOptions},
         {"ball",
          "area-ball",
          QT_TRANSLATE_NOOP("Tools", "Grab a B&all"),
@@ -266,7 +265,7 @@ const std::vector<ToolKind>& toolTable() {
          {},
          outline<Draw::Lasso>,
          nullptr,
-         outlineOptions<Draw::Lasso>},
+         outlineOptions},
         {"outlinePolygon",
          "outline-polygon",
          QT_TRANSLATE_NOOP("Tools", "Outline by &Polygon"),
@@ -276,7 +275,7 @@ const std::vector<ToolKind>& toolTable() {
          {},
          outline<Draw::Polygon>,
          nullptr,
-         outlineOptions<Draw::Polygon>},
+         outlineOptions},
         {"outlineBrush",
          "outline-brush",
          QT_TRANSLATE_NOOP("Tools", "Outline by &Brush"),
@@ -286,7 +285,7 @@ const std::vector<ToolKind>& toolTable() {
          {},
          outline<Draw::Brush>,
          nullptr,
-         outlineOptions<Draw::Brush>},
+         outlineBrushOptions},
         {"wand",
          "outline-wand",
          QT_TRANSLATE_NOOP("Tools", "Outline by &Colour"),
@@ -296,7 +295,7 @@ const std::vector<ToolKind>& toolTable() {
          {},
          outline<Draw::Wand>,
          nullptr,
-         outlineOptions<Draw::Wand>},
+         wandOptions},
         {"cutStroke",
          "outline-cut",
          QT_TRANSLATE_NOOP("Tools", "Cut &Apart"),
@@ -403,6 +402,15 @@ const std::vector<ToolKind>& toolTable() {
          {},
          crop,
          nullptr},
+        {"pan",
+         "pan",
+         QT_TRANSLATE_NOOP("Tools", "Pa&n"),
+         QT_TRANSLATE_NOOP("Tools", "Drag the view to another place; in every step the space bar does so"),
+         "Q",
+         Mode::Export,
+         {},
+         pan<2>,
+         pan<3>},
     };
     return table;
 }

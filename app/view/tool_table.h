@@ -11,12 +11,14 @@
 #include "app/tools/solid_surface.h"
 #include "app/tools/tool_surface.h"
 #include "app/view/mode.h"
+#include "app/view/tool_options.h"
 
 namespace wend {
 
 class Brush;
 class Manipulator;
 class PictureActions;
+class PinActions;
 class SizePanel;
 class SolidActions;
 
@@ -26,18 +28,12 @@ struct Workbench {
     Manipulator& manipulator;
     const SolidActions& actions;
     PictureActions& flat;
+    const PinActions& pins;
     Brush& brush;
     Crop& crop;
     SizePanel& sizes;
     std::function<void()> toSelect;  // a part was taken hold of, and is there to be moved
     SolidSurface* solid = nullptr;   // none before the first solid
-};
-
-/// What may stand beside a tool's name, for a shape of that dimension.
-struct ToolOptions {
-    const SolidActions& solids;
-    const PictureActions& pictures;
-    int dimension;
 };
 
 /// A tool of the window, once for all: tool bar, options, menus, keys and the cheat sheet come from this.

@@ -16,6 +16,7 @@ Workspace::Workspace(const Parts& parts)
               parts.solids.manipulator(),
               parts.solids.actions(),
               parts.outline,
+              parts.pins,
               parts.properties.brush(),
               parts.crop,
               parts.properties.sizes(),

@@ -11,6 +11,7 @@ namespace wend {
 
 class Actions;
 class PictureActions;
+class PinActions;
 class Properties;
 class ShapeCanvas;
 class SolidCanvas;
@@ -29,6 +30,7 @@ class Workspace : public QObject {
         SolidWorkshop& solids;
         Properties& properties;
         PictureActions& outline;
+        const PinActions& pins;
         Crop& crop;
     };
     explicit Workspace(const Parts& parts);

@@ -36,6 +36,8 @@ class TestExportPanel : public QObject {
     void cropIsOfAMeshsPictureToo();
     void cropIsChangedByItsParts();
     void cropIsWrittenAsItIsSeen();
+    void panMovesTheView_data();
+    void panMovesTheView();
     void allIsInViewOnASmallScreen_data();
     void allIsInViewOnASmallScreen();
 
@@ -50,6 +52,8 @@ class TestExportPanel : public QObject {
     bool isCurrent();
     bool openToCrop();
     void drag(const Vec<2>& from, const Vec<2>& to, Qt::KeyboardModifiers modifiers = {});
+    QPointF seenAt(const Vec<3>& p);
+    void moveWithLeft(const QPoint& to);
     Crop& crop() { return m_f->window().exporter().crop(); }
     QImage seen() {
         return panel().form().preview().image().convertToFormat(QImage::Format_ARGB32_Premultiplied);
@@ -374,6 +378,50 @@ void TestExportPanel::cropIsWrittenAsItIsSeen() {
     QCOMPARE(part.size(), QSize(140, 100));
     QVERIFY(part == whole.copy(90, 30, 140, 100));
     QVERIFY(part != whole.copy(90, 31, 140, 100));
+}
+
+/// Where a point of the shape is in the view.
+QPointF TestExportPanel::seenAt(const Vec<3>& p) {
+    const bool solid = m_f->session().document().dimension() == 3;
+    return solid ? m_f->canvas().toWidget(p) : m_f->window().canvas().toWidget(p.head<2>());
+}
+
+void TestExportPanel::moveWithLeft(const QPoint& to) {
+    QMouseEvent move(QEvent::MouseMove, to, m_f->view().mapToGlobal(to), Qt::NoButton, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(&m_f->view(), &move);
+}
+
+void TestExportPanel::panMovesTheView_data() {
+    pictureAndSolid();
+}
+
+/// Also by the second press of a double click, and as far as with the space bar. The shape stays as it is.
+void TestExportPanel::panMovesTheView() {
+    QFETCH(bool, solid);
+    QVERIFY(open(solid));
+    toExport();
+    QWidget& view = m_f->view();
+    QTest::keyClick(&view, Qt::Key_Q);
+    QVERIFY(m_f->window().tools().isChosen("pan"));
+    QCOMPARE(view.cursor().shape(), Qt::OpenHandCursor);
+    const int steps = m_f->session().document().undoStack()->index();
+    const Vec<3> middle = solid ? Vec<3>(0, 0, 0) : Vec<3>(120, 80, 0);
+    const QPoint from = seenAt(middle).toPoint(), by(60, -35);
+    for (const bool space : {false, false, true}) {
+        if (space) m_f->window().tools().setMode(Mode::Pins), QTest::keyPress(&view, Qt::Key_Space);
+        const QPointF before = seenAt(middle);
+        QTest::mousePress(&view, Qt::LeftButton, {}, from);
+        QCOMPARE(view.cursor().shape(), Qt::ClosedHandCursor);
+        moveWithLeft(from + by);
+        QTest::mouseRelease(&view, Qt::LeftButton, {}, from + by);
+        QCOMPARE(view.cursor().shape(), Qt::OpenHandCursor);
+        const QPointF moved = seenAt(middle) - before;
+        QVERIFY2(QLineF(moved, by).length() < 0.5,
+                 qPrintable(QStringLiteral("%1 %2").arg(moved.x()).arg(moved.y())));
+    }
+    QTest::keyRelease(&view, Qt::Key_Space);
+    QCOMPARE(m_f->session().document().undoStack()->index(), steps);
+    QCOMPARE(m_f->session().handleCount(), 0);
 }
 
 void TestExportPanel::allIsInViewOnASmallScreen_data() {

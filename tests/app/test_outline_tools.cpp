@@ -59,6 +59,7 @@ class TestOutlineTools : public QObject {
     void brushAddsAndMakesHoles();
     void cutParts();
     void wandTakesAColour();
+    void toleranceChangesTheLastClick();
     void whatIsAtRestStays();
     void pinsBesideItGo();
     void pinsOnTheLineStay();
@@ -229,6 +230,43 @@ void TestOutlineTools::wandTakesAColour() {
     click(30, 180, Qt::ControlModifier);  // the ground goes, both that were on it stay
     QVERIFY(settle(*m_session));
     verify(disc + 900, edge + 0.7 * 120, 2);
+}
+
+/// Until something else is done; the step stays one, and undo brings back what was before it.
+void TestOutlineTools::toleranceChangesTheLastClick() {
+    use(OutlineTool::Shape::Wand);
+    const double disc = std::numbers::pi * 60 * 60, edge = 0.7 * 2 * std::numbers::pi * 60;
+    m_pen.set({false, 20, 1});  // all colours
+    QCOMPARE(steps(), 0);
+    click(200, 100);
+    QCOMPARE(areaOf(domain().polygons), double(kWidth * kHeight));
+    m_pen.set({false, 20, 0.12});
+    QVERIFY(std::abs(areaOf(domain().polygons) - disc) <= edge);
+    QCOMPARE(steps(), 1);
+    const double fewer = areaOf(domain().polygons);
+    for (int i = 0; i < 4; ++i) QTest::keyClick(m_canvas.get(), Qt::Key_BracketLeft);
+    QVERIFY(areaOf(domain().polygons) < fewer && areaOf(domain().polygons) > fewer - edge);
+    QCOMPARE(steps(), 1);
+    QVERIFY(settle(*m_session));
+    verify(disc, edge);
+    // Another click is another step, and what was clicked before stays as it is now.
+    m_pen.set({false, 20, 0.12});
+    const double kept = areaOf(domain().polygons);
+    click(35, 35);
+    QCOMPARE(steps(), 2);
+    QVERIFY(std::abs(areaOf(domain().polygons) - kept - 900) < 0.7 * 120);
+    m_session->document().undoStack()->undo();
+    m_pen.set({false, 20, 1});  // the click is undone
+    QCOMPARE(areaOf(domain().polygons), kept);
+    QCOMPARE(steps(), 1);
+    QCOMPARE(m_session->document().undoStack()->count(), 2);
+    m_session->document().undoStack()->undo();
+    QCOMPARE(domain().outline, OutlineKind::Frame);
+    click(200, 100);
+    use(OutlineTool::Shape::Brush);
+    m_pen.set({false, 20, 0.12});
+    QCOMPARE(areaOf(domain().polygons), double(kWidth * kHeight));
+    QCOMPARE(steps(), 1);
 }
 
 /// Pins, their motion and the material are told at rest: a new outline leaves them as they are.

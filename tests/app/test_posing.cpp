@@ -24,6 +24,8 @@
 #include "app/view/curve_actions.h"
 #include "app/view/file_workflow.h"
 #include "app/view/main_window.h"
+#include "app/view/option_row.h"
+#include "app/view/pin_actions.h"
 #include "app/view/solid_workshop.h"
 #include "app/view/time_strip.h"
 #include "tests/support/window_fixture.h"
@@ -47,6 +49,8 @@ class TestPosing : public QObject {
     void regionsVeilNothing();
     void ringRotatesAndScales();
     void ringTakesNumbers();
+    void dragsTurnAndScaleAsChosen();
+    void pointsAreNeitherTurnedNorScaled();
     void numbersMoveTurnAndGrow();
     void ownTimingIsNotLostInSilence();
     void easeIsThatOfTheTimeShown();
@@ -67,6 +71,7 @@ class TestPosing : public QObject {
     QPoint at(const Vec<2>& p) { return canvas().toWidget(p).toPoint(); }
     Vec<2> pin(int h) { return session().pins()[h].centre; }
     double pixel() { return 1 / canvas().view().zoom(); }
+    const PinActions& pinActions() { return *m_window->findChild<PinActions*>(); }
     void click(const Vec<2>& p) { QTest::mouseClick(&canvas(), Qt::LeftButton, {}, at(p)); }
     void press(const QPoint& from, const QPoint& to, Qt::KeyboardModifiers modifiers = {});
     void release(const QPoint& to, Qt::KeyboardModifiers modifiers = {});
@@ -368,6 +373,69 @@ void TestPosing::ringRotatesAndScales() {
     QVERIFY(!session().isDragging());
     QTest::mouseRelease(&canvas(), Qt::LeftButton, {}, ringSpot(1, 42, -10));
     QCOMPARE(session().document().undoStack()->count(), count);
+}
+
+/// By the keys of solids; the drag may begin anywhere, also on the pin and in its very middle.
+void TestPosing::dragsTurnAndScaleAsChosen() {
+    widen(1, 18);
+    const auto* row = m_window->findChild<OptionRow*>();
+    for (const QAction* one : {pinActions().move, pinActions().turn, pinActions().grow})
+        QVERIFY(row->actions().contains(one));
+    const Vec<2> centre = pin(1);
+    const std::size_t count = handles().size();
+    QTest::keyClick(&canvas(), Qt::Key_R);
+    QVERIFY(pinActions().turn->isChecked());
+    press(ringSpot(1, -90, 0), ringSpot(1, 0, -90));  // a quarter, clockwise
+    QVERIFY(session().gesture() && session().gesture()->grip().kind == Grip::Kind::Turn);
+    release(ringSpot(1, 0, -90));
+    const auto* turn = std::get_if<Rotate<2>>(&handles()[1].motions.at(0).kind);
+    QVERIFY(turn && std::abs(turn->angle - std::numbers::pi / 2) < 0.01);
+    QCOMPARE(session().selection().handles(), std::vector<int>{1});
+    QCOMPARE(handles().size(), count);
+    // From the very middle: the direction counts once it is one.
+    press(ringSpot(1, -3, 2), ringSpot(1, 60, 0));
+    QVERIFY(session().gesture() && std::abs(session().gesture()->amount()[0]) < 0.05);
+    QTest::mouseMove(&canvas(), ringSpot(1, 52, 30));
+    QVERIFY(std::abs(session().gesture()->amount()[0] - std::numbers::pi / 6) < 0.05);
+    QTest::keyClick(&canvas(), Qt::Key_Escape);
+    QTest::mouseRelease(&canvas(), Qt::LeftButton, {}, ringSpot(1, 52, 30));
+    QTest::keyClick(&canvas(), Qt::Key_S);
+    press(ringSpot(1, -60, 0), ringSpot(1, -90, 0));
+    QVERIFY(session().gesture() && session().gesture()->grip().kind == Grip::Kind::Grow);
+    QVERIFY(std::abs(session().gesture()->amount()[0] - 0.5) < 0.01);
+    QTest::keyClick(&canvas(), Qt::Key_Escape);
+    QTest::mouseRelease(&canvas(), Qt::LeftButton, {}, ringSpot(1, -90, 0));
+    press(ringSpot(1, 0, 0), ringSpot(1, 0, -16));
+    QVERIFY(std::abs(session().gesture()->amount()[0] - 1) < 0.1);
+    QTest::keyClick(&canvas(), Qt::Key_Escape);
+    QTest::mouseRelease(&canvas(), Qt::LeftButton, {}, ringSpot(1, 0, -16));
+    QTest::keyClick(&canvas(), Qt::Key_G);
+    drag(centre, centre + Vec<2>(-10, 5));
+    QVERIFY((pin(1) - centre - Vec<2>(-10, 5)).norm() < 1);
+}
+
+/// Which is said, and they stay; beside them nothing is drawn or set.
+void TestPosing::pointsAreNeitherTurnedNorScaled() {
+    session().selection().set({1});
+    const Vec<2> before = pin(1);
+    for (const auto& [key, word] :
+         {std::pair{Qt::Key_R, QStringLiteral("cannot rotate")}, {Qt::Key_S, QStringLiteral("cannot scale")}})
+        for (const int dx : {0, -70}) {
+            QTest::keyClick(&canvas(), key);
+            press(ringSpot(1, dx, 0), ringSpot(1, dx - 20, 30));
+            QVERIFY(!session().isDragging());
+            QVERIFY2(m_window->statusBar()->currentMessage().contains(word), qPrintable(word));
+            release(ringSpot(1, dx - 20, 30));
+            QVERIFY(canvas().tool()->hint().contains(word));
+        }
+    QCOMPARE(pin(1), before);
+    QVERIFY(handles()[1].motions.empty());
+    QCOMPARE(handles().size(), std::size_t(2));
+    session().selection().set({0, 1});  // around their middle both turn
+    press(ringSpot(1, 0, 0), ringSpot(1, 0, -30));
+    QVERIFY(session().gesture());
+    release(ringSpot(1, 0, -30));
+    QVERIFY(!handles()[0].motions.empty() && !handles()[1].motions.empty());
 }
 
 /// The same exact steps as for solids, by the panel.

@@ -32,6 +32,7 @@
 #include "app/view/exporter.h"
 #include "app/view/info_banner.h"
 #include "app/view/main_window.h"
+#include "app/view/pin_actions.h"
 #include "app/view/solid_workshop.h"
 #include "app/view/toolbox.h"
 #include "app/view/volume/solid_canvas.h"
@@ -345,7 +346,7 @@ void TestSolidWindow::turningTwistsTheBar() {
     }
     m_window->actions().showMap->setChecked(true);
     m_window->solids().actions().oblique->trigger();
-    m_window->solids().actions().turn->trigger();
+    m_window->findChild<PinActions*>()->turn->trigger();
     picture(QStringLiteral("twist"));
     grip.kind = Grip::Kind::Grow;
     session().moveSelected<3>(grip, {0.5, 0, 0});

@@ -9,6 +9,7 @@
 #include "app/panels/region_panel.h"
 #include "app/session/solid_places.h"
 #include "app/tools/measure_tool.h"
+#include "app/view/pin_actions.h"
 #include "core/motion/trajectory.h"
 #include "tests/support/solid_fixture.h"
 
@@ -50,7 +51,7 @@ void TestSpaceAreas::init() {
 void TestSpaceAreas::ringsTurn() {
     QVERIFY(m_f->holdEnds());
     QTest::keyClick(&m_f->canvas(), Qt::Key_R);
-    QVERIFY(m_f->actions().turn->isChecked());
+    QVERIFY(m_f->window().findChild<PinActions*>()->turn->isChecked());
     const auto held = m_f->session().verticesOf(1);
     const Vec<3> middle = m_f->pin(1);
     const auto angle = [&] {  // around y, of the corner that is farthest from the middle
@@ -93,7 +94,7 @@ void TestSpaceAreas::ringsTurn() {
 void TestSpaceAreas::ringsScale() {
     QVERIFY(m_f->holdEnds());
     QTest::keyClick(&m_f->canvas(), Qt::Key_S);
-    QVERIFY(m_f->actions().grow->isChecked());
+    QVERIFY(m_f->window().findChild<PinActions*>()->grow->isChecked());
     const auto held = m_f->session().verticesOf(1);
     const Vec<3> middle = m_f->pin(1);
     const auto& rest = m_f->session().frame<3>()->rest->points;

@@ -142,6 +142,8 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     void wantVelocity();
     void tellPointed(const QPointF& at);
     void setSpaceDown(bool down);
+    bool pansBy(const QMouseEvent& event, const SolidTool* tool) const;
+    void updateCursor();
     bool showsMap() const { return m_map && !m_hidden; }
     QRgb plainColour() const;
     bool hasDetail(const PosedFrame<3>& frame) const;

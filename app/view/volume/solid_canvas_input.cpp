@@ -24,11 +24,19 @@ bool SolidCanvas::isForTool(const QMouseEvent& event, const SolidTool& tool) {
     return navigation().dragFor(event) == Navigation::Drag::None || tool.wants(event.position());
 }
 
+/// By the left button: with the space bar, or by a tool that does nothing else.
+bool SolidCanvas::pansBy(const QMouseEvent& event, const SolidTool* tool) const {
+    return event.button() == Qt::LeftButton && !m_active && (m_spaceDown || (tool && tool->pans()));
+}
+
 void SolidCanvas::mousePressEvent(QMouseEvent* event) {
     setFocus(Qt::MouseFocusReason);
     const bool left = event->button() == Qt::LeftButton;
-    if (left && m_spaceDown && !m_active) return navigation().pressToPan(*event);
     SolidTool* tool = toolAt(event->position());
+    if (pansBy(*event, tool)) {
+        navigation().pressToPan(*event);
+        return updateCursor();
+    }
     const bool taken = tool && (tool->takesButton(*event) || (left && isForTool(*event, *tool)));
     if (taken && !m_active) {
         m_active = tool;
@@ -44,7 +52,7 @@ void SolidCanvas::mousePressEvent(QMouseEvent* event) {
 void SolidCanvas::mouseDoubleClickEvent(QMouseEvent* event) {
     SolidTool* tool = toolAt(event->position());
     const bool left = event->button() == Qt::LeftButton;
-    if (!left || !tool || m_active || m_spaceDown || !isForTool(*event, *tool)) {
+    if (!left || !tool || m_active || pansBy(*event, tool) || !isForTool(*event, *tool)) {
         mousePressEvent(event);
         return;
     }
@@ -86,6 +94,7 @@ void SolidCanvas::mouseReleaseEvent(QMouseEvent* event) {
         return;
     }
     VolumeView::mouseReleaseEvent(event);
+    updateCursor();
     if (!turned || !click || event->button() != Qt::LeftButton || !m_tool) return;
     m_tool->press(*event);  // where the left button turns the view, a click is still the tool's
     m_tool->release(*event);
@@ -121,7 +130,16 @@ void SolidCanvas::wheelEvent(QWheelEvent* event) {
 
 void SolidCanvas::setSpaceDown(bool down) {
     m_spaceDown = down;
-    setCursor(down ? QCursor(Qt::OpenHandCursor) : m_tool ? m_tool->cursor() : QCursor(Qt::ArrowCursor));
+    updateCursor();
+}
+
+void SolidCanvas::updateCursor() {
+    if (navigation().drag() == Navigation::Drag::Pan)
+        setCursor(Qt::ClosedHandCursor);
+    else if (m_spaceDown)
+        setCursor(Qt::OpenHandCursor);
+    else
+        setCursor(m_tool ? m_tool->cursor() : QCursor(Qt::ArrowCursor));
 }
 
 void SolidCanvas::keyReleaseEvent(QKeyEvent* event) {

@@ -1,0 +1,52 @@
+#include "app/view/tool_options.h"
+
+#include <QWidgetAction>
+
+#include "app/view/picture_actions.h"
+#include "app/view/pin_actions.h"
+#include "app/view/solid_actions.h"
+
+namespace wend {
+
+template <bool Adds>
+QList<QAction*> pinOptions(const ToolOptions& o) {
+    const SolidActions& a = o.solids;
+    QList<QAction*> all = {o.pins.move, o.pins.turn, o.pins.grow};
+    if (o.dimension == 3) all << nullptr << a.selectRectangle << a.selectLasso << a.selectBrush << a.through;
+    if (Adds && o.dimension == 2) all << nullptr << o.pictures.snap;
+    if (Adds && o.dimension == 3) all << a.snap;
+    return all;
+}
+
+template QList<QAction*> pinOptions<true>(const ToolOptions&);
+template QList<QAction*> pinOptions<false>(const ToolOptions&);
+
+QList<QAction*> throughOptions(const ToolOptions& o) {
+    return {o.solids.through};
+}
+
+QList<QAction*> outlineOptions(const ToolOptions& o) {
+    return {o.pictures.adds, o.pictures.takesAway};
+}
+
+QList<QAction*> outlineBrushOptions(const ToolOptions& o) {
+    return outlineOptions(o) << o.pictures.size;
+}
+
+QList<QAction*> wandOptions(const ToolOptions& o) {
+    return outlineOptions(o) << o.pictures.tolerance;
+}
+
+QList<QAction*> sizeOptions(const ToolOptions& o) {
+    return o.dimension == 2 ? QList<QAction*>{o.pictures.edges} : QList<QAction*>();
+}
+
+QList<QAction*> paintOptions(const ToolOptions& o) {
+    return {o.pictures.pressure};
+}
+
+QList<QAction*> depthOptions(const ToolOptions& o) {
+    return {o.pictures.order};
+}
+
+}  // namespace wend
