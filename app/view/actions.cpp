@@ -19,6 +19,7 @@ Actions::Actions(QUndoStack& undoStack, Toolbox& tools, QObject* parent)
       exports(std::make_unique<QMenu>()),
       backdrop(new BackdropChoice(this)),
       speed(std::make_unique<QMenu>()),
+      markSizes(std::make_unique<QMenu>()),
       m_tools(tools) {
     makeFile();
     makeEdit(undoStack);
@@ -100,6 +101,10 @@ void Actions::makeView() {
     darkLook = addToggle({tr("&Dark"), tr("Light on dark")}, {});
     lessMotion =
         addToggle({tr("Less &Motion"), tr("Nothing moves in the window but what shows something")}, {});
+    fillFactors(*markSizes, {100, 150, 200, 300});
+    markSizes->setTitle(tr("Size of M&arks"));
+    markSizes->menuAction()->setStatusTip(
+        tr("How large pins, rings and curves are over the shape, for the eye and for the hand"));
     for (QAction* look : {systemLook, lightLook, darkLook}) looks->addAction(look);
     systemLook->setChecked(true);
 }
@@ -118,20 +123,25 @@ void Actions::makeMotion() {
     onionSkin =
         addToggle({tr("&Onion Skin"), tr("Show what was a little before and what comes a little after")},
                   QKeySequence(tr("Shift+N")), "onion");
-    auto* speeds = new QActionGroup(this);
-    for (const int percent : {25, 50, 100, 200}) {
-        QAction* one = speed->addAction(tr("%1 %").arg(percent));
-        one->setData(percent / 100.0);
-        one->setCheckable(true);
-        one->setChecked(percent == 100);
-        speeds->addAction(one);
-    }
+    fillFactors(*speed, {25, 50, 100, 200});
     speed->menuAction()->setStatusTip(tr("How fast it plays, and by which clock drags are recorded"));
     speed->menuAction()->setToolTip(speed->menuAction()->statusTip());
     setSpeed(1);
     settle = add(
         {tr("S&ettle"), tr("Let the shape relax towards its rest at the end, with the pins where they are")},
         {});
+}
+
+/// One of them holds, at first the usual one.
+void Actions::fillFactors(QMenu& menu, const QList<int>& percents) {
+    auto* group = new QActionGroup(&menu);
+    for (const int percent : percents) {
+        QAction* one = menu.addAction(tr("%1 %").arg(percent));
+        one->setData(percent / 100.0);
+        one->setCheckable(true);
+        one->setChecked(percent == 100);
+        group->addAction(one);
+    }
 }
 
 void Actions::setSpeed(double factor) {
@@ -174,6 +184,7 @@ void Actions::fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve, const 
     QMenu* appearance = view->addMenu(tr("A&ppearance"));
     appearance->addActions({systemLook, lightLook, darkLook});
     appearance->addSeparator();
+    appearance->addMenu(markSizes.get());
     appearance->addAction(lessMotion);
     view->addAction(fullScreen);
     fillTools(*window.menuBar()->addMenu(tr("&Tools")));
