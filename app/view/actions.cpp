@@ -95,6 +95,10 @@ void Actions::makeView() {
     zoomIn = add({tr("Zoom &In"), tr("Look closer")}, QKeySequence::ZoomIn);
     zoomOut = add({tr("Zoom &Out"), tr("See more")}, QKeySequence::ZoomOut);
     fullScreen = addToggle({tr("Full &Screen"), tr("Use the whole screen")}, QKeySequence(Qt::Key_F11));
+    showProperties = addToggle(
+        {tr("&Properties"), tr("Show the properties at the right, or leave their room to the shape")},
+        QKeySequence(Qt::Key_F4));
+    showProperties->setChecked(true);
     auto* looks = new QActionGroup(this);
     systemLook = addToggle({tr("As the &Desktop"), tr("Light or dark as the desktop is")}, {});
     lightLook = addToggle({tr("&Light"), tr("Dark on light")}, {});
@@ -186,7 +190,7 @@ void Actions::fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve, const 
     appearance->addSeparator();
     appearance->addMenu(markSizes.get());
     appearance->addAction(lessMotion);
-    view->addAction(fullScreen);
+    view->addActions({showProperties, fullScreen});
     fillTools(*window.menuBar()->addMenu(tr("&Tools")));
     window.menuBar()->addMenu(more);
     QMenu* motion = window.menuBar()->addMenu(tr("&Motion"));
@@ -213,7 +217,7 @@ void Actions::setHasFile(bool has, bool hasPicture, bool isSolid) {
     const QString why = tr("Open a picture first.");
     for (QAction* action :
          {save, saveAs, closeFile, exportMesh, selectAll, selectNone, showMesh, showMap, showMarks,
-          showArrows, hideOverlays, showRest, compare, fit, zoomIn, zoomOut, record})
+          showArrows, hideOverlays, showRest, compare, fit, zoomIn, zoomOut, showProperties, record})
         enable(action, has, why);
     enable(actualSize, has && !isSolid, has ? tr("A solid has no pixels.") : why);
     const QString noPicture = tr("This project has no picture.");

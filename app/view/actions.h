@@ -26,7 +26,7 @@ class Actions : public ActionMaker {
     QAction *undo, *redo, *selectAll, *selectNone, *remove;
     QAction *selectTool, *pinTool;  // of the tools, what others come back to
     QAction *showMesh, *showMap, *showMarks, *showArrows, *hideOverlays, *showRest, *compare;
-    QAction *fit, *actualSize, *zoomIn, *zoomOut, *fullScreen;
+    QAction *fit, *actualSize, *zoomIn, *zoomOut, *fullScreen, *showProperties;
     QAction *play, *loop, *toStart, *toEnd, *settle, *record, *onionSkin;
     QAction *lessMotion, *systemLook, *lightLook, *darkLook;
     QAction *about, *manual, *tutorial, *tips, *shortcuts, *history;
