@@ -55,6 +55,8 @@ class TestWholeTexts : public QObject {
     void cardsOverTheView();
     void stepsOfPictures_data() { languages(); }
     void stepsOfPictures();
+    void layersAreAboveTheFold_data() { languages(); }
+    void layersAreAboveTheFold();
     void stepsOfSolids_data() { languages(); }
     void stepsOfSolids();
     void repairOfASurface_data() { languages(); }
@@ -306,6 +308,19 @@ void TestWholeTexts::stepsOfPictures() {
     window().properties().findChild<FoldingSection*>()->setOpen(true);
     lookAtSteps(QStringLiteral("picture"));
     QVERIFY2(m_wrong.isEmpty(), qPrintable(m_wrong.join('\n')));
+}
+
+/// The list with its buttons, on a small screen without scrolling.
+void TestWholeTexts::layersAreAboveTheFold() {
+    QVERIFY(makeWindow() && m_f->openPicture());
+    paintLayers();
+    resize(kSmall);
+    window().tools().setMode(Mode::Paint);
+    settleLayout(window().properties());
+    for (const char* name : {"layerUp", "layerDown", "layerRemove"}) {
+        const auto* button = window().findChild<QToolButton*>(QLatin1String(name));
+        QTRY_VERIFY2(button->visibleRegion().boundingRect() == button->rect(), name);
+    }
 }
 
 void TestWholeTexts::stepsOfSolids() {
