@@ -53,12 +53,12 @@ void CurvePanel::makeControls() {
     m_make->setStatusTip(m_make->toolTip());
     for (const Ease ease : kEases) m_ease->addItem(withoutKey(easeName(ease)));
     m_ease->setObjectName(QStringLiteral("ease"));
-    m_ease->setFixedWidth(116);
+    fitToEntries(m_ease, 116);
     describe(m_ease, tr("Ease"),
              tr("How the motion that goes on at the time shown begins and ends: evenly, or softly."));
     m_frame->addItems({tr("no"), tr("as it bends (Frenet)"), tr("yes")});
     m_frame->setObjectName(QStringLiteral("curveFrame"));
-    m_frame->setFixedWidth(116);
+    fitToEntries(m_frame, 116);
     describe(m_frame, tr("Rotate with path"), tr("Whether what is held turns along the curve, and how."));
     m_twist->setRange(-3600, 3600);
     m_twist->setDecimals(1);

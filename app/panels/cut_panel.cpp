@@ -39,7 +39,7 @@ CutPanel::CutPanel(QWidget* parent)
 
 void CutPanel::makeControls() {
     m_kind->addItems({tr("Not cut"), tr("Whole cells"), tr("Exact")});
-    m_kind->setFixedWidth(150);
+    fitToEntries(m_kind, 150);
     const std::array<QString, 4> names = {tr("X"), tr("Y"), tr("Z"), tr("Flip")};
     for (int k = 0; k < 4; ++k) {
         m_ways[k] = new QToolButton(this);

@@ -54,7 +54,7 @@ DistortionPanel::DistortionPanel(ShapeSession& session, QWidget* parent)
 }
 
 void DistortionPanel::makeControls() {
-    m_measure->setFixedWidth(116);
+    fitToEntries(m_measure, 116);
     m_opacity->setObjectName(QStringLiteral("mapOpacity"));
     m_opacity->setFixedWidth(116);
     m_opacity->setRange(5, 100);

@@ -61,7 +61,7 @@ LayerPanel::LayerPanel(ShapeSession& session, QWidget* parent)
 
 void LayerPanel::makeList() {
     m_list->setObjectName(QStringLiteral("layers"));
-    m_list->setFixedHeight(96);
+    m_list->setFixedHeight(76);  // four rows: with the buttons below it is seen on a small screen
     m_none->setObjectName(QStringLiteral("noLayers"));
     m_list->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
     m_list->setDragDropMode(QAbstractItemView::InternalMove);

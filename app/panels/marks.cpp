@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/session/accent.h"
+#include "app/session/mark_size.h"
 
 namespace wend {
 
@@ -23,8 +24,8 @@ QColor pinColour(int handle, const HandleTraits& traits) {
 /// Light with a dark rim: to be seen on any ground.
 void Marks::halo(const QPolygonF& line, double width) {
     m_painter.setBrush(Qt::NoBrush);
-    for (const QPen& pen : {QPen(QColor(kInk.red(), kInk.green(), kInk.blue(), 89), width + 3),
-                            QPen(QColor(255, 255, 255, 217), width + 2)}) {
+    for (const QPen& pen : {QPen(QColor(kInk.red(), kInk.green(), kInk.blue(), 89), width + marked(3)),
+                            QPen(QColor(255, 255, 255, 217), width + marked(2))}) {
         QPen round = pen;
         round.setCapStyle(Qt::RoundCap);
         round.setJoinStyle(Qt::RoundJoin);
@@ -42,6 +43,7 @@ void Marks::hairline(const QPolygonF& line, const QColor& colour) {
 
 void Marks::line(const QPolygonF& line, const QColor& colour, double width, Qt::PenStyle style) {
     if (m_quick) return hairline(line, colour);
+    width = marked(width);
     halo(line, width);
     QPen pen(colour, width, style, Qt::FlatCap, Qt::RoundJoin);
     if (style == Qt::CustomDashLine) pen.setDashPattern({4, 3});
@@ -53,7 +55,7 @@ void Marks::path(const QPolygonF& line, const std::vector<double>& times, bool s
                  bool hovered) {
     QColor colour = selected ? QColor(kAccent) : kInk;
     if (!selected) colour.setAlpha(153);
-    const double width = selected || hovered ? 2 : 1.25;
+    const double width = marked(selected || hovered ? 2 : 1.25);
     if (m_quick) return hairline(line, colour);
     QPolygonF gone, coming;
     for (int i = 0; i < line.size(); ++i) {
@@ -67,28 +69,33 @@ void Marks::path(const QPolygonF& line, const std::vector<double>& times, bool s
     pen.setDashPattern({5, 4});
     m_painter.setPen(pen);
     m_painter.drawPolyline(coming);
-    m_painter.setPen(QPen(QColor(255, 255, 255, 217), 1));
+    m_painter.setPen(QPen(QColor(255, 255, 255, 217), marked(1)));
     m_painter.setBrush(colour);
     double next = std::ceil(times.front() * 10 - 1e-6);
     for (int i = 0; i < line.size(); ++i) {
         if (times[i] * 10 < next - 1e-6) continue;
         const bool second = std::abs(std::remainder(next, 10.0)) < 0.5;
-        const double r = (selected ? 2.4 : 1.8) + (second ? 1.4 : 0);
+        const double r = marked((selected ? 2.4 : 1.8) + (second ? 1.4 : 0));
         m_painter.drawEllipse(line[i], r, r);
         next = std::floor(times[i] * 10 + 1e-6) + 1;
     }
 }
 
+/// Around a place, in the size that is chosen.
+void Marks::enlarged(const QPointF& at, double squash, const std::function<void()>& draw) {
+    m_painter.save();
+    m_painter.translate(at);
+    m_painter.scale(marked(1 + squash), marked(1 - squash));
+    draw();
+    m_painter.restore();
+}
+
 void Marks::pin(const QPointF& at, const Pin& look) {
-    if (look.squash != 0) {
-        Pin round = look;
-        round.squash = 0;
-        m_painter.save();
-        m_painter.translate(at);
-        m_painter.scale(1 + look.squash, 1 - look.squash);
-        pin({}, round);
-        return m_painter.restore();
-    }
+    if (look.squash == 0 && markSize() == 1) return drawPin(at, look);
+    enlarged(at, look.squash, [&] { drawPin({}, look); });
+}
+
+void Marks::drawPin(const QPointF& at, const Pin& look) {
     const double r = look.hovered ? 8 : kPinRadius;
     const QColor accent(kAccent);
     const auto disc = [&](double radius) {
@@ -135,7 +142,14 @@ void Marks::padlock(const QPointF& at) {
     m_painter.setPen(Qt::NoPen);
 }
 
-void Marks::ghost(const QPointF& at, bool selected, bool hovered) {
+void Marks::ghost(const QPointF& place, bool selected, bool hovered) {
+    if (markSize() != 1)
+        enlarged(place, 0, [&] { drawGhost({}, selected, hovered); });
+    else
+        drawGhost(place, selected, hovered);
+}
+
+void Marks::drawGhost(const QPointF& at, bool selected, bool hovered) {
     const double r = kPinRadius - 1 + (hovered ? 1.5 : 0);
     QPen halo(QColor(255, 255, 255, selected || hovered ? 230 : 150), 3);
     QPen pen(selected ? QColor(kAccent) : kInk, selected ? 2 : 1.25, Qt::CustomDashLine, Qt::FlatCap);
@@ -148,6 +162,10 @@ void Marks::ghost(const QPointF& at, bool selected, bool hovered) {
 }
 
 void Marks::name(const QPointF& at, const QString& text) {
+    markSize() == 1 ? drawName(at, text) : enlarged(at, 0, [&] { drawName({}, text); });
+}
+
+void Marks::drawName(const QPointF& at, const QString& text) {
     const QFontMetricsF metrics(m_painter.font());
     const QRectF box(at.x() + 14, at.y() - metrics.height() / 2 - 3, metrics.horizontalAdvance(text) + 14,
                      metrics.height() + 6);
@@ -158,9 +176,12 @@ void Marks::name(const QPointF& at, const QString& text) {
     m_painter.drawText(box, Qt::AlignCenter, text);
 }
 
-void Marks::spots(const std::vector<QPointF>& places, const QColor& fill, double radius, const QPen& rim) {
+void Marks::spots(const std::vector<QPointF>& places, const QColor& fill, double radius, QPen rim) {
     if (places.empty()) return;
-    const double ratio = m_painter.device()->devicePixelRatioF(), half = std::ceil(radius + 1.5);
+    radius = marked(radius);
+    rim.setWidthF(marked(rim.widthF()));
+    const double ratio = m_painter.device()->devicePixelRatioF(),
+                 half = std::ceil(radius + rim.widthF() / 2 + 1);
     QPixmap stamp((QSizeF(2 * half, 2 * half) * ratio).toSize());
     stamp.setDevicePixelRatio(ratio);
     stamp.fill(Qt::transparent);
@@ -174,6 +195,10 @@ void Marks::spots(const std::vector<QPointF>& places, const QColor& fill, double
 }
 
 void Marks::worst(const QPointF& at, bool hidden) {
+    markSize() == 1 ? drawWorst(at, hidden) : enlarged(at, 0, [&] { drawWorst({}, hidden); });
+}
+
+void Marks::drawWorst(const QPointF& at, bool hidden) {
     m_painter.setBrush(Qt::NoBrush);
     QPen ink(kInk, 2);
     if (hidden) ink.setDashPattern({2, 2});

@@ -2,6 +2,7 @@
 
 #include <QPainter>
 #include <array>
+#include <functional>
 #include <vector>
 
 #include "core/motion/handle.h"
@@ -19,7 +20,7 @@ const std::array<QColor, 8>& pinColours();
 QColor pinColour(int handle, const HandleTraits& traits);
 
 /// The marks that lie over pictures and solids alike, at places of the widget: light-rimmed, so that they
-/// show on any ground.
+/// show on any ground. Their size is what the user has chosen, see mark_size.h.
 class Marks {
   public:
     explicit Marks(QPainter& painter) : m_painter(painter) {}
@@ -44,11 +45,16 @@ class Marks {
     void ghost(const QPointF& at, bool selected, bool hovered);
     void name(const QPointF& at, const QString& text);
     /// Small discs of one look, many of them: drawn once and copied.
-    void spots(const std::vector<QPointF>& places, const QColor& fill, double radius, const QPen& rim);
+    void spots(const std::vector<QPointF>& places, const QColor& fill, double radius, QPen rim);
     /// A cross of hairs; of a hidden place a faint ring alone: what is seen there is something else.
     void worst(const QPointF& at, bool hidden = false);
 
   private:
+    void enlarged(const QPointF& at, double squash, const std::function<void()>& draw);
+    void drawPin(const QPointF& at, const Pin& look);
+    void drawGhost(const QPointF& at, bool selected, bool hovered);
+    void drawName(const QPointF& at, const QString& text);
+    void drawWorst(const QPointF& at, bool hidden);
     void halo(const QPolygonF& line, double width);
     void padlock(const QPointF& at);
     void hairline(const QPolygonF& line, const QColor& colour);

@@ -64,7 +64,7 @@ MeshPanel::MeshPanel(ShapeSession& session, QWidget* parent)
 void MeshPanel::makeControls() {
     m_density->setRange(0, 1000);
     m_aim->addItems({tr("Vertices"), tr("Maximum volume")});
-    m_aim->setFixedWidth(150);
+    fitToEntries(m_aim, 150);
     describe(m_aim, tr("Aim"),
              tr("What says how fine the mesh is: how many vertices it has in all, or how large a "
                 "tetrahedron may be."));

@@ -52,8 +52,19 @@ QString OptionField::label() const {
     return told(m_option.row.label);
 }
 
-void OptionField::sayLabel() {
-    if (m_check) m_check->setText(label());
+void OptionField::sayLabel(bool hasKey) {
+    if (m_check) m_check->setText(hasKey ? label() : withoutKey(label()));
+}
+
+void OptionField::setWidth(int usual, int least) {
+    setMinimumWidth(least);
+    setMaximumWidth(usual);
+    m_width = usual;
+}
+
+QSize OptionField::sizeHint() const {
+    const QSize own = QWidget::sizeHint();
+    return {m_width > 0 ? m_width : own.width(), own.height()};
 }
 
 /// Of the table, or the choice as it is.

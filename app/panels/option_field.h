@@ -24,7 +24,10 @@ class OptionField : public QWidget {
     std::string flag() const { return std::string(m_option.flag); }
     /// What stands beside it, with a mnemonic; a box to be checked may say it itself.
     QString label() const;
-    void sayLabel();
+    void sayLabel(bool hasKey = true);
+    /// Of a number: so wide, or down to so much narrower where its label is long.
+    void setWidth(int usual, int least);
+    QSize sizeHint() const override;
     /// As one would write it on the command line; of a flag something if it is given, and nothing if not.
     std::string value() const;
     void setValue(const std::string& value);
@@ -54,6 +57,7 @@ class OptionField : public QWidget {
 
     const Option& m_option;
     Range m_range;
+    int m_width = 0;  // of a number; 0: as it comes
     QCheckBox* m_check = nullptr;
     QComboBox* m_choice = nullptr;
     QSpinBox* m_integer = nullptr;

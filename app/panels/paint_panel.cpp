@@ -66,7 +66,7 @@ void PaintPanel::makeControls() {
     }
     m_ratio->setObjectName(QStringLiteral("brushRatio"));
     m_direction->setObjectName(QStringLiteral("brushDirection"));
-    m_direction->setFixedWidth(150);
+    fitToEntries(m_direction, 150);
     describe(m_direction, tr("Stiff direction"),
              tr("The direction at rest, which turns with the shape: the stroke's own, the one that is there, "
                 "an axis, numbers, or the way of the selected pin where it is nearest."));

@@ -1,5 +1,6 @@
 #include "app/panels/panel_parts.h"
 
+#include <QComboBox>
 #include <QFrame>
 #include <QRegularExpression>
 
@@ -43,6 +44,12 @@ QWidget* panelRowIn(const QString& label, QWidget* control, QWidget* parent) {
     line->setContentsMargins(0, 0, 0, 0);
     row->setLayout(line);
     return row;
+}
+
+void fitToEntries(QComboBox* box, int least) {
+    box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    box->setMinimumWidth(least);
+    box->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
 }
 
 QString withoutKey(QString label) {

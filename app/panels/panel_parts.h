@@ -5,6 +5,8 @@
 #include <QLabel>
 #include <QSpinBox>
 
+class QComboBox;
+
 namespace wend {
 
 /// The recurring parts of the properties on the right: a titled section, a labelled row, a quiet line of
@@ -16,6 +18,8 @@ QFrame* panelLine(QWidget* parent);
 QHBoxLayout* panelRow(const QString& label, QWidget* control, QWidget* parent);
 /// The same in a widget that can be hidden.
 QWidget* panelRowIn(const QString& label, QWidget* control, QWidget* parent);
+/// As wide as the longest entry in the language of the window, and no less than that.
+void fitToEntries(QComboBox* box, int least);
 /// A label as it is read, without its key: "Pin" of "&Pin", and "ピン" of "ピン(&P)".
 QString withoutKey(QString label);
 /// Tooltip, status tip and accessible description at once.

@@ -78,6 +78,11 @@ PinList::PinList(ShapeSession& session, QWidget* parent)
     showPins();
 }
 
+void PinList::setFills(bool fills) {
+    m_list->setMinimumHeight(kHeight);
+    m_list->setMaximumHeight(fills ? QWIDGETSIZE_MAX : kHeight);
+}
+
 void PinList::makeList() {
     m_list->setObjectName(QStringLiteral("pinList"));
     m_list->setFixedHeight(kHeight);

@@ -21,6 +21,8 @@ class PinList : public QWidget {
   public:
     explicit PinList(ShapeSession& session, QWidget* parent = nullptr);
     QTreeWidget* list() const { return m_list; }
+    /// As high as the place it is in, rather than of a few rows.
+    void setFills(bool fills);
     /// The row of a pin, and the heading of a group; null if there is none.
     QTreeWidgetItem* rowOf(int handle) const;
     QTreeWidgetItem* headingOf(const QString& group) const;

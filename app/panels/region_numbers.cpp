@@ -70,7 +70,7 @@ RegionNumbers::Numbers RegionNumbers::makeNumbers() {
 
 void RegionNumbers::makeControls() {
     m_kind->addItems({tr("Ball"), tr("Box"), tr("Half-space")});
-    m_kind->setFixedWidth(116);
+    fitToEntries(m_kind, 116);
     describe(m_kind, tr("Kind of region"), tr("What the region is; another kind keeps its place."));
     m_first = makeNumbers();
     m_second = makeNumbers();

@@ -1,5 +1,7 @@
 #include "app/panels/setting_rows.h"
 
+#include <QComboBox>
+
 #include "app/document/document.h"
 #include "app/document/project.h"
 #include "app/document/setting_edits.h"
@@ -11,11 +13,7 @@ namespace wend {
 
 namespace {
 
-constexpr int kNumber = 116, kWords = 150;  // pixels
-
-int widthOf(const Option& setting) {
-    return setting.row.words[0] ? kWords : kNumber;
-}
+constexpr int kNumber = 116, kNarrowNumber = 96, kWords = 150;  // pixels
 
 }  // namespace
 
@@ -31,7 +29,10 @@ QWidget* SettingRows::row(std::string_view key) {
         field->sayLabel();
         return field;
     }
-    field->setFixedWidth(widthOf(field->option()));
+    if (auto* choice = field->findChild<QComboBox*>())
+        fitToEntries(choice, kWords);
+    else
+        field->setWidth(kNumber, kNarrowNumber);
     return panelRowIn(field->label(), field, m_panel);
 }
 

@@ -27,6 +27,7 @@ SurfacePanel::SurfacePanel(QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(16, 14, 16, 14);
     layout->setSpacing(10);
+    m_title->setWordWrap(true);
     layout->addWidget(m_title);
     layout->addWidget(m_kind);
     auto* steps = new QHBoxLayout;
@@ -39,6 +40,7 @@ SurfacePanel::SurfacePanel(QWidget* parent)
     auto* row = new QHBoxLayout;
     for (QPushButton* button : {m_show, m_save}) row->addWidget(button);
     layout->addLayout(row);
+    m_hole->setWidth(116, 80);
     layout->addWidget(panelRowIn(m_hole->label(), m_hole, this));
     auto* repairs = new QHBoxLayout;
     for (QPushButton* button : {m_preview, m_repair}) repairs->addWidget(button);

@@ -6,6 +6,7 @@
 #include <QPainterPath>
 #include <cmath>
 
+#include "app/session/mark_size.h"
 #include "app/session/shape.h"
 #include "app/tools/drag_label.h"
 
@@ -79,7 +80,7 @@ CropTool::Grip CropTool::gripAt(const QPointF& widget) const {
     const auto& part = m_crop.now();
     if (!part) return {};
     const Vec<2> at = toPixels(widget), a = lowOf(*part), b = highOf(*part);
-    const double reach = kReach * (toPixels(widget + QPointF(1, 0)) - at).norm();
+    const double reach = marked(kReach) * (toPixels(widget + QPointF(1, 0)) - at).norm();
     if (((a - at).array() > reach).any() || ((at - b).array() > reach).any()) return {};
     Grip grip;
     grip.x = std::abs(at.x() - b.x()) <= reach ? 1 : std::abs(at.x() - a.x()) <= reach ? -1 : 0;
@@ -207,8 +208,9 @@ void CropTool::paint(QPainter& painter) const {
     }
     painter.setPen(QPen(QColor(0x14, 0x16, 0x1e), 1));
     painter.setBrush(Qt::white);
+    const double side = marked(kHandle);
     for (const QPointF& corner : frame)
-        painter.drawRect(QRectF(corner.x() - kHandle / 2, corner.y() - kHandle / 2, kHandle, kHandle));
+        painter.drawRect(QRectF(corner.x() - side / 2, corner.y() - side / 2, side, side));
     painter.restore();
     if (!m_active) return;
     const QLocale locale;

@@ -7,6 +7,7 @@
 #include "app/document/pin_edits.h"
 #include "app/document/project.h"
 #include "app/session/accent.h"
+#include "app/session/mark_size.h"
 
 namespace wend {
 
@@ -116,7 +117,7 @@ template <int Dim>
 int CurveEditor<Dim>::pointAt(const QPointF& widget) const {
     const auto all = points();
     int best = -1;
-    double nearest = kReach;
+    double nearest = marked(kReach);
     for (int i = 1; i < static_cast<int>(all.size()); ++i) {
         const double d = distance(m_view.toWidget(all[i]), widget);
         if (d < nearest) nearest = d, best = i;
@@ -126,7 +127,7 @@ int CurveEditor<Dim>::pointAt(const QPointF& widget) const {
 
 template <int Dim>
 typename CurveEditor<Dim>::Place CurveEditor<Dim>::placeAt(const QPointF& widget) const {
-    Place best{-1, 0, kLineReach};
+    Place best{-1, 0, marked(kLineReach)};
     const auto own = curve();
     if (!own) return best;
     const Vec<Dim> by = shift();
@@ -296,7 +297,7 @@ void CurveEditor<Dim>::paintMoved(QPainter& painter) const {
     for (const auto& piece : curveOf<Dim>(*own).pieces)
         for (int i = 0; i <= kSamples; ++i) line << m_view.toWidget(piece.value(double(i) / kSamples) + by);
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(kLine, 1.75));
+    painter.setPen(QPen(kLine, marked(1.75)));
     painter.drawPolyline(line);
 }
 
@@ -308,15 +309,15 @@ void CurveEditor<Dim>::paint(QPainter& painter, const QPointF& pointer) const {
     QPolygonF screen;
     for (const Vec<Dim>& p : all) screen << m_view.toWidget(p);
     const bool bezier = curve()->interpolation == Interpolation::Bezier;
-    painter.setPen(QPen(kLine, 1.25));
+    painter.setPen(QPen(kLine, marked(1.25)));
     for (int i = 0; bezier && i + 3 < screen.size(); i += 3) {  // from the joints to their directions
         painter.drawLine(screen[i], screen[i + 1]);
         painter.drawLine(screen[i + 2], screen[i + 3]);
     }
     for (int i = 1; i < screen.size(); ++i) {
-        const double r = distance(screen[i], pointer) < kReach ? 5.5 : 4.5;
+        const double r = marked(distance(screen[i], pointer) < marked(kReach) ? 5.5 : 4.5);
         painter.setPen(
-            QPen(i == chosen() ? QColor(kAccent) : QColor(Qt::white), i == chosen() ? 2.25 : 1.25));
+            QPen(i == chosen() ? QColor(kAccent) : QColor(Qt::white), marked(i == chosen() ? 2.25 : 1.25)));
         painter.setBrush(i == chosen() ? QColor(Qt::white) : kLine);
         if (bezier && i % 3 == 0)
             painter.drawRect(QRectF(screen[i].x() - r, screen[i].y() - r, 2 * r, 2 * r));

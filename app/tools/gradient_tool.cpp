@@ -7,6 +7,7 @@
 #include "app/session/accent.h"
 #include "app/session/brush.h"
 #include "app/session/energy_stops.h"
+#include "app/session/mark_size.h"
 #include "app/session/material_raster.h"
 #include "app/tools/brush_paint.h"
 
@@ -26,9 +27,9 @@ Vec<Dim> posedAt(const PosedFrame<Dim>& frame, const PointLocator<Dim>& locator,
 }
 
 void dot(QPainter& painter, const QPointF& at, const QColor& colour, double radius) {
-    painter.setPen(QPen(QColor(255, 255, 255, 217), 2));
+    painter.setPen(QPen(QColor(255, 255, 255, 217), marked(2)));
     painter.setBrush(colour);
-    painter.drawEllipse(at, radius, radius);
+    painter.drawEllipse(at, marked(radius), marked(radius));
 }
 
 }  // namespace
@@ -70,7 +71,7 @@ template <int Dim>
 std::optional<typename GradientTool<Dim>::Handle> GradientTool<Dim>::handleAt(const QPointF& at) const {
     std::optional<Handle> found;
     for (const Handle& one : handles())
-        if (QLineF(surface().toWidget(one.seen), at).length() <= kReach) found = one;
+        if (QLineF(surface().toWidget(one.seen), at).length() <= marked(kReach)) found = one;
     return found;
 }
 
@@ -178,9 +179,9 @@ void GradientTool<Dim>::cancel() {
 template <int Dim>
 void GradientTool<Dim>::paint(QPainter& painter) const {
     const auto line = [&](const QPointF& from, const QPointF& to, const QColor& colour) {
-        painter.setPen(QPen(QColor(255, 255, 255, 217), 3.5));
+        painter.setPen(QPen(QColor(255, 255, 255, 217), marked(3.5)));
         painter.drawLine(from, to);
-        painter.setPen(QPen(QColor(0x14, 0x16, 0x1e), 1.5));
+        painter.setPen(QPen(QColor(0x14, 0x16, 0x1e), marked(1.5)));
         painter.drawLine(from, to);
         dot(painter, from, QColor(0x14, 0x16, 0x1e), 5);
         dot(painter, to, colour, 7);

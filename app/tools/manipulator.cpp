@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/session/mark_size.h"
+
 namespace wend {
 
 namespace {
@@ -55,7 +57,7 @@ void Manipulator::place(const Vec<3>& centre, const Mat<3>& axes) {
 }
 
 double Manipulator::length(const SolidSurface& surface) const {
-    return surface.pixelSize(m_centre);
+    return marked(surface.pixelSize(m_centre));
 }
 
 Vec<3> Manipulator::normalOf(const Part& part, const SolidSurface& surface) const {
@@ -104,7 +106,7 @@ std::vector<Vec<3>> Manipulator::outline(const Part& part, const SolidSurface& s
 std::optional<Manipulator::Part> Manipulator::partAt(const SolidSurface& surface,
                                                      const QPointF& widget) const {
     std::optional<Part> best;
-    double nearest = kReach;
+    double nearest = marked(kReach);
     for (const Part& part : parts()) {
         const QPolygonF line = projected(outline(part, surface), surface);
         double distance = 1e9;
@@ -188,9 +190,10 @@ void Manipulator::paint(QPainter& painter, const SolidSurface& surface,
             fill.setAlpha(lit == part ? 200 : 130);
             painter.setBrush(fill);
         }
-        painter.setPen(QPen(QColor(15, 17, 24, 150), part.plane ? 2 : 4.5, Qt::SolidLine, Qt::RoundCap));
+        painter.setPen(
+            QPen(QColor(15, 17, 24, 150), marked(part.plane ? 2 : 4.5), Qt::SolidLine, Qt::RoundCap));
         painter.drawPolyline(line);
-        painter.setPen(QPen(colour, part.plane ? 1 : 2.5, Qt::SolidLine, Qt::RoundCap));
+        painter.setPen(QPen(colour, marked(part.plane ? 1 : 2.5), Qt::SolidLine, Qt::RoundCap));
         part.plane || part.axis < 0 ? painter.drawPolygon(line) : painter.drawPolyline(line);
         if (part.kind != Grip::Kind::Move || part.axis < 0 || part.plane) continue;
         const QPointF tip = line.last(), along = tip - line.first();
@@ -199,7 +202,7 @@ void Manipulator::paint(QPainter& painter, const SolidSurface& surface,
         const QPointF u = along / size, n(-u.y(), u.x());
         painter.setPen(QPen(QColor(15, 17, 24, 150), 1));
         painter.setBrush(colour);
-        painter.drawPolygon(QPolygonF({tip + 11 * u, tip + 5.5 * n, tip - 5.5 * n}));
+        painter.drawPolygon(QPolygonF({tip + marked(11) * u, tip + marked(5.5) * n, tip - marked(5.5) * n}));
     }
 }
 

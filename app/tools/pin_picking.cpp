@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/document/design.h"
+#include "app/session/mark_size.h"
 #include "app/session/pin_shapes.h"
 
 namespace wend {
@@ -44,7 +45,8 @@ template <int Dim>
 int ghostUnder(SurfaceOf<Dim>& surface, const QPointF& widget) {
     PinPick pick;
     for (const PinView<Dim>& ghost : surface.session().template ghosts<Dim>())
-        if (const double d = QLineF(surface.toWidget(ghost.centre), widget).length(); d <= kGhostReach)
+        if (const double d = QLineF(surface.toWidget(ghost.centre), widget).length();
+            d <= marked(kGhostReach))
             pick.offer(ghost.handle, d, false);
     return pick.handle();
 }
@@ -53,7 +55,7 @@ template <int Dim>
 int wayUnder(SurfaceOf<Dim>& surface, const QPointF& widget) {
     ShapeSession& session = surface.session();
     int best = -1;
-    double nearest = kWayReach;
+    double nearest = marked(kWayReach);
     const auto& handles = session.document().template design<Dim>().handles;
     for (int h = 0; h < static_cast<int>(handles.size()); ++h) {
         if (handles[h].motions.empty() || handles[h].activeTo <= session.playback().time() ||

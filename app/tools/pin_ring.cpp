@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "app/session/accent.h"
+#include "app/session/mark_size.h"
 
 namespace wend {
 
@@ -33,17 +34,17 @@ void PinRing::place(const QPointF& widget, const Vec<2>& shape, bool canTurn) {
 /// The dot is at the upper right at rest, the square at the lower right.
 QPointF PinRing::spot(Part part) const {
     const double angle = part == Part::Rotate ? m_turned - std::numbers::pi / 4 : std::numbers::pi / 4;
-    return m_at + kRadius * QPointF(std::cos(angle), std::sin(angle));
+    return m_at + marked(kRadius) * QPointF(std::cos(angle), std::sin(angle));
 }
 
 std::optional<PinRing::Part> PinRing::partAt(const QPointF& widget) const {
     for (const Part part : {Part::Rotate, Part::Scale})
-        if (m_canTurn && distance(spot(part), widget) <= kReach) return part;
+        if (m_canTurn && distance(spot(part), widget) <= marked(kReach)) return part;
     return {};
 }
 
 bool PinRing::isOn(const QPointF& widget) const {
-    return std::abs(distance(m_at, widget) - kRadius) <= kRingReach;
+    return std::abs(distance(m_at, widget) - marked(kRadius)) <= marked(kRingReach);
 }
 
 void PinRing::begin(Part part, const QPointF& widget, const ToShape& toShape) {
@@ -94,19 +95,20 @@ QString PinRing::text(const Amount& amount) const {
 
 void PinRing::paint(QPainter& painter, const std::optional<Part>& lit) const {
     const QColor accent(kAccent);
-    QPen pen(accent, 2, m_canTurn ? Qt::SolidLine : Qt::CustomDashLine, Qt::RoundCap);
+    const double radius = marked(kRadius);
+    QPen pen(accent, marked(2), m_canTurn ? Qt::SolidLine : Qt::CustomDashLine, Qt::RoundCap);
     if (!m_canTurn) pen.setDashPattern({0.1, 3});
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(QColor(255, 255, 255, m_canTurn ? 200 : 130), 4));
-    if (m_canTurn) painter.drawEllipse(m_at, kRadius, kRadius);
+    painter.setPen(QPen(QColor(255, 255, 255, m_canTurn ? 200 : 130), marked(4)));
+    if (m_canTurn) painter.drawEllipse(m_at, radius, radius);
     painter.setPen(pen);
-    painter.drawEllipse(m_at, kRadius, kRadius);
+    painter.drawEllipse(m_at, radius, radius);
     if (!m_canTurn) return;
-    painter.setPen(QPen(Qt::white, 1.5));
+    painter.setPen(QPen(Qt::white, marked(1.5)));
     painter.setBrush(accent);
-    const double dot = kDot + (lit == Part::Rotate ? 1.5 : 0);
+    const double dot = marked(kDot + (lit == Part::Rotate ? 1.5 : 0));
     painter.drawEllipse(spot(Part::Rotate), dot, dot);
-    const double side = kSquare + (lit == Part::Scale ? 1.5 : 0);
+    const double side = marked(kSquare + (lit == Part::Scale ? 1.5 : 0));
     const QPointF corner = spot(Part::Scale);
     painter.drawRect(QRectF(corner.x() - side, corner.y() - side, 2 * side, 2 * side));
 }

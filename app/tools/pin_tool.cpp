@@ -5,6 +5,7 @@
 
 #include "app/document/design.h"
 #include "app/session/accent.h"
+#include "app/session/mark_size.h"
 #include "app/session/pin_shapes.h"
 #include "app/tools/drag_label.h"
 #include "app/tools/pin_picking.h"
@@ -54,10 +55,10 @@ int PinTool::pinAt(const QPointF& widget) const {
     PinPick pick;
     for (const PinView<2>& pin : session().pins()) {
         for (std::size_t i = 0; i < pin.points.size() && !pin.region; ++i)
-            if (const double d = distance(surface().toWidget(pin.points[i]), widget); d <= kReach)
+            if (const double d = distance(surface().toWidget(pin.points[i]), widget); d <= marked(kReach))
                 pick.offer(pin.handle, d, isCovered<2>(surface(), pin, i));
-        const bool marked = pin.region || pin.points.size() > 1;
-        if (const double d = distance(surface().toWidget(pin.centre), widget); marked && d <= kReach)
+        const bool isArea = pin.region || pin.points.size() > 1;
+        if (const double d = distance(surface().toWidget(pin.centre), widget); isArea && d <= marked(kReach))
             pick.offer(pin.handle, d, false);
     }
     return pick.handle() >= 0 ? pick.handle() : ghostUnder<2>(surface(), widget);

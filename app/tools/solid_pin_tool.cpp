@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "app/session/mark_size.h"
 #include "app/tools/drag_label.h"
 #include "app/tools/pin_picking.h"
 
@@ -105,13 +106,13 @@ bool SolidPinTool::placeManipulator() const {
 int SolidPinTool::handleAt(const QPointF& widget) const {
     PinPick pick;
     for (const auto& pin : session().pins<3>())
-        if (const double d = distance(surface().toWidget(pin.centre), widget); d <= kReach)
+        if (const double d = distance(surface().toWidget(pin.centre), widget); d <= marked(kReach))
             pick.offer(pin.handle, d, pin.points.size() == 1 && !m_through && isCovered<3>(surface(), pin));
     if (pick.handle() >= 0) return pick.handle();
     for (const auto& pin : session().pins<3>())
         for (const Vec<3>& p : pin.points)
             if (const double d = distance(surface().toWidget(p), widget);
-                d <= kPointReach && (m_through || !surface().isHidden(p)))
+                d <= marked(kPointReach) && (m_through || !surface().isHidden(p)))
                 pick.offer(pin.handle, d, false);
     return pick.handle() >= 0 ? pick.handle() : ghostUnder<3>(surface(), widget);
 }

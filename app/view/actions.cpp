@@ -19,6 +19,7 @@ Actions::Actions(QUndoStack& undoStack, Toolbox& tools, QObject* parent)
       exports(std::make_unique<QMenu>()),
       backdrop(new BackdropChoice(this)),
       speed(std::make_unique<QMenu>()),
+      markSizes(std::make_unique<QMenu>()),
       m_tools(tools) {
     makeFile();
     makeEdit(undoStack);
@@ -94,12 +95,20 @@ void Actions::makeView() {
     zoomIn = add({tr("Zoom &In"), tr("Look closer")}, QKeySequence::ZoomIn);
     zoomOut = add({tr("Zoom &Out"), tr("See more")}, QKeySequence::ZoomOut);
     fullScreen = addToggle({tr("Full &Screen"), tr("Use the whole screen")}, QKeySequence(Qt::Key_F11));
+    showProperties = addToggle(
+        {tr("&Properties"), tr("Show the properties at the right, or leave their room to the shape")},
+        QKeySequence(Qt::Key_F4));
+    showProperties->setChecked(true);
     auto* looks = new QActionGroup(this);
     systemLook = addToggle({tr("As the &Desktop"), tr("Light or dark as the desktop is")}, {});
     lightLook = addToggle({tr("&Light"), tr("Dark on light")}, {});
     darkLook = addToggle({tr("&Dark"), tr("Light on dark")}, {});
     lessMotion =
         addToggle({tr("Less &Motion"), tr("Nothing moves in the window but what shows something")}, {});
+    fillFactors(*markSizes, {100, 150, 200, 300});
+    markSizes->setTitle(tr("Size of M&arks"));
+    markSizes->menuAction()->setStatusTip(
+        tr("How large pins, rings and curves are over the shape, for the eye and for the hand"));
     for (QAction* look : {systemLook, lightLook, darkLook}) looks->addAction(look);
     systemLook->setChecked(true);
 }
@@ -118,20 +127,25 @@ void Actions::makeMotion() {
     onionSkin =
         addToggle({tr("&Onion Skin"), tr("Show what was a little before and what comes a little after")},
                   QKeySequence(tr("Shift+N")), "onion");
-    auto* speeds = new QActionGroup(this);
-    for (const int percent : {25, 50, 100, 200}) {
-        QAction* one = speed->addAction(tr("%1 %").arg(percent));
-        one->setData(percent / 100.0);
-        one->setCheckable(true);
-        one->setChecked(percent == 100);
-        speeds->addAction(one);
-    }
+    fillFactors(*speed, {25, 50, 100, 200});
     speed->menuAction()->setStatusTip(tr("How fast it plays, and by which clock drags are recorded"));
     speed->menuAction()->setToolTip(speed->menuAction()->statusTip());
     setSpeed(1);
     settle = add(
         {tr("S&ettle"), tr("Let the shape relax towards its rest at the end, with the pins where they are")},
         {});
+}
+
+/// One of them holds, at first the usual one.
+void Actions::fillFactors(QMenu& menu, const QList<int>& percents) {
+    auto* group = new QActionGroup(&menu);
+    for (const int percent : percents) {
+        QAction* one = menu.addAction(tr("%1 %").arg(percent));
+        one->setData(percent / 100.0);
+        one->setCheckable(true);
+        one->setChecked(percent == 100);
+        group->addAction(one);
+    }
 }
 
 void Actions::setSpeed(double factor) {
@@ -174,8 +188,9 @@ void Actions::fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve, const 
     QMenu* appearance = view->addMenu(tr("A&ppearance"));
     appearance->addActions({systemLook, lightLook, darkLook});
     appearance->addSeparator();
+    appearance->addMenu(markSizes.get());
     appearance->addAction(lessMotion);
-    view->addAction(fullScreen);
+    view->addActions({showProperties, fullScreen});
     fillTools(*window.menuBar()->addMenu(tr("&Tools")));
     window.menuBar()->addMenu(more);
     QMenu* motion = window.menuBar()->addMenu(tr("&Motion"));
@@ -202,7 +217,7 @@ void Actions::setHasFile(bool has, bool hasPicture, bool isSolid) {
     const QString why = tr("Open a picture first.");
     for (QAction* action :
          {save, saveAs, closeFile, exportMesh, selectAll, selectNone, showMesh, showMap, showMarks,
-          showArrows, hideOverlays, showRest, compare, fit, zoomIn, zoomOut, record})
+          showArrows, hideOverlays, showRest, compare, fit, zoomIn, zoomOut, showProperties, record})
         enable(action, has, why);
     enable(actualSize, has && !isSolid, has ? tr("A solid has no pixels.") : why);
     const QString noPicture = tr("This project has no picture.");

@@ -26,13 +26,14 @@ class Actions : public ActionMaker {
     QAction *undo, *redo, *selectAll, *selectNone, *remove;
     QAction *selectTool, *pinTool;  // of the tools, what others come back to
     QAction *showMesh, *showMap, *showMarks, *showArrows, *hideOverlays, *showRest, *compare;
-    QAction *fit, *actualSize, *zoomIn, *zoomOut, *fullScreen;
+    QAction *fit, *actualSize, *zoomIn, *zoomOut, *fullScreen, *showProperties;
     QAction *play, *loop, *toStart, *toEnd, *settle, *record, *onionSkin;
     QAction *lessMotion, *systemLook, *lightLook, *darkLook;
     QAction *about, *manual, *tutorial, *tips, *shortcuts, *history;
     const std::unique_ptr<QMenu> recent, samples, exports;
     BackdropChoice* const backdrop;
-    const std::unique_ptr<QMenu> speed;  // of playing and recording; the factor is the data of its actions
+    /// Of playing and recording, and of marks; the factor is the data of their actions.
+    const std::unique_ptr<QMenu> speed, markSizes;
 
     /// Menus of the whole program, in the order of the work.
     /// `more` stands between those of the view and of the motion; `curve` within that of the motion, `edits`
@@ -52,6 +53,7 @@ class Actions : public ActionMaker {
     void makeView();
     void makeMotion();
     void makeHelp();
+    static void fillFactors(QMenu& menu, const QList<int>& percents);
     void fillTools(QMenu& menu) const;
 
     Toolbox& m_tools;

@@ -4,6 +4,8 @@
 #include <QSettings>
 
 #include "app/panels/liveliness.h"
+#include "app/session/mark_size.h"
+#include "app/tools/shape_surface.h"
 #include "app/view/actions.h"
 
 namespace wend {
@@ -14,6 +16,8 @@ AppearanceChoice::AppearanceChoice(Actions& actions, QWidget& window)
                                              {actions.lightLook, Appearance::Light},
                                              {actions.darkLook, Appearance::Dark}})
         connect(action, &QAction::triggered, this, [this, look = appearance] { apply(look); });
+    connect(actions.markSizes.get(), &QMenu::triggered, this,
+            [this](const QAction* chosen) { enlargeMarks(chosen->data().toDouble()); });
     connect(actions.lessMotion, &QAction::toggled, this, [](bool less) {
         QSettings().setValue("lessMotion", less);
         setLively(!less);
@@ -22,9 +26,28 @@ AppearanceChoice::AppearanceChoice(Actions& actions, QWidget& window)
 
 void AppearanceChoice::restore() {
     apply(static_cast<Appearance>(QSettings().value("appearance", 0).toInt()));
+    restoreMarks();
     const bool less = QSettings().value("lessMotion", false).toBool();
     m_actions.lessMotion->setChecked(less);
     setLively(!less);
+}
+
+void AppearanceChoice::restoreMarks() {
+    const double kept = QSettings().value("markSize", 1).toDouble();
+    const QAction* chosen = nullptr;
+    for (QAction* one : m_actions.markSizes->actions())
+        if (one->data().toDouble() == kept) one->setChecked(true), chosen = one;
+    setMarkSize(chosen ? kept : 1);
+}
+
+/// In all views, at once.
+void AppearanceChoice::enlargeMarks(double factor) {
+    QSettings().setValue("markSize", factor);
+    setMarkSize(factor);
+    for (QWidget* one : m_window.findChildren<QWidget*>()) {
+        if (auto* picture = dynamic_cast<ShapeSurface<2>*>(one)) picture->redraw();
+        if (auto* solid = dynamic_cast<ShapeSurface<3>*>(one)) solid->redraw();
+    }
 }
 
 void AppearanceChoice::apply(Appearance appearance) {

@@ -11,7 +11,7 @@ namespace wend {
 
 class Actions;
 
-/// Light, dark, or as the desktop is, and how lively; remembered for other days.
+/// Light, dark, or as the desktop is, how large marks are, and how lively; remembered for other days.
 class AppearanceChoice : public QObject {
     Q_OBJECT
 
@@ -26,6 +26,8 @@ class AppearanceChoice : public QObject {
 
   private:
     void apply(Appearance appearance);
+    void restoreMarks();
+    void enlargeMarks(double factor);
 
     Actions& m_actions;
     QWidget& m_window;

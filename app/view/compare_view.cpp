@@ -24,7 +24,7 @@ namespace wend {
 
 namespace {
 
-constexpr int kHead = 32;
+constexpr int kHead = 44;  // two lines, where a half is narrow
 
 QString nameOf(double phi, int dimension) {
     const EnergyScale scale(dimension);
@@ -86,9 +86,10 @@ QWidget* CompareView::ownHead() {
     row->setContentsMargins(12, 0, 12, 0);
     m_ownName->setProperty("role", "title");
     m_ownTotals->setObjectName(QStringLiteral("ownTotals"));
-    for (QLabel* totals : {m_ownTotals, m_otherTotals}) totals->setWordWrap(false);
+    for (QLabel* totals : {m_ownTotals, m_otherTotals})
+        totals->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     row->addWidget(m_ownName);
-    row->addWidget(m_ownTotals, 1, Qt::AlignRight);
+    row->addWidget(m_ownTotals, 1);
     return head;
 }
 
@@ -101,6 +102,7 @@ QWidget* CompareView::otherHead() {
     describe(m_energy, tr("Compare with"), tr("What this half keeps, on the same pins and motions."));
     connect(m_energy, &QComboBox::activated, this,
             [this](int i) { split(m_energy->itemData(i).toDouble()); });
+    m_energy->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     m_otherTotals->setObjectName(QStringLiteral("otherTotals"));
     auto* close = new QToolButton(head);
     close->setObjectName(QStringLiteral("endComparison"));
@@ -109,7 +111,7 @@ QWidget* CompareView::otherHead() {
     describe(close, tr("End the comparison"), tr("Shows one shape again."));
     connect(close, &QToolButton::clicked, this, &CompareView::join);
     row->addWidget(m_energy);
-    row->addWidget(m_otherTotals, 1, Qt::AlignRight);
+    row->addWidget(m_otherTotals, 1);
     row->addWidget(close);
     return head;
 }

@@ -22,8 +22,7 @@ namespace wend {
 
 namespace {
 
-constexpr int kLetters = 16;  // of a choice that are seen where room is scarce
-constexpr int kLow = 168;     // of a preview above its fields, where room is scarce
+constexpr int kLow = 168;  // of a preview above its fields, where room is scarce
 
 QString bytesText(double bytes) {
     return QLocale().formattedDataSize(static_cast<qint64>(bytes), bytes < 1000 ? 0 : 1,
@@ -153,17 +152,26 @@ void ExportForm::makeCropNote(Fields place) {
     m_crop->hide();
 }
 
+/// A box to tick has its words beside it.
+void ExportForm::addRow(OptionField& field, bool hasKey) {
+    if (field.option().kind == OptionKind::Flag) {
+        field.sayLabel(hasKey);
+        return m_form->addRow(&field);
+    }
+    m_form->addRow(hasKey ? field.label() : withoutKey(field.label()), &field);
+}
+
 /// Below, what is too long for its line has the next one for itself, and the menus of the window have the
 /// keys.
 void ExportForm::lay(Fields place) {
     const bool beside = place == Fields::Beside;
+    if (!beside) m_form->setHorizontalSpacing(4);
     m_form->setVerticalSpacing(beside ? 10 : 6);
     m_form->setRowWrapPolicy(beside ? QFormLayout::DontWrapRows : QFormLayout::WrapLongRows);
     m_form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
     const QString format = tr("F&ormat");
     m_form->addRow(beside ? format : withoutKey(format), m_format);
-    for (OptionField* field : m_fields)
-        m_form->addRow(beside ? field->label() : withoutKey(field->label()), field);
+    for (OptionField* field : m_fields) addRow(*field, beside);
     m_facts->setObjectName(QStringLiteral("facts"));
     m_facts->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_facts->setWordWrap(!beside);
@@ -191,8 +199,7 @@ void ExportForm::lay(Fields place) {
         if (beside) {
             box->setMinimumWidth(220);
         } else {
-            box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-            box->setMinimumContentsLength(kLetters);
+            box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
         }
     }
 }

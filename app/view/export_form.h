@@ -65,6 +65,7 @@ class ExportForm : public QWidget {
     const FrameExport* shape() const { return m_subject.shape.get(); }
     void makeFields();
     void makeCropNote(Fields place);
+    void addRow(OptionField& field, bool hasKey);
     void lay(Fields place);
     void showFormats();
     void showPart();

@@ -8,6 +8,7 @@
 #include "app/document/project.h"
 #include "app/panels/energy_slider.h"
 #include "app/panels/theme.h"
+#include "app/session/mark_size.h"
 #include "app/view/canvas.h"
 #include "app/view/toolbox.h"
 #include "app/view/volume/solid_canvas.h"
@@ -130,10 +131,11 @@ void FirstTips::follow() {
     setAccessibleName(text());
     const QPointF at = anchor(static_cast<Tip>(tip));
     const int point = static_cast<int>(kPoint);
-    m_pointsLeft = tip != Keep && at.x() + kGap + sizeHint().width() + point < parentWidget()->width();
+    m_pointsLeft =
+        tip != Keep && at.x() + marked(kGap) + sizeHint().width() + point < parentWidget()->width();
     setContentsMargins(m_pointsLeft ? 12 + point : 12, 8, m_pointsLeft ? 12 : 12 + point, 8);
     resize(sizeHint());
-    const double gap = tip == Keep ? 2 : kGap;
+    const double gap = tip == Keep ? 2 : marked(kGap);
     const double left = m_pointsLeft ? at.x() + gap : at.x() - gap - width();
     move(std::clamp(qRound(left), 0, std::max(0, parentWidget()->width() - width())),
          std::clamp(qRound(at.y() - height() / 2.0), 0, std::max(0, parentWidget()->height() - height())));

@@ -39,6 +39,7 @@
 #include "app/view/picture_actions.h"
 #include "app/view/pin_actions.h"
 #include "app/view/properties.h"
+#include "app/view/properties_rail.h"
 #include "app/view/shape_notices.h"
 #include "app/view/side_windows.h"
 #include "app/view/solid_workshop.h"
@@ -184,7 +185,8 @@ void MainWindow::makeCentre() {
     column->addWidget(parts, 1);
     column->addWidget(m_time);
     row->addLayout(column, 1);
-    row->addWidget(m_properties);
+    row->addWidget(m_rail = new PropertiesRail(*m_properties, *m_actions->showProperties, centre));
+    connect(m_rail, &PropertiesRail::done, this, toView);
     setCentralWidget(centre);
 }
 
@@ -305,8 +307,7 @@ void MainWindow::showDocument() {
     m_pages->setCurrentWidget(has ? shape : m_start);
     m_tools->setDimension(has && (!solid || m_solids->canvas()) ? m_session.document().dimension() : 0);
     m_solids->showDomain();
-    for (QWidget* widget :
-         std::initializer_list<QWidget*>{m_properties, m_time, m_toolBar, m_topBar, m_options})
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_rail, m_time, m_toolBar, m_topBar, m_options})
         widget->setVisible(has);
     if (has) shape->setFocus();
     m_fields->setVisible(has);

@@ -29,6 +29,7 @@ class MaterialPanel;
 class ModeRow;
 class OptionRow;
 class Properties;
+class PropertiesRail;
 class SolidActions;
 class SolidWorkshop;
 class StartPage;
@@ -104,6 +105,7 @@ class MainWindow : public QMainWindow {
     MaterialActions* m_material = nullptr;
     Exporter* m_exporter;
     Properties* m_properties;
+    PropertiesRail* m_rail = nullptr;
     PictureActions* m_pictureActions;
     BrushActions* m_brush;
     CurveActions* m_curves = nullptr;

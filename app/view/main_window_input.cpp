@@ -9,7 +9,7 @@
 #include "app/view/compare_view.h"
 #include "app/view/file_workflow.h"
 #include "app/view/main_window.h"
-#include "app/view/properties.h"
+#include "app/view/properties_rail.h"
 #include "app/view/start_page.h"
 #include "app/view/status_fields.h"
 
@@ -17,7 +17,7 @@ namespace wend {
 
 void MainWindow::resizeEvent(QResizeEvent* event) {
     QMainWindow::resizeEvent(event);
-    m_properties->fitTo(width());
+    m_rail->fitTo(width());
 }
 
 void MainWindow::changeEvent(QEvent* event) {

@@ -5,6 +5,7 @@
 
 #include "app/document/design.h"
 #include "app/panels/pin_marks.h"
+#include "app/session/mark_size.h"
 #include "app/session/pin_shapes.h"
 #include "app/tools/region_outline.h"
 #include "core/motion/trajectory.h"
@@ -37,9 +38,10 @@ void OverlayPainter::frames(const Handle<2>& handle, const Vec<2>& start) {
             const Vec<2> at = trajectory.at(t).position(start);
             const Mat<2> F = trajectory.frame(t);
             for (int k = 0; k < 2; ++k)
-                m_marks.line({m_view.toWidget(at), m_view.toWidget(at + (k == 0 ? kFrameSize : kFrameSizeY) /
-                                                                            m_view.zoom() * F.col(k))},
-                             kFrameAxes[k], 1.75, Qt::SolidLine);
+                m_marks.line(
+                    {m_view.toWidget(at), m_view.toWidget(at + marked(k == 0 ? kFrameSize : kFrameSizeY) /
+                                                                   m_view.zoom() * F.col(k))},
+                    kFrameAxes[k], 1.75, Qt::SolidLine);
         }
     }
 }

@@ -2,8 +2,10 @@
 
 #include <QAction>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QTimer>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "app/panels/balance_panel.h"
 #include "app/panels/cut_out_panel.h"
@@ -34,6 +36,7 @@ namespace {
 
 constexpr int kNarrow = 288, kUsual = 304, kWide = 360;  // of the panels
 constexpr int kUsualWindow = 1500, kWideWindow = 3000;   // from that width on
+constexpr int kPins = 280;                               // a column of their own, in a wide window
 constexpr int kSelection = 200;                          // the room for what is selected
 
 constexpr Modes kShaping = Mode::Mesh | Mode::Pins | Modes(Mode::Paint) | Modes(Mode::Animate);
@@ -60,6 +63,7 @@ Properties::Properties(ShapeSession& session, Exporter& exporter, const Toolbox&
       m_advanced(new FoldingSection(tr("Advanced"), tr("The same in numbers, for those who want them."),
                                     QStringLiteral("advanced"))),
       m_content(new QWidget),
+      m_beside(new QWidget(this)),
       m_column(new QVBoxLayout(m_content)),
       m_scroll(new QScrollArea) {
     setObjectName(QStringLiteral("sidePanel"));
@@ -73,9 +77,18 @@ Properties::Properties(ShapeSession& session, Exporter& exporter, const Toolbox&
     m_scroll->setWidgetResizable(true);
     m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_scroll->setFrameShape(QFrame::NoFrame);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(1, 0, 0, 0);  // its line at the left
+    m_beside->setObjectName(QStringLiteral("pinColumn"));
+    m_beside->setAttribute(Qt::WA_StyledBackground);
+    m_beside->setFixedWidth(kPins);
+    m_beside->hide();
+    (new QVBoxLayout(m_beside))->setContentsMargins(0, 0, 0, 0);
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(1, 0, 0, 0);  // its line at the left
+    row->setSpacing(0);
+    row->addWidget(m_beside);
+    auto* column = new QVBoxLayout;
     column->setSpacing(0);
+    row->addLayout(column, 1);
     column->addWidget(m_material);
     column->addWidget(m_reach);
     column->addWidget(panelLine(this));
@@ -83,34 +96,36 @@ Properties::Properties(ShapeSession& session, Exporter& exporter, const Toolbox&
     connect(new PanelFields(*this), &PanelFields::done, this, &Properties::done);
     connect(m_pins, &PinList::done, this, &Properties::done);
     connect(&m_tools, &Toolbox::changed, this, &Properties::arrange);
+    m_material->installEventFilter(this);
     arrange();
 }
 
 /// In their order from the top.
 void Properties::fill(ShapeSession& session, Exporter& exporter, const Actions& actions) {
     const Modes posing = Mode::Pins | Mode::Animate;
-    put(m_surface, {.modes = Modes::all(), .flat = false});
-    put(m_mesh, {.modes = Mode::Mesh});
-    put(m_sizes, {.modes = Mode::Mesh, .flat = false, .tool = "sizes"});
-    put(m_detailRegions, {.modes = Mode::Mesh, .solid = false, .tool = "sizes"});
-    put(m_depthRegions, {.modes = Mode::Paint, .solid = false, .tool = "depth"});
-    put(m_paint, {.modes = Mode::Paint, .without = "depth"});
-    put(m_layers, {.modes = Mode::Paint});
-    put(m_pins, {.modes = Mode::Pins});
-    put(selectionArea(session), {.modes = posing});
-    put(new FlowPanel(session), {.modes = Mode::Animate});
-    put(new ExportPanel(session, exporter, actions), {.modes = Mode::Export, .fills = true});
-    put(m_measure, {.modes = Modes::all(), .flat = false, .tool = "measure"});
-    put(m_cut, {.modes = Mode::Mesh, .flat = false});
-    put(m_distortion, {.modes = kShaping});
+    put(m_surface, tr("Surface"), "volume", {.modes = Modes::all(), .flat = false});
+    put(m_mesh, tr("Mesh"), "mesh", {.modes = Mode::Mesh});
+    put(m_sizes, tr("Sizes"), "sizes", {.modes = Mode::Mesh, .flat = false, .tool = "sizes"});
+    put(m_detailRegions, tr("Detail"), "sizes", {.modes = Mode::Mesh, .solid = false, .tool = "sizes"});
+    put(m_depthRegions, tr("Depth"), "depth", {.modes = Mode::Paint, .solid = false, .tool = "depth"});
+    put(m_paint, tr("Paint"), "brush", {.modes = Mode::Paint, .without = "depth"});
+    put(m_layers, tr("Layers"), "region", {.modes = Mode::Paint});
+    put(m_pins, tr("Pins"), "pin", {.modes = Mode::Pins});
+    put(selectionArea(session), tr("Selection"), "select", {.modes = posing});
+    put(new FlowPanel(session), tr("Flow"), "curve", {.modes = Mode::Animate});
+    put(new ExportPanel(session, exporter, actions), tr("Export"), "export",
+        {.modes = Mode::Export, .fills = true});
+    put(m_measure, tr("Measure"), "measure", {.modes = Modes::all(), .flat = false, .tool = "measure"});
+    put(m_cut, tr("Cut"), "cut", {.modes = Mode::Mesh, .flat = false});
+    put(m_distortion, tr("What changed"), "distortion", {.modes = kShaping});
     m_advanced->add(m_cutOut);
     m_advanced->add(new BalancePanel(session));
     m_advanced->add(m_distortion->details());
-    put(m_advanced, {.modes = kShaping});
+    put(m_advanced, tr("Advanced"), "settings", {.modes = kShaping});
 }
 
 /// Panels that hide when they have nothing to say are within something that is shown by the step.
-void Properties::put(QWidget* panel, const When& when) {
+void Properties::put(QWidget* panel, const QString& name, const char* icon, const When& when) {
     auto* holder = new QWidget;
     auto* column = new QVBoxLayout(holder);
     column->setContentsMargins(0, 0, 0, 0);
@@ -118,7 +133,8 @@ void Properties::put(QWidget* panel, const When& when) {
     column->addWidget(panel);
     column->addWidget(panelLine(holder));
     m_column->addWidget(holder, when.fills ? 100 : 0);
-    m_places.emplace_back(holder, when);
+    panel->installEventFilter(this);
+    m_places.push_back({holder, panel, name, icon, when});
 }
 
 QWidget* Properties::selectionArea(ShapeSession& session) {
@@ -142,23 +158,66 @@ bool Properties::isDue(const When& when) const {
 }
 
 void Properties::arrange() {
-    for (const auto& [holder, when] : m_places) holder->setVisible(isDue(when));
+    for (const Place& one : m_places) one.holder->setVisible(isDue(one.when));
     m_material->setVisible(m_tools.mode() != Mode::Export);  // its room is the preview's
     m_reach->setVisible((Mode::Pins | Mode::Paint).has(m_tools.mode()));
     m_cutOut->setVisible(m_tools.dimension() == 2 && m_tools.mode() == Mode::Mesh);
+    emit sectionsChanged();
+}
+
+std::vector<Properties::Section> Properties::sections() const {
+    std::vector<Section> all;
+    if (!m_material->isHidden()) all.push_back({tr("Keep"), "energy", m_material});
+    for (const Place& one : m_places)
+        if (!one.holder->isHidden() && !one.panel->isHidden())
+            all.push_back({one.name, one.icon, one.holder});
+    return all;
+}
+
+/// A panel comes and goes by itself, too.
+bool Properties::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::ShowToParent || event->type() == QEvent::HideToParent)
+        emit sectionsChanged();
+    return QWidget::eventFilter(watched, event);
+}
+
+/// At the top, as far as there is enough below it; once it has its place.
+void Properties::showSection(QWidget& section) {
+    if (!m_content->isAncestorOf(&section)) return;
+    QTimer::singleShot(0, &section, [this, &section] {
+        m_scroll->verticalScrollBar()->setValue(section.mapTo(m_content, QPoint()).y());
+    });
 }
 
 void Properties::showCutWhile(const QAction& on) {
-    for (auto& [holder, when] : m_places)
-        if (holder->isAncestorOf(m_cut)) when.on = &on;
+    for (Place& one : m_places)
+        if (one.panel == m_cut) one.when.on = &on;
     connect(&on, &QAction::toggled, this, [this](bool shown) {
         arrange();
         if (shown) QTimer::singleShot(0, this, [this] { m_scroll->ensureWidgetVisible(m_cut); });
     });
 }
 
+void Properties::putPinsBeside(bool beside) {
+    if (beside == !m_beside->isHidden()) return;
+    const auto pins = std::ranges::find(m_places, m_pins, &Place::panel);
+    if (beside) {
+        m_beside->layout()->addWidget(pins->holder);
+        pins->when.modes = Modes::all();
+    } else {
+        const auto before = std::prev(pins);
+        m_column->insertWidget(m_column->indexOf(before->holder) + 1, pins->holder);
+        pins->when.modes = Mode::Pins;
+    }
+    m_pins->setFills(beside);
+    m_beside->setVisible(beside);
+    arrange();
+}
+
 void Properties::fitTo(int windowWidth) {
-    setFixedWidth(windowWidth < kUsualWindow ? kNarrow : windowWidth < kWideWindow ? kUsual : kWide);
+    const bool wide = windowWidth >= kWideWindow;
+    putPinsBeside(wide);
+    setFixedWidth(windowWidth < kUsualWindow ? kNarrow : wide ? kWide + kPins : kUsual);
 }
 
 }  // namespace wend

@@ -53,14 +53,28 @@ class Properties : public QWidget {
     SurfacePanel& surface() { return *m_surface; }
     PinList& pins() { return *m_pins; }
 
-    /// As wide as a window of that width has room for.
+    /// As wide as a window of that width has room for. Where it has much, the pins stand beside the rest.
     void fitTo(int windowWidth);
+    /// A part of the properties, as it is called where they are not seen.
+    struct Section {
+        QString name;
+        const char* icon;
+        QWidget* place;
+    };
+    /// Those that are shown in this step, from the top.
+    std::vector<Section> sections() const;
+    /// Brings a section into view.
+    void showSection(QWidget& section);
     /// The cut's panel belongs to the first step, and is there while the cut is.
     void showCutWhile(const QAction& on);
 
   signals:
     /// A field has taken what was typed: the keyboard is for the view again.
     void done();
+    void sectionsChanged();
+
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
     /// When a panel is shown.
@@ -72,11 +86,18 @@ class Properties : public QWidget {
         const QAction* on = nullptr;    // in other steps, too, while that is so
         bool fills = false;             // takes the room that is left
     };
-    void put(QWidget* panel, const When& when);
+    struct Place {
+        QWidget *holder, *panel;
+        QString name;
+        const char* icon;
+        When when;
+    };
+    void put(QWidget* panel, const QString& name, const char* icon, const When& when);
     bool isDue(const When& when) const;
     QWidget* selectionArea(ShapeSession& session);
     void fill(ShapeSession& session, Exporter& exporter, const Actions& actions);
     void arrange();
+    void putPinsBeside(bool beside);
 
     const Toolbox& m_tools;
     MaterialPanel* m_material;
@@ -94,10 +115,10 @@ class Properties : public QWidget {
     SurfacePanel* m_surface;
     PinList* m_pins;
     FoldingSection* m_advanced;
-    QWidget* m_content;
+    QWidget *m_content, *m_beside;  // what scrolls, and the pins in a wide window
     QVBoxLayout* m_column;
     QScrollArea* m_scroll;
-    std::vector<std::pair<QWidget*, When>> m_places;
+    std::vector<Place> m_places;
 };
 
 }  // namespace wend

@@ -365,7 +365,7 @@ void TestPanelFields::wheelScrollsThePanels() {
     QVERIFY(settle(m_f->session()));
     if (solid) m_f->actions().cut->trigger();
     m_f->window().tools().setMode(Mode::Mesh);
-    m_f->window().resize(1000, 520);
+    m_f->window().resize(1100, 520);  // with the panels beside the view
     auto& scroll = static_cast<QScrollArea&>(side());
     QScrollBar& bar = *scroll.verticalScrollBar();
     QVERIFY(QTest::qWaitFor([&] { return bar.maximum() > 0; }, 20000));

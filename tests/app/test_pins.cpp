@@ -43,6 +43,8 @@ class TestPins : public QObject {
     void waysArePickedAndSnapIsAChoice();
     void keysSetPins_data() { dimensions(); }
     void keysSetPins();
+    void marksAreAsLargeAsChosen_data() { dimensions(); }
+    void marksAreAsLargeAsChosen();
 
   private:
     ShapeSession& session() { return m_f->session(); }
@@ -83,6 +85,8 @@ class TestPins : public QObject {
     void pick();
     template <int Dim>
     void setByKeys();
+    template <int Dim>
+    void enlarge();
 
     std::unique_ptr<SolidFixture> m_f;
 };
@@ -463,6 +467,50 @@ void TestPins::setByKeys() {
         QVERIFY(
             rows.viewport()->rect().contains(rows.visualItemRect(list().rowOf(session().handleCount() - 1))));
     }
+}
+
+void TestPins::marksAreAsLargeAsChosen() {
+    BOTH(enlarge);
+}
+
+/// As they are seen and as they are taken hold of; at once, and in the next window, too.
+template <int Dim>
+void TestPins::enlarge() {
+    QVERIFY(open<Dim>());
+    auto& canvas = Bar<Dim>::canvas(*m_f);
+    const QPoint middle = at<Dim>(pin<Dim>(1));
+    const auto lit = [&](int right) {  // the white rim of a pin that holds
+        const QImage seen = m_f->window().grab().toImage();
+        return seen.pixelColor(canvas.mapTo(&m_f->window(), middle + QPoint(right, 0))).lightness() > 235;
+    };
+    const auto picked = [&](int right) {
+        session().selection().clear();
+        click<Dim>(middle + QPoint(right, 0));
+        const bool is = session().selection().contains(1);
+        session().selection().clear();
+        QTest::mouseMove(&canvas, QPoint(3, 3));
+        QCoreApplication::processEvents();
+        return is;
+    };
+    const auto choose = [&](double factor) {
+        for (QAction* one : m_f->window().actions().markSizes->actions())
+            if (one->data().toDouble() == factor) one->trigger();
+    };
+    QVERIFY(picked(5) && !picked(20));
+    QVERIFY(!lit(19) && !lit(20));
+    choose(3);
+    QTRY_VERIFY(lit(19) || lit(20));
+    QVERIFY(picked(20) && !picked(40));
+    {
+        MainWindow next;
+        for (const QAction* one : next.actions().markSizes->actions())
+            QCOMPARE(one->isChecked(), one->data().toDouble() == 3);
+    }
+    QVERIFY(picked(20));
+    m_f->picture(QStringLiteral("large-marks-%1").arg(Dim));
+    choose(1);
+    QTRY_VERIFY(!lit(19) && !lit(20));
+    QVERIFY(picked(5) && !picked(20));
 }
 
 QTEST_MAIN(TestPins)

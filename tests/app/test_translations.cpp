@@ -1,14 +1,10 @@
 // Every language is complete: held against what lupdate finds in the sources, and looked at in the window.
 
-#include <QAbstractButton>
 #include <QApplication>
 #include <QDir>
-#include <QLabel>
 #include <QProcess>
 #include <QRegularExpression>
 #include <QScopeGuard>
-#include <QScrollArea>
-#include <QToolButton>
 #include <QTranslator>
 #include <QXmlStreamReader>
 
@@ -16,6 +12,7 @@
 #include "app/view/properties.h"
 #include "app/view/toolbox.h"
 #include "tests/support/solid_fixture.h"
+#include "tests/support/whole_texts.h"
 
 using namespace wend;
 using namespace wend::test;
@@ -86,7 +83,6 @@ class TestTranslations : public QObject {
 
   private:
     void languages() const;
-    static QStringList cutOff(const QWidget& window);
 
     QDir m_folder{QStringLiteral(WEND_SOURCE_DIR "/translations")};
     QTemporaryDir m_temporary;
@@ -140,34 +136,6 @@ void TestTranslations::nothingIsCutOff_data() {
             QTest::addRow("%s, %s", file.isEmpty() ? "English" : qPrintable(file),
                           solid ? "solid" : "picture")
                 << file << solid;
-}
-
-/// What does not have the room for its text, as bold as it becomes when it is chosen, and panels that are
-/// wider than the place that they scroll in.
-QStringList TestTranslations::cutOff(const QWidget& window) {
-    QStringList wrong;
-    for (const QWidget* widget : window.findChildren<QWidget*>()) {
-        if (!widget->isVisible()) continue;
-        if (const auto* scroll = qobject_cast<const QScrollArea*>(widget))
-            if (scroll->widget() && scroll->widget()->minimumSizeHint().width() > scroll->viewport()->width())
-                wrong << QStringLiteral("a panel is %1 pixels too wide")
-                             .arg(scroll->widget()->minimumSizeHint().width() - scroll->viewport()->width());
-        const auto* label = qobject_cast<const QLabel*>(widget);
-        const auto* button = qobject_cast<const QAbstractButton*>(widget);
-        const QString text = label && !label->wordWrap() ? label->text()
-                             : button                    ? button->text()
-                                                         : QString();
-        const auto* tool = qobject_cast<const QToolButton*>(widget);
-        const bool isIcon =
-            tool && tool->toolButtonStyle() == Qt::ToolButtonIconOnly && !tool->icon().isNull();
-        if (text.isEmpty() || isIcon) continue;
-        QFont font = widget->font();
-        if (button && button->isCheckable()) font.setWeight(QFont::DemiBold);
-        const int needed = QFontMetrics(font).size(Qt::TextShowMnemonic, text).width();
-        if (needed > widget->width())
-            wrong << QStringLiteral("%1: %2 pixels of %3").arg(text).arg(widget->width()).arg(needed);
-    }
-    return wrong;
 }
 
 /// With the cards of the samples.

@@ -5,6 +5,7 @@
 
 #include "app/document/design.h"
 #include "app/panels/pin_marks.h"
+#include "app/session/mark_size.h"
 #include "app/session/pin_shapes.h"
 #include "app/session/solid_places.h"
 #include "app/tools/pin_picking.h"
@@ -55,7 +56,7 @@ void SolidPainter::frames(const Handle<3>& handle, const Vec<3>& start) {
             const Mat<3> F = trajectory.frame(t);
             for (int k = 0; k < 3; ++k)
                 m_marks.line({m_surface.toWidget(at),
-                              m_surface.toWidget(at + 26 * m_surface.pixelSize(at) * F.col(k))},
+                              m_surface.toWidget(at + marked(26) * m_surface.pixelSize(at) * F.col(k))},
                              kAxes[k], 1.75, Qt::SolidLine);
         }
     }
