@@ -1488,6 +1488,10 @@
         <source>Add to the outline</source>
         <translation>Zum Umriss hinzufügen</translation>
     </message>
+    <message>
+        <source>The tolerance, also [ and ], changes what was taken; click on another colour, Ctrl takes it away</source>
+        <translation>Die Toleranz, auch [ und ], ändert, was genommen wurde; ein Klick auf eine andere Farbe nimmt sie dazu, mit Strg weg</translation>
+    </message>
 </context>
 <context>
     <name>PaintTool</name>
@@ -1565,6 +1569,28 @@
     </message>
 </context>
 <context>
+    <name>PanTool</name>
+    <message>
+        <source>Drag to move the view; the wheel zooms</source>
+        <translation>Ziehen verschiebt die Ansicht; das Rad zoomt</translation>
+    </message>
+</context>
+<context>
+    <name>PenTool</name>
+    <message>
+        <source>Click for a corner, drag for a smooth point, Enter ends; Backspace takes a point back, Esc gives up</source>
+        <translation>Klicken setzt eine Ecke, Ziehen einen glatten Punkt, Enter beendet; Rücktaste nimmt einen Punkt zurück, Esc bricht ab</translation>
+    </message>
+    <message>
+        <source>Click on the pin whose path you want to draw</source>
+        <translation>Auf den Pin klicken, dessen Weg gezeichnet werden soll</translation>
+    </message>
+    <message>
+        <source>Click where the selected pin shall go, point after point; drag for a smooth point</source>
+        <translation>Punkt für Punkt dorthin klicken, wohin der gewählte Pin gehen soll; Ziehen setzt einen glatten Punkt</translation>
+    </message>
+</context>
+<context>
     <name>PictureTip</name>
     <message>
         <source>near</source>
@@ -1620,6 +1646,18 @@
     <message>
         <source>%1: let go at %2 s</source>
         <translation>%1: losgelassen bei %2 s</translation>
+    </message>
+    <message>
+        <source>Drag anywhere to rotate what is selected, Shift by 15°, Ctrl records it; digits set the number</source>
+        <translation>Irgendwo ziehen dreht, was gewählt ist, mit Umschalt um je 15°, mit Strg wird es aufgenommen; Ziffern setzen die Zahl</translation>
+    </message>
+    <message>
+        <source>Drag anywhere to scale what is selected, Ctrl records it; digits set the number</source>
+        <translation>Irgendwo ziehen skaliert, was gewählt ist, mit Strg wird es aufgenommen; Ziffern setzen die Zahl</translation>
+    </message>
+    <message>
+        <source>A point cannot scale – Alt-drag to widen it</source>
+        <translation>Ein Punkt lässt sich nicht skalieren – mit Alt ziehen weitet ihn</translation>
     </message>
 </context>
 <context>
@@ -1894,6 +1932,22 @@
     <message>
         <source>Draw a rectangle around what exports keep of the picture</source>
         <translation>Ein Rechteck um das ziehen, was Exporte vom Bild behalten</translation>
+    </message>
+    <message>
+        <source>Pe&amp;n</source>
+        <translation>&amp;Zeichenfeder</translation>
+    </message>
+    <message>
+        <source>Draw the path of a pin, point by point</source>
+        <translation>Den Weg eines Pins Punkt für Punkt zeichnen</translation>
+    </message>
+    <message>
+        <source>Pa&amp;n</source>
+        <translation>&amp;Verschieben</translation>
+    </message>
+    <message>
+        <source>Drag the view to another place; in every step the space bar does so</source>
+        <translation>Die Ansicht verschieben; in jedem Schritt tut es die Leertaste</translation>
     </message>
 </context>
 <context>
@@ -2405,6 +2459,22 @@
     <message>
         <source>Play the motion, or pause it; so does a tap of the space bar</source>
         <translation>Die Bewegung abspielen oder anhalten; auch durch Antippen der Leertaste</translation>
+    </message>
+    <message>
+        <source>&amp;Properties</source>
+        <translation>&amp;Eigenschaften</translation>
+    </message>
+    <message>
+        <source>Show the properties at the right, or leave their room to the shape</source>
+        <translation>Die Eigenschaften rechts zeigen oder ihren Platz der Form lassen</translation>
+    </message>
+    <message>
+        <source>Size of M&amp;arks</source>
+        <translation>&amp;Größe der Zeichen</translation>
+    </message>
+    <message>
+        <source>How large pins, rings and curves are over the shape, for the eye and for the hand</source>
+        <translation>Wie groß Pins, Ringe und Kurven über der Form sind, für das Auge und für die Hand</translation>
     </message>
 </context>
 <context>
@@ -4284,10 +4354,6 @@
         <translation>Toleranz</translation>
     </message>
     <message>
-        <source>How far colours may be apart; also [ and ]</source>
-        <translation>Wie weit Farben auseinander liegen dürfen; auch [ und ]</translation>
-    </message>
-    <message>
         <source> %</source>
         <translation> %</translation>
     </message>
@@ -4322,6 +4388,10 @@
     <message>
         <source>The harder a pen is pressed, the more of the amount is painted</source>
         <translation>Je fester ein Stift gedrückt wird, desto mehr von der Menge wird gemalt</translation>
+    </message>
+    <message>
+        <source>How far colours may be apart, of what was clicked last too; also [ and ]</source>
+        <translation>Wie weit Farben auseinander liegen dürfen, auch für den letzten Klick; auch [ und ]</translation>
     </message>
 </context>
 <context>
@@ -4633,6 +4703,46 @@
         <source>The selected pin holds for the whole film.</source>
         <translation>Der gewählte Pin hält den ganzen Film lang.</translation>
     </message>
+    <message>
+        <source>Mo&amp;ve</source>
+        <translation>Be&amp;wegen</translation>
+    </message>
+    <message>
+        <source>Drag pins to move them; of a solid, its arrows too</source>
+        <translation>Pins ziehen bewegt sie; bei einem Körper auch seine Pfeile</translation>
+    </message>
+    <message>
+        <source>G</source>
+        <translation>G</translation>
+    </message>
+    <message>
+        <source>&amp;Rotate</source>
+        <translation>&amp;Drehen</translation>
+    </message>
+    <message>
+        <source>Drag to rotate the selected pins; of a solid, by its rings</source>
+        <translation>Ziehen dreht die gewählten Pins; bei einem Körper an seinen Ringen</translation>
+    </message>
+    <message>
+        <source>R</source>
+        <translation>R</translation>
+    </message>
+    <message>
+        <source>Sc&amp;ale</source>
+        <translation>S&amp;kalieren</translation>
+    </message>
+    <message>
+        <source>Drag to scale the selected pins; of a solid, by its ring</source>
+        <translation>Ziehen skaliert die gewählten Pins; bei einem Körper an seinem Ring</translation>
+    </message>
+    <message>
+        <source>S</source>
+        <translation>S</translation>
+    </message>
+    <message>
+        <source>Open a picture first.</source>
+        <translation>Zuerst ein Bild öffnen.</translation>
+    </message>
 </context>
 <context>
     <name>wend::PinList</name>
@@ -4686,6 +4796,73 @@
     <message>
         <source>The same in numbers, for those who want them.</source>
         <translation>Dasselbe in Zahlen, für alle, die sie wollen.</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Oberfläche</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>Netz</translation>
+    </message>
+    <message>
+        <source>Sizes</source>
+        <translation>Größen</translation>
+    </message>
+    <message>
+        <source>Detail</source>
+        <translation>Feinheit</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>Malen</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Ebenen</translation>
+    </message>
+    <message>
+        <source>Pins</source>
+        <translation>Pins</translation>
+    </message>
+    <message>
+        <source>Selection</source>
+        <translation>Auswahl</translation>
+    </message>
+    <message>
+        <source>Flow</source>
+        <translation>Fluss</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Messen</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>What changed</source>
+        <translation>Was sich geändert hat</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Halten</translation>
+    </message>
+</context>
+<context>
+    <name>wend::PropertiesRail</name>
+    <message>
+        <source>Opens this part of the properties over the view; Esc closes it.</source>
+        <translation>Öffnet diesen Teil der Eigenschaften über der Ansicht; Esc schließt ihn.</translation>
     </message>
 </context>
 <context>
@@ -5110,6 +5287,14 @@
         <source>Edit path</source>
         <translation>Weg bearbeiten</translation>
     </message>
+    <message>
+        <source>Draw the path of %1</source>
+        <translation>Weg von %1 zeichnen</translation>
+    </message>
+    <message>
+        <source>K plays it; draw the paths of other pins from the same time, and they move together.</source>
+        <translation>K spielt ab; Wege anderer Pins von derselben Zeit an gezeichnet, und sie bewegen sich zusammen.</translation>
+    </message>
 </context>
 <context>
     <name>wend::SideWindows</name>
@@ -5262,34 +5447,6 @@
     <message>
         <source>Ctrl+B</source>
         <translation>Ctrl+B</translation>
-    </message>
-    <message>
-        <source>&amp;Move</source>
-        <translation>&amp;Bewegen</translation>
-    </message>
-    <message>
-        <source>Show arrows that move the selected pins</source>
-        <translation>Pfeile zeigen, die die gewählten Pins bewegen</translation>
-    </message>
-    <message>
-        <source>G</source>
-        <translation>G</translation>
-    </message>
-    <message>
-        <source>R</source>
-        <translation>R</translation>
-    </message>
-    <message>
-        <source>&amp;Scale</source>
-        <translation>Sk&amp;alieren</translation>
-    </message>
-    <message>
-        <source>Show a ring that scales the selected pins</source>
-        <translation>Einen Ring zeigen, der die gewählten Pins skaliert</translation>
-    </message>
-    <message>
-        <source>S</source>
-        <translation>S</translation>
     </message>
     <message>
         <source>&amp;Flat Faces</source>
@@ -5486,14 +5643,6 @@
     <message>
         <source>Grab Beyond the &amp;Cut</source>
         <translation>Jenseits des &amp;Schnitts fassen</translation>
-    </message>
-    <message>
-        <source>&amp;Rotate</source>
-        <translation>&amp;Drehen</translation>
-    </message>
-    <message>
-        <source>Show rings that rotate the selected pins</source>
-        <translation>Ringe zeigen, die die gewählten Pins drehen</translation>
     </message>
     <message>
         <source>S&amp;kin</source>

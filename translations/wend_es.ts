@@ -1488,6 +1488,10 @@
         <source>Add to the outline</source>
         <translation>Añadir al contorno</translation>
     </message>
+    <message>
+        <source>The tolerance, also [ and ], changes what was taken; click on another colour, Ctrl takes it away</source>
+        <translation>La tolerancia, también [ y ], cambia lo que se tomó; haga clic en otro color, con Ctrl se quita</translation>
+    </message>
 </context>
 <context>
     <name>PaintTool</name>
@@ -1565,6 +1569,28 @@
     </message>
 </context>
 <context>
+    <name>PanTool</name>
+    <message>
+        <source>Drag to move the view; the wheel zooms</source>
+        <translation>Arrastre para mover la vista; la rueda acerca o aleja</translation>
+    </message>
+</context>
+<context>
+    <name>PenTool</name>
+    <message>
+        <source>Click for a corner, drag for a smooth point, Enter ends; Backspace takes a point back, Esc gives up</source>
+        <translation>Clic para una esquina, arrastre para un punto suave, Intro termina; Retroceso quita un punto, Esc cancela</translation>
+    </message>
+    <message>
+        <source>Click on the pin whose path you want to draw</source>
+        <translation>Haga clic en el alfiler cuya trayectoria quiere dibujar</translation>
+    </message>
+    <message>
+        <source>Click where the selected pin shall go, point after point; drag for a smooth point</source>
+        <translation>Haga clic punto por punto donde deba ir el alfiler seleccionado; arrastre para un punto suave</translation>
+    </message>
+</context>
+<context>
     <name>PictureTip</name>
     <message>
         <source>near</source>
@@ -1620,6 +1646,18 @@
     <message>
         <source>%1: let go at %2 s</source>
         <translation>%1: soltado en %2 s</translation>
+    </message>
+    <message>
+        <source>Drag anywhere to rotate what is selected, Shift by 15°, Ctrl records it; digits set the number</source>
+        <translation>Arrastre en cualquier lugar para rotar lo seleccionado, Mayús de 15° en 15°, Ctrl lo graba; los dígitos fijan el número</translation>
+    </message>
+    <message>
+        <source>Drag anywhere to scale what is selected, Ctrl records it; digits set the number</source>
+        <translation>Arrastre en cualquier lugar para escalar lo seleccionado, Ctrl lo graba; los dígitos fijan el número</translation>
+    </message>
+    <message>
+        <source>A point cannot scale – Alt-drag to widen it</source>
+        <translation>Un punto no se puede escalar: arrastre con Alt para ensancharlo</translation>
     </message>
 </context>
 <context>
@@ -1894,6 +1932,22 @@
     <message>
         <source>Draw a rectangle around what exports keep of the picture</source>
         <translation>Trazar un rectángulo alrededor de lo que las exportaciones conservan de la imagen</translation>
+    </message>
+    <message>
+        <source>Pe&amp;n</source>
+        <translation>Pl&amp;uma</translation>
+    </message>
+    <message>
+        <source>Draw the path of a pin, point by point</source>
+        <translation>Dibujar la trayectoria de un alfiler, punto por punto</translation>
+    </message>
+    <message>
+        <source>Pa&amp;n</source>
+        <translation>Desp&amp;lazar</translation>
+    </message>
+    <message>
+        <source>Drag the view to another place; in every step the space bar does so</source>
+        <translation>Arrastrar la vista a otro lugar; en cada paso lo hace la barra espaciadora</translation>
     </message>
 </context>
 <context>
@@ -2405,6 +2459,22 @@
     <message>
         <source>Play the motion, or pause it; so does a tap of the space bar</source>
         <translation>Reproducir el movimiento o pausarlo; también al pulsar brevemente la barra espaciadora</translation>
+    </message>
+    <message>
+        <source>&amp;Properties</source>
+        <translation>&amp;Propiedades</translation>
+    </message>
+    <message>
+        <source>Show the properties at the right, or leave their room to the shape</source>
+        <translation>Mostrar las propiedades a la derecha o dejar su sitio a la forma</translation>
+    </message>
+    <message>
+        <source>Size of M&amp;arks</source>
+        <translation>Tam&amp;año de las marcas</translation>
+    </message>
+    <message>
+        <source>How large pins, rings and curves are over the shape, for the eye and for the hand</source>
+        <translation>El tamaño de alfileres, anillos y curvas sobre la forma, para el ojo y para la mano</translation>
     </message>
 </context>
 <context>
@@ -4284,10 +4354,6 @@
         <translation>Tolerancia</translation>
     </message>
     <message>
-        <source>How far colours may be apart; also [ and ]</source>
-        <translation>Cuánto pueden diferir los colores; también [ y ]</translation>
-    </message>
-    <message>
         <source> %</source>
         <translation> %</translation>
     </message>
@@ -4322,6 +4388,10 @@
     <message>
         <source>The harder a pen is pressed, the more of the amount is painted</source>
         <translation>Cuanto más se aprieta el lápiz, mayor es la intensidad con que se pinta</translation>
+    </message>
+    <message>
+        <source>How far colours may be apart, of what was clicked last too; also [ and ]</source>
+        <translation>Cuánto pueden diferir los colores, también los del último clic; también [ y ]</translation>
     </message>
 </context>
 <context>
@@ -4633,6 +4703,46 @@
         <source>The selected pin holds for the whole film.</source>
         <translation>El alfiler seleccionado sujeta toda la película.</translation>
     </message>
+    <message>
+        <source>Mo&amp;ve</source>
+        <translation>Mo&amp;ver</translation>
+    </message>
+    <message>
+        <source>Drag pins to move them; of a solid, its arrows too</source>
+        <translation>Arrastre los alfileres para moverlos; en un sólido, también sus flechas</translation>
+    </message>
+    <message>
+        <source>G</source>
+        <translation>G</translation>
+    </message>
+    <message>
+        <source>&amp;Rotate</source>
+        <translation>&amp;Rotar</translation>
+    </message>
+    <message>
+        <source>Drag to rotate the selected pins; of a solid, by its rings</source>
+        <translation>Arrastre para rotar los alfileres seleccionados; en un sólido, por sus anillos</translation>
+    </message>
+    <message>
+        <source>R</source>
+        <translation>R</translation>
+    </message>
+    <message>
+        <source>Sc&amp;ale</source>
+        <translation>Es&amp;calar</translation>
+    </message>
+    <message>
+        <source>Drag to scale the selected pins; of a solid, by its ring</source>
+        <translation>Arrastre para escalar los alfileres seleccionados; en un sólido, por su anillo</translation>
+    </message>
+    <message>
+        <source>S</source>
+        <translation>S</translation>
+    </message>
+    <message>
+        <source>Open a picture first.</source>
+        <translation>Abra primero una imagen.</translation>
+    </message>
 </context>
 <context>
     <name>wend::PinList</name>
@@ -4686,6 +4796,73 @@
     <message>
         <source>The same in numbers, for those who want them.</source>
         <translation>Lo mismo en números, para quien los quiera.</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Superficie</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>Malla</translation>
+    </message>
+    <message>
+        <source>Sizes</source>
+        <translation>Tamaños</translation>
+    </message>
+    <message>
+        <source>Detail</source>
+        <translation>Detalle</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Profundidad</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>Pintar</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Capas</translation>
+    </message>
+    <message>
+        <source>Pins</source>
+        <translation>Alfileres</translation>
+    </message>
+    <message>
+        <source>Selection</source>
+        <translation>Selección</translation>
+    </message>
+    <message>
+        <source>Flow</source>
+        <translation>Flujo</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportar</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Medir</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Corte</translation>
+    </message>
+    <message>
+        <source>What changed</source>
+        <translation>Qué ha cambiado</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Conservar</translation>
+    </message>
+</context>
+<context>
+    <name>wend::PropertiesRail</name>
+    <message>
+        <source>Opens this part of the properties over the view; Esc closes it.</source>
+        <translation>Abre esta parte de las propiedades sobre la vista; Esc la cierra.</translation>
     </message>
 </context>
 <context>
@@ -5110,6 +5287,14 @@
         <source>Edit path</source>
         <translation>Editar trayectoria</translation>
     </message>
+    <message>
+        <source>Draw the path of %1</source>
+        <translation>Dibujar la trayectoria de %1</translation>
+    </message>
+    <message>
+        <source>K plays it; draw the paths of other pins from the same time, and they move together.</source>
+        <translation>K reproduce; dibuje las trayectorias de otros alfileres desde el mismo momento y se moverán juntos.</translation>
+    </message>
 </context>
 <context>
     <name>wend::SideWindows</name>
@@ -5298,42 +5483,6 @@
     <message>
         <source>Shift+U</source>
         <translation>Shift+U</translation>
-    </message>
-    <message>
-        <source>&amp;Move</source>
-        <translation>M&amp;over</translation>
-    </message>
-    <message>
-        <source>Show arrows that move the selected pins</source>
-        <translation>Mostrar flechas que mueven los alfileres seleccionados</translation>
-    </message>
-    <message>
-        <source>G</source>
-        <translation>G</translation>
-    </message>
-    <message>
-        <source>&amp;Rotate</source>
-        <translation>&amp;Rotar</translation>
-    </message>
-    <message>
-        <source>Show rings that rotate the selected pins</source>
-        <translation>Mostrar anillos que rotan los alfileres seleccionados</translation>
-    </message>
-    <message>
-        <source>R</source>
-        <translation>R</translation>
-    </message>
-    <message>
-        <source>&amp;Scale</source>
-        <translation>&amp;Escalar</translation>
-    </message>
-    <message>
-        <source>Show a ring that scales the selected pins</source>
-        <translation>Mostrar un anillo que escala los alfileres seleccionados</translation>
-    </message>
-    <message>
-        <source>S</source>
-        <translation>S</translation>
     </message>
     <message>
         <source>S&amp;kin</source>

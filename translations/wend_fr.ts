@@ -1488,6 +1488,10 @@
         <source>Add to the outline</source>
         <translation>Ajouter au contour</translation>
     </message>
+    <message>
+        <source>The tolerance, also [ and ], changes what was taken; click on another colour, Ctrl takes it away</source>
+        <translation>La tolérance, aussi [ et ], change ce qui a été pris ; cliquez sur une autre couleur, avec Ctrl elle est retirée</translation>
+    </message>
 </context>
 <context>
     <name>PaintTool</name>
@@ -1565,6 +1569,28 @@
     </message>
 </context>
 <context>
+    <name>PanTool</name>
+    <message>
+        <source>Drag to move the view; the wheel zooms</source>
+        <translation>Tirez pour déplacer la vue ; la molette zoome</translation>
+    </message>
+</context>
+<context>
+    <name>PenTool</name>
+    <message>
+        <source>Click for a corner, drag for a smooth point, Enter ends; Backspace takes a point back, Esc gives up</source>
+        <translation>Cliquez pour un angle, tirez pour un point lisse, Entrée termine ; Retour arrière reprend un point, Échap annule</translation>
+    </message>
+    <message>
+        <source>Click on the pin whose path you want to draw</source>
+        <translation>Cliquez sur l’épingle dont vous voulez dessiner la trajectoire</translation>
+    </message>
+    <message>
+        <source>Click where the selected pin shall go, point after point; drag for a smooth point</source>
+        <translation>Cliquez point après point là où l’épingle sélectionnée doit aller ; tirez pour un point lisse</translation>
+    </message>
+</context>
+<context>
     <name>PictureTip</name>
     <message>
         <source>near</source>
@@ -1620,6 +1646,18 @@
     <message>
         <source>%1: let go at %2 s</source>
         <translation>%1&#x202f;: lâchée à %2 s</translation>
+    </message>
+    <message>
+        <source>Drag anywhere to rotate what is selected, Shift by 15°, Ctrl records it; digits set the number</source>
+        <translation>Tirez n’importe où pour faire pivoter la sélection, Maj par 15°, Ctrl l’enregistre ; les chiffres fixent la valeur</translation>
+    </message>
+    <message>
+        <source>Drag anywhere to scale what is selected, Ctrl records it; digits set the number</source>
+        <translation>Tirez n’importe où pour redimensionner la sélection, Ctrl l’enregistre ; les chiffres fixent la valeur</translation>
+    </message>
+    <message>
+        <source>A point cannot scale – Alt-drag to widen it</source>
+        <translation>Un point ne peut pas être redimensionné – tirez avec Alt pour l’élargir</translation>
     </message>
 </context>
 <context>
@@ -1894,6 +1932,22 @@
     <message>
         <source>Draw a rectangle around what exports keep of the picture</source>
         <translation>Tracer un rectangle autour de ce que les exports gardent de l’image</translation>
+    </message>
+    <message>
+        <source>Pe&amp;n</source>
+        <translation>Plu&amp;me</translation>
+    </message>
+    <message>
+        <source>Draw the path of a pin, point by point</source>
+        <translation>Dessiner la trajectoire d’une épingle, point par point</translation>
+    </message>
+    <message>
+        <source>Pa&amp;n</source>
+        <translation>Déplacer la v&amp;ue</translation>
+    </message>
+    <message>
+        <source>Drag the view to another place; in every step the space bar does so</source>
+        <translation>Tirer la vue ailleurs ; à chaque étape, la barre d’espace le fait</translation>
     </message>
 </context>
 <context>
@@ -2405,6 +2459,22 @@
     <message>
         <source>Play the motion, or pause it; so does a tap of the space bar</source>
         <translation>Lire le mouvement ou le mettre en pause&#x202f;; un appui bref sur la barre d’espace fait de même</translation>
+    </message>
+    <message>
+        <source>&amp;Properties</source>
+        <translation>&amp;Propriétés</translation>
+    </message>
+    <message>
+        <source>Show the properties at the right, or leave their room to the shape</source>
+        <translation>Afficher les propriétés à droite, ou laisser leur place à la forme</translation>
+    </message>
+    <message>
+        <source>Size of M&amp;arks</source>
+        <translation>T&amp;aille des repères</translation>
+    </message>
+    <message>
+        <source>How large pins, rings and curves are over the shape, for the eye and for the hand</source>
+        <translation>La taille des épingles, anneaux et courbes sur la forme, pour l’œil et pour la main</translation>
     </message>
 </context>
 <context>
@@ -4284,10 +4354,6 @@
         <translation>Tolérance</translation>
     </message>
     <message>
-        <source>How far colours may be apart; also [ and ]</source>
-        <translation>De combien les couleurs peuvent différer&#x202f;; aussi [ et ]</translation>
-    </message>
-    <message>
         <source> %</source>
         <translation> %</translation>
     </message>
@@ -4322,6 +4388,10 @@
     <message>
         <source>The harder a pen is pressed, the more of the amount is painted</source>
         <translation>Plus le stylet est appuyé, plus l’intensité peinte est forte</translation>
+    </message>
+    <message>
+        <source>How far colours may be apart, of what was clicked last too; also [ and ]</source>
+        <translation>L’écart permis entre couleurs, aussi pour le dernier clic ; aussi [ et ]</translation>
     </message>
 </context>
 <context>
@@ -4633,6 +4703,46 @@
         <source>The selected pin holds for the whole film.</source>
         <translation>L’épingle sélectionnée tient tout le film.</translation>
     </message>
+    <message>
+        <source>Mo&amp;ve</source>
+        <translation>Déplace&amp;r</translation>
+    </message>
+    <message>
+        <source>Drag pins to move them; of a solid, its arrows too</source>
+        <translation>Tirez les épingles pour les déplacer ; pour un solide, ses flèches aussi</translation>
+    </message>
+    <message>
+        <source>G</source>
+        <translation>G</translation>
+    </message>
+    <message>
+        <source>&amp;Rotate</source>
+        <translation>Faire pi&amp;voter</translation>
+    </message>
+    <message>
+        <source>Drag to rotate the selected pins; of a solid, by its rings</source>
+        <translation>Tirez pour faire pivoter les épingles sélectionnées ; pour un solide, par ses anneaux</translation>
+    </message>
+    <message>
+        <source>R</source>
+        <translation>R</translation>
+    </message>
+    <message>
+        <source>Sc&amp;ale</source>
+        <translation>Éche&amp;lle</translation>
+    </message>
+    <message>
+        <source>Drag to scale the selected pins; of a solid, by its ring</source>
+        <translation>Tirez pour redimensionner les épingles sélectionnées ; pour un solide, par son anneau</translation>
+    </message>
+    <message>
+        <source>S</source>
+        <translation>S</translation>
+    </message>
+    <message>
+        <source>Open a picture first.</source>
+        <translation>Ouvrez d’abord une image.</translation>
+    </message>
 </context>
 <context>
     <name>wend::PinList</name>
@@ -4686,6 +4796,73 @@
     <message>
         <source>The same in numbers, for those who want them.</source>
         <translation>La même chose en nombres, pour qui le souhaite.</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Surface</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>Maillage</translation>
+    </message>
+    <message>
+        <source>Sizes</source>
+        <translation>Tailles</translation>
+    </message>
+    <message>
+        <source>Detail</source>
+        <translation>Détail</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Profondeur</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>Peindre</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Calques</translation>
+    </message>
+    <message>
+        <source>Pins</source>
+        <translation>Épingles</translation>
+    </message>
+    <message>
+        <source>Selection</source>
+        <translation>Sélection</translation>
+    </message>
+    <message>
+        <source>Flow</source>
+        <translation>Flux</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exporter</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Mesurer</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Coupe</translation>
+    </message>
+    <message>
+        <source>What changed</source>
+        <translation>Ce qui a changé</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Conserver</translation>
+    </message>
+</context>
+<context>
+    <name>wend::PropertiesRail</name>
+    <message>
+        <source>Opens this part of the properties over the view; Esc closes it.</source>
+        <translation>Ouvre cette partie des propriétés par-dessus la vue ; Échap la ferme.</translation>
     </message>
 </context>
 <context>
@@ -5110,6 +5287,14 @@
         <source>Edit path</source>
         <translation>Modifier la trajectoire</translation>
     </message>
+    <message>
+        <source>Draw the path of %1</source>
+        <translation>Dessiner la trajectoire de %1</translation>
+    </message>
+    <message>
+        <source>K plays it; draw the paths of other pins from the same time, and they move together.</source>
+        <translation>K lance la lecture ; dessinez les trajectoires d’autres épingles à partir du même temps, et elles bougent ensemble.</translation>
+    </message>
 </context>
 <context>
     <name>wend::SideWindows</name>
@@ -5298,42 +5483,6 @@
     <message>
         <source>Shift+U</source>
         <translation>Shift+U</translation>
-    </message>
-    <message>
-        <source>&amp;Move</source>
-        <translation>Dép&amp;lacer</translation>
-    </message>
-    <message>
-        <source>Show arrows that move the selected pins</source>
-        <translation>Afficher des flèches qui déplacent les épingles sélectionnées</translation>
-    </message>
-    <message>
-        <source>G</source>
-        <translation>G</translation>
-    </message>
-    <message>
-        <source>&amp;Rotate</source>
-        <translation>Faire pi&amp;voter</translation>
-    </message>
-    <message>
-        <source>Show rings that rotate the selected pins</source>
-        <translation>Afficher des anneaux qui font pivoter les épingles sélectionnées</translation>
-    </message>
-    <message>
-        <source>R</source>
-        <translation>R</translation>
-    </message>
-    <message>
-        <source>&amp;Scale</source>
-        <translation>Mettre à l’éc&amp;helle</translation>
-    </message>
-    <message>
-        <source>Show a ring that scales the selected pins</source>
-        <translation>Afficher un anneau qui met à l’échelle les épingles sélectionnées</translation>
-    </message>
-    <message>
-        <source>S</source>
-        <translation>S</translation>
     </message>
     <message>
         <source>S&amp;kin</source>

@@ -1487,6 +1487,10 @@
         <source>Add to the outline</source>
         <translation>輪郭に追加</translation>
     </message>
+    <message>
+        <source>The tolerance, also [ and ], changes what was taken; click on another colour, Ctrl takes it away</source>
+        <translation>許容値（[ と ] でも）を変えると、取った範囲が変わります。別の色をクリックで追加、Ctrl で除外</translation>
+    </message>
 </context>
 <context>
     <name>PaintTool</name>
@@ -1564,6 +1568,28 @@
     </message>
 </context>
 <context>
+    <name>PanTool</name>
+    <message>
+        <source>Drag to move the view; the wheel zooms</source>
+        <translation>ドラッグで表示を移動、ホイールでズーム</translation>
+    </message>
+</context>
+<context>
+    <name>PenTool</name>
+    <message>
+        <source>Click for a corner, drag for a smooth point, Enter ends; Backspace takes a point back, Esc gives up</source>
+        <translation>クリックで角、ドラッグで滑らかな点、Enter で終了。Backspace で一点戻り、Esc で中止</translation>
+    </message>
+    <message>
+        <source>Click on the pin whose path you want to draw</source>
+        <translation>パスを描きたいピンをクリック</translation>
+    </message>
+    <message>
+        <source>Click where the selected pin shall go, point after point; drag for a smooth point</source>
+        <translation>選択したピンの行き先を一点ずつクリック。ドラッグで滑らかな点</translation>
+    </message>
+</context>
+<context>
     <name>PictureTip</name>
     <message>
         <source>near</source>
@@ -1619,6 +1645,18 @@
     <message>
         <source>%1: let go at %2 s</source>
         <translation>%1: %2 秒で解放</translation>
+    </message>
+    <message>
+        <source>Drag anywhere to rotate what is selected, Shift by 15°, Ctrl records it; digits set the number</source>
+        <translation>どこでもドラッグで選択を回転、Shift で 15° ずつ、Ctrl で記録。数字キーで値を指定</translation>
+    </message>
+    <message>
+        <source>Drag anywhere to scale what is selected, Ctrl records it; digits set the number</source>
+        <translation>どこでもドラッグで選択を拡大・縮小、Ctrl で記録。数字キーで値を指定</translation>
+    </message>
+    <message>
+        <source>A point cannot scale – Alt-drag to widen it</source>
+        <translation>点は拡大・縮小できません。Alt + ドラッグで広げてください</translation>
     </message>
 </context>
 <context>
@@ -1893,6 +1931,22 @@
     <message>
         <source>Draw a rectangle around what exports keep of the picture</source>
         <translation>書き出しで画像から残す範囲を四角で囲む</translation>
+    </message>
+    <message>
+        <source>Pe&amp;n</source>
+        <translation>ペン(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Draw the path of a pin, point by point</source>
+        <translation>ピンのパスを一点ずつ描く</translation>
+    </message>
+    <message>
+        <source>Pa&amp;n</source>
+        <translation>表示を移動(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Drag the view to another place; in every step the space bar does so</source>
+        <translation>表示を別の場所へドラッグ。どの段階でもスペースキーでできます</translation>
     </message>
 </context>
 <context>
@@ -2404,6 +2458,22 @@
     <message>
         <source>Play the motion, or pause it; so does a tap of the space bar</source>
         <translation>動きを再生または一時停止します。スペースキーを軽く押しても同じです</translation>
+    </message>
+    <message>
+        <source>&amp;Properties</source>
+        <translation>プロパティ(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Show the properties at the right, or leave their room to the shape</source>
+        <translation>右側にプロパティを表示、または形状のために場所をあける</translation>
+    </message>
+    <message>
+        <source>Size of M&amp;arks</source>
+        <translation>マークの大きさ(&amp;A)</translation>
+    </message>
+    <message>
+        <source>How large pins, rings and curves are over the shape, for the eye and for the hand</source>
+        <translation>形状の上のピン、リング、曲線の大きさ。見やすさとつかみやすさのために</translation>
     </message>
 </context>
 <context>
@@ -4278,10 +4348,6 @@
         <translation>許容値</translation>
     </message>
     <message>
-        <source>How far colours may be apart; also [ and ]</source>
-        <translation>色の違いをどこまで許すか。[ と ] でも変更できます</translation>
-    </message>
-    <message>
         <source> %</source>
         <translation>%</translation>
     </message>
@@ -4316,6 +4382,10 @@
     <message>
         <source>The harder a pen is pressed, the more of the amount is painted</source>
         <translation>ペンを強く押すほど、強くペイントします</translation>
+    </message>
+    <message>
+        <source>How far colours may be apart, of what was clicked last too; also [ and ]</source>
+        <translation>色がどれだけ離れてよいか。最後のクリックにも効きます。[ と ] でも</translation>
     </message>
 </context>
 <context>
@@ -4627,6 +4697,46 @@
         <source>The selected pin holds for the whole film.</source>
         <translation>選択したピンはフィルム全体で固定しています。</translation>
     </message>
+    <message>
+        <source>Mo&amp;ve</source>
+        <translation>移動(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Drag pins to move them; of a solid, its arrows too</source>
+        <translation>ピンをドラッグで移動。立体では矢印でも</translation>
+    </message>
+    <message>
+        <source>G</source>
+        <translation>G</translation>
+    </message>
+    <message>
+        <source>&amp;Rotate</source>
+        <translation>回転(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Drag to rotate the selected pins; of a solid, by its rings</source>
+        <translation>ドラッグで選択したピンを回転。立体ではリングで</translation>
+    </message>
+    <message>
+        <source>R</source>
+        <translation>R</translation>
+    </message>
+    <message>
+        <source>Sc&amp;ale</source>
+        <translation>拡大・縮小(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Drag to scale the selected pins; of a solid, by its ring</source>
+        <translation>ドラッグで選択したピンを拡大・縮小。立体ではリングで</translation>
+    </message>
+    <message>
+        <source>S</source>
+        <translation>S</translation>
+    </message>
+    <message>
+        <source>Open a picture first.</source>
+        <translation>まず画像を開いてください。</translation>
+    </message>
 </context>
 <context>
     <name>wend::PinList</name>
@@ -4680,6 +4790,73 @@
     <message>
         <source>The same in numbers, for those who want them.</source>
         <translation>同じ設定を数値で指定します。</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>表面</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>メッシュ</translation>
+    </message>
+    <message>
+        <source>Sizes</source>
+        <translation>サイズ</translation>
+    </message>
+    <message>
+        <source>Detail</source>
+        <translation>細かさ</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>奥行き</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>ペイント</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>レイヤー</translation>
+    </message>
+    <message>
+        <source>Pins</source>
+        <translation>ピン</translation>
+    </message>
+    <message>
+        <source>Selection</source>
+        <translation>選択</translation>
+    </message>
+    <message>
+        <source>Flow</source>
+        <translation>流れ</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>書き出し</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>計測</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>断面</translation>
+    </message>
+    <message>
+        <source>What changed</source>
+        <translation>変化</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>保持</translation>
+    </message>
+</context>
+<context>
+    <name>wend::PropertiesRail</name>
+    <message>
+        <source>Opens this part of the properties over the view; Esc closes it.</source>
+        <translation>プロパティのこの部分を表示の上に開きます。Esc で閉じます。</translation>
     </message>
 </context>
 <context>
@@ -5102,6 +5279,14 @@
         <source>Edit path</source>
         <translation>パスを編集</translation>
     </message>
+    <message>
+        <source>Draw the path of %1</source>
+        <translation>%1 のパスを描く</translation>
+    </message>
+    <message>
+        <source>K plays it; draw the paths of other pins from the same time, and they move together.</source>
+        <translation>K で再生。同じ時刻から他のピンのパスを描くと、一緒に動きます。</translation>
+    </message>
 </context>
 <context>
     <name>wend::SideWindows</name>
@@ -5290,42 +5475,6 @@
     <message>
         <source>Shift+U</source>
         <translation>Shift+U</translation>
-    </message>
-    <message>
-        <source>&amp;Move</source>
-        <translation>移動(&amp;M)</translation>
-    </message>
-    <message>
-        <source>Show arrows that move the selected pins</source>
-        <translation>選択したピンを移動する矢印を表示します</translation>
-    </message>
-    <message>
-        <source>G</source>
-        <translation>G</translation>
-    </message>
-    <message>
-        <source>&amp;Rotate</source>
-        <translation>回転(&amp;R)</translation>
-    </message>
-    <message>
-        <source>Show rings that rotate the selected pins</source>
-        <translation>選択したピンを回転するリングを表示します</translation>
-    </message>
-    <message>
-        <source>R</source>
-        <translation>R</translation>
-    </message>
-    <message>
-        <source>&amp;Scale</source>
-        <translation>拡大・縮小(&amp;S)</translation>
-    </message>
-    <message>
-        <source>Show a ring that scales the selected pins</source>
-        <translation>選択したピンを拡大・縮小するリングを表示します</translation>
-    </message>
-    <message>
-        <source>S</source>
-        <translation>S</translation>
     </message>
     <message>
         <source>S&amp;kin</source>

@@ -1487,6 +1487,10 @@
         <source>Add to the outline</source>
         <translation>添加到轮廓</translation>
     </message>
+    <message>
+        <source>The tolerance, also [ and ], changes what was taken; click on another colour, Ctrl takes it away</source>
+        <translation>容差（也可用 [ 和 ]）会改变已选取的范围；单击其他颜色可添加，按住 Ctrl 减去</translation>
+    </message>
 </context>
 <context>
     <name>PaintTool</name>
@@ -1564,6 +1568,28 @@
     </message>
 </context>
 <context>
+    <name>PanTool</name>
+    <message>
+        <source>Drag to move the view; the wheel zooms</source>
+        <translation>拖动可移动视图；滚轮缩放</translation>
+    </message>
+</context>
+<context>
+    <name>PenTool</name>
+    <message>
+        <source>Click for a corner, drag for a smooth point, Enter ends; Backspace takes a point back, Esc gives up</source>
+        <translation>单击添加角点，拖动添加平滑点，Enter 结束；Backspace 撤回一点，Esc 放弃</translation>
+    </message>
+    <message>
+        <source>Click on the pin whose path you want to draw</source>
+        <translation>单击要绘制路径的图钉</translation>
+    </message>
+    <message>
+        <source>Click where the selected pin shall go, point after point; drag for a smooth point</source>
+        <translation>逐点单击所选图钉要去的位置；拖动添加平滑点</translation>
+    </message>
+</context>
+<context>
     <name>PictureTip</name>
     <message>
         <source>near</source>
@@ -1619,6 +1645,18 @@
     <message>
         <source>%1: let go at %2 s</source>
         <translation>%1：在 %2 秒松开</translation>
+    </message>
+    <message>
+        <source>Drag anywhere to rotate what is selected, Shift by 15°, Ctrl records it; digits set the number</source>
+        <translation>在任意处拖动可旋转所选内容，Shift 每次 15°，Ctrl 录制；输入数字可设定数值</translation>
+    </message>
+    <message>
+        <source>Drag anywhere to scale what is selected, Ctrl records it; digits set the number</source>
+        <translation>在任意处拖动可缩放所选内容，Ctrl 录制；输入数字可设定数值</translation>
+    </message>
+    <message>
+        <source>A point cannot scale – Alt-drag to widen it</source>
+        <translation>单个点无法缩放 – 按住 Alt 拖动以扩大</translation>
     </message>
 </context>
 <context>
@@ -1893,6 +1931,22 @@
     <message>
         <source>Draw a rectangle around what exports keep of the picture</source>
         <translation>用矩形框住导出时要保留的图片部分</translation>
+    </message>
+    <message>
+        <source>Pe&amp;n</source>
+        <translation>钢笔(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Draw the path of a pin, point by point</source>
+        <translation>逐点绘制图钉的路径</translation>
+    </message>
+    <message>
+        <source>Pa&amp;n</source>
+        <translation>平移(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Drag the view to another place; in every step the space bar does so</source>
+        <translation>将视图拖到别处；在每个步骤中空格键也可以</translation>
     </message>
 </context>
 <context>
@@ -2404,6 +2458,22 @@
     <message>
         <source>Play the motion, or pause it; so does a tap of the space bar</source>
         <translation>播放或暂停运动；轻按空格键也可</translation>
+    </message>
+    <message>
+        <source>&amp;Properties</source>
+        <translation>属性(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Show the properties at the right, or leave their room to the shape</source>
+        <translation>在右侧显示属性，或把空间留给形状</translation>
+    </message>
+    <message>
+        <source>Size of M&amp;arks</source>
+        <translation>标记大小(&amp;A)</translation>
+    </message>
+    <message>
+        <source>How large pins, rings and curves are over the shape, for the eye and for the hand</source>
+        <translation>形状上图钉、圆环和曲线的大小，便于看清和抓取</translation>
     </message>
 </context>
 <context>
@@ -4278,10 +4348,6 @@
         <translation>容差</translation>
     </message>
     <message>
-        <source>How far colours may be apart; also [ and ]</source>
-        <translation>颜色允许相差多少；也可用 [ 和 ]</translation>
-    </message>
-    <message>
         <source> %</source>
         <translation>%</translation>
     </message>
@@ -4316,6 +4382,10 @@
     <message>
         <source>The harder a pen is pressed, the more of the amount is painted</source>
         <translation>笔压得越重，绘制的强度越大</translation>
+    </message>
+    <message>
+        <source>How far colours may be apart, of what was clicked last too; also [ and ]</source>
+        <translation>颜色可以相差多少，对最后一次单击也有效；也可用 [ 和 ]</translation>
     </message>
 </context>
 <context>
@@ -4627,6 +4697,46 @@
         <source>The selected pin holds for the whole film.</source>
         <translation>所选图钉已在整个影片中固定。</translation>
     </message>
+    <message>
+        <source>Mo&amp;ve</source>
+        <translation>移动(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Drag pins to move them; of a solid, its arrows too</source>
+        <translation>拖动图钉可移动它们；实体还可拖动箭头</translation>
+    </message>
+    <message>
+        <source>G</source>
+        <translation>G</translation>
+    </message>
+    <message>
+        <source>&amp;Rotate</source>
+        <translation>旋转(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Drag to rotate the selected pins; of a solid, by its rings</source>
+        <translation>拖动可旋转所选图钉；实体请拖动圆环</translation>
+    </message>
+    <message>
+        <source>R</source>
+        <translation>R</translation>
+    </message>
+    <message>
+        <source>Sc&amp;ale</source>
+        <translation>缩放(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Drag to scale the selected pins; of a solid, by its ring</source>
+        <translation>拖动可缩放所选图钉；实体请拖动圆环</translation>
+    </message>
+    <message>
+        <source>S</source>
+        <translation>S</translation>
+    </message>
+    <message>
+        <source>Open a picture first.</source>
+        <translation>请先打开图片。</translation>
+    </message>
 </context>
 <context>
     <name>wend::PinList</name>
@@ -4680,6 +4790,73 @@
     <message>
         <source>The same in numbers, for those who want them.</source>
         <translation>同样的设置，以数值指定。</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>表面</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>网格</translation>
+    </message>
+    <message>
+        <source>Sizes</source>
+        <translation>尺寸</translation>
+    </message>
+    <message>
+        <source>Detail</source>
+        <translation>精细度</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>深度</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>绘制</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>图层</translation>
+    </message>
+    <message>
+        <source>Pins</source>
+        <translation>图钉</translation>
+    </message>
+    <message>
+        <source>Selection</source>
+        <translation>所选</translation>
+    </message>
+    <message>
+        <source>Flow</source>
+        <translation>流动</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>导出</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>测量</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>剖切</translation>
+    </message>
+    <message>
+        <source>What changed</source>
+        <translation>变化</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>保持</translation>
+    </message>
+</context>
+<context>
+    <name>wend::PropertiesRail</name>
+    <message>
+        <source>Opens this part of the properties over the view; Esc closes it.</source>
+        <translation>在视图上打开属性的这一部分；按 Esc 关闭。</translation>
     </message>
 </context>
 <context>
@@ -5102,6 +5279,14 @@
         <source>Edit path</source>
         <translation>编辑路径</translation>
     </message>
+    <message>
+        <source>Draw the path of %1</source>
+        <translation>绘制%1的路径</translation>
+    </message>
+    <message>
+        <source>K plays it; draw the paths of other pins from the same time, and they move together.</source>
+        <translation>按 K 播放；从同一时刻绘制其他图钉的路径，它们会一起移动。</translation>
+    </message>
 </context>
 <context>
     <name>wend::SideWindows</name>
@@ -5290,42 +5475,6 @@
     <message>
         <source>Shift+U</source>
         <translation>Shift+U</translation>
-    </message>
-    <message>
-        <source>&amp;Move</source>
-        <translation>移动(&amp;M)</translation>
-    </message>
-    <message>
-        <source>Show arrows that move the selected pins</source>
-        <translation>显示用于移动所选图钉的箭头</translation>
-    </message>
-    <message>
-        <source>G</source>
-        <translation>G</translation>
-    </message>
-    <message>
-        <source>&amp;Rotate</source>
-        <translation>旋转(&amp;R)</translation>
-    </message>
-    <message>
-        <source>Show rings that rotate the selected pins</source>
-        <translation>显示用于旋转所选图钉的圆环</translation>
-    </message>
-    <message>
-        <source>R</source>
-        <translation>R</translation>
-    </message>
-    <message>
-        <source>&amp;Scale</source>
-        <translation>缩放(&amp;S)</translation>
-    </message>
-    <message>
-        <source>Show a ring that scales the selected pins</source>
-        <translation>显示用于缩放所选图钉的圆环</translation>
-    </message>
-    <message>
-        <source>S</source>
-        <translation>S</translation>
     </message>
     <message>
         <source>S&amp;kin</source>
