@@ -13,8 +13,8 @@ server=$!
 trap 'kill $program $server 2>/dev/null; rm -rf "$scratch" "$XDG_RUNTIME_DIR"' EXIT
 sleep 1
 
-# NAME ARGUMENT…: opens the window, waits, sends the keys in KEYS, waits for PAUSE, drags along DRAG (x y x y), takes a picture of it;
-# dark if DARK says so, SCALE times as large
+# NAME ARGUMENT…: opens the window, waits, sends the keys in KEYS, waits for PAUSE, clicks at CLICKS (x,y …), drags along DRAG (x y x y), takes a picture
+# of it; dark if DARK says so, SCALE times as large
 shot() {
     local name=$1
     shift
@@ -37,6 +37,12 @@ shot() {
         sleep 0.5
     done
     sleep "${PAUSE:-0}"
+    for place in $CLICKS; do
+        xdotool mousemove "${place%,*}" "${place#*,}"
+        sleep 0.3
+        xdotool click 1
+        sleep 0.7
+    done
     if [ -n "$DRAG" ]; then
         local from_x from_y to_x to_y
         read -r from_x from_y to_x to_y <<<"$DRAG"
@@ -87,6 +93,7 @@ project["time"]["end"] = 3
 json.dump(project, open(sys.argv[3], "w"))
 END
 WAIT=12 KEYS="ctrl+4 shift+n" DRAG="600 858 600 858" shot film.png "$scratch/film.wend"
+WAIT=10 KEYS="ctrl+4 p" CLICKS="580,620 610,500" DRAG="700 450 780 470" shot pen.png "$root/resources/samples/giraffe.wend"
 WAIT=10 KEYS="ctrl+5 c" DRAG="310 380 880 800" shot export.png "$root/resources/samples/giraffe.wend"
 WAIT=10 KEYS="ctrl+3 n" DRAG="690 490 760 595" shot painting.png "$root/resources/samples/octopus.wend"
 WAIT=20 KEYS="f" shot solid-detail.png "$root/resources/samples/eagle.wend"
