@@ -8,6 +8,7 @@
 #include "app/bench/flow_rows.h"
 #include "app/bench/paper_scenes.h"
 #include "app/document/json_text.h"
+#include "app/document/named_files.h"
 #include "app/document/project_file.h"
 #include "app/document/text_file.h"
 #include "app/session/run.h"

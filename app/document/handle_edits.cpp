@@ -95,25 +95,28 @@ bool isActive(const Handle<Dim>& handle, double t) {
 }
 
 template <int Dim>
-Project withHandle(const Project& project, Placement<Dim> at, const std::string& name, double time) {
-    Project next = project;
+Design<Dim> withHandle(const Design<Dim>& design, Placement<Dim> at, const std::string& name, double time) {
+    Design<Dim> next = design;
     Handle<Dim> handle;
     handle.name = name;
     handle.at = std::move(at);
-    if (time > 0 && hasMotion(design<Dim>(project))) handle.activeFrom = time;
-    design<Dim>(next).handles.push_back(std::move(handle));
+    if (time > 0 && hasMotion(design)) handle.activeFrom = time;
+    next.handles.push_back(std::move(handle));
     return next;
 }
 
 template <int Dim>
 Project withPin(const Project& project, const Vec<Dim>& rest, const std::string& name) {
-    return withHandle<Dim>(project, std::vector<Vec<Dim>>{rest}, name, motionEnd(project));
+    Project next = project;
+    next.design =
+        withHandle<Dim>(design<Dim>(project), std::vector<Vec<Dim>>{rest}, name, motionEnd(project));
+    return next;
 }
 
 template <int Dim>
-Project withHandlePlace(const Project& project, int handle, Placement<Dim> at) {
-    Project next = project;
-    design<Dim>(next).handles.at(handle).at = std::move(at);
+Design<Dim> withHandlePlace(const Design<Dim>& design, int handle, Placement<Dim> at) {
+    Design<Dim> next = design;
+    next.handles.at(handle).at = std::move(at);
     return next;
 }
 
@@ -206,9 +209,9 @@ Room roomForRecording(const Project& project, const Gesture& gesture) {
 
 }  // namespace
 
-Project withoutHandles(const Project& project, const std::vector<int>& handles, double time) {
-    Project next = project;
-    std::visit([&](auto& design) { letGo(design, handles, time); }, next.design);
+AnyDesign withoutHandles(const AnyDesign& design, const std::vector<int>& handles, double time) {
+    AnyDesign next = design;
+    std::visit([&](auto& own) { letGo(own, handles, time); }, next);
     return next;
 }
 
@@ -276,9 +279,9 @@ std::vector<Vec<Dim>> simplified(const std::vector<Vec<Dim>>& path, double toler
     template bool hasMotion(const Design<Dim>&);                                                            \
     template bool movesAfter(const Design<Dim>&, double);                                                   \
     template bool isActive(const Handle<Dim>&, double);                                                     \
-    template Project withHandle<Dim>(const Project&, Placement<Dim>, const std::string&, double);           \
+    template Design<Dim> withHandle<Dim>(const Design<Dim>&, Placement<Dim>, const std::string&, double);   \
     template Project withPin<Dim>(const Project&, const Vec<Dim>&, const std::string&);                     \
-    template Project withHandlePlace<Dim>(const Project&, int, Placement<Dim>);                             \
+    template Design<Dim> withHandlePlace<Dim>(const Design<Dim>&, int, Placement<Dim>);                     \
     template Project withStroke<Dim>(const Project&, const std::vector<int>&, const std::vector<Vec<Dim>>&, \
                                      const std::vector<Vec<Dim>>&);                                         \
     template Project withLongerStroke<Dim>(const Project&, const std::vector<int>&, const Vec<Dim>&,        \

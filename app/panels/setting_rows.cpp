@@ -1,7 +1,6 @@
 #include "app/panels/setting_rows.h"
 
 #include "app/document/document.h"
-#include "app/document/project.h"
 #include "app/document/setting_edits.h"
 #include "app/document/settings.h"
 #include "app/panels/option_field.h"
@@ -40,7 +39,7 @@ void SettingRows::show() {
     const Project& project = *m_document.project();
     for (const auto& [key, field] : m_fields) {
         field->setEnabled(isFor(field->option(), project));
-        field->setRange(rangeOf(field->option(), project));
+        field->setRange(rangeOf(field->option(), m_document.dimension()));
         field->setNumber(field->option().field.at.get(project));
     }
 }

@@ -3,8 +3,9 @@
 #include <chrono>
 #include <filesystem>
 
+#include "app/document/named_files.h"
 #include "app/document/options.h"
-#include "app/document/project_file.h"
+#include "app/document/project.h"
 #include "app/document/text_file.h"
 #include "app/session/depth.h"
 #include "app/session/held_border.h"

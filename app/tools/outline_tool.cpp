@@ -5,9 +5,9 @@
 #include <QPainterPathStroker>
 #include <algorithm>
 
+#include "app/document/domain.h"
 #include "app/document/handle_edits.h"
 #include "app/document/outline_edits.h"
-#include "app/document/project.h"
 #include "app/session/accent.h"
 #include "app/session/flat_shape.h"
 #include "core/mesh/error.h"
@@ -60,7 +60,7 @@ QString OutlineTool::hint() const {
 /// The outline is drawn on the shape at rest.
 bool OutlineTool::isReady() {
     const Document& document = session().document();
-    if (document.isEmpty() || !document.picture() || document.project()->domain.kind != DomainKind::Image)
+    if (document.isEmpty() || !document.picture() || document.domain().kind != DomainKind::Image)
         return false;
     Playback& playback = session().playback();
     if (playback.isPlaying()) playback.setPlaying(false);
@@ -229,7 +229,7 @@ Outline OutlineTool::piece() const {
 /// As the document has it, computed again only where it must be.
 const Outline& OutlineTool::outline() const {
     const Document& document = session().document();
-    const Domain& domain = document.project()->domain;
+    const Domain& domain = document.domain();
     if (domain.outline == OutlineKind::Polygons) return domain.polygons;
     if (!m_known || m_known->picture != document.picture() || m_known->kind != domain.outline ||
         m_known->alpha != domain.alpha) {
@@ -258,7 +258,7 @@ void OutlineTool::apply(const Outline& piece, bool takesAway) {
     Document& document = session().document();
     const Image& picture = *document.picture();
     const Outline& before = outline();
-    const bool replaces = !takesAway && document.project()->domain.outline == OutlineKind::Frame;
+    const bool replaces = !takesAway && document.domain().outline == OutlineKind::Frame;
     const Outline inside =
         combined(piece, frameOutline(picture.width, picture.height), OutlineOperation::Keep);
     const auto operation = takesAway ? OutlineOperation::TakeAway : OutlineOperation::Add;
@@ -306,8 +306,7 @@ void OutlineTool::paintOutline(QPainter& painter) const {
 
 /// The outline as the document has it, also before it is meshed, and what is being drawn.
 void OutlineTool::paint(QPainter& painter) const {
-    if (!session().document().picture() || session().document().project()->domain.kind != DomainKind::Image)
-        return;
+    if (!session().document().picture() || session().document().domain().kind != DomainKind::Image) return;
     paintOutline(painter);
     QColor colour = takesAway(m_modifiers) ? QColor(kAway) : QColor(kAccent);
     painter.setPen(QPen(colour, 1.5));

@@ -10,7 +10,6 @@
 #include <QSettings>
 
 #include "app/document/in_background.h"
-#include "app/document/project.h"
 #include "app/document/said.h"
 #include "app/session/opening.h"
 #include "app/session/own_files.h"
