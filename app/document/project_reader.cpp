@@ -11,7 +11,7 @@
 #include "app/document/text_file.h"
 #include "core/mesh/error.h"
 #include "core/mesh/file_name.h"
-#include "core/mesh/mesh_file.h"
+#include "core/mesh/mesh_of_file.h"
 
 namespace wend {
 namespace {
@@ -170,7 +170,7 @@ int meshDimension(const std::string& file, const Json& root) {
     for (const char* planar : {".obj", ".off", ".stl"})  // can hold no tetrahedra: not worth reading twice
         if (extension == planar) return 2;
     try {
-        return isVolume(readMeshFile(file)) ? 3 : 2;
+        return dimensionOfMesh(file);
     } catch (const InputError&) {
         return guessDimension(root);
     }

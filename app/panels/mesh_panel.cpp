@@ -11,7 +11,6 @@
 #include "app/panels/jump_slider.h"
 #include "app/panels/option_field.h"
 #include "app/panels/panel_parts.h"
-#include "core/mesh/mesh_file.h"
 #include "warp/image.h"
 
 namespace wend {

@@ -11,7 +11,6 @@
 #include "app/session/velocity_probe.h"
 #include "core/mesh/error.h"
 #include "core/mesh/file_name.h"
-#include "core/mesh/mesh_file.h"
 #include "core/mesh/safe_file.h"
 #include "warp/warp.h"
 #include "warp/warped_picture.h"

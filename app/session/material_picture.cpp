@@ -10,7 +10,7 @@
 #include "app/session/material_raster.h"
 #include "core/energy/energy_stops.h"
 #include "core/mesh/error.h"
-#include "core/mesh/mesh_file.h"
+#include "core/mesh/mesh_of_file.h"
 #include "warp/convert.h"
 
 namespace wend {
@@ -202,7 +202,7 @@ PictureFrame pictureFrame(int width, int height, const SimplicialMesh<2>& rest) 
 
 PictureFrame pictureFrame(const Domain& domain, const std::string& folder) {
     const std::string path = pathIn(folder, domain.path);
-    if (domain.kind != DomainKind::Image) return pictureFrame(0, 0, meshFrom<2>(readMeshFile(path)));
+    if (domain.kind != DomainKind::Image) return pictureFrame(0, 0, readMesh<2>(path));
     const Image header = readImageHeader(path);
     return pictureFrame(header.width, header.height, {});
 }

@@ -16,7 +16,6 @@
 #include "app/view/project_watch.h"
 #include "app/view/save_dialog.h"
 #include "core/mesh/error.h"
-#include "core/mesh/mesh_file.h"
 
 namespace wend {
 
