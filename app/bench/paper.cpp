@@ -8,13 +8,14 @@
 #include "app/bench/flow_rows.h"
 #include "app/bench/paper_scenes.h"
 #include "app/document/json_text.h"
+#include "app/document/named_files.h"
 #include "app/document/project_file.h"
 #include "app/document/text_file.h"
 #include "app/session/run.h"
 #include "core/energy/distortion.h"
 #include "core/integration/deformer.h"
 #include "core/mesh/error.h"
-#include "core/mesh/mesh_file.h"
+#include "core/mesh/mesh_of_file.h"
 #include "core/mesh/temporary_folder.h"
 
 namespace wend {
@@ -115,7 +116,7 @@ class Figurist {
             made = flatShape(name, m_options.flatVertices);
         else
             made = solidShape(name, m_options.solidVertices);
-        writeMeshFile(file, toMeshFile<Dim>(made));
+        writeMesh<Dim>(file, made);
         return meshes[name] = made;
     }
 
@@ -132,7 +133,7 @@ class Figurist {
         AdvanceResult result;
         const Timing time = measureOnce([&] { result = runProject(project, projectFile, options, watch); });
         if (result.outcome != Outcome::Done) throw InputError(projectFile, result.message);
-        const Points<Dim> pose = meshFrom<Dim>(readMeshFile(poseFile)).points;
+        const Points<Dim> pose = readMesh<Dim>(poseFile).points;
         Figures figures = figuresOf<Dim>(rest, pose);
         if (middle) figures.push_back({"metric, middle third", ofMiddleThird<Dim>(rest, pose).totalMetric});
         const auto report = parseJson(readTextFile(options.outputs.report), options.outputs.report);

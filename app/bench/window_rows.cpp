@@ -23,7 +23,7 @@
 #include "app/view/toolbox.h"
 #include "app/view/volume/solid_canvas.h"
 #include "core/mesh/error.h"
-#include "core/mesh/mesh_file.h"
+#include "core/mesh/mesh_of_file.h"
 
 namespace wend {
 namespace {
@@ -99,7 +99,7 @@ OpenedFile fileOf<3>(int vertices, double phi, const OwnSettings& settings) {
     const Body<3> body = makeBody<3>(vertices);
     project->domain.kind = DomainKind::Mesh;
     project->domain.path = settings.file("body.vtu").toStdString();
-    writeMeshFile(project->domain.path, toMeshFile<3>(*body.rest));
+    writeMesh<3>(project->domain.path, *body.rest);
     Design<3> design;
     design.material.phi = phi;
     design.handles = ends<3>(body.rest->points.row(0).maxCoeff());

@@ -6,6 +6,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/terminal.h"
 #include "app/document/json_text.h"
+#include "app/document/named_files.h"
 #include "app/document/project_file.h"
 #include "app/session/flat_shape.h"
 #include "app/session/mesh_rest.h"
@@ -94,7 +95,8 @@ Meshed meshOf(const Input& input, const std::string& path, std::stop_token stop)
     const Project& project = input.project;
     if (lowerExtension(path) == ".json") {
         Meshed meshed;
-        const auto rest = meshPicture(project, project.domain.polygons, stop);
+        const auto rest =
+            meshPicture(project.domain, std::get<Design<2>>(project.design), project.domain.polygons, stop);
         tellOfHanging<2>(*rest, meshed.notices);
         meshed.file = toMeshFile<2>(*rest);
         return meshed;
@@ -134,7 +136,8 @@ ExitCode runMesh(const Arguments& arguments) try {
     readDomain(arguments, input.project);
     RunOutputs outputs;
     outputs.mesh = output;
-    const std::vector<OwnInput> inputs = inputsOf(input.project, path, input.folder);
+    const std::vector<OwnInput> inputs =
+        inputsOf(input.project.domain, input.project.design, path, input.folder);
     if (const std::string clash = overwriting(inputs, outputs); !clash.empty()) throw UsageError(clash);
     requirePossible(input.project, outputs);
 

@@ -4,6 +4,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/terminal.h"
 #include "app/document/material_edits.h"
+#include "app/document/named_files.h"
 #include "app/document/project_file.h"
 #include "app/session/material_picture.h"
 #include "app/session/overwriting.h"
@@ -63,9 +64,12 @@ void paint(Project& project, const std::string& folder, const Arguments& argumen
                                      {"--paint-direction", &pictures.direction}})
         if (arguments.has(flag)) *file = std::filesystem::absolute(arguments.text(flag)).string();
     if (!pictures.any()) return;
-    const PictureFrame frame = pictureFrame(project, folder);
+    if (project.dimension() != 2)
+        throw InputError(pathIn(folder, project.domain.path),
+                         "is a solid: its material is read from a mesh file (material.cells)");
+    const PictureFrame frame = pictureFrame(project.domain, folder);
     pictures.up = frame.up;
-    project = withPictures(project, "painted", frame.box, pictures);
+    project.design = withPictures(project.design, "painted", frame.box, pictures);
 }
 
 /// What the line says wins over the project.
@@ -91,7 +95,8 @@ ExitCode runRun(const Arguments& arguments) {
     for (const std::string& warning : loaded.warnings) terminal.warn(path + ": " + warning);
     override(loaded.project, arguments);
     paint(loaded.project, folderOf(path), arguments);
-    const std::vector<OwnInput> inputs = inputsOf(loaded.project, path, folderOf(path));
+    const std::vector<OwnInput> inputs =
+        inputsOf(loaded.project.domain, loaded.project.design, path, folderOf(path));
     if (const std::string clash = overwriting(inputs, options.outputs); !clash.empty())
         throw UsageError(clash);
     if (!asksForAnything(options.outputs))

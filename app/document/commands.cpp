@@ -1,7 +1,6 @@
 #include "app/document/commands.h"
 
 #include "app/document/document.h"
-#include "app/document/project.h"
 
 namespace wend {
 

@@ -1,5 +1,5 @@
 #include "app/document/curve_edits.h"
-#include "app/document/project.h"
+#include "app/document/design.h"
 
 #include <Eigen/QR>
 #include <algorithm>
@@ -29,16 +29,16 @@ std::vector<Vec<Dim>> fitted(const Recorded<Dim>& stroke) {
 }
 
 template <int Dim>
-const Motion<Dim>* lastMotion(const Project& project, int handle) {
-    const auto& motions = std::get<Design<Dim>>(project.design).handles.at(handle).motions;
+const Motion<Dim>* lastMotion(const Design<Dim>& design, int handle) {
+    const auto& motions = design.handles.at(handle).motions;
     return motions.empty() ? nullptr : &motions.back();
 }
 
 }  // namespace
 
 template <int Dim>
-const CurveMotion<Dim>* lastCurve(const Project& project, int handle) {
-    const auto& motions = std::get<Design<Dim>>(project.design).handles.at(handle).motions;
+const CurveMotion<Dim>* lastCurve(const Design<Dim>& design, int handle) {
+    const auto& motions = design.handles.at(handle).motions;
     const auto* curve = motions.empty() ? nullptr : std::get_if<CurveMotion<Dim>>(&motions.back().kind);
     const bool goes = curve && std::any_of(curve->points.begin(), curve->points.end(),
                                            [&](const Vec<Dim>& p) { return p != curve->points.front(); });
@@ -46,38 +46,38 @@ const CurveMotion<Dim>* lastCurve(const Project& project, int handle) {
 }
 
 template <int Dim>
-CurveMotion<Dim>* lastCurve(Project& project, int handle) {
-    return const_cast<CurveMotion<Dim>*>(lastCurve<Dim>(std::as_const(project), handle));
+CurveMotion<Dim>* lastCurve(Design<Dim>& design, int handle) {
+    return const_cast<CurveMotion<Dim>*>(lastCurve(std::as_const(design), handle));
 }
 
 template <int Dim>
-bool canBecomeCurve(const Project& project, int handle) {
-    const Motion<Dim>* motion = lastMotion<Dim>(project, handle);
+bool canBecomeCurve(const Design<Dim>& design, int handle) {
+    const Motion<Dim>* motion = lastMotion(design, handle);
     return motion && (std::holds_alternative<Recorded<Dim>>(motion->kind) ||
                       std::holds_alternative<Translate<Dim>>(motion->kind));
 }
 
 template <int Dim>
-std::optional<Project> withCurve(const Project& project, int handle, const Vec<Dim>& end) {
-    if (!canBecomeCurve<Dim>(project, handle)) return {};
+std::optional<Design<Dim>> withCurve(const Design<Dim>& design, int handle, const Vec<Dim>& end) {
+    if (!canBecomeCurve(design, handle)) return {};
     CurveMotion<Dim> curve;
-    const Motion<Dim>& motion = *lastMotion<Dim>(project, handle);
+    const Motion<Dim>& motion = *lastMotion(design, handle);
     if (const auto* stroke = std::get_if<Recorded<Dim>>(&motion.kind)) {
         curve.points = fitted<Dim>(*stroke);
     } else {
         const Vec<Dim> by = std::get<Translate<Dim>>(motion.kind).by;
         curve.points = {end - by, end - by * 2 / 3, end - by / 3, end};
     }
-    Project next = project;
-    std::get<Design<Dim>>(next.design).handles[handle].motions.back().kind = curve;
+    Design<Dim> next = design;
+    next.handles[handle].motions.back().kind = curve;
     return next;
 }
 
-#define WEND_INSTANTIATE(Dim)                                             \
-    template CurveMotion<Dim>* lastCurve<Dim>(Project&, int);             \
-    template const CurveMotion<Dim>* lastCurve<Dim>(const Project&, int); \
-    template bool canBecomeCurve<Dim>(const Project&, int);               \
-    template std::optional<Project> withCurve<Dim>(const Project&, int, const Vec<Dim>&)
+#define WEND_INSTANTIATE(Dim)                                                 \
+    template CurveMotion<Dim>* lastCurve<Dim>(Design<Dim>&, int);             \
+    template const CurveMotion<Dim>* lastCurve<Dim>(const Design<Dim>&, int); \
+    template bool canBecomeCurve<Dim>(const Design<Dim>&, int);               \
+    template std::optional<Design<Dim>> withCurve<Dim>(const Design<Dim>&, int, const Vec<Dim>&)
 
 WEND_INSTANTIATE(2);
 WEND_INSTANTIATE(3);

@@ -314,7 +314,17 @@ Region<Dim> readRegion(const JsonValue& value) {
     return readShape<Dim>(kind, shape);
 }
 
-std::vector<DepthRegion> readDepth(const JsonValue& value) {
+Outline readPolygons(const JsonValue& value) {
+    Outline outline;
+    for (const JsonValue& loop : value.elements()) {
+        outline.loops.push_back(loop.points<2>());
+        if (outline.loops.back().size() < 3) loop.fail("needs at least 3 points");
+    }
+    if (outline.loops.empty()) value.fail("has no polygon");
+    return outline;
+}
+
+DepthRegions readDepth(const JsonValue& value) {
     std::vector<DepthRegion> regions;
     for (const JsonValue& element : value.elements()) {
         DepthRegion& region = regions.emplace_back();

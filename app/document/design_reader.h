@@ -1,7 +1,10 @@
 #pragma once
 
+#include "app/document/depth_region.h"
+#include "app/document/design.h"
 #include "app/document/json_reader.h"
-#include "app/document/project.h"
+#include "app/document/project_fwd.h"
+#include "core/meshing/outline.h"
 
 namespace wend {
 
@@ -14,7 +17,9 @@ Handle<Dim> readHandle(const JsonValue& value, double end);
 /// {"polygon": …}, {"circle": …} …
 template <int Dim>
 Region<Dim> readRegion(const JsonValue& value);
-std::vector<DepthRegion> readDepth(const JsonValue& value);
+/// The loops of an outline.
+Outline readPolygons(const JsonValue& value);
+DepthRegions readDepth(const JsonValue& value);
 /// The keys of material.cells.
 template <int Dim>
 void readCellValues(JsonObject& object, MaterialSpec<Dim>& spec);

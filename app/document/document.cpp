@@ -15,9 +15,29 @@ int Document::dimension() const {
     return m_project ? m_project->dimension() : 0;
 }
 
+const Domain& Document::domain() const {
+    return m_project->domain;
+}
+
+const AnyDesign& Document::design() const {
+    return m_project->design;
+}
+
 template <int Dim>
 const Design<Dim>& Document::design() const {
     return std::get<Design<Dim>>(m_project->design);
+}
+
+const DepthRegions& Document::depth() const {
+    return m_project->depth;
+}
+
+double Document::end() const {
+    return m_project->end;
+}
+
+UpAxis Document::up() const {
+    return m_project ? m_project->view.up : SolidView().up;
 }
 
 QString Document::folder() const {
@@ -67,6 +87,28 @@ bool Document::hasOtherView() {
 void Document::change(const QString& name, Project after, const QString& mergeKey) {
     auto value = std::make_shared<const Project>(std::move(after));
     m_undo.push(new ProjectCommand(*this, name, m_project, std::move(value), mergeKey));
+}
+
+void Document::changeDomain(const QString& name, Domain after, const QString& mergeKey) {
+    Project next = *m_project;
+    next.domain = std::move(after);
+    change(name, std::move(next), mergeKey);
+}
+
+void Document::changeDesign(const QString& name, AnyDesign after, const QString& mergeKey) {
+    Project next = *m_project;
+    next.design = std::move(after);
+    change(name, std::move(next), mergeKey);
+}
+
+void Document::changeDepth(const QString& name, DepthRegions after, const QString& mergeKey) {
+    Project next = *m_project;
+    next.depth = std::move(after);
+    change(name, std::move(next), mergeKey);
+}
+
+void Document::changeBack(const QString& name, const std::shared_ptr<const Project>& before) {
+    m_undo.push(new ProjectCommand(*this, name, m_project, before, {}));
 }
 
 bool Document::merges(const QString& mergeKey) const {

@@ -33,8 +33,15 @@ class Document : public QObject {
     const std::shared_ptr<const Project>& project() const { return m_project; }
     /// 2 or 3; 0 while empty.
     int dimension() const;
-    template <int Dim = 2>
+    /// The parts of the project: who needs one of them includes its header alone. There are none while empty.
+    const Domain& domain() const;
+    const AnyDesign& design() const;
+    template <int Dim>
     const Design<Dim>& design() const;
+    const DepthRegions& depth() const;
+    double end() const;
+    /// As solids are seen while empty, too.
+    UpAxis up() const;
     const std::shared_ptr<const Image>& picture() const { return m_picture; }
     /// Counts the files that were opened: values of different generations have nothing in common.
     int generation() const { return m_generation; }
@@ -64,6 +71,11 @@ class Document : public QObject {
 
     /// One undo step. Steps with the same key that follow each other merge.
     void change(const QString& name, Project after, const QString& mergeKey = {});
+    void changeDomain(const QString& name, Domain after, const QString& mergeKey = {});
+    void changeDesign(const QString& name, AnyDesign after, const QString& mergeKey = {});
+    void changeDepth(const QString& name, DepthRegions after, const QString& mergeKey = {});
+    /// Back to what the project was.
+    void changeBack(const QString& name, const std::shared_ptr<const Project>& before);
     /// True if a step with this key would merge with the last one.
     bool merges(const QString& mergeKey) const;
 

@@ -3,8 +3,10 @@
 #include <algorithm>
 
 #include "app/document/film_time.h"
+#include "app/document/free_name.h"
 #include "app/document/handle_comparison.h"
 #include "app/document/project.h"
+#include "app/document/region_edits.h"
 #include "core/mesh/segments.h"
 
 namespace wend {
@@ -102,25 +104,28 @@ bool isActive(const Handle<Dim>& handle, double t) {
 }
 
 template <int Dim>
-Project withHandle(const Project& project, Placement<Dim> at, const std::string& name, double time) {
-    Project next = project;
+Design<Dim> withHandle(const Design<Dim>& design, Placement<Dim> at, const std::string& name, double time) {
+    Design<Dim> next = design;
     Handle<Dim> handle;
     handle.name = name;
     handle.at = std::move(at);
-    if (time > 0 && hasMotion(design<Dim>(project))) handle.activeFrom = time;
-    design<Dim>(next).handles.push_back(std::move(handle));
+    if (time > 0 && hasMotion(design)) handle.activeFrom = time;
+    next.handles.push_back(std::move(handle));
     return next;
 }
 
 template <int Dim>
 Project withPin(const Project& project, const Vec<Dim>& rest, const std::string& name) {
-    return withHandle<Dim>(project, std::vector<Vec<Dim>>{rest}, name, motionEnd(project));
+    Project next = project;
+    next.design =
+        withHandle<Dim>(design<Dim>(project), std::vector<Vec<Dim>>{rest}, name, motionEnd(project));
+    return next;
 }
 
 template <int Dim>
-Project withHandlePlace(const Project& project, int handle, Placement<Dim> at) {
-    Project next = project;
-    design<Dim>(next).handles.at(handle).at = std::move(at);
+Design<Dim> withHandlePlace(const Design<Dim>& design, int handle, Placement<Dim> at) {
+    Design<Dim> next = design;
+    next.handles.at(handle).at = std::move(at);
     return next;
 }
 
@@ -130,6 +135,16 @@ Project withHandleName(const Project& project, int handle, const std::string& na
         std::visit([&](auto& own) { return std::exchange(own.handles.at(handle).name, name); }, next.design);
     for (DepthRegion& region : next.depth)  // the order that it gives
         if (!before.empty() && region.name == before) region.name = name;
+    return next;
+}
+
+Project withDepthName(const Project& project, int group, const std::string& wish) {
+    Project next = project;
+    auto& handles = std::get<Design<2>>(next.design).handles;
+    const std::string before = namedRegions(project.depth).at(group).name;
+    next.depth = withRegionsName(project.depth, group, wish, namesOf(handles));
+    for (Handle<2>& handle : handles)
+        if (!before.empty() && handle.name == before) handle.name = namedRegions(next.depth)[group].name;
     return next;
 }
 
@@ -213,9 +228,9 @@ Room roomForRecording(const Project& project, const Gesture& gesture) {
 
 }  // namespace
 
-Project withoutHandles(const Project& project, const std::vector<int>& handles, double time) {
-    Project next = project;
-    std::visit([&](auto& design) { letGo(design, handles, time); }, next.design);
+AnyDesign withoutHandles(const AnyDesign& design, const std::vector<int>& handles, double time) {
+    AnyDesign next = design;
+    std::visit([&](auto& own) { letGo(own, handles, time); }, next);
     return next;
 }
 
@@ -284,9 +299,9 @@ std::vector<Vec<Dim>> simplified(const std::vector<Vec<Dim>>& path, double toler
     template bool hasMotion(const Design<Dim>&);                                                            \
     template bool movesAfter(const Design<Dim>&, double);                                                   \
     template bool isActive(const Handle<Dim>&, double);                                                     \
-    template Project withHandle<Dim>(const Project&, Placement<Dim>, const std::string&, double);           \
+    template Design<Dim> withHandle<Dim>(const Design<Dim>&, Placement<Dim>, const std::string&, double);   \
     template Project withPin<Dim>(const Project&, const Vec<Dim>&, const std::string&);                     \
-    template Project withHandlePlace<Dim>(const Project&, int, Placement<Dim>);                             \
+    template Design<Dim> withHandlePlace<Dim>(const Design<Dim>&, int, Placement<Dim>);                     \
     template Project withStroke<Dim>(const Project&, const std::vector<int>&, const std::vector<Vec<Dim>>&, \
                                      const std::vector<Vec<Dim>>&);                                         \
     template Project withLongerStroke<Dim>(const Project&, const std::vector<int>&, const Vec<Dim>&,        \

@@ -24,18 +24,21 @@ template <int Dim>
 bool isActive(const Handle<Dim>& handle, double t);
 /// A handle that holds from a time on; from the start if nothing has moved by then.
 template <int Dim>
-Project withHandle(const Project& project, Placement<Dim> at, const std::string& name, double time = 0);
+Design<Dim> withHandle(const Design<Dim>& design, Placement<Dim> at, const std::string& name,
+                       double time = 0);
 /// A handle of one point of the rest shape that holds at the end.
 template <int Dim = 2>
 Project withPin(const Project& project, const Vec<Dim>& rest, const std::string& name);
-/// Another name, or other points to hold.
+/// Other points to hold, or another name, which what it brings to the front or back has too.
 template <int Dim>
-Project withHandlePlace(const Project& project, int handle, Placement<Dim> at);
+Design<Dim> withHandlePlace(const Design<Dim>& design, int handle, Placement<Dim> at);
 Project withHandleName(const Project& project, int handle, const std::string& name);
+/// Another name for a group of namedRegions() of the depth, and for the handle that gives it.
+Project withDepthName(const Project& project, int group, const std::string& wish);
 
 /// Handles that go away at a time: let go of then, or removed as if never there if they did not act before
 /// (or were let go of already).
-Project withoutHandles(const Project& project, const std::vector<int>& handles, double time);
+AnyDesign withoutHandles(const AnyDesign& design, const std::vector<int>& handles, double time);
 
 /// What is made of a gesture: handles go along a path of amounts, the first zero.
 struct Gesture {

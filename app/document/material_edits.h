@@ -29,35 +29,35 @@ struct RegionGroup {
     std::optional<Vec<Dim>> axis = {};  // of the first that is stiff
     bool oneAxis = true;                // all that are stiff are so along it
 };
-template <int Dim = 3>
-std::vector<RegionGroup<Dim>> regionGroups(const Project& project);
+template <int Dim>
+std::vector<RegionGroup<Dim>> regionGroups(const Design<Dim>& design);
 
 /// Regions on top of all others, as one group named "<kind> 1", "<kind> 2" …: the first that is free.
 template <int Dim>
-Project withRegions(const Project& project, const std::string& kind,
-                    std::vector<MaterialRegion<Dim>> regions);
+Design<Dim> withRegions(const Design<Dim>& design, const std::string& kind,
+                        std::vector<MaterialRegion<Dim>> regions);
 /// The group of that name with another material; `keepAxes`: what is stiff stays so along its own direction.
 template <int Dim>
-Project withGroupPaint(const Project& project, const std::string& name, const MaterialPaint<Dim>& paint,
-                       bool keepAxes = false);
-Project withGroupFeather(const Project& project, const std::string& name, double feather);
-bool isGroupHidden(const Project& project, const std::string& name);
-Project withGroupHidden(const Project& project, const std::string& name, bool hidden);
+Design<Dim> withGroupPaint(const Design<Dim>& design, const std::string& name,
+                           const MaterialPaint<Dim>& paint, bool keepAxes = false);
+AnyDesign withGroupFeather(const AnyDesign& design, const std::string& name, double feather);
+bool isGroupHidden(const AnyDesign& design, const std::string& name);
+AnyDesign withGroupHidden(const AnyDesign& design, const std::string& name, bool hidden);
 /// Pictures of the material over a box, as a layer on top, named as that.
-Project withPictures(const Project& project, const std::string& name, const Box<2>& box,
-                     const MaterialPictures& pictures);
+AnyDesign withPictures(const AnyDesign& design, const std::string& name, const Box<2>& box,
+                       const MaterialPictures& pictures);
 /// The group's pictures are read again from their files.
-Project withPicturesReread(const Project& project, const std::string& name);
+AnyDesign withPicturesReread(const AnyDesign& design, const std::string& name);
 /// What a group can be called: the wish, with a number behind it if another group is called so already.
-std::string freeGroupName(const Project& project, const std::string& name, const std::string& wish);
-Project withGroupName(const Project& project, const std::string& name, const std::string& next);
+std::string freeGroupName(const AnyDesign& design, const std::string& name, const std::string& wish);
+AnyDesign withGroupName(const AnyDesign& design, const std::string& name, const std::string& next);
 /// The group by that many groups further up, where it wins over more of the others; down if negative.
-Project withGroupMoved(const Project& project, const std::string& name, int by);
+AnyDesign withGroupMoved(const AnyDesign& design, const std::string& name, int by);
 /// The group without its regions.
-Project withoutGroup(const Project& project, const std::string& name);
+AnyDesign withoutGroup(const AnyDesign& design, const std::string& name);
 /// With what a file says cell by cell, or nothing.
-Project withCellsFile(const Project& project, const std::string& file);
-Project withoutCells(const Project& project);
-Project withAllHidden(const Project& project);
+AnyDesign withCellsFile(const AnyDesign& design, const std::string& file);
+AnyDesign withoutCells(const AnyDesign& design);
+AnyDesign withAllHidden(const AnyDesign& design);
 
 }  // namespace wend

@@ -1,5 +1,5 @@
 #include "app/document/pin_edits.h"
-#include "app/document/project.h"
+#include "app/document/design.h"
 
 #include <algorithm>
 
@@ -7,21 +7,19 @@ namespace wend {
 
 namespace {
 
-HandleTraits& traitsIn(Project& project, int handle) {
-    return std::visit([handle](auto& design) -> HandleTraits& { return design.handles.at(handle).traits; },
-                      project.design);
+HandleTraits& traitsIn(AnyDesign& design, int handle) {
+    return std::visit([handle](auto& own) -> HandleTraits& { return own.handles.at(handle).traits; }, design);
 }
 
-int countOf(const Project& project) {
-    return static_cast<int>(
-        std::visit([](const auto& design) { return design.handles.size(); }, project.design));
+int countOf(const AnyDesign& design) {
+    return static_cast<int>(std::visit([](const auto& own) { return own.handles.size(); }, design));
 }
 
 template <class Test>
-std::vector<int> handlesWhere(const Project& project, Test test) {
+std::vector<int> handlesWhere(const AnyDesign& design, Test test) {
     std::vector<int> found;
-    for (int h = 0; h < countOf(project); ++h)
-        if (test(h, traitsOf(project, h))) found.push_back(h);
+    for (int h = 0; h < countOf(design); ++h)
+        if (test(h, traitsOf(design, h))) found.push_back(h);
     return found;
 }
 
@@ -31,59 +29,58 @@ bool contains(const std::vector<int>& handles, int handle) {
 
 }  // namespace
 
-const HandleTraits& traitsOf(const Project& project, int handle) {
+const HandleTraits& traitsOf(const AnyDesign& design, int handle) {
     return std::visit(
-        [handle](const auto& design) -> const HandleTraits& { return design.handles.at(handle).traits; },
-        project.design);
+        [handle](const auto& own) -> const HandleTraits& { return own.handles.at(handle).traits; }, design);
 }
 
-Project withTraits(const Project& project, const std::vector<int>& handles,
-                   const std::function<void(HandleTraits&)>& change) {
-    Project next = project;
+AnyDesign withTraits(const AnyDesign& design, const std::vector<int>& handles,
+                     const std::function<void(HandleTraits&)>& change) {
+    AnyDesign next = design;
     for (const int h : handles) change(traitsIn(next, h));
     return next;
 }
 
-std::vector<int> withLinked(const Project& project, std::vector<int> handles) {
+std::vector<int> withLinked(const AnyDesign& design, std::vector<int> handles) {
     const auto moves = [&](int h, const HandleTraits& traits) {
         return contains(handles, h) ||
                (traits.link > 0 && std::any_of(handles.begin(), handles.end(), [&](int other) {
-                    return traitsOf(project, other).link == traits.link;
+                    return traitsOf(design, other).link == traits.link;
                 }));
     };
-    return handlesWhere(project, moves);
+    return handlesWhere(design, moves);
 }
 
-bool isLinked(const Project& project, int handle) {
-    return withLinked(project, {handle}).size() > 1;
+bool isLinked(const AnyDesign& design, int handle) {
+    return withLinked(design, {handle}).size() > 1;
 }
 
-Project withLink(const Project& project, const std::vector<int>& handles) {
+AnyDesign withLink(const AnyDesign& design, const std::vector<int>& handles) {
     int maximum = 0;
-    for (int h = 0; h < countOf(project); ++h) maximum = std::max(maximum, traitsOf(project, h).link);
-    return withTraits(project, withLinked(project, handles),
+    for (int h = 0; h < countOf(design); ++h) maximum = std::max(maximum, traitsOf(design, h).link);
+    return withTraits(design, withLinked(design, handles),
                       [link = maximum + 1](HandleTraits& traits) { traits.link = link; });
 }
 
-Project withoutLink(const Project& project, const std::vector<int>& handles) {
+AnyDesign withoutLink(const AnyDesign& design, const std::vector<int>& handles) {
     const auto unlink = [](HandleTraits& traits) { traits.link = 0; };
-    const Project next = withTraits(project, handles, unlink);
+    const AnyDesign next = withTraits(design, handles, unlink);
     return withTraits(next, handlesWhere(next, [&](int h, const auto&) { return !isLinked(next, h); }),
                       unlink);
 }
 
-std::vector<std::string> groupNames(const Project& project) {
+std::vector<std::string> groupNames(const AnyDesign& design) {
     std::vector<std::string> names;
-    for (int h = 0; h < countOf(project); ++h) {
-        const std::string& group = traitsOf(project, h).group;
+    for (int h = 0; h < countOf(design); ++h) {
+        const std::string& group = traitsOf(design, h).group;
         if (!group.empty() && std::find(names.begin(), names.end(), group) == names.end())
             names.push_back(group);
     }
     return names;
 }
 
-std::vector<int> handlesOfGroup(const Project& project, const std::string& group) {
-    return handlesWhere(project, [&](int, const HandleTraits& traits) { return traits.group == group; });
+std::vector<int> handlesOfGroup(const AnyDesign& design, const std::string& group) {
+    return handlesWhere(design, [&](int, const HandleTraits& traits) { return traits.group == group; });
 }
 
 }  // namespace wend

@@ -1,12 +1,12 @@
 #pragma once
 
 #include <algorithm>
-#include <variant>
 #include <vector>
 
 #include "app/document/depth_region.h"
 #include "app/document/design.h"
 #include "app/document/domain.h"
+#include "app/document/project_fwd.h"
 #include "app/document/solid_view.h"
 #include "core/integration/integration_options.h"
 
@@ -15,8 +15,8 @@ namespace wend {
 /// The project as the file describes it (docs/project-file.md): values only, no meshes or pictures.
 struct Project {
     Domain domain;
-    std::variant<Design<2>, Design<3>> design;
-    std::vector<DepthRegion> depth;  // in the plane; later ones win, and elsewhere the order is 0
+    AnyDesign design;
+    DepthRegions depth;  // in the plane; later ones win, and elsewhere the order is 0
     double end = 1;
     std::vector<SettleWindow> settle;  // in the order of time; none ends after `end`
     SolidView view;                    // in space

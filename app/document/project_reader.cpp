@@ -1,18 +1,17 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <filesystem>
-#include <sstream>
 
 #include "app/document/design_reader.h"
 #include "app/document/json_text.h"
+#include "app/document/named_files.h"
 #include "app/document/project_file.h"
 #include "app/document/setting_json.h"
 #include "app/document/text_file.h"
 #include "core/mesh/error.h"
 #include "core/mesh/file_name.h"
-#include "core/mesh/mesh_file.h"
+#include "core/mesh/mesh_of_file.h"
 
 namespace wend {
 namespace {
@@ -35,21 +34,15 @@ void checkFormat(JsonObject& root) {
 
 // --- Domain ---
 
-void readPolygons(const JsonValue& value, Domain& domain) {
-    domain.outline = OutlineKind::Polygons;
-    for (const JsonValue& loop : value.elements()) {
-        domain.polygons.loops.push_back(loop.points<2>());
-        if (domain.polygons.loops.back().size() < 3) loop.fail("needs at least 3 points");
-    }
-    if (domain.polygons.loops.empty()) value.fail("has no polygon");
-}
-
 void readOutline(const JsonValue& value, Project& project) {
     JsonObject object(value);
-    if (object.oneOf({"from", "polygons"}) == "polygons")
-        readPolygons(object.require("polygons"), project.domain);
-    else
-        project.domain.outline = object.require("from").choice<OutlineKind>("domain.outline.from");
+    Domain& domain = project.domain;
+    if (object.oneOf({"from", "polygons"}) == "polygons") {
+        domain.outline = OutlineKind::Polygons;
+        domain.polygons = readPolygons(object.require("polygons"));
+    } else {
+        domain.outline = object.require("from").choice<OutlineKind>("domain.outline.from");
+    }
     readSettings(object, "domain.outline", project);
     object.finish();
 }
@@ -177,7 +170,7 @@ int meshDimension(const std::string& file, const Json& root) {
     for (const char* planar : {".obj", ".off", ".stl"})  // can hold no tetrahedra: not worth reading twice
         if (extension == planar) return 2;
     try {
-        return isVolume(readMeshFile(file)) ? 3 : 2;
+        return dimensionOfMesh(file);
     } catch (const InputError&) {
         return guessDimension(root);
     }
@@ -265,14 +258,6 @@ LoadedProject readRoot(const Json& json, const std::string& folder) {
 
 }  // namespace
 
-std::string folderOf(const std::string& path) {
-    return std::filesystem::path(path).parent_path().string();
-}
-
-std::string pathIn(const std::string& folder, const std::string& file) {
-    return (std::filesystem::path(folder) / file).string();
-}
-
 LoadedProject parseProject(const std::string& text, const std::string& path) try {
     return readRoot(parseJson(text, path), folderOf(path));
 } catch (const InputError& error) {
@@ -282,83 +267,5 @@ LoadedProject parseProject(const std::string& text, const std::string& path) try
 LoadedProject readProject(const std::string& path) {
     return parseProject(readTextFile(path), path);
 }
-
-namespace {
-
-/// The values per cell of that name; empty if there are none.
-std::vector<double> cellField(const MeshFile& file, const std::string& name, int components) {
-    for (const MeshField& field : file.fields)
-        if (field.perCell && field.name == name) {
-            if (field.components == components) return field.values;
-            throw InputError("field " + name + ": has " + std::to_string(field.components) +
-                             " components instead of " + std::to_string(components));
-        }
-    return {};
-}
-
-template <int Dim>
-void readCellFields(const MeshFile& file, MaterialSpec<Dim>& spec) {
-    spec.cellPhi = cellField(file, "phi", 1);
-    const std::vector<double> B = cellField(file, "B", Dim * Dim);
-    spec.cellB.clear();
-    for (std::size_t i = 0; i < B.size(); i += Dim * Dim)
-        spec.cellB.push_back(Eigen::Map<const Eigen::Matrix<double, Dim, Dim, Eigen::RowMajor>>(&B[i]));
-    if (spec.cellPhi.empty() && spec.cellB.empty()) throw InputError("has no values phi or B per cell");
-}
-
-bool isMeshFile(const std::string& path) {
-    const std::vector<std::string> known = meshFileExtensions();
-    return std::find(known.begin(), known.end(), lowerExtension(path)) != known.end();
-}
-
-}  // namespace
-
-template <int Dim>
-void readCells(const std::string& path, MaterialSpec<Dim>& spec) try {
-    if (isMeshFile(path)) return readCellFields<Dim>(readMeshFile(path), spec);
-    const Json json = parseJson(readTextFile(path), path);
-    Extras extras;
-    std::vector<std::string> warnings;
-    JsonObject object(JsonValue(json, "", extras, warnings));
-    readCellValues<Dim>(object, spec);
-} catch (const InputError& error) {
-    throw error.named(path);
-}
-
-std::vector<double> readSizes(const std::string& path, int count) try {
-    std::istringstream text(readTextFile(path));
-    std::vector<double> sizes;
-    for (std::string word; text >> word;) {
-        double size = 0;
-        const auto done = std::from_chars(word.data(), word.data() + word.size(), size);
-        const std::string place = "value " + std::to_string(sizes.size()) + ": ";
-        if (done.ec != std::errc() || done.ptr != word.data() + word.size())
-            throw InputError(place + "\"" + word.substr(0, 20) + "\" is not a number");
-        if (const auto problem = rangeProblem(option("domain.sizes[].factor"), size); !problem.empty())
-            throw InputError(place + problem);
-        sizes.push_back(size);
-    }
-    if (static_cast<int>(sizes.size()) != count)
-        throw InputError("has " + std::to_string(sizes.size()) + " values, but the surface has " +
-                         std::to_string(count) + " vertices");
-    return sizes;
-} catch (const InputError& error) {
-    throw error.named(path);
-}
-
-Outline readOutlineFile(const std::string& path) try {
-    const Json json = parseJson(readTextFile(path), path);
-    Domain domain;
-    std::vector<std::string> warnings;
-    Extras extras;
-    JsonObject object(JsonValue(json, "", extras, warnings));
-    readPolygons(object.require("polygons"), domain);
-    return domain.polygons;
-} catch (const InputError& error) {
-    throw error.named(path);
-}
-
-template void readCells<2>(const std::string&, MaterialSpec<2>&);
-template void readCells<3>(const std::string&, MaterialSpec<3>&);
 
 }  // namespace wend

@@ -8,11 +8,11 @@ namespace wend {
 
 namespace {
 
-double& valueOf(SizeRegionIn<2>& region) {
-    return region.factor;
-}
-double& valueOf(DepthRegion& region) {
-    return region.order;
+auto& valueOf(auto& region) {
+    if constexpr (requires { region.factor; })
+        return region.factor;
+    else
+        return region.order;
 }
 
 MaterialRegion<2> placeOf(const SizeRegionIn<2>& region) {
@@ -22,62 +22,59 @@ MaterialRegion<2> placeOf(const DepthRegion& region) {
     return {region.name, region.shape, 0, {}, {}};
 }
 
-template <class Entries>
-std::vector<NamedRegions> groupsOf(Entries entries) {
-    std::vector<NamedRegions> groups;
-    for (const std::vector<int>& places : placesByName(entries)) {
-        auto& first = entries[places.front()];
-        NamedRegions& group = groups.emplace_back(NamedRegions{first.name, valueOf(first), {}});
-        for (const int i : places) group.regions.push_back(placeOf(entries[i]));
-    }
-    return groups;
-}
-
-/// Does something with all regions of that kind, and with the places of a group among them.
-template <class Change>
-Project changed(const Project& project, RegionsOf of, int group, const Change& change) {
-    Project next = project;
-    const auto on = [&](auto& entries) {
-        const auto groups = placesByName(entries);
-        if (group >= 0 && group < static_cast<int>(groups.size())) change(entries, groups[group]);
-    };
-    of == RegionsOf::Detail ? on(next.domain.flatSizes) : on(next.depth);
-    return next;
+/// Where the entries of a group are; nowhere if there is no such group.
+template <class Entry>
+std::vector<int> placesIn(const std::vector<Entry>& regions, int group) {
+    const auto groups = placesByName(regions);
+    return group >= 0 && group < static_cast<int>(groups.size()) ? groups[group] : std::vector<int>();
 }
 
 }  // namespace
 
-std::vector<NamedRegions> namedRegions(const Project& project, RegionsOf of) {
-    return of == RegionsOf::Detail ? groupsOf(project.domain.flatSizes) : groupsOf(project.depth);
+template <class Entry>
+std::vector<NamedRegions> namedRegions(const std::vector<Entry>& regions) {
+    std::vector<NamedRegions> groups;
+    for (const std::vector<int>& places : placesByName(regions)) {
+        const Entry& first = regions[places.front()];
+        NamedRegions& group = groups.emplace_back(NamedRegions{first.name, valueOf(first), {}});
+        for (const int i : places) group.regions.push_back(placeOf(regions[i]));
+    }
+    return groups;
 }
 
-Project withRegionsValue(const Project& project, RegionsOf of, int group, double value) {
-    return changed(project, of, group, [&](auto& entries, const std::vector<int>& places) {
-        for (const int i : places) valueOf(entries[i]) = value;
-    });
+template <class Entry>
+std::vector<Entry> withRegionsValue(std::vector<Entry> regions, int group, double value) {
+    for (const int i : placesIn(regions, group)) valueOf(regions[i]) = value;
+    return regions;
 }
 
-Project withRegionsName(const Project& project, RegionsOf of, int group, const std::string& wish) {
-    const std::string before = namedRegions(project, of).at(group).name;
-    std::vector<Handle<2>> handles = std::get<Design<2>>(project.design).handles;
-    Project next = changed(project, of, group, [&](auto& entries, const std::vector<int>& places) {
-        auto taken = namesOf(entries);
-        if (of == RegionsOf::Depth)
-            for (const Handle<2>& handle : handles) taken.push_back(handle.name);
-        std::erase(taken, before);
-        const std::string name = std::ranges::count(taken, wish) ? freeName(taken, wish, 2) : wish;
-        for (const int i : places) entries[i].name = name;
-        for (Handle<2>& handle : handles)
-            if (!before.empty() && handle.name == before) handle.name = name;
-    });
-    if (of == RegionsOf::Depth) std::get<Design<2>>(next.design).handles = std::move(handles);
-    return next;
+template <class Entry>
+std::vector<Entry> withRegionsName(std::vector<Entry> regions, int group, const std::string& wish,
+                                   std::vector<std::string> taken) {
+    const std::vector<int> places = placesIn(regions, group);
+    if (places.empty()) return regions;
+    for (const std::string& name : namesOf(regions)) taken.push_back(name);
+    std::erase(taken, regions[places.front()].name);
+    const std::string name = std::ranges::count(taken, wish) ? freeName(taken, wish, 2) : wish;
+    for (const int i : places) regions[i].name = name;
+    return regions;
 }
 
-Project withoutRegions(const Project& project, RegionsOf of, int group) {
-    return changed(project, of, group, [](auto& entries, const std::vector<int>& places) {
-        for (auto i = places.rbegin(); i != places.rend(); ++i) entries.erase(entries.begin() + *i);
-    });
+template <class Entry>
+std::vector<Entry> withoutRegions(std::vector<Entry> regions, int group) {
+    const std::vector<int> places = placesIn(regions, group);
+    for (auto i = places.rbegin(); i != places.rend(); ++i) regions.erase(regions.begin() + *i);
+    return regions;
 }
+
+#define WEND_INSTANTIATE(Entry)                                                              \
+    template std::vector<NamedRegions> namedRegions(const std::vector<Entry>&);              \
+    template std::vector<Entry> withRegionsValue(std::vector<Entry>, int, double);           \
+    template std::vector<Entry> withRegionsName(std::vector<Entry>, int, const std::string&, \
+                                                std::vector<std::string>);                   \
+    template std::vector<Entry> withoutRegions(std::vector<Entry>, int)
+WEND_INSTANTIATE(SizeRegionIn<2>);
+WEND_INSTANTIATE(DepthRegion);
+#undef WEND_INSTANTIATE
 
 }  // namespace wend

@@ -3,12 +3,11 @@
 #include <string>
 #include <vector>
 
-#include "app/document/project.h"
+#include "app/document/depth_region.h"
+#include "app/document/design.h"
+#include "app/document/domain.h"
 
 namespace wend {
-
-/// The regions of a picture that are listed: where its mesh is finer or coarser, and what lies in front.
-enum class RegionsOf { Detail, Depth };
 
 /// Regions of one name belong together: a stroke, or what lies around a pin. One without a name stands alone.
 struct NamedRegions {
@@ -16,14 +15,22 @@ struct NamedRegions {
     double value = 0;  // of the first: the length of edges against elsewhere, or the order
     std::vector<MaterialRegion<2>> regions;  // where they lie, and how soft they are
 };
+
+// The regions of a picture that are listed: those where its mesh is finer or coarser, SizeRegionIn<2>, and
+// those that lie in front or behind, DepthRegion.
+
 /// Later ones win.
-std::vector<NamedRegions> namedRegions(const Project& project, RegionsOf of);
+template <class Entry>
+std::vector<NamedRegions> namedRegions(const std::vector<Entry>& regions);
 
 /// The group of that place in namedRegions() with another value, with another name (with a number behind it
-/// if another is called so already), or not there any more. A handle and the depth that it gives have one
-/// name: it is renamed with it.
-Project withRegionsValue(const Project& project, RegionsOf of, int group, double value);
-Project withRegionsName(const Project& project, RegionsOf of, int group, const std::string& wish);
-Project withoutRegions(const Project& project, RegionsOf of, int group);
+/// if another or something in `taken` is called so already), or not there any more.
+template <class Entry>
+std::vector<Entry> withRegionsValue(std::vector<Entry> regions, int group, double value);
+template <class Entry>
+std::vector<Entry> withRegionsName(std::vector<Entry> regions, int group, const std::string& wish,
+                                   std::vector<std::string> taken = {});
+template <class Entry>
+std::vector<Entry> withoutRegions(std::vector<Entry> regions, int group);
 
 }  // namespace wend

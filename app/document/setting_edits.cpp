@@ -13,7 +13,7 @@ void changeSetting(Document& document, std::string_view key, double value, int g
     const Option& setting = option(key);
     if (document.isEmpty() || value == setting.field.at.get(*document.project())) return;
     Project next = *document.project();
-    if (setting.kind == OptionKind::Phi) value = std::min(value, rangeOf(setting, next).max);
+    if (setting.kind == OptionKind::Phi) value = std::min(value, rangeOf(setting, next.dimension()).max);
     setting.field.at.set(next, value);
     const bool merges = setting.kind != OptionKind::Flag && setting.kind != OptionKind::Choice;
     const QString name = QString::fromUtf8(key.data(), static_cast<qsizetype>(key.size()));

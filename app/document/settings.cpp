@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/document/project.h"
+#include "core/energy/material.h"
 
 namespace wend {
 
@@ -14,8 +14,8 @@ bool isFor(const Option& setting, const Project& project) {
     return !setting.field.scope || setting.field.scope->holds(project);
 }
 
-Range rangeOf(const Option& setting, const Project& project) {
-    if (setting.kind == OptionKind::Phi) return {0, phi::conformal(project.dimension()), true, false};
+Range rangeOf(const Option& setting, int dimension) {
+    if (setting.kind == OptionKind::Phi) return {0, phi::conformal(dimension), true, false};
     return setting.range;
 }
 

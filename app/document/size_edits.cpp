@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "app/document/free_name.h"
-#include "app/document/project.h"
 
 namespace wend {
 
@@ -16,8 +15,8 @@ std::string strokeName() {
     return QCoreApplication::translate("Names", "Stroke").toStdString();
 }
 
-std::vector<int> entriesOf(const Project& project, int group) {
-    const auto groups = sizeGroups(project.domain);
+std::vector<int> entriesOf(const Domain& domain, int group) {
+    const auto groups = sizeGroups(domain);
     return group >= 0 && group < static_cast<int>(groups.size()) ? groups[group].entries : std::vector<int>();
 }
 
@@ -32,17 +31,17 @@ std::vector<SizeGroup> sizeGroups(const Domain& domain) {
     return groups;
 }
 
-Project withSizeStroke(const Project& project, const std::vector<Ball<3>>& balls, double factor) {
-    Project next = project;
-    const std::string name = freeName(namesOf(project.domain.sizes), strokeName());
-    for (const Ball<3>& ball : balls) next.domain.sizes.push_back({name, ball, 0.5 * ball.radius, factor});
+Domain withSizeStroke(const Domain& domain, const std::vector<Ball<3>>& balls, double factor) {
+    Domain next = domain;
+    const std::string name = freeName(namesOf(domain.sizes), strokeName());
+    for (const Ball<3>& ball : balls) next.sizes.push_back({name, ball, 0.5 * ball.radius, factor});
     return next;
 }
 
-Project withFlatSizeStroke(const Project& project, const std::vector<Ball<2>>& balls, double feather,
-                           double factor) {
-    Project next = project;
-    auto& sizes = next.domain.flatSizes;
+Domain withFlatSizeStroke(const Domain& domain, const std::vector<Ball<2>>& balls, double feather,
+                          double factor) {
+    Domain next = domain;
+    auto& sizes = next.flatSizes;
     const auto isHidden = [&](const SizeRegionIn<2>& region) {
         const auto* own = std::get_if<Ball<2>>(&region.shape);
         return own && std::ranges::any_of(balls, [&](const Ball<2>& ball) {
@@ -57,34 +56,34 @@ Project withFlatSizeStroke(const Project& project, const std::vector<Ball<2>>& b
     return next;
 }
 
-Project withSizeRegion(const Project& project, const Region<3>& shape, double factor) {
-    Project next = project;
-    next.domain.sizes.push_back({freeName(namesOf(project.domain.sizes),
-                                          QCoreApplication::translate("Names", "Region").toStdString()),
-                                 shape, 0, factor});
+Domain withSizeRegion(const Domain& domain, const Region<3>& shape, double factor) {
+    Domain next = domain;
+    next.sizes.push_back(
+        {freeName(namesOf(domain.sizes), QCoreApplication::translate("Names", "Region").toStdString()), shape,
+         0, factor});
     return next;
 }
 
-Project withSizeFactor(const Project& project, int group, double factor) {
-    Project next = project;
-    for (const int i : entriesOf(project, group)) next.domain.sizes[i].factor = factor;
+Domain withSizeFactor(const Domain& domain, int group, double factor) {
+    Domain next = domain;
+    for (const int i : entriesOf(domain, group)) next.sizes[i].factor = factor;
     return next;
 }
 
-Project withSizeShape(const Project& project, int group, const Region<3>& shape, double feather) {
-    Project next = project;
-    const auto entries = entriesOf(project, group);
+Domain withSizeShape(const Domain& domain, int group, const Region<3>& shape, double feather) {
+    Domain next = domain;
+    const auto entries = entriesOf(domain, group);
     if (entries.empty()) return next;
-    next.domain.sizes[entries.front()].shape = shape;
-    next.domain.sizes[entries.front()].feather = feather;
+    next.sizes[entries.front()].shape = shape;
+    next.sizes[entries.front()].feather = feather;
     return next;
 }
 
-Project withoutSizes(const Project& project, int group) {
-    Project next = project;
-    auto entries = entriesOf(project, group);
+Domain withoutSizes(const Domain& domain, int group) {
+    Domain next = domain;
+    auto entries = entriesOf(domain, group);
     std::reverse(entries.begin(), entries.end());
-    for (const int i : entries) next.domain.sizes.erase(next.domain.sizes.begin() + i);
+    for (const int i : entries) next.sizes.erase(next.sizes.begin() + i);
     return next;
 }
 

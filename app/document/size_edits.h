@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "app/document/domain.h"
-#include "app/document/project_fwd.h"
 
 namespace wend {
 
@@ -17,15 +16,15 @@ struct SizeGroup {
 std::vector<SizeGroup> sizeGroups(const Domain& domain);
 
 /// Soft balls (feathered by half of their radius) on top of all others, named "Stroke 1", "Stroke 2" …
-Project withSizeStroke(const Project& project, const std::vector<Ball<3>>& balls, double factor);
+Domain withSizeStroke(const Domain& domain, const std::vector<Ball<3>>& balls, double factor);
 /// The same in a picture, feathered by as much as is said; what it hides wholly goes.
-Project withFlatSizeStroke(const Project& project, const std::vector<Ball<2>>& balls, double feather,
-                           double factor);
+Domain withFlatSizeStroke(const Domain& domain, const std::vector<Ball<2>>& balls, double feather,
+                          double factor);
 /// One region on top of all others, named "Region 1", "Region 2" …
-Project withSizeRegion(const Project& project, const Region<3>& shape, double factor);
+Domain withSizeRegion(const Domain& domain, const Region<3>& shape, double factor);
 /// The group of that place in sizeGroups() with another factor; the first of it with another shape.
-Project withSizeFactor(const Project& project, int group, double factor);
-Project withSizeShape(const Project& project, int group, const Region<3>& shape, double feather);
-Project withoutSizes(const Project& project, int group);
+Domain withSizeFactor(const Domain& domain, int group, double factor);
+Domain withSizeShape(const Domain& domain, int group, const Region<3>& shape, double feather);
+Domain withoutSizes(const Domain& domain, int group);
 
 }  // namespace wend

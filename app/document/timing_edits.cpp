@@ -10,10 +10,9 @@ namespace {
 
 /// Calls `edit` with the motions of a handle, of whatever dimension.
 template <class Edit>
-Project edited(Project project, int handle, const Edit& edit) {
-    std::visit([&](auto& design) { edit(design.handles.at(static_cast<std::size_t>(handle)).motions); },
-               project.design);
-    return project;
+AnyDesign edited(AnyDesign design, int handle, const Edit& edit) {
+    std::visit([&](auto& own) { edit(own.handles.at(static_cast<std::size_t>(handle)).motions); }, design);
+    return design;
 }
 
 /// The same length where there is room for it, moved as little as possible.
@@ -25,31 +24,32 @@ MotionTime within(const MotionTime& room, MotionTime time) {
 
 }  // namespace
 
-MotionTime timeOf(const Project& project, int handle, int motion) {
+MotionTime timeOf(const AnyDesign& design, int handle, int motion) {
     return std::visit(
-        [=](const auto& design) -> MotionTime {
-            const auto& own = design.handles.at(static_cast<std::size_t>(handle))
-                                  .motions.at(static_cast<std::size_t>(motion));
+        [=](const auto& one) -> MotionTime {
+            const auto& own =
+                one.handles.at(static_cast<std::size_t>(handle)).motions.at(static_cast<std::size_t>(motion));
             return {own.start, own.end};
         },
-        project.design);
+        design);
 }
 
-MotionTime roomOf(const Project& project, int handle, int motion) {
+MotionTime roomOf(const AnyDesign& design, int handle, int motion) {
     return std::visit(
-        [=](const auto& design) -> MotionTime {
-            const auto& own = design.handles.at(static_cast<std::size_t>(handle));
+        [=](const auto& one) -> MotionTime {
+            const auto& own = one.handles.at(static_cast<std::size_t>(handle));
             const auto at = static_cast<std::size_t>(motion);
             const double before = at > 0 ? own.motions.at(at - 1).end : 0;
             const double after = at + 1 < own.motions.size() ? own.motions[at + 1].start : own.activeTo;
             return {std::max(before, own.activeFrom), after};
         },
-        project.design);
+        design);
 }
 
 Project withMotionTime(const Project& project, int handle, int motion, const MotionTime& time) {
-    const MotionTime next = within(roomOf(project, handle, motion), time);
-    Project result = edited(project, handle, [&](auto& motions) {
+    const MotionTime next = within(roomOf(project.design, handle, motion), time);
+    Project result = project;
+    result.design = edited(project.design, handle, [&](auto& motions) {
         motions.at(static_cast<std::size_t>(motion)).start = next.start;
         motions.at(static_cast<std::size_t>(motion)).end = next.end;
     });
@@ -57,26 +57,26 @@ Project withMotionTime(const Project& project, int handle, int motion, const Mot
     return result;
 }
 
-Project withMotionEase(const Project& project, int handle, int motion, Ease ease) {
-    return edited(project, handle,
+AnyDesign withMotionEase(const AnyDesign& design, int handle, int motion, Ease ease) {
+    return edited(design, handle,
                   [=](auto& motions) { motions.at(static_cast<std::size_t>(motion)).ease = ease; });
 }
 
-MotionTime holdOf(const Project& project, int handle) {
+MotionTime holdOf(const AnyDesign& design, int handle) {
     return std::visit(
-        [=](const auto& design) -> MotionTime {
-            const auto& own = design.handles.at(static_cast<std::size_t>(handle));
+        [=](const auto& one) -> MotionTime {
+            const auto& own = one.handles.at(static_cast<std::size_t>(handle));
             return {own.activeFrom, own.activeTo};
         },
-        project.design);
+        design);
 }
 
-Project withHold(const Project& project, int handle, const MotionTime& hold) {
+AnyDesign withHold(const AnyDesign& design, int handle, const MotionTime& hold, double filmEnd) {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    Project result = project;
+    AnyDesign result = design;
     std::visit(
-        [&](auto& design) {
-            auto& own = design.handles.at(static_cast<std::size_t>(handle));
+        [&](auto& one) {
+            auto& own = one.handles.at(static_cast<std::size_t>(handle));
             own.activeFrom = hold.start;
             own.activeTo = std::max(hold.end, hold.start + kShortestMotion);
             if (!own.motions.empty()) {
@@ -84,14 +84,14 @@ Project withHold(const Project& project, int handle, const MotionTime& hold) {
                 own.activeTo = std::max(own.activeTo, own.motions.back().end);
             }
             if (own.activeFrom <= 0) own.activeFrom = -kInfinity;
-            if (own.activeTo >= project.end) own.activeTo = kInfinity;
+            if (own.activeTo >= filmEnd) own.activeTo = kInfinity;
         },
-        result.design);
+        result);
     return result;
 }
 
-Project withoutMotion(const Project& project, int handle, int motion) {
-    return edited(project, handle, [=](auto& motions) { motions.erase(motions.begin() + motion); });
+AnyDesign withoutMotion(const AnyDesign& design, int handle, int motion) {
+    return edited(design, handle, [=](auto& motions) { motions.erase(motions.begin() + motion); });
 }
 
 }  // namespace wend

@@ -13,20 +13,20 @@ struct MotionTime {
     double start = 0, end = 1;
     bool operator==(const MotionTime&) const = default;
 };
-MotionTime timeOf(const Project& project, int handle, int motion);
+MotionTime timeOf(const AnyDesign& design, int handle, int motion);
 /// How far the window may reach: to the motions of the same handle before and after it, and no further than
 /// the handle holds. +∞ where nothing comes after; the film becomes longer then.
-MotionTime roomOf(const Project& project, int handle, int motion);
+MotionTime roomOf(const AnyDesign& design, int handle, int motion);
 /// The nearest window within that room; at least kShortestMotion long.
 inline constexpr double kShortestMotion = 0.02;
 Project withMotionTime(const Project& project, int handle, int motion, const MotionTime& time);
-Project withMotionEase(const Project& project, int handle, int motion, Ease ease);
+AnyDesign withMotionEase(const AnyDesign& design, int handle, int motion, Ease ease);
 /// From when until when a handle holds: −∞ and +∞ where it has no beginning or no end.
-MotionTime holdOf(const Project& project, int handle);
+MotionTime holdOf(const AnyDesign& design, int handle);
 /// No shorter than its motions. What begins at 0 or before has no beginning then, what ends at the end of the
 /// film or later no end.
-Project withHold(const Project& project, int handle, const MotionTime& hold);
+AnyDesign withHold(const AnyDesign& design, int handle, const MotionTime& hold, double filmEnd);
 /// What the handle does later goes on from where the motion would have begun; rotations keep their centre.
-Project withoutMotion(const Project& project, int handle, int motion);
+AnyDesign withoutMotion(const AnyDesign& design, int handle, int motion);
 
 }  // namespace wend

@@ -1,6 +1,5 @@
 #include "app/panels/balance_panel.h"
 
-#include "app/document/project.h"
 #include "app/document/settings.h"
 #include "app/panels/option_field.h"
 #include "app/panels/panel_parts.h"

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "app/document/project.h"
+#include "app/document/design.h"
 #include "app/session/energy_stops.h"
 #include "app/session/fields.h"
 #include "core/energy/distortion.h"
@@ -172,8 +172,7 @@ std::vector<double> shownValues(const ShapeSession& session, Measure measure) {
 std::optional<double> plainValue(const ShapeSession& session, Measure measure) {
     if (measure == Measure::Stiffness) return 1;
     if (measure != Measure::Phi || session.document().isEmpty()) return {};
-    return std::visit([](const auto& design) { return design.material.phi; },
-                      session.document().project()->design);
+    return std::visit([](const auto& design) { return design.material.phi; }, session.document().design());
 }
 
 MeasureRange rangeOf(const std::vector<double>& values, Measure measure, int dimension) {

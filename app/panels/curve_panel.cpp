@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "app/document/curve_edits.h"
-#include "app/document/project.h"
+#include "app/document/design.h"
 #include "app/document/timing_edits.h"
 #include "app/panels/ease_names.h"
 #include "app/panels/exact_box.h"
@@ -125,9 +125,9 @@ int CurvePanel::shownMotion() const {
 void CurvePanel::changeEase() {
     if (single() < 0 || !m_session.mayChange(single())) return showCurve();
     const int motion = dimension() == 2 ? shownMotion<2>() : shownMotion<3>();
-    m_session.document().change(tr("Change ease"),
-                                withMotionEase(*m_session.document().project(), single(), motion,
-                                               kEases.at(static_cast<std::size_t>(m_ease->currentIndex()))));
+    m_session.document().changeDesign(
+        tr("Change ease"), withMotionEase(m_session.document().design(), single(), motion,
+                                          kEases.at(static_cast<std::size_t>(m_ease->currentIndex()))));
 }
 
 void CurvePanel::change() {
@@ -136,8 +136,8 @@ void CurvePanel::change() {
 
 template <int Dim>
 void CurvePanel::changeOf() {
-    Project next = *m_session.document().project();
-    CurveMotion<Dim>* curve = lastCurve<Dim>(next, single());
+    Design<Dim> next = m_session.document().design<Dim>();
+    CurveMotion<Dim>* curve = lastCurve(next, single());
     if (!curve) return;
     // What was not touched keeps its bits.
     const double twist = m_twist->exact();
@@ -145,8 +145,8 @@ void CurvePanel::changeOf() {
     curve->scale = m_scale->exact();
     curve->frame = static_cast<FrameKind>(m_frame->currentIndex());
     if (curve->twist != 0 && curve->frame == FrameKind::None) curve->frame = FrameKind::Minimal;
-    m_session.document().change(tr("Change curve"), std::move(next),
-                                QStringLiteral("curve %1").arg(single()));
+    m_session.document().changeDesign(tr("Change curve"), std::move(next),
+                                      QStringLiteral("curve %1").arg(single()));
 }
 
 void CurvePanel::showCurve() {
@@ -158,7 +158,7 @@ void CurvePanel::showCurve() {
 
 template <int Dim>
 void CurvePanel::show() {
-    const CurveMotion<Dim>* curve = lastCurve<Dim>(*m_session.document().project(), single());
+    const CurveMotion<Dim>* curve = lastCurve(m_session.document().design<Dim>(), single());
     const bool canMake = !curve && canMakeCurve(m_session);
     const int motion = shownMotion<Dim>();
     setVisible(motion >= 0);

@@ -2,7 +2,6 @@
 
 #include <QPushButton>
 
-#include "app/document/project.h"
 #include "app/document/setting_edits.h"
 #include "app/document/settings.h"
 #include "app/panels/memory_slider.h"

@@ -6,7 +6,6 @@
 #include <QToolButton>
 #include <cmath>
 
-#include "app/document/project.h"
 #include "app/panels/energy_slider.h"
 #include "app/panels/exact_box.h"
 #include "app/panels/layer_items.h"
@@ -21,13 +20,9 @@ namespace {
 constexpr int kGroup = Qt::UserRole;      // the name of an item's regions
 constexpr int kCells = Qt::UserRole + 1;  // it stands for what is given cell by cell
 
-bool hasCells(const Project& project) {
-    return std::visit(
-        [](const auto& design) {
-            const auto& material = design.material;
-            return !(material.cellsFile.empty() && material.cellPhi.empty() && material.cellB.empty());
-        },
-        project.design);
+template <int Dim>
+bool hasCells(const MaterialSpec<Dim>& material) {
+    return !(material.cellsFile.empty() && material.cellPhi.empty() && material.cellB.empty());
 }
 
 }  // namespace
@@ -150,10 +145,10 @@ void LayerPanel::connectControls() {
         },
         Qt::QueuedConnection);
     connect(m_readAgain, &QToolButton::clicked, this, [this] {
-        changeBy(tr("Read pictures again"), withPicturesReread(*m_session.document().project(), selected()));
+        changeBy(tr("Read pictures again"), withPicturesReread(m_session.document().design(), selected()));
     });
     const auto move = [this](int by) {
-        changeBy(tr("Move layer"), withGroupMoved(*m_session.document().project(), selected(), by));
+        changeBy(tr("Move layer"), withGroupMoved(m_session.document().design(), selected(), by));
     };
     connect(m_up, &QToolButton::clicked, this, [move] { move(1); });
     connect(m_down, &QToolButton::clicked, this, [move] { move(-1); });
@@ -170,8 +165,7 @@ void LayerPanel::connectControls() {
             changeMaterial();
         });
     connect(m_feather, &QDoubleSpinBox::valueChanged, this, [this](double feather) {
-        changeBy(tr("Change soft edge"),
-                 withGroupFeather(*m_session.document().project(), selected(), feather),
+        changeBy(tr("Change soft edge"), withGroupFeather(m_session.document().design(), selected(), feather),
                  QStringLiteral("feather ") + QString::fromStdString(selected()));
     });
 }
@@ -182,18 +176,18 @@ void LayerPanel::setPictureMenu(QMenu* menu) {
 
 /// Its name or its eye.
 void LayerPanel::takeItem(QListWidgetItem* item) {
-    const Project& project = *m_session.document().project();
+    const AnyDesign& design = m_session.document().design();
     const std::string before = item->data(kGroup).toString().toStdString();
     const std::string wish = item->text().trimmed().toStdString();
     const bool hidden = item->checkState() == Qt::Unchecked;
-    if (hidden != isGroupHidden(project, before))
+    if (hidden != isGroupHidden(design, before))
         return changeBy(hidden ? tr("Hide layer") : tr("Show layer"),
-                        withGroupHidden(project, before, hidden));
+                        withGroupHidden(design, before, hidden));
     if (wish.empty() || wish == before) return showLayers();
-    const std::string name = freeGroupName(project, before, wish);
+    const std::string name = freeGroupName(design, before, wish);
     const QSignalBlocker quiet(m_list);
     item->setData(kGroup, QString::fromStdString(name));  // it stays the chosen one
-    changeBy(tr("Rename layer"), withGroupName(project, before, name));
+    changeBy(tr("Rename layer"), withGroupName(design, before, name));
 }
 
 /// The list shows the topmost first. What is given cell by cell stays at the bottom.
@@ -201,14 +195,14 @@ void LayerPanel::takeOrder(int from, int to) {
     if (m_session.document().isEmpty() || to >= m_list->count()) return;
     const QListWidgetItem* moved = m_list->item(to);
     if (moved->data(kCells).toBool()) return showLayers();
-    changeBy(tr("Move layer"), withGroupMoved(*m_session.document().project(),
+    changeBy(tr("Move layer"), withGroupMoved(m_session.document().design(),
                                               moved->data(kGroup).toString().toStdString(), from - to));
     showLayers();
 }
 
 void LayerPanel::remove() {
-    const Project& project = *m_session.document().project();
-    changeBy(tr("Remove layer"), isCells() ? withoutCells(project) : withoutGroup(project, selected()));
+    const AnyDesign& design = m_session.document().design();
+    changeBy(tr("Remove layer"), isCells() ? withoutCells(design) : withoutGroup(design, selected()));
 }
 
 bool LayerPanel::isCells() const {
@@ -220,9 +214,9 @@ std::string LayerPanel::selected() const {
     return item ? item->data(kGroup).toString().toStdString() : std::string();
 }
 
-void LayerPanel::changeBy(const QString& step, Project next, const QString& key) {
+void LayerPanel::changeBy(const QString& step, AnyDesign next, const QString& key) {
     if (m_session.document().isEmpty()) return;
-    m_session.document().change(step, std::move(next), key);
+    m_session.document().changeDesign(step, std::move(next), key);
 }
 
 /// A layer that would be nothing stays as it is.
@@ -238,13 +232,13 @@ void LayerPanel::changePaint() {
     if (!paint.phi && !paint.stiffness) return showValues();
     m_phi->setEnabled(paint.phi.has_value());
     changeBy(tr("Change layer"),
-             withGroupPaint<Dim>(*m_session.document().project(), selected(), paint, m_ownAxes),
+             withGroupPaint<Dim>(m_session.document().design<Dim>(), selected(), paint, m_ownAxes),
              QStringLiteral("layer ") + QString::fromStdString(selected()));
 }
 
 template <int Dim>
 void LayerPanel::showGroup() {
-    for (const RegionGroup<Dim>& group : regionGroups<Dim>(*m_session.document().project())) {
+    for (const RegionGroup<Dim>& group : regionGroups(m_session.document().design<Dim>())) {
         if (group.name != selected()) continue;
         m_phi->setDimension(Dim);
         m_hasPhi->setChecked(group.paint.phi.has_value());
@@ -277,7 +271,7 @@ void LayerPanel::showPictures(const MaterialPictures& pictures) {
 
 void LayerPanel::showCells() {
     const std::string file = std::visit([](const auto& design) { return design.material.cellsFile; },
-                                        m_session.document().project()->design);
+                                        m_session.document().design());
     m_files->setText(file.empty()
                          ? tr("As the project's file says, cell by cell.")
                          : tr("Cell by cell: %1").arg(QFileInfo(QString::fromStdString(file)).fileName()));
@@ -324,8 +318,8 @@ void LayerPanel::hideEvent(QHideEvent* event) {
 
 template <int Dim>
 void LayerPanel::fill() {
-    const Project& project = *m_session.document().project();
-    const auto groups = regionGroups<Dim>(project);
+    const Design<Dim>& design = m_session.document().design<Dim>();
+    const auto groups = regionGroups(design);
     int row = 0;
     for (auto group = groups.rbegin(); group != groups.rend(); ++group) {
         const QString name = QString::fromStdString(group->name);
@@ -338,7 +332,7 @@ void LayerPanel::fill() {
                        Qt::ItemIsUserCheckable);
         item->setCheckState(group->hidden ? Qt::Unchecked : Qt::Checked);
     }
-    if (hasCells(project)) {
+    if (hasCells(design.material)) {
         QListWidgetItem* cells = itemAt(row++);
         cells->setIcon(graySwatch());
         cells->setText(tr("Values of cells"));

@@ -59,7 +59,7 @@ class LayerPanel : public QWidget {
     void showGroup();
     template <int Dim>
     void changePaint();
-    void changeBy(const QString& step, Project next, const QString& key = {});
+    void changeBy(const QString& step, AnyDesign next, const QString& key = {});
     std::string selected() const;
     void tellChosen();
 

@@ -3,7 +3,6 @@
 #include <QLocale>
 #include <QPushButton>
 
-#include "app/document/project.h"
 #include "app/document/setting_edits.h"
 #include "app/document/settings.h"
 #include "app/panels/panel_parts.h"
@@ -50,9 +49,8 @@ MaterialPanel::MaterialPanel(ShapeSession& session, QWidget* parent)
 void MaterialPanel::showProject() {
     setEnabled(!m_session.document().isEmpty());
     if (m_session.document().isEmpty()) return;
-    const Project& project = *m_session.document().project();
-    const double phi = settingOf(project, "material.phi");
-    m_slider->setDimension(project.dimension());
+    const double phi = settingOf(*m_session.document().project(), "material.phi");
+    m_slider->setDimension(m_session.document().dimension());
     m_slider->setPhi(phi);
     const EnergyScale& scale = m_slider->scale();
     const int stop = scale.stopAt(phi);

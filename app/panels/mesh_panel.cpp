@@ -5,13 +5,12 @@
 #include <QToolButton>
 #include <cmath>
 
-#include "app/document/project.h"
+#include "app/document/domain.h"
 #include "app/document/setting_edits.h"
 #include "app/panels/detail_row.h"
 #include "app/panels/jump_slider.h"
 #include "app/panels/option_field.h"
 #include "app/panels/panel_parts.h"
-#include "core/mesh/mesh_file.h"
 #include "warp/image.h"
 
 namespace wend {
@@ -116,28 +115,29 @@ void MeshPanel::connectControls() {
 
 /// Begins with the volume that the mesh has now, so that it stays about as fine.
 void MeshPanel::setAim(bool volume) {
-    const bool isVolume = m_session.document().project()->domain.maxVolume > 0;
+    const bool isVolume = m_session.document().domain().maxVolume > 0;
     if (volume == isVolume) return;
     const auto frame = m_session.frame<3>();
     if (volume && !frame) {
         showProject();
         return;
     }
-    Project next = *m_session.document().project();
-    next.domain.maxVolume = volume ? largestCell(*frame) : 0;
-    m_session.document().change(volume ? tr("Aim at a volume") : tr("Aim at vertices"), std::move(next));
+    Domain next = m_session.document().domain();
+    next.maxVolume = volume ? largestCell(*frame) : 0;
+    m_session.document().changeDomain(volume ? tr("Aim at a volume") : tr("Aim at vertices"),
+                                      std::move(next));
 }
 
 void MeshPanel::showProject() {
     const Document& document = m_session.document();
-    const bool meshed = !document.isEmpty() && document.project()->domain.kind != DomainKind::Mesh;
+    const bool meshed = !document.isEmpty() && document.domain().kind != DomainKind::Mesh;
     showRows();
     setEnabled(meshed);
     setToolTip(document.isEmpty() || meshed ? QString()
                                             : tr("The mesh comes from a file and is used as it is."));
     if (document.isEmpty()) return;
     m_settings.show();
-    const Domain& domain = document.project()->domain;
+    const Domain& domain = document.domain();
     OptionField& outline = m_settings.field("domain.outline.from");
     outline.allow(static_cast<int>(OutlineKind::Alpha), document.picture() && document.picture()->alpha,
                   tr("This picture has no transparency."));
@@ -153,8 +153,8 @@ void MeshPanel::showProject() {
 void MeshPanel::showRows() {
     const Document& document = m_session.document();
     const bool solid = document.dimension() == 3;
-    const bool surface = solid && document.project()->domain.kind == DomainKind::Surface;
-    const bool volume = surface && document.project()->domain.maxVolume > 0;
+    const bool surface = solid && document.domain().kind == DomainKind::Surface;
+    const bool volume = surface && document.domain().maxVolume > 0;
     const auto show = [](const std::vector<QWidget*>& rows, bool visible) {
         for (QWidget* row : rows) row->setVisible(visible);
     };

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/document/project.h"
+#include "app/document/design.h"
 #include "app/panels/liveliness.h"
 
 namespace wend {
@@ -16,7 +16,7 @@ constexpr double kSquash = 0.3;
 
 std::size_t pinCount(const Document& document) {
     if (document.isEmpty()) return 0;
-    return std::visit([](const auto& design) { return design.handles.size(); }, document.project()->design);
+    return std::visit([](const auto& design) { return design.handles.size(); }, document.design());
 }
 
 }  // namespace

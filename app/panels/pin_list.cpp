@@ -144,7 +144,7 @@ QTreeWidgetItem* PinList::headingOf(const QString& group) const {
 
 std::vector<int> PinList::handlesOf(const QTreeWidgetItem& item) const {
     if (!isHeading(item)) return {item.data(Name, kHandle).toInt()};
-    return handlesOfGroup(*m_session.document().project(), item.data(Name, kGroup).toString().toStdString());
+    return handlesOfGroup(m_session.document().design(), item.data(Name, kGroup).toString().toStdString());
 }
 
 /// While a drag goes on nothing of it changes.
@@ -154,13 +154,12 @@ void PinList::showPins() {
     std::vector<int> groups;
     std::vector<std::string> names;
     if (!m_session.document().isEmpty()) {
-        const Project& project = *m_session.document().project();
-        names = groupNames(project);
-        const auto count =
-            std::visit([](const auto& design) { return design.handles.size(); }, project.design);
+        const AnyDesign& design = m_session.document().design();
+        names = groupNames(design);
+        const auto count = std::visit([](const auto& own) { return own.handles.size(); }, design);
         for (std::size_t h = 0; h < count; ++h) {
             const auto at =
-                std::find(names.begin(), names.end(), traitsOf(project, static_cast<int>(h)).group);
+                std::find(names.begin(), names.end(), traitsOf(design, static_cast<int>(h)).group);
             groups.push_back(at == names.end() ? -1 : static_cast<int>(at - names.begin()));
         }
     }
@@ -200,15 +199,15 @@ QTreeWidgetItem* PinList::newRow(QTreeWidgetItem* heading) {
 }
 
 void PinList::showRow(int handle) {
-    const Project& project = *m_session.document().project();
+    const AnyDesign& design = m_session.document().design();
     QTreeWidgetItem& item = *m_rows[static_cast<std::size_t>(handle)];
     const auto [name, holds] = std::visit(
-        [&](const auto& design) {
-            const auto& own = design.handles[static_cast<std::size_t>(handle)];
+        [&](const auto& all) {
+            const auto& own = all.handles[static_cast<std::size_t>(handle)];
             return std::pair(QString::fromStdString(own.name), isActive(own, m_session.playback().time()));
         },
-        project.design);
-    const HandleTraits& traits = traitsOf(project, handle);
+        design);
+    const HandleTraits& traits = traitsOf(design, handle);
     if (item.text(Name) != name) item.setText(Name, name);
     const QColor colour = pinColour(handle, traits);
     if (item.data(Name, kColour).value<QColor>() != colour) {
@@ -220,7 +219,7 @@ void PinList::showRow(int handle) {
     if (item.font(Name) != font) item.setFont(Name, font);
     const QString tip = holds ? QString() : tr("Does not hold at the time that is shown.");
     if (item.toolTip(Name) != tip) item.setToolTip(Name, tip);
-    showSigns(item, isLinked(project, handle), traits.hidden, traits.locked);
+    showSigns(item, isLinked(design, handle), traits.hidden, traits.locked);
     const bool selected = m_session.selection().contains(handle);
     if (item.isSelected() == selected) return;
     item.setSelected(selected);
@@ -230,8 +229,8 @@ void PinList::showRow(int handle) {
 
 /// Bold while something of it is selected, which may be folded away.
 void PinList::showHeading(QTreeWidgetItem& item, const QString& group) {
-    const Project& project = *m_session.document().project();
-    const auto handles = handlesOfGroup(project, group.toStdString());
+    const AnyDesign& design = m_session.document().design();
+    const auto handles = handlesOfGroup(design, group.toStdString());
     const auto all = [&](auto test) { return std::all_of(handles.begin(), handles.end(), test); };
     if (item.text(Name) != group) item.setText(Name, group);
     item.setData(Name, kGroup, group);
@@ -240,8 +239,8 @@ void PinList::showHeading(QTreeWidgetItem& item, const QString& group) {
     QFont font = m_list->font();
     font.setBold(!all([&](int h) { return !m_session.selection().contains(h); }));
     if (item.font(Name) != font) item.setFont(Name, font);
-    showSigns(item, false, all([&](int h) { return traitsOf(project, h).hidden; }),
-              all([&](int h) { return traitsOf(project, h).locked; }));
+    showSigns(item, false, all([&](int h) { return traitsOf(design, h).hidden; }),
+              all([&](int h) { return traitsOf(design, h).locked; }));
 }
 
 void PinList::showSigns(QTreeWidgetItem& item, bool linked, bool hidden, bool locked) {
@@ -302,7 +301,7 @@ void PinList::renamePin(int handle, const std::string& name) {
     if (handle >= m_session.handleCount() || name.empty()) return;
     Document& document = m_session.document();
     const std::string before = std::visit(
-        [handle](const auto& design) { return design.handles.at(handle).name; }, document.project()->design);
+        [handle](const auto& design) { return design.handles.at(handle).name; }, document.design());
     if (name != before) document.change(tr("Rename"), withHandleName(*document.project(), handle, name));
 }
 

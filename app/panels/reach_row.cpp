@@ -5,12 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/document/project.h"
+#include "app/document/document.h"
 #include "app/document/setting_edits.h"
 #include "app/document/settings.h"
 #include "app/panels/jump_slider.h"
 #include "app/panels/panel_parts.h"
 #include "app/panels/picture_tip.h"
+#include "core/energy/material.h"
 
 namespace wend {
 

@@ -6,7 +6,9 @@
 #include <QPainter>
 #include <QToolButton>
 
+#include "app/document/handle_edits.h"
 #include "app/document/options.h"
+#include "app/document/project.h"
 #include "app/panels/exact_box.h"
 #include "app/panels/panel_parts.h"
 
@@ -97,24 +99,30 @@ void RegionList::connectControls() {
     connect(m_list, &QListWidget::itemChanged, this, &RegionList::rename);
     connect(m_value, &QDoubleSpinBox::valueChanged, this, [this] {
         const double value = m_value->exact() / (isDetail() ? kPercent : 1);
-        change(isDetail() ? tr("Change edges") : tr("Change order"),
-               withRegionsValue(*m_session.document().project(), m_of, group(), value),
-               QStringLiteral("regions %1 %2").arg(static_cast<int>(m_of)).arg(group()));
+        change(
+            isDetail() ? tr("Change edges") : tr("Change order"),
+            [&](const auto& all) { return withRegionsValue(all, group(), value); },
+            QStringLiteral("regions %1 %2").arg(static_cast<int>(m_of)).arg(group()));
     });
     connect(m_remove, &QToolButton::clicked, this, [this] {
-        change(tr("Remove region"), withoutRegions(*m_session.document().project(), m_of, group()));
+        change(tr("Remove region"), [this](const auto& all) { return withoutRegions(all, group()); });
     });
 }
 
-void RegionList::change(const QString& step, Project next, const QString& key) {
-    if (group() >= 0) m_session.document().change(step, std::move(next), key);
+template <class Edit>
+void RegionList::change(const QString& step, const Edit& edit, const QString& key) {
+    Document& document = m_session.document();
+    if (!isDetail()) return document.changeDepth(step, edit(document.depth()), key);
+    Domain next = document.domain();
+    next.flatSizes = edit(next.flatSizes);
+    document.changeDomain(step, std::move(next), key);
 }
 
 /// Pictures have them.
 std::vector<NamedRegions> RegionList::groups() const {
     const Document& document = m_session.document();
-    return document.isEmpty() || document.dimension() != 2 ? std::vector<NamedRegions>()
-                                                           : namedRegions(*document.project(), m_of);
+    if (document.dimension() != 2) return {};
+    return isDetail() ? namedRegions(document.domain().flatSizes) : namedRegions(document.depth());
 }
 
 /// The place in groups(), which has the topmost last; −1: none is chosen.
@@ -182,8 +190,12 @@ void RegionList::rename(QListWidgetItem* item) {
             const auto all = groups();
             if (place >= static_cast<int>(all.size())) return;
             if (wish.empty() || wish == all[place].name) return showRegions();
-            m_session.document().change(tr("Rename region"),
-                                        withRegionsName(*m_session.document().project(), m_of, place, wish));
+            Document& document = m_session.document();
+            if (isDetail())
+                change(tr("Rename region"),
+                       [&](const auto& regions) { return withRegionsName(regions, place, wish); });
+            else
+                document.change(tr("Rename region"), withDepthName(*document.project(), place, wish));
         },
         Qt::QueuedConnection);
 }

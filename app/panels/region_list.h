@@ -14,6 +14,9 @@ namespace wend {
 
 class ExactBox;
 
+/// The regions of a picture that are listed: where its mesh is finer or coarser, and what lies in front.
+enum class RegionsOf { Detail, Depth };
+
 /// The regions of a picture of one kind, the topmost first, as the layers of its material are: a click shows
 /// where one lies and its number, which can be changed; a double click changes its name.
 class RegionList : public QWidget {
@@ -40,7 +43,8 @@ class RegionList : public QWidget {
     void showChosen();
     void tellChosen();
     void rename(QListWidgetItem* item);
-    void change(const QString& step, Project next, const QString& key = {});
+    template <class Edit>
+    void change(const QString& step, const Edit& edit, const QString& key = {});
     std::vector<NamedRegions> groups() const;
     QString nameOf(const NamedRegions& group) const;
     QString valueText(double value) const;

@@ -1,7 +1,7 @@
 #include "app/panels/region_panel.h"
 
+#include "app/document/design.h"
 #include "app/document/handle_edits.h"
-#include "app/document/project.h"
 #include "app/panels/exact_box.h"
 #include "app/panels/panel_parts.h"
 #include "app/panels/region_numbers.h"
@@ -61,9 +61,9 @@ void RegionPanel::apply(const Region<3>& next) {
         return;
     }
     const int handle = m_session.selection().handles().front();
-    m_session.document().change(tr("Change region"),
-                                withHandlePlace<3>(*m_session.document().project(), handle, next),
-                                QStringLiteral("handle region %1").arg(handle));
+    m_session.document().changeDesign(tr("Change region"),
+                                      withHandlePlace<3>(m_session.document().design<3>(), handle, next),
+                                      QStringLiteral("handle region %1").arg(handle));
 }
 
 /// What is too small to hold a part is told, and not taken.

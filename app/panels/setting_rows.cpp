@@ -3,7 +3,6 @@
 #include <QComboBox>
 
 #include "app/document/document.h"
-#include "app/document/project.h"
 #include "app/document/setting_edits.h"
 #include "app/document/settings.h"
 #include "app/panels/option_field.h"
@@ -41,7 +40,7 @@ void SettingRows::show() {
     const Project& project = *m_document.project();
     for (const auto& [key, field] : m_fields) {
         field->setEnabled(isFor(field->option(), project));
-        field->setRange(rangeOf(field->option(), project));
+        field->setRange(rangeOf(field->option(), m_document.dimension()));
         field->setNumber(field->option().field.at.get(project));
     }
 }

@@ -6,8 +6,9 @@
 #include <QMenu>
 #include <QToolButton>
 
+#include "app/document/design.h"
+#include "app/document/domain.h"
 #include "app/document/options.h"
-#include "app/document/project.h"
 #include "app/document/size_edits.h"
 #include "app/panels/magnitude_box.h"
 #include "app/panels/panel_parts.h"
@@ -116,11 +117,11 @@ void SizePanel::connectControls() {
             [this](const Region<3>& shape) { changeShape(shape, m_feather->value()); });
     connect(m_feather, &QDoubleSpinBox::valueChanged, this, [this](double feather) {
         if (group() >= 0)
-            changeShape(sizeGroups(m_session.document().project()->domain)[group()].first.shape, feather);
+            changeShape(sizeGroups(m_session.document().domain())[group()].first.shape, feather);
     });
     connect(m_remove, &QToolButton::clicked, this, [this] {
         Document& document = m_session.document();
-        if (group() >= 0) document.change(tr("Remove sizes"), withoutSizes(*document.project(), group()));
+        if (group() >= 0) document.changeDomain(tr("Remove sizes"), withoutSizes(document.domain(), group()));
     });
     connect(&m_session.document(), &Document::projectChanged, this, &SizePanel::showSizes);
     connect(&m_session, &ShapeSession::pinsChanged, this, [this] {
@@ -151,21 +152,21 @@ void SizePanel::changeFactor(double factor) {
         return;
     }
     Document& document = m_session.document();
-    document.change(tr("Change size"), withSizeFactor(*document.project(), group(), factor),
-                    QStringLiteral("size factor %1").arg(group()));
+    document.changeDomain(tr("Change size"), withSizeFactor(document.domain(), group(), factor),
+                          QStringLiteral("size factor %1").arg(group()));
 }
 
 /// One undo step for numbers that follow each other.
 void SizePanel::changeShape(const Region<3>& shape, double feather) {
     if (group() < 0) return;
     Document& document = m_session.document();
-    document.change(tr("Change region"), withSizeShape(*document.project(), group(), shape, feather),
-                    QStringLiteral("size region %1").arg(group()));
+    document.changeDomain(tr("Change region"), withSizeShape(document.domain(), group(), shape, feather),
+                          QStringLiteral("size region %1").arg(group()));
 }
 
 void SizePanel::add(const Region<3>& shape) {
     Document& document = m_session.document();
-    document.change(tr("Add size region"), withSizeRegion(*document.project(), shape, m_brush));
+    document.changeDomain(tr("Add size region"), withSizeRegion(document.domain(), shape, m_brush));
     m_list->setCurrentRow(m_list->count() - 1);
 }
 
@@ -186,7 +187,7 @@ QString SizePanel::textOf(const SizeGroup& group) const {
 
 void SizePanel::showSizes() {
     if (m_session.document().dimension() != 3) return;
-    const Domain& domain = m_session.document().project()->domain;
+    const Domain& domain = m_session.document().domain();
     const int chosen = m_list->currentRow();
     {
         const QSignalBlocker quiet(m_list);
@@ -210,7 +211,7 @@ void SizePanel::showSizes() {
 
 void SizePanel::showGroup() {
     if (m_session.document().dimension() != 3) return;
-    const auto groups = sizeGroups(m_session.document().project()->domain);
+    const auto groups = sizeGroups(m_session.document().domain());
     const bool has = group() >= 0 && group() < static_cast<int>(groups.size());
     const QSignalBlocker a(m_factor), b(m_feather);
     m_factor->setValue(has ? groups[group()].first.factor : m_brush);
@@ -224,7 +225,7 @@ void SizePanel::showGroup() {
     std::vector<Region<3>> regions;
     if (has)
         for (const int i : groups[group()].entries)
-            regions.push_back(m_session.document().project()->domain.sizes[i].shape);
+            regions.push_back(m_session.document().domain().sizes[i].shape);
     emit chosen(regions);
 }
 

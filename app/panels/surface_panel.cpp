@@ -24,6 +24,17 @@ SurfacePanel::SurfacePanel(QWidget* parent)
       m_repair(new QPushButton(tr("Repair"), this)),
       m_fit(new QPushButton(this)),
       m_hole(new OptionField("domain.repair.largestHole", this)) {
+    m_previous->setArrowType(Qt::LeftArrow);
+    m_next->setArrowType(Qt::RightArrow);
+    m_case->setAlignment(Qt::AlignCenter);
+    m_show->setCheckable(true);
+    m_preview->setCheckable(true);
+    arrange();
+    describeControls();
+    connectControls();
+}
+
+void SurfacePanel::arrange() {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(16, 14, 16, 14);
     layout->setSpacing(10);
@@ -31,8 +42,6 @@ SurfacePanel::SurfacePanel(QWidget* parent)
     layout->addWidget(m_title);
     layout->addWidget(m_kind);
     auto* steps = new QHBoxLayout;
-    m_previous->setArrowType(Qt::LeftArrow);
-    m_next->setArrowType(Qt::RightArrow);
     for (QWidget* widget : std::initializer_list<QWidget*>{m_previous, m_case, m_next})
         steps->addWidget(widget, widget == m_case);
     layout->addLayout(steps);
@@ -46,9 +55,9 @@ SurfacePanel::SurfacePanel(QWidget* parent)
     for (QPushButton* button : {m_preview, m_repair}) repairs->addWidget(button);
     layout->addLayout(repairs);
     layout->addWidget(m_fit);
-    m_case->setAlignment(Qt::AlignCenter);
-    m_show->setCheckable(true);
-    m_preview->setCheckable(true);
+}
+
+void SurfacePanel::describeControls() {
     describe(m_kind, tr("What is wrong"), tr("The kinds of what is wrong, and how often each occurs."));
     describe(m_previous, tr("Previous place"), tr("Looks at the previous place where this is wrong."));
     describe(m_next, tr("Next place"), tr("Looks at the next place where this is wrong."));
@@ -63,6 +72,9 @@ SurfacePanel::SurfacePanel(QWidget* parent)
         m_repair, tr("Repair"),
         tr("Merges points at one place, drops degenerate and double triangles, orients them and fills small "
            "holes."));
+}
+
+void SurfacePanel::connectControls() {
     connect(m_kind, &QComboBox::activated, this, [this] {
         m_number = 0;
         step(0);

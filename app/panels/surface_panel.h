@@ -45,6 +45,9 @@ class SurfacePanel : public QWidget {
     void fitRequested(bool cage);
 
   private:
+    void arrange();
+    void describeControls();
+    void connectControls();
     void step(int by);
     void tellCase();
 

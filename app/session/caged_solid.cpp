@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "app/document/project.h"
+#include "app/document/design.h"
+#include "app/document/domain.h"
 #include "core/mesh/error.h"
 #include "core/mesh/mesh_file.h"
 #include "core/mesh/used_vertices.h"
@@ -87,13 +88,11 @@ bool isCage(const MeshFile& made, const Skin& skin) {
            made.labelNames == std::vector<std::string>{kGroup};
 }
 
-std::string tooManyVertices(const Project& project, const Skin& skin) {
-    const Domain& domain = project.domain;
+std::string tooManyVertices(const Domain& domain, const Design<3>& design, const Skin& skin) {
     const auto byNumber = [](const Handle<3>& handle) {
         return std::holds_alternative<std::vector<int>>(handle.at);
     };
-    if (domain.maxVolume > 0 || std::ranges::any_of(std::get<Design<3>>(project.design).handles, byNumber))
-        return {};
+    if (domain.maxVolume > 0 || std::ranges::any_of(design.handles, byNumber)) return {};
     const int count = placeCount(skin);
     if (count <= kFarTooMany * domain.vertices) return {};
     return "it has " + std::to_string(count) + " vertices, where " + std::to_string(domain.vertices) +

@@ -15,7 +15,7 @@ bool isCage(const MeshFile& made, const Skin& skin);
 
 /// Why the exact surface is not even tried: it has more than eight times the vertices that are aimed at.
 /// Empty otherwise, and where handles name its vertices by number.
-std::string tooManyVertices(const Project& project, const Skin& skin);
+std::string tooManyVertices(const Domain& domain, const Design<3>& design, const Skin& skin);
 
 /// What lies in a plane is meant as a mesh of the plane: only who asks for it gets a slab.
 bool liesInAPlane(const Skin& skin);

@@ -1,6 +1,5 @@
 #include "app/session/compute_thread.h"
 
-#include "app/document/project.h"
 #include "app/document/said.h"
 #include "core/meshing/volume_mesher.h"
 
@@ -41,7 +40,7 @@ void ComputeThread::giveUp(const std::exception& error, bool shapeless) {
 void ComputeThread::handle(const Request& request) {
     if (const auto* shape = std::get_if<SetShape>(&request)) {
         m_revision = shape->inputs.revision;
-        requireEngine(shape->inputs.project->dimension());
+        requireEngine(shape->inputs.dimension());
         m_engine->setShape(*shape);
     }
     if (!m_engine) return;

@@ -1,7 +1,7 @@
 #include "app/session/curve_making.h"
 
 #include "app/document/curve_edits.h"
-#include "app/document/project.h"
+#include "app/document/design.h"
 
 namespace wend {
 
@@ -17,8 +17,8 @@ void makeCurveOf(ShapeSession& session, int handle) {
     const auto starts = session.pathStarts<Dim>(handle);
     if (starts.empty()) return;
     const auto path = pinPaths<Dim>(document.design<Dim>().handles[handle], {meanOf<Dim>(starts)});
-    const auto next = withCurve<Dim>(*document.project(), handle, path.front().points.back());
-    if (next) document.change(ShapeSession::tr("Edit path"), *next);
+    const auto next = withCurve(document.design<Dim>(), handle, path.front().points.back());
+    if (next) document.changeDesign(ShapeSession::tr("Edit path"), *next);
 }
 
 }  // namespace
@@ -26,8 +26,8 @@ void makeCurveOf(ShapeSession& session, int handle) {
 bool canMakeCurve(const ShapeSession& session) {
     const int handle = single(session);
     if (handle < 0) return false;
-    const Project& project = *session.document().project();
-    return project.dimension() == 2 ? canBecomeCurve<2>(project, handle) : canBecomeCurve<3>(project, handle);
+    return std::visit([handle](const auto& design) { return canBecomeCurve(design, handle); },
+                      session.document().design());
 }
 
 void makeCurve(ShapeSession& session) {

@@ -4,7 +4,9 @@
 #include <Eigen/QR>
 #include <algorithm>
 
-#include "app/document/project_file.h"
+#include "app/document/design.h"
+#include "app/document/domain.h"
+#include "app/document/named_files.h"
 #include "app/session/mesh_rest.h"
 #include "core/mesh/error.h"
 #include "core/mesh/mesh_file.h"
@@ -39,10 +41,10 @@ bool belongs(const Outline& outline, const Vec<2>& p, double tolerance) {
 
 /// Where handles sit that are there from the start, each place once. Points outside are left to the deformer,
 /// which names their handle.
-std::vector<Vec<2>> handlePoints(const Project& project, const Outline& outline) {
+std::vector<Vec<2>> handlePoints(const Design<2>& design, const Outline& outline) {
     const double tolerance = kCoincident * outlineDiagonal(outline);
     std::vector<Vec<2>> points;
-    for (const Handle<2>& handle : std::get<Design<2>>(project.design).handles) {
+    for (const Handle<2>& handle : design.handles) {
         const auto* places = std::get_if<std::vector<Vec<2>>>(&handle.at);
         if (!places || handle.activeFrom > 0) continue;
         for (const Vec<2>& place : *places) {
@@ -62,10 +64,9 @@ double outlineSlack(const Domain& domain) {
 
 }  // namespace
 
-std::shared_ptr<const Image> loadPicture(const Project& project, const std::string& folder) {
-    const Domain& domain = project.domain;
+std::shared_ptr<const Image> loadPicture(const Domain& domain, const std::string& folder) {
     const std::string& file = domain.kind == DomainKind::Image ? domain.path : domain.texture;
-    if (file.empty() || domain.kind == DomainKind::Surface || project.dimension() == 3) return nullptr;
+    if (file.empty() || domain.kind == DomainKind::Surface) return nullptr;
     return std::make_shared<const Image>(readImage(pathIn(folder, file)));
 }
 
@@ -75,15 +76,15 @@ Outline domainOutline(const Domain& domain, const Image& picture) {
     return frameOutline(picture.width, picture.height);
 }
 
-std::shared_ptr<const SimplicialMesh<2>> meshPicture(const Project& project, const Outline& outline,
-                                                     std::stop_token stop) {
+std::shared_ptr<const SimplicialMesh<2>> meshPicture(const Domain& domain, const Design<2>& design,
+                                                     const Outline& outline, std::stop_token stop) {
     PlanarMeshOptions options;
-    options.vertices = project.domain.vertices;
-    options.edge = project.domain.edge;
-    options.simplify = outlineSlack(project.domain);
-    options.points = handlePoints(project, outline);
-    if (!project.domain.flatSizes.empty())
-        options.factor = [&sizes = project.domain.flatSizes](const Vec<2>& p) {
+    options.vertices = domain.vertices;
+    options.edge = domain.edge;
+    options.simplify = outlineSlack(domain);
+    options.points = handlePoints(design, outline);
+    if (!domain.flatSizes.empty())
+        options.factor = [&sizes = domain.flatSizes](const Vec<2>& p) {
             double factor = 1;
             for (const SizeRegionIn<2>& region : sizes)
                 factor += membership<2>(region.shape, p, region.feather) * (region.factor - factor);
@@ -118,8 +119,8 @@ Texture textureOf(const Image& picture, std::shared_ptr<const SimplicialMesh<2>>
     return texture;
 }
 
-Shape<2> loadFlatMesh(const Project& project, const std::string& folder) {
-    const std::string path = pathIn(folder, project.domain.path);
+Shape<2> loadFlatMesh(const Domain& domain, const std::string& folder) {
+    const std::string path = pathIn(folder, domain.path);
     Shape<2> shape;
     auto file = std::make_shared<MeshFile>(readMeshFile(path));
     std::shared_ptr<const SimplicialMesh<2>> textured;
@@ -131,7 +132,7 @@ Shape<2> loadFlatMesh(const Project& project, const std::string& folder) {
         throw error.named(path);
     }
     shape.source = file;
-    shape.picture = loadPicture(project, folder);
+    shape.picture = loadPicture(domain, folder);
     // On the file's own cells: at a seam, vertices at one place have texture points of their own.
     if (shape.picture)
         shape.texture = std::make_shared<const Texture>(textureOf(*shape.picture, textured, file->uv));

@@ -9,17 +9,17 @@
 namespace wend {
 
 /// The picture of the domain, or null if it has none.
-std::shared_ptr<const Image> loadPicture(const Project& project, const std::string& folder);
+std::shared_ptr<const Image> loadPicture(const Domain& domain, const std::string& folder);
 
 /// What of a picture is bent.
 Outline domainOutline(const Domain& domain, const Image& picture);
 
 /// The mesh of an outline; points of handles that are there from the start become vertices.
-std::shared_ptr<const SimplicialMesh<2>> meshPicture(const Project& project, const Outline& outline,
-                                                     std::stop_token stop = {});
+std::shared_ptr<const SimplicialMesh<2>> meshPicture(const Domain& domain, const Design<2>& design,
+                                                     const Outline& outline, std::stop_token stop = {});
 
 /// The shape of a file's mesh in the plane, without material. Throws InputError that names the file.
-Shape<2> loadFlatMesh(const Project& project, const std::string& folder);
+Shape<2> loadFlatMesh(const Domain& domain, const std::string& folder);
 
 /// WarpOptions::restMargin for the domain's outline: what growing it reaches, if it follows alpha.
 int restMarginOf(const Domain& domain);

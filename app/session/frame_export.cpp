@@ -4,7 +4,6 @@
 #include <cmath>
 #include <filesystem>
 
-#include "app/document/project.h"
 #include "app/session/depth.h"
 #include "app/session/flat_shape.h"
 #include "app/session/run_options.h"
@@ -12,7 +11,6 @@
 #include "app/session/velocity_probe.h"
 #include "core/mesh/error.h"
 #include "core/mesh/file_name.h"
-#include "core/mesh/mesh_file.h"
 #include "core/mesh/safe_file.h"
 #include "warp/warp.h"
 #include "warp/warped_picture.h"
@@ -75,7 +73,7 @@ FrameExport::FrameExport(const Document& document, FramePtr frame, std::vector<F
     m_picture = flat->built->picture;
     m_rest = flat->built->texture ? flat->built->texture->rest : flat->rest;
     m_pose = inPixels(*flat->built, flat->pose);
-    m_depths = cellDepths(m_project->depth, *flat->rest);
+    m_depths = cellDepths(document.depth(), *flat->rest);
 }
 
 Extent<2> FrameExport::extent(ExportKind kind) const {

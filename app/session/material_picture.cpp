@@ -5,11 +5,12 @@
 #include <complex>
 #include <numbers>
 
-#include "app/document/project_file.h"
+#include "app/document/domain.h"
+#include "app/document/named_files.h"
 #include "app/session/material_raster.h"
 #include "core/energy/energy_stops.h"
 #include "core/mesh/error.h"
-#include "core/mesh/mesh_file.h"
+#include "core/mesh/mesh_of_file.h"
 #include "warp/convert.h"
 
 namespace wend {
@@ -199,11 +200,9 @@ PictureFrame pictureFrame(int width, int height, const SimplicialMesh<2>& rest) 
     return {box, true, static_cast<int>(std::lround(pixels.x())), static_cast<int>(std::lround(pixels.y()))};
 }
 
-PictureFrame pictureFrame(const Project& project, const std::string& folder) {
-    const std::string path = pathIn(folder, project.domain.path);
-    if (project.dimension() != 2)
-        throw InputError(path, "is a solid: its material is read from a mesh file (material.cells)");
-    if (project.domain.kind != DomainKind::Image) return pictureFrame(0, 0, meshFrom<2>(readMeshFile(path)));
+PictureFrame pictureFrame(const Domain& domain, const std::string& folder) {
+    const std::string path = pathIn(folder, domain.path);
+    if (domain.kind != DomainKind::Image) return pictureFrame(0, 0, readMesh<2>(path));
     const Image header = readImageHeader(path);
     return pictureFrame(header.width, header.height, {});
 }

@@ -2,7 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "app/document/project_file.h"
+#include "app/document/named_files.h"
 #include "app/session/material_picture.h"
 #include "core/mesh/error.h"
 

@@ -4,7 +4,7 @@
 #include <limits>
 #include <set>
 
-#include "app/document/project.h"
+#include "app/document/design.h"
 #include "app/session/solid_places.h"
 
 namespace wend {
@@ -132,8 +132,8 @@ void mirrorPinsOf(ShapeSession& session) {
     if (!frame) return;
     Document& document = session.document();
     const Imager<Dim> imager(*frame);
-    Project next = *document.project();
-    auto& handles = std::get<Design<Dim>>(next.design).handles;
+    Design<Dim> next = document.design<Dim>();
+    auto& handles = next.handles;
     std::vector<int> made;
     bool beside = false, taken = false;
     for (const int h : session.selection().handles()) {
@@ -152,8 +152,8 @@ void mirrorPinsOf(ShapeSession& session) {
     else if (taken)
         emit session.notice(ShapeSession::tr("There is a pin already where the mirror image would be."));
     if (made.empty()) return;
-    document.change(ShapeSession::tr("Mirror %1").arg(session.nameOf(session.selection().handles())),
-                    std::move(next));
+    document.changeDesign(ShapeSession::tr("Mirror %1").arg(session.nameOf(session.selection().handles())),
+                          std::move(next));
     session.selection().set(made);
 }
 
@@ -162,8 +162,8 @@ void mirrorMotionOf(ShapeSession& session) {
     const auto frame = session.frame<Dim>();
     if (!frame) return;
     Document& document = session.document();
-    Project next = *document.project();
-    auto& handles = std::get<Design<Dim>>(next.design).handles;
+    Design<Dim> next = document.design<Dim>();
+    auto& handles = next.handles;
     std::vector<int> moved;
     std::vector<Vec<Dim>> starts;
     for (const int h : session.selection().handles()) {
@@ -177,7 +177,8 @@ void mirrorMotionOf(ShapeSession& session) {
     mirror.at = meanOf<Dim>(starts)[mirror.axis];
     for (const int h : moved)
         for (Motion<Dim>& motion : handles[h].motions) motion = mirrored(motion, mirror);
-    document.change(ShapeSession::tr("Mirror the motion of %1").arg(session.nameOf(moved)), std::move(next));
+    document.changeDesign(ShapeSession::tr("Mirror the motion of %1").arg(session.nameOf(moved)),
+                          std::move(next));
 }
 
 }  // namespace
@@ -214,7 +215,7 @@ bool canMirrorMotion(const ShapeSession& session) {
                 return h < static_cast<int>(design.handles.size()) && !design.handles[h].motions.empty();
             });
         },
-        session.document().project()->design);
+        session.document().design());
 }
 
 template Mirror<2> mirrorOf<2>(const SimplicialMesh<2>&);

@@ -36,7 +36,8 @@ OpenedFile openProject(const QString& path, const QMap<QString, QString>& found 
         *own = found.value(name, name).toStdString();
     }
     for (const std::string& warning : loaded.warnings) file.warnings << QString::fromStdString(warning);
-    if (project.domain.kind == DomainKind::Image) file.picture = loadPicture(project, folder.toStdString());
+    if (project.domain.kind == DomainKind::Image)
+        file.picture = loadPicture(project.domain, folder.toStdString());
     file.project = std::make_shared<const Project>(std::move(project));
     file.path = path;
     return file;

@@ -2,7 +2,9 @@
 
 #include <filesystem>
 
-#include "app/document/project_file.h"
+#include "app/document/design.h"
+#include "app/document/domain.h"
+#include "app/document/named_files.h"
 #include "app/session/output_set.h"
 #include "core/mesh/same_file.h"
 #include "core/mesh/skin_file.h"
@@ -61,8 +63,8 @@ std::string clashOfFrames(const std::vector<OwnInput>& inputs, const std::vector
 
 }  // namespace
 
-std::vector<OwnInput> inputsOf(const Project& project, const std::string& path, const std::string& folder) {
-    const Domain& domain = project.domain;
+std::vector<OwnInput> inputsOf(const Domain& domain, const AnyDesign& design, const std::string& path,
+                               const std::string& folder) {
     std::vector<OwnInput> inputs;
     const auto add = [&](OwnFile kind, const std::string& file) {
         if (file.empty()) return;
@@ -86,7 +88,7 @@ std::vector<OwnInput> inputsOf(const Project& project, const std::string& path, 
                      {region.pictures.phi, region.pictures.stiffness, region.pictures.direction})
                     add(OwnFile::Material, file);
         },
-        project.design);
+        design);
     return inputs;
 }
 

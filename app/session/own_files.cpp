@@ -2,7 +2,8 @@
 
 #include <filesystem>
 
-#include "app/document/project.h"
+#include "app/document/design.h"
+#include "app/document/domain.h"
 #include "app/session/output_set.h"
 #include "core/mesh/same_file.h"
 
@@ -25,8 +26,8 @@ bool isOneOfFrames(const std::string& pattern, const std::string& file, int coun
 std::optional<OwnFile> ownFileAt(const Document& document, const QString& path, int count) {
     const std::string target = path.toStdString();
     const bool sequence = path.contains('#');
-    for (const auto& [kind, file] :
-         inputsOf(*document.project(), document.path().toStdString(), document.folder().toStdString()))
+    for (const auto& [kind, file] : inputsOf(document.domain(), document.design(),
+                                             document.path().toStdString(), document.folder().toStdString()))
         if (sequence ? isOneOfFrames(target, file, count) : sameFile(target, file)) return kind;
     return std::nullopt;
 }

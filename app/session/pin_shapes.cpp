@@ -1,7 +1,7 @@
 #include "app/session/pin_shapes.h"
 
+#include "app/document/design.h"
 #include "app/document/handle_edits.h"
-#include "app/document/project.h"
 #include "app/session/solid_places.h"
 
 namespace wend {
@@ -33,15 +33,15 @@ bool widenPin(ShapeSession& session, int handle, double radius, const QString& k
     if (!session.mayChange(handle)) return false;
     if (!shape || session.document().dimension() != 2) return false;
     Document& document = session.document();
-    const Handle<2>& own = document.design().handles.at(handle);
+    const Handle<2>& own = document.design<2>().handles.at(handle);
     const Region<2> wide = Ball<2>{middleOf(own.at, *shape->rest), radius};
     if (static_cast<int>(verticesInside<2>(wide, *shape->rest).size()) < kMinHeld) {
         emit session.notice(
             ShapeSession::tr("This circle is smaller than the mesh: drag further, or set more vertices."));
         return false;
     }
-    document.change(ShapeSession::tr("Widen %1").arg(QString::fromStdString(own.name)),
-                    withHandlePlace<2>(*document.project(), handle, wide), key);
+    document.changeDesign(ShapeSession::tr("Widen %1").arg(QString::fromStdString(own.name)),
+                          withHandlePlace<2>(document.design<2>(), handle, wide), key);
     return true;
 }
 

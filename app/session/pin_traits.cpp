@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "app/document/design.h"
 #include "app/document/pin_edits.h"
-#include "app/document/project.h"
 #include "app/document/timing_edits.h"
 
 namespace wend {
@@ -13,15 +13,15 @@ namespace {
 /// `step` with the pins' names in the place of %1.
 template <class Change>
 void change(ShapeSession& session, const std::vector<int>& pins, const QString& step, const Change& change) {
-    const Project& project = *session.document().project();
+    const AnyDesign& design = session.document().design();
     const bool changes = std::any_of(pins.begin(), pins.end(), [&](int pin) {
-        HandleTraits traits = traitsOf(project, pin);
+        HandleTraits traits = traitsOf(design, pin);
         change(traits);
-        return traits != traitsOf(project, pin);
+        return traits != traitsOf(design, pin);
     });
     if (changes)
-        session.document().change(step.contains("%1") ? step.arg(session.nameOf(pins)) : step,
-                                  withTraits(project, pins, change));
+        session.document().changeDesign(step.contains("%1") ? step.arg(session.nameOf(pins)) : step,
+                                        withTraits(design, pins, change));
 }
 
 }  // namespace
@@ -42,7 +42,7 @@ void setGroup(ShapeSession& session, const std::vector<int>& pins, const QString
 }
 
 void renameGroup(ShapeSession& session, const QString& group, const QString& name) {
-    change(session, handlesOfGroup(*session.document().project(), group.toStdString()),
+    change(session, handlesOfGroup(session.document().design(), group.toStdString()),
            ShapeSession::tr("Rename group"),
            [group = name.toStdString()](HandleTraits& traits) { traits.group = group; });
 }
@@ -53,25 +53,26 @@ void setColour(ShapeSession& session, const std::vector<int>& pins, std::optiona
 }
 
 void holdThroughout(ShapeSession& session, const std::vector<int>& pins) {
-    Project next = *session.document().project();
+    const double end = session.document().end();
+    AnyDesign next = session.document().design();
     for (const int pin : pins)
-        if (!traitsOf(next, pin).locked) next = withHold(next, pin, {0, next.end});
-    session.document().change(ShapeSession::tr("Hold %1 for the whole film").arg(session.nameOf(pins)),
-                              std::move(next));
+        if (!traitsOf(next, pin).locked) next = withHold(next, pin, {0, end}, end);
+    session.document().changeDesign(ShapeSession::tr("Hold %1 for the whole film").arg(session.nameOf(pins)),
+                                    std::move(next));
 }
 
-bool canHoldLonger(const Project& project, const std::vector<int>& pins) {
+bool canHoldLonger(const Document& document, const std::vector<int>& pins) {
     return std::any_of(pins.begin(), pins.end(), [&](int pin) {
-        const MotionTime hold = holdOf(project, pin);
-        return (hold.start > 0 || hold.end < project.end) && !traitsOf(project, pin).locked;
+        const MotionTime hold = holdOf(document.design(), pin);
+        return (hold.start > 0 || hold.end < document.end()) && !traitsOf(document.design(), pin).locked;
     });
 }
 
 void setLinked(ShapeSession& session, const std::vector<int>& pins, bool linked) {
-    const Project& project = *session.document().project();
-    session.document().change(
+    const AnyDesign& design = session.document().design();
+    session.document().changeDesign(
         (linked ? ShapeSession::tr("Link %1") : ShapeSession::tr("Unlink %1")).arg(session.nameOf(pins)),
-        linked ? withLink(project, pins) : withoutLink(project, pins));
+        linked ? withLink(design, pins) : withoutLink(design, pins));
 }
 
 }  // namespace wend

@@ -19,7 +19,7 @@ void setColour(ShapeSession& session, const std::vector<int>& pins, std::optiona
 /// They hold from the start of the film to its end, except those that are locked.
 void holdThroughout(ShapeSession& session, const std::vector<int>& pins);
 /// Whether that would change anything.
-bool canHoldLonger(const Project& project, const std::vector<int>& pins);
+bool canHoldLonger(const Document& document, const std::vector<int>& pins);
 void setLinked(ShapeSession& session, const std::vector<int>& pins, bool linked);
 
 }  // namespace wend

@@ -3,8 +3,9 @@
 #include <chrono>
 #include <filesystem>
 
+#include "app/document/named_files.h"
 #include "app/document/options.h"
-#include "app/document/project_file.h"
+#include "app/document/project.h"
 #include "app/document/text_file.h"
 #include "app/session/depth.h"
 #include "app/session/held_border.h"
@@ -19,7 +20,6 @@
 #include "core/integration/deformer.h"
 #include "core/mesh/error.h"
 #include "core/mesh/file_name.h"
-#include "core/mesh/mesh_file.h"
 #include "kernels/back_end_choice.h"
 #include "warp/warp.h"
 #include "warp/warped_picture.h"
@@ -141,24 +141,16 @@ class Run {
         });
     }
 
-    /// The columns of the vertices that meshes are written with: see MeshFile::made.
-    Points<Dim> written(const Points<Dim>& points) const {
-        if (!m_shape.source || !m_shape.source->made) return points;
-        const std::vector<bool> used = usedVertices<Dim>(points.cols(), m_shape.rest->cells);
-        std::vector<int> kept;
-        for (int v = 0; v < points.cols(); ++v)
-            if (used[v]) kept.push_back(v);
-        return points(Eigen::all, kept);
-    }
-
     void writeVelocity(const Points<Dim>& pose) {
         if (m_velocity.cols() == 0) return;
         const std::string& path = m_options.outputs.velocity;
         const bool table = path == "-" || lowerExtension(path) == ".csv";
         m_files.add(path, ".csv", [&](const std::string& file) {
-            if (table) return writeTextFile(file, velocityTable<Dim>(written(pose), written(m_velocity)));
+            if (table)
+                return writeTextFile(
+                    file, velocityTable<Dim>(writtenPart(m_shape, pose), writtenPart(m_shape, m_velocity)));
             const auto fields = shapeFields(m_shape, pose, m_velocity);
-            writeMeshFile(file, poseFile(m_shape, pose, {fields.back()}), m_options.meshes);
+            writeShape(file, m_shape, pose, {fields.back()}, m_options.meshes);
         });
     }
 
@@ -289,7 +281,7 @@ class Run {
         const Points<Dim>& pose = m_deformer.state().points;
         const std::chrono::duration<double> total = Clock::now() - m_start;
         const RunFigures figures{
-            static_cast<int>(written(pose).cols()),
+            static_cast<int>(writtenPart(m_shape, pose).cols()),
             m_shape.rest->cellCount(),
             Dim,
             m_deformer.state().time,

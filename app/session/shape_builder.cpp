@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
-#include "app/document/project_file.h"
+#include "app/document/named_files.h"
+#include "app/document/project.h"
 #include "app/document/settings.h"
 #include "app/session/flat_shape.h"
 #include "app/session/material_raster.h"
 #include "app/session/mesh_rest.h"
 #include "core/mesh/error.h"
-#include "core/mesh/mesh_file.h"
 
 namespace wend {
 
@@ -52,6 +52,16 @@ bool sameRegionsAndCells(const MaterialSpec<Dim>& a, const MaterialSpec<Dim>& b)
 
 }  // namespace
 
+bool sameSolid(const Project& a, const Project& b) {
+    const Domain &p = a.domain, &q = b.domain;
+    return p.kind == q.kind && p.path == q.path && sameSettings(a, b, Makes::Mesh) &&
+           p.sizesFile == q.sizesFile && p.sizes == q.sizes && p.detail == q.detail;
+}
+
+int ShapeInputs::dimension() const {
+    return project->dimension();
+}
+
 template <int Dim>
 bool ShapeBuilder<Dim>::hasMesh(const Made& made, const ShapeInputs& inputs) {
     const Project &a = *made.inputs.project, &b = *inputs.project;
@@ -79,7 +89,7 @@ std::shared_ptr<const SimplicialMesh<2>> ShapeBuilder<Dim>::meshOutline(const Sh
         m_outline = std::make_shared<const Outline>(domainOutline(project.domain, picture));
         m_outlineFrom = inputs;
     }
-    return meshPicture(project, *m_outline, stop);
+    return meshPicture(project.domain, designOf<2>(inputs), *m_outline, stop);
 } catch (const InputError& error) {
     if (m_advice == Advice::None) throw;
     // Polygons stand in the project, whose file the caller names.
@@ -90,7 +100,7 @@ std::shared_ptr<const SimplicialMesh<2>> ShapeBuilder<Dim>::meshOutline(const Sh
 
 template <>
 Shape<3> ShapeBuilder<3>::makeMesh(const ShapeInputs& inputs, std::stop_token stop) {
-    Shape<3> shape = loadSolid(*inputs.project, inputs.folder, stop, m_advice);
+    Shape<3> shape = loadSolid(inputs.project->domain, designOf<3>(inputs), inputs.folder, stop, m_advice);
     shape.facets = std::make_shared<const std::vector<Facet<3>>>(facetsOf(*shape.rest));
     return shape;
 }
@@ -100,10 +110,10 @@ Shape<2> ShapeBuilder<2>::makeMesh(const ShapeInputs& inputs, std::stop_token st
     const Project& project = *inputs.project;
     Shape<2> shape;
     if (project.domain.kind == DomainKind::Image) {
-        shape.picture = inputs.picture ? inputs.picture : loadPicture(project, inputs.folder);
+        shape.picture = inputs.picture ? inputs.picture : loadPicture(project.domain, inputs.folder);
         shape.rest = meshOutline(inputs, *shape.picture, stop);
     } else {
-        shape = loadFlatMesh(project, inputs.folder);
+        shape = loadFlatMesh(project.domain, inputs.folder);
     }
     tellOfHanging<2>(*shape.rest, shape.notices);
     return shape;

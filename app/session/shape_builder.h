@@ -15,7 +15,12 @@ struct ShapeInputs {
     std::shared_ptr<const Project> project;
     std::shared_ptr<const Image> picture;  // of the domain; null: it is read
     std::string folder;
+
+    int dimension() const;
 };
+
+/// True if both make the same solid.
+bool sameSolid(const Project& a, const Project& b);
 
 /// Outline, mesh and material of a project, made again only where the inputs are neither those of the last
 /// time nor those of the time before, to which one goes back by undo or by cancelling. The project's

@@ -11,6 +11,7 @@
 #include "core/mesh/mesh_formats.h"
 #include "core/mesh/number_text.h"
 #include "core/mesh/skin_file.h"
+#include "core/mesh/used_vertices.h"
 
 namespace wend {
 namespace {
@@ -108,6 +109,16 @@ MeshFile poseFile(const Shape<Dim>& shape, const Points<Dim>& pose, const std::v
 }
 
 template <int Dim>
+Points<Dim> writtenPart(const Shape<Dim>& shape, const Points<Dim>& columns) {
+    if (!shape.source || !shape.source->made) return columns;
+    const std::vector<bool> used = usedVertices<Dim>(columns.cols(), shape.rest->cells);
+    std::vector<int> kept;
+    for (int v = 0; v < columns.cols(); ++v)
+        if (used[v]) kept.push_back(v);
+    return columns(Eigen::all, kept);
+}
+
+template <int Dim>
 void writeShape(const std::string& path, const Shape<Dim>& shape, const Points<Dim>& pose,
                 const std::vector<MeshField>& fields, const MeshWriteOptions& options) {
     if constexpr (Dim == 3)
@@ -186,6 +197,7 @@ std::string collectionText(const std::vector<std::string>& files, const std::vec
     template std::vector<MeshField> shapeFields<Dim>(const Shape<Dim>&, const Points<Dim>&,                \
                                                      const Points<Dim>&);                                  \
     template MeshFile poseFile<Dim>(const Shape<Dim>&, const Points<Dim>&, const std::vector<MeshField>&); \
+    template Points<Dim> writtenPart<Dim>(const Shape<Dim>&, const Points<Dim>&);                          \
     template void writeShape<Dim>(const std::string&, const Shape<Dim>&, const Points<Dim>&,               \
                                   const std::vector<MeshField>&, const MeshWriteOptions&);
 WEND_INSTANTIATE(2)

@@ -25,6 +25,10 @@ template <int Dim>
 MeshFile poseFile(const Shape<Dim>& shape, const Points<Dim>& pose,
                   const std::vector<MeshField>& fields = {});
 
+/// The columns of the vertices that meshes are written with: see MeshFile::made.
+template <int Dim>
+Points<Dim> writtenPart(const Shape<Dim>& shape, const Points<Dim>& columns);
+
 /// Writes a pose. In space, formats of surfaces get the skin, with the fields at its vertices; others the
 /// tetrahedra. Throws InputError.
 template <int Dim>

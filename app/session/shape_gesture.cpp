@@ -67,14 +67,14 @@ std::vector<PinView<Dim>> ShapeGesture::carriedAlong(std::vector<PinView<Dim>> v
 std::vector<int> ShapeGesture::unlocked(std::vector<int> handles) {
     std::vector<int> locked;
     for (const int h : handles)
-        if (traitsOf(*m_document.project(), h).locked) locked.push_back(h);
+        if (traitsOf(m_document.design(), h).locked) locked.push_back(h);
     if (locked.size() == 1)
         emit notice(ShapeSession::tr("%1 is locked. A right click or the list of pins unlocks it.")
                         .arg(m_pins.nameOf(locked)));
     else if (!locked.empty())
         emit notice(ShapeSession::tr("%1 are locked. A right click or the list of pins unlocks them.")
                         .arg(m_pins.nameOf(locked)));
-    std::erase_if(handles, [&](int h) { return traitsOf(*m_document.project(), h).locked; });
+    std::erase_if(handles, [&](int h) { return traitsOf(m_document.design(), h).locked; });
     return handles;
 }
 
@@ -89,7 +89,7 @@ std::vector<int> ShapeGesture::movableHandles() {
             [&](const auto& design) {
                 std::erase_if(handles, [&](int h) { return !isActive(design.handles.at(h), time); });
             },
-            m_document.project()->design);
+            m_document.design());
     };
     keepHolding();
     if (handles.empty()) {
@@ -97,7 +97,7 @@ std::vector<int> ShapeGesture::movableHandles() {
                         .arg(m_pins.nameOf(m_selection.handles())));
         return {};
     }
-    handles = withLinked(*m_document.project(), handles);
+    handles = withLinked(m_document.design(), handles);
     keepHolding();
     return unlocked(std::move(handles));
 }
@@ -160,7 +160,7 @@ void ShapeGesture::goOn() {
     if (!m_drag) return;
     m_playback.setTime(recordedTime());
     const bool moves =
-        std::visit([this](const auto& d) { return movesAfter(d, m_from); }, m_document.project()->design);
+        std::visit([this](const auto& d) { return movesAfter(d, m_from); }, m_document.design());
     if (moves && m_drag->sampleCount() > 0) lead();
     emit pinsChanged();
 }

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/document/design.h"
 #include "app/document/handle_edits.h"
-#include "app/document/project.h"
 #include "app/session/compute_thread.h"
 #include "app/session/fields.h"
 #include "app/session/playback.h"
@@ -159,7 +159,7 @@ void ShapeMotion::goBack() {
     const auto target = m_complete;
     QUndoStack& undo = *m_document.undoStack();
     if (m_completeAt < undo.index()) undo.setIndex(m_completeAt);
-    if (m_document.project() != target) m_document.change(ShapeSession::tr("Cancel"), *target);
+    if (m_document.project() != target) m_document.changeBack(ShapeSession::tr("Cancel"), target);
 }
 
 /// Of a motion that has ended early, its end.
@@ -195,7 +195,7 @@ void ShapeMotion::showLive(const FramePtr& frame) {
 void ShapeMotion::endDrag() {
     m_dragging = false;
     m_compute->post(EndDrag{});
-    m_preview = atTime(m_preview ? m_preview : m_frame, m_document.project()->end);
+    m_preview = atTime(m_preview ? m_preview : m_frame, m_document.end());
 }
 
 void ShapeMotion::cancelDrag() {

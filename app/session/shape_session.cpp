@@ -1,8 +1,8 @@
 #include "app/session/shape_session.h"
 
+#include "app/document/design.h"
 #include "app/document/free_name.h"
 #include "app/document/handle_edits.h"
-#include "app/document/project.h"
 
 namespace wend {
 
@@ -82,8 +82,8 @@ int ShapeSession::addHandle(Placement<Dim> at, const std::string& kind) {
     m_playback.setTime(time);  // that of the picture that is shown
     const std::string name = freeName(namesOf(m_document.design<Dim>().handles), kind);
     m_motion.setChangeMovesNothing(true);
-    m_document.change(tr("Add %1").arg(QString::fromStdString(name)),
-                      withHandle<Dim>(*m_document.project(), std::move(at), name, time));
+    m_document.changeDesign(tr("Add %1").arg(QString::fromStdString(name)),
+                            withHandle<Dim>(m_document.design<Dim>(), std::move(at), name, time));
     m_motion.setChangeMovesNothing(false);
     const int handle = handleCount() - 1;
     m_selection.set({handle});
@@ -97,8 +97,8 @@ int ShapeSession::addSolidHandle(const std::vector<int>& vertices, const std::st
 
 void ShapeSession::changeHandle(int handle, const std::vector<int>& vertices) {
     if (!mayChange(handle)) return;
-    m_document.change(tr("Change %1").arg(nameOf({handle})),
-                      withHandlePlace<3>(*m_document.project(), handle, m_pins.placementOf(vertices)));
+    m_document.changeDesign(tr("Change %1").arg(nameOf({handle})),
+                            withHandlePlace<3>(m_document.design<3>(), handle, m_pins.placementOf(vertices)));
 }
 
 void ShapeSession::removeSelected() {
@@ -109,7 +109,7 @@ void ShapeSession::removeSelected() {
     m_playback.setPlaying(false);
     const double time = m_motion.gestureTime();
     m_selection.clear();
-    m_document.change(name, withoutHandles(*m_document.project(), handles, time));
+    m_document.changeDesign(name, withoutHandles(m_document.design(), handles, time));
 }
 
 #define WEND_INSTANTIATE(Dim)                                                    \

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "app/document/project.h"
+#include "app/document/design.h"
+#include "app/document/domain.h"
 #include "app/session/shape_session.h"
 
 namespace wend {
@@ -28,14 +29,13 @@ const std::vector<PinPlace<Dim>>& ShownPins::places() const {
 
 int ShownPins::count() const {
     return static_cast<int>(
-        std::visit([](const auto& design) { return design.handles.size(); }, m_document.project()->design));
+        std::visit([](const auto& design) { return design.handles.size(); }, m_document.design()));
 }
 
 QString ShownPins::nameOf(const std::vector<int>& handles) const {
     if (handles.size() != 1) return ShapeSession::tr("%n pins", nullptr, static_cast<int>(handles.size()));
-    return QString::fromStdString(
-        std::visit([&](const auto& design) { return design.handles.at(handles[0]).name; },
-                   m_document.project()->design));
+    return QString::fromStdString(std::visit(
+        [&](const auto& design) { return design.handles.at(handles[0]).name; }, m_document.design()));
 }
 
 template <int Dim>
@@ -78,7 +78,7 @@ std::vector<int> ShownPins::verticesOf(int handle) const {
 
 Placement<3> ShownPins::placementOf(const std::vector<int>& vertices) const {
     const auto shape = this->shape<3>();
-    if (!shape || m_document.project()->domain.kind == DomainKind::Mesh) return vertices;
+    if (!shape || m_document.domain().kind == DomainKind::Mesh) return vertices;
     std::vector<Vec<3>> points;
     points.reserve(vertices.size());
     for (const int v : vertices) points.push_back(shape->rest->points.col(v));

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/document/project_file.h"
-#include "app/document/settings.h"
+#include "app/document/design.h"
+#include "app/document/domain.h"
+#include "app/document/named_files.h"
 #include "app/session/caged_solid.h"
 #include "app/session/mesh_rest.h"
 #include "core/mesh/error.h"
+#include "core/mesh/mesh_file.h"
 #include "core/mesh/point_locator.h"
 #include "core/mesh/skin_file.h"
 #include "core/mesh/used_vertices.h"
@@ -165,14 +167,14 @@ Shape<3> exactSolid(const Domain& domain, const std::shared_ptr<const Skin>& ski
 }
 
 /// The exact surface, or a cage around it: as asked for, or else where the exact one does not do.
-Shape<3> fromSurface(const Project& project, const std::string& folder, std::stop_token stop, Advice advice) {
-    const Domain& domain = project.domain;
+Shape<3> fromSurface(const Domain& domain, const Design<3>& design, const std::string& folder,
+                     std::stop_token stop, Advice advice) {
     const auto skin = std::make_shared<const Skin>(readSkin(pathIn(folder, domain.path)));
     // Painted sizes belong to the vertices as the file has them.
     const VolumeMeshOptions options = meshOptions(domain, folder, surfaceOf(*skin), stop);
     if (domain.fit == Fit::Cage) return cagedSolid(domain, skin, "", stop, advice);
     if (domain.fit == Fit::Exact) return exactSolid(domain, skin, options, advice);
-    if (const std::string why = tooManyVertices(project, *skin); !why.empty())
+    if (const std::string why = tooManyVertices(domain, design, *skin); !why.empty())
         return cagedSolid(domain, skin, why, stop, advice);
     try {
         return exactSolid(domain, skin, options, advice);
@@ -210,12 +212,12 @@ Surface surfaceOf(const Skin& skin) {
     return {skin.points, skin.triangles, skin.labels};
 }
 
-Shape<3> loadSolid(const Project& project, const std::string& folder, std::stop_token stop, Advice advice) {
-    const Domain& domain = project.domain;
+Shape<3> loadSolid(const Domain& domain, const Design<3>& design, const std::string& folder,
+                   std::stop_token stop, Advice advice) {
     const std::string path = pathIn(folder, domain.path);
     Shape<3> solid;
     try {
-        solid = domain.kind == DomainKind::Surface ? fromSurface(project, folder, stop, advice)
+        solid = domain.kind == DomainKind::Surface ? fromSurface(domain, design, folder, stop, advice)
                                                    : fromMesh(domain, folder);
     } catch (const SurfaceError& error) {
         throw SurfaceError(error, path);
@@ -231,12 +233,6 @@ Shape<3> loadSolid(const Project& project, const std::string& folder, std::stop_
     tellOfOutside(domain, solid);
     tellOfHanging<3>(*solid.rest, solid.notices);
     return solid;
-}
-
-bool sameSolid(const Project& a, const Project& b) {
-    const Domain &p = a.domain, &q = b.domain;
-    return p.kind == q.kind && p.path == q.path && sameSettings(a, b, Makes::Mesh) &&
-           p.sizesFile == q.sizesFile && p.sizes == q.sizes && p.detail == q.detail;
 }
 
 }  // namespace wend

@@ -15,13 +15,10 @@ enum class Advice { Keys, None };
 /// The shape of a project in space, without material (paths relative to `folder`). A surface that bounds no
 /// volume throws SurfaceError (also where the repairs did not help), everything else InputError, with the
 /// file's name; Cancelled when stopped.
-Shape<3> loadSolid(const Project& project, const std::string& folder, std::stop_token stop = {},
-                   Advice advice = Advice::Keys);
+Shape<3> loadSolid(const Domain& domain, const Design<3>& design, const std::string& folder,
+                   std::stop_token stop = {}, Advice advice = Advice::Keys);
 
 /// The surface of a skin, with its labels.
 Surface surfaceOf(const Skin& skin);
-
-/// True if both make the same solid.
-bool sameSolid(const Project& a, const Project& b);
 
 }  // namespace wend

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/document/design.h"
 #include "app/document/pin_edits.h"
-#include "app/document/project.h"
 #include "app/session/accent.h"
 #include "app/session/mark_size.h"
 
@@ -38,14 +38,13 @@ QString curveHint(bool onPoint) {
 template <int Dim>
 int CurveEditor<Dim>::handle() const {
     const int handle = m_session.document().dimension() == Dim ? m_session.singleHandle() : -1;
-    return handle >= 0 && traitsOf(*m_session.document().project(), handle).locked ? -1 : handle;
+    return handle >= 0 && traitsOf(m_session.document().design(), handle).locked ? -1 : handle;
 }
 
 template <int Dim>
 std::optional<CurveMotion<Dim>> CurveEditor<Dim>::curve() const {
     if (handle() < 0 || !m_session.template frame<Dim>()) return {};
-    const Project& project = *m_session.document().project();
-    const CurveMotion<Dim>* last = lastCurve<Dim>(project, handle());
+    const CurveMotion<Dim>* last = lastCurve(m_session.document().template design<Dim>(), handle());
     return last ? std::optional(*last) : std::nullopt;
 }
 
@@ -178,9 +177,9 @@ void CurveEditor<Dim>::drag(const QPointF& widget, bool freely) {
 
 template <int Dim>
 void CurveEditor<Dim>::change(const QString& name, CurveMotion<Dim> next) {
-    Project project = *m_session.document().project();
-    *lastCurve<Dim>(project, handle()) = std::move(next);
-    m_session.document().change(name, std::move(project));
+    Design<Dim> design = m_session.document().template design<Dim>();
+    *lastCurve(design, handle()) = std::move(next);
+    m_session.document().changeDesign(name, std::move(design));
     m_view.redraw();
 }
 

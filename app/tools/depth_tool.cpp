@@ -3,7 +3,7 @@
 #include <QCoreApplication>
 
 #include "app/document/depth_edits.h"
-#include "app/document/project.h"
+#include "app/document/depth_region.h"
 #include "app/session/accent.h"
 #include "app/tools/depth_marks.h"
 
@@ -37,16 +37,16 @@ void DepthTool::take(const std::vector<Dab>& dabs) {
     std::vector<Ball<2>> balls;
     for (const Dab& one : dabs) balls.push_back({one.rest, one.radius});
     Document& document = session().document();
-    document.change(order() > 0   ? said(QT_TRANSLATE_NOOP("DepthTool", "Paint in front"))
-                    : order() < 0 ? said(QT_TRANSLATE_NOOP("DepthTool", "Paint behind"))
-                                  : said(QT_TRANSLATE_NOOP("DepthTool", "Take back depth")),
-                    withDepthStroke(*document.project(), balls, order()));
+    document.changeDepth(order() > 0   ? said(QT_TRANSLATE_NOOP("DepthTool", "Paint in front"))
+                         : order() < 0 ? said(QT_TRANSLATE_NOOP("DepthTool", "Paint behind"))
+                                       : said(QT_TRANSLATE_NOOP("DepthTool", "Take back depth")),
+                         withDepthStroke(document.depth(), balls, order()));
 }
 
 void DepthTool::paint(QPainter& painter) const {
     const auto frame = session().frame<2>();
     if (frame) {
-        const auto& orders = m_orders.of(session().document().project()->depth, frame->rest);
+        const auto& orders = m_orders.of(session().document().depth(), frame->rest);
         paintDepths(painter, *frame, *orders, [this](const Vec<2>& p) { return surface().toWidget(p); });
     }
     StrokeTool<2>::paint(painter);

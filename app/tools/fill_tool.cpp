@@ -2,7 +2,7 @@
 
 #include <QCoreApplication>
 
-#include "app/document/project.h"
+#include "app/document/design.h"
 #include "app/session/brush.h"
 #include "app/session/material_raster.h"
 #include "app/session/mesh_parts.h"
@@ -50,9 +50,10 @@ void FillTool<Dim>::fill(int cell, Qt::KeyboardModifiers modifiers) {
     surface().showMaterial(painted, true);
     const QString where = shortName(document.displayName()), what = brushKind(brush, Dim);
     const QString kind = empties ? QCoreApplication::translate("FillTool", "Emptied") : what;
-    document.change(empties ? QCoreApplication::translate("FillTool", "Empty %1").arg(where)
-                            : QCoreApplication::translate("FillTool", "Fill %1 with %2").arg(where, what),
-                    withRegions<Dim>(*document.project(), kind.toStdString(), {region}));
+    document.changeDesign(empties
+                              ? QCoreApplication::translate("FillTool", "Empty %1").arg(where)
+                              : QCoreApplication::translate("FillTool", "Fill %1 with %2").arg(where, what),
+                          withRegions<Dim>(document.design<Dim>(), kind.toStdString(), {region}));
 }
 
 template <int Dim>

@@ -2,7 +2,7 @@
 
 #include <QCoreApplication>
 
-#include "app/document/project.h"
+#include "app/document/domain.h"
 #include "app/document/size_edits.h"
 
 namespace wend {
@@ -28,17 +28,17 @@ double FlatSizeTool::factor() const {
 
 void FlatSizeTool::take(const std::vector<Dab>& dabs) {
     Document& document = session().document();
-    if (document.project()->domain.kind != DomainKind::Image) {
+    if (document.domain().kind != DomainKind::Image) {
         emit session().notice(
             said(QT_TRANSLATE_NOOP("FlatSizeTool", "The mesh comes from a file and is used as it is.")));
         return;
     }
     std::vector<Ball<2>> balls;
     for (const Dab& one : dabs) balls.push_back(ballOf(one));
-    document.change(factor() < 1   ? said(QT_TRANSLATE_NOOP("FlatSizeTool", "Paint finer mesh"))
-                    : factor() > 1 ? said(QT_TRANSLATE_NOOP("FlatSizeTool", "Paint coarser mesh"))
-                                   : said(QT_TRANSLATE_NOOP("FlatSizeTool", "Paint even mesh")),
-                    withFlatSizeStroke(*document.project(), balls, featherOf(dabs.front()), factor()));
+    document.changeDomain(factor() < 1   ? said(QT_TRANSLATE_NOOP("FlatSizeTool", "Paint finer mesh"))
+                          : factor() > 1 ? said(QT_TRANSLATE_NOOP("FlatSizeTool", "Paint coarser mesh"))
+                                         : said(QT_TRANSLATE_NOOP("FlatSizeTool", "Paint even mesh")),
+                          withFlatSizeStroke(document.domain(), balls, featherOf(dabs.front()), factor()));
 }
 
 /// The mesh as it is, so that one sees what is fine.

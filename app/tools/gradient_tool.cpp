@@ -3,7 +3,7 @@
 #include <QCoreApplication>
 #include <array>
 
-#include "app/document/project.h"
+#include "app/document/design.h"
 #include "app/session/accent.h"
 #include "app/session/brush.h"
 #include "app/session/energy_stops.h"
@@ -75,12 +75,11 @@ std::optional<typename GradientTool<Dim>::Handle> GradientTool<Dim>::handleAt(co
     return found;
 }
 
-/// The project with the end where it was dragged to; nothing where both ends would be one place.
+/// The design with the end where it was dragged to; nothing where both ends would be one place.
 template <int Dim>
-std::optional<Project> GradientTool<Dim>::moved() const {
-    Project next = *session().document().project();
-    auto& regions = std::get<Design<Dim>>(next.design).material.regions;
-    auto& blend = std::get<Blend<Dim>>(regions[m_handle->region].shape);
+std::optional<Design<Dim>> GradientTool<Dim>::moved() const {
+    Design<Dim> next = session().document().template design<Dim>();
+    auto& blend = std::get<Blend<Dim>>(next.material.regions[m_handle->region].shape);
     (m_handle->isTo ? blend.to : blend.from) = m_to->rest;
     if (blend.from == blend.to) return {};
     return next;
@@ -131,7 +130,7 @@ void GradientTool<Dim>::preview() {
     std::shared_ptr<const Material<Dim>> painted = m_frame->material;
     if (m_handle) {
         if (const auto next = moved())
-            painted = rasterizeMaterial<Dim>(std::get<Design<Dim>>(next->design).material, *m_frame->rest,
+            painted = rasterizeMaterial<Dim>(next->material, *m_frame->rest,
                                              session().document().folder().toStdString());
     } else if (const auto drawn = region()) {
         auto laid = std::make_shared<Material<Dim>>(*m_frame->material);
@@ -152,13 +151,14 @@ void GradientTool<Dim>::release(const QMouseEvent& event) {
     m_frame.reset();
     if (m_handle) {
         if (auto next = moved())
-            document.change(QCoreApplication::translate("GradientTool", "Move gradient"), std::move(*next));
+            document.changeDesign(QCoreApplication::translate("GradientTool", "Move gradient"),
+                                  std::move(*next));
         return;
     }
     const QString what = brushKind(m_brush.now(), Dim), where = shortName(document.displayName());
     const QString kind = QCoreApplication::translate("GradientTool", "To %1").arg(what);
-    document.change(QCoreApplication::translate("GradientTool", "Blend %1 to %2").arg(where, what),
-                    withRegions<Dim>(*document.project(), kind.toStdString(), {*drawn}));
+    document.changeDesign(QCoreApplication::translate("GradientTool", "Blend %1 to %2").arg(where, what),
+                          withRegions<Dim>(document.design<Dim>(), kind.toStdString(), {*drawn}));
 }
 
 template <int Dim>

@@ -38,7 +38,7 @@ class GradientTool : public ShapeTool<Dim> {
     };
     std::vector<Handle> handles() const;
     std::optional<Handle> handleAt(const QPointF& at) const;
-    std::optional<Project> moved() const;
+    std::optional<Design<Dim>> moved() const;
     bool isCurrent() const;
     std::optional<End> endAt(const QPointF& at) const;
     std::optional<MaterialRegion<Dim>> region() const;

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/document/design.h"
 #include "app/document/handle_edits.h"
-#include "app/document/project.h"
 #include "app/session/accent.h"
 #include "app/session/solid_places.h"
 #include "app/tools/region_outline.h"
@@ -132,7 +132,7 @@ QPainterPath HoldTool::selectedArea() const {
     for (const PinView<2>& view : session().pins()) {
         if (view.handle != handle || !view.region) continue;
         QPolygonF border;
-        for (const Vec<2>& p : regionBorder(session().document().design().handles[handle], view, *frame))
+        for (const Vec<2>& p : regionBorder(session().document().design<2>().handles[handle], view, *frame))
             border << m_surface.toWidget(p);
         return pathOf(border);
     }
@@ -186,9 +186,9 @@ void HoldTool::change(const QPainterPath& area) {
     const int handle = session().singleHandle();
     if (!session().mayChange(handle)) return;
     Document& document = session().document();
-    const QString name = QString::fromStdString(document.design().handles[handle].name);
-    document.change(QCoreApplication::translate("HoldTool", "Change %1").arg(name),
-                    withHandlePlace<2>(*document.project(), handle, Region<2>(polygon)));
+    const QString name = QString::fromStdString(document.design<2>().handles[handle].name);
+    document.changeDesign(QCoreApplication::translate("HoldTool", "Change %1").arg(name),
+                          withHandlePlace<2>(document.design<2>(), handle, Region<2>(polygon)));
 }
 
 void HoldTool::release(const QMouseEvent& event) {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/document/project.h"
+#include "app/document/design.h"
 #include "app/session/accent.h"
 #include "app/tools/region_outline.h"
 
@@ -167,9 +167,9 @@ std::vector<Line> carriedLine(const Line& line, const SimplicialMesh<2>& rest, c
 }
 
 template <int Dim>
-std::vector<MaterialRegion<Dim>> LayerLines<Dim>::layerOf(const Project& project) const {
+std::vector<MaterialRegion<Dim>> LayerLines<Dim>::layerOf(const Design<Dim>& design) const {
     std::vector<MaterialRegion<Dim>> layer;
-    for (const auto& region : std::get<Design<Dim>>(project.design).material.regions)
+    for (const auto& region : design.material.regions)
         if (region.name == m_name.toStdString()) layer.push_back(region);
     return layer;
 }
@@ -200,19 +200,20 @@ void RegionLines::paint(QPainter& painter, ToolSurface& surface) {
 
 template <>
 void LayerLines<2>::paint(QPainter& painter, ToolSurface& surface) {
-    const auto& project = surface.session().document().project();
+    const Document& document = surface.session().document();
+    const auto& project = document.project();
     if (m_name.isNull() || !project) return;
-    if (m_project != project || m_drawn != m_name) m_lines.setRegions(layerOf(*project));
+    if (m_project != project || m_drawn != m_name) m_lines.setRegions(layerOf(document.design<2>()));
     m_project = project, m_drawn = m_name;
     m_lines.paint(painter, surface);
 }
 
 template <>
 void LayerLines<3>::paint(QPainter& painter, SolidSurface& surface) {
-    const auto& project = surface.session().document().project();
-    if (m_name.isNull() || !surface.shownFrame() || !project) return;
+    const Document& document = surface.session().document();
+    if (m_name.isNull() || !surface.shownFrame() || document.isEmpty()) return;
     std::vector<Region<3>> regions;
-    for (const auto& region : layerOf(*project)) regions.push_back(region.shape);
+    for (const auto& region : layerOf(document.design<3>())) regions.push_back(region.shape);
     paintRegions(painter, surface, regions, QPen(QColor(kAccent), 1.5, Qt::DashLine));
 }
 

@@ -40,7 +40,7 @@ class LayerLines {
     void paint(QPainter& painter, SurfaceOf<Dim>& surface);
 
   private:
-    std::vector<MaterialRegion<Dim>> layerOf(const Project& project) const;
+    std::vector<MaterialRegion<Dim>> layerOf(const Design<Dim>& design) const;
 
     QString m_name;  // null: none
     std::shared_ptr<const Project> m_project;

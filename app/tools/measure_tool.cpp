@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/document/project.h"
+#include "app/document/domain.h"
 #include "app/session/solid_places.h"
 #include "app/tools/drag_label.h"
 
@@ -97,7 +97,7 @@ QString MeasureTool<Dim>::text() const {
     const auto pose = pointsIn(*frame, frame->pose), start = pointsIn(*frame, frame->rest->points);
     const double now = angle ? degrees<Dim>(pose) : length<Dim>(pose);
     const double rest = angle ? degrees<Dim>(start) : length<Dim>(start);
-    const bool pixels = session().document().project()->domain.kind == DomainKind::Image;
+    const bool pixels = session().document().domain().kind == DomainKind::Image;
     const QString unit = angle ? QStringLiteral("°") : pixels ? QStringLiteral(" px") : QString();
     return said(angle ? QT_TRANSLATE_NOOP("MeasureTool", "angle %1, at rest %2")
                       : QT_TRANSLATE_NOOP("MeasureTool", "length %1, at rest %2"))

@@ -5,9 +5,9 @@
 #include <QPainterPathStroker>
 #include <algorithm>
 
+#include "app/document/domain.h"
 #include "app/document/handle_edits.h"
 #include "app/document/outline_edits.h"
-#include "app/document/project.h"
 #include "app/session/accent.h"
 #include "app/session/flat_shape.h"
 #include "core/mesh/error.h"
@@ -69,7 +69,7 @@ QString OutlineTool::hint() const {
 /// The outline is drawn on the shape at rest.
 bool OutlineTool::isReady() {
     const Document& document = session().document();
-    if (document.isEmpty() || !document.picture() || document.project()->domain.kind != DomainKind::Image)
+    if (document.isEmpty() || !document.picture() || document.domain().kind != DomainKind::Image)
         return false;
     Playback& playback = session().playback();
     if (playback.isPlaying()) playback.setPlaying(false);
@@ -332,8 +332,7 @@ void OutlineTool::paintOutline(QPainter& painter) const {
 
 /// The outline as the document has it, also before it is meshed, and what is being drawn.
 void OutlineTool::paint(QPainter& painter) const {
-    if (!session().document().picture() || session().document().project()->domain.kind != DomainKind::Image)
-        return;
+    if (!session().document().picture() || session().document().domain().kind != DomainKind::Image) return;
     paintOutline(painter);
     QColor colour = takesAway(m_modifiers) ? QColor(kAway) : QColor(kAccent);
     painter.setPen(QPen(colour, 1.5));

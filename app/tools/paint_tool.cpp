@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "app/document/project.h"
+#include "app/document/design.h"
 #include "app/session/energy_stops.h"
 #include "app/session/material_raster.h"
 #include "app/session/solid_places.h"
@@ -239,7 +239,7 @@ void PaintTool<Dim>::take(const std::vector<Dab>& dabs) {
     for (std::size_t i = m_laid; i < dabs.size(); ++i) layRegion<Dim>(regions[i], *m_frame->rest, *painted);
     surface().showMaterial(painted, true);
     Document& document = session().document();
-    document.change(title(), withRegions<Dim>(*document.project(), kind().toStdString(), regions));
+    document.changeDesign(title(), withRegions<Dim>(document.design<Dim>(), kind().toStdString(), regions));
     m_frame.reset();
 }
 

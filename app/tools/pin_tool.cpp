@@ -72,7 +72,7 @@ int PinTool::regionAt(const QPointF& widget) const {
     PinPick pick;
     for (const PinView<2>& view : session().pins()) {
         if (!view.region) continue;
-        const Handle<2>& handle = session().document().design().handles[view.handle];
+        const Handle<2>& handle = session().document().design<2>().handles[view.handle];
         QPolygonF border;
         for (const Vec<2>& p : regionBorder(handle, view, *frame)) border << surface().toWidget(p);
         if (!border.containsPoint(widget, Qt::OddEvenFill)) continue;

@@ -2,7 +2,7 @@
 
 #include <QCoreApplication>
 
-#include "app/document/project.h"
+#include "app/document/domain.h"
 #include "app/document/size_edits.h"
 #include "app/tools/region_outline.h"
 
@@ -19,10 +19,10 @@ void SizeTool::take(const std::vector<Dab>& dabs) {
     std::vector<Ball<3>> balls;
     for (const Dab& one : dabs) balls.push_back(ballOf(one));
     Document& document = session().document();
-    document.change(factor < 1   ? QCoreApplication::translate("SizeTool", "Paint finer cells")
-                    : factor > 1 ? QCoreApplication::translate("SizeTool", "Paint coarser cells")
-                                 : QCoreApplication::translate("SizeTool", "Paint plain cells"),
-                    withSizeStroke(*document.project(), balls, factor));
+    document.changeDomain(factor < 1   ? QCoreApplication::translate("SizeTool", "Paint finer cells")
+                          : factor > 1 ? QCoreApplication::translate("SizeTool", "Paint coarser cells")
+                                       : QCoreApplication::translate("SizeTool", "Paint plain cells"),
+                          withSizeStroke(document.domain(), balls, factor));
 }
 
 void SizeTool::paint(QPainter& painter) const {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "app/document/depth_region.h"
 #include "app/document/in_background.h"
-#include "app/document/project.h"
 #include "app/session/rest_frame.h"
 #include "app/session/shape.h"
 #include "app/tools/pin_picking.h"
@@ -164,7 +164,7 @@ CellDepths::Values ShapeCanvas::depths() const {
     const auto frame = m_session.frame<2>();
     if (!frame) return nullptr;
     const auto drawn = m_standIn ? posed<2>(m_standIn) : frame;
-    return m_depths.of(m_session.document().project()->depth, drawn->rest);
+    return m_depths.of(m_session.document().depth(), drawn->rest);
 }
 
 std::shared_ptr<const PaintingPlan> ShapeCanvas::plan() const {

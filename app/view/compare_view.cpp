@@ -10,7 +10,6 @@
 #include <QVBoxLayout>
 #include <cmath>
 
-#include "app/document/project.h"
 #include "app/document/settings.h"
 #include "app/panels/energy_scale.h"
 #include "app/panels/panel_parts.h"

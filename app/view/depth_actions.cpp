@@ -5,8 +5,9 @@
 #include <algorithm>
 
 #include "app/document/depth_edits.h"
+#include "app/document/depth_region.h"
+#include "app/document/design.h"
 #include "app/document/options.h"
-#include "app/document/project.h"
 #include "app/session/shape_session.h"
 
 namespace wend {
@@ -14,9 +15,9 @@ namespace wend {
 namespace {
 
 /// The least or the largest order that there is, 0 among them.
-double extreme(const Project& project, bool maximum) {
+double extreme(const DepthRegions& depth, bool maximum) {
     double order = 0;
-    for (const DepthRegion& region : project.depth)
+    for (const DepthRegion& region : depth)
         order = maximum ? std::max(order, region.order) : std::min(order, region.order);
     return order;
 }
@@ -39,9 +40,9 @@ DepthActions::DepthActions(ShapeSession& session, QObject* parent)
     m_menu->setTitle(tr("&Depth"));
     m_menu->addActions({front, behind, plain, number});
     connect(front, &QAction::triggered, this,
-            [this] { bring(extreme(*m_session.document().project(), true) + 1); });
+            [this] { bring(extreme(m_session.document().depth(), true) + 1); });
     connect(behind, &QAction::triggered, this,
-            [this] { bring(extreme(*m_session.document().project(), false) - 1); });
+            [this] { bring(extreme(m_session.document().depth(), false) - 1); });
     connect(plain, &QAction::triggered, this, [this] { bring(0); });
     connect(number, &QAction::triggered, this, &DepthActions::askNumber);
     connect(&m_session, &ShapeSession::pinsChanged, this, &DepthActions::refresh);
@@ -61,16 +62,18 @@ void DepthActions::bring(double order) {
     Document& document = m_session.document();
     const double most = option("depth[].order").range.max;
     order = std::clamp(order, -most, most);
-    document.change(order > 0   ? tr("Bring to front")
-                    : order < 0 ? tr("Send to back")
-                                : tr("Depth as drawn"),
-                    withHandleDepth(*document.project(), m_session.selection().handles(), order,
-                                    m_session.frame()->diagonal));
+    document.changeDepth(
+        order > 0   ? tr("Bring to front")
+        : order < 0 ? tr("Send to back")
+                    : tr("Depth as drawn"),
+        withHandleDepth(document.depth(), document.design<2>(), m_session.selection().handles(), order,
+                        m_session.frame()->diagonal));
 }
 
 void DepthActions::askNumber() {
-    const int first = m_session.selection().handles().front();
-    const double now = depthOfHandle(*m_session.document().project(), first).value_or(0);
+    const Document& document = m_session.document();
+    const Handle<2>& first = document.design<2>().handles[m_session.selection().handles().front()];
+    const double now = depthOfHandle(document.depth(), first.name).value_or(0);
     const Range range = option("depth[].order").range;
     bool given = false;
     const double order = QInputDialog::getDouble(QApplication::activeWindow(), tr("Depth"),

@@ -4,8 +4,8 @@
 #include <QFileInfo>
 #include <QSettings>
 
+#include "app/document/domain.h"
 #include "app/document/in_background.h"
-#include "app/document/project.h"
 #include "app/document/said.h"
 #include "core/mesh/error.h"
 #include "core/mesh/mesh_formats.h"
@@ -60,19 +60,19 @@ void DetailChooser::read(const QString& path) {
             emit failed(tr("This surface cannot be embedded in the solid. %1").arg(problem));
             return;
         }
-        Project next = *m_document.project();
-        next.domain.detail = path.toStdString();
-        m_document.change(tr("Choose skin"), std::move(next));
+        Domain next = m_document.domain();
+        next.detail = path.toStdString();
+        m_document.changeDomain(tr("Choose skin"), std::move(next));
         emit chosen();
     });
 }
 
 void DetailChooser::remove() {
-    if (m_document.isEmpty() || m_document.project()->domain.detail.empty()) return;
+    if (m_document.isEmpty() || m_document.domain().detail.empty()) return;
     ++m_ticket;
-    Project next = *m_document.project();
-    next.domain.detail.clear();
-    m_document.change(tr("Remove skin"), std::move(next));
+    Domain next = m_document.domain();
+    next.detail.clear();
+    m_document.changeDomain(tr("Remove skin"), std::move(next));
 }
 
 }  // namespace wend

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/session/shape.h"
+#include "app/view/ground.h"
 #include "app/view/render_thread.h"
 #include "warp/convert.h"
 #include "warp/image_formats.h"
@@ -15,7 +16,6 @@ namespace wend {
 namespace {
 
 constexpr int kMargin = 12;  // around the picture in its frame
-constexpr int kSquare = 8;
 
 /// The same part of the plane with fewer pixels.
 View smaller(const View& view, const QSize& room) {
@@ -127,16 +127,7 @@ void ExportPreview::paintEvent(QPaintEvent*) {
     if (m_image.isNull()) return;
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
     const QRectF place = this->place();
-    if (m_image.hasAlphaChannel() && !property("bare").toBool()) {
-        painter.save();
-        painter.setClipRect(place);
-        painter.fillRect(place, theme.checkerA);
-        for (int y = 0; y * kSquare < place.height(); ++y)
-            for (int x = y % 2; x * kSquare < place.width(); x += 2)
-                painter.fillRect(QRectF(place.x() + x * kSquare, place.y() + y * kSquare, kSquare, kSquare),
-                                 theme.checkerB);
-        painter.restore();
-    }
+    if (m_image.hasAlphaChannel() && !property("bare").toBool()) fillWithChecks(painter, place, theme);
     painter.drawImage(place, m_image);
 }
 

@@ -8,7 +8,6 @@
 #include <QPushButton>
 
 #include "app/document/in_background.h"
-#include "app/document/project.h"
 #include "app/document/said.h"
 #include "app/session/opening.h"
 #include "app/session/own_files.h"

@@ -12,14 +12,12 @@
 #include <QSettings>
 
 #include "app/document/in_background.h"
-#include "app/document/project.h"
 #include "app/document/said.h"
 #include "app/session/opening.h"
 #include "app/session/own_files.h"
 #include "app/view/project_watch.h"
 #include "app/view/save_dialog.h"
 #include "core/mesh/error.h"
-#include "core/mesh/mesh_file.h"
 
 namespace wend {
 

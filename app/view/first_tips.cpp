@@ -5,7 +5,7 @@
 #include <QPainterPath>
 #include <QSettings>
 
-#include "app/document/project.h"
+#include "app/document/design.h"
 #include "app/panels/energy_slider.h"
 #include "app/panels/theme.h"
 #include "app/session/mark_size.h"
@@ -30,7 +30,7 @@ std::array<double, FirstTips::kTips> counted(const Document& document) {
         for (const auto& handle : design.handles) count[FirstTips::Drag] += !handle.motions.empty();
         count[FirstTips::Keep] = design.material.phi;
     };
-    if (!document.isEmpty()) std::visit(take, document.project()->design);
+    if (!document.isEmpty()) std::visit(take, document.design());
     return count;
 }
 

@@ -26,12 +26,19 @@ void drawPaper(QPainter& painter, const QRect& paper, const QColor& colour, cons
         painter.drawRoundedRect(QRectF(paper).adjusted(-i, -i + 2, i, i + 2), i, i);
     }
     painter.restore();
-    painter.setBrushOrigin(paper.topLeft());
-    painter.fillRect(paper, colour.isValid() ? QBrush(colour) : QBrush(checker(theme)));
-    painter.setBrushOrigin(0, 0);
+    if (colour.isValid())
+        painter.fillRect(paper, colour);
+    else
+        fillWithChecks(painter, paper, theme);
 }
 
 }  // namespace
+
+void fillWithChecks(QPainter& painter, const QRectF& paper, const Theme& theme) {
+    painter.setBrushOrigin(paper.topLeft());
+    painter.fillRect(paper, QBrush(checker(theme)));
+    painter.setBrushOrigin(0, 0);
+}
 
 void Ground::draw(QPainter& painter, const Look& look, const Theme& theme) {
     painter.fillRect(QRect(QPoint(), look.size), theme.workspace);

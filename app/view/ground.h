@@ -9,6 +9,9 @@
 
 namespace wend {
 
+/// Under a picture that lets something through, from the corner of its paper on.
+void fillWithChecks(QPainter& painter, const QRectF& paper, const Theme& theme);
+
 /// What lies under the shape: the workspace and, of a picture, the paper on it.
 class Ground {
   public:

@@ -11,7 +11,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "app/document/project.h"
+#include "app/document/design.h"
+#include "app/document/domain.h"
 #include "app/panels/distortion_panel.h"
 #include "app/panels/layer_panel.h"
 #include "app/panels/material_panel.h"
@@ -349,7 +350,7 @@ void MainWindow::showTitle() {
 void MainWindow::showSelection() {
     const Document& document = m_session.document();
     const bool hasPicture = !document.isEmpty() && document.dimension() == 2 &&
-                            (document.picture() || !document.project()->domain.texture.empty());
+                            (document.picture() || !document.domain().texture.empty());
     m_actions->setHasFile(!document.isEmpty(), hasPicture, document.dimension() == 3);
     m_actions->setHasSelection(!m_session.selection().isEmpty());
     m_actions->setHasMotion(m_session.playback().end() > 0);

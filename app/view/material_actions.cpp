@@ -4,8 +4,9 @@
 #include <QFileDialog>
 #include <QFileInfo>
 
+#include "app/document/design.h"
+#include "app/document/domain.h"
 #include "app/document/material_edits.h"
-#include "app/document/project.h"
 #include "app/document/said.h"
 #include "app/session/opening.h"
 #include "app/session/shape_session.h"
@@ -61,7 +62,7 @@ void MaterialActions::refresh() {
                              : tr("Of a solid, values of cells; they are written with its mesh.");
     for (const auto* actions : {&bringIn, &write})
         for (const auto& [part, action] : *actions) enable(action, has && !solid, why);
-    const bool isMesh = has && m_session.document().project()->domain.kind == DomainKind::Mesh;
+    const bool isMesh = has && m_session.document().domain().kind == DomainKind::Mesh;
     enable(cells, isMesh, has ? tr("Only the cells of a mesh file stay the same.") : why);
 }
 
@@ -84,9 +85,9 @@ void MaterialActions::take(MaterialPart part, const QString& path) try {
     MaterialPictures pictures;
     pictures.*fileOf(part) = path.toStdString();
     pictures.up = frame.up;
-    document.change(tr("Bring in %1").arg(QFileInfo(path).fileName()),
-                    withPictures(*document.project(), QFileInfo(path).completeBaseName().toStdString(),
-                                 frame.box, pictures));
+    document.changeDesign(tr("Bring in %1").arg(QFileInfo(path).fileName()),
+                          withPictures(document.design(), QFileInfo(path).completeBaseName().toStdString(),
+                                       frame.box, pictures));
 } catch (const InputError& error) {
     emit failed(said(error));
 }
@@ -101,8 +102,8 @@ void MaterialActions::askCells() {
 /// It holds what the layers make of the material, too: they would do so twice.
 void MaterialActions::takeCells(const QString& path) {
     Document& document = m_session.document();
-    document.change(tr("Bring in %1").arg(QFileInfo(path).fileName()),
-                    withCellsFile(withAllHidden(*document.project()), path.toStdString()));
+    document.changeDesign(tr("Bring in %1").arg(QFileInfo(path).fileName()),
+                          withCellsFile(withAllHidden(document.design()), path.toStdString()));
     emit done(tr("The layers are switched off: what is brought in stands below them."));
 }
 

@@ -49,7 +49,7 @@ void OverlayPainter::frames(const Handle<2>& handle, const Vec<2>& start) {
 void OverlayPainter::paths(ShapeSession& session, int hovered) {
     if (session.document().isEmpty()) return;
     m_marks.setQuick(session.isDragging());
-    const auto& handles = session.document().design().handles;
+    const auto& handles = session.document().design<2>().handles;
     for (const bool selected : {false, true})
         for (int h = 0; h < static_cast<int>(handles.size()); ++h) {
             if (handles[h].motions.empty() || session.selection().contains(h) != selected) continue;
@@ -90,7 +90,7 @@ void OverlayPainter::pins(ShapeSession& session, const PinAnimation& animation, 
                           const std::function<bool(const PinView<2>&)>& isCovered) {
     const auto frame = session.frame<2>();
     const auto pins = session.pins();
-    const auto& handles = session.document().design().handles;
+    const auto& handles = session.document().design<2>().handles;
     m_marks.setQuick(session.isDragging());
     for (const PinView<2>& view : pins) {
         const bool selected = session.selection().contains(view.handle);

@@ -6,8 +6,8 @@
 #include <QInputDialog>
 #include <algorithm>
 
+#include "app/document/design.h"
 #include "app/document/pin_edits.h"
-#include "app/document/project.h"
 #include "app/panels/marks.h"
 #include "app/session/mirroring.h"
 #include "app/session/pin_traits.h"
@@ -112,7 +112,7 @@ void PinActions::connectActions() {
     connect(showAll, &QAction::triggered, this, [this] {
         std::vector<int> hidden;
         for (int h = 0; h < m_session.handleCount(); ++h)
-            if (traitsOf(*m_session.document().project(), h).hidden) hidden.push_back(h);
+            if (traitsOf(m_session.document().design(), h).hidden) hidden.push_back(h);
         setHidden(m_session, hidden, false);
     });
     connect(group, &QAction::triggered, this, &PinActions::askGroup);
@@ -132,7 +132,7 @@ void PinActions::refresh() {
     };
     const auto all = static_cast<std::ptrdiff_t>(selected().size());
     const auto traits = [this](int h) -> const HandleTraits& {
-        return traitsOf(*m_session.document().project(), h);
+        return traitsOf(m_session.document().design(), h);
     };
     for (QAction* grip : {move, turn, grow})
         enable(grip, m_session.frame() != nullptr, tr("Open a picture first."));
@@ -140,11 +140,11 @@ void PinActions::refresh() {
     for (QAction* action : {lock, hide, group, mirror}) enable(action, has, none);
     m_colours->setEnabled(has);
     const auto grouped = count([&](int h) { return !traits(h).group.empty(); });
-    const auto linked = count([&](int h) { return isLinked(*m_session.document().project(), h); });
+    const auto linked = count([&](int h) { return isLinked(m_session.document().design(), h); });
     enable(ungroup, grouped > 0, has ? tr("The selected pin is in no group.") : none);
     enable(link, linked > 0 || (has && all > 1), tr("Select several pins first."));
     enable(mirrorMotion, has && canMirrorMotion(m_session), tr("Select a pin that moves."));
-    enable(holdThroughout, has && canHoldLonger(*m_session.document().project(), selected()),
+    enable(holdThroughout, has && canHoldLonger(m_session.document(), selected()),
            has ? tr("The selected pin holds for the whole film.") : none);
     bool anyHidden = false;
     for (int h = 0; m_session.frame() && h < m_session.handleCount(); ++h)
@@ -157,10 +157,10 @@ void PinActions::refresh() {
 
 void PinActions::askGroup() {
     QStringList names;
-    for (const std::string& name : groupNames(*m_session.document().project()))
+    for (const std::string& name : groupNames(m_session.document().design()))
         names << QString::fromStdString(name);
     const QString own =
-        QString::fromStdString(traitsOf(*m_session.document().project(), selected().front()).group);
+        QString::fromStdString(traitsOf(m_session.document().design(), selected().front()).group);
     const int at = static_cast<int>(names.indexOf(own));
     bool given = false;
     const QString name = QInputDialog::getItem(QApplication::activeWindow(), tr("Group"),
@@ -172,7 +172,7 @@ void PinActions::askGroup() {
 void PinActions::askColour() {
     const int first = selected().front();
     const QColor colour =
-        QColorDialog::getColor(pinColour(first, traitsOf(*m_session.document().project(), first)),
+        QColorDialog::getColor(pinColour(first, traitsOf(m_session.document().design(), first)),
                                QApplication::activeWindow(), tr("Colour of the Pin"));
     if (colour.isValid()) setColour(m_session, selected(), colour.rgb() & 0xFFFFFF);
 }

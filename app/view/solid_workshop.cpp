@@ -6,7 +6,8 @@
 #include <QSaveFile>
 #include <QSettings>
 
-#include "app/document/project.h"
+#include "app/document/design.h"
+#include "app/document/domain.h"
 #include "app/document/said.h"
 #include "app/document/setting_edits.h"
 #include "app/panels/cut_panel.h"
@@ -192,10 +193,10 @@ void SolidWorkshop::connectDetail() {
 void SolidWorkshop::showDomain() {
     const Document& document = m_around.session.document();
     if (document.dimension() != 3) return;
-    const Domain& domain = document.project()->domain;
+    const Domain& domain = document.domain();
     m_actions.setHasChosenDetail(!domain.detail.empty());
     m_actions.setMeshed(domain.kind == DomainKind::Surface);
-    m_actions.setUpAxis(document.project()->view.up);
+    m_actions.setUpAxis(document.up());
     if (domain.kind != DomainKind::Surface && m_actions.sizes->isChecked())
         m_around.actions.pinTool->setChecked(true);
 }

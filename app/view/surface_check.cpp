@@ -9,8 +9,9 @@
 #include <QSaveFile>
 #include <QTextStream>
 
+#include "app/document/domain.h"
 #include "app/document/in_background.h"
-#include "app/document/project_file.h"
+#include "app/document/named_files.h"
 #include "app/document/said.h"
 #include "app/panels/surface_panel.h"
 #include "app/session/caged_solid.h"
@@ -100,8 +101,7 @@ SurfaceCheck::SurfaceCheck(ShapeSession& session, SurfacePanel& panel, QWidget& 
         hide();
         m_isCaged = false;
         const Document& document = m_session.document();
-        const bool surface =
-            document.dimension() == 3 && document.project()->domain.kind == DomainKind::Surface;
+        const bool surface = document.dimension() == 3 && document.domain().kind == DomainKind::Surface;
         if (!text.isEmpty() && surface && m_canvas) look();
     });
     connect(&session.document(), &Document::opened, this, [this] {
@@ -125,8 +125,8 @@ void SurfaceCheck::hide() {
 /// What is wrong with a file that cannot be read is told elsewhere.
 void SurfaceCheck::preview() {
     const Document& document = m_session.document();
-    if (document.dimension() != 3 || document.project()->domain.kind != DomainKind::Surface) return;
-    const std::string path = pathIn(document.folder().toStdString(), document.project()->domain.path);
+    if (document.dimension() != 3 || document.domain().kind != DomainKind::Surface) return;
+    const std::string path = pathIn(document.folder().toStdString(), document.domain().path);
     const int generation = document.generation();
     const auto read = [path]() -> std::shared_ptr<const Skin> {
         try {
@@ -142,9 +142,9 @@ void SurfaceCheck::preview() {
 
 void SurfaceCheck::look() {
     const Document& document = m_session.document();
-    const std::string path = pathIn(document.folder().toStdString(), document.project()->domain.path);
+    const std::string path = pathIn(document.folder().toStdString(), document.domain().path);
     const int generation = document.generation();
-    const int largestHole = document.project()->domain.largestHole;
+    const int largestHole = document.domain().largestHole;
     const auto check = [path, largestHole]() -> std::shared_ptr<const Found> {
         auto found = std::make_shared<Found>();
         try {
@@ -172,7 +172,7 @@ void SurfaceCheck::takeShape() {
     m_isCaged =
         frame->built->source && frame->built->skin && isCage(*frame->built->source, *frame->built->skin);
     hide();
-    if (m_isCaged && m_session.document().project()->domain.fit == Fit::Automatic && m_canvas) look();
+    if (m_isCaged && m_session.document().domain().fit == Fit::Automatic && m_canvas) look();
 }
 
 /// Files whose trouble is another one (that cannot be read …) are told by the banner alone.
@@ -191,7 +191,7 @@ void SurfaceCheck::take(const std::shared_ptr<const Found>& found) {
         contents.kinds.push_back(
             {names.value(QString::fromStdString(kind.name)), static_cast<int>(kind.cases.size())});
     if (found->problems.flat) contents.more << tr("All points lie in one plane.");
-    const Domain& domain = m_session.document().project()->domain;
+    const Domain& domain = m_session.document().domain();
     contents.mayRepair = found->left.boundsVolume() && !domain.repair;
     contents.repair = domain.repair ? QString() : repairText();
     contents.isCaged = m_isCaged;
@@ -269,10 +269,10 @@ void SurfaceCheck::saveList() {
 
 void SurfaceCheck::repair(int largestHole) {
     Document& document = m_session.document();
-    Project next = *document.project();
-    next.domain.repair = true;
-    next.domain.largestHole = largestHole;
-    document.change(tr("Repair surface"), std::move(next));
+    Domain next = document.domain();
+    next.repair = true;
+    next.largestHole = largestHole;
+    document.changeDomain(tr("Repair surface"), std::move(next));
 }
 
 /// One part of a sentence for each repair that would change something.
@@ -309,9 +309,9 @@ void SurfaceCheck::showRepair(bool shown) {
 
 void SurfaceCheck::fitCage(bool cage) {
     Document& document = m_session.document();
-    Project next = *document.project();
-    next.domain.fit = cage ? Fit::Cage : Fit::Exact;
-    document.change(cage ? tr("Fit a cage") : tr("Exact surface only"), std::move(next));
+    Domain next = document.domain();
+    next.fit = cage ? Fit::Cage : Fit::Exact;
+    document.changeDomain(cage ? tr("Fit a cage") : tr("Exact surface only"), std::move(next));
 }
 
 }  // namespace wend

@@ -38,7 +38,7 @@ TilePictures::TilePictures(ShapeSession& session, const ShapeCanvas& picture,
 /// Of a mesh that comes from a file there is no coarser one.
 bool TilePictures::isPossible() const {
     if (m_session.document().isEmpty() || !m_session.frame() || m_session.playback().end() <= 0) return false;
-    const DomainKind kind = m_session.document().project()->domain.kind;
+    const DomainKind kind = m_session.document().domain().kind;
     return (kind == DomainKind::Image && m_session.document().picture()) ||
            (kind == DomainKind::Surface && m_solid());
 }

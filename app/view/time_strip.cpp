@@ -108,12 +108,12 @@ void TimeStrip::makeLength() {
 void TimeStrip::showLength() {
     const Document& document = m_session.document();
     m_length->setEnabled(!document.isEmpty());
-    if (!document.isEmpty()) m_length->put(document.project()->end);
+    if (!document.isEmpty()) m_length->put(document.end());
 }
 
 void TimeStrip::changeLength() {
     Document& document = m_session.document();
-    if (document.isEmpty() || m_length->exact() == document.project()->end) return;
+    if (document.isEmpty() || m_length->exact() == document.end()) return;
     document.change(tr("Change length"), withLength(*document.project(), m_length->exact()),
                     QStringLiteral("length"));
 }

@@ -55,7 +55,7 @@ MotionTime TrackView::draggedHold(const Grabbed& grabbed, double time) const {
 MotionTime TrackView::dragged(const Grabbed& grabbed, double time) const {
     const Bar& bar = grabbed.bar;
     if (bar.motion == kHold) return draggedHold(grabbed, time);
-    const MotionTime room = roomOf(*m_session.document().project(), bar.handle, bar.motion);
+    const MotionTime room = roomOf(m_session.document().design(), bar.handle, bar.motion);
     const double way = time - grabbed.at;
     if (grabbed.part == Part::Start)
         return {std::clamp(snapped(bar.time.start + way, bar), room.start,
@@ -72,16 +72,16 @@ MotionTime TrackView::dragged(const Grabbed& grabbed, double time) const {
     return {start, start + length};
 }
 
-void TrackView::change(const QString& what, const std::function<Project(const Project&)>& edit,
-                       const QString& key) {
+void TrackView::change(const QString& what, AnyDesign after) {
     m_session.playback().setPlaying(false);
-    m_session.document().change(what, edit(*m_session.document().project()), key);
+    m_session.document().changeDesign(what, std::move(after));
 }
 
 void TrackView::move(const Bar& bar, const MotionTime& time, const QString& what, const QString& key) {
     if (time == bar.time) return;
-    change(
-        what, [&](const Project& p) { return withMotionTime(p, bar.handle, bar.motion, time); }, key);
+    m_session.playback().setPlaying(false);
+    Document& document = m_session.document();
+    document.change(what, withMotionTime(*document.project(), bar.handle, bar.motion, time), key);
 }
 
 void TrackView::scrub(double x) {
@@ -134,7 +134,7 @@ void TrackView::drop(const Grabbed& grabbed) {
                     grabbed.part == Part::Body ? tr("Move in time") : tr("Change duration"));
     if (grabbed.time == bar.time) return;
     change(tr("Change when it holds"),
-           [&](const Project& p) { return withHold(p, bar.handle, grabbed.time); });
+           withHold(m_session.document().design(), bar.handle, grabbed.time, m_session.document().end()));
 }
 
 void TrackView::contextMenuEvent(QContextMenuEvent* event) {
@@ -152,8 +152,7 @@ void TrackView::showMenu(const Bar& bar, const QPoint& global) {
     for (const Ease ease : kEases) {
         QAction* action = menu->addAction(easeName(ease), this, [this, bar, ease] {
             if (!m_session.mayChange(bar.handle)) return;
-            change(tr("Ease"),
-                   [&](const Project& p) { return withMotionEase(p, bar.handle, bar.motion, ease); });
+            change(tr("Ease"), withMotionEase(m_session.document().design(), bar.handle, bar.motion, ease));
         });
         action->setCheckable(true);
         action->setChecked(bar.ease == ease);
@@ -165,7 +164,7 @@ void TrackView::showMenu(const Bar& bar, const QPoint& global) {
 
 void TrackView::remove(const Bar& bar) {
     if (!m_session.mayChange(bar.handle)) return;
-    change(tr("Remove motion"), [&](const Project& p) { return withoutMotion(p, bar.handle, bar.motion); });
+    change(tr("Remove motion"), withoutMotion(m_session.document().design(), bar.handle, bar.motion));
 }
 
 /// Delete goes for the bar that is chosen, not for its pin.

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/document/project.h"
+#include "app/document/design.h"
 #include "app/panels/marks.h"
 
 namespace wend {
@@ -67,7 +67,7 @@ void TrackView::takeProject() {
                     m_rows.push_back(std::move(row));
                 }
             },
-            m_session.document().project()->design);
+            m_session.document().design());
     const auto& rows = m_rows;
     if (m_chosen && (m_chosen->handle >= static_cast<int>(rows.size()) ||
                      m_chosen->motion >= static_cast<int>(rows[m_chosen->handle].bars.size())))

@@ -84,8 +84,7 @@ class TrackView : public QAbstractScrollArea {
     double snapped(double time, const Bar& own) const;
     void scrub(double x);
     void move(const Bar& bar, const MotionTime& time, const QString& what, const QString& key = {});
-    void change(const QString& what, const std::function<Project(const Project&)>& edit,
-                const QString& key = {});
+    void change(const QString& what, AnyDesign after);
     void showMenu(const Bar& bar, const QPoint& global);
     void remove(const Bar& bar);
     void paintRuler(QPainter& painter) const;

@@ -1,5 +1,5 @@
 #include "app/view/work_note.h"
-#include "app/document/project.h"
+#include "app/document/domain.h"
 
 #include <QApplication>
 #include <QHBoxLayout>
@@ -90,7 +90,7 @@ QString WorkNote::words() const {
     if (document.isEmpty()) return {};
     if (!m_session.isMeshing())
         return tr("Computing the motion: %1 %").arg(QLocale().toString(static_cast<int>(100 * m_part)));
-    const Domain& domain = document.project()->domain;
+    const Domain& domain = document.domain();
     if (domain.kind == DomainKind::Mesh || domain.maxVolume > 0 || domain.edge > 0)
         return tr("Meshing %1 …").arg(document.displayName());
     return tr("Meshing %1 with about %Ln vertices …", nullptr, domain.vertices).arg(document.displayName());

@@ -9,6 +9,7 @@
 #include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/formats/scanner.h"
 #include "core/mesh/input_file.h"
+#include "core/mesh/mesh_of_file.h"
 #include "core/mesh/safe_file.h"
 
 namespace wend {
@@ -128,5 +129,24 @@ MeshFile toMeshFile<3>(const SimplicialMesh<3>& mesh) {
     file.tetrahedra = mesh.cells;
     return file;
 }
+
+template <int Dim>
+SimplicialMesh<Dim> readMesh(const std::string& path) {
+    return meshFrom<Dim>(readMeshFile(path));
+}
+
+template <int Dim>
+void writeMesh(const std::string& path, const SimplicialMesh<Dim>& mesh) {
+    writeMeshFile(path, toMeshFile<Dim>(mesh));
+}
+
+int dimensionOfMesh(const std::string& path) {
+    return isVolume(readMeshFile(path)) ? 3 : 2;
+}
+
+template SimplicialMesh<2> readMesh<2>(const std::string&);
+template SimplicialMesh<3> readMesh<3>(const std::string&);
+template void writeMesh<2>(const std::string&, const SimplicialMesh<2>&);
+template void writeMesh<3>(const std::string&, const SimplicialMesh<3>&);
 
 }  // namespace wend

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "core/mesh/mesh_file.h"
+#include "core/mesh/mesh_field.h"
+#include "core/mesh/mesh_write_options.h"
 #include "core/mesh/skin.h"
 
 namespace wend {

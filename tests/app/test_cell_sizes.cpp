@@ -88,19 +88,19 @@ double TestCellSizes::meanSize(bool right) {
 }
 
 void TestCellSizes::groupsOfOneName() {
-    Project project = m_f->project();
-    project.domain.sizes = {{"", Ball<3>{Vec<3>::Zero(), 1}, 0, 2}, {"", Ball<3>{Vec<3>::Ones(), 1}, 0, 3}};
-    project = withSizeStroke(project, {{Vec<3>::Zero(), 1}, {Vec<3>::Ones(), 1}}, 0.5);
-    project = withSizeRegion(project, Ball<3>{Vec<3>::Zero(), 2}, 0.25);
-    project = withSizeStroke(project, {{Vec<3>::Ones(), 4}}, 0.1);
-    const auto groups = sizeGroups(project.domain);
+    Domain domain = m_f->project().domain;
+    domain.sizes = {{"", Ball<3>{Vec<3>::Zero(), 1}, 0, 2}, {"", Ball<3>{Vec<3>::Ones(), 1}, 0, 3}};
+    domain = withSizeStroke(domain, {{Vec<3>::Zero(), 1}, {Vec<3>::Ones(), 1}}, 0.5);
+    domain = withSizeRegion(domain, Ball<3>{Vec<3>::Zero(), 2}, 0.25);
+    domain = withSizeStroke(domain, {{Vec<3>::Ones(), 4}}, 0.1);
+    const auto groups = sizeGroups(domain);
     QCOMPARE(groups.size(), std::size_t(5));  // what has no name stands alone
     QCOMPARE(groups[2].entries, std::vector<int>({2, 3}));
     QCOMPARE(groups[4].name, std::string("Stroke 2"));
-    const Project without = withoutSizes(withSizeFactor(project, 2, 7), 3);
-    QCOMPARE(without.domain.sizes.size(), std::size_t(5));
-    QCOMPARE(without.domain.sizes[3].factor, 7.0);
-    QCOMPARE(withoutSizes(project, 9).domain.sizes.size(), project.domain.sizes.size());
+    const Domain without = withoutSizes(withSizeFactor(domain, 2, 7), 3);
+    QCOMPARE(without.sizes.size(), std::size_t(5));
+    QCOMPARE(without.sizes[3].factor, 7.0);
+    QCOMPARE(withoutSizes(domain, 9).sizes.size(), domain.sizes.size());
 }
 
 /// The edge of a regular tetrahedron is its size.

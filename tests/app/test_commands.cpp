@@ -45,6 +45,11 @@ Project withPins(int count) {
     return project;
 }
 
+Project without(Project project, const std::vector<int>& handles, double time) {
+    project.design = withoutHandles(project.design, handles, time);
+    return project;
+}
+
 const std::vector<Handle<2>>& handlesOf(const Project& project) {
     return std::get<Design<2>>(project.design).handles;
 }
@@ -68,8 +73,9 @@ void TestCommands::undoAndRedoSkipNothing() {
     open(document, {});
     std::vector<std::shared_ptr<const Project>> states = {document.project()};
     for (int i = 0; i < 5; ++i) {
-        document.change(QStringLiteral("Add"), withPin(*document.project(), {1.0 * i, 0},
-                                                       freeName(namesOf(document.design().handles), "Pin")));
+        document.change(QStringLiteral("Add"),
+                        withPin(*document.project(), {1.0 * i, 0},
+                                freeName(namesOf(document.design<2>().handles), "Pin")));
         states.push_back(document.project());
     }
     QVERIFY(document.isModified());
@@ -87,16 +93,16 @@ void TestCommands::undoAndRedoSkipNothing() {
 void TestCommands::stepsOfOneKeyMerge() {
     Document document;
     open(document, {});
-    const double before = document.design().material.phi;
+    const double before = document.design<2>().material.phi;
     for (const double phi : {0.5, 0.6, 0.7}) setPhi(document, phi, QStringLiteral("phi 1"));
     QCOMPARE(document.undoStack()->count(), 1);
-    QCOMPARE(document.design().material.phi, 0.7);
+    QCOMPARE(document.design<2>().material.phi, 0.7);
     setPhi(document, 0.9, QStringLiteral("phi 2"));
     QCOMPARE(document.undoStack()->count(), 2);
     document.undoStack()->undo();
-    QCOMPARE(document.design().material.phi, 0.7);
+    QCOMPARE(document.design<2>().material.phi, 0.7);
     document.undoStack()->undo();
-    QCOMPARE(document.design().material.phi, before);
+    QCOMPARE(document.design<2>().material.phi, before);
 }
 
 void TestCommands::noMergeAcrossASave() {
@@ -138,7 +144,7 @@ void TestCommands::firstPinsAreThereFromTheStart() {
     QCOMPARE(handlesOf(project).size(), std::size_t(2));
     QVERIFY(handlesOf(project)[1].activeFrom < 0);
     QCOMPARE(freeName(namesOf(std::get<Design<2>>(project.design).handles), "Pin"), std::string("Pin 3"));
-    QCOMPARE(handlesOf(withoutHandles(project, {0}, 0)).size(), std::size_t(1));
+    QCOMPARE(handlesOf(without(project, {0}, 0)).size(), std::size_t(1));
 }
 
 void TestCommands::laterPinsBeginAtTheEnd() {
@@ -148,12 +154,12 @@ void TestCommands::laterPinsBeginAtTheEnd() {
     QVERIFY(isActive(handlesOf(later)[2], 1.0));
     QVERIFY(!isActive(handlesOf(later)[2], 0.5));
     // It never acted: gone without a trace.
-    QCOMPARE(handlesOf(withoutHandles(later, {2}, 1)).size(), std::size_t(2));
+    QCOMPARE(handlesOf(without(later, {2}, 1)).size(), std::size_t(2));
 }
 
 void TestCommands::removedPinsThatActedAreLetGo() {
     const Project moved = withStroke(withPins(2), {1}, {{10, 5}}, {{0, 0}, {4, 0}});
-    const Project removed = withoutHandles(moved, {0}, 1);
+    const Project removed = without(moved, {0}, 1);
     QCOMPARE(handlesOf(removed).size(), std::size_t(2));
     QCOMPARE(handlesOf(removed)[0].activeTo, 1.0);
     QVERIFY(isActive(handlesOf(removed)[0], 0.99));
@@ -189,7 +195,7 @@ void TestCommands::laterStrokesReplaceWhatCame() {
     Project project = withStroke(withPins(2), {0}, {{0, 5}}, {{0, 0}, {10, 0}});
     project = withStroke(project, {1}, {{10, 5}}, {{0, 0}, {0, 10}});
     project = withPin(project, {3, 5}, "Pin 3");  // from the end on
-    project = withoutHandles(project, {1}, 1);
+    project = without(project, {1}, 1);
     Gesture gesture{{0}, {}, {Amount(0, 0, 0), Amount(0, 5, 0)}, 0.25};
     const Project next = withGesture<2>(project, gesture, {{5, 5}});
     const auto& handles = handlesOf(next);
@@ -342,7 +348,7 @@ void TestCommands::firstDifference() {
     Project after = before;
     if (change == 1) std::get<Design<2>>(after.design).handles.push_back(handlesOf(withPins(3)).back());
     if (change == 2) after = withStroke(before, {1}, {{10, 5}}, {{0, 0}, {0, 1}});
-    if (change == 3) after = withoutHandles(before, {1}, 1);
+    if (change == 3) after = without(before, {1}, 1);
     if (change == 4) after = withLongerStroke(before, {0}, {0, 2});
     const double scale = timeScale(handlesOf(before), handlesOf(after));
     QCOMPARE(wend::firstDifference(handlesOf(before), handlesOf(after), scale), expected);

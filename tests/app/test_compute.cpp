@@ -130,7 +130,7 @@ void TestCompute::pinsBecomeVertices() {
     QCOMPARE(m_session->pins().size(), std::size_t(1));
     QCOMPARE(m_session->addPin({5, 5}), -1);  // beside the shape
     m_session->removeSelected();
-    QVERIFY(m_session->document().design().handles.empty());
+    QVERIFY(m_session->document().design<2>().handles.empty());
 }
 
 void TestCompute::dragEndsAsTheCommandLineHasIt() {
@@ -200,7 +200,7 @@ void TestCompute::laterDragsContinueTheMotion() {
     const auto later = posesOf(m_session->track());
     QVERIFY(later.size() > shapes.size());
     for (std::size_t i = 0; i < shapes.size(); ++i) QVERIFY(later[i] == shapes[i]);
-    const double border = m_session->document().design().handles[0].motions[0].start;
+    const double border = m_session->document().design<2>().handles[0].motions[0].start;
     QVERIFY(std::abs(m_session->track().frames()[shapes.size() - 1]->time - border) < 1e-9);
 }
 

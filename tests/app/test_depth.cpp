@@ -469,11 +469,11 @@ void TestDepth::pinsInFrontArePicked() {
 /// Only what a stroke hides altogether goes.
 void TestDepth::strokesLeaveWhatIsLarger() {
     setDepth({{"body", Ball<2>{{200, 180}, 60}, 2}});
-    const Project& project = *m_session.document().project();
-    const auto small = withDepthStroke(project, {{{200, 180}, 10}, {{206, 180}, 10}}, -1).depth;
+    const DepthRegions& depth = m_session.document().depth();
+    const auto small = withDepthStroke(depth, {{{200, 180}, 10}, {{206, 180}, 10}}, -1);
     QCOMPARE(small.size(), std::size_t(3));
     QCOMPARE(small[0].order, 2.0);
-    QCOMPARE(withDepthStroke(project, {{{210, 180}, 80}}, -1).depth.size(), std::size_t(1));
+    QCOMPARE(withDepthStroke(depth, {{{210, 180}, 80}}, -1).size(), std::size_t(1));
 }
 
 void TestDepth::anotherMeshHasItsOwnOrder() {
@@ -532,21 +532,29 @@ void TestDepth::mapsShowWhatLiesInFront() {
 void TestDepth::pinsBringTheirPart() {
     setDepth({});
     const double size = m_session.frame()->diagonal;
-    Project project = withHandleDepth(*m_session.document().project(), {0}, 3, size);
+    const auto with = [size](Project project, const std::vector<int>& handles, double order) {
+        project.depth =
+            withHandleDepth(project.depth, std::get<Design<2>>(project.design), handles, order, size);
+        return project;
+    };
+    const auto of = [](const Project& project, std::size_t handle) {
+        return depthOfHandle(project.depth, std::get<Design<2>>(project.design).handles[handle].name);
+    };
+    Project project = with(*m_session.document().project(), {0}, 3);
     QCOMPARE(project.depth.size(), std::size_t(1));
     QVERIFY(signedDistance<2>(project.depth[0].shape, {126, 41}) < 0);
     QVERIFY(signedDistance<2>(project.depth[0].shape, {120, 180}) > 0);  // where another pin is
-    QCOMPARE(depthOfHandle(project, 0), std::optional(3.0));
-    QCOMPARE(depthOfHandle(project, 1), std::nullopt);
+    QCOMPARE(of(project, 0), std::optional(3.0));
+    QCOMPARE(of(project, 1), std::nullopt);
     project = withHandleName(project, 0, "hand");
-    QCOMPARE(depthOfHandle(project, 0), std::optional(3.0));
-    project = withHandleDepth(project, {0, 1}, -1, size);
+    QCOMPARE(of(project, 0), std::optional(3.0));
+    project = with(project, {0, 1}, -1);
     QCOMPARE(project.depth.size(), std::size_t(2));
-    QCOMPARE(depthOfHandle(project, 0), std::optional(-1.0));
-    project = withHandleDepth(project, {0, 1}, 0, size);
+    QCOMPARE(of(project, 0), std::optional(-1.0));
+    project = with(project, {0, 1}, 0);
     QVERIFY(project.depth.empty());
     // Of two pins close to each other either takes no more than the half between them.
-    const Project near = withHandleDepth(withPin(project, Vec<2>(146, 41), "near"), {0}, 1, size);
+    const Project near = with(withPin(project, Vec<2>(146, 41), "near"), {0}, 1);
     QVERIFY(signedDistance<2>(near.depth[0].shape, {134, 41}) < 0);
     QVERIFY(signedDistance<2>(near.depth[0].shape, {137, 41}) > 0);
 }

@@ -132,7 +132,7 @@ void TestFilesOnDisk::reloadingTakesThem() {
     const int generation = document().generation();
     answerNext(m_window.get(), "Cancel");
     press("Reload");
-    QCOMPARE(document().design().handles.size(), std::size_t(1));
+    QCOMPARE(document().design<2>().handles.size(), std::size_t(1));
     answerNext(m_window.get(), "Reload");
     press("Reload");
     QVERIFY(opened(generation));

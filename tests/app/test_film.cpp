@@ -153,7 +153,7 @@ void TestFilm::recordsWhatTheHandDoes() {
     record(1, Qt::ControlModifier, 500);
     QCOMPARE(motions(1), std::size_t(1));
     QCOMPARE(session().playback().time(), 0.0);
-    const MotionTime time = timeOf(project(), 1, 0);
+    const MotionTime time = timeOf(project().design, 1, 0);
     QCOMPARE(time.start, 0.0);
     QCOMPARE(time.end, project().end);
     // The clock of the events runs at least as long as their pauses.
@@ -184,12 +184,12 @@ void TestFilm::othersGoOnWhileOneIsRecorded() {
     openFilm(2);
     session().playback().setTime(0);
     QVERIFY(settle(session()));
-    const MotionTime before = timeOf(project(), 0, 0);
+    const MotionTime before = timeOf(project().design, 0, 0);
     record(1, Qt::ControlModifier, 200);
-    QCOMPARE(timeOf(project(), 0, 0), before);
+    QCOMPARE(timeOf(project().design, 0, 0), before);
     QCOMPARE(project().end, 4.0);
     QCOMPARE(motions(1), std::size_t(1));  // its own, which was later, is replaced
-    QCOMPARE(timeOf(project(), 1, 0).start, 0.0);
+    QCOMPARE(timeOf(project().design, 1, 0).start, 0.0);
 }
 
 /// At half the speed the same deed takes half as much of the film.
@@ -257,7 +257,7 @@ void TestFilm::shortBarsKeepTheirPlace() {
     session().document().change(QStringLiteral("Short"), next);
     QVERIFY(settle(session()));
     dragBar(0, 1, tracks().barOf(0, 1).left(), -60);
-    QCOMPARE(timeOf(project(), 0, 1), (MotionTime{0.99, 1}));
+    QCOMPARE(timeOf(project().design, 0, 1), (MotionTime{0.99, 1}));
 }
 
 void TestFilm::givenUpRecordingLeavesNothing() {
@@ -301,15 +301,15 @@ void TestFilm::barsAreDragged() {
     QVERIFY(std::abs(bar.width() - second) <= 1);
     const int steps = session().document().undoStack()->count();
     dragBar(0, 0, bar.center().x(), 0.3 * second);
-    MotionTime time = timeOf(project(), 0, 0);
+    MotionTime time = timeOf(project().design, 0, 0);
     QVERIFY(std::abs(time.start - 0.3) <= pixel && std::abs(time.end - 1.3) <= pixel);
     QCOMPARE(session().document().undoStack()->count(), steps + 1);
-    QCOMPARE(timeOf(project(), 1, 0), (MotionTime{1, 2}));
+    QCOMPARE(timeOf(project().design, 1, 0), (MotionTime{1, 2}));
     dragBar(0, 0, tracks().barOf(0, 0).right() - 1, 0.4 * second);
-    time = timeOf(project(), 0, 0);
+    time = timeOf(project().design, 0, 0);
     QVERIFY(std::abs(time.start - 0.3) <= pixel && std::abs(time.end - 1.7) <= 2 * pixel);
     dragBar(0, 0, tracks().barOf(0, 0).left() + 1, 0.2 * second);
-    time = timeOf(project(), 0, 0);
+    time = timeOf(project().design, 0, 0);
     QVERIFY(std::abs(time.start - 0.5) <= 3 * pixel && std::abs(time.end - 1.7) <= 2 * pixel);
     QCOMPARE(session().selection().handles(), std::vector<int>{0});
     // Both ends of its time are where the handle begins and ends to move.
@@ -333,7 +333,7 @@ void TestFilm::holdsAreDragged() {
     const double second = span() / 4, pixel = 4 / span();
     const double endless = std::numeric_limits<double>::infinity();
     const auto line = [&] { return tracks().barOf(1, TrackView::kHold); };
-    const auto hold = [&] { return holdOf(project(), 1); };
+    const auto hold = [&] { return holdOf(project().design, 1); };
     QCOMPARE(hold(), (MotionTime{-endless, endless}));
     QVERIFY(std::abs(line().width() - 4 * second) <= 1);
     const int steps = session().document().undoStack()->count();
@@ -346,7 +346,7 @@ void TestFilm::holdsAreDragged() {
     QVERIFY(std::abs(hold().end - 3.3) <= 2 * pixel);
     dragBar(1, TrackView::kHold, line().right(), -3 * second);  // and ends at 2
     QCOMPARE(hold(), (MotionTime{1, 2}));
-    QCOMPARE(timeOf(project(), 1, 0), (MotionTime{1, 2}));
+    QCOMPARE(timeOf(project().design, 1, 0), (MotionTime{1, 2}));
     session().selection().set({0, 1});
     QAction* whole = m_window->window().findChild<PinActions*>()->holdThroughout;
     QVERIFY(whole->isEnabled());
@@ -357,7 +357,8 @@ void TestFilm::holdsAreDragged() {
     session().document().undoStack()->undo();
     QCOMPARE(hold(), (MotionTime{1, 2}));
     // One that is set at the end holds there alone, and its line is a stop that goes only one way.
-    Project late = withHold(project(), 1, {0, 4});
+    Project late = project();
+    late.design = withHold(late.design, 1, {0, 4}, late.end);
     std::visit(
         [](auto& design) {
             design.handles[1].motions.clear();
@@ -378,7 +379,7 @@ void TestFilm::barsSnapToEachOther() {
     openFilm(2);
     const double second = span() / 4;
     dragBar(0, 0, tracks().barOf(0, 0).center().x(), 1.0 * second + 4);
-    QCOMPARE(timeOf(project(), 0, 0), (MotionTime{1, 2}));  // with the other, exactly
+    QCOMPARE(timeOf(project().design, 0, 0), (MotionTime{1, 2}));  // with the other, exactly
 }
 
 void TestFilm::lockedBarsStay() {
@@ -388,7 +389,7 @@ void TestFilm::lockedBarsStay() {
     session().document().change(QStringLiteral("Lock"), next);
     QVERIFY(settle(session()));
     dragBar(0, 0, tracks().barOf(0, 0).center().x(), 60);
-    QCOMPARE(timeOf(project(), 0, 0), (MotionTime{0, 1}));
+    QCOMPARE(timeOf(project().design, 0, 0), (MotionTime{0, 1}));
 }
 
 void TestFilm::barsByKeyboard() {
@@ -404,12 +405,12 @@ void TestFilm::barsByKeyboard() {
     QVERIFY(std::abs(session().playback().time() - 0.04) < 1e-12);
     const int steps = session().document().undoStack()->count();
     for (int i = 0; i < 5; ++i) QTest::keyClick(&tracks(), Qt::Key_Right, Qt::AltModifier);
-    const MotionTime time = timeOf(project(), 1, 0);
+    const MotionTime time = timeOf(project().design, 1, 0);
     QVERIFY(std::abs(time.start - 1.2) < 1e-9 && std::abs(time.end - 2.2) < 1e-9);
     QCOMPARE(session().document().undoStack()->count(), steps + 1);  // keys in a row are one step
     QTest::keyClick(&tracks(), Qt::Key_Delete);
     QCOMPARE(motions(1), std::size_t(0));
-    QCOMPARE(session().document().design().handles.size(), std::size_t(2));  // the pin stays
+    QCOMPARE(session().document().design<2>().handles.size(), std::size_t(2));  // the pin stays
     QTest::keyClick(&tracks(), Qt::Key_Up);
     QCOMPARE(motions(0), std::size_t(1));
 }
@@ -451,7 +452,8 @@ QString ghostName(ShapeSession& session) {
 void TestFilm::ghostsTellWhenTheyHold() {
     QFETCH(int, dimension);
     openFilm(dimension);
-    session().document().change(QStringLiteral("Hold"), withHold(project(), 1, {1, 2.5}));
+    session().document().changeDesign(QStringLiteral("Hold"),
+                                      withHold(project().design, 1, {1, 2.5}, project().end));
     QVERIFY(settle(session()));
     const auto name = [&] { return dimension == 2 ? ghostName<2>(session()) : ghostName<3>(session()); };
     session().playback().setTime(0.2);

@@ -139,7 +139,7 @@ void TestGestures::undoEndsADrag() {
     m_session->dragTo<2>({0, 12});
     m_session->endDrag(0.2);
     QVERIFY(settled());
-    QCOMPARE(m_session->document().design().handles.size(), std::size_t(1));
+    QCOMPARE(m_session->document().design<2>().handles.size(), std::size_t(1));
     QVERIFY(!m_session->frame()->live);
     QVERIFY(m_session->frame<2>()->pose == m_session->frame<2>()->rest->points);
 }
@@ -187,7 +187,9 @@ void TestGestures::anotherFileEndsADrag() {
 /// A pin within a part that is held cannot move; that is no reason for others not to.
 void TestGestures::refusedDragsLeaveOthersAlone() {
     open();
-    edit(withHandle<2>(project(), Region<2>(Ball<2>{{110, 80}, 14}), "Block"));
+    m_session->document().changeDesign(
+        QStringLiteral("Edit"),
+        withHandle<2>(m_session->document().design<2>(), Region<2>(Ball<2>{{110, 80}, 14}), "Block"));
     const int inside = m_session->addPin<2>({112.5, 81.25});
     QVERIFY(settled());
     QSignalSpy problems(m_session.get(), &ShapeSession::problem);
@@ -255,8 +257,8 @@ void TestGestures::handlesThatAreGoneDoNotMove() {
     m_session->dragTo<2>({0, 4});
     m_session->endDrag(0.2);
     QVERIFY(settled());
-    QVERIFY(m_session->document().design().handles[0].motions.empty());
-    QCOMPARE(m_session->document().design().handles[1].motions.size(), std::size_t(2));
+    QVERIFY(m_session->document().design<2>().handles[0].motions.empty());
+    QCOMPARE(m_session->document().design<2>().handles[1].motions.size(), std::size_t(2));
 }
 
 void TestGestures::handlesThatAreGoneCanBeRemoved() {
@@ -266,7 +268,7 @@ void TestGestures::handlesThatAreGoneCanBeRemoved() {
     for (const std::size_t left : {2, 1}) {
         m_session->selection().set({0});
         m_session->removeSelected();
-        QCOMPARE(m_session->document().design().handles.size(), left);
+        QCOMPARE(m_session->document().design<2>().handles.size(), left);
         QVERIFY(settled());
         QCOMPARE(m_session->ghosts().size(), left - 1);  // let go of at first: still to be found
     }
@@ -281,7 +283,7 @@ void TestGestures::pinSitsWhereItWasClicked() {
     QVERIFY(m_session->frame<2>()->pose == m_session->frame<2>()->rest->points);
     const int added = m_session->addPin(far);
     QCOMPARE(added, 2);
-    const auto& points = std::get<std::vector<Vec<2>>>(m_session->document().design().handles[2].at);
+    const auto& points = std::get<std::vector<Vec<2>>>(m_session->document().design<2>().handles[2].at);
     QVERIFY((points[0] - far).norm() < 1e-9);
 }
 

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "app/document/material_edits.h"
+#include "app/document/named_files.h"
 #include "app/document/project_file.h"
 #include "app/document/text_file.h"
 #include "app/panels/layer_panel.h"
@@ -149,7 +150,7 @@ void TestMaterialPictures::everythingComesBack() {
                 1e-3 * (mean + r));
     }
     regions.clear();
-    project = withPictures(project, "all", frame.box, pictures);
+    project.design = withPictures(project.design, "all", frame.box, pictures);
     const Material<2> again = materialOf(project);
     for (int c = 0; c < shape.rest->cellCount(); ++c) {
         QVERIFY(std::abs(again.phi[c] - shape.material->phi[c]) < 1e-4);
@@ -230,7 +231,7 @@ void TestMaterialPictures::projectsNameTheirPictures() {
     QCOMPARE(toJson(read), toJson(readProject(path).project));
     RunOutputs outputs;
     outputs.image = folder.filePath("ramp.png").toStdString();
-    QVERIFY(!overwriting(inputsOf(read, path, folderOf(path)), outputs).empty());
+    QVERIFY(!overwriting(inputsOf(read.domain, read.design, path, folderOf(path)), outputs).empty());
     const auto refused = [&](const std::string& from, const std::string& to) {
         std::string text = readTextFile(path);
         text.replace(text.find(from), from.size(), to);
@@ -348,7 +349,7 @@ void TestMaterialPictures::windowBringsInAndWrites() {
     const QRect row = list.visualItemRect(list.item(0));
     QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, QPoint(row.left() + 10, row.center().y()));
     QVERIFY(settle(session));
-    QVERIFY(isGroupHidden(f.project(), "ramp"));
+    QVERIFY(isGroupHidden(session.document().design(), "ramp"));
     QCOMPARE(phiAt({200, 80}), phi::kMetr);
     QCOMPARE(session.document().undoStack()->undoText(), LayerPanel::tr("Hide layer"));
     f.window().actions().undo->trigger();
@@ -364,13 +365,13 @@ void TestMaterialPictures::windowBringsInAndWrites() {
     MaterialRegion<2> all;
     all.shape = Box<2>{{0, 0}, {240, 160}};
     all.phi = phi::kAkvf;
-    session.document().change("Box", withRegions<2>(f.project(), "Box", {all}));
+    session.document().changeDesign("Box", withRegions<2>(session.document().design<2>(), "Box", {all}));
     QVERIFY(settle(session));
     QCOMPARE(phiAt({40, 80}), phi::kAkvf);
     QVERIFY(list.model()->moveRow({}, 1, {}, 0));
     QVERIFY(settle(session));
     QTRY_VERIFY(phiAt({40, 80}) > 2);
-    QCOMPARE(regionGroups<2>(f.project()).back().name, std::string("ramp"));
+    QCOMPARE(regionGroups(session.document().design<2>()).back().name, std::string("ramp"));
 }
 
 void TestMaterialPictures::brokenPicturesAreTold() {

@@ -69,7 +69,8 @@ class TestMeshTrust : public QObject {
         return parseProject(json("{'format': 'wend', 'version': 1, " + rest + "}"), file("p.wend")).project;
     }
     Shape<3> solid(const std::string& domain) const {
-        return loadSolid(project("'domain': {" + domain + "}"), m_base);
+        const Project read = project("'domain': {" + domain + "}");
+        return loadSolid(read.domain, std::get<Design<3>>(read.design), m_base);
     }
     /// Runs it; what was told stays in m_notices.
     void run(const Project& project, const RunOutputs& outputs, MeshWriteOptions meshes = {}) {

@@ -158,7 +158,7 @@ void TestPainting::softRegions() {
     stroke<Dim>({-1, 0}, {0.5, 0.1});
     QVERIFY(settle(session));
     const auto frame = session.frame<Dim>();
-    QCOMPARE(regionGroups<Dim>(m_f->project()).size(), std::size_t(1));
+    QCOMPARE(regionGroups(m_f->session().document().template design<Dim>()).size(), std::size_t(1));
     QVERIFY(regions<Dim>().size() > 5);
     QVERIFY(m_f->window().actions().undo->text().contains(QStringLiteral("Rigid")));
     const Vec<Dim> a = Bar<Dim>::place(-1, 0), b = Bar<Dim>::place(0.5, 0.1);
@@ -314,7 +314,7 @@ void TestPainting::eraseSmoothAndPick() {
     const QPoint middle = canvas.toWidget(Bar<Dim>::place(0, 0)).toPoint();
     QTest::mouseClick(&canvas, Qt::LeftButton, Qt::AltModifier, middle);
     QCOMPARE(brush().now().phi, phi::conformal(Dim));
-    QCOMPARE(regionGroups<Dim>(m_f->project()).size(), std::size_t(1));
+    QCOMPARE(regionGroups(m_f->session().document().template design<Dim>()).size(), std::size_t(1));
     // Ctrl lays what is everywhere.
     constexpr double kDeep = Dim == 3 ? 2.2 : 1;  // the middle of a tetrahedron lies below the surface
     set([](BrushSettings& b) { b.radius = 40 * kDeep; });
@@ -840,7 +840,7 @@ void TestPainting::fills() {
     const QString path = folder.filePath(QStringLiteral("filled.wend"));
     session.document().save(path);
     const auto saved = openFile(path).project;
-    QCOMPARE(regionGroups<Dim>(*saved).size(), std::size_t(3));
+    QCOMPARE(regionGroups(std::get<Design<Dim>>(saved->design)).size(), std::size_t(3));
 }
 
 /// The bar is cut in two: a click fills the half that it lies in, with Shift both.
@@ -904,7 +904,7 @@ void TestPainting::orderAndNames() {
     // A name that there is already does not join the two.
     panel.list()->currentItem()->setText(panel.list()->item(1)->text());
     QVERIFY(settle(session));
-    QCOMPARE(regionGroups<Dim>(m_f->project()).size(), std::size_t(2));
+    QCOMPARE(regionGroups(m_f->session().document().template design<Dim>()).size(), std::size_t(2));
     QVERIFY(press("layerRemove"));
     QVERIFY(is(phi::kEquia));
     for (int i = 0; i < 4; ++i) m_f->window().actions().undo->trigger();

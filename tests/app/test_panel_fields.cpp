@@ -494,7 +494,7 @@ void TestPanelFields::fieldsShowAnyValueOfTheirSetting() {
         QVERIFY2(!field.focusProxy()->accessibleName().isEmpty() && !field.focusProxy()->toolTip().isEmpty(),
                  key);
         std::vector<double> values{defaultOf(one)};
-        const Range range = rangeOf(one, Project{});
+        const Range range = rangeOf(one, 2);
         const bool open = range.openMin || std::isinf(range.min);
         if (one.kind == OptionKind::Flag || one.kind == OptionKind::Choice)
             values = {0, 1};

@@ -256,8 +256,9 @@ void TestPen::whatCannotMoveIsNotDrawn() {
     click(pin(1) + QPoint(-60, 0));
     QVERIFY(told.size() == 1 && told.last().first().toString().contains(QStringLiteral("Click on the pin")));
     Document& document = m_f->session().document();
-    document.change(QStringLiteral("Lock"),
-                    withTraits(*document.project(), {1}, [](HandleTraits& traits) { traits.locked = true; }));
+    document.changeDesign(
+        QStringLiteral("Lock"),
+        withTraits(document.design(), {1}, [](HandleTraits& traits) { traits.locked = true; }));
     QVERIFY(settle(m_f->session()));
     const int before = steps();
     click(pin(1));

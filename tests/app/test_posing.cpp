@@ -67,7 +67,7 @@ class TestPosing : public QObject {
     ShapeSession& session() { return m_window->session(); }
     ShapeCanvas& canvas() { return m_window->canvas(); }
     const Project& project() { return *session().document().project(); }
-    const std::vector<Handle<2>>& handles() { return session().document().design().handles; }
+    const std::vector<Handle<2>>& handles() { return session().document().design<2>().handles; }
     QPoint at(const Vec<2>& p) { return canvas().toWidget(p).toPoint(); }
     Vec<2> pin(int h) { return session().pins()[h].centre; }
     double pixel() { return 1 / canvas().view().zoom(); }

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <numbers>
 
+#include "app/document/named_files.h"
 #include "app/document/options.h"
 #include "app/document/project_file.h"
 #include "app/document/settings.h"

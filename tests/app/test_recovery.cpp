@@ -58,7 +58,7 @@ void TestRecovery::init() {
 void TestRecovery::addPin() {
     const Project& project = *m_document->project();
     m_document->change(QStringLiteral("Add pin"),
-                       withPin(project, {1, 2}, freeName(namesOf(m_document->design().handles), "Pin")));
+                       withPin(project, {1, 2}, freeName(namesOf(m_document->design<2>().handles), "Pin")));
 }
 
 void TestRecovery::addPinAndWait(Recovery& recovery) {

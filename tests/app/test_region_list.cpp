@@ -6,6 +6,8 @@
 #include <QUndoStack>
 
 #include "app/document/depth_edits.h"
+#include "app/document/handle_edits.h"
+#include "app/document/project.h"
 #include "app/document/region_edits.h"
 #include "app/panels/region_list.h"
 #include "tests/support/bar.h"
@@ -36,7 +38,10 @@ class TestRegionList : public QObject {
         Properties& side = m_f->window().properties();
         return of == RegionsOf::Detail ? side.detailRegions() : side.depthRegions();
     }
-    std::vector<NamedRegions> groups(RegionsOf of) { return namedRegions(m_f->project(), of); }
+    std::vector<NamedRegions> groups(RegionsOf of) {
+        const Project& project = m_f->project();
+        return of == RegionsOf::Detail ? namedRegions(project.domain.flatSizes) : namedRegions(project.depth);
+    }
     QUndoStack& undo() { return *m_f->session().document().undoStack(); }
 
     std::unique_ptr<SolidFixture> m_f;
@@ -77,31 +82,34 @@ bool TestRegionList::brush(double fromU, double toU) {
 
 /// Those without a name stand alone; a name that is taken gets a number.
 void TestRegionList::groupsOfOneName() {
-    Project project;
+    DepthRegions depth;
     const auto add = [&](const char* name, double order) {
-        project.depth.push_back({name, Ball<2>{{order, 0}, 1}, order});
+        depth.push_back({name, Ball<2>{{order, 0}, 1}, order});
     };
     add("a", 1), add("", 2), add("b", 3), add("a", 4), add("", 5);
-    const auto all = namedRegions(project, RegionsOf::Depth);
+    const auto all = namedRegions(depth);
     QCOMPARE(all.size(), std::size_t(4));
     QVERIFY(all[0].name == "a" && all[0].regions.size() == 2 && all[0].value == 1);
     QVERIFY(all[1].name.empty() && all[1].regions.size() == 1 && all[3].value == 5);
-    const Project renamed = withRegionsName(project, RegionsOf::Depth, 2, "a");
-    QVERIFY(renamed.depth[2].name == "a 2" && renamed.depth[0].name == "a");
-    QVERIFY(withRegionsName(project, RegionsOf::Depth, 1, "c").depth[1].name == "c");
+    const DepthRegions renamed = withRegionsName(depth, 2, "a");
+    QVERIFY(renamed[2].name == "a 2" && renamed[0].name == "a");
+    QVERIFY(withRegionsName(depth, 1, "c")[1].name == "c");
     // A pin that gives an order has its regions' name, and none takes that of another.
+    Project project;
+    project.depth = depth;
     auto& handles = std::get<Design<2>>(project.design).handles;
     handles.push_back({"b", std::vector<Vec<2>>{{3, 0}}, {}});
     handles.push_back({"d", std::vector<Vec<2>>{{4, 0}}, {}});
-    const Project both = withRegionsName(project, RegionsOf::Depth, 2, "e");
-    QVERIFY(both.depth[2].name == "e" && depthOfHandle(both, 0) == 3 && !depthOfHandle(both, 1));
-    QVERIFY(withRegionsName(project, RegionsOf::Depth, 2, "d").depth[2].name == "d 2");
-    const Project without = withoutRegions(project, RegionsOf::Depth, 0);
-    QVERIFY(without.depth.size() == 3 && without.depth[0].order == 2 && without.depth[1].name == "b");
-    const Project changed = withRegionsValue(project, RegionsOf::Depth, 0, -1);
-    QVERIFY(changed.depth[0].order == -1 && changed.depth[3].order == -1 && changed.depth[1].order == 2);
-    QVERIFY(withoutRegions(project, RegionsOf::Depth, 7).depth == project.depth);
-    QVERIFY(namedRegions(project, RegionsOf::Detail).empty());
+    const Project both = withDepthName(project, 2, "e");
+    QVERIFY(both.depth[2].name == "e" && depthOfHandle(both.depth, "e") == 3);
+    QVERIFY(std::get<Design<2>>(both.design).handles[0].name == "e");
+    QVERIFY(withDepthName(project, 2, "d").depth[2].name == "d 2");
+    const DepthRegions without = withoutRegions(depth, 0);
+    QVERIFY(without.size() == 3 && without[0].order == 2 && without[1].name == "b");
+    const DepthRegions changed = withRegionsValue(depth, 0, -1);
+    QVERIFY(changed[0].order == -1 && changed[3].order == -1 && changed[1].order == 2);
+    QVERIFY(withoutRegions(depth, 7) == depth);
+    QVERIFY(namedRegions(std::vector<SizeRegionIn<2>>()).empty());
 }
 
 /// The last one on top, with its number, which can be changed; renamed by typing, and removed. Each is a

@@ -25,7 +25,7 @@ std::vector<double> othersOf(const Option& setting, const Project& project) {
         for (std::size_t k = 0; k < choicesOf(setting).size(); ++k) tried.push_back(static_cast<double>(k));
     } else if (setting.kind == OptionKind::Flag)
         tried = {0, 1};
-    const Range range = rangeOf(setting, project);
+    const Range range = rangeOf(setting, project.dimension());
     std::erase_if(tried, [&](double value) {
         if (setting.kind == OptionKind::Integer && value != std::floor(value)) return true;
         return value == now || !(range.contains(value));
@@ -92,7 +92,7 @@ void TestShapeBuilder::follow(const Project& project, const Option& setting) {
         ShapeInputs inputs;
         inputs.project = std::make_shared<const Project>(of);
         inputs.folder = m_base;
-        if (of.domain.kind == DomainKind::Image) inputs.picture = loadPicture(of, m_base);
+        if (of.domain.kind == DomainKind::Image) inputs.picture = loadPicture(of.domain, m_base);
         return builder.build(inputs, {});
     };
     const Shape<Dim> first = build(project);

@@ -47,7 +47,10 @@ class TestSolid : public QObject {
         const std::string text = "{'format': 'wend', 'version': 1, 'domain': {" + domain + "}}";
         return parseProject(json(text), m_base + "/p.wend").project;
     }
-    Shape<3> solid(const std::string& domain) const { return loadSolid(project(domain), m_base); }
+    Shape<3> solid(const std::string& domain) const {
+        const Project read = project(domain);
+        return loadSolid(read.domain, std::get<Design<3>>(read.design), m_base);
+    }
 
     QTemporaryDir m_folder;
     std::string m_base;
@@ -257,7 +260,8 @@ void TestSolid::handlesByNumberKeepTheSurface() {
     const std::string text =
         "{'format': 'wend', 'version': 1, 'domain': {'surface': 'dense.obj', 'vertices': 300}, "
         "'handles': [{'at': {'vertices': [3000]}}]}";
-    QVERIFY(!loadSolid(parseProject(json(text), m_base + "/p.wend").project, m_base).cage);
+    const Project read = parseProject(json(text), m_base + "/p.wend").project;
+    QVERIFY(!loadSolid(read.domain, std::get<Design<3>>(read.design), m_base).cage);
 }
 
 void TestSolid::sizesFollowRegionsAndPaint() {

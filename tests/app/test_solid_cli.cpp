@@ -2,6 +2,7 @@
 
 #include <QtTest>
 
+#include "core/mesh/mesh_file.h"
 #include "core/mesh/skin_file.h"
 #include "tests/app/cli_harness.h"
 #include "tests/support/surfaces.h"

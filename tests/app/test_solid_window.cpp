@@ -500,9 +500,9 @@ void TestSolidWindow::curvePointsAreDragged() {
     session().moveSelected<3>(Grip{}, {0, 0, 0.8});
     QVERIFY(settle(session()));
     const Vec<3> end = session().pins<3>()[1].centre;
-    const auto curved = withCurve(*session().document().project(), 1, end);
+    const auto curved = withCurve(session().document().design<3>(), 1, end);
     QVERIFY(curved);
-    session().document().change(QStringLiteral("Curve"), *curved);
+    session().document().changeDesign(QStringLiteral("Curve"), *curved);
     QVERIFY(settle(session()));
     QVERIFY((session().pins<3>()[1].centre - end).norm() < 1e-9);
     // The last point is where the handle ends; beside the manipulator's centre it is the curve's.
@@ -513,11 +513,11 @@ void TestSolidWindow::curvePointsAreDragged() {
     const Vec<3> moved = std::get<CurveMotion<3>>(handles()[1].motions.back().kind).points[2];
     QVERIFY(std::abs((moved - inner).x() - 40 * canvas().pixelSize(inner)) < 2 * canvas().pixelSize(inner));
     QVERIFY((session().pins<3>()[1].centre - end).norm() < 1e-9);
-    Project framed = *session().document().project();
+    Design<3> framed = session().document().design<3>();
     auto* curve = lastCurve(framed, 1);
     curve->frame = FrameKind::Minimal;
     curve->twist = 1;
-    session().document().change(QStringLiteral("Twist"), framed);
+    session().document().changeDesign(QStringLiteral("Twist"), framed);
     QVERIFY(settle(session()));
     QCOMPARE(session().frame()->distortion->flips, 0);
     m_window->solids().actions().oblique->trigger();
@@ -529,7 +529,7 @@ void TestSolidWindow::paintingChangesTheMaterial() {
     m_window->tools().action(QStringLiteral("paint"))->trigger();
     drag(at({-1, -0.5, 0}), at({1, -0.5, 0}));
     QVERIFY(settle(session()));
-    const auto groups = regionGroups(*session().document().project());
+    const auto groups = regionGroups(session().document().design<3>());
     QCOMPARE(groups.size(), std::size_t(1));
     QVERIFY(groups[0].count > 1);
     const auto& phi = session().frame<3>()->material->phi;
@@ -557,7 +557,7 @@ void TestSolidWindow::paintingChangesTheMaterial() {
     QCOMPARE(m_window->distortionPanel().measure(), Measure::Length);
     m_window->actions().undo->trigger();
     QVERIFY(settle(session()));
-    QVERIFY(regionGroups(*session().document().project()).empty());
+    QVERIFY(regionGroups(session().document().design<3>()).empty());
 }
 
 void TestSolidWindow::measuresLengthAndAngle() {

@@ -313,7 +313,7 @@ void TestSpaceAreas::stiffAlongStrokeViewAndNumbers() {
         if (box->accessibleName() == PaintPanel::tr("Direction in numbers")) boxes << box;
     const auto axes = [&](std::size_t group) {
         std::vector<Vec<3>> found;
-        const std::string name = regionGroups(m_f->project())[group].name;
+        const std::string name = regionGroups(m_f->session().document().design<3>())[group].name;
         for (const auto& region : m_f->session().document().design<3>().material.regions)
             if (region.name == name) found.push_back(region.stiffness->axis);
         return found;
@@ -344,8 +344,9 @@ void TestSpaceAreas::stiffAlongStrokeViewAndNumbers() {
     // Another ratio leaves every direction of a stroke as it is.
     const auto before = axes(0);
     QVERIFY(before.size() > 1);
-    const Project changed = withGroupPaint(m_f->project(), regionGroups(m_f->project())[0].name,
-                                           MaterialPaint<3>{{}, Stiffness<3>{Vec<3>::UnitZ(), 3}}, true);
+    const Design<3> changed = withGroupPaint(m_f->session().document().design<3>(),
+                                             regionGroups(m_f->session().document().design<3>())[0].name,
+                                             MaterialPaint<3>{{}, Stiffness<3>{Vec<3>::UnitZ(), 3}}, true);
     QCOMPARE(regionGroups(changed)[0].paint.stiffness->axis, before[0]);
     QCOMPARE(regionGroups(changed)[0].paint.stiffness->ratio, 3.0);
     m_f->window().actions().showMarks->setChecked(true);

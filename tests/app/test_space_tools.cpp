@@ -27,7 +27,7 @@ class TestSpaceTools : public QObject {
 
   private:
     bool makeCurve();
-    std::vector<Vec<3>> curve() { return lastCurve(m_f->project(), 1)->points; }
+    std::vector<Vec<3>> curve() { return lastCurve(m_f->session().document().design<3>(), 1)->points; }
     QPoint onCurve(double v);
     std::unique_ptr<SolidFixture> m_f;
 };
@@ -163,11 +163,12 @@ void TestSpaceTools::twistAndScaleByThePanel() {
     const double size = 0.5;  // half of the end's side
     type(QStringLiteral(" °"), QString(), QStringLiteral("60"));
     QVERIFY(settle(m_f->session()));
-    QVERIFY(std::abs(lastCurve(m_f->project(), 1)->twist - M_PI / 3) < 1e-9);
-    QVERIFY(lastCurve(m_f->project(), 1)->frame == FrameKind::Minimal);  // without one nothing twists
+    QVERIFY(std::abs(lastCurve(m_f->session().document().design<3>(), 1)->twist - M_PI / 3) < 1e-9);
+    QVERIFY(lastCurve(m_f->session().document().design<3>(), 1)->frame ==
+            FrameKind::Minimal);  // without one nothing twists
     type(QString(), QStringLiteral("×"), QStringLiteral("0.8"));
     QVERIFY(settle(m_f->session()));
-    QCOMPARE(lastCurve(m_f->project(), 1)->scale, 0.8);
+    QCOMPARE(lastCurve(m_f->session().document().design<3>(), 1)->scale, 0.8);
     const Vec<3> middle = m_f->pin(1);
     double reach = 0;
     for (const int v : m_f->session().verticesOf(1))

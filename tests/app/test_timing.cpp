@@ -207,7 +207,7 @@ void TestTiming::motionsStayBetweenTheirNeighbours() {
     QFETCH(double, start);
     QFETCH(double, end);
     const auto check = [&](const Project& project) {
-        const MotionTime time = timeOf(withMotionTime(project, 0, motion, {start, end}), 0, motion);
+        const MotionTime time = timeOf(withMotionTime(project, 0, motion, {start, end}).design, 0, motion);
         QTEST(time.start, "expectedStart");
         QTEST(time.end, "expectedEnd");
     };
@@ -221,27 +221,29 @@ void TestTiming::motionsWaitForTheirHandle() {
     handle.motions.erase(handle.motions.begin());
     handle.activeFrom = 1.5;
     handle.activeTo = 3.5;
-    QCOMPARE(timeOf(withMotionTime(project, 0, 0, {0, 1}), 0, 0), (MotionTime{1.5, 2.5}));
+    QCOMPARE(timeOf(withMotionTime(project, 0, 0, {0, 1}).design, 0, 0), (MotionTime{1.5, 2.5}));
     const Project late = withMotionTime(project, 0, 0, {6, 7});
-    QCOMPARE(timeOf(late, 0, 0), (MotionTime{2.5, 3.5}));
+    QCOMPARE(timeOf(late.design, 0, 0), (MotionTime{2.5, 3.5}));
     QCOMPARE(late.end, 4.0);
 }
 
 void TestTiming::laterMotionsLengthenTheFilm() {
     const Project after = withMotionTime(film<2>(), 0, 1, {5, 6});
     QCOMPARE(after.end, 6.0);
-    QCOMPARE(timeOf(after, 0, 1), (MotionTime{5, 6}));
-    QCOMPARE(timeOf(after, 0, 0), (MotionTime{0, 1}));
+    QCOMPARE(timeOf(after.design, 0, 1), (MotionTime{5, 6}));
+    QCOMPARE(timeOf(after.design, 0, 0), (MotionTime{0, 1}));
     QCOMPARE(withMotionTime(film<2>(), 0, 1, {2.5, 3}).end, 4.0);
 }
 
 void TestTiming::easeAndRemoval() {
-    const Project soft = withMotionEase(film<2>(), 0, 1, Ease::InOut);
+    Project soft = film<2>();
+    soft.design = withMotionEase(soft.design, 0, 1, Ease::InOut);
     QCOMPARE(handlesOf(soft)[0].motions[1].ease, Ease::InOut);
     QCOMPARE(handlesOf(soft)[0].motions[0].ease, Ease::Linear);
-    const Project one = withoutMotion(film<2>(), 0, 0);
+    Project one = film<2>();
+    one.design = withoutMotion(one.design, 0, 0);
     QCOMPARE(handlesOf(one)[0].motions.size(), std::size_t(1));
-    QCOMPARE(timeOf(one, 0, 0), (MotionTime{2, 3}));
+    QCOMPARE(timeOf(one.design, 0, 0), (MotionTime{2, 3}));
     QCOMPARE(one.end, 4.0);
 }
 

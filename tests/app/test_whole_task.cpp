@@ -259,7 +259,9 @@ void TestWholeTask::bendAndPaint() {
     const QPoint from = pin<Dim>(3);
     draw({from, from + QPoint(10, -60)});
     QVERIFY(done("a drag"));
-    const auto curve = [this] { return lastCurve<Dim>(m_f->project(), 3)->points; };
+    const auto curve = [this] {
+        return lastCurve(m_f->session().document().template design<Dim>(), 3)->points;
+    };
     m_f->window().curves().make->trigger();
     QVERIFY(done("a path"));
     m_f->window().curves().insert->trigger();

@@ -94,7 +94,7 @@ class TestWindow : public QObject {
         nameNextFile(m_window.get(), path);
     }
     void dragPin(double x, double y, double dx, double dy);
-    std::size_t pinCount() { return m_window->session().document().design().handles.size(); }
+    std::size_t pinCount() { return m_window->session().document().design<2>().handles.size(); }
 
     std::unique_ptr<QTemporaryDir> m_folder;
     std::unique_ptr<MainWindow> m_window;
@@ -330,15 +330,15 @@ void TestWindow::energySliderIsOneStep() {
     for (int value = 1200; value <= 2600; value += 100) slider->setSliderPosition(value);
     slider->setSliderDown(false);
     QCOMPARE(undo.count(), steps + 1);
-    const double phi = m_window->session().document().design().material.phi;
+    const double phi = m_window->session().document().design<2>().material.phi;
     QVERIFY(phi > phi::kAkvf && phi < phi::conformal(2));
     undo.undo();
-    QCOMPARE(m_window->session().document().design().material.phi, phi::kMetr);
+    QCOMPARE(m_window->session().document().design<2>().material.phi, phi::kMetr);
     QCOMPARE(slider->value(), 1000);
     slider->setSliderDown(true);
     slider->setSliderPosition(2020);  // near a stop
     slider->setSliderDown(false);
-    QCOMPARE(m_window->session().document().design().material.phi, phi::kAkvf);
+    QCOMPARE(m_window->session().document().design<2>().material.phi, phi::kAkvf);
 }
 
 void TestWindow::stopLabelsChooseTheNamedEnergies() {
@@ -350,7 +350,7 @@ void TestWindow::stopLabelsChooseTheNamedEnergies() {
             if (label->text() != stop.name) continue;
             ++found;
             QTest::mouseClick(label, Qt::LeftButton);
-            QCOMPARE(m_window->session().document().design().material.phi, stop.phi);
+            QCOMPARE(m_window->session().document().design<2>().material.phi, stop.phi);
             QVERIFY(label->isChecked());
         }
     }
@@ -754,14 +754,14 @@ void TestWindow::doublePressTakesThePinOnItsCurve() {
     const Vec<2> pin = m_window->session().pins()[1].centre;
     QTest::mouseDClick(&m_window->canvas(), Qt::LeftButton, {}, at(pin.x(), pin.y()));
     QVERIFY(settle(m_window->session()));
-    QCOMPARE(lastCurve<2>(*m_window->session().document().project(), 1)->points.size(), std::size_t(4));
+    QCOMPARE(lastCurve(m_window->session().document().design<2>(), 1)->points.size(), std::size_t(4));
 }
 
 /// A right click on the curve opens its menu, but not while the left button drags.
 void TestWindow::menusWaitForTheGesture() {
     QVERIFY(openWithCurve());
     QVERIFY(settle(m_window->session()));
-    const Vec<2> inner = lastCurve<2>(*m_window->session().document().project(), 1)->points[1];
+    const Vec<2> inner = lastCurve(m_window->session().document().design<2>(), 1)->points[1];
     ShapeCanvas& canvas = m_window->canvas();
     canvas.disconnect(SIGNAL(menuWanted(QPoint, wend::MenuPlace)));  // a menu would wait for an answer
     QSignalSpy menus(&canvas, &ShapeCanvas::menuWanted);
@@ -790,7 +790,7 @@ void TestWindow::curvesAreEdited() {
     QVERIFY(settle(m_window->session()));
     m_window->curves().make->trigger();
     QVERIFY(settle(m_window->session()));
-    const auto curve = [&] { return lastCurve<2>(*m_window->session().document().project(), 1)->points; };
+    const auto curve = [&] { return lastCurve(m_window->session().document().design<2>(), 1)->points; };
     QCOMPARE(curve().size(), std::size_t(4));
     const Vec<2> inner = curve()[1];
     dragPin(inner.x(), inner.y(), 15, 0);
@@ -823,7 +823,7 @@ void TestWindow::curvesAreEdited() {
     frame->setFocus();
     for (int i = 0; i < 2; ++i) QTest::keyClick(frame, Qt::Key_Down);
     QVERIFY(settle(m_window->session()));
-    const auto motion = [&] { return *lastCurve<2>(*m_window->session().document().project(), 1); };
+    const auto motion = [&] { return *lastCurve(m_window->session().document().design<2>(), 1); };
     QVERIFY(motion().frame == FrameKind::Minimal);
     for (QDoubleSpinBox* box : panel->findChildren<QDoubleSpinBox*>())
         if (box->isVisible()) box->setValue(1.2);
@@ -836,7 +836,7 @@ void TestWindow::curvesAreEdited() {
     dragPin(190, 40, 0, -8);
     QTest::mouseRelease(&m_window->canvas(), Qt::LeftButton, {}, at(190, 32));
     QVERIFY(settle(m_window->session()));
-    QCOMPARE(m_window->session().document().design().handles[1].motions.size(), std::size_t(2));
+    QCOMPARE(m_window->session().document().design<2>().handles[1].motions.size(), std::size_t(2));
 }
 
 QTEST_MAIN(TestWindow)

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "core/mesh/mesh_file.h"
 #include "core/mesh/skin_file.h"
 #include "tests/support/surfaces.h"
 

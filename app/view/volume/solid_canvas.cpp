@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "app/document/project.h"
+#include "app/document/domain.h"
 #include "app/session/caged_solid.h"
 #include "app/session/rest_frame.h"
 #include "app/session/shape.h"
@@ -157,7 +157,7 @@ QRgb SolidCanvas::plainColour() const {
 bool SolidCanvas::hasDetail(const PosedFrame<3>& frame) const {
     const auto& skin = frame.built->skin;
     return skin && frame.built->embedding &&
-           (isEmbeddedInCage(frame) || !m_session.document().project()->domain.detail.empty() ||
+           (isEmbeddedInCage(frame) || !m_session.document().domain().detail.empty() ||
             !skin->materials.empty());
 }
 

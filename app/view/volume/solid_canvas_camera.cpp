@@ -1,13 +1,11 @@
 // From where a solid is seen, and what of it is kept with its project.
-#include "app/document/project.h"
 #include "app/view/volume/solid_canvas.h"
 
 namespace wend {
 
 /// As every document is seen that brings no camera.
 void SolidCanvas::lookAtFirst() {
-    const auto& project = m_session.document().project();
-    camera().setUpAxis(project ? project->view.up : UpAxis::Z);
+    camera().setUpAxis(m_session.document().up());
     camera().setOrthographic(false);
     look(Camera::Axis::Isometric);
 }
@@ -27,7 +25,7 @@ void SolidCanvas::takeKeptCamera() {
 void SolidCanvas::takeUpAxis() {
     const Document& document = m_session.document();
     if (document.dimension() != 3 || document.generation() != m_generation) return;
-    const UpAxis up = document.project()->view.up;
+    const UpAxis up = document.up();
     if (up == camera().upAxis()) return;
     camera().setUpAxis(up);
     fit();

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/mesh/mesh_file.h"
+
 namespace wend::formats {
 
 void CellCollector::polygon(std::span<const int> corners, int element) {

@@ -1,9 +1,15 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
+#include <vector>
 
-#include "core/mesh/mesh_file.h"
+#include "core/mesh/mesh_field.h"
+
+namespace wend {
+struct MeshFile;
+}
 
 namespace wend::formats {
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/mesh/formats/cell_collector.h"
+#include "core/mesh/mesh_file.h"
 
 namespace wend::formats {
 
