@@ -222,6 +222,10 @@
         <translation>die Form würde sich bei %1, in Zelle %2, überschlagen; weniger weit oder anders führen, oder lösen, was die Form dort hält</translation>
     </message>
     <message>
+        <source>the shape would fold over near %1; let it go less far or another way, or free what holds the shape there</source>
+        <translation>die Form würde sich bei %1 überschlagen; weniger weit oder anders führen, oder lösen, was die Form dort hält</translation>
+    </message>
+    <message>
         <source>it is too fast near %1, the steps would be too short; give its motion more time, or allow a larger tolerance</source>
         <translation>bei %1 ist es zu schnell, die Schritte würden zu kurz; der Bewegung mehr Zeit geben oder eine größere Toleranz erlauben</translation>
     </message>

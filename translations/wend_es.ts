@@ -222,6 +222,10 @@
         <translation>la forma se plegaría cerca de %1, en la celda %2; llévela menos lejos o de otro modo, o suelte lo que la sujeta allí</translation>
     </message>
     <message>
+        <source>the shape would fold over near %1; let it go less far or another way, or free what holds the shape there</source>
+        <translation>la forma se plegaría cerca de %1; llévela menos lejos o de otro modo, o suelte lo que la sujeta allí</translation>
+    </message>
+    <message>
         <source>it is too fast near %1, the steps would be too short; give its motion more time, or allow a larger tolerance</source>
         <translation>va demasiado rápido cerca de %1, los pasos serían demasiado cortos; dé más tiempo al movimiento o permita una tolerancia mayor</translation>
     </message>

@@ -222,6 +222,10 @@
         <translation>la forme se replierait près de %1, dans la cellule %2&#x202f;; allez moins loin ou autrement, ou libérez ce qui la tient là</translation>
     </message>
     <message>
+        <source>the shape would fold over near %1; let it go less far or another way, or free what holds the shape there</source>
+        <translation>la forme se replierait près de %1&#x202f;; allez moins loin ou autrement, ou libérez ce qui la tient là</translation>
+    </message>
+    <message>
         <source>it is too fast near %1, the steps would be too short; give its motion more time, or allow a larger tolerance</source>
         <translation>c’est trop rapide près de %1, les pas seraient trop courts&#x202f;; donnez plus de temps au mouvement ou autorisez une plus grande tolérance</translation>
     </message>

@@ -222,6 +222,10 @@
         <translation>形が %1 の近く、セル %2 で折り返してしまいます。動きを小さくするか別の動かし方にするか、そこで形を押さえているものを外してください</translation>
     </message>
     <message>
+        <source>the shape would fold over near %1; let it go less far or another way, or free what holds the shape there</source>
+        <translation>形が %1 の近くで折り返してしまいます。動きを小さくするか別の動かし方にするか、そこで形を押さえているものを外してください</translation>
+    </message>
+    <message>
         <source>it is too fast near %1, the steps would be too short; give its motion more time, or allow a larger tolerance</source>
         <translation>%1 の近くで速すぎて、ステップが短くなりすぎます。動きに時間をかけるか、許容誤差を大きくしてください</translation>
     </message>

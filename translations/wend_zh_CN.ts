@@ -222,6 +222,10 @@
         <translation>形状会在 %1 附近的单元 %2 处翻折；请移动得近一些或换一种方式，或松开在那里固定形状的东西</translation>
     </message>
     <message>
+        <source>the shape would fold over near %1; let it go less far or another way, or free what holds the shape there</source>
+        <translation>形状会在 %1 附近翻折；请移动得近一些或换一种方式，或松开在那里固定形状的东西</translation>
+    </message>
+    <message>
         <source>it is too fast near %1, the steps would be too short; give its motion more time, or allow a larger tolerance</source>
         <translation>在 %1 附近过快，步长会过短；请给运动更多时间，或放宽容差</translation>
     </message>

@@ -25,6 +25,9 @@ constexpr const char* kSentences[] = {
                       "the shape would fold over near %1, in cell %2; let it go less far or another "
                       "way, or free what holds the shape there"),
     QT_TRANSLATE_NOOP("Core",
+                      "the shape would fold over near %1; let it go less far or another way, or free "
+                      "what holds the shape there"),
+    QT_TRANSLATE_NOOP("Core",
                       "it is too fast near %1, the steps would be too short; give its motion more time, "
                       "or allow a larger tolerance"),
     QT_TRANSLATE_NOOP("Core",

@@ -31,25 +31,49 @@ int previewThreads(int vertices) {
 /// On the way to EQUIA every field needs a factor of its own: the preview of a large shape keeps areas and
 /// volumes a little less strictly, so that it keeps up.
 template <int Dim>
-std::shared_ptr<const Material<Dim>> previewMaterial(const Shape<Dim>& shape) {
+std::shared_ptr<const Material<Dim>> previewMaterial(const std::shared_ptr<const Material<Dim>>& material,
+                                                     const Shape<Dim>& shape) {
     const double minimum = std::atan(1 / kStiffestPreview);
-    const auto& phi = shape.material->phi;
+    const auto& phi = material->phi;
     const bool lasts = std::all_of(phi.begin(), phi.end(), [&](double x) { return x >= minimum; });
-    if (lasts || shape.rest->vertexCount() <= kExactVertices<Dim>) return shape.material;
-    auto softer = std::make_shared<Material<Dim>>(*shape.material);
+    if (lasts || shape.rest->vertexCount() <= kExactVertices<Dim>) return material;
+    auto softer = std::make_shared<Material<Dim>>(*material);
     for (double& x : softer->phi) x = std::max(x, minimum);
     return softer;
+}
+
+/// Of the shape, or of a body in which it rides.
+template <int Dim>
+DragFlow<Dim> flowOf(const Shape<Dim>& shape, const std::shared_ptr<const SimplicialMesh<Dim>>& rest,
+                     const std::shared_ptr<const Material<Dim>>& material,
+                     const std::vector<Handle<Dim>>& handles) {
+    return DragFlow<Dim>(rest, previewMaterial<Dim>(material, shape), handles,
+                         backEndFactory<Dim>(BackEndKind::Automatic), previewThreads(rest->vertexCount()));
 }
 
 }  // namespace
 
 template <int Dim>
-LiveDrag<Dim>::LiveDrag(const Shape<Dim>& shape, std::vector<Handle<Dim>> handles)
+LiveDrag<Dim>::LiveDrag(const Shape<Dim>& shape, std::vector<Handle<Dim>> handles,
+                        std::shared_ptr<const CoarseBody<Dim>> body)
     : m_shape(shape),
       m_size(shapeSize<Dim>(shape.rest->points, shape.rest->cells).size),
       m_handles(std::move(handles)),
-      m_flow(shape.rest, previewMaterial<Dim>(shape), m_handles, backEndFactory<Dim>(BackEndKind::Automatic),
-             previewThreads(shape.rest->vertexCount())) {}
+      m_body(std::move(body)) {
+    auto held = m_body ? m_body->held(m_handles) : std::nullopt;
+    if (held) {
+        m_flow.emplace(flowOf<Dim>(m_shape, m_body->rest(), m_body->material(), held->handles));
+        m_pins = std::move(held->pins);
+    } else {
+        flowByItself();
+    }
+}
+
+template <int Dim>
+void LiveDrag<Dim>::flowByItself() {
+    m_body.reset();
+    m_flow.emplace(flowOf<Dim>(m_shape, m_shape.rest, m_shape.material, m_handles));
+}
 
 template <int Dim>
 bool LiveDrag<Dim>::fits(const Shape<Dim>& shape, const std::vector<Handle<Dim>>& handles) const {
@@ -72,7 +96,17 @@ void LiveDrag<Dim>::begin(std::vector<int> dragged, const Grip& grip, const Poin
             if (motion.end > time) other.motions.emplace_back(motion);
         if (!other.motions.empty()) m_others.push_back(std::move(other));
     }
-    m_flow.begin(pose);
+    beginFlow(pose);
+}
+
+template <int Dim>
+void LiveDrag<Dim>::beginFlow(const Points<Dim>& pose) {
+    auto ride = m_body ? m_body->begin(pose) : std::nullopt;
+    if (m_body && !ride) flowByItself();
+    if (!ride) return m_flow->begin(pose);
+    m_ride = std::move(*ride);
+    m_carried = pose;
+    m_flow->begin(m_ride.body);
 }
 
 /// From where they are at the time so far: M(t₁) ∘ M(t₀)⁻¹, motion after motion.
@@ -110,15 +144,16 @@ typename LiveDrag<Dim>::Step LiveDrag<Dim>::follow(const Amount& amount, std::op
         const double part = (i + 1) / pieces, then = begin + part * later;
         const Amount next = from + part * change;
         const auto led =
-            m_flow.lead(m_dragged, motionBetween<Dim>(m_grip, m_amount, next), othersUntil(then));
+            m_flow->lead(m_dragged, motionBetween<Dim>(m_grip, m_amount, next), othersUntil(then));
         m_amount += led.done * (next - m_amount);
         m_time += led.done * (then - m_time);
         step.stopped = led.done < 1;
         step.message = led.problem;
     }
+    if (m_body) m_carried = m_body->carried(m_ride, m_flow->pose(), m_pins);
     if (!step.stopped) m_amount = amount;
     step.amount = m_amount;
-    step.pinError = m_flow.constraintError();
+    step.pinError = m_flow->constraintError();
     return step;
 }
 

@@ -4,14 +4,14 @@
 #include <vector>
 
 #include "app/document/grip.h"
-#include "app/session/shape.h"
+#include "app/session/coarse_body.h"
 #include "core/integration/drag_flow.h"
 
 namespace wend {
 
 /// The flow while a drag goes on: the dragged handles go straight from where they are to the newest target,
 /// all others hold still, or go on as they do when a recording tells the time: a preview, replaced by the
-/// exact motion after the release.
+/// exact motion after the release. A large shape rides in a coarser body meanwhile.
 template <int Dim>
 class LiveDrag {
   public:
@@ -23,8 +23,9 @@ class LiveDrag {
     };
 
     /// `handles` hold the shape; their motions do not matter. Analyzes at once, so that a drag begins
-    /// promptly.
-    LiveDrag(const Shape<Dim>& shape, std::vector<Handle<Dim>> handles);
+    /// promptly. With a body, which is the shape's, the shape rides in it as far as it can.
+    LiveDrag(const Shape<Dim>& shape, std::vector<Handle<Dim>> handles,
+             std::shared_ptr<const CoarseBody<Dim>> body = nullptr);
 
     /// True if a drag of these handles can begin without another analysis.
     bool fits(const Shape<Dim>& shape, const std::vector<Handle<Dim>>& handles) const;
@@ -34,9 +35,13 @@ class LiveDrag {
                const std::vector<Handle<Dim>>& handles = {}, double time = 0);
     /// With a time the other handles are where they are then.
     Step follow(const Amount& amount, std::optional<double> time = {});
-    const Points<Dim>& pose() const { return m_flow.pose(); }
+    const Points<Dim>& pose() const { return m_body ? m_carried : m_flow->pose(); }
+    /// Whether the shape rides in a body.
+    bool rides() const { return m_body != nullptr; }
 
   private:
+    void beginFlow(const Points<Dim>& pose);
+    void flowByItself();
     double length(const Amount& change) const;
     std::vector<typename DragFlow<Dim>::Alongside> othersUntil(double time) const;
 
@@ -44,7 +49,11 @@ class LiveDrag {
     double m_size;
     std::vector<Handle<Dim>> m_handles;
     std::vector<int> m_dragged;
-    DragFlow<Dim> m_flow;
+    std::shared_ptr<const CoarseBody<Dim>> m_body;  // in which the shape rides, or null
+    typename CoarseBody<Dim>::Ride m_ride;
+    std::vector<typename CoarseBody<Dim>::Pin> m_pins;
+    Points<Dim> m_carried;                // by the body: the shape's pose
+    std::optional<DragFlow<Dim>> m_flow;  // of the body, or of the shape
     Grip m_grip;
     Amount m_amount = Amount::Zero();
     struct Other {  // a handle that moves by itself

@@ -1,9 +1,9 @@
 #include "app/session/mesh_parts.h"
 
 #include <cmath>
-#include <map>
 #include <numeric>
 
+#include "core/mesh/boundary_loops.h"
 #include "core/mesh/disjoint_sets.h"
 
 namespace wend {
@@ -33,22 +33,13 @@ double twiceArea(const std::vector<Vec<2>>& loop) {
     return std::abs(twice);
 }
 
-/// The largest loop of the boundary of the cells that are marked.
-Polygon outlineOf(const SimplicialMesh<2>& mesh, const std::vector<bool>& in) {
-    std::multimap<int, int> next;  // along the boundary
-    for (const Facet<2>& edge : facetsOf(mesh))
-        if (!edge.interior() && in[edge.cells[0]]) next.emplace(edge.vertices[0], edge.vertices[1]);
+/// The largest loop of the boundary of some cells.
+Polygon outlineOf(const SimplicialMesh<2>& mesh, const std::vector<int>& cells) {
+    SimplicialMesh<2> part{mesh.points, {}};
+    for (const int c : cells) part.cells.push_back(mesh.cells[c]);
     Polygon best;
-    while (!next.empty()) {
-        Polygon loop;
-        for (auto it = next.begin(); it != next.end();) {
-            const int to = it->second;
-            loop.points.push_back(mesh.points.col(it->first));
-            next.erase(it);
-            it = next.find(to);
-        }
-        if (twiceArea(loop.points) > twiceArea(best.points)) best = std::move(loop);
-    }
+    for (auto& loop : boundaryLoops(part))
+        if (twiceArea(loop) > twiceArea(best.points)) best.points = std::move(loop);
     return best;
 }
 
@@ -75,9 +66,7 @@ Region<Dim> regionOfAll(const SimplicialMesh<Dim>& mesh) {
 template <int Dim>
 Region<Dim> regionAround(const SimplicialMesh<Dim>& mesh, const std::vector<int>& cells) {
     if constexpr (Dim == 2) {
-        std::vector<bool> in(mesh.cells.size(), false);
-        for (const int c : cells) in[c] = true;
-        return outlineOf(mesh, in);
+        return outlineOf(mesh, cells);
     } else {
         return boxAround(mesh, cells);
     }

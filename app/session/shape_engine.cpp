@@ -156,8 +156,17 @@ std::vector<Handle<Dim>> ShapeEngineOf<Dim>::prepareDrag(const BuiltPtr& shape, 
     std::vector<Handle<Dim>> own;
     for (const int h : activeHandles(time)) own.push_back(all[h]);
     own.insert(own.end(), all.begin() + static_cast<std::ptrdiff_t>(handles().size()), all.end());
-    if (!m_live || !m_live->fits(*shape, own)) m_live.emplace(*shape, own);
+    if (!m_live || !m_live->fits(*shape, own)) m_live.emplace(*shape, own, bodyOf(shape));
     return own;
+}
+
+/// Other handles, and other ones that act, ride in the same body.
+template <int Dim>
+std::shared_ptr<const CoarseBody<Dim>> ShapeEngineOf<Dim>::bodyOf(const BuiltPtr& shape) {
+    const bool isKnown = m_bodyOf && m_bodyOf->rest == shape->rest && m_bodyOf->material == shape->material;
+    if (!isKnown) m_body = CoarseBody<Dim>::of(*shape);
+    m_bodyOf = shape;
+    return m_body;
 }
 
 /// What cannot be moved, such as a pin within a part that is held, ends this drag only.

@@ -71,6 +71,7 @@ class ShapeEngineOf : public ShapeEngine {
     };
     Seen seen(const BeginDrag& request) const;
     std::vector<Handle<Dim>> prepareDrag(const BuiltPtr& shape, double time);
+    std::shared_ptr<const CoarseBody<Dim>> bodyOf(const BuiltPtr& shape);
     bool recall(const Shape<Dim>& shape);
     void build(std::stop_token stop);
     void runPass(std::stop_token stop);
@@ -95,7 +96,9 @@ class ShapeEngineOf : public ShapeEngine {
         FrameTrack track;
     };
     std::optional<Past> m_past;
-    std::optional<LiveDrag<Dim>> m_live;  // made ahead of the next drag
+    std::optional<LiveDrag<Dim>> m_live;            // made ahead of the next drag
+    std::shared_ptr<const CoarseBody<Dim>> m_body;  // of the shape that was dragged last; null: it needs none
+    BuiltPtr m_bodyOf;
     bool m_dragging = false;
     Seen m_held;            // of the drag that goes on
     int m_gesture = 0;      // its number

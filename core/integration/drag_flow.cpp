@@ -43,6 +43,7 @@ std::vector<Handle<Dim>> still(const std::vector<Handle<Dim>>& handles, const No
         Handle<Dim> held;
         held.name = handle.name;
         held.at = handle.at;
+        held.slides = handle.slides;
         result.push_back(units.normal(held));
     }
     return result;
@@ -224,7 +225,8 @@ void DragFlow<Dim>::publish() {
     }
 }
 
-/// In the cell that would fold over, or else at the first point that is led.
+/// In the cell that would fold over, or else at the first point that is led. The cell has no number to tell:
+/// it may be one of a body that the shape only rides in.
 template <int Dim>
 std::string DragFlow<Dim>::describe(const SolveOutcome& failure, const std::vector<int>& handles) const {
     Vec<Dim> place = centroid<Dim>(m_pose, m_rest->cells[std::max(failure.cell, 0)]);
@@ -235,7 +237,7 @@ std::string DragFlow<Dim>::describe(const SolveOutcome& failure, const std::vect
     const auto led = std::find_if(points.begin(), points.end(), isLed);
     if (failure.kind != SolveOutcome::Kind::CellInverted && led != points.end())
         place = led->template in<Dim>(m_pose);
-    return stopMessage(reasonOf(failure), placeName<Dim>(place), failure.cell);
+    return stopMessage(reasonOf(failure), placeName<Dim>(place), -1);
 }
 
 template class DragFlow<2>;

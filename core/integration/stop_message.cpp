@@ -16,7 +16,8 @@ StopReason reasonOf(const SolveOutcome& outcome) {
 std::string stopMessage(StopReason reason, const std::string& place, int cell) {
     switch (reason) {
         case StopReason::CellInverted:
-            return "the shape would fold over near " + place + ", in cell " + std::to_string(cell) +
+            return "the shape would fold over near " + place +
+                   (cell < 0 ? "" : ", in cell " + std::to_string(cell)) +
                    "; let it go less far or another way, or free what holds the shape there";
         case StopReason::StepTooSmall:
             return "it is too fast near " + place +

@@ -11,7 +11,7 @@ enum class StopReason { CellInverted, StepTooSmall, Indefinite, NotFinite };
 StopReason reasonOf(const SolveOutcome& outcome);
 
 /// Why a handle, "it", cannot go on, in the words of a user: what is wrong, where, and what helps. `place` is
-/// a point of the domain as it is printed; the cell counts for CellInverted alone.
+/// a point of the domain as it is printed; the cell counts for CellInverted alone, −1: none to name.
 std::string stopMessage(StopReason reason, const std::string& place, int cell);
 
 }  // namespace wend

@@ -1,6 +1,7 @@
 #include "core/mesh/embedding.h"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -54,17 +55,17 @@ class Embedding<Dim>::Outside {
     explicit Outside(const SimplicialMesh<Dim>& rest) : m_rest(rest) {
         for (const auto& facet : facetsOf(rest)) {
             if (facet.interior()) continue;
-            m_facets.push_back(facet.vertices);
+            m_facets.push_back(asTriangle(facet.vertices));
             m_cells.push_back(facet.cells[0]);
         }
-        m_tree = TriangleTree(rest.points, m_facets);
+        m_tree = TriangleTree(inSpace(rest.points), m_facets);
         std::tie(m_offsets, m_around) = cellsOfVertices(rest);
     }
 
     std::pair<int, Row> place(int point, const Vec<Dim>& p) const {
-        const TriangleTree::Nearest nearest = m_tree.nearest(p);
+        const TriangleTree::Nearest nearest = m_tree.nearest(inSpace(p));
         std::map<int, double> weights;
-        for (int k = 0; k < Dim; ++k) {
+        for (int k = 0; k < 3; ++k) {
             if (nearest.weights[k] == 0) continue;
             const int vertex = m_facets[nearest.triangle][k];
             weights[vertex] += nearest.weights[k];
@@ -74,6 +75,16 @@ class Embedding<Dim>::Outside {
     }
 
   private:
+    /// An edge is a triangle that names one of its corners twice.
+    static std::array<int, 3> asTriangle(const std::array<int, Dim>& facet) {
+        return {facet[0], facet[1], facet[Dim - 1]};
+    }
+    static Points<3> inSpace(const Points<Dim>& points) {
+        Points<3> result = Points<3>::Zero(3, points.cols());
+        result.template topRows<Dim>() = points;
+        return result;
+    }
+
     /// The mean gradient at a vertex, times the offset.
     void addGradient(int vertex, const Vec<Dim>& offset, std::map<int, double>& weights) const {
         double volume = 0;
@@ -88,7 +99,7 @@ class Embedding<Dim>::Outside {
     }
 
     const SimplicialMesh<Dim>& m_rest;
-    std::vector<std::array<int, Dim>> m_facets;
+    std::vector<std::array<int, 3>> m_facets;
     std::vector<int> m_cells;  // behind them
     TriangleTree m_tree;
     std::vector<int> m_offsets, m_around;  // cells at the vertices
@@ -140,6 +151,20 @@ Points<Dim> Embedding<Dim>::interpolate(const SimplicialMesh<Dim>& rest, const P
     return carried;
 }
 
+template <int Dim>
+std::vector<std::pair<int, double>> Embedding<Dim>::weights(const SimplicialMesh<Dim>& rest,
+                                                            int point) const {
+    std::vector<std::pair<int, double>> weights;
+    const Location<Dim>& location = m_locations[static_cast<std::size_t>(point)];
+    for (int k = 0; k <= Dim; ++k)
+        if (location.weights[k] != 0) weights.emplace_back(rest.cells[location.cell][k], location.weights[k]);
+    const auto row = std::lower_bound(m_rows.begin(), m_rows.end(), point,
+                                      [](const Row& r, int p) { return r.point < p; });
+    if (row != m_rows.end() && row->point == point) weights = row->weights;
+    return weights;
+}
+
+template class Embedding<2>;
 template class Embedding<3>;
 
 }  // namespace wend

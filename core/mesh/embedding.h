@@ -9,7 +9,7 @@ namespace wend {
 /// stays in front of the nearest point of the boundary, x, as the material there turns and stretches:
 /// x + G (p − X), where G, the deformation gradient, is the mean of the cells around (by volume) at each of
 /// the boundary's vertices, interpolated between them. So neighbours outside stay neighbours, and affine maps
-/// are followed exactly. For Dim = 3.
+/// are followed exactly.
 template <int Dim>
 class Embedding {
   public:
@@ -20,6 +20,8 @@ class Embedding {
     Points<Dim> carry(const SimplicialMesh<Dim>& rest, const Points<Dim>& pose) const;
     /// Other values of the vertices, at the points.
     Points<Dim> interpolate(const SimplicialMesh<Dim>& rest, const Points<Dim>& values) const;
+    /// The vertices whose combination a point is, and how much of each.
+    std::vector<std::pair<int, double>> weights(const SimplicialMesh<Dim>& rest, int point) const;
     /// The cell that a point goes with.
     int cell(int point) const { return m_locations[static_cast<std::size_t>(point)].cell; }
     /// How many lie outside all cells.

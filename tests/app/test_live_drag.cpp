@@ -75,17 +75,31 @@ double softening(const Shape<3>& shape) {
     return (preview.pose() - exact.pose()).colwise().norm().maxCoeff() / kLength;
 }
 
+/// Whether the pose is that of a shape that rode in a body, or that of its own flow. The session may have
+/// left samples out, which makes little of a difference.
+bool nearer(const Points<3>& pose, const Shape<3>& shape, bool rides) {
+    const auto distance = [&](std::shared_ptr<const CoarseBody<3>> body) {
+        LiveDrag<3> drag(shape, ends(), std::move(body));
+        drag.begin({1}, {}, shape.rest->points);
+        for (int i = 1; i <= 4; ++i) drag.follow(handAt(i));
+        return (drag.pose() - pose).colwise().norm().maxCoeff();
+    };
+    const auto body = CoarseBody<3>::of(shape);
+    if (!rides) return !body && distance(nullptr) < 1e-3 * kLength;
+    return body && distance(body) < 0.2 * distance(nullptr);
+}
+
 }  // namespace
 
 /// Enough to last, and so little that it is seen at second sight only.
 void TestLiveDrag::largeShapesNearEquiaArePreviewedSofter() {
-    const double off = softening(shapeOf(300, phi::kEquia));
+    const double off = softening(shapeOf(500, phi::kEquia));
     QVERIFY2(off > 1e-4 && off < 0.02, qPrintable(QString::number(off)));
 }
 
 void TestLiveDrag::smallShapesArePreviewedAsTheyAre() {
     QCOMPARE(softening(shapeOf(40, phi::kEquia)), 0.0);
-    QCOMPARE(softening(shapeOf(300, phi::kMetr)), 0.0);
+    QCOMPARE(softening(shapeOf(500, phi::kMetr)), 0.0);
 }
 
 /// While the upper end is led the lower one turns and then moves by itself: it is exactly where its motions
@@ -131,8 +145,10 @@ void TestLiveDrag::othersGoAlongWithARecording() {
 
 void TestLiveDrag::releasedShapeIsTheCommandLines_data() {
     QTest::addColumn<double>("phi");
-    QTest::newRow("METR") << phi::kMetr;
-    QTest::newRow("EQUIA") << phi::kEquia;
+    QTest::addColumn<int>("slices");
+    QTest::newRow("METR") << phi::kMetr << 300;
+    QTest::newRow("EQUIA") << phi::kEquia << 300;
+    QTest::newRow("METR, riding") << phi::kMetr << 1000;
 }
 
 /// After each of two drags, the second of which goes on with the solver of the first. The first has the bits
@@ -140,11 +156,12 @@ void TestLiveDrag::releasedShapeIsTheCommandLines_data() {
 /// what the solver's tolerance makes of it.
 void TestLiveDrag::releasedShapeIsTheCommandLines() {
     QFETCH(double, phi);
+    QFETCH(int, slices);
     const QTemporaryDir folder;
     Project project;
     project.domain.kind = DomainKind::Mesh;
     project.domain.path = folder.filePath(QStringLiteral("bar.mesh")).toStdString();
-    writeMeshFile(project.domain.path, toMeshFile<3>(sliced(300)));
+    writeMeshFile(project.domain.path, toMeshFile<3>(sliced(slices)));
     Design<3> design;
     design.material.phi = phi;
     design.handles = ends();
@@ -160,6 +177,7 @@ void TestLiveDrag::releasedShapeIsTheCommandLines() {
         for (int i = 1; i <= 4; ++i) session.dragBy(drag * handAt(i));
         QVERIFY(
             QTest::qWaitFor([&] { return session.frame()->live && session.frame()->sample == 4; }, 60000));
+        if (drag == 1) QVERIFY(nearer(session.frame<3>()->pose, *session.frame<3>()->built, slices > 500));
         session.endDrag(1e-3);
         QVERIFY(test::settle(session));
         const Project& now = *session.document().project();
@@ -168,7 +186,8 @@ void TestLiveDrag::releasedShapeIsTheCommandLines() {
                              backEndFactory<3>(BackEndKind::Automatic));
         QCOMPARE(deformer.advance(now.end).outcome, Outcome::Done);
         const double off = (session.frame<3>()->pose - deformer.state().points).cwiseAbs().maxCoeff();
-        QVERIFY2(off <= (drag == 1 ? 0 : 1e-8 * kLength),
+        // Of a thousand slices the cells are as flat as 1 : 125, and rounding counts three times as much.
+        QVERIFY2(off <= (drag == 1 ? 0 : (slices > 500 ? 3e-8 : 1e-8) * kLength),
                  qPrintable(QStringLiteral("drag %1: %2").arg(drag).arg(off)));
     }
 }

@@ -1,5 +1,6 @@
 #include <QApplication>
 #include <QToolButton>
+#include <QTreeWidget>
 
 #include "app/panels/material_panel.h"
 #include "app/panels/pin_list.h"
