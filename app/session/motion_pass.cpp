@@ -1,6 +1,7 @@
 #include "app/session/motion_pass.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -19,10 +20,18 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kFramesPerUnit = 24;
 constexpr int kMostFrames = 480;
+constexpr std::chrono::milliseconds kLookUp(2);  // from waiting, for a wish to stop
 
 template <int Dim>
 const Design<Dim>& designOf(const Project& project) {
     return std::get<Design<Dim>>(project.design);
+}
+
+template <int Dim>
+State<Dim> restOf(const Shape<Dim>& shape) {
+    State<Dim> rest;
+    rest.points = shape.rest->points;
+    return rest;
 }
 
 /// The time by the clock of `b` from which on two lists of windows differ, where the times of `a` are
@@ -47,6 +56,7 @@ template <int Dim>
 void MotionPass<Dim>::clear() {
     m_project.reset();
     m_deformer.reset();
+    m_making = {};
     m_begun = false;
     m_probe.reset();
     m_cache.clear();
@@ -75,7 +85,7 @@ KeptFrames MotionPass<Dim>::set(const Shape<Dim>& shape, std::shared_ptr<const P
     m_project = std::move(project);
     if (same) return kept;
     m_end = end;
-    if (!fits) m_deformer.reset();
+    if (!fits) m_deformer.reset(), m_making = {};
     m_begun = false;
     m_probe.reset();
     m_result.reset();
@@ -84,9 +94,10 @@ KeptFrames MotionPass<Dim>::set(const Shape<Dim>& shape, std::shared_ptr<const P
     if (m_cache.last() && isDense()) return {kept.timeScale, m_cache.last()->time};
     const auto own = std::move(m_project);
     auto deformer = std::move(m_deformer);
+    auto making = std::move(m_making);
     clear();
     m_project = own;
-    if (fits) m_deformer = std::move(deformer);
+    if (fits) m_deformer = std::move(deformer), m_making = std::move(making);
     return {1, -kInfinity};
 }
 
@@ -118,36 +129,51 @@ bool MotionPass<Dim>::isDense() const {
     return true;
 }
 
+/// False if it was stopped.
 template <int Dim>
-void MotionPass<Dim>::begin(const Sink& sink) {
+bool MotionPass<Dim>::begin(const Sink& sink, const std::stop_token& stop) {
     if (!m_restSent) {
-        State<Dim> rest;
-        rest.points = m_shape.rest->points;
-        sink.onFrame(rest, 0);
+        sink.onFrame(restOf(m_shape), 0);
         m_sent = {0};
         m_restSent = true;
     }
-    makeDeformer();
-    if (m_cache.last())
-        m_deformer->restore(*m_cache.last());
-    else
-        m_cache.add(m_deformer->state());
+    if (!makeDeformer(stop)) return false;
+    if (!m_cache.last()) m_cache.add(m_deformer->state());
+    m_begun = true;
+    return true;
+}
+
+/// In a thread of its own: what cannot be stopped must not keep a drag waiting. One that was for another
+/// project becomes one for this when it is ready.
+template <int Dim>
+bool MotionPass<Dim>::makeDeformer(const std::stop_token& stop) {
+    while (true) {
+        if (!m_making.valid()) beginMaking();
+        while (m_making.wait_for(kLookUp) != std::future_status::ready)
+            if (stop.stop_requested()) return false;
+        m_deformer = m_making.get();
+        if (m_makingFor == m_project) return true;
+    }
 }
 
 /// One of the same shape with other handles goes on with its analysis.
 template <int Dim>
-void MotionPass<Dim>::makeDeformer() {
-    auto handles = heldHandles<Dim>(*m_project, m_shape);
-    if (m_deformer) {
-        m_deformer->setHandles(std::move(handles));
-        State<Dim> rest;
-        rest.points = m_shape.rest->points;
-        m_deformer->restore(rest);
-    } else {
-        m_deformer.emplace(m_shape.rest, m_shape.material, std::move(handles), integrationOf(*m_project),
-                           backEndFactory<Dim>(BackEndKind::Automatic));
-    }
-    m_begun = true;
+void MotionPass<Dim>::beginMaking() {
+    m_makingFor = m_project;
+    m_making =
+        std::async(std::launch::async, [shape = m_shape, handles = heldHandles<Dim>(*m_project, m_shape),
+                                        options = integrationOf(*m_project),
+                                        start = m_cache.last() ? *m_cache.last() : restOf(m_shape),
+                                        deformer = std::exchange(m_deformer, std::nullopt)]() mutable {
+            if (deformer)
+                deformer->setHandles(std::move(handles));
+            else
+                deformer.emplace(shape.rest, shape.material, std::move(handles), options,
+                                 backEndFactory<Dim>(BackEndKind::Automatic));
+            deformer->restore(start);
+            deformer->prepare();
+            return std::move(*deformer);
+        });
 }
 
 /// When the integrator stops: where motions and handles begin and end, at the start and the end.
@@ -189,7 +215,7 @@ std::vector<double> MotionPass<Dim>::frameTimes(double from, double to) const {
 
 template <int Dim>
 void MotionPass<Dim>::run(const Sink& sink, std::stop_token stop) {
-    if (!m_begun) begin(sink);
+    if (!m_begun && !begin(sink, stop)) return;
     const double size = shapeSize<Dim>(m_shape.rest->points, m_shape.rest->cells).size;
     const auto send = [&](const State<Dim>& state) {
         m_sent.push_back(state.time);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <future>
 #include <optional>
 
 #include "app/session/frame.h"
@@ -42,8 +43,9 @@ class MotionPass {
                           std::stop_token stop);
 
   private:
-    void begin(const Sink& sink);
-    void makeDeformer();
+    bool begin(const Sink& sink, const std::stop_token& stop);
+    bool makeDeformer(const std::stop_token& stop);
+    void beginMaking();
     std::vector<double> frameTimes(double from, double to) const;
     std::vector<double> breakpoints() const;
     double nextBreakpoint(double time) const;
@@ -55,8 +57,10 @@ class MotionPass {
     Shape<Dim> m_shape;
     std::shared_ptr<const Project> m_project;
     std::optional<Deformer<Dim>> m_deformer;
-    bool m_begun = false;                       // the deformer is that of this project
-    std::optional<VelocityProbe<Dim>> m_probe;  // once a velocity was asked for
+    std::future<Deformer<Dim>> m_making;         // a deformer that is not ready yet, …
+    std::shared_ptr<const Project> m_makingFor;  // … and the project that it will be of
+    bool m_begun = false;                        // the deformer is that of this project
+    std::optional<VelocityProbe<Dim>> m_probe;   // once a velocity was asked for
     PoseCache<Dim> m_cache;
     std::optional<AdvanceResult> m_result;
     double m_end = 0;

@@ -59,6 +59,11 @@ void Deformer<Dim>::setHandles(std::vector<Handle<Dim>> handles) {
 }
 
 template <int Dim>
+void Deformer<Dim>::prepare() {
+    m_integrator->activate(Side::After);
+}
+
+template <int Dim>
 AdvanceResult Deformer<Dim>::advance(double time, const Watch& watch) {
     return m_integrator->advance(time, watch);
 }

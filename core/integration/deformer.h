@@ -80,6 +80,9 @@ class Deformer {
     /// Other motions from state().time on (what lies before is kept as it is): the same checks as the
     /// constructor.
     void setHandles(std::vector<Handle<Dim>> handles);
+    /// Analyzes the system of what acts from state().time on, which advance() does otherwise: of a large
+    /// shape a third of a second that nothing can stop.
+    void prepare();
 
     /// Integrates to `time`, where the last step is cut; without moving handle the shape stands still.
     /// `frames` (increasing, in [state().time, time]) are times at which `onFrame` gets the pose by dense

@@ -26,6 +26,7 @@ struct Deformer<Dim>::Integrator {
 
     void setHandles(const std::vector<Handle<Dim>>& handles);
     void restore(const State<Dim>& state);
+    void activate(Side side);
     AdvanceResult advance(double time, const Watch& watch);
     Points<Dim> velocity();
     /// Why the last of both failed.
@@ -47,7 +48,6 @@ struct Deformer<Dim>::Integrator {
 
     // The shape and its constraints
     void adopt(std::shared_ptr<const Constraints<Dim>> constraints);
-    void activate(Side side);
     Points<Dim> inDomain(const Points<Dim>& shape) const;
     int firstInverted(const Points<Dim>& shape) const;
     void startAnew();

@@ -5,10 +5,12 @@
 #include "app/document/handle_edits.h"
 #include "app/document/project.h"
 #include "app/session/held_border.h"
+#include "app/session/motion_pass.h"
 #include "app/session/opening.h"
 #include "app/session/shape_builder.h"
 #include "app/session/shape_engine.h"
 #include "core/energy/distortion.h"
+#include "core/mesh/error.h"
 #include "core/mesh/mesh_file.h"
 #include "tests/app/cli_harness.h"
 #include "tests/support/window_fixture.h"
@@ -40,6 +42,7 @@ class TestCompute : public QObject {
     void pinsBecomeVertices();
     void anotherMeshIsTakenBack();
     void dragEndsAsTheCommandLineHasIt();
+    void stopsWhileItPrepares();
     void laterDragsContinueTheMotion();
     void otherLengthsKeepThePoses();
     void framesOnTheirWayCount_data();
@@ -145,6 +148,43 @@ void TestCompute::dragEndsAsTheCommandLineHasIt() {
     const auto pins = m_session->pins();
     QVERIFY((pins[1].centre - Vec<2>(190, 105)).norm() < 1e-9);
     QVERIFY(m_session->frame()->pinError < 1e-9);
+}
+
+/// Whoever wishes to stop does not wait until the system is analyzed; what is analyzed by then serves the
+/// motion that is wanted meanwhile, to the bits of one that was never stopped.
+void TestCompute::stopsWhileItPrepares() {
+    open();
+    m_session->addPin({40, 80});
+    m_session->addPin({200, 80});
+    drag(1, {{0, 5}, {-4, 14}});
+    const auto first = m_session->document().project();
+    const auto shape = *m_session->frame<2>()->built;
+    drag(1, {{0, 5}});
+    const auto second = m_session->document().project();
+    MotionPass<2> pass;
+    std::vector<Points<2>> frames;
+    MotionPass<2>::Sink sink;
+    sink.onFrame = [&](const State<2>& state, double) { frames.push_back(state.points); };
+    sink.progress = [](double, double) {};
+    std::stop_source stopped;
+    stopped.request_stop();
+    pass.set(shape, first);
+    for (int i = 0; i < 3; ++i) pass.run(sink, stopped.get_token());
+    QVERIFY(!pass.isFinished());
+    QVERIFY(frames.size() == 1 && frames[0] == shape.rest->points);
+    pass.set(shape, second);
+    pass.run(sink, {});
+    QVERIFY(pass.isFinished());
+    QCOMPARE(pass.result().outcome, Outcome::Done);
+    MotionPass<2> straight;
+    straight.set(shape, second);
+    straight.run(sink, {});
+    QVERIFY(pass.state().points == straight.state().points);
+    // A motion that cannot be is told where it is run, not in the thread that found out.
+    auto impossible = std::make_shared<Project>(*second);
+    std::get<Design<2>>(impossible->design).handles[0].at = std::vector<Vec<2>>{{-500, -500}};
+    pass.set(shape, impossible);
+    QVERIFY_THROWS_EXCEPTION(InputError, pass.run(sink, {}));
 }
 
 /// The very frames come back: nothing is computed again when a change of the mesh is undone, redone, or
