@@ -12,20 +12,29 @@ constexpr double kBlendBegin =
     1.01;  // stretch up to which bicubic is good enough: turns are 1 but for rounding
 constexpr double kBlendWidth = 0.34;  // over which it goes over into elliptical
 
-/// Left singular vectors as columns and singular values, largest first, of a 2 × 2 matrix: the eigenvectors
-/// of J Jᵀ.
-struct LeftSingular {
-    Mat<2> vectors;
-    Vec<2> values;
-
+/// Singular values of a 2 × 2 matrix, largest first, and the left singular vectors: the eigenvalues' roots and
+/// eigenvectors of J Jᵀ.
+class LeftSingular {
+  public:
     explicit LeftSingular(const Mat<2>& J) {
         const Mat<2> square = J * J.transpose();
-        const double mean = (square(0, 0) + square(1, 1)) / 2, difference = (square(0, 0) - square(1, 1)) / 2;
-        const double radius = std::hypot(difference, square(0, 1));
-        const double angle = std::atan2(square(0, 1), difference) / 2;
-        values = Vec<2>(std::sqrt(mean + radius), std::sqrt(std::max(0.0, mean - radius)));
-        vectors << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
+        const double mean = (square(0, 0) + square(1, 1)) / 2;
+        m_difference = (square(0, 0) - square(1, 1)) / 2, m_mixed = square(0, 1);
+        const double radius = std::sqrt(m_difference * m_difference + m_mixed * m_mixed);
+        m_values = Vec<2>(std::sqrt(mean + radius), std::sqrt(std::max(0.0, mean - radius)));
     }
+    const Vec<2>& values() const { return m_values; }
+    /// As columns.
+    Mat<2> vectors() const {
+        const double angle = std::atan2(m_mixed, m_difference) / 2;
+        Mat<2> result;
+        result << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
+        return result;
+    }
+
+  private:
+    double m_difference, m_mixed;
+    Vec<2> m_values;
 };
 
 }  // namespace
@@ -46,7 +55,7 @@ CellMap::CellMap(const Points<2>& rest, const Points<2>& pose, const Cell<2>& ce
 CellFilter::CellFilter(const Mat<2>& jacobian, Filter filter, int levels) {
     if (filter == Filter::Nearest) return;
     const LeftSingular singular(jacobian);
-    const Vec<2>& stretch = singular.values;
+    const Vec<2>& stretch = singular.values();
     // Elliptical filters average themselves: they need fewer levels, and a level above the picture softens
     // it.
     const double reduce =
@@ -56,11 +65,11 @@ CellFilter::CellFilter(const Mat<2>& jacobian, Filter filter, int levels) {
     if (filter != Filter::Ewa) return;
     const Vec<2> axes = (stretch * shrink).cwiseMax(1.0).cwiseMin(2 * kAnisotropy);  // where levels end
     blend = static_cast<float>(std::clamp((axes[0] - kBlendBegin) / kBlendWidth, 0.0, 1.0));
-    const Mat<2> metric =
-        singular.vectors * axes.cwiseAbs2().cwiseInverse().asDiagonal() * singular.vectors.transpose();
+    const Mat<2> vectors = singular.vectors();
+    const Mat<2> metric = vectors * axes.cwiseAbs2().cwiseInverse().asDiagonal() * vectors.transpose();
     ellipse.xx = static_cast<float>(metric(0, 0)), ellipse.xy = static_cast<float>(metric(0, 1));
     ellipse.yy = static_cast<float>(metric(1, 1));
-    const Vec<2> reach = 2 * (singular.vectors * axes.asDiagonal()).rowwise().norm();
+    const Vec<2> reach = 2 * (vectors * axes.asDiagonal()).rowwise().norm();
     ellipse.wholeReach = (reach.array() - 1e-6).ceil().cast<int>().max(2) - 1;
 }
 

@@ -36,20 +36,23 @@ OutlinePixels::OutlinePixels(const PaintingPlan& plan, const Points<2>& pixels, 
         forPixelsOf(pixels.col(from), pixels.col(to), width, height, [&](int x, int y) {
             m_bands[static_cast<std::size_t>(y / bandRows)].pixels.push_back({x, y, 0});
         });
-    const auto before = [](const Pixel& a, const Pixel& b) {
+    const auto inOrder = [](const Pixel& a, const Pixel& b) {
         return std::pair(a.y, a.x) < std::pair(b.y, b.x);
     };
     const auto equal = [](const Pixel& a, const Pixel& b) { return a.x == b.x && a.y == b.y; };
     for (std::size_t band = 0; band < m_bands.size(); ++band) {
-        auto& [list, rowStart] = m_bands[band];
-        std::sort(list.begin(), list.end(), before);
+        auto& [list, rowStart, before] = m_bands[band];
+        std::sort(list.begin(), list.end(), inOrder);
         list.erase(std::unique(list.begin(), list.end(), equal), list.end());
         rowStart.assign(static_cast<std::size_t>(bandRows) + 1, 0);
+        before.assign(static_cast<std::size_t>(width) / kColumn + 2, 0);
         for (std::size_t k = 0; k < list.size(); ++k) {
+            ++before[static_cast<std::size_t>(list[k].x) / kColumn + 1];
             list[k].index = static_cast<int>(k);
             ++rowStart[static_cast<std::size_t>(list[k].y) - band * static_cast<std::size_t>(bandRows) + 1];
         }
         std::partial_sum(rowStart.begin(), rowStart.end(), rowStart.begin());
+        std::partial_sum(before.begin(), before.end(), before.begin());
     }
 }
 

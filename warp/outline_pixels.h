@@ -36,9 +36,19 @@ class OutlinePixels {
     void visit(int band, const TriangleRows& rows, Found&& found) const;
 
   private:
+    static constexpr int kColumn = 16;
     struct Band {
         std::vector<Pixel> pixels;
         std::vector<int> rowStart;  // of every row, and the end
+        std::vector<int> before;    // how many lie left of every column of kColumn pixels, and of the end
+
+        /// Whether there may be one from x to x: most cells lie inside the shape, where there is none.
+        bool hasAny(double left, double right) const {
+            const auto last = static_cast<double>(before.size()) - 1;
+            const auto from = static_cast<std::size_t>(std::clamp(std::floor(left / kColumn), 0.0, last)),
+                       to = static_cast<std::size_t>(std::clamp(std::floor(right / kColumn) + 1, 0.0, last));
+            return before[to] > before[from];
+        }
     };
     /// The samples that the spans of the pixel's eight rows of places cover.
     static std::uint64_t samplesOf(int x, const std::array<Span, 8>& spans);
@@ -49,14 +59,14 @@ class OutlinePixels {
 
 template <typename Found>
 void OutlinePixels::visit(int band, const TriangleRows& rows, Found&& found) const {
-    const auto& [pixels, rowStart] = m_bands[static_cast<std::size_t>(band)];
-    if (pixels.empty()) return;
-    const int bandTop = band * m_bandRows, bandEnd = bandTop + m_bandRows;
+    const Band& own = m_bands[static_cast<std::size_t>(band)];
     const double left = std::floor(rows.left()), right = rows.right();
+    if (own.pixels.empty() || !own.hasAny(left, right)) return;
+    const int bandTop = band * m_bandRows, bandEnd = bandTop + m_bandRows;
     const int begin = static_cast<int>(std::max<double>(bandTop, std::floor(rows.top())));
     for (int y = begin; y < bandEnd && y < rows.bottom(); ++y) {
-        const Pixel* it = pixels.data() + rowStart[static_cast<std::size_t>(y - bandTop)];
-        const Pixel* end = pixels.data() + rowStart[static_cast<std::size_t>(y - bandTop) + 1];
+        const Pixel* it = own.pixels.data() + own.rowStart[static_cast<std::size_t>(y - bandTop)];
+        const Pixel* end = own.pixels.data() + own.rowStart[static_cast<std::size_t>(y - bandTop) + 1];
         it = std::lower_bound(it, end, left, [](const Pixel& p, double x) { return p.x < x; });
         if (it == end || it->x >= right) continue;
         std::array<Span, 8> spans{};

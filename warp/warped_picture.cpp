@@ -2,7 +2,9 @@
 
 #include <atomic>
 #include <exception>
+#include <functional>
 #include <mutex>
+#include <numeric>
 #include <thread>
 
 #include "core/mesh/error.h"
@@ -90,6 +92,7 @@ std::vector<VisibleCell> visibleCells(const WarpJob& job, const PaintingPlan& pl
     inThreads(threadsFor(job.options, pieces), [&](const std::atomic<bool>& failed) {
         for (std::size_t piece; (piece = next++) < pieces && !failed;) {
             const std::size_t end = std::min(plan.order.size(), (piece + 1) * kCellsOfPiece);
+            found[piece].reserve(kCellsOfPiece);
             for (std::size_t k = piece * kCellsOfPiece; k < end; ++k) {
                 const Cell<2>& cell = rest.cells[static_cast<std::size_t>(plan.order[k])];
                 if (visible(pixels, cell, job.view))
@@ -98,6 +101,8 @@ std::vector<VisibleCell> visibleCells(const WarpJob& job, const PaintingPlan& pl
         }
     });
     std::vector<VisibleCell> cells;
+    cells.reserve(std::transform_reduce(found.begin(), found.end(), std::size_t(0), std::plus(),
+                                        [](const auto& piece) { return piece.size(); }));
     for (const auto& piece : found) cells.insert(cells.end(), piece.begin(), piece.end());
     return cells;
 }
