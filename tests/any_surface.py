@@ -141,7 +141,7 @@ def bend(wend, model, folder):
     asked = "it lies in a plane" if flat else ""
     code, error, seconds = run(wend, model, low, high, bool(asked), folder)
     if code != 0 and not asked:
-        asked = "as asked: " + (error.split(" cannot go on: ")[-1].split(" near ")[0] if error else f"code {code}")
+        asked = "as asked: " + (error.replace(str(model), model.name).split(" cannot go on: ")[-1].split(" near ")[0] if error else f"code {code}")
         code, error, more = run(wend, model, low, high, True, folder)
         seconds += more
     if code != 0:

@@ -12,8 +12,8 @@ constexpr double kBlendBegin =
     1.01;  // stretch up to which bicubic is good enough: turns are 1 but for rounding
 constexpr double kBlendWidth = 0.34;  // over which it goes over into elliptical
 
-/// Singular values of a 2 × 2 matrix, largest first, and the left singular vectors: the eigenvalues' roots and
-/// eigenvectors of J Jᵀ.
+/// Singular values of a 2 × 2 matrix, largest first, and the left singular vectors: the eigenvalues' roots
+/// and eigenvectors of J Jᵀ.
 class LeftSingular {
   public:
     explicit LeftSingular(const Mat<2>& J) {

@@ -110,9 +110,20 @@ PY
     optipng -quiet -o2 "$here/mesh-frog.png"
 }
 
+bent() {
+    python3 bent.py "$wend" "$work"
+    for name in knot vase chain bolt fern; do
+        convert "$work/$name-rest.png" "$work/$name-bent.png" -background "$paper" +append -flatten -trim -bordercolor "$paper" -border 24 +repage "$work/all.png"
+        finish "$work/all.png" 960 "bent-$name.png"
+        convert "$here/bent-$name.png" +dither -colors 192 "$here/bent-$name.png"
+        optipng -quiet -o2 "$here/bent-$name.png"
+    done
+}
+
 four_energies strip 960x1300+40+120 450x
 four_energies giraffe 2060x1600+220+760 450x
 giraffe_steps
 frames
 material
 mesh
+bent
