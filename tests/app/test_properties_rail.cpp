@@ -20,6 +20,7 @@ class TestPropertiesRail : public QObject {
     void railIsClosedByClicksElsewhere_data() { pictureAndSolid(); }
     void railIsClosedByClicksElsewhere();
     void propertiesAreHiddenForGood();
+    void railHasTheSectionsOfTheStep_data() { pictureAndSolid(); }
     void railHasTheSectionsOfTheStep();
     void pinsStandBesideInAWideWindow();
 
@@ -110,6 +111,14 @@ void TestPropertiesRail::railIsClosedByClicksElsewhere() {
     QTest::mouseClick(&view, Qt::LeftButton, {}, on);  // and the next one does
     QTRY_COMPARE(pins(), std::size_t(1));
     QVERIFY(settle(m_f->session()));
+    // Nor is the button's going down seen below, by which a pin is chosen.
+    m_f->session().selection().clear();
+    QTest::mouseClick(&railButton("Pins"), Qt::LeftButton);
+    QTest::mouseClick(&view, Qt::LeftButton, {}, on);
+    QVERIFY(!rail().isOpen());
+    QVERIFY(m_f->session().selection().isEmpty());
+    QTest::mouseClick(&view, Qt::LeftButton, {}, on);
+    QVERIFY(!m_f->session().selection().isEmpty());
     QTest::mouseClick(&railButton("Pins"), Qt::LeftButton);
     for (QToolButton* step : m_f->window().findChildren<QToolButton*>())
         if (step->defaultAction() == tools().modeAction(Mode::Mesh)) QTest::mouseClick(step, Qt::LeftButton);
@@ -137,8 +146,10 @@ void TestPropertiesRail::propertiesAreHiddenForGood() {
 }
 
 /// Each that is not empty has its button, by the same name for those who hear it.
+/// Without those that have nothing to say, as of a solid the faults of its surface.
 void TestPropertiesRail::railHasTheSectionsOfTheStep() {
-    QVERIFY(open(false));
+    QFETCH(bool, solid);
+    QVERIFY(open(solid));
     m_f->window().resize(1024, 640);
     const auto names = [&] {
         settleLayout(m_f->window());
