@@ -19,6 +19,8 @@ template <int Dim>
 constexpr int kLarge = Dim == 2 ? 16000 : 8000;
 template <int Dim>
 constexpr int kAim = Dim == 2 ? 5000 : 2000;
+// Times as many where so few hold together what is apart.
+constexpr int kFiner = 2;
 // A body of more than a third of the shape's vertices is not worth its while.
 constexpr int kWorthwhile = 3;
 // Weights of less are rounding.
@@ -128,8 +130,9 @@ class CoarseBody<Dim>::Holding {
                     m_owner[v] = number;
                     vertices.push_back(v);
                 }
+        const bool any = !vertices.empty();
         held.at = std::move(vertices);
-        return true;
+        return any;
     }
 
     /// One in each cell: those beside it go with it.
@@ -165,12 +168,14 @@ class CoarseBody<Dim>::Holding {
 };
 
 template <int Dim>
-std::shared_ptr<const CoarseBody<Dim>> CoarseBody<Dim>::of(const Shape<Dim>& shape) try {
+std::shared_ptr<const CoarseBody<Dim>> CoarseBody<Dim>::of(const Shape<Dim>& shape) {
+    const int most = shape.rest->vertexCount() / kWorthwhile;
     if (shape.rest->vertexCount() <= kLarge<Dim>) return nullptr;
-    SimplicialMesh<Dim> mesh = coarseMesh<Dim>(*shape.rest, kAim<Dim>);
-    if (mesh.vertexCount() > shape.rest->vertexCount() / kWorthwhile) return nullptr;
-    return std::make_shared<const CoarseBody>(shape, std::move(mesh));
-} catch (const InputError&) {  // it is dragged as it is
+    for (const int aim : {kAim<Dim>, kFiner * kAim<Dim>}) try {
+            SimplicialMesh<Dim> mesh = coarseMesh<Dim>(*shape.rest, std::min(aim, most));
+            if (mesh.vertexCount() <= most) return std::make_shared<const CoarseBody>(shape, std::move(mesh));
+        } catch (const InputError&) {  // a finer one may do; else it is dragged as it is
+        }
     return nullptr;
 }
 

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "app/document/handle_comparison.h"
+#include "core/mesh/error.h"
 #include "core/mesh/shape_size.h"
 #include "kernels/back_end_choice.h"
 
@@ -60,13 +61,19 @@ LiveDrag<Dim>::LiveDrag(const Shape<Dim>& shape, std::vector<Handle<Dim>> handle
       m_size(shapeSize<Dim>(shape.rest->points, shape.rest->cells).size),
       m_handles(std::move(handles)),
       m_body(std::move(body)) {
-    auto held = m_body ? m_body->held(m_handles) : std::nullopt;
-    if (held) {
-        m_flow.emplace(flowOf<Dim>(m_shape, m_body->rest(), m_body->material(), held->handles));
-        m_pins = std::move(held->pins);
-    } else {
-        flowByItself();
-    }
+    if (!m_body || !ride()) flowByItself();
+}
+
+/// False if the body cannot be held as the shape is.
+template <int Dim>
+bool LiveDrag<Dim>::ride() try {
+    auto held = m_body->held(m_handles);
+    if (!held) return false;
+    m_flow.emplace(flowOf<Dim>(m_shape, m_body->rest(), m_body->material(), held->handles));
+    m_pins = std::move(held->pins);
+    return true;
+} catch (const InputError&) {
+    return false;
 }
 
 template <int Dim>

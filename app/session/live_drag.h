@@ -40,6 +40,7 @@ class LiveDrag {
     bool rides() const { return m_body != nullptr; }
 
   private:
+    bool ride();
     void beginFlow(const Points<Dim>& pose);
     void flowByItself();
     double length(const Amount& change) const;

@@ -149,8 +149,9 @@ template <int Dim>
 bool MotionPass<Dim>::makeDeformer(const std::stop_token& stop) {
     while (true) {
         if (!m_making.valid()) beginMaking();
-        while (m_making.wait_for(kLookUp) != std::future_status::ready)
+        do {
             if (stop.stop_requested()) return false;
+        } while (m_making.wait_for(kLookUp) != std::future_status::ready);
         m_deformer = m_making.get();
         if (m_makingFor == m_project) return true;
     }

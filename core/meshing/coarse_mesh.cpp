@@ -1,8 +1,12 @@
 #include "core/meshing/coarse_mesh.h"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "core/mesh/boundary_loops.h"
+#include "core/mesh/disjoint_sets.h"
+#include "core/mesh/embedding.h"
 #include "core/mesh/error.h"
 #include "core/mesh/skin.h"
 #include "core/meshing/cage.h"
@@ -13,11 +17,53 @@ namespace wend {
 namespace {
 
 constexpr double kSameArea = 0.02;  // what simplification may change of it
+// Of the vertices around one of the coarse mesh, those at the rim may not hang together with the others
+// there.
+constexpr double kRim = 0.05;
+constexpr int kMostAtRim = 2;
 
 double areaOf(const SimplicialMesh<2>& mesh) {
     double area = 0;
     for (const Cell<2>& cell : mesh.cells) area += std::abs(cellMeasure<2>(mesh.points, cell));
     return area;
+}
+
+/// Whether the fine cells in the cells around a coarse vertex do not all hang together.
+bool joinsParts(const SimplicialMesh<3>& coarse, const SimplicialMesh<3>& fine) {
+    const Embedding<3> places(coarse, fine.points);
+    std::vector<std::vector<int>> verticesIn(coarse.cells.size());
+    std::vector<std::vector<int>> coarseAround(static_cast<std::size_t>(coarse.vertexCount())),
+        fineAround(static_cast<std::size_t>(fine.vertexCount()));
+    for (int c = 0; c < coarse.cellCount(); ++c)
+        for (const int v : coarse.cells[c]) coarseAround[v].push_back(c);
+    for (int c = 0; c < fine.cellCount(); ++c)
+        for (const int v : fine.cells[c]) fineAround[v].push_back(c);
+    for (int v = 0; v < fine.vertexCount(); ++v)
+        if (!fineAround[v].empty()) verticesIn[places.cell(v)].push_back(v);
+    std::vector<int> number(fineAround.size(), -1);  // of the vertices there, and those that share cells with them
+    for (const std::vector<int>& star : coarseAround) {
+        std::vector<int> within, all;
+        for (const int c : star) within.insert(within.end(), verticesIn[c].begin(), verticesIn[c].end());
+        const auto forNeighbours = [&](const auto& visit) {
+            for (const int v : within)
+                for (const int c : fineAround[v])
+                    for (const int other : fine.cells[c]) visit(v, other);
+        };
+        forNeighbours([&](int, int other) {
+            if (number[other] >= 0) return;
+            number[other] = static_cast<int>(all.size());
+            all.push_back(other);
+        });
+        DisjointSets sets(static_cast<int>(all.size()));
+        forNeighbours([&](int v, int other) { sets.join(number[v], number[other]); });
+        std::map<int, int> counts;
+        for (const int v : within) ++counts[sets.root(number[v])];
+        for (const int v : all) number[v] = -1;
+        const double atRim = std::max<double>(kMostAtRim, kRim * static_cast<double>(within.size()));
+        if (std::ranges::count_if(counts, [&](const auto& part) { return part.second > atRim; }) > 1)
+            return true;
+    }
+    return false;
 }
 
 }  // namespace
@@ -41,7 +87,9 @@ SimplicialMesh<3> coarseMesh<3>(const SimplicialMesh<3>& fine, int vertices, std
     CageOptions options;
     options.vertices = vertices;
     options.stop = stop;
-    return fitCage({boundary.points, boundary.triangles, {}}, options).mesh;
+    SimplicialMesh<3> coarse = fitCage({boundary.points, boundary.triangles, {}}, options).mesh;
+    if (joinsParts(coarse, fine)) throw InputError("so large cubes hold together what is apart");
+    return coarse;
 }
 
 }  // namespace wend

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "app/session/live_drag.h"
+#include "core/mesh/error.h"
 #include "core/meshing/coarse_mesh.h"
 #include "kernels/back_end_choice.h"
 
@@ -34,6 +35,7 @@ class TestCoarseBody : public QObject {
     void keepsWhatTheShapeKeeps();
     void bordersSlide();
     void holesStayOpen();
+    void jawsStayApart();
     void onlyLargeShapesNeedOne();
 };
 
@@ -387,6 +389,25 @@ void TestCoarseBody::holesStayOpen() {
         const Vec<2> p = (body.points.col(cell[0]) + body.points.col(cell[1]) + body.points.col(cell[2])) / 3;
         QVERIFY(p.x() < 1 || p.x() > 3 || std::abs(p.y() - 0.5) > 0.04);
     }
+}
+
+/// Cubes that are wider than the gap between two jaws would hold them together; a bar has no jaws, nor has
+/// one with a gap that is wide enough.
+void TestCoarseBody::jawsStayApart() {
+    const auto tongs = [](double gap) {
+        SimplicialMesh<3> mesh = gridBar<3>(10);
+        std::erase_if(mesh.cells, [&](const Cell<3>& cell) {
+            return std::ranges::all_of(cell, [&](int v) {
+                const Vec<3> p = mesh.points.col(v);
+                return p.x() >= 1 && std::abs(p.y() - 0.5) <= gap / 2 + 1e-9;
+            });
+        });
+        return mesh;
+    };
+    for (const int vertices : {300, 800, 1500})
+        QVERIFY(coarseMesh<3>(gridBar<3>(10), vertices).vertexCount() > 200);
+    QVERIFY_THROWS_EXCEPTION(InputError, coarseMesh<3>(tongs(0.2), 300));
+    QVERIFY(coarseMesh<3>(tongs(0.6), 1500).vertexCount() > 200);
 }
 
 void TestCoarseBody::onlyLargeShapesNeedOne() {
