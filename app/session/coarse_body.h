@@ -27,11 +27,16 @@ class CoarseBody {
         std::vector<std::pair<int, double>> inShape;
         Location<Dim> inBody;
     };
-    /// The shape's handles as handles of the body: what holds many vertices holds all those of the body that
-    /// they depend on, so that they follow exactly; single points hold points in its cells.
+    /// What a handle holds as a whole: vertices of both.
+    struct Part {
+        std::vector<int> inShape, inBody;
+    };
+    /// The shape's handles as handles of the body: what holds many vertices holds those of the body that they
+    /// depend on (of two handles the one that needs one most has it), single points hold points in its cells.
     struct Held {
         std::vector<Handle<Dim>> handles;
         std::vector<Pin> pins;
+        std::vector<Part> parts;
     };
     /// Nothing where one of them has no place, or two are so near to each other that the body could not move
     /// one without the other.
@@ -42,19 +47,23 @@ class CoarseBody {
         Points<Dim> body, shape;
         Points<Dim> ahead;  // of the shape's vertices: from where the body's cells have them
     };
-    /// Nothing where the body would be folded in that pose of the shape.
+    /// Nothing where the body would be folded in that pose of the shape, even after its vertices there went to
+    /// where those around have them.
     std::optional<Ride> begin(const Points<Dim>& pose) const;
     /// The shape's pose in a pose of the body: x = Σ w X + F F₀⁻¹ a, with the weights of the cell at rest,
     /// its gradient F, F₀ at the ride's beginning, and what the vertex was ahead then. That is the pose in
-    /// which the ride began, bit for bit but for rounding, and turns and shears with the body. The vertices
-    /// around a pin go so much further that it has gone exactly as far as the body's point has.
-    Points<Dim> carried(const Ride& ride, const Points<Dim>& body, const std::vector<Pin>& pins = {}) const;
+    /// which the ride began, but for rounding, and turns and shears with the body. What is held is exact: a
+    /// part goes as the body's vertices that it holds do, and the vertices around a pin go so much further
+    /// that it has gone as far as the body's point has.
+    Points<Dim> carried(const Ride& ride, const Points<Dim>& body, const Held& held = {}) const;
 
   private:
     class Holding;
+    std::vector<int> foldedCells(const Points<Dim>& body) const;
 
     std::shared_ptr<const SimplicialMesh<Dim>> m_fine, m_rest;
     std::shared_ptr<const Material<Dim>> m_material;
+    std::vector<std::vector<int>> m_neighbours;   // of the body's vertices
     Embedding<Dim> m_shapeInBody, m_bodyInShape;  // the vertices of one in the other
 };
 

@@ -70,7 +70,7 @@ bool LiveDrag<Dim>::ride() try {
     auto held = m_body->held(m_handles);
     if (!held) return false;
     m_flow.emplace(flowOf<Dim>(m_shape, m_body->rest(), m_body->material(), held->handles));
-    m_pins = std::move(held->pins);
+    m_held = std::move(*held);
     return true;
 } catch (const InputError&) {
     return false;
@@ -157,7 +157,7 @@ typename LiveDrag<Dim>::Step LiveDrag<Dim>::follow(const Amount& amount, std::op
         step.stopped = led.done < 1;
         step.message = led.problem;
     }
-    if (m_body) m_carried = m_body->carried(m_ride, m_flow->pose(), m_pins);
+    if (m_body) m_carried = m_body->carried(m_ride, m_flow->pose(), m_held);
     if (!step.stopped) m_amount = amount;
     step.amount = m_amount;
     step.pinError = m_flow->constraintError();

@@ -52,7 +52,7 @@ class LiveDrag {
     std::vector<int> m_dragged;
     std::shared_ptr<const CoarseBody<Dim>> m_body;  // in which the shape rides, or null
     typename CoarseBody<Dim>::Ride m_ride;
-    std::vector<typename CoarseBody<Dim>::Pin> m_pins;
+    typename CoarseBody<Dim>::Held m_held;
     Points<Dim> m_carried;                // by the body: the shape's pose
     std::optional<DragFlow<Dim>> m_flow;  // of the body, or of the shape
     Grip m_grip;

@@ -40,7 +40,8 @@ bool joinsParts(const SimplicialMesh<3>& coarse, const SimplicialMesh<3>& fine) 
         for (const int v : fine.cells[c]) fineAround[v].push_back(c);
     for (int v = 0; v < fine.vertexCount(); ++v)
         if (!fineAround[v].empty()) verticesIn[places.cell(v)].push_back(v);
-    std::vector<int> number(fineAround.size(), -1);  // of the vertices there, and those that share cells with them
+    std::vector<int> number(fineAround.size(),
+                            -1);  // of the vertices there, and those that share cells with them
     for (const std::vector<int>& star : coarseAround) {
         std::vector<int> within, all;
         for (const int c : star) within.insert(within.end(), verticesIn[c].begin(), verticesIn[c].end());

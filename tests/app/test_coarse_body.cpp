@@ -31,6 +31,8 @@ class TestCoarseBody : public QObject {
     void pinsAreUnderTheHand();
     void pinsSideBySideDoWithoutIt_data() { bothDimensions_data(); }
     void pinsSideBySideDoWithoutIt();
+    void partsSideBySideAreExact_data() { bothDimensions_data(); }
+    void partsSideBySideAreExact();
     void keepsWhatTheShapeKeeps_data() { bothDimensions_data(); }
     void keepsWhatTheShapeKeeps();
     void bordersSlide();
@@ -42,6 +44,7 @@ class TestCoarseBody : public QObject {
 namespace {
 
 constexpr double kLength = 4;  // of a bar of width 1
+constexpr double kDent = 0.16;
 
 /// Every box of a grid is cut into Dim! simplices (Kuhn): one for each order in which the axes are gone along
 /// from its lowest corner.
@@ -149,12 +152,13 @@ double farthest(const Points<Dim>& a, const Points<Dim>& b) {
 /// Bent, with shears that no cell of the body shares.
 template <int Dim>
 Points<Dim> bent(const Points<Dim>& rest) {
+    constexpr double curvature = 0.4;
     Points<Dim> pose = rest;
     for (Eigen::Index v = 0; v < rest.cols(); ++v) {
-        const double x = rest(0, v), angle = 0.4 * x;
-        const double arm = 1.0 / 0.4 - rest(1, v) + 0.004 * std::sin(40 * x);
+        const double x = rest(0, v), angle = curvature * x;
+        const double arm = 1 / curvature - rest(1, v) + 0.004 * std::sin(40 * x);
         pose(0, v) = arm * std::sin(angle);
-        pose(1, v) = 1.0 / 0.4 - arm * std::cos(angle);
+        pose(1, v) = 1 / curvature - arm * std::cos(angle);
     }
     return pose;
 }
@@ -179,7 +183,12 @@ void TestCoarseBody::begunWhereTheShapeIs() {
         const Shape<Dim> shape = bar<Dim>();
         const auto body = bodyOf(shape);
         QVERIFY(body->rest()->vertexCount() < shape.rest->vertexCount() / 3);
-        for (const Points<Dim>& pose : {Points<Dim>(shape.rest->points), bent<Dim>(shape.rest->points)}) {
+        // Where the last one is pushed in the body folds over, since it reaches beyond the shape.
+        Points<Dim> dented = shape.rest->points;
+        for (Eigen::Index v = 0; v < dented.cols(); ++v)
+            if (dented(1, v) == 1 && std::abs(dented(0, v) - 2) < 0.15) dented(1, v) -= kDent;
+        for (const Points<Dim>& pose :
+             {Points<Dim>(shape.rest->points), bent<Dim>(shape.rest->points), dented}) {
             const auto ride = body->begin(pose);
             QVERIFY(ride.has_value());
             // Of coordinates up to 4: rounding.
@@ -301,11 +310,38 @@ void TestCoarseBody::pinsSideBySideDoWithoutIt() {
         QVERIFY(!drag.rides());
         drag.begin({2}, {}, shape.rest->points);
         QVERIFY(!drag.follow({0.005, 0, 0}).stopped);
-        // Neither can an end, where another handle holds a part of it.
-        handles = ends<Dim>();
-        handles.push_back(handles[0]);
-        std::get<HalfSpace<Dim>>(std::get<Region<Dim>>(handles[2].at)).point.x() = 0.1;
-        QVERIFY(!bodyOf(shape)->held(handles).has_value());
+    };
+    IN_BOTH(check);
+}
+
+/// A tenth of the width apart, less than a cell of the body: what is held stays, what turns, turns as a
+/// whole.
+void TestCoarseBody::partsSideBySideAreExact() {
+    const auto check = []<int Dim>() {
+        const Shape<Dim> shape = bar<Dim>();
+        const Points<Dim>& rest = shape.rest->points;
+        std::vector<Handle<Dim>> handles = ends<Dim>();
+        Box<Dim> box{Vec<Dim>::Constant(-1), Vec<Dim>::Constant(2)};
+        box.min.x() = 0.35, box.max.x() = 0.75;
+        Handle<Dim>& beside = handles.emplace_back();
+        beside.at = Region<Dim>(box);
+        LiveDrag<Dim> drag(shape, handles, bodyOf(shape));
+        QVERIFY(drag.rides());
+        Grip turn;
+        turn.kind = Grip::Kind::Turn;
+        turn.centre = Vec<3>(0.55, 0.5, Dim == 2 ? 0 : 0.5);
+        turn.axis = Vec<3>::UnitZ();
+        drag.begin({2}, turn, rest);
+        QVERIFY(!drag.follow({0.05, 0, 0}).stopped);
+        const Eigen::Rotation2Dd by(0.05);
+        for (int v = 0; v < shape.rest->vertexCount(); ++v) {
+            Vec<Dim> there = rest.col(v);
+            const bool turned = rest(0, v) >= 0.35 && rest(0, v) <= 0.75;
+            if (turned)
+                there.template head<2>() =
+                    turn.centre.head<2>() + by * (there.template head<2>() - turn.centre.head<2>());
+            if (turned || rest(0, v) <= 0.25) QVERIFY((drag.pose().col(v) - there).norm() < 1e-9);
+        }
     };
     IN_BOTH(check);
 }
