@@ -36,6 +36,7 @@ std::string reportJson(const RunFigures& figures) {
                        {"integrate", counts.integrate}, {"total", figures.total}};
     json["energy"] = counts.energy;
     json["errorEstimate"] = counts.errorEstimate > 0 ? Json(counts.errorEstimate) : Json();
+    json.update(Json::parse(figures.faults));
     if (figures.cage) json["cage"] = Json::parse(cageJson(*figures.cage));
     if (figures.verdict) json["quality"] = Json::parse(verdictJson(*figures.verdict));
     return prettyJson(json);
@@ -55,6 +56,27 @@ std::string cageJson(const CageFacts& cage) {
     if (!cage.why.empty()) json["why"] = cage.why;
     return json.dump();
 }
+
+template <int Dim>
+std::string faultsJson(const PoseFaults<Dim>& faults) {
+    const auto at = [](const Vec<Dim>& p) { return std::vector<double>(p.begin(), p.end()); };
+    Json first, worst;
+    if (!faults.crossings.empty()) first = at(faults.crossings.front().at);
+    if (!faults.blown.empty()) {
+        const PosePlace<Dim>& place = faults.blown.front();
+        worst = {{"cell", place.worstCell}, {"ratio", place.ratio}, {"at", at(place.at)}};
+    }
+    const Json json{
+        {"selfCrossings", {{"places", faults.crossings.size()}, {"pairs", faults.pairs()}, {"first", first}}},
+        {"blownUp",
+         {{"factor", kBlownUp},
+          {"cells", faults.cells()},
+          {"places", faults.blown.size()},
+          {"worst", worst}}}};
+    return json.dump();
+}
+template std::string faultsJson<2>(const PoseFaults<2>&);
+template std::string faultsJson<3>(const PoseFaults<3>&);
 
 std::string summaryText(const Statistics& statistics, const IntegrationOptions& integration) {
     const std::string steps = std::to_string(statistics.steps) + (statistics.steps == 1 ? " step" : " steps");

@@ -2,6 +2,7 @@
 
 #include "app/session/cage_facts.h"
 #include "app/session/mesh_verdict.h"
+#include "app/session/pose_faults.h"
 #include "app/session/run.h"
 #include "core/energy/distortion.h"
 #include "core/integration/deformer.h"
@@ -16,12 +17,17 @@ struct RunFigures {
     Distortion distortion;
     Statistics statistics;
     double restEnergy = 0, restForce = 0;     // W, and how far the shape is from settled
+    std::string faults;                       // faultsJson()
     std::optional<MeshVerdict> verdict = {};  // on cells that were made
     std::optional<CageFacts> cage = {};       // if one carries the surface
 };
 std::string reportJson(const RunFigures& figures);
 /// {"asked", "got", "worstCell", "cellsAbove", "facets"} of a verdict, as text.
 std::string verdictJson(const MeshVerdict& verdict);
+/// {"selfCrossings": {"places", "pairs", "first"}, "blownUp": {"factor", "cells", "places", "worst"}} as
+/// text.
+template <int Dim>
+std::string faultsJson(const PoseFaults<Dim>& faults);
 /// "20 steps; …": how near the end is to the truth.
 std::string summaryText(const Statistics& statistics, const IntegrationOptions& integration);
 

@@ -11,6 +11,7 @@
 #include "app/session/held_border.h"
 #include "app/session/material_picture.h"
 #include "app/session/output_set.h"
+#include "app/session/pose_faults.h"
 #include "app/session/pose_file.h"
 #include "app/session/report.h"
 #include "app/session/run_options.h"
@@ -52,8 +53,9 @@ class Run {
         if (result.outcome == Outcome::Cancelled) throw Cancelled();
         if (wantsVelocity() && !solveVelocity() && result.outcome == Outcome::Done)
             result = m_deformer.failure();
+        m_faults = faultsOf<Dim>(m_shape, m_deformer.state().points);
         if (result.outcome == Outcome::Done || m_options.partial) {
-            warnOfCrushedCells();
+            warnOfFaults();
             writeShapes();
         } else {
             m_files.discard();
@@ -62,6 +64,7 @@ class Run {
         m_files.commit();
         if (m_watch.summary && result.outcome == Outcome::Done)
             m_watch.summary(summaryText(m_deformer.statistics(), integrationOf(m_project)));
+        tellOfFaults();
         return result;
     }
 
@@ -112,11 +115,20 @@ class Run {
         return m_velocity.cols() > 0;
     }
 
-    /// No cell folds over, but one may be next to nothing.
-    void warnOfCrushedCells() const {
+    /// No cell folds over, but one may be next to nothing, and a body may pass through another.
+    void warnOfFaults() const {
+        if (!m_watch.notice) return;
         const double minimum = distortion<Dim>(*m_shape.rest, m_deformer.state().points).minDet;
-        if (minimum < kCrushed && m_watch.notice)
+        if (minimum < kCrushed)
             m_watch.notice("a cell has shrunk to " + shortNumber(minimum) + " of its size");
+        if (Dim == 3 && !m_faults.crossings.empty()) m_watch.notice(crossingText(m_faults));
+    }
+
+    /// What may be so: parts of a picture lie over each other, in the order of their depth.
+    void tellOfFaults() const {
+        if (!m_watch.summary) return;
+        if (Dim == 2 && !m_faults.crossings.empty()) m_watch.summary(crossingText(m_faults));
+        if (!m_faults.blown.empty()) m_watch.summary(blownText(m_faults));
     }
 
     /// The numbers that are written are those that were checked, but for the one format that rounds them.
@@ -292,6 +304,7 @@ class Run {
             m_deformer.statistics(),
             m_deformer.restEnergy(),
             m_deformer.restForce(),
+            faultsJson(m_faults),
             m_shape.verdict,
             m_shape.cage};
         m_files.add(path, ".json",
@@ -314,6 +327,7 @@ class Run {
     std::vector<std::string> m_names;  // of the mesh frames …
     std::vector<double> m_times;       // … and their times
     Points<Dim> m_velocity;
+    PoseFaults<Dim> m_faults;  // of the pose at the end
     OutputSet m_files;
 };
 

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "core/mesh/error.h"
@@ -17,10 +16,6 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Loop = std::vector<Vec<2>>;
-
-struct Segment {
-    Vec<2> a, b;
-};
 
 int side(const Vec<2>& a, const Vec<2>& b, const Vec<2>& p) {
     const auto exact = [](const Vec<2>& v) { return Kernel::Point_2(v.x(), v.y()); };
@@ -130,9 +125,8 @@ Outline cleanedOutline(const Outline& outline) {
     return clean;
 }
 
-void requireNoCrossing(const Outline& outline) {
+std::vector<SegmentCrossing> crossingsOf(const std::vector<Segment>& segments) {
     using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 2, int>;
-    const auto segments = segmentsOf(outline);
     std::vector<Box> boxes;
     boxes.reserve(segments.size());
     for (std::size_t i = 0; i < segments.size(); ++i) {
@@ -141,19 +135,20 @@ void requireNoCrossing(const Outline& outline) {
                                   std::max(a.y(), b.y()));
         boxes.emplace_back(bounds, static_cast<int>(i));
     }
-    // The first pair in the outline's order is reported, whatever the order in which the boxes are visited.
-    std::pair<int, int> first{std::numeric_limits<int>::max(), 0};
-    Vec<2> place;
+    std::vector<SegmentCrossing> crossings;
     CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& s, const Box& t) {
-        const auto pair = std::minmax({s.info(), t.info()});
-        if (first < pair) return;
-        if (const auto found = conflict(segments[pair.first], segments[pair.second])) {
-            first = pair;
-            place = *found;
-        }
+        const auto [first, second] = std::minmax({s.info(), t.info()});
+        if (const auto place = conflict(segments[first], segments[second]))
+            crossings.push_back({{first, second}, *place});
     });
-    if (first.first != std::numeric_limits<int>::max())
-        throw InputError("the outline crosses or overlaps itself near " + placeName<2>(place));
+    std::ranges::sort(crossings, {}, &SegmentCrossing::segments);
+    return crossings;
+}
+
+void requireNoCrossing(const Outline& outline) {
+    if (const auto crossings = crossingsOf(segmentsOf(outline)); !crossings.empty())
+        throw InputError("the outline crosses or overlaps itself near " +
+                         placeName<2>(crossings.front().place));
 }
 
 Outline outlineThrough(Outline outline, const std::vector<Vec<2>>& points, double tolerance) {

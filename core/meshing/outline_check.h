@@ -1,17 +1,30 @@
 #pragma once
 
-#include <string>
+#include <array>
+#include <vector>
 
 #include "core/meshing/outline.h"
 
 namespace wend {
 
+struct Segment {
+    Vec<2> a, b;
+};
+
+/// Two segments that cross, or run over each other, in more than a common point.
+struct SegmentCrossing {
+    std::array<int, 2> segments;  // increasing
+    Vec<2> place;
+};
+
+/// All of them, in the order of the segments. Exact predicates.
+std::vector<SegmentCrossing> crossingsOf(const std::vector<Segment>& segments);
+
 /// The outline without repeated consecutive points. Throws InputError naming polygon, point or place: no
 /// polygon; a coordinate that is not finite; fewer than three distinct points; no area.
 Outline cleanedOutline(const Outline& outline);
 
-/// Throws InputError with the place where two edges cross, or run over each other, in more than a common
-/// point. Exact predicates.
+/// Throws InputError with the place of the first two edges that cross.
 void requireNoCrossing(const Outline& outline);
 
 /// The outline through all points that are within `tolerance` of it: corners that close are moved onto the

@@ -150,10 +150,11 @@ void TestCli::velocityOnTheMesh() {
 void TestCli::reportKeys() {
     succeed({"run", "bend.wend", "--report", "r.json"});
     const QJsonObject report = jsonFile("r.json").object();
-    QStringList expected{"vertices", "cells",    "dimension",   "time",           "backend",
-                         "device",   "errors",   "flips",       "minDet",         "constraintError",
-                         "steps",    "rejected", "evaluations", "factorizations", "solverIterations",
-                         "seconds",  "energy",   "restEnergy",  "restForce",      "errorEstimate"};
+    QStringList expected{"vertices",      "cells",    "dimension",   "time",           "backend",
+                         "device",        "errors",   "flips",       "minDet",         "constraintError",
+                         "steps",         "rejected", "evaluations", "factorizations", "solverIterations",
+                         "seconds",       "energy",   "restEnergy",  "restForce",      "errorEstimate",
+                         "selfCrossings", "blownUp"};
     QStringList keys = report.keys();
     expected.sort();
     keys.sort();

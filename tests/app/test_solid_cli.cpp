@@ -30,6 +30,7 @@ class TestSolidCli : public QObject {
     void badSurfaces_data();
     void badSurfaces();
     void cagedSurfaceBends();
+    void faultsAreCounted();
     void cancelledMeshing();
 
   private:
@@ -401,6 +402,56 @@ void TestSolidCli::cagedSurfaceBends() {
 }
 
 /// Meshing that would take hours ends at a signal, and leaves nothing behind.
+/// A bar that is moved into another one, a corner of it, and grows to three times its size on the way.
+void TestSolidCli::faultsAreCounted() {
+    MeshFile pair = toMeshFile<3>(barMesh(2));
+    const int first = static_cast<int>(pair.points.cols()), cells = static_cast<int>(pair.tetrahedra.size());
+    pair.points.conservativeResize(Eigen::NoChange, 2 * first);
+    pair.points.rightCols(first) = pair.points.leftCols(first).colwise() + Vec<3>(8, 0, 0);
+    for (int c = 0; c < cells; ++c) {
+        Cell<3> cell = pair.tetrahedra[c];
+        for (int& v : cell) v += first;
+        pair.tetrahedra.push_back(cell);
+    }
+    writeMeshFile(file("pair.mesh"), pair);
+    const auto moved = [&](const std::string& motion) {
+        putProject(path(), "pair.wend",
+                   "'domain': {'mesh': 'pair.mesh'}, 'handles': ["
+                   "{'at': {'region': {'box': {'min': [-1, -1, -1], 'max': [3, 3, 3]}}}},"
+                   "{'at': {'region': {'box': {'min': [7, -1, -1], 'max': [11, 3, 3]}}}, 'motion': [" +
+                       motion + "]}]");
+        return run({"run", "pair.wend", "--report", "r.json"});
+    };
+    const auto part = [&](const char* key) {
+        QFile report(path() + "/r.json");
+        return report.open(QIODevice::ReadOnly)
+                   ? QJsonDocument::fromJson(report.readAll()).object()[key].toObject()
+                   : QJsonObject();
+    };
+    const CliResult apart = moved("{'kind': 'translate', 'by': [-5.13, 0.71, 0.53]}");
+    QCOMPARE(apart.error, QString());
+    QCOMPARE(part("selfCrossings"), (QJsonObject{{"places", 0}, {"pairs", 0}, {"first", QJsonValue::Null}}));
+    QCOMPARE(part("blownUp"),
+             (QJsonObject{{"factor", 10}, {"cells", 0}, {"places", 0}, {"worst", QJsonValue::Null}}));
+
+    const CliResult inside = moved("{'kind': 'translate', 'by': [-7.13, 0.71, 0.53]}");
+    QCOMPARE(inside.code, 0);
+    QVERIFY2(inside.error.contains("pair.wend: the surface passes through itself in 1 place ("),
+             qPrintable(inside.error));
+    QCOMPARE(part("selfCrossings")["places"].toInt(), 1);
+    QVERIFY(part("selfCrossings")["pairs"].toInt() > 0);
+    const QJsonArray at = part("selfCrossings")["first"].toArray();
+    for (int k = 0; k < 3; ++k) QVERIFY(at[k].toDouble() > 0 && at[k].toDouble() < 3);
+    QCOMPARE(part("blownUp")["cells"].toInt(), 0);
+
+    moved("{'kind': 'curve', 'interpolation': 'polyline', 'points': [[9, 1, 1], [15, 1, 1]], 'scale': 3}");
+    QCOMPARE(part("selfCrossings")["places"].toInt(), 0);
+    QCOMPARE(part("blownUp")["cells"].toInt(), cells);
+    QCOMPARE(part("blownUp")["places"].toInt(), 1);
+    QVERIFY(std::abs(part("blownUp")["worst"].toObject()["ratio"].toDouble() - 27) < 1e-6);
+    QVERIFY(part("blownUp")["worst"].toObject()["cell"].toInt() >= cells);
+}
+
 void TestSolidCli::cancelledMeshing() {
     QProcess process;
     process.setWorkingDirectory(path());
