@@ -28,7 +28,12 @@ DistortionPanel::DistortionPanel(ShapeSession& session, QWidget* parent)
       m_area(new QLabel(m_details)),
       m_length(new QLabel(m_details)),
       m_worst(new QLabel(m_details)),
-      m_find(new QToolButton(this)) {
+      m_find(new QToolButton(this)),
+      m_watch(session),
+      m_crossings(new QToolButton(m_details)),
+      m_blown(new QToolButton(m_details)) {
+    m_crossings->setObjectName(QStringLiteral("crossings"));
+    m_blown->setObjectName(QStringLiteral("blownUp"));
     m_worst->setObjectName(QStringLiteral("worstPlace"));
     makeControls();
     arrange();
@@ -50,6 +55,13 @@ DistortionPanel::DistortionPanel(ShapeSession& session, QWidget* parent)
         emit smoothChanged(on);
     });
     connect(m_find, &QToolButton::clicked, this, &DistortionPanel::showWorst);
+    connect(m_crossings, &QToolButton::clicked, this, [this] { goOn(m_nextCrossed, m_crossed); });
+    connect(m_blown, &QToolButton::clicked, this, [this] { goOn(m_nextGrown, m_grown); });
+    connect(&m_watch, &PoseWatch::changed, this, [this] {
+        showFaults();
+        emit faultsChanged();
+    });
+    showFaults();
     takeFrame();
 }
 
@@ -72,7 +84,7 @@ void DistortionPanel::makeControls() {
     describe(m_lock, tr("Keep these colours"),
              tr("Keep the colours' range, to compare different shapes and energies."));
     m_find->setText(tr("Go there"));
-    for (QToolButton* button : {m_lock, m_find}) button->setProperty("role", "chip");
+    for (QToolButton* button : {m_lock, m_find, m_crossings, m_blown}) button->setProperty("role", "chip");
     describe(m_find, tr("Go to the worst place"),
              tr("Brings the most distorted triangle into view; it is ringed in the map."));
 }
@@ -103,7 +115,7 @@ QLayout* DistortionPanel::totals() {
     auto* totals = new QGridLayout;
     totals->setVerticalSpacing(6);
     int row = 0;
-    const auto add = [&](const QString& name, QLabel* value, const QString& help) -> QLabel* {
+    const auto add = [&](const QString& name, QWidget* value, const QString& help) -> QLabel* {
         auto* label = new QLabel(name, m_details);
         label->setProperty("role", "second");
         value->setToolTip(help);
@@ -118,6 +130,8 @@ QLayout* DistortionPanel::totals() {
     m_areaName = add(tr("Area error"), m_area, {});
     add(tr("Stretch"), m_length, tr("How far lengths are from those at rest: zero for a rigid motion."));
     add(tr("Worst place"), m_worst, {});
+    m_crossingsName = add({}, m_crossings, {});
+    add(tr("Blown up"), m_blown, {});
     return totals;
 }
 
@@ -137,12 +151,63 @@ void DistortionPanel::setDimension(int dimension) {
     for (QLabel* label : {m_areaName, m_area}) label->setToolTip(help);
     m_worst->setToolTip(solid ? tr("The tetrahedron that is farthest from rest by what the map shows.")
                               : tr("The triangle that is farthest from rest by what the map shows."));
+    describeFaults();
     describe(m_measure, tr("Colour by"),
              solid
                  ? tr("What is coloured over the solid: the error of lengths, volumes or angles, how far it "
                       "is from where it was, the material, how fast it moves, or how fine its mesh is.")
                  : tr("What is coloured over the picture: the error of lengths, areas or angles, how far it "
                       "is from where it was, the material, or how fast it moves."));
+}
+
+void DistortionPanel::describeFaults() {
+    const bool solid = m_dimension == 3;
+    m_crossingsName->setText(solid ? tr("Passes through itself") : tr("Crosses itself"));
+    describe(m_crossings, m_crossingsName->text(),
+             solid ? tr("How often the surface passes through itself once the pose rests: places, each of "
+                        "pairs of triangles. A click looks at the next; the map marks them in red.")
+                   : tr("Where the outline crosses itself once the pose rests: one part lies over another. A "
+                        "click looks at the next; the map marks them in red."));
+    describe(m_blown, tr("Blown up"),
+             solid ? tr("Tetrahedra of more than ten times their volume, or less than a tenth of it. A click "
+                        "looks at the next place; the map marks them in red.")
+                   : tr("Triangles of more than ten times their area, or less than a tenth of it. A click "
+                        "looks at the next place; the map marks them in red."));
+}
+
+/// While a pose moves, nothing is known of it.
+void DistortionPanel::showFaults() {
+    m_crossed.clear();
+    m_grown.clear();
+    m_nextCrossed = m_nextGrown = 0;
+    for (QToolButton* button : {m_crossings, m_blown}) button->setText(QStringLiteral("–"));
+    showFaults<2>();
+    showFaults<3>();
+    m_crossings->setEnabled(!m_crossed.empty());
+    m_blown->setEnabled(!m_grown.empty());
+}
+
+template <int Dim>
+void DistortionPanel::showFaults() {
+    const auto faults = m_watch.faults<Dim>();
+    if (!faults) return;
+    const auto takePlaces = [](const std::vector<PosePlace<Dim>>& from, std::vector<Vec<3>>& to) {
+        for (const PosePlace<Dim>& place : from)
+            to.push_back(Vec<3>::Zero()), to.back().template head<Dim>() = place.at;
+    };
+    takePlaces(faults->crossings, m_crossed);
+    takePlaces(faults->blown, m_grown);
+    const int places = static_cast<int>(m_crossed.size()), cells = faults->cells();
+    m_crossings->setText(places == 0   ? tr("nowhere")
+                         : places == 1 ? tr("1 place")
+                                       : tr("%n places", nullptr, places));
+    m_blown->setText(cells == 0 ? tr("nowhere") : cells == 1 ? tr("1 cell") : tr("%n cells", nullptr, cells));
+}
+
+void DistortionPanel::goOn(std::size_t& next, const std::vector<Vec<3>>& places) {
+    if (places.empty()) return;
+    emit placeWanted(places[next % places.size()]);
+    next = (next + 1) % places.size();
 }
 
 double DistortionPanel::opacity() const {

@@ -3,7 +3,7 @@
 #include <QWidget>
 
 #include "app/panels/legend.h"
-#include "app/session/shape_session.h"
+#include "app/session/pose_watch.h"
 
 class QCheckBox;
 class QComboBox;
@@ -13,7 +13,8 @@ class QToolButton;
 
 namespace wend {
 
-/// What the deformation costs: the map that is shown, its legend, the three totals and the worst place.
+/// What the deformation costs: the map that is shown, its legend, the three totals, the worst place, and
+/// where the pose passes through itself or has blown up.
 class DistortionPanel : public QWidget {
     Q_OBJECT
 
@@ -29,11 +30,16 @@ class DistortionPanel : public QWidget {
     bool isSmooth() const;
     /// How maps are drawn, the sums over the shape and the worst place in numbers, to be shown elsewhere.
     QWidget* details() const { return m_details; }
+    /// What is wrong with the pose that is shown.
+    const PoseWatch& watch() const { return m_watch; }
 
   signals:
     /// The measure or its range changed.
     void mapChanged();
     void showWorst();
+    /// A place is to be seen; of a picture z is 0.
+    void placeWanted(const wend::Vec<3>& at);
+    void faultsChanged();
     void opacityChanged(double opacity);
     void smoothChanged(bool smooth);
     /// The user has chosen one.
@@ -47,6 +53,11 @@ class DistortionPanel : public QWidget {
     QLayout* totals();
     void takeFrame();
     void showTotals(const Distortion& distortion);
+    void describeFaults();
+    void showFaults();
+    template <int Dim>
+    void showFaults();
+    void goOn(std::size_t& next, const std::vector<Vec<3>>& places);
 
     ShapeSession& m_session;
     QComboBox* m_measure;
@@ -62,6 +73,11 @@ class DistortionPanel : public QWidget {
     QLabel* m_worst;
     QToolButton* m_find;
     QLabel* m_areaName = nullptr;
+    PoseWatch m_watch;
+    QToolButton *m_crossings, *m_blown;  // how many; each click goes to the next
+    QLabel* m_crossingsName = nullptr;
+    std::vector<Vec<3>> m_crossed, m_grown;          // their places …
+    std::size_t m_nextCrossed = 0, m_nextGrown = 0;  // … and which comes next
     MeasureRange m_range;
     int m_dimension = 0;
 };

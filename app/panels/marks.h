@@ -13,6 +13,8 @@ inline constexpr double kPinRadius = 6.5;
 /// Of what the shape covers: pins, stiffness marks, wrong triangles.
 inline constexpr double kCoveredOpacity = 0.4;
 inline const QColor kInk(20, 22, 30);
+/// Of what is wrong with a surface or a pose.
+inline constexpr QRgb kWrong = qRgb(214, 44, 60);
 
 /// The colours that pins have without being given one; told apart by lightness too.
 const std::array<QColor, 8>& pinColours();

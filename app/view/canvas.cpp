@@ -280,9 +280,18 @@ void ShapeCanvas::showWorst() {
     if (cell < 0) return;
     Vec<2> centre = Vec<2>::Zero();
     for (const int v : frame->rest->cells[cell]) centre += frame->pose.col(v) / 3;
+    showPlace(centre);
+}
+
+void ShapeCanvas::showPlace(const Vec<2>& at) {
     m_fitted = false;
-    m_view.pan(QPointF(rect().center()) - m_view.toWidget(centre));
+    m_view.pan(QPointF(rect().center()) - m_view.toWidget(at));
     showView();
+}
+
+void ShapeCanvas::setFaults(const std::shared_ptr<const PoseFaults<2>>& faults) {
+    m_faults = faults;
+    if (m_map) update();
 }
 
 void ShapeCanvas::takeView(const ShapeCanvas& other) {

@@ -6,6 +6,7 @@
 #include "app/panels/pin_animation.h"
 #include "app/session/depth.h"
 #include "app/session/material_preview.h"
+#include "app/session/pose_faults.h"
 #include "app/tools/layer_lines.h"
 #include "app/tools/onion_skin.h"
 #include "app/view/drawing_pace.h"
@@ -77,6 +78,10 @@ class ShapeCanvas : public QWidget, public ToolSurface {
     void zoomTo(double zoom);
     void zoomBy(double factor);
     void showWorst();
+    /// Brings a place into the middle.
+    void showPlace(const wend::Vec<2>& at);
+    /// What is marked in the map, of the session's frame; null: nothing.
+    void setFaults(const std::shared_ptr<const wend::PoseFaults<2>>& faults);
 
   signals:
     void hintChanged(QString hint);
@@ -128,6 +133,7 @@ class ShapeCanvas : public QWidget, public ToolSurface {
     std::shared_ptr<const Image> m_source;  // the document's picture, or that of a file's mesh
     std::shared_ptr<const ScreenPicture> m_picture;
     FramePtr m_standIn;
+    std::shared_ptr<const PoseFaults<2>> m_faults;
     PosedPtr<2> m_unbent;  // the picture as it is, before the first mesh
     MaterialPreview<2> m_preview;
     LayerLines<2> m_layer;

@@ -55,6 +55,7 @@ void ShapeCanvas::paintEvent(QPaintEvent*) {
     if (const auto frame = m_session.frame<2>(); !m_hidden && frame) {
         if (m_map && isDistortion(m_measure))
             overlay.worst(*frame, worstOf(*frame->distortion, m_measure).cell);
+        if (m_map && m_faults && !m_rest && !m_standIn) overlay.faults(*frame, *m_faults);
         if (m_marks || (m_map && m_measure == Measure::Stiffness))
             paintStiffnessMarks(painter, *this, size());
         if (m_arrows) paintVelocityArrows(painter, *this, m_session.velocity<2>(), size());

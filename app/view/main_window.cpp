@@ -273,6 +273,12 @@ void MainWindow::connectView() {
         m_actions->showMap->setChecked(true);
         m_canvas->showWorst();
     });
+    connect(distortion, &DistortionPanel::placeWanted, this, [this](const Vec<3>& at) {
+        m_actions->showMap->setChecked(true);
+        m_canvas->showPlace(at.head<2>());
+    });
+    connect(distortion, &DistortionPanel::faultsChanged, this,
+            [this, distortion] { m_canvas->setFaults(distortion->watch().faults<2>()); });
     connect(m_canvas, &ShapeCanvas::hintChanged, m_fields, &StatusFields::setHint);
     connect(m_canvas, &ShapeCanvas::hintChanged, m_curves, &CurveActions::refresh);
     connect(m_canvas, &ShapeCanvas::menuWanted, m_menu, &ContextMenu::popUp);

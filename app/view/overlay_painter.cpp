@@ -116,6 +116,25 @@ void OverlayPainter::worst(const PosedFrame<2>& frame, int cell) {
     m_marks.worst(m_view.toWidget(centre));
 }
 
+void OverlayPainter::faults(const PosedFrame<2>& frame, const PoseFaults<2>& faults) {
+    QColor fill(kWrong);
+    fill.setAlphaF(0.75F);
+    m_painter.setPen(Qt::NoPen);
+    m_painter.setBrush(fill);
+    const auto at = [&](const Points<2>& points, int v) { return m_view.toWidget(Vec<2>(points.col(v))); };
+    for (const auto& place : faults.blown)
+        for (const int cell : place.members) {
+            QPolygonF corners;
+            for (const int v : frame.rest->cells[cell]) corners << at(frame.pose, v);
+            m_painter.drawPolygon(corners);
+        }
+    for (const auto& place : faults.crossings)
+        for (const int edge : place.members) {
+            const auto& [a, b] = faults.border[edge];
+            m_marks.line({at(faults.points, a), at(faults.points, b)}, QColor(kWrong), 2.5, Qt::SolidLine);
+        }
+}
+
 void OverlayPainter::marquee(const QRectF& rectangle) {
     if (rectangle.isEmpty()) return;
     QColor fill = m_theme.accent;

@@ -6,6 +6,7 @@
 #include "app/panels/marks.h"
 #include "app/panels/pin_animation.h"
 #include "app/panels/theme.h"
+#include "app/session/pose_faults.h"
 #include "app/session/shape_session.h"
 #include "app/view/view_transform.h"
 
@@ -23,6 +24,8 @@ class OverlayPainter {
     void pins(ShapeSession& session, const PinAnimation& animation, int hovered,
               const std::function<bool(const PinView<2>&)>& isCovered);
     void worst(const PosedFrame<2>& frame, int cell);
+    /// The edges that cross, and the triangles that have blown up.
+    void faults(const PosedFrame<2>& frame, const PoseFaults<2>& faults);
     void marquee(const QRectF& rectangle);
 
   private:

@@ -93,6 +93,11 @@ void SolidWorkshop::connectView() {
     connect(&maps, &DistortionPanel::showWorst, m_canvas, [this] {
         if (m_isActive) m_canvas->showWorst();
     });
+    connect(&maps, &DistortionPanel::placeWanted, m_canvas, [this](const Vec<3>& at) {
+        if (m_isActive) m_canvas->showPlace(at);
+    });
+    connect(&maps, &DistortionPanel::faultsChanged, m_canvas,
+            [this, &maps] { m_canvas->setFaults(maps.watch().faults<3>()); });
     connect(m_canvas, &SolidCanvas::hintChanged, &m_around.fields, &StatusFields::setHint);
     connect(m_canvas, &SolidCanvas::hintChanged, this, &SolidWorkshop::hintChanged);
     const auto tellMissing = [this](const QStringList& files) {

@@ -13,6 +13,7 @@
 #include "app/document/in_background.h"
 #include "app/document/named_files.h"
 #include "app/document/said.h"
+#include "app/panels/marks.h"
 #include "app/panels/surface_panel.h"
 #include "app/session/caged_solid.h"
 #include "app/view/volume/solid_canvas.h"
@@ -24,8 +25,7 @@ namespace wend {
 namespace {
 
 const Vec<3> kAskew(-1, 1.4, -0.8);
-const QRgb kFine = qRgb(199, 186, 164), kWrong = qRgb(214, 44, 60), kChosen = qRgb(255, 170, 0),
-           kAdded = qRgb(46, 158, 92);
+const QRgb kFine = qRgb(199, 186, 164), kChosen = qRgb(255, 170, 0), kAdded = qRgb(46, 158, 92);
 
 /// Points around some triangles, a little farther off than their corners.
 Points<3> surroundingsOf(const Surface& surface, const std::vector<int>& triangles) {

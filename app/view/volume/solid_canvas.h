@@ -5,6 +5,7 @@
 #include "app/panels/colour_map.h"
 #include "app/panels/pin_animation.h"
 #include "app/session/material_preview.h"
+#include "app/session/pose_faults.h"
 #include "app/tools/cut_tool.h"
 #include "app/tools/layer_lines.h"
 #include "app/tools/onion_skin.h"
@@ -100,6 +101,10 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     void setCutKind(wend::CutKind kind);
     void setCutPlane(const wend::CutPlane& plane);
     void showWorst();
+    /// Brings a place into the middle.
+    void showPlace(const wend::Vec<3>& at);
+    /// What is marked in the map, of the session's frame; null: nothing.
+    void setFaults(const std::shared_ptr<const wend::PoseFaults<3>>& faults);
 
   signals:
     void hintChanged(QString hint);
@@ -166,6 +171,7 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     CutTool m_cutTool;
     MaterialPreview<3> m_preview;
     FramePtr m_standIn;
+    std::shared_ptr<const PoseFaults<3>> m_faults;
     LayerLines<3> m_layer;
     OnionSkin<3> m_onion;
     PinAnimation m_animation{m_session};

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "app/panels/smooth_map.h"
+#include "app/view/volume/fault_marks.h"
 #include "app/view/volume/glyphs.h"
 #include "app/view/volume/solid_canvas.h"
 #include "core/energy/distortion.h"
@@ -36,7 +37,15 @@ void SolidCanvas::showGlyphs(const PosedFrame<3>& frame) {
         ellipsoids = stiffnessEllipsoids(frame, surface(), kGlyphColour);
         triangles.insert(triangles.end(), ellipsoids.begin(), ellipsoids.end());
     }
+    if (m_faults && showsMap() && !m_rest && !m_standIn) {
+        const auto faulty = faultMarks(frame, *m_faults, [this](const Vec<3>& p) { return isCutOff(p); });
+        for (auto* list : {&triangles, &ellipsoids}) list->insert(list->end(), faulty.begin(), faulty.end());
+    }
     setGlyphs(std::move(triangles), std::move(ellipsoids));
+}
+
+void SolidCanvas::setFaults(const std::shared_ptr<const PoseFaults<3>>& faults) {
+    if (std::exchange(m_faults, faults) != faults && m_map) refresh();
 }
 
 void SolidCanvas::wantVelocity() {
@@ -70,7 +79,11 @@ void SolidCanvas::showWorst() {
     if (cell < 0) return;
     Vec<3> centre = Vec<3>::Zero();
     for (const int v : frame->rest->cells[cell]) centre += frame->pose.col(v) / 4;
-    camera().lookAt(centre);
+    showPlace(centre);
+}
+
+void SolidCanvas::showPlace(const Vec<3>& at) {
+    camera().lookAt(at);
     update();
     emit cameraChanged();
 }

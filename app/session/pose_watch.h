@@ -1,0 +1,44 @@
+#pragma once
+
+#include <QTimer>
+
+#include "app/document/in_background.h"
+#include "app/session/pose_faults.h"
+#include "app/session/shape_session.h"
+
+namespace wend {
+
+/// Looks for what is wrong with the pose that is shown once it rests, in a thread of its own.
+class PoseWatch : public QObject {
+    Q_OBJECT
+
+  public:
+    explicit PoseWatch(ShapeSession& session, QObject* parent = nullptr);
+
+    /// Null as long as it is not known, or if the shape has the other dimension.
+    template <int Dim>
+    std::shared_ptr<const PoseFaults<Dim>> faults() const {
+        if constexpr (Dim == 2)
+            return m_flat;
+        else
+            return m_solid;
+    }
+
+  signals:
+    void changed();
+
+  private:
+    void takeFrame();
+    void look();
+    template <int Dim>
+    void lookAt(const PosedPtr<Dim>& frame);
+
+    ShapeSession& m_session;
+    QTimer m_due;
+    BackgroundWork m_work;
+    FramePtr m_seen;  // that the faults are of
+    std::shared_ptr<const PoseFaults<2>> m_flat;
+    std::shared_ptr<const PoseFaults<3>> m_solid;
+};
+
+}  // namespace wend
