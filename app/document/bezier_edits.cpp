@@ -149,9 +149,9 @@ std::vector<Vec<Dim>> bezierThrough(const std::vector<DrawnJoint<Dim>>& joints) 
     std::vector<Vec<Dim>> points = {joints.front().at};
     for (std::size_t i = 1; i < joints.size(); ++i) {
         const DrawnJoint<Dim>&from = joints[i - 1], &to = joints[i];
-        const Vec<Dim> leaves = from.at + from.out, arrives = to.at - to.out;
+        const Vec<Dim> leaves = from.at + from.out, arrives = to.at + to.in;
         points.push_back(from.out.isZero() ? Vec<Dim>(from.at + (arrives - from.at) / 3) : leaves);
-        points.push_back(to.out.isZero() ? Vec<Dim>(to.at + (leaves - to.at) / 3) : arrives);
+        points.push_back(to.in.isZero() ? Vec<Dim>(to.at + (leaves - to.at) / 3) : arrives);
         points.push_back(to.at);
     }
     return points;

@@ -45,14 +45,14 @@ std::vector<Vec<Dim>> splitBezier(const std::vector<Vec<Dim>>& points, int piece
 template <int Dim>
 std::vector<Vec<Dim>> withoutJoint(std::vector<Vec<Dim>> points, int joint);
 
-/// A point of a path that is drawn: smooth with a direction on either side, opposite ones, or a corner.
+/// A point of a path that is drawn, with a direction on either side: opposite ones where it is smooth.
 template <int Dim>
 struct DrawnJoint {
     Vec<Dim> at;
-    Vec<Dim> out = Vec<Dim>::Zero();  // of a corner
+    Vec<Dim> out = Vec<Dim>::Zero(), in = Vec<Dim>::Zero();  // of a corner
 };
-/// The chain through two joints or more. A corner has directions, too, a third of the way to what is there: a
-/// motion does not rest in it.
+/// The chain through two joints or more. Where a joint has no direction, it gets one of a third of the way to
+/// what is there: a motion does not rest in it.
 template <int Dim>
 std::vector<Vec<Dim>> bezierThrough(const std::vector<DrawnJoint<Dim>>& joints);
 

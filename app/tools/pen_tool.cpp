@@ -2,6 +2,8 @@
 
 #include <QCoreApplication>
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "app/session/accent.h"
 #include "app/tools/pin_picking.h"
@@ -24,6 +26,14 @@ double distance(const QPointF& a, const QPointF& b) {
     return QLineF(a, b).length();
 }
 
+/// The part of a way that goes along the nearest multiple of 45°.
+QPointF inSteps(const QPointF& way) {
+    constexpr double kStep = std::numbers::pi / 4;
+    const double angle = kStep * std::round(std::atan2(way.y(), way.x()) / kStep);
+    const QPointF along(std::cos(angle), std::sin(angle));
+    return QPointF::dotProduct(way, along) * along;
+}
+
 bool takesBack(const QKeyEvent& event) {
     return event.key() == Qt::Key_Backspace || event.key() == Qt::Key_Delete ||
            event.matches(QKeySequence::Undo);
@@ -37,10 +47,13 @@ bool ends(const QKeyEvent& event) {
 
 template <int Dim>
 QString PenTool<Dim>::hint() const {
+    if (isDrawing() && m_pressed)
+        return said(QT_TRANSLATE_NOOP(
+            "PenTool", "Drag for a smooth point: Shift in steps of 45°, Alt on this side alone"));
     if (isDrawing())
         return said(QT_TRANSLATE_NOOP("PenTool",
-                                      "Click for a corner, drag for a smooth point, Enter ends; Backspace "
-                                      "takes a point back, Esc gives up"));
+                                      "Click for a corner, drag for a smooth point, Shift in steps of 45°; "
+                                      "Enter ends, Backspace takes a point back, Esc gives up"));
     if (session().selection().isEmpty())
         return said(QT_TRANSLATE_NOOP("PenTool", "Click on the pin whose path you want to draw"));
     return said(QT_TRANSLATE_NOOP(
@@ -72,8 +85,13 @@ Vec<Dim> PenTool<Dim>::placeAt(const QPointF& widget) const {
 }
 
 template <int Dim>
+Vec<Dim> PenTool<Dim>::nextPlace() const {
+    return placeAt(m_steps ? last() + inSteps(m_at - last()) : m_at);
+}
+
+template <int Dim>
 bool PenTool<Dim>::isOnLast(const QPointF& widget) const {
-    return distance(surface().toWidget(m_joints.back().at), widget) <= kSame;
+    return distance(last(), widget) <= kSame;
 }
 
 /// True if a path begins: at the pin that is pointed at, or at those that are selected.
@@ -105,15 +123,31 @@ bool PenTool<Dim>::beginAt(const std::vector<int>& handles) {
 }
 
 template <int Dim>
+void PenTool<Dim>::takePointer(const QMouseEvent& event) {
+    m_at = event.position();
+    m_steps = event.modifiers() & Qt::ShiftModifier;
+    m_over = true;
+}
+
+/// As far as it was dragged: where Shift put the point the pointer may be beside it.
+template <int Dim>
+void PenTool<Dim>::pullDirections(bool oneOnly) {
+    const QPointF way = m_at - m_from;
+    DrawnJoint<Dim>& joint = m_joints.back();
+    joint.out = placeAt(last() + (m_steps ? inSteps(way) : way)) - joint.at;
+    if (!oneOnly) joint.in = -joint.out;
+}
+
+template <int Dim>
 void PenTool<Dim>::press(const QMouseEvent& event) {
     if (event.button() != Qt::LeftButton || m_pressed) return;
-    m_from = m_at = event.position();
-    m_over = true;
+    takePointer(event);
+    m_from = m_at;
     const bool goesOn = isDrawing();
     if (goesOn && isOnLast(m_at)) {
         finish();
     } else if (goesOn || begin(m_at)) {
-        if (!isOnLast(m_at)) m_joints.push_back({placeAt(m_at)});
+        if (!isOnLast(m_at)) m_joints.push_back({nextPlace()});
         m_pressed = true;
     }
     surface().redraw();
@@ -121,10 +155,9 @@ void PenTool<Dim>::press(const QMouseEvent& event) {
 
 template <int Dim>
 void PenTool<Dim>::move(const QMouseEvent& event) {
-    m_at = event.position();
-    m_over = true;
+    takePointer(event);
     if (m_pressed && isDrawing() && distance(m_at, m_from) >= kDrag)
-        m_joints.back().out = placeAt(m_at) - m_joints.back().at;
+        pullDirections(event.modifiers() & Qt::AltModifier);
     surface().redraw();
 }
 
@@ -182,7 +215,7 @@ template <int Dim>
 void PenTool<Dim>::paint(QPainter& painter) const {
     if (!isDrawing()) return;
     auto joints = m_joints;
-    if (!m_pressed && m_over && !isOnLast(m_at)) joints.push_back({placeAt(m_at)});
+    if (!m_pressed && m_over && !isOnLast(m_at)) joints.push_back({nextPlace()});
     QPolygonF line;
     if (joints.size() > 1)
         for (const auto& piece : bezierCurve<Dim>(bezierThrough<Dim>(joints)).pieces)
@@ -201,11 +234,11 @@ void PenTool<Dim>::paintJoints(QPainter& painter) const {
     const DrawnJoint<Dim>& last = m_joints.back();
     painter.setPen(QPen(kLine, 1.25));
     painter.setBrush(kLine);
-    if (!last.out.isZero()) {
-        const QPointF in = surface().toWidget(last.at - last.out),
-                      out = surface().toWidget(last.at + last.out);
-        painter.drawLine(in, out);
-        for (const QPointF& end : {in, out}) painter.drawEllipse(end, 4, 4);
+    for (const Vec<Dim>& way : {last.in, last.out}) {
+        if (way.isZero()) continue;
+        const QPointF end = surface().toWidget(last.at + way);
+        painter.drawLine(surface().toWidget(last.at), end);
+        painter.drawEllipse(end, 4, 4);
     }
     for (const auto& joint : m_joints) {
         const QPointF at = surface().toWidget(joint.at);

@@ -8,7 +8,8 @@
 namespace wend {
 
 /// Draws the path of the selected pins, or of the pin that is clicked, from where it is: a click sets a
-/// corner, a drag a smooth point. In space every point lies as deep as the one before. One step when it ends;
+/// corner, a drag a smooth point; Shift keeps both to steps of 45°, with Alt a drag leaves the direction
+/// behind the point as it is. In space every point lies as deep as the one before. One step when it ends;
 /// before, any other change gives it up.
 template <int Dim>
 class PenTool : public ShapeTool<Dim> {
@@ -36,6 +37,10 @@ class PenTool : public ShapeTool<Dim> {
     bool begin(const QPointF& at);
     bool beginAt(const std::vector<int>& handles);
     Vec<Dim> placeAt(const QPointF& widget) const;
+    Vec<Dim> nextPlace() const;
+    QPointF last() const { return surface().toWidget(m_joints.back().at); }
+    void takePointer(const QMouseEvent& event);
+    void pullDirections(bool oneOnly);
     bool isOnLast(const QPointF& widget) const;
     void finish();
     void removeLast();
@@ -46,6 +51,7 @@ class PenTool : public ShapeTool<Dim> {
     double m_time = 0;                      // … at that time
     bool m_pressed = false;                 // the last joint's direction follows the pointer
     bool m_over = false;
+    bool m_steps = false;  // of 45° that a way keeps to
     QPointF m_from, m_at;
 };
 

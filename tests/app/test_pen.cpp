@@ -28,6 +28,10 @@ class TestPen : public QObject {
     void whatCannotMoveIsNotDrawn();
     void otherChangesGiveUp();
     void turnedViewsLeadIntoDepth();
+    void shiftKeepsToSteps_data() { pictureAndSolid(); }
+    void shiftKeepsToSteps();
+    void altBreaksAPoint_data() { pictureAndSolid(); }
+    void altBreaksAPoint();
 
   private:
     static void pictureAndSolid();
@@ -38,8 +42,9 @@ class TestPen : public QObject {
     bool isSolid() { return m_f->project().dimension() == 3; }
     bool open(int dimension);
     QPoint pin(int h);
-    void press(const QPoint& at);
-    void moveTo(const QPoint& to);
+    void press(const QPoint& at, Qt::KeyboardModifiers modifiers = {});
+    void moveTo(const QPoint& to, Qt::KeyboardModifiers modifiers = {});
+    void isPath(const std::vector<QPointF>& expected);
     void click(const QPoint& at);
     void key(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
         QTest::keyClick(&m_f->view(), key, modifiers);
@@ -89,13 +94,14 @@ QPoint TestPen::pin(int h) {
     return {};
 }
 
-void TestPen::press(const QPoint& at) {
+void TestPen::press(const QPoint& at, Qt::KeyboardModifiers modifiers) {
     QTest::mouseMove(&m_f->view(), at);
-    QTest::mousePress(&m_f->view(), Qt::LeftButton, {}, at);
+    QTest::mousePress(&m_f->view(), Qt::LeftButton, modifiers, at);
 }
 
-void TestPen::moveTo(const QPoint& to) {
-    QMouseEvent move(QEvent::MouseMove, to, m_f->view().mapToGlobal(to), Qt::NoButton, Qt::LeftButton, {});
+void TestPen::moveTo(const QPoint& to, Qt::KeyboardModifiers modifiers) {
+    QMouseEvent move(QEvent::MouseMove, to, m_f->view().mapToGlobal(to), Qt::NoButton, Qt::LeftButton,
+                     modifiers);
     QCoreApplication::sendEvent(&m_f->view(), &move);
 }
 
@@ -120,6 +126,13 @@ std::vector<QPointF> TestPen::path(int h) {
     return seen;
 }
 
+void TestPen::isPath(const std::vector<QPointF>& expected) {
+    const auto seen = path(1);
+    QCOMPARE(seen.size(), expected.size());
+    for (std::size_t i = 0; i < seen.size(); ++i)
+        QVERIFY2(QLineF(seen[i], expected[i]).length() < 1, qPrintable(QString::number(i)));
+}
+
 /// A corner and a smooth end: both are where the mouse was, and the pin gets there. One step.
 void TestPen::pointsBecomeThePath() {
     QFETCH(int, dimension);
@@ -141,14 +154,8 @@ void TestPen::pointsBecomeThePath() {
     QCOMPARE(steps(), before + 1);
     QCOMPARE(motions(0), 0);
     QCOMPARE(motions(1), 1);
-    const auto seen = path(1);
-    const std::vector<QPointF> expected = {
-        start,  QPointF(start) + (corner - start) / 3.0,      corner - (corner - start) / 3.0,
-        corner, corner + (QPointF(end - out) - corner) / 3.0, end - out,
-        end};
-    QCOMPARE(seen.size(), expected.size());
-    for (std::size_t i = 0; i < seen.size(); ++i)
-        QVERIFY2(QLineF(seen[i], expected[i]).length() < 1, qPrintable(QString::number(i)));
+    isPath({start, QPointF(start) + (corner - start) / 3.0, corner - (corner - start) / 3.0, corner,
+            corner + (QPointF(end - out) - corner) / 3.0, end - out, end});
     QCOMPARE(m_f->session().playback().time(), 0.0);  // it is seen by playing it
     m_f->session().playback().setTime(m_f->session().playback().end());
     QVERIFY(settle(m_f->session()));
@@ -305,6 +312,37 @@ void TestPen::turnedViewsLeadIntoDepth() {
     QVERIFY((points.front() - start).norm() < 1e-9);
     QVERIFY(std::abs(points[3].y() - start.y()) < 1e-6 && points[3].z() > start.z() + 0.1);
     QVERIFY(std::abs(points[6].z() - points[3].z()) < 1e-6 && std::abs(points[6].y() - start.y()) > 0.1);
+}
+
+/// 7 pixels beside the straight way down: the point is on it. What is pulled near the diagonal, from where
+/// the pointer is, is the point's direction along the diagonal.
+void TestPen::shiftKeepsToSteps() {
+    QFETCH(int, dimension);
+    QVERIFY(open(dimension));
+    const QPoint start = pin(1), end = start + QPoint(0, 60), beside = end + QPoint(7, 0);
+    click(start);
+    press(beside, Qt::ShiftModifier);
+    moveTo(beside + QPoint(-24, 16), Qt::ShiftModifier);
+    QTest::mouseRelease(&m_f->view(), Qt::LeftButton, Qt::ShiftModifier, beside + QPoint(-24, 16));
+    key(Qt::Key_Return);
+    const QPointF in = end + QPointF(20, -20);
+    isPath({start, start + (in - start) / 3, in, end});
+}
+
+/// From when Alt is down, the direction behind the point stays.
+void TestPen::altBreaksAPoint() {
+    QFETCH(int, dimension);
+    QVERIFY(open(dimension));
+    const QPoint start = pin(1), joint = start + QPoint(-10, 50), end = joint + QPoint(-60, 0);
+    click(start);
+    press(joint);
+    moveTo(joint + QPoint(-18, 30));
+    moveTo(joint + QPoint(-24, -30), Qt::AltModifier);
+    QTest::mouseRelease(&m_f->view(), Qt::LeftButton, Qt::AltModifier, joint + QPoint(-24, -30));
+    click(end);
+    key(Qt::Key_Return);
+    const QPointF in = joint + QPointF(18, -30), out = joint + QPointF(-24, -30);
+    isPath({start, start + (in - start) / 3, in, joint, out, end + (out - end) / 3, end});
 }
 
 QTEST_MAIN(TestPen)
