@@ -100,7 +100,7 @@ bool FirstTips::mayShow() const {
 int FirstTips::due() const {
     if (!mayShow()) return -1;
     if (m_before[Pin] == 0) return isDone(Pin) || !m_parts.tools.isChosen("pin") ? -1 : Pin;
-    if (!isDone(Drag)) return Drag;
+    if (!isDone(Drag)) return m_parts.tools.isChosen("pin") || m_parts.tools.isChosen("select") ? Drag : -1;
     return isDone(Keep) || m_before[Drag] == 0 || !m_parts.energies.isVisible() ? -1 : Keep;
 }
 

@@ -168,6 +168,15 @@ void TestTutorial::tipsGoWhenTheyAreFollowed() {
     click(right, y);
     QVERIFY(says("Drag the pin"));
     QVERIFY(settle(m_window->session()));
+    for (const char* other : {"lasso", "pen"}) {  // which do not drag it
+        m_window->tools().setMode(other == QByteArray("pen") ? Mode::Animate : Mode::Pins);
+        m_window->tools().action(other)->trigger();
+        QTRY_VERIFY2(!tip().isVisible(), other);
+        m_window->tools().action("select")->trigger();
+        QVERIFY(says("Drag the pin"));
+    }
+    m_window->tools().setMode(Mode::Pins);
+    m_window->tools().action("pin")->trigger();
     const auto above = [&] {
         return tip().geometry().center().y() - pointed(m_canvas->toWidget({right, y})).y();
     };
