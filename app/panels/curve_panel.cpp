@@ -126,7 +126,7 @@ void CurvePanel::changeEase() {
     if (single() < 0 || !m_session.mayChange(single())) return showCurve();
     const int motion = dimension() == 2 ? shownMotion<2>() : shownMotion<3>();
     m_session.document().changeDesign(
-        tr("Change ease"), withMotionEase(m_session.document().design(), single(), motion,
+        tr("Change ease"), withMotionEase(m_session.document().design(), {{single(), motion}},
                                           kEases.at(static_cast<std::size_t>(m_ease->currentIndex()))));
 }
 

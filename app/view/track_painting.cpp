@@ -40,6 +40,7 @@ void TrackView::paintEvent(QPaintEvent*) {
     painter.save();
     painter.setClipRect(QRectF(0, kRuler, viewport()->width(), viewport()->height() - kRuler));
     for (int row = 0; row < static_cast<int>(m_rows.size()); ++row) paintRow(painter, row);
+    if (m_band) paintBand(painter);
     painter.restore();
     paintRuler(painter);
 }
@@ -91,11 +92,20 @@ void TrackView::paintHold(QPainter& painter, const Bar& hold) const {
     for (const double x : {left, right}) painter.drawLine(QPointF(x, y - 5), QPointF(x, y + 5));
 }
 
+void TrackView::paintBand(QPainter& painter) const {
+    const Theme theme = Theme::of(palette());
+    QColor ground = theme.accent;
+    ground.setAlphaF(0.2F);
+    painter.setPen(theme.accentText);
+    painter.setBrush(ground);
+    painter.drawRect(QRectF(m_band->from, m_band->to).normalized());
+}
+
 /// Full where it goes evenly, lighter where it begins or ends softly.
 void TrackView::paintBar(QPainter& painter, const Bar& bar, const QColor& colour) const {
     const Theme theme = Theme::of(palette());
     const QRectF box = barRect(bar).adjusted(0.5, 0, -0.5, 0);
-    const bool chosen = m_chosen && *m_chosen == bar;
+    const bool chosen = isChosen(bar);
     QColor soft = colour;
     soft.setAlphaF(0.45F);
     QLinearGradient fill(box.topLeft(), box.topRight());

@@ -35,8 +35,8 @@ TrackView::TrackView(ShapeSession& session, QWidget* parent)
         tr("A row for each pin, with a bar for each of its motions; Up and Down choose a pin, Left and Right "
            "another time, with Alt they move the chosen bar"));
     setStatusTip(
-        tr("Drag a bar or its ends to another time; bars at the same time move together. A right click sets "
-           "how it begins and ends. The ends of the line say when the pin holds"));
+        tr("Drag a bar or its ends to another time; Shift, Ctrl or a frame around them choose several. A "
+           "right click sets how they begin and end. The ends of the line say when the pin holds"));
     const auto repaint = [this] { viewport()->update(); };
     connect(&m_session.document(), &Document::opened, this, &TrackView::takeProject);
     connect(&m_session.document(), &Document::projectChanged, this, &TrackView::takeProject);
@@ -48,6 +48,7 @@ TrackView::TrackView(ShapeSession& session, QWidget* parent)
 
 void TrackView::takeProject() {
     m_grabbed.reset();
+    m_band.reset();
     m_rows.clear();
     if (!m_session.document().isEmpty())
         std::visit(
@@ -56,11 +57,10 @@ void TrackView::takeProject() {
                     const int h = static_cast<int>(m_rows.size());
                     Row row{QString::fromStdString(handle.name),
                             pinColour(h, handle.traits),
-                            {h, kHold, {handle.activeFrom, handle.activeTo}},
+                            {{h, kHold}, {handle.activeFrom, handle.activeTo}},
                             {}};
                     for (const auto& motion : handle.motions)
-                        row.bars.push_back({h,
-                                            static_cast<int>(row.bars.size()),
+                        row.bars.push_back({{h, static_cast<int>(row.bars.size())},
                                             {motion.start, motion.end},
                                             motion.ease,
                                             kindOf(motion)});
@@ -69,9 +69,10 @@ void TrackView::takeProject() {
             },
             m_session.document().design());
     const auto& rows = m_rows;
-    if (m_chosen && (m_chosen->handle >= static_cast<int>(rows.size()) ||
-                     m_chosen->motion >= static_cast<int>(rows[m_chosen->handle].bars.size())))
-        m_chosen.reset();
+    std::erase_if(m_chosen, [&rows](const MotionId& id) {
+        return id.handle >= static_cast<int>(rows.size()) ||
+               id.motion >= static_cast<int>(rows[id.handle].bars.size());
+    });
     arrange();
     viewport()->update();
 }
@@ -128,7 +129,11 @@ QRectF TrackView::rowRect(int row) const {
 
 /// Within the film, and where it is dragged.
 MotionTime TrackView::timeOf(const Bar& bar) const {
-    const MotionTime time = m_grabbed && m_grabbed->bar == bar ? m_grabbed->time : bar.time;
+    MotionTime time = bar.time;
+    if (m_grabbed && bar.motion == kHold && m_grabbed->bar == bar) time = m_grabbed->time;
+    if (m_grabbed && isAmong(m_grabbed->motions, bar))
+        time = {carried(time.start, m_grabbed->span, m_grabbed->time),
+                carried(time.end, m_grabbed->span, m_grabbed->time)};
     return {std::max(time.start, 0.0), bar.motion == kHold ? std::min(time.end, end()) : time.end};
 }
 

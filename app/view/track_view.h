@@ -11,8 +11,9 @@
 namespace wend {
 
 /// A row for each pin, with a bar for each of its motions along the time: what happens when, and what happens
-/// together. Bars and their ends are dragged to other times, and so are the ends of the line along which the
-/// pin holds; the ruler is scrubbed; a menu on a bar tells how it begins and ends.
+/// together. Bars and their ends are dragged to other times, also several that are chosen together, and so
+/// are the ends of the line along which the pin holds; the ruler is scrubbed; a menu on a bar tells how it
+/// begins and ends.
 class TrackView : public QAbstractScrollArea {
     Q_OBJECT
 
@@ -44,12 +45,10 @@ class TrackView : public QAbstractScrollArea {
     static constexpr double kGrip = 5;  // pixels of a bar's end, to both sides
     static constexpr int kRowsAtFirst = 5;
     enum class Part { Body, Start, End };
-    struct Bar {
-        int handle = -1, motion = -1;
+    struct Bar : MotionId {
         MotionTime time;
         Ease ease = Ease::Linear;
         QString kind = {};
-        bool operator==(const Bar& other) const { return handle == other.handle && motion == other.motion; }
     };
     struct Row {
         QString name;
@@ -60,8 +59,15 @@ class TrackView : public QAbstractScrollArea {
     struct Grabbed {
         Bar bar;
         Part part;
-        double at;        // the time that was pressed
-        MotionTime time;  // where it would be
+        double at;                      // the time that was pressed
+        std::vector<MotionId> motions;  // that go along; none with the end of a line
+        MotionTime span, time;          // of them: as it is, and as it would be
+        bool alone;                     // a click chooses it alone
+    };
+    /// A frame is drawn around bars.
+    struct Band {
+        QPointF from, to;
+        std::vector<MotionId> others;  // that were chosen before
     };
 
     void takeProject();
@@ -81,14 +87,21 @@ class TrackView : public QAbstractScrollArea {
     MotionTime dragged(const Grabbed& grabbed, double time) const;
     MotionTime draggedHold(const Grabbed& grabbed, double time) const;
     void drop(const Grabbed& grabbed);
-    double snapped(double time, const Bar& own) const;
+    double snapped(double time, const std::vector<MotionId>& own = {}) const;
     void scrub(double x);
-    void move(const Bar& bar, const MotionTime& time, const QString& what, const QString& key = {});
+    bool isChosen(const MotionId& bar) const { return isAmong(m_chosen, bar); }
+    void choose(std::vector<MotionId> bars);
+    std::vector<MotionId> changeable() const;
+    void grab(const Bar& bar, Part part, double at, bool alone);
+    void stretchBand(const QPointF& to);
+    void move(const std::vector<MotionId>& motions, const MotionTime& span, const QString& what,
+              const QString& key = {});
     void change(const QString& what, AnyDesign after);
     void showMenu(const Bar& bar, const QPoint& global);
-    void remove(const Bar& bar);
+    void removeChosen();
     void paintRuler(QPainter& painter) const;
     void paintRow(QPainter& painter, int row) const;
+    void paintBand(QPainter& painter) const;
     void paintHold(QPainter& painter, const Bar& hold) const;
     void paintBar(QPainter& painter, const Bar& bar, const QColor& colour) const;
     bool nudge(const QKeyEvent& event);
@@ -96,8 +109,9 @@ class TrackView : public QAbstractScrollArea {
     ShapeSession& m_session;
     QRect m_way{132, 0, 252, 0};
     std::vector<Row> m_rows;
-    std::optional<Bar> m_chosen;  // by the last click
+    std::vector<MotionId> m_chosen;  // by clicks and frames
     std::optional<Grabbed> m_grabbed;
+    std::optional<Band> m_band;
     bool m_scrubbing = false;
     int m_generation = -1;  // of the document whose first motion was brought into view
 };

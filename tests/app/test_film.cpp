@@ -43,6 +43,9 @@ class TestFilm : public QObject {
     void barsSnapToEachOther();
     void lockedBarsStay();
     void barsByKeyboard();
+    void severalBarsGoTogether_data() { dimensions(); }
+    void severalBarsGoTogether();
+    void framesChooseBars();
     void menuOfABar();
     void ghostsTellWhenTheyHold_data() { dimensions(); }
     void ghostsTellWhenTheyHold();
@@ -413,6 +416,84 @@ void TestFilm::barsByKeyboard() {
     QCOMPARE(session().document().design<2>().handles.size(), std::size_t(2));  // the pin stays
     QTest::keyClick(&tracks(), Qt::Key_Up);
     QCOMPARE(motions(0), std::size_t(1));
+}
+
+/// A click with Shift or Ctrl adds and takes away; what is chosen is moved, scaled, eased and removed in one
+/// step each, without what is locked.
+void TestFilm::severalBarsGoTogether() {
+    QFETCH(int, dimension);
+    openFilm(dimension);
+    const double second = span() / 4, pixel = 4 / span();
+    const auto click = [&](int handle, Qt::KeyboardModifiers modifiers) {
+        QTest::mouseClick(tracks().viewport(), Qt::LeftButton, modifiers,
+                          tracks().barOf(handle, 0).center().toPoint());
+    };
+    const auto isAt = [&](int handle, double start, double end) {
+        const MotionTime time = timeOf(project().design, handle, 0);
+        return std::abs(time.start - start) <= 2 * pixel && std::abs(time.end - end) <= 2 * pixel;
+    };
+    click(0, {});
+    click(1, Qt::ShiftModifier);
+    QCOMPARE(session().selection().handles(), (std::vector<int>{0, 1}));
+    click(1, Qt::ControlModifier);
+    QCOMPARE(session().selection().handles(), std::vector<int>{0});
+    click(1, Qt::ControlModifier);
+    const int steps = session().document().undoStack()->count();
+    dragBar(1, 0, tracks().barOf(1, 0).center().x(), 0.5 * second);
+    QVERIFY(isAt(0, 0.5, 1.5) && isAt(1, 1.5, 2.5));
+    QCOMPARE(session().document().undoStack()->count(), steps + 1);
+    dragBar(1, 0, tracks().barOf(1, 0).right() - 1, -second);  // all from 0.5 to 1.5
+    QVERIFY(isAt(0, 0.5, 1) && isAt(1, 1, 1.5));
+    dragBar(1, 0, tracks().barOf(1, 0).left() + 1, -0.2 * second);  // the end of all stays
+    QVERIFY(std::abs(timeOf(project().design, 1, 0).end - 1.5) <= 3 * pixel);
+    QVERIFY(std::abs(timeOf(project().design, 1, 0).start - 0.8) <= 3 * pixel);
+    QCOMPARE(session().document().undoStack()->count(), steps + 3);
+    session().document().undoStack()->setIndex(steps);
+    QVERIFY(settle(session()));
+    QTest::keyClick(&tracks(), Qt::Key_Right, Qt::AltModifier);
+    QVERIFY(timeOf(project().design, 0, 0).start > 0.03 && timeOf(project().design, 1, 0).start > 1.03);
+    session().document().undoStack()->undo();
+    QTest::keyClick(&tracks(), Qt::Key_Delete);
+    QVERIFY(motions(0) == 0 && motions(1) == 0);
+    QCOMPARE(session().document().undoStack()->count(), steps + 1);
+    session().document().undoStack()->undo();
+    Project locked = project();
+    std::visit([](auto& design) { design.handles[0].traits.locked = true; }, locked.design);
+    session().document().change(QStringLiteral("Lock"), locked);
+    QVERIFY(settle(session()));
+    click(0, {});
+    click(1, Qt::ShiftModifier);
+    dragBar(1, 0, tracks().barOf(1, 0).center().x(), 0.5 * second);
+    QVERIFY(isAt(0, 0, 1) && isAt(1, 1.5, 2.5));
+    click(1, {});  // without a drag it is chosen alone
+    QCOMPARE(session().selection().handles(), std::vector<int>{1});
+}
+
+void TestFilm::framesChooseBars() {
+    openFilm(2);
+    QWidget* area = tracks().viewport();
+    const QRectF first = tracks().barOf(0, 0), second = tracks().barOf(1, 0);
+    const QPoint from(static_cast<int>(second.right() + 20), static_cast<int>(second.bottom() + 2));
+    const auto frameTo = [&](const QPointF& to, Qt::KeyboardModifiers modifiers) {
+        QTest::mousePress(area, Qt::LeftButton, modifiers, from);
+        QTest::mouseMove(area, (from + to.toPoint()) / 2);
+        QTest::mouseMove(area, to.toPoint());
+        if (modifiers == Qt::NoModifier) m_window->picture(QStringLiteral("track-frame"));
+        QTest::mouseRelease(area, Qt::LeftButton, modifiers, to.toPoint());
+    };
+    frameTo(second.center(), {});
+    QCOMPARE(session().selection().handles(), std::vector<int>{1});
+    frameTo(first.center(), {});
+    QCOMPARE(session().selection().handles(), (std::vector<int>{0, 1}));
+    QTest::keyClick(&tracks(), Qt::Key_Delete);
+    QVERIFY(motions(0) == 0 && motions(1) == 0);
+    session().document().undoStack()->undo();
+    QTest::mousePress(area, Qt::LeftButton, {}, from);
+    QTest::mouseMove(area, first.center().toPoint());
+    QTest::keyClick(&tracks(), Qt::Key_Escape);
+    QTest::mouseRelease(area, Qt::LeftButton, {}, first.center().toPoint());
+    QTest::keyClick(&tracks(), Qt::Key_Right, Qt::AltModifier);
+    QCOMPARE(timeOf(project().design, 0, 0), (MotionTime{0, 1}));  // none was chosen
 }
 
 void TestFilm::menuOfABar() {

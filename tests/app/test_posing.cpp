@@ -491,7 +491,7 @@ void TestPosing::ownTimingIsNotLostInSilence() {
     QVERIFY(!told());
     const double border = handles()[1].motions[0].end;
     QVERIFY(std::abs(border - 0.5 * project().end) < 0.02 * project().end);
-    Project timed = withMotionTime(project(), 1, 0, {0, 0.4 * border});
+    Project timed = withMotionSpan(project(), {{1, 0}}, {0, 0.4 * border});
     session().document().change(QStringLiteral("Time"), timed);
     QVERIFY(settle(session()));
     QVERIFY(hasOwnTiming(project(), 1));

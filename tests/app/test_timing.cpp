@@ -27,6 +27,8 @@ class TestTiming : public QObject {
     void motionsStayBetweenTheirNeighbours();
     void motionsWaitForTheirHandle();
     void laterMotionsLengthenTheFilm();
+    void severalAreMovedAndScaled();
+    void severalStayBetweenTheirNeighbours();
     void easeAndRemoval();
     void almostTheEndIsTheEnd_data();
     void almostTheEndIsTheEnd();
@@ -197,7 +199,8 @@ void TestTiming::motionsStayBetweenTheirNeighbours_data() {
     QTest::newRow("free") << 0 << 0.5 << 1.5 << 0.5 << 1.5;
     QTest::newRow("before the film") << 0 << -1.0 << 0.0 << 0.0 << 1.0;
     QTest::newRow("into the next") << 0 << 1.5 << 2.5 << 1.0 << 2.0;
-    QTest::newRow("longer than the room") << 0 << -1.0 << 3.0 << 0.0 << 2.0;
+    QTest::newRow("longer than the room behind") << 0 << 0.0 << 3.0 << 0.0 << 2.0;
+    QTest::newRow("longer than the room before") << 1 << -1.0 << 3.0 << 1.0 << 3.0;
     QTest::newRow("into the one before") << 1 << 0.5 << 1.5 << 1.0 << 2.0;
     QTest::newRow("too short") << 1 << 2.0 << 2.0 << 2.0 << 2.0 + kShortestMotion;
 }
@@ -207,7 +210,8 @@ void TestTiming::motionsStayBetweenTheirNeighbours() {
     QFETCH(double, start);
     QFETCH(double, end);
     const auto check = [&](const Project& project) {
-        const MotionTime time = timeOf(withMotionTime(project, 0, motion, {start, end}).design, 0, motion);
+        const MotionTime time =
+            timeOf(withMotionSpan(project, {{0, motion}}, {start, end}).design, 0, motion);
         QTEST(time.start, "expectedStart");
         QTEST(time.end, "expectedEnd");
     };
@@ -221,30 +225,97 @@ void TestTiming::motionsWaitForTheirHandle() {
     handle.motions.erase(handle.motions.begin());
     handle.activeFrom = 1.5;
     handle.activeTo = 3.5;
-    QCOMPARE(timeOf(withMotionTime(project, 0, 0, {0, 1}).design, 0, 0), (MotionTime{1.5, 2.5}));
-    const Project late = withMotionTime(project, 0, 0, {6, 7});
+    QCOMPARE(timeOf(withMotionSpan(project, {{0, 0}}, {0, 1}).design, 0, 0), (MotionTime{1.5, 2.5}));
+    const Project late = withMotionSpan(project, {{0, 0}}, {6, 7});
     QCOMPARE(timeOf(late.design, 0, 0), (MotionTime{2.5, 3.5}));
     QCOMPARE(late.end, 4.0);
 }
 
 void TestTiming::laterMotionsLengthenTheFilm() {
-    const Project after = withMotionTime(film<2>(), 0, 1, {5, 6});
+    const Project after = withMotionSpan(film<2>(), {{0, 1}}, {5, 6});
     QCOMPARE(after.end, 6.0);
     QCOMPARE(timeOf(after.design, 0, 1), (MotionTime{5, 6}));
     QCOMPARE(timeOf(after.design, 0, 0), (MotionTime{0, 1}));
-    QCOMPARE(withMotionTime(film<2>(), 0, 1, {2.5, 3}).end, 4.0);
+    QCOMPARE(withMotionSpan(film<2>(), {{0, 1}}, {2.5, 3}).end, 4.0);
+}
+
+namespace {
+
+/// Of pins A and B; A moves three times, B once.
+Project busyFilm() {
+    Project project = film<2>();
+    auto& handles = std::get<Design<2>>(project.design).handles;
+    handles[0].motions.push_back(motion<2>(3, 4));
+    handles[1].motions = {motion<2>(0.5, 2.5)};
+    return project;
+}
+
+const std::vector<MotionId> kSeveral = {{0, 0}, {0, 1}, {1, 0}};  // from 0 to 3, before {0, 2}
+
+}  // namespace
+
+/// The map of times is linear: the ends of each are where it takes them.
+void TestTiming::severalAreMovedAndScaled() {
+    Project project = busyFilm();
+    project.design = withoutMotions(project.design, {{0, 2}});
+    QCOMPARE(spanOf(project.design, kSeveral), (MotionTime{0, 3}));
+    for (const MotionTime& to : {MotionTime{0, 1.5}, {0.25, 3.25}, {0, 6}, {1.5, 3}}) {
+        const Project after = withMotionSpan(project, kSeveral, to);
+        for (const auto& [handle, motion] : kSeveral) {
+            const MotionTime was = timeOf(project.design, handle, motion),
+                             is = timeOf(after.design, handle, motion);
+            const double scale = (to.end - to.start) / 3;
+            QVERIFY(std::abs(is.start - (to.start + scale * was.start)) < 1e-12);
+            QVERIFY(std::abs(is.end - (to.start + scale * was.end)) < 1e-12);
+        }
+        QCOMPARE(after.end, std::max(4.0, to.end));
+    }
+}
+
+/// One that does not go along stops all; none becomes shorter than a motion may be.
+void TestTiming::severalStayBetweenTheirNeighbours() {
+    const Project project = busyFilm();
+    const auto to = [&](const std::vector<MotionId>& motions, const MotionTime& span) {
+        return spanOf(withMotionSpan(project, motions, span).design, motions);
+    };
+    QCOMPARE(to(kSeveral, {1, 4}), (MotionTime{0, 3}));  // {0, 2} begins at 3
+    QCOMPARE(to(kSeveral, {0, 4}), (MotionTime{0, 3}));
+    QCOMPARE(to(kSeveral, {-1, 2}), (MotionTime{0, 3}));  // the film begins
+    QCOMPARE(to({{0, 1}, {1, 0}}, {0, 2.5}), (MotionTime{0, 2.5}));
+    // {0, 0} ends at 1, where {0, 1} would begin when both are scaled to less.
+    const MotionTime scaled = to({{0, 1}, {1, 0}}, {0.5, 1});
+    QVERIFY2(std::abs(scaled.end - (0.5 + 2.5 * 0.5 / 1.5)) < 1e-12, qPrintable(QString::number(scaled.end)));
+    QCOMPARE(to({{0, 2}, {1, 0}}, {0.5, 1}), (MotionTime{0.5, 4}));  // {0, 1} ends where {0, 2} begins
+    // The shorter one of 1 s and 2 s.
+    QVERIFY(std::abs(to({{0, 0}, {1, 0}}, {0, 0}).end - 2.5 * kShortestMotion) < 1e-12);
+    const Project after = withMotionSpan(project, {{0, 2}}, {3, 3});
+    QVERIFY(std::abs(timeOf(after.design, 0, 2).end - 3 - kShortestMotion) < 1e-12);
+    // However they are rounded, they do not overlap, and the file can be read.
+    for (int i = 1; i < 40; ++i) {
+        const Project next = withMotionSpan(project, kSeveral, {0, 3.0 * i / 41});
+        QVERIFY(timeOf(next.design, 0, 0).end <= timeOf(next.design, 0, 1).start);
+        QVERIFY(timeOf(next.design, 0, 1).end <= timeOf(next.design, 0, 2).start);
+    }
 }
 
 void TestTiming::easeAndRemoval() {
     Project soft = film<2>();
-    soft.design = withMotionEase(soft.design, 0, 1, Ease::InOut);
+    soft.design = withMotionEase(soft.design, {{0, 1}}, Ease::InOut);
     QCOMPARE(handlesOf(soft)[0].motions[1].ease, Ease::InOut);
     QCOMPARE(handlesOf(soft)[0].motions[0].ease, Ease::Linear);
     Project one = film<2>();
-    one.design = withoutMotion(one.design, 0, 0);
+    one.design = withoutMotions(one.design, {{0, 0}});
     QCOMPARE(handlesOf(one)[0].motions.size(), std::size_t(1));
     QCOMPARE(timeOf(one.design, 0, 0), (MotionTime{2, 3}));
     QCOMPARE(one.end, 4.0);
+    const AnyDesign two = withMotionEase(busyFilm().design, {{0, 0}, {1, 0}}, Ease::In);
+    QVERIFY(std::get<Design<2>>(two).handles[0].motions[0].ease == Ease::In &&
+            std::get<Design<2>>(two).handles[1].motions[0].ease == Ease::In &&
+            std::get<Design<2>>(two).handles[0].motions[1].ease == Ease::Linear);
+    Project left = busyFilm();
+    left.design = withoutMotions(left.design, {{0, 0}, {1, 0}, {0, 2}});
+    QVERIFY(handlesOf(left)[0].motions.size() == 1 && handlesOf(left)[1].motions.empty());
+    QCOMPARE(timeOf(left.design, 0, 0), (MotionTime{2, 3}));
 }
 
 void TestTiming::almostTheEndIsTheEnd_data() {
