@@ -3,7 +3,7 @@
 namespace wend {
 
 /// How large the marks over a shape are against their usual size, for the eye and for the hand: pins, rings,
-/// curves, and what is taken hold of. The user's choice, for all views.
+/// curves, arrows, labels, the lines of tools, and what is taken hold of. The user's choice, for all views.
 double markSize();
 void setMarkSize(double factor);
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/session/accent.h"
+#include "app/session/mark_size.h"
 #include "app/session/solid_places.h"
 #include "app/tools/drag_label.h"
 #include "app/tools/region_outline.h"
@@ -224,15 +225,15 @@ void AreaTool::cancel() {
 void AreaTool::paint(QPainter& painter) const {
     QColor fill = kLine;
     fill.setAlpha(40);
-    painter.setPen(QPen(kLine, 1.25));
+    painter.setPen(QPen(kLine, marked(1.25)));
     painter.setBrush(fill);
     if (m_shape == Shape::Brush) {
         if (m_over || m_active) painter.drawEllipse(m_at, m_radius, m_radius);
         painter.setBrush(kLine);
-        painter.setPen(QPen(Qt::white, 0.75));
+        painter.setPen(QPen(Qt::white, marked(0.75)));
         if (const auto frame = session().frame<3>(); frame && m_active)
             for (const int v : m_brushed)
-                painter.drawEllipse(surface().toWidget(frame->pose.col(v)), 2.6, 2.6);
+                painter.drawEllipse(surface().toWidget(frame->pose.col(v)), marked(2.6), marked(2.6));
     }
     if (!m_active) return;
     if (m_shape == Shape::Lasso) painter.drawPolygon(m_line);
@@ -260,8 +261,9 @@ void AreaTool::paintRegion(QPainter& painter) const {
 void AreaTool::paintCaught(QPainter& painter, const std::vector<int>& held) const {
     const auto frame = session().frame<3>();
     painter.setBrush(kLine);
-    painter.setPen(QPen(Qt::white, 0.75));
-    for (const int v : held) painter.drawEllipse(surface().toWidget(frame->pose.col(v)), 2.6, 2.6);
+    painter.setPen(QPen(Qt::white, marked(0.75)));
+    for (const int v : held)
+        painter.drawEllipse(surface().toWidget(frame->pose.col(v)), marked(2.6), marked(2.6));
     const QString text =
         QCoreApplication::translate("AreaTool", "%n vertices", nullptr, static_cast<int>(held.size()));
     paintLabel(painter, m_at + QPointF(16, 12), text);

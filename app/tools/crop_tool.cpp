@@ -193,12 +193,12 @@ void CropTool::paint(QPainter& painter) const {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.fillPath(beside, QColor(0x14, 0x16, 0x1e, 120));
     painter.setBrush(Qt::NoBrush);
-    for (const auto& [pen, lines] :
-         {std::pair{QPen(QColor(0x14, 0x16, 0x1e, 90), 3), false}, std::pair{QPen(Qt::white, 1.25), true}}) {
+    for (const auto& [pen, lines] : {std::pair{QPen(QColor(0x14, 0x16, 0x1e, 90), marked(3)), false},
+                                     std::pair{QPen(Qt::white, marked(1.25)), true}}) {
         painter.setPen(pen);
         painter.drawPolygon(frame);
         if (!lines || !m_active) continue;
-        painter.setPen(QPen(QColor(255, 255, 255, 130), 1));
+        painter.setPen(QPen(QColor(255, 255, 255, 130), marked(1)));
         for (const double third : {1 / 3.0, 2 / 3.0}) {
             painter.drawLine(frame[0] + third * (frame[1] - frame[0]),
                              frame[3] + third * (frame[2] - frame[3]));
@@ -206,7 +206,7 @@ void CropTool::paint(QPainter& painter) const {
                              frame[1] + third * (frame[2] - frame[1]));
         }
     }
-    painter.setPen(QPen(QColor(0x14, 0x16, 0x1e), 1));
+    painter.setPen(QPen(QColor(0x14, 0x16, 0x1e), marked(1)));
     painter.setBrush(Qt::white);
     const double side = marked(kHandle);
     for (const QPointF& corner : frame)

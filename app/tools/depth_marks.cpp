@@ -6,6 +6,7 @@
 #include <map>
 
 #include "app/session/accent.h"
+#include "app/tools/drag_label.h"
 #include "core/mesh/disjoint_sets.h"
 
 namespace wend {
@@ -36,11 +37,12 @@ double areaOf(const QPolygonF& t) {
     return std::abs(u.x() * v.y() - u.y() * v.x()) / 2;
 }
 
-void paintBadge(QPainter& painter, const QPointF& at, float order) {
+/// At the origin.
+void paintBadge(QPainter& painter, float order) {
     const QString text = (order > 0 ? QStringLiteral("▲") : QStringLiteral("▼")) +
                          QLocale().toString(std::abs(double(order)), 'g', 3);
     const double width = std::max(kBadge, painter.fontMetrics().horizontalAdvance(text) + 8.0);
-    const QRectF box(at.x() - width / 2, at.y() - kBadge / 2, width, kBadge);
+    const QRectF box(-width / 2, -kBadge / 2, width, kBadge);
     painter.setPen(QPen(QColor(255, 255, 255, 217), 1.5));
     painter.setBrush(order > 0 ? QColor(kAccent) : QColor(kBehind));
     painter.drawRoundedRect(box, 4, 4);
@@ -88,7 +90,7 @@ void paintDepths(QPainter& painter, const PosedFrame<2>& frame, const std::vecto
             const QPointF centre = (t[0] + t[1] + t[2]) / 3;
             if (const double d = QLineF(centre, middle).length(); d < nearest) nearest = d, best = centre;
         }
-        paintBadge(painter, best, part.order);
+        enlarged(painter, best, [&] { paintBadge(painter, part.order); });
     }
 }
 

@@ -10,9 +10,9 @@ namespace {
 constexpr double kHeight = 24, kDot = 5;  // pixels
 
 /// The ground of a label; the room that is left for its text.
-QRectF paintGround(QPainter& painter, const QPointF& at, const QString& text, double before) {
+QRectF paintGround(QPainter& painter, const QString& text, double before) {
     const double width = painter.fontMetrics().horizontalAdvance(text) + before + 16;
-    const QRectF box(at, QSizeF(width, kHeight));
+    const QRectF box(0, 0, width, kHeight);
     painter.setPen(Qt::NoPen);
     painter.setBrush(QColor(28, 30, 38, 225));
     painter.drawRoundedRect(box, 5, 5);
@@ -22,9 +22,11 @@ QRectF paintGround(QPainter& painter, const QPointF& at, const QString& text, do
 }  // namespace
 
 void paintLabel(QPainter& painter, const QPointF& at, const QString& text) {
-    const QRectF room = paintGround(painter, at, text, 0);
-    painter.setPen(Qt::white);
-    painter.drawText(room, Qt::AlignCenter, text);
+    enlarged(painter, at, [&] {
+        const QRectF room = paintGround(painter, text, 0);
+        painter.setPen(Qt::white);
+        painter.drawText(room, Qt::AlignCenter, text);
+    });
 }
 
 void paintRecording(QPainter& painter, const ShapeSession& session, const QPointF& at) {
@@ -32,11 +34,13 @@ void paintRecording(QPainter& painter, const ShapeSession& session, const QPoint
     const double seconds = session.gesture()->seconds() * session.playback().speed();
     const QString text =
         QCoreApplication::translate("Recording", "%1 s").arg(QLocale().toString(seconds, 'f', 1));
-    const QRectF room = paintGround(painter, at, text, 2 * kDot + 4);
-    painter.setBrush(QColor(0xff, 0x5a, 0x4d));
-    painter.drawEllipse(QPointF(room.left() - 2, room.center().y()), kDot, kDot);
-    painter.setPen(Qt::white);
-    painter.drawText(room, Qt::AlignCenter, text);
+    enlarged(painter, at, [&] {
+        const QRectF room = paintGround(painter, text, 2 * kDot + 4);
+        painter.setBrush(QColor(0xff, 0x5a, 0x4d));
+        painter.drawEllipse(QPointF(room.left() - 2, room.center().y()), kDot, kDot);
+        painter.setPen(Qt::white);
+        painter.drawText(room, Qt::AlignCenter, text);
+    });
 }
 
 QString recordingHint() {

@@ -3,9 +3,20 @@
 #include <QMouseEvent>
 #include <QPainter>
 
+#include "app/session/mark_size.h"
 #include "app/session/shape_session.h"
 
 namespace wend {
+
+/// Draws at the origin what is meant for a place, in the size of the marks.
+template <class Draw>
+void enlarged(QPainter& painter, const QPointF& at, const Draw& draw) {
+    painter.save();
+    painter.translate(at);
+    painter.scale(markSize(), markSize());
+    draw();
+    painter.restore();
+}
 
 /// What stands beside the pointer while something is dragged: a number, how many …
 void paintLabel(QPainter& painter, const QPointF& at, const QString& text);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/session/accent.h"
+#include "app/session/mark_size.h"
 #include "app/tools/solid_surface.h"
 
 namespace wend {
@@ -45,7 +46,7 @@ bool DrawnOutline::key(const QKeyEvent& event) {
 
 void DrawnOutline::paint(QPainter& painter) const {
     const QColor line(kAccent), fill(line.red(), line.green(), line.blue(), 40);
-    painter.setPen(QPen(line, 1));
+    painter.setPen(QPen(line, marked(1)));
     painter.setBrush(fill);
     if (m_kind == Kind::Rectangle) painter.drawRect(QRectF(m_line.first(), m_end).normalized());
     if (m_kind == Kind::Lasso) painter.drawPolygon(m_line);
@@ -57,7 +58,7 @@ void DrawnOutline::paint(QPainter& painter) const {
 }
 
 void DrawnOutline::paintBrush(QPainter& painter, const QPointF& at) const {
-    painter.setPen(QPen(QColor(kAccent), 1));
+    painter.setPen(QPen(QColor(kAccent), marked(1)));
     painter.setBrush(Qt::NoBrush);
     painter.drawEllipse(at, m_radius, m_radius);
 }

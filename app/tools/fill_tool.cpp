@@ -4,6 +4,7 @@
 
 #include "app/document/design.h"
 #include "app/session/brush.h"
+#include "app/session/mark_size.h"
 #include "app/session/material_raster.h"
 #include "app/session/mesh_parts.h"
 #include "app/tools/brush_paint.h"
@@ -67,9 +68,9 @@ void FillTool<Dim>::move(const QMouseEvent& event) {
 template <int Dim>
 void FillTool<Dim>::paint(QPainter& painter) const {
     if (!m_over) return;
-    painter.setPen(QPen(Qt::white, 2));
+    painter.setPen(QPen(Qt::white, marked(2)));
     painter.setBrush(QColor(brushColour(m_brush.now(), Dim)));
-    painter.drawEllipse(m_at + QPointF(16, 16), 7, 7);
+    painter.drawEllipse(m_at + marked(16) * QPointF(1, 1), marked(7), marked(7));
 }
 
 template class FillTool<2>;

@@ -8,6 +8,7 @@
 #include "app/document/design.h"
 #include "app/document/handle_edits.h"
 #include "app/session/accent.h"
+#include "app/session/mark_size.h"
 #include "app/session/solid_places.h"
 #include "app/tools/region_outline.h"
 
@@ -236,7 +237,7 @@ void HoldTool::cancel() {
 }
 
 void HoldTool::paint(QPainter& painter) const {
-    painter.setPen(QPen(QColor(kAccent), 1.5));
+    painter.setPen(QPen(QColor(kAccent), marked(1.5)));
     painter.setBrush(QColor(0x4a, 0x5b, 0xd4, 20));
     if (m_active) painter.drawPath(area());
     painter.setBrush(Qt::NoBrush);

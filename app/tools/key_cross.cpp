@@ -1,5 +1,7 @@
 #include "app/tools/key_cross.h"
 
+#include "app/session/mark_size.h"
+
 namespace wend {
 
 namespace {
@@ -47,10 +49,10 @@ template bool KeyCross::take<3>(const QKeyEvent&, ShapeSurface<3>&,
 
 void KeyCross::paint(QPainter& painter) const {
     if (!m_at) return;
-    for (const QPen& pen : {QPen(Qt::white, 3.5), QPen(QColor(0x14, 0x16, 0x1e), 1.5)}) {
+    for (const QPen& pen : {QPen(Qt::white, marked(3.5)), QPen(QColor(0x14, 0x16, 0x1e), marked(1.5))}) {
         painter.setPen(pen);
         for (const QPointF& way : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)})
-            painter.drawLine(*m_at + 3 * way, *m_at + 12 * way);
+            painter.drawLine(*m_at + marked(3) * way, *m_at + marked(12) * way);
     }
 }
 

@@ -8,6 +8,7 @@
 
 #include "app/document/design.h"
 #include "app/session/accent.h"
+#include "app/session/mark_size.h"
 #include "app/tools/region_outline.h"
 
 namespace wend {
@@ -127,7 +128,7 @@ struct Adder {
 };
 
 void draw(QPainter& painter, const QPolygonF& line, const QPen& pen) {
-    painter.setPen(QPen(QColor(255, 255, 255, 217), pen.widthF() + 2));
+    painter.setPen(QPen(QColor(255, 255, 255, 217), pen.widthF() + marked(2)));
     painter.drawPolyline(line);
     painter.setPen(pen);
     painter.drawPolyline(line);
@@ -194,8 +195,8 @@ void RegionLines::paint(QPainter& painter, ToolSurface& surface) {
             }
     };
     painter.setBrush(Qt::NoBrush);
-    drawAll(m_lines.soft, QPen(QColor(kAccent), 1, Qt::DashLine));
-    drawAll(m_lines.border, QPen(QColor(kAccent), 2));
+    drawAll(m_lines.soft, QPen(QColor(kAccent), marked(1), Qt::DashLine));
+    drawAll(m_lines.border, QPen(QColor(kAccent), marked(2)));
 }
 
 template <>
@@ -214,7 +215,7 @@ void LayerLines<3>::paint(QPainter& painter, SolidSurface& surface) {
     if (m_name.isNull() || !surface.shownFrame() || document.isEmpty()) return;
     std::vector<Region<3>> regions;
     for (const auto& region : layerOf(document.design<3>())) regions.push_back(region.shape);
-    paintRegions(painter, surface, regions, QPen(QColor(kAccent), 1.5, Qt::DashLine));
+    paintRegions(painter, surface, regions, QPen(QColor(kAccent), marked(1.5), Qt::DashLine));
 }
 
 template class LayerLines<2>;

@@ -200,7 +200,7 @@ void Manipulator::paint(QPainter& painter, const SolidSurface& surface,
         const double size = std::hypot(along.x(), along.y());
         if (size < 4) continue;  // seen from its end
         const QPointF u = along / size, n(-u.y(), u.x());
-        painter.setPen(QPen(QColor(15, 17, 24, 150), 1));
+        painter.setPen(QPen(QColor(15, 17, 24, 150), marked(1)));
         painter.setBrush(colour);
         painter.drawPolygon(QPolygonF({tip + marked(11) * u, tip + marked(5.5) * n, tip - marked(5.5) * n}));
     }

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "app/document/domain.h"
+#include "app/session/mark_size.h"
 #include "app/session/solid_places.h"
 #include "app/tools/drag_label.h"
 
@@ -111,12 +112,12 @@ void MeasureTool<Dim>::paint(QPainter& painter) const {
     QPolygonF line;
     for (const Vec<Dim>& p : pointsIn(*frame, frame->pose)) line << surface().toWidget(p);
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(QColor(255, 255, 255, 200), 4, Qt::SolidLine, Qt::RoundCap));
+    painter.setPen(QPen(QColor(255, 255, 255, 200), marked(4), Qt::SolidLine, Qt::RoundCap));
     painter.drawPolyline(line);
-    painter.setPen(QPen(kLine, 2, Qt::SolidLine, Qt::RoundCap));
+    painter.setPen(QPen(kLine, marked(2), Qt::SolidLine, Qt::RoundCap));
     painter.drawPolyline(line);
     painter.setBrush(Qt::white);
-    for (const QPointF& p : line) painter.drawEllipse(p, 4, 4);
+    for (const QPointF& p : line) painter.drawEllipse(p, marked(4), marked(4));
     if (text().isEmpty()) return;
     const QPointF at = line.size() == 3 ? line[1] : (line[0] + line[1]) / 2;
     paintLabel(painter, at + QPointF(14, 10), text());

@@ -10,6 +10,7 @@
 #include "app/document/outline_edits.h"
 #include "app/session/accent.h"
 #include "app/session/flat_shape.h"
+#include "app/session/mark_size.h"
 #include "core/mesh/error.h"
 #include "core/meshing/outline_combination.h"
 #include "core/meshing/outline_simplify.h"
@@ -99,8 +100,8 @@ void OutlineTool::press(const QMouseEvent& event) {
     m_over = true;
     m_modifiers = event.modifiers();
     if (m_shape == Shape::Wand) return takeColour(event);
-    const bool closes =
-        m_shape == Shape::Polygon && m_line.size() > 2 && QLineF(m_at, m_line.first()).length() < kClose;
+    const bool closes = m_shape == Shape::Polygon && m_line.size() > 2 &&
+                        QLineF(m_at, m_line.first()).length() < marked(kClose);
     if (m_shape == Shape::Polygon && m_active && !closes) {
         m_line << m_at;
     } else if (closes) {
@@ -324,9 +325,9 @@ void OutlineTool::paintOutline(QPainter& painter) const {
     painter.setBrush(kLeftOut);
     painter.drawPath(all);
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(QColor(255, 255, 255, 216), 3.5));
+    painter.setPen(QPen(QColor(255, 255, 255, 216), marked(3.5)));
     painter.drawPath(path);
-    painter.setPen(QPen(QColor(kAccent), 1.5));
+    painter.setPen(QPen(QColor(kAccent), marked(1.5)));
     painter.drawPath(path);
 }
 
@@ -335,7 +336,7 @@ void OutlineTool::paint(QPainter& painter) const {
     if (!session().document().picture() || session().document().domain().kind != DomainKind::Image) return;
     paintOutline(painter);
     QColor colour = takesAway(m_modifiers) ? QColor(kAway) : QColor(kAccent);
-    painter.setPen(QPen(colour, 1.5));
+    painter.setPen(QPen(colour, marked(1.5)));
     if (m_shape == Shape::Brush && m_over) painter.drawEllipse(m_at, m_pen.now().radius, m_pen.now().radius);
     if (!m_active) return;
     QPainterPath drawn = area();

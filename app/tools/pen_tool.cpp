@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "app/session/accent.h"
+#include "app/session/mark_size.h"
 #include "app/tools/pin_picking.h"
 
 namespace wend {
@@ -70,7 +71,7 @@ template <int Dim>
 int PenTool<Dim>::pinAt(const QPointF& widget) const {
     PinPick pick;
     for (const PinView<Dim>& pin : session().template pins<Dim>())
-        if (const double d = distance(surface().toWidget(pin.centre), widget); d <= kReach)
+        if (const double d = distance(surface().toWidget(pin.centre), widget); d <= marked(kReach))
             pick.offer(pin.handle, d, false);
     return pick.handle();
 }
@@ -91,7 +92,7 @@ Vec<Dim> PenTool<Dim>::nextPlace() const {
 
 template <int Dim>
 bool PenTool<Dim>::isOnLast(const QPointF& widget) const {
-    return distance(last(), widget) <= kSame;
+    return distance(last(), widget) <= marked(kSame);
 }
 
 /// True if a path begins: at the pin that is pointed at, or at those that are selected.
@@ -221,7 +222,7 @@ void PenTool<Dim>::paint(QPainter& painter) const {
         for (const auto& piece : bezierCurve<Dim>(bezierThrough<Dim>(joints)).pieces)
             for (int i = 0; i <= kSamples; ++i) line << surface().toWidget(piece.value(double(i) / kSamples));
     painter.setBrush(Qt::NoBrush);
-    for (const QPen& pen : {QPen(QColor(255, 255, 255, 216), 3.75), QPen(kLine, 1.75)}) {
+    for (const QPen& pen : {QPen(QColor(255, 255, 255, 216), marked(3.75)), QPen(kLine, marked(1.75))}) {
         painter.setPen(pen);
         painter.drawPolyline(line);
     }
@@ -232,20 +233,21 @@ void PenTool<Dim>::paint(QPainter& painter) const {
 template <int Dim>
 void PenTool<Dim>::paintJoints(QPainter& painter) const {
     const DrawnJoint<Dim>& last = m_joints.back();
-    painter.setPen(QPen(kLine, 1.25));
+    painter.setPen(QPen(kLine, marked(1.25)));
     painter.setBrush(kLine);
     for (const Vec<Dim>& way : {last.in, last.out}) {
         if (way.isZero()) continue;
         const QPointF end = surface().toWidget(last.at + way);
         painter.drawLine(surface().toWidget(last.at), end);
-        painter.drawEllipse(end, 4, 4);
+        painter.drawEllipse(end, marked(4), marked(4));
     }
     for (const auto& joint : m_joints) {
         const QPointF at = surface().toWidget(joint.at);
         const bool isLast = &joint == &last;
-        painter.setPen(QPen(isLast ? QColor(kAccent) : QColor(Qt::white), isLast ? 2.25 : 1.25));
+        painter.setPen(QPen(isLast ? QColor(kAccent) : QColor(Qt::white), marked(isLast ? 2.25 : 1.25)));
         painter.setBrush(isLast ? QColor(Qt::white) : kLine);
-        painter.drawRect(QRectF(at.x() - 4.5, at.y() - 4.5, 9, 9));
+        const double r = marked(4.5);
+        painter.drawRect(QRectF(at.x() - r, at.y() - r, 2 * r, 2 * r));
     }
 }
 

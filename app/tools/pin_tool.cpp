@@ -356,7 +356,7 @@ void PinTool::paintWidened(QPainter& painter) const {
     for (const PinView<2>& pin : session().pins()) {
         if (pin.handle != m_pressed) continue;
         const QPointF centre = surface().toWidget(pin.centre);
-        painter.setPen(QPen(QColor(kAccent), 2));
+        painter.setPen(QPen(QColor(kAccent), marked(2)));
         painter.setBrush(QColor(0x4a, 0x5b, 0xd4, 20));
         painter.drawEllipse(centre, distance(centre, m_at), distance(centre, m_at));
     }

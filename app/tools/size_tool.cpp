@@ -4,6 +4,7 @@
 
 #include "app/document/domain.h"
 #include "app/document/size_edits.h"
+#include "app/session/mark_size.h"
 #include "app/tools/region_outline.h"
 
 namespace wend {
@@ -27,7 +28,7 @@ void SizeTool::take(const std::vector<Dab>& dabs) {
 
 void SizeTool::paint(QPainter& painter) const {
     StrokeTool<3>::paint(painter);
-    paintRegions(painter, surface(), m_shown, QPen(QColor(0x2a, 0x8a, 0x7a), 1.5, Qt::DashLine));
+    paintRegions(painter, surface(), m_shown, QPen(QColor(0x2a, 0x8a, 0x7a), marked(1.5), Qt::DashLine));
 }
 
 }  // namespace wend

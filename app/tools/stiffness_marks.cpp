@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "app/session/accent.h"
+#include "app/session/mark_size.h"
 #include "app/session/material_raster.h"
 #include "app/session/solid_places.h"
 
@@ -12,7 +13,7 @@ namespace wend {
 
 namespace {
 
-constexpr int kGrid = 40;                 // pixels of the screen
+constexpr double kGrid = 40;              // pixels of the screen
 constexpr double kStiff = 1.05;           // less shows no direction
 constexpr double kShort = 6, kLong = 18;  // pixels, half of the long axis
 constexpr double kLongAt = 100;           // the ratio where it does not grow any more
@@ -20,7 +21,7 @@ constexpr double kLongAt = 100;           // the ratio where it does not grow an
 }  // namespace
 
 double markLength(double ratio) {
-    return kShort + (kLong - kShort) * std::clamp(std::log(ratio) / std::log(kLongAt), 0.0, 1.0);
+    return marked(kShort + (kLong - kShort) * std::clamp(std::log(ratio) / std::log(kLongAt), 0.0, 1.0));
 }
 
 void paintStiffnessMarks(QPainter& painter, ToolSurface& surface, const QSize& size) {
@@ -28,8 +29,9 @@ void paintStiffnessMarks(QPainter& painter, ToolSurface& surface, const QSize& s
     if (!frame || frame->material->anisotropy.empty()) return;
     QColor fill(kStiffColour);
     fill.setAlphaF(0.25F);
-    for (int y = kGrid / 2; y < size.height(); y += kGrid)
-        for (int x = kGrid / 2; x < size.width(); x += kGrid) {
+    const double grid = marked(kGrid);
+    for (double y = grid / 2; y < size.height(); y += grid)
+        for (double x = grid / 2; x < size.width(); x += grid) {
             const auto touch = surface.touch(QPointF(x, y));
             if (!touch) continue;
             const int cell = touch->place.cell;
@@ -38,14 +40,15 @@ void paintStiffnessMarks(QPainter& painter, ToolSurface& surface, const QSize& s
             const Vec<2> along = cellRotation<2>(*frame, cell) * stiffness.axis;
             // The view may show the domain turned over.
             const QPointF way = surface.toWidget(touch->point + along) - surface.toWidget(touch->point);
-            const double a = markLength(stiffness.ratio), b = std::max(2.5, a / std::sqrt(stiffness.ratio));
+            const double a = markLength(stiffness.ratio),
+                         b = std::max(marked(2.5), a / std::sqrt(stiffness.ratio));
             painter.save();
             painter.translate(x, y);
             painter.rotate(std::atan2(way.y(), way.x()) * 180 / std::numbers::pi);
             painter.setBrush(Qt::NoBrush);
-            painter.setPen(QPen(QColor(255, 255, 255, 217), 3.5));
+            painter.setPen(QPen(QColor(255, 255, 255, 217), marked(3.5)));
             painter.drawEllipse(QPointF(), a, b);
-            painter.setPen(QPen(QColor(kStiffColour), 1.5));
+            painter.setPen(QPen(QColor(kStiffColour), marked(1.5)));
             painter.setBrush(fill);
             painter.drawEllipse(QPointF(), a, b);
             painter.restore();

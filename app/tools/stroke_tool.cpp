@@ -4,6 +4,7 @@
 #include <QLocale>
 #include <algorithm>
 
+#include "app/session/mark_size.h"
 #include "app/session/solid_places.h"
 #include "app/tools/drag_label.h"
 
@@ -234,7 +235,8 @@ void StrokeTool<Dim>::paintLine(QPainter& painter) const {
     const auto from = lineStart();
     if (!from || !(m_modifiers & Qt::ShiftModifier) || (m_active && !m_waits)) return;
     painter.setBrush(Qt::NoBrush);
-    for (const QPen& pen : {QPen(QColor(255, 255, 255, 217), 3.5), QPen(colour(), 1.5, Qt::DashLine)}) {
+    for (const QPen& pen :
+         {QPen(QColor(255, 255, 255, 217), marked(3.5)), QPen(colour(), marked(1.5), Qt::DashLine)}) {
         painter.setPen(pen);
         painter.drawLine(*from, m_at);
     }
@@ -263,17 +265,17 @@ void StrokeTool<Dim>::paint(QPainter& painter) const {
         painter.drawEllipse(m_at, r, r);
     };
     painter.setBrush(Qt::NoBrush);
-    ring(radius, QPen(QColor(255, 255, 255, 217), 3.5));
-    ring(radius, QPen(colour(), 1.75));
+    ring(radius, QPen(QColor(255, 255, 255, 217), marked(3.5)));
+    ring(radius, QPen(colour(), marked(1.75)));
     if (hard > 3 && hard < radius - 3) {
-        ring(hard, QPen(QColor(255, 255, 255, 150), 2));
-        ring(hard, QPen(QColor(0x14, 0x16, 0x1e, 190), 1, Qt::DashLine));
+        ring(hard, QPen(QColor(255, 255, 255, 150), marked(2)));
+        ring(hard, QPen(QColor(0x14, 0x16, 0x1e, 190), marked(1), Qt::DashLine));
     }
     const QString sign = takesAway()                       ? QStringLiteral("−")
                          : m_modifiers & Qt::ShiftModifier ? QStringLiteral("~")
                                                            : QString();
     painter.setPen(QColor(0x14, 0x16, 0x1e));
-    painter.drawText(QRectF(m_at - QPointF(10, 10), QSizeF(20, 20)), Qt::AlignCenter, sign);
+    enlarged(painter, m_at, [&] { painter.drawText(QRectF(-10, -10, 20, 20), Qt::AlignCenter, sign); });
     paintTuning(painter);
 }
 

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/session/mark_size.h"
+
 namespace wend {
 
 namespace {
 
-constexpr int kGrid = 32;     // pixels of the screen
+constexpr double kGrid = 32;  // pixels of the screen
 constexpr double kLong = 30;  // the fastest one's length
 constexpr double kShort = 2;  // less is no arrow
 constexpr double kHead = 6;
@@ -16,12 +18,12 @@ const QColor kColour(54, 84, 196);
 void paintArrow(QPainter& painter, const QPointF& from, const QPointF& way) {
     const double length = std::hypot(way.x(), way.y());
     const QPointF along = way / length, across(-along.y(), along.x()), tip = from + way;
-    const double head = std::min(kHead, 0.6 * length);
+    const double head = std::min(marked(kHead), 0.6 * length);
     const QPointF neck = tip - head * along;
     const QList<QLineF> lines{
         {from, tip}, {tip, neck + 0.5 * head * across}, {tip, neck - 0.5 * head * across}};
-    for (const QPen& pen : {QPen(QColor(255, 255, 255, 217), 3.5, Qt::SolidLine, Qt::RoundCap),
-                            QPen(kColour, 1.5, Qt::SolidLine, Qt::RoundCap)}) {
+    for (const QPen& pen : {QPen(QColor(255, 255, 255, 217), marked(3.5), Qt::SolidLine, Qt::RoundCap),
+                            QPen(kColour, marked(1.5), Qt::SolidLine, Qt::RoundCap)}) {
         painter.setPen(pen);
         painter.drawLines(lines);
     }
@@ -35,17 +37,18 @@ void paintVelocityArrows(QPainter& painter, ToolSurface& surface, const Points<2
     if (!frame || velocity.cols() != frame->pose.cols()) return;
     const double fastest = velocity.colwise().norm().maxCoeff();
     if (!(fastest > 0)) return;
-    for (int y = kGrid / 2; y < size.height(); y += kGrid)
-        for (int x = kGrid / 2; x < size.width(); x += kGrid) {
+    const double grid = marked(kGrid);
+    for (double y = grid / 2; y < size.height(); y += grid)
+        for (double x = grid / 2; x < size.width(); x += grid) {
             const auto touch = surface.touch(QPointF(x, y));
             if (!touch) continue;
             const Cell<2>& cell = frame->rest->cells[touch->place.cell];
             Vec<2> v = Vec<2>::Zero();
             for (int k = 0; k < 3; ++k) v += touch->place.weights[k] * velocity.col(cell[k]);
             // The view may show the domain turned over.
-            const Vec<2> step = v / fastest * surface.pixelSize(touch->point) * kLong;
+            const Vec<2> step = v / fastest * surface.pixelSize(touch->point) * marked(kLong);
             const QPointF way = surface.toWidget(touch->point + step) - surface.toWidget(touch->point);
-            if (std::hypot(way.x(), way.y()) >= kShort) paintArrow(painter, QPointF(x, y), way);
+            if (std::hypot(way.x(), way.y()) >= marked(kShort)) paintArrow(painter, QPointF(x, y), way);
         }
 }
 

@@ -7,6 +7,7 @@
 #include "app/session/mark_size.h"
 #include "app/tools/shape_surface.h"
 #include "app/view/actions.h"
+#include "app/view/volume/solid_canvas.h"
 
 namespace wend {
 
@@ -46,7 +47,7 @@ void AppearanceChoice::enlargeMarks(double factor) {
     setMarkSize(factor);
     for (QWidget* one : m_window.findChildren<QWidget*>()) {
         if (auto* picture = dynamic_cast<ShapeSurface<2>*>(one)) picture->redraw();
-        if (auto* solid = dynamic_cast<ShapeSurface<3>*>(one)) solid->redraw();
+        if (auto* solid = dynamic_cast<SolidCanvas*>(one)) solid->refresh();
     }
 }
 

@@ -139,7 +139,7 @@ void OverlayPainter::marquee(const QRectF& rectangle) {
     if (rectangle.isEmpty()) return;
     QColor fill = m_theme.accent;
     fill.setAlpha(36);
-    m_painter.setPen(QPen(m_theme.accent, 1));
+    m_painter.setPen(QPen(m_theme.accent, marked(1)));
     m_painter.setBrush(fill);
     m_painter.drawRect(rectangle);
 }

@@ -14,8 +14,15 @@
 #include "app/document/project_file.h"
 #include "app/panels/marks.h"
 #include "app/panels/pin_list.h"
+#include "app/session/mark_size.h"
+#include "app/session/material_raster.h"
 #include "app/session/opening.h"
+#include "app/tools/drag_label.h"
+#include "app/tools/paint_tool.h"
+#include "app/tools/stiffness_marks.h"
+#include "app/tools/velocity_arrows.h"
 #include "app/view/pin_actions.h"
+#include "app/view/volume/glyphs.h"
 #include "tests/support/bar.h"
 #include "tests/support/dialogs.h"
 
@@ -45,6 +52,9 @@ class TestPins : public QObject {
     void keysSetPins();
     void marksAreAsLargeAsChosen_data() { dimensions(); }
     void marksAreAsLargeAsChosen();
+    void fieldsAndLabelsAreAsLargeAsChosen();
+    void glyphsAreAsLargeAsChosen();
+    void brushesKeepTheirRadius();
 
   private:
     ShapeSession& session() { return m_f->session(); }
@@ -511,6 +521,112 @@ void TestPins::enlarge() {
     choose(1);
     QTRY_VERIFY(!lit(19) && !lit(20));
     QVERIFY(picked(5) && !picked(20));
+}
+
+namespace {
+
+/// The longest row of pixels that something is painted in.
+int widest(const std::function<void(QPainter&)>& paint) {
+    QImage image(900, 400, QImage::Format_ARGB32_Premultiplied);
+    image.fill(Qt::transparent);
+    QPainter painter(&image);
+    painter.setRenderHint(QPainter::Antialiasing);
+    paint(painter);
+    painter.end();
+    int longest = 0;
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0, run = 0; x < image.width(); ++x) {
+            run = qAlpha(image.pixel(x, y)) > 50 ? run + 1 : 0;
+            longest = std::max(longest, run);
+        }
+    return longest;
+}
+
+}  // namespace
+
+/// Along x: an arrow of 15 pixels with its round ends and light rim of 3.5, and an ellipse of the ratio 4,
+/// whose tips are narrower than a pixel.
+void TestPins::fieldsAndLabelsAreAsLargeAsChosen() {
+    QVERIFY(open<2>());
+    ShapeCanvas& canvas = m_f->window().canvas();
+    const auto frame = session().frame<2>();
+    Points<2> velocity = Points<2>::Zero(2, frame->pose.cols());
+    velocity.row(0).setConstant(0.5);
+    velocity(0, 0) = 1;  // the fastest one's arrow is 30 long
+    auto material = std::make_shared<Material<2>>(*frame->material);
+    material->anisotropy.assign(frame->rest->cells.size(), anisotropyOf<2>({Vec<2>::UnitX(), 4}));
+    canvas.showMaterial(material, true);
+    const double ellipse = 2 * (6 + 12 * std::log(4) / std::log(100));
+    for (const double factor : {1.0, 2.0}) {
+        setMarkSize(factor);
+        const int arrow =
+            widest([&](QPainter& p) { paintVelocityArrows(p, canvas, velocity, canvas.size()); });
+        const int mark = widest([&](QPainter& p) { paintStiffnessMarks(p, canvas, canvas.size()); });
+        const int label = widest([](QPainter& p) { paintLabel(p, {10, 10}, QStringLiteral("12 px")); });
+        setMarkSize(1);
+        const int once = widest([](QPainter& p) { paintLabel(p, {10, 10}, QStringLiteral("12 px")); });
+        QVERIFY2(std::abs(arrow - factor * 18.5) <= 2, qPrintable(QString::number(arrow)));
+        QVERIFY2(std::abs(mark - factor * (ellipse + 3.5)) <= 2, qPrintable(QString::number(mark)));
+        QVERIFY2(std::abs(label - factor * once) <= 2, qPrintable(QString::number(label)));
+    }
+}
+
+/// The arrows of a solid are a tenth of its diagonal long; of larger ones, and of larger ellipsoids, there
+/// are no more.
+void TestPins::glyphsAreAsLargeAsChosen() {
+    QVERIFY(open<3>());
+    const auto frame = session().frame<3>();
+    PosedFrame<3> stiff = *frame;
+    auto material = std::make_shared<Material<3>>(*frame->material);
+    material->anisotropy.assign(frame->rest->cells.size(), anisotropyOf<3>({Vec<3>::UnitX(), 4}));
+    stiff.material = material;
+    const CutSurface& surface = m_f->canvas().surface();
+    Points<3> velocity = Points<3>::Zero(3, frame->pose.cols());
+    velocity.row(2).setOnes();
+    const auto height = [](const std::vector<DrawVertex>& drawn, std::size_t count) {
+        float low = 1e9F, high = -1e9F;
+        for (std::size_t i = 0; i < count; ++i)
+            low = std::min(low, drawn[i].position[2]), high = std::max(high, drawn[i].position[2]);
+        return double(high - low);
+    };
+    constexpr std::size_t kArrow = 3 * 8 * 6, kEllipsoid = 6 * 8 * 6;  // vertices
+    std::size_t arrows = 0, ellipsoids = 0;
+    double once = 0;
+    for (const double factor : {1.0, 3.0}) {
+        setMarkSize(factor);
+        const auto arrow = velocityArrows(*frame, velocity, surface, 0);
+        const auto ellipsoid = stiffnessEllipsoids(stiff, surface, 0);
+        setMarkSize(1);
+        QVERIFY(std::abs(height(arrow, kArrow) - factor * 0.1 * frame->diagonal) < 1e-3 * frame->diagonal);
+        if (factor == 1) once = height(ellipsoid, kEllipsoid);
+        QVERIFY(std::abs(height(ellipsoid, kEllipsoid) - factor * once) < 1e-3 * once);
+        QVERIFY(factor == 1 || (arrow.size() <= arrows && ellipsoid.size() <= ellipsoids));
+        arrows = arrow.size(), ellipsoids = ellipsoid.size();
+    }
+}
+
+/// Their rim is as wide as chosen, half of it on either side.
+void TestPins::brushesKeepTheirRadius() {
+    QVERIFY(open<2>());
+    Brush tip;
+    PaintTool<2> brush(m_f->window().canvas(), tip, PaintTool<2>::Deed::Paint);
+    const QPointF at(200, 200);
+    QMouseEvent move(QEvent::MouseMove, at, at, Qt::NoButton, Qt::NoButton, {});
+    brush.move(move);
+    const auto across = [&](double x, double width) {  // the rim where it is upright
+        return widest([&](QPainter& p) {
+            p.setClipRect(QRectF(x - width, 195, 2 * width, 10));
+            brush.paint(p);
+        });
+    };
+    const double radius = tip.now().radius;
+    for (const double factor : {1.0, 3.0}) {
+        setMarkSize(factor);
+        const int left = across(200 - radius, 10), inner = across(200 - radius + 5, 5);
+        setMarkSize(1);
+        QVERIFY2(std::abs(left - factor * 3.5) <= 1.5, qPrintable(QString::number(left)));
+        QVERIFY2(std::abs(inner - factor * 1.75) <= 1.5, qPrintable(QString::number(inner)));
+    }
 }
 
 QTEST_MAIN(TestPins)

@@ -9,6 +9,8 @@
 #include <numbers>
 #include <set>
 
+#include "app/session/mark_size.h"
+
 namespace wend {
 
 DrawVertex drawVertex(const Vec<3>& p, const Vec<3>& normal, QRgb colour) {
@@ -21,7 +23,7 @@ DrawVertex drawVertex(const Vec<3>& p, const Vec<3>& normal, QRgb colour) {
 
 namespace {
 
-constexpr int kMostGlyphs = 1000;
+constexpr double kMostGlyphs = 1000;
 constexpr int kSides = 8;
 
 class Builder {
@@ -90,9 +92,10 @@ Mat<3> turnOf(const PosedFrame<3>& frame, int c) {
     return svd.matrixU() * svd.matrixV().transpose();
 }
 
-/// Every k-th, so that at most `most` are left.
-std::vector<int> thinned(const std::set<int>& all, int most) {
-    const std::size_t step = 1 + all.size() / static_cast<std::size_t>(most);
+/// Every k-th, so that at most `most` are left; of larger marks fewer.
+std::vector<int> thinned(const std::set<int>& all, double most) {
+    const double room = most / (markSize() * markSize());
+    const std::size_t step = 1 + static_cast<std::size_t>(static_cast<double>(all.size()) / room);
     std::vector<int> kept;
     std::size_t i = 0;
     for (const int x : all)
@@ -108,11 +111,12 @@ std::vector<DrawVertex> velocityArrows(const PosedFrame<3>& frame, const Points<
     for (const auto& triangle : surface.triangles)
         for (const auto& corner : triangle) drawn.insert(corner.weight < 0.5 ? corner.from : corner.to);
     const double fastest = velocity.colwise().norm().maxCoeff();
+    const double size = marked(frame.diagonal);
     Builder builder(colour);
     if (fastest <= 0) return {};
     for (const int v : thinned(drawn, kMostGlyphs)) {
-        const Vec<3> by = 0.1 * frame.diagonal / fastest * velocity.col(v);
-        if (by.norm() > 1e-3 * frame.diagonal) builder.arrow(frame.pose.col(v), by, 0.0025 * frame.diagonal);
+        const Vec<3> by = 0.1 * size / fastest * velocity.col(v);
+        if (by.norm() > 1e-3 * size) builder.arrow(frame.pose.col(v), by, 0.0025 * size);
     }
     return builder.take();
 }
@@ -132,7 +136,7 @@ std::vector<DrawVertex> stiffnessEllipsoids(const PosedFrame<3>& frame, const Cu
             centre += ((1 - corner.weight) * frame.pose.col(corner.from) +
                        corner.weight * frame.pose.col(corner.to)) /
                       3;
-        const double size = std::cbrt(std::abs(cellMeasure<3>(frame.pose, frame.rest->cells[c])));
+        const double size = marked(std::cbrt(std::abs(cellMeasure<3>(frame.pose, frame.rest->cells[c]))));
         const Eigen::SelfAdjointEigenSolver<Mat<3>> axes(frame.material->anisotropy[c]);
         const Vec<3> lengths = size * (axes.eigenvalues() / axes.eigenvalues().maxCoeff()).cwiseSqrt();
         Mat<3> A = turnOf(frame, c) * axes.eigenvectors() * lengths.asDiagonal();

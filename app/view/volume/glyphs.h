@@ -8,7 +8,7 @@ namespace wend {
 DrawVertex drawVertex(const Vec<3>& p, const Vec<3>& normal, QRgb colour);
 
 /// Arrows that show where the vertices of the surface go: the longest is a tenth of the diagonal. At most a
-/// thousand, spread evenly over the vertices.
+/// thousand, spread evenly over the vertices; in the size of the marks.
 std::vector<DrawVertex> velocityArrows(const PosedFrame<3>& frame, const Points<3>& velocity,
                                        const CutSurface& surface, QRgb colour);
 

@@ -43,6 +43,8 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     std::optional<Vec<3>> placeOf(int cell) const override;
     std::vector<VertexMark> marksOf(const std::vector<int>& vertices) const override;
     void redraw() override;
+    /// With what follows from the looks: colours and marks.
+    void refresh();
 
     /// A frame as this view shows it, but without a map: for another view.
     VolumePicture plainPicture(const PosedFrame<3>& frame) const;
@@ -142,7 +144,6 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     void takeKeptCamera();
     void takeUpAxis();
     void keepCamera();
-    void refresh();
     void showGlyphs(const PosedFrame<3>& frame);
     void wantVelocity();
     void tellPointed(const QPointF& at);
