@@ -1,5 +1,6 @@
 #include "app/panels/distortion_panel.h"
 
+#include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QGridLayout>
@@ -21,6 +22,7 @@ DistortionPanel::DistortionPanel(ShapeSession& session, QWidget* parent)
       m_legend(new Legend(this)),
       m_opacityRow(new QWidget(this)),
       m_opacity(new JumpSlider(m_opacityRow)),
+      m_keep(new QAction(tr("Keep these colours"), this)),
       m_lock(new QToolButton(this)),
       m_details(new QWidget(this)),
       m_smooth(new QCheckBox(tr("Smooth colo&urs"), m_details)),
@@ -40,12 +42,12 @@ DistortionPanel::DistortionPanel(ShapeSession& session, QWidget* parent)
     setDimension(2);
     connect(&m_session, &ShapeSession::frameChanged, this, &DistortionPanel::takeFrame);
     connect(m_measure, &QComboBox::currentIndexChanged, this, [this] {
-        m_lock->setChecked(false);
+        m_keep->setChecked(false);
         takeFrame();
         emit mapChanged();
     });
     connect(m_measure, &QComboBox::activated, this, &DistortionPanel::mapChosen);
-    connect(m_lock, &QToolButton::toggled, this, &DistortionPanel::takeFrame);
+    connect(m_keep, &QAction::toggled, this, &DistortionPanel::takeFrame);
     connect(m_opacity, &QSlider::valueChanged, this, [this](int percent) {
         QSettings().setValue("mapOpacity", percent);
         emit opacityChanged(opacity());
@@ -79,10 +81,12 @@ void DistortionPanel::makeControls() {
     describe(m_smooth, tr("Smooth colours"),
              tr("Lets the colours of a map go evenly from cell to cell. Off, each cell has the one colour of "
                 "its value."));
-    m_lock->setCheckable(true);
-    m_lock->setText(tr("Keep these colours"));
-    describe(m_lock, tr("Keep these colours"),
-             tr("Keep the colours' range, to compare different shapes and energies."));
+    m_keep->setCheckable(true);
+    m_keep->setStatusTip(tr("Keep the colours' range, to compare different shapes and energies."));
+    m_lock->setDefaultAction(m_keep);
+    m_lock->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    describe(m_lock, m_keep->text(), m_keep->statusTip());
+    m_keep->setToolTip(m_lock->toolTip());
     m_find->setText(tr("Go there"));
     for (QToolButton* button : {m_lock, m_find, m_crossings, m_blown}) button->setProperty("role", "chip");
     describe(m_find, tr("Go to the worst place"),
@@ -244,7 +248,7 @@ void DistortionPanel::takeFrame() {
     m_opacityRow->setVisible(hasPicture(*frame));
     showTotals(*frame->distortion);
     const std::vector<double> values = shownValues(m_session, measure());
-    if (!m_lock->isChecked()) {
+    if (!m_keep->isChecked()) {
         m_range = rangeOf(values, measure(), m_dimension);
         emit mapChanged();
     }

@@ -5,6 +5,7 @@
 #include "app/panels/legend.h"
 #include "app/session/pose_watch.h"
 
+class QAction;
 class QCheckBox;
 class QComboBox;
 class QLabel;
@@ -24,6 +25,8 @@ class DistortionPanel : public QWidget {
     Measure measure() const;
     void setMeasure(Measure measure);
     const MeasureRange& range() const { return m_range; }
+    /// While it is checked, the range stays as it is.
+    QAction& keepRange() const { return *m_keep; }
     /// Of the map over a picture; remembered for other documents and other days.
     double opacity() const;
     /// Whether maps are drawn without the borders of their cells; remembered likewise.
@@ -64,6 +67,7 @@ class DistortionPanel : public QWidget {
     Legend* m_legend;
     QWidget* m_opacityRow;
     QSlider* m_opacity;
+    QAction* m_keep;
     QToolButton* m_lock;
     QWidget* m_details;
     QCheckBox* m_smooth;

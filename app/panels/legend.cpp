@@ -1,5 +1,7 @@
 #include "app/panels/legend.h"
 
+#include <QAction>
+#include <QEvent>
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
@@ -7,6 +9,7 @@
 #include <cmath>
 
 #include "app/panels/energy_scale.h"
+#include "app/panels/panel_parts.h"
 #include "app/panels/theme.h"
 
 namespace wend {
@@ -16,6 +19,11 @@ namespace {
 constexpr int kBar = 12, kBars = 26;  // the height of the colours, and of the histogram
 constexpr QSize kCard(216, 56);
 constexpr int kEdge = 12;  // from the view's
+constexpr int kLock = 20;
+
+QRect cardIn(const QSize& view) {
+    return {QPoint(view.width() - kCard.width() - kEdge, view.height() - kCard.height() - kEdge), kCard};
+}
 
 /// The four names below their colours; where they would touch, they give way to the ends' names.
 void paintStops(QPainter& painter, const QRect& where, int dimension) {
@@ -81,8 +89,7 @@ void Legend::paintEvent(QPaintEvent*) {
 
 void paintLegendCard(QPainter& painter, const QSize& view, Measure measure, const MeasureRange& range,
                      const QPalette& palette, int dimension) {
-    const QRect card(QPoint(view.width() - kCard.width() - kEdge, view.height() - kCard.height() - kEdge),
-                     kCard);
+    const QRect card = cardIn(view);
     QColor ground = palette.color(QPalette::Button);
     ground.setAlphaF(0.92F);
     const Theme theme = Theme::of(palette);
@@ -92,7 +99,9 @@ void paintLegendCard(QPainter& painter, const QSize& view, Measure measure, cons
     painter.drawRoundedRect(card, 8, 8);
     const QRect inside = card.adjusted(8, 4, -8, -4);
     painter.setPen(palette.color(QPalette::WindowText));
-    painter.drawText(inside, Qt::AlignLeft | Qt::AlignTop, measureName(measure, dimension));
+    painter.drawText(inside, Qt::AlignLeft | Qt::AlignTop,
+                     painter.fontMetrics().elidedText(measureName(measure, dimension), Qt::ElideRight,
+                                                      inside.width() - kLock));
     paintLegend(painter, inside.adjusted(0, painter.fontMetrics().height() + 1, 0, 0), measure, range,
                 theme.secondText);
     painter.restore();
@@ -114,6 +123,48 @@ void paintLegend(QPainter& painter, const QRect& where, Measure measure, const M
     painter.drawText(text, Qt::AlignLeft, measureText(measure, range.low));
     painter.drawText(text, Qt::AlignHCenter, measureText(measure, valueAt(range, measure, 0.5)));
     painter.drawText(text, Qt::AlignRight, measureText(measure, range.high));
+}
+
+LegendLock::LegendLock(QAction& keep, QWidget& view) : QToolButton(&view) {
+    setObjectName(QStringLiteral("legendLock"));
+    setDefaultAction(&keep);
+    setToolButtonStyle(Qt::ToolButtonIconOnly);
+    setAutoRaise(true);
+    setFocusPolicy(Qt::NoFocus);  // the view keeps its keys; the panel has the same for them
+    setCursor(Qt::ArrowCursor);
+    setFixedSize(kLock, kLock);
+    setIconSize(QSize(14, 14));
+    describe(this, keep.text(), keep.statusTip());
+    showIcons();
+    hide();
+    view.installEventFilter(this);
+    place();
+}
+
+/// Closed while it holds them.
+void LegendLock::showIcons() {
+    QIcon icon;
+    for (const auto& [name, state] : {std::pair{"unlock", QIcon::Off}, {"lock", QIcon::On}})
+        icon.addPixmap(
+            wendIcon(QString::fromLatin1(name), palette()).pixmap(QSize(14, 14), devicePixelRatioF()),
+            QIcon::Normal, state);
+    defaultAction()->setIcon(icon);
+}
+
+void LegendLock::place() {
+    const QRect card = cardIn(parentWidget()->size());
+    move(card.right() - kLock - 3, card.top() + 3);
+    raise();
+}
+
+void LegendLock::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::PaletteChange && defaultAction()) showIcons();
+    QToolButton::changeEvent(event);
+}
+
+bool LegendLock::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::Resize) place();
+    return QToolButton::eventFilter(watched, event);
 }
 
 }  // namespace wend

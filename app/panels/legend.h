@@ -1,6 +1,6 @@
 #pragma once
 
-#include <QWidget>
+#include <QToolButton>
 
 #include "app/panels/colour_map.h"
 
@@ -35,5 +35,19 @@ void paintLegend(QPainter& painter, const QRect& where, Measure measure, const M
 /// The same on a card at the lower right of a view of that size.
 void paintLegendCard(QPainter& painter, const QSize& view, Measure measure, const MeasureRange& range,
                      const QPalette& palette, int dimension);
+
+/// A lock at the card's upper right, for the panel's own action: the colours keep their range.
+class LegendLock : public QToolButton {
+  public:
+    LegendLock(QAction& keep, QWidget& view);
+
+  protected:
+    void changeEvent(QEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+  private:
+    void showIcons();
+    void place();
+};
 
 }  // namespace wend

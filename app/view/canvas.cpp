@@ -5,6 +5,7 @@
 
 #include "app/document/depth_region.h"
 #include "app/document/in_background.h"
+#include "app/panels/legend.h"
 #include "app/session/rest_frame.h"
 #include "app/session/shape.h"
 #include "app/tools/pin_picking.h"
@@ -224,6 +225,7 @@ RenderRequest ShapeCanvas::request(Filter filter) const {
 }
 
 void ShapeCanvas::render() {
+    if (m_lock) m_lock->setVisible(hasLegend());
     if (drawnFrame() && (m_picture || !m_session.document().picture())) {
         m_renderer.post(request(Filter::Bilinear));
         m_refine.start(m_session.isDragging() ? kRefineInDrag : kRefineAfter);
@@ -340,6 +342,10 @@ void ShapeCanvas::setMap(Measure measure, const MeasureRange& range) {
     m_range = range;
     wantVelocity();
     if (m_map) render();
+}
+
+void ShapeCanvas::setRangeKeeper(QAction& keep) {
+    m_lock = new LegendLock(keep, *this);
 }
 
 void ShapeCanvas::setMarksShown(bool shown) {

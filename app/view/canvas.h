@@ -15,6 +15,7 @@
 
 namespace wend {
 
+class LegendLock;
 class OverlayPainter;
 
 /// The shape on the screen: navigation, drawing and the events of the current tool. A plain widget: no OpenGL
@@ -55,6 +56,8 @@ class ShapeCanvas : public QWidget, public ToolSurface {
     void setMeshShown(bool shown);
     void setMapShown(bool shown);
     void setMap(Measure measure, const MeasureRange& range);
+    /// What keeps that range, for the lock on the legend's card.
+    void setRangeKeeper(QAction& keep);
     void setMapOpacity(double opacity);
     /// Of a map: without the edges of its cells.
     void setMapSmooth(bool smooth);
@@ -122,7 +125,7 @@ class ShapeCanvas : public QWidget, public ToolSurface {
     void paintShape(QPainter& painter);
     void paintHandles(QPainter& painter, OverlayPainter& overlay);
     void showView();
-    void paintLegend(QPainter& painter);
+    bool hasLegend() const { return m_map && !m_hidden && m_session.frame<2>(); }
     void wantVelocity();
     bool pansBy(const QMouseEvent& event) const;
     void updateCursor();
@@ -130,6 +133,7 @@ class ShapeCanvas : public QWidget, public ToolSurface {
 
     ShapeSession& m_session;
     Tool* m_tool = nullptr;
+    LegendLock* m_lock = nullptr;
     std::shared_ptr<const Image> m_source;  // the document's picture, or that of a file's mesh
     std::shared_ptr<const ScreenPicture> m_picture;
     FramePtr m_standIn;

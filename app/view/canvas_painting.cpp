@@ -27,10 +27,6 @@ void ShapeCanvas::paintShape(QPainter& painter) {
     painter.restore();
 }
 
-void ShapeCanvas::paintLegend(QPainter& painter) {
-    if (m_map) paintLegendCard(painter, size(), m_measure, m_range, palette(), 2);
-}
-
 /// A film that plays is seen without them.
 void ShapeCanvas::paintHandles(QPainter& painter, OverlayPainter& overlay) {
     overlay.paths(m_session, m_hovered);
@@ -64,7 +60,7 @@ void ShapeCanvas::paintEvent(QPaintEvent*) {
         m_depthRegions.paint(painter, *this);
         m_onion.paintOutlines(painter, *this);
         if (!m_session.playback().isPlaying()) paintHandles(painter, overlay);
-        paintLegend(painter);
+        if (hasLegend()) paintLegendCard(painter, size(), m_measure, m_range, palette(), 2);
     }
     overlay.marquee(m_marquee);
 }

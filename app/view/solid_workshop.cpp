@@ -131,6 +131,7 @@ void SolidWorkshop::connectLooks(SolidCanvas* canvas) {
     const auto colour = [canvas, map] { canvas->setMap(map->measure(), map->range()); };
     colour();
     connect(map, &DistortionPanel::mapChanged, canvas, colour);
+    canvas->setRangeKeeper(map->keepRange());
     canvas->setMapOpacity(map->opacity());
     connect(map, &DistortionPanel::opacityChanged, canvas, &SolidCanvas::setMapOpacity);
     canvas->setMapSmooth(map->isSmooth());

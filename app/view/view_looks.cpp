@@ -42,6 +42,7 @@ void ViewLooks::connectLooks(ShapeCanvas& canvas) {
     const DistortionPanel* map = &m_parts.properties.distortion();
     connect(map, &DistortionPanel::mapChanged, &canvas,
             [&canvas, map] { canvas.setMap(map->measure(), map->range()); });
+    canvas.setRangeKeeper(map->keepRange());
     connect(map, &DistortionPanel::opacityChanged, &canvas, &ShapeCanvas::setMapOpacity);
     canvas.setMapOpacity(map->opacity());
     connect(map, &DistortionPanel::smoothChanged, &canvas, &ShapeCanvas::setMapSmooth);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/document/domain.h"
+#include "app/panels/legend.h"
 #include "app/session/caged_solid.h"
 #include "app/session/rest_frame.h"
 #include "app/session/shape.h"
@@ -201,6 +202,7 @@ void SolidCanvas::refresh() {
     auto frame = m_standIn ? posed<3>(m_standIn) : shownFrame();
     if (frame && m_rest) frame = atRest<3>(frame);
     m_missed = m_held;
+    if (m_lock) m_lock->setVisible(frame && hasLegend());
     if (!frame) setGlyphs({});  // those of the last solid
     if (!frame || m_held) return;
     VolumePicture picture = plainPicture(*frame);

@@ -13,6 +13,8 @@
 
 namespace wend {
 
+class LegendLock;
+
 /// The solid of a session on the screen: its pose and colours, what lies over it, and the events of the
 /// current tool.
 class SolidCanvas : public VolumeView, public SolidSurface {
@@ -79,6 +81,8 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     /// border.
     void setDetailShown(bool shown);
     void setMap(Measure measure, const MeasureRange& range);
+    /// What keeps that range, for the lock on the legend's card.
+    void setRangeKeeper(QAction& keep);
     /// Of the map over a surface that has colours of its own.
     void setMapOpacity(double opacity);
     /// Of a map: without the edges of its cells.
@@ -177,6 +181,7 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     OnionSkin<3> m_onion;
     PinAnimation m_animation{m_session};
     QWidget* m_overlay;
+    LegendLock* m_lock = nullptr;
     SurfaceStyle m_style;
     QTimer m_dim, m_marksDue;               // in a drag: moves of the pointer alone are painted no more often
     std::optional<SavedCamera> m_asOpened;  // the camera that the document brought, as it is kept

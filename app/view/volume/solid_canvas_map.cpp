@@ -1,6 +1,7 @@
 // The map of a solid, and what is marked beside its surface.
 #include <algorithm>
 
+#include "app/panels/legend.h"
 #include "app/panels/smooth_map.h"
 #include "app/view/volume/fault_marks.h"
 #include "app/view/volume/glyphs.h"
@@ -61,6 +62,11 @@ void SolidCanvas::setMap(Measure measure, const MeasureRange& range) {
     m_range = range;
     wantVelocity();
     if (m_map) refresh();
+}
+
+void SolidCanvas::setRangeKeeper(QAction& keep) {
+    m_lock = new LegendLock(keep, *this);
+    refresh();
 }
 
 void SolidCanvas::setMapOpacity(double opacity) {
