@@ -19,7 +19,7 @@ namespace {
 constexpr int kBar = 12, kBars = 26;  // the height of the colours, and of the histogram
 constexpr QSize kCard(216, 56);
 constexpr int kEdge = 12;  // from the view's
-constexpr int kLock = 20;
+constexpr int kLock = 20, kLockIcon = 16;
 
 QRect cardIn(const QSize& view) {
     return {QPoint(view.width() - kCard.width() - kEdge, view.height() - kCard.height() - kEdge), kCard};
@@ -133,7 +133,7 @@ LegendLock::LegendLock(QAction& keep, QWidget& view) : QToolButton(&view) {
     setFocusPolicy(Qt::NoFocus);  // the view keeps its keys; the panel has the same for them
     setCursor(Qt::ArrowCursor);
     setFixedSize(kLock, kLock);
-    setIconSize(QSize(14, 14));
+    setIconSize(QSize(kLockIcon, kLockIcon));
     describe(this, keep.text(), keep.statusTip());
     showIcons();
     hide();
@@ -146,14 +146,14 @@ void LegendLock::showIcons() {
     QIcon icon;
     for (const auto& [name, state] : {std::pair{"unlock", QIcon::Off}, {"lock", QIcon::On}})
         icon.addPixmap(
-            wendIcon(QString::fromLatin1(name), palette()).pixmap(QSize(14, 14), devicePixelRatioF()),
+            wendIcon(QString::fromLatin1(name), palette()).pixmap(QSize(kLockIcon, kLockIcon), devicePixelRatioF()),
             QIcon::Normal, state);
     defaultAction()->setIcon(icon);
 }
 
 void LegendLock::place() {
     const QRect card = cardIn(parentWidget()->size());
-    move(card.right() - kLock - 3, card.top() + 3);
+    move(card.right() - kLock - 3, card.top() + 1);
     raise();
 }
 
