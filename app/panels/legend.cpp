@@ -145,9 +145,9 @@ LegendLock::LegendLock(QAction& keep, QWidget& view) : QToolButton(&view) {
 void LegendLock::showIcons() {
     QIcon icon;
     for (const auto& [name, state] : {std::pair{"unlock", QIcon::Off}, {"lock", QIcon::On}})
-        icon.addPixmap(
-            wendIcon(QString::fromLatin1(name), palette()).pixmap(QSize(kLockIcon, kLockIcon), devicePixelRatioF()),
-            QIcon::Normal, state);
+        icon.addPixmap(wendIcon(QString::fromLatin1(name), palette())
+                           .pixmap(QSize(kLockIcon, kLockIcon), devicePixelRatioF()),
+                       QIcon::Normal, state);
     defaultAction()->setIcon(icon);
 }
 

@@ -114,6 +114,7 @@ class SolidFixture {
     }
 
     MainWindow& window() { return m_window; }
+    const QTemporaryDir& folder() const { return m_folder; }
     SolidCanvas& canvas() { return *m_window.solids().canvas(); }
     SolidActions& actions() { return m_window.solids().actions(); }
     QAction* tool(const char* id) { return m_window.tools().action(QLatin1String(id)); }
@@ -143,14 +144,7 @@ class SolidFixture {
         QTest::mouseMove(&canvas(), where);
         QTest::mouseClick(&canvas(), Qt::LeftButton, modifiers, where);
     }
-    /// For looking at: saved where the variable says.
-    void picture(const QString& name) {
-        if (!qEnvironmentVariableIsSet("WEND_TEST_PICTURES")) return;
-        QTest::qWait(300);
-        m_window.grab().save(qEnvironmentVariable("WEND_TEST_PICTURES") + '/' + name + ".png");
-    }
-
-  private:
+    /// The bar as an OBJ file.
     QString writeBar() {
         const Surface bar = box({-2, -0.5, -0.5}, {2, 0.5, 0.5}, 6);
         const QString path = m_folder.filePath(QStringLiteral("bar.obj"));
@@ -163,7 +157,14 @@ class SolidFixture {
             out << "f " << t[0] + 1 << ' ' << t[1] + 1 << ' ' << t[2] + 1 << '\n';
         return path;
     }
+    /// For looking at: saved where the variable says.
+    void picture(const QString& name) {
+        if (!qEnvironmentVariableIsSet("WEND_TEST_PICTURES")) return;
+        QTest::qWait(300);
+        m_window.grab().save(qEnvironmentVariable("WEND_TEST_PICTURES") + '/' + name + ".png");
+    }
 
+  private:
     QTemporaryDir m_folder;
     MainWindow m_window;
 };

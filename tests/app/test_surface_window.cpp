@@ -1,0 +1,246 @@
+#include <xcb/xcb.h>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFile>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+
+#include "app/panels/cut_panel.h"
+#include "app/panels/distortion_panel.h"
+#include "app/panels/material_panel.h"
+#include "app/panels/mesh_panel.h"
+#include "app/panels/surface_panel.h"
+#include "app/tools/measure_tool.h"
+#include "app/view/exporter.h"
+#include "app/view/info_banner.h"
+#include "app/view/main_window.h"
+#include "app/view/pin_actions.h"
+#include "app/view/solid_workshop.h"
+#include "app/view/volume/solid_canvas.h"
+#include "app/view/work_note.h"
+#include "core/integration/deformer.h"
+#include "tests/support/dialogs.h"
+#include "tests/support/solid_fixture.h"
+
+using namespace wend;
+using namespace wend::test;
+
+/// Surfaces that bound no solid, and surfaces beside a solid: what the window shows and says of them.
+class TestSurfaceWindow : public QObject {
+    Q_OBJECT
+  private slots:
+    void init();
+    void cleanup() { m_f.reset(); }
+    void badSurfacesAreShownAndRepaired();
+    void detailedSurfaceIsShownAndTellsItsNotices();
+
+  private:
+    bool saysThatThereIsNoSolid();
+    bool edgesAreAsTheButtonSays();
+    bool axesAreSeen();
+    int greenPixels();
+
+    std::unique_ptr<SolidFixture> m_f;
+};
+
+void TestSurfaceWindow::init() {
+    if (!VolumeView::available()) QSKIP("needs OpenGL (run under xvfb-run)");
+    m_f = std::make_unique<SolidFixture>();
+    QVERIFY(QTest::qWaitForWindowActive(&m_f->window(), 20000));
+}
+
+void TestSurfaceWindow::badSurfacesAreShownAndRepaired() {
+    QVERIFY(m_f->open());
+    m_f->session().document().undoStack()->setClean();
+    QFile good(m_f->folder().filePath(QStringLiteral("bar.obj")));
+    QVERIFY(good.open(QIODevice::ReadOnly));
+    QByteArray text = good.readAll();
+    text.truncate(text.lastIndexOf("f "));  // one triangle less: a hole
+    QFile bad(m_f->folder().filePath(QStringLiteral("open.obj")));
+    QVERIFY(bad.open(QIODevice::WriteOnly));
+    bad.write(text);
+    bad.close();
+    m_f->window().openPath(bad.fileName());
+    const auto isOpen = [&] {
+        return m_f->session().document().project()->domain.path.ends_with("open.obj");
+    };
+    QVERIFY(QTest::qWaitFor(isOpen, 20000));
+    QVERIFY(settle(m_f->session()));  // in a cage, which is taken away now
+    auto* panel = m_f->window().findChild<SurfacePanel*>();
+    const auto press = [&](const QString& name) {
+        for (QPushButton* button : panel->findChildren<QPushButton*>())
+            if (button->text() == name) QTest::mouseClick(button, Qt::LeftButton);
+    };
+    QVERIFY(QTest::qWaitFor([&] { return panel->isVisible(); }, 20000));
+    QVERIFY(m_f->canvas().hasDetail());
+    const double before = m_f->canvas().camera().pixelSize(m_f->canvas().size());
+    press(QStringLiteral("Show them"));  // the hole is looked at from near
+    m_f->picture(QStringLiteral("hole-in-cage"));
+    const double near = m_f->canvas().camera().pixelSize(m_f->canvas().size());
+    QVERIFY2(near < 0.8 * before, qPrintable(QString("%1 of %2").arg(near).arg(before)));
+    press(QStringLiteral("Show them"));
+    QVERIFY(m_f->canvas().camera().pixelSize(m_f->canvas().size()) > 1.2 * near);
+    press(QStringLiteral("Exact surface only"));
+    QCOMPARE(m_f->session().document().project()->domain.fit, Fit::Exact);
+    const auto offersCage = [&] {
+        return std::ranges::any_of(panel->findChildren<QPushButton*>(), [](const QPushButton* button) {
+            return button->isVisible() && button->text() == QStringLiteral("Fit a cage");
+        });
+    };
+    QVERIFY(QTest::qWaitFor(offersCage, 20000));
+    QVERIFY(m_f->window().banner().isVisible());
+    QTest::qWait(100);
+    m_f->picture(QStringLiteral("bad"));
+    QVERIFY(saysThatThereIsNoSolid());
+    QPushButton* repair = nullptr;
+    for (QPushButton* button : panel->findChildren<QPushButton*>())
+        if (button->text() == QStringLiteral("Repair")) repair = button;
+    QVERIFY(repair && repair->isEnabled());
+    const QImage enabled = repair->grab().toImage();
+    repair->setEnabled(false);
+    QVERIFY(repair->grab().toImage() != enabled);  // is seen to do nothing
+    repair->setEnabled(true);
+    QVERIFY(edgesAreAsTheButtonSays());
+    QVERIFY(axesAreSeen());
+    QVERIFY(panel->findChildren<QLabel*>()[1]->text().contains(QStringLiteral("It would fill holes (1).")));
+    QCOMPARE(greenPixels(), 0);
+    press(QStringLiteral("See the repair"));
+    m_f->picture(QStringLiteral("repair-seen"));
+    QVERIFY(greenPixels() > 50);  // what would close the hole
+    press(QStringLiteral("See the repair"));
+    QCOMPARE(greenPixels(), 0);
+    QTest::mousePress(&m_f->canvas(), Qt::RightButton, {}, QPoint(300, 300));
+    QTest::mouseMove(&m_f->canvas(), QPoint(340, 280));
+    QTest::mouseRelease(&m_f->canvas(), Qt::RightButton, {}, QPoint(340, 280));
+    const Eigen::Matrix4d view = m_f->canvas().camera().view();
+    const QString list = m_f->folder().filePath(QStringLiteral("wrong.txt"));
+    nameNextFile(&m_f->window(), list);
+    press(QStringLiteral("Save list…"));
+    QFile saved(list);
+    QVERIFY(saved.open(QIODevice::ReadOnly));
+    QVERIFY(saved.readAll().contains("\nopen_edges 3\n"));
+    panel->findChild<QSpinBox*>()->setValue(7);
+    QTest::mouseClick(repair, Qt::LeftButton);
+    QVERIFY(m_f->session().document().project()->domain.repair);
+    QCOMPARE(m_f->session().document().project()->domain.largestHole, 7);
+    QVERIFY(settle(m_f->session()));
+    QVERIFY(QTest::qWaitFor([&] { return !panel->isVisible(); }, 20000));
+    QVERIFY(m_f->session().frame<3>()->cells > 100);
+    QVERIFY(!saysThatThereIsNoSolid());
+    const QString told = m_f->window().banner().text().section('\n', 0, 0);
+    QCOMPARE(told, QStringLiteral("The surface was repaired: 1 hole filled."));
+    QVERIFY(m_f->canvas().camera().view() == view);
+    QVERIFY(edgesAreAsTheButtonSays());
+    m_f->window().actions().undo->trigger();
+    QVERIFY(QTest::qWaitFor([&] { return panel->isVisible(); }, 20000));
+    QVERIFY(saysThatThereIsNoSolid());
+    QVERIFY(m_f->canvas().camera().view() == view);
+    QVERIFY(edgesAreAsTheButtonSays());
+    m_f->session().playback().setTime(0);  // nothing brings the repaired one back
+    QVERIFY(saysThatThereIsNoSolid());
+    QSignalSpy refusal(&m_f->window().exporter(), &Exporter::failed);
+    m_f->window().exporter().write(ExportKind::Mesh, m_f->folder().filePath(QStringLiteral("none.vtu")));
+    QVERIFY(refusal.count() == 1 && refusal[0][0].toString().contains(QStringLiteral("no shape")));
+    m_f->window().actions().redo->trigger();
+    QVERIFY(settle(m_f->session()));
+    QVERIFY(!saysThatThereIsNoSolid());
+    QVERIFY(m_f->canvas().camera().view() == view);
+}
+
+int TestSurfaceWindow::greenPixels() {
+    const QImage seen = m_f->canvas().grabFramebuffer();
+    int count = 0;
+    for (int y = 0; y < seen.height(); ++y)
+        for (int x = 0; x < seen.width(); ++x) {
+            const QColor c = seen.pixelColor(x, y);
+            count += c.green() > 1.5 * c.red() && c.green() > 1.3 * c.blue() ? 1 : 0;
+        }
+    return count;
+}
+
+/// In the lower left corner, over whatever is shown.
+bool TestSurfaceWindow::axesAreSeen() {
+    QImage over(m_f->canvas().size(), QImage::Format_ARGB32_Premultiplied);
+    over.fill(Qt::transparent);
+    QPainter painter(&over);
+    m_f->canvas().paintOver(painter);
+    painter.end();
+    return qAlpha(over.pixel(46, over.height() - 46)) > 0;
+}
+
+/// They are off, and the button brings them.
+bool TestSurfaceWindow::edgesAreAsTheButtonSays() {
+    QAction* button = m_f->window().actions().showMesh;
+    const QImage before = m_f->canvas().grabFramebuffer();
+    button->trigger();
+    const QImage with = m_f->canvas().grabFramebuffer();
+    button->trigger();
+    return !button->isChecked() && with != before && m_f->canvas().grabFramebuffer() == before;
+}
+
+/// Controls, hints and counts of a solid; false if any speaks of one.
+bool TestSurfaceWindow::saysThatThereIsNoSolid() {
+    auto* cut = m_f->window().findChild<CutPanel*>();
+    for (const auto* box : cut->findChildren<QDoubleSpinBox*>())
+        if (box->isVisible()) return false;
+    if (cut->findChild<QComboBox*>()->isEnabled()) return false;
+    for (const auto* label : m_f->window().statusBar()->findChildren<QLabel*>())
+        if (label->text().contains(QStringLiteral("Click"))) return false;
+    for (const auto* label : m_f->window().findChild<MeshPanel*>()->findChildren<QLabel*>())
+        if (label->text().contains(QStringLiteral("tetrahedra"))) return false;
+    return !m_f->session().frame();
+}
+
+/// A red plate lies on the bar; most of it lies outside, which the window says.
+void TestSurfaceWindow::detailedSurfaceIsShownAndTellsItsNotices() {
+    m_f->writeBar();
+    const auto write = [&](const char* name, const QByteArray& text) {
+        QFile file(m_f->folder().filePath(QString::fromLatin1(name)));
+        return file.open(QIODevice::WriteOnly) && file.write(text) == text.size();
+    };
+    QVERIFY(write("plate.mtl", "newmtl red\nKd 1 0 0\n"));
+    QVERIFY(write("plate.obj",
+                  "mtllib plate.mtl\nusemtl red\nv -1 -0.4 0.6\nv 1 -0.4 0.6\nv 1 0.4 0.6\nv -1 0.4 0.6\n"
+                  "f 1 2 3 4\n"));
+    QVERIFY(write("bar.wend",
+                  R"({"format": "wend", "version": 1, "domain": {"surface": "bar.obj", "vertices": 300,
+                  "detail": "plate.obj"}, "handles": [{"name": "all", "at": {"region": {"box": {"min":
+                  [-3, -1, -1], "max": [3, 1, 1]}}}, "motion": [{"kind": "translate", "by": [0, 5, 0], "time":
+                  [0, 1]}]}], "time": {"end": 1}})"));
+    m_f->window().openPath(m_f->folder().filePath(QStringLiteral("bar.wend")));
+    QVERIFY(QTest::qWaitFor([&] { return !m_f->session().document().isEmpty(); }, 20000));
+    QVERIFY(settle(m_f->session()));
+    QVERIFY(m_f->window().banner().isVisible() &&
+            m_f->window().banner().text().contains(QStringLiteral("outside")));
+    QAction* detail = m_f->actions().detail;
+    QVERIFY(detail->isEnabled() && detail->isChecked());
+    const auto isRed = [&] {
+        const QColor c = m_f->canvas().grabFramebuffer().pixelColor(m_f->at({0, 5, 0.6}));
+        return c.red() > 90 && c.green() < 60;
+    };
+    // The view is framed on the solid as it is shown: at the end of its motion.
+    QVERIFY((m_f->canvas().camera().pivot() - Vec<3>(0, 5, 0)).norm() < 0.2);
+    m_f->actions().top->trigger();
+    QVERIFY(isRed());
+    QCOMPARE(m_f->canvas().drawnTriangles(), 2);
+    detail->trigger();
+    QVERIFY(!isRed());
+    QVERIFY(m_f->canvas().drawnTriangles() > 100);
+    detail->trigger();
+    m_f->window().actions().showMap->setChecked(true);  // the colours of the map lie on it
+    QVERIFY(!isRed());
+    m_f->window().actions().showMap->setChecked(false);
+    m_f->actions().cut->trigger();  // the section is the solid's
+    m_f->canvas().grabFramebuffer();
+    QVERIFY(m_f->canvas().drawnTriangles() > 2);
+    m_f->window().actions().closeFile->trigger();
+    QVERIFY(m_f->session().document().isEmpty() && !m_f->window().banner().isVisible());
+}
+
+QTEST_MAIN(TestSurfaceWindow)
+#include "test_surface_window.moc"

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "app/document/material_edits.h"
+#include "app/panels/paint_panel.h"
+#include "tests/support/bar.h"
+
+namespace wend::test {
+
+/// What tests that paint on the bar have in common: the window, its brush, strokes and what they leave.
+class PaintTest : public QObject {
+  protected:
+    void begin() {
+        if (!VolumeView::available()) QSKIP("needs OpenGL (run under xvfb-run)");
+        m_f = std::make_unique<SolidFixture>();
+        QVERIFY(QTest::qWaitForWindowActive(&m_f->window(), 20000));
+    }
+    Brush& brush() { return m_f->window().properties().brush(); }
+    template <class Change>
+    void set(const Change& change) {
+        BrushSettings next = brush().now();
+        change(next);
+        brush().set(next);
+    }
+    template <int Dim>
+    void stroke(const Vec<2>& from, const Vec<2>& to, Qt::KeyboardModifiers modifiers = {},
+                bool release = true) {
+        auto& canvas = Bar<Dim>::canvas(*m_f);
+        const QPoint a = canvas.toWidget(Bar<Dim>::place(from.x(), from.y())).toPoint();
+        const QPoint b = canvas.toWidget(Bar<Dim>::place(to.x(), to.y())).toPoint();
+        QTest::mouseMove(&canvas, a);
+        QTest::mousePress(&canvas, Qt::LeftButton, modifiers, a);
+        for (int i = 1; i <= 8; ++i) QTest::mouseMove(&canvas, a + (b - a) * i / 8);
+        if (release) QTest::mouseRelease(&canvas, Qt::LeftButton, modifiers, b);
+    }
+    template <int Dim>
+    const std::vector<MaterialRegion<Dim>>& regions() {
+        return m_f->session().document().design<Dim>().material.regions;
+    }
+    template <int Dim>
+    bool setEverywhere(double phi) {
+        Project next = m_f->project();
+        std::get<Design<Dim>>(next.design).material.phi = phi;
+        m_f->session().document().change(QStringLiteral("Energy"), std::move(next));
+        return settle(m_f->session());
+    }
+
+    std::unique_ptr<SolidFixture> m_f;
+};
+
+}  // namespace wend::test

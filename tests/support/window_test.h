@@ -1,0 +1,49 @@
+#pragma once
+
+#include "app/view/canvas.h"
+#include "app/view/main_window.h"
+#include "tests/support/window_fixture.h"
+
+namespace wend::test {
+
+/// What tests of the window with a picture have in common: the window, and a hand in its view.
+class WindowTest : public QObject {
+  protected:
+    void begin() {
+        m_folder = std::make_unique<QTemporaryDir>();
+        isolateSettings(*m_folder);
+        m_window = std::make_unique<MainWindow>();
+        m_window->resize(1100, 760);
+        m_window->show();
+        m_window->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get(), 20000));
+    }
+    void end() {
+        if (!m_window->session().document().isEmpty()) m_window->session().document().undoStack()->setClean();
+        m_window.reset();
+    }
+    void open() {
+        m_window->openPath(writeCutOut(*m_folder));
+        QVERIFY(QTest::qWaitFor([&] { return !m_window->session().document().isEmpty(); }, 20000));
+        Project coarse = *m_window->session().document().project();
+        coarse.domain.vertices = 400;
+        m_window->session().document().change(QStringLiteral("Coarse"), coarse);
+        QVERIFY(settle(m_window->session()));
+        m_window->canvas().setFocus();
+    }
+    QPoint at(double x, double y) const { return m_window->canvas().toWidget({x, y}).toPoint(); }
+    void click(double x, double y, Qt::KeyboardModifiers modifiers = {}) {
+        QTest::mouseClick(&m_window->canvas(), Qt::LeftButton, modifiers, at(x, y));
+    }
+    void dragPin(double x, double y, double dx, double dy) {
+        ShapeCanvas& canvas = m_window->canvas();
+        QTest::mousePress(&canvas, Qt::LeftButton, {}, at(x, y));
+        for (int i = 1; i <= 5; ++i) QTest::mouseMove(&canvas, at(x + dx * i / 5, y + dy * i / 5));
+    }
+    std::size_t pinCount() { return m_window->session().document().design<2>().handles.size(); }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<MainWindow> m_window;
+};
+
+}  // namespace wend::test
