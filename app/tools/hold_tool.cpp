@@ -224,9 +224,9 @@ bool HoldTool::key(const QKeyEvent& event) {
         m_surface.redraw();
         return true;
     }
-    const bool smaller = event.text() == QStringLiteral("["), larger = event.text() == QStringLiteral("]");
-    if (m_shape != Shape::Brush || !(smaller || larger)) return false;
-    m_radius = std::clamp(m_radius * (smaller ? 0.8 : 1.25), 4.0, kLargestBrush);
+    const auto radius = brushAfter(event, m_radius, kLargestBrush);
+    if (!radius || m_shape != Shape::Brush) return false;
+    m_radius = *radius;
     m_surface.redraw();
     return true;
 }

@@ -53,12 +53,6 @@ inline Vec<3> acrossTheScreen(const SolidSurface& surface, const Vec<3>& p, cons
     return ray.origin + normal.dot(p - ray.origin) / normal.dot(ray.direction) * ray.direction;
 }
 
-/// A brush whose size [ and ] change: its radius after the key, in pixels; nothing for another key.
-inline std::optional<double> brushAfter(const QKeyEvent& key, double radius, double largest) {
-    if (key.text() != QStringLiteral("[") && key.text() != QStringLiteral("]")) return {};
-    return std::clamp(radius * (key.text() == QStringLiteral("[") ? 0.8 : 1.25), 4.0, largest);
-}
-
 /// A tool in space.
 class SolidTool : public Tool {
   public:

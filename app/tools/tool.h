@@ -5,6 +5,8 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QString>
+#include <algorithm>
+#include <optional>
 
 #include "app/session/selection.h"
 
@@ -26,6 +28,12 @@ inline MenuPlace menuOfPin(Selection& selection, int handle) {
 inline Selection::Pick pickBy(Qt::KeyboardModifiers modifiers) {
     if (modifiers & Qt::ControlModifier) return Selection::Pick::Remove;
     return modifiers & Qt::ShiftModifier ? Selection::Pick::Add : Selection::Pick::Only;
+}
+
+/// A brush whose size [ and ] change: its radius after the key, in pixels; nothing for another key.
+inline std::optional<double> brushAfter(const QKeyEvent& key, double radius, double largest) {
+    if (key.text() != QStringLiteral("[") && key.text() != QStringLiteral("]")) return {};
+    return std::clamp(radius * (key.text() == QStringLiteral("[") ? 0.8 : 1.25), 4.0, largest);
 }
 
 /// One way to work on the shape with pointer and keys. The view passes on what it does not need for
