@@ -1582,16 +1582,20 @@
 <context>
     <name>PenTool</name>
     <message>
-        <source>Click for a corner, drag for a smooth point, Enter ends; Backspace takes a point back, Esc gives up</source>
-        <translation>Klicken setzt eine Ecke, Ziehen einen glatten Punkt, Enter beendet; Rücktaste nimmt einen Punkt zurück, Esc bricht ab</translation>
-    </message>
-    <message>
         <source>Click on the pin whose path you want to draw</source>
         <translation>Auf den Pin klicken, dessen Weg gezeichnet werden soll</translation>
     </message>
     <message>
         <source>Click where the selected pin shall go, point after point; drag for a smooth point</source>
         <translation>Punkt für Punkt dorthin klicken, wohin der gewählte Pin gehen soll; Ziehen setzt einen glatten Punkt</translation>
+    </message>
+    <message>
+        <source>Drag for a smooth point: Shift in steps of 45°, Alt on this side alone</source>
+        <translation>Ziehen für einen glatten Punkt: Umschalt in Schritten von 45°, Alt nur auf dieser Seite</translation>
+    </message>
+    <message>
+        <source>Click for a corner, drag for a smooth point, Shift in steps of 45°; Enter ends, Backspace takes a point back, Esc gives up</source>
+        <translation>Klicken für eine Ecke, ziehen für einen glatten Punkt, Umschalt in Schritten von 45°; Enter beendet, Rücktaste nimmt einen Punkt zurück, Esc bricht ab</translation>
     </message>
 </context>
 <context>
@@ -3095,6 +3099,60 @@
     <message>
         <source>Lets the colours of a map go evenly from cell to cell. Off, each cell has the one colour of its value.</source>
         <translation>Lässt die Farben einer Karte gleichmäßig von Zelle zu Zelle übergehen. Aus hat jede Zelle die eine Farbe ihres Werts.</translation>
+    </message>
+    <message>
+        <source>Blown up</source>
+        <translation>Entartet</translation>
+    </message>
+    <message>
+        <source>Passes through itself</source>
+        <translation>Durchdringt sich</translation>
+    </message>
+    <message>
+        <source>Crosses itself</source>
+        <translation>Überkreuzt sich</translation>
+    </message>
+    <message>
+        <source>How often the surface passes through itself once the pose rests: places, each of pairs of triangles. A click looks at the next; the map marks them in red.</source>
+        <translation>Wie oft die Oberfläche sich durchdringt, sobald die Pose ruht: Stellen, jede aus Paaren von Dreiecken. Ein Klick zeigt die nächste; die Karte zeigt sie rot.</translation>
+    </message>
+    <message>
+        <source>Where the outline crosses itself once the pose rests: one part lies over another. A click looks at the next; the map marks them in red.</source>
+        <translation>Wo der Umriss sich überkreuzt, sobald die Pose ruht: Ein Teil liegt über einem anderen. Ein Klick zeigt die nächste Stelle; die Karte zeigt sie rot.</translation>
+    </message>
+    <message>
+        <source>Tetrahedra of more than ten times their volume, or less than a tenth of it. A click looks at the next place; the map marks them in red.</source>
+        <translation>Tetraeder mit mehr als dem Zehnfachen ihres Volumens oder weniger als einem Zehntel davon. Ein Klick zeigt die nächste Stelle; die Karte zeigt sie rot.</translation>
+    </message>
+    <message>
+        <source>Triangles of more than ten times their area, or less than a tenth of it. A click looks at the next place; the map marks them in red.</source>
+        <translation>Dreiecke mit mehr als dem Zehnfachen ihrer Fläche oder weniger als einem Zehntel davon. Ein Klick zeigt die nächste Stelle; die Karte zeigt sie rot.</translation>
+    </message>
+    <message>
+        <source>nowhere</source>
+        <translation>nirgends</translation>
+    </message>
+    <message>
+        <source>1 place</source>
+        <translation>1 Stelle</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n places</source>
+        <translation>
+            <numerusform>%n Stelle</numerusform>
+            <numerusform>%n Stellen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>1 cell</source>
+        <translation>1 Zelle</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n cells</source>
+        <translation>
+            <numerusform>%n Zelle</numerusform>
+            <numerusform>%n Zellen</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -6205,16 +6263,24 @@
         <translation>Noch bewegt sich nichts. Ziehen Sie einen Pin, oder nehmen Sie es mit Strg auf: Dann steht hier, Pin für Pin, was Sie getan haben.</translation>
     </message>
     <message>
-        <source>Drag a bar or its ends to another time; bars at the same time move together. A right click sets how it begins and ends. The ends of the line say when the pin holds</source>
-        <translation>Einen Balken oder seine Enden zu einer anderen Zeit ziehen; was gleichzeitig liegt, bewegt sich gemeinsam. Ein Rechtsklick sagt, wie es beginnt und endet. Die Enden der Linie sagen, wann der Pin hält</translation>
-    </message>
-    <message>
         <source>Change when it holds</source>
         <translation>Ändern, wann er hält</translation>
     </message>
     <message>
         <source>Holds from %1 to %2 s</source>
         <translation>Hält von %1 bis %2 s</translation>
+    </message>
+    <message>
+        <source>&amp;Remove Motions</source>
+        <translation>Bewegungen &amp;entfernen</translation>
+    </message>
+    <message>
+        <source>Remove motions</source>
+        <translation>Bewegungen entfernen</translation>
+    </message>
+    <message>
+        <source>Drag a bar or its ends to another time; Shift, Ctrl or a frame around them choose several. A right click sets how they begin and end. The ends of the line say when the pin holds</source>
+        <translation>Einen Balken oder seine Enden zu einer anderen Zeit ziehen; Umschalt, Strg oder ein Rahmen um sie wählt mehrere. Ein Rechtsklick stellt ein, wie sie beginnen und enden. Die Enden der Linie sagen, wann der Pin hält</translation>
     </message>
 </context>
 <context>

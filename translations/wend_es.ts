@@ -1582,16 +1582,20 @@
 <context>
     <name>PenTool</name>
     <message>
-        <source>Click for a corner, drag for a smooth point, Enter ends; Backspace takes a point back, Esc gives up</source>
-        <translation>Clic para una esquina, arrastre para un punto suave, Intro termina; Retroceso quita un punto, Esc cancela</translation>
-    </message>
-    <message>
         <source>Click on the pin whose path you want to draw</source>
         <translation>Haga clic en el alfiler cuya trayectoria quiere dibujar</translation>
     </message>
     <message>
         <source>Click where the selected pin shall go, point after point; drag for a smooth point</source>
         <translation>Haga clic punto por punto donde deba ir el alfiler seleccionado; arrastre para un punto suave</translation>
+    </message>
+    <message>
+        <source>Drag for a smooth point: Shift in steps of 45°, Alt on this side alone</source>
+        <translation>Arrastre para un punto suave: Mayús en pasos de 45°, Alt solo de este lado</translation>
+    </message>
+    <message>
+        <source>Click for a corner, drag for a smooth point, Shift in steps of 45°; Enter ends, Backspace takes a point back, Esc gives up</source>
+        <translation>Clic para una esquina, arrastre para un punto suave, Mayús en pasos de 45°; Intro termina, Retroceso quita un punto, Esc abandona</translation>
     </message>
 </context>
 <context>
@@ -3095,6 +3099,60 @@
     <message>
         <source>Lets the colours of a map go evenly from cell to cell. Off, each cell has the one colour of its value.</source>
         <translation>Hace que los colores de un mapa pasen gradualmente de celda a celda. Si no, cada celda tiene el único color de su valor.</translation>
+    </message>
+    <message>
+        <source>Blown up</source>
+        <translation>Degenerados</translation>
+    </message>
+    <message>
+        <source>Passes through itself</source>
+        <translation>Se atraviesa</translation>
+    </message>
+    <message>
+        <source>Crosses itself</source>
+        <translation>Se cruza</translation>
+    </message>
+    <message>
+        <source>How often the surface passes through itself once the pose rests: places, each of pairs of triangles. A click looks at the next; the map marks them in red.</source>
+        <translation>Cuántas veces la superficie se atraviesa cuando la pose está quieta: lugares, cada uno de pares de triángulos. Un clic muestra el siguiente; el mapa los marca en rojo.</translation>
+    </message>
+    <message>
+        <source>Where the outline crosses itself once the pose rests: one part lies over another. A click looks at the next; the map marks them in red.</source>
+        <translation>Dónde el contorno se cruza cuando la pose está quieta: una parte queda sobre otra. Un clic muestra el lugar siguiente; el mapa los marca en rojo.</translation>
+    </message>
+    <message>
+        <source>Tetrahedra of more than ten times their volume, or less than a tenth of it. A click looks at the next place; the map marks them in red.</source>
+        <translation>Tetraedros de más de diez veces su volumen, o de menos de una décima parte. Un clic muestra el lugar siguiente; el mapa los marca en rojo.</translation>
+    </message>
+    <message>
+        <source>Triangles of more than ten times their area, or less than a tenth of it. A click looks at the next place; the map marks them in red.</source>
+        <translation>Triángulos de más de diez veces su área, o de menos de una décima parte. Un clic muestra el lugar siguiente; el mapa los marca en rojo.</translation>
+    </message>
+    <message>
+        <source>nowhere</source>
+        <translation>en ningún lugar</translation>
+    </message>
+    <message>
+        <source>1 place</source>
+        <translation>1 lugar</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n places</source>
+        <translation>
+            <numerusform>%n lugar</numerusform>
+            <numerusform>%n lugares</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>1 cell</source>
+        <translation>1 celda</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n cells</source>
+        <translation>
+            <numerusform>%n celda</numerusform>
+            <numerusform>%n celdas</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -6205,16 +6263,24 @@
         <translation>Todavía no se mueve nada. Arrastre un alfiler, o grábelo con Ctrl: lo que haga estará aquí, alfiler por alfiler.</translation>
     </message>
     <message>
-        <source>Drag a bar or its ends to another time; bars at the same time move together. A right click sets how it begins and ends. The ends of the line say when the pin holds</source>
-        <translation>Arrastre una barra o sus extremos a otro momento; las barras simultáneas se mueven juntas. Un clic derecho fija cómo empieza y termina. Los extremos de la línea dicen cuándo sujeta el alfiler</translation>
-    </message>
-    <message>
         <source>Change when it holds</source>
         <translation>Cambiar cuándo sujeta</translation>
     </message>
     <message>
         <source>Holds from %1 to %2 s</source>
         <translation>Sujeta de %1 a %2 s</translation>
+    </message>
+    <message>
+        <source>&amp;Remove Motions</source>
+        <translation>&amp;Quitar los movimientos</translation>
+    </message>
+    <message>
+        <source>Remove motions</source>
+        <translation>Quitar los movimientos</translation>
+    </message>
+    <message>
+        <source>Drag a bar or its ends to another time; Shift, Ctrl or a frame around them choose several. A right click sets how they begin and end. The ends of the line say when the pin holds</source>
+        <translation>Arrastre una barra o sus extremos a otro momento; Mayús, Ctrl o un marco alrededor eligen varias. Un clic derecho fija cómo empiezan y acaban. Los extremos de la línea dicen cuándo sujeta el pin</translation>
     </message>
 </context>
 <context>

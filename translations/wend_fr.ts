@@ -1582,16 +1582,20 @@
 <context>
     <name>PenTool</name>
     <message>
-        <source>Click for a corner, drag for a smooth point, Enter ends; Backspace takes a point back, Esc gives up</source>
-        <translation>Cliquez pour un angle, tirez pour un point lisse, Entrée termine ; Retour arrière reprend un point, Échap annule</translation>
-    </message>
-    <message>
         <source>Click on the pin whose path you want to draw</source>
         <translation>Cliquez sur l’épingle dont vous voulez dessiner la trajectoire</translation>
     </message>
     <message>
         <source>Click where the selected pin shall go, point after point; drag for a smooth point</source>
         <translation>Cliquez point après point là où l’épingle sélectionnée doit aller ; tirez pour un point lisse</translation>
+    </message>
+    <message>
+        <source>Drag for a smooth point: Shift in steps of 45°, Alt on this side alone</source>
+        <translation>Glissez pour un point lisse&#x202f;: Maj par pas de 45°, Alt de ce côté seulement</translation>
+    </message>
+    <message>
+        <source>Click for a corner, drag for a smooth point, Shift in steps of 45°; Enter ends, Backspace takes a point back, Esc gives up</source>
+        <translation>Cliquez pour un angle, glissez pour un point lisse, Maj par pas de 45°&#x202f;; Entrée termine, Retour arrière retire un point, Échap abandonne</translation>
     </message>
 </context>
 <context>
@@ -3095,6 +3099,60 @@
     <message>
         <source>Lets the colours of a map go evenly from cell to cell. Off, each cell has the one colour of its value.</source>
         <translation>Fait passer les couleurs d’une carte progressivement d’une cellule à l’autre. Sinon, chaque cellule a la seule couleur de sa valeur.</translation>
+    </message>
+    <message>
+        <source>Blown up</source>
+        <translation>Dégénérés</translation>
+    </message>
+    <message>
+        <source>Passes through itself</source>
+        <translation>Se traverse</translation>
+    </message>
+    <message>
+        <source>Crosses itself</source>
+        <translation>Se croise</translation>
+    </message>
+    <message>
+        <source>How often the surface passes through itself once the pose rests: places, each of pairs of triangles. A click looks at the next; the map marks them in red.</source>
+        <translation>Combien de fois la surface se traverse une fois la pose au repos&#x202f;: des endroits, chacun fait de paires de triangles. Un clic montre le suivant&#x202f;; la carte les marque en rouge.</translation>
+    </message>
+    <message>
+        <source>Where the outline crosses itself once the pose rests: one part lies over another. A click looks at the next; the map marks them in red.</source>
+        <translation>Où le contour se croise une fois la pose au repos&#x202f;: une partie en recouvre une autre. Un clic montre l’endroit suivant&#x202f;; la carte les marque en rouge.</translation>
+    </message>
+    <message>
+        <source>Tetrahedra of more than ten times their volume, or less than a tenth of it. A click looks at the next place; the map marks them in red.</source>
+        <translation>Tétraèdres de plus de dix fois leur volume, ou de moins d’un dixième. Un clic montre l’endroit suivant&#x202f;; la carte les marque en rouge.</translation>
+    </message>
+    <message>
+        <source>Triangles of more than ten times their area, or less than a tenth of it. A click looks at the next place; the map marks them in red.</source>
+        <translation>Triangles de plus de dix fois leur aire, ou de moins d’un dixième. Un clic montre l’endroit suivant&#x202f;; la carte les marque en rouge.</translation>
+    </message>
+    <message>
+        <source>nowhere</source>
+        <translation>nulle part</translation>
+    </message>
+    <message>
+        <source>1 place</source>
+        <translation>1 endroit</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n places</source>
+        <translation>
+            <numerusform>%n endroit</numerusform>
+            <numerusform>%n endroits</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>1 cell</source>
+        <translation>1 cellule</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n cells</source>
+        <translation>
+            <numerusform>%n cellule</numerusform>
+            <numerusform>%n cellules</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -6205,16 +6263,24 @@
         <translation>Rien ne bouge encore. Tirez une épingle, ou enregistrez-la avec Ctrl&#x202f;: vos gestes seront ici, épingle par épingle.</translation>
     </message>
     <message>
-        <source>Drag a bar or its ends to another time; bars at the same time move together. A right click sets how it begins and ends. The ends of the line say when the pin holds</source>
-        <translation>Faites glisser une barre ou ses extrémités vers un autre moment&#x202f;; les barres simultanées bougent ensemble. Un clic droit règle son début et sa fin. Les extrémités de la ligne disent quand l’épingle tient</translation>
-    </message>
-    <message>
         <source>Change when it holds</source>
         <translation>Changer quand elle tient</translation>
     </message>
     <message>
         <source>Holds from %1 to %2 s</source>
         <translation>Tient de %1 à %2 s</translation>
+    </message>
+    <message>
+        <source>&amp;Remove Motions</source>
+        <translation>&amp;Supprimer les mouvements</translation>
+    </message>
+    <message>
+        <source>Remove motions</source>
+        <translation>Supprimer les mouvements</translation>
+    </message>
+    <message>
+        <source>Drag a bar or its ends to another time; Shift, Ctrl or a frame around them choose several. A right click sets how they begin and end. The ends of the line say when the pin holds</source>
+        <translation>Glissez une barre ou ses extrémités vers un autre instant&#x202f;; Maj, Ctrl ou un cadre autour d’elles en choisit plusieurs. Un clic droit règle leur début et leur fin. Les extrémités de la ligne disent quand l’épingle tient</translation>
     </message>
 </context>
 <context>

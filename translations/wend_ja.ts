@@ -1581,16 +1581,20 @@
 <context>
     <name>PenTool</name>
     <message>
-        <source>Click for a corner, drag for a smooth point, Enter ends; Backspace takes a point back, Esc gives up</source>
-        <translation>クリックで角、ドラッグで滑らかな点、Enter で終了。Backspace で一点戻り、Esc で中止</translation>
-    </message>
-    <message>
         <source>Click on the pin whose path you want to draw</source>
         <translation>パスを描きたいピンをクリック</translation>
     </message>
     <message>
         <source>Click where the selected pin shall go, point after point; drag for a smooth point</source>
         <translation>選択したピンの行き先を一点ずつクリック。ドラッグで滑らかな点</translation>
+    </message>
+    <message>
+        <source>Drag for a smooth point: Shift in steps of 45°, Alt on this side alone</source>
+        <translation>ドラッグで滑らかな点：Shift で 45° 刻み、Alt でこちら側だけ</translation>
+    </message>
+    <message>
+        <source>Click for a corner, drag for a smooth point, Shift in steps of 45°; Enter ends, Backspace takes a point back, Esc gives up</source>
+        <translation>クリックで角、ドラッグで滑らかな点、Shift で 45° 刻み。Enter で終了、Backspace で一点戻る、Esc で中止</translation>
     </message>
 </context>
 <context>
@@ -3094,6 +3098,58 @@
     <message>
         <source>Lets the colours of a map go evenly from cell to cell. Off, each cell has the one colour of its value.</source>
         <translation>マップの色をセルからセルへ滑らかに変化させます。オフでは、各セルは値に応じた 1 色です。</translation>
+    </message>
+    <message>
+        <source>Blown up</source>
+        <translation>極端な変形</translation>
+    </message>
+    <message>
+        <source>Passes through itself</source>
+        <translation>自己貫通</translation>
+    </message>
+    <message>
+        <source>Crosses itself</source>
+        <translation>自己交差</translation>
+    </message>
+    <message>
+        <source>How often the surface passes through itself once the pose rests: places, each of pairs of triangles. A click looks at the next; the map marks them in red.</source>
+        <translation>ポーズが静止したときに表面が自分自身を貫く箇所の数です。各箇所は三角形の組からなります。クリックすると次の箇所を表示し、マップでは赤で示します。</translation>
+    </message>
+    <message>
+        <source>Where the outline crosses itself once the pose rests: one part lies over another. A click looks at the next; the map marks them in red.</source>
+        <translation>ポーズが静止したときに輪郭が自分自身と交わる箇所です。ある部分が別の部分に重なっています。クリックすると次の箇所を表示し、マップでは赤で示します。</translation>
+    </message>
+    <message>
+        <source>Tetrahedra of more than ten times their volume, or less than a tenth of it. A click looks at the next place; the map marks them in red.</source>
+        <translation>体積が 10 倍を超えた、または 10 分の 1 未満になった四面体です。クリックすると次の箇所を表示し、マップでは赤で示します。</translation>
+    </message>
+    <message>
+        <source>Triangles of more than ten times their area, or less than a tenth of it. A click looks at the next place; the map marks them in red.</source>
+        <translation>面積が 10 倍を超えた、または 10 分の 1 未満になった三角形です。クリックすると次の箇所を表示し、マップでは赤で示します。</translation>
+    </message>
+    <message>
+        <source>nowhere</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>1 place</source>
+        <translation>1 か所</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n places</source>
+        <translation>
+            <numerusform>%n か所</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>1 cell</source>
+        <translation>1 セル</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n cells</source>
+        <translation>
+            <numerusform>%n セル</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -6197,16 +6253,24 @@
         <translation>まだ何も動いていません。ピンをドラッグするか、Ctrl を押しながら記録すると、動きがピンごとにここに並びます。</translation>
     </message>
     <message>
-        <source>Drag a bar or its ends to another time; bars at the same time move together. A right click sets how it begins and ends. The ends of the line say when the pin holds</source>
-        <translation>バーまたはその端を別の時間にドラッグします。同じ時間のバーは一緒に動きます。右クリックで始まり方と終わり方を設定します。線の両端はピンが固定する期間を示します</translation>
-    </message>
-    <message>
         <source>Change when it holds</source>
         <translation>固定する期間を変更</translation>
     </message>
     <message>
         <source>Holds from %1 to %2 s</source>
         <translation>%1 秒から %2 秒まで固定</translation>
+    </message>
+    <message>
+        <source>&amp;Remove Motions</source>
+        <translation>モーションを削除(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Remove motions</source>
+        <translation>モーションを削除</translation>
+    </message>
+    <message>
+        <source>Drag a bar or its ends to another time; Shift, Ctrl or a frame around them choose several. A right click sets how they begin and end. The ends of the line say when the pin holds</source>
+        <translation>バーまたはその端を別の時刻へドラッグ。Shift、Ctrl、または囲む枠で複数を選択。右クリックで始まり方と終わり方を設定。線の端はピンが固定する期間を示します</translation>
     </message>
 </context>
 <context>

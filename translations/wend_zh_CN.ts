@@ -1581,16 +1581,20 @@
 <context>
     <name>PenTool</name>
     <message>
-        <source>Click for a corner, drag for a smooth point, Enter ends; Backspace takes a point back, Esc gives up</source>
-        <translation>单击添加角点，拖动添加平滑点，Enter 结束；Backspace 撤回一点，Esc 放弃</translation>
-    </message>
-    <message>
         <source>Click on the pin whose path you want to draw</source>
         <translation>单击要绘制路径的图钉</translation>
     </message>
     <message>
         <source>Click where the selected pin shall go, point after point; drag for a smooth point</source>
         <translation>逐点单击所选图钉要去的位置；拖动添加平滑点</translation>
+    </message>
+    <message>
+        <source>Drag for a smooth point: Shift in steps of 45°, Alt on this side alone</source>
+        <translation>拖动得到平滑点：Shift 以 45° 为步长，Alt 只改这一侧</translation>
+    </message>
+    <message>
+        <source>Click for a corner, drag for a smooth point, Shift in steps of 45°; Enter ends, Backspace takes a point back, Esc gives up</source>
+        <translation>单击得到拐角，拖动得到平滑点，Shift 以 45° 为步长；Enter 结束，Backspace 退回一点，Esc 放弃</translation>
     </message>
 </context>
 <context>
@@ -3094,6 +3098,58 @@
     <message>
         <source>Lets the colours of a map go evenly from cell to cell. Off, each cell has the one colour of its value.</source>
         <translation>使图的颜色在单元之间均匀过渡。关闭时，每个单元只有其值的一种颜色。</translation>
+    </message>
+    <message>
+        <source>Blown up</source>
+        <translation>极端变形</translation>
+    </message>
+    <message>
+        <source>Passes through itself</source>
+        <translation>自身穿透</translation>
+    </message>
+    <message>
+        <source>Crosses itself</source>
+        <translation>自身交叉</translation>
+    </message>
+    <message>
+        <source>How often the surface passes through itself once the pose rests: places, each of pairs of triangles. A click looks at the next; the map marks them in red.</source>
+        <translation>姿态静止后表面自身穿透的处数，每处由若干对三角形组成。单击查看下一处；在图中以红色标出。</translation>
+    </message>
+    <message>
+        <source>Where the outline crosses itself once the pose rests: one part lies over another. A click looks at the next; the map marks them in red.</source>
+        <translation>姿态静止后轮廓与自身相交之处：一部分盖在另一部分上。单击查看下一处；在图中以红色标出。</translation>
+    </message>
+    <message>
+        <source>Tetrahedra of more than ten times their volume, or less than a tenth of it. A click looks at the next place; the map marks them in red.</source>
+        <translation>体积超过原来十倍或不足十分之一的四面体。单击查看下一处；在图中以红色标出。</translation>
+    </message>
+    <message>
+        <source>Triangles of more than ten times their area, or less than a tenth of it. A click looks at the next place; the map marks them in red.</source>
+        <translation>面积超过原来十倍或不足十分之一的三角形。单击查看下一处；在图中以红色标出。</translation>
+    </message>
+    <message>
+        <source>nowhere</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>1 place</source>
+        <translation>1 处</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n places</source>
+        <translation>
+            <numerusform>%n 处</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>1 cell</source>
+        <translation>1 个单元</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n cells</source>
+        <translation>
+            <numerusform>%n 个单元</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -6197,16 +6253,24 @@
         <translation>还没有任何运动。拖动图钉，或按住 Ctrl 录制：所做的动作会按图钉列在这里。</translation>
     </message>
     <message>
-        <source>Drag a bar or its ends to another time; bars at the same time move together. A right click sets how it begins and ends. The ends of the line say when the pin holds</source>
-        <translation>将条或其两端拖到其他时间；同一时间的条一起运动。右键单击可设置如何开始和结束。线的两端表示图钉何时固定</translation>
-    </message>
-    <message>
         <source>Change when it holds</source>
         <translation>更改固定的时段</translation>
     </message>
     <message>
         <source>Holds from %1 to %2 s</source>
         <translation>从 %1 秒到 %2 秒固定</translation>
+    </message>
+    <message>
+        <source>&amp;Remove Motions</source>
+        <translation>删除动作(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Remove motions</source>
+        <translation>删除动作</translation>
+    </message>
+    <message>
+        <source>Drag a bar or its ends to another time; Shift, Ctrl or a frame around them choose several. A right click sets how they begin and end. The ends of the line say when the pin holds</source>
+        <translation>将条或其两端拖到别的时间；Shift、Ctrl 或框选可选多个。右键设定其开始和结束方式。线的两端表示图钉何时固定</translation>
     </message>
 </context>
 <context>
