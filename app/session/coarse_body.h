@@ -47,8 +47,8 @@ class CoarseBody {
         Points<Dim> body, shape;
         Points<Dim> ahead;  // of the shape's vertices: from where the body's cells have them
     };
-    /// Nothing where the body would be folded in that pose of the shape, even after its vertices there went to
-    /// where those around have them.
+    /// Nothing where the body would be folded in that pose of the shape, even after its vertices there went
+    /// to where those around have them.
     std::optional<Ride> begin(const Points<Dim>& pose) const;
     /// The shape's pose in a pose of the body: x = Σ w X + F F₀⁻¹ a, with the weights of the cell at rest,
     /// its gradient F, F₀ at the ride's beginning, and what the vertex was ahead then. That is the pose in
