@@ -242,7 +242,9 @@ void TestPictureMetadata::valuesOfMillions() {
     // The library does not always fall over it; it never sees it.
     const QByteArray entry = "\x9a\x82\x05";
     QVERIFY(pngWith(block).contains(entry));
-    QVERIFY(!sound("v.png", pngWith(block), PictureFormat::Png).contains(entry));
+    const QByteArray mended = sound("v.png", pngWith(block), PictureFormat::Png);
+    QCOMPARE(mended.size(), pngWith(block).size());  // nothing, if there were nothing to mend
+    QVERIFY(!mended.contains(entry));
 }
 
 void TestPictureMetadata::uselessExif() {
