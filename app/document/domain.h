@@ -5,6 +5,7 @@
 
 #include "core/mesh/region.h"
 #include "core/meshing/outline.h"
+#include "core/meshing/surface_fixes.h"
 #include "core/motion/handle.h"
 #include "warp/alpha_outline_options.h"
 
@@ -45,6 +46,7 @@ struct Domain {
     double quality = 1.414;                  // Surface
     double maxVolume = 0;                    // Surface; > 0: wins over vertices
     bool refineSurface = false;              // Surface: its triangles may be split
+    std::vector<SurfaceFix> fixes;           // Surface: single faults that are put right before all else
     bool repair = false;                     // Surface: the simple repairs are made first
     int largestHole = 30;                    // edges of a hole that the repair closes
     std::string sizesFile;                   // Surface: a factor per vertex, painted

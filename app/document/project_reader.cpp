@@ -91,6 +91,22 @@ void readSizeField(const JsonValue& value, Domain& domain) {
     }
 }
 
+/// {"fill": [a, b]}, {"drop": [t, …]} or {"turn": [t, …]}.
+SurfaceFix readFix(const JsonValue& value) {
+    JsonObject object(value);
+    const std::string kind = object.oneOf(kFixWords);
+    SurfaceFix fix{static_cast<SurfaceFix::Kind>(std::ranges::find(kFixWords, kind) - kFixWords.begin()), {}};
+    const JsonValue ids = object.require(kind);
+    for (const JsonValue& id : ids.elements()) {
+        fix.ids.push_back(id.integer());
+        if (fix.ids.back() < 0) id.fail("must not be negative");
+    }
+    if (fix.kind == SurfaceFix::Kind::Fill && fix.ids.size() != 2)
+        ids.fail("must be the two vertices of an edge");
+    object.finish();
+    return fix;
+}
+
 void readRepair(const JsonValue& value, Project& project) {
     if (!value.json().is_object()) {
         project.domain.repair = value.boolean();
@@ -117,6 +133,8 @@ void readCage(const JsonValue& value, Project& project) {
 void readSurfaceDomain(JsonObject& object, Project& project) {
     project.domain.kind = DomainKind::Surface;
     project.domain.path = readFileName(object.require("surface"));
+    if (auto fixes = object.find("fixes"))
+        for (const JsonValue& element : fixes->elements()) project.domain.fixes.push_back(readFix(element));
     if (auto repair = object.find("repair")) readRepair(*repair, project);
     if (auto cage = object.find("cage")) readCage(*cage, project);
     if (auto sizes = object.find("sizes")) readSizeField(*sizes, project.domain);

@@ -107,6 +107,8 @@ void addSizes(Json& json, const std::vector<SizeRegionIn<Dim>>& sizes) {
 
 void addSurfaceKeys(Json& json, const Project& project) {
     const Domain& domain = project.domain;
+    for (const SurfaceFix& fix : domain.fixes)
+        json["fixes"].push_back({{kFixWords[static_cast<int>(fix.kind)], fix.ids}});
     if (domain.repair) json["repair"] = switchedOn("domain.repair", project);
     if (domain.fit == Fit::Cage) json["cage"] = switchedOn("domain.cage", project);
     if (domain.fit == Fit::Exact) json["cage"] = false;

@@ -119,6 +119,10 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Core", "%1 edge where the orientation changes (first: %2)"),
     QT_TRANSLATE_NOOP("Core", "%1 edges where the orientation changes (first: %2)"),
     QT_TRANSLATE_NOOP("Core", "the surface was repaired: %1"),
+    QT_TRANSLATE_NOOP("Core", "%1 single step"),
+    QT_TRANSLATE_NOOP("Core", "%1 single steps"),
+    QT_TRANSLATE_NOOP("Core", "there is no triangle %1"),
+    QT_TRANSLATE_NOOP("Core", "no hole has the edge %1"),
     QT_TRANSLATE_NOOP("Core", "%1 coincident vertex merged"),
     QT_TRANSLATE_NOOP("Core", "%1 coincident vertices merged"),
     QT_TRANSLATE_NOOP("Core", "%1 triangle without area dropped"),
@@ -144,6 +148,15 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Core",
                       "the cage is in %1 bodies that do not hang together: each needs a handle of its own "
                       "to follow"),
+    QT_TRANSLATE_NOOP("Core",
+                      "the cage closes a gap within one part, %1 wide near %2: what lies on both sides moves "
+                      "together"),
+    QT_TRANSLATE_NOOP("Core",
+                      "the cage closes %1 gaps within one part, the narrowest %2 wide near %3: what lies on "
+                      "both sides moves together"),
+    QT_TRANSLATE_NOOP("Core", "%1; about %2 vertices open the widest"),
+    QT_TRANSLATE_NOOP("Core", "%1; cells of at most %2 open the widest"),
+    QT_TRANSLATE_NOOP("Core", "%1; a detail of %2 opens the widest"),
     QT_TRANSLATE_NOOP("Core", "%1 of %2 vertices lie outside the solid that carries them"),
     QT_TRANSLATE_NOOP("Core",
                       "the mesh has %1 vertices, where %2 were aimed at: the quality asked for needs them"),

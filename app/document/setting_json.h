@@ -6,6 +6,9 @@ namespace wend {
 
 struct Project;
 
+/// What single steps of a repair are called, in the order of SurfaceFix::Kind.
+inline const std::vector<std::string> kFixWords{"fill", "drop", "turn"};
+
 /// Reads those settings of the table that stand in this object, "domain.outline", and that the project has as
 /// far as it is known by then.
 void readSettings(JsonObject& object, std::string_view group, Project& project);

@@ -15,11 +15,13 @@ SurfacePanel::SurfacePanel(QWidget* parent)
       m_title(panelTitle({}, this)),
       m_text(secondLabel({}, this)),
       m_case(secondLabel({}, this)),
+      m_fixText(secondLabel({}, this)),
       m_kind(new QComboBox(this)),
       m_previous(new QToolButton(this)),
       m_next(new QToolButton(this)),
       m_show(new QPushButton(tr("Show them"), this)),
       m_save(new QPushButton(tr("Save list…"), this)),
+      m_fix(new QPushButton(tr("Fix this one"), this)),
       m_preview(new QPushButton(tr("See the repair"), this)),
       m_repair(new QPushButton(tr("Repair"), this)),
       m_fit(new QPushButton(this)),
@@ -27,6 +29,7 @@ SurfacePanel::SurfacePanel(QWidget* parent)
     m_previous->setArrowType(Qt::LeftArrow);
     m_next->setArrowType(Qt::RightArrow);
     m_case->setAlignment(Qt::AlignCenter);
+    m_fixText->setMinimumHeight(2 * fontMetrics().lineSpacing());  // buttons below stay where they are
     m_show->setCheckable(true);
     m_preview->setCheckable(true);
     arrange();
@@ -45,6 +48,8 @@ void SurfacePanel::arrange() {
     for (QWidget* widget : std::initializer_list<QWidget*>{m_previous, m_case, m_next})
         steps->addWidget(widget, widget == m_case);
     layout->addLayout(steps);
+    layout->addWidget(m_fixText);
+    layout->addWidget(m_fix);
     layout->addWidget(m_text);
     auto* row = new QHBoxLayout;
     for (QPushButton* button : {m_show, m_save}) row->addWidget(button);
@@ -65,6 +70,9 @@ void SurfacePanel::describeControls() {
              tr("Colours the triangles that are wrong, and looks at them: what hides them is left out."));
     describe(m_save, tr("Save the list"),
              tr("Writes the numbers of all wrong triangles and edges to a file."));
+    describe(m_fix, m_fix->text(),
+             tr("Puts right only what is looked at: what it adds is green, what it takes away or turns is "
+                "yellow."));
     describe(m_preview, m_preview->text(),
              tr("Shows the surface as the repair would leave it: what it adds in green, what stays wrong in "
                 "red."));
@@ -89,6 +97,7 @@ void SurfacePanel::connectControls() {
             emit solidWanted();
     });
     connect(m_save, &QPushButton::clicked, this, &SurfacePanel::saveRequested);
+    connect(m_fix, &QPushButton::clicked, this, &SurfacePanel::fixRequested);
     connect(m_preview, &QPushButton::clicked, this, [this](bool on) {
         m_show->setChecked(!on && !m_contents.isCaged);
         emit repairShown(on);
@@ -117,14 +126,16 @@ void SurfacePanel::tellCase() {
 
 void SurfacePanel::showProblems(const Contents& contents) {
     m_contents = contents;
-    m_number = 0;
+    m_number = contents.number;
     m_title->setText(contents.isCaged ? tr("The surface is embedded in a cage")
                                       : tr("The surface bounds no solid"));
     m_kind->clear();
     for (const Kind& kind : contents.kinds) m_kind->addItem(tr("%1: %2").arg(kind.name).arg(kind.count));
+    m_kind->setCurrentIndex(contents.kinds.empty() ? -1 : contents.kind);
     const bool any = !contents.kinds.empty();
     for (QWidget* widget : std::initializer_list<QWidget*>{m_kind, m_previous, m_next, m_case, m_show})
         widget->setEnabled(any);
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_fixText, m_fix}) widget->setVisible(any);
     tellCase();
     m_show->setChecked(!contents.isCaged);
     m_hole->setNumber(contents.largestHole);
@@ -144,6 +155,11 @@ void SurfacePanel::showProblems(const Contents& contents) {
              contents.isCaged
                  ? tr("Takes the cage away: without repair there is no solid then.")
                  : tr("Fills a cage of even cells around the surface, which is embedded in it."));
+}
+
+void SurfacePanel::showFix(const QString& text, bool mayFix) {
+    m_fixText->setText(text);
+    m_fix->setEnabled(mayFix);
 }
 
 }  // namespace wend

@@ -28,9 +28,14 @@ class SurfacePanel : public QWidget {
         QString repair;        // what it would do
         bool isCaged = false;  // the surface is embedded in a cage all the same
         int largestHole = 30;
+        int kind = 0, number = 0;  // the place to begin with
     };
     explicit SurfacePanel(QWidget* parent = nullptr);
     void showProblems(const Contents& contents);
+    /// Looks at the place where it is.
+    void showPlace() { step(0); }
+    /// What could be done about this place alone; while that is not known it is not offered.
+    void showFix(const QString& text, bool mayFix);
 
   signals:
     /// One of the cases of a kind is to be seen.
@@ -38,6 +43,8 @@ class SurfacePanel : public QWidget {
     /// The solid again, in place of the surface and what is wrong with it.
     void solidWanted();
     void saveRequested();
+    /// Only what is looked at is to be put right.
+    void fixRequested();
     void repairRequested(int largestHole);
     /// The surface as the repair would leave it is to be seen, or as it is.
     void repairShown(bool shown);
@@ -51,10 +58,10 @@ class SurfacePanel : public QWidget {
     void step(int by);
     void tellCase();
 
-    QLabel *m_title, *m_text, *m_case;
+    QLabel *m_title, *m_text, *m_case, *m_fixText;
     QComboBox* m_kind;
     QToolButton *m_previous, *m_next;
-    QPushButton *m_show, *m_save, *m_preview, *m_repair, *m_fit;
+    QPushButton *m_show, *m_save, *m_fix, *m_preview, *m_repair, *m_fit;
     OptionField* m_hole;
     Contents m_contents;
     int m_number = 0;

@@ -1,18 +1,24 @@
 #include "app/session/caged_solid.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
 
 #include "app/document/design.h"
 #include "app/document/domain.h"
+#include "app/document/options.h"
 #include "core/mesh/error.h"
 #include "core/mesh/mesh_file.h"
+#include "core/mesh/number_text.h"
 #include "core/mesh/used_vertices.h"
 #include "core/meshing/cage.h"
 
 namespace wend {
 namespace {
 
-constexpr double kFarTooMany = 8;  // times the vertices that are aimed at
+constexpr double kFarTooMany = 8;     // times the vertices that are aimed at
+constexpr double kMostToOffer = 1e6;  // vertices
 const char* const kGroup = "cage";
 
 /// Different places, of vertices that triangles have.
@@ -46,6 +52,42 @@ void tellOfParts(const Domain& domain, const Cage& cage, Advice advice, Shape<3>
             " bodies that do not hang together: each needs a handle of its own to follow");
 }
 
+std::string fourDigits(double value) {
+    std::array<char, 32> text{};
+    const auto end =
+        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 4);
+    return {text.data(), end.ptr};
+}
+
+/// Up, with two digits.
+double roundedUp(double value) {
+    const double unit = std::pow(10, std::floor(std::log10(value)) - 1);
+    return unit * std::ceil(value / unit - 1e-9);
+}
+
+/// What opens the widest gap; nothing where it would take too many cells.
+std::string whatOpens(const Domain& domain, const Cage& cage) {
+    if (cage.openDetail > 0)
+        return "; a detail of " + shortNumber(roundedUp(cage.openDetail)) + " opens the widest";
+    const double vertices = cage.mesh.vertexCount() * std::pow(cage.edge / cage.openEdge, 3);
+    if (vertices > kMostToOffer) return {};
+    if (domain.maxVolume > 0)
+        return "; cells of at most " + shortNumber(roundedUp(0.9 * std::pow(cage.openEdge, 3) / 12)) +
+               " open the widest";
+    return "; about " + std::to_string(static_cast<int>(roundedUp(vertices))) + " vertices open the widest";
+}
+
+void tellOfGaps(const Domain& domain, const Cage& cage, Shape<3>& solid) {
+    if (cage.gaps.empty()) return;
+    const ClosedGap& first = cage.gaps.front();
+    const std::string size = fourDigits(first.width), place = placeName<3>(first.place);
+    solid.notices.push_back(
+        (cage.gaps.size() == 1 ? "the cage closes a gap within one part, " + size + " wide near " + place
+                               : "the cage closes " + std::to_string(cage.gaps.size()) +
+                                     " gaps within one part, the narrowest " + size + " wide near " + place) +
+        ": what lies on both sides moves together" + whatOpens(domain, cage));
+}
+
 void tellOfCage(const Domain& domain, const Cage& cage, const std::string& why, Advice advice,
                 Shape<3>& solid) {
     const std::string size = std::to_string(cage.mesh.vertexCount()) + " vertices";
@@ -60,6 +102,7 @@ void tellOfCage(const Domain& domain, const Cage& cage, const std::string& why, 
     if (!domain.sizes.empty() || !domain.sizesFile.empty())
         solid.notices.push_back("sizes are for the exact surface: a cage has cells of one size");
     tellOfParts(domain, cage, advice, solid);
+    tellOfGaps(domain, cage, solid);
 }
 
 }  // namespace
@@ -74,7 +117,7 @@ Shape<3> cagedSolid(const Domain& domain, const std::shared_ptr<const Skin>& ski
     options.stop = stop;
     const Cage cage = fitCage(surfaceOf(*skin), options);
     Shape<3> solid;
-    solid.cage = CageFacts{why, cage.edge, cage.bodies, cage.parts, cage.apart};
+    solid.cage = CageFacts{why, cage.edge, cage.bodies, cage.parts, cage.apart, cage.gaps};
     tellOfCage(domain, cage, why, advice, solid);
     solid.verdict = verdictOn(cage.mesh, {}, domain.quality, false);
     solid.rest = std::make_shared<const SimplicialMesh<3>>(cage.mesh);

@@ -53,6 +53,9 @@ std::string verdictJson(const MeshVerdict& verdict) {
 
 std::string cageJson(const CageFacts& cage) {
     Json json{{"edge", cage.edge}, {"bodies", cage.bodies}, {"parts", cage.parts}, {"apart", cage.apart}};
+    for (const ClosedGap& gap : cage.gaps)
+        json["gaps"].push_back(
+            {{"place", {gap.place.x(), gap.place.y(), gap.place.z()}}, {"width", gap.width}});
     if (!cage.why.empty()) json["why"] = cage.why;
     return json.dump();
 }

@@ -54,7 +54,7 @@ bool sameRegionsAndCells(const MaterialSpec<Dim>& a, const MaterialSpec<Dim>& b)
 
 bool sameSolid(const Project& a, const Project& b) {
     const Domain &p = a.domain, &q = b.domain;
-    return p.kind == q.kind && p.path == q.path && sameSettings(a, b, Makes::Mesh) &&
+    return p.kind == q.kind && p.path == q.path && sameSettings(a, b, Makes::Mesh) && p.fixes == q.fixes &&
            p.sizesFile == q.sizesFile && p.sizes == q.sizes && p.detail == q.detail;
 }
 

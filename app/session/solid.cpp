@@ -63,10 +63,13 @@ std::string largerHoles(const RepairReport& report, int limit, Advice advice) {
                                    : "");
 }
 
+/// Single faults first, then as many as the simple repairs do.
 Surface repaired(const Surface& surface, const Domain& domain, Shape<3>& solid, Repairing& repairing,
                  Advice advice) {
     RepairReport report;
-    Surface better = repairSurface(surface, domain.largestHole, report);
+    Surface better = fixSurface(surface, domain.fixes).surface;
+    if (domain.repair) better = repairSurface(better, domain.largestHole, report);
+    report.steps = static_cast<int>(domain.fixes.size());
     repairing.done = report.summary();
     repairing.undone = largerHoles(report, domain.largestHole, advice);
     if (!repairing.done.empty()) solid.notices.push_back("the surface was repaired: " + repairing.done);
@@ -79,13 +82,13 @@ bool repairHelps(const Surface& surface, int largestHole) {
 }
 
 std::string help(const Surface& surface, const Domain& domain, const Repairing& repairing, Advice advice) {
+    const std::string after = repairing.done.empty() ? "" : " (after the repair: " + repairing.done + ")";
     if (!domain.repair) {
         if (advice == Advice::None) return {};
-        return std::string("; `wend info` lists them") +
+        return after + "; `wend info` lists them" +
                (repairHelps(surface, domain.largestHole) ? ", `repair` may help" : "");
     }
-    return (repairing.done.empty() ? "; the repair found nothing that it could repair"
-                                   : " (after the repair: " + repairing.done + ")") +
+    return (after.empty() ? "; the repair found nothing that it could repair" : after) +
            (repairing.undone.empty() ? "" : "; " + repairing.undone);
 }
 
@@ -154,7 +157,7 @@ Shape<3> exactSolid(const Domain& domain, const std::shared_ptr<const Skin>& ski
     Shape<3> solid;
     Surface surface = surfaceOf(*skin);
     Repairing repairing;
-    if (domain.repair) surface = repaired(surface, domain, solid, repairing, advice);
+    if (domain.repair || !domain.fixes.empty()) surface = repaired(surface, domain, solid, repairing, advice);
     const VolumeMesh volume = meshed(surface, options, domain, repairing, advice);
     solid.verdict =
         verdictOn(volume.mesh, surface, domain.quality, !domain.refineSurface && repairing.done.empty());

@@ -7,7 +7,7 @@
 #include <QHash>
 #include <QLocale>
 #include <QSaveFile>
-#include <QTextStream>
+#include <utility>
 
 #include "app/document/domain.h"
 #include "app/document/in_background.h"
@@ -16,7 +16,10 @@
 #include "app/panels/marks.h"
 #include "app/panels/surface_panel.h"
 #include "app/session/caged_solid.h"
+#include "app/view/problem_list.h"
+#include "app/view/surface_place.h"
 #include "app/view/volume/solid_canvas.h"
+#include "core/mesh/error.h"
 #include "core/mesh/mesh_file.h"
 #include "core/mesh/skin_file.h"
 
@@ -24,45 +27,7 @@ namespace wend {
 
 namespace {
 
-const Vec<3> kAskew(-1, 1.4, -0.8);
 const QRgb kFine = qRgb(199, 186, 164), kChosen = qRgb(255, 170, 0), kAdded = qRgb(46, 158, 92);
-
-/// Points around some triangles, a little farther off than their corners.
-Points<3> surroundingsOf(const Surface& surface, const std::vector<int>& triangles) {
-    Points<3> corners(3, static_cast<Eigen::Index>(3 * triangles.size()));
-    Eigen::Index count = 0;
-    for (const int t : triangles)
-        for (const int v : surface.triangles[t]) corners.col(count++) = surface.points.col(v);
-    const Vec<3> centre = (corners.rowwise().minCoeff() + corners.rowwise().maxCoeff()) / 2;
-    return (1.5 * (corners.colwise() - centre)).colwise() + centre;
-}
-
-/// False for what stands between the viewer and these points.
-std::vector<bool> notBefore(const Surface& surface, const Points<3>& place, const Vec<3>& direction) {
-    const Vec<3> low = place.rowwise().minCoeff(), high = place.rowwise().maxCoeff();
-    const Vec<3> centre = (low + high) / 2, along = direction.normalized();
-    const double radius = (high - low).norm() / 2;
-    std::vector<bool> kept(surface.triangles.size(), true);
-    for (int t = 0; t < surface.triangleCount(); ++t) {
-        double last = -std::numeric_limits<double>::infinity(), beside = last;
-        for (const int v : surface.triangles[t]) {
-            const Vec<3> away = surface.points.col(v) - centre;
-            last = std::max(last, away.dot(along));
-            beside = std::max(beside, -(away - away.dot(along) * along).norm());
-        }
-        kept[t] = last > -radius / 2 || -beside > 3 * radius;
-    }
-    return kept;
-}
-
-/// Against the triangle's outer side, a little from above.
-Vec<3> intoTriangle(const Surface& surface, int triangle) {
-    const auto& t = surface.triangles[triangle];
-    const Vec<3> a = surface.points.col(t[0]);
-    const Vec<3> normal = (surface.points.col(t[1]) - a).cross(surface.points.col(t[2]) - a);
-    if (!normal.allFinite() || normal.norm() == 0) return kAskew;
-    return -normal.normalized() + Vec<3>(0.15, 0.25, -0.3);
-}
 
 /// The triangles that are not as they should be.
 std::vector<int> markedIn(const VolumePicture& picture) {
@@ -72,25 +37,14 @@ std::vector<int> markedIn(const VolumePicture& picture) {
     return marked;
 }
 
-template <class List, class Text>
-void writeList(QTextStream& out, const char* title, const List& list, const Text& text) {
-    if (list.empty()) return;
-    out << title << ' ' << list.size() << '\n';
-    for (const auto& entry : list) out << text(entry) << '\n';
-}
-
-void writeProblems(QTextStream& out, const SurfaceProblems& problems) {
-    const auto one = [](int i) { return QString::number(i); };
-    const auto two = [](const std::array<int, 2>& p) { return QStringLiteral("%1 %2").arg(p[0]).arg(p[1]); };
-    out << "# Numbers count from 0. Triangles unless edges (two vertices) are named.\n";
-    writeList(out, "degenerate", problems.degenerate, one);
-    writeList(out, "duplicate", problems.duplicate, one);
-    writeList(out, "bad_index", problems.badIndex, one);
-    writeList(out, "intersecting_pairs", problems.intersecting, two);
-    writeList(out, "open_edges", problems.openEdges, two);
-    writeList(out, "non_manifold_edges", problems.nonManifoldEdges, two);
-    writeList(out, "misoriented_edges", problems.misoriented, two);
-    writeList(out, "vertices_not_finite", problems.notFinite, one);
+/// None if the file is no longer the one that they are for.
+std::vector<SurfaceFix> possible(const Surface& source, const std::vector<SurfaceFix>& fixes) {
+    try {
+        fixSurface(source, fixes);
+        return fixes;
+    } catch (const InputError&) {
+        return {};
+    }
 }
 
 }  // namespace
@@ -113,12 +67,15 @@ SurfaceCheck::SurfaceCheck(ShapeSession& session, SurfacePanel& panel, QWidget& 
     connect(&panel, &SurfacePanel::solidWanted, this, &SurfaceCheck::showSolid);
     connect(&panel, &SurfacePanel::fitRequested, this, &SurfaceCheck::fitCage);
     connect(&panel, &SurfacePanel::saveRequested, this, &SurfaceCheck::saveList);
+    connect(&panel, &SurfacePanel::fixRequested, this, &SurfaceCheck::fixOne);
     connect(&panel, &SurfacePanel::repairRequested, this, &SurfaceCheck::repair);
     connect(&panel, &SurfacePanel::repairShown, this, &SurfaceCheck::showRepair);
 }
 
 void SurfaceCheck::hide() {
     m_found.reset();
+    m_fix.reset();
+    m_isPlaceShown = false;
     m_panel.hide();
 }
 
@@ -145,11 +102,16 @@ void SurfaceCheck::look() {
     const std::string path = pathIn(document.folder().toStdString(), document.domain().path);
     const int generation = document.generation();
     const int largestHole = document.domain().largestHole;
-    const auto check = [path, largestHole]() -> std::shared_ptr<const Found> {
+    const auto check = [path, largestHole,
+                        fixes = document.domain().fixes]() -> std::shared_ptr<const Found> {
         auto found = std::make_shared<Found>();
         try {
             const MeshFile file = readMeshFile(path);
-            found->surface = {file.points, file.triangles, {}};
+            found->source = {file.points, file.triangles, {}};
+            found->fixes = possible(found->source, fixes);
+            FixedSurface fixed = fixSurface(found->source, found->fixes);
+            found->surface = std::move(fixed.surface);
+            found->numbers = std::move(fixed.numbers);
             found->problems = checkSurface(found->surface);
             found->faults = faultsOf(found->surface, found->problems);
             found->repaired = repairSurface(found->surface, largestHole, found->report);
@@ -167,12 +129,25 @@ void SurfaceCheck::look() {
 /// A cage that was chosen since something is wrong is no reason not to look at it.
 void SurfaceCheck::takeShape() {
     const auto frame = m_session.frame<3>();
-    if (!frame || frame->shape == m_shape) return;
+    if (!frame) return;
+    if (frame->shape == m_shape) return keepPlace();
     m_shape = frame->shape;
     m_isCaged =
         frame->built->source && frame->built->skin && isCage(*frame->built->source, *frame->built->skin);
     hide();
     if (m_isCaged && m_session.document().domain().fit == Fit::Automatic && m_canvas) look();
+}
+
+/// What was computed of the same shape in the meantime hides no place; what the user moves does.
+void SurfaceCheck::keepPlace() {
+    if (m_session.isDragging() || m_session.playback().isPlaying()) m_isPlaceShown = false;
+    if (!m_isPlaceShown) return;
+    QMetaObject::invokeMethod(
+        this,
+        [this] {
+            if (m_isPlaceShown && m_canvas) showPlace(false);
+        },
+        Qt::QueuedConnection);
 }
 
 /// Files whose trouble is another one (that cannot be read …) are told by the banner alone.
@@ -196,9 +171,25 @@ void SurfaceCheck::take(const std::shared_ptr<const Found>& found) {
     contents.repair = domain.repair ? QString() : repairText();
     contents.isCaged = m_isCaged;
     contents.largestHole = domain.largestHole;
+    const bool goesOn = std::exchange(m_goesOn, false) && !found->faults.empty();
+    m_place = goesOn ? placeToBeginWith() : Place{};
+    contents.kind = m_place.kind;
+    contents.number = m_place.number;
     m_panel.showProblems(contents);
     m_panel.show();
-    if (!m_isCaged) showSurface();
+    propose();
+    if (goesOn)
+        m_panel.showPlace();
+    else if (!m_isCaged)
+        showSurface();
+}
+
+/// The next one of the kind that was fixed last, or else the first of all.
+SurfaceCheck::Place SurfaceCheck::placeToBeginWith() const {
+    const auto kind = std::ranges::find(m_found->faults, m_fixedKind, &FaultKind::name);
+    if (kind == m_found->faults.end()) return {};
+    const int last = static_cast<int>(kind->cases.size()) - 1;
+    return {static_cast<int>(kind - m_found->faults.begin()), std::min(m_place.number, last)};
 }
 
 /// The triangles that are kept, in colours: wrong ones, and among them the chosen ones.
@@ -207,6 +198,9 @@ VolumePicture SurfaceCheck::picture(const std::vector<bool>& kept, const std::ve
     std::vector<QRgb> all(surface.triangles.size(), kFine);
     for (const int t : m_found->problems.triangles(surface)) all[t] = kWrong;
     for (const int t : chosen) all[t] = kChosen;
+    const FaultFix* fix = m_isPlaceShown ? m_fix.get() : nullptr;
+    if (fix)
+        for (const int t : fix->changed) all[t] = kChosen;
     std::vector<std::array<int, 3>> triangles;
     std::vector<QRgb> colours;
     for (std::size_t t = 0; t < all.size(); ++t) {
@@ -214,7 +208,13 @@ VolumePicture SurfaceCheck::picture(const std::vector<bool>& kept, const std::ve
         triangles.push_back(surface.triangles[t]);
         colours.push_back(all[t]);
     }
-    VolumePicture picture = pictureOfSurface(surface.points, triangles, std::move(colours));
+    if (fix) {
+        const auto& after = fix->after.surface.triangles;
+        triangles.insert(triangles.end(), after.end() - fix->added, after.end());
+        colours.resize(triangles.size(), kAdded);
+    }
+    VolumePicture picture =
+        pictureOfSurface(fix ? fix->after.surface.points : surface.points, triangles, std::move(colours));
     picture.marked = markedIn(picture);
     picture.isOpen = true;
     return picture;
@@ -222,6 +222,7 @@ VolumePicture SurfaceCheck::picture(const std::vector<bool>& kept, const std::ve
 
 void SurfaceCheck::showSurface() {
     if (!m_found || !m_canvas) return;
+    m_isPlaceShown = false;
     m_canvas->setCutKind(CutKind::None);
     m_canvas->showRefused(picture(std::vector<bool>(m_found->surface.triangles.size(), true), {}),
                           directionToWrong());
@@ -235,17 +236,78 @@ Vec<3> SurfaceCheck::directionToWrong() const {
 
 void SurfaceCheck::showCase(int kind, int number) {
     if (!m_found || !m_canvas || kind >= static_cast<int>(m_found->faults.size())) return;
-    const std::vector<int>& chosen = m_found->faults[kind].cases[number];
+    m_isPlaceShown = true;
+    const Place place{kind, number};
+    if (std::exchange(m_place, place) != place) propose();
+    showPlace(true);
+}
+
+/// Looks at it from near, or else marks it anew in the view as it is.
+void SurfaceCheck::showPlace(bool fromNear) {
+    const std::vector<int>& chosen = m_found->faults[m_place.kind].cases[m_place.number];
     if (chosen.empty()) return;
     const Surface& surface = m_found->surface;
-    const Vec<3> direction = intoTriangle(surface, chosen.front());
+    const bool adds = m_fix && m_fix->added > 0;
+    const Vec<3> direction =
+        adds ? intoTriangle(m_fix->after.surface, m_fix->after.surface.triangleCount() - m_fix->added)
+             : intoTriangle(surface, chosen.front());
     const Points<3> place = surroundingsOf(surface, chosen);
+    VolumePicture marked = picture(notBefore(surface, place, direction), chosen);
     m_canvas->setCutKind(CutKind::None);
-    m_canvas->showPlace(picture(notBefore(surface, place, direction), chosen), direction, place);
+    if (fromNear)
+        m_canvas->showPlace(std::move(marked), direction, place);
+    else
+        m_canvas->showRefused(std::move(marked), direction);
+}
+
+/// Finds what could be done about this place alone.
+void SurfaceCheck::propose() {
+    m_fix.reset();
+    m_panel.showFix({}, false);
+    if (m_found->faults.empty()) return;
+    const auto find = [found = m_found, place = m_place] {
+        const FaultKind& kind = found->faults[place.kind];
+        return std::make_shared<const FaultFix>(
+            fixFor(found->source, found->fixes, kind.name, kind.cases[place.number]));
+    };
+    const auto take = [this, found = m_found, place = m_place](const std::shared_ptr<const FaultFix>& fix) {
+        if (m_found != found || m_place != place) return;
+        m_fix = fix;
+        tellOfFix();
+        if (m_isPlaceShown && m_canvas) showPlace(true);
+    };
+    inBackground(this, find, take);
+}
+
+void SurfaceCheck::tellOfFix() {
+    if (m_fix->steps.empty()) return m_panel.showFix(tr("No simple step puts this one right."), false);
+    int all = 0;
+    for (const FaultKind& kind : m_found->faults) all += static_cast<int>(kind.cases.size());
+    const QString does = wouldDo({{tr("drop triangles (%1)"), m_fix->dropped},
+                                  {tr("turn triangles (%1)"), m_fix->turned},
+                                  {tr("add triangles (%1)"), m_fix->added}});
+    m_panel.showFix(does + ' ' +
+                        tr("It would leave %1 of %2 faults.")
+                            .arg(QLocale().toString(m_fix->faults), QLocale().toString(all)),
+                    true);
+}
+
+void SurfaceCheck::fixOne() {
+    if (!m_found || !m_fix || m_fix->steps.empty()) return;
+    Document& document = m_session.document();
+    Domain next = document.domain();
+    next.fixes = m_found->fixes;
+    next.fixes.insert(next.fixes.end(), m_fix->steps.begin(), m_fix->steps.end());
+    m_fix.reset();
+    m_panel.showFix({}, false);  // once only
+    m_goesOn = true;
+    m_fixedKind = m_found->faults[m_place.kind].name;
+    document.changeDomain(tr("Fix one fault"), std::move(next));
 }
 
 void SurfaceCheck::showSolid() {
     if (!m_canvas) return;
+    m_isPlaceShown = false;
     if (m_isCaged) return m_canvas->showSolid();
     showSurface();
     m_canvas->lookAlong(directionToWrong());
@@ -261,9 +323,7 @@ void SurfaceCheck::saveList() {
     if (path.isEmpty()) return;
     QSaveFile file(path);
     if (!file.open(QIODevice::WriteOnly | QIODevice::Text)) return;
-    QTextStream out(&file);
-    writeProblems(out, m_found->problems);
-    out.flush();
+    file.write(listOf(m_found->problems, m_found->numbers));
     file.commit();
 }
 
@@ -275,17 +335,19 @@ void SurfaceCheck::repair(int largestHole) {
     document.changeDomain(tr("Repair surface"), std::move(next));
 }
 
-/// One part of a sentence for each repair that would change something.
 QString SurfaceCheck::repairText() const {
     const RepairReport& report = m_found->report;
+    return wouldDo({{tr("merge points (%1)"), report.mergedVertices},
+                    {tr("drop triangles (%1)"), report.droppedDegenerate + report.droppedDuplicate},
+                    {tr("turn triangles (%1)"), report.flipped},
+                    {tr("fill holes (%1)"), report.filledHoles}});
+}
+
+/// Of those that would change something; empty if none would.
+QString SurfaceCheck::wouldDo(const std::vector<std::pair<QString, int>>& repairs) {
     QStringList parts;
-    const auto add = [&parts](const QString& text, int count) {
+    for (const auto& [text, count] : repairs)
         if (count > 0) parts << text.arg(QLocale().toString(count));
-    };
-    add(tr("merge points (%1)"), report.mergedVertices);
-    add(tr("drop triangles (%1)"), report.droppedDegenerate + report.droppedDuplicate);
-    add(tr("turn triangles (%1)"), report.flipped);
-    add(tr("fill holes (%1)"), report.filledHoles);
     return parts.isEmpty() ? QString() : tr("It would %1.").arg(parts.join(QStringLiteral(", ")));
 }
 
@@ -293,6 +355,7 @@ QString SurfaceCheck::repairText() const {
 void SurfaceCheck::showRepair(bool shown) {
     if (!m_found || !m_canvas) return;
     if (!shown) return showSolid();
+    m_isPlaceShown = false;
     const Surface& surface = m_found->repaired;
     const int kept = surface.triangleCount() - m_found->report.addedTriangles;
     std::vector<QRgb> colours(surface.triangles.size(), kFine);

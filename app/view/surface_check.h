@@ -6,6 +6,7 @@
 #include "app/session/shape_session.h"
 #include "app/view/volume/volume_view.h"
 #include "core/meshing/surface_faults.h"
+#include "core/meshing/surface_fixes.h"
 
 namespace wend {
 
@@ -24,7 +25,10 @@ class SurfaceCheck : public QObject {
 
   private:
     struct Found {
-        Surface surface;
+        Surface source;                 // as the file has it
+        std::vector<SurfaceFix> fixes;  // of single faults that were put right …
+        Surface surface;                // … and what they left
+        std::vector<int> numbers;       // of its triangles, in the file
         SurfaceProblems problems;
         std::vector<FaultKind> faults;
         Surface repaired;      // what the repair would leave …
@@ -32,28 +36,44 @@ class SurfaceCheck : public QObject {
         SurfaceProblems left;  // in the repaired surface
         QString error;
     };
+    struct Place {
+        int kind = 0, number = 0;
+        bool operator==(const Place&) const = default;
+    };
     void preview();
     void look();
     void take(const std::shared_ptr<const Found>& found);
+    Place placeToBeginWith() const;
     void takeShape();
+    void keepPlace();
     void showSurface();
     VolumePicture picture(const std::vector<bool>& kept, const std::vector<int>& chosen) const;
     Vec<3> directionToWrong() const;
     void showCase(int kind, int number);
+    void showPlace(bool fromNear);
+    void propose();
+    void tellOfFix();
+    void fixOne();
     void showSolid();
     void fitCage(bool cage);
     void saveList();
     void repair(int largestHole);
     void showRepair(bool shown);
     QString repairText() const;
+    static QString wouldDo(const std::vector<std::pair<QString, int>>& repairs);
 
     ShapeSession& m_session;
     SurfacePanel& m_panel;
     QWidget& m_window;
     SolidCanvas* m_canvas = nullptr;
     std::shared_ptr<const Found> m_found;
-    std::shared_ptr<const void> m_shape;  // the last one that was seen
-    bool m_isCaged = false;               // it is embedded in a cage
+    Place m_place;  // in m_found
+    bool m_isPlaceShown = false;
+    std::shared_ptr<const FaultFix> m_fix;  // what could be done there, once that is known
+    bool m_goesOn = false;                  // one was fixed: the next one is looked at …
+    std::string m_fixedKind;                // … of this kind
+    std::shared_ptr<const void> m_shape;    // the last one that was seen
+    bool m_isCaged = false;                 // it is embedded in a cage
 };
 
 }  // namespace wend

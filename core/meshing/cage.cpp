@@ -125,7 +125,7 @@ class CageFitter {
         cage.edge = std::max(edge, minEdge());
         cage.aimMet = cage.edge <= edge;
         const CubeGrid grid = gridOf(cage.edge);
-        CubeMesher mesher(grid, fullCubes(grid, m_surface, distance(cage.edge), gap(), m_options.stop));
+        CubeMesher mesher(grid, fullCubesOf(grid));
         cage.mesh = mesher.mesh();
         cage.bodies = mesher.bodies();
         return cage;
@@ -167,7 +167,30 @@ class CageFitter {
         cage.apart = countOf(parts);
     }
 
+    /// Between sides that no cube of air lies between: across corners it is as far as that.
+    void findGaps(Cage& cage) const {
+        const CubeGrid grid = gridOf(cage.edge);
+        const double widest = gap() + 2 * std::sqrt(3.0) * (cage.edge + distance(cage.edge));
+        cage.gaps = closedGaps(m_surface, grid, fullCubesOf(grid), widest, m_options.stop);
+        if (!cage.gaps.empty()) findWhatOpens(cage);
+    }
+
   private:
+    /// Between walls two edges and two distances apart there is a cube of air, wherever cubes begin; and air
+    /// of the width of `detail` needs as much room beside.
+    void findWhatOpens(Cage& cage) const {
+        const double width = cage.gaps.back().width, reach = 1 + 2 * m_options.offset;
+        if (gap() == 0)
+            cage.openEdge = width / (1 + reach);
+        else if (cage.edge > width / 3)
+            cage.openEdge = width / 4;
+        else
+            cage.openDetail = m_diagonal * reach / (20 * (width - 2 * cage.edge));
+    }
+
+    std::vector<std::int64_t> fullCubesOf(const CubeGrid& grid) const {
+        return fullCubes(grid, m_surface, distance(grid.edge()), gap(), m_options.stop);
+    }
     static double errorOf(const Cage& cage, int aim) {
         return std::abs(static_cast<double>(cage.mesh.vertexCount()) / aim - 1);
     }
@@ -251,6 +274,7 @@ Cage fitCage(const Surface& surface, const CageOptions& options) {
     Cage cage = options.maxVolume > 0 ? fitter.ofEdge(std::cbrt(12 * options.maxVolume))
                                       : fitter.ofCount(options.vertices);
     fitter.countParts(cage);
+    fitter.findGaps(cage);
     sortSpatially(cage.mesh, 0);
     requireValid(cage.mesh);
     return cage;

@@ -3,6 +3,7 @@
 #include <stop_token>
 
 #include "core/mesh/simplicial_mesh.h"
+#include "core/meshing/closed_gaps.h"
 #include "core/meshing/surface.h"
 
 namespace wend {
@@ -20,11 +21,14 @@ struct CageOptions {
 /// A closed body of even cells around any set of triangles.
 struct Cage {
     SimplicialMesh<3> mesh;
-    double edge = 0;     // of the cubes that the cells are made of
-    bool aimMet = true;  // false: whole cubes, or the memory for them, allow nothing nearer
-    int bodies = 0;      // that hang together by faces
-    int parts = 0;       // of the surface
-    int apart = 0;       // sets of parts that share no cube: `parts` if none moves with another
+    double edge = 0;              // of the cubes that the cells are made of
+    bool aimMet = true;           // false: whole cubes, or the memory for them, allow nothing nearer
+    int bodies = 0;               // that hang together by faces
+    int parts = 0;                // of the surface
+    int apart = 0;                // sets of parts that share no cube: `parts` if none moves with another
+    std::vector<ClosedGap> gaps;  // within parts, that it closes, the narrowest first
+    double openEdge = 0;          // > 0: with such cubes the widest of them stays open …
+    double openDetail = 0;        // … or with this detail, where the cubes are small enough already
 };
 
 /// Cubes of one size that cover the surface and what it encloses (see fullCubes), each filled with

@@ -40,6 +40,10 @@ class CubeGrid {
         return {static_cast<int>(number % m_counts[0]), static_cast<int>(rest % m_counts[1]),
                 static_cast<int>(rest / m_counts[1])};
     }
+    /// Of the cube that a point lies in, or of the next one to a point outside.
+    std::int64_t numberAt(const Vec<3>& p) const {
+        return number({index(0, p[0]), index(1, p[1]), index(2, p[2])});
+    }
     /// The lowest corner of the cube at a place.
     Vec<3> corner(const Place& place) const { return m_low + m_edge * Vec<3>(place[0], place[1], place[2]); }
     Vec<3> centre(const Place& place) const { return corner(place) + Vec<3>::Constant(m_edge / 2); }

@@ -64,12 +64,6 @@ void dropTriangles(Surface& surface, const SurfaceProblems& problems, RepairRepo
     surface = std::move(kept);
 }
 
-bool runsAlong(const std::array<int, 3>& triangle, int from, int to) {
-    for (int k = 0; k < 3; ++k)
-        if (triangle[k] == from && triangle[(k + 1) % 3] == to) return true;
-    return false;
-}
-
 /// Turns triangles so that neighbours over manifold edges agree, part by part, after the first triangle of
 /// each part.
 void orient(Surface& surface, RepairReport& report) {
@@ -138,6 +132,7 @@ std::string RepairReport::summary() const {
     const auto add = [&](int count, const std::string& what) {
         if (count > 0) append(list, amount(count, what));
     };
+    add(steps, "single step|s");
     add(mergedVertices, mergedVertices == 1 ? "coincident vertex merged" : "coincident vertices merged");
     add(droppedDegenerate, "triangle|s without area dropped");
     add(droppedDuplicate, "duplicate triangle|s dropped");

@@ -48,6 +48,7 @@ struct SurfaceProblems {
 SurfaceProblems checkSurface(const Surface& surface, int limit = 10000);
 
 struct RepairReport {
+    int steps = 0;  // of single faults, before (see surface_fixes.h)
     int mergedVertices = 0, droppedDegenerate = 0, droppedDuplicate = 0, flipped = 0, filledHoles = 0;
     int addedTriangles = 0;        // that fill them: the last of the surface
     std::vector<int> largerHoles;  // edges of each hole beyond the limit, the largest last

@@ -124,10 +124,7 @@ void checkEdges(const Surface& surface, const std::vector<Ids>& canonical, const
     for (std::size_t t = 0; t < canonical.size(); ++t)
         if (usable[t]) clean.triangles.push_back(canonical[t]);
     const auto forward = [&](int t, const std::array<int, 2>& edge) {
-        const Ids& ids = clean.triangles[t];
-        for (int k = 0; k < 3; ++k)
-            if (ids[k] == edge[0] && ids[(k + 1) % 3] == edge[1]) return true;
-        return false;
+        return runsAlong(clean.triangles[t], edge[0], edge[1]);
     };
     for (const auto& edge : edgesOf(clean)) {
         if (edge.triangles.size() == 1)
@@ -156,6 +153,12 @@ bool liesInAPlane(const Surface& surface) {
 }
 
 }  // namespace
+
+bool runsAlong(const Ids& triangle, int from, int to) {
+    for (int k = 0; k < 3; ++k)
+        if (triangle[k] == from && triangle[(k + 1) % 3] == to) return true;
+    return false;
+}
 
 std::vector<SurfaceEdge> edgesOf(const Surface& surface) {
     struct Side {

@@ -12,6 +12,9 @@ struct SurfaceEdge {
     std::vector<int> triangles;
 };
 
+/// Whether a side of a triangle goes from one vertex to the other.
+bool runsAlong(const std::array<int, 3>& triangle, int from, int to);
+
 /// All edges, in increasing order of their vertices. Triangles with bad indices are passed over.
 std::vector<SurfaceEdge> edgesOf(const Surface& surface);
 

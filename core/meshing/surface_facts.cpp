@@ -26,12 +26,6 @@ Surface cleaned(const Surface& surface) {
     return clean;
 }
 
-bool runsAlong(const std::array<int, 3>& t, const std::array<int, 2>& edge) {
-    for (int k = 0; k < 3; ++k)
-        if (t[k] == edge[0] && t[(k + 1) % 3] == edge[1]) return true;
-    return false;
-}
-
 /// The corners of all triangles, those that turn about one vertex being one: where fans meet in a point only,
 /// each has a vertex of its own.
 class Corners {
@@ -89,9 +83,9 @@ int loopsOf(const Surface& surface, const std::vector<SurfaceEdge>& edges, Corne
 
 bool isOriented(const Surface& surface, const std::vector<SurfaceEdge>& edges) {
     return std::ranges::all_of(edges, [&](const SurfaceEdge& edge) {
-        return edge.triangles.size() != 2 ||
-               runsAlong(surface.triangles[edge.triangles[0]], edge.vertices) !=
-                   runsAlong(surface.triangles[edge.triangles[1]], edge.vertices);
+        const auto [from, to] = edge.vertices;
+        return edge.triangles.size() != 2 || runsAlong(surface.triangles[edge.triangles[0]], from, to) !=
+                                                 runsAlong(surface.triangles[edge.triangles[1]], from, to);
     });
 }
 

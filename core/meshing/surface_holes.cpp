@@ -15,12 +15,6 @@ struct Side {
     int from, to;
 };
 
-bool runsAlong(const std::array<int, 3>& triangle, int from, int to) {
-    for (int k = 0; k < 3; ++k)
-        if (triangle[k] == from && triangle[(k + 1) % 3] == to) return true;
-    return false;
-}
-
 /// In increasing order of where they begin.
 std::vector<Side> sidesOf(const Surface& surface) {
     std::vector<Side> sides;
@@ -160,26 +154,35 @@ std::vector<std::vector<int>> holeLoops(const Surface& surface) {
     return loops;
 }
 
-int fillHoles(Surface& surface, int largest, std::vector<int>& larger) {
-    const auto loops = holeLoops(surface);
-    if (loops.empty()) return 0;
+std::vector<std::vector<int>> holesOf(const Surface& surface) {
+    std::vector<std::vector<int>> loops = holeLoops(surface);
+    if (loops.empty()) return loops;
     const Known known(surface);
+    std::erase_if(loops, [&](const std::vector<int>& loop) {
+        return loop.size() == 3 && known.has({loop[0], loop[1], loop[2]});
+    });
+    return loops;
+}
+
+void fillHole(Surface& surface, const std::vector<int>& loop) {
+    const int apex = apexOf(surface, loop);
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+        const int a = loop[k], b = loop[(k + 1) % loop.size()];
+        if (a == apex || b == apex) continue;
+        surface.triangles.push_back({apex, a, b});
+        if (!surface.labels.empty()) surface.labels.push_back(0);
+    }
+}
+
+int fillHoles(Surface& surface, int largest, std::vector<int>& larger) {
     int filled = 0;
-    for (const auto& loop : loops) {
+    for (const auto& loop : holesOf(surface)) {
         if (static_cast<int>(loop.size()) > largest) {
             larger.push_back(static_cast<int>(loop.size()));
             continue;
         }
-        // A triangle that hangs at one vertex only has the same boundary.
-        if (loop.size() == 3 && known.has({loop[0], loop[1], loop[2]})) continue;
         ++filled;
-        const int apex = apexOf(surface, loop);
-        for (std::size_t k = 0; k < loop.size(); ++k) {
-            const int a = loop[k], b = loop[(k + 1) % loop.size()];
-            if (a == apex || b == apex) continue;
-            surface.triangles.push_back({apex, a, b});
-            if (!surface.labels.empty()) surface.labels.push_back(0);
-        }
+        fillHole(surface, loop);
     }
     return filled;
 }

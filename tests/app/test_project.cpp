@@ -369,6 +369,13 @@ class TestProject : public QObject {
         };
         surfaceRow("repair", "'repair': 3", "domain.repair: must be true or false");
         surfaceRow("hole", "'repair': {'largestHole': -1}", "domain.repair.largestHole: -1 is out of range");
+        surfaceRow("fix", "'fixes': [{'mend': [1]}]", "domain.fixes[0]: ");
+        surfaceRow("two fixes", "'fixes': [{'fill': [1, 2], 'drop': [1]}]", "domain.fixes[0]: ");
+        surfaceRow("fixes", "'fixes': {'fill': [1, 2]}", "domain.fixes: must be a list");
+        surfaceRow("edge", "'fixes': [{'fill': [1]}]",
+                   "domain.fixes[0].fill: must be the two vertices of an edge");
+        surfaceRow("triangle", "'fixes': [{'turn': [2]}, {'drop': [-1]}]",
+                   "domain.fixes[1].drop[0]: must not be negative");
         surfaceRow("sizes", "'sizes': [{'factor': 0.5}]", "domain.sizes[0]");
         surfaceRow("factor",
                    "'sizes': [{'shape': {'sphere': {'centre': [0, 0, 0], 'radius': 1}}, 'factor': 0}]",

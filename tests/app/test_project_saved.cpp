@@ -56,6 +56,7 @@ const std::string kFlat = projectText(
 /// Every key of a solid's.
 const std::string kSolid = projectText(
     "'domain': {'surface': 'bar.obj', 'quality': 1.6, 'maxVolume': 0.1, 'refineSurface': true, "
+    "'fixes': [{'fill': [3, 17]}, {'drop': [4, 8]}, {'turn': [5]}], "
     "'repair': {'largestHole': 12}, 'detail': 'fine.obj', "
     "'sizes': [{'values': 'sizes.txt'}, {'name': 'tip', 'shape': {'sphere': {'centre': [0, 1, 2], 'radius': "
     "3}}, 'feather': 0.5, 'factor': 0.25}]}, "

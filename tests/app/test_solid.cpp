@@ -26,10 +26,13 @@ class TestSolid : public QObject {
     void coarseSurfaceIsTold();
     void repairIsAsked_data();
     void repairIsAsked();
+    void singleFaultsArePutRight_data();
+    void singleFaultsArePutRight();
     void cageIsChosenByItself_data();
     void cageIsChosenByItself();
     void cageCarriesTheSurface();
     void partsThatShareACageAreTold();
+    void gapsThatACageClosesAreTold();
     void unitsAreThoseThatTheFileTells_data();
     void unitsAreThoseThatTheFileTells();
     void cageIsMadeAgainWhenItChanges();
@@ -154,6 +157,47 @@ void TestSolid::repairIsAsked() {
     }
 }
 
+void TestSolid::singleFaultsArePutRight_data() {
+    QTest::addColumn<QString>("domain");
+    QTest::addColumn<QString>("told");  // if it works, or else why it does not
+    QTest::addColumn<bool>("works");
+    const auto fill = [](const std::array<int, 3>& t) {
+        return QStringLiteral("{'fill': [%1, %2]}").arg(t[0]).arg(t[1]);
+    };
+    const QString one = fill(kBar.triangles.front()), other = fill(kBar.triangles.back());
+    QTest::newRow("one of two") << "'fixes': [" + one + "]"
+                                << "two.obj: the surface bounds no volume: 3 open edges" << false;
+    QTest::newRow("both") << "'fixes': [" + one + ", " + other + "]"
+                          << "the surface was repaired: 2 single steps" << true;
+    QTest::newRow("the other with all") << "'repair': true, 'fixes': [" + other + "]"
+                                        << "the surface was repaired: 1 single step, 1 hole filled" << true;
+    QTest::newRow("twice") << "'fixes': [" + one + ", " + one + "]"
+                           << "two.obj: fixes[1]: no hole has the edge" << false;
+}
+
+/// The bar without its first and its last triangle.
+void TestSolid::singleFaultsArePutRight() {
+    QFETCH(QString, domain);
+    QFETCH(QString, told);
+    QFETCH(bool, works);
+    Surface two = kBar;
+    two.triangles.pop_back();
+    two.triangles.erase(two.triangles.begin());
+    writeMeshFile(m_base + "/two.obj", fileOf(two));
+    try {
+        const Shape<3> bar =
+            solid("'surface': 'two.obj', 'vertices': 300, 'cage': false, " + domain.toStdString());
+        QVERIFY(works);
+        QCOMPARE(QString::fromStdString(bar.notices[0]), told);
+        double volume = 0;
+        for (const auto& cell : bar.rest->cells) volume += cellMeasure<3>(bar.rest->points, cell);
+        QVERIFY(std::abs(volume - 3) < 1e-12);
+        QVERIFY(bar.rest->points.leftCols(kBar.vertexCount()) == kBar.points);
+    } catch (const InputError& error) {
+        QVERIFY2(!works && QString(error.what()).contains(told), error.what());
+    }
+}
+
 void TestSolid::cageIsChosenByItself_data() {
     QTest::addColumn<QString>("domain");
     QTest::addColumn<QString>("why");  // empty: the exact surface is meshed
@@ -212,6 +256,25 @@ void TestSolid::partsThatShareACageAreTold() {
     QVERIFY2(!near.contains("bodies"), qPrintable(near));
     QVERIFY2(apart.contains("in 2 bodies that do not hang together"), qPrintable(apart));
     QVERIFY2(!apart.contains("share cells"), qPrintable(apart));
+}
+
+/// A fork with a slot of a tenth: where it is, how wide, and how many vertices open it.
+void TestSolid::gapsThatACageClosesAreTold() {
+    writeMeshFile(m_base + "/fork.obj", fileOf(test::fork(0.1)));
+    const auto caged = [this](int vertices) {
+        return solid("'surface': 'fork.obj', 'cage': true, 'vertices': " + std::to_string(vertices));
+    };
+    const Shape<3> coarse = caged(1000);
+    const QString told = QString::fromStdString(coarse.notices.at(0));
+    const QRegularExpression form(
+        "^the cage closes a gap within one part, 0.1 wide near \\(0.25, [^,]*, [^,]*\\): what "
+        "lies on both sides moves together; about (\\d+) vertices open the widest$");
+    const auto match = form.match(told);
+    QVERIFY2(match.hasMatch(), qPrintable(told));
+    const auto json = QJsonDocument::fromJson(QByteArray::fromStdString(cageJson(*coarse.cage)));
+    QVERIFY(std::abs(json["gaps"][0]["width"].toDouble() - 0.1) < 1e-6);
+    const Shape<3> fine = caged(match.captured(1).toInt());
+    QVERIFY(fine.notices.empty() && fine.cage->gaps.empty());
 }
 
 void TestSolid::unitsAreThoseThatTheFileTells_data() {

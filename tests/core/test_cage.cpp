@@ -30,6 +30,10 @@ class TestCage : public QObject {
     void openBoxIsFilledUnlessDetailSaysNo();
     void wideGapsStayNarrowOnesClose();
     void partsThatShareCells();
+    void closedSlotsAreFound_data();
+    void closedSlotsAreFound();
+    void noGapIsSeen_data();
+    void noGapIsSeen();
     void nothingHangsOnAPoint();
     void sizesDoNotMatter();
     void nonsenseIsRefused_data();
@@ -254,6 +258,81 @@ void TestCage::partsThatShareCells() {
     const Cage far = cageOf(joined(one, box({3, 0, 0}, {4, 1, 1})), 800);
     QCOMPARE(far.apart, 2);
     QCOMPARE(far.bodies, 2);
+}
+
+namespace {
+
+Surface turnedOver(Surface surface) {
+    for (auto& t : surface.triangles) std::swap(t[0], t[1]);
+    return surface;
+}
+
+}  // namespace
+
+void TestCage::closedSlotsAreFound_data() {
+    QTest::addColumn<Surface>("surface");
+    QTest::addColumn<double>("slot");
+    QTest::newRow("fork") << fork(0.1) << 0.1;
+    QTest::newRow("narrower") << fork(0.02) << 0.02;
+    QTest::newRow("turned over") << turnedOver(fork(0.05)) << 0.05;
+}
+
+/// The slot is as wide everywhere; its middle is at 0.2 + half of it.
+void TestCage::closedSlotsAreFound() {
+    QFETCH(Surface, surface);
+    QFETCH(double, slot);
+    QVERIFY(checkSurface(surface).boundsVolume());
+    for (const double detail : {0.0, 0.5}) {
+        const Cage closed = cageOf(surface, 1500, detail);
+        QCOMPARE(closed.parts, 1);
+        QCOMPARE(closed.gaps.size(), std::size_t(1));
+        const ClosedGap& gap = closed.gaps[0];
+        QVERIFY2(std::abs(gap.width - slot) < 1e-6, qPrintable(QString::number(gap.width)));
+        QVERIFY(std::abs(gap.place.x() - (0.2 + slot / 2)) < 1e-6);
+        QVERIFY(gap.place.y() > 0.2 && gap.place.y() < 1 && gap.place.z() > 0 && gap.place.z() < 1);
+    }
+    // Cells of a quarter of the slot leave it open, unless gaps as wide as that are to be closed.
+    CageOptions options;
+    options.maxVolume = std::pow(slot / 4, 3) / 12;
+    if (slot < 0.1) return;  // of too many cells
+    // So do what is offered, whether cubes or the detail closed it.
+    CageOptions offered;
+    const Cage closed = cageOf(surface, 1500);
+    QVERIFY(closed.openEdge > 0 && closed.openEdge < closed.edge);
+    offered.maxVolume = std::pow(closed.openEdge, 3) / 12;
+    QVERIFY(fitCage(surface, offered).gaps.empty());
+    QVERIFY(fitCage(surface, options).gaps.empty());
+    options.detail = 3;
+    QVERIFY(fitCage(surface, options).gaps.empty());
+    options.detail = 0.5;
+    const Cage byDetail = fitCage(surface, options);
+    QCOMPARE(byDetail.gaps.size(), std::size_t(1));
+    QVERIFY(byDetail.openDetail > 0.5);
+    options.detail = byDetail.openDetail;
+    QVERIFY(fitCage(surface, options).gaps.empty());
+}
+
+void TestCage::noGapIsSeen_data() {
+    QTest::addColumn<Surface>("surface");
+    Surface ball = box({-1, -1, -1}, {1, 1, 1}, 12);
+    ball.points.colwise().normalize();
+    QTest::newRow("ball") << ball;
+    QTest::newRow("sheet") << box({0, 0, 0}, {1, 1, 0.01}, 6);
+    QTest::newRow("long box") << box({0, 0, 0}, {4, 1, 1});
+    QTest::newRow("hollow ball") << joined(ball, [&] {
+        Surface inner = turnedOver(ball);
+        inner.points *= 0.97;
+        return inner;
+    }());
+    QTest::newRow("two plates") << joined(box({0, 0, 0}, {1, 1, 0.2}), box({0, 0, 0.22}, {1, 1, 0.4}));
+    QTest::newRow("noise") << noise(300);
+}
+
+/// What is thin, hollow, or of two parts has no gap within a part.
+void TestCage::noGapIsSeen() {
+    QFETCH(Surface, surface);
+    for (const double detail : {0.0, 1.0})
+        QCOMPARE(cageOf(surface, 1500, detail).gaps.size(), std::size_t(0));
 }
 
 void TestCage::nothingHangsOnAPoint() {

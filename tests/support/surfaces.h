@@ -73,4 +73,29 @@ inline Surface moebius(int n) {
     return band;
 }
 
+/// Two plates of 1 × 1 and the thickness 0.2, apart by a slot between x = 0.2 and 0.2 + slot, and joined
+/// below y = 0.2.
+inline Surface fork(double slot) {
+    const double right = 0.4 + slot;
+    const std::vector<Vec<2>> profile{
+        {0, 0}, {right, 0}, {right, 1}, {right - 0.2, 1}, {right - 0.2, 0.2}, {0.2, 0.2}, {0.2, 1}, {0, 1}};
+    const int n = static_cast<int>(profile.size());
+    Surface surface;
+    surface.points.resize(3, 2 * n);
+    const auto quad = [&](int a, int b, int c, int d) {
+        surface.triangles.insert(surface.triangles.end(), {{a, b, c}, {a, c, d}});
+    };
+    for (int i = 0; i < n; ++i) {
+        surface.points.col(i) << profile[i], 0;
+        surface.points.col(n + i) << profile[i], 1;
+        quad(i, (i + 1) % n, n + (i + 1) % n, n + i);
+    }
+    for (const auto& [a, b, c, d] :
+         {std::array{0, 5, 6, 7}, std::array{1, 2, 3, 4}, std::array{0, 1, 4, 5}}) {
+        quad(d, c, b, a);
+        quad(n + a, n + b, n + c, n + d);
+    }
+    return surface;
+}
+
 }  // namespace wend::test

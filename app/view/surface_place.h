@@ -1,0 +1,19 @@
+#pragma once
+
+#include "core/meshing/surface.h"
+
+namespace wend {
+
+/// Where a surface is looked along that nothing else is known of.
+inline const Vec<3> kAskew(-1, 1.4, -0.8);
+
+/// Points around some triangles, a little farther off than their corners.
+Points<3> surroundingsOf(const Surface& surface, const std::vector<int>& triangles);
+
+/// False for what stands between the viewer and these points.
+std::vector<bool> notBefore(const Surface& surface, const Points<3>& place, const Vec<3>& direction);
+
+/// Against the triangle's outer side, a little from above.
+Vec<3> intoTriangle(const Surface& surface, int triangle);
+
+}  // namespace wend

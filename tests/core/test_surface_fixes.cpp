@@ -1,0 +1,235 @@
+// Single faults of surfaces, put right one by one: counted and measured against boxes whose faults are known.
+
+#include <QTest>
+
+#include "core/mesh/error.h"
+#include "core/meshing/surface_facts.h"
+#include "core/meshing/surface_faults.h"
+#include "core/meshing/surface_fixes.h"
+#include "tests/support/surfaces.h"
+
+using namespace wend;
+using namespace wend::test;
+
+namespace {
+
+using Fixes = std::vector<SurfaceFix>;
+
+const Surface kBox = box({0, 0, 0}, {6, 6, 6}, 6);
+
+/// The box without the triangles that have a middle for which `gone` holds.
+template <class Gone>
+Surface without(Surface surface, const Gone& gone) {
+    std::erase_if(surface.triangles, [&](const std::array<int, 3>& t) {
+        return gone(
+            Vec<3>((surface.points.col(t[0]) + surface.points.col(t[1]) + surface.points.col(t[2])) / 3));
+    });
+    return surface;
+}
+
+/// A hole of 4 edges in the top, and one of 8 in the bottom.
+Surface twoHoles() {
+    return without(kBox, [](const Vec<3>& p) {
+        const bool top = p.z() > 5.9 && p.x() > 2 && p.x() < 3 && p.y() > 2 && p.y() < 3;
+        return top || (p.z() < 0.1 && p.x() > 1 && p.x() < 3 && p.y() > 1 && p.y() < 3);
+    });
+}
+
+std::vector<std::vector<int>> casesOf(const Surface& surface, const std::string& kind) {
+    for (const FaultKind& one : faultsOf(surface, checkSurface(surface)))
+        if (one.name == kind) return one.cases;
+    return {};
+}
+
+Surface fixed(const Surface& surface, const Fixes& fixes) {
+    return fixSurface(surface, fixes).surface;
+}
+
+}  // namespace
+
+class TestSurfaceFixes : public QObject {
+    Q_OBJECT
+  private slots:
+    void oneHoleIsFilledAndTheOtherStays();
+    void numbersStayWhatTheyAre();
+    void soupIsFilledToo();
+    void whatHangsAloneGoes();
+    void fillingThatHelpsNothingIsNotOffered();
+    void partThatIsTurnedOver();
+    void bandHasOneSide();
+    void crossingGoes();
+    void flatAndDoubleTrianglesGo();
+    void impossibleStepsAreRefused_data();
+    void impossibleStepsAreRefused();
+};
+
+void TestSurfaceFixes::oneHoleIsFilledAndTheOtherStays() {
+    const Surface surface = twoHoles();
+    const auto holes = casesOf(surface, "hole");
+    QCOMPARE(holes.size(), std::size_t(2));
+    for (const std::size_t which : {0, 1}) {
+        const int edges = static_cast<int>(holes[which].size()),
+                  otherEdges = static_cast<int>(holes[1 - which].size());
+        QCOMPARE(edges + otherEdges, 12);
+        const FaultFix fix = fixFor(surface, {}, "hole", holes[which]);
+        QCOMPARE(fix.steps.size(), std::size_t(1));
+        QCOMPARE(fix.added, edges);  // a fan
+        QCOMPARE(fix.dropped + fix.turned, 0);
+        QCOMPARE(fix.faults, 1);
+        QVERIFY(fix.changed.empty());
+        const Surface after = fixed(surface, fix.steps);
+        QCOMPARE(after.triangles, fix.after.surface.triangles);
+        QCOMPARE(checkSurface(after).openEdges.size(), std::size_t(otherEdges));
+        const FaultFix last = fixFor(surface, fix.steps, "hole", casesOf(after, "hole").at(0));
+        QCOMPARE(last.faults, 0);
+        const auto volume = factsOf(last.after.surface).volume;
+        QVERIFY(volume && std::abs(*volume - 216) < 1e-9);
+    }
+}
+
+void TestSurfaceFixes::numbersStayWhatTheyAre() {
+    const Surface surface = twoHoles();
+    const int all = surface.triangleCount();
+    const Fixes fixes{{SurfaceFix::Kind::Drop, {3, 7}}, {SurfaceFix::Kind::Drop, {8}}};
+    const FixedSurface after = fixSurface(surface, fixes);
+    QCOMPARE(after.surface.triangleCount(), all - 3);
+    for (std::size_t t = 0; t < after.numbers.size(); ++t)
+        QVERIFY(after.surface.triangles[t] == surface.triangles[after.numbers[t]]);
+    QVERIFY(after.surface.points == surface.points);
+}
+
+/// Every triangle has vertices of its own.
+void TestSurfaceFixes::soupIsFilledToo() {
+    const Surface whole = twoHoles();
+    Surface soup;
+    soup.points.resize(3, 3 * whole.triangleCount());
+    for (int t = 0; t < whole.triangleCount(); ++t) {
+        for (int k = 0; k < 3; ++k) soup.points.col(3 * t + k) = whole.points.col(whole.triangles[t][k]);
+        soup.triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+    }
+    Fixes done;
+    for (int i = 0; i < 2; ++i) {
+        const FaultFix fix = fixFor(soup, done, "hole", casesOf(fixed(soup, done), "hole").at(0));
+        done.insert(done.end(), fix.steps.begin(), fix.steps.end());
+    }
+    QVERIFY(checkSurface(fixed(soup, done)).boundsVolume());
+    QVERIFY(fixed(soup, done).points.leftCols(soup.vertexCount()) == soup.points);
+}
+
+void TestSurfaceFixes::whatHangsAloneGoes() {
+    Surface surface = kBox;
+    surface.points.conservativeResize(Eigen::NoChange, surface.vertexCount() + 2);
+    surface.points.rightCols(2) << -1, -2, -1, -1, -1, -1;
+    surface.triangles.push_back({0, surface.vertexCount() - 2, surface.vertexCount() - 1});
+    const FaultFix fix = fixFor(surface, {}, "hole", casesOf(surface, "hole").at(0));
+    QCOMPARE(fix.dropped, 1);
+    QCOMPARE(fix.changed, std::vector<int>{surface.triangleCount() - 1});
+    QCOMPARE(fix.faults, 0);
+}
+
+/// What would fill a flat sheet lies on it; what would fill a slit has no area.
+void TestSurfaceFixes::fillingThatHelpsNothingIsNotOffered() {
+    Surface sheet = without(kBox, [](const Vec<3>& p) { return p.z() < 5.9; });
+    sheet.points.row(2).setConstant(6);
+    QVERIFY(fixFor(sheet, {}, "hole", casesOf(sheet, "hole").at(0)).steps.empty());
+    Surface slit = box({0, 0, 0}, {1, 1, 1});
+    const auto [a, b, c] = slit.triangles.back();
+    slit.points.conservativeResize(Eigen::NoChange, 9);
+    slit.points.col(8) = (slit.points.col(a) + slit.points.col(b)) / 2;
+    slit.triangles.back() = {a, 8, c};
+    slit.triangles.push_back({8, b, c});
+    QVERIFY(fixFor(slit, {}, "hole", casesOf(slit, "hole").at(0)).steps.empty());
+    // It is open all the same, and may be filled again.
+    const SurfaceFix fill{SurfaceFix::Kind::Fill, {a, b}};
+    QCOMPARE(fixed(slit, {fill, fill}).triangleCount(), slit.triangleCount() + 2);
+}
+
+/// One side of the box is turned over: the smaller part is turned back.
+void TestSurfaceFixes::partThatIsTurnedOver() {
+    Surface surface = kBox;
+    int turned = 0;
+    for (auto& t : surface.triangles) {
+        const bool onTop = std::ranges::all_of(t, [&](int v) { return surface.points(2, v) == 6; });
+        if (onTop) std::swap(t[0], t[1]);
+        turned += onTop;
+    }
+    const auto cases = casesOf(surface, "turned_edge");
+    QCOMPARE(cases.size(), std::size_t(24));
+    const FaultFix fix = fixFor(surface, {}, "turned_edge", cases.at(5));
+    QCOMPARE(fix.turned, turned);
+    QCOMPARE(int(fix.changed.size()), turned);
+    QCOMPARE(fix.faults, 0);
+    QVERIFY(std::abs(factsOf(fixed(surface, fix.steps)).volume.value() - 216) < 1e-9);
+}
+
+void TestSurfaceFixes::bandHasOneSide() {
+    const Surface band = moebius(24);
+    QVERIFY(fixFor(band, {}, "turned_edge", casesOf(band, "turned_edge").at(0)).steps.empty());
+}
+
+/// A vertex of the top that was pushed through the bottom, far below.
+void TestSurfaceFixes::crossingGoes() {
+    Surface surface = kBox;
+    for (int v = 0; v < surface.vertexCount(); ++v)
+        if (surface.points.col(v) == Vec<3>(3, 3, 6)) surface.points.col(v) = Vec<3>(3.1, 3.2, -1);
+    const auto cases = casesOf(surface, "crossing");
+    QVERIFY(!cases.empty());
+    const int before = static_cast<int>(cases.size());
+    Fixes done;
+    int rounds = 0;
+    for (Surface now = surface; !casesOf(now, "crossing").empty(); now = fixed(surface, done)) {
+        QVERIFY(++rounds <= before);
+        const FaultFix fix = fixFor(surface, done, "crossing", casesOf(now, "crossing").at(0));
+        QVERIFY(!fix.steps.empty());
+        QVERIFY(fix.dropped > 1 && fix.added > 0);
+        QCOMPARE(int(fix.changed.size()), fix.dropped);
+        done.insert(done.end(), fix.steps.begin(), fix.steps.end());
+    }
+    const SurfaceProblems left = checkSurface(fixed(surface, done));
+    QVERIFY2(left.boundsVolume(), left.summary().c_str());
+}
+
+void TestSurfaceFixes::flatAndDoubleTrianglesGo() {
+    Surface surface = kBox;
+    surface.triangles.push_back(kBox.triangles[4]);
+    surface.triangles.push_back({0, 0, 1});
+    surface.triangles.push_back({0, 1, 99999});
+    const int all = kBox.triangleCount();
+    Fixes done;
+    int left = 3, wrong = all;
+    for (const char* kind : {"duplicate", "flat", "missing_vertex"}) {
+        const FaultFix fix = fixFor(surface, {}, kind, casesOf(surface, kind).at(0));
+        QCOMPARE(fix.changed, std::vector<int>{wrong++});
+        QCOMPARE(fix.faults, 2);
+        done.insert(done.end(), fix.steps.begin(), fix.steps.end());
+        --left;
+    }
+    QCOMPARE(left, 0);
+    QVERIFY(fixed(surface, done).triangles == kBox.triangles);
+}
+
+void TestSurfaceFixes::impossibleStepsAreRefused_data() {
+    QTest::addColumn<Fixes>("fixes");
+    QTest::addColumn<QString>("reason");
+    using Kind = SurfaceFix::Kind;
+    QTest::newRow("no such triangle")
+        << Fixes{{Kind::Drop, {99999}}} << "fixes[0]: there is no triangle 99999";
+    QTest::newRow("twice") << Fixes{{Kind::Drop, {4}}, {Kind::Drop, {4}}}
+                           << "fixes[1]: there is no triangle 4";
+    QTest::newRow("negative") << Fixes{{Kind::Turn, {-1}}} << "fixes[0]: there is no triangle -1";
+    QTest::newRow("no hole") << Fixes{{Kind::Fill, {0, 1}}} << "fixes[0]: no hole has the edge 0–1";
+    QTest::newRow("no vertex") << Fixes{{Kind::Fill, {0, 99999}}} << "no hole has the edge 0–99999";
+}
+void TestSurfaceFixes::impossibleStepsAreRefused() {
+    QFETCH(Fixes, fixes);
+    QFETCH(QString, reason);
+    try {
+        fixSurface(kBox, fixes);
+        QFAIL("taken");
+    } catch (const InputError& error) {
+        QVERIFY2(QString(error.what()).contains(reason), error.what());
+    }
+}
+
+QTEST_APPLESS_MAIN(TestSurfaceFixes)
+#include "test_surface_fixes.moc"
