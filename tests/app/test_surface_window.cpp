@@ -37,6 +37,7 @@ class TestSurfaceWindow : public QObject {
     void init();
     void cleanup() { m_f.reset(); }
     void badSurfacesAreShownAndRepaired();
+    void singleFaultsAreFixedOneByOne();
     void detailedSurfaceIsShownAndTellsItsNotices();
 
   private:
@@ -197,6 +198,63 @@ bool TestSurfaceWindow::saysThatThereIsNoSolid() {
 }
 
 /// A red plate lies on the bar; most of it lies outside, which the window says.
+/// The bar without its first and its last triangle: two holes, filled one after the other.
+void TestSurfaceWindow::singleFaultsAreFixedOneByOne() {
+    QVERIFY(m_f->open());
+    m_f->session().document().undoStack()->setClean();
+    QFile good(m_f->folder().filePath(QStringLiteral("bar.obj")));
+    QVERIFY(good.open(QIODevice::ReadOnly));
+    QByteArray text = good.readAll();
+    text.truncate(text.lastIndexOf("f "));
+    const qsizetype first = text.indexOf("\nf ");
+    text.remove(first, text.indexOf('\n', first + 1) - first);
+    QFile bad(m_f->folder().filePath(QStringLiteral("holes.obj")));
+    QVERIFY(bad.open(QIODevice::WriteOnly));
+    bad.write(text);
+    bad.close();
+    m_f->window().openPath(bad.fileName());
+    const auto domain = [&] { return m_f->session().document().project()->domain; };
+    QVERIFY(QTest::qWaitFor([&] { return domain().path.ends_with("holes.obj"); }, 20000));
+    QVERIFY(settle(m_f->session()));
+    auto* panel = m_f->window().findChild<SurfacePanel*>();
+    const auto button = [&](const QString& name) {
+        QPushButton* found = nullptr;
+        for (QPushButton* one : panel->findChildren<QPushButton*>())
+            if (one->text() == name) found = one;
+        return found;
+    };
+    const auto says = [&](const QString& words) {
+        return std::ranges::any_of(panel->findChildren<QLabel*>(),
+                                   [&](const QLabel* label) { return label->text() == words; });
+    };
+    QPushButton* fix = button(QStringLiteral("Fix this one"));
+    QVERIFY(QTest::qWaitFor([&] { return panel->isVisible() && fix->isEnabled(); }, 20000));
+    QVERIFY(says(QStringLiteral("It would add triangles (1). It would leave 1 of 2 faults.")));
+    QTest::mouseClick(button(QStringLiteral("Show them")), Qt::LeftButton);
+    m_f->picture(QStringLiteral("fix-seen"));
+    QVERIFY(QTest::qWaitFor([&] { return greenPixels() > 50; }, 20000));  // what would close this hole
+    QTest::mouseClick(fix, Qt::LeftButton);
+    QCOMPARE(domain().fixes.size(), std::size_t(1));
+    QVERIFY(!domain().repair && !fix->isEnabled());
+    QVERIFY(settle(m_f->session()));
+    const QString last = QStringLiteral("It would add triangles (1). It would leave 0 of 1 faults.");
+    QVERIFY(QTest::qWaitFor([&] { return panel->isVisible() && says(last); }, 20000));
+    m_f->picture(QStringLiteral("fix-next"));
+    QVERIFY(QTest::qWaitFor([&] { return greenPixels() > 50; }, 20000));  // the next one is looked at
+    QVERIFY(button(QStringLiteral("Show them"))->isChecked());
+    QTest::mouseClick(fix, Qt::LeftButton);
+    QCOMPARE(domain().fixes.size(), std::size_t(2));
+    QVERIFY(settle(m_f->session()));
+    QVERIFY(QTest::qWaitFor([&] { return !panel->isVisible(); }, 20000));
+    QVERIFY(QTest::qWaitFor(
+        [&] { return m_f->session().frame<3>() && !m_f->session().frame<3>()->built->cage; }, 20000));
+    const QString told = m_f->window().banner().text().section('\n', 0, 0);
+    QCOMPARE(told, QStringLiteral("The surface was repaired: 2 single steps."));
+    m_f->window().actions().undo->trigger();
+    QCOMPARE(domain().fixes.size(), std::size_t(1));
+    QVERIFY(QTest::qWaitFor([&] { return panel->isVisible() && says(last); }, 20000));
+}
+
 void TestSurfaceWindow::detailedSurfaceIsShownAndTellsItsNotices() {
     m_f->writeBar();
     const auto write = [&](const char* name, const QByteArray& text) {
