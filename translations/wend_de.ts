@@ -677,6 +677,42 @@
         <source>the edge %1</source>
         <translation>der Kante %1</translation>
     </message>
+    <message>
+        <source>%1 single step</source>
+        <translation>%1 einzelner Schritt</translation>
+    </message>
+    <message>
+        <source>%1 single steps</source>
+        <translation>%1 einzelne Schritte</translation>
+    </message>
+    <message>
+        <source>there is no triangle %1</source>
+        <translation>es gibt kein Dreieck %1</translation>
+    </message>
+    <message>
+        <source>no hole has the edge %1</source>
+        <translation>kein Loch hat die Kante %1</translation>
+    </message>
+    <message>
+        <source>the cage closes a gap within one part, %1 wide near %2: what lies on both sides moves together</source>
+        <translation>der Käfig schließt eine Lücke in einem Teil, %1 breit bei %2: Was auf beiden Seiten liegt, bewegt sich zusammen</translation>
+    </message>
+    <message>
+        <source>the cage closes %1 gaps within one part, the narrowest %2 wide near %3: what lies on both sides moves together</source>
+        <translation>der Käfig schließt %1 Lücken in einem Teil, die engste %2 breit bei %3: Was auf beiden Seiten liegt, bewegt sich zusammen</translation>
+    </message>
+    <message>
+        <source>%1; about %2 vertices open the widest</source>
+        <translation>%1; etwa %2 Knoten öffnen die weiteste</translation>
+    </message>
+    <message>
+        <source>%1; cells of at most %2 open the widest</source>
+        <translation>%1; Zellen von höchstens %2 öffnen die weiteste</translation>
+    </message>
+    <message>
+        <source>%1; a detail of %2 opens the widest</source>
+        <translation>%1; ein Detailgrad von %2 öffnet die weiteste</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>
@@ -5998,6 +6034,22 @@
         <source>It would %1.</source>
         <translation>Sie würde: %1.</translation>
     </message>
+    <message>
+        <source>No simple step puts this one right.</source>
+        <translation>Kein einfacher Schritt bringt diesen Fehler in Ordnung.</translation>
+    </message>
+    <message>
+        <source>add triangles (%1)</source>
+        <translation>Dreiecke hinzufügen (%1)</translation>
+    </message>
+    <message>
+        <source>It would leave %1 of %2 faults.</source>
+        <translation>Es blieben %1 von %2 Fehlern.</translation>
+    </message>
+    <message>
+        <source>Fix one fault</source>
+        <translation>Einen Fehler beheben</translation>
+    </message>
 </context>
 <context>
     <name>wend::SurfacePanel</name>
@@ -6112,6 +6164,14 @@
     <message>
         <source>There is nothing that the simple repairs would change.</source>
         <translation>Es gibt nichts, was die einfachen Reparaturen ändern würden.</translation>
+    </message>
+    <message>
+        <source>Fix this one</source>
+        <translation>Diesen beheben</translation>
+    </message>
+    <message>
+        <source>Puts right only what is looked at: what it adds is green, what it takes away or turns is yellow.</source>
+        <translation>Bringt nur in Ordnung, was betrachtet wird: Was hinzukommt, ist grün; was wegfällt oder gedreht wird, gelb.</translation>
     </message>
 </context>
 <context>

@@ -677,6 +677,42 @@
         <source>the edge %1</source>
         <translation>la arista %1</translation>
     </message>
+    <message>
+        <source>%1 single step</source>
+        <translation>%1 paso suelto</translation>
+    </message>
+    <message>
+        <source>%1 single steps</source>
+        <translation>%1 pasos sueltos</translation>
+    </message>
+    <message>
+        <source>there is no triangle %1</source>
+        <translation>no hay ningún triángulo %1</translation>
+    </message>
+    <message>
+        <source>no hole has the edge %1</source>
+        <translation>ningún agujero tiene la arista %1</translation>
+    </message>
+    <message>
+        <source>the cage closes a gap within one part, %1 wide near %2: what lies on both sides moves together</source>
+        <translation>la jaula cierra un hueco dentro de una parte, de %1 de ancho cerca de %2: lo que queda a ambos lados se mueve junto</translation>
+    </message>
+    <message>
+        <source>the cage closes %1 gaps within one part, the narrowest %2 wide near %3: what lies on both sides moves together</source>
+        <translation>la jaula cierra %1 huecos dentro de una parte, el más estrecho de %2 de ancho cerca de %3: lo que queda a ambos lados se mueve junto</translation>
+    </message>
+    <message>
+        <source>%1; about %2 vertices open the widest</source>
+        <translation>%1; unos %2 vértices abren el más ancho</translation>
+    </message>
+    <message>
+        <source>%1; cells of at most %2 open the widest</source>
+        <translation>%1; celdas de %2 como máximo abren el más ancho</translation>
+    </message>
+    <message>
+        <source>%1; a detail of %2 opens the widest</source>
+        <translation>%1; un detalle de %2 abre el más ancho</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>
@@ -5998,6 +6034,22 @@
         <source>It would %1.</source>
         <translation>Operaciones previstas: %1.</translation>
     </message>
+    <message>
+        <source>No simple step puts this one right.</source>
+        <translation>Ningún paso sencillo corrige este fallo.</translation>
+    </message>
+    <message>
+        <source>add triangles (%1)</source>
+        <translation>añadir triángulos (%1)</translation>
+    </message>
+    <message>
+        <source>It would leave %1 of %2 faults.</source>
+        <translation>Quedarían %1 de %2 fallos.</translation>
+    </message>
+    <message>
+        <source>Fix one fault</source>
+        <translation>Corregir un fallo</translation>
+    </message>
 </context>
 <context>
     <name>wend::SurfacePanel</name>
@@ -6112,6 +6164,14 @@
     <message>
         <source>There is nothing that the simple repairs would change.</source>
         <translation>No hay nada que las reparaciones simples fueran a cambiar.</translation>
+    </message>
+    <message>
+        <source>Fix this one</source>
+        <translation>Corregir este</translation>
+    </message>
+    <message>
+        <source>Puts right only what is looked at: what it adds is green, what it takes away or turns is yellow.</source>
+        <translation>Corrige solo lo que se mira: lo que añade es verde; lo que quita o gira, amarillo.</translation>
     </message>
 </context>
 <context>

@@ -677,6 +677,42 @@
         <source>the edge %1</source>
         <translation>l’arête %1</translation>
     </message>
+    <message>
+        <source>%1 single step</source>
+        <translation>%1 étape isolée</translation>
+    </message>
+    <message>
+        <source>%1 single steps</source>
+        <translation>%1 étapes isolées</translation>
+    </message>
+    <message>
+        <source>there is no triangle %1</source>
+        <translation>il n’y a pas de triangle %1</translation>
+    </message>
+    <message>
+        <source>no hole has the edge %1</source>
+        <translation>aucun trou n’a l’arête %1</translation>
+    </message>
+    <message>
+        <source>the cage closes a gap within one part, %1 wide near %2: what lies on both sides moves together</source>
+        <translation>la cage ferme un interstice dans une même partie, large de %1 près de %2&#x202f;: ce qui est de part et d’autre bouge ensemble</translation>
+    </message>
+    <message>
+        <source>the cage closes %1 gaps within one part, the narrowest %2 wide near %3: what lies on both sides moves together</source>
+        <translation>la cage ferme %1 interstices dans une même partie, le plus étroit large de %2 près de %3&#x202f;: ce qui est de part et d’autre bouge ensemble</translation>
+    </message>
+    <message>
+        <source>%1; about %2 vertices open the widest</source>
+        <translation>%1&#x202f;; environ %2 sommets ouvrent le plus large</translation>
+    </message>
+    <message>
+        <source>%1; cells of at most %2 open the widest</source>
+        <translation>%1&#x202f;; des cellules d’au plus %2 ouvrent le plus large</translation>
+    </message>
+    <message>
+        <source>%1; a detail of %2 opens the widest</source>
+        <translation>%1&#x202f;; une finesse de %2 ouvre le plus large</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>
@@ -5998,6 +6034,22 @@
         <source>It would %1.</source>
         <translation>Opérations prévues&#x202f;: %1.</translation>
     </message>
+    <message>
+        <source>No simple step puts this one right.</source>
+        <translation>Aucune étape simple ne corrige ce défaut.</translation>
+    </message>
+    <message>
+        <source>add triangles (%1)</source>
+        <translation>ajouter des triangles (%1)</translation>
+    </message>
+    <message>
+        <source>It would leave %1 of %2 faults.</source>
+        <translation>Il resterait %1 défauts sur %2.</translation>
+    </message>
+    <message>
+        <source>Fix one fault</source>
+        <translation>Corriger un défaut</translation>
+    </message>
 </context>
 <context>
     <name>wend::SurfacePanel</name>
@@ -6112,6 +6164,14 @@
     <message>
         <source>There is nothing that the simple repairs would change.</source>
         <translation>Il n’y a rien que les réparations simples changeraient.</translation>
+    </message>
+    <message>
+        <source>Fix this one</source>
+        <translation>Corriger celui-ci</translation>
+    </message>
+    <message>
+        <source>Puts right only what is looked at: what it adds is green, what it takes away or turns is yellow.</source>
+        <translation>Ne corrige que ce qui est regardé&#x202f;: l’ajout est en vert, ce qui est retiré ou retourné en jaune.</translation>
     </message>
 </context>
 <context>

@@ -677,6 +677,42 @@
         <source>the edge %1</source>
         <translation>辺 %1</translation>
     </message>
+    <message>
+        <source>%1 single step</source>
+        <translation>個別の手順 %1 件</translation>
+    </message>
+    <message>
+        <source>%1 single steps</source>
+        <translation>個別の手順 %1 件</translation>
+    </message>
+    <message>
+        <source>there is no triangle %1</source>
+        <translation>三角形 %1 はありません</translation>
+    </message>
+    <message>
+        <source>no hole has the edge %1</source>
+        <translation>辺 %1 をもつ穴はありません</translation>
+    </message>
+    <message>
+        <source>the cage closes a gap within one part, %1 wide near %2: what lies on both sides moves together</source>
+        <translation>ケージが一つの部品の中の隙間を閉じます（幅 %1、%2 付近）。両側は一緒に動きます</translation>
+    </message>
+    <message>
+        <source>the cage closes %1 gaps within one part, the narrowest %2 wide near %3: what lies on both sides moves together</source>
+        <translation>ケージが一つの部品の中の隙間を %1 か所閉じます（最も狭いのは幅 %2、%3 付近）。両側は一緒に動きます</translation>
+    </message>
+    <message>
+        <source>%1; about %2 vertices open the widest</source>
+        <translation>%1。約 %2 頂点で最も広い隙間が開きます</translation>
+    </message>
+    <message>
+        <source>%1; cells of at most %2 open the widest</source>
+        <translation>%1。大きさ %2 以下のセルで最も広い隙間が開きます</translation>
+    </message>
+    <message>
+        <source>%1; a detail of %2 opens the widest</source>
+        <translation>%1。細かさ %2 で最も広い隙間が開きます</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>
@@ -5988,6 +6024,22 @@
         <source>It would %1.</source>
         <translation>行われる処理：%1。</translation>
     </message>
+    <message>
+        <source>No simple step puts this one right.</source>
+        <translation>この不具合を直す簡単な手順はありません。</translation>
+    </message>
+    <message>
+        <source>add triangles (%1)</source>
+        <translation>三角形を追加 (%1)</translation>
+    </message>
+    <message>
+        <source>It would leave %1 of %2 faults.</source>
+        <translation>%2 件中 %1 件の不具合が残ります。</translation>
+    </message>
+    <message>
+        <source>Fix one fault</source>
+        <translation>不具合を一つ修正</translation>
+    </message>
 </context>
 <context>
     <name>wend::SurfacePanel</name>
@@ -6102,6 +6154,14 @@
     <message>
         <source>There is nothing that the simple repairs would change.</source>
         <translation>簡単な修復で変わるところはありません。</translation>
+    </message>
+    <message>
+        <source>Fix this one</source>
+        <translation>これを修正</translation>
+    </message>
+    <message>
+        <source>Puts right only what is looked at: what it adds is green, what it takes away or turns is yellow.</source>
+        <translation>表示中の箇所だけを直します。追加は緑、削除や向きの変更は黄で示します。</translation>
     </message>
 </context>
 <context>

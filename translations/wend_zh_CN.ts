@@ -677,6 +677,42 @@
         <source>the edge %1</source>
         <translation>边 %1</translation>
     </message>
+    <message>
+        <source>%1 single step</source>
+        <translation>%1 个单独步骤</translation>
+    </message>
+    <message>
+        <source>%1 single steps</source>
+        <translation>%1 个单独步骤</translation>
+    </message>
+    <message>
+        <source>there is no triangle %1</source>
+        <translation>没有三角形 %1</translation>
+    </message>
+    <message>
+        <source>no hole has the edge %1</source>
+        <translation>没有孔含有边 %1</translation>
+    </message>
+    <message>
+        <source>the cage closes a gap within one part, %1 wide near %2: what lies on both sides moves together</source>
+        <translation>笼体封闭了同一部件内的一处间隙，宽 %1，位于 %2 附近：两侧会一起移动</translation>
+    </message>
+    <message>
+        <source>the cage closes %1 gaps within one part, the narrowest %2 wide near %3: what lies on both sides moves together</source>
+        <translation>笼体封闭了同一部件内的 %1 处间隙，最窄的宽 %2，位于 %3 附近：两侧会一起移动</translation>
+    </message>
+    <message>
+        <source>%1; about %2 vertices open the widest</source>
+        <translation>%1；约 %2 个顶点可打开最宽的一处</translation>
+    </message>
+    <message>
+        <source>%1; cells of at most %2 open the widest</source>
+        <translation>%1；不大于 %2 的单元可打开最宽的一处</translation>
+    </message>
+    <message>
+        <source>%1; a detail of %2 opens the widest</source>
+        <translation>%1；细节度 %2 可打开最宽的一处</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>
@@ -5988,6 +6024,22 @@
         <source>It would %1.</source>
         <translation>将执行：%1。</translation>
     </message>
+    <message>
+        <source>No simple step puts this one right.</source>
+        <translation>没有简单的步骤能修正此处。</translation>
+    </message>
+    <message>
+        <source>add triangles (%1)</source>
+        <translation>添加三角形 (%1)</translation>
+    </message>
+    <message>
+        <source>It would leave %1 of %2 faults.</source>
+        <translation>%2 处问题中将剩下 %1 处。</translation>
+    </message>
+    <message>
+        <source>Fix one fault</source>
+        <translation>修正一处问题</translation>
+    </message>
 </context>
 <context>
     <name>wend::SurfacePanel</name>
@@ -6102,6 +6154,14 @@
     <message>
         <source>There is nothing that the simple repairs would change.</source>
         <translation>没有简单修复可以更改的内容。</translation>
+    </message>
+    <message>
+        <source>Fix this one</source>
+        <translation>修正此处</translation>
+    </message>
+    <message>
+        <source>Puts right only what is looked at: what it adds is green, what it takes away or turns is yellow.</source>
+        <translation>只修正正在查看的一处：添加的为绿色，去除或翻转的为黄色。</translation>
     </message>
 </context>
 <context>
