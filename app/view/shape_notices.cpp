@@ -1,5 +1,7 @@
 #include "app/view/shape_notices.h"
 
+#include <algorithm>
+
 #include "app/document/said.h"
 #include "app/session/shape.h"
 
@@ -7,10 +9,13 @@ namespace wend {
 
 namespace {
 
-/// A remark as a sentence. One that begins with a file's path keeps its beginning.
+/// A remark as a sentence. One that begins with a file's path keeps its beginning: what a blank follows is a
+/// word.
 QString sentence(const QString& remark) {
     QString result = remark;
-    if (result.startsWith(QStringLiteral("the "))) result[0] = result[0].toUpper();
+    const QString first = remark.section(' ', 0, 0);
+    if (!first.isEmpty() && std::ranges::all_of(first, [](QChar c) { return c.isLower(); }))
+        result[0] = result[0].toUpper();
     if (!result.endsWith('.')) result += '.';
     return result;
 }

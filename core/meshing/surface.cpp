@@ -150,9 +150,10 @@ Surface repairSurface(const Surface& input, int largestHole, RepairReport& repor
             if (id >= 0 && id < static_cast<int>(newId.size())) id = newId[id];
     dropTriangles(surface, checkSurface(surface, 0), report);
     orient(surface, report);
-    const int before = surface.triangleCount();
-    report.filledHoles = fillHoles(surface, largestHole, report.largerHoles);
-    report.addedTriangles = surface.triangleCount() - before;
+    FilledHoles filled = fillHoles(surface, largestHole);
+    report.filledHoles = filled.holes;
+    report.addedTriangles = filled.triangles;
+    report.largerHoles = std::move(filled.larger);
     std::ranges::sort(report.largerHoles);
     return surface;
 }

@@ -1,7 +1,9 @@
 #include "core/meshing/surface_fixes.h"
 
 #include <algorithm>
+#include <map>
 
+#include "core/mesh/disjoint_sets.h"
 #include "core/mesh/error.h"
 #include "core/meshing/surface_edges.h"
 #include "core/meshing/surface_faults.h"
@@ -194,10 +196,22 @@ class FaultFixer {
         for (const auto& loop : holesOf(sound.surface))
             if (std::ranges::all_of(
                     sidesOf(loop), [&](const Edge& side) { return std::ranges::binary_search(sides, side); }))
-                steps.push_back(fillAlong(loop));
+                fillOne(sound, loop, steps);
         const bool alone = std::ranges::all_of(triangles, [&](int t) { return t == triangles[0]; });
         if (steps.empty() && alone) steps = {drop({triangles[0]})};
         return steps;
+    }
+
+    /// A slit with the triangle beside it, which the loop then goes around.
+    void fillOne(const SoundPart& sound, const std::vector<int>& loop, std::vector<SurfaceFix>& steps) const {
+        const int beside = besideSlit(sound.surface, loop);
+        if (beside < 0) return steps.push_back(fillAlong(loop));
+        steps.push_back(drop({sound.triangles[beside]}));
+        const auto& taken = sound.surface.triangles[beside];
+        for (std::size_t k = 0; k < loop.size(); ++k) {
+            const int a = loop[k], b = loop[(k + 1) % loop.size()];
+            if (!runsAlong(taken, b, a)) return steps.push_back(fillAlong({a, b}));
+        }
     }
 
     /// The smaller of the parts that disagree; a Möbius band has one only.
@@ -214,7 +228,7 @@ class FaultFixer {
         const SurfaceProblems& before = m_problems;
         std::vector<int> going = triangles;
         for (int ring = 0; ring <= kMostRings; ++ring) {
-            if (ring > 0) going = withNeighbours(going);
+            if (ring > 0) going = withIslands(withNeighbours(going));
             if (static_cast<int>(going.size()) * kLeastThatStays > m_now.surface.triangleCount()) break;
             std::vector<SurfaceFix> steps{drop(going)};
             for (const auto& loop : newHoles(steps, before.openEdges)) steps.push_back(fillAlong(loop));
@@ -226,6 +240,29 @@ class FaultFixer {
                 return fix;
         }
         return {};
+    }
+
+    /// With what they hold to the rest, where that is less than half of them.
+    std::vector<int> withIslands(std::vector<int> going) const {
+        const FixedSurface left = after({drop(going)});
+        const SoundPart sound(left.surface);
+        const int count = sound.surface.triangleCount();
+        DisjointSets parts(count);
+        for (const SurfaceEdge& edge : edgesOf(sound.surface))
+            for (const int t : edge.triangles) parts.join(t, edge.triangles[0]);
+        std::map<int, std::vector<int>> islands;
+        for (int t = 0; t < count; ++t) islands[parts.root(t)].push_back(left.numbers[sound.triangles[t]]);
+        const std::vector<int> around = withNeighbours(going);
+        const std::size_t most = going.size() / 2;
+        for (auto& [root, triangles] : islands) {
+            if (triangles.size() > most) continue;
+            for (int& t : triangles)
+                t = static_cast<int>(std::ranges::lower_bound(m_now.numbers, t) - m_now.numbers.begin());
+            if (std::ranges::find_first_of(triangles, around) != triangles.end())
+                going.insert(going.end(), triangles.begin(), triangles.end());
+        }
+        std::ranges::sort(going);
+        return going;
     }
 
     std::vector<int> withNeighbours(const std::vector<int>& triangles) const {

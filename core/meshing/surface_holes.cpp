@@ -117,6 +117,20 @@ class Known {
     std::vector<std::array<int, 3>> m_triangles;
 };
 
+constexpr double kSlit = 1e-6;  // width of a slit, relative to its length
+
+/// The loop with a triangle beside one of its sides taken away: the third vertex comes between.
+std::vector<int> around(const std::vector<int>& loop, const std::array<int, 3>& triangle) {
+    std::vector<int> ring;
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+        ring.push_back(loop[k]);
+        for (int i = 0; i < 3; ++i)
+            if (triangle[i] == loop[(k + 1) % loop.size()] && triangle[(i + 1) % 3] == loop[k])
+                ring.push_back(triangle[(i + 2) % 3]);
+    }
+    return ring;
+}
+
 /// The vertex that the fan is made around: one of a triangle's, or a new one.
 int apexOf(Surface& surface, const std::vector<int>& loop) {
     if (loop.size() == 3) return loop[0];
@@ -164,26 +178,60 @@ std::vector<std::vector<int>> holesOf(const Surface& surface) {
     return loops;
 }
 
-void fillHole(Surface& surface, const std::vector<int>& loop) {
+int besideSlit(const Surface& surface, const std::vector<int>& loop) {
+    std::array<int, 2> longest{};
+    double length = -1;
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+        const std::array<int, 2> side{loop[k], loop[(k + 1) % loop.size()]};
+        const double l = (surface.points.col(side[1]) - surface.points.col(side[0])).norm();
+        if (l > length) {
+            length = l;
+            longest = side;
+        }
+    }
+    const Vec<3> from = surface.points.col(longest[0]), to = surface.points.col(longest[1]);
+    const bool onALine = std::ranges::all_of(loop, [&](int id) {
+        return (surface.points.col(id) - from).cross(to - from).norm() <= kSlit * length * length;
+    });
+    const auto has = [&](const std::array<int, 3>& t) {
+        return runsAlong(t, longest[1], longest[0]) &&
+               std::ranges::count_if(t, [&](int id) { return std::ranges::count(loop, id) > 0; }) == 2;
+    };
+    const auto at = std::ranges::find_if(surface.triangles, has);
+    return onALine && at != surface.triangles.end() ? static_cast<int>(at - surface.triangles.begin()) : -1;
+}
+
+void fillHole(Surface& surface, const std::vector<int>& loop, int label) {
     const int apex = apexOf(surface, loop);
     for (std::size_t k = 0; k < loop.size(); ++k) {
         const int a = loop[k], b = loop[(k + 1) % loop.size()];
         if (a == apex || b == apex) continue;
         surface.triangles.push_back({apex, a, b});
-        if (!surface.labels.empty()) surface.labels.push_back(0);
+        if (!surface.labels.empty()) surface.labels.push_back(label);
     }
 }
 
-int fillHoles(Surface& surface, int largest, std::vector<int>& larger) {
-    int filled = 0;
+FilledHoles fillHoles(Surface& surface, int largest) {
+    FilledHoles filled;
+    int kept = surface.triangleCount();
     for (const auto& loop : holesOf(surface)) {
         if (static_cast<int>(loop.size()) > largest) {
-            larger.push_back(static_cast<int>(loop.size()));
+            filled.larger.push_back(static_cast<int>(loop.size()));
             continue;
         }
-        ++filled;
-        fillHole(surface, loop);
+        ++filled.holes;
+        const int beside = besideSlit(surface, loop);
+        if (beside < 0) {
+            fillHole(surface, loop);
+            continue;
+        }
+        fillHole(surface, around(loop, surface.triangles[beside]),
+                 surface.labels.empty() ? 0 : surface.labels[beside]);
+        surface.triangles.erase(surface.triangles.begin() + beside);
+        if (!surface.labels.empty()) surface.labels.erase(surface.labels.begin() + beside);
+        if (beside < kept) --kept;
     }
+    filled.triangles = surface.triangleCount() - kept;
     return filled;
 }
 

@@ -15,11 +15,20 @@ std::vector<std::vector<int>> holeLoops(const Surface& surface);
 /// hole.
 std::vector<std::vector<int>> holesOf(const Surface& surface);
 
-/// Closes a hole along its loop: a triangle, or a fan around the centre of the boundary.
-void fillHole(Surface& surface, const std::vector<int>& loop);
+/// The triangle beside the longest side of a loop that is no more than a slit: where a vertex lies on an edge
+/// that knows nothing of it, what would fill the hole has no area. With that triangle gone the hole can be
+/// filled. −1 if it is no slit.
+int besideSlit(const Surface& surface, const std::vector<int>& loop);
 
-/// Closes holes of at most `largest` edges. Returns how many were closed; `larger` gets the numbers of edges
-/// of those that were not.
-int fillHoles(Surface& surface, int largest, std::vector<int>& larger);
+/// Closes a hole along its loop: a triangle, or a fan around the centre of the boundary.
+void fillHole(Surface& surface, const std::vector<int>& loop, int label = 0);
+
+struct FilledHoles {
+    int holes = 0, triangles = 0;  // the last of the surface
+    std::vector<int> larger;       // the numbers of edges of those that stayed
+};
+
+/// Closes holes of at most `largest` edges, slits with the triangle beside them made anew.
+FilledHoles fillHoles(Surface& surface, int largest);
 
 }  // namespace wend

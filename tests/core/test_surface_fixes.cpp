@@ -55,6 +55,9 @@ class TestSurfaceFixes : public QObject {
     void soupIsFilledToo();
     void whatHangsAloneGoes();
     void fillingThatHelpsNothingIsNotOffered();
+    void slitIsFilledWithTheTriangleBesideIt();
+    void slitsAreRepaired();
+    void whatBreaksOffGoesToo();
     void partThatIsTurnedOver();
     void bandHasOneSide();
     void crossingGoes();
@@ -127,21 +130,89 @@ void TestSurfaceFixes::whatHangsAloneGoes() {
     QCOMPARE(fix.faults, 0);
 }
 
-/// What would fill a flat sheet lies on it; what would fill a slit has no area.
+/// What would fill a flat sheet lies on it.
 void TestSurfaceFixes::fillingThatHelpsNothingIsNotOffered() {
     Surface sheet = without(kBox, [](const Vec<3>& p) { return p.z() < 5.9; });
     sheet.points.row(2).setConstant(6);
     QVERIFY(fixFor(sheet, {}, "hole", casesOf(sheet, "hole").at(0)).steps.empty());
+}
+
+/// A vertex lies on an edge, or as near as rounding leaves it, and the triangle beyond knows nothing of it.
+Surface withSlit(double at) {
     Surface slit = box({0, 0, 0}, {1, 1, 1});
     const auto [a, b, c] = slit.triangles.back();
     slit.points.conservativeResize(Eigen::NoChange, 9);
-    slit.points.col(8) = (slit.points.col(a) + slit.points.col(b)) / 2;
+    slit.points.col(8) = (1 - at) * slit.points.col(a) + at * slit.points.col(b);
     slit.triangles.back() = {a, 8, c};
     slit.triangles.push_back({8, b, c});
-    QVERIFY(fixFor(slit, {}, "hole", casesOf(slit, "hole").at(0)).steps.empty());
-    // It is open all the same, and may be filled again.
-    const SurfaceFix fill{SurfaceFix::Kind::Fill, {a, b}};
+    return slit;
+}
+
+void TestSurfaceFixes::slitIsFilledWithTheTriangleBesideIt() {
+    for (const double at : {0.5, 0.3}) {
+        const Surface slit = withSlit(at);
+        const FaultFix fix = fixFor(slit, {}, "hole", casesOf(slit, "hole").at(0));
+        QCOMPARE(fix.dropped, 1);
+        QCOMPARE(fix.added, 4);
+        QCOMPARE(fix.faults, 0);
+        QVERIFY(fix.left.boundsVolume());
+        QVERIFY(std::abs(factsOf(fix.after.surface).volume.value() - 1) < 1e-12);
+    }
+    // A step that fills it all the same may be repeated: what it adds has no area.
+    const Surface slit = withSlit(0.5);
+    const auto [a, c, d] = slit.triangles[slit.triangles.size() - 2];
+    const SurfaceFix fill{SurfaceFix::Kind::Fill, {a, c}};
     QCOMPARE(fixed(slit, {fill, fill}).triangleCount(), slit.triangleCount() + 2);
+}
+
+/// The repair of all does the same; the triangles that come keep the label, and those before them the order.
+void TestSurfaceFixes::slitsAreRepaired() {
+    Surface slits = joined(withSlit(0.5), withSlit(0.3));
+    slits.points.rightCols(9).colwise() += Vec<3>(3, 0, 0);
+    for (int t = 0; t < slits.triangleCount(); ++t) slits.labels.push_back(t + 1);
+    RepairReport report;
+    const Surface done = repairSurface(slits, 30, report);
+    QVERIFY(checkSurface(done).boundsVolume());
+    QCOMPARE(report.filledHoles, 2);
+    QCOMPARE(report.addedTriangles, 8);
+    QCOMPARE(done.labels.size(), done.triangles.size());
+    QVERIFY(std::abs(factsOf(done).volume.value() - 2) < 1e-12);
+    const auto added = done.labels.end() - report.addedTriangles;
+    QVERIFY(std::is_sorted(done.labels.begin(), added));
+    for (auto label = added; label != done.labels.end(); ++label)
+        QVERIFY(*label > 0 && std::find(done.labels.begin(), added, *label) == added);
+}
+
+/// A needle of three sides that sticks in the box, its tip outside.
+Surface withNeedle() {
+    Surface needle;
+    const int rings = 9;
+    needle.points.resize(3, 3 * rings);
+    for (int i = 0; i < 3 * rings; ++i) {
+        const double angle = i % 3 * 2 * M_PI / 3;
+        const int ring = i / 3, next = i % 3 == 2 ? i - 2 : i + 1;
+        needle.points.col(i) = Vec<3>(3.4 + 0.3 * cos(angle), 3.3 + 0.3 * sin(angle), ring - 0.6);
+        if (ring + 1 == rings) continue;
+        needle.triangles.push_back({i, next, next + 3});
+        needle.triangles.push_back({i, next + 3, i + 3});
+    }
+    needle.triangles.push_back({2, 1, 0});
+    needle.triangles.push_back({3 * rings - 3, 3 * rings - 2, 3 * rings - 1});
+    return joined(kBox, needle);
+}
+
+/// What the triangles that cross hold to the rest is no part of its own afterwards.
+void TestSurfaceFixes::whatBreaksOffGoesToo() {
+    const Surface surface = withNeedle();
+    QCOMPARE(factsOf(surface).parts, 2);
+    const auto cases = casesOf(surface, "crossing");
+    QVERIFY(cases.size() > 3);
+    for (const auto& triangles : cases) {
+        const FaultFix fix = fixFor(surface, {}, "crossing", triangles);
+        QVERIFY(!fix.steps.empty());
+        QVERIFY(factsOf(fix.after.surface).parts <= 2);
+        QVERIFY(fix.left.intersecting.size() < cases.size());
+    }
 }
 
 /// One side of the box is turned over: the smaller part is turned back.
