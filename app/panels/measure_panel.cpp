@@ -30,10 +30,6 @@ QString place(const Vec<3>& p, double diagonal) {
     return QStringLiteral("%1, %2, %3").arg(one(p.x()), one(p.y()), one(p.z()));
 }
 
-QString line(const QString& name, const QString& value) {
-    return QStringLiteral("<tr><td>%1 &nbsp;</td><td>%2</td></tr>").arg(name.toHtmlEscaped(), value);
-}
-
 /// How well one cell is shaped.
 QualitySummary shapeOf(const Points<3>& points, const Cell<3>& cell) {
     SimplicialMesh<3> one;
@@ -107,8 +103,9 @@ void MeasurePanel::showSizes() {
     const auto text = [](const QString& title, const SolidSize& now, const SolidSize& rest) {
         const QString both = tr("%1, at rest %2");
         return QStringLiteral("<b>%1</b><table>").arg(title.toHtmlEscaped()) +
-               line(tr("volume"), both.arg(number(now.volume), number(rest.volume))) +
-               line(tr("area"), both.arg(number(now.area), number(rest.area))) + QStringLiteral("</table>");
+               tableLine(tr("volume"), both.arg(number(now.volume), number(rest.volume))) +
+               tableLine(tr("area"), both.arg(number(now.area), number(rest.area))) +
+               QStringLiteral("</table>");
     };
     m_whole->setText(text(tr("The whole"), sizeOf(*frame, frame->pose), sizeOf(*frame, frame->rest->points)));
     std::vector<int> held;
@@ -133,22 +130,25 @@ void MeasurePanel::showPointed() {
     }
     const Points<3> velocity = m_session.velocity<3>();
     m_point->setText(QStringLiteral("<b>%1</b><table>").arg(tr("Vertex %1").arg(m_vertex)) +
-                     line(tr("place"), place(frame->pose.col(m_vertex), frame->diagonal)) +
-                     line(tr("at rest"), place(frame->rest->points.col(m_vertex), frame->diagonal)) +
-                     line(tr("pointed at"), place(m_at, frame->diagonal)) +
-                     line(tr("velocity"), velocity.cols() ? place(velocity.col(m_vertex), frame->diagonal)
-                                                          : QStringLiteral("–")) +
+                     tableLine(tr("place"), place(frame->pose.col(m_vertex), frame->diagonal)) +
+                     tableLine(tr("at rest"), place(frame->rest->points.col(m_vertex), frame->diagonal)) +
+                     tableLine(tr("pointed at"), place(m_at, frame->diagonal)) +
+                     tableLine(tr("velocity"), velocity.cols()
+                                                   ? place(velocity.col(m_vertex), frame->diagonal)
+                                                   : QStringLiteral("–")) +
                      QStringLiteral("</table>"));
     const Cell<3>& cell = frame->rest->cells[m_pointedCell];
-    QString rows = line(tr("volume"), tr("%1, at rest %2")
-                                          .arg(number(std::abs(cellMeasure<3>(frame->pose, cell))),
-                                               number(std::abs(cellMeasure<3>(frame->rest->points, cell)))));
+    QString rows =
+        tableLine(tr("volume"), tr("%1, at rest %2")
+                                    .arg(number(std::abs(cellMeasure<3>(frame->pose, cell))),
+                                         number(std::abs(cellMeasure<3>(frame->rest->points, cell)))));
     const QualitySummary shape = shapeOf(frame->pose, cell);
-    rows += line(tr("dihedral angles"), tr("%1 to %2").arg(degrees(shape.minAngle), degrees(shape.maxAngle)));
-    rows += line(tr("circumradius to shortest edge"), number(shape.maxRadiusEdgeRatio));
+    rows += tableLine(tr("dihedral angles"),
+                      tr("%1 to %2").arg(degrees(shape.minAngle), degrees(shape.maxAngle)));
+    rows += tableLine(tr("circumradius to shortest edge"), number(shape.maxRadiusEdgeRatio));
     for (const Measure measure : measuresOf(3))
-        rows += line(measureName(measure, 3),
-                     measureText(measure, valueOf(*frame, velocity, measure, m_pointedCell)));
+        rows += tableLine(measureName(measure, 3),
+                          measureText(measure, valueOf(*frame, velocity, measure, m_pointedCell)));
     m_cell->setText(QStringLiteral("<b>%1</b><table>").arg(tr("Tetrahedron %1").arg(m_pointedCell)) + rows +
                     QStringLiteral("</table>"));
 }

@@ -27,6 +27,10 @@ QFrame* panelLine(QWidget* parent) {
     return line;
 }
 
+QString tableLine(const QString& name, const QString& value) {
+    return QStringLiteral("<tr><td>%1 &nbsp;</td><td>%2</td></tr>").arg(name.toHtmlEscaped(), value);
+}
+
 QHBoxLayout* panelRow(const QString& label, QWidget* control, QWidget* parent) {
     auto* row = new QHBoxLayout;
     row->setSpacing(8);

@@ -20,6 +20,8 @@ QHBoxLayout* panelRow(const QString& label, QWidget* control, QWidget* parent);
 QWidget* panelRowIn(const QString& label, QWidget* control, QWidget* parent);
 /// As wide as the longest entry in the language of the window, and no less than that.
 void fitToEntries(QComboBox* box, int least);
+/// A line of two columns, for a table in a label; the value is HTML.
+QString tableLine(const QString& name, const QString& value);
 /// A label as it is read, without its key: "Pin" of "&Pin", and "ピン" of "ピン(&P)".
 QString withoutKey(QString label);
 /// Tooltip, status tip and accessible description at once.

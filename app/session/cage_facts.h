@@ -6,6 +6,18 @@
 
 namespace wend {
 
+struct Domain;
+
+/// What opens the widest gap that a cage closes, as a setting; none would do with few enough cells if all are
+/// 0.
+struct GapOpener {
+    int vertices = 0;
+    double maxVolume = 0, detail = 0;
+
+    bool helps() const { return vertices > 0 || maxVolume > 0 || detail > 0; }
+    void applyTo(Domain& domain) const;
+};
+
 /// The cage that carries a surface.
 struct CageFacts {
     std::string why;                   // it was chosen by itself; empty: it was asked for
@@ -14,6 +26,7 @@ struct CageFacts {
     int parts = 0;                     // of the surface …
     int apart = 0;                     // … and sets of those that share no cube
     std::vector<ClosedGap> gaps = {};  // within parts, that it closes
+    GapOpener opener = {};             // of the widest of them
 };
 
 /// {"edge", "bodies", "parts", "apart", "gaps", "why"}, as text.

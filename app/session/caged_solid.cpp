@@ -65,16 +65,22 @@ double roundedUp(double value) {
     return unit * std::ceil(value / unit - 1e-9);
 }
 
-/// What opens the widest gap; nothing where it would take too many cells.
-std::string whatOpens(const Domain& domain, const Cage& cage) {
-    if (cage.openDetail > 0)
-        return "; a detail of " + shortNumber(roundedUp(cage.openDetail)) + " opens the widest";
+GapOpener openerOf(const Domain& domain, const Cage& cage) {
+    if (cage.gaps.empty()) return {};
+    if (cage.openDetail > 0) return {.detail = roundedUp(cage.openDetail)};
     const double vertices = cage.mesh.vertexCount() * std::pow(cage.edge / cage.openEdge, 3);
     if (vertices > kMostToOffer) return {};
-    if (domain.maxVolume > 0)
-        return "; cells of at most " + shortNumber(roundedUp(0.9 * std::pow(cage.openEdge, 3) / 12)) +
-               " open the widest";
-    return "; about " + std::to_string(static_cast<int>(roundedUp(vertices))) + " vertices open the widest";
+    if (domain.maxVolume > 0) return {.maxVolume = roundedUp(0.9 * std::pow(cage.openEdge, 3) / 12)};
+    return {.vertices = static_cast<int>(roundedUp(vertices))};
+}
+
+std::string textOf(const GapOpener& opener) {
+    if (opener.detail > 0) return "; a detail of " + shortNumber(opener.detail) + " opens the widest";
+    if (opener.maxVolume > 0)
+        return "; cells of at most " + shortNumber(opener.maxVolume) + " open the widest";
+    if (opener.vertices > 0)
+        return "; about " + std::to_string(opener.vertices) + " vertices open the widest";
+    return {};
 }
 
 void tellOfGaps(const Domain& domain, const Cage& cage, Shape<3>& solid) {
@@ -85,7 +91,7 @@ void tellOfGaps(const Domain& domain, const Cage& cage, Shape<3>& solid) {
         (cage.gaps.size() == 1 ? "the cage closes a gap within one part, " + size + " wide near " + place
                                : "the cage closes " + std::to_string(cage.gaps.size()) +
                                      " gaps within one part, the narrowest " + size + " wide near " + place) +
-        ": what lies on both sides moves together" + whatOpens(domain, cage));
+        ": what lies on both sides moves together" + textOf(openerOf(domain, cage)));
 }
 
 void tellOfCage(const Domain& domain, const Cage& cage, const std::string& why, Advice advice,
@@ -107,6 +113,12 @@ void tellOfCage(const Domain& domain, const Cage& cage, const std::string& why, 
 
 }  // namespace
 
+void GapOpener::applyTo(Domain& domain) const {
+    if (detail > 0) domain.cageDetail = detail;
+    if (maxVolume > 0) domain.maxVolume = maxVolume;
+    if (vertices > 0) domain.vertices = vertices;
+}
+
 Shape<3> cagedSolid(const Domain& domain, const std::shared_ptr<const Skin>& skin, const std::string& why,
                     std::stop_token stop, Advice advice) {
     CageOptions options;
@@ -117,7 +129,8 @@ Shape<3> cagedSolid(const Domain& domain, const std::shared_ptr<const Skin>& ski
     options.stop = stop;
     const Cage cage = fitCage(surfaceOf(*skin), options);
     Shape<3> solid;
-    solid.cage = CageFacts{why, cage.edge, cage.bodies, cage.parts, cage.apart, cage.gaps};
+    solid.cage =
+        CageFacts{why, cage.edge, cage.bodies, cage.parts, cage.apart, cage.gaps, openerOf(domain, cage)};
     tellOfCage(domain, cage, why, advice, solid);
     solid.verdict = verdictOn(cage.mesh, {}, domain.quality, false);
     solid.rest = std::make_shared<const SimplicialMesh<3>>(cage.mesh);

@@ -11,6 +11,7 @@
 #include "app/panels/cut_out_panel.h"
 #include "app/panels/cut_panel.h"
 #include "app/panels/distortion_panel.h"
+#include "app/panels/facts_panel.h"
 #include "app/panels/flow_panel.h"
 #include "app/panels/folding_section.h"
 #include "app/panels/handle_panel.h"
@@ -55,6 +56,7 @@ Properties::Properties(ShapeSession& session, Exporter& exporter, const Toolbox&
       m_measure(new MeasurePanel(session)),
       m_paint(new PaintPanel(session, m_brush)),
       m_layers(new LayerPanel(session)),
+      m_facts(new FactsPanel(session)),
       m_sizes(new SizePanel(session)),
       m_detailRegions(new RegionList(session, RegionsOf::Detail)),
       m_depthRegions(new RegionList(session, RegionsOf::Depth)),
@@ -105,6 +107,12 @@ void Properties::fill(ShapeSession& session, Exporter& exporter, const Actions& 
     const Modes posing = Mode::Pins | Mode::Animate;
     put(m_surface, tr("Surface"), "volume", {.modes = Modes::all(), .flat = false});
     put(m_mesh, tr("Mesh"), "mesh", {.modes = Mode::Mesh});
+    auto* facts = new FoldingSection(tr("Facts"),
+                                     tr("Size, area, volume and edges, the quality of the cells, "
+                                        "and gaps that a cage closes."),
+                                     QStringLiteral("facts"));
+    facts->add(m_facts);
+    put(facts, tr("Facts"), "measure", {.modes = Mode::Mesh, .flat = false});
     put(m_sizes, tr("Sizes"), "sizes", {.modes = Mode::Mesh, .flat = false, .tool = "sizes"});
     put(m_detailRegions, tr("Detail"), "sizes", {.modes = Mode::Mesh, .solid = false, .tool = "sizes"});
     put(m_depthRegions, tr("Depth"), "depth", {.modes = Mode::Paint, .solid = false, .tool = "depth"});

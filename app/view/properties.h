@@ -17,6 +17,7 @@ class Actions;
 class CutOutPanel;
 class CutPanel;
 class DistortionPanel;
+class FactsPanel;
 class Exporter;
 class FoldingSection;
 class LayerPanel;
@@ -43,6 +44,7 @@ class Properties : public QWidget {
     MaterialPanel& material() { return *m_material; }
     MeshPanel& mesh() { return *m_mesh; }
     DistortionPanel& distortion() { return *m_distortion; }
+    FactsPanel& facts() { return *m_facts; }
     CutPanel& cut() { return *m_cut; }
     MeasurePanel& measure() { return *m_measure; }
     Brush& brush() { return m_brush; }
@@ -110,6 +112,7 @@ class Properties : public QWidget {
     Brush m_brush;
     PaintPanel* m_paint;
     LayerPanel* m_layers;
+    FactsPanel* m_facts;
     SizePanel* m_sizes;
     RegionList *m_detailRegions, *m_depthRegions;
     SurfacePanel* m_surface;

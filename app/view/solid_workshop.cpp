@@ -12,6 +12,7 @@
 #include "app/document/setting_edits.h"
 #include "app/panels/cut_panel.h"
 #include "app/panels/distortion_panel.h"
+#include "app/panels/facts_panel.h"
 #include "app/panels/layer_panel.h"
 #include "app/panels/measure_panel.h"
 #include "app/session/opening.h"
@@ -95,6 +96,9 @@ void SolidWorkshop::connectView() {
     });
     connect(&maps, &DistortionPanel::placeWanted, m_canvas, [this](const Vec<3>& at) {
         if (m_isActive) m_canvas->showPlace(at);
+    });
+    connect(&m_around.properties.facts(), &FactsPanel::cellWanted, m_canvas, [this](int cell) {
+        if (m_isActive) m_canvas->showCell(cell);
     });
     connect(&maps, &DistortionPanel::faultsChanged, m_canvas,
             [this, &maps] { m_canvas->setFaults(maps.watch().faults<3>()); });

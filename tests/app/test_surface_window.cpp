@@ -4,14 +4,18 @@
 #include <QFile>
 #include <QLabel>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSignalSpy>
 
 #include <array>
 #include <cmath>
 #include <cstdlib>
 
+#include "app/document/domain.h"
 #include "app/panels/cut_panel.h"
 #include "app/panels/distortion_panel.h"
+#include "app/panels/facts_panel.h"
+#include "app/panels/folding_section.h"
 #include "app/panels/material_panel.h"
 #include "app/panels/mesh_panel.h"
 #include "app/panels/surface_panel.h"
@@ -38,6 +42,7 @@ class TestSurfaceWindow : public QObject {
     void cleanup() { m_f.reset(); }
     void badSurfacesAreShownAndRepaired();
     void singleFaultsAreFixedOneByOne();
+    void factsAreToldAndGapsAreOpened();
     void detailedSurfaceIsShownAndTellsItsNotices();
 
   private:
@@ -253,6 +258,70 @@ void TestSurfaceWindow::singleFaultsAreFixedOneByOne() {
     m_f->window().actions().undo->trigger();
     QCOMPARE(domain().fixes.size(), std::size_t(1));
     QVERIFY(QTest::qWaitFor([&] { return panel->isVisible() && says(last); }, 20000));
+}
+
+/// A fork of known size, in a cage that closes its slot; and its worst cell.
+void TestSurfaceWindow::factsAreToldAndGapsAreOpened() {
+    const Surface fork = test::fork(0.1);
+    QFile file(m_f->folder().filePath(QStringLiteral("fork.off")));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    QTextStream out(&file);
+    out << "OFF\n# unit: cm\n" << fork.points.cols() << ' ' << fork.triangles.size() << " 0\n";
+    for (const auto& p : fork.points.colwise()) out << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
+    for (const auto& [a, b, c] : fork.triangles) out << "3 " << a << ' ' << b << ' ' << c << '\n';
+    out.flush();
+    file.close();
+    m_f->window().openPath(file.fileName());
+    ShapeSession& session = m_f->session();
+    Document& document = session.document();
+    QVERIFY(QTest::qWaitFor([&] { return !document.isEmpty(); }, 20000));
+    Domain caged = document.domain();
+    caged.fit = Fit::Cage;
+    caged.vertices = 1000;
+    document.changeDomain(QStringLiteral("Caged"), caged);
+    QVERIFY(settle(session));
+    auto* panel = m_f->window().findChild<FactsPanel*>();
+    const auto text = [&](const char* name) {
+        QString plain = panel->findChild<QLabel*>(QLatin1String(name))->text();
+        return plain.replace(QRegularExpression("<[^>]*>|&nbsp;"), " ").simplified();
+    };
+    const auto button = [&](const char* name) {
+        for (QPushButton* one : panel->findChildren<QPushButton*>())
+            if (one->text() == QLatin1String(name)) return one;
+        return static_cast<QPushButton*>(nullptr);
+    };
+    m_f->window().tools().setMode(Mode::Mesh);
+    m_f->window().findChild<FoldingSection*>(QStringLiteral("facts"))->setOpen(true);
+    QVERIFY(QTest::qWaitFor([&] { return text("factsOfFile").contains("genus"); }, 20000));
+    // 0.5 × 1 × 1 without a slot of 0.1 × 0.8 × 1; 1.6 more on the slot's sides.
+    QCOMPARE(text("factsOfFile"),
+             QStringLiteral(
+                 "Surface of the file size 0.5 × 1 × 1 cm area 5.44 cm² volume 0.42 cm³ triangles 28 edges "
+                 "0.1 to 1.414 cm mean edge 0.7689 cm parts 1 boundary loops 0 genus 0 crossing pairs 0"));
+    QCOMPARE(text("factsOfCage"), QStringLiteral("Cage closed gaps 1 narrowest 0.1"));
+    QVERIFY(text("factsOfCells").startsWith(QStringLiteral("Tetrahedra worst ratio 0.")));
+    QSignalSpy wanted(panel, &FactsPanel::cellWanted);
+    const SavedCamera before = m_f->canvas().camera().saved();
+    QTest::mouseClick(button("Next gap"), Qt::LeftButton);
+    QCOMPARE(wanted.size(), 1);
+    const auto frame = session.frame<3>();
+    const Cell<3> cell = frame->rest->cells[wanted[0][0].toInt()];
+    Vec<3> centre = Vec<3>::Zero();
+    for (const int v : cell) centre += frame->rest->points.col(v) / 4;
+    QVERIFY((centre - frame->built->cage->gaps[0].place).norm() < frame->built->cage->edge);
+    QVERIFY(m_f->canvas().camera().saved() != before);
+    m_f->picture(QStringLiteral("gap-seen"));
+    QTest::mouseClick(button("Worst cell"), Qt::LeftButton);
+    QCOMPARE(wanted[1][0].toInt(), frame->built->verdict->worstCell);
+    QTest::mouseClick(button("Open the widest"), Qt::LeftButton);
+    QCOMPARE(document.domain().vertices, frame->built->cage->opener.vertices);
+    QVERIFY(document.domain().vertices > 1000);
+    QVERIFY(settle(session));
+    QVERIFY(session.frame<3>()->built->cage && session.frame<3>()->built->cage->gaps.empty());
+    QVERIFY(QTest::qWaitFor([&] { return !button("Next gap")->isVisible(); }, 20000));
+    document.undoStack()->setClean();
+    QVERIFY(m_f->open());  // another file, a bar of 4
+    QVERIFY(QTest::qWaitFor([&] { return text("factsOfFile").contains("size 4 × 1 × 1 area 18"); }, 20000));
 }
 
 void TestSurfaceWindow::detailedSurfaceIsShownAndTellsItsNotices() {

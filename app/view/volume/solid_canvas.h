@@ -61,6 +61,8 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     void showPlace(VolumePicture picture, const Vec<3>& direction, const Points<3>& around);
     /// The solid again.
     void showSolid();
+    /// A tetrahedron from near, with a mark as long as it is there.
+    void showCell(int cell);
     /// Turns the view.
     void lookAlong(const Vec<3>& direction);
     /// What lies over the view.
@@ -177,6 +179,8 @@ class SolidCanvas : public VolumeView, public SolidSurface {
     MaterialPreview<3> m_preview;
     FramePtr m_standIn;
     std::shared_ptr<const PoseFaults<3>> m_faults;
+    int m_pointedCell = -1;                   // that was to be seen …
+    std::shared_ptr<const void> m_pointedOf;  // … of this mesh
     LayerLines<3> m_layer;
     OnionSkin<3> m_onion;
     PinAnimation m_animation{m_session};

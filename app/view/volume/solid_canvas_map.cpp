@@ -13,6 +13,7 @@ namespace wend {
 namespace {
 
 const QRgb kArrowColour = qRgb(54, 84, 196), kGlyphColour = qRgb(226, 140, 44);
+constexpr double kNear = 0.2;  // of the diagonal: what is seen around a cell
 
 }  // namespace
 
@@ -86,6 +87,22 @@ void SolidCanvas::showWorst() {
     Vec<3> centre = Vec<3>::Zero();
     for (const int v : frame->rest->cells[cell]) centre += frame->pose.col(v) / 4;
     showPlace(centre);
+}
+
+void SolidCanvas::showCell(int cell) {
+    const auto frame = m_session.frame<3>();
+    if (!frame || cell < 0 || cell >= frame->cells) return;
+    m_pointedCell = cell;
+    m_pointedOf = frame->shape;
+    Points<3> around(3, 4);
+    for (int k = 0; k < 4; ++k) around.col(k) = frame->pose.col(frame->rest->cells[cell][k]);
+    const Vec<3> centre = around.rowwise().mean();
+    const double wanted = kNear * frame->diagonal,
+                 is = (around.colwise() - centre).colwise().norm().maxCoeff();
+    camera().fit(((around.colwise() - centre) * std::max(1.0, wanted / is)).colwise() + centre, size());
+    m_fitted = false;
+    update();
+    emit cameraChanged();
 }
 
 void SolidCanvas::showPlace(const Vec<3>& at) {

@@ -30,6 +30,7 @@ void SolidCanvas::paintMarks(QPainter& painter) {
     if (m_hidden || !frame) return;
     if (m_map && isDistortion(m_measure))
         painterOfSolid.worst(*frame, worstOf(*frame->distortion, m_measure).cell);
+    if (m_pointedOf == frame->shape) painterOfSolid.worst(*frame, m_pointedCell);
     m_onion.paintOutlines(painter, *this);
     if (m_session.playback().isPlaying()) return;  // a film that plays is seen without pins
     painterOfSolid.paths();

@@ -1,0 +1,212 @@
+#include "app/panels/facts_panel.h"
+
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "app/document/domain.h"
+#include "app/document/in_background.h"
+#include "app/document/named_files.h"
+#include "app/document/said.h"
+#include "app/panels/panel_parts.h"
+#include "app/session/inspection.h"
+#include "app/session/shape.h"
+#include "app/session/told_units.h"
+#include "core/mesh/mesh_file.h"
+
+namespace wend {
+
+namespace {
+
+QString number(double x) {
+    return QLocale().toString(x, 'g', 4);
+}
+
+QString asTable(const QString& title, const QString& lines) {
+    return QStringLiteral("<b>%1</b><table>").arg(title.toHtmlEscaped()) + lines + QStringLiteral("</table>");
+}
+
+/// The lines of the table.
+QString factsText(const MeshInspection& found, const QString& unit) {
+    const SurfaceFacts& facts = *found.facts;
+    const auto with = [&unit](const QString& value, const char* power) {
+        return unit.isEmpty() ? value : value + ' ' + unit + QString::fromUtf8(power);
+    };
+    const auto count = [](int n) { return QLocale().toString(n); };
+    const Vec<3> size = facts.high - facts.low;
+    QString lines =
+        tableLine(
+            FactsPanel::tr("size"),
+            with(QStringLiteral("%1 × %2 × %3").arg(number(size[0]), number(size[1]), number(size[2])), "")) +
+        tableLine(FactsPanel::tr("area"), with(number(facts.area), "²"));
+    if (facts.volume) lines += tableLine(FactsPanel::tr("volume"), with(number(*facts.volume), "³"));
+    lines +=
+        tableLine(FactsPanel::tr("triangles"), count(found.triangles > 0 ? found.triangles : 0)) +
+        tableLine(
+            FactsPanel::tr("edges"),
+            with(FactsPanel::tr("%1 to %2").arg(number(facts.shortestEdge), number(facts.longestEdge)), "")) +
+        tableLine(FactsPanel::tr("mean edge"), with(number(facts.meanEdge), "")) +
+        tableLine(FactsPanel::tr("parts"), count(facts.parts)) +
+        tableLine(FactsPanel::tr("boundary loops"), count(facts.boundaryLoops));
+    if (facts.genus) lines += tableLine(FactsPanel::tr("genus"), count(*facts.genus));
+    if (found.intersectingPairs)
+        lines += tableLine(FactsPanel::tr("crossing pairs"), count(*found.intersectingPairs));
+    return lines;
+}
+
+QString factsOfFile(const std::string& path) {
+    const MeshInspection found = inspect(readMeshFile(path));
+    const QString unit = QString::fromStdString(toldUnits(path));
+    return found.facts ? factsText(found, unit) : QString();
+}
+
+int nearestCell(const SimplicialMesh<3>& mesh, const Vec<3>& place) {
+    double least = std::numeric_limits<double>::infinity();
+    int nearest = -1;
+    for (int c = 0; c < mesh.cellCount(); ++c) {
+        Vec<3> centre = Vec<3>::Zero();
+        for (const int v : mesh.cells[c]) centre += mesh.points.col(v) / 4;
+        const double distance = (centre - place).squaredNorm();
+        if (distance >= least) continue;
+        least = distance;
+        nearest = c;
+    }
+    return nearest;
+}
+
+}  // namespace
+
+FactsPanel::FactsPanel(ShapeSession& session, QWidget* parent)
+    : QWidget(parent),
+      m_session(session),
+      m_surface(secondLabel({}, this)),
+      m_mesh(secondLabel({}, this)),
+      m_cage(secondLabel({}, this)),
+      m_worst(new QPushButton(tr("Worst cell"), this)),
+      m_gap(new QPushButton(tr("Next gap"), this)),
+      m_open(new QPushButton(tr("Open the widest"), this)) {
+    arrange();
+    describe(m_surface, tr("Facts of the file"),
+             tr("The surface as its file has it. Lengths are in the file's unit, which few files tell."));
+    describe(m_mesh, tr("Quality of the cells"),
+             tr("Circumradius over shortest edge of the worst tetrahedron, what was asked for, how many are "
+                "above that, and how many triangles of the surface force them."));
+    describe(m_cage, tr("Closed gaps"),
+             tr("Gaps within one part that the cage closes: what lies on both sides moves together."));
+    describe(m_worst, m_worst->text(), tr("Looks at the tetrahedron with the largest ratio."));
+    describe(m_gap, m_gap->text(), tr("Looks at the gaps that the cage closes, one after another."));
+    describe(m_open, m_open->text(), tr("Makes the cage so fine that the widest of these gaps stays open."));
+    connect(m_worst, &QPushButton::clicked, this, [this] {
+        if (const auto frame = m_session.frame<3>(); frame && frame->built->verdict)
+            emit cellWanted(frame->built->verdict->worstCell);
+    });
+    connect(m_gap, &QPushButton::clicked, this, &FactsPanel::goToGap);
+    connect(m_open, &QPushButton::clicked, this, &FactsPanel::openGap);
+    connect(&session, &ShapeSession::frameChanged, this, &FactsPanel::refresh);
+    connect(&session.document(), &Document::projectChanged, this, &FactsPanel::refresh);
+}
+
+void FactsPanel::arrange() {
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(16, 4, 16, 14);
+    layout->setSpacing(10);
+    m_surface->setObjectName(QStringLiteral("factsOfFile"));
+    m_mesh->setObjectName(QStringLiteral("factsOfCells"));
+    m_cage->setObjectName(QStringLiteral("factsOfCage"));
+    for (QLabel* label : {m_surface, m_mesh, m_cage}) {
+        label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+        label->setTextFormat(Qt::RichText);
+    }
+    layout->addWidget(m_surface);
+    layout->addWidget(m_mesh);
+    layout->addWidget(m_worst);
+    layout->addWidget(m_cage);
+    auto* gaps = new QHBoxLayout;
+    for (QPushButton* button : {m_gap, m_open}) gaps->addWidget(button);
+    layout->addLayout(gaps);
+}
+
+void FactsPanel::showEvent(QShowEvent*) {
+    refresh();
+}
+
+void FactsPanel::refresh() {
+    if (!isVisible() || m_session.isDragging() || m_session.document().dimension() != 3) return;
+    lookAtFile();
+    const auto frame = m_session.frame<3>();
+    const Shape<3> none;
+    const Shape<3>& shape = frame ? *frame->built : none;
+    if (frame && std::exchange(m_shape, frame->shape) != frame->shape) m_nextGap = 0;
+    showMesh(shape);
+    showCage(shape);
+}
+
+/// Once for every file that is opened.
+void FactsPanel::lookAtFile() {
+    const Document& document = m_session.document();
+    const QString path =
+        QString::fromStdString(pathIn(document.folder().toStdString(), document.domain().path));
+    if (path == m_path && document.generation() == m_generation) return;
+    m_path = path;
+    m_generation = document.generation();
+    m_surface->setText(tr("The file is looked at …"));
+    const auto look = [path]() -> QString {
+        try {
+            return factsOfFile(path.toStdString());
+        } catch (const std::exception&) {
+            return {};  // told elsewhere
+        }
+    };
+    inBackground(this, look, [this, path](const QString& lines) {
+        if (path != m_path) return;
+        m_surface->setVisible(!lines.isEmpty());
+        m_surface->setText(asTable(tr("Surface of the file"), lines));
+    });
+}
+
+void FactsPanel::showMesh(const Shape<3>& shape) {
+    const auto& verdict = shape.verdict;
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_mesh, m_worst})
+        widget->setVisible(verdict.has_value());
+    if (!verdict) return;
+    const QLocale locale;
+    QString lines = tableLine(tr("worst ratio"), number(verdict->got)) +
+                    tableLine(tr("asked for"), number(verdict->asked)) +
+                    tableLine(tr("cells above"), locale.toString(verdict->cellsAbove));
+    if (!verdict->facets.empty())
+        lines += tableLine(tr("forced by triangles"), locale.toString(int(verdict->facets.size())));
+    m_mesh->setText(asTable(tr("Tetrahedra"), lines));
+}
+
+void FactsPanel::showCage(const Shape<3>& shape) {
+    const int gaps = shape.cage ? static_cast<int>(shape.cage->gaps.size()) : 0;
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_cage, m_gap, m_open})
+        widget->setVisible(gaps > 0);
+    if (gaps == 0) return;
+    m_open->setEnabled(shape.cage->opener.helps());
+    m_open->setStatusTip(shape.cage->opener.helps() ? m_open->accessibleDescription()
+                                                    : tr("That would take more than a million vertices."));
+    m_cage->setText(
+        asTable(tr("Cage"), tableLine(tr("closed gaps"), QLocale().toString(gaps)) +
+                                tableLine(tr("narrowest"), number(shape.cage->gaps.front().width))));
+}
+
+void FactsPanel::goToGap() {
+    const auto frame = m_session.frame<3>();
+    if (!frame || !frame->built->cage || frame->built->cage->gaps.empty()) return;
+    const auto& gaps = frame->built->cage->gaps;
+    emit cellWanted(nearestCell(*frame->rest, gaps[m_nextGap++ % gaps.size()].place));
+}
+
+void FactsPanel::openGap() {
+    const auto frame = m_session.frame<3>();
+    if (!frame || !frame->built->cage) return;
+    Document& document = m_session.document();
+    Domain next = document.domain();
+    frame->built->cage->opener.applyTo(next);
+    document.changeDomain(tr("Open a gap"), std::move(next));
+}
+
+}  // namespace wend
