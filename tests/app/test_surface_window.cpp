@@ -262,24 +262,7 @@ void TestSurfaceWindow::singleFaultsAreFixedOneByOne() {
 
 /// A fork of known size, in a cage that closes its slot; and its worst cell.
 void TestSurfaceWindow::factsAreToldAndGapsAreOpened() {
-    const Surface fork = test::fork(0.1);
-    QFile file(m_f->folder().filePath(QStringLiteral("fork.off")));
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    QTextStream out(&file);
-    out << "OFF\n# unit: cm\n" << fork.points.cols() << ' ' << fork.triangles.size() << " 0\n";
-    for (const auto& p : fork.points.colwise()) out << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
-    for (const auto& [a, b, c] : fork.triangles) out << "3 " << a << ' ' << b << ' ' << c << '\n';
-    out.flush();
-    file.close();
-    m_f->window().openPath(file.fileName());
-    ShapeSession& session = m_f->session();
-    Document& document = session.document();
-    QVERIFY(QTest::qWaitFor([&] { return !document.isEmpty(); }, 20000));
-    Domain caged = document.domain();
-    caged.fit = Fit::Cage;
-    caged.vertices = 1000;
-    document.changeDomain(QStringLiteral("Caged"), caged);
-    QVERIFY(settle(session));
+    QVERIFY(m_f->open());
     auto* panel = m_f->window().findChild<FactsPanel*>();
     const auto text = [&](const char* name) {
         QString plain = panel->findChild<QLabel*>(QLatin1String(name))->text();
@@ -292,7 +275,28 @@ void TestSurfaceWindow::factsAreToldAndGapsAreOpened() {
     };
     m_f->window().tools().setMode(Mode::Mesh);
     m_f->window().findChild<FoldingSection*>(QStringLiteral("facts"))->setOpen(true);
-    QVERIFY(QTest::qWaitFor([&] { return text("factsOfFile").contains("genus"); }, 20000));
+    QVERIFY(QTest::qWaitFor([&] { return text("factsOfFile").contains("size 4 × 1 × 1 area 18"); }, 20000));
+    m_f->session().document().undoStack()->setClean();
+    const Surface fork = test::fork(0.1);
+    QFile file(m_f->folder().filePath(QStringLiteral("fork.off")));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    QTextStream out(&file);
+    out << "OFF\n# unit: cm\n" << fork.points.cols() << ' ' << fork.triangles.size() << " 0\n";
+    for (const auto& p : fork.points.colwise()) out << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
+    for (const auto& [a, b, c] : fork.triangles) out << "3 " << a << ' ' << b << ' ' << c << '\n';
+    out.flush();
+    file.close();
+    m_f->window().openPath(file.fileName());
+    ShapeSession& session = m_f->session();
+    Document& document = session.document();
+    QVERIFY(QTest::qWaitFor([&] { return document.domain().path.ends_with("fork.off"); }, 20000));
+    Domain caged = document.domain();
+    caged.fit = Fit::Cage;
+    caged.vertices = 1000;
+    document.changeDomain(QStringLiteral("Caged"), caged);
+    QVERIFY(settle(session));
+    m_f->window().tools().setMode(Mode::Mesh);
+    QVERIFY(QTest::qWaitFor([&] { return text("factsOfFile").contains(" cm "); }, 20000));
     // 0.5 × 1 × 1 without a slot of 0.1 × 0.8 × 1; 1.6 more on the slot's sides.
     QCOMPARE(text("factsOfFile"),
              QStringLiteral(
@@ -319,9 +323,6 @@ void TestSurfaceWindow::factsAreToldAndGapsAreOpened() {
     QVERIFY(settle(session));
     QVERIFY(session.frame<3>()->built->cage && session.frame<3>()->built->cage->gaps.empty());
     QVERIFY(QTest::qWaitFor([&] { return !button("Next gap")->isVisible(); }, 20000));
-    document.undoStack()->setClean();
-    QVERIFY(m_f->open());  // another file, a bar of 4
-    QVERIFY(QTest::qWaitFor([&] { return text("factsOfFile").contains("size 4 × 1 × 1 area 18"); }, 20000));
 }
 
 void TestSurfaceWindow::detailedSurfaceIsShownAndTellsItsNotices() {
