@@ -149,7 +149,7 @@ Json meshInfo(const std::string& path, const std::string& problemsFile) {
         json["quality"] = qualityInfo(inspection.quality);
     }
     if (inspection.volume > 0) json["volume"] = inspection.volume;
-    if (dimension == 0) json["fit"] = fitOf(inspection);
+    if (dimension == 0 && inspection.facts) json["fit"] = fitOf(inspection);
     if (inspection.intersectingPairs) json["intersectingPairs"] = *inspection.intersectingPairs;
     json["uv"] = file.uv.cols() > 0;
     if (!file.fields.empty()) json["fields"] = fieldsInfo(file);

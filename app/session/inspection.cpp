@@ -146,6 +146,12 @@ void inspectPartition(const SimplicialMesh<Dim>& mesh, MeshInspection& inspectio
         addHanging(hangingParts<Dim>(mesh), inspection);
 }
 
+/// Where squares and volumes of lengths leave the range of numbers.
+bool isBeyondNumbers(const Points<3>& points) {
+    const double spread = (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).maxCoeff();
+    return spread > 0 && !(spread > 1e-100 && spread < 1e100);
+}
+
 bool isPlanar(const MeshFile& file) {
     const double spread = file.points.row(2).maxCoeff() - file.points.row(2).minCoeff();
     return spread <= 1e-12 * boundingBoxDiagonal<3>(file.points);
@@ -235,7 +241,9 @@ MeshInspection inspect(const MeshFile& file) {
     MeshInspection inspection;
     inspection.vertices = static_cast<int>(file.points.cols());
     inspection.triangles = static_cast<int>(file.triangles.size());
-    if (isVolume(file)) {
+    if (isBeyondNumbers(file.points)) {
+        inspection.problems.push_back({"too large or too small to compute with", {}, true});
+    } else if (isVolume(file)) {
         inspectPartition<3>({file.points, file.tetrahedra}, inspection);
         if (std::ranges::none_of(inspection.problems, &MeshProblem::fatal)) {
             const Skin boundary = boundaryOf({file.points, file.tetrahedra});

@@ -55,6 +55,7 @@ class TestMeshTrust : public QObject {
     void initTestCase() { m_base = m_folder.path().toStdString(); }
     void partsThatHangAreTold();
     void solidsThatHangAreTold();
+    void sizesBeyondNumbersAreTold();
     void missedQualityIsTold();
     void goodQualityIsNot();
     void largerHolesAreTold();
@@ -130,6 +131,27 @@ void TestMeshTrust::solidsThatHangAreTold() {
     const Surface edge = test::joined(kBar, test::box({3, 1, 0}, {4, 2, 1}, 4));
     writeMeshFile(file("edge.obj"), fileOf(edge));
     QVERIFY(anyContains(solid("'surface': 'edge.obj', 'vertices': 300").notices, "hangs on the edge "));
+}
+
+/// A box of any size that squares and volumes can be told of; beyond that nothing is made up.
+void TestMeshTrust::sizesBeyondNumbersAreTold() {
+    const auto inspected = [this](double size) {
+        Surface scaled = kBar;
+        scaled.points *= size;
+        writeMeshFile(file("scaled.obj"), fileOf(scaled));
+        return inspect(readMeshFile(file("scaled.obj")));
+    };
+    for (const double size : {1e-60, 1e-9, 1e9, 1e60}) {
+        const auto found = inspected(size);
+        QVERIFY(found.problems.empty());
+        QVERIFY(std::abs(found.facts->volume.value() / (3 * size * size * size) - 1) < 1e-9);
+    }
+    for (const double size : {1e-300, 1e300}) {
+        const auto found = inspected(size);
+        QCOMPARE(found.problems.size(), std::size_t(1));
+        QCOMPARE(found.problems[0].what, std::string("too large or too small to compute with"));
+        QVERIFY(found.problems[0].fatal && !found.facts && found.dimension == 0);
+    }
 }
 
 /// A plate a hundredth thick, whose faces may not be split, has no round cells.

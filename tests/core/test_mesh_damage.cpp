@@ -295,9 +295,16 @@ class TestMeshDamage : public QObject {
         QTest::newRow("no vertices") << "a.obj" << QByteArray("o x\n") << "there is no vertex in it";
         QTest::newRow("off end") << "a.off" << QByteArray("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1\n")
                                  << "line 6: the file ends where a vertex number is expected";
-        QTest::newRow("off more") << "a.off"
-                                  << QByteArray("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 2\n")
-                                  << "line 7: there is more behind it than its header says";
+        QTest::newRow("off more")
+            << "a.off" << QByteArray("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\nmore\n")
+            << "line 7: 'more' is not a whole number (the number of corners is expected)";
+        QTest::newRow("off other text") << "a.off" << QByteArray("solid x\n")
+                                        << "line 1: begins with 'solid' instead of OFF: no OFF file";
+        QTest::newRow("off of four") << "a.off" << QByteArray("4OFF\n8 6 12\n")
+                                     << "line 1: '4OFF': only points in space are read";
+        QTest::newRow("off appearance")
+            << "a.off" << QByteArray("appearance {\n+face {\n}\nOFF\n3 1 0\n")
+            << "line 5: the file ends where the end of the appearance is expected";
         QTest::newRow("stl") << "a.stl" << QByteArray("solid x\nfacet normal 0 0 1\nouter lop\n")
                              << "line 3: 'lop' where 'loop' is expected";
         const auto ucd = [](const char* name, const char* text, const char* reason) {

@@ -89,6 +89,11 @@ class TestMeshReading : public QObject {
             "COFF\n4 1 0\n0 0 0 255 0 0 255\n1 0 0 1 1 1 1\n1 1 0 0 0 0 0\n0 1 0 9 9 9 9\n4 0 1 2 3 0.5 0.5 "
             "0.5\n");
         add("stcnoff", "a.off", "STCNOFF\n4 1 0\n0 0 0 1 1\n1 0 0 2 2\n1 1 0 3 3\n0 1 0 4 4\n4 0 1 2 3\n");
+        add("off, no word", "a.off", "# counts\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3 255\n");
+        add("off, more faces", "a.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n");
+        add("off, appearance", "a.off",
+            "appearance {\n +texturing\n texture { # a\n file a.pgm }\n}\nSTOFF 4 1 0\n0 0 0 1 1\n1 0 0 2 2\n"
+            "1 1 0 3 3\n0 1 0 4 4\n4 0 1 2 3\n");
         const std::vector<double> corners = cornersOfSquare;
         for (const auto& [format, order] : {std::pair("binary_little_endian", std::endian::little),
                                             {"binary_big_endian", std::endian::big}})

@@ -1,5 +1,9 @@
 // Object File Format: "OFF", the numbers of vertices, faces and edges, then the vertices and the faces.
-// Colours, normals and texture coordinates (COFF, NOFF, STOFF) are passed over.
+// Colours, normals and texture coordinates (COFF, NOFF, STOFF) are passed over, and so is what geomview may
+// put in front: "appearance { … }". The word OFF may be missing. Faces beyond the number that was told are
+// read.
+
+#include <cctype>
 
 #include "core/mesh/formats/cell_collector.h"
 #include "core/mesh/formats/mesh_format.h"
@@ -9,8 +13,26 @@
 namespace wend::formats {
 namespace {
 
+/// How a shape is to look, with blocks in blocks.
+void passAppearance(Scanner& scanner) {
+    if (!scanner.nextIs("appearance")) return;
+    int depth = 0;
+    do {
+        for (const char c : scanner.word("the end of the appearance")) depth += (c == '{') - (c == '}');
+    } while (depth > 0 || scanner.nextIs("{"));
+}
+
+bool beginsWithNumber(Scanner& scanner) {
+    if (scanner.atEnd()) return false;
+    const auto rest = scanner.bytes().substr(scanner.offset());
+    const auto end = rest.find_first_not_of("0123456789");
+    return end != 0 && end != rest.npos && std::isspace(static_cast<unsigned char>(rest[end]));
+}
+
 /// True if vertices carry more than their position, on the same line.
 bool readHeader(Scanner& scanner) {
+    passAppearance(scanner);
+    if (beginsWithNumber(scanner)) return false;
     auto word = scanner.word("the word OFF");
     const auto whole = word;
     for (const std::string_view prefix : {"ST", "C", "N"})
@@ -46,13 +68,12 @@ MeshFile readOff(std::span<const MeshSource> files) {
     }
     CellCollector cells;
     std::vector<int> polygon;
-    for (int f = 0; f < faceCount; ++f) {
+    for (int f = 0; f < faceCount || !scanner.atEnd(); ++f) {
         polygon.resize(scanner.count("corners", 2));
         for (int& corner : polygon) corner = readCorner(scanner, vertexCount);
         cells.polygon(polygon, f);
         scanner.line();  // a colour may follow
     }
-    scanner.requireEnd("its header");
     cells.moveInto(file);
     return file;
 }
