@@ -102,8 +102,8 @@ void SurfacePanel::connectControls() {
         m_show->setChecked(!on && !m_contents.isCaged);
         emit repairShown(on);
     });
-    connect(m_repair, &QPushButton::clicked, this,
-            [this] { emit repairRequested(static_cast<int>(m_hole->number())); });
+    connect(m_repair, &QPushButton::clicked, this, [this] { emit repairRequested(largestHole()); });
+    connect(m_hole, &OptionField::changed, this, [this] { emit limitChanged(largestHole()); });
     connect(m_fit, &QPushButton::clicked, this, [this] { emit fitRequested(!m_contents.isCaged); });
 }
 
@@ -139,22 +139,31 @@ void SurfacePanel::showProblems(const Contents& contents) {
     tellCase();
     m_show->setChecked(!contents.isCaged);
     m_hole->setNumber(contents.largestHole);
-    const QString repair = contents.mayRepair ? tr("“Repair” helps.")
-                                              : tr("“Repair” does not help: a cage around it can carry it.");
-    m_text->setText((contents.more + QStringList{repair, contents.repair}).join('\n').trimmed());
     m_preview->setChecked(false);
-    m_preview->setEnabled(!contents.repair.isEmpty());
-    m_preview->setStatusTip(contents.repair.isEmpty()
-                                ? tr("There is nothing that the simple repairs would change.")
-                                : m_preview->accessibleDescription());
-    m_repair->setEnabled(contents.mayRepair);
-    m_repair->setStatusTip(contents.mayRepair ? m_repair->accessibleDescription()
-                                              : tr("The simple repairs do not help: fit a cage."));
     m_fit->setText(contents.isCaged ? tr("Exact surface only") : tr("Fit a cage"));
     describe(m_fit, m_fit->text(),
              contents.isCaged
                  ? tr("Takes the cage away: without repair there is no solid then.")
                  : tr("Fills a cage of even cells around the surface, which is embedded in it."));
+}
+
+void SurfacePanel::tellOfRepair(bool helps, const QString& repair) {
+    const QString verdict =
+        helps ? tr("“Repair” helps.") : tr("“Repair” does not help: a cage around it can carry it.");
+    m_text->setText((m_contents.more + QStringList{verdict, repair}).join('\n').trimmed());
+    m_preview->setEnabled(!repair.isEmpty());
+    m_preview->setStatusTip(repair.isEmpty() ? tr("There is nothing that the simple repairs would change.")
+                                             : m_preview->accessibleDescription());
+    m_repair->setEnabled(helps);
+    m_repair->setStatusTip(helps ? m_repair->accessibleDescription()
+                                 : tr("The simple repairs do not help: fit a cage."));
+    if (!m_preview->isChecked()) return;
+    m_preview->setChecked(!repair.isEmpty());
+    emit repairShown(m_preview->isChecked());
+}
+
+int SurfacePanel::largestHole() const {
+    return static_cast<int>(m_hole->number());
 }
 
 void SurfacePanel::showFix(const QString& text, bool mayFix) {

@@ -23,15 +23,16 @@ class SurfacePanel : public QWidget {
     };
     struct Contents {
         std::vector<Kind> kinds;
-        QStringList more;  // what has no place
-        bool mayRepair = false;
-        QString repair;        // what it would do
+        QStringList more;      // what has no place
         bool isCaged = false;  // the surface is embedded in a cage all the same
         int largestHole = 30;
         int kind = 0, number = 0;  // the place to begin with
     };
     explicit SurfacePanel(QWidget* parent = nullptr);
     void showProblems(const Contents& contents);
+    /// Whether the repair of all leaves a surface that bounds a solid, and what it would do.
+    void tellOfRepair(bool helps, const QString& repair);
+    int largestHole() const;
     /// Looks at the place where it is.
     void showPlace() { step(0); }
     /// What could be done about this place alone; while that is not known it is not offered.
@@ -46,6 +47,8 @@ class SurfacePanel : public QWidget {
     /// Only what is looked at is to be put right.
     void fixRequested();
     void repairRequested(int largestHole);
+    /// Holes of so many edges are to be filled by it.
+    void limitChanged(int largestHole);
     /// The surface as the repair would leave it is to be seen, or as it is.
     void repairShown(bool shown);
     /// A cage around it, or else the exact surface.

@@ -69,6 +69,7 @@ SurfaceCheck::SurfaceCheck(ShapeSession& session, SurfacePanel& panel, QWidget& 
     connect(&panel, &SurfacePanel::saveRequested, this, &SurfaceCheck::saveList);
     connect(&panel, &SurfacePanel::fixRequested, this, &SurfaceCheck::fixOne);
     connect(&panel, &SurfacePanel::repairRequested, this, &SurfaceCheck::repair);
+    connect(&panel, &SurfacePanel::limitChanged, this, &SurfaceCheck::tryLimit);
     connect(&panel, &SurfacePanel::repairShown, this, &SurfaceCheck::showRepair);
 }
 
@@ -114,8 +115,7 @@ void SurfaceCheck::look() {
             found->numbers = std::move(fixed.numbers);
             found->problems = checkSurface(found->surface);
             found->faults = faultsOf(found->surface, found->problems);
-            found->repaired = repairSurface(found->surface, largestHole, found->report);
-            found->left = checkSurface(found->repaired);
+            found->repaired = std::make_shared<const Repaired>(found->surface, largestHole);
         } catch (const std::exception& error) {
             found->error = said(error);
         }
@@ -154,6 +154,7 @@ void SurfaceCheck::keepPlace() {
 void SurfaceCheck::take(const std::shared_ptr<const Found>& found) {
     if (!found->error.isEmpty() || found->problems.boundsVolume()) return;
     m_found = found;
+    m_repaired = found->repaired;
     SurfacePanel::Contents contents;
     const QHash<QString, QString> names{{QStringLiteral("missing_vertex"), tr("Triangles of missing points")},
                                         {QStringLiteral("crossing"), tr("Triangles that cross")},
@@ -167,8 +168,6 @@ void SurfaceCheck::take(const std::shared_ptr<const Found>& found) {
             {names.value(QString::fromStdString(kind.name)), static_cast<int>(kind.cases.size())});
     if (found->problems.flat) contents.more << tr("All points lie in one plane.");
     const Domain& domain = m_session.document().domain();
-    contents.mayRepair = found->left.boundsVolume() && !domain.repair;
-    contents.repair = domain.repair ? QString() : repairText();
     contents.isCaged = m_isCaged;
     contents.largestHole = domain.largestHole;
     const bool goesOn = std::exchange(m_goesOn, false) && !found->faults.empty();
@@ -176,6 +175,7 @@ void SurfaceCheck::take(const std::shared_ptr<const Found>& found) {
     contents.kind = m_place.kind;
     contents.number = m_place.number;
     m_panel.showProblems(contents);
+    tellOfRepair();
     m_panel.show();
     propose();
     if (goesOn)
@@ -335,8 +335,27 @@ void SurfaceCheck::repair(int largestHole) {
     document.changeDomain(tr("Repair surface"), std::move(next));
 }
 
+/// What the repair would do with another limit, before anything is done.
+void SurfaceCheck::tryLimit(int largestHole) {
+    if (!m_found) return;
+    const auto attempt = [found = m_found, largestHole] {
+        return std::make_shared<const Repaired>(found->surface, largestHole);
+    };
+    inBackground(this, attempt,
+                 [this, found = m_found, largestHole](const std::shared_ptr<const Repaired>& repaired) {
+                     if (m_found != found || m_panel.largestHole() != largestHole) return;
+                     m_repaired = repaired;
+                     tellOfRepair();
+                 });
+}
+
+void SurfaceCheck::tellOfRepair() {
+    const bool done = m_session.document().domain().repair;
+    m_panel.tellOfRepair(!done && m_repaired->left.boundsVolume(), done ? QString() : repairText());
+}
+
 QString SurfaceCheck::repairText() const {
-    const RepairReport& report = m_found->report;
+    const RepairReport& report = m_repaired->report;
     return wouldDo({{tr("merge points (%1)"), report.mergedVertices},
                     {tr("drop triangles (%1)"), report.droppedDegenerate + report.droppedDuplicate},
                     {tr("turn triangles (%1)"), report.flipped},
@@ -356,16 +375,16 @@ void SurfaceCheck::showRepair(bool shown) {
     if (!m_found || !m_canvas) return;
     if (!shown) return showSolid();
     m_isPlaceShown = false;
-    const Surface& surface = m_found->repaired;
-    const int kept = surface.triangleCount() - m_found->report.addedTriangles;
+    const Surface& surface = m_repaired->surface;
+    const int kept = surface.triangleCount() - m_repaired->report.addedTriangles;
     std::vector<QRgb> colours(surface.triangles.size(), kFine);
     std::fill(colours.begin() + kept, colours.end(), kAdded);
-    for (const int t : m_found->left.triangles(surface)) colours[t] = kWrong;
+    for (const int t : m_repaired->left.triangles(surface)) colours[t] = kWrong;
     const Vec<3> direction =
         kept < surface.triangleCount() ? intoTriangle(surface, kept) : directionToWrong();
     VolumePicture picture = pictureOfSurface(surface.points, surface.triangles, std::move(colours));
     picture.marked = markedIn(picture);
-    picture.isOpen = !m_found->left.boundsVolume();
+    picture.isOpen = !m_repaired->left.boundsVolume();
     m_canvas->setCutKind(CutKind::None);
     m_canvas->showRefused(std::move(picture), direction);
 }

@@ -24,6 +24,13 @@ class SurfaceCheck : public QObject {
     void hide();
 
   private:
+    struct Repaired {
+        explicit Repaired(const Surface& whole, int largestHole)
+            : surface(repairSurface(whole, largestHole, report)), left(checkSurface(surface)) {}
+        RepairReport report;  // what it would do
+        Surface surface;
+        SurfaceProblems left;
+    };
     struct Found {
         Surface source;                 // as the file has it
         std::vector<SurfaceFix> fixes;  // of single faults that were put right …
@@ -31,9 +38,7 @@ class SurfaceCheck : public QObject {
         std::vector<int> numbers;       // of its triangles, in the file
         SurfaceProblems problems;
         std::vector<FaultKind> faults;
-        Surface repaired;      // what the repair would leave …
-        RepairReport report;   // … and what it would do
-        SurfaceProblems left;  // in the repaired surface
+        std::shared_ptr<const Repaired> repaired;  // what the repair would leave
         QString error;
     };
     struct Place {
@@ -58,6 +63,8 @@ class SurfaceCheck : public QObject {
     void fitCage(bool cage);
     void saveList();
     void repair(int largestHole);
+    void tryLimit(int largestHole);
+    void tellOfRepair();
     void showRepair(bool shown);
     QString repairText() const;
     static QString wouldDo(const std::vector<std::pair<QString, int>>& repairs);
@@ -67,7 +74,8 @@ class SurfaceCheck : public QObject {
     QWidget& m_window;
     SolidCanvas* m_canvas = nullptr;
     std::shared_ptr<const Found> m_found;
-    Place m_place;  // in m_found
+    std::shared_ptr<const Repaired> m_repaired;  // with the limit that the panel has
+    Place m_place;                               // in m_found
     bool m_isPlaceShown = false;
     std::shared_ptr<const FaultFix> m_fix;  // what could be done there, once that is known
     bool m_goesOn = false;                  // one was fixed: the next one is looked at …

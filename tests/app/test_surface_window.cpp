@@ -130,7 +130,12 @@ void TestSurfaceWindow::badSurfacesAreShownAndRepaired() {
     QFile saved(list);
     QVERIFY(saved.open(QIODevice::ReadOnly));
     QVERIFY(saved.readAll().contains("\nopen_edges 3\n"));
-    panel->findChild<QSpinBox*>()->setValue(7);
+    QSpinBox* limit = panel->findChild<QSpinBox*>();
+    limit->setValue(2);  // what it would do is told at once
+    QVERIFY(QTest::qWaitFor([&] { return !repair->isEnabled(); }, 20000));
+    QVERIFY(!panel->findChildren<QLabel*>()[1]->text().contains(QStringLiteral("It would")));
+    limit->setValue(7);
+    QVERIFY(QTest::qWaitFor([&] { return repair->isEnabled(); }, 20000));
     QTest::mouseClick(repair, Qt::LeftButton);
     QVERIFY(m_f->session().document().project()->domain.repair);
     QCOMPARE(m_f->session().document().project()->domain.largestHole, 7);
