@@ -173,6 +173,12 @@ constexpr const char* kSentences[] = {
                       "are above it)"),
     QT_TRANSLATE_NOOP("Core", "%1: the surface is kept as it is and forces it, at its triangles %2"),
     QT_TRANSLATE_NOOP("Core",
+                      "1 vertex of the surface belongs to no tetrahedron: meshes of tetrahedra are written "
+                      "without it, and so with other numbers behind it"),
+    QT_TRANSLATE_NOOP("Core",
+                      "1 vertex belongs to no cell. It stays in what is written: some solvers want it taken "
+                      "out first"),
+    QT_TRANSLATE_NOOP("Core",
                       "%1 vertices of the surface belong to no tetrahedron: meshes of tetrahedra are "
                       "written without them, and so with other numbers behind them"),
     QT_TRANSLATE_NOOP("Core",

@@ -17,6 +17,12 @@ void tellOfUnused(const SimplicialMesh<Dim>& mesh, std::vector<std::string>& not
     const auto unused = std::ranges::count(used, false);
     if (unused == 0) return;
     const std::size_t twins = twinsOf<Dim>(mesh).size();
+    if (unused == 1) {
+        notices.push_back(std::string("1 vertex belongs to no cell") +
+                          (twins > 0 ? "; it lies at the place of another and moves with it" : "") +
+                          ". It stays in what is written: some solvers want it taken out first");
+        return;
+    }
     notices.push_back(
         std::to_string(unused) + " vertices belong to no cell" +
         (twins > 0 ? "; " + std::to_string(twins) + " of them lie at the place of another and move with it"

@@ -146,7 +146,11 @@ void tellOfMesh(const Domain& domain, const Surface& surface, const VolumeMesh& 
 
 void tellOfSpares(const VolumeMesh& volume, Shape<3>& solid) {
     const int spare = volume.mesh.vertexCount() - volume.usedCount();
-    if (spare > 0)
+    if (spare == 1)
+        solid.notices.push_back(
+            "1 vertex of the surface belongs to no tetrahedron: meshes of tetrahedra are written without it, "
+            "and so with other numbers behind it");
+    if (spare > 1)
         solid.notices.push_back(std::to_string(spare) +
                                 " vertices of the surface belong to no tetrahedron: meshes of tetrahedra are "
                                 "written without them, and so with other numbers behind them");

@@ -49,8 +49,8 @@ WorkNote::WorkNote(ShapeSession& session, QWidget& over)
     over.installEventFilter(this);
     m_delay.setSingleShot(true);
     connect(&m_delay, &QTimer::timeout, this, [this] {
+        show();  // first: words are as wide as the font is that they are shown in
         showText();
-        show();
         raise();
         qApp->installEventFilter(this);
     });
@@ -105,6 +105,7 @@ void WorkNote::showText() {
 }
 
 void WorkNote::place() {
+    layout()->activate();  // the row within it knows the new words, too
     resize(sizeHint().boundedTo(parentWidget()->size()));
     move((parentWidget()->width() - width()) / 2, parentWidget()->height() - height() - kBelow);
 }

@@ -56,6 +56,7 @@ class TestMeshTrust : public QObject {
     void partsThatHangAreTold();
     void solidsThatHangAreTold();
     void sizesBeyondNumbersAreTold();
+    void oneSpareVertexIsToldAsOne();
     void missedQualityIsTold();
     void goodQualityIsNot();
     void largerHolesAreTold();
@@ -152,6 +153,15 @@ void TestMeshTrust::sizesBeyondNumbersAreTold() {
         QCOMPARE(found.problems[0].what, std::string("too large or too small to compute with"));
         QVERIFY(found.problems[0].fatal && !found.facts && found.dimension == 0);
     }
+}
+
+void TestMeshTrust::oneSpareVertexIsToldAsOne() {
+    Surface spare = kBar;
+    spare.points.conservativeResize(Eigen::NoChange, spare.vertexCount() + 1);
+    spare.points.rightCols(1) << 1, 0.5, 0.5;
+    writeMeshFile(file("one.obj"), fileOf(spare));
+    QVERIFY(anyContains(solid("'surface': 'one.obj', 'vertices': 300").notices,
+                        "1 vertex of the surface belongs to no tetrahedron"));
 }
 
 /// A plate a hundredth thick, whose faces may not be split, has no round cells.

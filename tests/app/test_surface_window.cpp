@@ -43,6 +43,7 @@ class TestSurfaceWindow : public QObject {
     void badSurfacesAreShownAndRepaired();
     void singleFaultsAreFixedOneByOne();
     void factsAreToldAndGapsAreOpened();
+    void noteOfWorkIsWhole();
     void detailedSurfaceIsShownAndTellsItsNotices();
 
   private:
@@ -263,6 +264,22 @@ void TestSurfaceWindow::singleFaultsAreFixedOneByOne() {
     m_f->window().actions().undo->trigger();
     QCOMPARE(domain().fixes.size(), std::size_t(1));
     QVERIFY(QTest::qWaitFor([&] { return panel->isVisible() && says(last); }, 20000));
+}
+
+/// From the first time that it is shown.
+void TestSurfaceWindow::noteOfWorkIsWhole() {
+    QVERIFY(m_f->open());
+    auto* note = m_f->window().findChild<WorkNote*>();
+    Document& document = m_f->session().document();
+    Domain fine = document.domain();
+    fine.vertices = 60000;
+    document.changeDomain(QStringLiteral("Fine"), fine);
+    QVERIFY(QTest::qWaitFor([&] { return note->isVisible(); }, 20000));
+    QTest::qWait(50);
+    for (const QLabel* label : note->findChildren<QLabel*>())
+        QVERIFY2(label->width() >= label->sizeHint().width(), qPrintable(label->text()));
+    m_f->session().cancelWork();
+    QVERIFY(settle(m_f->session()));
 }
 
 /// A fork of known size, in a cage that closes its slot; and its worst cell.
