@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <set>
 
 #include "core/meshing/fewer_cells.h"
 
@@ -11,11 +12,12 @@ namespace wend {
 
 namespace {
 
-constexpr int kMany = 20000;    // cells from which on drawing them is what takes the time
-constexpr int kFirst = 2000;    // vertices to begin with, the outline's not counted
-constexpr int kWorthwhile = 3;  // more than a third of the shape's vertices are not worth their while
-constexpr int kRounds = 3;      // for one pose
-constexpr double kAhead = 0.5;  // of the tolerance: from there on a vertex is taken along with others
+constexpr int kMany = 20000;       // cells from which on drawing them is what takes the time
+constexpr int kFirst = 2000;       // vertices to begin with, the outline's not counted
+constexpr int kWorthwhile = 3;     // more than a third of the shape's vertices are not worth their while
+constexpr int kRounds = 6;         // for one pose
+constexpr double kAnotherTry = 2;  // times the tolerance with which all cells had to be drawn
+constexpr double kAhead = 0.5;     // of the tolerance: from there on a vertex is taken along with others
 
 }  // namespace
 
@@ -23,7 +25,9 @@ MovingCells::DrawnPtr MovingCells::of(const std::shared_ptr<const SimplicialMesh
                                       const std::shared_ptr<const PaintingPlan>& plan, const Points<2>& pose,
                                       double tolerance) {
     if (rest->cellCount() < kMany) return nullptr;
-    if (rest != m_rest || plan != m_given) begin(rest, plan);
+    const bool allowsMore = !m_drawn && tolerance > kAnotherTry * m_triedWith;
+    if (rest != m_rest || plan != m_given || allowsMore) begin(rest, plan);
+    m_triedWith = m_drawn ? tolerance : std::max(tolerance, m_triedWith);
     for (int round = 0; m_drawn && round < kRounds; ++round) {
         if (!add(pose, tolerance)) return m_drawn;
         make();
@@ -36,6 +40,9 @@ void MovingCells::begin(const std::shared_ptr<const SimplicialMesh<2>>& rest,
     m_rest = rest;
     m_given = plan;
     m_plan = plan ? plan : std::make_shared<const PaintingPlan>(*rest, std::vector<float>());
+    std::set<int> used;
+    for (const Cell<2>& cell : rest->cells) used.insert(cell.begin(), cell.end());
+    m_used.assign(used.begin(), used.end());
     m_located.emplace(rest->points, rest->cells);
     m_place.resize(rest->cells.size());
     for (std::size_t i = 0; i < m_place.size(); ++i) m_place[m_plan->order[i]] = static_cast<int>(i);
@@ -61,7 +68,7 @@ void MovingCells::thinOut() {
         const Vec<2> at = m_rest->points.col(vertex) / side;
         return (at - at.array().floor().matrix() - Vec<2>(0.5, 0.5)).squaredNorm();
     };
-    for (int v = 0; v < m_rest->vertexCount(); ++v) {
+    for (const int v : m_used) {
         const Vec<2> at = m_rest->points.col(v) / side;
         const auto [found, isNew] =
             nearest.try_emplace({std::lround(std::floor(at.x())), std::lround(std::floor(at.y()))}, v);
@@ -86,7 +93,7 @@ void MovingCells::make() {
     drawn->plan = std::move(plan);
     const PointLocator<2> locator(m_rest->points, drawn->cells);
     m_where.assign(m_taken.size(), {});
-    for (int v = 0; v < m_rest->vertexCount(); ++v)
+    for (const int v : m_used)
         if (const auto found = m_taken[v] ? std::nullopt : locator.find(m_rest->points.col(v)))
             m_where[v] = *found;
     m_drawn = std::move(drawn);
@@ -96,7 +103,7 @@ void MovingCells::make() {
 bool MovingCells::add(const Points<2>& pose, double tolerance) {
     std::vector<std::pair<double, int>> worst(m_drawn->cells.size(), {0, -1});
     double most = 0;
-    for (int v = 0; v < m_rest->vertexCount(); ++v) {
+    for (const int v : m_used) {
         const auto& [cell, weights] = m_where[v];
         if (cell < 0) continue;
         const Cell<2>& corners = m_drawn->cells[cell];

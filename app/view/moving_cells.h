@@ -36,10 +36,12 @@ class MovingCells {
     std::shared_ptr<const PaintingPlan> m_given, m_plan;
     std::optional<PointLocator<2>> m_located;
     std::vector<int> m_place;          // of the shape's cells in the order of painting
+    std::vector<int> m_used;           // vertices that cells have
     std::vector<int> m_vertices;       // that are drawn
     std::vector<bool> m_taken;         // by vertex
     std::vector<Location<2>> m_where;  // by vertex, in what is drawn
     DrawnPtr m_drawn;                  // null: not worth its while
+    double m_triedWith = 0;            // the newest tolerance, or the greatest while it is not
 };
 
 }  // namespace wend
