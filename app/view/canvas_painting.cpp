@@ -18,10 +18,11 @@ void ShapeCanvas::paintShape(QPainter& painter) {
     painter.save();
     painter.setOpacity(m_dimmed ? 0.55 : 1);
     const QRectF target(origin, QSizeF(m_drawn->image.size()) / request.scale() * scale);
-    painter.setRenderHint(QPainter::SmoothPixmapTransform, request.view != m_view);
-    if (request.view == m_view) {
+    const bool fits = request.view == m_view && request.coarseness == 1;
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, !fits);
+    if (fits) {
         painter.drawImage(QPointF(0, 0), m_drawn->image);
-    } else {
+    } else {  // Qt does not enlarge an image of fewer pixels than the screen's by its ratio
         painter.drawImage(target, m_drawn->image);
     }
     painter.restore();

@@ -14,8 +14,12 @@ namespace wend {
 
 namespace {
 
-const SimplicialMesh<2>& restOf(const RenderRequest& request) {
-    return request.texture ? *request.texture->rest : *request.frame->rest;
+constexpr double kSeen = 0.5;  // drawn pixels that a shape which moves may be drawn off
+
+std::shared_ptr<const SimplicialMesh<2>> restOf(const RenderRequest& request) {
+    const auto& rest = request.texture ? request.texture->rest : request.frame->rest;
+    if (!request.cells) return rest;
+    return std::make_shared<const SimplicialMesh<2>>(SimplicialMesh<2>{rest->points, request.cells->cells});
 }
 
 /// In the picture's pixels, or in those of the screen.
@@ -39,13 +43,13 @@ QImage warped(const RenderRequest& request, std::stop_token stop) {
     WarpOptions options;
     options.filter = request.filter;
     options.stop = stop;
-    options.plan = request.plan;
+    options.plan = request.cells ? request.cells->plan : request.plan;
     if (request.allOfPicture) options.outside = Outside::Original;
     if (request.texture) {  // whose domain may be turned over: the pixels of the screen are not
         view.origin.setZero();
         view.scale = 1;
     }
-    return request.picture->warped(restOf(request), poseOf(request), view, options);
+    return request.picture->warped(*restOf(request), poseOf(request), view, options);
 }
 
 constexpr double kPaintOpacity = 0.55;  // of what is painted on a picture, where maps have kMapOpacity
@@ -194,6 +198,7 @@ void RenderThread::loop(std::stop_token stop) {
             if (result->request.filter != Filter::Bilinear) token = m_current.get_token();
         }
         const auto begin = std::chrono::steady_clock::now();
+        chooseCells(result->request);
         result->image = render(result->request, token);
         result->milliseconds =
             std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
@@ -202,6 +207,13 @@ void RenderThread::loop(std::stop_token stop) {
             emit rendered(result);
         });
     }
+}
+
+void RenderThread::chooseCells(RenderRequest& request) {
+    const bool moves = request.filter == Filter::Bilinear && request.frame && request.frame->live;
+    if (!moves || !request.picture) return;
+    const double pixel = 1 / (request.view.zoom() * request.scale());
+    request.cells = m_moving.of(request.frame->rest, request.plan, request.frame->pose, kSeen * pixel);
 }
 
 QImage RenderThread::render(const RenderRequest& request, std::stop_token stop) {

@@ -11,6 +11,7 @@
 #include "app/panels/colour_map.h"
 #include "app/session/frame.h"
 #include "app/session/shape.h"
+#include "app/view/moving_cells.h"
 #include "app/view/screen_picture.h"
 #include "app/view/view_transform.h"
 #include "warp/coverage.h"
@@ -25,6 +26,7 @@ struct RenderRequest {
     std::shared_ptr<const Texture> texture;  // of a file's mesh: where that lies in the picture; or null
     PosedPtr<2> frame;
     std::shared_ptr<const PaintingPlan> plan;  // of the frame's mesh; null: all cells are equally deep
+    MovingCells::DrawnPtr cells;               // of that mesh, in the place of its own; or null
     ViewTransform view;
     QSize size;          // of the widget
     double ratio = 1;    // device pixels per widget pixel
@@ -69,12 +71,14 @@ class RenderThread : public QObject {
 
   private:
     void loop(std::stop_token stop);
+    void chooseCells(RenderRequest& request);
 
     HandOver m_out;
     std::mutex m_mutex;
     std::condition_variable_any m_arrived;
     std::optional<RenderRequest> m_next;
     std::stop_source m_current;
+    MovingCells m_moving;
     std::jthread m_thread;  // the last member: it stops before the others go
 };
 

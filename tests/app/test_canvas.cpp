@@ -49,6 +49,7 @@ class TestCanvas : public QObject {
     void edgesAreThoseOfThePose();
     void restIsShown();
     void legendTellsItsEnds();
+    void coarsePixelsFillTheView();
 
   private:
     void bendFar();
@@ -606,6 +607,27 @@ void TestCanvas::legendTellsItsEnds() {
     const QImage one = drawn(0.11, 0.57), longer = drawn(0.11, 0.83), later = drawn(0.24, 0.57);
     QVERIFY(end(one, true) == end(longer, true) && end(one, false) != end(longer, false));
     QVERIFY(end(one, true) != end(later, true) && end(one, false) == end(later, false));
+}
+
+/// While it moves a large view is drawn with fewer pixels, over the same part of the screen.
+void TestCanvas::coarsePixelsFillTheView() {
+    QVERIFY(QTest::qWaitFor([this] { return m_canvas->isSettled(); }, 20000));
+    m_canvas->resize(3200, 2200);
+    const auto before = m_canvas->drawn();
+    QVERIFY(QTest::qWaitFor([&] { return m_canvas->drawn() != before; }, 20000));
+    QVERIFY(m_canvas->drawn()->request.coarseness > 1);
+    const auto seen = [this] {
+        return m_canvas->grab().toImage().scaled(320, 220, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+    };
+    const QImage coarse = seen();
+    QVERIFY(QTest::qWaitFor([this] { return m_canvas->isSettled(); }, 20000));
+    QCOMPARE(m_canvas->drawn()->request.coarseness, 1);
+    const QImage fine = seen();
+    int differing = 0;
+    for (int y = 0; y < fine.height(); ++y)
+        for (int x = 0; x < fine.width(); ++x)
+            differing += std::abs(qGreen(coarse.pixel(x, y)) - qGreen(fine.pixel(x, y))) > 24;
+    QVERIFY2(differing < fine.width() * fine.height() / 100, qPrintable(QString::number(differing)));
 }
 
 QTEST_MAIN(TestCanvas)
