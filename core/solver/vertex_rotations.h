@@ -17,7 +17,7 @@ class VertexRotations {
     VertexRotations() = default;
     explicit VertexRotations(const AssemblyPlan<Dim>& plan);
 
-    /// Of the best rigid fit of the edges at every vertex, averaged over neighbours.
+    /// Of the best rigid fit of the edges at every vertex, smoothed over neighbours.
     void compute(const Points<Dim>& from, const Points<Dim>& to, WorkerPool& workers);
 
     /// b ← Rᵀ b and b ← R b, a vector of some vertices each.
@@ -25,11 +25,12 @@ class VertexRotations {
     void turn(const std::vector<int>& vertices, std::span<double> b) const;
 
   private:
-    Mat<Dim> edgeFit(int vertex, const Points<Dim>& from, const Points<Dim>& to) const;
-    Mat<Dim> average(int vertex) const;
+    static constexpr int kNumbers = Dim == 2 ? 2 : 9;  // of a rotation: cosine and sine, or the matrix
 
-    std::vector<int> m_start, m_neighbours;      // per vertex
-    std::vector<Mat<Dim>> m_rotations, m_other;  // per vertex
+    Mat<Dim> rotation(int vertex) const;
+
+    std::vector<int> m_start, m_neighbours;    // per vertex
+    std::vector<double> m_rotations, m_other;  // per vertex
 };
 
 }  // namespace wend
