@@ -13,22 +13,22 @@ const Quad& at(const double* p) {
 
 }  // namespace
 
+/// With O = g hᵀ, column-major as (O00, O10, O01, O11): Σ b O + (Σ a O)ᵀ + tr(Σ a O) I.
 WEND_CLONES void blocks2(const int* start, const Contribution* contributions, const double* gradients,
                          const double* coefficients, int begin, int end, double* values) {
     for (int block = begin; block < end; ++block) {
-        double m00 = 0, m10 = 0, m01 = 0, m11 = 0;
+        Quad A{}, B{};
         for (int i = start[block]; i < start[block + 1]; ++i) {
             const Contribution& pair = contributions[i];
-            const double *const g = gradients + 4 * pair.left, *const h = gradients + 4 * pair.right;
-            const double a = coefficients[2 * pair.coefficients], b = coefficients[2 * pair.coefficients + 1];
-            const double xx = g[0] * h[0], yy = g[1] * h[1], yx = g[1] * h[0], xy = g[0] * h[1];
-            m00 += (2 * a + b) * xx + a * yy;
-            m11 += (2 * a + b) * yy + a * xx;
-            m10 += a * xy + b * yx;
-            m01 += a * yx + b * xy;
+            const double* const h = gradients + 4 * pair.right;
+            const Quad O = at(gradients + 4 * pair.left) * Quad{h[0], h[0], h[1], h[1]};
+            A += O * coefficients[2 * pair.coefficients];
+            B += O * coefficients[2 * pair.coefficients + 1];
         }
+        const double trace = A[0] + A[3];
         double* const out = values + 4 * static_cast<long>(block);
-        out[0] = m00, out[1] = m10, out[2] = m01, out[3] = m11;
+        out[0] = B[0] + A[0] + trace, out[1] = B[1] + A[2], out[2] = B[2] + A[1],
+        out[3] = B[3] + A[3] + trace;
     }
 }
 

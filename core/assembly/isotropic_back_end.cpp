@@ -249,9 +249,9 @@ void IsotropicBackEnd<Dim>::cellTerms(int begin, int end) {
         for (int k = 0; k < kCorners; ++k) {
             shear += m_shear[k * n + c];
             dilation += m_dilation[k * n + c];
-            for (int a = 0; a < Dim; ++a)
-                m_cornerGradients[4 * (static_cast<std::size_t>(c) * kCorners + k) + a] =
-                    gradient(c * kCorners + k, a);
+            double* const g = m_cornerGradients.data() + 4 * (static_cast<std::size_t>(c) * kCorners + k);
+            for (int a = 0; a < Dim; ++a) g[a] = gradient(c * kCorners + k, a);
+            if (Dim == 2) g[2] = g[0], g[3] = g[1];
         }
         if (m_jump == isotropic::Jump::Stress) {
             dilation = 4 * shear * (8 * q * r + Dim * r * r);

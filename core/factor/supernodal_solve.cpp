@@ -118,7 +118,7 @@ template <class Real>
 bool SupernodalFactor<Real>::solve(std::span<const double> b, std::span<double> x, WorkerPool& workers) {
     double size = 0;
     for (double value : b) size = std::max(size, std::abs(value));
-    const double scale = size > 0 ? 1 / size : 1.0;
+    const double back = size > 0 ? size : 1.0, scale = 1 / back;
     const auto& order = m_symbolic.order;
     for (std::size_t i = 0; i < order.size(); ++i) m_x[i] = static_cast<Real>(scale * b[order[i]]);
     forwardSolve(workers);
@@ -126,7 +126,7 @@ bool SupernodalFactor<Real>::solve(std::span<const double> b, std::span<double> 
     bool finite = std::isfinite(size);
     for (std::size_t i = 0; i < order.size(); ++i) {
         finite = finite && std::isfinite(m_x[i]);
-        x[order[i]] = m_x[i] / scale;
+        x[order[i]] = back * m_x[i];
     }
     return finite;
 }
