@@ -713,6 +713,14 @@
         <source>%1; a detail of %2 opens the widest</source>
         <translation>%1; ein Detailgrad von %2 öffnet die weiteste</translation>
     </message>
+    <message>
+        <source>1 vertex of the surface belongs to no tetrahedron: meshes of tetrahedra are written without it, and so with other numbers behind it</source>
+        <translation>1 Punkt der Oberfläche gehört zu keinem Tetraeder: Tetraedernetze werden ohne ihn geschrieben und haben dahinter andere Nummern</translation>
+    </message>
+    <message>
+        <source>1 vertex belongs to no cell. It stays in what is written: some solvers want it taken out first</source>
+        <translation>1 Punkt gehört zu keiner Zelle. Er bleibt in dem, was geschrieben wird: Manche Löser wollen ihn vorher entfernt haben</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>
@@ -3466,6 +3474,149 @@
     </message>
 </context>
 <context>
+    <name>wend::FactsPanel</name>
+    <message>
+        <source>size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>area</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>edges</source>
+        <translation>Kanten</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>mean edge</source>
+        <translation>mittlere Kante</translation>
+    </message>
+    <message>
+        <source>parts</source>
+        <translation>Teile</translation>
+    </message>
+    <message>
+        <source>boundary loops</source>
+        <translation>Randschleifen</translation>
+    </message>
+    <message>
+        <source>genus</source>
+        <translation>Geschlecht</translation>
+    </message>
+    <message>
+        <source>crossing pairs</source>
+        <translation>kreuzende Paare</translation>
+    </message>
+    <message>
+        <source>Worst cell</source>
+        <translation>Schlechteste Zelle</translation>
+    </message>
+    <message>
+        <source>Next gap</source>
+        <translation>Nächster Spalt</translation>
+    </message>
+    <message>
+        <source>Open the widest</source>
+        <translation>Breitesten öffnen</translation>
+    </message>
+    <message>
+        <source>Facts of the file</source>
+        <translation>Angaben zur Datei</translation>
+    </message>
+    <message>
+        <source>The surface as its file has it. Lengths are in the file&apos;s unit, which few files tell.</source>
+        <translation>Die Oberfläche, wie die Datei sie hat. Längen sind in der Einheit der Datei, die wenige nennen.</translation>
+    </message>
+    <message>
+        <source>Quality of the cells</source>
+        <translation>Güte der Zellen</translation>
+    </message>
+    <message>
+        <source>Circumradius over shortest edge of the worst tetrahedron, what was asked for, how many are above that, and how many triangles of the surface force them.</source>
+        <translation>Umkreisradius durch kürzeste Kante des schlechtesten Tetraeders, was verlangt war, wie viele darüber liegen und wie viele Dreiecke der Oberfläche sie erzwingen.</translation>
+    </message>
+    <message>
+        <source>Closed gaps</source>
+        <translation>Geschlossene Spalte</translation>
+    </message>
+    <message>
+        <source>Gaps within one part that the cage closes: what lies on both sides moves together.</source>
+        <translation>Spalte in einem Teil, die der Käfig schließt: Was auf beiden Seiten liegt, bewegt sich zusammen.</translation>
+    </message>
+    <message>
+        <source>Looks at the tetrahedron with the largest ratio.</source>
+        <translation>Blickt auf das Tetraeder mit dem größten Verhältnis.</translation>
+    </message>
+    <message>
+        <source>Looks at the gaps that the cage closes, one after another.</source>
+        <translation>Blickt nacheinander auf die Spalte, die der Käfig schließt.</translation>
+    </message>
+    <message>
+        <source>Makes the cage so fine that the widest of these gaps stays open.</source>
+        <translation>Macht den Käfig so fein, dass der breiteste dieser Spalte offen bleibt.</translation>
+    </message>
+    <message>
+        <source>The file is looked at …</source>
+        <translation>Die Datei wird angesehen …</translation>
+    </message>
+    <message>
+        <source>Surface of the file</source>
+        <translation>Oberfläche der Datei</translation>
+    </message>
+    <message>
+        <source>worst ratio</source>
+        <translation>schlechtestes Verhältnis</translation>
+    </message>
+    <message>
+        <source>asked for</source>
+        <translation>verlangt</translation>
+    </message>
+    <message>
+        <source>cells above</source>
+        <translation>Zellen darüber</translation>
+    </message>
+    <message>
+        <source>forced by triangles</source>
+        <translation>erzwungen von Dreiecken</translation>
+    </message>
+    <message>
+        <source>Tetrahedra</source>
+        <translation>Tetraeder</translation>
+    </message>
+    <message>
+        <source>That would take more than a million vertices.</source>
+        <translation>Das bräuchte mehr als eine Million Punkte.</translation>
+    </message>
+    <message>
+        <source>Cage</source>
+        <translation>Käfig</translation>
+    </message>
+    <message>
+        <source>closed gaps</source>
+        <translation>geschlossene Spalte</translation>
+    </message>
+    <message>
+        <source>narrowest</source>
+        <translation>schmalster</translation>
+    </message>
+    <message>
+        <source>Open a gap</source>
+        <translation>Spalt öffnen</translation>
+    </message>
+</context>
+<context>
     <name>wend::FileCard</name>
     <message>
         <source>Sample: %1</source>
@@ -4954,6 +5105,14 @@
     <message>
         <source>Keep</source>
         <translation>Halten</translation>
+    </message>
+    <message>
+        <source>Facts</source>
+        <translation>Angaben</translation>
+    </message>
+    <message>
+        <source>Size, area, volume and edges, the quality of the cells, and gaps that a cage closes.</source>
+        <translation>Größe, Fläche, Volumen und Kanten, die Güte der Zellen und Spalte, die ein Käfig schließt.</translation>
     </message>
 </context>
 <context>

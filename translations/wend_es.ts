@@ -713,6 +713,14 @@
         <source>%1; a detail of %2 opens the widest</source>
         <translation>%1; un detalle de %2 abre el más ancho</translation>
     </message>
+    <message>
+        <source>1 vertex of the surface belongs to no tetrahedron: meshes of tetrahedra are written without it, and so with other numbers behind it</source>
+        <translation>1 vértice de la superficie no pertenece a ningún tetraedro: las mallas de tetraedros se escriben sin él y con otros números detrás</translation>
+    </message>
+    <message>
+        <source>1 vertex belongs to no cell. It stays in what is written: some solvers want it taken out first</source>
+        <translation>1 vértice no pertenece a ninguna celda. Se conserva en lo que se escribe: algunos solucionadores piden quitarlo antes</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>
@@ -3466,6 +3474,149 @@
     </message>
 </context>
 <context>
+    <name>wend::FactsPanel</name>
+    <message>
+        <source>size</source>
+        <translation>tamaño</translation>
+    </message>
+    <message>
+        <source>area</source>
+        <translation>área</translation>
+    </message>
+    <message>
+        <source>volume</source>
+        <translation>volumen</translation>
+    </message>
+    <message>
+        <source>triangles</source>
+        <translation>triángulos</translation>
+    </message>
+    <message>
+        <source>edges</source>
+        <translation>aristas</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 a %2</translation>
+    </message>
+    <message>
+        <source>mean edge</source>
+        <translation>arista media</translation>
+    </message>
+    <message>
+        <source>parts</source>
+        <translation>partes</translation>
+    </message>
+    <message>
+        <source>boundary loops</source>
+        <translation>bucles de borde</translation>
+    </message>
+    <message>
+        <source>genus</source>
+        <translation>género</translation>
+    </message>
+    <message>
+        <source>crossing pairs</source>
+        <translation>pares que se cruzan</translation>
+    </message>
+    <message>
+        <source>Worst cell</source>
+        <translation>Peor celda</translation>
+    </message>
+    <message>
+        <source>Next gap</source>
+        <translation>Siguiente hueco</translation>
+    </message>
+    <message>
+        <source>Open the widest</source>
+        <translation>Abrir el más ancho</translation>
+    </message>
+    <message>
+        <source>Facts of the file</source>
+        <translation>Datos del archivo</translation>
+    </message>
+    <message>
+        <source>The surface as its file has it. Lengths are in the file&apos;s unit, which few files tell.</source>
+        <translation>La superficie tal como está en el archivo. Las longitudes están en la unidad del archivo, que pocos indican.</translation>
+    </message>
+    <message>
+        <source>Quality of the cells</source>
+        <translation>Calidad de las celdas</translation>
+    </message>
+    <message>
+        <source>Circumradius over shortest edge of the worst tetrahedron, what was asked for, how many are above that, and how many triangles of the surface force them.</source>
+        <translation>Radio circunscrito entre la arista más corta del peor tetraedro, lo pedido, cuántos lo superan y cuántos triángulos de la superficie los imponen.</translation>
+    </message>
+    <message>
+        <source>Closed gaps</source>
+        <translation>Huecos cerrados</translation>
+    </message>
+    <message>
+        <source>Gaps within one part that the cage closes: what lies on both sides moves together.</source>
+        <translation>Huecos en una misma parte que la jaula cierra: ambos lados se mueven juntos.</translation>
+    </message>
+    <message>
+        <source>Looks at the tetrahedron with the largest ratio.</source>
+        <translation>Mira el tetraedro con la mayor razón.</translation>
+    </message>
+    <message>
+        <source>Looks at the gaps that the cage closes, one after another.</source>
+        <translation>Mira uno tras otro los huecos que cierra la jaula.</translation>
+    </message>
+    <message>
+        <source>Makes the cage so fine that the widest of these gaps stays open.</source>
+        <translation>Afina la jaula para que el más ancho de estos huecos quede abierto.</translation>
+    </message>
+    <message>
+        <source>The file is looked at …</source>
+        <translation>Se examina el archivo…</translation>
+    </message>
+    <message>
+        <source>Surface of the file</source>
+        <translation>Superficie del archivo</translation>
+    </message>
+    <message>
+        <source>worst ratio</source>
+        <translation>peor razón</translation>
+    </message>
+    <message>
+        <source>asked for</source>
+        <translation>pedida</translation>
+    </message>
+    <message>
+        <source>cells above</source>
+        <translation>celdas por encima</translation>
+    </message>
+    <message>
+        <source>forced by triangles</source>
+        <translation>impuesto por triángulos</translation>
+    </message>
+    <message>
+        <source>Tetrahedra</source>
+        <translation>Tetraedros</translation>
+    </message>
+    <message>
+        <source>That would take more than a million vertices.</source>
+        <translation>Harían falta más de un millón de vértices.</translation>
+    </message>
+    <message>
+        <source>Cage</source>
+        <translation>Jaula</translation>
+    </message>
+    <message>
+        <source>closed gaps</source>
+        <translation>huecos cerrados</translation>
+    </message>
+    <message>
+        <source>narrowest</source>
+        <translation>el más estrecho</translation>
+    </message>
+    <message>
+        <source>Open a gap</source>
+        <translation>Abrir un hueco</translation>
+    </message>
+</context>
+<context>
     <name>wend::FileCard</name>
     <message>
         <source>Sample: %1</source>
@@ -4954,6 +5105,14 @@
     <message>
         <source>Keep</source>
         <translation>Conservar</translation>
+    </message>
+    <message>
+        <source>Facts</source>
+        <translation>Datos</translation>
+    </message>
+    <message>
+        <source>Size, area, volume and edges, the quality of the cells, and gaps that a cage closes.</source>
+        <translation>Tamaño, área, volumen y aristas, calidad de las celdas y huecos que cierra una jaula.</translation>
     </message>
 </context>
 <context>

@@ -713,6 +713,14 @@
         <source>%1; a detail of %2 opens the widest</source>
         <translation>%1&#x202f;; une finesse de %2 ouvre le plus large</translation>
     </message>
+    <message>
+        <source>1 vertex of the surface belongs to no tetrahedron: meshes of tetrahedra are written without it, and so with other numbers behind it</source>
+        <translation>1 sommet de la surface n&apos;appartient à aucun tétraèdre&#x202f;: les maillages de tétraèdres sont écrits sans lui, donc avec d&apos;autres numéros ensuite</translation>
+    </message>
+    <message>
+        <source>1 vertex belongs to no cell. It stays in what is written: some solvers want it taken out first</source>
+        <translation>1 sommet n&apos;appartient à aucune cellule. Il reste dans ce qui est écrit&#x202f;: certains solveurs veulent qu&apos;on l&apos;ôte d&apos;abord</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>
@@ -3466,6 +3474,149 @@
     </message>
 </context>
 <context>
+    <name>wend::FactsPanel</name>
+    <message>
+        <source>size</source>
+        <translation>taille</translation>
+    </message>
+    <message>
+        <source>area</source>
+        <translation>aire</translation>
+    </message>
+    <message>
+        <source>volume</source>
+        <translation>volume</translation>
+    </message>
+    <message>
+        <source>triangles</source>
+        <translation>triangles</translation>
+    </message>
+    <message>
+        <source>edges</source>
+        <translation>arêtes</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 à %2</translation>
+    </message>
+    <message>
+        <source>mean edge</source>
+        <translation>arête moyenne</translation>
+    </message>
+    <message>
+        <source>parts</source>
+        <translation>parties</translation>
+    </message>
+    <message>
+        <source>boundary loops</source>
+        <translation>boucles de bord</translation>
+    </message>
+    <message>
+        <source>genus</source>
+        <translation>genre</translation>
+    </message>
+    <message>
+        <source>crossing pairs</source>
+        <translation>paires qui se croisent</translation>
+    </message>
+    <message>
+        <source>Worst cell</source>
+        <translation>Pire cellule</translation>
+    </message>
+    <message>
+        <source>Next gap</source>
+        <translation>Fente suivante</translation>
+    </message>
+    <message>
+        <source>Open the widest</source>
+        <translation>Ouvrir la plus large</translation>
+    </message>
+    <message>
+        <source>Facts of the file</source>
+        <translation>Données du fichier</translation>
+    </message>
+    <message>
+        <source>The surface as its file has it. Lengths are in the file&apos;s unit, which few files tell.</source>
+        <translation>La surface telle que le fichier la donne. Les longueurs sont dans l&apos;unité du fichier, que peu indiquent.</translation>
+    </message>
+    <message>
+        <source>Quality of the cells</source>
+        <translation>Qualité des cellules</translation>
+    </message>
+    <message>
+        <source>Circumradius over shortest edge of the worst tetrahedron, what was asked for, how many are above that, and how many triangles of the surface force them.</source>
+        <translation>Rayon circonscrit sur arête la plus courte du pire tétraèdre, ce qui était demandé, combien le dépassent et combien de triangles de la surface les imposent.</translation>
+    </message>
+    <message>
+        <source>Closed gaps</source>
+        <translation>Fentes fermées</translation>
+    </message>
+    <message>
+        <source>Gaps within one part that the cage closes: what lies on both sides moves together.</source>
+        <translation>Fentes dans une même partie que la cage ferme&#x202f;: les deux côtés bougent ensemble.</translation>
+    </message>
+    <message>
+        <source>Looks at the tetrahedron with the largest ratio.</source>
+        <translation>Regarde le tétraèdre de plus grand rapport.</translation>
+    </message>
+    <message>
+        <source>Looks at the gaps that the cage closes, one after another.</source>
+        <translation>Regarde l&apos;une après l&apos;autre les fentes que la cage ferme.</translation>
+    </message>
+    <message>
+        <source>Makes the cage so fine that the widest of these gaps stays open.</source>
+        <translation>Affine la cage pour que la plus large de ces fentes reste ouverte.</translation>
+    </message>
+    <message>
+        <source>The file is looked at …</source>
+        <translation>Le fichier est examiné…</translation>
+    </message>
+    <message>
+        <source>Surface of the file</source>
+        <translation>Surface du fichier</translation>
+    </message>
+    <message>
+        <source>worst ratio</source>
+        <translation>pire rapport</translation>
+    </message>
+    <message>
+        <source>asked for</source>
+        <translation>demandé</translation>
+    </message>
+    <message>
+        <source>cells above</source>
+        <translation>cellules au-dessus</translation>
+    </message>
+    <message>
+        <source>forced by triangles</source>
+        <translation>imposé par des triangles</translation>
+    </message>
+    <message>
+        <source>Tetrahedra</source>
+        <translation>Tétraèdres</translation>
+    </message>
+    <message>
+        <source>That would take more than a million vertices.</source>
+        <translation>Il faudrait plus d&apos;un million de sommets.</translation>
+    </message>
+    <message>
+        <source>Cage</source>
+        <translation>Cage</translation>
+    </message>
+    <message>
+        <source>closed gaps</source>
+        <translation>fentes fermées</translation>
+    </message>
+    <message>
+        <source>narrowest</source>
+        <translation>la plus étroite</translation>
+    </message>
+    <message>
+        <source>Open a gap</source>
+        <translation>Ouvrir une fente</translation>
+    </message>
+</context>
+<context>
     <name>wend::FileCard</name>
     <message>
         <source>Sample: %1</source>
@@ -4954,6 +5105,14 @@
     <message>
         <source>Keep</source>
         <translation>Conserver</translation>
+    </message>
+    <message>
+        <source>Facts</source>
+        <translation>Données</translation>
+    </message>
+    <message>
+        <source>Size, area, volume and edges, the quality of the cells, and gaps that a cage closes.</source>
+        <translation>Taille, aire, volume et arêtes, qualité des cellules et fentes qu&apos;une cage ferme.</translation>
     </message>
 </context>
 <context>

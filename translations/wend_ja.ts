@@ -713,6 +713,14 @@
         <source>%1; a detail of %2 opens the widest</source>
         <translation>%1。細かさ %2 で最も広い隙間が開きます</translation>
     </message>
+    <message>
+        <source>1 vertex of the surface belongs to no tetrahedron: meshes of tetrahedra are written without it, and so with other numbers behind it</source>
+        <translation>表面の 1 頂点がどの四面体にも属しません。四面体メッシュはそれなしで書かれ、以降の番号が変わります</translation>
+    </message>
+    <message>
+        <source>1 vertex belongs to no cell. It stays in what is written: some solvers want it taken out first</source>
+        <translation>1 頂点がどのセルにも属しません。書き出しには残ります。先に除く必要のあるソルバーもあります</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>
@@ -3459,6 +3467,149 @@
     </message>
 </context>
 <context>
+    <name>wend::FactsPanel</name>
+    <message>
+        <source>size</source>
+        <translation>大きさ</translation>
+    </message>
+    <message>
+        <source>area</source>
+        <translation>面積</translation>
+    </message>
+    <message>
+        <source>volume</source>
+        <translation>体積</translation>
+    </message>
+    <message>
+        <source>triangles</source>
+        <translation>三角形</translation>
+    </message>
+    <message>
+        <source>edges</source>
+        <translation>辺</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 ~ %2</translation>
+    </message>
+    <message>
+        <source>mean edge</source>
+        <translation>平均の辺</translation>
+    </message>
+    <message>
+        <source>parts</source>
+        <translation>部分</translation>
+    </message>
+    <message>
+        <source>boundary loops</source>
+        <translation>境界ループ</translation>
+    </message>
+    <message>
+        <source>genus</source>
+        <translation>種数</translation>
+    </message>
+    <message>
+        <source>crossing pairs</source>
+        <translation>交差する組</translation>
+    </message>
+    <message>
+        <source>Worst cell</source>
+        <translation>最悪のセル</translation>
+    </message>
+    <message>
+        <source>Next gap</source>
+        <translation>次の隙間</translation>
+    </message>
+    <message>
+        <source>Open the widest</source>
+        <translation>最も広い隙間を開く</translation>
+    </message>
+    <message>
+        <source>Facts of the file</source>
+        <translation>ファイルの諸元</translation>
+    </message>
+    <message>
+        <source>The surface as its file has it. Lengths are in the file&apos;s unit, which few files tell.</source>
+        <translation>ファイルにあるままの表面。長さはファイルの単位ですが、単位を記すファイルはわずかです。</translation>
+    </message>
+    <message>
+        <source>Quality of the cells</source>
+        <translation>セルの品質</translation>
+    </message>
+    <message>
+        <source>Circumradius over shortest edge of the worst tetrahedron, what was asked for, how many are above that, and how many triangles of the surface force them.</source>
+        <translation>最悪の四面体の外接球半径と最短辺の比、求めた値、それを超える数、それを強いる表面の三角形の数。</translation>
+    </message>
+    <message>
+        <source>Closed gaps</source>
+        <translation>閉じられた隙間</translation>
+    </message>
+    <message>
+        <source>Gaps within one part that the cage closes: what lies on both sides moves together.</source>
+        <translation>ケージが閉じる、一つの部分の中の隙間。両側は一緒に動きます。</translation>
+    </message>
+    <message>
+        <source>Looks at the tetrahedron with the largest ratio.</source>
+        <translation>比が最大の四面体を表示します。</translation>
+    </message>
+    <message>
+        <source>Looks at the gaps that the cage closes, one after another.</source>
+        <translation>ケージが閉じる隙間を順に表示します。</translation>
+    </message>
+    <message>
+        <source>Makes the cage so fine that the widest of these gaps stays open.</source>
+        <translation>最も広い隙間が開いたままになるまでケージを細かくします。</translation>
+    </message>
+    <message>
+        <source>The file is looked at …</source>
+        <translation>ファイルを調べています…</translation>
+    </message>
+    <message>
+        <source>Surface of the file</source>
+        <translation>ファイルの表面</translation>
+    </message>
+    <message>
+        <source>worst ratio</source>
+        <translation>最悪の比</translation>
+    </message>
+    <message>
+        <source>asked for</source>
+        <translation>求めた値</translation>
+    </message>
+    <message>
+        <source>cells above</source>
+        <translation>超えるセル</translation>
+    </message>
+    <message>
+        <source>forced by triangles</source>
+        <translation>強いる三角形</translation>
+    </message>
+    <message>
+        <source>Tetrahedra</source>
+        <translation>四面体</translation>
+    </message>
+    <message>
+        <source>That would take more than a million vertices.</source>
+        <translation>百万を超える頂点が必要です。</translation>
+    </message>
+    <message>
+        <source>Cage</source>
+        <translation>ケージ</translation>
+    </message>
+    <message>
+        <source>closed gaps</source>
+        <translation>閉じた隙間</translation>
+    </message>
+    <message>
+        <source>narrowest</source>
+        <translation>最も狭い</translation>
+    </message>
+    <message>
+        <source>Open a gap</source>
+        <translation>隙間を開く</translation>
+    </message>
+</context>
+<context>
     <name>wend::FileCard</name>
     <message>
         <source>Sample: %1</source>
@@ -4946,6 +5097,14 @@
     <message>
         <source>Keep</source>
         <translation>保持</translation>
+    </message>
+    <message>
+        <source>Facts</source>
+        <translation>諸元</translation>
+    </message>
+    <message>
+        <source>Size, area, volume and edges, the quality of the cells, and gaps that a cage closes.</source>
+        <translation>大きさ、面積、体積、辺、セルの品質、ケージが閉じる隙間。</translation>
     </message>
 </context>
 <context>

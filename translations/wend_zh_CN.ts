@@ -713,6 +713,14 @@
         <source>%1; a detail of %2 opens the widest</source>
         <translation>%1；细节度 %2 可打开最宽的一处</translation>
     </message>
+    <message>
+        <source>1 vertex of the surface belongs to no tetrahedron: meshes of tetrahedra are written without it, and so with other numbers behind it</source>
+        <translation>表面有 1 个顶点不属于任何四面体：写出的四面体网格不含它，其后编号随之改变</translation>
+    </message>
+    <message>
+        <source>1 vertex belongs to no cell. It stays in what is written: some solvers want it taken out first</source>
+        <translation>有 1 个顶点不属于任何单元。写出时会保留：某些求解器要求先将其去除</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>
@@ -3459,6 +3467,149 @@
     </message>
 </context>
 <context>
+    <name>wend::FactsPanel</name>
+    <message>
+        <source>size</source>
+        <translation>尺寸</translation>
+    </message>
+    <message>
+        <source>area</source>
+        <translation>面积</translation>
+    </message>
+    <message>
+        <source>volume</source>
+        <translation>体积</translation>
+    </message>
+    <message>
+        <source>triangles</source>
+        <translation>三角形</translation>
+    </message>
+    <message>
+        <source>edges</source>
+        <translation>边</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 至 %2</translation>
+    </message>
+    <message>
+        <source>mean edge</source>
+        <translation>平均边长</translation>
+    </message>
+    <message>
+        <source>parts</source>
+        <translation>部件</translation>
+    </message>
+    <message>
+        <source>boundary loops</source>
+        <translation>边界环</translation>
+    </message>
+    <message>
+        <source>genus</source>
+        <translation>亏格</translation>
+    </message>
+    <message>
+        <source>crossing pairs</source>
+        <translation>相交对</translation>
+    </message>
+    <message>
+        <source>Worst cell</source>
+        <translation>最差单元</translation>
+    </message>
+    <message>
+        <source>Next gap</source>
+        <translation>下一个缝隙</translation>
+    </message>
+    <message>
+        <source>Open the widest</source>
+        <translation>打开最宽的缝隙</translation>
+    </message>
+    <message>
+        <source>Facts of the file</source>
+        <translation>文件数据</translation>
+    </message>
+    <message>
+        <source>The surface as its file has it. Lengths are in the file&apos;s unit, which few files tell.</source>
+        <translation>文件中原样的表面。长度采用文件的单位，但很少有文件注明。</translation>
+    </message>
+    <message>
+        <source>Quality of the cells</source>
+        <translation>单元质量</translation>
+    </message>
+    <message>
+        <source>Circumradius over shortest edge of the worst tetrahedron, what was asked for, how many are above that, and how many triangles of the surface force them.</source>
+        <translation>最差四面体的外接半径与最短边之比、要求值、超出的数量，以及迫使其如此的表面三角形数量。</translation>
+    </message>
+    <message>
+        <source>Closed gaps</source>
+        <translation>被封闭的缝隙</translation>
+    </message>
+    <message>
+        <source>Gaps within one part that the cage closes: what lies on both sides moves together.</source>
+        <translation>笼子封闭的同一部件内的缝隙：两侧会一起移动。</translation>
+    </message>
+    <message>
+        <source>Looks at the tetrahedron with the largest ratio.</source>
+        <translation>查看比值最大的四面体。</translation>
+    </message>
+    <message>
+        <source>Looks at the gaps that the cage closes, one after another.</source>
+        <translation>依次查看笼子封闭的缝隙。</translation>
+    </message>
+    <message>
+        <source>Makes the cage so fine that the widest of these gaps stays open.</source>
+        <translation>将笼子细化到使其中最宽的缝隙保持打开。</translation>
+    </message>
+    <message>
+        <source>The file is looked at …</source>
+        <translation>正在检查文件…</translation>
+    </message>
+    <message>
+        <source>Surface of the file</source>
+        <translation>文件的表面</translation>
+    </message>
+    <message>
+        <source>worst ratio</source>
+        <translation>最差比值</translation>
+    </message>
+    <message>
+        <source>asked for</source>
+        <translation>要求值</translation>
+    </message>
+    <message>
+        <source>cells above</source>
+        <translation>超出的单元</translation>
+    </message>
+    <message>
+        <source>forced by triangles</source>
+        <translation>迫使的三角形</translation>
+    </message>
+    <message>
+        <source>Tetrahedra</source>
+        <translation>四面体</translation>
+    </message>
+    <message>
+        <source>That would take more than a million vertices.</source>
+        <translation>那需要超过一百万个顶点。</translation>
+    </message>
+    <message>
+        <source>Cage</source>
+        <translation>笼子</translation>
+    </message>
+    <message>
+        <source>closed gaps</source>
+        <translation>封闭的缝隙</translation>
+    </message>
+    <message>
+        <source>narrowest</source>
+        <translation>最窄</translation>
+    </message>
+    <message>
+        <source>Open a gap</source>
+        <translation>打开缝隙</translation>
+    </message>
+</context>
+<context>
     <name>wend::FileCard</name>
     <message>
         <source>Sample: %1</source>
@@ -4946,6 +5097,14 @@
     <message>
         <source>Keep</source>
         <translation>保持</translation>
+    </message>
+    <message>
+        <source>Facts</source>
+        <translation>数据</translation>
+    </message>
+    <message>
+        <source>Size, area, volume and edges, the quality of the cells, and gaps that a cage closes.</source>
+        <translation>尺寸、面积、体积和边，单元质量，以及笼子封闭的缝隙。</translation>
     </message>
 </context>
 <context>
