@@ -1490,6 +1490,10 @@
         <source>pixels that pictures show: those of the source, as many as the shape needs, or those of a rectangle X,Y,WIDTH,HEIGHT of the source, which may reach beyond it</source>
         <translation>welche Pixel Bilder zeigen: die der Vorlage, so viele wie die Form braucht, oder die eines Rechtecks X,Y,BREITE,HÖHE der Vorlage, das über sie hinausreichen darf</translation>
     </message>
+    <message>
+        <source>Another colour …</source>
+        <translation>Andere Farbe …</translation>
+    </message>
 </context>
 <context>
     <name>OutlineTool</name>

@@ -1490,6 +1490,10 @@
         <source>pixels that pictures show: those of the source, as many as the shape needs, or those of a rectangle X,Y,WIDTH,HEIGHT of the source, which may reach beyond it</source>
         <translation>píxeles que muestran las imágenes: los del original, tantos como necesita la forma, o los de un rectángulo X,Y,ANCHO,ALTO del original, que puede salirse de él</translation>
     </message>
+    <message>
+        <source>Another colour …</source>
+        <translation>Otro color …</translation>
+    </message>
 </context>
 <context>
     <name>OutlineTool</name>

@@ -1490,6 +1490,10 @@
         <source>pixels that pictures show: those of the source, as many as the shape needs, or those of a rectangle X,Y,WIDTH,HEIGHT of the source, which may reach beyond it</source>
         <translation>pixels que montrent les images&#x202f;: ceux de la source, autant que la forme en demande, ou ceux d’un rectangle X,Y,LARGEUR,HAUTEUR de la source, qui peut la dépasser</translation>
     </message>
+    <message>
+        <source>Another colour …</source>
+        <translation>Autre couleur …</translation>
+    </message>
 </context>
 <context>
     <name>OutlineTool</name>

@@ -1490,6 +1490,10 @@
         <source>pixels that pictures show: those of the source, as many as the shape needs, or those of a rectangle X,Y,WIDTH,HEIGHT of the source, which may reach beyond it</source>
         <translation>画像に含まれるピクセル：元画像と同じ範囲、形状に必要な範囲、または元画像の矩形 X,Y,幅,高さ（元画像からはみ出してもよい）</translation>
     </message>
+    <message>
+        <source>Another colour …</source>
+        <translation>ほかの色…</translation>
+    </message>
 </context>
 <context>
     <name>OutlineTool</name>

@@ -1490,6 +1490,10 @@
         <source>pixels that pictures show: those of the source, as many as the shape needs, or those of a rectangle X,Y,WIDTH,HEIGHT of the source, which may reach beyond it</source>
         <translation>图片显示的像素：与源图相同、按形状所需，或源图的矩形 X,Y,宽,高（可超出源图）</translation>
     </message>
+    <message>
+        <source>Another colour …</source>
+        <translation>其他颜色…</translation>
+    </message>
 </context>
 <context>
     <name>OutlineTool</name>

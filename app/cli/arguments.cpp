@@ -4,6 +4,7 @@
 
 #include "app/document/pixel_rect.h"
 #include "app/document/project.h"
+#include "app/document/rgb_text.h"
 #include "app/document/settings.h"
 #include "core/energy/material.h"
 
@@ -50,6 +51,9 @@ void check(const Option& option, const std::string& value) {
     if (option.kind == OptionKind::Canvas && !isChoice(option, value) && !pixelRectOf(value))
         throw UsageError(flag + ": \"" + value +
                          "\" is neither picture nor fit nor X,Y,WIDTH,HEIGHT in whole pixels");
+    if (option.kind == OptionKind::Colour && !isChoice(option, value) && !rgbOf(value))
+        throw UsageError(flag + ": \"" + value + "\" is neither a colour like #d9822b nor one of " +
+                         spaced(option.choices));
     if (option.kind == OptionKind::Phi && !isChoice(option, value) && !finiteNumber(value))
         throw UsageError(flag + ": \"" + value + "\" is neither a number nor one of " +
                          spaced(option.choices));
@@ -60,7 +64,8 @@ void check(const Option& option, const std::string& value) {
 std::string valueName(const Option& option) {
     if (option.kind == OptionKind::Flag) return "";
     if (option.kind == OptionKind::Choice) return " " + std::string(option.choices);
-    if (option.kind == OptionKind::Canvas) return " " + std::string(option.choices) + "|X,Y,WIDTH,HEIGHT";
+    if (const std::string form = formBesideChoices(option); !form.empty())
+        return " " + std::string(option.choices) + "|" + form;
     if (option.kind == OptionKind::Integer) return " N";
     return option.kind == OptionKind::File ? " FILE" : " X";
 }

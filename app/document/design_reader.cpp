@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "app/document/project.h"
+#include "app/document/rgb_text.h"
 #include "app/document/setting_json.h"
 #include "core/mesh/error.h"
 
@@ -286,10 +287,9 @@ std::vector<Motion<Dim>> readMotions(const JsonValue& value, double end) {
 
 std::optional<unsigned> readColour(const JsonValue& value) {
     const std::string text = value.text();
-    const bool isColour = text.size() == 7 && text[0] == '#' &&
-                          text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
-    if (!isColour) value.fail("must be a colour like \"#d9822b\", not \"" + text + '"');
-    return static_cast<unsigned>(std::stoul(text.substr(1), nullptr, 16));
+    const auto colour = rgbOf(text);
+    if (!colour) value.fail("must be a colour like \"#d9822b\", not \"" + text + '"');
+    return colour;
 }
 
 HandleTraits readTraits(JsonObject& object) {

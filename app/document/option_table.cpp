@@ -316,14 +316,14 @@ constexpr std::array kOptions{
         Row{.label = Options::tr("&Depth"),
             .words = {{Options::tr("As in the picture"), Options::tr("8 bit"), Options::tr("16 bit"),
                        Options::tr("16 bit floating point (half)"), Options::tr("32 bit floating point")}}}},
-    Option{
-        "", "--outside", Choice, "transparent", kAny, "", "transparent|clamp|original|white|black", "run",
-        Options::tr("what pictures show beside the shape: nothing, its border drawn out, the source "
-                    "as it was, or a colour"),
-        Field{},
-        Row{.label = Options::tr("&Background"),
-            .words = {{Options::tr("Transparent"), Options::tr("The border, drawn out"),
-                       Options::tr("The picture as it was"), Options::tr("White"), Options::tr("Black")}}}},
+    Option{"", "--outside", Colour, "transparent", kAny, "", "transparent|clamp|original|white|black", "run",
+           Options::tr("what pictures show beside the shape: nothing, its border drawn out, the source "
+                       "as it was, or a colour"),
+           Field{},
+           Row{.label = Options::tr("&Background"),
+               .words = {{Options::tr("Transparent"), Options::tr("The border, drawn out"),
+                          Options::tr("The picture as it was"), Options::tr("White"), Options::tr("Black"),
+                          Options::tr("Another colour …")}}}},
     Option{"", "--partial", Flag, "", kAny, "", "", "run",
            "if the deformation stops early, write the last good shape all the same"},
     Option{"", "--backend", Choice, "auto", kAny, "", "auto|opencl|cpu", "run",

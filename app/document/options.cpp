@@ -30,11 +30,17 @@ std::string allowed(const Option& option) {
     std::string text;
     for (char c : option.choices) text += c == '|' ? std::string(", ") : std::string(1, c);
     if (option.kind == Phi) text += ", or a number";
-    if (option.kind == Choice || option.kind == Phi) return text;
+    if (const std::string form = formBesideChoices(option); !form.empty()) text += ", or " + form;
+    if (!text.empty()) return text;
     return std::isinf(option.range.min) ? "any" : option.range.text();
 }
 
 }  // namespace
+
+std::string formBesideChoices(const Option& option) {
+    if (option.kind == Canvas) return "X,Y,WIDTH,HEIGHT";
+    return option.kind == Colour ? "#RRGGBB" : "";
+}
 
 bool Range::contains(double value) const {
     if (std::isnan(value)) return false;

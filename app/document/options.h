@@ -23,8 +23,8 @@ struct Range {
     std::string text() const;
 };
 
-/// Of the canvas: one of the choices, or a rectangle of pixels.
-enum class OptionKind { Flag, Number, Integer, Phi, Choice, Canvas, Text, File };
+/// Of the canvas: one of the choices, or a rectangle of pixels; of a colour: one of them, or "#d9822b".
+enum class OptionKind { Flag, Number, Integer, Phi, Choice, Canvas, Colour, Text, File };
 
 /// A value in a project. Every value is a number: a flag is 0 or 1, a choice its place in the list.
 struct Accessor {
@@ -99,6 +99,8 @@ std::string rangeProblem(const Option& option, double value);
 std::vector<std::string> choicesOf(const Option& option);
 int placeOf(const Option& option, std::string_view choice);
 bool isChoice(const Option& option, std::string_view value);
+/// How a value may be written that is none of the choices, or empty.
+std::string formBesideChoices(const Option& option);
 
 /// φ of `equia`, `metr`, `akvf`, `conf`, or NaN for another word.
 double phiOfName(std::string_view name, int dim);

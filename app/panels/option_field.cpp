@@ -1,6 +1,7 @@
 #include "app/panels/option_field.h"
 
 #include <QCheckBox>
+#include <QColorDialog>
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QHBoxLayout>
@@ -35,7 +36,7 @@ OptionField::OptionField(std::string_view keyOrFlag, QWidget* parent)
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     const Row& words = m_option.row;
-    if (m_option.kind == OptionKind::Choice || m_option.kind == OptionKind::Canvas || words.words[0])
+    if (words.words[0])
         makeChoice();
     else if (m_option.kind == OptionKind::Flag)
         makeFlag();
@@ -88,7 +89,28 @@ void OptionField::makeChoice() {
     for (std::size_t i = m_choice->count(); i < m_option.row.words.size() && m_option.row.words[i]; ++i)
         m_choice->addItem(told(m_option.row.words[i]));
     setValue(defaultText(m_option));
+    if (m_option.kind == OptionKind::Colour) letColourBeChosen();
     connect(m_choice, &QComboBox::currentIndexChanged, this, &OptionField::changed);
+}
+
+/// The last of the words stands for any colour, which a dialog asks for; who leaves it has what was before.
+void OptionField::letColourBeChosen() {
+    const int other = m_choice->count() - 1;
+    m_choice->setItemData(other, QStringLiteral("#808080"));
+    connect(m_choice, &QComboBox::currentIndexChanged, this, [this, other](int index) {
+        if (index != other) m_beforeColour = index;
+    });
+    connect(m_choice, &QComboBox::activated, this, [this, other](int index) {
+        if (index != other) return;
+        const QColor before(m_choice->itemData(other).toString());
+        const QColor chosen = QColorDialog::getColor(before, this, withoutKey(label()));
+        if (!chosen.isValid()) return m_choice->setCurrentIndex(m_beforeColour);
+        m_choice->setItemData(other, chosen.name());
+        QPixmap patch(m_choice->iconSize());
+        patch.fill(chosen);
+        m_choice->setItemIcon(other, patch);
+        emit changed();
+    });
 }
 
 void OptionField::makeInteger() {

@@ -50,6 +50,7 @@ class OptionField : public QWidget {
   private:
     void makeFlag();
     void makeChoice();
+    void letColourBeChosen();
     void makeInteger();
     void makeNumber();
     void limitNumber();
@@ -60,6 +61,7 @@ class OptionField : public QWidget {
     int m_width = 0;  // of a number; 0: as it comes
     QCheckBox* m_check = nullptr;
     QComboBox* m_choice = nullptr;
+    int m_beforeColour = 0;  // the choice before a colour of one's own
     QSpinBox* m_integer = nullptr;
     ExactBox* m_number = nullptr;
 };

@@ -1,6 +1,7 @@
 #include "app/session/run_options.h"
 
 #include "app/document/project.h"
+#include "app/document/rgb_text.h"
 #include "app/session/flat_shape.h"
 
 #include "core/mesh/error.h"
@@ -20,14 +21,13 @@ std::optional<PixelType> depthOf(const std::string& name) {
 }
 
 void takeOutside(const std::string& name, RunOptions& options) {
-    static const std::map<std::string, Outside> kinds{{"transparent", Outside::Transparent},
-                                                      {"clamp", Outside::Clamp},
-                                                      {"original", Outside::Original},
-                                                      {"white", Outside::Colour},
-                                                      {"black", Outside::Colour}};
-    options.outside = kinds.at(name);
-    const float light = name == "white" ? 1 : 0;
-    options.colour = {light, light, light, 1};
+    static const std::map<std::string, Outside> kinds{
+        {"transparent", Outside::Transparent}, {"clamp", Outside::Clamp}, {"original", Outside::Original}};
+    const auto kind = kinds.find(name);
+    options.outside = kind == kinds.end() ? Outside::Colour : kind->second;
+    const unsigned rgb = rgbOf(name).value_or(name == "white" ? 0xffffff : 0);
+    const auto channel = [rgb](int shift) { return static_cast<float>(rgb >> shift & 0xff) / 255; };
+    options.colour = {channel(16), channel(8), channel(0), 1};
 }
 
 CanvasChoice canvasOf(const std::string& text) {

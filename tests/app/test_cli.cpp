@@ -269,6 +269,13 @@ void TestCli::partOfThePicture() {
         QVERIFY2(result.error.contains("--canvas") && result.error.contains("X,Y,WIDTH,HEIGHT"),
                  qPrintable(result.error));
     }
+    for (const char* wrong : {"pink", "#12345", "#1234567", "#12345g", "d9e4f2"}) {
+        const CliResult result =
+            runCli(path(), {"run", "disc.wend", "--outside", wrong, "--image", "no.png"});
+        QCOMPARE(result.code, 2);
+        QVERIFY2(result.error.contains("--outside") && result.error.contains("#d9822b"),
+                 qPrintable(result.error));
+    }
     QVERIFY(!QFile::exists(QString::fromStdString(file("no.png"))));
 }
 

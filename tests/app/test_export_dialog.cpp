@@ -414,8 +414,10 @@ void TestExportDialog::depthsAreWritten() {
 void TestExportDialog::backgroundsAreWritten() {
     open(writeCutOut(*m_folder));
     bend(-10, 25);
-    const std::pair<const char*, QRgb> kinds[] = {
-        {"transparent", qRgba(0, 0, 0, 0)}, {"white", qRgb(255, 255, 255)}, {"black", qRgb(0, 0, 0)}};
+    const std::pair<const char*, QRgb> kinds[] = {{"transparent", qRgba(0, 0, 0, 0)},
+                                                  {"white", qRgb(255, 255, 255)},
+                                                  {"black", qRgb(0, 0, 0)},
+                                                  {"#d9E4f2", qRgb(0xd9, 0xe4, 0xf2)}};
     for (const auto& [name, colour] : kinds) {
         QVERIFY(written(ExportKind::Picture, file("ground.png"), with("--outside", name)));
         const QImage image = QImage(file("ground.png")).convertToFormat(QImage::Format_ARGB32);

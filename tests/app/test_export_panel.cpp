@@ -1,3 +1,4 @@
+#include <QColorDialog>
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
@@ -30,6 +31,7 @@ class TestExportPanel : public QObject {
     void whatIsPreviewedIsWritten();
     void whatWasChosenStays();
     void fitIsOneClick();
+    void anyColourIsBehindThePicture();
     void framesLastAsLongAsTheMotion();
     void nothingIsWrittenWithoutAShape();
     void cropIsDrawn();
@@ -90,6 +92,31 @@ bool TestExportPanel::bend(double dx, double dy) {
     session.dragTo<2>({dx, dy});
     session.endDrag(0.5);
     return settle(session);
+}
+
+/// The last of the backgrounds asks for a colour; a dialog that is left changes nothing.
+void TestExportPanel::anyColourIsBehindThePicture() {
+    QVERIFY(m_f->openPicture());
+    toExport();
+    auto* choice = panel().form().field("--outside")->findChild<QComboBox*>();
+    choice->setFocus();
+    const auto chosen = [&](const QColor& colour) {
+        bool asked = false;
+        withNext<QColorDialog>(this, [&](QColorDialog& dialog) {
+            asked = true;
+            if (!colour.isValid()) return dialog.reject();
+            dialog.setCurrentColor(colour);
+            dialog.accept();
+        });
+        QTest::keyClick(choice, Qt::Key_End);
+        return asked ? panel().form().values().text("--outside") : std::string("not asked");
+    };
+    QCOMPARE(chosen({}), std::string("transparent"));
+    QCOMPARE(chosen(QColor(0xd9, 0xe4, 0xf2)), std::string("#d9e4f2"));
+    QVERIFY(isCurrent());
+    QCOMPARE(seen().pixel(1, 1), qRgb(0xd9, 0xe4, 0xf2));
+    choice->setCurrentIndex(3);
+    QCOMPARE(chosen({}), std::string("white"));
 }
 
 QPushButton* TestExportPanel::button(const QString& text) {

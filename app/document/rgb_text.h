@@ -1,0 +1,11 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace wend {
+
+/// 0xRRGGBB of a text like "#d9822b"; nothing for any other text.
+std::optional<unsigned> rgbOf(const std::string& text);
+
+}  // namespace wend
