@@ -1544,6 +1544,10 @@
         <source>The tolerance, also [ and ], changes what was taken; click on another colour, Ctrl takes it away</source>
         <translation>Die Toleranz, auch [ und ], ändert, was genommen wurde; ein Klick auf eine andere Farbe nimmt sie dazu, mit Strg weg</translation>
     </message>
+    <message>
+        <source>That was a line. Draw around a part of the picture.</source>
+        <translation>Das war eine Linie. Umfahren Sie einen Teil des Bildes.</translation>
+    </message>
 </context>
 <context>
     <name>PaintTool</name>
@@ -2628,16 +2632,20 @@
         <translation>Vergleichen mit</translation>
     </message>
     <message>
-        <source>What this half keeps, on the same pins and motions.</source>
-        <translation>Was diese Hälfte erhält, mit denselben Pins und Bewegungen.</translation>
-    </message>
-    <message>
         <source>End the comparison</source>
         <translation>Vergleich beenden</translation>
     </message>
     <message>
         <source>Shows one shape again.</source>
         <translation>Zeigt wieder eine einzige Form.</translation>
+    </message>
+    <message>
+        <source>What this half keeps, or what it is without paint, on the same pins and motions.</source>
+        <translation>Was diese Hälfte erhält, oder wie sie ohne Bemalung ist, mit denselben Pins und Bewegungen.</translation>
+    </message>
+    <message>
+        <source>Nothing painted</source>
+        <translation>Ohne Bemalung</translation>
     </message>
 </context>
 <context>
@@ -4428,6 +4436,18 @@
     <message>
         <source>Write what is shown: as picture, sequence, warp map, mesh or view</source>
         <translation>Schreiben, was zu sehen ist: als Bild, Sequenz, Verzerrungskarte, Netz oder Ansicht</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Zoom</translation>
+    </message>
+    <message>
+        <source>How large the picture is seen; a click shows its pixels as they are.</source>
+        <translation>Wie groß das Bild zu sehen ist; ein Klick zeigt seine Pixel, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
     </message>
 </context>
 <context>

@@ -1544,6 +1544,10 @@
         <source>The tolerance, also [ and ], changes what was taken; click on another colour, Ctrl takes it away</source>
         <translation>La tolerancia, también [ y ], cambia lo que se tomó; haga clic en otro color, con Ctrl se quita</translation>
     </message>
+    <message>
+        <source>That was a line. Draw around a part of the picture.</source>
+        <translation>Eso era una línea. Rodee una parte de la imagen.</translation>
+    </message>
 </context>
 <context>
     <name>PaintTool</name>
@@ -2628,16 +2632,20 @@
         <translation>Comparar con</translation>
     </message>
     <message>
-        <source>What this half keeps, on the same pins and motions.</source>
-        <translation>Qué conserva esta mitad, con los mismos alfileres y movimientos.</translation>
-    </message>
-    <message>
         <source>End the comparison</source>
         <translation>Terminar la comparación</translation>
     </message>
     <message>
         <source>Shows one shape again.</source>
         <translation>Vuelve a mostrar una sola forma.</translation>
+    </message>
+    <message>
+        <source>What this half keeps, or what it is without paint, on the same pins and motions.</source>
+        <translation>Lo que conserva esta mitad, o cómo es sin pintura, con los mismos alfileres y movimientos.</translation>
+    </message>
+    <message>
+        <source>Nothing painted</source>
+        <translation>Sin pintura</translation>
     </message>
 </context>
 <context>
@@ -4428,6 +4436,18 @@
     <message>
         <source>Write what is shown: as picture, sequence, warp map, mesh or view</source>
         <translation>Exportar lo que se ve: como imagen, secuencia, mapa de deformación, malla o vista</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Zoom</translation>
+    </message>
+    <message>
+        <source>How large the picture is seen; a click shows its pixels as they are.</source>
+        <translation>El tamaño al que se ve la imagen; un clic muestra sus píxeles tal como son.</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
     </message>
 </context>
 <context>

@@ -1544,6 +1544,10 @@
         <source>The tolerance, also [ and ], changes what was taken; click on another colour, Ctrl takes it away</source>
         <translation>La tolérance, aussi [ et ], change ce qui a été pris ; cliquez sur une autre couleur, avec Ctrl elle est retirée</translation>
     </message>
+    <message>
+        <source>That was a line. Draw around a part of the picture.</source>
+        <translation>C’était une ligne. Entourez une partie de l’image.</translation>
+    </message>
 </context>
 <context>
     <name>PaintTool</name>
@@ -2628,16 +2632,20 @@
         <translation>Comparer avec</translation>
     </message>
     <message>
-        <source>What this half keeps, on the same pins and motions.</source>
-        <translation>Ce que conserve cette moitié, avec les mêmes épingles et mouvements.</translation>
-    </message>
-    <message>
         <source>End the comparison</source>
         <translation>Terminer la comparaison</translation>
     </message>
     <message>
         <source>Shows one shape again.</source>
         <translation>Montre de nouveau une seule forme.</translation>
+    </message>
+    <message>
+        <source>What this half keeps, or what it is without paint, on the same pins and motions.</source>
+        <translation>Ce que cette moitié conserve, ou ce qu’elle est sans peinture, avec les mêmes épingles et mouvements.</translation>
+    </message>
+    <message>
+        <source>Nothing painted</source>
+        <translation>Rien de peint</translation>
     </message>
 </context>
 <context>
@@ -4428,6 +4436,18 @@
     <message>
         <source>Write what is shown: as picture, sequence, warp map, mesh or view</source>
         <translation>Exporter ce qui est affiché&#x202f;: image, séquence, carte de déformation, maillage ou vue</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Zoom</translation>
+    </message>
+    <message>
+        <source>How large the picture is seen; a click shows its pixels as they are.</source>
+        <translation>La taille à laquelle l’image est vue ; un clic montre ses pixels tels quels.</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
     </message>
 </context>
 <context>

@@ -1543,6 +1543,10 @@
         <source>The tolerance, also [ and ], changes what was taken; click on another colour, Ctrl takes it away</source>
         <translation>許容値（[ と ] でも）を変えると、取った範囲が変わります。別の色をクリックで追加、Ctrl で除外</translation>
     </message>
+    <message>
+        <source>That was a line. Draw around a part of the picture.</source>
+        <translation>線になっています。画像の一部を囲んでください。</translation>
+    </message>
 </context>
 <context>
     <name>PaintTool</name>
@@ -2627,16 +2631,20 @@
         <translation>比較対象</translation>
     </message>
     <message>
-        <source>What this half keeps, on the same pins and motions.</source>
-        <translation>同じピンとモーションで、こちら側が保持するもの。</translation>
-    </message>
-    <message>
         <source>End the comparison</source>
         <translation>比較を終了</translation>
     </message>
     <message>
         <source>Shows one shape again.</source>
         <translation>1 つの形状だけの表示に戻します。</translation>
+    </message>
+    <message>
+        <source>What this half keeps, or what it is without paint, on the same pins and motions.</source>
+        <translation>こちら側で保つもの、または塗りがない場合の形。ピンと動きは同じです。</translation>
+    </message>
+    <message>
+        <source>Nothing painted</source>
+        <translation>塗りなし</translation>
     </message>
 </context>
 <context>
@@ -4420,6 +4428,18 @@
     <message>
         <source>Write what is shown: as picture, sequence, warp map, mesh or view</source>
         <translation>表示中のものを、画像、連番、ワープマップ、メッシュ、ビューとして書き出します</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>ズーム</translation>
+    </message>
+    <message>
+        <source>How large the picture is seen; a click shows its pixels as they are.</source>
+        <translation>画像の表示倍率。クリックすると等倍で表示します。</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1%</translation>
     </message>
 </context>
 <context>

@@ -1543,6 +1543,10 @@
         <source>The tolerance, also [ and ], changes what was taken; click on another colour, Ctrl takes it away</source>
         <translation>容差（也可用 [ 和 ]）会改变已选取的范围；单击其他颜色可添加，按住 Ctrl 减去</translation>
     </message>
+    <message>
+        <source>That was a line. Draw around a part of the picture.</source>
+        <translation>那是一条线。请圈出图像的一部分。</translation>
+    </message>
 </context>
 <context>
     <name>PaintTool</name>
@@ -2627,16 +2631,20 @@
         <translation>比较对象</translation>
     </message>
     <message>
-        <source>What this half keeps, on the same pins and motions.</source>
-        <translation>图钉和运动相同时，这一半的保持内容。</translation>
-    </message>
-    <message>
         <source>End the comparison</source>
         <translation>结束比较</translation>
     </message>
     <message>
         <source>Shows one shape again.</source>
         <translation>恢复为只显示一个形状。</translation>
+    </message>
+    <message>
+        <source>What this half keeps, or what it is without paint, on the same pins and motions.</source>
+        <translation>这一半保持什么，或不涂绘时的样子；图钉与运动相同。</translation>
+    </message>
+    <message>
+        <source>Nothing painted</source>
+        <translation>无涂绘</translation>
     </message>
 </context>
 <context>
@@ -4420,6 +4428,18 @@
     <message>
         <source>Write what is shown: as picture, sequence, warp map, mesh or view</source>
         <translation>导出所显示的内容：图片、序列、变形贴图、网格或视图</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>缩放</translation>
+    </message>
+    <message>
+        <source>How large the picture is seen; a click shows its pixels as they are.</source>
+        <translation>图像的显示比例；点击后按原始像素显示。</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1%</translation>
     </message>
 </context>
 <context>

@@ -180,6 +180,16 @@ AnyDesign withAllHidden(const AnyDesign& design) {
     });
 }
 
+bool isPainted(const AnyDesign& design) {
+    return std::visit(
+        [](const auto& one) {
+            const auto& [regions, cells] = std::tie(one.material.regions, one.material.cellPhi);
+            return !cells.empty() ||
+                   std::ranges::any_of(regions, [](const auto& region) { return !region.hidden; });
+        },
+        design);
+}
+
 #define WEND_INSTANTIATE(Dim)                                                        \
     template std::vector<RegionGroup<Dim>> regionGroups<Dim>(const Design<Dim>&);    \
     template Design<Dim> withRegions<Dim>(const Design<Dim>&, const std::string&,    \

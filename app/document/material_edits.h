@@ -59,5 +59,7 @@ AnyDesign withoutGroup(const AnyDesign& design, const std::string& name);
 AnyDesign withCellsFile(const AnyDesign& design, const std::string& file);
 AnyDesign withoutCells(const AnyDesign& design);
 AnyDesign withAllHidden(const AnyDesign& design);
+/// Whether any place of the shape is to be other than the whole.
+bool isPainted(const AnyDesign& design);
 
 }  // namespace wend

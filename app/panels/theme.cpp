@@ -36,6 +36,7 @@ QPalette paletteOf(const Tones& tones) {
     set({QPalette::Button, QPalette::ToolTipBase}, tones.raised);
     set({QPalette::ToolTipText}, tones.text);
     set({QPalette::Mid}, tones.border);
+    set({QPalette::Light}, tones.raised);  // menus etch what is disabled with it
     set({QPalette::Midlight}, tones.line);
     set({QPalette::Dark}, tones.border);
     set({QPalette::Shadow, QPalette::PlaceholderText}, tones.muted);

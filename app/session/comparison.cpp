@@ -1,5 +1,6 @@
 #include "app/session/comparison.h"
 
+#include "app/document/material_edits.h"
 #include "app/document/options.h"
 #include "app/document/project.h"
 
@@ -25,7 +26,7 @@ Comparison::Comparison(ShapeSession& session, QObject* parent) : QObject(parent)
     connect(&m_session, &ShapeSession::dragCancelled, &m_other, &ShapeSession::cancelDrag);
 }
 
-void Comparison::begin(double phi) {
+void Comparison::begin(std::optional<double> phi) {
     if (m_session.document().isEmpty()) return;
     m_phi = phi;
     m_on = true;
@@ -43,7 +44,10 @@ FramePtr Comparison::frame() const {
 
 Project Comparison::wanted() const {
     Project project = *m_session.document().project();
-    option("material.phi").field.at.set(project, m_phi);
+    if (m_phi)
+        option("material.phi").field.at.set(project, *m_phi);
+    else
+        project.design = withoutCells(withAllHidden(project.design));
     return project;
 }
 

@@ -26,6 +26,7 @@ constexpr double kClose = 8;     // pixels of the screen
 constexpr double kDetail = 0.5;  // pixels of the screen that what is drawn may deviate
 constexpr double kSmallest = 9;  // pixels² of the picture: parts and holes below it are noise
 constexpr QRgb kAway = 0xB3261E;
+constexpr double kThin = 3;               // pixels of the screen: narrower than this, what is drawn is a line
 const QColor kLeftOut(90, 92, 100, 150);  // a veil
 
 QString said(const char* text) {
@@ -237,6 +238,17 @@ Outline OutlineTool::piece() const {
     return m_shape == Shape::Polygon ? clean : simplified(clean, kDetail * pixel);
 }
 
+/// By its mean width: twice the area by the length of the border.
+bool OutlineTool::isThin(const Outline& drawn) const {
+    if (m_shape != Shape::Lasso && m_shape != Shape::Polygon) return false;
+    double length = 0;
+    for (const auto& loop : drawn.loops)
+        for (std::size_t i = 0; i < loop.size(); ++i)
+            length += (loop[(i + 1) % loop.size()] - loop[i]).norm();
+    const double pixel = (m_surface.toShape({1, 0}) - m_surface.toShape({0, 0})).norm();
+    return 2 * areaOf(drawn) < kThin * pixel * length;
+}
+
 /// Computed again only where it must be.
 const Outline& OutlineTool::outlineOf(const Domain& domain) const {
     const Document& document = session().document();
@@ -254,7 +266,11 @@ const Outline& OutlineTool::outlineOf(const Domain& domain) const {
 
 void OutlineTool::finish(Qt::KeyboardModifiers modifiers) {
     const Outline drawn = piece();
+    const bool isLine = isThin(drawn);
     cancel();
+    if (isLine)
+        return emit session().notice(
+            said(QT_TRANSLATE_NOOP("OutlineTool", "That was a line. Draw around a part of the picture.")));
     if (!drawn.loops.empty()) apply(*session().document().project(), drawn, takesAway(modifiers));
 }
 

@@ -43,6 +43,7 @@ class OutlineTool : public Tool {
     bool isDrawn() const { return m_shape != Shape::Wand && m_shape != Shape::Polygon; }
     QPainterPath area() const;
     Outline piece() const;
+    bool isThin(const Outline& drawn) const;
     Outline slit(double tolerance) const;
     Outline inPicture(const QPainterPath& area) const;
     const Outline& outlineOf(const Domain& domain) const;

@@ -36,6 +36,7 @@ void ActionMaker::describe(QAction* action) {
     action->setToolTip(QStringLiteral("%1<p><b>%2</b>%3</p><p>%4</p>")
                            .arg(why, name.toHtmlEscaped(), keyText, help.toHtmlEscaped()));
     action->setStatusTip(extra.isEmpty() ? help : extra);
+    action->setIconText(name);  // Qt leaves a letter in brackets in buttons
 }
 
 void ActionMaker::setIcons(const QPalette& palette) {

@@ -36,14 +36,19 @@ QString keysOf(const QAction& action) {
     return QKeySequence::listToString(own.isEmpty() ? action.shortcuts() : own, QKeySequence::NativeText);
 }
 
-/// Submenus stand with the menu that they are in.
+/// Submenus stand with the menu that they are in, what has a key in a section under the name of that.
 void collect(const QMenu& menu, Group& group) {
+    QString section;
     for (const QAction* action : menu.actions()) {
+        if (action->isSeparator()) section = plain(action->text());
         if (!action->isVisible() || action->isSeparator()) continue;
-        if (action->menu())
-            collect(*action->menu(), group);
-        else if (const QString keys = keysOf(*action); !keys.isEmpty())
-            group.rows << row(keys, plain(action->text()));
+        const QString keys = keysOf(*action);
+        if (action->menu()) collect(*action->menu(), group);
+        if (action->menu() || keys.isEmpty()) continue;
+        if (!section.isEmpty())
+            group.rows << QStringLiteral("<tr><td></td><td><i>%1</i></td></tr>").arg(section.toHtmlEscaped());
+        section.clear();
+        group.rows << row(keys, plain(action->text()));
     }
 }
 

@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "app/document/material_edits.h"
 #include "app/document/settings.h"
 #include "app/panels/energy_scale.h"
 #include "app/panels/panel_parts.h"
@@ -98,9 +99,10 @@ QWidget* CompareView::otherHead() {
     auto* row = new QHBoxLayout(head);
     row->setContentsMargins(12, 0, 4, 0);
     m_energy->setObjectName(QStringLiteral("comparedEnergy"));
-    describe(m_energy, tr("Compare with"), tr("What this half keeps, on the same pins and motions."));
+    describe(m_energy, tr("Compare with"),
+             tr("What this half keeps, or what it is without paint, on the same pins and motions."));
     connect(m_energy, &QComboBox::activated, this,
-            [this](int i) { split(m_energy->itemData(i).toDouble()); });
+            [this](int i) { split(m_energy->itemData(i).value<std::optional<double>>()); });
     m_energy->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     m_otherTotals->setObjectName(QStringLiteral("otherTotals"));
     auto* close = new QToolButton(head);
@@ -125,9 +127,12 @@ void CompareView::connectViews() {
     connect(&m_comparison.other(), &ShapeSession::frameChanged, this, &CompareView::takeFrame);
     connect(&m_parts.session, &ShapeSession::frameChanged, this, &CompareView::showHeads);
     connect(&m_parts.session.document(), &Document::opened, this, &CompareView::join);
+    connect(&m_parts.session.document(), &Document::projectChanged, this, [this] {
+        if (m_split) showEnergies();
+    });
 }
 
-void CompareView::split(double phi) {
+void CompareView::split(std::optional<double> phi) {
     if (m_parts.session.document().isEmpty()) return;
     preview(std::nan(""));
     m_comparison.begin(phi);
@@ -135,7 +140,7 @@ void CompareView::split(double phi) {
     if (m_parts.session.document().dimension() == 3) makeSolid();
     showHalf();
     showEnergies();
-    showHeads();
+    takeFrame();
     if (first) emit splitChanged(true);
 }
 
@@ -218,10 +223,15 @@ void CompareView::showEnergies() {
     const EnergyScale scale(dimension);
     const QSignalBlocker quiet(m_energy);
     m_energy->clear();
-    for (const EnergyStop& stop : scale.stops()) m_energy->addItem(stop.name, stop.phi);
-    const int stop = scale.stopAt(m_comparison.phi());
-    if (stop < 0) m_energy->addItem(nameOf(m_comparison.phi(), dimension), m_comparison.phi());
-    m_energy->setCurrentIndex(stop < 0 ? m_energy->count() - 1 : stop);
+    const auto add = [this](const QString& name, std::optional<double> phi) {
+        m_energy->addItem(name, QVariant::fromValue(phi));
+        if (phi == m_comparison.phi()) m_energy->setCurrentIndex(m_energy->count() - 1);
+    };
+    for (const EnergyStop& stop : scale.stops()) add(stop.name, stop.phi);
+    if (m_comparison.phi() && scale.stopAt(*m_comparison.phi()) < 0)
+        add(nameOf(*m_comparison.phi(), dimension), m_comparison.phi());
+    if (!m_comparison.phi() || isPainted(m_parts.session.document().design()))
+        add(tr("Nothing painted"), std::nullopt);
 }
 
 void CompareView::preview(double phi) {
@@ -242,9 +252,22 @@ void CompareView::takeFrame() {
     m_parts.picture.setStandIn(frame && frame->dimension == 2 ? frame : FramePtr());
     if (SolidCanvas* solid = m_parts.solid())
         solid->setStandIn(frame && frame->dimension == 3 ? frame : FramePtr());
-    if (m_split && m_picture->isVisible()) m_picture->takeView(m_parts.picture);
-    if (m_split && m_solid && m_solid->isVisible()) m_solid->takeView(*m_parts.solid());
+    showOtherHalf();
     showHeads();
+}
+
+/// It shows the shape as it is until it has its own.
+void CompareView::showOtherHalf() {
+    if (!m_split) return;
+    const FramePtr own = m_comparison.other().frame() ? FramePtr() : m_parts.session.frame();
+    if (m_picture->isVisible()) {
+        m_picture->setStandIn(own);
+        m_picture->takeView(m_parts.picture);
+    }
+    if (m_solid && m_solid->isVisible()) {
+        m_solid->setStandIn(own);
+        m_solid->takeView(*m_parts.solid());
+    }
 }
 
 }  // namespace wend

@@ -13,7 +13,7 @@ namespace wend {
 class ShapeCanvas;
 class SolidCanvas;
 
-/// The page of the shape, and beside it, while two energies are compared, the same shape with another one:
+/// The page of the shape, and beside it, while two are compared, the same with another energy or unpainted:
 /// the same part of it, at the same time. Above both stands what is kept, and what that changed. Pins are
 /// dragged in either half.
 class CompareView : public QWidget {
@@ -36,7 +36,8 @@ class CompareView : public QWidget {
     SolidCanvas* solid() { return m_solid; }
 
   public slots:
-    void split(double phi);
+    /// Beside it with that energy; with none, with nothing painted.
+    void split(std::optional<double> phi);
     void join();
     /// While the pointer rests on an energy the shape is shown as that bends it. NaN: no longer.
     void preview(double phi);
@@ -60,6 +61,7 @@ class CompareView : public QWidget {
     void makeSolid();
     void connectViews();
     void takeFrame();
+    void showOtherHalf();
 
     Parts m_parts;
     Comparison m_comparison;

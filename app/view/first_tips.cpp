@@ -101,7 +101,14 @@ int FirstTips::due() const {
     if (!mayShow()) return -1;
     if (m_before[Pin] == 0) return isDone(Pin) || !m_parts.tools.isChosen("pin") ? -1 : Pin;
     if (!isDone(Drag)) return m_parts.tools.isChosen("pin") || m_parts.tools.isChosen("select") ? Drag : -1;
-    return isDone(Keep) || m_before[Drag] == 0 || !m_parts.energies.isVisible() ? -1 : Keep;
+    return isDone(Keep) || m_before[Drag] == 0 || !isBesideKeep() ? -1 : Keep;
+}
+
+/// Not while another half of a comparison lies between.
+bool FirstTips::isBesideKeep() const {
+    constexpr int kBetween = 24;
+    const int right = parentWidget()->mapToGlobal(QPoint(parentWidget()->width(), 0)).x();
+    return m_parts.energies.isVisible() && m_parts.energies.mapToGlobal(QPoint()).x() - right < kBetween;
 }
 
 template <int Dim, class Canvas>

@@ -45,6 +45,7 @@ class FirstTips : public QLabel {
     void begin();
     bool mayShow() const;
     int due() const;
+    bool isBesideKeep() const;
     QPointF anchor(Tip tip) const;
     template <int Dim, class Canvas>
     QPointF anchorOn(const Canvas& canvas, Tip tip) const;

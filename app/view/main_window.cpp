@@ -262,6 +262,12 @@ void MainWindow::connectView() {
     connect(a.fit, &QAction::triggered, m_canvas, &ShapeCanvas::fit);
     connect(a.actualSize, &QAction::triggered, this,
             [this] { m_canvas->zoomTo(1 / m_canvas->devicePixelRatioF()); });
+    const auto tellZoom = [this] {
+        const bool isFlat = m_session.document().dimension() == 2;
+        m_modes->showZoom(isFlat ? m_canvas->view().zoom() * m_canvas->devicePixelRatioF() : 0);
+    };
+    connect(m_canvas, &ShapeCanvas::viewChanged, this, tellZoom);
+    connect(&m_session.document(), &Document::opened, this, tellZoom);
     connect(a.zoomIn, &QAction::triggered, this, [this] { m_canvas->zoomBy(1.25); });
     connect(a.zoomOut, &QAction::triggered, this, [this] { m_canvas->zoomBy(0.8); });
     connect(a.fullScreen, &QAction::toggled, this, [this](bool on) { on ? showFullScreen() : showNormal(); });

@@ -1,6 +1,7 @@
 #include "app/view/mode_row.h"
 
 #include <QHBoxLayout>
+#include <QLocale>
 #include <QMenu>
 #include <QToolButton>
 #include <algorithm>
@@ -13,7 +14,7 @@ namespace wend {
 
 namespace {
 
-constexpr int kStepWidth = 104, kStepHeight = 32, kIcon = 20, kButton = 36, kGap = 16;
+constexpr int kStepWidth = 104, kStepHeight = 32, kIcon = 20, kButton = 36, kZoom = 56, kGap = 16;
 
 }  // namespace
 
@@ -23,12 +24,13 @@ ModeRow::ModeRow(const Actions& a, const Toolbox& tools, QWidget* parent) : QWid
     row->setSpacing(kGap);
     row->addWidget(side({a.open, a.save, nullptr, a.undo, a.redo}, Qt::AlignLeft), 1);
     row->addWidget(steps(tools));
-    QWidget* right = side({a.showRest, a.showMap, a.showMesh, a.hideOverlays, nullptr, a.fit, a.actualSize},
-                          Qt::AlignRight);
+    QWidget* right =
+        side({a.showRest, a.showMap, a.showMesh, a.hideOverlays, nullptr, a.fit}, Qt::AlignRight);
+    right->layout()->addWidget(makeZoom(a));
     right->layout()->addWidget(makeExport(a));
     row->addWidget(right, 1);
-    for (QAction* action :
-         {a.actualSize, a.fit, a.showRest, a.hideOverlays, a.redo, a.undo, a.save, a.open, a.showMesh})
+    m_spare.push_back(m_zoom);
+    for (QAction* action : {a.fit, a.showRest, a.hideOverlays, a.redo, a.undo, a.save, a.open, a.showMesh})
         for (QToolButton* one : findChildren<QToolButton*>())
             if (one->defaultAction() == action) m_spare.push_back(one);
 }
@@ -73,6 +75,24 @@ QWidget* ModeRow::steps(const Toolbox& tools) {
     return group;
 }
 
+QToolButton* ModeRow::makeZoom(const Actions& a) {
+    m_zoom = new QToolButton(this);
+    m_zoom->setObjectName(QStringLiteral("zoom"));
+    m_zoom->setFixedSize(kZoom, kButton);
+    m_zoom->setFocusPolicy(Qt::TabFocus);
+    describe(m_zoom, tr("Zoom"), tr("How large the picture is seen; a click shows its pixels as they are."));
+    connect(m_zoom, &QToolButton::clicked, a.actualSize, &QAction::trigger);
+    connect(a.actualSize, &QAction::changed, m_zoom,
+            [this, &a] { m_zoom->setEnabled(a.actualSize->isEnabled()); });
+    return m_zoom;
+}
+
+void ModeRow::showZoom(double zoom) {
+    const double percent = 100 * zoom;
+    m_zoom->setText(zoom > 0 ? tr("%1 %").arg(QLocale().toString(percent, 'f', percent < 9.95 ? 1 : 0))
+                             : QString());
+}
+
 QToolButton* ModeRow::makeExport(const Actions& actions) {
     m_export = new QToolButton(this);
     m_export->setObjectName(QStringLiteral("exportButton"));
@@ -87,7 +107,7 @@ QToolButton* ModeRow::makeExport(const Actions& actions) {
 }
 
 QSize ModeRow::minimumSizeHint() const {
-    int width = m_export->sizeHint().width() + 4 * kGap;
+    int width = m_export->sizeHint().width() + 4 * kGap + kZoom - kButton;
     for (const QToolButton* step : m_steps) width += step->sizeHint().width() + 2;
     return {width, kButton};
 }

@@ -19,6 +19,8 @@ class ModeRow : public QWidget {
   public:
     ModeRow(const Actions& actions, const Toolbox& tools, QWidget* parent = nullptr);
     QToolButton* exportButton() const { return m_export; }
+    /// How large a pixel of the picture is on the screen; 0: there is none.
+    void showZoom(double zoom);
     QSize minimumSizeHint() const override;
 
   protected:
@@ -29,11 +31,12 @@ class ModeRow : public QWidget {
     QToolButton* button(QAction* action, QWidget* parent);
     QWidget* steps(const Toolbox& tools);
     QToolButton* makeExport(const Actions& actions);
+    QToolButton* makeZoom(const Actions& actions);
     void collapse();
 
     std::vector<QToolButton*> m_steps;
     std::vector<QToolButton*> m_spare;  // those that go, the first one first
-    QToolButton* m_export = nullptr;
+    QToolButton *m_zoom = nullptr, *m_export = nullptr;
 };
 
 }  // namespace wend

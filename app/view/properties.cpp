@@ -117,7 +117,7 @@ void Properties::fill(ShapeSession& session, Exporter& exporter, const Actions& 
     put(m_detailRegions, tr("Detail"), "sizes", {.modes = Mode::Mesh, .solid = false, .tool = "sizes"});
     put(m_depthRegions, tr("Depth"), "depth", {.modes = Mode::Paint, .solid = false, .tool = "depth"});
     put(m_paint, tr("Paint"), "brush", {.modes = Mode::Paint, .without = "depth"});
-    put(m_layers, tr("Layers"), "region", {.modes = Mode::Paint});
+    put(m_layers, tr("Layers"), "layers", {.modes = Mode::Paint});
     put(m_pins, tr("Pins"), "pin", {.modes = Mode::Pins});
     put(selectionArea(session), tr("Selection"), "select", {.modes = posing});
     put(new FlowPanel(session), tr("Flow"), "curve", {.modes = Mode::Animate});
@@ -149,6 +149,7 @@ QWidget* Properties::selectionArea(ShapeSession& session) {
     auto* area = new QWidget;
     area->setObjectName(QStringLiteral("selectionArea"));
     area->setMinimumHeight(kSelection);
+    area->installEventFilter(this);
     auto* column = new QVBoxLayout(area);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
@@ -182,8 +183,12 @@ std::vector<Properties::Section> Properties::sections() const {
     return all;
 }
 
-/// A panel comes and goes by itself, too.
+/// A panel comes and goes by itself, too. What is selected keeps the room that it once had, or what is below
+/// would jump.
 bool Properties::eventFilter(QObject* watched, QEvent* event) {
+    auto& part = static_cast<QWidget&>(*watched);
+    if (event->type() == QEvent::LayoutRequest && part.objectName() == QStringLiteral("selectionArea"))
+        part.setMinimumHeight(std::max(part.minimumHeight(), part.layout()->sizeHint().height()));
     if (event->type() == QEvent::ShowToParent || event->type() == QEvent::HideToParent)
         emit sectionsChanged();
     return QWidget::eventFilter(watched, event);

@@ -53,6 +53,8 @@ void SideWindows::showHistory() {
     }
     history->show();
     history->raise();
+    history->activateWindow();
+    history->findChild<QUndoView*>()->setFocus();
 }
 
 void SideWindows::showAbout() {

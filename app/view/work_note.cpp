@@ -85,11 +85,11 @@ QString WorkNote::text() const {
     return isHidden() ? QString() : m_text->text();
 }
 
-QString WorkNote::words() const {
+QString WorkNote::words(double part) const {
     const Document& document = m_session.document();
     if (document.isEmpty()) return {};
     if (!m_session.isMeshing())
-        return tr("Computing the motion: %1 %").arg(QLocale().toString(static_cast<int>(100 * m_part)));
+        return tr("Computing the motion: %1 %").arg(QLocale().toString(static_cast<int>(100 * part)));
     const Domain& domain = document.domain();
     if (domain.kind == DomainKind::Mesh || domain.maxVolume > 0 || domain.edge > 0)
         return tr("Meshing %1 …").arg(document.displayName());
@@ -97,7 +97,8 @@ QString WorkNote::words() const {
 }
 
 void WorkNote::showText() {
-    m_text->setText(words());
+    m_text->setText(words(m_part));
+    m_text->setMinimumWidth(m_text->fontMetrics().horizontalAdvance(words(1)) + 2);
     m_bar->setVisible(!m_session.isMeshing());  // how far that is nobody knows
     m_bar->setValue(static_cast<int>(100 * m_part));
     setAccessibleName(m_text->text());

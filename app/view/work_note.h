@@ -28,7 +28,7 @@ class WorkNote : public QFrame {
     void follow();
     void showText();
     void place();
-    QString words() const;
+    QString words(double part) const;
     bool isCancelKey(QObject* watched, QEvent* event) const;
 
     ShapeSession& m_session;

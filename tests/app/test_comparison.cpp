@@ -4,7 +4,10 @@
 #include <QToolButton>
 
 #include "app/document/handle_edits.h"
+#include "app/document/material_edits.h"
 #include "app/document/project.h"
+#include "app/document/setting_edits.h"
+#include "app/document/settings.h"
 #include "app/panels/distortion_panel.h"
 #include "app/panels/material_panel.h"
 #include "app/view/backdrop_choice.h"
@@ -70,6 +73,8 @@ class TestComparison : public QObject {
     void backdropLiesBehindBoth();
     void keysReturnToTheShape_data() { dimensions(); }
     void keysReturnToTheShape();
+    void paintIsTakenAway_data() { dimensions(); }
+    void paintIsTakenAway();
     void anotherFileEndsIt();
 
   private:
@@ -84,6 +89,8 @@ class TestComparison : public QObject {
     void returnKeys();
     template <int Dim>
     void chooseBackdrop();
+    template <int Dim>
+    void takePaintAway();
     template <int Dim>
     bool begin();
     CompareView& view() { return m_f->window().compared(); }
@@ -167,7 +174,7 @@ void TestComparison::goTogether() {
     QVERIFY(other().frame()->time < session.playback().end());
     session.playback().setTime(session.playback().end());
     // The other energy as that of the document, computed alone.
-    const double phi = view().comparison().phi();
+    const double phi = view().comparison().phi().value();
     view().join();
     QVERIFY(!view().comparison().isOn());
     Project changed = m_f->project();
@@ -277,13 +284,13 @@ void TestComparison::tilesAreDropped() {
     QVERIFY(!view().isSplit());
     drop(m_f->window().canvas().mapTo(&m_f->window(), m_f->window().canvas().rect().center()));
     QVERIFY(view().isSplit());
-    QCOMPARE(view().comparison().phi(), phi);
+    QCOMPARE(view().comparison().phi(), std::optional(phi));
     auto* energy = view().findChild<QComboBox*>("comparedEnergy");
     QCOMPARE(energy->currentText(), tiles().scale().stops()[2].name);
     QVERIFY(settle(other()));
     energy->setFocus();
     QTest::keyClick(energy, Qt::Key_Down);
-    QCOMPARE(view().comparison().phi(), tiles().scale().stops()[3].phi);
+    QCOMPARE(view().comparison().phi(), std::optional(tiles().scale().stops()[3].phi));
     QTest::mouseClick(view().findChild<QToolButton*>("endComparison"), Qt::LeftButton);
     QVERIFY(!view().isSplit() && !m_f->window().actions().compare->isChecked());
 }
@@ -375,6 +382,43 @@ void TestComparison::returnKeys() {
     QTest::keyClick(&its, Qt::Key_Y);
     QVERIFY(!view().isSplit());
     QVERIFY(own.hasFocus());
+}
+
+void TestComparison::paintIsTakenAway() {
+    BOTH(takePaintAway);
+}
+
+/// Beside what is painted stands the shape as it was before that, with the same energy, whatever that
+/// becomes.
+template <int Dim>
+void TestComparison::takePaintAway() {
+    QVERIFY(begin<Dim>());
+    auto* choice = view().findChild<QComboBox*>("comparedEnergy");
+    const QString unpainted = CompareView::tr("Nothing painted");
+    QCOMPARE(choice->findText(unpainted), -1);
+    ShapeSession& session = m_f->session();
+    session.selection().set({1});
+    session.template nudgeSelected<Dim>(Bar<Dim>::way());
+    QVERIFY(settle(session));
+    const Points<Dim> before = session.template frame<Dim>()->pose;
+    MaterialRegion<Dim> stiff;
+    stiff.shape = HalfSpace<Dim>{Vec<Dim>::Zero(), Vec<Dim>::Unit(1)};
+    stiff.stiffness = Stiffness<Dim>{Vec<Dim>::Unit(0), 300};
+    Project project = *session.document().project();
+    project.design = withRegions<Dim>(session.document().template design<Dim>(), "Stiff", {stiff});
+    session.document().change(QStringLiteral("paint"), project);
+    QCOMPARE(choice->itemText(choice->count() - 1), unpainted);
+    choice->setFocus();
+    while (choice->currentIndex() + 1 < choice->count()) QTest::keyClick(choice, Qt::Key_Down);
+    QVERIFY(settle(session) && settle(other()));
+    QVERIFY(!view().comparison().phi());
+    QVERIFY(other().template frame<Dim>()->pose == before);
+    QVERIFY((session.template frame<Dim>()->pose - before).norm() > 1e-3 * before.norm());
+    const double angle = tiles().scale().stops()[3].phi;
+    changeSetting(session.document(), "material.phi", angle);
+    QVERIFY(settle(session) && settle(other()));
+    QCOMPARE(settingOf(*other().document().project(), "material.phi"), angle);
+    QCOMPARE(choice->currentText(), unpainted);
 }
 
 void TestComparison::anotherFileEndsIt() {

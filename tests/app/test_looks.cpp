@@ -94,7 +94,8 @@ void TestLooks::iconsDiffer() {
     const QPalette look = wendPalette(Appearance::Light, QApplication::palette());
     const QStringList names = {"pin",       "select",   "area-lasso", "area-rectangle", "area-brush",
                                "area-ball", "area-box", "area-half",  "sizes",          "brush",
-                               "measure",   "mesh",     "distortion", "hide",           "fit"};
+                               "measure",   "mesh",     "distortion", "hide",           "fit",
+                               "layers",    "through",  "depth"};
     std::vector<QImage> drawn;
     for (const QString& name : names) {
         drawn.push_back(wendIcon(name, look).pixmap(20, 20).toImage());

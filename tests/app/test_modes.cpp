@@ -19,6 +19,7 @@
 #include "app/panels/mesh_panel.h"
 #include "app/panels/paint_panel.h"
 #include "app/panels/pin_list.h"
+#include "app/session/pin_shapes.h"
 #include "app/view/cheat_sheet.h"
 #include "app/view/export_panel.h"
 #include "app/view/manual_window.h"
@@ -234,6 +235,16 @@ void TestModes::selectingMovesNothing() {
     selection.clear();
     QCOMPARE(places(), before);
     QVERIFY(asksForAPin());
+    if (solid) return;
+    // What needs more room keeps it.
+    m_f->session().addPin({160, 80});
+    widenPin(m_f->session(), 0, 20);
+    selection.set({0});
+    const QList<QRect> widest = places();
+    selection.set({1});
+    QCOMPARE(places(), widest);
+    selection.clear();
+    QCOMPARE(places(), widest);
 }
 
 void TestModes::nothingIsBelowTheFold_data() {
@@ -317,6 +328,11 @@ void TestModes::cheatSheetHasEveryKey() {
         }
     }
     QVERIFY(seen > 30);
+    for (const Mode mode : kModes) {  // tools stand under their step
+        const QString step = QString(tools().modeAction(mode)->text()).remove('&');
+        QVERIFY2(text.count('\n' + step + '\n') >= 1 || tools().toolsFirstIn(mode).isEmpty(),
+                 qPrintable(step));
+    }
     QTest::keyClick(m_f->window().menuBar(), Qt::Key_Escape);
     bool opened = false;
     withNext<CheatSheet>(&m_f->window(), [&opened](CheatSheet& dialog) {

@@ -64,6 +64,7 @@ class TestOutlineTools : public QObject {
     void pinsBesideItGo();
     void pinsOnTheLineStay();
     void noiseIsLeftOut();
+    void linesAreNoParts();
     void drawnLinesAreKept();
     void gesturesAreGivenUp();
     void drawnAtRest();
@@ -334,6 +335,18 @@ void TestOutlineTools::noiseIsLeftOut() {
     QCOMPARE(domain().polygons.loops.size(), std::size_t(1));
     draw({{200, 150}, {206, 150}, {206, 156}, {200, 156}});
     QCOMPARE(domain().polygons.loops.size(), std::size_t(2));
+}
+
+/// A straight stroke of a lasso is a slip of the hand; a narrow band is none.
+void TestOutlineTools::linesAreNoParts() {
+    use(OutlineTool::Shape::Lasso);
+    QSignalSpy notices(m_session.get(), &ShapeSession::notice);
+    draw({{50, 40}, {150, 41}, {250, 40}});
+    QCOMPARE(steps(), 0);
+    QCOMPARE(notices.count(), 1);
+    draw({{50, 40}, {250, 40}, {250, 44}, {50, 44}});
+    QCOMPARE(steps(), 1);
+    QCOMPARE(notices.count(), 1);
 }
 
 /// Every corner of a star comes out where it was drawn, to a pixel of the screen.

@@ -331,6 +331,11 @@ void TestWindow::viewIsZoomed() {
     QVERIFY(std::abs(back - one) < 1e-9);
     m_window->actions().zoomOut->trigger();
     QVERIFY(QLineF(canvas.toWidget({0, 0}), canvas.toWidget({1, 0})).length() < 0.9 * one);
+    auto* zoom = m_window->findChild<QToolButton*>(QStringLiteral("zoom"));
+    QCOMPARE(zoom->text(), QStringLiteral("80 %"));
+    QTest::mouseClick(zoom, Qt::LeftButton);
+    QCOMPARE(zoom->text(), QStringLiteral("100 %"));
+    QVERIFY(std::abs(QLineF(canvas.toWidget({0, 0}), canvas.toWidget({1, 0})).length() - one) < 1e-9);
 }
 
 /// Where the pointer is, and how much the shape has grown, by the areas of its cells.
