@@ -6,6 +6,7 @@ namespace wend {
 
 Cage fitCage(const Surface& surface, const CageOptions& options) {
     static constexpr MesherProcess kMesher{"wend-cage", "the cage mesher",
+                                           "the cage mesher did not finish within ",
                                            "fewer vertices or larger cells may help"};
     CageReply reply;
     const std::string request = pack(CageRequest{{surface.points, surface.triangles, {}}, options});

@@ -19,7 +19,7 @@ std::string reasonOf(const MesherProcess& mesher, const ChildResult& result, dou
             throw MesherLost(name + " " + mesher.program + " is missing beside the program");
         case End::TimedOut:
         case End::Idle:
-            return name + " did not finish within " + numberText(seconds) + " s of computing; " + mesher.help;
+            return mesher.late + numberText(seconds) + " s of computing; " + mesher.help;
         case End::Stopped:
             throw Cancelled();
         case End::Signalled:

@@ -18,7 +18,8 @@ class MesherLost : public InputError {
 struct MesherProcess {
     const char* program;
     const char* name;             // in messages
-    const char* help;             // where its time runs out
+    const char* late;             // the beginning of what is said where its time runs out …
+    const char* help;             // … and its end
     double secondsPerPart = 120;  // of computing, for each 50 000 triangles that the surface begins
 };
 

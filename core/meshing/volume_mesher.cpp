@@ -73,8 +73,8 @@ Surface oriented(const Surface& surface) {
 }
 
 MesherProcess mesherFor(const VolumeMeshOptions& options) {
-    return {"wend-tetgen", "the volume mesher", "a coarser quality or a larger maxVolume may help",
-            options.timeLimit};
+    return {"wend-tetgen", "the volume mesher", "the volume mesher did not finish within ",
+            "a coarser quality or a larger maxVolume may help", options.timeLimit};
 }
 
 std::string reasonOf(int tetgenError) {
